@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "gui/ui.h"
+#include "gui/surface/ui.h"
 #include "gui/widgets/badge.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
-#include "panels/path.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

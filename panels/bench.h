@@ -1,5 +1,5 @@
 #pragma once
-#include "gui/panel.h"
+#include "gui/shell/panel_entry.h"
 #include "panels/front_panel.h"
 
 namespace hw::panels {

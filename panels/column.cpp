@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/tab.h"
-#include "panels/axis_extras.h"
+#include "gui/model/tab.h"
 #include "panels/measures.h"
+#include "panels/position/axis_extras.h"
 
 namespace hw::panels {
 

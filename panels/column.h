@@ -1,7 +1,7 @@
 #pragma once
 // The measures of the left column, one set for each number of axes and kind of window: nothing that is said
 // in it, no state, unit or refusal, moves what moves metal by a pixel. Logical pixels.
-#include "gui/frame.h"
+#include "gui/shell/frame.h"
 
 namespace hw::panels {
 

@@ -7,11 +7,11 @@
 #include <fmt/core.h>
 
 #include "core/device/refusals.h"
-#include "gui/console.h"
-#include "gui/tab.h"
-#include "gui/units_format.h"
+#include "gui/model/tab.h"
+#include "gui/model/units_format.h"
+#include "gui/shell/console.h"
 #include "gui/widgets/text.h"
-#include "panels/path.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

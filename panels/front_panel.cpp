@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/ui.h"
+#include "gui/surface/ui.h"
 #include "gui/widgets/hold_button.h"
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/text.h"

@@ -6,8 +6,8 @@
 
 #include <imgui.h>
 
-#include "gui/frame.h"
-#include "panels/path.h"
+#include "gui/shell/frame.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <vector>
 
-#include "gui/tab.h"
+#include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
 #include "panels/column.h"
 #include "panels/measures.h"
-#include "panels/path.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

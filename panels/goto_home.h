@@ -7,7 +7,7 @@
 
 #include <imgui.h>
 
-#include "gui/panel.h"
+#include "gui/shell/panel_entry.h"
 #include "gui/widgets/number_field.h"
 #include "panels/doubt_ways.h"
 #include "panels/refusal_card.h"

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/area.h"
-#include "gui/console.h"
-#include "gui/keyboard.h"
+#include "gui/input/keyboard.h"
+#include "gui/shell/console.h"
+#include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
-#include "panels/path.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "gui/panel.h"
+#include "gui/shell/panel_entry.h"
 
 namespace hw::panels {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/ui.h"
+#include "gui/surface/ui.h"
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/measures.h"
-#include "panels/path.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

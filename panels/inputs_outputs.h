@@ -5,7 +5,7 @@
 
 #include <imgui.h>
 
-#include "gui/panel.h"
+#include "gui/shell/panel_entry.h"
 
 namespace hw::panels {
 

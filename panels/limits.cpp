@@ -4,11 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "gui/axis_look.h"
-#include "gui/ui.h"
+#include "gui/model/axis_look.h"
+#include "gui/surface/ui.h"
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/text.h"
-#include "panels/path.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <imgui.h>
 
-#include "gui/panel.h"
+#include "gui/shell/panel_entry.h"
 
 namespace hw::panels {
 

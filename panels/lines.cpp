@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gui/tab.h"
+#include "gui/model/tab.h"
 #include "panels/measures.h"
 
 namespace hw::panels {

@@ -2,7 +2,7 @@
 // Hairlines that part a panel, and the row of buttons at its top.
 #include <imgui.h>
 
-#include "gui/frame.h"
+#include "gui/shell/frame.h"
 
 namespace hw::panels {
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "gui/area.h"
-#include "gui/tab.h"
+#include "gui/model/tab.h"
+#include "gui/widgets/area.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/measures.h"
-#include "panels/path.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

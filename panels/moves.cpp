@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/area.h"
-#include "gui/tab.h"
+#include "gui/model/tab.h"
+#include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/control/readouts.h"
 #include "panels/lines.h"
 #include "panels/measures.h"
-#include "panels/path.h"
-#include "panels/readouts.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "gui/move_list.h"
-#include "gui/panel.h"
+#include "gui/model/move_list.h"
+#include "gui/shell/panel_entry.h"
 #include "gui/widgets/file_dialog.h"
 #include "gui/widgets/number_field.h"
-#include "panels/action_form.h"
+#include "panels/control/action_form.h"
 #include "panels/doubt_ways.h"
 
 namespace hw::panels {

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/session/text_file.h"
-#include "gui/tab.h"
+#include "gui/model/tab.h"
 #include "gui/widgets/message.h"
 #include "panels/moves.h"
 

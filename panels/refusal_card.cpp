@@ -9,7 +9,7 @@
 
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
-#include "panels/path.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

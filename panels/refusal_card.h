@@ -21,7 +21,7 @@
 #include <span>
 #include <string_view>
 
-#include "gui/frame.h"
+#include "gui/shell/frame.h"
 #include "gui/widgets/message.h"
 
 namespace hw::panels {

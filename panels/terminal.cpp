@@ -7,8 +7,8 @@
 #include <imgui_internal.h>
 
 #include "core/session/user_files.h"
-#include "gui/console.h"
-#include "gui/tab.h"
+#include "gui/model/tab.h"
+#include "gui/shell/console.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"

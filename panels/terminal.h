@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "gui/desk.h"
-#include "gui/panel.h"
+#include "gui/model/desk.h"
+#include "gui/shell/panel_entry.h"
 #include "gui/widgets/file_dialog.h"
 #include "gui/widgets/text_field.h"
 #include "panels/terminal_log.h"

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "gui/frame.h"
-#include "gui/traffic_log.h"
-#include "gui/ui.h"
+#include "gui/model/traffic_log.h"
+#include "gui/shell/frame.h"
+#include "gui/surface/ui.h"
 
 namespace hw::panels {
 

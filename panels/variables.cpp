@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 
 #include "core/base/number_text.h"
-#include "gui/area.h"
-#include "gui/tab.h"
+#include "gui/model/tab.h"
+#include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
 #include "panels/measures.h"
-#include "panels/path.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "gui/panel.h"
+#include "gui/shell/panel_entry.h"
 #include "gui/widgets/number_field.h"
 
 namespace hw::panels {

@@ -24,7 +24,7 @@ measure() {
 rm -rf "$folder"
 cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHW_TESTS=OFF -DHW_CCACHE= >/dev/null
 measure $clean_budget "clean release build"
-touch panels/jog.cpp
-measure $touch_budget "after touching panels/jog.cpp"
+touch panels/jog/jog.cpp
+measure $touch_budget "after touching panels/jog/jog.cpp"
 rm -rf "$folder"
 exit $missed

@@ -1,6 +1,7 @@
 #pragma once
-// Program texts and blocks that are in no file yet survive a crash: written by atomic rename into the state folder while
-// they are edited, offered again when the same controller is opened, forgotten when they are saved.
+// Program texts and blocks that are in no file yet survive a crash: written by atomic rename into the state
+// folder while they are edited, offered again when the same controller is opened, forgotten when they are
+// saved.
 #include <string>
 #include <vector>
 

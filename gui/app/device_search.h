@@ -6,7 +6,7 @@
 
 #include "core/base/ring.h"
 #include "core/time/scheduler.h"
-#include "gui/device_finder.h"
+#include "gui/shell/device_finder.h"
 #include "transports/scan.h"
 
 namespace hw::app {

@@ -7,7 +7,7 @@
 
 #include "core/base/ring.h"
 #include "core/time/scheduler.h"
-#include "gui/port_finder.h"
+#include "gui/shell/port_finder.h"
 #include "transports/scan.h"
 
 namespace hw::app {

@@ -1,6 +1,6 @@
 #include "gui/app/script_stage.h"
 
-#include "gui/outside.h"
+#include "gui/shell/outside.h"
 #include "panels/panel_list.h"
 
 namespace hw::app {

@@ -2,10 +2,10 @@
 // The screen of `run --gui`: the real console with the real panels, without a display, driven by a script.
 #include "core/script/module.h"
 #include "gui/app/device_search.h"
-#include "gui/automation.h"
-#include "gui/console.h"
-#include "gui/offscreen.h"
-#include "gui/worker.h"
+#include "gui/model/worker.h"
+#include "gui/shell/console.h"
+#include "gui/surface/automation.h"
+#include "gui/surface/offscreen.h"
 
 namespace hw::app {
 

@@ -10,7 +10,7 @@
 #include <imgui.h>
 
 #include "core/device/language.h"
-#include "gui/ui.h"
+#include "gui/surface/ui.h"
 #include "gui/widgets/find_bar.h"
 #include "gui/widgets/text_model.h"
 #include "gui/widgets/touch.h"

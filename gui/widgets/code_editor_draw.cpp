@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "gui/units_format.h"
+#include "gui/model/units_format.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/code_editor.h"
 #include "gui/widgets/icons.h"

@@ -63,26 +63,4 @@ Face digits_face(const Ui& ui, std::span<const std::string_view> numbers, std::s
   return Face::digits26;
 }
 
-std::string_view format_number(std::span<char> buffer, double value, int decimals) {
-  char plain[64];
-  const int n = std::snprintf(plain, sizeof plain, "%.*f", decimals, std::fabs(value));
-  bool zero = true;
-  for (int i = 0; i < n; ++i) zero &= plain[i] == '0' || plain[i] == '.';
-  std::size_t out = 0;
-  const auto put = [&](std::string_view s) {
-    if (out + s.size() > buffer.size()) return;
-    std::memcpy(buffer.data() + out, s.data(), s.size());
-    out += s.size();
-  };
-  if (value < 0 && !zero) put("\xE2\x88\x92");
-  const char* point = std::strchr(plain, '.');
-  const int whole = static_cast<int>(point ? point - plain : n);
-  for (int i = 0; i < n; ++i) {
-    const int left = whole - i;
-    if (whole >= 5 && i > 0 && left > 0 && left % 3 == 0) put("\xE2\x80\x89");
-    put({plain + i, 1});
-  }
-  return {buffer.data(), out};
-}
-
 }  // namespace hw::gui

@@ -32,7 +32,4 @@ Face digits_face(const Ui& ui, std::span<const std::string_view> numbers, std::s
 /// Of figures and unit, in pixels.
 float digits_width(const Ui& ui, Face face, std::string_view number, std::string_view unit);
 
-/// Number formats of the look: real minus, thin spaces from five figures on. Writes into `buffer`.
-std::string_view format_number(std::span<char> buffer, double value, int decimals);
-
 }  // namespace hw::gui

@@ -6,7 +6,7 @@
 
 #include <imgui_internal.h>
 
-#include "gui/lower_case.h"
+#include "gui/model/lower_case.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/row.h"

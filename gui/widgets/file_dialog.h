@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gui/ui.h"
+#include "gui/surface/ui.h"
 #include "gui/widgets/text_field.h"
 
 namespace hw::gui {

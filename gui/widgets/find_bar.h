@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "gui/ui.h"
+#include "gui/surface/ui.h"
 #include "gui/widgets/text_model.h"
 
 namespace hw::gui {

@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "gui/mood.h"
-#include "gui/toasts.h"
+#include "gui/model/mood.h"
+#include "gui/model/toasts.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/touch.h"
 

@@ -5,15 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "gui/model/typed_number.h"
 #include "gui/widgets/text_field.h"
 
 namespace hw::gui {
-
-struct NumberRange {
-  double min = -1e12, max = 1e12;
-  int decimals = 0;  ///< shown; also the most that may be typed
-  std::string_view unit = {};
-};
 
 struct NumberOptions {
   NumberRange range{};
@@ -57,10 +52,5 @@ struct NumberEvent {
 /// `shown`: the value that the controller has (nullopt: the text is the panel's alone, as in Go to).
 NumberEvent number_field(Ui& ui, std::string_view id, std::string_view label, std::optional<double> shown,
                          NumberField& state, const NumberOptions& options = {});
-
-/// "12,5" and "12.5" and "−12.5" and "57 000"; nothing when it is not one number.
-std::optional<double> read_number(std::string_view text);
-/// Why `text` does not do, in a few words: "1 to 6000 only"; empty when it does.
-std::string range_sentence(std::string_view text, const NumberRange& range);
 
 }  // namespace hw::gui

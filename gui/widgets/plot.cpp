@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "gui/units_format.h"
+#include "gui/model/units_format.h"
 #include "gui/widgets/text.h"
 
 namespace hw::gui {

@@ -2,33 +2,11 @@
 // What an axis or controller does, by shape, word and colour at once: a grey print must still be readable.
 #include <string_view>
 
+#include "gui/model/axis_look.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/touch.h"
 
 namespace hw::gui {
-
-enum class State : std::uint8_t {
-  idle,
-  moving_plus,
-  moving_minus,
-  moving,  ///< several axes, or the direction is not known
-  homing_plus,
-  homing_minus,
-  stopping,
-  limit_plus,
-  limit_minus,
-  off,
-  stale,
-  untrusted,
-  lost,
-  fault,
-  waiting,
-  connecting,
-  slipped,      ///< stands, and its encoder has lain too far off
-  in_place,     ///< a servo axis: its encoder stands where it is sent
-  open_loop,    ///< a servo axis: its motor is free
-  not_in_place  ///< a servo axis: it has not come where it was sent
-};
 
 struct StateLook {
   Icon icon;

@@ -2,7 +2,7 @@
 // Words on the screen, at whole pixels.
 #include <string_view>
 
-#include "gui/ui.h"
+#include "gui/surface/ui.h"
 
 namespace hw::gui {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "gui/lower_case.h"
+#include "gui/model/lower_case.h"
 
 namespace hw::gui {
 namespace {

@@ -3,7 +3,7 @@
 // input. Places the widget at ImGui's cursor, registers it, and tells what happened to it in this frame.
 #include <string_view>
 
-#include "gui/ui.h"
+#include "gui/surface/ui.h"
 
 namespace hw::gui {
 

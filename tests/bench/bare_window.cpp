@@ -9,7 +9,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include "gui/fonts.h"
+#include "gui/surface/fonts.h"
 
 int main() {
   if (!glfwInit()) return 1;

@@ -5,8 +5,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "gui/offscreen.h"
-#include "gui/path_picture.h"
+#include "gui/surface/offscreen.h"
+#include "gui/surface/path_picture.h"
 
 namespace hw {
 namespace {

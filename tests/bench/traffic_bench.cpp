@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "gui/traffic_log.h"
+#include "gui/model/traffic_log.h"
 
 namespace hw {
 namespace {

@@ -1,5 +1,5 @@
 // Hands of scripts: they do what a person could do, and say why not when one could not.
-#include "gui/automation.h"
+#include "gui/surface/automation.h"
 
 #include <filesystem>
 

@@ -1,5 +1,5 @@
 // When frames are drawn: never so that something shown stays old, and none at rest.
-#include "gui/frame_pacer.h"
+#include "gui/surface/frame_pacer.h"
 
 #include <gtest/gtest.h>
 

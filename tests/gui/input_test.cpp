@@ -4,8 +4,8 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
-#include "gui/input_queue.h"
-#include "gui/keyboard.h"
+#include "gui/input/input_queue.h"
+#include "gui/input/keyboard.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text_field.h"
 #include "gui/widgets/touch.h"

@@ -1,4 +1,4 @@
-#include "gui/layout.h"
+#include "gui/surface/layout.h"
 
 #include <gtest/gtest.h>
 

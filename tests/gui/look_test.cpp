@@ -2,11 +2,20 @@
 #include <gtest/gtest.h>
 
 #include "gui/widgets/digits.h"
+#include "gui/widgets/state_word.h"
 #include "gui/widgets/text.h"
 #include "tests/gui/stage.h"
 
 namespace hw::gui {
 namespace {
+
+TEST(Look, AStateHasAWord) {
+  EXPECT_EQ(look_of(State::idle).word, "IDLE");
+  EXPECT_EQ(look_of(State::slipped).word, "SLIP");
+  EXPECT_EQ(look_of(State::in_place).word, "IN PLACE");
+  EXPECT_EQ(look_of(State::open_loop).word, "OPEN LOOP");
+  EXPECT_EQ(look_of(State::not_in_place).word, "OFF PLACE");
+}
 
 TEST(Theme, TextNeverFallsBelowFourAndAHalf) {
   const Tone texts[] = {Tone::ink,  Tone::ink2,  Tone::ink3, Tone::motion, Tone::ok,

@@ -1,5 +1,5 @@
 // Paths as pictures, and pictures among what ImGui draws.
-#include "gui/path_picture.h"
+#include "gui/surface/path_picture.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // Which of the presses and repeats that a window is told of are those of a hand.
-#include "gui/physical_keys.h"
+#include "gui/input/physical_keys.h"
 
 #include <gtest/gtest.h>
 

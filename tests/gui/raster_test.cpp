@@ -1,5 +1,5 @@
 // The software rasteriser against what GL would draw: whole pixels, shared edges, clip, blending, text.
-#include "gui/raster.h"
+#include "gui/surface/raster.h"
 
 #include <chrono>
 

@@ -2,8 +2,8 @@
 // A surface without display, a clock of 60 frames a second, and hands: what every GUI test needs.
 #include <functional>
 
-#include "gui/automation.h"
-#include "gui/offscreen.h"
+#include "gui/surface/automation.h"
+#include "gui/surface/offscreen.h"
 
 namespace hw::gui {
 

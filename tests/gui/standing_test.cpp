@@ -1,5 +1,5 @@
 // A press that starts motion counts only on a button that has stood still.
-#include "gui/standing.h"
+#include "gui/input/standing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Toasts: how long they stay, and where they lie.
-#include "gui/toasts.h"
+#include "gui/model/toasts.h"
 
 #include <gtest/gtest.h>
 

@@ -326,22 +326,6 @@ TEST(Choice, SegmentAndDropdown) {
   EXPECT_EQ(unit, 2);
 }
 
-TEST(Digits, NumbersOfTheLook) {
-  char buffer[64];
-  EXPECT_EQ(format_number(buffer, -150, 3),
-            "\xE2\x88\x92"
-            "150.000");
-  EXPECT_EQ(format_number(buffer, -0.0001, 3), "0.000");
-  EXPECT_EQ(format_number(buffer, 57000, 0),
-            "57\xE2\x80\x89"
-            "000");
-  EXPECT_EQ(format_number(buffer, 1234567.5, 1),
-            "1\xE2\x80\x89"
-            "234\xE2\x80\x89"
-            "567.5");
-  EXPECT_EQ(format_number(buffer, 3120, 0), "3120");
-}
-
 TEST(ToggleLamp, WhatIsNotKnownIsNotDrawnAsOff) {
   std::size_t vertices = 0;
   ToggleOptions o;

@@ -1,5 +1,5 @@
 // Blocks that are clicked together become the controller's text; what it cannot do is said at its block.
-#include "panels/blocks.h"
+#include "panels/blocks/blocks.h"
 
 #include "core/device/registry.h"
 #include "core/sequence/sequence_file.h"

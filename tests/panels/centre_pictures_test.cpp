@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "core/device/registry.h"
-#include "panels/program.h"
-#include "panels/setup.h"
+#include "panels/program/program.h"
+#include "panels/setup/setup.h"
 #include "panels/terminal.h"
 #include "tests/panels/panel_stage.h"
 

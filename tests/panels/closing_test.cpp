@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "core/session/last_end.h"
-#include "gui/worker.h"
+#include "gui/model/worker.h"
 #include "tests/core/session/folder.h"
 #include "tests/panels/console_stage.h"
 #include "tests/panels/full_catalog.h"

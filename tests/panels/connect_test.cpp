@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "gui/device_finder.h"
+#include "gui/shell/device_finder.h"
 #include "tests/panels/console_stage.h"
 
 namespace hw::panels {

@@ -8,9 +8,9 @@
 
 #include "core/base/asio.h"
 #include "core/time/virtual_scheduler.h"
-#include "gui/console.h"
-#include "gui/outside.h"
-#include "gui/tab.h"
+#include "gui/model/tab.h"
+#include "gui/shell/console.h"
+#include "gui/shell/outside.h"
 #include "panels/panel_list.h"
 #include "tests/gui/stage.h"
 

@@ -1,5 +1,5 @@
 // Contours and staircases: what is typed is drawn, checked, written by the controller's language and run.
-#include "panels/contour.h"
+#include "panels/contour/contour.h"
 
 #include "tests/panels/panel_stage.h"
 #include "tests/panels/window_catalog.h"

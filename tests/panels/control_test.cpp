@@ -1,5 +1,5 @@
 // Readouts and actions, drawn from a catalog: what is shown, what is sent, what is watched.
-#include "panels/control.h"
+#include "panels/control/control.h"
 
 #include "tests/panels/full_catalog.h"
 #include "tests/panels/panel_stage.h"

@@ -1,5 +1,5 @@
 // A drawing file is opened, placed, and becomes blocks or a program.
-#include "panels/drawing_tab.h"
+#include "panels/drawing/drawing_tab.h"
 
 #include "core/device/registry.h"
 #include "core/session/user_files.h"

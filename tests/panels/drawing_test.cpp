@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "panels/program.h"
+#include "panels/program/program.h"
 #include "tests/panels/console_stage.h"
 #include "tests/panels/full_catalog.h"
 #include "tests/panels/panel_stage.h"

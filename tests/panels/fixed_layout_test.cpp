@@ -8,8 +8,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "panels/path.h"
-#include "tests/gui/toy_language.h"
+#include "panels/widget_path.h"
+#include "tests/gui/model/toy_language.h"
 #include "tests/panels/console_stage.h"
 #include "tests/panels/full_catalog.h"
 #include "tests/panels/window_catalog.h"

@@ -1,7 +1,7 @@
 // What hands can do to a controller through the side panels, and that nothing outlives the hand.
 #include <gtest/gtest.h>
 
-#include "gui/input_queue.h"
+#include "gui/input/input_queue.h"
 #include "tests/panels/console_stage.h"
 #include "tests/panels/must.h"
 

@@ -1,7 +1,7 @@
 #include "tests/panels/panel_stage.h"
 
 #include "core/time/virtual_scheduler.h"
-#include "gui/outside.h"
+#include "gui/shell/outside.h"
 
 namespace hw::test {
 

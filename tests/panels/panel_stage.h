@@ -5,11 +5,11 @@
 
 #include <gmock/gmock.h>
 
-#include "gui/console.h"
-#include "gui/frame.h"
-#include "gui/tab.h"
+#include "gui/model/tab.h"
+#include "gui/shell/console.h"
+#include "gui/shell/frame.h"
+#include "tests/gui/model/toy_language.h"
 #include "tests/gui/stage.h"
-#include "tests/gui/toy_language.h"
 
 namespace hw::test {
 

@@ -3,7 +3,7 @@
 
 #include "core/device/registry.h"
 #include "core/session/user_files.h"
-#include "panels/tool_path.h"
+#include "panels/path/tool_path.h"
 #include "tests/panels/panel_stage.h"
 
 namespace hw::panels {

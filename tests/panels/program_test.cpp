@@ -1,4 +1,4 @@
-#include "panels/program.h"
+#include "panels/program/program.h"
 
 #include "core/device/registry.h"
 #include "tests/core/session/folder.h"

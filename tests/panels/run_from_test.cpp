@@ -1,8 +1,8 @@
 // Running the rest of a program from a place on its path.
-#include "panels/run_from.h"
+#include "panels/program/run_from.h"
 
 #include "core/device/registry.h"
-#include "panels/tool_path.h"
+#include "panels/path/tool_path.h"
 #include "tests/panels/panel_stage.h"
 
 namespace hw::panels {

@@ -1,4 +1,4 @@
-#include "panels/setup.h"
+#include "panels/setup/setup.h"
 
 #include "tests/core/session/folder.h"
 #include "tests/panels/panel_stage.h"

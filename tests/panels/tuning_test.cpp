@@ -1,5 +1,5 @@
 // A step is made, recorded, measured and compared; Repeat ends by itself.
-#include "panels/tuning.h"
+#include "panels/tuning/tuning.h"
 
 #include <cmath>
 

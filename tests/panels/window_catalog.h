@@ -7,7 +7,7 @@
 #include "core/device/servo_tuning.h"
 #include "core/device/staircase_plan.h"
 #include "core/drawing/contour_path.h"
-#include "tests/gui/toy_language.h"
+#include "tests/gui/model/toy_language.h"
 
 namespace hw::test {
 

@@ -12,6 +12,7 @@ FORBIDDEN_FOLDERS = {
     "panels": ("transports/",),
 }
 CORE_ORDER = ["base", "time", "motion", "sequence", "drawing", "link", "device", "devices", "session", "script"]
+GUI_ORDER = ["model", "input", "surface", "widgets", "shell", "app"]
 DEVICE_NAME = re.compile(r"\b(vxm|arcus|pmx|dmx|vme58|velmex)", re.IGNORECASE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 OUTPUT = re.compile(r"\bfmt::print\(|\bstd::(cout|cerr|printf|puts)\b|\b(stdout|stderr)\b")
@@ -39,6 +40,12 @@ def check(path):
             here, there = parts[1], header.split("/")[1]
             if here in CORE_ORDER and there in CORE_ORDER and CORE_ORDER.index(there) > CORE_ORDER.index(here):
                 say("core: base <- time <- motion <- sequence <- drawing <- link <- device <- devices <- session <- script")
+        if top == "gui" and header.startswith("gui/"):
+            here, there = parts[1], header.split("/")[1]
+            if GUI_ORDER.index(there) > GUI_ORDER.index(here):
+                say("gui: model <- input <- surface <- widgets <- shell <- app")
+        if name.startswith("gui/model/") and ("imgui" in header or "GLFW" in header):
+            say("the model has no window")
         if name.startswith("core/devices/") and header.startswith("core/devices/"):
             mine, other = parts[2], header.split("/")[2]
             if mine != other and "." not in mine and other != "arcus":

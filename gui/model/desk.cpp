@@ -1,0 +1,130 @@
+#include "gui/model/desk.h"
+
+#include <utility>
+#include <variant>
+
+namespace hw::gui {
+
+// Short enough that a crash costs a word or two, long enough that not each key is a file.
+static constexpr Duration autosave_after = Millis(1000);
+
+Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain explain)
+    : traffic(explain),
+      texts(catalog.program, language),
+      blocks(catalog),
+      follower(catalog),
+      setup(catalog),
+      help(catalog),
+      catalog_(catalog),
+      language_(language) {}
+
+Result<> Desk::keep_texts(Autosave autosave, std::string key) {
+  autosave_ = std::move(autosave);
+  autosave_key_ = std::move(key);
+  const auto restored = autosave_.restore(autosave_key_);
+  if (!restored) return fail(restored.error());
+  texts.restore(*restored);
+  const Result<> blocks_restored = blocks.restore(*restored);
+  autosaved_ = typed();
+  return blocks_restored;
+}
+
+std::vector<std::filesystem::path> Desk::take_dropped(std::string_view panel) {
+  const auto found = dropped.find(panel);
+  return found == dropped.end() ? std::vector<std::filesystem::path>() : std::exchange(found->second, {});
+}
+
+void Desk::rehearse(const Snapshot& now, const BenchView& bench) {
+  const int slot = texts.chosen();
+  if (!language_ || texts.text(slot).empty()) return;
+  constexpr double seen_every_s = 0.02;
+  RehearseOptions wish;
+  wish.slot = slot;
+  wish.track_every_s = seen_every_s;
+  rehearsals.start(*language_, texts.text(slot), wish, state_of(now), bench, catalog_, worker());
+}
+
+ControllerState Desk::state_of(const Snapshot& now) const {
+  ControllerState state{now, {}};
+  for (int slot = 0; slot < texts.count(); ++slot)
+    if (texts.held(slot).known) state.programs[slot] = texts.held(slot).text;
+  return state;
+}
+
+void Desk::sent(const IntentBody& body) {
+  if (std::holds_alternative<intent::Reset>(body)) texts.doubt();
+  if (std::holds_alternative<intent::Stop>(body) || std::holds_alternative<intent::Abort>(body) ||
+      std::holds_alternative<intent::HaltProgram>(body))
+    stopped();
+}
+
+void Desk::stopped() {
+  job.give_up();
+  until_stopped_ = std::make_shared<int>(0);
+}
+
+void Desk::refresh(const Snapshot& now, const BenchView& bench, Instant clock, const Send& send) {
+  if (!worker_) own_worker_.deliver();
+  doubt_texts(now);
+  job.update(texts, now, catalog_, clock, send);
+  trace.follow(now);
+  notice_program_changes(now);
+  rehearsals.follow(now, bench, catalog_, [this](int slot) {
+    const HeldProgram& held = texts.held(slot);
+    return held.known ? &held.text : nullptr;
+  });
+  follower.follow(now, bench, clock, texts, language_, worker());
+  if (std::exchange(started_at_, now.program.started_at) != now.program.started_at) ++starts_;
+  setup_write.update(now, catalog_, send);
+  setup.settle(now);
+  autosave(clock);
+}
+
+// Without a link anybody may write there. What was under way then still is what it was, until it ends.
+void Desk::doubt_texts(const Snapshot& now) {
+  switch (now.link.state) {
+    case LinkState::closed: return texts.forget();
+    case LinkState::lost: return texts.doubt();
+    case LinkState::connecting: return;
+    case LinkState::good:
+    case LinkState::late: break;
+  }
+  const RunState run = now.program.run;
+  if (run == RunState::idle || run == RunState::error) texts.nothing_runs();
+}
+
+// A script, a raw command or a restored backup wrote into the controller what is not known here.
+void Desk::notice_program_changes(const Snapshot& now) {
+  const std::uint32_t news = now.program_changes - std::exchange(program_changes_, now.program_changes);
+  const bool ours = news == 1 && now.program_changed_by != 0 && now.program_changed_by == job.written_by();
+  if (news > 0 && !ours) texts.forget();
+}
+
+void Desk::autosave(Instant clock) {
+  if (!autosave_.enabled() || typed() == autosaved_) return;
+  if (!dirty_) {
+    dirty_ = true;
+    changed_at_ = clock;
+  }
+  if (clock - changed_at_ >= autosave_after) keep_now();
+}
+
+void Desk::keep_now() {
+  if (!autosave_.enabled() || typed() == autosaved_) return;
+  dirty_ = false;
+  autosaved_ = typed();
+  worker().run(
+      [autosave = autosave_, key = autosave_key_, unsaved = texts.unsaved(),
+       of_blocks = blocks.unsaved()]() mutable {
+        if (of_blocks) unsaved.push_back(of_blocks->text());
+        // a full disk is told when the user saves; here it would only nag
+        return autosave.keep(key, unsaved);
+      },
+      [](Result<>) {}, alive_);
+}
+
+double Desk::autosave_due_in(Instant clock) const {
+  return dirty_ ? std::max(0.0, seconds(autosave_after - (clock - changed_at_))) : -1;
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,106 @@
+#pragma once
+// What the user works at with one controller, beside its state: the record of its wire, program texts and
+// what is done with them, edited set-up, typed commands. One per tab, whichever panels are in front. GUI
+// thread.
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/device/registry.h"
+#include "core/session/autosave.h"
+#include "gui/model/block_list.h"
+#include "gui/model/command_help.h"
+#include "gui/model/position_trace.h"
+#include "gui/model/program_job.h"
+#include "gui/model/program_source.h"
+#include "gui/model/program_texts.h"
+#include "gui/model/rehearsals.h"
+#include "gui/model/run_follower.h"
+#include "gui/model/setup_edits.h"
+#include "gui/model/traffic_log.h"
+#include "gui/model/worker.h"
+
+namespace hw::gui {
+
+class Desk {
+ public:
+  using Send = std::function<IntentId(IntentBody)>;
+
+  Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain explain);
+
+  TrafficLog traffic;
+  ProgramTexts texts;
+  BlockList blocks;
+  ProgramSource source;
+  ProgramJob job;
+  Rehearsals rehearsals;
+  RunFollower follower;
+  PositionTrace trace;
+  SetupEdits setup;
+  SetupWrite setup_write;
+  const CommandHelp help;
+  std::vector<std::string> history;  ///< typed commands, oldest first
+  int wanted_line = -1;              ///< of the chosen text, from 0: the editor is to show it
+  int caret_line = -1;               ///< and where it stands there; -1: it has not been shown
+  /// Files let fall on the window, by the panel that is to open them (PanelEntry::opens).
+  std::map<std::string, std::vector<std::filesystem::path>, std::less<>> dropped;
+  [[nodiscard]] std::vector<std::filesystem::path> take_dropped(std::string_view panel);
+
+  /// Null: this model has no program language.
+  [[nodiscard]] const Language* language() const { return language_; }
+  /// Where long jobs run; without one they run within the frame.
+  void use(Worker* worker) { worker_ = worker; }
+  [[nodiscard]] Worker& worker() { return worker_ ? *worker_ : own_worker_; }
+  /// For Worker::run: results are dropped when this desk is gone.
+  [[nodiscard]] std::weak_ptr<void> alive() const { return alive_; }
+  /// Unsaved texts and blocks are kept under `key` from now on; those of last time come back. A fault: their
+  /// file was damaged, nothing came back.
+  Result<> keep_texts(Autosave autosave, std::string key);
+  /// The desk is about to go: what was typed since the last time is kept without waiting. The worker may
+  /// still have to write it.
+  void keep_now();
+  /// Grows when a text is edited, sent or started: what was said of it before is old then.
+  [[nodiscard]] std::uint64_t text_turns() const { return texts.changes() + job.begun() + starts_; }
+  /// Seconds until the autosave wants a frame; negative: it does not.
+  [[nodiscard]] double autosave_due_in(Instant clock) const;
+
+  /// Dry run of the chosen text, from where the axes stand. Nothing where there is no text, or one is under
+  /// way.
+  void rehearse(const Snapshot& now, const BenchView& bench);
+  /// What is known of the controller, with the programs that it is known to hold.
+  [[nodiscard]] ControllerState state_of(const Snapshot& now) const;
+  /// A listing came up from the controller.
+  void listed(const Notice& notice) { texts.listed(notice.slot, notice.text, notice.at, notice.whole); }
+  /// Something went down that may change what the controller holds.
+  void sent(const IntentBody& body);
+  /// A stop goes out: nothing that was begun before is carried on.
+  void stopped();
+  /// Expires with the next stop: whoever carries something on takes one when it begins.
+  [[nodiscard]] std::weak_ptr<void> until_stopped() const { return until_stopped_; }
+  /// Once a frame, after the snapshot and its notices were taken.
+  void refresh(const Snapshot& now, const BenchView& bench, Instant clock, const Send& send);
+
+ private:
+  void autosave(Instant clock);
+  [[nodiscard]] std::uint64_t typed() const { return texts.changes() + blocks.changes(); }
+  void doubt_texts(const Snapshot& now);
+  void notice_program_changes(const Snapshot& now);
+
+  const Catalog& catalog_;
+  const Language* language_;
+  Worker own_worker_;
+  Worker* worker_ = nullptr;
+  Autosave autosave_{UserFolders::none()};
+  std::string autosave_key_;
+  std::uint64_t autosaved_ = 0;
+  std::uint32_t program_changes_ = 0;
+  std::uint64_t starts_ = 0;
+  Instant changed_at_{}, started_at_{};
+  bool dirty_ = false;
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0), until_stopped_ = std::make_shared<int>(0);
+};
+
+}  // namespace hw::gui

@@ -1,0 +1,75 @@
+#include "gui/model/jog_hold.h"
+
+#include <algorithm>
+
+namespace hw::gui {
+
+void JogHold::press(const Control& control, const Want& want, double at_s) {
+  if (held_) {
+    if (held_->control == control) return;  // auto-repeat, or a doubled edge
+    end(true);
+  }
+  Held held;
+  held.control = control;
+  held.want = want;
+  held.pressed_at_s = held.seen_at_s = at_s;
+  held_ = held;
+}
+
+void JogHold::release(const Control& control, double) {
+  if (held_ && held_->control == control) end(true);
+}
+
+void JogHold::let_go() {
+  if (held_) end(false);
+}
+
+void JogHold::confirm(const Control& control) {
+  if (held_ && held_->control == control) held_->confirmed = true;
+}
+
+void JogHold::end(bool with_step) {
+  const Held held = *held_;
+  held_.reset();
+  if (held.jogging) {
+    send_(intent::JogStop());
+  } else if (with_step && held.want.step.value > 0) {
+    std::vector<AxisTarget> one(1, AxisTarget{held.control.axis, held.want.step});
+    if (held.control.sign == Sign::minus) one[0].value = -one[0].value;
+    send_(intent::MoveBy(std::move(one), held.want.speed));
+  }
+}
+
+void JogHold::tick(double now_s) {
+  if (!held_) return;
+  Held& held = *held_;
+  // A frame that comes late may be followed by the release that it kept waiting: never start on it.
+  const bool frozen = now_s - held.seen_at_s > frozen_after_s;
+  const bool unseen = !held.confirmed;
+  if (frozen || unseen) return let_go();
+  held.seen_at_s = now_s;
+  held.confirmed = false;
+  if (!held.jogging && now_s - held.pressed_at_s >= continuous_after_s) {
+    held.jogging = true;
+    held.kept_alive_at_s = now_s;
+    held.intent = send_(intent::JogStart(held.control.axis, held.control.sign, held.want.speed));
+  } else if (held.jogging) {
+    held.kept_alive_at_s = now_s;
+    send_(intent::JogKeepAlive());
+  }
+}
+
+std::optional<JogHold::Control> JogHold::control() const {
+  if (!held_) return std::nullopt;
+  return held_->control;
+}
+
+double JogHold::due_in_s(double now_s) const {
+  if (!held_) return 1e9;
+  const double due =
+      held_->jogging ? held_->kept_alive_at_s + keep_alive_every_s : held_->pressed_at_s + continuous_after_s;
+  // At least as often as a frame must be seen, or the hold would count as frozen.
+  return std::clamp(due - now_s, 0.0, keep_alive_every_s);
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,19 @@
+#pragma once
+// A part of the screen that belongs to one controller. Its tab keeps it; the shell lays it out and has it
+// drawn.
+#include <string_view>
+
+namespace hw::gui {
+
+struct Frame;
+
+/// One object per open controller: its members are the view state of that controller.
+class Panel {
+ public:
+  virtual ~Panel() = default;
+  virtual void draw(Frame& frame) = 0;
+  /// What would be lost with this object and is kept nowhere else, as a sentence; empty: nothing.
+  [[nodiscard]] virtual std::string_view unkept() const { return {}; }
+};
+
+}  // namespace hw::gui

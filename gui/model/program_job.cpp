@@ -1,0 +1,207 @@
+#include "gui/model/program_job.h"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "gui/model/units_format.h"
+
+namespace hw::gui {
+
+void ProgramJob::refuse(std::string sentence) {
+  stage_ = Stage::idle;
+  told_ = {Mood::fault, std::move(sentence)};
+}
+
+bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
+                       const Send& send) {
+  if (busy()) {  // which goes on, or asks on
+    told_ = {Mood::fault, stage_ == Stage::asking
+                              ? "Answer the question about the program first."
+                              : "One program transfer at a time: wait until the present one has ended."};
+    return false;
+  }
+  ++begun_;
+  given_up_ = false;
+  goal_ = goal;
+  slot_ = slot;
+  text_ = texts.text(slot);
+  if (goal == Goal::fetch || goal == Goal::make_room) {
+    stage_ = Stage::fetching;
+    waiting_for_ = send(intent::UploadProgram(slot));
+    return true;
+  }
+  if (goal == Goal::clear) {
+    stage_ = Stage::clearing;
+    waiting_for_ = written_by_ = send(intent::ClearProgram(slot));
+    return true;
+  }
+  const ProgramReport& report = texts.report(slot);
+  for (const Problem& p : report.problems)
+    if (p.error) return refuse(fmt::format("Nothing was sent. Line {}: {}", p.line + 1, p.sentence)), false;
+  const int capacity = catalog.program.capacity;
+  if (const int cost = texts.cost(slot); capacity > 0 && cost > capacity)
+    return refuse(
+               fmt::format("Nothing was sent. The program needs {} {} and {} fit: {} too many. Shorten it.",
+                           cost, catalog.program.capacity_unit, capacity, cost - capacity)),
+           false;
+  if (capacity > 0 && texts.controller_has(slot)) return after_load(send), true;
+  const int used = now.slot_bytes_used[static_cast<std::size_t>(slot)];
+  const HeldProgram& held = texts.held(slot);
+  const bool ours = held.known && held.from_here;
+  if (used == 0 || ours || capacity <= 0) return load(send), true;
+  stage_ = Stage::comparing;
+  waiting_for_ = send(intent::UploadProgram(slot));
+  return true;
+}
+
+void ProgramJob::load(const Send& send) {
+  stage_ = Stage::loading;
+  waiting_for_ = written_by_ = send(intent::LoadProgram(slot_, text_));
+}
+
+void ProgramJob::after_load(const Send& send) {
+  if (goal_ == Goal::load) {
+    stage_ = Stage::idle;
+    told_ = {Mood::ok, "The controller holds this program now."};
+    return;
+  }
+  if (goal_ == Goal::store) {
+    stage_ = Stage::storing;
+    waiting_for_ = send(intent::Store());
+    return;
+  }
+  stage_ = Stage::starting;
+  if (goal_ == Goal::run_stepping) {
+    send(intent::SelectProgram(slot_));
+    waiting_for_ = send(intent::SingleStep());
+  } else {
+    waiting_for_ = send(intent::RunProgram(slot_));
+  }
+}
+
+void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
+                        const Send& send) {
+  if (stage_ == Stage::idle) return;
+  if (now.link.state == LinkState::lost || now.link.state == LinkState::closed)
+    return refuse(
+        "The link was lost before the program was transferred. Look at it again when the link is back.");
+  if (stage_ == Stage::asking) return;
+  const IntentFate* fate = now.fate_of(waiting_for_);
+  if (now.forgotten(waiting_for_)) {
+    texts.forget();
+    return refuse("What became of the transfer is not known. Look at the controller's program.");
+  }
+  if (!fate || fate->fate == Fate::pending) return;
+  if (fate->fate == Fate::done && given_up_) return end_given_up(texts, clock);
+  if (fate->fate == Fate::done) return done(texts, now, catalog, clock, send);
+  if (stage_ == Stage::loading || stage_ == Stage::clearing) texts.forget();
+  refuse(std::string(fate->sentence.view()));
+}
+
+void ProgramJob::give_up() {
+  given_up_ = busy();
+  if (stage_ == Stage::asking || stage_ == Stage::starting) stage_ = Stage::idle;
+}
+
+void ProgramJob::end_given_up(ProgramTexts& texts, Instant clock) {
+  if (stage_ == Stage::loading) texts.loaded(slot_, text_, clock);
+  if (stage_ == Stage::clearing) texts.cleared(slot_, clock);
+  stage_ = Stage::idle;
+  told_ = {Mood::plain, "A stop came: what was under way is done, and nothing follows it."};
+}
+
+void ProgramJob::fetched(ProgramTexts& texts, const Catalog& catalog) {
+  const std::string& text = texts.held(slot_).text;
+  const bool replaces = !texts.text(slot_).empty() && texts.text(slot_) != text;
+  texts.set_text(slot_, text);
+  told_ = {Mood::ok, fmt::format("{} {} was brought here from the controller.{}", catalog.program.slot_word,
+                                 slot_, replaces ? " Ctrl+Z brings back what stood here." : "")};
+}
+
+void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
+                      const Send& send) {
+  switch (stage_) {
+    case Stage::comparing: return compared(texts, now, catalog, send);
+    case Stage::loading: texts.loaded(slot_, text_, clock); return after_load(send);
+    case Stage::fetching:
+      stage_ = Stage::idle;
+      if (!texts.held(slot_).known)
+        return refuse("The controller listed nothing. The text here is as it was.");
+      if (goal_ == Goal::make_room) return empty_kept(texts, catalog, send);
+      return fetched(texts, catalog);
+    case Stage::clearing:
+      stage_ = Stage::idle;
+      texts.cleared(slot_, clock);
+      told_ = {Mood::ok, fmt::format("{} {} in the controller is empty. {}", catalog.program.slot_word, slot_,
+                                     goal_ == Goal::make_room ? "Its text is kept in the editor. Move again."
+                                                              : "The text here is as it was.")};
+      return;
+    case Stage::storing:
+      stage_ = Stage::idle;
+      told_ = {Mood::ok, "Stored in the controller."};
+      if (now.store_count >= 0 && catalog.can.store_life > 0)
+        told_.sentence += fmt::format(" {} of {} writes used.", now.store_count, catalog.can.store_life);
+      return;
+    default: stage_ = Stage::idle;
+  }
+}
+
+/// What the controller holds must stand in the editor before it may go.
+void ProgramJob::empty_kept(ProgramTexts& texts, const Catalog& catalog, const Send& send) {
+  if (texts.text(slot_).find_first_not_of(" \t\r\n") == std::string::npos)
+    texts.set_text(slot_, texts.held(slot_).text);
+  else if (!texts.controller_has(slot_))
+    return refuse(
+        fmt::format("The editor's {0} {1} is another text than the controller's, which would be lost. "
+                    "Nothing was emptied. Save the text and clear the editor, or choose another one.",
+                    catalog.program.slot_word, slot_));
+  stage_ = Stage::clearing;
+  waiting_for_ = written_by_ = send(intent::ClearProgram(slot_));
+}
+
+void ProgramJob::compared(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
+                          const Send& send) {
+  const HeldProgram& held = texts.held(slot_);
+  if (held.known && text_ == texts.text(slot_) && texts.controller_has(slot_)) return after_load(send);
+  if (held.known && held.whole && held.listing.empty()) return load(send);
+  const int used = now.slot_bytes_used[static_cast<std::size_t>(slot_)];
+  question_ = fmt::format(
+      "{} {} in the controller holds another program{}, which was not loaded from here. "
+      "Loading this text would overwrite it.",
+      catalog.program.slot_word, slot_,
+      used > 0 ? " of " + count_of(used, catalog.program.capacity_unit) : "");
+  stage_ = Stage::asking;
+}
+
+void ProgramJob::answer(Answer answer, ProgramTexts& texts, const Send& send) {
+  if (stage_ != Stage::asking) return;
+  switch (answer) {
+    case Answer::overwrite:
+      // The question was about what stood there when Run was pressed, and that is not what one sees now.
+      if (texts.text(slot_) != text_)
+        return refuse("The text has changed since. Nothing was sent; press Run again.");
+      return load(send);
+    case Answer::fetch_instead:
+      texts.set_text(slot_, texts.held(slot_).text);
+      stage_ = Stage::idle;
+      return;
+    case Answer::leave:
+      stage_ = Stage::idle;
+      told_ = {Mood::plain, "Nothing was sent. The controller's program is as it was."};
+  }
+}
+
+std::string ProgramJob::words(const ProgramFacts& facts) const {
+  const auto about = [&](const char* verb) { return fmt::format("{} {} {}", verb, facts.slot_word, slot_); };
+  switch (stage_) {
+    case Stage::comparing: return about("Comparing");
+    case Stage::loading: return about("Loading");
+    case Stage::fetching: return about("Reading");
+    case Stage::clearing: return about("Emptying");
+    case Stage::storing: return "Storing";
+    default: return {};
+  }
+}
+
+}  // namespace hw::gui

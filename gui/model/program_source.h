@@ -1,0 +1,34 @@
+#pragma once
+// Which sequence a program's text was written from: the blocks, a drawing, the rest of one of them. GUI
+// thread.
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "core/device/catalog.h"
+#include "core/device/language.h"
+#include "gui/model/block_list.h"
+
+namespace hw::gui {
+
+struct WrittenSequence {
+  std::shared_ptr<const sequence::Sequence> sequence;
+  SequenceText written;
+};
+
+class ProgramSource {
+ public:
+  /// What was put into the program; the latest few are kept.
+  void put(WrittenSequence sequence);
+  /// Null: the text is of no sequence that is known here. The blocks are written when they have changed.
+  const WrittenSequence* of(const std::string& text, const BlockList& blocks, const Language* language,
+                            const Catalog& catalog);
+
+ private:
+  std::deque<WrittenSequence> put_;
+  WrittenSequence blocks_;
+  std::uint64_t blocks_version_ = ~std::uint64_t{0};  ///< of their editor, then
+};
+
+}  // namespace hw::gui

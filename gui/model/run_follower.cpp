@@ -1,0 +1,101 @@
+#include "gui/model/run_follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hw::gui {
+
+static bool under_way(const ProgramState& p) {
+  return p.owned && p.slot >= 0 && p.run != RunState::idle && p.run != RunState::error;
+}
+
+void RunFollower::follow(const Snapshot& now, const BenchView& bench, Instant clock,
+                         const ProgramTexts& texts, const Language* language, Worker& worker) {
+  told_ = now.program;
+  if (!under_way(told_)) {
+    following_ = false;
+    at_rest_ = now;
+    return;
+  }
+  if (!following_ || started_at_ != told_.started_at) {
+    following_ = true;
+    started_at_ = seen_at_ = told_.started_at;
+    seen_run_ = RunState::running;
+    run_s_ = 0;
+    of_run_.reset();
+    ++run_number_;
+    if (language) begin(now, bench, texts, *language, worker);
+  }
+  if (!texts.lines_known(told_.slot)) of_run_.reset();  // it is of another program
+  if (seen_run_ == RunState::running) run_s_ += std::max(0.0, seconds(clock - seen_at_));
+  seen_run_ = told_.run;
+  seen_at_ = clock;
+  if (told_.run == RunState::held && told_.command >= 0) put_right(told_);
+}
+
+void RunFollower::begin(const Snapshot& now, const BenchView& bench, const ProgramTexts& texts,
+                        const Language& language, Worker& worker) {
+  const HeldProgram& held = texts.held(now.program.slot);
+  if (!held.known || held.text.empty()) return;
+  auto state = std::make_shared<ControllerState>(ControllerState{at_rest_.value_or(now), {}});
+  for (int slot = 0; slot < texts.count(); ++slot)
+    if (texts.held(slot).known) state->programs[slot] = texts.held(slot).text;
+  RehearseOptions options = rehearse_from(std::move(state), bench, catalog_);
+  options.slot = now.program.slot;
+  worker.run([&language, text = held.text,
+              options = std::move(options)] { return language.rehearse(text, options); },
+             [this, run = run_number_](Result<Rehearsal> result) {
+               if (run == run_number_ && result && !result->events.empty()) of_run_ = std::move(*result);
+             },
+             alive_);
+}
+
+// The nearest time at which the rehearsal comes to the command before which the controller holds.
+void RunFollower::put_right(const ProgramState& told) {
+  const Rehearsal* r = rehearsal();
+  if (!r) return;
+  double nearest = run_s_, least = 1e18;
+  for (const RehearsedEvent& event : r->events)
+    if (event.slot == told.slot && event.command == told.command && std::fabs(event.t - run_s_) < least) {
+      least = std::fabs(event.t - run_s_);
+      nearest = event.t;
+    }
+  run_s_ = nearest;
+}
+
+RunFollower::Place RunFollower::place() const {
+  Place place;
+  if (!following_) return place;
+  const Rehearsal* r = rehearsal();
+  if (told_.command >= 0) {
+    place.slot = told_.slot;
+    place.command = told_.command;
+  } else if (r && run_s_ <= r->duration_s) {
+    const auto after = std::upper_bound(r->events.begin(), r->events.end(), run_s_,
+                                        [](double t, const RehearsedEvent& event) { return t < event.t; });
+    for (auto at = after; at != r->events.begin();) {
+      --at;
+      if (at->command < 0) continue;
+      place.slot = at->slot;
+      place.command = at->command;
+      break;
+    }
+    if (after != r->events.end()) place.next_in_s = after->t - run_s_;
+  }
+  if (!r || place.command < 0) return place;
+  for (const RehearsedEvent& event : r->events) {
+    if (event.slot != place.slot || event.command != place.command) continue;
+    ++place.passes;
+    if (event.t <= run_s_ + 1e-6) ++place.pass;
+  }
+  if (!r->finished) place.passes = 0;
+  return place;
+}
+
+std::optional<double> RunFollower::left_s() const {
+  const Rehearsal* r = rehearsal();
+  if (!following_ || !r || !r->finished || run_s_ > r->duration_s) return {};
+  return r->duration_s - run_s_;
+}
+
+}  // namespace hw::gui

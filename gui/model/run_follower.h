@@ -1,0 +1,53 @@
+#pragma once
+// Where a running program is, when the controller does not say: worked out from a rehearsal of the text that
+// it holds, begun from the controller as it was then, and the time that it has run. What it says of a held
+// program puts it right. GUI thread.
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/device/controller_state.h"
+#include "gui/model/program_texts.h"
+#include "gui/model/worker.h"
+
+namespace hw::gui {
+
+class RunFollower {
+ public:
+  struct Place {
+    int slot = -1, command = -1;  ///< -1: not known
+    int pass = 0, passes = 0;     ///< how often it has come there, of how often it will; 0: not known
+    double next_in_s = 0;         ///< until the next command; 0: not known
+  };
+
+  /// `catalog` outlives it.
+  explicit RunFollower(const Catalog& catalog) : catalog_(catalog) {}
+  /// Once a frame.
+  void follow(const Snapshot& now, const BenchView& bench, Instant clock, const ProgramTexts& texts,
+              const Language* language, Worker& worker);
+  /// What the controller has told, else what was worked out.
+  [[nodiscard]] Place place() const;
+  /// Running, without the times in which it was held or waited.
+  [[nodiscard]] double run_s() const { return run_s_; }
+  /// What is left of the run; nothing: not known, or it has no end.
+  [[nodiscard]] std::optional<double> left_s() const;
+
+ private:
+  void begin(const Snapshot& now, const BenchView& bench, const ProgramTexts& texts, const Language& language,
+             Worker& worker);
+  void put_right(const ProgramState& told);
+  [[nodiscard]] const Rehearsal* rehearsal() const { return of_run_ ? &*of_run_ : nullptr; }
+
+  const Catalog& catalog_;
+  bool following_ = false;
+  Instant started_at_{}, seen_at_{};
+  RunState seen_run_ = RunState::idle;
+  ProgramState told_;
+  double run_s_ = 0;
+  int run_number_ = 0;  ///< so that the rehearsal of an earlier run is not taken for this one's
+  std::optional<Rehearsal> of_run_;
+  std::optional<Snapshot> at_rest_;  ///< the latest before the run
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0);
+};
+
+}  // namespace hw::gui

@@ -1,0 +1,48 @@
+#pragma once
+// The status line: the worst true thing of a controller in one or two sentences, and what to do about it.
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/base/fixed_text.h"
+#include "core/device/catalog.h"
+#include "core/device/snapshot.h"
+#include "gui/model/jog_hold.h"
+#include "gui/model/mood.h"
+
+namespace hw::gui {
+
+struct StatusSentence {
+  Mood mood = Mood::plain;
+  FixedText<800> text;
+  bool operator==(const StatusSentence&) const = default;
+};
+
+/// Where a running program is, as the editor shows it.
+struct RunPlace {
+  std::string who;           ///< "Programs 0 and 2 are"; empty: the one that the snapshot names
+  int line = -1;             ///< of the text, from 0; -1: not known
+  int stored_line = -1;      ///< of the stored code, where that is what is known
+  int pass = 0, passes = 0;  ///< 0: not known
+  std::optional<double> left_s;
+};
+
+struct StatusFacts {
+  const Catalog& catalog;
+  const Snapshot& now;
+  Instant clock;
+  std::optional<JogHold::Control> held;                     ///< the user holds this
+  bool jogging = false;                                     ///< long enough for a continuous jog
+  std::function<std::string(AxisId, Steps)> show_position;  ///< "12.000 mm"
+  std::function<std::string(AxisId, Pps)> show_speed;       ///< "5.000 mm/s"
+  std::function<std::string(Instant)> time_of_day;          ///< "14:20:08"
+  RunPlace run{};
+  std::string failed{};  ///< programs that have stopped in error, as a sentence: beside what still runs
+};
+
+StatusSentence status_sentence(const StatusFacts& facts);
+
+/// A parameter that must be chosen before an axis may move and is not: its index, or -1.
+int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId axis);
+
+}  // namespace hw::gui

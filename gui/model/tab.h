@@ -1,0 +1,156 @@
+#pragma once
+// The GUI thread's side of one open controller: its newest snapshot, what the user calls things and how he
+// likes to see them, his texts, the hand on its jog pad, and its panels. Everything here belongs to the GUI
+// thread; the Session is the only door to the other.
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/device/registry.h"
+#include "core/session/address.h"
+#include "core/session/profile.h"
+#include "gui/model/bus.h"
+#include "gui/model/desk.h"
+#include "gui/model/jog_hold.h"
+#include "gui/model/panel.h"
+#include "gui/model/units_format.h"
+
+namespace hw {
+class Session;  // kept out of here: panels need not compile coroutines
+}
+
+namespace hw::gui {
+
+class Tab {
+ public:
+  /// The two ways down. Tests of panels give their own and look at what comes out.
+  struct Door {
+    std::function<IntentId(IntentBody)> send;
+    std::function<void(BenchCommand)> operate_bench;
+  };
+
+  /// `on_bus`: a controller of one axis is called by its id, so that its widgets are.
+  Tab(std::shared_ptr<Session> session, std::string profile_key, bool on_bus = false);
+  Tab(Address address, Catalog catalog, Door door, const Language* language = nullptr,
+      TrafficLog::Explain explain = nullptr);
+  Tab(const Tab&) = delete;
+  Tab& operator=(const Tab&) = delete;
+
+  /// Once a frame: takes what is new from the session.
+  void refresh();
+  /// Shows a snapshot of no session. For tests.
+  void show(const Snapshot& snapshot, const BenchView& bench, Instant clock);
+
+  [[nodiscard]] const Catalog& catalog() const { return catalog_; }
+  [[nodiscard]] const Snapshot& now() const { return *now_; }
+  [[nodiscard]] const BenchView& bench() const { return *bench_; }
+  [[nodiscard]] Instant clock() const { return clock_; }
+  [[nodiscard]] const Address& address() const { return address_; }
+  [[nodiscard]] bool emulated() const { return address_.emulated(); }
+  [[nodiscard]] const DeviceType* type() const;
+  [[nodiscard]] const std::shared_ptr<Session>& session() const { return session_; }
+
+  IntentId send(IntentBody body);
+  /// As send(), and a refusal or failure is told: see take_complaint().
+  IntentId send_followed(IntentBody body);
+  void operate_bench(BenchCommand command) { door_.operate_bench(std::move(command)); }
+  /// Why nothing may be moved now (no link, a program runs), as a sentence that says when it ends; empty: it
+  /// may. Valid until the next refresh().
+  [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
+  /// The same for one axis, whose motor may have no current.
+  [[nodiscard]] std::string_view why_not_move(AxisId axis) const;
+  void stop_all();  ///< Stop to this controller; a held jog is forgotten, since the stop ends it
+  /// The same for a stop that has gone out with those of others, as this intent.
+  void stopped_with(IntentId stop);
+
+  /// A panel that shows these values is drawn in this frame: they are asked for in each round while it is,
+  /// see intent::Watch. Bit n = group n of Catalog::readout_groups.
+  void look_at(std::uint32_t groups) { looked_at_ |= groups; }
+  void look_at_group(int group) {
+    if (group >= 0) look_at(1u << group);
+  }
+
+  // ---- names and units
+  Profile profile;
+  std::string default_name;      ///< until the user gives it one
+  std::string profile_key;       ///< what the profile is kept under
+  bool profile_changed = false;  ///< to be saved
+  [[nodiscard]] std::string_view name() const;
+  [[nodiscard]] const DisplayUnit& unit(AxisId axis) const { return units_[axis.index]; }
+  /// "1 across": the maker's name and the user's.
+  [[nodiscard]] std::string axis_title(AxisId axis) const;
+  /// After a change of the profile's units.
+  void profile_edited();
+  [[nodiscard]] Steps jog_step() const { return profile.jog_step; }
+  /// Held jog: the user's choice, else 0 (the controller's own).
+  [[nodiscard]] Pps jog_speed() const { return profile.jog_speed; }
+  /// Chooses both: on a bus, whose rows have one control, for all of it.
+  void choose_jog(Steps step, Pps speed);
+
+  /// Traffic, program texts, edited set-up: what outlives the panel that shows it.
+  [[nodiscard]] Desk& desk() { return desk_; }
+
+  // ---- what must be told once
+  /// Messages since the last call; listings go to the desk.
+  [[nodiscard]] std::vector<Notice> take_notices();
+  [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
+  /// An intent that may go out again with an answer (intent::Closing), and why it is asked; see Dialogs.
+  struct Question {
+    IntentBody body;
+    std::string sentence;
+  };
+  [[nodiscard]] std::optional<Question>& question() { return question_; }
+
+  // ---- view
+  std::shared_ptr<Bus> bus;                                  ///< null: alone on its wire
+  [[nodiscard]] std::string_view id() const { return id_; }  ///< which device of its wire; may be empty
+  JogHold jog;
+  AxisId chosen_axis{0};         ///< of many: the one that Go and Home act on
+  bool unset_read = false;       ///< the user has read what should be chosen before the first move
+  std::string centre_panel;      ///< id of the panel in front
+  std::uint64_t text_turns = 0;  ///< Desk::text_turns() that the console has followed
+  /// This controller's panels, beside the console's list; made when they are first drawn.
+  std::vector<std::unique_ptr<Panel>> panels;
+  /// What would go with them, see Panel::unkept(); empty: nothing.
+  [[nodiscard]] std::string unkept() const;
+
+ private:
+  void follow_fates();
+  void follow_questions();
+  void tell_what_is_watched();
+  void find_why_not_move();
+  void take(Notice& notice);
+  void work_out_units();
+  void follow_counting();
+
+  std::shared_ptr<Session> session_;
+  const Address address_;
+  const Catalog catalog_;
+  const std::string id_;
+  Door door_;
+  Desk desk_;
+  static const Snapshot nothing_known;
+  static const BenchView no_bench;
+  const Snapshot* now_ = &nothing_known;
+  const BenchView* bench_ = &no_bench;
+  Instant clock_{};
+  std::array<DisplayUnit, max_axes> units_;
+  std::string why_not_move_;
+  std::array<std::string, max_axes> power_is_off_;  ///< the words, if it is
+  std::uint32_t looked_at_ = 0, watched_ = 0;
+  LinkState told_link_ = LinkState::closed;
+  ProgramState told_program_;
+  bool told_ = false;
+  std::vector<IntentId> followed_;
+  std::vector<Intent> may_ask_;  ///< sent, and not known yet whether they need an answer first
+  std::optional<Question> question_;
+  std::vector<Notice> notices_;
+  std::vector<std::string> complaints_;
+};
+
+/// The conversion that the profile names for this axis; the controller's own steps when there is none.
+DisplayUnit display_unit(const Catalog& catalog, const Profile& profile, AxisId axis);
+
+}  // namespace hw::gui

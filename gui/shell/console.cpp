@@ -1,0 +1,266 @@
+#include "gui/shell/console.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/session/json_file.h"
+#include "core/session/session_group.h"
+#include "gui/model/lower_case.h"
+#include "gui/shell/messages.h"
+#include "gui/shell/outside.h"
+#include "gui/shell/top_bar.h"
+#include "gui/shell/workspace.h"
+#include "gui/surface/ui.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/text.h"
+
+namespace hw::gui {
+
+Console::Console(PanelList list, Outside outside)
+    : list_(list),
+      outside_(std::make_unique<Outside>(std::move(outside))),
+      recent_(outside_->folders),
+      pages_(list.pages.size()) {
+  tell(recent_.load());
+  load_choices();
+  tell_last_ends();
+  if (!list_.pages.empty()) show_page(list_.pages[0].id);
+}
+
+Console::~Console() = default;
+
+Instant Console::clock() const { return outside_->scheduler.now(); }
+PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : no_ports_; }
+DeviceFinder& Console::devices() { return outside_->devices ? *outside_->devices : no_devices_; }
+const UserFolders& Console::folders() const { return outside_->folders; }
+
+// ---- what is shown
+
+void Console::show_page(std::string_view id) {
+  if (active_) active_->jog.let_go();
+  page_ = id;
+  ports().watch(!list_.pages.empty() && page_ == list_.pages[0].id);
+}
+
+void Console::toggle_map() {
+  if (page_ != "help") return show_page("help");
+  show_page(tabs_.empty() ? list_.pages[0].id : std::string_view());
+}
+
+Page& Console::page_object(std::string_view id) {
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < list_.pages.size(); ++i)
+    if (list_.pages[i].id == id) at = i;
+  if (!pages_[at]) pages_[at] = list_.pages[at].make();
+  return *pages_[at];
+}
+
+void Console::show_panel(std::string_view id, std::string_view widget) {
+  if (!active_) return;
+  show_page({});
+  active_->centre_panel = id;
+  wanted_widget_ = widget;
+}
+
+constexpr float sizes[] = {0.75f, 0.9f, 1.0f, 1.1f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f};
+
+void Console::set_size(float size) { size_ = std::clamp(size, std::begin(sizes)[0], std::end(sizes)[-1]); }
+
+void Console::step_size(int direction) {
+  float next = direction == 0 ? 1.0f : size_;
+  for (const float size : sizes) {
+    if (direction > 0 && size > size_ + 0.01f) return set_size(size);
+    if (direction < 0 && size < size_ - 0.01f) next = size;
+  }
+  set_size(next);
+}
+
+void Console::start_demo() {
+  for (const DeviceType& type : device_types()) {
+    std::string address = std::string(type.model) + "@emulator";
+    const auto catalog = type.make_catalog({});
+    if (catalog && catalog->addressed() && catalog->axes.size() == 1)
+      address += ",id=01-04";  // a bus of them
+    auto opened = open(address);
+    if (!opened) {
+      toast(Mood::fault, opened.error().sentence());
+      continue;
+    }
+    ProgramTexts& texts = (*opened)->desk().texts;
+    if (texts.count() > 0 && texts.text(0).empty()) texts.set_text(0, catalog->program.example);
+  }
+  if (!tabs_.empty()) activate(*tabs_.front());
+}
+
+std::string Console::time_of_day(Instant when) const {
+  char buffer[16];
+  return std::string(format_time_of_day(outside_->day.of(when), false, buffer));
+}
+
+void Console::set_day(DayClock day) {
+  outside_->day = day;
+  for (const auto& tab : tabs_) tab->desk().traffic.set_clock(day);
+}
+
+// ---- hands
+
+void Console::stop_all() {
+  for (const auto& tab : tabs_) {
+    if (!tab->bus)
+      tab->stop_all();
+    else if (is_face(*tab))
+      tab->bus->stop_all();
+  }
+}
+
+void Console::let_go() {
+  for (const auto& tab : tabs_) tab->jog.let_go();
+}
+
+/// The panel that says so of such a name; else the program editor, which says what it is if it is no text.
+static std::string_view opener_of(const PanelList& list, const Tab& tab, const std::string& path) {
+  const std::string name = lower_case(path);
+  for (const PanelEntry& entry : list.panels)
+    if (!entry.opens.empty() && name.ends_with(entry.opens) && (!entry.wanted || entry.wanted(tab)))
+      return entry.id;
+  return "program";
+}
+
+void Console::drop(const std::vector<std::string>& paths) {
+  if (covered_)
+    return toast(Mood::warn, "Nothing was opened: answer what is asked first, then drop it again.");
+  if (!active()) return toast(Mood::plain, "Connect a controller first: files are opened in its editor.");
+  for (const std::string& path : paths) {
+    const std::string panel(opener_of(list_, *active(), path));
+    active()->desk().dropped[panel].emplace_back(path);
+    show_panel(panel);
+  }
+}
+
+// ---- frame
+
+void Console::refresh(Ui& ui) {
+  for (const auto& tab : tabs_) {
+    tab->refresh();
+    if (const auto turns = tab->desk().text_turns(); std::exchange(tab->text_turns, turns) != turns)
+      toasts_.withdraw(&tab->desk().texts);
+    tell_news(*tab);
+    if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
+  }
+  for (std::string& sentence : take_last_words()) toast(Mood::warn, std::move(sentence));
+  if (!ImGui::IsMouseDown(0)) save();  // not at each step of a slider that is being dragged
+}
+
+// A device of a bus is named in any case: its neighbours stand beside it.
+void Console::toast(const Tab& of, Mood mood, std::string sentence, const void* about) {
+  const bool neighbours = of.bus && of.bus->members.size() > 1;
+  if (neighbours && !speaks_of(sentence, of.id())) sentence = fmt::format("{}: {}", of.id(), sentence);
+  toasts_.add(mood, std::move(sentence), about, std::string(of.name()));
+}
+
+void Console::tell_news(Tab& tab) {
+  for (Notice& notice : tab.take_notices()) {
+    const bool asked = notice.kind == Notice::Kind::question && &tab == active() &&
+                       dialogs.make_room(tab, std::move(notice.slots));
+    if (asked) {
+      asked_ = std::move(notice.text);
+      continue;
+    }
+    toast(tab,
+          notice.kind == Notice::Kind::error     ? Mood::fault
+          : notice.kind == Notice::Kind::warning ? Mood::warn
+                                                 : Mood::plain,
+          std::move(notice.text));
+  }
+  for (std::string& complaint : tab.complaints()) {
+    // The refusal says in a toast what a dialog asks already. A fate has less room than a notice.
+    const bool asked = !asked_.empty() && asked_.starts_with(complaint);
+    if (!asked) toast(tab, Mood::fault, std::move(complaint));
+    if (asked) asked_.clear();
+  }
+  tab.complaints().clear();
+  if (auto& question = tab.question(); question && !dialogs.open()) {
+    dialogs.closing(tab, std::move(*question));
+    question.reset();
+  }
+}
+
+void Console::tell(const Result<>& outcome) {
+  if (!outcome) toast(Mood::fault, outcome.error().sentence());
+}
+
+void Console::draw(Ui& ui) {
+  covered_ = ui.registry.top_layer() > 0;
+  refresh(ui);
+  close_as_asked();
+  if (!wanted_widget_.empty()) {
+    ui.registry.scroll_to(wanted_widget_);
+    ui.focus.move_to(wanted_widget_);
+    wanted_widget_.clear();
+  }
+  LayoutWishes wishes;
+  wishes.width = ui.size_px.x / ui.scale;
+  wishes.height = ui.size_px.y / ui.scale;
+  wishes.controllers = faces() + (page_.empty() ? 0 : 1);
+  wishes.splitters = splitters;
+  wishes.strip_height = active() ? strip_height(*active()) : 0;
+  const Layout layout = lay_out(wishes);
+  draw_top_bar(ui, *this, layout);  // STOP ALL is the first widget of the frame
+  draw_workspace(ui, *this, layout);
+  draw_status_line(ui, *this, layout);
+  dialogs.draw(ui, *this);
+  const std::string_view front = active() ? active()->name() : std::string_view();
+  toasts_.look_at(faces() > 1 ? std::optional(front) : std::nullopt);
+  draw_toasts(ui, toasts_, in_pixels(ui, layout.centre), in_pixels(ui, layout.status));
+  tooltip(ui, ui.cut());
+  confirm_held_key(ui);
+  list_open_ = ui.takes_arrows();
+  for (const auto& tab : tabs_) {
+    tab->jog.tick(ui.now_s);
+    ui.wake_in(tab->jog.due_in_s(ui.now_s));
+  }
+}
+
+// ---- what is kept
+
+void Console::load_choices() {
+  if (!outside_->folders.enabled) return;
+  const auto read = read_json(outside_->folders.state / "window.json", "the sizes of the window's parts");
+  if (!read) return toast(Mood::warn, read.error().sentence());
+  const auto number = [&](const char* key, float fallback) {
+    const auto at = read->find(key);
+    return at != read->end() && at->is_number() ? at->get<float>() : fallback;
+  };
+  splitters.left = number("left", splitters.left);
+  splitters.right = number("right", splitters.right);
+  splitters.below = number("below", splitters.below);
+  splitters.below_medium = number("below_medium", splitters.below_medium);
+  dark_ = number("dark", 1) != 0;
+  set_size(number("size", 1));
+  kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_;
+}
+
+void Console::save_choices() {
+  if (!outside_->folders.enabled || (kept_ == splitters && kept_dark_ == dark_ && kept_size_ == size_))
+    return;
+  kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_;
+  const nlohmann::json object = {{"left", splitters.left},   {"right", splitters.right},
+                                 {"below", splitters.below}, {"below_medium", splitters.below_medium},
+                                 {"dark", dark_ ? 1 : 0},    {"size", size_}};
+  tell(write_json(outside_->folders.state / "window.json", object));
+}
+
+void Console::save() {
+  save_choices();
+  for (const auto& tab : tabs_)
+    if (tab->profile_changed) {
+      tab->profile_changed = false;
+      tell(ProfileStore(outside_->folders).save(tab->profile_key, tab->profile));
+    }
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,228 @@
+// The console's controllers: how they are opened, named, put onto one bus, closed, and which one is in front.
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/session/rehearse_together.h"
+#include "core/session/session_group.h"
+#include "gui/shell/console.h"
+#include "gui/shell/outside.h"
+
+namespace hw::gui {
+
+/// What the user calls it, or the bus that it is on; empty: nothing.
+static std::string users_name(const Tab& tab) {
+  return tab.bus ? tab.bus->members.front()->profile.bus_name : tab.profile.name;
+}
+
+Result<Tab*> Console::open(std::string_view text) {
+  auto address = Address::parse(text);
+  if (!address) return fail(address.error());
+  if (const Tab* other = address->where.empty() ? nullptr : open_at(address->where))
+    return fail(FaultKind::port, fmt::format("{} is open already, as {}.", address->where, other->name()),
+                "Nothing was opened.", "Use its tab, or close it first.");
+  auto group = SessionGroup::open(outside_->scheduler, *address, outside_->open_wire, outside_->wake);
+  if (!group) return fail(group.error());
+  Tab& tab = adopt(std::move(*group));
+  tell(recent_.opened(address->text(), users_name(tab)));
+  return &tab;
+}
+
+Tab& Console::adopt(std::shared_ptr<Session> session) { return make_tab(std::move(session), false); }
+
+Tab& Console::adopt(std::shared_ptr<SessionGroup> group) {
+  const auto& sessions = group->members();
+  if (!group->is_bus()) return make_tab(sessions.front(), false);
+  std::vector<Tab*> members;
+  for (const auto& session : sessions) members.push_back(&make_tab(session, true));
+  std::string name = fmt::format("{} {}\u2013{}", sessions.front()->catalog().short_name,
+                                 members.front()->id(), members.back()->id());
+  Tab& first = *members.front();
+  join(std::move(members), std::move(name), std::move(group));
+  return first;
+}
+
+void Console::join(std::vector<Tab*> members, std::string name, std::shared_ptr<SessionGroup> group) {
+  auto bus = std::make_shared<Bus>();
+  bus->group = std::move(group);
+  bus->default_name = std::move(name);
+  bus->members = std::move(members);
+  for (Tab* member : bus->members) member->bus = bus;
+  Tab& first = *bus->members.front();
+  first.choose_jog(first.jog_step(), first.jog_speed());
+  activate(first);
+}
+
+Console::Together Console::rehearsal_of(const Bus& bus) const {
+  if (!bus.group) return nullptr;
+  std::vector<ControllerState> states;
+  for (Tab* member : bus.members) states.push_back(member->desk().state_of(member->now()));
+  return [states = std::move(states), address = bus.group->address(),
+          opener = outside_->open_wire](const sequence::Sequence& sequence) {
+    constexpr Duration at_most = std::chrono::hours(1);  // some seconds of the worker
+    return rehearse_together(sequence, address, states, opener, at_most);
+  };
+}
+
+bool Console::is_face(const Tab& tab) { return !tab.bus || &tab.bus->front() == &tab; }
+
+int Console::faces() const {
+  return static_cast<int>(
+      std::count_if(tabs_.begin(), tabs_.end(), [](const auto& tab) { return is_face(*tab); }));
+}
+
+Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
+  const Address& address = session->address();
+  // Two tabs of one address (two emulators) keep their texts and profiles apart.
+  std::string key =
+      free_key(profile_key(address, outside_->usb_serial ? outside_->usb_serial(address) : std::string()));
+  auto tab = std::make_unique<Tab>(std::move(session), std::move(key), on_bus);
+  auto profile = ProfileStore(outside_->folders).load(tab->profile_key);
+  if (profile) {
+    tab->profile = std::move(*profile);
+    tab->profile_edited();
+    tab->profile_changed = false;
+  } else {
+    toast(Mood::warn, profile.error().sentence());
+  }
+  tab->default_name = free_name(tab->catalog().short_name);
+  if (outside_->folders.enabled) tell(tab->desk().keep_texts(Autosave(outside_->folders), tab->profile_key));
+  tab->desk().use(outside_->worker);
+  return add(std::move(tab));
+}
+
+template <class Taken>
+static std::string numbered(const std::string& wanted, Taken taken) {
+  std::string name = wanted;
+  for (int n = 2; taken(name); ++n) name = fmt::format("{} {}", wanted, n);
+  return name;
+}
+
+/// The short name, with a number for a second one that has no name of its own either.
+std::string Console::free_name(const std::string& wanted) const {
+  return numbered(wanted, [this](const std::string& name) {
+    return std::any_of(tabs_.begin(), tabs_.end(), [&](const auto& tab) { return tab->name() == name; });
+  });
+}
+
+std::string Console::free_key(const std::string& wanted) const {
+  return numbered(wanted, [this](const std::string& key) {
+    return std::any_of(tabs_.begin(), tabs_.end(), [&](const auto& tab) { return tab->profile_key == key; });
+  });
+}
+
+Tab& Console::add(std::unique_ptr<Tab> tab) {
+  tab->panels.resize(list_.panels.size());
+  tab->desk().traffic.set_clock(outside_->day);
+  tabs_.push_back(std::move(tab));
+  activate(*tabs_.back());
+  return *tabs_.back();
+}
+
+void Console::close(Tab& tab) {
+  if (!tab.bus) return close_one(tab);
+  const std::shared_ptr<Bus> bus = tab.bus;
+  for (Tab* member : bus->members) member->bus.reset();
+  for (Tab* member : bus->members) close_one(*member);
+}
+
+/// By Ctrl W: the one in front, or the one that is being asked about.
+void Console::close_as_asked() {
+  if (!std::exchange(close_asked_, false)) return;
+  Tab* tab = dialogs.open() ? dialogs.closing() : active();
+  if (tab) dialogs.close_controller(*this, *tab);
+}
+
+void Console::close_one(Tab& tab) {
+  tab.jog.let_go();
+  tab.desk().keep_now();
+  save();
+  if (std::shared_ptr<Session> session = tab.session()) {
+    ++*closing_;
+    Task<> closed = session->close();
+    // The session lives until its last coroutine has ended; the count tells when the scheduler may stop.
+    asio::co_spawn(outside_->scheduler.executor(), std::move(closed),
+                   [session, counter = closing_, words = last_words_, wake = outside_->wake,
+                    name = std::string(tab.name())](std::exception_ptr) {
+                     session->notices().drain([&](Notice& notice) {
+                       notice.text = fmt::format("{}: {}", name, notice.text);
+                       words->push(std::move(notice));
+                     });
+                     if (wake) wake();
+                     --*counter;
+                   });
+  }
+  const auto at = std::find_if(tabs_.begin(), tabs_.end(), [&](const auto& t) { return t.get() == &tab; });
+  const auto index = at - tabs_.begin();
+  const bool was_active = active_ == &tab;
+  dialogs.close();
+  tabs_.erase(at);
+  if (!was_active) return;
+  active_ = nullptr;
+  if (tabs_.empty())
+    show_page(list_.pages.empty() ? std::string_view() : list_.pages[0].id);
+  else
+    activate(*tabs_[std::min<std::size_t>(static_cast<std::size_t>(index), tabs_.size() - 1)]);
+}
+
+std::vector<std::string> Console::take_last_words() {
+  std::vector<std::string> words;
+  last_words_->drain([&](Notice& notice) {
+    if (notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error)
+      words.push_back(std::move(notice.text));
+  });
+  return words;
+}
+
+void Console::close_all() {
+  while (!tabs_.empty()) close(*tabs_.back());
+}
+
+void Console::rename(Tab& tab, std::string name) {
+  if (tab.bus) {
+    tab.bus->rename(std::move(name));
+  } else {
+    tab.profile.name = std::move(name);
+    tab.profile_edited();
+  }
+  const Address& opened = tab.bus && tab.bus->group ? tab.bus->group->address() : tab.address();
+  tell(recent_.renamed(opened.text(), users_name(tab)));
+}
+
+void Console::reconnect(Tab& tab) { tab.send_followed(intent::Reconnect()); }
+
+Tab* Console::active() { return page_.empty() ? active_ : nullptr; }
+
+void Console::activate(Tab& tab) {
+  if (active_ && active_ != &tab) active_->jog.let_go();
+  if (tab.bus) {
+    auto& members = tab.bus->members;
+    tab.bus->chosen =
+        static_cast<std::size_t>(std::find(members.begin(), members.end(), &tab) - members.begin());
+    if (active_ && active_->bus == tab.bus) tab.centre_panel = active_->centre_panel;
+  }
+  active_ = &tab;
+  if (!page_.empty()) show_page({});
+  right_open = false;
+}
+
+void Console::activate_next(int direction) {
+  if (tabs_.empty()) return;
+  std::vector<Tab*> faces;
+  for (const auto& tab : tabs_)
+    if (is_face(*tab)) faces.push_back(tab.get());
+  const int n = static_cast<int>(faces.size());
+  int at = 0;
+  for (int i = 0; i < n; ++i)
+    if (faces[static_cast<std::size_t>(i)] == active_) at = i;
+  activate(*faces[static_cast<std::size_t>(((page_.empty() ? at + direction : at) % n + n) % n)]);
+}
+
+const Tab* Console::open_at(std::string_view where) const {
+  for (const auto& tab : tabs_)
+    if (tab->address().where == where) return tab.get();
+  return nullptr;
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,90 @@
+// The user's session ends without a question: what this console began is stopped, what was done is written,
+// and the next start tells it.
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include <fmt/core.h>
+
+#include "core/session/last_end.h"
+#include "core/session/session.h"
+#include "gui/model/goes_on.h"
+#include "gui/shell/console.h"
+#include "gui/shell/outside.h"
+
+namespace hw::gui {
+namespace {
+
+constexpr Duration for_rest = std::chrono::seconds(5);
+
+/// Of one controller that was told to stop; shared with the io thread.
+struct Watched {
+  std::size_t place;  ///< in LastEnd::controllers
+  std::atomic<bool> over{false}, rests{false};
+  explicit Watched(std::size_t p) : place(p) {}
+};
+
+bool at_rest(const Snapshot& s) {
+  const bool runs = s.program.run != RunState::idle && s.program.run != RunState::error;
+  return s.link.state == LinkState::good && !runs && !s.working && !s.any_axis_moving();
+}
+
+// A stop that was refused or ended otherwise than hoped for: what is seen afterwards counts.
+Task<> see_at_rest(std::shared_ptr<Session> session, IntentId stop, std::shared_ptr<Watched> watched) {
+  co_await session->outcome(stop);
+  co_await session->wait_until_idle(for_rest);
+  watched->rests = at_rest(session->known());
+  watched->over = true;
+}
+
+}  // namespace
+
+void Console::depart(std::string_view how) {
+  LastEnd end{date_of_today(), time_of_day(clock()), std::string(how), {}};
+  std::vector<std::shared_ptr<Watched>> watched;
+  for (const auto& tab : tabs_) {
+    const std::string what = what_goes_on(*tab, Tense::past);
+    if (what.empty()) continue;
+    LastEnd::Controller& told = end.controllers.emplace_back();
+    told.name = whose(*tab, what), told.what = what;
+    told.fate = !begun_here(*tab) ? LastEnd::Fate::left_alone
+                : reached(*tab)   ? LastEnd::Fate::told
+                                  : LastEnd::Fate::not_told;
+    if (told.fate == LastEnd::Fate::left_alone) continue;
+    tab->jog.forget();  // the stop ends it; two stops would mean: at once, without a ramp
+    const IntentId stop = tab->send(intent::Stop());
+    if (!tab->session() || told.fate == LastEnd::Fate::not_told) continue;
+    watched.push_back(std::make_shared<Watched>(end.controllers.size() - 1));
+    Task<> seen = see_at_rest(tab->session(), stop, watched.back());
+    asio::co_spawn(outside_->scheduler.executor(), std::move(seen), asio::detached);
+  }
+  if (end.controllers.empty()) return;
+  const LastEnds ends(outside_->folders);
+  tell(ends.keep(end));  // the program may be killed while it waits
+  const auto give_up = std::chrono::steady_clock::now() + for_rest;
+  const auto over = [](const auto& one) { return one->over.load(); };
+  while (!std::all_of(watched.begin(), watched.end(), over) && std::chrono::steady_clock::now() < give_up)
+    std::this_thread::sleep_for(Millis(2));
+  for (const auto& one : watched)
+    if (one->rests) end.controllers[one->place].fate = LastEnd::Fate::at_rest;
+  if (!watched.empty()) tell(ends.keep(end));
+}
+
+void Console::note_unreached(std::span<Tab* const> closed, std::string_view how) {
+  LastEnd end{date_of_today(), time_of_day(clock()), std::string(how), {}};
+  for (const Tab* tab : closed) {
+    if (reached(*tab) || !goes_on(*tab) || !begun_here(*tab)) continue;
+    const std::string what = what_goes_on(*tab, Tense::past);
+    end.controllers.push_back({whose(*tab, what), what, LastEnd::Fate::not_told});
+  }
+  if (!end.controllers.empty()) tell(LastEnds(outside_->folders).keep(end));
+}
+
+void Console::tell_last_ends() {
+  const auto ends = LastEnds(outside_->folders).take();
+  if (!ends) return toast(Mood::warn, ends.error().sentence());
+  for (const LastEnd& end : *ends)
+    toasts_.add_staying(end.harmless() ? Mood::warn : Mood::fault, end.sentence(date_of_today()));
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,61 @@
+#pragma once
+// What a panel gets: one controller at one instant, and the ways to act on it. Made by the console for each
+// panel and frame; a panel keeps nothing of it, holds view state only, and never knows a device by name.
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/device/bench.h"
+#include "core/device/catalog.h"
+#include "core/device/intent.h"
+#include "core/device/snapshot.h"
+#include "gui/model/mood.h"
+#include "gui/surface/layout.h"
+
+namespace hw::gui {
+
+class Console;
+class Tab;
+class Ui;
+
+/// What a page that belongs to no controller gets (connect, keyboard map).
+struct PageFrame {
+  Ui& ui;
+  Console& console;
+  Box area;  ///< logical pixels; the panel is an ImGui child there, with its cursor at the top left
+  Tier tier;
+  bool rail;      ///< a column of 56 wide with lamps only
+  Instant clock;  ///< present time; an age is clock - seen_at
+
+  /// A sentence low in the centre. Faults stay until they are read, the rest goes after 6 s. `about`: what it
+  /// speaks of, see Toasts::withdraw().
+  void toast(Mood mood, std::string sentence, const void* about = nullptr) const;
+  /// What was said about it is not true any more.
+  void withdraw(const void* about) const;
+};
+
+struct Frame : PageFrame {
+  Tab& tab;  ///< names, units, texts and traffic of this controller
+  const Catalog& catalog;
+  const Snapshot& now;
+  const BenchView& bench;
+
+  /// It names this controller when another one is looked at.
+  void toast(Mood mood, std::string sentence, const void* about = nullptr) const;
+  /// Sends it. If it is refused or fails, the sentence is shown as a toast.
+  IntentId send(IntentBody body) const;
+  /// Sends it; this panel itself shows what became of it, from now.fate_of(id).
+  IntentId send_and_watch(IntentBody body) const;
+  void operate_bench(BenchCommand command) const;
+  /// Brings the panel `tab/ID` to the front and, if named, scrolls to one of its widgets and gives it the
+  /// focus.
+  void show_panel(std::string_view id, std::string_view widget = {}) const;
+
+  [[nodiscard]] bool connected() const {
+    return now.link.state == LinkState::good || now.link.state == LinkState::late;
+  }
+  /// Why a button that needs the controller is off.
+  [[nodiscard]] std::string_view no_link() const { return connected() ? "" : "There is no link."; }
+};
+
+}  // namespace hw::gui

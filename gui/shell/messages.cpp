@@ -1,0 +1,309 @@
+#include "gui/shell/messages.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+#include <imgui_internal.h>
+
+#include "gui/model/axis_look.h"
+#include "gui/model/bus.h"
+#include "gui/model/status_sentence.h"
+#include "gui/shell/console.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/state_word.h"
+#include "gui/widgets/text.h"
+
+namespace hw::gui {
+namespace {
+
+struct MoodLook {
+  Icon icon;
+  Tone tone;
+};
+
+MoodLook mood_look(Mood mood) {
+  switch (mood) {
+    case Mood::ok: return {Icon::check, Tone::ok};
+    case Mood::motion: return {Icon::play, Tone::motion};
+    case Mood::warn: return {Icon::warning, Tone::warn};
+    case Mood::fault: return {Icon::diamond_solid, Tone::fault};
+    case Mood::plain: break;
+  }
+  return {Icon::ring, Tone::ink2};
+}
+
+/// Of a controller that runs several programs at once: who runs, and where if it is one alone.
+RunPlace place_of_threads(Tab& tab) {
+  const auto& threads = tab.now().threads;
+  const int count = std::min(tab.catalog().program.threads, max_threads);
+  RunPlace run;
+  std::string numbers;
+  int running = 0, last = -1;
+  for (int n = 0; n < count; ++n) {
+    const ThreadState& thread = threads[static_cast<std::size_t>(n)];
+    if (!thread.known || thread.run != RunState::running) continue;
+    numbers += fmt::format("{}{}", running == 0 ? "" : ", ", n);
+    ++running, last = n;
+  }
+  if (running == 0) return run;
+  run.who = fmt::format("{}{} {} {}", tab.catalog().program.slot_word, running > 1 ? "s" : "", numbers,
+                        running > 1 ? "are" : "is");
+  if (running > 1) return run;
+  run.stored_line = threads[static_cast<std::size_t>(last)].line;
+  run.line = tab.desk().texts.live_line(0, run.stored_line);
+  if (last == 0) run.left_s = tab.desk().follower.left_s();  // it is the first that is rehearsed
+  return run;
+}
+
+/// "Program 2 has stopped in error in line 19: V2=5/V1." of such programs. Why is not told: the controller
+/// has no word for it, and axes in error are named beside it.
+std::string failed_threads(Tab& tab) {
+  ProgramTexts& texts = tab.desk().texts;
+  std::string said;
+  const int count = std::min(tab.catalog().program.threads, max_threads);
+  for (int n = 0; n < count; ++n) {
+    const ThreadState& thread = tab.now().threads[static_cast<std::size_t>(n)];
+    if (!thread.known || thread.run != RunState::error) continue;
+    said += fmt::format("{}{} {} has stopped in error", said.empty() ? "" : " ",
+                        tab.catalog().program.slot_word, n);
+    const int line = texts.live_line(0, thread.line);
+    if (line >= 0)
+      said += fmt::format(" in line {}: {}.", line + 1, line_of(texts.text(0), line));
+    else
+      said += fmt::format(" at line {} of its stored code.", thread.line);
+  }
+  return said;
+}
+
+RunPlace run_place(Tab& tab) {
+  if (tab.catalog().program.threads > 0) return place_of_threads(tab);
+  Desk& desk = tab.desk();
+  const RunFollower::Place place = desk.follower.place();
+  RunPlace run;
+  run.left_s = desk.follower.left_s();
+  if (place.slot >= 0) run.line = desk.texts.live_line(place.slot, place.command);
+  run.pass = place.pass, run.passes = place.passes;
+  return run;
+}
+
+/// On a bus a device stands for its only axis: "02 moves to ...", not "Axis X moves to ...".
+void name_device(StatusSentence& said, const Tab& tab) {
+  if (!tab.bus || tab.catalog().axes.size() != 1) return;
+  std::string name = tab.catalog().axes[0].description, text(said.text.view());
+  for (const bool at_the_beginning : {false, true}) {
+    if (name.empty()) return;
+    if (at_the_beginning) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    if (const std::size_t at = text.find(name); at != text.npos) text.replace(at, name.size(), tab.id());
+  }
+  said.text = text;
+}
+
+StatusSentence sentence_alone(Console& console, Tab& tab) {
+  const auto held = tab.jog.control();
+  StatusSentence said = status_sentence(
+      {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),
+       [&](AxisId a, Steps s) { return std::string(format_with_unit(s, tab.unit(a)).view()); },
+       [&](AxisId a, Pps v) { return std::string(format_speed(v, tab.unit(a)).view()); },
+       [&](Instant when) { return console.time_of_day(when); }, run_place(tab), failed_threads(tab)});
+  name_device(said, tab);
+  return said;
+}
+
+/// "01, 02 and 03 move." of the devices of a bus that do, but for `but`; empty: none does.
+std::string who_moves(const Bus& bus, const Tab* but) {
+  std::vector<std::string_view> ids;
+  for (const Tab* member : bus.members)
+    if (member != but && is_motion(worst_state(member->now(), member->clock()))) ids.push_back(member->id());
+  return ids.empty() ? std::string()
+                     : fmt::format("{} {}.", in_words(ids), ids.size() == 1 ? "moves" : "move");
+}
+
+/// Of a bus: what is worst on it, and who moves beside that.
+StatusSentence sentence_of(Console& console, Tab& tab) {
+  if (!tab.bus) return sentence_alone(console, tab);
+  Tab& worst = tab.bus->worst();
+  const std::string others = who_moves(*tab.bus, &worst);
+  const bool all_is_well = is_motion(worst_state(worst.now(), worst.clock()));
+  if (all_is_well && !others.empty() && !tab.jog.control())
+    return {Mood::motion, fmt::format("{} Esc stops everything.", who_moves(*tab.bus, nullptr))};
+  StatusSentence said = sentence_alone(console, worst);
+  if (&worst != &tab && !speaks_of(said.text.view(), worst.id()))
+    said.text = fmt::format("{}: {}", worst.id(), said.text.view());
+  if (!all_is_well && !others.empty()) said.text = fmt::format("{} {}", said.text.view(), others);
+  return said;
+}
+
+/// What is in RAM and not stored: at the right of the status line, whatever else is true. Returns its width.
+float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
+  const Snapshot& now = tab.now();
+  if (!tab.catalog().can.store || (!now.unsaved_setup && !now.unsaved_programs)) return 0;
+  const std::string_view words = line.width < 960 ? "Not stored"
+                                 : now.unsaved_setup && now.unsaved_programs
+                                     ? "Set-up and programs not stored"
+                                 : now.unsaved_setup ? "Set-up not stored"
+                                                     : "Program not stored";
+  ButtonOptions o;
+  o.style = ButtonStyle::quiet;
+  o.icon = Icon::warning;
+  o.icon_tone = Tone::warn;
+  o.height = 28;
+  o.tip = "It is in the controller's RAM only and gone when it is switched off. Store it in Setup.";
+  const float width = button_width(ui, words, o);
+  ImGui::SetCursorScreenPos(ui.px(line.right() - width - 8, line.y + (line.height - 28) / 2));
+  if (button(ui, "status/unsaved", words, o).clicked) console.show_panel("setup");
+  return width + 16;
+}
+
+}  // namespace
+
+void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
+  begin_region(ui, "status", in_pixels(ui, layout.status), Tone::ground);
+  const Rect r = in_pixels(ui, layout.status);
+  ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.max.x, r.min.y + ui.hair()), ui[Tone::line]);
+  Tab* tab = console.active();
+  StatusSentence said;
+  float taken = 0;
+  if (tab) {
+    said = sentence_of(console, *tab);
+    taken = draw_unsaved(ui, console, *tab, layout.status);
+  } else if (!console.page().empty()) {
+    said = console.page_object(console.page()).status(console);
+  }
+  const MoodLook look = mood_look(said.mood);
+  const float middle = r.centre().y, left = r.min.x + ui.px(16);
+  draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(left + ui.px(6), std::floor(middle)), ui.px(12),
+            ui[look.tone]);
+  draw_text_in_two_lines(ui, left + ui.px(24), r.max.x - ui.px(16 + taken), middle, Face::body, ui[Tone::ink],
+                         said.text);
+  show(ui, {"status/text", Kind::text, "Status", said.text, {}, false, {}}, r);
+  end_region();
+}
+
+// ---- banner
+
+namespace {
+
+std::string report(const Console& console, const Tab& tab) {
+  const LinkHealth& link = tab.now().link;
+  return fmt::format(
+      "{} ({}) at {}\nlost at {}, {} attempts since\n{}\ntimeouts {}, bytes not understood {}\n", tab.name(),
+      tab.catalog().name, tab.address().text(), console.time_of_day(link.lost_at), link.attempts,
+      link.sentence.view(), link.timeouts, link.unparsed_bytes);
+}
+
+/// "Attempt 5 in 3 s.", and a frame when the number changes.
+std::string_view next_attempt(Ui& ui, const Console& console, const LinkHealth& link,
+                              std::span<char> buffer) {
+  const double wait = seconds(link.next_attempt - console.clock());
+  const double whole = std::ceil(wait);
+  const auto end = wait > 0 ? fmt::format_to_n(buffer.data(), buffer.size(), "Attempt {} in {:.0f} s.",
+                                               link.attempts + 1, whole)
+                            : fmt::format_to_n(buffer.data(), buffer.size(), "Attempt {} is under way.",
+                                               std::max(1, link.attempts));
+  if (wait > 0) ui.wake_in(wait - (whole - 1) + 0.001);
+  return {buffer.data(), std::min(end.size, buffer.size())};
+}
+
+/// Over the status line it is a window of its own, above the other regions.
+void begin_over(Ui& ui, std::string_view id, const Rect& r, bool over_status) {
+  if (over_status) {
+    begin_region(ui, "banner", r, Tone::panel, ImVec2(0, 0));
+    if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  } else {
+    ImGui::SetCursorScreenPos(r.min);
+    begin_part(ui, std::string(id).c_str(), r.width(), r.height(), Tone::panel, 0, false);
+  }
+}
+void end_over(bool over_status) {
+  if (over_status)
+    end_region();
+  else
+    end_part();
+}
+
+/// The place of a banner: all of it, or one bar.
+struct BannerPlace {
+  Box box;
+  bool bar = false, over_status = false;
+};
+
+/// As high as it needs to be; in what leaves the traffic less than some rows it is a bar.
+BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const Banner& what, bool actions) {
+  constexpr float bar = 48, traffic_at_least = 150;
+  if (below.empty()) return {layout.status, true, true};
+  const float whole = banner_height(ui, what, below.width, actions);
+  if (below.height - whole >= traffic_at_least) return {{below.x, below.y, below.width, whole}, false, false};
+  return {{below.x, below.y, below.width, std::min(bar, below.height)}, true, false};
+}
+
+/// Returns the action pressed, and leaves in `taken` what is taken of the part below.
+int tell(Ui& ui, const Layout& layout, const Box& below, std::string_view id, const Banner& what,
+         std::span<const Action> actions, float& taken) {
+  const BannerPlace place = place_of(ui, layout, below, what, !actions.empty());
+  taken = place.over_status ? 0 : place.box.height;
+  const Rect r = in_pixels(ui, place.box);
+  begin_over(ui, id, r, place.over_status);
+  const int picked = place.bar ? banner_bar(ui, id, what, actions) : banner(ui, id, what, actions);
+  end_over(place.over_status);
+  return picked;
+}
+
+float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below) {
+  const LinkHealth& link = tab.now().link;
+  const std::string title = fmt::format("{} does not answer since {}.", tab.bus ? tab.id() : tab.name(),
+                                        console.time_of_day(link.lost_at));
+  const bool others = tab.bus && tab.bus->connected() > 0;
+  const std::string sentences = fmt::format(
+      "{}{}\nStop does not reach it: to be sure, use its power switch. When it is back its state is read "
+      "afresh; nothing moves "
+      "by itself.",
+      others ? "The others answer, so port and baud rate are right. " : "", link.sentence.view());
+  char attempt[64];
+  const Banner what{Mood::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt)};
+  const Action actions[] = {{.id = "fault/try_now", .label = "Try now", .main = true},
+                            {.id = "fault/report", .label = "Copy this report"}};
+  float taken = 0;
+  const int picked = tell(ui, layout, below, "fault/lost", what, actions, taken);
+  if (picked == 0) console.reconnect(tab);
+  if (picked == 1) {
+    ImGui::SetClipboardText(report(console, tab).c_str());
+    console.toast(Mood::ok, "The report is in the clipboard.");
+  }
+  return taken;
+}
+
+/// Something must be chosen in the set-up before the first move.
+float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& layout, const Box& below) {
+  const ParamInfo& info = tab.catalog().params[static_cast<std::size_t>(param)];
+  const Banner what{Mood::warn, Icon::warning, "Before the first move", info.before_moving};
+  const Action actions[] = {{.id = "fault/setup", .label = "Choose it in Setup", .main = true},
+                            {.id = "fault/unset_read", .label = "Leave it"}};
+  float taken = 0;
+  const int picked = tell(ui, layout, below, "fault/unset", what, actions, taken);
+  if (picked == 0) console.show_panel("setup", "setup/" + info.mnemonic);
+  if (picked == 1) tab.unset_read = true;
+  return taken;
+}
+
+}  // namespace
+
+float draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below) {
+  const Snapshot& now = tab.now();
+  // Without room the status line and STOP ALL tell of the others of a bus.
+  Tab& worst = tab.bus && layout.tier != Tier::narrow ? tab.bus->worst() : tab;
+  if (worst.now().link.state == LinkState::lost) return draw_lost(ui, console, worst, layout, below);
+  if (layout.tier == Tier::narrow || tab.unset_read || tab.centre_panel == "setup")
+    return 0;  // the status line says it as well
+  for (int i = 0; i < now.axis_count; ++i)
+    if (const int param = unset_before_moving(tab.catalog(), now, AxisId{static_cast<std::uint8_t>(i)});
+        param >= 0)
+      return draw_unset(ui, console, tab, param, layout, below);
+  return 0;
+}
+
+}  // namespace hw::gui

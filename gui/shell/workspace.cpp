@@ -1,0 +1,287 @@
+#include "gui/shell/workspace.h"
+
+#include <array>
+
+#include <fmt/core.h>
+#include <imgui_internal.h>
+
+#include "gui/shell/console.h"
+#include "gui/shell/messages.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/tabs.h"
+#include "gui/widgets/text.h"
+
+namespace hw::gui {
+namespace {
+
+/// One controller's workspace in one frame.
+struct Work {
+  Ui& ui;
+  Console& console;
+  Tab& tab;
+  const Layout& layout;
+
+  [[nodiscard]] bool wanted(const PanelEntry& entry) const { return !entry.wanted || entry.wanted(tab); }
+  void draw(std::size_t index, const Box& area, bool rail = false) const {
+    const PanelEntry& entry = console.list().panels[index];
+    auto& panel = tab.panels[index];
+    if (!panel) panel = entry.make();
+    Frame frame{
+        {ui, console, area, layout.tier, rail, tab.clock()}, tab, tab.catalog(), tab.now(), tab.bench()};
+    ImGui::PushID(&tab);  // the same button of another controller is another button: standing.h
+    ImGui::PushID(entry.id.data(), entry.id.data() + entry.id.size());
+    panel->draw(frame);
+    ImGui::PopID();
+    ImGui::PopID();
+  }
+  /// All panels of a place, one under the other.
+  void draw_all(Place place, const Box& area, bool rail = false) const {
+    for (std::size_t i = 0; i < console.list().panels.size(); ++i)
+      if (console.list().panels[i].place == place && wanted(console.list().panels[i])) draw(i, area, rail);
+  }
+};
+
+// ---- centre
+
+struct TabItem {
+  std::string_view id, title;
+  int panel;  ///< -1: the left column, -2: the right column
+};
+
+struct TabItems {
+  std::array<TabItem, 16> items;
+  std::size_t count = 0;
+  void add(TabItem item) {
+    if (count < items.size()) items[count++] = item;
+  }
+  [[nodiscard]] const TabItem& chosen(std::string_view id) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (items[i].id == id) return items[i];
+    for (std::size_t i = 0; i < count; ++i)
+      if (items[i].panel >= 0) return items[i];
+    return items[0];
+  }
+};
+
+TabItems tab_items(const Work& w, bool below_is_tab) {
+  TabItems items;
+  const bool narrow = w.layout.tier == Tier::narrow;
+  if (narrow) items.add({"jog", "Jog", -1});
+  const auto panels = w.console.list().panels;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const bool here = panels[i].place == Place::centre || (panels[i].place == Place::below && below_is_tab);
+    if (here && w.wanted(panels[i])) items.add({panels[i].id, panels[i].title, static_cast<int>(i)});
+  }
+  if (narrow) items.add({"io", "I/O and limits", -2});
+  return items;
+}
+
+void draw_panel_tabs(const Work& w, const TabItems& items, const TabItem& chosen) {
+  std::array<std::array<char, 48>, 16> ids;
+  std::array<PanelTab, 16> tabs;
+  int active = -1;
+  for (std::size_t i = 0; i < items.count; ++i) {
+    const auto end = fmt::format_to_n(ids[i].data(), ids[i].size(), "tab/{}", items.items[i].id);
+    tabs[i] = {{ids[i].data(), std::min(end.size, ids[i].size())}, items.items[i].title};
+    if (items.items[i].id == chosen.id) active = static_cast<int>(i);
+  }
+  ImGui::SetCursorScreenPos(
+      ImVec2(ImGui::GetCursorScreenPos().x + w.ui.px(16), ImGui::GetCursorScreenPos().y));
+  const int picked = panel_tabs(w.ui, {tabs.data(), items.count}, active);
+  if (picked >= 0) w.tab.centre_panel = items.items[static_cast<std::size_t>(picked)].id;
+  ImGui::SetCursorScreenPos(ImVec2(w.ui.px(w.layout.centre.x), ImGui::GetCursorScreenPos().y));
+}
+
+/// One of the columns that a side column becomes as a tab: its panels from `first` up to `end` of the list.
+void draw_tab_column(const Work& w, const char* name, Place place, const Box& area, std::size_t first,
+                     std::size_t end) {
+  ImGui::SetCursorScreenPos(w.ui.px(area.x, area.y));
+  begin_part(w.ui, name, w.ui.px(area.width), w.ui.px(area.height), Tone::panel, 16);
+  const auto panels = w.console.list().panels;
+  for (std::size_t i = first; i < end; ++i)
+    if (panels[i].place == place && w.wanted(panels[i]))
+      w.draw(i, {area.x + 16, area.y, area.width - 32, area.height});
+  end_part();
+}
+
+/// A side column as a tab. Its last panel stands beside the others where there is room for both.
+void draw_side_tab(const Work& w, Place place, const Box& area) {
+  constexpr float column_at_least = 264;
+  const auto panels = w.console.list().panels;
+  std::size_t first = panels.size(), last = 0;
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    if (panels[i].place == place && w.wanted(panels[i])) first = std::min(first, i), last = i;
+  if (area.width < 2 * column_at_least || first >= last)
+    return draw_tab_column(w, "all", place, area, 0, panels.size());
+  const float half = std::floor(area.width / 2);
+  draw_tab_column(w, "first", place, {area.x, area.y, half, area.height}, 0, last);
+  draw_tab_column(w, "last", place, {area.x + half, area.y, area.width - half, area.height}, last, last + 1);
+}
+
+/// A panel that has less than it needs is drawn in comfort and moves with the scroll bar.
+void draw_scrolled(const Work& w, std::size_t panel, const Box& area) {
+  const float comfort = std::max(320.0f, w.console.list().panels[panel].least_height);
+  const float scrolled = ImGui::GetScrollY() / w.ui.scale;
+  w.draw(panel, {area.x, area.y - scrolled, area.width, comfort});
+  ImGui::SetCursorScreenPos(w.ui.px(area.x, area.y - scrolled + comfort));
+  ImGui::Dummy(ImVec2(1, 0));
+}
+
+void draw_chosen(const Work& w, const TabItem& chosen, const Box& area) {
+  const auto panel = static_cast<std::size_t>(std::max(chosen.panel, 0));
+  const float needs = chosen.panel >= 0 ? w.console.list().panels[panel].least_height : 0;
+  const bool scrolls = needs > area.height;
+  begin_part(w.ui, "work", 0, w.ui.px(area.height), Tone::panel, 0, scrolls);
+  if (scrolls)
+    draw_scrolled(w, panel, area);
+  else if (chosen.panel >= 0)
+    w.draw(panel, area);
+  else
+    draw_side_tab(w, chosen.panel == -1 ? Place::left : Place::right, area);
+  end_part();
+}
+
+void draw_centre(const Work& w) {
+  const Box& box = w.layout.centre;
+  Ui& ui = w.ui;
+  begin_region(ui, "centre", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
+  const float centre_height = box.height - 40;
+  const bool below_is_tab = below_height(centre_height, w.console.splitters, w.layout.tier) == 0;
+  const TabItems items = tab_items(w, below_is_tab);
+  if (items.count == 0) return end_region();
+  const TabItem& chosen = items.chosen(w.tab.centre_panel);
+  const float wish =
+      chosen.panel >= 0 ? w.console.list().panels[static_cast<std::size_t>(chosen.panel)].good_height : 0;
+  float below = below_height(centre_height, w.console.splitters, w.layout.tier, wish);
+  draw_panel_tabs(w, items, chosen);
+  const float top = ImGui::GetCursorScreenPos().y / ui.scale;
+  if (box.bottom() - top - below < 160) below = std::max(0.0f, box.bottom() - top - 160);
+  const Box work{box.x, top, box.width, box.bottom() - top - below};
+  draw_chosen(w, chosen, work);
+  const Box area{box.x, work.bottom(), box.width, below};
+  const float told = draw_banner(ui, w.console, w.tab, w.layout, area);
+  if (below > 0) {
+    const Box rest{area.x, area.y + told, area.width, area.height - told};
+    ImGui::SetCursorScreenPos(ui.px(rest.x, rest.y));
+    begin_part(ui, "below", 0, ui.px(rest.height), Tone::panel, 0, false);
+    w.draw_all(Place::below, rest);
+    end_part();
+    const Rect line = in_pixels(ui, area);
+    ImGui::GetWindowDrawList()->AddRectFilled(line.min, ImVec2(line.max.x, line.min.y + ui.hair()),
+                                              ui[Tone::line]);
+    const bool wide = w.layout.tier == Tier::wide;
+    Splitters& sizes = w.console.splitters;
+    float& set = wide ? sizes.below : sizes.below_medium;
+    float shown = wish > 0 ? below : set;
+    splitter(ui, "splitter/below", in_pixels(ui, {box.x, area.y, box.width, 1}), false, shown,
+             wide ? SplitRange{152, 700, Splitters().below} : SplitRange{108, 320, Splitters().below_medium},
+             -1);
+    if (wish == 0 || shown != below) set = shown;
+  }
+  end_region();
+}
+
+// ---- side columns
+
+void draw_left(const Work& w) {
+  const Box& box = w.layout.left;
+  Ui& ui = w.ui;
+  begin_region(ui, "left", in_pixels(ui, box), Tone::panel);
+  line_right_of(ui, in_pixels(ui, box));
+  const Box inner{box.x + 16, box.y, box.width - 32, box.height};
+  w.draw_all(Place::top_left, inner);
+  const float top = ImGui::GetCursorScreenPos().y;
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(box.x), top));
+  const float left_over = ui.px(box.bottom()) - top;
+  begin_part(ui, "rest", ui.px(box.width) - ui.hair(), left_over, Tone::panel, 16);
+  w.draw_all(Place::left, {inner.x, top / ui.scale, inner.width, left_over / ui.scale});
+  end_part();
+  if (w.layout.tier == Tier::wide)
+    splitter(ui, "splitter/left", in_pixels(ui, {box.right() - 1, box.y, 1, box.height}), true,
+             w.console.splitters.left, {264, 400, Splitters().left}, 1);
+  end_region();
+}
+
+void draw_right(const Work& w, const Box& box, bool over_centre) {
+  Ui& ui = w.ui;
+  begin_region(ui, over_centre ? "right over" : "right", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
+  // A region that comes later than the others would lie under them.
+  if (over_centre && ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  const Rect r = in_pixels(ui, box);
+  ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y),
+                                            ui[over_centre ? Tone::edge : Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(r.min.x + ui.hair(), r.min.y));
+  begin_part(ui, "parts", r.width() - ui.hair(), r.height(), Tone::panel, 16);
+  w.draw_all(Place::right, {box.x + 16, box.y, box.width - 32, box.height});
+  end_part();
+  if (w.layout.tier == Tier::wide)
+    splitter(ui, "splitter/right", in_pixels(ui, {box.x, box.y, 1, box.height}), true,
+             w.console.splitters.right, {240, 400, Splitters().right}, -1);
+  end_region();
+}
+
+void draw_rail(const Work& w) {
+  const Box& box = w.layout.right;
+  Ui& ui = w.ui;
+  begin_region(ui, "rail", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
+  const Rect r = in_pixels(ui, box);
+  ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y), ui[Tone::line]);
+  ButtonOptions o;
+  o.style = ButtonStyle::quiet;
+  o.icon = w.console.right_open ? Icon::chevron_right : Icon::chevron_left;
+  o.width = 40;
+  o.height = 40;
+  o.tip = w.console.right_open ? "Fold inputs, outputs and bench" : "Inputs, outputs and bench";
+  ImGui::SetCursorScreenPos(ui.px(box.x + 8, box.y));
+  if (button(ui, "rail/open", "", o).clicked) w.console.right_open = !w.console.right_open;
+  ImGui::SetCursorScreenPos(ui.px(box.x, box.y + 40));
+  w.draw_all(Place::right, {box.x, box.y + 40, box.width, box.height - 40}, true);
+  end_region();
+  if (!w.console.right_open) return;
+  const float width = 272;
+  draw_right(w, {box.x - width, box.y, width, box.height}, true);
+}
+
+void draw_strip(const Work& w) {
+  const Box& box = w.layout.left;
+  begin_region(w.ui, "left", in_pixels(w.ui, box), Tone::panel);
+  line_below(w.ui, in_pixels(w.ui, box));
+  w.draw_all(Place::top_left, {box.x + 16, box.y, box.width - 32, box.height});
+  end_region();
+}
+
+void draw_page(Ui& ui, Console& console, const Layout& layout) {
+  const Box body{0, layout.stop.bottom(), layout.status.width, layout.status.y - layout.stop.bottom()};
+  begin_region(ui, "page", in_pixels(ui, body), Tone::panel, ImVec2(0, 0));
+  PageFrame frame{ui, console, body, layout.tier, false, console.clock()};
+  console.page_object(console.page()).draw(frame);
+  end_region();
+}
+
+}  // namespace
+
+float strip_height(const Tab& tab) {
+  const std::size_t axes = tab.catalog().axes.size();
+  return strip_row_height(axes) * static_cast<float>((axes + 1) / 2);
+}
+
+void draw_workspace(Ui& ui, Console& console, const Layout& layout) {
+  Tab* tab = console.active();
+  if (!tab) {
+    if (!console.page().empty()) draw_page(ui, console, layout);
+    return;
+  }
+  const Work work{ui, console, *tab, layout};
+  if (layout.tier == Tier::narrow)
+    draw_strip(work);
+  else
+    draw_left(work);
+  draw_centre(work);
+  if (layout.right_is_rail)
+    draw_rail(work);
+  else if (!layout.right.empty())
+    draw_right(work, layout.right, false);
+}
+
+}  // namespace hw::gui

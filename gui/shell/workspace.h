@@ -1,0 +1,15 @@
+#pragma once
+// The body of the window: three columns, or a strip and one column, or a page.
+#include "gui/surface/layout.h"
+
+namespace hw::gui {
+
+class Console;
+class Tab;
+class Ui;
+
+void draw_workspace(Ui& ui, Console& console, const Layout& layout);
+/// Narrow: what the positions of this controller need, logical.
+float strip_height(const Tab& tab);
+
+}  // namespace hw::gui

@@ -1,0 +1,82 @@
+#pragma once
+// Hands for scripts and tests: finds a widget by its path and presses, types and reads as a person would,
+// through the same input queue. What a person could not do (unknown, disabled, covered, out of reach) fails
+// with a sentence.
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "gui/surface/screen.h"
+
+namespace hw::gui {
+
+class Automation {
+ public:
+  /// `run_frame` advances the clock by one frame and draws it; `now_s` reads that clock; once `over`, no
+  /// further frame is drawn.
+  Automation(
+      Surface& surface, std::function<void()> run_frame, std::function<double()> now_s,
+      std::function<bool()> over = [] { return false; });
+
+  // A press on what can start motion waits until that has stood still long enough to take it: standing.h.
+
+  Result<> click(std::string_view id);
+  /// Mouse down on it, and it stays down until release().
+  Result<> press(std::string_view id);
+  Result<> release(std::string_view id);
+  /// Replaces what a field holds; '\n' is Enter. For an editor: types at the end of the text.
+  Result<> type(std::string_view id, std::string_view text);
+  /// "Escape", "Ctrl+Enter", "F5", "Left", "?", "a": down and up.
+  Result<> key(std::string_view chord);
+  /// Only one half, for holding a jog key.
+  Result<> key_down(std::string_view chord);
+  Result<> key_up(std::string_view chord);
+  // A look at the screen draws it first: what is seen is never older than the look.
+
+  /// What it shows or holds, plain ASCII.
+  Result<std::string> value(std::string_view id);
+  bool exists(std::string_view id);
+
+  struct Listed {
+    std::string id, kind, label, value;
+    float x, y, width, height;  ///< logical pixels
+    bool enabled, moving;
+  };
+  std::vector<Listed> list();
+
+  void frame(int n = 1);
+  Result<> screenshot(const std::string& path);
+  Result<> window(int width, int height, float scale = 1);
+  Result<> theme(std::string_view name);
+  /// The window loses the keyboard, as when another is clicked.
+  void lose_focus();
+
+ private:
+  Result<const Widget*> reach(std::string_view id);
+  Result<> usable(std::string_view id);
+  Result<> wait_until_it_stands(std::string_view id);
+  void point_at(ImVec2 at);
+  void push_button(bool down);
+  void push_text(std::string_view text);
+  void settle();
+  void take_input();
+  void tap(int key);
+
+  Surface& surface_;
+  std::function<void()> run_frame_;
+  std::function<double()> now_s_;
+  std::function<bool()> over_;
+  std::string pressed_;
+};
+
+/// GLFW key and modifiers of "Ctrl+Shift+Tab"; nothing when there is no such key.
+struct Chord {
+  int key = 0;
+  bool ctrl = false, shift = false, alt = false;
+  unsigned text = 0;  ///< the character it writes, if any
+};
+Result<Chord> read_chord(std::string_view text);
+
+}  // namespace hw::gui

@@ -1,0 +1,45 @@
+#include "gui/surface/display_loss.h"
+
+#include <cstdlib>
+#include <utility>
+
+#include <dlfcn.h>
+
+namespace hw::gui {
+namespace {
+
+std::function<void()> when_lost, when_failed;
+
+int on_lost(void*) {
+  if (const auto act = std::exchange(when_lost, nullptr)) act();
+  std::_Exit(1);  // X would call exit(), which takes things away from threads that still run
+}
+
+int on_failed(void*, void*) {
+  if (when_failed) when_failed();
+  return 0;
+}
+
+/// From Xlib, which is in the process when GLFW has opened an X window. Its headers are not needed to build.
+template <class Handler>
+void set_handler(const char* setter, Handler handler) {
+  using Setter = Handler (*)(Handler);
+  if (const auto set = reinterpret_cast<Setter>(dlsym(RTLD_DEFAULT, setter))) set(handler);
+}
+
+}  // namespace
+
+DisplayGuard::DisplayGuard(std::function<void()> lost, std::function<void()> failed) {
+  when_lost = std::move(lost);
+  when_failed = std::move(failed);
+  set_handler("XSetIOErrorHandler", &on_lost);
+  set_handler("XSetErrorHandler", &on_failed);
+}
+
+// The handlers stay: without them X would end the program in its own way while the window is closed.
+DisplayGuard::~DisplayGuard() {
+  when_lost = nullptr;
+  when_failed = nullptr;
+}
+
+}  // namespace hw::gui

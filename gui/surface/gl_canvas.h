@@ -1,0 +1,37 @@
+#pragma once
+// GL without a display: an EGL surfaceless context and a frame buffer of its own.
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <imgui.h>
+
+#include "gui/surface/gl_textures.h"
+
+namespace hw::gui {
+
+class GlCanvas {
+ public:
+  /// Null when this machine has no such GL.
+  static std::unique_ptr<GlCanvas> open();
+  ~GlCanvas();
+  GlCanvas(const GlCanvas&) = delete;
+  GlCanvas& operator=(const GlCanvas&) = delete;
+
+  /// Draws through ImGui's GL3 backend, to the end. False when GL failed.
+  bool draw(ImDrawData& data, const Pictures& pictures, int atlas_generation, ImU32 ground);
+  /// What was drawn last, rows from the top. False when GL failed.
+  bool read(std::vector<std::uint32_t>& pixels);
+
+ private:
+  struct Egl;
+  explicit GlCanvas(std::unique_ptr<Egl> egl);
+  bool size_to(int width, int height);
+
+  std::unique_ptr<Egl> egl_;
+  GlTextures textures_;
+  unsigned frame_buffer_ = 0, colour_ = 0;
+  int width_ = 0, height_ = 0, atlas_generation_ = 0;
+};
+
+}  // namespace hw::gui

@@ -1,0 +1,90 @@
+#include "gui/surface/offscreen.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include <stb/stb_image_write.h>
+
+#include "gui/surface/gl_canvas.h"
+
+namespace hw::gui {
+namespace {
+
+Fonts built(float scale) {
+  Fonts fonts;
+  fonts.build(scale);
+  return fonts;
+}
+
+ImVec2 in_pixels(int width, int height, float scale) {
+  return ImVec2(std::floor(static_cast<float>(width) * scale + 0.5f),
+                std::floor(static_cast<float>(height) * scale + 0.5f));
+}
+
+}  // namespace
+
+Offscreen::Offscreen(int width, int height, float scale, bool dark, Renderer renderer)
+    : screen_(built(scale), dark), size_px_(in_pixels(width, height, scale)), wanted_(renderer) {}
+
+Offscreen::~Offscreen() { screen_.make_current(); }
+
+void Offscreen::resize(int width, int height, float scale) {
+  size_px_ = in_pixels(width, height, scale);
+  screen_.set_scale(scale);
+}
+
+void Offscreen::frame(double now_s, const Draw& draw) { screen_.frame(now_s, size_px_, draw); }
+
+void Offscreen::render_software() {
+  AlphaTexture texture;
+  unsigned char* alpha = nullptr;
+  ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&alpha, &texture.width, &texture.height);
+  texture.alpha = alpha;
+  raster_.clear(width_px(), height_px(), screen_.theme()[Tone::ground]);
+  raster_.draw(*screen_.draw_data(), texture, screen_.pictures());
+  pixels_.assign(raster_.pixels().begin(), raster_.pixels().end());
+}
+
+bool Offscreen::draw_with_gl() {
+  ImDrawData* data = screen_.draw_data();
+  if (!data) return false;
+  if (wanted_ != Renderer::software && !gl_tried_) gl_ = GlCanvas::open();
+  gl_tried_ = true;
+  if (gl_ && gl_->draw(*data, screen_.pictures(), screen_.atlas_generation(), screen_.theme()[Tone::ground]))
+    return true;
+  gl_.reset();
+  return false;
+}
+
+std::span<const std::uint32_t> Offscreen::render() {
+  if (!screen_.draw_data()) return {};
+  if (draw_with_gl() && gl_->read(pixels_)) return pixels_;
+  gl_.reset();
+  render_software();
+  return pixels_;
+}
+
+ImU32 Offscreen::pixel(int x, int y) const {
+  return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px()) +
+                 static_cast<std::size_t>(x)];
+}
+
+Result<> Offscreen::screenshot(const std::string& path) {
+  render();
+  if (pixels_.empty()) return fail(FaultKind::internal, "There is no frame yet to take a picture of.");
+  return write_png(path, pixels_, width_px(), height_px());
+}
+
+Result<> write_png(const std::string& path, std::span<const std::uint32_t> pixels, int width, int height) {
+  std::vector<unsigned char> rgb;
+  rgb.reserve(pixels.size() * 3);
+  for (const std::uint32_t p : pixels)
+    for (int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT})
+      rgb.push_back(static_cast<unsigned char>(p >> shift));
+  errno = 0;
+  if (stbi_write_png(path.c_str(), width, height, 3, rgb.data(), width * 3)) return {};
+  return fail(FaultKind::port, "The picture " + path + " could not be written: " + std::strerror(errno) + ".",
+              "Nothing was saved.", "Choose a folder that exists and may be written to.");
+}
+
+}  // namespace hw::gui

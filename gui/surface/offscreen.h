@@ -1,0 +1,58 @@
+#pragma once
+// The console without a display: the same frames, laid out and driven, and drawn only when a picture is asked
+// for: through GL when there is one without a display (EGL surfaceless), else by the software rasteriser.
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "gui/surface/raster.h"
+#include "gui/surface/screen.h"
+
+namespace hw::gui {
+
+class GlCanvas;  // EGL context and frame buffer
+
+enum class Renderer : std::uint8_t { best, software, gl };
+
+class Offscreen : public Surface {
+ public:
+  /// Logical size and scale.
+  explicit Offscreen(int width = 1440, int height = 900, float scale = 1, bool dark = true,
+                     Renderer renderer = Renderer::best);
+  ~Offscreen() override;
+
+  Screen& screen() override { return screen_; }
+  void resize(int width, int height, float scale) override;
+  void frame(double now_s, const Draw& draw) override;
+  Result<> screenshot(const std::string& path) override;
+
+  /// The last frame as a window draws it; its pixels stay where they are. False: this machine has no GL.
+  bool draw_with_gl();
+  /// Renders the last frame and gives its pixels, rows from the top.
+  std::span<const std::uint32_t> render();
+  [[nodiscard]] ImU32 pixel(int x, int y) const;
+  [[nodiscard]] int width_px() const { return static_cast<int>(size_px_.x); }
+  [[nodiscard]] int height_px() const { return static_cast<int>(size_px_.y); }
+  /// Which renderer render() used last: "gl" or "software".
+  [[nodiscard]] std::string_view renderer() const { return gl_ ? "gl" : "software"; }
+
+ private:
+  void render_software();
+
+  Screen screen_;
+  ImVec2 size_px_;
+  Renderer wanted_;
+  bool gl_tried_ = false;
+  std::unique_ptr<GlCanvas> gl_;
+  Raster raster_;
+  std::vector<std::uint32_t> pixels_;
+};
+
+/// Rows from the top, R G B A in memory; the alpha is written as opaque.
+Result<> write_png(const std::string& path, std::span<const std::uint32_t> pixels, int width, int height);
+
+}  // namespace hw::gui

@@ -1,0 +1,27 @@
+#pragma once
+// Draws a tool's path into a picture, for a worker: a path of a million lines takes too long for a frame.
+#include <span>
+
+#include "core/drawing/tool_path.h"
+#include "gui/surface/pictures.h"
+
+namespace hw::gui {
+
+struct PathLook {
+  ImU32 tool_on = 0, tool_off = 0;
+  float on_width = 2, off_width = 1;  ///< pixels
+  float dash = 0, dash_gap = 0;       ///< of the ways with the tool off; 0: no dashes
+  /// Of the signs of direction, pixels of way from one to the next, and their length; where the way is very
+  /// long they are rarer. 0: none.
+  float arrow_every = 0, arrow = 0;
+  bool operator==(const PathLook&) const = default;
+};
+
+struct PathLayer {
+  const drawing::ToolPath* path = nullptr;
+  PathLook look;
+};
+/// The size of the view; later layers lie over earlier ones. Pure and perhaps long.
+Picture path_picture(std::span<const PathLayer> layers, const drawing::PathView& view);
+
+}  // namespace hw::gui

@@ -1,0 +1,82 @@
+#pragma once
+// One ImGui context with its theme, fonts, input and registry: what the window and the offscreen surface
+// share. The same frame runs in both; only where it is shown differs.
+#include <functional>
+#include <string>
+
+#include <imgui.h>
+
+#include "core/base/result.h"
+#include "gui/surface/ui.h"
+
+namespace hw::gui {
+
+using Draw = std::function<void(Ui&)>;
+
+class Screen {
+ public:
+  /// `fonts` are built already (they can be while the window opens).
+  Screen(Fonts fonts, bool dark);
+  ~Screen();
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+
+  /// Takes effect with the next frame.
+  void set_scale(float scale) { wanted_scale_ = scale; }
+  void set_theme(bool dark);
+  [[nodiscard]] bool dark() const { return theme_->dark; }
+  [[nodiscard]] float scale() const { return fonts_.scale(); }
+
+  /// Draws one frame at `now_s`. What ImGui made of it is in draw_data() until the next.
+  void frame(double now_s, ImVec2 size_px, const Draw& draw);
+  /// Several screens may live in one process (tests): this one is meant now.
+  void make_current() const { ImGui::SetCurrentContext(context_); }
+  [[nodiscard]] ImDrawData* draw_data() const;
+  /// Input is waiting for a frame of its own.
+  [[nodiscard]] bool more_input() const { return !input_.empty(); }
+  /// When a frame is wanted even if nothing happens: seconds after the last one.
+  [[nodiscard]] double wake_in_s() const { return wake_in_s_; }
+  /// Counts atlas builds, so that whoever holds the texture knows when it is old.
+  [[nodiscard]] int atlas_generation() const { return atlas_generation_; }
+
+  InputQueue& input() { return input_; }
+  Keyboard& keyboard() { return keyboard_; }
+  Registry& registry() { return registry_; }
+  Focus& focus() { return focus_; }
+  /// Of the frame in draw_data().
+  [[nodiscard]] const Pictures& pictures() const { return pictures_; }
+  const Theme& theme() const { return *theme_; }
+
+ private:
+  void prepare(double now_s, ImVec2 size_px);
+
+  Fonts fonts_;
+  const Theme* theme_;
+  ImGuiContext* context_;
+  InputQueue input_;
+  Keyboard keyboard_;
+  Registry registry_;
+  Focus focus_;
+  Standing standing_;
+  Pictures pictures_;
+  float wanted_scale_;
+  bool style_old_ = true, typing_ = false;
+  TabTaken tab_taken_ = TabTaken::no;
+  int atlas_generation_ = 1;
+  double last_s_ = -1, wake_in_s_ = 1e9;
+};
+
+/// Where frames are shown: a window or memory.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  virtual Screen& screen() = 0;
+  /// Size in logical pixels and scale; takes effect with the next frame.
+  virtual void resize(int width, int height, float scale) = 0;
+  /// Draws one frame and shows it.
+  virtual void frame(double now_s, const Draw& draw) = 0;
+  /// The last frame as a PNG file.
+  virtual Result<> screenshot(const std::string& path) = 0;
+};
+
+}  // namespace hw::gui

@@ -1,0 +1,104 @@
+#include "panels/blocks/block_files.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/sequence/sequence_file.h"
+#include "core/session/text_file.h"
+#include "core/session/user_files.h"
+#include "gui/input/keyboard.h"
+#include "gui/model/tab.h"
+#include "gui/shell/console.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/text.h"
+#include "panels/lines.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+void BlockFiles::follow(Frame& f) {
+  for (const auto& path : f.tab.desk().take_dropped("blocks")) ask_or_open(f, path);
+  if (f.ui.keyboard.pressed(Command::save)) ask_save(f);
+  if (f.ui.keyboard.pressed(Command::open)) ask_open();
+}
+
+void BlockFiles::ask_open() { open_.ask_open("Open a sequence", open_.folder(), {".toml"}); }
+
+void BlockFiles::ask_save(const Frame& f) {
+  const auto& path = f.tab.desk().blocks.file();
+  save_.ask_save("Save the sequence", path.empty() ? save_.folder() / "sequence.toml" : path, {".toml"});
+}
+
+void BlockFiles::ask_or_open(Frame& f, const std::filesystem::path& path) {
+  to_open_ = path;
+  asking_open_ = f.tab.desk().blocks.edited();
+  if (!asking_open_) open(f, to_open_);
+}
+
+void BlockFiles::open(Frame& f, const std::filesystem::path& path) {
+  Desk& desk = f.tab.desk();
+  desk.worker().run(
+      [path]() -> Result<sequence::Sequence> {
+        constexpr std::uintmax_t largest = 64u << 20;
+        const auto text = read_file(path, largest);
+        if (!text) return fail(text.error());
+        return sequence::read_sequence(*text, path.filename().string());
+      },
+      [&console = f.console, &blocks = desk.blocks, path](Result<sequence::Sequence> sequence) {
+        if (!sequence) return console.toast(Mood::fault, sequence.error().sentence());
+        blocks.opened(path, std::move(*sequence));
+      },
+      desk.alive());
+}
+
+void BlockFiles::save(Frame& f, const std::filesystem::path& path) {
+  Desk& desk = f.tab.desk();
+  desk.worker().run(
+      [path, sequence = desk.blocks.editor.shared()] {
+        return write_file(path, sequence::write_sequence(*sequence));
+      },
+      [&console = f.console, &blocks = desk.blocks, version = desk.blocks.editor.version(),
+       path](Result<> written) {
+        if (!written) return console.toast(Mood::fault, written.error().sentence());
+        blocks.saved(path, version);
+        console.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
+      },
+      desk.alive());
+}
+
+void BlockFiles::draw(Frame& f) {
+  Ui& ui = f.ui;
+  const BlockList& blocks = f.tab.desk().blocks;
+  const ButtonOptions look{.style = ButtonStyle::quiet, .height = 40};
+  const float width = button_width(ui, "Open", look) + button_width(ui, "Save", look);
+  next_in_toolbar(f, 0, width);
+  const ImVec2 next = ImGui::GetCursorScreenPos();
+  const bool own_row = next.y > ImGui::GetItemRectMax().y;
+  const float x = own_row ? next.x : ui.px(f.area.right() - 8 - width);
+  if (std::exchange(named_at_, blocks.changes()) != blocks.changes())
+    name_ = blocks.file().filename().string();
+  if (!name_.empty() && !own_row)
+    draw_text_line(ui, next.x + ui.px(8), x - ui.px(8), next.y + ui.px(20), Face::body_bold,
+                   ui[blocks.edited() ? Tone::warn : Tone::ink], name_);
+  ImGui::SetCursorScreenPos(ImVec2(x, next.y));
+  if (button(ui, "blocks/open", "Open", look).clicked) ask_open();
+  ImGui::SameLine(0, 0);
+  if (button(ui, "blocks/save", "Save", look).clicked) ask_save(f);
+}
+
+void BlockFiles::draw_dialogs(Frame& f) {
+  if (const auto path = open_.draw(f.ui)) ask_or_open(f, *path);
+  if (asking_open_) {
+    const Dialog what{.title = "Replace the blocks?",
+                      .sentences = "They have changes that are in no file.",
+                      .yes = "Replace",
+                      .no = "Keep them"};
+    if (dialog(f.ui, "blocks/discard", asking_open_, what) == Answer::yes) open(f, to_open_);
+  }
+  if (const auto path = save_.draw(f.ui)) save(f, *path);
+}
+
+}  // namespace hw::panels

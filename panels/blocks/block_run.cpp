@@ -1,0 +1,102 @@
+#include "panels/blocks/block_run.h"
+
+#include <string>
+#include <utility>
+
+#include "core/base/index.h"
+#include "gui/input/keyboard.h"
+#include "gui/model/tab.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/message.h"
+#include "panels/program/threads.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not) {
+  say_what_came(f);
+  follow(f, text);
+  RunBarLook look;
+  look.why_not = why_none_runs(f);
+  if (look.why_not.empty() && !is_under_way(f.now.program)) look.why_not = why_not;
+  look.brief = f.area.width < 860;
+  look.tip = text.tool;
+  RunWish wish = run_bar(f, "blocks", look);
+  if (f.ui.keyboard.pressed(Command::run)) {
+    if (look.why_not.empty())
+      wish = go_on_or(f, RunWish::run);
+    else
+      f.toast(Mood::warn, std::string(look.why_not), &f.tab.desk().texts);
+  }
+  if (wish != RunWish::none) ask_or_put(f, text, wish == RunWish::run ? Wanted::run : Wanted::run_stepping);
+  ImGui::SameLine(0, f.ui.px(8));
+  const ButtonOptions to_program{
+      .disabled = why_not, .tip = "Puts the text into the program editor.", .height = 40};
+  if (button(f.ui, "blocks/to_program", "To the program", to_program).clicked)
+    ask_or_put(f, text, Wanted::to_program);
+}
+
+/// Of the text that the controller is known to hold; blocks are its first program where it runs several.
+void BlockRun::follow(Frame& f, const SequenceText& text) {
+  live_step_ = -1, live_words_ = {};
+  ProgramTexts& texts = f.tab.desk().texts;
+  const ProgramState& p = f.now.program;
+  if (!is_under_way(p)) return;
+  const ThreadState& thread = f.now.threads.front();
+  const bool threads = f.catalog.program.threads > 0;
+  const RunFollower::Place place = f.tab.desk().follower.place();
+  const RunState run = threads ? thread.run : p.run;
+  const int slot = threads ? 0 : place.slot, command = threads ? thread.line : place.command;
+  if ((threads && !(thread.known && is_busy(thread))) || slot < 0 || texts.text(slot) != text.text) return;
+  const int line = texts.live_line(slot, command);
+  if (line < 0 || ix(line) >= text.step_of_line.size()) return;
+  live_step_ = text.step_of_line[ix(line)];
+  live_words_ = run == RunState::held       ? "held here"
+                : run == RunState::waiting  ? "waits here"
+                : threads || p.command_told ? "runs"
+                                            : "runs, worked out";
+  if (!threads && place.next_in_s > 0 && run == RunState::running) f.ui.wake_in(place.next_in_s + 0.01);
+}
+
+void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted) {
+  const ProgramTexts& texts = f.tab.desk().texts;
+  wanted_ = wanted;
+  go_ahead_ = f.tab.desk().until_stopped();
+  asking_ = texts.edited(texts.chosen()) && texts.text(texts.chosen()) != text.text;
+  if (!asking_) put(f, text);
+}
+
+void BlockRun::put(Frame& f, const SequenceText& text) {
+  ProgramTexts& texts = f.tab.desk().texts;
+  if (texts.text(texts.chosen()) != text.text) texts.set_text(texts.chosen(), text.text);
+  switch (std::exchange(wanted_, Wanted::nothing)) {
+    case Wanted::nothing: return;
+    case Wanted::to_program: return f.show_panel("program");
+    case Wanted::run: return run(f, RunWish::run);
+    case Wanted::run_stepping: return run(f, RunWish::run_stepping);
+  }
+}
+
+/// While the question stood a stop may have come, or something else have begun: then the text is only there.
+void BlockRun::run(Frame& f, RunWish wish) {
+  if (go_ahead_.expired())
+    return f.toast(Mood::warn, "A stop came first. The text was put into the program and not run.");
+  std::string_view why = why_none_runs(f);
+  if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
+  if (why.empty()) return begin_run(f, wish);
+  f.toast(Mood::warn, std::string(why), &f.tab.desk().texts);
+}
+
+void BlockRun::draw_dialog(Frame& f, const SequenceText& text) {
+  if (!asking_) return;
+  const Dialog what{.title = "Replace the text?",
+                    .sentences =
+                        "The program has changes that are in no file. The text of the blocks would "
+                        "take its place.",
+                    .yes = wanted_ == Wanted::to_program ? "Replace" : "Replace and run",
+                    .no = "Keep the text"};
+  if (dialog(f.ui, "blocks/replace", asking_, what) == Answer::yes) put(f, text);
+}
+
+}  // namespace hw::panels

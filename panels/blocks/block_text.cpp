@@ -1,0 +1,79 @@
+#include "panels/blocks/block_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/surface/ui.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/text.h"
+#include "panels/lines.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float text_line = 20;
+/// Of more lines scripts read those in sight.
+constexpr std::size_t few_lines = 500;
+
+struct LinesInSight {
+  std::size_t first = 0, behind = 0;
+};
+LinesInSight lines_in_sight(const Ui& ui, float top, std::size_t count) {
+  const float line = ui.px(text_line), from = ImGui::GetWindowPos().y - top;
+  const auto bounded = [count](float n) {
+    return static_cast<std::size_t>(std::clamp(n, 0.0f, static_cast<float>(count)));
+  };
+  return {bounded(std::floor(from / line)), bounded(std::ceil((from + ImGui::GetWindowHeight()) / line))};
+}
+
+}  // namespace
+
+void draw_block_problem(Frame& f, const WrittenBlocks& written, float width) {
+  if (written.problem.empty()) return;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  wrapped(f.ui, Face::body, Tone::fault, written.problem, width);
+  show(f.ui, {"blocks/problem", Kind::text, "Problem", written.problem},
+       {from, ImVec2(from.x + f.ui.px(width), ImGui::GetCursorScreenPos().y)});
+  gap(f.ui, 8);
+}
+
+void draw_block_text(Frame& f, const WrittenBlocks& written, int chosen_row, float height) {
+  Ui& ui = f.ui;
+  draw_line_down(f);
+  begin_part(ui, "blocks/side", 0, ui.px(height), Tone::panel, 16);
+  const float width = ImGui::GetContentRegionAvail().x / ui.scale;
+  section_title(ui, "Text it writes", written.remark.empty() ? "" : "with a remark");
+  draw_block_problem(f, written, width);
+  if (!written.remark.empty()) {
+    wrapped(ui, Face::small, Tone::ink2, written.remark, width);
+    gap(ui, 8);
+  }
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float line = ui.px(text_line);
+  const std::string_view text = written.text.text;
+  const std::size_t count = written.text.step_of_line.size();
+  const LinesInSight seen = lines_in_sight(ui, from.y, count);
+  for (std::size_t n = seen.first; n < seen.behind; ++n) {
+    const std::size_t begin = written.line_begins[n], end = written.line_begins[n + 1] - 1;
+    const float y = from.y + static_cast<float>(n) * line;
+    if (chosen_row >= 0 && written.text.step_of_line[n] == chosen_row)
+      draw_across(ui, y, y + line, ui[Tone::sel], ui[Tone::ink]);
+    draw_text_line(ui, from.x, from.x + ui.px(36), y + line / 2, Face::code_time, ui[Tone::ink3],
+                   Path("{}", n + 1));
+    draw_text_line(ui, from.x + ui.px(40), from.x + ui.px(width), y + line / 2, Face::code_field,
+                   ui[Tone::ink], text.substr(begin, end - begin));
+  }
+  ImGui::Dummy(ImVec2(1, line * static_cast<float>(count)));
+  std::string_view told = text;
+  if (count > few_lines)
+    told = text.substr(written.line_begins[seen.first],
+                       written.line_begins[seen.behind] - written.line_begins[seen.first]);
+  show(ui, {"blocks/text", Kind::text, "Text it writes", told},
+       {from, ImVec2(from.x + ui.px(width), ImGui::GetCursorScreenPos().y)});
+  end_part();
+}
+
+}  // namespace hw::panels

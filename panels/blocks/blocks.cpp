@@ -1,0 +1,112 @@
+#include "panels/blocks/blocks.h"
+
+#include <utility>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "core/base/index.h"
+#include "gui/input/keyboard.h"
+#include "gui/model/tab.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/text.h"
+#include "panels/blocks/block_text.h"
+#include "panels/lines.h"
+#include "panels/program/overwrite_question.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float palette_width = 148, text_width_wide = 264, path_height = 240;
+
+}  // namespace
+
+void Blocks::draw(Frame& f) {
+  follow(f);
+  draw_toolbar(f);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float asked = overwrite_question_height(f), bottom = f.ui.px(f.area.bottom());
+  const float height = (bottom - asked - at.y) / f.ui.scale;
+  const bool palette = f.area.width >= 560, side = f.area.width >= 760;
+  const float left = palette ? palette_width : 0, right = side ? text_width_wide : 0;
+  if (palette) draw_palette(f, height);
+  ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + left), at.y));
+  draw_list(f, left, f.area.width - left - right, height);
+  if (side) {
+    ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + f.area.width - right), at.y));
+    draw_sides(f, height);
+  }
+  if (asked > 0) draw_overwrite_question(f, bottom - asked, asked);
+  run_.draw_dialog(f, work_.written()->text);
+  files_.draw_dialogs(f);
+  from_text_.draw_dialog(f);
+}
+
+/// What has changed since the last frame.
+void Blocks::follow(Frame& f) {
+  editor_ = &f.tab.desk().blocks.editor;
+  if (std::exchange(chosen_.loads, editor_->loads()) != editor_->loads()) choose(std::nullopt);
+  files_.follow(f);
+  use_keys(f);
+  if (rows_.follow(*editor_)) chosen_.row = rows_.row_of(chosen_.path);
+  work_.follow(f, *editor_);
+  trial_.follow(f, work_.written());
+}
+
+void Blocks::draw_toolbar(Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 at = begin_toolbar(f);
+  run_.draw(f, work_.written()->text, work_.why_none(*editor_));
+  const ButtonOptions from_text{.disabled = TextToBlocks::why_not(f),
+                                .tip = "Makes blocks of the text in the program editor.",
+                                .height = 40};
+  next_in_toolbar(f, 8, button_width(ui, "From the text", from_text));
+  if (button(ui, "blocks/from_text", "From the text", from_text).clicked) from_text_.start(f);
+  const auto step_back = [&](float gap, const char* id, const char* label, std::string_view why_not) {
+    const ButtonOptions look{.style = ButtonStyle::quiet, .disabled = why_not, .height = 40};
+    next_in_toolbar(f, gap, button_width(ui, label, look));
+    return button(ui, id, label, look).clicked;
+  };
+  if (step_back(16, "blocks/undo", "Undo", editor_->can_undo() ? "" : "Nothing to take back."))
+    editor_->undo(), choose(chosen_.path);
+  if (step_back(0, "blocks/redo", "Redo", editor_->can_redo() ? "" : "Nothing was taken back."))
+    editor_->redo(), choose(chosen_.path);
+  files_.draw(f);
+  end_toolbar(f, at);
+}
+
+/// The text, and the path below it.
+void Blocks::draw_sides(Frame& f, float height) {
+  Ui& ui = f.ui;
+  const float top = ImGui::GetCursorScreenPos().y;
+  const float path = f.catalog.axes.size() > 1 && height >= 420 ? path_height : 0;
+  draw_block_text(f, *work_.written(), chosen_.row, height - path);
+  if (path == 0) return;
+  const float x = ui.px(f.area.right() - text_width_wide) + ui.hair(), y = top + ui.px(height - path);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(ui.px(f.area.right()), y + ui.hair()),
+                                            ui[Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(x, y + ui.hair()));
+  trial_.draw_path(f, chosen_.row, text_width_wide - 1, path - 1);
+  if (const int step = trial_.clicked_step(); step >= 0 && ix(step) < rows_.size())
+    choose(rows_.path(ix(step)));
+}
+
+/// As the buttons; arrows alone jog, so a block is moved with Alt.
+void Blocks::use_keys(Frame& f) {
+  if (f.ui.keyboard.typing() || f.ui.registry.top_layer() > 0) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, true); };
+  if (io.KeyCtrl && pressed('Z')) io.KeyShift ? editor_->redo() : editor_->undo(), choose(chosen_.path);
+  if (io.KeyCtrl && pressed('Y')) editor_->redo(), choose(chosen_.path);
+  if (!chosen_.path) return;
+  if (io.KeyAlt && pressed(GLFW_KEY_UP)) move(-1);
+  if (io.KeyAlt && pressed(GLFW_KEY_DOWN)) move(1);
+  if (io.KeyCtrl && pressed('D')) change_chosen(&sequence::Editor::duplicate);
+  if (io.KeyCtrl && pressed('G')) change_chosen(&sequence::Editor::put_into_loop);
+  if (pressed(GLFW_KEY_DELETE)) change_chosen(&sequence::Editor::remove);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,242 @@
+#include "panels/blocks/step_form.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "core/base/index.h"
+#include "core/sequence/fields.h"
+#include "core/sequence/words.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "gui/widgets/text.h"
+#include "panels/measures.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float label_width = 148, field_height = 36;
+
+/// One line for each field: its label, and what is typed or chosen.
+class FieldLines {
+ public:
+  using Numbers = std::map<std::string, NumberField, std::less<>>;
+  FieldLines(Frame& frame, std::string_view path, const sequence::Sequence& of, Numbers& numbers, float width)
+      : f_(frame), path_(path), of_(of), numbers_(numbers), width_(width) {}
+
+  [[nodiscard]] bool changed() const { return changed_; }
+
+  void number(std::string_view key, double& value) { put_number(key, key, value, {-1e9, 1e9, 6, {}}); }
+  void needed(std::string_view key, double& value) { number(key, value); }
+  void positive(std::string_view key, double& value) { put_number(key, key, value, {0, 1e9, 6, {}}); }
+  void count(std::string_view key, int& value) { whole(key, value, 0, 1'000'000); }
+  void line(std::string_view key, int& value) { whole(key, value, 0, 64); }
+  void line_or_all(std::string_view key, int& value) {
+    static constexpr std::array<std::string_view, 2> names{"one", "all"};
+    const ImVec2 at = begin(key);
+    if (const int picked =
+            segment(f_.ui, Path("{}/{}/which", path_, key), names, value < 0 ? 1 : 0, {.cell_width = 44});
+        picked >= 0 && (picked == 1) != (value < 0))
+      value = picked == 1 ? -1 : 1, changed_ = true;
+    if (value >= 0) {
+      ImGui::SetCursorScreenPos(ImVec2(at.x + f_.ui.px(104), at.y));
+      field(Path("{}/{}", path_, key), key, value, {0, 64, 0, {}}, 64);
+    }
+    end(at);
+    all_lines_ = value < 0;
+  }
+  void word(std::string_view key, std::uint32_t& value) {
+    if (!all_lines_) return;
+    double as_number = value;
+    if (put_number(key, key, as_number, {0, 4294967295.0, 0, {}}))
+      value = static_cast<std::uint32_t>(as_number);
+  }
+  void flag(std::string_view key, bool& value) {
+    if (all_lines_ && key == "on") return;
+    static constexpr std::array<std::string_view, 2> names{"no", "yes"}, states{"off", "on"},
+        tool{"up", "down"};
+    const bool state = key == "on";
+    const auto& words = state ? states : key == "down" ? tool : names;
+    const ImVec2 at = begin(key);
+    if (const int picked =
+            segment(f_.ui, Path("{}/{}", path_, key), words, value ? 1 : 0, {.cell_width = 52});
+        picked >= 0 && (picked == 1) != value)
+      value = picked == 1, changed_ = true;
+    end(at);
+  }
+  void text(std::string_view key, std::string& value) {
+    const ImVec2 at = begin(key);
+    FieldOptions o;
+    o.width = width_ - label_width;
+    if (text_field(f_.ui, Path("{}/{}", path_, key), label(key), value, o).edited) changed_ = true;
+    end(at);
+  }
+  void axis(std::string_view key, int& value) { choose_axis(key, value, false); }
+  void axis_or_all(std::string_view key, int& value) { choose_axis(key, value, true); }
+  void sign(std::string_view key, Sign& value) {
+    static constexpr std::array<std::string_view, 2> names{"-", "+"};
+    const ImVec2 at = begin(key);
+    if (const int picked = segment(f_.ui, Path("{}/{}", path_, key), names, value == Sign::plus ? 1 : 0, {});
+        picked >= 0) {
+      const Sign now = picked == 1 ? Sign::plus : Sign::minus;
+      changed_ = changed_ || now != value;
+      value = now;
+    }
+    end(at);
+  }
+  template <class Choice>
+  void choice(std::string_view key, Choice& value, std::span<const std::string_view> names) {
+    const ImVec2 at = begin(key);
+    if (const int picked =
+            segment(f_.ui, Path("{}/{}", path_, key), names, static_cast<int>(value), {.cell_width = 52});
+        picked >= 0 && picked != static_cast<int>(value))
+      value = static_cast<Choice>(picked), changed_ = true;
+    end(at);
+  }
+  /// An empty field: the axis stays.
+  void places(std::string_view key, sequence::Places& value) {
+    for (std::size_t a = 0; a < of_.axes.size(); ++a) {
+      const ImVec2 at = begin(key, &of_.axes[a].name);
+      const Path id("{}/{}/{}", path_, key, of_.axes[a].name);
+      NumberField& state = kept(id, value[a]);
+      NumberOptions o;
+      o.range = {-1e9, 1e9, 6, of_.unit};
+      o.width = 120;
+      const NumberEvent event = number_field(f_.ui, id, of_.axes[a].name, std::nullopt, state, o);
+      if (event.field.edited) {
+        const auto typed = state.value();
+        if (typed || state.text.empty()) {
+          changed_ = changed_ || typed != value[a];
+          value[a] = typed;
+        }
+      }
+      end(at);
+    }
+  }
+  void own(sequence::OwnSpeeds& value) {
+    static constexpr std::array<std::string_view, 2> names{"as before", "its own"};
+    const ImVec2 at = begin("high");
+    if (const int picked = segment(f_.ui, Path("{}/own", path_), names, value ? 1 : 0, {.cell_width = 76});
+        picked >= 0 && (picked == 1) != value.has_value()) {
+      value = picked == 1 ? sequence::OwnSpeeds(sequence::Speeds()) : std::nullopt;
+      changed_ = true;
+    }
+    end(at);
+    if (value) fields(*this, *value);
+  }
+  void steps(std::string_view, sequence::StepList&) {}  // rows of their own
+
+ private:
+  [[nodiscard]] FixedText<64> label(std::string_view key) const { return sequence::label_of_field(key, of_); }
+  ImVec2 begin(std::string_view key, const std::string* of_axis = nullptr) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const FixedText<64> words = of_axis ? FixedText<64>(*of_axis) : label(key);
+    draw_text_line(f_.ui, at.x, at.x + f_.ui.px(label_width - 8), at.y + f_.ui.px(16), Face::body,
+                   f_.ui[Tone::ink2], words);
+    const ImVec2 field(at.x + f_.ui.px(label_width), at.y);
+    ImGui::SetCursorScreenPos(field);
+    return field;
+  }
+  void end(ImVec2 field) {
+    ImGui::SetCursorScreenPos(ImVec2(field.x - f_.ui.px(label_width), field.y + f_.ui.px(field_height)));
+  }
+  NumberField& kept(std::string_view id, std::optional<double> value) {
+    const auto found = numbers_.find(id);
+    if (found != numbers_.end()) return found->second;
+    NumberField& made = numbers_[std::string(id)];
+    if (value) made.set(*value, 6);
+    while (value && made.text.find('.') != std::string::npos &&
+           (made.text.back() == '0' || made.text.back() == '.'))
+      made.text.pop_back();
+    return made;
+  }
+  template <class Value>
+  bool field(std::string_view id, std::string_view key, Value& value, NumberRange range, float width) {
+    NumberField& state = kept(id, static_cast<double>(value));
+    NumberOptions o;
+    o.range = range;
+    o.width = width;
+    o.sentence_below = false;
+    if (!state.sentence.empty()) o.tip = state.sentence;
+    const NumberEvent event = number_field(f_.ui, id, label(key), std::nullopt, state, o);
+    if (!event.field.edited) return false;
+    const auto typed = state.value();
+    if (!typed || *typed < range.min || *typed > range.max) return false;
+    const auto now = static_cast<Value>(*typed);
+    const bool other = now != value;
+    changed_ = changed_ || other;
+    value = now;
+    return other;
+  }
+  bool put_number(std::string_view key, std::string_view id, double& value, NumberRange range) {
+    const ImVec2 at = begin(key);
+    const bool other = field(Path("{}/{}", path_, id), key, value, range, 120);
+    end(at);
+    return other;
+  }
+  void whole(std::string_view key, int& value, double low, double high) {
+    const ImVec2 at = begin(key);
+    field(Path("{}/{}", path_, key), key, value, {low, high, 0, {}}, 80);
+    end(at);
+  }
+  void choose_axis(std::string_view key, int& value, bool or_all) {
+    std::array<std::string_view, max_axes + 1> names;
+    std::size_t many = 0;
+    for (const sequence::Axis& axis : of_.axes)
+      if (many < max_axes) names[many++] = axis.name;
+    if (or_all) names[many++] = "all";
+    const int last = static_cast<int>(many) - 1;
+    const ImVec2 at = begin(key);
+    const int picked = segment(f_.ui, Path("{}/{}", path_, key), std::span(names.data(), many),
+                               value < 0 ? last : value, {.cell_width = 36});
+    if (picked >= 0) {
+      const int now = or_all && picked == last ? -1 : picked;
+      changed_ = changed_ || now != value;
+      value = now;
+    }
+    end(at);
+  }
+
+  Frame& f_;
+  std::string_view path_;
+  const sequence::Sequence& of_;
+  Numbers& numbers_;
+  float width_;
+  bool changed_ = false, all_lines_ = false;
+};
+
+sequence::Step::Body without_steps(const sequence::Step::Body& body) {
+  if (const auto* loop = std::get_if<sequence::Repeat>(&body)) return sequence::Repeat{loop->times, {}};
+  const auto* contour = std::get_if<sequence::Contour>(&body);
+  if (!contour) return body;
+  sequence::Contour frame;
+  frame.x = contour->x, frame.y = contour->y, frame.lead_in = contour->lead_in;
+  frame.ends_ramped = contour->ends_ramped, frame.own = contour->own;
+  return frame;
+}
+
+sequence::Step::Body with_steps_of(const sequence::Step::Body& body, sequence::Step::Body frame) {
+  if (auto* loop = std::get_if<sequence::Repeat>(&frame))
+    loop->steps = std::get<sequence::Repeat>(body).steps;
+  if (auto* contour = std::get_if<sequence::Contour>(&frame))
+    contour->steps = std::get<sequence::Contour>(body).steps;
+  return frame;
+}
+
+}  // namespace
+
+std::optional<sequence::Step::Body> StepForm::draw(Frame& f, std::string_view path,
+                                                   const sequence::Step::Body& body,
+                                                   const sequence::Sequence& of, float width) {
+  if (!at_hand_) at_hand_ = without_steps(body);
+  FieldLines lines(f, path, of, numbers_, width);
+  std::visit([&lines](auto& b) { fields(lines, b); }, *at_hand_);
+  if (!lines.changed()) return std::nullopt;
+  return with_steps_of(body, *at_hand_);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,30 @@
+#pragma once
+// The fields of one step of a sequence, drawn from the description by which files hold them
+// (core/sequence/fields.h). Ids: `PATH/KEY`, of a move `PATH/to/AXIS`.
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/sequence/sequence.h"
+#include "gui/shell/frame.h"
+#include "gui/widgets/number_field.h"
+
+namespace hw::panels {
+
+class StepForm {
+ public:
+  /// At ImGui's cursor. What a hand has made of `body`; none: nothing. At rest it takes nothing from the
+  /// heap.
+  std::optional<sequence::Step::Body> draw(gui::Frame& frame, std::string_view path,
+                                           const sequence::Step::Body& body, const sequence::Sequence& of,
+                                           float width);
+  /// Another step is shown from now on, or the same with other values.
+  void forget() { numbers_.clear(), at_hand_.reset(); }
+
+ private:
+  std::map<std::string, gui::NumberField, std::less<>> numbers_;
+  std::optional<sequence::Step::Body> at_hand_;  ///< without the steps that stand in it
+};
+
+}  // namespace hw::panels

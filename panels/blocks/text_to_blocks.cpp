@@ -1,0 +1,81 @@
+#include "panels/blocks/text_to_blocks.h"
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/device/language.h"
+#include "core/sequence/steps_in.h"
+#include "gui/model/tab.h"
+#include "gui/shell/console.h"
+#include "gui/widgets/message.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+std::string what_came(const SequenceRead& read) {
+  const int count = sequence::count_steps(read.sequence.steps);
+  std::string said = fmt::format("The text is {} {} now. Undo brings back those before.", count,
+                                 count == 1 ? "block" : "blocks");
+  constexpr std::size_t most = 2;
+  for (std::size_t i = 0; i < std::min(read.remarks.size(), most); ++i) said += " " + read.remarks[i];
+  if (read.remarks.size() > most) said += fmt::format(" And {} more remarks.", read.remarks.size() - most);
+  return said;
+}
+
+}  // namespace
+
+std::string_view TextToBlocks::why_not(const Frame& f) {
+  Desk& desk = f.tab.desk();
+  if (!desk.language()) return "This controller has no language that blocks could be read from.";
+  if (desk.texts.text(desk.texts.chosen()).empty()) return "The program is empty.";
+  return {};
+}
+
+void TextToBlocks::start(Frame& f) {
+  asking_ = f.tab.desk().blocks.edited();
+  if (!asking_) read(f);
+}
+
+void TextToBlocks::show(Frame& f) {
+  if (!f.tab.desk().blocks.edited()) {
+    read(f);
+    return f.show_panel("blocks");
+  }
+  f.show_panel("blocks", "blocks/from_text");
+  f.toast(Mood::plain,
+          "The blocks have changes that are in no file. From the text asks before it replaces them.");
+}
+
+void TextToBlocks::read(Frame& f) {
+  if (const auto why = why_not(f); !why.empty()) return f.toast(Mood::warn, std::string(why));
+  Desk& desk = f.tab.desk();
+  desk.worker().run(
+      [language = desk.language(), text = desk.texts.text(desk.texts.chosen()),
+       frame = desk.blocks.editor.shared(), catalog = std::make_shared<const Catalog>(f.catalog)] {
+        return language->read(text, *frame, *catalog);
+      },
+      [&console = f.console, &tab = f.tab](Result<SequenceRead> read) {
+        if (!read) return console.toast(tab, Mood::warn, read.error().sentence(), &tab.desk().texts);
+        console.toast(tab, Mood::ok, what_came(*read));
+        tab.desk().blocks.became(std::move(read->sequence));
+      },
+      desk.alive());
+  f.ui.wake_in(0);
+}
+
+void TextToBlocks::draw_dialog(Frame& f) {
+  if (!asking_) return;
+  const Dialog what{.title = "Replace the blocks?",
+                    .sentences =
+                        "They have changes that are in no file. Those that the text becomes would take their "
+                        "place; undo brings them back.",
+                    .yes = "Replace",
+                    .no = "Keep them"};
+  if (dialog(f.ui, "blocks/replace_all", asking_, what) == Answer::yes) read(f);
+}
+
+}  // namespace hw::panels

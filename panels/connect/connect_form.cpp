@@ -1,0 +1,357 @@
+#include "panels/connect/connect_form.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "core/device/registry.h"
+#include "gui/shell/console.h"
+#include "gui/shell/device_finder.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "gui/widgets/slider.h"
+#include "gui/widgets/text.h"
+#include "gui/widgets/text_field.h"
+#include "panels/measures.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float option_width = 184, rate_width = 92, id_width = 72, least_port = 120;
+/// What the fields of a search and its button take in one line.
+constexpr float search_in_one_line = 500;
+
+/// A way to a controller: what the list says, what the address says, what the port is at first.
+struct WayFacts {
+  std::string_view name, transport, port;
+  bool rate = false;
+};
+constexpr WayFacts serial{"serial", "serial", "/dev/ttyUSB0", true}, usb{"USB", "usb", ""},
+    tcp{"tcp", "tcp", "127.0.0.1:4001"}, rfc2217{"RFC 2217", "rfc2217", "127.0.0.1:4001", true},
+    vme{"VME", "vme", "/dev/bus/vme/m0"}, bus{"bus port", "bus", "127.0.0.1:5000"};
+constexpr WayFacts line_ways[] = {serial, tcp, rfc2217, usb};  // the last where the controller has it
+constexpr WayFacts window_ways[] = {vme, bus};
+
+std::span<const WayFacts> ways(const Catalog& c) {
+  if (c.can.window) return window_ways;
+  return std::span(line_ways).first(std::size(line_ways) - (c.can.usb ? 0 : 1));
+}
+
+int number_of(const std::string& text, int fallback) {
+  int value = fallback;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+}  // namespace
+
+void ConnectForm::make() {
+  if (std::exchange(made_, true)) return;
+  for (const DeviceType& type : device_types())
+    if (auto catalog = type.make_catalog({})) catalogs_.push_back(std::move(*catalog));
+  std::set<int> rates;
+  for (const Catalog& c : catalogs_)
+    if (c.addressed()) rates.insert(c.can.bauds.begin(), c.can.bauds.end());
+  rates_.assign(rates.begin(), rates.end());
+}
+
+// A controller that is called by an id has one in its catalog.
+bool ConnectForm::has_ids() const { return catalog().addressed(); }
+
+std::string_view ConnectForm::transport() const {
+  return ways(catalog())[static_cast<std::size_t>(way_)].transport;
+}
+
+std::string ConnectForm::address() const {
+  const Catalog& c = catalog();
+  if (transport() == usb.transport)
+    return c.model + "@usb" + (port_.empty() || port_.starts_with('/') ? "" : ":" + port_);
+  std::string text = fmt::format("{}@{}:{}", c.model, transport(), port_);
+  if (transport() == vme.transport) text += ",base=" + base_;
+  if (has_rate() && baud_ < static_cast<int>(c.can.bauds.size()))
+    text += fmt::format(",baud={}", c.can.bauds[static_cast<std::size_t>(baud_)]);
+  if (has_ids() && !id_.empty()) text += ",id=" + id_;
+  if (!has_options()) return text;
+  for (const OptionInfo& option : c.options)
+    if (const auto chosen = chosen_.find(option.key); chosen != chosen_.end() && chosen->second > 0)
+      text +=
+          fmt::format(",{}={}", option.key, option.choices[static_cast<std::size_t>(chosen->second)].first);
+  return text;
+}
+
+bool ConnectForm::has_rate() const { return ways(catalog())[static_cast<std::size_t>(way_)].rate; }
+
+std::string ConnectForm::draw(PageFrame& f, float width) {
+  make();
+  if (catalogs_.empty()) return {};
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(100), at.y + ui.px(16), Face::body_bold, ui[Tone::ink],
+                 "By its parts");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y));
+  const bool opened = draw_parts(f, width - 104);
+  const std::string made = address();
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(has_options() ? 120 : 80)));
+  draw_guide(f, width);
+  std::string chosen = draw_search(f, width);
+  return opened ? made : chosen;
+}
+
+void ConnectForm::choose(int way) {
+  way_ = way;
+  port_ = ways(catalog())[static_cast<std::size_t>(way)].port;
+}
+
+/// Two lines: model, way, port; Open and what it would open. Rate and id stand in the first where it has
+/// room, else in the second.
+bool ConnectForm::draw_parts(PageFrame& f, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  std::vector<std::string_view> names;
+  for (const Catalog& c : catalogs_) names.push_back(c.short_name);
+  const int model = dropdown(ui, "connect/form/model", "Model", names, model_);
+  if (model >= 0) {
+    const std::string_view before = transport();
+    model_ = model;
+    baud_ = 0;
+    id_ = catalog().id();
+    const auto has = ways(catalog());
+    const auto same =
+        std::find_if(has.begin(), has.end(), [&](const WayFacts& w) { return w.transport == before; });
+    same == has.end() ? choose(0) : void(way_ = static_cast<int>(same - has.begin()));
+  }
+  ImGui::SameLine(0, ui.px(between));
+  names.clear();
+  for (const WayFacts& w : ways(catalog())) names.push_back(w.name);
+  const int picked = dropdown(ui, "connect/form/way", "Way", names, way_);
+  if (picked >= 0) choose(picked);
+  ImGui::SameLine(0, ui.px(between));
+  const bool by_usb = transport() == usb.transport, has_id = has_ids() && !by_usb,
+             has_rate_or_base = has_rate() || transport() == vme.transport;
+  const float numbers = (has_rate_or_base ? rate_width + between : 0) + (has_id ? id_width + between : 0);
+  const float used = (ImGui::GetCursorScreenPos().x - at.x) / ui.scale;
+  const bool one_line = width - used - numbers >= least_port;
+  FieldOptions port;
+  port.face = Face::code_field;
+  port.placeholder = by_usb ? "the only one, or its serial number" : "";
+  port.width = width - used - (one_line ? numbers : 0);
+  text_field(ui, "connect/form/port", "Port", port_, port);
+  const auto draw_numbers = [&](bool before) {
+    const auto apart = [&] { ImGui::SameLine(0, ui.px(between)); };
+    if (has_rate_or_base) before ? (draw_rate_or_base(ui), apart()) : (apart(), draw_rate_or_base(ui));
+    if (has_id) before ? (draw_id(ui), apart()) : (apart(), draw_id(ui));
+  };
+  if (one_line) draw_numbers(false);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
+  if (!one_line) draw_numbers(true);
+  const std::string made = address();
+  ButtonOptions open;
+  open.width = 88;
+  open.tip = made;
+  const bool opened = button(ui, "connect/form/open", "Open", open).clicked;
+  ImGui::SameLine(0, ui.px(between));
+  const ImVec2 words = ImGui::GetCursorScreenPos();
+  if (words.x + text_width(ui, Face::code_field, made) <= at.x + ui.px(width))  // else under the mouse only
+    draw_text_line(ui, words.x, at.x + ui.px(width), at.y + ui.px(56), Face::code_field, ui[Tone::ink2],
+                   made);
+  show(ui, {"connect/form/address", Kind::text, "Address", made, {}, false, {}},
+       {words, ImVec2(at.x + ui.px(width), at.y + ui.px(72))});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(80)));
+  if (has_options()) draw_options(ui);
+  return opened;
+}
+
+/// What a board does not tell before it is opened.
+void ConnectForm::draw_options(Ui& ui) {
+  for (const OptionInfo& option : catalog().options) {
+    std::vector<std::string_view> names;
+    for (const auto& [value, label] : option.choices) names.push_back(label);
+    DropdownOptions o;
+    o.width = option_width;
+    o.tip = option.key;
+    int& chosen = chosen_[option.key];
+    if (const int picked = dropdown(ui, Path("connect/form/{}", option.key), option.key, names, chosen, o);
+        picked >= 0)
+      chosen = picked;
+    ImGui::SameLine(0, ui.px(between));
+  }
+  ImGui::NewLine();
+}
+
+/// Of a serial line its rate, of a board the place of its window.
+void ConnectForm::draw_rate_or_base(Ui& ui) {
+  if (transport() == vme.transport) {
+    FieldOptions base;
+    base.face = Face::code_field;
+    base.width = rate_width;
+    base.tip = "Where the board's window begins in the short address space, as its jumpers say";
+    text_field(ui, "connect/form/base", "Base", base_, base);
+    return;
+  }
+  std::vector<std::string> rates;
+  for (const int b : catalog().can.bauds) rates.push_back(fmt::format("{}", b));
+  const std::vector<std::string_view> views(rates.begin(), rates.end());
+  DropdownOptions o;
+  o.width = rate_width;
+  o.tip = "Baud rate";
+  if (const int b = dropdown(ui, "connect/form/baud", "Baud rate", views, baud_, o); b >= 0) baud_ = b;
+}
+
+void ConnectForm::draw_id(Ui& ui) {
+  FieldOptions id;
+  id.face = Face::code_field;
+  id.width = id_width;
+  id.tip = "The device's id, or the ids of a bus: 01-04";
+  text_field(ui, "connect/form/id", "Id", id_, id);
+}
+
+/// For a model that leaves the factory on another line: how it comes onto the shared one, in the words of its
+/// own setting. Empty: it need not.
+std::string ConnectForm::guide() const {
+  for (const ParamInfo& p : catalog().params)
+    for (const ParamChoice& choice : p.choices)
+      if (choice.value != p.fallback && choice.label.find("RS-485") != std::string::npos)
+        return fmt::format(
+            "From RS-232 to RS-485: open it as it is, choose \"{}\" for {} ({}) in Setup, write it, store it "
+            "in the controller, switch the controller off and on, and open it again with its id.",
+            choice.label, p.label, p.mnemonic);
+  return {};
+}
+
+void ConnectForm::draw_guide(PageFrame& f, float width) {
+  const std::string words = guide();
+  if (words.empty()) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(104), at.y));
+  wrapped(f.ui, Face::small, Tone::ink2, words, width - 104);
+  const float end = at.y + wrapped_height(f.ui, Face::small, words, f.ui.px(width - 104));
+  show(f.ui, {"connect/form/guide", Kind::text, "Guide", words, {}, false, {}},
+       {at, ImVec2(at.x + f.ui.px(width), end)});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, end + f.ui.px(8)));
+}
+
+float ConnectForm::height(PageFrame& f, float width) {
+  make();
+  if (catalogs_.empty()) return 0;
+  const DeviceSearchState& state = f.console.devices().state();
+  const std::string words = guide();
+  const float guide_height =
+      words.empty() ? 0 : wrapped_height(f.ui, Face::small, words, f.ui.px(width - 104)) / f.ui.scale + 8;
+  const float search = (width - 104 >= search_in_one_line ? 40 : 80) + (words_of(state).empty() ? 0 : 24);
+  return (has_options() ? 120 : 80) + guide_height + search + 32 * static_cast<float>(state.found.size()) +
+         24;
+}
+
+// ---- search
+
+std::string ConnectForm::words_of(const DeviceSearchState& state) const {
+  if (state.running)
+    return state.of == 0 ? "" : fmt::format("{} of {}: {}", state.asked, state.of, state.now);
+  if (!searched_) return {};
+  if (state.of == 0)
+    return state.found.empty() ? "There is no serial port to ask." : "No port could be asked.";
+  const auto devices = std::count_if(state.found.begin(), state.found.end(),
+                                     [](const FoundDevice& d) { return !d.address.empty(); });
+  return fmt::format("{} after {} of {} questions, {} found.", state.cancelled ? "Ended" : "Done",
+                     state.asked, state.of, devices);
+}
+
+/// What is not known is asked for: port, rate, id.
+void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  std::vector<std::string_view> places = {"every port"};
+  if (transport() == serial.transport && !port_.empty()) places.push_back(port_);
+  one_port_ = one_port_ && places.size() > 1;
+  DropdownOptions o;
+  o.width = 132;
+  o.tip = "The ports that are searched";
+  if (const int i = dropdown(ui, "connect/search/port", "Ports", places, one_port_, o); i >= 0)
+    one_port_ = i == 1;
+  ImGui::SameLine(0, ui.px(between));
+  std::vector<std::string> words = {"every rate"};
+  for (const int rate : rates_) words.push_back(fmt::format("{}", rate));
+  const std::vector<std::string_view> names(words.begin(), words.end());
+  o.width = 116;
+  o.tip = "The rates that are searched";
+  if (const int i = dropdown(ui, "connect/search/baud", "Rates", names, rate_, o); i >= 0) rate_ = i;
+  if (in_one_line)
+    ImGui::SameLine(0, ui.px(between));
+  else
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
+  FieldOptions id;
+  id.width = 40;
+  id.face = Face::code_field;
+  id.tip = "First id that is asked";
+  const auto word = [&](std::string_view s) {
+    const ImVec2 here = ImGui::GetCursorScreenPos();
+    draw_text_line(ui, here.x, here.x + ui.px(60), here.y + ui.px(16), Face::body, ui[Tone::ink2], s);
+    ImGui::SetCursorScreenPos(
+        ImVec2(here.x + std::ceil(text_width(ui, Face::body, s)) + ui.px(between), here.y));
+  };
+  word("ids");
+  text_field(ui, "connect/search/first", "First id", first_, id);
+  ImGui::SameLine(0, ui.px(between));
+  word("to");
+  id.tip = "Last id that is asked";
+  text_field(ui, "connect/search/last", "Last id", last_, id);
+  ImGui::SameLine(0, ui.px(between));
+}
+
+std::string ConnectForm::draw_search(PageFrame& f, float width) {
+  Ui& ui = f.ui;
+  DeviceFinder& finder = f.console.devices();
+  const DeviceSearchState& state = finder.state();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(100), at.y + ui.px(16), Face::body_bold, ui[Tone::ink], "Search");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y));
+  const bool in_one_line = width - 104 >= search_in_one_line;
+  draw_search_fields(ui, in_one_line);
+  const float fields = in_one_line ? 0 : 40;
+  ButtonOptions o;
+  o.tip = "Asks each id at each of these rates and ports. It moves nothing, and takes a while.";
+  if (state.running) {
+    if (button(ui, "connect/search/cancel", "End the search", o).clicked) finder.cancel();
+  } else if (button(ui, "connect/search", "Search", o).clicked) {
+    searched_ = true;
+    finder.start(one_port_ ? port_ : std::string(),
+                 rate_ > 0 ? rates_[static_cast<std::size_t>(rate_ - 1)] : 0, number_of(first_, 0),
+                 number_of(last_, 99));
+  }
+  const std::string words = words_of(state);
+  if (!words.empty()) {
+    const float left = at.x + ui.px(104), top = at.y + ui.px(fields + 36);
+    draw_text_line(ui, left, at.x + ui.px(width), top + ui.px(12), Face::small, ui[Tone::ink2], words);
+    show(ui, {"connect/search/progress", Kind::text, "Search", words, {}, false, words},
+         {ImVec2(left, top), ImVec2(at.x + ui.px(width), top + ui.px(24))});
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(fields + (words.empty() ? 40 : 64))));
+  std::string chosen;
+  for (std::size_t i = 0; i < state.found.size(); ++i) {
+    const FoundDevice& device = state.found[i];
+    const ImVec2 row = ImGui::GetCursorScreenPos();
+    const std::string said = fmt::format("{}, {}", device.title, device.sentence);
+    const float left = row.x + ui.px(104), right = row.x + ui.px(width - 80);
+    draw_text_line(ui, left, right, row.y + ui.px(16), Face::body, ui[Tone::ink], said);
+    show(ui, {Path("connect/search/found/{}/text", i), Kind::text, "Found", said, {}, false, said},
+         {ImVec2(left, row.y), ImVec2(right, row.y + ui.px(32))});
+    if (!device.address.empty()) {
+      ImGui::SetCursorScreenPos(ImVec2(row.x + ui.px(width - 72), row.y));
+      ButtonOptions b;
+      b.width = 72;
+      b.height = 28;
+      if (button(ui, Path("connect/search/found/{}", i), "Open", b).clicked) chosen = device.address;
+    }
+    ImGui::SetCursorScreenPos(ImVec2(row.x, row.y + ui.px(32)));
+  }
+  return chosen;
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,54 @@
+#pragma once
+// A connection put together from its parts, for whoever knows no address by heart: model, way, port, rate,
+// id; and the search for devices when some of them are not known. Ids: `connect/form/...`,
+// `connect/search/...`.
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/device/catalog.h"
+#include "gui/shell/device_finder.h"
+#include "gui/shell/frame.h"
+#include "gui/surface/ui.h"
+
+namespace hw::panels {
+
+class ConnectForm {
+ public:
+  /// At ImGui's cursor. The address to open, when Open was pressed or a found device chosen; else empty.
+  std::string draw(gui::PageFrame& frame, float width);
+  /// What the parts say now: "MODEL@serial:/dev/ttyUSB0,baud=9600,id=01".
+  [[nodiscard]] std::string address() const;
+  /// What it takes; logical.
+  float height(gui::PageFrame& frame, float width);
+
+ private:
+  void make();
+  void choose(int way);
+  [[nodiscard]] std::string_view transport() const;
+  [[nodiscard]] bool has_rate() const;
+  [[nodiscard]] const Catalog& catalog() const { return catalogs_[static_cast<std::size_t>(model_)]; }
+  [[nodiscard]] bool has_ids() const;
+  bool draw_parts(gui::PageFrame& frame, float width);
+  void draw_rate_or_base(gui::Ui& ui);
+  void draw_id(gui::Ui& ui);
+  [[nodiscard]] bool has_options() const { return catalog().can.window && !catalog().options.empty(); }
+  void draw_options(gui::Ui& ui);
+  [[nodiscard]] std::string guide() const;
+  void draw_guide(gui::PageFrame& frame, float width);
+  std::string draw_search(gui::PageFrame& frame, float width);
+  void draw_search_fields(gui::Ui& ui, bool in_one_line);
+  [[nodiscard]] std::string words_of(const gui::DeviceSearchState& state) const;
+
+  bool made_ = false;
+  std::vector<Catalog> catalogs_;
+  int model_ = 0, baud_ = 0;
+  std::map<std::string, int> chosen_;  ///< of Catalog::options, by key
+  int way_ = 0;                        ///< of those that the controller has
+  std::string port_ = "/dev/ttyUSB0", id_ = "01", base_ = "0xF000", first_ = "00", last_ = "99";
+  std::vector<int> rates_;  ///< of the controllers that can share a line
+  int rate_ = 0;            ///< 0: every one
+  bool one_port_ = false, searched_ = false;
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,379 @@
+#include "panels/contour/contour.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gui/model/tab.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/text.h"
+#include "panels/lines.h"
+#include "panels/measures.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float text_height = 148;
+
+std::optional<std::int64_t> whole(const NumberField& field) {
+  const auto v = field.value();
+  return v ? std::optional(std::llround(*v)) : std::nullopt;
+}
+
+tl::unexpected<Fault> no_number(std::string what) {
+  return fail(FaultKind::text, what + " is no number.", "Nothing was sent.");
+}
+
+/// What is said of the steps of a sequence, said of the rows of this list.
+std::string in_rows(std::string_view what) {
+  constexpr std::string_view of_step = "Step 1.", of_all = "Step 1 (contour): ";
+  if (what.starts_with(of_step)) return fmt::format("Piece {}", what.substr(of_step.size()));
+  if (!what.starts_with(of_all)) return std::string(what);
+  std::string rest(what.substr(of_all.size()));
+  if (!rest.empty()) rest[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(rest[0])));
+  return rest;
+}
+
+}  // namespace
+
+void Contour::make(const Frame& f) {
+  if (std::exchange(made_, true)) return;
+  language_ = f.tab.desk().language();
+  stairs_writer_ = dynamic_cast<const StaircaseWriter*>(language_);
+  for (const AxisInfo& a : f.catalog.axes) axis_names_.push_back(a.name);
+  second_ = f.catalog.axes.size() > 1 ? 1 : 0;
+  for (std::size_t i = 0; i < f.catalog.outputs.size(); ++i)
+    if (f.catalog.outputs[i].on_the_way) {
+      outputs_.push_back(f.catalog.output_number(i));
+      output_names_.push_back(f.catalog.outputs[i].name);
+    }
+  speed_.set(1000, 0);
+  for (NumberField* n : {&x_, &y_}) n->set(0, 0);
+  lead_in_.set(0, 0);
+  stop_at_.set(10'000, 0);
+}
+
+void Contour::draw(Frame& f) {
+  make(f);
+  follow(f);
+  work_out(f);
+  draw_toolbar(f);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = (f.ui.px(f.area.bottom()) - at.y) / f.ui.scale;
+  const bool two = f.area.width >= 680;
+  const float list = two ? std::clamp(std::floor(f.area.width * 0.46f), 384.0f, 420.0f) : f.area.width;
+  ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x), at.y));
+  begin_part(f.ui, "contour/list", f.ui.px(list), f.ui.px(height), Tone::panel, 16);
+  const float inner = ImGui::GetContentRegionAvail().x / f.ui.scale;
+  if (!two) draw_preview(f, inner, 200);
+  if (stairs_shown_)
+    draw_stairs_list(f, inner);
+  else
+    draw_contour_list(f, inner);
+  if (!two) draw_text(f, inner);
+  end_part();
+  if (two) draw_work(f, list, height);
+  draw_dialogs(f);
+}
+
+// ---- what the fields say
+
+Result<sequence::Sequence> Contour::contour() const {
+  const auto speed = whole(speed_), x = whole(x_), y = whole(y_), lead = whole(lead_in_);
+  if (!speed || *speed < 1) return no_number("The speed");
+  if (!x || !y) return no_number("The begin");
+  if (!lead || *lead < 0) return no_number("The lead-in");
+  if (first_ == second_)
+    return fail(FaultKind::text, "A contour needs two different axes.", "Nothing was sent.");
+  sequence::Contour c;
+  c.x = static_cast<double>(*x), c.y = static_cast<double>(*y);
+  c.lead_in = static_cast<double>(*lead), c.ends_ramped = ramp_;
+  c.own = sequence::Speeds{static_cast<double>(*speed)};
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Piece& p = pieces_[i];
+    if (p.kind == PieceKind::output) {
+      if (outputs_.empty()) return no_number("An output");
+      c.steps.push_back({sequence::Output{outputs_[static_cast<std::size_t>(p.output)], p.on}});
+      continue;
+    }
+    const auto px = whole(p.x), py = whole(p.y);
+    if (!px || !py) return no_number(fmt::format("A position of piece {}", i + 1));
+    const auto to_x = static_cast<double>(*px), to_y = static_cast<double>(*py);
+    if (p.kind == PieceKind::arc) {
+      const auto degrees = p.degrees.value();
+      if (!degrees) return no_number(fmt::format("The angle of piece {}", i + 1));
+      c.steps.push_back({sequence::Arc{to_x, to_y, *degrees, {}}});
+    } else {
+      sequence::Move line;
+      line.to[0] = to_x, line.to[1] = to_y;
+      c.steps.push_back({line});
+    }
+  }
+  sequence::Sequence s;
+  for (const int axis : {first_, second_})
+    s.axes.push_back({std::string(axis_names_[static_cast<std::size_t>(axis)])});
+  s.steps = {{std::move(c)}};
+  return s;
+}
+
+Result<StaircasePlan> Contour::staircase(const Frame& f) const {
+  StaircasePlan plan;
+  plan.axis = AxisId{static_cast<std::uint8_t>(stair_axis_)};
+  plan.from = f.now.axes[plan.axis.index].commanded();
+  const auto stop = whole(stop_at_);
+  if (!stop) return no_number("The place where it stops");
+  plan.stop_at = Steps(*stop);
+  for (std::size_t i = 0; i < stairs_.size(); ++i) {
+    const auto until = whole(stairs_[i].until), speed = whole(stairs_[i].speed);
+    if (!until || !speed) return no_number(fmt::format("A number of step {}", i + 1));
+    plan.steps.push_back({Steps(*until), Pps(static_cast<double>(*speed))});
+  }
+  return plan;
+}
+
+/// Only when something has changed: a panel at rest works nothing out and allocates nothing.
+void Contour::work_out(Frame& f) {
+  const Steps stands = f.now.axes[static_cast<std::size_t>(stair_axis_)].commanded();
+  if (stairs_shown_ && stands != worked_out_from_ && !f.now.any_axis_moving()) changed_ = true;
+  const auto shown = [&](int axis) {
+    return from_steps(Steps(1), f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}));
+  };
+  const drawing::Point scale{shown(first_), shown(second_)};
+  if (std::exchange(scale_, scale) != scale) changed_ = true;
+  if (!std::exchange(changed_, false)) return;
+  worked_out_from_ = stands;
+  problem_.clear(), text_.clear(), facts_.clear();
+  if (!stairs_writer_)
+    return problem_.assign("The language of this controller cannot write contours."), void();
+  const auto refuse = [this](const Fault& fault) { problem_ = in_rows(fault.what); };
+  Result<std::string> written = std::string();
+  if (stairs_shown_) {
+    stair_x_.clear(), stair_y_.clear();
+    const auto plan = staircase(f);
+    if (!plan) return refuse(plan.error());
+    draw_staircase_line(*plan);
+    places_ = {{plan->axis, plan->stop_at}};
+    written = stairs_writer_->write_staircase(*plan, f.catalog);
+  } else {
+    path_ = nullptr;
+    const auto plan = contour();
+    if (!plan) return refuse(plan.error());
+    const auto& drawn = std::get<sequence::Contour>(plan->steps.front().body);
+    places_.clear();
+    for (const auto& [axis, to] : {std::pair{first_, drawn.x}, std::pair{second_, drawn.y}})
+      places_.push_back({AxisId{static_cast<std::uint8_t>(axis)}, Steps(std::llround(to))});
+    const drawing::ToolPath in_steps = drawing::contour_path(drawn, {1, 1});
+    double length = in_steps.way_on + in_steps.way_off;
+    if (!in_steps.runs.empty() && in_steps.runs.front().source < 0) length -= drawn.lead_in;
+    if (!in_steps.runs.empty()) {
+      facts_ = fmt::format("{:.0f} {} long, {:.1f} s at this speed", length, f.catalog.step_word,
+                           length / drawn.own->high);
+      path_ = std::make_shared<const drawing::ToolPath>(drawing::contour_path(drawn, scale_));
+    }
+    written =
+        language_->write(*plan, f.catalog).map([](SequenceText&& text) { return std::move(text.text); });
+  }
+  if (!written) return refuse(written.error());
+  text_ = std::move(*written);
+  const ProgramReport report = f.tab.desk().language()->analyse(text_, 0);
+  for (const Problem& p : report.problems)
+    if (p.error) return problem_.assign(fmt::format("Line {}: {}", p.line + 1, p.sentence)), void();
+}
+
+/// Speeds over positions, as steps.
+void Contour::draw_staircase_line(const StaircasePlan& plan) {
+  const auto put = [&](double x, double y) {
+    stair_x_.push_back(static_cast<float>(x)), stair_y_.push_back(static_cast<float>(y));
+  };
+  double at = static_cast<double>(plan.from.value);
+  put(at, 0);
+  for (const StaircaseStep& s : plan.steps) {
+    put(at, s.speed.value);
+    at = static_cast<double>(s.until.value);
+    put(at, s.speed.value);
+  }
+  if (!plan.steps.empty()) put(static_cast<double>(plan.stop_at.value), plan.steps.back().speed.value);
+  put(static_cast<double>(plan.stop_at.value), 0);
+  if (plan.stop_at < plan.from) {
+    std::reverse(stair_x_.begin(), stair_x_.end());
+    std::reverse(stair_y_.begin(), stair_y_.end());
+  }
+}
+
+// ---- running it
+
+std::string_view Contour::why_not_run(const Frame& f) const {
+  if (!f.connected()) return "There is no link. The list stays here.";
+  if (!f.tab.why_not_move().empty()) return f.tab.why_not_move();
+  if (!problem_.empty()) return problem_;
+  if (text_.empty()) return "There is nothing to run yet.";
+  if (loading_ || starting_) return "It is on its way.";
+  if (f.now.any_axis_moving()) return "An axis is moving. Wait until it rests.";
+  return {};
+}
+
+void Contour::run(Frame& f) {
+  loading_ = f.send_and_watch(intent::LoadProgram(0, text_));
+  go_ahead_ = f.tab.desk().until_stopped();
+}
+
+/// Its text is kept with the others from then on.
+void Contour::put_into_program(Frame& f) {
+  f.tab.desk().texts.set_text(0, text_);
+  (stairs_shown_ ? stairs_unkept_ : contour_unkept_) = false;
+  f.show_panel("program");
+}
+
+std::string_view Contour::unkept() const {
+  if (contour_unkept_ && !pieces_.empty()) return "The contour is in no file and not in the program.";
+  if (stairs_unkept_ && !stairs_.empty()) return "The staircase is in no file and not in the program.";
+  return {};
+}
+
+void Contour::follow(Frame& f) {
+  const auto ended = [&](IntentId& id) {
+    if (f.now.forgotten(id)) id = 0;
+    const IntentFate* fate = f.now.fate_of(id);
+    if (!fate || fate->fate == Fate::pending) return false;
+    id = 0;
+    if (fate->fate == Fate::done) return true;
+    if (&id != &starting_ || !doubt_.hear(f, *fate)) f.toast(Mood::fault, std::string(fate->sentence.view()));
+    return false;
+  };
+  // A stop, or another panel in front meanwhile: what is loaded is not started any more.
+  const int frame = ImGui::GetFrameCount();
+  const bool was_away = frame - std::exchange(drawn_frame_, frame) > 1;
+  if (was_away && loading_ != 0 && !go_ahead_.expired())
+    f.toast(Mood::warn, "The list was loaded and is not started: another panel came to the front meanwhile.");
+  if (was_away || f.ui.cancelled() || go_ahead_.expired()) loading_ = starting_ = 0;
+  if (loading_ && ended(loading_)) starting_ = doubt_.send(f, intent::RunProgram(0, places_));
+  if (starting_) ended(starting_);
+}
+
+// ---- drawing
+
+void Contour::draw_toolbar(Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 at = begin_toolbar(f);
+  static constexpr std::array<std::string_view, 2> kinds = {"Contour", "Staircase"};
+  ButtonOptions go;
+  go.icon = Icon::play;
+  go.moving = true;
+  go.height = 40;
+  go.disabled = why_not_run(f);
+  go.tip = "Sends this text to the controller and runs it. A stop ends it.";
+  const Touch begun = button(ui, "contour/run", "Run", go);
+  if (begun.clicked) run(f);
+  if (doubt_.open())
+    if (const IntentId sent = doubt_.draw(f, "contour", "Run", begun.rect)) starting_ = sent;
+  ImGui::SetCursorScreenPos(ImVec2(begun.rect.max.x + ui.px(8), begun.rect.min.y));
+  ButtonOptions put;
+  put.height = 40;
+  if (!problem_.empty())
+    put.disabled = problem_;
+  else if (text_.empty())
+    put.disabled = "There is no text yet.";
+  put.tip = "Puts the text into the program editor.";
+  if (button(ui, "contour/to_program", "To the program", put).clicked) {
+    asking_ = !f.tab.desk().texts.text(0).empty();
+    if (!asking_) put_into_program(f);
+  }
+  const float after = ImGui::GetItemRectMax().x + ui.px(16);
+  ImGui::SetCursorScreenPos(ImVec2(after, at.y + ui.px(12)));
+  if (const int kind = segment(ui, "contour/kind", kinds, stairs_shown_ ? 1 : 0, {.cell_width = 84});
+      kind >= 0) {
+    stairs_shown_ = kind == 1;
+    changed_ = true;
+  }
+  end_toolbar(f, at);
+}
+
+void Contour::draw_work(Frame& f, float left, float height) {
+  Ui& ui = f.ui;
+  const float x = ui.px(f.area.x + left), top = ui.px(f.area.bottom()) - ui.px(height);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, top), ImVec2(x + ui.hair(), ui.px(f.area.bottom())),
+                                            ui[Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(x + ui.hair(), top));
+  begin_part(ui, "contour/work", 0, ui.px(height), Tone::panel, 0);
+  const float width = ImGui::GetContentRegionAvail().x / ui.scale;
+  draw_preview(f, width, std::max(160.0f, height - text_height));
+  ImGui::Indent(ui.px(16));
+  draw_text(f, width - 32);
+  ImGui::Unindent(ui.px(16));
+  end_part();
+}
+
+void Contour::draw_preview(Frame& f, float width, float height) {
+  if (!stairs_shown_) {
+    PathSubject subject;
+    subject.path = path_;
+    subject.none = "Nothing to draw yet.";
+    subject.axes = {AxisId{static_cast<std::uint8_t>(first_)}, AxisId{static_cast<std::uint8_t>(second_)}};
+    subject.words = facts_;
+    return canvas_.draw(f, "contour/view", subject, width, height);
+  }
+  PlotOptions o;
+  const Path title("speed, {}/s, over position", f.catalog.step_word);
+  o.title = title;
+  o.x_unit = f.catalog.step_word;
+  o.width = width, o.height = height;
+  o.empty = "Add a step.";
+  const PlotTrace trace{stair_x_, stair_y_, Tone::ink, 2, false, "speed", true};
+  if (!stair_x_.empty()) o.x = {stair_x_.front(), stair_x_.back()};
+  o.y = {0, 0};
+  o.y.take(stair_y_);
+  o.y.widen(0.08f);
+  o.x.widen(0.03f);
+  const Path words("{} steps", stairs_.size());
+  o.words = words;
+  plot(f.ui, "stairs/view", "Speeds over positions", {&trace, stairs_.empty() ? 0u : 1u}, o, cursor_);
+}
+
+void Contour::draw_text(Frame& f, float width) {
+  Ui& ui = f.ui;
+  gap(ui, 8);
+  if (!problem_.empty()) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::fault, problem_, width);
+    show(ui, {"contour/problem", Kind::text, "Problem", problem_},
+         {at, ImVec2(at.x + ui.px(width), ImGui::GetCursorScreenPos().y)});
+  } else if (!facts_.empty()) {
+    named_text(ui, "contour/facts", Face::small, Tone::ink2, facts_);
+  }
+  gap(ui, 4);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  // The lines of the text, on as many columns as they need.
+  std::string_view rest = text_;
+  float x = at.x, y = at.y, deepest = at.y, widest = 0;
+  const float bottom = at.y + 5 * ui.line(Face::code_field);
+  while (!rest.empty()) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    draw_text_line(ui, x, at.x + ui.px(width), y + ui.line(Face::code_field) / 2, Face::code_field,
+                   ui[Tone::ink2], line);
+    widest = std::max(widest, text_width(ui, Face::code_field, line));
+    y += ui.line(Face::code_field);
+    deepest = std::max(deepest, y);
+    if (y + ui.line(Face::code_field) > bottom) x += std::ceil(widest) + ui.px(20), y = at.y, widest = 0;
+  }
+  show(ui, {"contour/text", Kind::text, "What is sent", text_}, {at, ImVec2(at.x + ui.px(width), bottom)});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, deepest));
+  gap(ui, 8);
+}
+
+void Contour::draw_dialogs(Frame& f) {
+  if (!asking_) return;
+  const Dialog what{.title = "Replace the program text?",
+                    .sentences = "The editor holds another text. What is not in a file is lost.",
+                    .yes = "Replace",
+                    .no = "Keep the text"};
+  if (dialog(f.ui, "contour/replace", asking_, what) == Answer::yes) put_into_program(f);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,12 @@
+#pragma once
+// An analog input as name, bar and number.
+#include "gui/shell/frame.h"
+
+namespace hw::panels {
+
+inline constexpr float analog_bar_height = 28;
+/// At ImGui's cursor; `number` is the maker's, from 1. `id`: path of the bar. Has it asked for while in
+/// sight.
+void draw_analog_bar(gui::Frame& frame, std::string_view id, int number, float width);
+
+}  // namespace hw::panels

@@ -1,0 +1,195 @@
+#include "panels/control/control.h"
+
+#include <algorithm>
+
+#include "gui/model/tab.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/text.h"
+#include "panels/control/analog_bar.h"
+#include "panels/control/readouts.h"
+#include "panels/measures.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float below_section = 12;
+
+/// Bars of the analog inputs stand where an axis can be made to follow them.
+int analog_count(const Catalog& c, const std::vector<ActionForm>& actions) {
+  const bool follows = std::any_of(actions.begin(), actions.end(), [&](const ActionForm& a) {
+    return c.actions[static_cast<std::size_t>(a.action())].follows_analog;
+  });
+  return follows ? static_cast<int>(c.analog.size()) : 0;
+}
+
+/// Settings of the manual that the controller did not answer: an older firmware does not know them.
+Path unanswered(const Frame& f) {
+  char names[72];
+  std::size_t size = 0;
+  int readable = 0, silent = 0;
+  for (std::size_t i = 0; i < f.catalog.params.size(); ++i) {
+    if (!f.catalog.params[i].readable) continue;
+    ++readable;
+    if (f.now.params[i].known) continue;
+    ++silent;
+    const auto end = fmt::format_to_n(names + size, sizeof names - size, "{}{}", size ? ", " : "",
+                                      f.catalog.params[i].mnemonic);
+    size = std::min(sizeof names, size + end.size);
+  }
+  if (silent == 0) return Path("nothing: it answers every setting");
+  if (silent == readable) return Path("not known: read the set-up first");
+  return Path("{}: {}{}", silent, std::string_view(names, size), size == sizeof names ? " ..." : "");
+}
+
+std::string_view told(const auto& text) { return text.empty() ? std::string_view("not told") : text.view(); }
+
+}  // namespace
+
+bool has_control(const Catalog& c) { return !c.actions.empty() || !c.readouts.empty(); }
+
+Control::Section& Control::section(const std::string& title) {
+  for (Section& s : sections_)
+    if (s.title == title) return s;
+  sections_.emplace_back();
+  sections_.back().title = title;
+  return sections_.back();
+}
+
+void Control::make_sections(const Catalog& c) {
+  if (std::exchange(made_, true)) return;
+  for (std::size_t i = 0; i < c.readout_groups.size(); ++i) {
+    const int group = static_cast<int>(i);
+    const bool any = std::any_of(c.readouts.begin(), c.readouts.end(),
+                                 [&](const ReadoutInfo& r) { return r.group == group; });
+    if (any && group != c.variables.readout_group) section(c.readout_groups[i]).readouts = group;
+  }
+  for (std::size_t i = 0; i < c.actions.size(); ++i)
+    section(c.actions[i].group).actions.emplace_back(c, static_cast<int>(i));
+}
+
+void Control::draw(Frame& f) {
+  make_sections(f.catalog);
+  Ui& ui = f.ui;
+  begin_part(ui, "control", 0, ui.px(f.area.height), Tone::panel, 16);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float whole = ImGui::GetContentRegionAvail().x / ui.scale;
+  const bool two = whole >= 640;
+  const float width = two ? std::floor((whole - between_columns) / 2) : whole;
+  const std::size_t left = two ? first_column(f, width) : sections_.size();
+  const auto stand = [&](float x, float y) { ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), y)); };
+  for (std::size_t i = 0; i < left; ++i) {
+    stand(0, ImGui::GetCursorScreenPos().y);
+    draw_section(f, sections_[i], width);
+  }
+  const float left_end = ImGui::GetCursorScreenPos().y;
+  if (two) stand(width + between_columns, at.y);
+  for (std::size_t i = left; i < sections_.size(); ++i) {
+    stand(two ? width + between_columns : 0, ImGui::GetCursorScreenPos().y);
+    draw_section(f, sections_[i], width);
+  }
+  stand(two ? width + between_columns : 0, ImGui::GetCursorScreenPos().y);
+  draw_about(f, width);
+  stand(0, std::max(left_end, ImGui::GetCursorScreenPos().y));
+  gap(ui, 16);
+  end_part();
+}
+
+std::size_t Control::first_column(const Frame& f, float width) const {
+  float all = 0;
+  for (const Section& s : sections_) all += height_of(f, s, width);
+  float left = 0;
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    const float height = height_of(f, sections_[i], width);
+    if (left + height / 2 > all / 2 && i > 0) return i;
+    left += height;
+  }
+  return sections_.size();
+}
+
+float Control::height_of(const Frame& f, const Section& s, float width) {
+  float height = title_height + below_section;
+  if (s.readouts >= 0) height += readouts_height(f.catalog, s.readouts);
+  height += analog_bar_height * static_cast<float>(analog_count(f.catalog, s.actions));
+  for (const ActionForm& a : s.actions) height += a.height(width);
+  return height;
+}
+
+void Control::draw_section(Frame& f, Section& s, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(title_height / 2), Face::body_bold,
+                 ui[Tone::ink], s.title);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(title_height)));
+  if (s.readouts >= 0) draw_readouts(f, s.readouts, width);
+  for (int n = 1; n <= analog_count(f.catalog, s.actions); ++n)
+    draw_analog_bar(f, Path("control/analog/{}", n), n, width);
+  if (s.readouts >= 0 && !s.actions.empty()) gap(ui, 8);
+  draw_actions(f, s, width);
+  gap(ui, below_section - 4);
+  const ImVec2 end = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, end.y),
+                                            ImVec2(at.x + ui.px(width), end.y + ui.hair()), ui[Tone::line]);
+  gap(ui, 4);
+}
+
+void Control::draw_actions(Frame& f, Section& s, float width) {
+  Ui& ui = f.ui;
+  const float left = ImGui::GetCursorScreenPos().x, right = left + ui.px(width);
+  float x = left;
+  bool on_line = false;
+  const auto end_line = [&] {
+    if (on_line) gap(ui, 8);
+    on_line = false;
+    x = left;
+    ImGui::SetCursorScreenPos(ImVec2(left, ImGui::GetCursorScreenPos().y));
+  };
+  for (ActionForm& a : s.actions) {
+    if (!a.only_a_button()) {
+      end_line();
+      a.draw(f, width);
+      continue;
+    }
+    const float wide = ui.px(a.button_width(ui));
+    if (on_line && x + wide > right) end_line();
+    const float y = ImGui::GetCursorScreenPos().y;
+    if (on_line) ImGui::SetCursorScreenPos(ImVec2(x, y - ui.px(32)));
+    a.draw_button(f, 0);
+    ImGui::SetCursorScreenPos(ImVec2(left, std::max(y, ImGui::GetItemRectMax().y)));
+    x += wide + ui.px(8);
+    on_line = true;
+  }
+  end_line();
+  for (ActionForm& a : s.actions)
+    if (a.only_a_button()) a.draw_refusal(f, width);
+}
+
+void Control::draw_about(Frame& f, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(title_height / 2), Face::body_bold,
+                 ui[Tone::ink], "Controller");
+  float y = at.y + ui.px(title_height);
+  const auto fact = [&](std::string_view id, std::string_view name, std::string_view value) {
+    const Rect row{ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.px(24))};
+    const float middle = std::floor(row.centre().y);
+    draw_text_line(ui, row.min.x, row.max.x, middle, Face::body, ui[Tone::ink2], name);
+    const float w = std::ceil(text_width(ui, Face::body, value));
+    const float name_end = row.min.x + std::ceil(text_width(ui, Face::body, name)) + ui.px(12);
+    draw_text_line(ui, std::max(name_end, row.max.x - w), row.max.x + 1, middle, Face::body, ui[Tone::ink],
+                   value);
+    show(ui, {id, Kind::text, name, value, {}, false, {}}, row);
+    y = row.max.y;
+  };
+  const Identity& who = f.now.identity;
+  fact("about/model", "Says it is", told(who.model));
+  fact("about/firmware", "Firmware", told(who.firmware));
+  if (!who.serial.empty()) fact("about/serial", "Device name", who.serial.view());
+  fact("about/console", "This program", "Handwheel " HW_VERSION);
+  fact("about/older", "Lacking in this firmware", unanswered(f));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,177 @@
+#include "panels/control/readouts.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "gui/model/tab.h"
+#include "gui/widgets/icons.h"
+#include "gui/widgets/text.h"
+#include "gui/widgets/touch.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float readout_row_height = 28, head_height = 24, axis_width = 32, most_columns = 8;
+
+// Groups are asked one after the other when there are many: younger than this is fresh enough.
+constexpr Duration patience = Millis(3000);
+
+/// Readouts that say the same of one axis after the other stand side by side in the catalog.
+struct Run {
+  std::size_t first = 0, size = 0;
+};
+
+bool per_axis(const Catalog& c, const ReadoutInfo& r) { return c.axes.size() > 1 && r.axis >= 0; }
+
+/// "State of X" -> "State".
+std::string_view without_axis(const Catalog& c, const ReadoutInfo& r) {
+  const std::string_view label = r.label;
+  const std::string& axis = c.axes[static_cast<std::size_t>(r.axis)].name;
+  const std::size_t tail = axis.size() + 4;
+  if (label.size() > tail && label.ends_with(axis) && label.substr(label.size() - tail, 4) == " of ")
+    return label.substr(0, label.size() - tail);
+  return label;
+}
+
+/// The columns of a group's table. Returns how many.
+std::size_t find_columns(const Catalog& c, int group,
+                         Run (&columns)[static_cast<std::size_t>(most_columns)]) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < c.readouts.size(); ++i) {
+    const ReadoutInfo& r = c.readouts[i];
+    if (r.group != group || !per_axis(c, r)) continue;
+    const bool goes_on =
+        n > 0 && columns[n - 1].first + columns[n - 1].size == i && c.readouts[i - 1].axis < r.axis;
+    if (goes_on)
+      ++columns[n - 1].size;
+    else if (n < std::size(columns))
+      columns[n++] = {i, 1};
+  }
+  return n;
+}
+
+std::size_t count_single(const Catalog& c, int group) {
+  return static_cast<std::size_t>(
+      std::count_if(c.readouts.begin(), c.readouts.end(),
+                    [&](const ReadoutInfo& r) { return r.group == group && !per_axis(c, r); }));
+}
+
+/// The value, ending at `right` or beginning at `left`.
+void draw_value(Frame& f, std::size_t i, const Rect& in, bool right_aligned) {
+  Ui& ui = f.ui;
+  const ReadoutInfo& info = f.catalog.readouts[i];
+  const ReadoutText words(f, i);
+  const Tone tone = words.bad() ? Tone::fault : words.old() || !words.known() ? Tone::ink3 : Tone::ink;
+  const Face face = words.bad() ? Face::body_bold : Face::body;
+  const float middle = std::floor(in.centre().y);
+  const float width = std::ceil(text_width(ui, face, words.view()));
+  float x = right_aligned ? std::max(in.min.x, in.max.x - width) : in.min.x;
+  if (words.bad()) {
+    const float icon = right_aligned ? x - ui.px(12) : x + ui.px(6);
+    draw_icon(ImGui::GetWindowDrawList(), Icon::diamond_solid, ImVec2(icon, middle), ui.px(11), ui[tone]);
+    if (!right_aligned) x += ui.px(18);
+  }
+  draw_text_line(ui, x, in.max.x + 1, middle, face, ui[tone], words.view());
+  show(ui, {Path("readout/{}", info.id), Kind::text, info.label, words.view(), {}, false, info.help}, in);
+}
+
+void draw_single(Frame& f, std::size_t i, float width) {
+  Ui& ui = f.ui;
+  const ReadoutInfo& info = f.catalog.readouts[i];
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Rect row{at, ImVec2(at.x + ui.px(width), at.y + ui.px(readout_row_height))};
+  draw_text_line(ui, at.x, row.max.x, std::floor(row.centre().y), Face::body, ui[Tone::ink2], info.label);
+  const float label = std::ceil(text_width(ui, Face::body, info.label)) + ui.px(12);
+  draw_value(f, i, {ImVec2(std::min(at.x + label, row.max.x), at.y), row.max}, true);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, row.max.y));
+}
+
+void draw_table(Frame& f, std::span<const Run> columns, float width) {
+  Ui& ui = f.ui;
+  const Catalog& c = f.catalog;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float share = (width - axis_width) / static_cast<float>(columns.size());
+  const auto cell = [&](std::size_t column, float y, float height) {
+    const float x = at.x + ui.px(axis_width + share * static_cast<float>(column));
+    const float end = column + 1 < columns.size() ? share - 8 : share;  // the last ends where the lines end
+    return Rect{ImVec2(x, y), ImVec2(x + ui.px(end), y + ui.px(height))};
+  };
+  float free_from = cell(0, at.y, head_height).min.x;  // a head may begin over the end of the column before
+  for (std::size_t n = 0; n < columns.size(); ++n) {
+    const ReadoutInfo& info = c.readouts[columns[n].first];
+    const Rect r = cell(n, at.y, head_height);
+    const std::string_view name = without_axis(c, info);
+    const bool says_unit = info.unit.empty() || name.ends_with(info.unit);
+    const Path title("{}{}{}", name, says_unit ? "" : ", ", says_unit ? "" : info.unit);
+    const float w = std::ceil(text_width(ui, Face::small, title));
+    const float x = info.words.empty() ? std::max(free_from, r.max.x - w) : r.min.x;
+    draw_text_line(ui, x, r.max.x + 1, std::floor(r.centre().y), Face::small, ui[Tone::ink2], title);
+    free_from = std::min(x + w, r.max.x) + ui.px(8);
+  }
+  float y = at.y + ui.px(head_height);
+  for (std::size_t axis = 0; axis < c.axes.size(); ++axis) {
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.hair()),
+                                              ui[Tone::line]);
+    draw_text_line(ui, at.x, at.x + ui.px(axis_width), std::floor(y + ui.px(readout_row_height / 2)),
+                   Face::body_bold, ui[Tone::ink], c.axes[axis].name);
+    for (std::size_t n = 0; n < columns.size(); ++n)
+      for (std::size_t i = columns[n].first; i < columns[n].first + columns[n].size; ++i)
+        if (c.readouts[i].axis == static_cast<int>(axis))
+          draw_value(f, i, cell(n, y, readout_row_height), c.readouts[i].words.empty());
+    y += ui.px(readout_row_height);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+}
+
+}  // namespace
+
+ReadoutText::ReadoutText(const Frame& f, std::size_t i) {
+  const ReadoutInfo& info = f.catalog.readouts[i];
+  known_ = i < f.now.readouts_known.size() && f.now.readouts_known[i];
+  if (!known_) {
+    bytes_[0] = '?';
+    size_ = 1;
+    return;
+  }
+  const std::int64_t value = f.now.readouts[i];
+  const Duration age = f.clock - f.now.readouts_seen_at[i];
+  old_ = !f.connected() || age > std::max<Duration>(3 * f.now.poll_period, patience);
+  bad_ = std::find(info.bad.begin(), info.bad.end(), value) != info.bad.end();
+  const auto word = std::find_if(info.words.begin(), info.words.end(),
+                                 [&](const ParamChoice& w) { return w.value == value; });
+  const NumberText number = format_number(static_cast<double>(value), 0);
+  const bool has_word = word != info.words.end();
+  const std::string_view unit = has_word || per_axis(f.catalog, info) ? std::string_view() : info.unit;
+  const auto end = fmt::format_to_n(bytes_, sizeof bytes_, "{}{}{}{}",
+                                    has_word ? std::string_view(word->label) : number.view(),
+                                    unit.empty() ? "" : " ", unit, old_ ? "?" : "");
+  size_ = std::min<std::size_t>(end.size, sizeof bytes_);
+}
+
+float readouts_height(const Catalog& c, int group) {
+  Run columns[static_cast<std::size_t>(most_columns)];
+  float height = static_cast<float>(count_single(c, group)) * readout_row_height;
+  if (find_columns(c, group, columns) > 0)
+    height += head_height + static_cast<float>(c.axes.size()) * readout_row_height;
+  return height;
+}
+
+void draw_readouts(Frame& f, int group, float width) {
+  Ui& ui = f.ui;
+  const float height = ui.px(readouts_height(f.catalog, group));
+  if (height <= 0) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::IsRectVisible(at, ImVec2(at.x + ui.px(width), at.y + height))) f.tab.look_at_group(group);
+  for (std::size_t i = 0; i < f.catalog.readouts.size(); ++i)
+    if (f.catalog.readouts[i].group == group && !per_axis(f.catalog, f.catalog.readouts[i]))
+      draw_single(f, i, width);
+  Run columns[static_cast<std::size_t>(most_columns)];
+  const std::size_t n = find_columns(f.catalog, group, columns);
+  if (n > 0) draw_table(f, {columns, n}, width);
+}
+
+}  // namespace hw::panels

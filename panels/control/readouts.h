@@ -1,0 +1,31 @@
+#pragma once
+// What a controller tells beside positions and inputs (Catalog::readouts), by group: values of the whole
+// controller as rows, values of each axis as a table. Ids: `readout/ID`.
+#include <string_view>
+
+#include "gui/shell/frame.h"
+#include "gui/surface/ui.h"
+
+namespace hw::panels {
+
+/// The words of a value, with its unit: "waiting", "1 284 pulses", "?".
+class ReadoutText {
+ public:
+  ReadoutText(const gui::Frame& frame, std::size_t readout);
+  [[nodiscard]] std::string_view view() const { return {bytes_, size_}; }
+  [[nodiscard]] bool known() const { return known_; }
+  [[nodiscard]] bool old() const { return old_; }  ///< nobody has told it lately
+  [[nodiscard]] bool bad() const { return bad_; }  ///< a fault
+
+ private:
+  char bytes_[96];
+  std::size_t size_ = 0;
+  bool known_ = false, old_ = false, bad_ = false;
+};
+
+/// All readouts of a group at ImGui's cursor, `width` logical; has them polled while they are in sight.
+void draw_readouts(gui::Frame& frame, int group, float width);
+/// What draw_readouts() takes, logical.
+float readouts_height(const Catalog& catalog, int group);
+
+}  // namespace hw::panels

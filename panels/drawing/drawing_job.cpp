@@ -1,0 +1,226 @@
+#include "panels/drawing/drawing_job.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "core/base/index.h"
+#include "core/device/pieces_together.h"
+#include "core/device/step_times.h"
+#include "core/device/track_path.h"
+#include "core/drawing/sequence_path.h"
+#include "core/sequence/steps_in.h"
+#include "core/session/rehearse_together.h"
+#include "gui/model/tab.h"
+#include "gui/model/units_format.h"
+#include "gui/shell/console.h"
+#include "panels/drawing/drawn_together.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr double tried_for = 24 * 3600;
+
+/// The chain that each step is of, a step as SequenceText counts them; -1: it stands before all.
+std::vector<int> chains_of_steps(const Conversion& made) {
+  std::vector<int> chains;
+  int chain = -1;
+  for (std::size_t i = 0; i < made.sequence.steps.size(); ++i) {
+    while (ix(chain + 1) < made.begins.size() && made.begins[ix(chain + 1)] <= i) ++chain;
+    const sequence::Step& step = made.sequence.steps[i];
+    const sequence::StepList* inner = steps_in(step);
+    chains.insert(chains.end(), 1 + ix(inner ? count_steps(*inner) : 0), chain);
+  }
+  return chains;
+}
+
+/// The path that the sequence says; each run with its chain.
+std::shared_ptr<const drawing::ToolPath> path_of(const Conversion& made, drawing::Point scale) {
+  drawing::ToolPath path = sequence_path(made.sequence, scale);
+  for (drawing::ToolPath::Run& run : path.runs) {
+    const auto next = std::upper_bound(made.begins.begin(), made.begins.end(),
+                                       static_cast<std::size_t>(std::max(run.source, 0)));
+    run.source = static_cast<int>(next - made.begins.begin()) - 1;
+  }
+  return std::make_shared<const drawing::ToolPath>(std::move(path));
+}
+
+std::optional<double> without_ramps(const Conversion& made, const ConversionOptions& options) {
+  if (!(options.cutting.high > 0) || !(options.travel.high > 0)) return std::nullopt;
+  return made.drawn / options.cutting.high + made.way / options.travel.high;
+}
+
+/// The text of a controller that draws by itself, and how long it takes.
+Result<> write(DrawingJob::Made& made, const Catalog& catalog, const Language& language) {
+  auto written = language.write(made.conversion.sequence, catalog);
+  if (!written) return fail(written.error());
+  auto frame = language.write(made.conversion.frame, catalog);
+  if (!frame) return fail(frame.error());
+  made.written = std::move(*written), made.frame = std::move(frame->text);
+  const ProgramReport report = language.analyse(made.written.text, 0);
+  for (const Problem& p : report.problems)
+    if (p.error && made.problem.empty()) made.problem = p.sentence;
+  if (!made.problem.empty()) return {};
+  RehearseOptions rehearse;
+  rehearse.device = catalog.made_from;
+  rehearse.for_seconds = tried_for;
+  const auto done = language.rehearse(made.written.text, rehearse);
+  if (!done || !done->finished) return {};
+  made.duration_s = done->duration_s;
+  const std::vector<int> chain_of_step = chains_of_steps(made.conversion);
+  std::vector<int> parts = lines_of_commands(report, 0);
+  for (int& part : parts) {
+    const int step =
+        part >= 0 && ix(part) < made.written.step_of_line.size() ? made.written.step_of_line[ix(part)] : -1;
+    part = step >= 0 && ix(step) < chain_of_step.size() ? chain_of_step[ix(step)] : -1;
+  }
+  made.chain_seconds = seconds_of_parts(*done, parts);
+  return {};
+}
+
+/// Of controllers that draw together; a piece is a chain.
+void time_together(DrawingJob::Made& made, const Catalog& catalog, const Console::Together& rehearse) {
+  made.written.remarks.push_back(made.parts.front()->remark);
+  if (rehearse) {
+    auto done = rehearse(made.conversion.sequence);
+    if (done) {
+      made.duration_s = done->duration_s;
+      made.chain_seconds = std::move(done->piece_seconds);
+      return;
+    }
+    made.written.remarks.insert(made.written.remarks.begin(),
+                                "It was not rehearsed to its end: " + done.error().sentence());
+  }
+  std::vector<Pieces> parts;
+  for (const auto& part : made.parts) parts.push_back(*part);
+  std::vector<double> seconds = least_seconds(parts, catalog);
+  if (seconds.size() != made.conversion.chains.size()) return;
+  made.at_least_s = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  made.chain_seconds = std::move(seconds);
+}
+
+/// All that a drawing becomes. Long.
+Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& catalog,
+                              const Language* language, const Console::Together& together,
+                              const ConversionOptions& options, drawing::Point scale,
+                              std::atomic<float>& ordered) {
+  auto converted = convert(drawing, catalog, options, [&](double done) {
+    ordered = static_cast<float>(done);
+    return true;
+  });
+  ordered = 1;
+  if (!converted) return fail(converted.error());
+  DrawingJob::Made made;
+  made.at_least_s = without_ramps(*converted, options);
+  made.conversion = std::move(*converted);
+  if (language)
+    if (auto text = write(made, catalog, *language); !text) return fail(text.error());
+  if (auto parts = parts_of(made.conversion.sequence, catalog, language, 0))
+    made.parts = std::move(*parts);
+  else
+    made.no_pieces = parts.error().sentence();
+  if (!language && !made.parts.empty()) time_together(made, catalog, together);
+  made.path = path_of(made.conversion, scale);
+  return made;
+}
+
+}  // namespace
+
+Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalog, const Language* language,
+                       int from_step) {
+  Parts parts;
+  if (language) {
+    auto pieces = language->in_pieces(sequence, catalog, from_step);
+    if (!pieces) return fail(pieces.error());
+    parts.push_back(std::make_shared<const Pieces>(std::move(*pieces)));
+    return parts;
+  }
+  auto together = pieces_together(sequence, catalog, from_step);
+  if (!together) return fail(together.error());
+  for (Pieces& pieces : *together) parts.push_back(std::make_shared<const Pieces>(std::move(pieces)));
+  return parts;
+}
+
+std::optional<double> DrawingJob::seconds_left(const Made& made, int step, int percent) {
+  const std::vector<std::size_t>& begins = made.conversion.begins;
+  if (made.chain_seconds.empty() || made.chain_seconds.size() != begins.size() || percent <= 0)
+    return std::nullopt;
+  const std::size_t at = ix(std::max(step, 0));
+  double left = 0;
+  for (std::size_t chain = 0; chain < begins.size(); ++chain) {
+    const std::size_t end =
+        chain + 1 < begins.size() ? begins[chain + 1] : made.conversion.sequence.steps.size();
+    if (at >= end) continue;
+    const double share =
+        at <= begins[chain] ? 1.0 : static_cast<double>(end - at) / static_cast<double>(end - begins[chain]);
+    left += share * made.chain_seconds[chain];
+  }
+  return left * 100 / percent;
+}
+
+void DrawingJob::open(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted) {
+  if (reading_)
+    return f.toast(Mood::plain, "Another drawing is being read. Open this one again when it is there.");
+  reading_ = true;
+  read_chord_ = finest_chord(wanted);
+  f.tab.desk().worker().run(
+      [file, wanted]() -> Result<Drawing> {
+        return read_drawing(file, wanted).map([](drawing::Drawing&& d) {
+          return std::make_shared<const drawing::Drawing>(std::move(d));
+        });
+      },
+      [this, file, &console = f.console](Result<Drawing> read) { take(std::move(read), file, console); },
+      alive_);
+  f.ui.wake_in(0);
+}
+
+void DrawingJob::take(Result<Drawing> read, const std::filesystem::path& file, Console& console) {
+  reading_ = false;
+  if (!read) return console.toast(Mood::fault, read.error().sentence());
+  drawing_ = std::move(*read);
+  file_ = file;
+  made_.reset(), fault_.clear();
+  old_ = true;
+  ++version_;
+}
+
+std::string_view DrawingJob::busy_with() const {
+  if (reading_) return "reading the file";
+  if (!converting_) return {};
+  return *ordered_ < 1 ? "putting it into order" : "rehearsing it";
+}
+
+void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t version,
+                        drawing::Point scale) {
+  const Language* language = f.tab.desk().language();
+  const bool together = draws_together(f);
+  if (busy()) f.ui.wake_in(0.1);  // the bar moves
+  if (std::exchange(scale_, scale) != scale) old_ = true;
+  // What was flattened more coarsely than is wanted now is read again.
+  if (drawing_ && !reading_ && finest_chord(wanted) < read_chord_) return open(f, file_, wanted);
+  if (!drawing_ || !language || converting_ || (wanted_ == version && !old_)) return;
+  wanted_ = version;
+  old_ = false;
+  converting_ = true;
+  *ordered_ = 0;
+  f.tab.desk().worker().run(
+      [drawing = drawing_, catalog = f.catalog, language = together ? nullptr : language,
+       rehearse = together ? f.console.rehearsal_of(*f.tab.bus) : nullptr, wanted, scale,
+       ordered = ordered_] { return make(*drawing, catalog, language, rehearse, wanted, scale, *ordered); },
+      [this](Result<Made> made) {
+        converting_ = false;
+        ++version_;
+        if (old_) return;  // of the drawing before
+        made_.reset(), fault_.clear();
+        if (made)
+          made_ = std::make_shared<const Made>(std::move(*made));
+        else
+          fault_ = made.error().sentence();
+      },
+      alive_);
+  f.ui.wake_in(0);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,82 @@
+#pragma once
+// A drawing file on its way to a program: read, converted, written and rehearsed by the worker, anew whenever
+// what is wanted of it has changed.
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/device/language.h"
+#include "core/drawing/tool_path.h"
+#include "core/session/conversion.h"
+#include "gui/shell/frame.h"
+
+namespace hw::panels {
+
+/// What each controller does, in the order of the axes that draw; one alone: its own.
+using Parts = std::vector<std::shared_ptr<const Pieces>>;
+/// `language` null: controllers of one axis each draw together, see catalog_together().
+Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalog, const Language* language,
+                       int from_step);
+
+class DrawingJob {
+ public:
+  struct Made {
+    Conversion conversion;
+    SequenceText written;               ///< empty: several controllers draw it, and there is no one program
+    std::string frame;                  ///< text that goes once around it with the tool off
+    std::string problem;                ///< of the text: it does not fit; empty: none
+    std::optional<double> duration_s;   ///< as rehearsed
+    std::optional<double> at_least_s;   ///< by the speeds that are asked for; together: with ramps
+    Parts parts;                        ///< empty: it has no pieces
+    std::string no_pieces;              ///< why
+    std::vector<double> chain_seconds;  ///< of the chains that the rehearsal has listed
+    std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes; a source is a chain
+  };
+
+  /// From a step of its sequence on, at that share of its speeds; none: it was not rehearsed.
+  [[nodiscard]] static std::optional<double> seconds_left(const Made& made, int step, int percent);
+
+  /// The file is read, and converted as is wanted then.
+  void open(gui::Frame& frame, const std::filesystem::path& file, const ConversionOptions& wanted);
+  /// Once a frame; `version` changes with `wanted`. `scale`: units of the axes in a mm.
+  void follow(gui::Frame& frame, const ConversionOptions& wanted, std::uint64_t version,
+              drawing::Point scale);
+
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  /// Null: none has been opened.
+  [[nodiscard]] const drawing::Drawing* drawing() const { return drawing_.get(); }
+  /// Null: not made, or what is wanted cannot be done; see fault().
+  [[nodiscard]] const Made* made() const { return made_.get(); }
+  [[nodiscard]] std::shared_ptr<const Made> shared_made() const { return made_; }
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+  [[nodiscard]] bool busy() const { return reading_ || converting_; }
+  /// What of it is done, from 0 to 1, while it is put into order; 1: that is behind it.
+  [[nodiscard]] float ordered() const { return *ordered_; }
+  /// What it is at; empty: nothing.
+  [[nodiscard]] std::string_view busy_with() const;
+  /// Units of the axes in a mm.
+  [[nodiscard]] drawing::Point scale() const { return scale_; }
+  /// Grows with each result.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+
+ private:
+  using Drawing = std::shared_ptr<const drawing::Drawing>;
+  void take(Result<Drawing> read, const std::filesystem::path& file, gui::Console& console);
+
+  std::filesystem::path file_;
+  Drawing drawing_;
+  std::shared_ptr<const Made> made_;
+  std::string fault_;
+  bool reading_ = false, converting_ = false, old_ = false;  ///< old: what was converted is of another file
+  drawing::Point scale_;
+  double read_chord_ = 0;  ///< finest_chord() with which the file was read
+  std::uint64_t wanted_ = 0, version_ = 0;
+  /// Set by the worker, which may outlive this.
+  std::shared_ptr<std::atomic<float>> ordered_ = std::make_shared<std::atomic<float>>(0.0f);
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0);
+};
+
+}  // namespace hw::panels

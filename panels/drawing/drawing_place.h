@@ -1,0 +1,48 @@
+#pragma once
+// Where a drawing comes to lie: its unit, the axes that draw it and their scale, what lies at 0, 0, and the
+// table. Ids: `drawing/unit`, `drawing/along_x`, `drawing/along_y`, `drawing/per_unit/AXIS`,
+// `drawing/origin/...`, `drawing/swap`, `drawing/flip_x`, `drawing/flip_y`, `drawing/tolerance`,
+// `drawing/table/left` (right, bottom, top).
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "core/session/conversion.h"
+#include "panels/drawing/option_fields.h"
+
+namespace hw::panels {
+
+/// Steps in a mm of an axis, as the units of the console have it; 100 where they are others.
+double steps_in_mm(const gui::Frame& frame, int axis);
+
+class DrawingPlace {
+ public:
+  void begin(const gui::Frame& frame);
+  /// `drawing` null: there is none yet. True: something of it is another now.
+  bool draw(gui::Frame& frame, const drawing::Drawing* drawing);
+  void put(const gui::Frame& frame, ConversionOptions& options) const;
+
+  /// A click shall say what lies at 0, 0.
+  [[nodiscard]] bool wants_origin() const { return origin_ == 2; }
+  /// A place of the drawing.
+  void set_origin(drawing::Point of_drawing) { point_ = of_drawing; }
+  /// The axes that go along its X and Y, by their place in the catalog.
+  [[nodiscard]] const std::array<int, 2>& axes() const { return axes_; }
+
+ private:
+  void take_axis(const gui::Frame& frame, std::size_t direction, int axis);
+  bool draw_unit(gui::Frame& frame, const drawing::Drawing* drawing);
+  bool draw_axes(gui::Frame& frame);
+  bool draw_table(gui::Frame& frame);
+
+  int unit_ = 0, origin_ = 0;
+  std::array<int, 2> axes_{0, 1};
+  std::array<NumberOption, 2> per_unit_;
+  std::vector<std::string_view> axis_names_;
+  drawing::Point point_;  ///< of the drawing, at 0, 0
+  bool swap_ = false, flip_x_ = false, flip_y_ = false;
+  NumberOption tolerance_;
+  std::array<NumberOption, 4> table_;  ///< left, right, bottom, top
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,238 @@
+#include "panels/drawing/drawing_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/device/piece_sync.h"
+#include "gui/model/tab.h"
+#include "gui/model/units_format.h"
+#include "gui/shell/console.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/slider.h"
+#include "gui/widgets/text.h"
+#include "panels/drawing/drawn_together.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+namespace {
+
+std::string_view why_not_now(const Frame& f) {
+  if (!f.connected()) return "There is no link. Cut comes back when the controller answers.";
+  if (f.tab.desk().job.busy()) return "A program is being transferred.";
+  const ProgramState& p = f.now.program;
+  if (p.owned && p.run != RunState::idle && p.run != RunState::error)
+    return "A program is at work. Cut comes back when it has ended or was stopped.";
+  return f.tab.why_not_move();
+}
+
+bool was_stopped(const PiecesState& p) { return !p.running && p.step >= 0 && p.done < p.total; }
+
+/// What is to be known before any of it runs.
+std::string said_first(const Pieces& pieces, const Catalog& catalog, std::string_view tool) {
+  std::string said;
+  if (pieces.lifts > 0)
+    said += fmt::format("\nThe tool is lifted {} time{} within what it draws in one go.", pieces.lifts,
+                        pieces.lifts == 1 ? "" : "s");
+  const bool by_programs =
+      std::any_of(pieces.all.begin(), pieces.all.end(), [](const Piece& piece) { return piece.draws < 0; });
+  if (!pieces.remark.empty()) said += fmt::format("\n{}", pieces.remark);
+  if (catalog.program.capacity > 0 && pieces.remark.empty() && by_programs)
+    said += fmt::format("\nWhat the controller holds as {} 0 is replaced.", catalog.program.slot_word);
+  if (!tool.empty()) said += fmt::format("\n{}", tool);
+  return said;
+}
+
+std::string in_pieces(std::size_t count) {
+  return count > 1 ? fmt::format("in {} pieces", count) : std::string("in one piece");
+}
+
+}  // namespace
+
+void DrawingRun::draw(Frame& f, const Wanted& wanted) {
+  say_what_came(f);
+  if (pieces_of(f).running)
+    draw_while_running(f);
+  else
+    draw_start(f, wanted);
+  draw_progress(f);
+  gap(f.ui, 8);
+}
+
+void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
+  const std::string_view now = working_ ? "It is being worked out." : why_not_now(f);
+  const bool any = wanted.made && !wanted.made->parts.empty();
+  const ButtonOptions options{.icon = Icon::play,
+                              .disabled = any || wanted.in_work ? now : wanted.why_not,
+                              .tip = any ? wanted.made->written.tool : std::string_view(),
+                              .height = 40,
+                              .moving = true,
+                              .on = waits_};
+  waits_ = button(f.ui, "drawing/cut", "Cut", options).clicked || waits_;
+  const bool asks = !wanted.in_work && std::exchange(waits_, false);
+  if (asks && any && now.empty()) {
+    const std::string time = wanted.time.empty() ? "" : fmt::format(" and takes {}", wanted.time);
+    asked_.goes_on = false;
+    ask(f, wanted.made, wanted.made->parts,
+        fmt::format("It goes {}{}.", in_pieces(wanted.made->parts.front()->all.size()), time));
+  }
+  if (!cut_ || !was_stopped(pieces_of(f))) return;
+  ImGui::SameLine(0, f.ui.px(8));
+  const ButtonOptions on{
+      .disabled = cut_ != wanted.made ? "The drawing has changed since." : now,
+      .tip = "Goes to the start of what was being drawn, with the tool off, and draws the rest.",
+      .height = 40,
+      .moving = true};
+  if (button(f.ui, "drawing/cut_on", "Go on", on).clicked) ask_to_go_on(f);
+}
+
+void DrawingRun::draw_while_running(Frame& f) {
+  const bool held = pieces_of(f).held;
+  const ButtonOptions hold{.icon = held ? Icon::play : Icon::pause,
+                           .tip = held ? "" : "Ends what it is at where it can, and begins nothing new.",
+                           .height = 40,
+                           .moving = held};
+  if (button(f.ui, "drawing/hold", held ? "Go on" : "Hold", hold).clicked) {
+    if (held)
+      tell(f, intent::Resume());
+    else
+      tell(f, intent::Pause());
+  }
+  ImGui::SameLine(0, f.ui.px(8));
+  if (button(f.ui, "drawing/stop", "Stop", {.icon = Icon::stop, .height = 40, .stops = true}).clicked) {
+    if (draws_together(f))
+      f.tab.bus->stop_all();
+    else
+      f.send(intent::Stop());
+  }
+  if (pieces_of(f).speed_can_change) draw_override(f);
+}
+
+/// Whoever is at it.
+void DrawingRun::tell(Frame& f, const IntentBody& wish) {
+  if (draws_together(f))
+    f.tab.bus->tell_pieces(wish);
+  else
+    f.send(wish);
+}
+
+void DrawingRun::draw_override(Frame& f) {
+  double percent = pieces_of(f).percent;
+  speed_.clear();
+  fmt::format_to(std::back_inserter(speed_), "Speed: {:.0f} % of what was asked for", percent);
+  gap(f.ui, 8);
+  wrapped(f.ui, Face::small, Tone::ink2, speed_);
+  const SliderOptions o{
+      .min = 10,
+      .max = 200,
+      .step = 10,
+      .normal = 100,
+      .tip = pieces_of(f).draws ? "Holds for what is sent from now on." : "Holds from the next piece on.",
+      .value_text = speed_};
+  if (slider(f.ui, "drawing/override", "Speed", percent, o))
+    tell(f, intent::OverrideSpeed(static_cast<int>(std::lround(percent))));
+}
+
+/// By steps of the drawing where they are known: pieces differ in length.
+void DrawingRun::draw_progress(Frame& f) {
+  const PiecesState& now = pieces_of(f);
+  if (now.total == 0) return;
+  progress_.clear();
+  const char* what = was_stopped(now) ? "Stopped in"
+                     : !now.held      ? "At"
+                     : now.draws      ? "Held in"
+                                      : "Held before";
+  if (now.done == now.total)
+    fmt::format_to(std::back_inserter(progress_), "All {} pieces are done", now.total);
+  else
+    fmt::format_to(std::back_inserter(progress_), "{} piece {} of {}", what, now.done + 1, now.total);
+  if (const auto left =
+          cut_ && now.running ? DrawingJob::seconds_left(*cut_, now.step, now.percent) : std::nullopt)
+    fmt::format_to(std::back_inserter(progress_), ", {} left", format_duration(*left).view());
+  const auto steps = cut_ ? cut_->conversion.sequence.steps.size() : 0;
+  const double share = now.done == now.total ? 1
+                       : steps > 0 && now.step > 0
+                           ? static_cast<double>(now.step) / static_cast<double>(steps)
+                           : static_cast<double>(now.done) / static_cast<double>(now.total);
+  gap(f.ui, 8);
+  meter(f.ui, "drawing/cut_progress", "Progress", static_cast<float>(std::min(share, 1.0)),
+        {.tone = Tone::motion, .old = !now.running, .words = progress_});
+  gap(f.ui, 4);
+  wrapped(f.ui, Face::small, Tone::ink2, progress_);
+}
+
+// ---- what is asked, and what comes of it
+
+void DrawingRun::ask(Frame& f, Made made, Parts parts, std::string question) {
+  asked_.question = std::move(question) + said_first(*parts.front(), f.catalog, made->written.tool);
+  asked_.made = std::move(made), asked_.parts = std::move(parts);
+  asked_.go_ahead = f.tab.desk().until_stopped();
+  asked_.open = true;
+}
+
+/// What is left is cut anew: from the start of what was being drawn.
+void DrawingRun::ask_to_go_on(Frame& f) {
+  const Language* language = draws_together(f) ? nullptr : f.tab.desk().language();
+  working_ = true;
+  const int step = pieces_of(f).step;
+  f.tab.desk().worker().run([made = cut_, catalog = f.catalog, language,
+                             step] { return parts_of(made->conversion.sequence, catalog, language, step); },
+                            [this, &console = f.console](Result<Parts> left) {
+                              working_ = false;
+                              if (!left) return console.toast(Mood::fault, left.error().sentence());
+                              left_ = std::move(*left);
+                            },
+                            alive_);
+  f.ui.wake_in(0);
+}
+
+void DrawingRun::draw_dialog(Frame& f) {
+  if (Parts left = std::exchange(left_, {}); !left.empty() && was_stopped(pieces_of(f))) {
+    asked_.goes_on = true;
+    std::string question =
+        fmt::format("The tool goes to the start of what was being drawn, off, and draws the rest {}.",
+                    in_pieces(left.front()->all.size()));
+    ask(f, cut_, std::move(left), std::move(question));
+  }
+  if (!asked_.open) return;
+  const Dialog what{.title = asked_.goes_on ? "Go on with the drawing?" : "Cut the drawing?",
+                    .sentences = asked_.question,
+                    .yes = asked_.goes_on ? "Go on" : "Cut",
+                    .moving = true};
+  if (dialog(f.ui, "drawing/ask_cut", asked_.open, what) == Answer::yes) cut(f);
+}
+
+/// While the question stood a stop may have come, or something else have begun.
+void DrawingRun::cut(Frame& f) {
+  if (asked_.go_ahead.expired()) return f.toast(Mood::warn, "A stop came first. Nothing was begun.");
+  if (const std::string_view why = why_not_now(f); !why.empty()) return f.toast(Mood::warn, std::string(why));
+  cut_ = asked_.made;
+  begun_.clear();
+  const Parts& parts = asked_.parts;
+  if (!draws_together(f)) {
+    begun_.push_back({&f.tab, f.send_and_watch(intent::RunInPieces(parts.front()))});
+    return;
+  }
+  auto seats = PieceSync::seats(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const int axis = f.catalog.find_axis(cut_->conversion.sequence.axes[i].name);
+    Tab& owner = owner_of(f, axis);
+    begun_.push_back({&owner, owner.send(intent::RunInPieces(parts[i], std::move(seats[i])))});
+  }
+}
+
+void DrawingRun::say_what_came(Frame& f) {
+  std::erase_if(begun_, [&f](const Begun& begun) {
+    const IntentFate* fate = begun.by->now().fate_of(begun.id);
+    if (!fate || fate->fate == Fate::pending) return false;
+    if (fate->fate != Fate::done) f.toast(Mood::fault, std::string(fate->sentence.view()));
+    return true;
+  });
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,357 @@
+#include "panels/drawing/drawing_tab.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/device/pieces_together.h"
+#include "gui/model/tab.h"
+#include "gui/model/units_format.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/slider.h"
+#include "gui/widgets/text.h"
+#include "panels/drawing/drawn_together.h"
+#include "panels/lines.h"
+#include "panels/measures.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float drawing_side = 288, both_width = 620, both_height = 480, chains_height = 216,
+                bar_and_picture = 240;
+constexpr std::size_t most_left_out = 40;
+
+std::string in_mm(double v) { return fmt::format("{} mm", format_number(v, 1).view()); }
+
+}  // namespace
+
+static std::optional<Catalog> catalog_of(const Bus& bus) {
+  std::vector<const Catalog*> all;
+  for (const Tab* member : bus.members) all.push_back(&member->catalog());
+  return catalog_together(all);
+}
+
+void DrawingTab::draw(Frame& own) {
+  if (own.tab.bus && !together_) together_ = catalog_of(*own.tab.bus);
+  Frame f{own, own.tab, together_ ? *together_ : own.catalog, own.now, own.bench};
+  draw_all(f);
+}
+
+void DrawingTab::draw_all(Frame& f) {
+  options_.begin(f);
+  for (const auto& path : f.tab.desk().take_dropped("drawing")) open(f, path);
+  options_.settle(f, job_.drawing());
+  job_.follow(f, options_.wanted(), options_.version(), scale_of(f));
+  say();
+  draw_toolbar(f);
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  const float height = (f.ui.px(f.area.bottom()) - top.y) / f.ui.scale;
+  const bool side = f.area.width >= both_width;
+  const float width = f.area.width - (side ? drawing_side : 0);
+  settings_ = settings_ && !side;
+  if (!settings_) draw_picture(f, width, height);
+  if (side || settings_) {
+    ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + (side ? width : 0)), top.y));
+    draw_side(f, height);
+  }
+  draw_dialogs(f);
+}
+
+/// Units of the axes in a mm. Several controllers draw in mm.
+drawing::Point DrawingTab::scale_of(const Frame& f) const {
+  const ConversionOptions& wanted = options_.wanted();
+  const auto units = [&](std::size_t direction) {
+    if (draws_together(f) || direction >= wanted.axes.size()) return 1.0;
+    const AxisId axis{static_cast<std::uint8_t>(options_.axes()[direction])};
+    return wanted.axes[direction].per_unit * from_steps(Steps(1), f.tab.unit(axis));
+  };
+  return {units(0), units(1)};
+}
+
+PathSubject DrawingTab::subject_of(const Frame& f) {
+  const DrawingJob::Made* made = job_.made();
+  PathSubject subject;
+  if (made) subject.path = made->path;
+  subject.none = job_.busy()      ? "It is being worked out."
+                 : job_.drawing() ? "Nothing of it can be drawn as it is wanted."
+                                  : "Open a DXF file, or let one fall on the window.";
+  const auto axis = [&](std::size_t direction) {
+    return AxisId{static_cast<std::uint8_t>(options_.axes()[direction])};
+  };
+  if (f.catalog.axes.size() > 1) subject.axes = {axis(0), axis(1)};
+  const ConversionOptions& wanted = options_.wanted();
+  if (const auto& limits = wanted.table) {
+    const drawing::Point scale = job_.scale();
+    subject.table.add(drawing::Point3(limits->low.x * scale.x, limits->low.y * scale.y));
+    subject.table.add(drawing::Point3(limits->high.x * scale.x, limits->high.y * scale.y));
+  }
+  if (!draws_together(f) || wanted.axes.size() < 2) return subject;
+  subject.own = OwnPlane{"mm", {}, {}};
+  std::array<double, 2> here{};
+  for (const std::size_t d : {0, 1}) {
+    const Tab& owner = owner_of(f, options_.axes()[d]);
+    const AxisState& state = owner.now().axes[0];
+    if (!owner.now().link.connected() || !state.position_known) return subject;
+    here[d] = static_cast<double>(state.position.value) / wanted.axes[d].per_unit;
+  }
+  here_ = fmt::format("{:.3f}, {:.3f} mm", here[0], here[1]);
+  subject.own->here = drawing::Point3(here[0], here[1]), subject.own->here_words = here_;
+  return subject;
+}
+
+/// And below it the chains, where there is room for both, or at least for what can be done with one of them.
+void DrawingTab::draw_picture(Frame& f, float width, float height) {
+  const DrawingJob::Made* made = job_.made();
+  const float chains = !made                       ? 0
+                       : height >= both_height     ? chains_height
+                       : height >= bar_and_picture ? DrawingChains::bar_height
+                                                   : 0;
+  PathSubject subject = subject_of(f);
+  if (chains > 0) subject.lit = chains_table_.chosen();
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  canvas_.draw(f, "drawing/view", subject, width, height - chains);
+  take_click();
+  if (chains == 0) return;
+  ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + f.ui.px(height - chains)));
+  const DrawingChains::Shown shown{*job_.drawing(), made->conversion, made->chain_seconds, job_.busy(),
+                                   options_.draws_all()};
+  const int out = chains_table_.may_be_left_out(made->conversion);
+  const auto wish = chains_table_.draw(f, shown, width, chains);
+  if (wish == DrawingChains::Wish::nothing) return;
+  chains_table_.choose(-1);
+  if (wish == DrawingChains::Wish::leave_out)
+    options_.leave_out(made->conversion.chains[ix(out)].paths);
+  else
+    options_.draw_all();
+}
+
+void DrawingTab::open(Frame& f, const std::filesystem::path& path) {
+  options_.forget_file();
+  options_.settle(f, nullptr);
+  job_.open(f, path, options_.wanted());
+}
+
+void DrawingTab::say() {
+  if (std::exchange(said_, job_.version()) == job_.version()) return;
+  time_.clear(), drawn_.clear(), travel_.clear(), saved_.clear(), size_.clear(), chains_.clear();
+  left_out_.clear(), left_out_title_.clear(), off_.clear();
+  if (const drawing::Drawing* d = job_.drawing(); d && !d->left_out.empty()) {
+    left_out_title_ = fmt::format("{} in the file", d->left_out.size());
+    for (std::size_t i = 0; i < std::min(most_left_out, d->left_out.size()); ++i) {
+      const drawing::LeftOut& l = d->left_out[i];
+      left_out_.push_back(fmt::format("{} {}, line {}: {}", l.what, l.entity, l.line, l.why));
+    }
+  }
+  const DrawingJob::Made* made = job_.made();
+  if (!made) return;
+  const Conversion& c = made->conversion;
+  if (made->duration_s)
+    time_ = format_duration(*made->duration_s).view();
+  else if (made->at_least_s)
+    time_ = fmt::format("at least {}", format_duration(*made->at_least_s).view());
+  drawn_ = in_mm(c.drawn), travel_ = in_mm(c.way);
+  if (const double saved = c.way_as_drawn - c.way; saved > 0) {
+    saved_ = in_mm(saved);
+    if (const double speed = options_.wanted().travel.high; speed > 0)
+      saved_ += fmt::format(", {} s", format_number(saved / speed, 1).view());
+  }
+  size_ = fmt::format("{} \u00d7 {} mm", format_number(c.box.high.x - c.box.low.x, 3).view(),
+                      format_number(c.box.high.y - c.box.low.y, 3).view());
+  if (!c.off_the_table.empty())
+    off_ = fmt::format("{} of {} chains leave the table.", c.off_the_table.size(), c.chains.size());
+  chains_ = fmt::format("{}", c.chains.size());
+  if (const auto lines = made->written.step_of_line.size(); lines > 0)
+    chains_ += fmt::format(", {} lines", lines);
+}
+
+std::string_view DrawingTab::why_not() const {
+  if (!job_.drawing()) return "No drawing has been opened.";
+  if (job_.busy()) return "It is being worked out.";
+  if (!job_.made()) return job_.fault();
+  return {};
+}
+
+std::string_view DrawingTab::why_no_use(Use use) const {
+  if (job_.drawing() && job_.busy()) return {};
+  if (const auto why = why_not(); !why.empty()) return why;
+  if (together_) return "Several controllers draw it together: there is no one text for them.";
+  return use == Use::program ? std::string_view(job_.made()->problem) : std::string_view();
+}
+
+void DrawingTab::draw_use(Frame& f, Use use, std::string_view id, std::string_view label, float gap,
+                          ButtonOptions look) {
+  look.disabled = why_no_use(use);
+  next_in_toolbar(f, gap, button_width(f.ui, label, look));
+  look.on = wanted_ == use;
+  if (button(f.ui, id, label, look).clicked) wanted_ = use;
+}
+
+void DrawingTab::use(Frame& f, Use use) {
+  if (!why_no_use(use).empty()) return;
+  if (use == Use::program) return ask_or_put(f, job_.made()->written.text);
+  if (use == Use::frame) return ask_or_put(f, job_.made()->frame);
+  asking_blocks_ = f.tab.desk().blocks.edited();
+  if (!asking_blocks_) to_blocks(f);
+}
+
+void DrawingTab::to_blocks(Frame& f) {
+  f.tab.desk().blocks.became(job_.made()->conversion.sequence);
+  f.show_panel("blocks");
+}
+
+/// What was clicked lies at 0, 0 from now on, or is the chain that is chosen.
+void DrawingTab::take_click() {
+  const DrawingJob::Made* made = job_.made();
+  if (!made || job_.busy()) return;
+  if (const auto& hit = canvas_.clicked(); hit && !options_.wants_origin())
+    chains_table_.choose(made->path->runs[hit->run].source);
+  const auto& place = canvas_.clicked_place();
+  if (!place || !options_.wants_origin()) return;
+  const drawing::Point scale = job_.scale();
+  options_.set_origin(made->conversion.placed.undone({place->x / scale.x, place->y / scale.y}));
+}
+
+void DrawingTab::ask_or_put(Frame& f, std::string text) {
+  to_put_ = std::move(text);
+  asking_program_ = f.tab.desk().texts.edited(f.tab.desk().texts.chosen());
+  if (!asking_program_) put(f);
+}
+
+void DrawingTab::put(Frame& f) {
+  ProgramTexts& texts = f.tab.desk().texts;
+  const DrawingJob::Made* made = job_.made();
+  if (made && made->written.text == to_put_)
+    f.tab.desk().source.put(
+        {std::make_shared<const sequence::Sequence>(made->conversion.sequence), made->written});
+  texts.set_text(texts.chosen(), std::exchange(to_put_, {}));
+  f.show_panel("program");
+}
+
+// ---- drawing
+
+void DrawingTab::draw_toolbar(Frame& f) {
+  Ui& ui = f.ui;
+  if (wanted_ != Use::nothing && !job_.busy()) use(f, std::exchange(wanted_, Use::nothing));
+  const ImVec2 top = begin_toolbar(f);
+  ButtonOptions look;
+  look.height = 40;
+  if (button(ui, "drawing/open", "Open DXF", look).clicked)
+    open_.ask_open("Open a drawing", open_.folder(), {".dxf"});
+  draw_use(f, Use::blocks, "drawing/to_blocks", "To the blocks", 8, look);
+  draw_use(f, Use::program, "drawing/to_program", "To the program", 8, look);
+  look.style = ButtonStyle::quiet, look.tip = "A program that goes once around it with the tool off.";
+  draw_use(f, Use::frame, "drawing/frame", "Frame", 0, look);
+  look.tip = {};
+  next_in_toolbar(f, 0, button_width(ui, "Fit", look));
+  if (button(ui, "drawing/fit", "Fit", look).clicked) canvas_.fit();
+  if (f.area.width < both_width) {
+    const std::string_view other = settings_ ? "Drawing" : "Settings";
+    next_in_toolbar(f, 0, button_width(ui, other, look));
+    if (button(ui, "drawing/settings", other, look).clicked) settings_ = !settings_;
+  }
+  const std::string name = job_.file().filename().string();
+  const ImVec2 end = ImGui::GetItemRectMax();
+  draw_text_line(ui, end.x + ui.px(16), ui.px(f.area.right() - 16), end.y - ui.px(20), Face::body_bold,
+                 ui[Tone::ink], name);
+  end_toolbar(f, top);
+}
+
+void DrawingTab::draw_side(Frame& f, float height) {
+  Ui& ui = f.ui;
+  draw_line_down(f);
+  begin_part(ui, "drawing/side", 0, ui.px(height), Tone::panel, 16);
+  draw_facts(f);
+  draw_run(f);
+  options_.draw(f, job_.drawing());
+  draw_left_out(f);
+  gap(ui, 16);
+  end_part();
+}
+
+void DrawingTab::draw_facts(Frame& f) {
+  Ui& ui = f.ui;
+  section_title(ui, "Time", job_.busy_with());
+  // Always there: what is to be clicked below must not move while something is worked out.
+  const float share = job_.busy() ? job_.ordered() : job_.made() ? 1.0f : 0.0f;
+  meter(ui, "drawing/progress", "Done", share,
+        {.tone = job_.busy() ? Tone::motion : Tone::ink2, .words = job_.busy_with()});
+  gap(ui, 8);
+  const DrawingJob::Made* made = job_.made();
+  const std::string& wrong = made ? made->problem : job_.fault();
+  if (!wrong.empty()) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::fault, wrong);
+    show(ui, {"drawing/problem", Kind::text, "Problem", wrong}, {from, ImGui::GetCursorScreenPos()});
+    gap(ui, 8);
+  }
+  if (!off_.empty()) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::warn, off_);
+    show(ui, {"drawing/off", Kind::text, "Off the table", off_}, {from, ImGui::GetCursorScreenPos()});
+    gap(ui, 8);
+  }
+  if (made) {
+    if (!time_.empty()) key_value(ui, "drawing/time", made->duration_s ? "Rehearsed" : "Takes", time_);
+    key_value(ui, "drawing/drawn", "Tool on", drawn_);
+    key_value(ui, "drawing/travel", "Tool off", travel_);
+    if (!saved_.empty()) key_value(ui, "drawing/saved", "Saved by the order", saved_, Tone::ok);
+    key_value(ui, "drawing/size", "Size", size_);
+    key_value(ui, "drawing/chains", "Chains", chains_);
+    if (!made->written.remarks.empty()) wrapped(ui, Face::small, Tone::ink2, made->written.remarks.front());
+    if (!made->written.tool.empty()) wrapped(ui, Face::small, Tone::ink2, made->written.tool);
+  } else if (!job_.drawing()) {
+    wrapped(ui, Face::body, Tone::ink2, "Lines, arcs, circles, polylines, ellipses and splines are cut.");
+  }
+  group_line(ui);
+}
+
+void DrawingTab::draw_run(Frame& f) {
+  DrawingRun::Wanted wanted{job_.busy() ? nullptr : job_.shared_made(), why_not(), time_,
+                            job_.drawing() && job_.busy()};
+  if (wanted.made && wanted.made->parts.empty()) wanted.why_not = wanted.made->no_pieces;
+  run_.draw(f, wanted);
+  group_line(f.ui);
+}
+
+void DrawingTab::draw_left_out(Frame& f) {
+  if (left_out_.empty()) return;
+  Ui& ui = f.ui;
+  section_title(ui, "Left out", left_out_title_);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  for (const std::string& what : left_out_) {
+    wrapped(ui, Face::small, Tone::ink2, what);
+    gap(ui, 4);
+  }
+  show(ui, {"drawing/left_out", Kind::text, "Left out", left_out_.front()},
+       {from, ImGui::GetCursorScreenPos()});
+}
+
+void DrawingTab::draw_dialogs(Frame& f) {
+  if (asking_blocks_) {
+    const Dialog what{.title = "Replace the blocks?",
+                      .sentences = "They have changes that are in no file.",
+                      .yes = "Replace",
+                      .no = "Keep them"};
+    if (dialog(f.ui, "drawing/replace_blocks", asking_blocks_, what) == Answer::yes && why_not().empty())
+      to_blocks(f);
+  }
+  if (asking_program_) {
+    const Dialog what{
+        .title = "Replace the text?",
+        .sentences = "The program has changes that are in no file. The drawing would take its place.",
+        .yes = "Replace",
+        .no = "Keep the text"};
+    if (dialog(f.ui, "drawing/replace_text", asking_program_, what) == Answer::yes) put(f);
+  }
+  run_.draw_dialog(f);
+  if (const auto path = open_.draw(f.ui)) open(f, *path);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,66 @@
+#pragma once
+// A drawing file: what it shows, where it comes to lie, what the tool does along it, and the program that
+// comes of it. Ids: `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/frame`,
+// `drawing/off`, `drawing/fit`, `drawing/settings`, `drawing/view`, `drawing/problem`, `drawing/progress`,
+// `drawing/time`, `drawing/left_out`; the settings: see DrawingOptions; cutting it: see DrawingRun.
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "gui/shell/panel_entry.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/file_dialog.h"
+#include "panels/drawing/drawing_chains.h"
+#include "panels/drawing/drawing_job.h"
+#include "panels/drawing/drawing_options.h"
+#include "panels/drawing/drawing_run.h"
+#include "panels/path/path_canvas.h"
+
+namespace hw::panels {
+
+class DrawingTab final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+
+ private:
+  void draw_all(gui::Frame& frame);
+  [[nodiscard]] PathSubject subject_of(const gui::Frame& frame);
+  [[nodiscard]] drawing::Point scale_of(const gui::Frame& frame) const;
+  void open(gui::Frame& frame, const std::filesystem::path& path);
+  void say();
+  void draw_toolbar(gui::Frame& frame);
+  void draw_picture(gui::Frame& frame, float width, float height);
+  void draw_side(gui::Frame& frame, float height);
+  void draw_facts(gui::Frame& frame);
+  void draw_run(gui::Frame& frame);
+  void draw_left_out(gui::Frame& frame);
+  void draw_dialogs(gui::Frame& frame);
+  /// What a click is for; it waits while the drawing is being worked out, as a field that it left began that.
+  enum class Use : std::uint8_t { nothing, blocks, program, frame };
+  void draw_use(gui::Frame& frame, Use use, std::string_view id, std::string_view label, float gap,
+                gui::ButtonOptions look);
+  [[nodiscard]] std::string_view why_no_use(Use use) const;
+  void use(gui::Frame& frame, Use use);
+  void to_blocks(gui::Frame& frame);
+  void ask_or_put(gui::Frame& frame, std::string text);
+  void put(gui::Frame& frame);
+  void take_click();
+  [[nodiscard]] std::string_view why_not() const;
+
+  std::optional<Catalog> together_;  ///< of all on the bus; none: this controller draws by itself
+  DrawingJob job_;
+  DrawingOptions options_;
+  DrawingRun run_;
+  PathCanvas canvas_;
+  DrawingChains chains_table_;
+  gui::FileDialog open_;
+  std::uint64_t said_ = ~std::uint64_t{0};  ///< DrawingJob::version() that the words are of
+  std::string time_, drawn_, travel_, saved_, size_, chains_, left_out_title_;
+  std::vector<std::string> left_out_;
+  std::string off_, to_put_, here_;
+  Use wanted_ = Use::nothing;
+  bool asking_blocks_ = false, asking_program_ = false;
+  bool settings_ = false;  ///< without room for both: they take the picture's place
+};
+
+}  // namespace hw::panels

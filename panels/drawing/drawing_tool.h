@@ -1,0 +1,36 @@
+#pragma once
+// The tool of a drawing: an axis that lowers it, an output that switches it, the time that it takes, and the
+// speeds with it on and off. Ids: `drawing/tool`, `drawing/wait_on`, `drawing/wait_off`, `drawing/tool_axis`,
+// `drawing/tool_axis/per_unit`, `drawing/tool_axis/down`, `drawing/tool_axis/up`, `drawing/cut_speed`,
+// `drawing/travel_speed`.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/session/conversion.h"
+#include "panels/drawing/option_fields.h"
+
+namespace hw::panels {
+
+class DrawingTool {
+ public:
+  void begin(const gui::Frame& frame);
+  /// `drawing_axes` draw, and so cannot lower it. True: something of it is another now.
+  bool draw(gui::Frame& frame, const std::array<int, 2>& drawing_axes);
+  /// Behind the axes that draw.
+  void put(const gui::Frame& frame, ConversionOptions& options) const;
+
+ private:
+  void list_axes(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
+  bool draw_axis(gui::Frame& frame);
+
+  int output_ = 0;  ///< in its names
+  std::vector<std::string_view> output_names_;
+  int axis_ = -1;          ///< by its place in the catalog; -1: none
+  std::vector<int> axes_;  ///< those that can be it, behind "none"
+  std::vector<std::string_view> axis_names_;
+  NumberOption per_unit_, down_, up_;
+  NumberOption wait_on_, wait_off_, cut_speed_, travel_speed_;
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,275 @@
+#include "panels/jog/jog.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/model/tab.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/hold_button.h"
+#include "gui/widgets/text.h"
+#include "panels/jog/jog_button.h"
+#include "panels/jog/jog_units.h"
+#include "panels/jog/power_switch.h"
+#include "panels/measures.h"
+#include "panels/position/unit_chooser.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+namespace {
+
+constexpr float steps_height = 32, stop_height = 40, around_words = 6;
+/// Of the buttons in a row: "1 step" is longer than those between, "10 000" the longest.
+constexpr float first_share = 1.13f, last_share = 1.4f;
+
+struct Cell {
+  float column, row;
+  Icon icon;
+};
+/// A cross for the first two axes; the third and fourth stand as columns beside it.
+Cell cell_of(AxisId axis, Sign sign) {
+  const bool plus = sign == Sign::plus;
+  if (axis.index == 0) return {plus ? 2.0f : 0.0f, 1, plus ? Icon::play : Icon::back};
+  const float column = axis.index == 1 ? 1.0f : static_cast<float>(axis.index) + 1;
+  return {column, plus ? 0.0f : 2.0f, plus ? Icon::up : Icon::down};
+}
+
+/// Each device of a bus, and each of many axes, has a row with its own two buttons.
+bool jogs_in_rows(const Frame& f) {
+  return f.tier == Tier::narrow ? f.tab.bus && f.catalog.axes.size() == 1
+                                : f.tab.bus || f.catalog.axes.size() > 4;
+}
+bool in_pairs(const Frame& f) { return f.catalog.axes.size() > 4 && !jogs_in_rows(f); }
+
+}  // namespace
+
+// Each part has its place by the column's measures; nothing that is said or chosen in one moves the next.
+void Jog::draw(Frame& f) {
+  follow_unit(f);
+  const Column column = column_of(f);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_title(f, column);
+  const bool narrow = f.tier == Tier::narrow;
+  const float top = at.y + f.ui.px(column.title);
+  if (!narrow)
+    draw_reason(f, {ImVec2(at.x, top), ImVec2(at.x + f.ui.px(f.area.width), top + f.ui.px(column.reason))});
+  origin_ = ImVec2(at.x, top + f.ui.px(narrow ? 0 : column.reason));
+  const float height = jogs_in_rows(f) ? draw_stop_and_steps(f, column)
+                       : in_pairs(f)   ? draw_pairs(f)
+                                       : draw_cross(f, column);
+  ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height)));
+  if (!column.speed_in_title) speed_.draw(f, column.speed_over_slider);
+  if (!narrow) group_line(f.ui, 0);
+}
+
+/// Each device or axis has its jog buttons in its own row: what is left is for all of them.
+float Jog::draw_stop_and_steps(Frame& f, const Column& column) {
+  draw_stop(f, 0, 0, ImVec2(f.area.width, stop_height));
+  const float steps = stop_height + column.between_steps;
+  draw_steps_row(f, 0, steps, f.area.width);
+  return steps + steps_height + column.below_steps;
+}
+
+/// In a narrow window the strip of positions has no room for the unit: it stands here, and the reason with
+/// it.
+void Jog::draw_title(Frame& f, const Column& column) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  constexpr float title = 40;
+  draw_text_line(ui, at.x, at.x + ui.px(title), at.y + ui.px(column.title / 2), Face::body_bold,
+                 ui[Tone::ink], "Jog");
+  if (column.speed_in_title) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(title), at.y + ui.px(2)));
+    speed_.draw_line(f, f.area.width - title);
+  } else if (f.tier == Tier::narrow) {
+    const float right = at.x + ui.px(f.area.width - unit_chooser_width(f));
+    draw_reason(f, {ImVec2(at.x + ui.px(title), at.y), ImVec2(right - ui.px(8), at.y + ui.px(column.title))});
+    ImGui::SetCursorScreenPos(ImVec2(right, at.y + ui.px(4)));
+    draw_unit_chooser(f);
+  }
+}
+
+/// Why nothing may be jogged, or how it is done: as many lines as there is place for, said or not.
+void Jog::draw_reason(Frame& f, const Rect& place) {
+  Ui& ui = f.ui;
+  const std::string_view flaw = speed_.flaw();
+  const std::uint32_t off = flaw.empty() && f.tab.why_not_move().empty() ? powerless_axes(f) : 0;
+  const std::string_view why = !flaw.empty() ? flaw
+                               : off != 0    ? powerless_words(f, off)
+                                             : f.tab.why_not_move();
+  const bool unit_said = f.tier == Tier::narrow || steps_unit_.name.empty();  // it stands beside it
+  const Path hint("Hold a button to move. A tap moves the chosen step{}{}.", unit_said ? "" : ", in ",
+                  unit_said ? std::string_view() : std::string_view(steps_unit_.name));
+  const float line = ui.line(Face::small);
+  const int lines = std::max(1, static_cast<int>(place.height() / line));
+  const float top = f.tier == Tier::narrow
+                        ? std::floor(place.centre().y - line * static_cast<float>(lines) / 2)
+                        : place.min.y;
+  draw_icon(ImGui::GetWindowDrawList(), Icon::info, ImVec2(place.min.x + ui.px(6), top + ui.px(8)), ui.px(12),
+            ui[why.empty() ? Tone::ink3 : Tone::ink2]);
+  const Rect left = draw_power_switches(f, place, off);
+  const Rect words{ImVec2(place.min.x + ui.px(20), top), left.max};
+  const Tone tone = !flaw.empty() ? Tone::fault : why.empty() ? Tone::ink3 : Tone::ink2;
+  draw_text_in_lines(ui, words, Face::small, ui[tone], why.empty() ? hint.view() : why, lines);
+}
+
+/// The most words with which every step has room in its button.
+template <class Width>
+int Jog::words_that_fit(const Frame& f, const Width& width) const {
+  const auto fits = [&](int room) {
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+      if (text_width(f.ui, Face::body_bold, label_of(steps_[i], room)) > f.ui.px(width(i) - around_words))
+        return false;
+    return true;
+  };
+  int room = 3;
+  while (room > 0 && !fits(room)) --room;
+  return room;
+}
+
+float Jog::draw_cross(Frame& f, const Column& column) {
+  const std::size_t axes = f.catalog.axes.size();
+  const bool flat = axes == 1, beside = axes == 2;
+  const float cell = column.cell, pitch = cell + close_between;
+  const float left_over = f.area.width - (static_cast<float>(axes) + 1) * pitch + close_between;
+  const float apart = std::clamp(left_over, 0.0f, 16.0f);  // the columns beside the cross stand apart from it
+  for (std::size_t i = 0; i < axes; ++i)
+    for (const Sign sign : {Sign::minus, Sign::plus}) {
+      const AxisId axis{static_cast<std::uint8_t>(i)};
+      const Cell place = cell_of(axis, sign);
+      const float x = place.column * pitch + (place.column < 3 ? 0 : apart);
+      draw_button(f, axis, sign, x, (flat ? 0 : place.row) * pitch, ImVec2(cell, cell));
+    }
+  draw_stop(f, pitch, flat ? 0 : pitch, ImVec2(cell, cell));
+  const float height = flat ? cell : 3 * cell + 2 * close_between, below = height + column.between_steps;
+  if (!beside) {
+    draw_steps_row(f, 0, below, std::min(f.area.width, 304.0f));
+    return below + steps_height + column.below_steps;
+  }
+  const float x = 3 * pitch + 12;
+  draw_steps_column(f, x, std::min(f.area.width - x, 104.0f), height);
+  return below;
+}
+
+/// Many axes where their rows have no room for buttons: two beside each other for each.
+float Jog::draw_pairs(Frame& f) {
+  const ImVec2 size(44, 40);
+  const float pair = 2 * size.x + close_between + 12, row = size.y + 8;
+  const int columns = std::max(1, static_cast<int>((f.area.width + 12) / pair));
+  const auto place = [&](int n) {
+    return ImVec2(pair * static_cast<float>(n % columns), row * static_cast<float>(n / columns));
+  };
+  draw_stop(f, 0, 0, ImVec2(2 * size.x + close_between, size.y));
+  const int axes = static_cast<int>(f.catalog.axes.size());
+  for (int i = 0; i < axes; ++i) {
+    const ImVec2 at = place(i + 1);
+    const AxisId axis{static_cast<std::uint8_t>(i)};
+    draw_button(f, axis, Sign::minus, at.x, at.y, size);
+    draw_button(f, axis, Sign::plus, at.x + size.x + close_between, at.y, size);
+  }
+  const float below = place(axes).y + row;
+  draw_steps_row(f, 0, below, std::min(f.area.width, 304.0f));
+  return below + steps_height + 8;
+}
+
+void Jog::draw_button(Frame& f, AxisId axis, Sign sign, float x, float y, ImVec2 size) {
+  Ui& ui = f.ui;
+  HoldOptions o;
+  o.icon = in_pairs(f) ? Icon::none : cell_of(axis, sign).icon;
+  o.width = size.x;
+  o.height = size.y;
+  ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
+  const std::string_view name = f.catalog.axes[axis.index].name;
+  draw_jog_button(ui, f.tab, axis, sign, Path("{}{}", name, sign_text(sign)), o);
+}
+
+void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
+  Ui& ui = f.ui;
+  ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
+  const Touch t =
+      touch(ui, {"jog/stop", Kind::button, "Stop", {}, {}, false, "Stops this controller", false, true},
+            ui.px(size.x, size.y));
+  if (t.hovered || t.held) draw_fill(ui, t.rect, ui[t.held ? Tone::sel : Tone::hover]);
+  draw_outline(ui, t.rect, ui[Tone::fault]);
+  const float middle = t.rect.centre().y;
+  if (size.x > 1.5f * size.y) {  // beside each other
+    const float words = text_width(ui, Face::body_bold, "Stop"),
+                left = t.rect.centre().x - words / 2 + ui.px(8);
+    draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
+              ImVec2(std::floor(left - ui.px(14)), std::floor(middle)), ui.px(12), ui[Tone::fault]);
+    draw_text_line(ui, std::floor(left), t.rect.max.x, middle, Face::body_bold, ui[Tone::fault], "Stop");
+  } else {
+    draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
+              ImVec2(std::floor(t.rect.centre().x), std::floor(middle - ui.px(10))), ui.px(12),
+              ui[Tone::fault]);
+    draw_text_centred(ui, {ImVec2(t.rect.min.x, middle), ImVec2(t.rect.max.x, middle + ui.px(20))},
+                      Face::body_bold, ui[Tone::fault], "Stop");
+  }
+  draw_ring(ui, t);
+  if (t.started) f.tab.stop_all();  // on the press, not on the release
+}
+
+// ---- step
+
+void Jog::follow_unit(Frame& f) {
+  const DisplayUnit unit = common_unit(f);
+  const int many = f.tier == Tier::wide || f.catalog.axes.size() != 2 ? 5 : 4;
+  const auto chosen = [&](const JogStep& step) { return step.steps == f.tab.jog_step(); };
+  const bool lit = std::any_of(steps_.begin(), steps_.end(), chosen);
+  if (unit == steps_unit_ && many == steps_many_ && lit) return;
+  steps_unit_ = unit;
+  steps_many_ = many;
+  steps_ = jog_steps(unit, 5);
+  // Never drop the chosen one.
+  if (many < 5) steps_.erase(chosen(steps_.back()) ? steps_.begin() + 1 : steps_.end() - 1);
+  // A tap never moves what no button shows: what was chosen in another unit gives way to the least.
+  if (std::none_of(steps_.begin(), steps_.end(), chosen))
+    f.tab.choose_jog(steps_.front().steps, f.tab.jog_speed());
+}
+
+std::string_view Jog::label_of(const JogStep& step, int room) const {
+  if (room >= 3 || (room >= 1 && &step == &steps_.back())) return step.label;  // one unit says it for all
+  if (step.id != "step") return step.number;
+  return room >= 2 ? std::string_view(step.label) : std::string_view("1 st.");
+}
+
+void Jog::draw_step(Frame& f, const JogStep& step, std::string_view label, float width) {
+  ButtonOptions o;
+  o.on = step.steps == f.tab.jog_step();
+  o.width = width;
+  o.tip = step.caption.empty() ? std::string_view("A tap moves this far.") : std::string_view(step.caption);
+  if (button(f.ui, Path("jog/step/{}", step.id), label, o).clicked)
+    f.tab.choose_jog(step.steps, f.tab.jog_speed());
+}
+
+void Jog::draw_steps_column(Frame& f, float x, float width, float height) {
+  const float pitch = (height - 32) / static_cast<float>(steps_.size() - 1);
+  const int room = words_that_fit(f, [&](std::size_t) { return width; });
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    ImGui::SetCursorScreenPos(
+        ImVec2(origin_.x + f.ui.px(x), origin_.y + f.ui.px(std::floor(pitch * static_cast<float>(i)))));
+    draw_step(f, steps_[i], label_of(steps_[i], room), width);
+  }
+}
+
+void Jog::draw_steps_row(Frame& f, float x, float y, float row) {
+  const auto n = static_cast<float>(steps_.size());
+  const bool tight = row < 260;
+  const float first = tight ? 1 : first_share, last = tight ? 1.3f : last_share,
+              between = tight ? 2 : close_between;
+  const float share = (row - between * (n - 1)) / (n - 2 + first + last);
+  const auto width = [&](std::size_t i) {
+    return std::floor(share * (i == 0 ? first : i + 1 == steps_.size() ? last : 1));
+  };
+  const int room = words_that_fit(f, width);
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    ImGui::SetCursorScreenPos(ImVec2(origin_.x + f.ui.px(x), origin_.y + f.ui.px(y)));
+    draw_step(f, steps_[i], label_of(steps_[i], room), width(i));
+    x += width(i) + between;
+  }
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,44 @@
+#pragma once
+#include <vector>
+
+#include <imgui.h>
+
+#include "gui/model/units_format.h"
+#include "gui/shell/panel_entry.h"
+#include "panels/column.h"
+#include "panels/jog/jog_speed.h"
+
+namespace hw::panels {
+
+/// Hold to move, tap for one step. Up to four axes: a pad; where each axis has a row with its own two
+/// buttons: Stop and the steps.
+class Jog final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+
+ private:
+  void draw_title(gui::Frame& frame, const Column& column);
+  void draw_reason(gui::Frame& frame, const gui::Rect& place);
+  // Each leaves how high it is.
+  [[nodiscard]] float draw_cross(gui::Frame& frame, const Column& column);
+  [[nodiscard]] float draw_pairs(gui::Frame& frame);
+  [[nodiscard]] float draw_stop_and_steps(gui::Frame& frame, const Column& column);
+  void draw_button(gui::Frame& frame, AxisId axis, Sign sign, float x, float y, ImVec2 size);
+  void draw_stop(gui::Frame& frame, float x, float y, ImVec2 size);
+  void draw_steps_column(gui::Frame& frame, float x, float width, float height);
+  void draw_steps_row(gui::Frame& frame, float x, float y, float width);
+  void draw_step(gui::Frame& frame, const gui::JogStep& step, std::string_view label, float width);
+  template <class Width>
+  [[nodiscard]] int words_that_fit(const gui::Frame& frame, const Width& width) const;
+  /// What a step is called where `room` (0: least) words have room.
+  [[nodiscard]] std::string_view label_of(const gui::JogStep& step, int room) const;
+  void follow_unit(gui::Frame& frame);
+
+  JogSpeed speed_;
+  std::vector<gui::JogStep> steps_;
+  gui::DisplayUnit steps_unit_;
+  int steps_many_ = 0;
+  ImVec2 origin_{};
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,33 @@
+#include "panels/jog/jog_button.h"
+
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+static std::string_view limit_reason(const AxisState& a, Sign sign) {
+  if (!a.limits_known) return {};
+  if (sign == Sign::plus && a.limit_plus) return "It stands on its + limit. It can only move \u2212.";
+  if (sign == Sign::minus && a.limit_minus) return "It stands on its \u2212 limit. It can only move +.";
+  return {};
+}
+
+void draw_jog_button(Ui& ui, Tab& tab, AxisId axis, Sign sign, std::string_view label, HoldOptions o) {
+  const std::string& name = tab.catalog().axes[axis.index].name;
+  const std::string_view refused = tab.why_not_move(axis);
+  o.disabled = refused.empty() ? limit_reason(tab.now().axes[axis.index], sign) : refused;
+  const auto held = tab.jog.control();
+  o.lit = held && held->axis == axis && held->sign == sign;
+  const Hold hold = hold_button(ui, Path("jog/{}/{}", name, letter(sign)), label, o);
+  const JogHold::Control control{JogHold::Hand::mouse, axis, sign};
+  if (hold.started) tab.jog.press(control, {tab.jog_step(), tab.jog_speed()}, hold.pressed_at_s);
+  if (hold.held) tab.jog.confirm(control);
+  if (!hold.ended) return;
+  if (o.disabled.empty())
+    tab.jog.release(control, hold.released_at_s);
+  else if (held == control)
+    tab.jog.let_go();  // it became disabled under the hand
+}
+
+}  // namespace hw::panels

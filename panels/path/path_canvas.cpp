@@ -1,0 +1,244 @@
+#include "panels/path/path_canvas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "gui/model/tab.h"
+#include "gui/model/units_format.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/text.h"
+#include "gui/widgets/touch.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+using drawing::Point3;
+namespace {
+
+constexpr float left_margin = 62, bottom_margin = 24, top_margin = 12, right_margin = 16;
+constexpr double points_within_px = 8, a_click_within_px = 4, zoom_step = 1.25;
+constexpr double degrees_a_px = 0.4, degrees_a_key = 15;
+
+/// Path, table, present place and where it has been; of three axes the origin too, for it is drawn.
+drawing::Box3 all_of(const Frame& f, const PathSubject& s, const drawing::ToolPath& trace) {
+  drawing::Box3 box = trace.bounds;
+  for (const auto& path : {s.path, s.commanded})
+    if (path) box.add(path->bounds);
+  box.add(s.table);
+  const Point3 here = place_now(f, s).value_or(Point3());
+  box.add(here);
+  if (s.wanted_at) box.add(*s.wanted_at);
+  if (s.axes.third) box.add(Point3());
+  if (box.low == box.high) {
+    std::array<Steps, max_axes> around;
+    around.fill(Steps(1000));
+    const Point3 air = place_of(f.tab, around, s.axes);
+    box.add(here - air), box.add(here + air);
+  }
+  return box;
+}
+
+}  // namespace
+
+void PathCanvas::zoom(double factor) { view_.zoom({view_.width_px() / 2, view_.height_px() / 2}, factor); }
+
+void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject, float width, float height) {
+  Ui& ui = f.ui;
+  click_ = {};
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const Rect whole{corner, ImVec2(corner.x + ui.px(width), corner.y + ui.px(height))};
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(whole.min, whole.max, ui[Tone::well]);
+  const bool flat = !subject.axes.third;
+  const float row = flat ? 0 : draw_standard_views(f, id, width);
+  const Rect in{
+      ImVec2(corner.x + ui.px(flat ? left_margin : right_margin), corner.y + ui.px(flat ? top_margin : row)),
+      ImVec2(whole.max.x - ui.px(right_margin), whole.max.y - ui.px(flat ? bottom_margin : right_margin))};
+  if (in.width() >= ui.px(40) && in.height() >= ui.px(40)) {
+    if (!subject.own) trace_.follow(f, subject.axes);
+    place(f, subject, in);
+    touch(f, id, subject, in);
+    backdrop_.follow(f, subject, trace_.path(), view_, grip_.turned);
+    const PathGround ground{f, subject, view_, whole, in, all_};
+    draw_grid(ground);
+    list->PushClipRect(in.min, in.max, true);
+    draw_table(ground);
+    if (!subject.own) draw_travel(ground);
+    backdrop_.draw(f, in, subject, view_);
+    draw_lit(ground);
+    draw_trace(ground, trace_.path(), backdrop_.traced(view_));
+    draw_here(ground, id);
+    draw_measure(ground, measure_);
+    list->PopClipRect();
+    if (!subject.path && trace_.path().runs.empty())
+      draw_text_in_lines(ui, {ImVec2(in.min.x + ui.px(16), in.min.y + ui.px(8)), in.max}, Face::body,
+                         ui[Tone::ink2], subject.none, 4);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, whole.max.y));
+}
+
+void PathCanvas::place(Frame& f, const PathSubject& s, const Rect& in) {
+  const bool equal = one_unit(f.tab, s), flat = !s.axes.third;
+  const bool another = s.path && s.path != fitted_to_;
+  const bool resized = view_.width_px() != in.width() || view_.height_px() != in.height();
+  all_ = all_of(f, s, trace_.path());
+  if (!fitted_ || flat != view_.flat() || ((another || resized) && !moved_)) {
+    const auto projection = flat ? drawing::Projection() : drawing::Projection(all_, looking_, equal);
+    view_ = drawing::PathView(all_, projection, in.width(), in.height(), equal || !flat);
+    fitted_ = true;
+    fitted_to_ = s.path;
+  }
+  // What has grown out of what the eye stood back from: it steps back further.
+  if (!view_.projection().reaches(all_))
+    view_.look(drawing::Projection(all_, looking_, equal), all_.centre());
+  view_.resize(in.width(), in.height());
+}
+
+// ---- a hand on it
+
+void PathCanvas::touch(Frame& f, std::string_view id, const PathSubject& s, const Rect& in) {
+  Ui& ui = f.ui;
+  ImGui::SetCursorScreenPos(in.min);
+  const Path scale("{} {} a pixel",
+                   format_number(view_.per_px().x, decimals_of(view_.per_px().x / 1000)).view(),
+                   unit_name(f.tab, s, s.axes.right));
+  const Path looked("turned {:.0f}, tilted {:.0f}, {}", looking_.turn, looking_.tilt, scale.view());
+  const std::string_view said = !s.words.empty() ? s.words : view_.flat() ? scale.view() : looked.view();
+  const Touch t = gui::touch(ui, {id, Kind::slider, "Path", said}, ImVec2(in.width(), in.height()));
+  const ImGuiIO& io = ImGui::GetIO();
+  const drawing::Point mouse{io.MousePos.x - in.min.x, io.MousePos.y - in.min.y};
+  grip_.turned = false;
+  if (t.started) {
+    grip_.pressed_at = io.MousePos;
+    take_pivot(s, mouse, ui.px(points_within_px));
+  }
+  drag(t, s);
+  if (t.hovered && io.MouseWheel != 0) view_.zoom(mouse, std::pow(zoom_step, io.MouseWheel)), moved_ = true;
+  if (t.double_clicked) fit();
+  const bool stood = std::fabs(io.MousePos.x - grip_.pressed_at.x) < a_click_within_px &&
+                     std::fabs(io.MousePos.y - grip_.pressed_at.y) < a_click_within_px;
+  measure_.pointer = view_.flat() ? std::optional(view_.from_px(mouse)) : std::nullopt;
+  if (t.clicked && t.hovered && stood) take_click(s, mouse, ui.px(points_within_px));
+  if (t.ring) use_keys(s);
+  draw_ring(ui, t);
+}
+
+void PathCanvas::drag(const Touch& t, const PathSubject& s) {
+  const ImGuiIO& io = ImGui::GetIO();
+  for (const int button : {1, 2})
+    if (t.hovered && ImGui::IsMouseClicked(button)) grip_.pans_with = button;
+  if (grip_.pans_with != 0 && !ImGui::IsMouseDown(grip_.pans_with)) grip_.pans_with = 0;
+  // How the pointer came to where it was pressed is no drag.
+  const bool drags = t.held && !t.started && ImGui::IsMouseDown(0);
+  if ((!drags && grip_.pans_with == 0) || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
+  if (grip_.pans_with != 0 || !s.axes.third || io.KeyShift) return pan(io.MouseDelta.x, io.MouseDelta.y);
+  turn(-io.MouseDelta.x * degrees_a_px, io.MouseDelta.y * degrees_a_px);
+}
+
+void PathCanvas::pan(double right_px, double down_px) {
+  view_.pan(right_px, down_px);
+  moved_ = true;
+}
+
+void PathCanvas::turn(double turn, double tilt) {
+  looking_ = {std::remainder(looking_.turn + turn, 360), std::clamp(looking_.tilt + tilt, -90.0, 90.0)};
+  view_.look(view_.projection().turned(looking_), grip_.pivot);
+  grip_.turned = true;
+}
+
+/// All of it, from there.
+void PathCanvas::look(const drawing::Looking& from) {
+  looking_ = from;
+  fit();
+}
+
+/// What is near the hand, else what is in the middle of the view, stays there while it is turned.
+void PathCanvas::take_pivot(const PathSubject& s, drawing::Point near_px, double within_px) {
+  if (!s.axes.third) return;
+  const auto hit = s.path ? nearest(*s.path, view_, near_px, within_px) : std::nullopt;
+  grip_.pivot = hit ? hit->at : view_.from_px({view_.width_px() / 2, view_.height_px() / 2});
+}
+
+void PathCanvas::use_keys(const PathSubject& s) {
+  constexpr double pan_px = 40;
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool space = s.axes.third.has_value();
+  for (const ImWchar c : io.InputQueueCharacters) {
+    if (c == '+') zoom(zoom_step);
+    if (c == '-') zoom(1 / zoom_step);
+    if (c == '0') fit();
+    if (!space) continue;
+    if (c == 't' || c == 'T') look(drawing::looking::top);
+    if (c == 'f' || c == 'F') look(drawing::looking::front);
+    if (c == 's' || c == 'S') look(drawing::looking::side);
+    if (c == 'i' || c == 'I') look(drawing::looking::iso);
+  }
+  if (!io.KeyAlt) return;
+  const auto arrow = [&](int key, double right, double down) {
+    if (!ImGui::IsKeyPressed(key, true)) return;
+    if (!space || !io.KeyShift) return pan(right * pan_px, down * pan_px);
+    take_pivot(s, {}, -1);
+    turn(-right * degrees_a_key, down * degrees_a_key);
+  };
+  arrow(GLFW_KEY_LEFT, 1, 0), arrow(GLFW_KEY_RIGHT, -1, 0), arrow(GLFW_KEY_UP, 0, 1);
+  arrow(GLFW_KEY_DOWN, 0, -1);
+}
+
+/// The end of a line where it is near, else the place on the path.
+static Point3 snapped(const drawing::ToolPath& path, const drawing::PathHit& hit,
+                      const drawing::PathView& view, drawing::Point px, double within) {
+  const drawing::ToolPath::Run& run = path.runs[hit.run];
+  for (const std::size_t end : {run.first, run.first + run.size - 1}) {
+    const drawing::Point at = view.to_px(path.points[end]);
+    if (std::hypot(at.x - px.x, at.y - px.y) <= within) return path.points[end];
+  }
+  return hit.at;
+}
+
+void PathCanvas::take_click(const PathSubject& s, drawing::Point mouse, float within) {
+  const auto on_path = s.path ? nearest(*s.path, view_, mouse, within) : std::nullopt;
+  std::optional<Point3> place;
+  if (on_path)
+    place = snapped(*s.path, *on_path, view_, mouse, within);
+  else if (view_.flat())
+    place = view_.from_px(mouse);
+  if (measure_.on) {
+    if (place) measure_.set_end(*place);
+    return;
+  }
+  click_.hit = on_path, click_.place = place;
+  if (const auto on_trace = nearest(trace_.path(), view_, mouse, within))
+    click_.passed = {on_trace->at, trace_.when(on_trace->run)};
+}
+
+float PathCanvas::draw_standard_views(Frame& f, std::string_view id, float width) {
+  constexpr float height = 32;
+  struct View {
+    std::string_view name, label, tip;
+    drawing::Looking from;
+  };
+  static constexpr View views[] = {
+      {"top", "Top", "From the top. On the picture: T.", drawing::looking::top},
+      {"front", "Front", "From the front. On the picture: F.", drawing::looking::front},
+      {"side", "Side", "From the right side. On the picture: S.", drawing::looking::side},
+      {"iso", "Iso", "From a corner. On the picture: I.", drawing::looking::iso}};
+  Ui& ui = f.ui;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  for (const View& v : views) {
+    const ButtonOptions look{
+        .style = ButtonStyle::segment, .tip = v.tip, .height = 28, .on = looking_ == v.from};
+    if (button(ui, Path("{}/{}", id, v.name), v.label, look).clicked) this->look(v.from);
+    ImGui::SameLine(0, 0);
+  }
+  const float x = ImGui::GetCursorScreenPos().x + ui.px(16);
+  draw_text_line(ui, x, corner.x + ui.px(width - 8), corner.y + ui.px(height / 2), Face::small,
+                 ui[Tone::ink3], "Drag turns it, with Shift moves it; the wheel comes nearer.");
+  ImGui::SetCursorScreenPos(corner);
+  return height;
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,146 @@
+// The grid under a path: rulers of two axes, the floor of three.
+#include <algorithm>
+#include <cmath>
+
+#include "gui/model/tab.h"
+#include "gui/model/units_format.h"
+#include "gui/widgets/plot.h"
+#include "gui/widgets/text.h"
+#include "panels/path/path_overlays.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+using drawing::Point3;
+
+int decimals_of(double step) {
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
+}
+
+namespace {
+
+/// A round distance, so that lines over such a range lie so many pixels apart or more.
+double step_over(double range, float px, float apart_px) {
+  return grid_step({0, static_cast<float>(range)}, std::max(2, static_cast<int>(px / apart_px)));
+}
+
+bool is_zero(double v, double step) { return std::fabs(v) < step * 1e-6; }
+
+Path axis_and_unit(const PathGround& g, AxisId axis) {
+  return Path("{} {}", g.frame.catalog.axes[axis.index].name, unit_name(g.frame.tab, g.subject, axis));
+}
+
+void draw_rulers(const PathGround& g) {
+  const Frame& f = g.frame;
+  Ui& ui = f.ui;
+  const Rect &in = g.in, &whole = g.whole;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const Point3 low = g.view.from_px({0, g.view.height_px()}), high = g.view.from_px({g.view.width_px(), 0});
+  const auto tone = [&](double v, double step) { return ui[is_zero(v, step) ? Tone::edge : Tone::line]; };
+  const double across = step_over(high.x - low.x, in.width(), ui.px(90)),
+               up = step_over(high.y - low.y, in.height(), ui.px(50));
+  const float name_begins =
+      whole.max.x - text_width(ui, Face::small, axis_and_unit(g, g.subject.axes.right)) - ui.px(16);
+  for (double v = std::ceil(low.x / across) * across; v <= high.x; v += across) {
+    const float x = std::floor(g.at({v, 0}).x);
+    list->AddRectFilled(ImVec2(x, in.min.y), ImVec2(x + ui.hair(), in.max.y), tone(v, across));
+    const NumberText number = format_number(v, decimals_of(across));
+    const float w = std::ceil(text_width(ui, Face::small, number));
+    if (x + w / 2 < name_begins)
+      draw_text(ui, ImVec2(x - w / 2, in.max.y + ui.px(4)), Face::small, ui[Tone::ink3], number);
+  }
+  for (double v = std::ceil(low.y / up) * up; v <= high.y; v += up) {
+    const float y = std::floor(g.at({0, v}).y);
+    list->AddRectFilled(ImVec2(in.min.x, y), ImVec2(in.max.x, y + ui.hair()), tone(v, up));
+    if (y > in.min.y + ui.px(20))
+      draw_text_right(ui, ImVec2(in.min.x - ui.px(6), y - ui.line(Face::small) / 2), Face::small,
+                      ui[Tone::ink3], format_number(v, decimals_of(up)));
+  }
+  draw_text_right(ui, ImVec2(in.max.x + ui.px(8), in.max.y + ui.px(4)), Face::small, ui[Tone::ink2],
+                  axis_and_unit(g, g.subject.axes.right));
+  draw_text_line(ui, whole.min.x + ui.px(8), in.min.x - ui.px(4), in.min.y + ui.px(4), Face::small,
+                 ui[Tone::ink2], axis_and_unit(g, g.subject.axes.up));
+}
+
+float distance(ImVec2 a, ImVec2 b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+/// Rungs across an edge from `from` to `to`, along which one coordinate goes from `low` to `high`: each as
+/// far as `rung` reaches, its number at its beginning.
+void draw_rungs(const PathGround& g, Point3 from, Point3 to, double low, double high, Point3 rung) {
+  constexpr float apart = 70;
+  Ui& ui = g.frame.ui;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float px = distance(g.at(from), g.at(to));
+  if (!(high > low) || px < ui.px(apart) / 2) return;
+  const double step = step_over(high - low, std::min(px, ui.px(20 * apart)), ui.px(apart));
+  // Its numbers stand on the side where the rungs are not.
+  const ImVec2 end = g.at(from + rung), begin = g.at(from);
+  const float aside = end.x > begin.x + 1 ? -1.0f : end.x < begin.x - 1 ? 1.0f : -1.0f;
+  for (double v = std::ceil(low / step) * step; v <= high; v += step) {
+    const Point3 at = from + (to - from) * ((v - low) / (high - low));
+    const ImVec2 p = g.at(at);
+    list->AddLine(p, g.at(at + rung), ui[is_zero(v, step) ? Tone::edge : Tone::line], ui.hair());
+    const NumberText number = format_number(v, decimals_of(step));
+    const float w = std::ceil(text_width(ui, Face::small, number)), h = ui.line(Face::small);
+    draw_text(ui, ImVec2(std::floor(p.x + aside * ui.px(6) - (aside < 0 ? w : 0)), std::floor(p.y - h / 4)),
+              Face::small, ui[Tone::ink3], number);
+  }
+}
+
+void draw_floor(const PathGround& g) {
+  const drawing::Box3& b = g.box;
+  const double z = b.low.z;
+  const auto lower = [&](Point3 a, Point3 c) { return g.at(a).y >= g.at(c).y; };
+  const Point3 middle = b.centre();
+  // The edges that are nearer to who looks, which are those further down.
+  const bool near_y = lower({middle.x, b.low.y, z}, {middle.x, b.high.y, z});
+  const bool near_x = lower({b.low.x, middle.y, z}, {b.high.x, middle.y, z});
+  const double y = near_y ? b.low.y : b.high.y, far_y = near_y ? b.high.y : b.low.y;
+  const double x = near_x ? b.low.x : b.high.x, far_x = near_x ? b.high.x : b.low.x;
+  draw_rungs(g, {b.low.x, y, z}, {b.high.x, y, z}, b.low.x, b.high.x, {0, far_y - y, 0});
+  draw_rungs(g, {x, b.low.y, z}, {x, b.high.y, z}, b.low.y, b.high.y, {far_x - x, 0, 0});
+  Point3 left{b.low.x, b.low.y, z};
+  for (int n = 0; n < 4; ++n)
+    if (g.at(b.corner(n)).x < g.at(left).x) left = b.corner(n);
+  Point3 top = left;
+  top.z = b.high.z;
+  ImGui::GetWindowDrawList()->AddLine(g.at(left), g.at(top), g.frame.ui[Tone::line], g.frame.ui.hair());
+  draw_rungs(g, left, top, b.low.z, b.high.z, {});
+}
+
+void draw_origin(const PathGround& g) {
+  constexpr double part = 0.25;  // of what is shown
+  const Frame& f = g.frame;
+  const PathAxes& axes = g.subject.axes;
+  const Point3 size = g.box.size();
+  const double reach = std::max({size.x, size.y, size.z}) * part;
+  const auto arm = [&](Point3 end, AxisId axis) {
+    const ImVec2 from = g.at({}), to = g.at(end);
+    ImGui::GetWindowDrawList()->AddLine(from, to, f.ui[Tone::ink2], 2 * f.ui.hair());
+    const float length = distance(from, to);
+    if (length < f.ui.px(12)) return;
+    // Its name goes on where it ends.
+    const Path name = axis_and_unit(g, axis);
+    const float w = std::ceil(text_width(f.ui, Face::small, name)), h = f.ui.line(Face::small);
+    const ImVec2 way((to.x - from.x) / length, (to.y - from.y) / length);
+    const ImVec2 middle(to.x + way.x * (w / 2 + f.ui.px(6)), to.y + way.y * (h / 2 + f.ui.px(4)));
+    draw_text(f.ui, ImVec2(std::floor(middle.x - w / 2), std::floor(middle.y - h / 2)), Face::small,
+              f.ui[Tone::ink2], name);
+  };
+  arm({reach, 0, 0}, axes.right);
+  arm({0, reach, 0}, axes.up);
+  arm({0, 0, reach}, *axes.third);
+}
+
+}  // namespace
+
+void draw_grid(const PathGround& g) {
+  if (g.view.flat()) return draw_rulers(g);
+  ImGui::PushClipRect(g.in.min, g.in.max, true);
+  draw_floor(g);
+  draw_origin(g);
+  ImGui::PopClipRect();
+}
+
+}  // namespace hw::panels

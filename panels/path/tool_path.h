@@ -1,0 +1,45 @@
+#pragma once
+// The path: where the rehearsed program goes in two or three axes, and where they have really been. Ids:
+// `path/simulate`, `path/fit`, `path/nearer`, `path/further`, `path/forget`, `path/save`, `path/view`,
+// `path/hit`, `path/measure`, `path/show_line`, `path/run_here`; the axes: see PathChoice.
+#include <string>
+
+#include "gui/shell/panel_entry.h"
+#include "panels/path/path_canvas.h"
+#include "panels/path/path_choice.h"
+#include "panels/path/path_export.h"
+#include "panels/path/program_path.h"
+#include "panels/program/run_from.h"
+
+namespace hw::panels {
+
+class ToolPath final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+
+ private:
+  /// A line of the rehearsed text, and what is said of it or of what was clicked.
+  struct Hit {
+    int line = -1;
+    std::string words;
+  };
+  [[nodiscard]] std::string place_text(const gui::Frame& frame, drawing::Point3 place) const;
+  void say_hit(gui::Frame& frame);
+  void say_measure(const gui::Frame& frame);
+  void follow_caret(const gui::Frame& frame);
+  void draw_toolbar(gui::Frame& frame);
+  void draw_legend(gui::Frame& frame, float height);
+  void draw_hit(gui::Frame& frame, float width);
+  void draw_hit_links(gui::Frame& frame, float& right_px, float y_px);
+  void draw_dialogs(gui::Frame& frame);
+
+  PathChoice choice_;
+  ProgramPath program_;
+  PathCanvas canvas_;
+  PathExport export_;
+  RunFrom run_from_;
+  Hit hit_;
+  int caret_line_ = -1;
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,89 @@
+#include "panels/position/axis_menu.h"
+
+#include <imgui.h>
+
+#include "core/device/refusals.h"
+#include "gui/model/tab.h"
+#include "gui/widgets/popup.h"
+#include "gui/widgets/text.h"
+#include "gui/widgets/text_field.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+/// "It stands at [     ]": the text, once, when Enter was pressed.
+bool set_field(Frame& f, std::string_view id, std::string_view label, std::string& typed,
+               const DisplayUnit& unit, std::string_view disabled) {
+  Ui& ui = f.ui;
+  const ImVec2 at(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y + ui.px(4));
+  draw_text_line(ui, at.x, at.x + ui.px(112), at.y + ui.px(16), Face::body,
+                 ui[disabled.empty() ? Tone::ink : Tone::ink3], label);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(116), at.y));
+  FieldOptions o;
+  o.unit = unit.name;
+  o.width = 132;
+  o.right = true;
+  o.disabled = disabled;
+  const bool entered = text_field(ui, id, label, typed, o).entered;
+  ImGui::SetCursorScreenPos(ImVec2(at.x - ui.px(12), at.y + ui.px(36)));
+  return entered;
+}
+
+}  // namespace
+
+void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
+  const AxisInfo& info = f.catalog.axes[axis.index];
+  const float rows = 3.25f + (info.encoder ? 2.25f : 0) + (info.switchable ? 1 : 0);
+  ImGui::PushID(axis.index);
+  if (begin_popup(f.ui, "axis", opener, 288, rows)) {
+    draw_position_rows(f, axis);
+    if (info.encoder) {
+      popup_line(f.ui);
+      draw_encoder_rows(f, axis);
+    }
+    if (info.switchable) {
+      popup_line(f.ui);
+      const bool on = f.now.axes[axis.index].enabled;
+      if (popup_row(f.ui, Path("dro/{}/menu/power", info.name), on ? "Motor power off" : "Motor power on", {},
+                    false, f.no_link()))
+        f.send(intent::SetPower(axis.index, !on));
+    }
+    end_popup();
+  }
+  ImGui::PopID();
+}
+
+void AxisMenu::draw_position_rows(Frame& f, AxisId axis) {
+  const std::string& name = f.catalog.axes[axis.index].name;
+  const DisplayUnit& unit = f.tab.unit(axis);
+  const std::string_view why = f.tab.why_not_move();
+  if (popup_row(f.ui, Path("dro/{}/copy", name), "Copy this number"))
+    ImGui::SetClipboardText(
+        std::string(format_position(f.now.axes[axis.index].position, unit).view()).c_str());
+  if (popup_row(f.ui, Path("dro/{}/zero", name), "Here is zero", {}, false, why))
+    f.send(intent::SetPosition(axis.index));
+  if (!set_field(f, Path("dro/{}/set", name), "It stands at", position_, unit, why)) return;
+  const auto value = parse_position(position_, unit);
+  if (!value) return f.toast(Mood::fault, value.error().sentence());
+  f.send(stands_at(f.now, axis, *value));
+  position_.clear();
+  ImGui::CloseCurrentPopup();
+}
+
+void AxisMenu::draw_encoder_rows(Frame& f, AxisId axis) {
+  const std::string& name = f.catalog.axes[axis.index].name;
+  const DisplayUnit counts{"counts", 1, 0, false};
+  if (popup_row(f.ui, Path("dro/{}/encoder/zero", name), "Encoder to zero", {}, false, f.no_link()))
+    f.send(intent::SetEncoder(axis.index));
+  if (!set_field(f, Path("dro/{}/encoder/set", name), "Encoder reads", encoder_, counts, f.no_link())) return;
+  const auto value = parse_position(encoder_, counts);
+  if (!value) return f.toast(Mood::fault, value.error().sentence());
+  f.send(intent::SetEncoder(axis.index, *value));
+  encoder_.clear();
+  ImGui::CloseCurrentPopup();
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,23 @@
+#pragma once
+// What can be done to the number of an axis: copy it, make it zero, say where the axis stands; the same for
+// its encoder; motor power. Ids: `dro/X/copy`, `/zero`, `/set`, `/encoder/zero`, `/encoder/set`, `/power`.
+#include <string>
+
+#include "gui/shell/frame.h"
+#include "gui/widgets/touch.h"
+
+namespace hw::panels {
+
+class AxisMenu {
+ public:
+  /// `digits`: opens it with a click.
+  void draw(gui::Frame& frame, AxisId axis, const gui::Touch& digits);
+
+ private:
+  void draw_position_rows(gui::Frame& frame, AxisId axis);
+  void draw_encoder_rows(gui::Frame& frame, AxisId axis);
+
+  std::string position_, encoder_;  ///< typed, in the menu that is open
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,26 @@
+#pragma once
+// All controllers of a bus, a row each: id, state, position and jog. A press chooses the one that the other
+// panels act on. Whoever is in trouble is counted above, and shown by a press: rows do not change places.
+// Ids: `bus/03`, `bus/trouble`, `dro/03/position`, `dro/03/state`, `jog/03/+`.
+#include "gui/model/bus.h"
+#include "gui/model/tab.h"
+#include "gui/shell/panel_entry.h"
+#include "panels/position/axis_menu.h"
+
+namespace hw::panels {
+
+class BusRows final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+
+ private:
+  void draw_title(gui::Frame& frame);
+  void draw_summary(gui::Frame& frame, float width);
+  void draw_strip(gui::Frame& frame);
+  void draw_rows(gui::Frame& frame, float height);
+  void draw_row(gui::Frame& frame, gui::Tab& member, float width);
+
+  AxisMenu menu_;
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,34 @@
+#pragma once
+#include "gui/model/units_format.h"
+#include "gui/shell/panel_entry.h"
+#include "gui/widgets/badge.h"
+#include "gui/widgets/digits.h"
+#include "panels/column.h"
+#include "panels/position/axis_menu.h"
+
+namespace hw::panels {
+
+/// Where each axis stands, what it does, and how far that is to be believed: a block for each, whose places
+/// are fixed (column.h). Captions stand under the number, where room is short beside it; more than four axes
+/// are rows with jog buttons of their own.
+class Position final : public gui::Panel {
+ public:
+  void draw(gui::Frame& frame) override;
+
+ private:
+  void draw_title(gui::Frame& frame);
+  void draw_column(gui::Frame& frame);
+  void draw_lines(gui::Frame& frame);
+  void draw_strip(gui::Frame& frame);
+  void draw_axis(gui::Frame& frame, AxisId axis, float width, gui::Face face, const Column& column);
+  void draw_head(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px, float height);
+  gui::Touch draw_digits(gui::Frame& frame, AxisId axis, float width, gui::Face face);
+  void draw_captions(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px);
+  void draw_about(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px, bool steps_too);
+  void draw_provenance(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px);
+  void draw_captions_beside(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px);
+
+  AxisMenu menu_;
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,180 @@
+#include "panels/position/position_words.h"
+
+#include <algorithm>
+
+#include "core/device/refusals.h"
+#include "gui/model/axis_look.h"
+#include "gui/model/tab.h"
+#include "gui/surface/ui.h"
+#include "gui/widgets/touch.h"
+#include "panels/position/what_fits.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+Caption about_number(Frame& f, AxisId axis) {
+  const AxisState& a = f.now.axes[axis.index];
+  const DisplayUnit steps{counted_unit(f.catalog, f.now, f.catalog.step_word, axis.index), 1, 0, false};
+  Caption said;
+  const bool lost = f.now.link.state == LinkState::lost;
+  const bool old = lost || (a.position_known && is_old(f.now, axis.index, f.clock));
+  if (old && a.seen_at != Instant{}) {
+    said.words.append(format_duration(seconds(f.clock - a.seen_at)).view());
+    said.words.append(" old");
+    said.tone = Tone::warn;
+    f.ui.wake_in(1);
+  } else if (!a.position_known) {
+    said.words.append("not known: home it, or set it");
+    said.tone = Tone::warn;
+  } else if (a.trust.doubtful()) {
+    said.words.append("untrusted: ");
+    said.words.append(brief_words_of(a.trust.cause));
+    said.tone = Tone::warn;
+  } else if (f.tab.unit(axis).real) {
+    said.words = format_with_unit(a.position, steps);
+  }
+  return said;
+}
+
+// A held jog has no target that the hand means, and what comes to a stop will not reach its own.
+NumberText where_to(const Frame& f, AxisId axis, bool whole) {
+  const AxisState& a = f.now.axes[axis.index];
+  const DisplayUnit& unit = f.tab.unit(axis);
+  const State state = state_of(f.now, axis.index, f.clock);
+  NumberText words;
+  if (state == State::limit_plus || state == State::limit_minus)
+    words.append(state == State::limit_plus ? "can only move \u2212" : "can only move +");
+  if (!is_motion(state)) return words;
+  const bool target = a.has_target && a.activity != Activity::jogging && a.activity != Activity::stopping,
+             speed = a.speed.value > 0;
+  if (target && whole) {
+    words.append("to ");
+    words.append(format_with_unit(a.target, unit).view());
+  }
+  if (speed) {
+    words.append(target && whole ? " at " : "");
+    words.append(format_speed(a.speed, unit).view());
+  }
+  return words;
+}
+
+NumberText format_brief_speed(Pps speed, const DisplayUnit& unit) {
+  const NumberText whole = format_speed(speed, unit);
+  const std::string_view words = whole;
+  std::string_view number = words.substr(0, words.rfind(unit.name));
+  while (number.ends_with(' ')) number.remove_suffix(1);
+  NumberText brief;
+  brief.append(number);
+  brief.append("/s");
+  return brief;
+}
+
+namespace {
+
+/// How many entries of its queue are taken; 0: none, not known, or it has none.
+int queued(const Frame& f, AxisId axis) {
+  const bool known = f.connected() && ((f.now.queue_known >> axis.index) & 1u);
+  return known ? std::max(0, f.catalog.queue_depth - f.now.queue_free[axis.index]) : 0;
+}
+
+/// Of a servo axis that can be seen: how far it is from its command, and in many words where that stands.
+NumberText behind(const Frame& f, AxisId axis, int brevity) {
+  const AxisState& a = f.now.axes[axis.index];
+  const DisplayUnit& unit = f.tab.unit(axis);
+  const bool moves = is_motion(state_of(f.now, axis.index, f.clock));
+  NumberText words;
+  if (a.loop == Loop::none || !f.connected() || !a.position_known) return words;
+  if (brevity == 0 && !moves) {
+    words.append("sent to ");
+    words.append(format_position(a.command, unit).view());
+    words.append(", ");
+  }
+  words.append(brevity == least_words && !moves ? "off " : "error ");
+  words.append(format_position(a.following_error(), unit).view());
+  return words;
+}
+
+// Less at each next brevity. The unit of a speed is that of the position beside it; it goes first, then the
+// speed. How far a servo axis is behind goes last.
+Path at_work(const Frame& f, AxisId axis, int brevity) {
+  const Pps speed = f.now.axes[axis.index].speed;
+  const bool runs = speed.value > 0 && is_motion(state_of(f.now, axis.index, f.clock));
+  const int waiting = queued(f, axis);
+  const NumberText error = behind(f, axis, brevity);
+  const bool has_error = !error.view().empty();
+  if (has_error && brevity == least_words) return Path("{}", error.view());
+  NumberText does;
+  if (brevity < 2)
+    does = where_to(f, axis, brevity == 0);
+  else if (runs && (has_error ? brevity == 2 : brevity < least_words || waiting == 0))
+    does = format_brief_speed(speed, f.tab.unit(axis));
+  const auto comma = [](std::string_view before, bool more) { return before.empty() || !more ? "" : ", "; };
+  const Path said("{}{}{}", does.view(), comma(does, has_error), error.view());
+  if (waiting == 0) return said;
+  if (brevity < 3)
+    return Path("{}{}queue {} of {}", said.view(), comma(said, true), waiting, f.catalog.queue_depth);
+  return Path("{}{}queue {}", said.view(), comma(said, true), waiting);
+}
+
+/// `dro/X/queue`, where the axis says what it does.
+void show_queue(Frame& f, AxisId axis, const Rect& where) {
+  if (f.catalog.queue_depth <= 0) return;
+  const bool known = f.connected() && ((f.now.queue_known >> axis.index) & 1u);
+  const Path taken("{} of {}", queued(f, axis), f.catalog.queue_depth);
+  const std::string_view value = known ? taken.view() : std::string_view("?");
+  show(f.ui,
+       {Path("dro/{}/queue", f.catalog.axes[axis.index].name), Kind::text, "Queue", value, {}, false, {}},
+       where);
+}
+
+/// `dro/X/command`, `dro/X/error`, there too.
+void show_servo(Frame& f, AxisId axis, const Rect& where) {
+  const AxisState& a = f.now.axes[axis.index];
+  if (a.loop == Loop::none) return;
+  const std::string& name = f.catalog.axes[axis.index].name;
+  const bool known = f.connected() && a.position_known;
+  const NumberText command = format_position(a.command, f.tab.unit(axis));
+  const NumberText error = format_position(a.following_error(), f.tab.unit(axis));
+  const auto tell = [&](const Path& id, std::string_view label, std::string_view value) {
+    show(f.ui, {id, Kind::text, label, known ? value : "?", {}, false, {}}, where);
+  };
+  tell(Path("dro/{}/command", name), "Command", command);
+  tell(Path("dro/{}/error", name), "Following error", error);
+}
+
+}  // namespace
+
+float draw_at_work(Frame& f, AxisId axis, ImVec2 at, float room, bool right_aligned) {
+  const Rect where{at, ImVec2(at.x + std::max(0.0f, room), at.y + f.ui.line(Face::small))};
+  show_queue(f, axis, where);
+  show_servo(f, axis, where);
+  return draw_what_fits(f.ui, at, room, right_aligned,
+                        [&](int brevity) { return at_work(f, axis, brevity); });
+}
+
+DigitsState digits_state(const Snapshot& now, std::size_t axis, Instant clock) {
+  const AxisState& a = now.axes[axis];
+  const State state = state_of(now, static_cast<int>(axis), clock);
+  if (!a.position_known || a.trust.doubtful()) return DigitsState::untrusted;
+  if (state == State::lost || state == State::stale || state == State::connecting) return DigitsState::stale;
+  return state == State::off ? DigitsState::off : DigitsState::good;
+}
+
+NumberText shown_position(const AxisState& a, const DisplayUnit& unit) {
+  if (a.position_known || a.seen_at != Instant{}) return format_position(a.position, unit);
+  NumberText nothing;
+  nothing.append("-");
+  return nothing;
+}
+
+void show_steps(Frame& f, AxisId axis, const Rect& where) {
+  const DisplayUnit steps{counted_unit(f.catalog, f.now, f.catalog.step_word, axis.index), 1, 0, false};
+  const NumberText in_steps = format_with_unit(f.now.axes[axis.index].position, steps);
+  show(f.ui,
+       {Path("dro/{}/steps", f.catalog.axes[axis.index].name), Kind::text, "Steps", in_steps, {}, false, {}},
+       where);
+}
+
+}  // namespace hw::panels

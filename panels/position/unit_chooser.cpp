@@ -1,0 +1,127 @@
+#include "panels/position/unit_chooser.h"
+
+#include <vector>
+
+#include "gui/model/tab.h"
+#include "gui/surface/ui.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "gui/widgets/lamp.h"
+#include "gui/widgets/popup.h"
+#include "gui/widgets/text.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+namespace {
+
+/// The real unit of all axes that have one: "mm"; "real units" when they differ; empty when none has.
+std::string_view real_unit(const Frame& f) {
+  std::string_view found;
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
+    for (const UnitChoice& choice : f.catalog.units) {
+      if (choice.label != f.tab.profile.axes[i].unit_choice) continue;
+      if (!found.empty() && found != choice.unit) return "real units";
+      found = choice.unit;
+    }
+  return found;
+}
+
+/// What the controller itself counts in.
+std::string own_unit(const Frame& f) {
+  const std::string unit = counted_unit(f.catalog, f.now, f.catalog.step_word);
+  return unit.empty() ? f.catalog.step_word : unit;
+}
+
+bool shows_real(const Frame& f) {
+  return !f.tab.profile.unit.empty() && f.tab.profile.unit != f.catalog.step_word;
+}
+
+ButtonOptions opener_options() {
+  ButtonOptions o;
+  o.icon_after = Icon::chevron_down;
+  o.tip = "Steps or real units";
+  return o;
+}
+
+void use(Frame& f, std::string unit) {
+  f.tab.profile.unit = std::move(unit);
+  f.tab.profile_edited();
+}
+
+void draw_axis_choice(Frame& f, std::size_t i) {
+  const AxisInfo& axis = f.catalog.axes[i];
+  AxisProfile& wish = f.tab.profile.axes[i];
+  const std::string own = counted_unit(f.catalog, f.now, f.catalog.step_word, static_cast<int>(i));
+  std::vector<std::string_view> names{own};
+  int chosen = 0;
+  for (const UnitChoice& choice : f.catalog.units) {
+    names.push_back(choice.label);
+    if (choice.label == wish.unit_choice) chosen = static_cast<int>(names.size()) - 1;
+  }
+  gap(f.ui, 6);
+  text(f.ui, Face::small, Tone::ink2, axis.description.empty() ? axis.name : axis.description);
+  DropdownOptions o;
+  o.width = 336;
+  const int picked = dropdown(f.ui, Path("dro/unit/axis/{}", axis.name), axis.description, names, chosen, o);
+  if (picked >= 0) {
+    wish.unit_choice = picked == 0 ? std::string() : std::string(names[static_cast<std::size_t>(picked)]);
+    use(f, "real");
+  }
+  if (wish.unit_choice.empty()) return;
+  ImGui::SameLine();
+  ToggleOptions toggle;
+  toggle.state = wish.reversed ? ToggleState::on : ToggleState::off;
+  toggle.width = 116;
+  toggle.tip = "The real unit counts against the steps.";
+  if (toggle_lamp(f.ui, Path("dro/unit/reversed/{}", axis.name), "reversed", toggle).clicked) {
+    wish.reversed = !wish.reversed;
+    use(f, f.tab.profile.unit);
+  }
+}
+
+}  // namespace
+
+// An axis with a closed loop counts in other steps than one without.
+std::string_view shown_unit(const Frame& f) {
+  const std::string_view real = real_unit(f);
+  if (shows_real(f) && !real.empty()) return real;
+  const std::string& first = f.tab.unit(AxisId{0}).name;
+  for (std::size_t i = 1; i < f.catalog.axes.size(); ++i)
+    if (f.tab.unit(AxisId{static_cast<std::uint8_t>(i)}).name != first) return f.catalog.step_word;
+  return first;
+}
+
+float unit_chooser_width(const Frame& f) {
+  const float natural = button_width(f.ui, shown_unit(f), opener_options());
+  return f.tier == Tier::medium ? natural - 8 : natural;  // beside a title and a badge
+}
+
+void draw_unit_chooser(Frame& f) {
+  Ui& ui = f.ui;
+  ButtonOptions opener = opener_options();
+  opener.width = unit_chooser_width(f);
+  const Touch t = button(ui, "dro/unit", shown_unit(f), opener);
+  const auto axes = static_cast<float>(f.catalog.axes.size());
+  if (!begin_popup(ui, "unit", t, 484, 3.1f + 1.9f * axes)) return;
+  const std::string_view real = real_unit(f);
+  if (popup_row(ui, "dro/unit/steps", own_unit(f), "as the controller counts", !shows_real(f)))
+    use(f, f.catalog.step_word);
+  if (popup_row(ui, "dro/unit/real", real.empty() ? "real units" : real, {}, shows_real(f) && !real.empty(),
+                real.empty() ? "Choose below what hangs on an axis first." : ""))
+    use(f, "real");
+  popup_line(ui);
+  ImGui::SetCursorScreenPos(ImVec2(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ui.px(8, 4));
+  ImGui::BeginGroup();
+  gap(ui, 8);
+  text(ui, Face::body_bold, Tone::ink, "What hangs on each axis");
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) draw_axis_choice(f, i);
+  ImGui::EndGroup();
+  ImGui::PopStyleVar();
+  end_popup();
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,27 @@
+#pragma once
+// Small type beside a number, in as many words as there is room for.
+#include <cmath>
+
+#include "gui/surface/ui.h"
+#include "gui/widgets/text.h"
+
+namespace hw::panels {
+
+inline constexpr int least_words = 4;
+
+/// One line of small type, `words(0)` or the next shorter ones up to `words(least_words)`, or nothing where
+/// not even those fit. Returns its width.
+template <class Words>
+float draw_what_fits(gui::Ui& ui, ImVec2 at, float room, bool right_aligned, const Words& words) {
+  for (int brevity = 0; brevity <= least_words; ++brevity) {
+    const auto said = words(brevity);
+    const float width = std::ceil(gui::text_width(ui, gui::Face::small, said));
+    if (width > room) continue;
+    gui::draw_text(ui, ImVec2(right_aligned ? at.x + room - width : at.x, at.y), gui::Face::small,
+                   ui[gui::Tone::ink2], said);
+    return width;
+  }
+  return 0;
+}
+
+}  // namespace hw::panels

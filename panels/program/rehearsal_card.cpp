@@ -1,0 +1,309 @@
+#include "panels/program/rehearsal_card.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "gui/model/tab.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/icons.h"
+#include "gui/widgets/slider.h"
+#include "gui/widgets/text.h"
+#include "panels/program/rehearsal_words.h"
+
+namespace hw::panels {
+
+using namespace gui;
+
+// The words of the outcome in the user's units; the caption says which text they are of.
+void RehearsalCard::refresh(Frame& f, int slot) {
+  Desk& desk = f.tab.desk();
+  outcome_ = desk.rehearsals.of(slot);
+  refresh_caption(f, slot);
+  std::string& units = units_now_;  // keeps its memory from frame to frame
+  units.clear();
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
+    (units += f.tab.unit(AxisId{static_cast<std::uint8_t>(i)}).name) += '\n';
+  if (version_ == desk.rehearsals.version() && slot_ == slot && units == text_of_units_) return;
+  version_ = desk.rehearsals.version();
+  slot_ = slot;
+  text_of_units_ = units;
+  refresh_words(f);
+}
+
+void RehearsalCard::refresh_caption(const Frame& f, int slot) {
+  Desk& desk = f.tab.desk();
+  const int older = desk.rehearsals.older_than_line(slot, desk.texts.text(slot));
+  const HeldProgram& held = desk.texts.held(slot);
+  old_ = outcome_ && older >= 0;
+  const ProgramState& p = f.now.program;
+  of_running_ =
+      outcome_ && p.owned && p.slot == slot && p.run != RunState::idle && held.text == outcome_->text;
+  if (desk.rehearsals.under_way(slot))
+    said_caption_ = "working it out";
+  else if (!outcome_)
+    said_caption_ = "";
+  else if (of_running_)
+    said_caption_ = "of the version running";
+  else if (old_) {
+    const auto end = fmt::format_to_n(caption_, sizeof caption_, "before line {}", older + 1);
+    said_caption_ = {caption_, std::min(end.size, sizeof caption_)};
+  } else {
+    said_caption_ = "of this text";
+  }
+}
+
+void RehearsalCard::refresh_words(const Frame& f) {
+  axes_.clear();
+  event_times_.clear();
+  stops_.clear();
+  time_.clear(), fault_.clear(), sends_.clear(), spans_.clear(), stand_.clear(), assumed_.clear();
+  if (!outcome_) return;
+  if (!outcome_->result) {
+    fault_ = outcome_->result.error().sentence();
+    return;
+  }
+  const Rehearsal& r = *outcome_->result;
+  time_ = exact_time(r.duration_s);
+  fault_ = r.error;
+  if (fault_.empty() && !r.finished)
+    fault_ =
+        fmt::format("It has not ended after {}; it may never end.", format_duration(r.duration_s).view());
+  for (const RehearsedAxis& axis : r.axes) say_span(f, axis);
+  stand_ = stand_words(f, *outcome_);
+  stops_ = stop_words(r);
+  assumed_ = assumption_words(r);
+  sends_ = r.sent_to_host;
+  std::replace(sends_.begin(), sends_.end(), '\r', ' ');
+  constexpr std::size_t most_events = 200;
+  for (std::size_t i = 0; i < std::min(r.events.size(), most_events); ++i)
+    event_times_.push_back(fmt::format("{:.1f} s", r.events[i].t));
+}
+
+void RehearsalCard::say_span(const Frame& f, const RehearsedAxis& axis) {
+  const int i = f.catalog.find_axis(axis.name);
+  if (i < 0) return;
+  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+  if (axis.minimum == axis.maximum) return axes_.push_back({axis.name, "does not move"});
+  std::string span = fmt::format("{} to {}", format_position(Steps(axis.minimum), unit).view(),
+                                 format_with_unit(Steps(axis.maximum), unit).view());
+  spans_ += fmt::format("{}{}: {}", spans_.empty() ? "" : ", ", axis.name, span);
+  axes_.push_back({axis.name, std::move(span)});
+}
+
+bool RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
+  Ui& ui = f.ui;
+  bool again = false;
+  refresh(f, slot);
+  begin_part(ui, "rehearsal", ui.px(width), ui.px(height), Tone::panel, 16);
+  section_title(ui, "Rehearsal", said_caption_);
+  if (!outcome_) {
+    wrapped(ui, Face::body, Tone::ink2,
+            "Simulate runs the text without moving anything: how long it takes, how far each axis goes, what "
+            "it sends.");
+  } else if (!outcome_->result) {
+    named_text(ui, "rehearsal/result", Face::body_medium, Tone::fault, "It cannot run.");
+    wrapped(ui, Face::body, Tone::ink, fault_);
+  } else {
+    draw_progress(f);
+    draw_axes(f);
+    again = draw_verdict(f);
+    draw_events(f);
+  }
+  gap(ui, 12);
+  end_part();
+  return again;
+}
+
+void RehearsalCard::draw_progress(Frame& f) {
+  Ui& ui = f.ui;
+  const Rehearsal& r = *outcome_->result;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x;
+  named_text(ui, "rehearsal/result", Face::time, old_ && !of_running_ ? Tone::ink3 : Tone::ink, time_);
+  float share = 0;
+  if (of_running_ && r.finished && r.duration_s > 0) {
+    const RunFollower& run = f.tab.desk().follower;
+    const double left = run.left_s().value_or(std::max(0.0, r.duration_s - run.run_s()));
+    share = static_cast<float>(std::clamp(run.run_s() / std::max(0.001, run.run_s() + left), 0.0, 1.0));
+    NumberText words = format_duration(left);
+    words.append(" left");
+    draw_text_right(ui, ImVec2(right, at.y + ui.px(4)), Face::body, ui[Tone::ink2], words);
+    if (f.now.program.run == RunState::running) ui.wake_in(0.1);
+  }
+  gap(ui, 8);
+  meter(ui, "rehearsal/progress", "Done", share, {.tone = Tone::motion, .old = old_ && !of_running_});
+  gap(ui, 12);
+}
+
+void RehearsalCard::draw_axes(Frame& f) {
+  char id[48];
+  for (const Axis& axis : axes_) {
+    const auto end = fmt::format_to_n(id, sizeof id, "rehearsal/axis/{}", axis.name);
+    key_value(f.ui, {id, std::min(end.size, sizeof id)}, axis.name, axis.span);
+  }
+  gap(f.ui, 8);
+}
+
+bool RehearsalCard::draw_verdict(Frame& f) {
+  Ui& ui = f.ui;
+  const Rehearsal& r = *outcome_->result;
+  const bool at_zero = std::all_of(r.axes.begin(), r.axes.end(), [](auto& axis) { return axis.begin == 0; });
+  key_value(ui, "rehearsal/begins", "Begins",
+            at_zero         ? "at 0"
+            : begins_here() ? "where the axes stand"
+                            : "where the axes stood");
+  if (!fault_.empty()) {
+    wrapped(ui, Face::body, Tone::fault, fault_);
+    gap(ui, 8);
+  }
+  const bool again = draw_limits(f);
+  draw_sentences(f);
+  char words[32];
+  auto end = fmt::format_to_n(words, sizeof words, "{}", r.moves);
+  key_value(ui, "rehearsal/moves", "Moves", {words, std::min(end.size, sizeof words)});
+  char id[48], key[48];
+  for (const auto& [output, on] : r.outputs) {
+    const auto first = r.outputs_at_first.find(output);
+    if (on == (first == r.outputs_at_first.end() ? 0 : first->second)) continue;
+    end = fmt::format_to_n(id, sizeof id, "rehearsal/out/{}", output);
+    const auto key_end = fmt::format_to_n(key, sizeof key, "Output {} at the end", output);
+    key_value(ui, {id, std::min(end.size, sizeof id)}, {key, std::min(key_end.size, sizeof key)},
+              on ? "on" : "off");
+  }
+  key_value(ui, "rehearsal/sends", "Sends",
+            sends_.empty() ? std::string_view("nothing") : std::string_view(sends_));
+  return again;
+}
+
+// The tick stands only where the axes would really go that way.
+bool RehearsalCard::draw_limits(Frame& f) {
+  Ui& ui = f.ui;
+  const bool touched = outcome_->result->limit_touched;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x;
+  const std::string_view verdict = !judges_limits() ? "not judged" : touched ? "touched" : "none touched";
+  const bool fine = judges_limits() && !touched, warns = !begins_here() || (judges_limits() && touched);
+  key_value(ui, "rehearsal/limits", "Limits", verdict, warns ? Tone::warn : Tone::ink);
+  if (fine || warns)
+    draw_icon(ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::warning,
+              ImVec2(std::floor(right - text_width(ui, Face::body, verdict) - ui.px(14)), at.y + ui.px(12)),
+              ui.px(12), ui[fine ? Tone::ok : Tone::warn]);
+  if (stand_.empty()) return false;
+  const ImVec2 words_at = ImGui::GetCursorScreenPos();
+  const float height = wrapped_height(ui, Face::small, stand_, right - words_at.x);
+  wrapped(ui, Face::small, warns ? Tone::warn : Tone::ink2, stand_);
+  show(ui, {.id = "rehearsal/stand", .kind = Kind::text, .label = "Where it begins", .value = stand_},
+       {words_at, ImVec2(right, words_at.y + height)});
+  gap(ui, 8);
+  const Footing footing = outcome_->stand.footing;
+  if (begins_here() || footing == Footing::unknown || footing == Footing::doubtful) return false;
+  const std::string_view why = of_running_                  ? "The program runs."
+                               : footing == Footing::moving ? "An axis is moving."
+                                                            : "";
+  const bool again = button(ui, "rehearsal/again", "Rehearse from here", {.disabled = why}).clicked;
+  gap(ui, 8);
+  return again;
+}
+
+void RehearsalCard::draw_sentences(Frame& f) {
+  Ui& ui = f.ui;
+  const auto sentence = [&](std::string_view id, std::string_view label, Tone tone,
+                            const std::string& words) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    wrapped(ui, Face::small, tone, words);
+    show(ui, {.id = id, .kind = Kind::text, .label = label, .value = words},
+         {at, ImVec2(at.x + width, ImGui::GetCursorScreenPos().y)});
+    gap(ui, 6);
+  };
+  char id[32];
+  for (std::size_t i = 0; i < stops_.size(); ++i) {
+    const auto end = fmt::format_to_n(id, sizeof id, "rehearsal/stop/{}", i + 1);
+    sentence({id, std::min(end.size, sizeof id)}, "Stop", Tone::warn, stops_[i]);
+  }
+  if (!assumed_.empty()) sentence("rehearsal/assumed", "Taken for granted", Tone::ink2, assumed_);
+}
+
+void RehearsalCard::draw_events(Frame& f) {
+  Ui& ui = f.ui;
+  const Rehearsal& r = *outcome_->result;
+  if (event_times_.empty()) return;
+  group_line(ui, 8);
+  const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
+  for (std::size_t i = 0; i < event_times_.size(); ++i) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float middle = at.y + ui.px(10);
+    draw_text_line(ui, left, left + ui.px(60), middle, Face::code_time, ui[Tone::ink3], event_times_[i]);
+    draw_text_line(ui, left + ui.px(64), right, middle,
+                   r.events[i].command >= 0 ? Face::code_time : Face::small, ui[Tone::ink2],
+                   r.events[i].what);
+    ImGui::Dummy(ImVec2(right - left, ui.px(20) - ImGui::GetStyle().ItemSpacing.y));
+  }
+  if (r.events.size() > event_times_.size()) text(ui, Face::small, Tone::ink3, "and more");
+}
+
+bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
+  Ui& ui = f.ui;
+  refresh(f, slot);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float left = ui.px(f.area.x + 16), right = ui.px(f.area.right() - 16), middle = at.y + ui.px(18);
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), at.y));
+  const Touch t = touch(ui,
+                        {.id = "rehearsal/expand",
+                         .kind = Kind::toggle,
+                         .label = "Rehearsal",
+                         .value = opened ? "open" : "closed"},
+                        ImVec2(ui.px(f.area.width), ui.px(36)));
+  if (t.hovered) draw_fill(ui, t.rect, ui[Tone::hover], 0);
+  ImGui::GetWindowDrawList()->AddRectFilled(t.rect.min, ImVec2(t.rect.max.x, t.rect.min.y + ui.hair()),
+                                            ui[Tone::line]);
+  float x = left;
+  const auto word = [&](Face face, Tone tone, std::string_view s) {
+    draw_text_line(ui, x, right - ui.px(24), middle, face, ui[tone], s);
+    x += std::ceil(text_width(ui, face, s)) + ui.px(14);
+  };
+  word(Face::body_bold, Tone::ink, "Rehearsal");
+  const Tone tone = old_ && !of_running_ ? Tone::ink3 : Tone::ink;
+  if (!outcome_) {
+    word(Face::body, Tone::ink2,
+         said_caption_.empty() ? "Simulate runs the text without moving anything." : said_caption_);
+  } else if (!outcome_->result || !fault_.empty()) {
+    word(Face::body, Tone::fault, fault_);
+  } else {
+    word(Face::body_medium, tone, time_);
+    if (old_ && !of_running_) word(Face::small, Tone::ink3, said_caption_);
+    const bool touched = outcome_->result->limit_touched;
+    const std::string_view verdict = !begins_here()     ? "begins elsewhere: limits not judged"
+                                     : !judges_limits() ? "limits not judged"
+                                     : touched          ? "a limit is touched"
+                                                        : "no limit touched";
+    const bool fine = judges_limits() && !touched;
+    // The verdict is never cut; of the spans what fits.
+    const float verdict_width = ui.px(20 + 14) + std::ceil(text_width(ui, Face::body, verdict));
+    const float spans_end = right - ui.px(24) - verdict_width;
+    draw_text_line(ui, x, spans_end, middle, Face::body, ui[Tone::ink2], spans_);
+    if (!spans_.empty())
+      x = std::max(x, std::min(spans_end, x + std::ceil(text_width(ui, Face::body, spans_)))) + ui.px(14);
+    if (fine || judges_limits() || !begins_here()) {
+      draw_icon(ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::warning, ImVec2(x + ui.px(6), middle),
+                ui.px(12), ui[fine ? Tone::ok : Tone::warn]);
+      x += ui.px(20);
+    }
+    word(Face::body, Tone::ink, verdict);
+  }
+  show(ui,
+       {.id = "rehearsal/result",
+        .kind = Kind::text,
+        .label = "Rehearsal",
+        .value = fault_.empty() ? time_ : fault_},
+       t.rect);
+  draw_icon(ImGui::GetWindowDrawList(), opened ? Icon::chevron_up : Icon::chevron_down,
+            ImVec2(right - ui.px(6), middle), ui.px(12), ui[Tone::ink2]);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(36)));
+  return t.clicked;
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,105 @@
+#include "panels/program/rehearsal_words.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/base/index.h"
+#include "gui/model/tab.h"
+#include "gui/model/units_format.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr std::size_t most_stops = 12;  // that are listed
+
+std::string position_difference(const Frame& f, const Stand& stand) {
+  const int i = std::max(0, stand.which);
+  const std::string axis = fmt::format("axis {}", f.catalog.axes[ix(i)].name);
+  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+  const NumberText began = format_position(stand.began, unit);
+  switch (stand.footing) {
+    case Footing::elsewhere:
+      return fmt::format("Rehearsed from {}; {} stands at {}", began.view(), axis,
+                         format_with_unit(stand.stands, unit).view());
+    case Footing::moving: return fmt::format("Rehearsed from {}; {} is moving", began.view(), axis);
+    case Footing::other_count:
+      return fmt::format("Rehearsed as after power-up; {} counts in another unit now", axis);
+    case Footing::unknown:
+      return fmt::format("Rehearsed from {}; where {} stands is not known", began.view(), axis);
+    case Footing::doubtful: return fmt::format("The position of {} may not be true", axis);
+    default: return fmt::format("Rehearsed before {} was switched, or its error came or went", axis);
+  }
+}
+
+std::string difference(const Frame& f, const Stand& stand) {
+  const Catalog& c = f.catalog;
+  const auto place = static_cast<std::size_t>(std::max(0, stand.which));
+  const auto differs = [&](std::string_view name, std::string_view then, std::string_view now) {
+    return fmt::format("Rehearsed with {} {}; it is {} now", name, then, now);
+  };
+  switch (stand.footing) {
+    case Footing::other_bench: return "Switches on the bench have been moved since";
+    case Footing::other_setup:
+      return differs(c.params[place].mnemonic, param_words(c.params[place], stand.began.value),
+                     param_words(c.params[place], stand.stands.value));
+    case Footing::other_output: {
+      const auto state = [](Steps on) { return on.value != 0 ? "on" : "off"; };
+      return differs(place < c.outputs.size() ? c.outputs[place].name : "an output", state(stand.began),
+                     state(stand.stands));
+    }
+    case Footing::other_input: {
+      const auto level = [](Steps high) { return high.value != 0 ? "high" : "low"; };
+      return differs(place < c.inputs.size() ? c.inputs[place].name : "an input", level(stand.began),
+                     level(stand.stands));
+    }
+    case Footing::other_variable:
+      return differs(fmt::format("V{}", place), std::to_string(stand.began.value),
+                     std::to_string(stand.stands.value));
+    case Footing::other_program:
+      return fmt::format("Rehearsed before {} {} was changed", c.program.slot_word, place);
+    default: return position_difference(f, stand);
+  }
+}
+
+}  // namespace
+
+std::string exact_time(double s) {
+  const auto tenths = static_cast<long long>(s * 10 + 0.5);
+  if (tenths >= 36000)
+    return fmt::format("{} h {:02} min {:02} s", tenths / 36000, tenths / 600 % 60, tenths / 10 % 60);
+  if (tenths >= 600) return fmt::format("{} min {:02}.{} s", tenths / 600, tenths / 10 % 60, tenths % 10);
+  return fmt::format("{}.{} s", tenths / 10, tenths % 10);
+}
+
+std::string stand_words(const Frame& f, const Rehearsals::Outcome& outcome) {
+  std::string words;
+  if (outcome.stand.footing != Footing::here)
+    words = difference(f, outcome.stand);
+  else if (!outcome.scene.switches)
+    words = "Where the limit switches are is not known here";
+  return words.empty() ? words : words + ": limits are not judged.";
+}
+
+std::vector<std::string> stop_words(const Rehearsal& r) {
+  std::vector<std::string> all;
+  for (const RehearsedStop& stop : r.stops) {
+    if (stop.reason == r.error) continue;  // stands above
+    const std::string line = stop.line < 0 ? std::string() : fmt::format("Line {}, ", stop.line + 1);
+    all.push_back(fmt::format("{}{}: {}", line, exact_time(stop.t), stop.reason));
+    if (all.size() == most_stops) break;
+  }
+  return all;
+}
+
+std::string assumption_words(const Rehearsal& r) {
+  std::string words;
+  for (const RehearsedAssumption& a : r.assumptions)
+    words += fmt::format("{}{}: {}", words.empty() ? "Nobody has told, so taken for granted: " : "; ", a.name,
+                         a.value);
+  return words.empty() ? words : words + ".";
+}
+
+}  // namespace hw::panels

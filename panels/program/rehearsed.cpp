@@ -1,0 +1,55 @@
+#include "panels/program/rehearsed.h"
+
+#include "gui/model/tab.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+/// What it has found in the way of the program; empty: nothing.
+std::string_view found(const Rehearsals::Outcome& o) {
+  if (!o.result) return "Rehearsed: it cannot run.";
+  if (!o.result->error.empty()) return "Rehearsed: it ends with an error.";
+  if (o.result->limit_touched) return "Rehearsed: a limit switch is hit.";
+  if (!o.result->finished) return "Rehearsed: no end was found.";
+  return {};
+}
+
+/// What is not as it was; empty: all of it is.
+std::string_view changed(const Stand& stand) {
+  switch (stand.footing) {
+    case Footing::here: return {};
+    case Footing::elsewhere: return "Rehearsed from elsewhere: the axes have been moved since.";
+    case Footing::moving: return "Rehearsed from elsewhere: an axis is moving.";
+    case Footing::other_count:
+      return "Rehearsed in other units: an axis counts its encoder now, or did then.";
+    case Footing::unknown: return "Rehearsed from 0: where the axes stand is not known.";
+    case Footing::doubtful: return "Rehearsed, but the position of an axis may not be true.";
+    case Footing::other_bench: return "Rehearsed before the switches on the bench were moved.";
+    case Footing::other_power: return "Rehearsed before an axis was switched, or its error came or went.";
+    case Footing::other_setup: return "Rehearsed before a parameter was changed.";
+    case Footing::other_output: return "Rehearsed before an output was switched.";
+    case Footing::other_input: return "Rehearsed before an input changed.";
+    case Footing::other_variable: return "Rehearsed before a variable was changed.";
+    case Footing::other_program: return "Rehearsed before another program was changed.";
+  }
+  return {};
+}
+
+}  // namespace
+
+Rehearsed rehearsed(const Frame& f, int slot) {
+  const Desk& desk = f.tab.desk();
+  if (desk.rehearsals.under_way(slot)) return {false, "It is being rehearsed."};
+  const Rehearsals::Outcome* outcome = desk.rehearsals.of(slot);
+  if (!outcome) return {false, "Not rehearsed: Simulate tries it first."};
+  if (outcome->text != desk.texts.text(slot)) return {false, "Rehearsed before the text was changed."};
+  for (const std::string_view why : {found(*outcome), changed(outcome->stand)})
+    if (!why.empty()) return {false, why};
+  if (!outcome->result->assumptions.empty())
+    return {true, "Rehearsed: this text, from here, with what the card says it takes for granted."};
+  return {true, "Rehearsed: this text, from where the axes stand."};
+}
+
+}  // namespace hw::panels

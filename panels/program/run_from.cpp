@@ -1,0 +1,120 @@
+#include "panels/program/run_from.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/sequence/words.h"
+#include "gui/model/tab.h"
+#include "gui/model/units_format.h"
+#include "gui/widgets/message.h"
+#include "panels/program/run_bar.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+/// "X 3.000 mm, Y 4.000 mm": where the axes that are sent somewhere stand.
+std::string standing_at(const Frame& f, const sequence::Rest& rest) {
+  std::string all;
+  for (std::size_t a = 0; a < rest.sequence.axes.size(); ++a) {
+    const int place = f.catalog.find_axis(rest.sequence.axes[a].name);
+    if (!rest.start[a] || place < 0) continue;
+    const AxisId id{static_cast<std::uint8_t>(place)};
+    const AxisState& axis = f.now.axes[id.index];
+    all += fmt::format("{}{} {}", all.empty() ? "" : ", ", rest.sequence.axes[a].name,
+                       axis.position_known ? format_with_unit(axis.position, f.tab.unit(id)).view()
+                                           : std::string_view("nobody knows where"));
+  }
+  return all;
+}
+
+bool speaks_of_a_tool(const sequence::Rest& rest) {
+  for (std::size_t i = 0; i < rest.leading; ++i)
+    if (std::holds_alternative<sequence::Pen>(rest.sequence.steps[i].body)) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string_view why_not_run_from(const Frame& f, const WrittenSequence* source) {
+  if (!source)
+    return "This text is of no blocks and no drawing: what its commands leave behind is not known, so that "
+           "nothing can begin in the middle. Put it together in Blocks, and it can.";
+  const std::string_view why = why_none_runs(f);
+  if (!why.empty()) return why;
+  return is_under_way(f.now.program) ? "A program waits. Stop it first." : "";
+}
+
+void RunFrom::ask(Frame& f, const sequence::Sequence& of, int step) {
+  const Language* language = f.tab.desk().language();
+  if (!language) return;
+  const auto begin = sequence::step_to_begin_at(of, step);
+  if (!begin) return f.toast(Mood::warn, begin.error().sentence());
+  auto rest = sequence::rest_from(of, *begin);
+  if (!rest) return f.toast(Mood::warn, rest.error().sentence());
+  auto written = language->write(rest->sequence, f.catalog);
+  if (!written) return f.toast(Mood::warn, written.error().sentence());
+  rest_ = std::move(*rest), written_ = std::move(*written);
+  const ProgramTexts& texts = f.tab.desk().texts;
+  replaces_ = texts.edited(texts.chosen());
+  go_ahead_ = f.tab.desk().until_stopped();
+  asking_ = true;
+  say(f, of, *begin);
+}
+
+void RunFrom::say(const Frame& f, const sequence::Sequence& of, std::size_t step) {
+  const std::string at = standing_at(f, rest_);
+  const sequence::Step::Body& first = of.steps[step].body;
+  question_ = at.empty() ? std::string() : fmt::format("The axes stand at {}.\n", at);
+  question_ += fmt::format("First: {}\n", words_of_leading(rest_));
+  question_ += fmt::format("Then step {}, {} {}, and all behind it.", step + 1, sequence::title_of(first),
+                           sequence::summary_of(first, of));
+  if (rest_.leaves_homing_out) question_ += "\nHoming is left out: the counts are taken for true.";
+  if (!speaks_of_a_tool(rest_))
+    question_ += "\nNo step speaks of a tool: see to it that nothing is in its way.";
+  question_ += replaces_ ? "\nThe text of the program, which is in no file, is replaced."
+                         : "\nThe text of the program is replaced.";
+}
+
+void RunFrom::run(Frame& f) const {
+  ProgramTexts& texts = f.tab.desk().texts;
+  f.tab.desk().source.put({std::make_shared<const sequence::Sequence>(rest_.sequence), written_});
+  texts.set_text(texts.chosen(), written_.text);
+  if (go_ahead_.expired())
+    return f.toast(Mood::warn, "A stop came first. The text was put into the program and not run.");
+  std::string_view why = why_none_runs(f);
+  if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
+  if (why.empty()) return begin_run(f, RunWish::run);
+  f.toast(Mood::warn, std::string(why), &texts);
+}
+
+void RunFrom::draw_dialog(Frame& f, std::string_view where) {
+  if (!asking_) return;
+  const Dialog what{.title = "Run from here?",
+                    .sentences = question_,
+                    .yes = "Go there and run",
+                    .no = "Leave it",
+                    .moving = true};
+  if (dialog(f.ui, Path("{}/run_from", where), asking_, what) == Answer::yes) run(f);
+}
+
+std::optional<drawing::Point3> RunFrom::goes_to(const Frame& f, const PathAxes& axes) const {
+  auto at = place_now(f, axes);
+  if (!asking_ || !at) return std::nullopt;
+  const auto take = [&](AxisId id, double& coordinate) {
+    for (std::size_t a = 0; a < rest_.sequence.axes.size(); ++a) {
+      const sequence::Axis& axis = rest_.sequence.axes[a];
+      if (axis.name != f.catalog.axes[id.index].name || !rest_.start[a]) continue;
+      coordinate = from_steps(Steps(std::llround(*rest_.start[a] * axis.per_unit)), f.tab.unit(id));
+    }
+  };
+  take(axes.right, at->x), take(axes.up, at->y);
+  if (axes.third) take(*axes.third, at->z);
+  return at;
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,384 @@
+#include "panels/setup/setup.h"
+
+#include <array>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/session/user_files.h"
+#include "gui/model/tab.h"
+#include "gui/shell/console.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "gui/widgets/message.h"
+#include "gui/widgets/text.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float facts_width = 272;
+
+void column_line(Ui& ui, float x, float top, float bottom) {
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, top), ImVec2(x + ui.hair(), bottom), ui[Tone::line]);
+}
+
+void row_line(Ui& ui, const Frame& f, float y) {
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(ui.px(f.area.x), y),
+                                            ImVec2(ui.px(f.area.right()), y + ui.hair()), ui[Tone::line]);
+}
+
+}  // namespace
+
+void Setup::draw(Frame& f) {
+  rows_.resize(f.catalog.params.size());
+  follow(f);
+  draw_toolbar(f);
+  draw_filter(f);
+  draw_problems(f);
+  const bool facts = f.area.width >= 760;
+  const float top = ImGui::GetCursorScreenPos().y;
+  const float list_width = facts ? f.area.width - facts_width : f.area.width;
+  draw_list(f, list_width);
+  if (facts) {
+    ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + list_width), top));
+    column_line(f.ui, f.ui.px(f.area.x + list_width), top, f.ui.px(f.area.bottom()));
+    draw_facts(f, f.ui.px(f.area.x + list_width));
+  }
+  draw_question(f);
+  draw_files(f);
+}
+
+// What is under way, and the first reading.
+void Setup::follow(Frame& f) {
+  if (f.tab.desk().setup.changes(f.now) == 0) from_file_.clear();  // its values are written, or undone
+  if (f.connected() && !asked_to_read_) {
+    asked_to_read_ = true;
+    for (std::size_t i = 0; i < f.catalog.params.size(); ++i)
+      if (f.catalog.params[i].readable && !f.now.params[i].known) {
+        f.send(intent::ReadParams());
+        break;
+      }
+  }
+  const auto told = f.tab.desk().setup_write.take_told();
+  if (!told.sentence.empty()) f.toast(told.good ? Mood::ok : Mood::fault, told.sentence);
+  if (f.now.forgotten(storing_)) storing_ = 0;
+  const IntentFate* stored = f.now.fate_of(storing_);
+  if (stored && stored->fate != Fate::pending) {
+    storing_ = 0;
+    if (stored->fate != Fate::done) return f.toast(Mood::fault, std::string(stored->sentence.view()));
+    std::string words = "Stored in the controller.";
+    if (f.now.store_count >= 0 && f.catalog.can.store_life > 0)
+      words += fmt::format(" {} of {} writes used.", f.now.store_count, f.catalog.can.store_life);
+    f.toast(Mood::ok, std::move(words));
+  }
+}
+
+std::string Setup::summary(const Frame& f) const {
+  const SetupEdits& edits = f.tab.desk().setup;
+  const int changes = edits.changes(f.now);
+  int unknown = 0;
+  for (std::size_t i = 0; i < f.catalog.params.size(); ++i)
+    unknown += f.catalog.params[i].readable && !f.now.params[i].known;
+  std::string words;
+  if (changes > 0 && !from_file_.empty())
+    words = fmt::format("{} from {}, not written yet.", changes, from_file_);
+  else if (changes > 0)
+    words = fmt::format("{} edited, not written yet.", changes);
+  else if (unknown > 0)
+    words = fmt::format("{} not read yet.", unknown);
+  else if (!f.now.unsaved_setup)
+    words = "All as the controller has it.";
+  if (f.now.unsaved_setup) words += words.empty() ? "In force, but not stored." : " Not stored.";
+  return words;
+}
+
+// ---- toolbar
+// -----------------------------------------------------------------------------------------------
+
+void Setup::draw_toolbar(Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
+  draw_write(f);
+  ImGui::SameLine(0, ui.px(8));
+  if (button(ui, "setup/read", "Read all",
+             {.disabled = f.no_link(),
+              .tip = "Asks the controller for every value. What you edited stays.",
+              .height = 40})
+          .clicked)
+    f.send(intent::ReadParams());
+  if (f.catalog.can.store) {
+    ImGui::SameLine(0, ui.px(8));
+    draw_store(f);
+  }
+  draw_file_buttons(f, at.y + ui.px(8));
+  row_line(ui, f, at.y + ui.px(56));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(56)));
+}
+
+void Setup::draw_write(Frame& f) {
+  const Desk& desk = f.tab.desk();
+  const SetupWrite& writing = desk.setup_write;
+  const int changes = desk.setup.changes(f.now);
+  char label[48];
+  const auto end =
+      writing.busy()
+          ? fmt::format_to_n(label, sizeof label, "Writing {} of {}", writing.written() + 1, writing.all())
+      : changes == 0
+          ? fmt::format_to_n(label, sizeof label, "Write changes")
+          : fmt::format_to_n(label, sizeof label, "Write {} change{}", changes, changes == 1 ? "" : "s");
+  ButtonOptions o{.style = changes > 0 ? ButtonStyle::primary : ButtonStyle::normal, .height = 40};
+  o.disabled = !f.connected()   ? f.no_link()
+               : writing.busy() ? "The values are being written."
+               : changes == 0   ? "Nothing here differs from the controller."
+                                : "";
+  if (button(f.ui, "setup/write", {label, std::min(end.size, sizeof label)}, o).clicked) ask_or_write(f);
+}
+
+void Setup::draw_store(Frame& f) {
+  char tip[120];
+  const bool known = f.now.store_count >= 0 && f.catalog.can.store_life > 0;
+  const auto end =
+      f.catalog.can.store_life == 0
+          ? fmt::format_to_n(tip, sizeof tip, "Keeps set-up and programs over power-off.")
+      : known ? fmt::format_to_n(tip, sizeof tip,
+                                 "Keeps set-up and programs over power-off. {} of {} writes used.",
+                                 f.now.store_count, f.catalog.can.store_life)
+              : fmt::format_to_n(tip, sizeof tip,
+                                 "Keeps set-up and programs over power-off. The memory bears {} writes.",
+                                 f.catalog.can.store_life);
+  const std::string_view why = f.connected() && storing_ ? "It is being stored." : f.no_link();
+  const std::string_view label = f.area.width < 560 ? "Store" : "Store in controller";
+  if (button(f.ui, "setup/store", label,
+             {.disabled = why, .tip = {tip, std::min(end.size, sizeof tip)}, .height = 40})
+          .clicked)
+    storing_ = f.send_and_watch(intent::Store());
+}
+
+void Setup::draw_file_buttons(Frame& f, float top) {
+  Ui& ui = f.ui;
+  const ButtonOptions quiet{.style = ButtonStyle::quiet, .height = 40};
+  const float width = button_width(ui, "Open", quiet) + button_width(ui, "Save", quiet);
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 8 - width), top));
+  if (button(ui, "setup/open", "Open", quiet).clicked)
+    open_.ask_open("Open a set-up", open_.folder(), {".toml"});
+  ImGui::SameLine(0, 0);
+  if (button(ui, "setup/save", "Save", quiet).clicked)
+    save_.ask_save("Save the set-up", save_.folder() / fmt::format("{}-setup.toml", f.catalog.model),
+                   {".toml"});
+}
+
+void Setup::draw_filter(Frame& f) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  constexpr float height = 48;
+  const float field = f.area.width >= 640 ? 200 : 140;
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(8)));
+  list_changed_ |=
+      text_field(ui, "setup/filter", "Search", filter_, {.placeholder = "Search", .width = field}).edited;
+  ImGui::SameLine(0, ui.px(12));
+  static constexpr std::array<std::string_view, 3> names = {"All", "Changed", "Not factory"};
+  const int picked = segment(ui, "setup/show", names, static_cast<int>(show_), {.cell_width = 40});
+  if (picked >= 0) show_ = static_cast<Show>(picked), list_changed_ = true;
+  ImGui::SameLine(0, ui.px(16));
+  const float left = ImGui::GetCursorScreenPos().x;
+  const std::string words = summary(f);
+  const Tone tone = f.tab.desk().setup.changes(f.now) > 0 || f.now.unsaved_setup ? Tone::warn : Tone::ink2;
+  draw_text_in_two_lines(ui, left, ui.px(f.area.right() - 16), at.y + ui.px(height / 2), Face::body, ui[tone],
+                         words);
+  show(ui, {.id = "setup/state", .kind = Kind::text, .label = "State", .value = words},
+       {ImVec2(left, at.y), ImVec2(ui.px(f.area.right() - 16), at.y + ui.px(height))});
+  row_line(ui, f, at.y + ui.px(height));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(height) + ui.hair()));
+}
+
+void Setup::draw_problems(Frame& f) {
+  if (problems_.empty()) return;
+  Ui& ui = f.ui;
+  constexpr std::size_t most = 4;
+  const std::size_t lines = std::min(problems_.size(), most) + (problems_.size() > most ? 1 : 0);
+  const float height = ui.px(20 * static_cast<float>(lines) + 56);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  tinted(ui, Mood::warn, height);
+  const float left = ui.px(f.area.x + 16), right = ui.px(f.area.right() - 16);
+  for (std::size_t i = 0; i < lines; ++i) {
+    const float middle = at.y + ui.px(18 + 20 * static_cast<float>(i));
+    if (i < most) {
+      draw_text_line(ui, left, right, middle, Face::body, ui[Tone::ink], problems_[i]);
+      continue;
+    }
+    char more[32];
+    const auto end = fmt::format_to_n(more, sizeof more, "{} more", problems_.size() - most);
+    draw_text_line(ui, left, right, middle, Face::body, ui[Tone::ink2],
+                   {more, std::min(end.size, sizeof more)});
+  }
+  ImGui::SetCursorScreenPos(ImVec2(left, at.y + height - ui.px(40)));
+  if (button(ui, "setup/problems/close", "Close", {.style = ButtonStyle::outlined}).clicked)
+    problems_.clear();
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
+}
+
+// ---- list
+// --------------------------------------------------------------------------------------------------
+
+bool Setup::listed(const Frame& f, std::size_t i) const {
+  const SetupEdits& edits = f.tab.desk().setup;
+  if (show_ == Show::changed && !edits.changed(i, f.now)) return false;
+  if (show_ == Show::off_factory && !edits.off_factory(i, f.now)) return false;
+  return edits.matches(i, filter_);
+}
+
+void Setup::draw_list(Frame& f, float width) {
+  Ui& ui = f.ui;
+  SetupEdits& edits = f.tab.desk().setup;
+  const float top = ImGui::GetCursorScreenPos().y;
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), top));
+  begin_part(ui, "setup/list", ui.px(width) - ui.hair(), ui.px(f.area.bottom()) - top, Tone::panel, 16);
+  if (std::exchange(list_changed_, false)) ImGui::SetScrollY(0);  // what was looked for stands at the top
+  const float left = ImGui::GetCursorScreenPos().x;
+  const float right = left + ImGui::GetContentRegionAvail().x;
+  const bool beside = f.area.width >= 760;
+  std::string_view group;
+  bool any = false;
+  for (std::size_t i = 0; i < f.catalog.params.size(); ++i) {
+    if (!listed(f, i)) continue;
+    const ParamInfo& p = f.catalog.params[i];
+    if (group != p.group) section_title(ui, p.group);
+    group = p.group;
+    any = true;
+    if (SetupRow(f, edits, i, rows_[i], left, right).draw(beside)) chosen_ = i;
+    if (!beside && chosen_ == i) draw_explanation(f, p, left, right);
+  }
+  if (!any) {
+    gap(ui, 16);
+    wrapped(ui, Face::body, Tone::ink2,
+            show_ == Show::changed && filter_.empty() ? "Nothing here differs from the controller."
+            : filter_.empty()                         ? "Every value is the factory's."
+                              : "No parameter has these words in its name or explanation.");
+  }
+  gap(ui, 24);
+  end_part();
+}
+
+void Setup::draw_explanation(Frame& f, const ParamInfo& p, float left, float right) {
+  Ui& ui = f.ui;
+  ImGui::SetCursorScreenPos(ImVec2(left + ui.px(56), ImGui::GetCursorScreenPos().y - ui.px(2)));
+  wrapped(ui, Face::small, Tone::ink2, p.explanation, (right - left) / ui.scale - 56);
+  ImGui::SetCursorScreenPos(ImVec2(left, ImGui::GetCursorScreenPos().y + ui.px(8)));
+}
+
+void Setup::draw_facts(Frame& f, float left) {
+  if (chosen_ >= f.catalog.params.size()) return;
+  Ui& ui = f.ui;
+  const ParamInfo& p = f.catalog.params[chosen_];
+  const ParamState& has = f.now.params[chosen_];
+  ImGui::SetCursorScreenPos(ImVec2(left + ui.hair(), ImGui::GetCursorScreenPos().y));
+  begin_part(ui, "setup/facts", 0, 0, Tone::panel, 16);
+  section_title(ui, p.mnemonic, p.manual);
+  wrapped(ui, Face::body_medium, Tone::ink, p.label);
+  gap(ui, 8);
+  wrapped(ui, Face::body, Tone::ink2, p.explanation);
+  gap(ui, 12);
+  if (const auto shown = f.tab.desk().setup.shown(chosen_, f.now); shown && !p.choices.empty()) {
+    wrapped(ui, Face::body, Tone::ink, value_in_words(p, *shown));
+    gap(ui, 12);
+  }
+  const auto fact = [&](const char* id, const char* key, const std::string& value, Tone tone = Tone::ink) {
+    key_value(ui, id, key, value, tone);
+  };
+  if (p.choices.empty() && p.bits.empty()) {
+    const std::string unit = unit_of(p, f.catalog, f.now);
+    fact("setup/facts/range", "Range",
+         range_in_words(p) + (unit.empty() || unit.starts_with('/') ? "" : " ") + unit);
+  }
+  fact("setup/facts/factory", "Factory value", value_text(p, p.fallback));
+  fact("setup/facts/controller", "Controller has",
+       has.known    ? value_text(p, has.value)
+       : p.readable ? "not read"
+                    : "cannot be read");
+  if (const auto edited = f.tab.desk().setup.edited(chosen_))
+    fact("setup/facts/here", "Here", value_text(p, *edited), Tone::warn);
+  fact("setup/facts/kept", "After power-off",
+       !p.stored                  ? "gone"
+       : !has.known || has.stored ? "kept"
+                                  : "not stored yet",
+       p.stored && has.known && !has.stored ? Tone::warn : Tone::ink);
+  if (!p.warning.empty()) {
+    gap(ui, 8);
+    wrapped(ui, Face::small, Tone::warn, p.warning);
+  }
+  gap(ui, 16);
+  end_part();
+}
+
+// ---- writing
+// -----------------------------------------------------------------------------------------------
+
+void Setup::ask_or_write(Frame& f) {
+  question_.clear();
+  int warnings = 0;
+  for (const std::size_t i : f.tab.desk().setup.to_send(f.now)) {
+    const ParamInfo& p = f.catalog.params[i];
+    if (p.warning.empty()) continue;
+    const auto value = *f.tab.desk().setup.edited(i);
+    question_title_ = ++warnings == 1 ? fmt::format("Set \"{}\"?", p.label)
+                                      : fmt::format("Set {} values with a warning?", warnings);
+    question_ += fmt::format("{}{} = {}. {}", question_.empty() ? "" : "\n", p.mnemonic,
+                             value_in_words(p, value), p.warning);
+  }
+  asking_ = warnings > 0;
+  if (!asking_) write(f, false);
+}
+
+void Setup::write(Frame& f, bool confirmed) {
+  const auto send = [&](IntentBody body) { return f.send_and_watch(std::move(body)); };
+  f.tab.desk().setup_write.begin(f.tab.desk().setup, f.now, f.catalog, confirmed, send);
+}
+
+void Setup::draw_question(Frame& f) {
+  if (!asking_) return;
+  const Dialog what{.title = question_title_, .sentences = question_, .yes = "Write", .no = "Leave as it is"};
+  if (dialog(f.ui, "setup/confirm", asking_, what) == Answer::yes) write(f, true);
+}
+
+// ---- files
+// -------------------------------------------------------------------------------------------------
+
+void Setup::draw_files(Frame& f) {
+  Desk& desk = f.tab.desk();
+  Console& console = f.console;
+  if (const auto path = open_.draw(f.ui)) taken_from_file(f, load_backup(*path), path->filename().string());
+  const auto path = save_.draw(f.ui);
+  if (!path) return;
+  Backup file = desk.setup.to_file(f.now);
+  file.name = f.tab.name();
+  desk.worker().run([path = *path, text = write_backup(file, f.catalog)] { return write_file(path, text); },
+                    [&console, path = *path](Result<> saved) {
+                      if (saved)
+                        console.toast(Mood::ok, fmt::format("The set-up was saved as {}.", path.string()));
+                      else
+                        console.toast(Mood::fault, saved.error().sentence());
+                    },
+                    desk.alive());
+}
+
+void Setup::taken_from_file(Frame& f, const Result<Backup>& file, const std::string& name) {
+  if (!file) return f.toast(Mood::fault, file.error().sentence());
+  const auto checked = check_backup(*file, f.catalog, name);
+  if (!checked) return f.toast(Mood::fault, checked.error().sentence());
+  int differing = 0;
+  problems_ = f.tab.desk().setup.take(*checked, f.now, &differing);
+  from_file_ = name;
+  for (SetupRowState& row : rows_) row.number.reset();
+  if (differing == 0)
+    return f.toast(Mood::plain, fmt::format("{} says what the controller has already.", name));
+  f.toast(Mood::plain, differing == 1
+                           ? fmt::format("One value of {} differs from the controller. Write sends it.", name)
+                           : fmt::format("{} values of {} differ from the controller. Write sends them.",
+                                         differing, name));
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,261 @@
+#include "panels/setup/setup_row.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "gui/widgets/icons.h"
+#include "gui/widgets/text.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float setup_row_height = 40, bit_height = 32, mnemonic_width = 56;
+
+/// A box with a tick and its words; true when it was pressed.
+bool bit_box(Ui& ui, std::string_view id, std::string_view label, bool on, std::string_view disabled,
+             float width) {
+  const Touch t = touch(
+      ui, {.id = id, .kind = Kind::toggle, .label = label, .value = on ? "on" : "off", .disabled = disabled},
+      ImVec2(width, ui.px(bit_height)));
+  const float middle = std::floor(t.rect.centre().y), side = ui.px(16);
+  const Rect box{ImVec2(t.rect.min.x + ui.px(2), middle - side / 2),
+                 ImVec2(t.rect.min.x + ui.px(2) + side, middle + side / 2)};
+  if (t.hovered && t.enabled) draw_fill(ui, t.rect, ui[Tone::hover]);
+  draw_fill(ui, box, ui[on ? Tone::ink2 : Tone::well], 2);
+  draw_outline(ui, box, ui[t.enabled ? Tone::edge : Tone::line], 2);
+  if (on) draw_icon(ImGui::GetWindowDrawList(), Icon::check, box.centre(), ui.px(12), ui[Tone::panel]);
+  draw_text_line(ui, box.max.x + ui.px(8), t.rect.max.x, middle, Face::body,
+                 ui[t.enabled ? Tone::ink : Tone::ink3], label);
+  draw_ring(ui, t);
+  return t.clicked;
+}
+
+}  // namespace
+
+SetupRow::SetupRow(Frame& frame, SetupEdits& edits, std::size_t i, SetupRowState& state, float left,
+                   float right)
+    : f_(frame),
+      ui_(frame.ui),
+      edits_(edits),
+      i_(i),
+      p_(frame.catalog.params[i]),
+      has_(frame.now.params[i]),
+      state_(state),
+      left_(left),
+      right_(right) {
+  const auto end = fmt::format_to_n(id_, sizeof id_, "setup/{}", p_.mnemonic);
+  id_size_ = std::min(end.size, sizeof id_);
+}
+
+std::string_view SetupRow::why_not() const {
+  return f_.connected() ? std::string_view()
+                        : "There is no link. Values can be read and written when it is back.";
+}
+
+float SetupRow::control_width() const {
+  const float room = (right_ - left_) / ui_.scale;
+  if (!p_.bits.empty()) return 96;
+  if (!p_.choices.empty()) {  // as wide as its longest value, where the label leaves the room
+    float longest = 0;
+    for (const ParamChoice& c : p_.choices)
+      longest = std::max(longest, text_width(ui_, Face::body_bold, c.label) / ui_.scale);
+    const float label = mnemonic_width + text_width(ui_, Face::body, p_.label) / ui_.scale + 24;
+    const float usual = std::clamp(room * 0.4f, 160.f, 300.f);
+    return std::max(usual, std::floor(std::min(longest + 38, room - label)));
+  }
+  return std::clamp(room * 0.3f, 128.f, 152.f);  // seven figures and their unit
+}
+
+bool SetupRow::draw(bool hover_counts) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float field_left = right_ - ui_.px(control_width());
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left_, at.y), ImVec2(right_, at.y + ui_.hair()),
+                                            ui_[Tone::line]);
+  const float words_end = draw_words(field_left - ui_.px(12), at.y);
+  draw_was(words_end + ui_.px(8), field_left - ui_.px(12), at.y + ui_.px(setup_row_height / 2));
+  draw_control(field_left, at.y);
+  const float bottom = ImGui::GetCursorScreenPos().y;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, bottom));
+  const bool pointed = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+                       Rect{ImVec2(left_, at.y), ImVec2(right_, bottom)}.contains(ImGui::GetIO().MousePos);
+  const std::string_view focus = ui_.focus.id();
+  const bool focused = focus.starts_with(id()) && (focus.size() == id().size() || focus[id().size()] == '/');
+  return focused || (pointed && hover_counts);
+}
+
+float SetupRow::draw_words(float right, float y) {
+  const float middle = y + ui_.px(setup_row_height / 2);
+  const bool off = edits_.off_factory(i_, f_.now);
+  draw_text_line(ui_, left_, left_ + ui_.px(mnemonic_width), middle, Face::code_field,
+                 ui_[off ? Tone::ink : Tone::ink2], p_.mnemonic);
+  const float x = left_ + ui_.px(mnemonic_width);
+  const Face face = off ? Face::body_medium : Face::body;
+  draw_text_line(ui_, x, right, middle, face, ui_[Tone::ink], p_.label);
+  return std::min(right, x + std::ceil(text_width(ui_, face, p_.label)));
+}
+
+// Beside the name: what the controller has instead, or what the factory had, or that it goes with the power.
+void SetupRow::draw_was(float left, float right, float middle) {
+  char words[64];
+  std::size_t size = 0;
+  Tone tone = Tone::ink3;
+  const auto say = [&](const char* format, std::int64_t value = 0) {
+    const auto end = fmt::format_to_n(words, sizeof words, fmt::runtime(format), value);
+    size = std::min(end.size, sizeof words);
+  };
+  const auto say_value = [&](const char* format, std::int64_t value) {
+    if (p_.decimals == 0 && p_.prefix.empty() && p_.digits == 0) return say(format, value);
+    const std::string whole = fmt::format(fmt::runtime(format), value_text(p_, value));
+    size = whole.copy(words, sizeof words);
+  };
+  const bool changed = edits_.changed(i_, f_.now);
+  if (changed && has_.known)
+    say_value("was {}", has_.value);
+  else if (changed)
+    say("edited");
+  else if (has_.known && !has_.stored)
+    say("not stored"), tone = Tone::warn;
+  else if (edits_.off_factory(i_, f_.now))
+    say_value("factory {}", p_.fallback);
+  else if (!p_.stored && f_.catalog.can.store)  // else it is so with all of them
+    say("not stored in flash");
+  if (size == 0) return;
+  const std::string_view said(words, size);
+  const float width = std::ceil(text_width(ui_, Face::small, said));
+  if (right - left < width) return;
+  if (!changed) return draw_text_line(ui_, right - width, right, middle, Face::small, ui_[tone], said);
+  char id[96];
+  part_id("was", id, size);
+  ImGui::SetCursorScreenPos(ImVec2(right - width, std::floor(middle - ui_.line(Face::small) / 2)));
+  if (link(ui_, {id, size}, said)) {
+    edits_.undo(i_);
+    state_.number.reset();
+  }
+}
+
+void SetupRow::part_id(std::string_view part, char (&out)[96], std::size_t& size) const {
+  const auto end = fmt::format_to_n(out, sizeof out, "setup/{}/{}", p_.mnemonic, part);
+  size = std::min(end.size, sizeof out);
+}
+
+void SetupRow::draw_control(float left, float y) {
+  ImGui::SetCursorScreenPos(ImVec2(left, y + ui_.px(4)));
+  if (!p_.bits.empty())
+    draw_bits(y);
+  else if (!p_.choices.empty())
+    draw_choice(y);
+  else
+    draw_number(y);
+}
+
+/// A name that ends in a number: typed whole, or the number alone.
+void SetupRow::draw_name(float y) {
+  const auto shown = edits_.shown(i_, f_.now);
+  std::string& text = state_.number.text;
+  if (!state_.typing_name) text = shown ? value_text(p_, *shown) : std::string();
+  FieldOptions options;
+  options.disabled = why_not();
+  options.width = control_width();
+  options.changed = edits_.changed(i_, f_.now);
+  options.error = !state_.number.sentence.empty();
+  options.face = Face::code_field;
+  const Field e = text_field(ui_, id(), p_.label, text, options);
+  if (e.edited) state_.typing_name = true, state_.number.sentence.clear();
+  if ((e.entered || e.left) && state_.typing_name) {
+    std::string_view number = text;
+    if (number.starts_with(p_.prefix)) number.remove_prefix(p_.prefix.size());
+    const auto value = read_number(number);
+    if (value && edits_.set(i_, std::llround(*value)))
+      state_.typing_name = false;
+    else
+      state_.number.sentence =
+          fmt::format("{} to {} only", value_text(p_, p_.minimum), value_text(p_, p_.maximum));
+  }
+  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(setup_row_height)));
+  if (state_.number.sentence.empty()) return;
+  draw_text_right(ui_, ImVec2(right_, y + ui_.px(setup_row_height - 2)), Face::small, ui_[Tone::fault],
+                  state_.number.sentence);
+  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(setup_row_height + 16)));
+}
+
+void SetupRow::draw_number(float y) {
+  if (!p_.prefix.empty()) return draw_name(y);
+  const auto shown = edits_.shown(i_, f_.now);
+  NumberOptions options;
+  const double scale = std::pow(10.0, p_.decimals);
+  options.range.min =
+      static_cast<double>(p_.also_zero ? std::min<std::int64_t>(0, p_.minimum) : p_.minimum) / scale;
+  options.range.max = static_cast<double>(p_.maximum) / scale;
+  options.range.decimals = p_.decimals;
+  const std::string unit = unit_of(p_, f_.catalog, f_.now);
+  options.range.unit = unit;
+  options.disabled = why_not();
+  options.width = control_width();
+  options.changed = edits_.changed(i_, f_.now);
+  const NumberEvent e = number_field(
+      ui_, id(), p_.label, shown ? std::optional<double>(static_cast<double>(*shown) / scale) : std::nullopt,
+      state_.number, options);
+  const float below = ImGui::GetCursorScreenPos().y;
+  if (e.committed || (e.entered && state_.number.dirty())) {
+    if (edits_.set(i_, static_cast<std::int64_t>(std::llround(e.value * scale))))
+      state_.number.reset();
+    else
+      state_.number.sentence = range_in_words(p_) + " only";
+  }
+  ImGui::SetCursorScreenPos(ImVec2(left_, std::max(below, y + ui_.px(setup_row_height))));
+}
+
+void SetupRow::draw_choice(float y) {
+  if (state_.views.empty()) {
+    for (const ParamChoice& c : p_.choices) state_.names.push_back(c.label);
+    state_.views.assign(state_.names.begin(), state_.names.end());
+  }
+  const auto shown = edits_.shown(i_, f_.now);
+  int chosen = -1;
+  for (std::size_t c = 0; c < p_.choices.size(); ++c)
+    if (shown && p_.choices[c].value == *shown) chosen = static_cast<int>(c);
+  const int picked = dropdown(
+      ui_, id(), p_.label, state_.views, chosen,
+      {.disabled = why_not(), .width = control_width(), .none = p_.readable ? "not read" : "cannot be read"});
+  if (picked >= 0 && picked < static_cast<int>(p_.choices.size()))
+    edits_.set(i_, p_.choices[static_cast<std::size_t>(picked)].value);
+  ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(setup_row_height)));
+}
+
+void SetupRow::draw_bits(float y) {
+  const auto shown = edits_.shown(i_, f_.now);
+  char words[24];
+  const auto end = shown ? fmt::format_to_n(words, sizeof words, "{}", *shown)
+                         : fmt::format_to_n(words, sizeof words, "not read");
+  const std::string_view value(words, std::min(end.size, sizeof words));
+  const float middle = y + ui_.px(setup_row_height / 2);
+  draw_text_line(ui_, right_ - std::ceil(text_width(ui_, Face::code_field, value)), right_, middle,
+                 Face::code_field, ui_[Tone::ink], value);
+  show(ui_, {.id = id(), .kind = Kind::text, .label = p_.label, .value = value},
+       {ImVec2(left_, y), ImVec2(right_, y + ui_.px(setup_row_height))});
+  const bool two = right_ - left_ > ui_.px(620);
+  const float x0 = left_ + ui_.px(mnemonic_width - 2), width = (right_ - x0) / (two ? 2 : 1);
+  float row_y = y + ui_.px(setup_row_height - 4);
+  for (std::size_t b = 0; b < p_.bits.size(); ++b) {
+    const std::int64_t mask = std::int64_t{1} << p_.bits[b].bit;
+    const bool on = shown && (*shown & mask);
+    char part[96];
+    std::size_t size = 0;
+    const auto number = fmt::format_int(p_.bits[b].bit);
+    part_id({number.data(), number.size()}, part, size);
+    const std::string_view fixed = on && !p_.accepts(*shown & ~mask) ? "This bit is always on." : why_not();
+    ImGui::SetCursorScreenPos(ImVec2(x0 + (two && b % 2 ? width : 0), row_y));
+    if (bit_box(ui_, {part, size}, p_.bits[b].label, on, fixed, width - ui_.px(8)) && shown)
+      edits_.set(i_, *shown ^ mask);
+    if (!two || b % 2 || b + 1 == p_.bits.size()) row_y += ui_.px(bit_height);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(left_, row_y + ui_.px(4)));
+}
+
+}  // namespace hw::panels

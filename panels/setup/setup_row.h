@@ -1,0 +1,54 @@
+#pragma once
+// One parameter of the set-up as a row: mnemonic, name, what it was, and the control that suits its values.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gui/model/setup_edits.h"
+#include "gui/shell/frame.h"
+#include "gui/surface/ui.h"
+#include "gui/widgets/number_field.h"
+
+namespace hw::panels {
+
+/// View state of one row.
+struct SetupRowState {
+  gui::NumberField number;
+  bool typing_name = false;             ///< a name is being typed into number.text
+  std::vector<std::string> names;       ///< of the choices
+  std::vector<std::string_view> views;  ///< into `names`
+};
+
+class SetupRow {
+ public:
+  SetupRow(gui::Frame& frame, gui::SetupEdits& edits, std::size_t i, SetupRowState& state, float left,
+           float right);
+  /// At ImGui's cursor. True: the caret or the ring is on it, or (if that counts) the mouse.
+  bool draw(bool hover_counts);
+
+ private:
+  float draw_words(float field_left, float y);
+  void draw_was(float left, float right, float middle);
+  void draw_control(float left, float y);
+  void draw_number(float y);
+  void draw_name(float y);
+  void draw_choice(float y);
+  void draw_bits(float y);
+  [[nodiscard]] float control_width() const;
+  [[nodiscard]] std::string_view why_not() const;
+  void part_id(std::string_view part, char (&out)[96], std::size_t& size) const;
+
+  gui::Frame& f_;
+  gui::Ui& ui_;
+  gui::SetupEdits& edits_;
+  const std::size_t i_;
+  const ParamInfo& p_;
+  const ParamState& has_;
+  SetupRowState& state_;
+  const float left_, right_;  // pixels
+  char id_[96];
+  std::size_t id_size_ = 0;
+  [[nodiscard]] std::string_view id() const { return {id_, id_size_}; }
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,176 @@
+#include "panels/tuning/step_table.h"
+
+#include <cmath>
+#include <optional>
+
+#include "gui/model/units_format.h"
+#include "gui/widgets/row.h"
+#include "gui/widgets/text.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float step_row_height = 26;
+
+/// Instead of a unit.
+constexpr std::string_view bare = "-";
+
+struct Measure {
+  std::string_view id, label, brief, unit;
+  int decimals;
+  std::optional<double> (*of)(const StepMeasures&);
+  std::string_view absent;  ///< said when there is none
+};
+
+constexpr Measure measures[] = {
+    {"overshoot", "Overshoot", "Overshoot", "%", 1,
+     [](const StepMeasures& m) { return std::optional(m.overshoot_percent); }, ""},
+    {"rise", "Rise, 10 to 90 %", "Rise", "ms", 1,
+     [](const StepMeasures& m) { return m.rose ? std::optional(m.rise_ms) : std::nullopt; }, "did not rise"},
+    {"settling", "Settling, 2 %", "Settling", "ms", 1,
+     [](const StepMeasures& m) { return m.settled ? std::optional(m.settling_ms) : std::nullopt; },
+     "not settled"},
+    {"steady", "Steady error", "Steady", "", 1,
+     [](const StepMeasures& m) { return std::optional(m.steady_error); }, ""},
+    {"crossings", "Target passed", "Passed", bare, 0,
+     [](const StepMeasures& m) { return std::optional(static_cast<double>(m.crossings)); }, ""},
+    {"largest", "Largest error", "Largest", "", 0,
+     [](const StepMeasures& m) { return std::optional(m.largest_error); }, ""},
+};
+
+/// " ms", " counts"; a bare number has none.
+Path unit_of(const Frame& f, const Measure& m) {
+  if (m.unit == bare) return Path("{}", "");
+  return Path(" {}", m.unit.empty() ? std::string_view(f.catalog.step_word) : m.unit);
+}
+
+/// Without its unit.
+Path number_of(const Measure& m, const StepMeasures& of) {
+  const auto value = m.of(of);
+  if (!of.any || !value) return Path("{}", of.any ? m.absent : "");
+  const NumberText number = format_number(*value, m.decimals);
+  return Path("{}", number.view());
+}
+Path words_of(const Frame& f, const Measure& m, const StepMeasures& of) {
+  const bool number = of.any && m.of(of);
+  return Path("{}{}", number_of(m, of).view(), number ? unit_of(f, m).view() : std::string_view());
+}
+
+struct Change {
+  Path words;
+  Tone tone;
+  Path by;                        ///< the first part of the words: how much
+  std::string_view verdict = {};  ///< the second
+};
+/// Less is better in all of them; errors count without their sign.
+Change change_of(const Frame& f, const Measure& m, const TwoSteps& s, bool roomy) {
+  const auto now = m.of(s.now), was = m.of(s.was);
+  if (s.number == 0 || s.before == 0 || !s.now.any || !s.was.any || !now || !was)
+    return {Path("{}", ""), Tone::ink2, Path("{}", "")};
+  const double by = std::fabs(*now) - std::fabs(*was);
+  const double least = 0.5 * std::pow(10.0, -m.decimals);
+  if (std::fabs(by) < least) return {Path("same"), Tone::ink2, Path("same")};
+  const NumberText number = format_number(by, m.decimals);
+  const std::string_view sign = by > 0 ? "+" : "";
+  const std::string_view verdict = by < 0 ? "better" : "worse";
+  const Path much("{}{}{}", sign, number.view(), roomy ? unit_of(f, m).view() : std::string_view());
+  return {Path("{}, {}", much.view(), verdict), by < 0 ? Tone::ok : Tone::warn, much, verdict};
+}
+
+}  // namespace
+
+void draw_step_table(Frame& f, const TwoSteps& s, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float left = at.x + ui.px(16), right = at.x + ui.px(width - 16);
+  const float share = (right - left) / 4;
+  const Column columns[] = {{"Measurements", 0, false},
+                            {"", share * 0.85f / ui.scale, true},
+                            {"", share * 0.85f / ui.scale, true},
+                            {"", share * 1.15f / ui.scale, true}};
+  const Columns places(ui, columns, left, right);
+  const Rect head{ImVec2(left, at.y), ImVec2(right, at.y + ui.px(32))};
+  places.text(ui, 0, head, Face::body_bold, ui[Tone::ink], "Measurements");
+  if (s.number) places.text(ui, 1, head, Face::body_bold, ui[Tone::ink], Path("run {}", s.number));
+  if (s.number && s.before) {
+    places.text(ui, 2, head, Face::body, ui[Tone::ink2], Path("run {}", s.before));
+    places.text(ui, 3, head, Face::body, ui[Tone::ink2], "change");
+  }
+  float y = head.max.y;
+  for (const Measure& m : measures) {
+    const Rect row{ImVec2(left, y), ImVec2(right, y + ui.px(step_row_height))};
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.hair()),
+                                              ui[Tone::line]);
+    places.text(ui, 0, row, Face::body, ui[Tone::ink2], m.label);
+    const auto say = [&](std::size_t column, std::string_view id, Face face, Tone tone,
+                         std::string_view words) {
+      places.text(ui, column, row, face, ui[tone], words);
+      show(ui, {id, Kind::text, m.label, words}, places.cell(column, row));
+    };
+    if (s.number) say(1, Path("tuning/measure/{}", m.id), Face::body_bold, Tone::ink, words_of(f, m, s.now));
+    if (s.number && s.before) {
+      say(2, Path("tuning/measure/{}/before", m.id), Face::body, Tone::ink2, words_of(f, m, s.was));
+      const Change change = change_of(f, m, s, width >= 520);
+      say(3, Path("tuning/measure/{}/change", m.id), Face::body, change.tone, change.words);
+    }
+    y = row.max.y;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+  gap(ui, 8);
+}
+
+/// A column for each measure; its unit stands under its name, and a change in two lines.
+void draw_flat_step_table(Frame& f, const TwoSteps& s, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  constexpr float run_width = 52;
+  const float left = at.x + ui.px(16 + run_width), right = at.x + ui.px(width - 16);
+  const float pitch = (right - left) / static_cast<float>(std::size(measures));
+  const float now_y = at.y + ui.px(36), was_y = now_y + ui.px(24), change_y = was_y + ui.px(24);
+  const auto line = [&](float y) {
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.hair()),
+                                              ui[Tone::line]);
+  };
+  const auto begin = [&](float y, Face face, Tone tone, std::string_view words) {
+    draw_text_line(ui, at.x + ui.px(16), left, y + ui.px(12), face, ui[tone], words);
+  };
+  const bool compared = s.number != 0 && s.before != 0;
+  for (const float y : {now_y, was_y, change_y}) line(y);
+  if (s.number) begin(now_y, Face::small_bold, Tone::ink, Path("run {}", s.number));
+  if (compared) begin(was_y, Face::small, Tone::ink2, Path("run {}", s.before));
+  if (compared) begin(change_y, Face::small, Tone::ink2, "change");
+  float x = left;
+  for (const Measure& m : measures) {
+    const float end = x + pitch - ui.px(4);
+    const auto line_of = [&](float y, Face face, Tone tone, std::string_view words) {
+      const bool fits = text_width(ui, face, words) <= end - x;
+      draw_text_line(ui, x, end, y, fits ? face : Face::small, ui[tone], words);
+    };
+    const auto tell = [&](float y, float height, std::string_view id, std::string_view words) {
+      show(ui, {id, Kind::text, m.label, words}, {ImVec2(x, y), ImVec2(end, y + ui.px(height))});
+    };
+    line_of(at.y + ui.px(11), Face::small, Tone::ink, m.brief);
+    const std::string_view unit = m.unit.empty() ? std::string_view(f.catalog.step_word) : m.unit;
+    if (m.unit != bare) line_of(at.y + ui.px(26), Face::small, Tone::ink2, unit);
+    if (s.number) {
+      line_of(now_y + ui.px(12), Face::body_bold, Tone::ink, number_of(m, s.now));
+      tell(now_y, 24, Path("tuning/measure/{}", m.id), words_of(f, m, s.now));
+    }
+    if (compared) {
+      line_of(was_y + ui.px(12), Face::body, Tone::ink2, number_of(m, s.was));
+      tell(was_y, 24, Path("tuning/measure/{}/before", m.id), words_of(f, m, s.was));
+      const Change change = change_of(f, m, s, false);
+      line_of(change_y + ui.px(12), Face::body, change.tone, change.by);
+      line_of(change_y + ui.px(28), Face::small, change.tone, change.verdict);
+      tell(change_y, 40, Path("tuning/measure/{}/change", m.id), change.words);
+    }
+    x += pitch;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, change_y + ui.px(40)));
+  gap(ui, 4);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,257 @@
+#include "gui/model/program_job.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/gui/model/toy_language.h"
+
+namespace hw::gui {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct ProgramJobTest : ::testing::Test {
+  ProgramJob::Send send = [this](IntentBody body) {
+    sent.push_back(std::move(body));
+    return static_cast<IntentId>(sent.size());
+  };
+  bool begin(ProgramJob::Goal goal) { return job.begin(goal, 0, texts, now, catalog, send); }
+  void settle(Fate fate, const char* sentence = "") {
+    IntentFate f;
+    f.id = sent.size(), f.fate = fate, f.sentence = sentence;
+    now.fates[0] = f;
+    job.update(texts, now, catalog, Instant(), send);
+  }
+  void find_another_program() {
+    now.slot_bytes_used[0] = 12;
+    texts.set_text(0, "I1M400");
+    ASSERT_TRUE(begin(ProgramJob::Goal::run));
+    texts.listed(0, "L9\n", Instant());
+    settle(Fate::done);
+  }
+  template <class T>
+  const T* last() const {
+    return sent.empty() ? nullptr : std::get_if<T>(&sent.back());
+  }
+  Catalog catalog = test::toy_catalog();
+  test::ToyLanguage language;
+  ProgramTexts texts{catalog.program, &language};
+  ProgramJob job;
+  Snapshot now;
+  std::vector<IntentBody> sent;
+};
+
+TEST_F(ProgramJobTest, RunLoadsWhatAnEmptySlotDoesNotHold) {
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  ASSERT_TRUE(last<intent::LoadProgram>());
+  EXPECT_EQ(last<intent::LoadProgram>()->text, "I1M400");
+  settle(Fate::done);
+  ASSERT_TRUE(last<intent::RunProgram>());
+  settle(Fate::done);
+  EXPECT_FALSE(job.busy());
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  EXPECT_EQ(sent.size(), 3u) << "the second time it is there already";
+  EXPECT_TRUE(last<intent::RunProgram>());
+}
+
+TEST_F(ProgramJobTest, NothingIsStartedBehindAStop) {
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  job.give_up();
+  settle(Fate::done);
+  EXPECT_FALSE(last<intent::RunProgram>());
+  EXPECT_FALSE(job.busy());
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("A stop came"));
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  EXPECT_TRUE(last<intent::RunProgram>()) << "asked for again, and loaded already";
+}
+
+TEST_F(ProgramJobTest, AControllerThatKeepsNoProgramsIsSentTheTextWithoutAsking) {
+  catalog.program.capacity = 0;
+  now.slot_bytes_used[0] = 4;
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  ASSERT_TRUE(last<intent::LoadProgram>());
+  settle(Fate::done);
+  EXPECT_TRUE(last<intent::RunProgram>());
+}
+
+TEST_F(ProgramJobTest, RunComparesFirstWhenTheSlotIsInUse) {
+  now.slot_bytes_used[0] = 4;
+  texts.set_text(0, "I1M400,L0");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  ASSERT_TRUE(last<intent::UploadProgram>());
+  texts.listed(0, "I1M400\nL0\n", Instant());
+  settle(Fate::done);
+  EXPECT_TRUE(last<intent::RunProgram>()) << "the same program: nothing is loaded";
+}
+
+TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesWhatMeansNothingHere) {
+  now.slot_bytes_used[0] = 1;
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  texts.listed(0, "", Instant(), false);
+  settle(Fate::done);
+  EXPECT_EQ(job.stage(), ProgramJob::Stage::asking);
+  EXPECT_THAT(job.question(), HasSubstr("another program of 1 byte,"));
+}
+
+TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesAnotherProgram) {
+  find_another_program();
+  EXPECT_EQ(job.stage(), ProgramJob::Stage::asking);
+  EXPECT_THAT(job.question(), HasSubstr("Program 0 in the controller holds another program of 12 bytes"));
+  EXPECT_EQ(sent.size(), 1u);
+  job.answer(ProgramJob::Answer::leave, texts, send);
+  EXPECT_EQ(sent.size(), 1u);
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("Nothing was sent."));
+
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  settle(Fate::done);
+  job.answer(ProgramJob::Answer::overwrite, texts, send);
+  EXPECT_TRUE(last<intent::LoadProgram>());
+}
+
+TEST_F(ProgramJobTest, WhatWasTypedDuringTheQuestionIsNotAnsweredForByIt) {
+  find_another_program();
+  ASSERT_EQ(job.stage(), ProgramJob::Stage::asking);
+  texts.set_text(0, "I1M-77");
+  const std::size_t before = sent.size();
+  job.answer(ProgramJob::Answer::overwrite, texts, send);
+  EXPECT_EQ(sent.size(), before);
+  EXPECT_FALSE(job.busy());
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("The text has changed since. Nothing was sent"));
+}
+
+TEST_F(ProgramJobTest, RoomIsMadeAfterTheTextWasBroughtIntoTheEditor) {
+  ASSERT_TRUE(begin(ProgramJob::Goal::make_room));
+  ASSERT_TRUE(last<intent::UploadProgram>());
+  texts.listed(0, "L9\n", Instant());
+  settle(Fate::done);
+  EXPECT_THAT(texts.text(0), HasSubstr("L9"));
+  ASSERT_TRUE(last<intent::ClearProgram>());
+  settle(Fate::done);
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("Its text is kept in the editor. Move again."));
+}
+
+TEST_F(ProgramJobTest, AQuestionStaysUntilItIsAnswered) {
+  find_another_program();
+  ASSERT_EQ(job.stage(), ProgramJob::Stage::asking);
+  EXPECT_FALSE(begin(ProgramJob::Goal::make_room));
+  EXPECT_EQ(job.stage(), ProgramJob::Stage::asking);
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("Answer the question about the program first."));
+}
+
+TEST_F(ProgramJobTest, NoRoomIsMadeWhereATextWouldBeLost) {
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::make_room));
+  texts.listed(0, "L9\n", Instant());
+  settle(Fate::done);
+  EXPECT_FALSE(last<intent::ClearProgram>());
+  EXPECT_FALSE(job.busy());
+  EXPECT_EQ(texts.text(0), "I1M400");
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("Nothing was emptied."));
+}
+
+TEST_F(ProgramJobTest, FetchingInsteadKeepsTheControllersProgram) {
+  now.slot_bytes_used[0] = 12;
+  texts.set_text(0, "I1M400");
+  begin(ProgramJob::Goal::run);
+  texts.listed(0, "L9\n", Instant());
+  settle(Fate::done);
+  job.answer(ProgramJob::Answer::fetch_instead, texts, send);
+  EXPECT_EQ(texts.text(0), "L9\n");
+  EXPECT_FALSE(job.busy());
+  EXPECT_EQ(sent.size(), 1u);
+}
+
+TEST_F(ProgramJobTest, ErrorsInTheTextAreSaidAndNothingIsSent) {
+  texts.set_text(0, "I1\nBAD");
+  EXPECT_FALSE(begin(ProgramJob::Goal::run));
+  EXPECT_EQ(job.take_told().sentence, "Nothing was sent. Line 2: BAD is no command.");
+  EXPECT_TRUE(sent.empty());
+  EXPECT_EQ(texts.text(0), "I1\nBAD");
+}
+
+TEST_F(ProgramJobTest, ProgramTooLongIsSaidAndNothingIsSent) {
+  texts.set_text(0, "A,B,C,D,E,F,G,H,J,K,M");
+  EXPECT_FALSE(begin(ProgramJob::Goal::run));
+  EXPECT_EQ(job.take_told().sentence,
+            "Nothing was sent. The program needs 22 bytes and 20 fit: 2 too many. Shorten it.");
+  EXPECT_TRUE(sent.empty());
+}
+
+TEST_F(ProgramJobTest, RefusedLoadEndsTheJobWithItsSentence) {
+  texts.set_text(0, "I1");
+  begin(ProgramJob::Goal::run);
+  settle(Fate::refused, "A program runs. Nothing was sent.");
+  EXPECT_FALSE(job.busy());
+  const auto told = job.take_told();
+  EXPECT_EQ(told.mood, Mood::fault);
+  EXPECT_EQ(told.sentence, "A program runs. Nothing was sent.");
+  EXPECT_EQ(sent.size(), 1u);
+  EXPECT_EQ(job.take_told().sentence, "") << "told once";
+}
+
+TEST_F(ProgramJobTest, LostLinkEndsTheJob) {
+  texts.set_text(0, "I1");
+  begin(ProgramJob::Goal::store);
+  now.link.state = LinkState::lost;
+  job.update(texts, now, catalog, Instant(), send);
+  EXPECT_FALSE(job.busy());
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("The link was lost"));
+}
+
+TEST_F(ProgramJobTest, StoreSaysHowManyWritesWereUsed) {
+  texts.set_text(0, "I1");
+  begin(ProgramJob::Goal::store);
+  settle(Fate::done);
+  ASSERT_TRUE(last<intent::Store>());
+  now.store_count = 13;
+  settle(Fate::done);
+  EXPECT_EQ(job.take_told().sentence, "Stored in the controller. 13 of 100000 writes used.");
+}
+
+TEST_F(ProgramJobTest, SteppingHoldsBeforeTheFirstCommand) {
+  texts.set_text(0, "I1");
+  begin(ProgramJob::Goal::run_stepping);
+  settle(Fate::done);
+  ASSERT_EQ(sent.size(), 3u);
+  EXPECT_TRUE(std::holds_alternative<intent::SelectProgram>(sent[1]));
+  EXPECT_TRUE(std::holds_alternative<intent::SingleStep>(sent[2]));
+}
+
+TEST_F(ProgramJobTest, FetchBringsTheListingAndClearLeavesTheText) {
+  begin(ProgramJob::Goal::fetch);
+  texts.listed(0, "L9\n", Instant());
+  settle(Fate::done);
+  EXPECT_EQ(texts.text(0), "L9\n");
+  begin(ProgramJob::Goal::clear);
+  ASSERT_TRUE(last<intent::ClearProgram>());
+  settle(Fate::done);
+  EXPECT_EQ(texts.text(0), "L9\n");
+  EXPECT_TRUE(texts.held(0).known);
+  EXPECT_TRUE(texts.held(0).listing.empty());
+}
+
+TEST_F(ProgramJobTest, FetchSaysHowToGetBackWhatItReplaces) {
+  begin(ProgramJob::Goal::fetch);
+  texts.listed(0, "L9\n", Instant());
+  settle(Fate::done);
+  EXPECT_THAT(job.take_told().sentence, testing::Not(HasSubstr("Ctrl+Z")));
+  texts.set_text(0, "L9\n; a note\n");
+  begin(ProgramJob::Goal::fetch);
+  settle(Fate::done);
+  EXPECT_THAT(job.take_told().sentence, HasSubstr("Ctrl+Z brings back what stood here."));
+}
+
+TEST_F(ProgramJobTest, TextTypedDuringTheTransferIsNotTakenForLoaded) {
+  texts.set_text(0, "I1");
+  begin(ProgramJob::Goal::run);
+  texts.set_text(0, "I2");
+  settle(Fate::done);
+  EXPECT_EQ(texts.held(0).text, "I1");
+  EXPECT_FALSE(texts.controller_has(0));
+}
+
+}  // namespace
+}  // namespace hw::gui

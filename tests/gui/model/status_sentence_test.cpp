@@ -1,0 +1,272 @@
+#include "gui/model/status_sentence.h"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "gui/model/axis_look.h"
+
+namespace hw::gui {
+namespace {
+
+class StatusSentenceTest : public testing::Test {
+ protected:
+  Catalog catalog;
+  Snapshot now;
+  Instant clock{Millis(10'000)};
+  std::optional<JogHold::Control> held;
+  RunPlace run;
+  std::string failed;
+
+  StatusSentenceTest() {
+    catalog.name = "Example Two";
+    catalog.short_name = "Two";
+    catalog.axes = {{"1", "motor 1"}, {"2", "motor 2"}};
+    catalog.program.slot_word = "Program";
+    catalog.can.store = true;
+    ParamInfo type;
+    type.mnemonic = "type1";
+    type.axis = 0;
+    type.before_moving = "No motor is chosen for motor 1, so it must not move. Choose it in Setup.";
+    catalog.params.push_back(type);
+    now.axis_count = 2;
+    now.link.state = LinkState::good;
+    now.poll_period = Millis(200);
+    for (int i = 0; i < 2; ++i) {
+      now.axes[i].position_known = now.axes[i].limits_known = true;
+      now.axes[i].activity = Activity::idle;
+      now.axes[i].seen_at = clock;
+    }
+    now.params[0].known = true;
+    now.params[0].value = 3;
+  }
+  StatusSentence say() const {
+    return status_sentence({catalog, now, clock, held, held.has_value(),
+                            [](AxisId, Steps s) { return fmt::format("{} steps", s.value); },
+                            [](AxisId, Pps v) { return fmt::format("{} steps/s", v.value); },
+                            [](Instant) { return std::string("14:20:08"); }, run, failed});
+  }
+};
+
+TEST_F(StatusSentenceTest, Idle) {
+  EXPECT_EQ(say().text, "Idle. Hold a jog button, type where to go, or run a program.");
+  EXPECT_EQ(say().mood, Mood::plain);
+}
+
+TEST_F(StatusSentenceTest, BetweenTwoMotionsOfADrawingItIsNotIdle) {
+  now.pieces.running = true;
+  now.pieces.done = 12;
+  now.pieces.total = 800;
+  EXPECT_EQ(say().text, "Piece 13 of 800 is under way. Esc stops everything.");
+  EXPECT_EQ(say().mood, Mood::motion);
+  now.pieces.held = true;
+  EXPECT_EQ(say().text, "Held at piece 13 of 800. Go on, or stop it.");
+}
+
+TEST_F(StatusSentenceTest, ASlipIsSaidWhileNothingMoves) {
+  now.axes[1].slipped = true;
+  EXPECT_EQ(say().mood, Mood::warn);
+  EXPECT_EQ(say().text.view().find("Motor 2 has slipped: its encoder lay further off than is allowed."), 0u);
+  EXPECT_EQ(state_of(now, 1, clock), State::slipped);
+  EXPECT_EQ(worst_state(now, clock), State::slipped) << "its tab says so too";
+  now.axes[1].enabled = false;
+  EXPECT_EQ(state_of(now, 1, clock), State::slipped) << "and it is why it is off";
+  now.axes[1].activity = Activity::moving;
+  EXPECT_EQ(say().mood, Mood::motion);
+  EXPECT_EQ(state_of(now, 1, clock), State::moving);
+}
+
+TEST_F(StatusSentenceTest, AServoAxisSaysHowItStandsToItsCommand) {
+  ParamInfo gain;
+  gain.axis = 1;
+  gain.drives = true;
+  for (const char* name : {"KP2", "KI2"}) gain.mnemonic = name, catalog.params.push_back(gain);
+  now.params[1] = {200, true, true};
+  now.params[2] = {0, true, true};
+  AxisState& a = now.axes[1];
+  a.loop = Loop::in_place;
+  a.command = a.position = Steps(5000);
+  EXPECT_EQ(state_of(now, 1, clock), State::in_place);
+  EXPECT_EQ(worst_state(now, clock), State::idle);
+  EXPECT_EQ(say().mood, Mood::plain);
+  a.loop = Loop::off_place;
+  a.position = Steps(0);
+  EXPECT_EQ(state_of(now, 1, clock), State::not_in_place);
+  EXPECT_EQ(worst_state(now, clock), State::not_in_place);
+  EXPECT_EQ(say(), (StatusSentence{Mood::warn,
+                                   "Motor 2 is not in place: it stands 5000 steps from its command, "
+                                   "5000 steps. Look what holds it, and at its gains."}));
+  now.params[1].value = 0;
+  EXPECT_NE(say().text.view().find("Nothing drives it while KP2 and KI2 are 0."), std::string::npos);
+  a.loop = Loop::open;
+  EXPECT_EQ(state_of(now, 1, clock), State::open_loop);
+  EXPECT_EQ(say().text.view().find("The loop of motor 2 is open, so its motor is free."), 0u);
+  a.loop = Loop::unknown;
+  EXPECT_EQ(state_of(now, 1, clock), State::idle) << "what is not known is not shown as known";
+  a.loop = Loop::following;
+  a.activity = Activity::moving;
+  EXPECT_EQ(say(), (StatusSentence{Mood::motion,
+                                   "Motor 2 settles, 5000 steps from its command. Esc stops "
+                                   "everything."}));
+}
+
+TEST_F(StatusSentenceTest, Moving) {
+  now.axes[0].activity = Activity::moving;
+  now.axes[0].has_target = true;
+  now.axes[0].target = Steps(400);
+  EXPECT_EQ(say(), (StatusSentence{Mood::motion, "Motor 1 moves to 400 steps. Esc stops everything."}));
+}
+
+TEST_F(StatusSentenceTest, AProgramInErrorIsSaidWhileOthersRun) {
+  failed = "Program 2 has stopped in error in line 19: V2=5/V1.";
+  EXPECT_EQ(say(), (StatusSentence{Mood::fault, failed + " Run begins it anew, Stop puts the error away."}));
+  now.program.owned = true;
+  now.program.run = RunState::running;
+  run.who = "Programs 0, 1 are";
+  EXPECT_EQ(say(),
+            (StatusSentence{Mood::fault, failed + " Programs 0, 1 are running. Esc stops everything."}));
+  now.axes[0].activity = Activity::error;
+  now.notice = "Axis X hit its + limit. Clear the errors before the next move.";
+  EXPECT_EQ(say().text.view(),
+            failed +
+                " Axis X hit its + limit. Clear the errors before the next move. Programs 0, "
+                "1 are running. Esc stops everything.")
+      << "what stopped it stands beside it";
+  now.program.run = RunState::idle;
+  now.program.owned = false;
+  EXPECT_EQ(say().text.view(), failed + " Axis X hit its + limit. Clear the errors before the next move.");
+}
+
+TEST_F(StatusSentenceTest, WhatGoesOnBesideAnAxisInErrorIsSaid) {
+  now.axes[0].activity = Activity::error;
+  now.notice = "Axis X hit its + limit. Clear the errors before the next move.";
+  now.axes[1].activity = Activity::moving;
+  EXPECT_EQ(say(), (StatusSentence{Mood::fault, std::string(now.notice.view()) +
+                                                    " Motor 2 moves. Esc stops everything."}));
+}
+
+TEST_F(StatusSentenceTest, OfATextThatIsNotKnownTheStoredLineIsTold) {
+  now.program.owned = true;
+  now.program.slot = 0;
+  now.program.run = RunState::running;
+  run.stored_line = 2;
+  EXPECT_EQ(say().text, "Program 0 is running at line 2 of its stored code. Esc stops everything.");
+  run.line = 5;
+  EXPECT_EQ(say().text, "Program 0 is running in line 6. Esc stops everything.");
+}
+
+TEST_F(StatusSentenceTest, SeveralAxesThatMoveAreNamedTogether) {
+  now.axes[0].activity = now.axes[1].activity = Activity::moving;
+  now.axes[0].has_target = true;
+  EXPECT_EQ(say().text, "Motor 1 and motor 2 move. Esc stops everything.");
+}
+
+TEST_F(StatusSentenceTest, ADirectionThatIsNotKnownIsNotSaid) {
+  now.axes[0].activity = Activity::moving;
+  EXPECT_EQ(say().text, "Motor 1 moves. Esc stops everything.");
+}
+
+TEST_F(StatusSentenceTest, ARunningProgramTellsLinePassAndTimeLeft) {
+  now.program.owned = true;
+  now.program.slot = 0;
+  now.program.run = RunState::running;
+  EXPECT_EQ(say().text, "Program 0 is running. Esc stops everything.");
+  run.line = 5;
+  EXPECT_EQ(say().text, "Program 0 is running in line 6. Esc stops everything.");
+  run.pass = 7, run.passes = 20;
+  run.left_s = 45.2;
+  now.axes[0].activity = Activity::moving;
+  now.axes[0].has_target = true;
+  now.axes[0].target = Steps(4800);
+  EXPECT_EQ(say().text,
+            "Program 0 is running in line 6, pass 7 of 20. 46 s left. Motor 1 moves to 4800 steps. Esc stops "
+            "everything.");
+}
+
+TEST_F(StatusSentenceTest, SeveralProgramsAreNamed) {
+  now.program.owned = true;
+  now.program.slot = 0;
+  now.program.run = RunState::running;
+  run.who = "Programs 0, 2 are";
+  EXPECT_EQ(say().text, "Programs 0, 2 are running. Esc stops everything.");
+}
+
+TEST_F(StatusSentenceTest, LateOrNotUnderstood) {
+  now.link.state = LinkState::late;
+  now.link.misses_in_a_row = 2;
+  EXPECT_EQ(say().text, "Two answers late: 2 questions missed.");
+  now.link.misses_in_a_row = 0;
+  now.link.sentence = "Two devices have one address.";
+  EXPECT_EQ(say().text, "Two is not understood. Two devices have one address.");
+  EXPECT_EQ(say().mood, Mood::warn);
+}
+
+TEST_F(StatusSentenceTest, Held) {
+  now.axes[0].activity = Activity::jogging;
+  now.axes[0].direction = 1;
+  now.axes[0].speed = Pps(2000);
+  held = JogHold::Control{JogHold::Hand::mouse, AxisId{0}, Sign::plus};
+  EXPECT_EQ(say().text, "You hold 1+. Motor 1 moves at 2000 steps/s until you let go. Esc stops everything.");
+}
+
+TEST_F(StatusSentenceTest, LostIsTheWorstAndNamesTheWayOut) {
+  now.axes[0].activity = Activity::moving;
+  now.axes[1].limit_plus = true;
+  now.link.state = LinkState::lost;
+  now.link.sentence = "The cable is gone.";
+  EXPECT_EQ(say(), (StatusSentence{Mood::fault,
+                                   "Two does not answer since 14:20:08. Stop does not reach it: use its "
+                                   "power switch. The cable is gone."}));
+}
+
+TEST_F(StatusSentenceTest, AnErrorOfTheControllerIsToldAsTheDriverTellsIt) {
+  now.notice = "The program memory is full. Clear a program.";
+  EXPECT_EQ(say().mood, Mood::warn);
+  now.program.run = RunState::error;
+  EXPECT_EQ(say(), (StatusSentence{Mood::fault, "The program memory is full. Clear a program."}));
+}
+
+TEST_F(StatusSentenceTest, LimitSaysWhereItCanGo) {
+  now.axes[1].limit_plus = true;
+  EXPECT_EQ(say(), (StatusSentence{Mood::warn, "Motor 2 stands on its + limit. It can only move −."}));
+  now.axes[1].limit_minus = true;
+  EXPECT_EQ(say().text,
+            "Both limits of motor 2 are operated, so it cannot move. Look at its switches and their cable.");
+}
+
+TEST_F(StatusSentenceTest, MotorThatIsNotChosenIsSaidBeforeTheFirstMove) {
+  now.params[0].value = 0;
+  EXPECT_EQ(say().mood, Mood::warn);
+  EXPECT_EQ(say().text, catalog.params[0].before_moving);
+  EXPECT_EQ(unset_before_moving(catalog, now, AxisId{0}), 0);
+  EXPECT_EQ(unset_before_moving(catalog, now, AxisId{1}), -1);
+  now.params[0].known = false;
+  EXPECT_EQ(unset_before_moving(catalog, now, AxisId{0}), -1) << "what was not read is not claimed";
+}
+
+TEST_F(StatusSentenceTest, DoubtIsSaid) {
+  now.axes[0].trust.doubt(Doubt::power_cut, {});
+  EXPECT_EQ(say().mood, Mood::warn);
+  now.axes[0].position_known = false;
+  EXPECT_EQ(say().text, "Where motor 1 stands is not known. Home it, or say where it is.");
+}
+
+TEST_F(StatusSentenceTest, OldValuesAreNotTakenForNew) {
+  clock += Millis(5'000);
+  EXPECT_EQ(say(), (StatusSentence{Mood::warn, "The position of motor 1 is 5.0 s old."}));
+}
+
+TEST_F(StatusSentenceTest, WhatIsNotStoredIsSaidAtRest) {
+  now.unsaved_setup = true;
+  EXPECT_EQ(say().text, "Idle. The set-up is in RAM only: Store keeps it over power-off.");
+}
+
+TEST_F(StatusSentenceTest, ProgramThatWaits) {
+  now.program.owned = true;
+  now.program.slot = 2;
+  now.program.run = RunState::waiting;
+  EXPECT_EQ(say().text,
+            "Program 2 waits. It goes on by itself when what it waits for comes. Esc stops everything.");
+}
+
+}  // namespace
+}  // namespace hw::gui

@@ -1,0 +1,81 @@
+#include "gui/model/step_response.h"
+
+#include <gmock/gmock.h>
+
+namespace hw::gui {
+namespace {
+
+StepRun recorded(int step, std::initializer_list<int> encoder) {
+  StepRun run(1, AxisId{2}, Steps(step));
+  int ms = 0;
+  const auto take = [&](int command, int at) {
+    AxisSample s;
+    s.at = Instant(Millis(5000 + ms++));
+    s.axis = 2;
+    s.command = Steps(70 + command), s.encoder = Steps(70 + at);
+    run.take(s);
+  };
+  for (int i = 0; i < 5; ++i) take(0, 0);
+  for (const int at : encoder) take(step, at);
+  return run;
+}
+
+TEST(StepResponse, TimeCountsFromTheLastMomentBeforeTheStep) {
+  const StepRun run = recorded(100, {0, 50, 100});
+  EXPECT_FLOAT_EQ(run.t_ms().front(), -4);
+  EXPECT_FLOAT_EQ(run.t_ms()[5], 1);
+  EXPECT_FLOAT_EQ(run.error()[5], 100);
+}
+
+TEST(StepResponse, Measures) {
+  const StepMeasures m = measure(
+      recorded(100, {0, 50, 100, 120, 110, 96, 99, 100, 100, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99}));
+  EXPECT_DOUBLE_EQ(m.overshoot_percent, 20);
+  EXPECT_DOUBLE_EQ(m.peak_ms, 4);
+  EXPECT_TRUE(m.settled);
+  EXPECT_DOUBLE_EQ(m.settling_ms, 7) << "96 was outside of 2 %";
+  EXPECT_NEAR(m.rise_ms, 1.6, 1e-6);
+  EXPECT_DOUBLE_EQ(m.steady_error, 1);
+  EXPECT_EQ(m.crossings, 2) << "up through the target and back";
+  EXPECT_DOUBLE_EQ(m.largest_error, 100);
+}
+
+TEST(StepResponse, AStepDownIsTurnedRound) {
+  const StepMeasures m = measure(recorded(-100, {0, -50, -110, -100, -100}));
+  EXPECT_DOUBLE_EQ(m.overshoot_percent, 10);
+  EXPECT_TRUE(m.settled);
+}
+
+TEST(StepResponse, WhatDidNotSettleOrMoveSaysSo) {
+  const StepMeasures m = measure(recorded(100, {0, 10, 20, 30}));
+  EXPECT_FALSE(m.settled);
+  EXPECT_FALSE(m.rose);
+  EXPECT_DOUBLE_EQ(m.overshoot_percent, 0);
+  EXPECT_FALSE(measure(recorded(100, {})).any);
+}
+
+TEST(StepResponse, TheOutputIsThereWhenItWasKnownAllTheTime) {
+  StepRun run(1, AxisId{0}, Steps(-10));
+  AxisSample s;
+  s.output_known = true, s.output_percent = -61;
+  run.take(s);
+  s.output_percent = 20;
+  run.take(s);
+  ASSERT_EQ(run.output().size(), 2u);
+  EXPECT_FLOAT_EQ(run.output()[0], 61) << "in the direction of the step, as all of it";
+  EXPECT_FLOAT_EQ(run.largest_output(), 61);
+  s.output_known = false;
+  run.take(s);
+  EXPECT_TRUE(run.output().empty());
+}
+
+TEST(StepResponse, OtherAxesAreNotMixedIn) {
+  StepRun run(1, AxisId{0}, Steps(10));
+  AxisSample s;
+  s.axis = 1;
+  run.take(s);
+  EXPECT_TRUE(run.empty());
+}
+
+}  // namespace
+}  // namespace hw::gui

@@ -1,0 +1,130 @@
+#include "gui/model/tab.h"
+
+#include <gtest/gtest.h>
+
+namespace hw::gui {
+namespace {
+
+class TabTest : public testing::Test {
+ protected:
+  static Catalog two_axes() {
+    Catalog c;
+    c.name = "Example Two";
+    c.short_name = "Two";
+    c.axes = {{"1", "motor 1"}, {"2", "motor 2"}};
+    c.units = {{"screw", "mm", 0.0025, 3}, {"screw in inches", "inch", 0.0001, 4}};
+    c.program.slot_word = "Program";
+    ParamInfo type;
+    type.axis = 0;
+    type.before_moving = "No motor is chosen.";
+    c.params.push_back(type);
+    return c;
+  }
+  std::vector<IntentBody> sent;
+  Snapshot now;
+  BenchView bench;
+  Tab tab{Address(),
+          two_axes(),
+          {[this](IntentBody body) {
+             sent.push_back(std::move(body));
+             return static_cast<IntentId>(sent.size());
+           },
+           [](BenchCommand) {}}};
+
+  TabTest() {
+    now.axis_count = 2;
+    now.link.state = LinkState::good;
+  }
+  void show() { tab.show(now, bench, Instant{}); }
+};
+
+TEST_F(TabTest, EveryStopEndsWhatIsBeingPrepared) {
+  const auto begin = [this] {
+    tab.desk().job.begin(ProgramJob::Goal::clear, 0, tab.desk().texts, now, tab.catalog(),
+                         [this](IntentBody body) { return tab.send(std::move(body)); });
+    return tab.desk().until_stopped();
+  };
+  std::weak_ptr<void> go_ahead = begin();
+  EXPECT_FALSE(go_ahead.expired());
+  tab.stop_all();
+  EXPECT_TRUE(go_ahead.expired());
+  go_ahead = begin();
+  tab.stopped_with(99);
+  EXPECT_TRUE(go_ahead.expired());
+  go_ahead = begin();
+  tab.send(intent::HaltProgram());
+  EXPECT_TRUE(go_ahead.expired());
+}
+
+TEST_F(TabTest, UnitsComeFromTheProfile) {
+  EXPECT_EQ(tab.unit(AxisId{0}).name, "steps");
+  tab.profile.unit = "real";
+  tab.profile.axes[1].unit_choice = "screw";
+  tab.profile_edited();
+  EXPECT_EQ(tab.unit(AxisId{0}).name, "steps") << "an axis without a conversion stays in steps";
+  EXPECT_EQ(tab.unit(AxisId{1}).name, "mm");
+  tab.profile.unit = "steps";
+  tab.profile_edited();
+  EXPECT_FALSE(tab.unit(AxisId{1}).real);
+  EXPECT_TRUE(tab.profile_changed);
+}
+
+TEST_F(TabTest, NamesComeFromTheProfileElseFromTheCatalog) {
+  EXPECT_EQ(tab.name(), "Two");
+  EXPECT_EQ(tab.axis_title(AxisId{0}), "1");
+  tab.profile.name = "Stage";
+  tab.profile.axes[0].name = "across";
+  EXPECT_EQ(tab.name(), "Stage");
+  EXPECT_EQ(tab.axis_title(AxisId{0}), "1 across");
+}
+
+TEST_F(TabTest, ARefusalThatNobodyWatchesBecomesAComplaint) {
+  const IntentId id = tab.send_followed(intent::Home(AxisId{0}, Sign::minus));
+  show();
+  EXPECT_TRUE(tab.complaints().empty());
+  now.fates[0].id = id;
+  now.fates[0].fate = Fate::refused;
+  now.fates[0].sentence = "Not now. Nothing was sent.";
+  show();
+  show();
+  ASSERT_EQ(tab.complaints().size(), 1u) << "once";
+  EXPECT_EQ(tab.complaints()[0], "Not now. Nothing was sent.");
+}
+
+TEST_F(TabTest, ARefusedJogIsNotHeldOn) {
+  tab.jog.press({JogHold::Hand::mouse, AxisId{0}, Sign::plus}, {Steps(1), Pps()}, 0);
+  for (double t = 0; t < 0.3; t += 0.016) {
+    tab.jog.confirm({JogHold::Hand::mouse, AxisId{0}, Sign::plus});
+    tab.jog.tick(t);
+  }
+  ASSERT_TRUE(tab.jog.jogging());
+  now.fates[0].id = tab.jog.jog_intent();
+  now.fates[0].fate = Fate::refused;
+  show();
+  EXPECT_FALSE(tab.jog.holding());
+}
+
+TEST_F(TabTest, StopEndsTheHoldWithoutASecondStop) {
+  tab.jog.press({JogHold::Hand::mouse, AxisId{0}, Sign::plus}, {Steps(1), Pps()}, 0);
+  tab.stop_all();
+  tab.jog.release({JogHold::Hand::mouse, AxisId{0}, Sign::plus}, 0.1);
+  ASSERT_EQ(sent.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<intent::Stop>(sent[0]));
+}
+
+TEST_F(TabTest, SaysWhyNothingMayMove) {
+  show();
+  EXPECT_EQ(tab.why_not_move(), "");
+  now.program.owned = true;
+  now.program.slot = 0;
+  now.program.run = RunState::running;
+  show();
+  EXPECT_EQ(tab.why_not_move(),
+            "Program 0 is running. Jog, Go and Home come back when it ends or is stopped.");
+  now.link.state = LinkState::lost;
+  show();
+  EXPECT_EQ(tab.why_not_move(), "There is no link. Jog, Go and Home come back when the controller answers.");
+}
+
+}  // namespace
+}  // namespace hw::gui
