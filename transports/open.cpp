@@ -6,6 +6,7 @@
 
 #include "core/base/number_text.h"
 #include "core/device/bench_file.h"
+#include "core/session/transport_list.h"
 #include "core/session/user_files.h"
 #include "transports/bus_port.h"
 #include "transports/performax_usb.h"
@@ -114,9 +115,11 @@ Result<> check_device_keys(const DeviceType& type, const Address& address) {
   return {};
 }
 
-std::string ways_to(const Catalog& catalog) {
-  if (catalog.can.window) return "Use vme, bus or emulator.";
-  return fmt::format("Use serial, tcp, rfc2217 or emulator{}.", catalog.can.usb ? ", or usb" : "");
+/// "Use vme, bus or emulator."
+std::string use_one_for(const Catalog& catalog) {
+  std::string words = "Use ";
+  for (const TransportInfo* way : ways_to(catalog)) words.append(way->name).append(", ");
+  return words.erase(words.size() - 2) + " or emulator.";
 }
 
 Wire real_wire(std::unique_ptr<Stream> stream) {
@@ -166,7 +169,7 @@ Task<Result<Wire>> open_usb_wire(Scheduler& scheduler, const DeviceType& type, A
   const auto catalog = type.make_catalog({});
   if (!catalog) co_return fail(catalog.error());
   if (!catalog->can.usb)
-    co_return bad(fmt::format("The {} has no USB.", catalog->short_name), ways_to(*catalog));
+    co_return bad(fmt::format("The {} has no USB.", catalog->short_name), use_one_for(*catalog));
   if (!address.ids().empty())
     co_return bad("On USB a controller has no id: it has the wire for itself.", "Leave id= out.");
   if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
@@ -211,48 +214,41 @@ Task<Result<Wire>> open_vme_wire(Scheduler& scheduler, const DeviceType& type, A
 
 using Open = Task<Result<Wire>> (*)(Scheduler&, const DeviceType&, Address, std::shared_ptr<BenchAccess>,
                                     const OpenOptions&);
-struct Transport {
-  enum class Kind : std::uint8_t { bytes, window, both };
-  std::string_view scheme;
-  Kind kind;
-  Open open;
-};
-constexpr Transport transports[] = {
-    {"emulator", Transport::Kind::both, open_emulator},
-    {"serial", Transport::Kind::bytes, open_serial_wire},
-    {"tcp", Transport::Kind::bytes, open_tcp_wire},
-    {"rfc2217", Transport::Kind::bytes, open_rfc2217_wire},
-    {"usb", Transport::Kind::bytes, open_usb_wire},
-    {"bus", Transport::Kind::window, open_bus_wire},
-    {"vme", Transport::Kind::window, open_vme_wire},
+constexpr std::pair<std::string_view, Open> openers[] = {
+    {"emulator", open_emulator},    {"serial", open_serial_wire}, {"tcp", open_tcp_wire},
+    {"rfc2217", open_rfc2217_wire}, {"usb", open_usb_wire},       {"bus", open_bus_wire},
+    {"vme", open_vme_wire},
 };
 
 // A board in a memory window and a device that is spoken to in bytes cannot be reached the same ways.
-Result<> check_kind(const Transport& transport, const DeviceType& type) {
-  if (transport.kind == Transport::Kind::both) return {};
+Result<> check_kind(const TransportInfo& transport, const DeviceType& type) {
+  using Reaches = TransportInfo::Reaches;
+  if (transport.reaches == Reaches::both) return {};
   const auto catalog = type.make_catalog({});
   if (!catalog) return fail(catalog.error());
-  if (catalog->can.window == (transport.kind == Transport::Kind::window)) return {};
+  if (catalog->can.window == (transport.reaches == Reaches::windows)) return {};
   return bad(
       catalog->can.window
           ? fmt::format("The {} is a board on a bus, not at the end of a line: \"{}\" does not reach it.",
-                        catalog->short_name, transport.scheme)
+                        catalog->short_name, transport.name)
           : fmt::format("The {} is no board on a bus: \"{}\" does not reach it.", catalog->short_name,
-                        transport.scheme),
-      ways_to(*catalog));
+                        transport.name),
+      use_one_for(*catalog));
 }
 
 Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,
                              std::shared_ptr<const OpenOptions> options) {
   const DeviceType* type = find_device_type(address.model);
   if (!type) co_return bad(fmt::format("There is no controller model \"{}\".", address.model), {});
-  for (const Transport& transport : transports) {
-    if (transport.scheme != address.transport) continue;
-    if (auto fits = check_kind(transport, *type); !fits) co_return fail(fits.error());
-    co_return co_await transport.open(scheduler, *type, std::move(address), std::move(again), *options);
+  const TransportInfo* transport = find_transport(address.transport);
+  if (transport) {
+    if (auto fits = check_kind(*transport, *type); !fits) co_return fail(fits.error());
+    for (const auto& [name, open] : openers)
+      if (name == address.transport)
+        co_return co_await open(scheduler, *type, std::move(address), std::move(again), *options);
   }
   co_return bad(fmt::format("The {} cannot be reached by \"{}\".", type->model, address.transport),
-                "Use serial, tcp, rfc2217, emulator, usb where it has one; vme or bus for a board.");
+                "Look at the name of the way in its address.");
 }
 
 }  // namespace

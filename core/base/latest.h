@@ -21,8 +21,6 @@ class Latest {
       front_ = middle_.exchange(front_, std::memory_order_acq_rel) & index_mask;
     return slots_[front_];
   }
-  /// Reader thread: whether view() would show something new.
-  [[nodiscard]] bool has_news() const { return middle_.load(std::memory_order_acquire) & fresh; }
 
  private:
   static constexpr std::uint8_t fresh = 0x80, index_mask = 0x03;

@@ -188,8 +188,7 @@ struct MemoryCell {
   std::string group;  ///< heading: "Registers", "Axis X"
   int axis = -1;
   bool is_signed = false;
-  bool clears_on_read = false;  ///< the console reads it once and remembers: see its help
-  std::vector<ParamBit> bits;   ///< not empty: a bit field
+  std::vector<ParamBit> bits;  ///< not empty: a bit field
   std::string help;
 };
 /// A ring of characters in such a window, one to a cell of two bytes.
@@ -200,14 +199,13 @@ struct MemoryRing {
 };
 
 struct ProgramFacts {
-  int slots = 0;                 ///< 0: no stored programs
-  std::string slot_word;         ///< "Program"
-  int capacity = 0;              ///< per slot, in `capacity_unit`
-  std::string capacity_unit;     ///< "bytes"
-  bool shared_capacity = false;  ///< one memory for all slots
-  int threads = 0;               ///< > 0: programs that run at once, all of them in the text of slot 0
-  bool compiled = false;         ///< what is stored is not the text: View shows the listing
-  std::string file_suffix;       ///< ".vxm"
+  int slots = 0;              ///< 0: no stored programs
+  std::string slot_word;      ///< "Program"
+  int capacity = 0;           ///< per slot, in `capacity_unit`
+  std::string capacity_unit;  ///< "bytes"
+  int threads = 0;            ///< > 0: programs that run at once, all of them in the text of slot 0
+  bool compiled = false;      ///< what is stored is not the text: View shows the listing
+  std::string file_suffix;    ///< ".vxm"
   char comment = ';';
   std::string example;  ///< a short one that shows the language and ends by itself: the demo begins with it
 };

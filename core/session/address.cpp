@@ -7,11 +7,10 @@
 
 #include "core/base/number_text.h"
 #include "core/device/registry.h"
+#include "core/session/transport_list.h"
 
 namespace hw {
 namespace {
-
-constexpr std::string_view transports[] = {"emulator", "serial", "tcp", "rfc2217", "usb", "vme", "bus"};
 
 tl::unexpected<Fault> bad(std::string what) {
   return fail(
@@ -74,12 +73,12 @@ Result<Address> Address::parse(std::string_view text) {
   const auto colon = way.find(':');
   address.transport = way.substr(0, colon);
   if (colon != way.npos) address.where = way.substr(colon + 1);
-  if (std::find(std::begin(transports), std::end(transports), address.transport) == std::end(transports))
-    return bad(fmt::format("\"{}\" is no way to a controller.", address.transport));
-  const bool needs_place = address.transport != "emulator" && address.transport != "usb";
-  if (needs_place && address.where.empty())
+  const TransportInfo* transport = find_transport(address.transport);
+  if (!transport) return bad(fmt::format("\"{}\" is no way to a controller.", address.transport));
+  using Place = TransportInfo::Place;
+  if (transport->place == Place::needed && address.where.empty())
     return bad(fmt::format("The address does not say where: {}@{}:WHERE.", address.model, address.transport));
-  if (address.transport == "emulator" && !address.where.empty())
+  if (transport->place == Place::none && !address.where.empty())
     return bad(fmt::format("An emulator has no place: \"{}\" is too much.", address.where));
   if (comma != rest.npos) {
     if (auto read = read_options(rest.substr(comma + 1), address); !read) return fail(read.error());

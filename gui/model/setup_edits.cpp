@@ -28,10 +28,6 @@ bool SetupEdits::set(std::size_t i, std::int64_t value, std::string* why) {
   return true;
 }
 
-void SetupEdits::undo_all() {
-  for (auto& edit : edits_) edit.reset();
-}
-
 std::optional<std::int64_t> SetupEdits::shown(std::size_t i, const Snapshot& now) const {
   if (edits_[i]) return edits_[i];
   if (now.params[i].known) return now.params[i].value;

@@ -23,7 +23,6 @@ class SetupEdits {
   /// False: out of range, nothing was changed; `why` says the range in words.
   bool set(std::size_t i, std::int64_t value, std::string* why = nullptr);
   void undo(std::size_t i) { edits_[i].reset(); }
-  void undo_all();
   /// Edited value, else the controller's, else nothing.
   [[nodiscard]] std::optional<std::int64_t> shown(std::size_t i, const Snapshot& now) const;
   /// Differs from what the controller is known to have (or that is not known).

@@ -237,8 +237,6 @@ void Window::wake() {
   if (pacer_.news()) glfwPostEmptyEvent();
 }
 
-void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
-
 void Window::resize(int width, int height, float scale) {
   options_.scale = scale;
   const float all = monitor_scale() * scale;

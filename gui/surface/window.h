@@ -47,7 +47,6 @@ class Window : public Surface {
   Result<> screenshot(const std::string& path) override;
   /// How much larger than usual, times the monitor's; the window itself keeps its size.
   void set_user_scale(float scale);
-  void set_title(const std::string& title);
   /// Logical size, for the session file.
   [[nodiscard]] ImVec2 logical_size() const;
   [[nodiscard]] double now_s() const;

@@ -29,22 +29,6 @@ constexpr float option_width = 184, rate_width = 92, id_width = 72, least_port =
 /// What the fields of a search and its button take in one line.
 constexpr float search_in_one_line = 500;
 
-/// A way to a controller: what the list says, what the address says, what the port is at first.
-struct WayFacts {
-  std::string_view name, transport, port;
-  bool rate = false;
-};
-constexpr WayFacts serial{"serial", "serial", "/dev/ttyUSB0", true}, usb{"USB", "usb", ""},
-    tcp{"tcp", "tcp", "127.0.0.1:4001"}, rfc2217{"RFC 2217", "rfc2217", "127.0.0.1:4001", true},
-    vme{"VME", "vme", "/dev/bus/vme/m0"}, bus{"bus port", "bus", "127.0.0.1:5000"};
-constexpr WayFacts line_ways[] = {serial, tcp, rfc2217, usb};  // the last where the controller has it
-constexpr WayFacts window_ways[] = {vme, bus};
-
-std::span<const WayFacts> ways(const Catalog& c) {
-  if (c.can.window) return window_ways;
-  return std::span(line_ways).first(std::size(line_ways) - (c.can.usb ? 0 : 1));
-}
-
 int number_of(const std::string& text, int fallback) {
   int value = fallback;
   std::from_chars(text.data(), text.data() + text.size(), value);
@@ -66,17 +50,14 @@ void ConnectForm::make() {
 // A controller that is called by an id has one in its catalog.
 bool ConnectForm::has_ids() const { return catalog().addressed(); }
 
-std::string_view ConnectForm::transport() const {
-  return ways(catalog())[static_cast<std::size_t>(way_)].transport;
-}
+const TransportInfo& ConnectForm::way() const { return *ways_to(catalog())[static_cast<std::size_t>(way_)]; }
 
 std::string ConnectForm::address() const {
   const Catalog& c = catalog();
-  if (transport() == usb.transport)
-    return c.model + "@usb" + (port_.empty() || port_.starts_with('/') ? "" : ":" + port_);
-  std::string text = fmt::format("{}@{}:{}", c.model, transport(), port_);
-  if (transport() == vme.transport) text += ",base=" + base_;
-  if (has_rate() && baud_ < static_cast<int>(c.can.bauds.size()))
+  if (way().is_usb) return c.model + "@usb" + (port_.empty() || port_.starts_with('/') ? "" : ":" + port_);
+  std::string text = fmt::format("{}@{}:{}", c.model, way().name, port_);
+  if (way().has_base) text += ",base=" + base_;
+  if (way().has_rate && baud_ < static_cast<int>(c.can.bauds.size()))
     text += fmt::format(",baud={}", c.can.bauds[static_cast<std::size_t>(baud_)]);
   if (has_ids() && !id_.empty()) text += ",id=" + id_;
   if (!has_options()) return text;
@@ -86,8 +67,6 @@ std::string ConnectForm::address() const {
           fmt::format(",{}={}", option.key, option.choices[static_cast<std::size_t>(chosen->second)].first);
   return text;
 }
-
-bool ConnectForm::has_rate() const { return ways(catalog())[static_cast<std::size_t>(way_)].rate; }
 
 std::string ConnectForm::draw(PageFrame& f, float width) {
   make();
@@ -105,9 +84,9 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
   return opened ? made : chosen;
 }
 
-void ConnectForm::choose(int way) {
-  way_ = way;
-  port_ = ways(catalog())[static_cast<std::size_t>(way)].port;
+void ConnectForm::choose(int picked) {
+  way_ = picked;
+  port_ = way().example;
 }
 
 /// Two lines: model, way, port; Open and what it would open. Rate and id stand in the first where it has
@@ -119,23 +98,22 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   for (const Catalog& c : catalogs_) names.push_back(c.short_name);
   const int model = dropdown(ui, "connect/form/model", "Model", names, model_);
   if (model >= 0) {
-    const std::string_view before = transport();
+    const TransportInfo* before = &way();
     model_ = model;
     baud_ = 0;
     id_ = catalog().id();
-    const auto has = ways(catalog());
-    const auto same =
-        std::find_if(has.begin(), has.end(), [&](const WayFacts& w) { return w.transport == before; });
+    const auto has = ways_to(catalog());
+    const auto same = std::find(has.begin(), has.end(), before);
     same == has.end() ? choose(0) : void(way_ = static_cast<int>(same - has.begin()));
   }
   ImGui::SameLine(0, ui.px(between));
   names.clear();
-  for (const WayFacts& w : ways(catalog())) names.push_back(w.name);
+  for (const TransportInfo* w : ways_to(catalog())) names.push_back(w->title);
   const int picked = dropdown(ui, "connect/form/way", "Way", names, way_);
   if (picked >= 0) choose(picked);
   ImGui::SameLine(0, ui.px(between));
-  const bool by_usb = transport() == usb.transport, has_id = has_ids() && !by_usb,
-             has_rate_or_base = has_rate() || transport() == vme.transport;
+  const bool by_usb = way().is_usb, has_id = has_ids() && !by_usb,
+             has_rate_or_base = way().has_rate || way().has_base;
   const float numbers = (has_rate_or_base ? rate_width + between : 0) + (has_id ? id_width + between : 0);
   const float used = (ImGui::GetCursorScreenPos().x - at.x) / ui.scale;
   const bool one_line = width - used - numbers >= least_port;
@@ -188,7 +166,7 @@ void ConnectForm::draw_options(Ui& ui) {
 
 /// Of a serial line its rate, of a board the place of its window.
 void ConnectForm::draw_rate_or_base(Ui& ui) {
-  if (transport() == vme.transport) {
+  if (way().has_base) {
     FieldOptions base;
     base.face = Face::code_field;
     base.width = rate_width;
@@ -268,7 +246,7 @@ std::string ConnectForm::words_of(const DeviceSearchState& state) const {
 void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   std::vector<std::string_view> places = {"every port"};
-  if (transport() == serial.transport && !port_.empty()) places.push_back(port_);
+  if (way().is_port && !port_.empty()) places.push_back(port_);
   one_port_ = one_port_ && places.size() > 1;
   DropdownOptions o;
   o.width = 132;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/device/catalog.h"
+#include "core/session/transport_list.h"
 #include "gui/shell/device_finder.h"
 #include "gui/shell/frame.h"
 #include "gui/surface/ui.h"
@@ -24,9 +25,8 @@ class ConnectForm {
 
  private:
   void make();
-  void choose(int way);
-  [[nodiscard]] std::string_view transport() const;
-  [[nodiscard]] bool has_rate() const;
+  void choose(int picked);
+  [[nodiscard]] const TransportInfo& way() const;
   [[nodiscard]] const Catalog& catalog() const { return catalogs_[static_cast<std::size_t>(model_)]; }
   [[nodiscard]] bool has_ids() const;
   bool draw_parts(gui::PageFrame& frame, float width);

@@ -3,9 +3,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "core/session/transport_list.h"
 #include "tests/transports/ear.h"
 #include "tests/transports/toy_emulator.h"
 
@@ -49,6 +51,17 @@ class Open : public ::testing::Test {
   VirtualScheduler clock{io};
   WireOpener opener = make_wire_opener();
 };
+
+TEST_F(Open, EveryTransportOfTheListIsOpened) {
+  for (const TransportInfo& transport : transports()) {
+    const bool window = transport.reaches == TransportInfo::Reaches::windows;
+    const char* model = window ? "vme58" : transport.is_usb ? "pmx-4ex-sa" : "vxm";
+    const bool has_place = transport.place == TransportInfo::Place::needed;
+    const auto wire = open(fmt::format("{}@{}{}", model, transport.name, has_place ? ":/nowhere" : ""));
+    if (wire) continue;
+    EXPECT_EQ(wire.error().sentence().find("cannot be reached by"), std::string::npos) << transport.name;
+  }
+}
 
 TEST_F(Open, TheTransportsKeysAreTakenTheOthersGoToTheDevice) {
   const auto host = make({{"wire", "real"}, {"speed", "2.5"}, {"motors", "4"}});

@@ -83,7 +83,6 @@ Catalog common_catalog(const Model& model, const Wording& wording) {
   c.program.slot_word = "Program";
   c.program.capacity = program_lines;
   c.program.capacity_unit = "lines";
-  c.program.shared_capacity = true;
   c.program.threads = model.programs;
   c.program.compiled = true;
   c.program.file_suffix = ".prg";

@@ -36,11 +36,9 @@ std::vector<ParamBit> line_bits(int first, int count) {
 }
 
 void add_registers(std::vector<MemoryCell>& all, const Variant& variant) {
-  const auto add = [&](int offset, const char* name, const char* help, std::vector<ParamBit> bits,
-                       bool clears) {
+  const auto add = [&](int offset, const char* name, const char* help, std::vector<ParamBit> bits) {
     MemoryCell c = cell(offset, 1, name, "Registers", help);
     c.bits = std::move(bits);
-    c.clears_on_read = clears;
     all.push_back(std::move(c));
   };
   add(reg::control, "Control", "Written by the host: interrupt enables, the request for axis data, mail.",
@@ -50,8 +48,7 @@ void add_registers(std::vector<MemoryCell>& all, const Variant& variant) {
        {4, "Done interrupt"},
        {5, "Interrupt to the board"},
        {6, "I/O 0 and 1 interrupt"},
-       {7, "Interrupts enabled"}},
-      false);
+       {7, "Interrupts enabled"}});
   add(reg::status, "Status", "Reading clears command error and the interrupt bits.",
       {{0, "Command error"},
        {1, "Initialized"},
@@ -60,16 +57,15 @@ void add_registers(std::vector<MemoryCell>& all, const Variant& variant) {
        {4, "Done"},
        {5, "Interrupt to the board"},
        {6, "Direct interrupt"},
-       {7, "Interrupt to the host"}},
-      true);
-  add(reg::io_low, "User I/O 0-7", "Levels of the general lines, 1 is high.", line_bits(0, 8), false);
-  add(reg::slip, "Slip flags", "Reading clears them.", axis_bits(variant), true);
-  add(reg::done, "Done flags", "Reading clears them.", axis_bits(variant), true);
-  add(reg::io_high, "User I/O 8-13", "Levels of the general lines, 1 is high.", line_bits(8, 6), false);
+       {7, "Interrupt to the host"}});
+  add(reg::io_low, "User I/O 0-7", "Levels of the general lines, 1 is high.", line_bits(0, 8));
+  add(reg::slip, "Slip flags", "Reading clears them.", axis_bits(variant));
+  add(reg::done, "Done flags", "Reading clears them.", axis_bits(variant));
+  add(reg::io_high, "User I/O 8-13", "Levels of the general lines, 1 is high.", line_bits(8, 6));
   add(reg::limit, "Limit switches", "A hit stays until it is read while the switch is free.",
-      axis_bits(variant), true);
-  add(reg::home, "Home switches", "As they are now.", axis_bits(variant), false);
-  add(reg::vector, "Interrupt vector", "What the board puts on the bus when it interrupts.", {}, false);
+      axis_bits(variant));
+  add(reg::home, "Home switches", "As they are now.", axis_bits(variant));
+  add(reg::vector, "Interrupt vector", "What the board puts on the bus when it interrupts.", {});
 }
 
 }  // namespace

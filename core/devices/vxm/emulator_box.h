@@ -33,7 +33,7 @@ class Box {
   std::string out;          ///< sent to the host, to be taken away
   std::size_t replied = 0;  ///< bytes of `out` that a request has brought since it was last set to 0
   char error_first = error_mark;
-  bool mode_while_running = false;  ///< quirk: E, F and G are taken during a run (decision V103)
+  bool mode_while_running = false;  ///< quirk: E and F are taken during a run (decision V103)
   int firmware = newest_firmware;   ///< hundredths: what came later than it is unknown to it
   [[nodiscard]] int rate() const;
 

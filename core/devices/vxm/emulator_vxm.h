@@ -15,7 +15,7 @@ namespace hw::vxm {
 struct EmulatorOptions {
   int motors = 2;
   bool overrun = false, barred = false;
-  bool mode_while_running = false;  ///< E, F and G are taken while a program runs (V103)
+  bool mode_while_running = false;  ///< E and F are taken while a program runs (V103)
   bool old_firmware = false;        ///< 1.19: it knows neither $ nor PA, and lists nothing while it holds
 };
 

@@ -57,7 +57,6 @@ class Vm {
   /// SPCn: the low-level line of the statement that runs next, that waits, or that failed; of a DELAY until
   /// its time has passed.
   [[nodiscard]] int line(int program, Instant now) const;
-  [[nodiscard]] int call_line() const { return threads_[gs_thread].line; }
   /// The low-level line whose statement is being run at this moment, as its host is called; -1: none is.
   [[nodiscard]] int line_at_work() const { return line_at_work_; }
   [[nodiscard]] Trouble trouble(int program) const { return threads_[program].trouble; }
