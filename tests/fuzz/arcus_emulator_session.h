@@ -37,13 +37,16 @@ inline BenchCommand hand(Bytes& in) {
   }
 }
 
+/// A motion lasts 95 years at most (core/motion/profile.cpp): one that begins before this ends within the clock.
+constexpr Instant latest_start{std::chrono::hours(24 * 365 * 95)};
+
 /// Microseconds to minutes; event by event when the input asks for it.
 inline void pass_time(Emulator& emulator, Instant& now, Bytes& in) {
   const auto kind = in.next();
   if (kind & 1) {
     for (int i = 0; i < kind / 8; ++i) {
       const auto next = emulator.next_event();
-      if (!next) return;
+      if (!next || *next > latest_start) return;
       require(*next >= now);
       now = *next;
       emulator.advance_to(now);
