@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/device/trust.h"
 
 namespace hw {
 
@@ -87,6 +88,12 @@ struct SetPosition {
 struct TrustPosition {
   AxisId axis;
   explicit TrustPosition(AxisId a) : axis(a) {}
+};
+/// What an earlier session has kept of all axes, by AxisId: taken for axes of which nothing better is known.
+/// Nothing is sent.
+struct RecallPositions {
+  std::vector<KeptPosition> kept;
+  explicit RecallPositions(std::vector<KeptPosition> k) : kept(std::move(k)) {}
 };
 /// Makes the present encoder count read `value`.
 struct SetEncoder {
@@ -229,14 +236,16 @@ struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
 
 }  // namespace intent
 
-using IntentBody = std::variant<
-    intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop, intent::Home,
-    intent::Stop, intent::Abort, intent::SetPosition, intent::TrustPosition, intent::SetEncoder,
-    intent::SetPower, intent::SetOutput, intent::SetParam, intent::ReadParams, intent::ReadAnalog,
-    intent::Store, intent::SelectProgram, intent::LoadProgram, intent::UploadProgram, intent::ClearProgram,
-    intent::RunProgram, intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram, intent::Act,
-    intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves, intent::RunInPieces,
-    intent::OverrideSpeed, intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
+using IntentBody =
+    std::variant<intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop,
+                 intent::Home, intent::Stop, intent::Abort, intent::SetPosition, intent::TrustPosition,
+                 intent::RecallPositions, intent::SetEncoder, intent::SetPower, intent::SetOutput,
+                 intent::SetParam, intent::ReadParams, intent::ReadAnalog, intent::Store,
+                 intent::SelectProgram, intent::LoadProgram, intent::UploadProgram, intent::ClearProgram,
+                 intent::RunProgram, intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram,
+                 intent::Act, intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves,
+                 intent::RunInPieces, intent::OverrideSpeed, intent::SendText, intent::Reset,
+                 intent::Reconnect, intent::ReadAgain>;
 
 /// Of an intent that may close a servo loop; null: of no other.
 inline intent::Closing* closing_of(IntentBody& body) {

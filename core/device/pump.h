@@ -148,6 +148,7 @@ class Pump {
   Task<> perform_piece(const IntentBody& body);
   void pieces_end(std::string why);
   Result<> trust_position(AxisId axis);
+  void recall_positions(const std::vector<KeptPosition>& kept);
   Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
                                                  Duration patience);
   Task<Result<std::string>> wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience);

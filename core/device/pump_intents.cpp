@@ -20,7 +20,8 @@ bool leads_to_a_start(const IntentBody& body) {
 bool says_where_it_stands(const IntentBody& body) {
   return std::holds_alternative<intent::SetPosition>(body) ||
          std::holds_alternative<intent::SetEncoder>(body) ||
-         std::holds_alternative<intent::TrustPosition>(body);
+         std::holds_alternative<intent::TrustPosition>(body) ||
+         std::holds_alternative<intent::RecallPositions>(body);
 }
 
 bool restarts_it(const Job& job) {
@@ -249,6 +250,15 @@ Result<> Pump::trust_position(AxisId axis) {
   return {};
 }
 
+void Pump::recall_positions(const std::vector<KeptPosition>& kept) {
+  for (std::size_t i = 0; i < kept.size() && static_cast<int>(i) < draft_.axis_count; ++i) {
+    AxisState& axis = draft_.axes[i];
+    const bool nothing_better = axis.trust == PositionTrust();
+    if (axis.position_known && nothing_better)
+      axis.trust = recalled(kept[i], axis.commanded(), scheduler_.now());
+  }
+}
+
 /// A text to all controllers of a wire that was asked for before a stop of one of them, or while one is being
 /// stopped.
 Result<> Pump::may_go_to_all(const Job& job) const {
@@ -289,6 +299,8 @@ Task<> Pump::perform_next() {
     performed = fail(FaultKind::refused, say_torn(catalog_, torn));
   } else if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body)) {
     performed = trust_position(wish->axis);
+  } else if (const auto* memory = std::get_if<intent::RecallPositions>(&job->intent.body)) {
+    recall_positions(memory->kept);
   } else if (performed) {
     performed = co_await perform_beside_pieces(job->intent.body);
   }

@@ -94,6 +94,9 @@ std::string_view words_of(Doubt cause, bool several) {
     case Doubt::killed:
       return several ? "they were stopped without a ramp at speed" : "it was stopped without a ramp at speed";
     case Doubt::slipped: return several ? "their encoders lay elsewhere" : "its encoder lay elsewhere";
+    case Doubt::zero_since:
+      return several ? "they read zero, and stood elsewhere in the last session"
+                     : "it reads zero, and stood elsewhere in the last session";
     case Doubt::none: break;
   }
   return "steps may be lost";
@@ -107,6 +110,7 @@ std::string_view brief_words_of(Doubt cause) {
     case Doubt::reset: return "was reset";
     case Doubt::killed: return "killed at speed";
     case Doubt::slipped: return "has slipped";
+    case Doubt::zero_since: return "zero since the last session";
     case Doubt::none: break;
   }
   return "steps may be lost";

@@ -14,6 +14,10 @@ struct Told {
 
 Told tell_trust(const AxisState& axis) {
   if (!axis.position_known) return {"untrusted", "its position is not known"};
+  if (axis.trust.restored && !axis.trust.doubtful())
+    return {"restored", axis.trust.kind == Trust::homed
+                            ? "an earlier session homed it and left it at this count"
+                            : "an earlier session was told where it stands and left it at this count"};
   switch (axis.trust.kind) {
     case Trust::counted: return {"counted", "the controller counts, and nobody has said from where"};
     case Trust::homed: return {"homed", "its home has set it"};

@@ -77,6 +77,7 @@ void Desk::refresh(const Snapshot& now, const BenchView& bench, Instant clock, c
   if (std::exchange(started_at_, now.program.started_at) != now.program.started_at) ++starts_;
   setup_write.update(now, catalog_, send);
   setup.settle(now);
+  places.follow(now, clock, send, worker());
   autosave(clock);
 }
 
@@ -106,10 +107,15 @@ void Desk::autosave(Instant clock) {
     dirty_ = true;
     changed_at_ = clock;
   }
-  if (clock - changed_at_ >= autosave_after) keep_now();
+  if (clock - changed_at_ >= autosave_after) keep_texts_now();
 }
 
-void Desk::keep_now() {
+void Desk::keep_now(Instant clock) {
+  places.keep_now(clock, worker());
+  keep_texts_now();
+}
+
+void Desk::keep_texts_now() {
   if (!autosave_.enabled() || typed() == autosaved_) return;
   dirty_ = false;
   autosaved_ = typed();
@@ -124,7 +130,9 @@ void Desk::keep_now() {
 }
 
 double Desk::autosave_due_in(Instant clock) const {
-  return dirty_ ? std::max(0.0, seconds(autosave_after - (clock - changed_at_))) : -1;
+  const double texts_in = dirty_ ? std::max(0.0, seconds(autosave_after - (clock - changed_at_))) : -1;
+  const double places_in = places.due_in(clock);
+  return texts_in < 0 || places_in < 0 ? std::max(texts_in, places_in) : std::min(texts_in, places_in);
 }
 
 }  // namespace hw::gui

@@ -13,6 +13,7 @@
 #include "core/session/autosave.h"
 #include "gui/model/block_list.h"
 #include "gui/model/command_help.h"
+#include "gui/model/position_memory.h"
 #include "gui/model/position_trace.h"
 #include "gui/model/program_job.h"
 #include "gui/model/program_source.h"
@@ -39,6 +40,7 @@ class Desk {
   Rehearsals rehearsals;
   RunFollower follower;
   PositionTrace trace;
+  PositionMemory places;
   SetupEdits setup;
   SetupWrite setup_write;
   const CommandHelp help;
@@ -61,7 +63,7 @@ class Desk {
   Result<> keep_texts(Autosave autosave, std::string key);
   /// The desk is about to go: what was typed since the last time is kept without waiting. The worker may
   /// still have to write it.
-  void keep_now();
+  void keep_now(Instant clock);
   /// Grows when a text is edited, sent or started: what was said of it before is old then.
   [[nodiscard]] std::uint64_t text_turns() const { return texts.changes() + job.begun() + starts_; }
   /// Seconds until the autosave wants a frame; negative: it does not.
@@ -85,6 +87,7 @@ class Desk {
 
  private:
   void autosave(Instant clock);
+  void keep_texts_now();
   [[nodiscard]] std::uint64_t typed() const { return texts.changes() + blocks.changes(); }
   void doubt_texts(const Snapshot& now);
   void notice_program_changes(const Snapshot& now);

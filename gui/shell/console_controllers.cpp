@@ -88,6 +88,8 @@ Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
   }
   tab->default_name = free_name(tab->catalog().short_name);
   if (outside_->folders.enabled) tell(tab->desk().keep_texts(Autosave(outside_->folders), tab->profile_key));
+  if (outside_->folders.enabled && !tab->emulated())  // each emulator is another controller
+    tell(tab->desk().places.keep_under(KeptPositions(outside_->folders), tab->profile_key, clock()));
   tab->desk().use(outside_->worker);
   return add(std::move(tab));
 }
@@ -136,7 +138,7 @@ void Console::close_as_asked() {
 
 void Console::close_one(Tab& tab) {
   tab.jog.let_go();
-  tab.desk().keep_now();
+  tab.desk().keep_now(tab.clock());
   save();
   if (std::shared_ptr<Session> session = tab.session()) {
     ++*closing_;

@@ -88,6 +88,18 @@ void draw_lines(const Pen& p, Icon icon) {
     case Icon::cross: p.path({V(-4, -4), V(4, 4)}, 1.5f), p.path({V(-4, 4), V(4, -4)}, 1.5f); break;
     case Icon::check: p.path({V(-4.5f, 0.5f), V(-1.5f, 3.5f), V(4.5f, -3.5f)}, 1.75f); break;
     case Icon::clock: p.ring(0, 0, 5, 1.5f), p.path({V(0, -3), V(0, 0.5f), V(2.5f, 0.5f)}, 1.5f); break;
+    case Icon::house:
+      p.path({V(-5, 0), V(0, -4.5f), V(5, 0)}, 1.25f),
+          p.path({V(-3.5f, -1), V(-3.5f, 4.5f), V(3.5f, 4.5f), V(3.5f, -1)}, 1.25f);
+      break;
+    case Icon::tally:
+      for (const float x : {-3.0f, 0.0f, 3.0f}) p.path({V(x, -4), V(x, 4)}, 1.25f);
+      p.path({V(-5, 2.5f), V(5, -2.5f)}, 1.25f);
+      break;
+    case Icon::hand:
+      p.path({V(0, -5), V(0, 2)}, 1.5f), p.path({V(-3, -1), V(0, 2), V(3, -1)}, 1.5f),
+          p.path({V(-4, 4.5f), V(4, 4.5f)}, 1.5f);
+      break;
     case Icon::diamond: p.path({V(0, -5), V(5, 0), V(0, 5), V(-5, 0)}, 1.5f, true); break;
     case Icon::emulated:
       p.frame(-6, -6, 3, 3, 1.5f);

@@ -29,6 +29,9 @@ enum class Icon : std::uint8_t {
   check,
   clock,          ///< stale
   plug,           ///< pulled plug: lost
+  house,          ///< homed
+  tally,          ///< counted
+  hand,           ///< set by hand
   diamond,        ///< untrusted
   diamond_solid,  ///< fault
   emulated,       ///< two squares, one behind the other

@@ -278,19 +278,19 @@ Touch Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
 
 void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   Ui& ui = f.ui;
-  const float middle = at.y + ui.line(Face::small) / 2;
-  const Caption left = about_number(f, axis);
-  const float left_width = std::ceil(text_width(ui, Face::small, left.words));
-  draw_text_line(ui, at.x, at.x + width, middle, Face::small, ui[left.tone], left.words);
   show_steps(f, axis, {at, ImVec2(at.x + width * 0.6f, at.y + ui.line(Face::small))});
   // What stands left is about the number, so it goes first: the right one is shortened, then left out.
-  const float room = width - left_width - ui.px(left_width > 0 ? 12 : 0);
-  draw_at_work(f, axis, ImVec2(at.x + width - room, at.y), room, true);
+  const float left_width = draw_about_number(f, axis, at, width);
+  const float room = width - left_width - ui.px(12);
+  const ImVec2 right(at.x + width - room, at.y);
+  if (draw_at_work(f, axis, right, room, true) > 0) return;
+  const NumberText steps = steps_behind(f, axis);
+  const float wide = std::ceil(text_width(ui, Face::small, steps));
+  if (wide <= room) draw_text(ui, ImVec2(at.x + width - wide, at.y), Face::small, ui[Tone::ink2], steps);
 }
 
-/// What is wrong with the number, or what its axis does, or (`steps_too`) the steps that a real unit stands
-/// for.
-void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool steps_too) {
+/// What is wrong with the number, or what its axis does, or (`origin_too`) where the number comes from.
+void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool origin_too) {
   Ui& ui = f.ui;
   const Caption about = about_number(f, axis);
   const std::string_view phase = phase_of(f, axis);
@@ -301,7 +301,7 @@ void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool ste
   };
   show_steps(f, axis, {at, ImVec2(at.x + room, at.y + line)});
   if (axis_extras_height(f.catalog, axis) > 0) show_phase(f, axis, {at, ImVec2(at.x + room, at.y + line)});
-  if (about.tone == Tone::warn) return say(about.tone, about.words);
+  if (about.tone == Tone::warn) return (void)draw_about_number(f, axis, at, room);
   if (!is_motion(state) && !phase.empty()) return say(Tone::fault, phase);
   if (is_motion(state) && !phase.empty()) {
     draw_what_fits(ui, at, room, false, [&](int brevity) {
@@ -315,7 +315,7 @@ void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool ste
     });
     return;
   }
-  if (draw_at_work(f, axis, at, room, false) == 0 && steps_too) say(about.tone, about.words);
+  if (draw_at_work(f, axis, at, room, false) == 0 && origin_too) draw_about_number(f, axis, at, room);
 }
 
 /// One line under the number: at the right the place of its encoder, whatever is said at the left.
@@ -326,7 +326,7 @@ void Position::draw_provenance(Frame& f, AxisId axis, ImVec2 at, float width) {
 }
 
 /// Two lines in what the number leaves at its left: what is wrong with it or what the axis does; under it the
-/// encoder, or the steps that a real unit stands for.
+/// encoder, or where the number comes from.
 void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room) {
   Ui& ui = f.ui;
   const float line = ui.line(Face::small);
@@ -334,9 +334,7 @@ void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room
   draw_about(f, axis, upper, room, false);
   if (f.now.axes[axis.index].has_encoder && f.catalog.axes[axis.index].encoder)
     return draw_encoder(f, axis, lower, room, false);
-  const Caption about = about_number(f, axis);
-  if (about.tone != Tone::warn)
-    draw_text_line(ui, lower.x, lower.x + room, lower.y + line / 2, Face::small, ui[about.tone], about.words);
+  if (about_number(f, axis).tone != Tone::warn) draw_about_number(f, axis, lower, room);
 }
 
 }  // namespace hw::panels

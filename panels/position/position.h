@@ -24,7 +24,7 @@ class Position final : public gui::Panel {
   void draw_head(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px, float height);
   gui::Touch draw_digits(gui::Frame& frame, AxisId axis, float width, gui::Face face);
   void draw_captions(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px);
-  void draw_about(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px, bool steps_too);
+  void draw_about(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px, bool origin_too);
   void draw_provenance(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px);
   void draw_captions_beside(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px);
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-#include "core/device/refusals.h"
 #include "gui/model/axis_look.h"
+#include "gui/model/provenance.h"
 #include "gui/model/tab.h"
 #include "gui/surface/ui.h"
+#include "gui/widgets/text.h"
 #include "gui/widgets/touch.h"
 #include "panels/position/what_fits.h"
 #include "panels/widget_path.h"
@@ -14,28 +15,45 @@ namespace hw::panels {
 
 using namespace gui;
 
-Caption about_number(Frame& f, AxisId axis) {
-  const AxisState& a = f.now.axes[axis.index];
-  const DisplayUnit steps{counted_unit(f.catalog, f.now, f.catalog.step_word, axis.index), 1, 0, false};
+Caption about_number(Frame& f, AxisId axis, bool brief) {
   Caption said;
-  const bool lost = f.now.link.state == LinkState::lost;
-  const bool old = lost || (a.position_known && is_old(f.now, axis.index, f.clock));
-  if (old && a.seen_at != Instant{}) {
-    said.words.append(format_duration(seconds(f.clock - a.seen_at)).view());
-    said.words.append(" old");
-    said.tone = Tone::warn;
-    f.ui.wake_in(1);
-  } else if (!a.position_known) {
-    said.words.append("not known: home it, or set it");
-    said.tone = Tone::warn;
-  } else if (a.trust.doubtful()) {
-    said.words.append("untrusted: ");
-    said.words.append(brief_words_of(a.trust.cause));
-    said.tone = Tone::warn;
-  } else if (f.tab.unit(axis).real) {
-    said.words = format_with_unit(a.position, steps);
+  said.words = provenance(f.now, axis, f.clock, f.tab.desk().traffic.clock(), brief);
+  switch (origin_of(f.now, axis, f.clock)) {
+    case Origin::stale: f.ui.wake_in(1), said.tone = Tone::warn, said.mark = Icon::clock; break;
+    case Origin::unknown:
+    case Origin::untrusted: said.tone = Tone::warn, said.mark = Icon::diamond; break;
+    case Origin::homed: said.tone = Tone::ok, said.mark = Icon::house; break;
+    case Origin::set: said.mark = Icon::hand; break;
+    case Origin::counted: said.mark = Icon::tally; break;
   }
   return said;
+}
+
+float draw_about_number(Frame& f, AxisId axis, ImVec2 at, float room) {
+  Ui& ui = f.ui;
+  const float mark = ui.px(12), gap = ui.px(4), line = ui.line(Face::small);
+  Caption said = about_number(f, axis);
+  const auto width_of = [&] { return mark + gap + std::ceil(text_width(ui, Face::small, said.words)); };
+  if (width_of() > room) said = about_number(f, axis, true);
+  const float width = std::min(width_of(), room);
+  const float middle = at.y + line / 2;
+  draw_icon(ImGui::GetWindowDrawList(), said.mark, ImVec2(at.x + mark / 2, middle), mark, ui[said.tone]);
+  draw_text_line(ui, at.x + mark + gap, at.x + room, middle, Face::small, ui[said.tone], said.words);
+  show(ui,
+       {Path("dro/{}/provenance", f.catalog.axes[axis.index].name),
+        Kind::text,
+        "Provenance",
+        said.words,
+        {},
+        false,
+        {}},
+       {at, ImVec2(at.x + width, at.y + line)});
+  return width;
+}
+
+NumberText steps_behind(const Frame& f, AxisId axis) {
+  const DisplayUnit steps{counted_unit(f.catalog, f.now, f.catalog.step_word, axis.index), 1, 0, false};
+  return f.tab.unit(axis).real ? format_with_unit(f.now.axes[axis.index].position, steps) : NumberText();
 }
 
 // A held jog has no target that the hand means, and what comes to a stop will not reach its own.

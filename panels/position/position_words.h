@@ -6,15 +6,22 @@
 #include "gui/shell/frame.h"
 #include "gui/surface/theme.h"
 #include "gui/widgets/digits.h"
+#include "gui/widgets/icons.h"
 
 namespace hw::panels {
 
 struct Caption {
   gui::NumberText words;
   gui::Tone tone = gui::Tone::ink2;
+  gui::Icon mark = gui::Icon::none;
 };
-/// About the number: steps, or what is wrong with it.
-Caption about_number(gui::Frame& frame, AxisId axis);
+/// About the number: where it comes from, or what is wrong with it. `brief`: without when.
+Caption about_number(gui::Frame& frame, AxisId axis, bool brief = false);
+/// Mark and words, from `at` on; the brief words where the others do not fit. Registers `dro/X/provenance`.
+/// Returns their width in pixels.
+float draw_about_number(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px);
+/// "2400 steps" of a real unit; else empty.
+gui::NumberText steps_behind(const gui::Frame& frame, AxisId axis);
 /// Where it goes and how fast, or what a limit still lets it do. `whole`: with the target.
 gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
 /// What it does and how many commands wait in its queue, as wordy as there is room: "200 000 counts/s, queue

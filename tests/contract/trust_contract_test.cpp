@@ -142,6 +142,26 @@ TEST_P(TrustContract, OnTheUsersWordItIsTrustedAsItReads) {
   EXPECT_EQ(axis().position, Steps(240));
 }
 
+TEST_P(TrustContract, ZeroWhereTheLastSessionLeftItElsewhereIsNotTrusted) {
+  const KeptPosition kept{true, Steps(900), {Trust::homed, Doubt::none, Instant{}}};
+  EXPECT_EQ(perform(intent::RecallPositions({kept})).fate, Fate::done);
+  EXPECT_EQ(axis().trust.cause, Doubt::zero_since);
+  EXPECT_EQ(go_to(240).fate, Fate::refused);
+}
+
+TEST_P(TrustContract, WhatTheLastSessionHasKeptIsTakenForWhatNobodyKnowsBetter) {
+  switch_motor_on();
+  ASSERT_EQ(go_to(500).fate, Fate::done);
+  const KeptPosition kept{true, Steps(500), {Trust::homed, Doubt::none, Instant{}}};
+  EXPECT_EQ(perform(intent::RecallPositions({kept})).fate, Fate::done);
+  EXPECT_TRUE(axis().trust.restored);
+  EXPECT_EQ(axis().trust.kind, Trust::homed);
+  EXPECT_EQ(perform(intent::SetPosition(0)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::RecallPositions({kept})).fate, Fate::done);
+  EXPECT_EQ(axis().trust.kind, Trust::set) << "somebody has said it since";
+  EXPECT_FALSE(axis().trust.restored);
+}
+
 TEST_P(TrustContract, WhereItStandsCanBeSaid) {
   ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
   EXPECT_EQ(perform(intent::SetPosition(0)).fate, Fate::done);

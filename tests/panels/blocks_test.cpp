@@ -300,7 +300,7 @@ TEST_F(BlocksTest, BlocksComeBackAfterACrash) {
   gui::Desk& desk = s.tab.desk();
   ASSERT_TRUE(desk.keep_texts(Autosave(folders), "here"));
   s.click("blocks/add/delay");
-  desk.keep_now();
+  desk.keep_now({});
   s.stage.frames(2);
   gui::Desk again(s.catalog, &type.language(), nullptr);
   ASSERT_TRUE(again.keep_texts(Autosave(folders), "here"));

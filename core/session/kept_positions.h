@@ -1,0 +1,33 @@
+#pragma once
+// Where the axes of a controller stood when nobody moved them, and how far that was to be trusted: kept for
+// the next session under the key of its profile, in the state folder.
+#include <chrono>
+#include <string_view>
+#include <vector>
+
+#include "core/device/trust.h"
+#include "core/session/user_files.h"
+
+namespace hw {
+
+/// One instant on both clocks: those of a session begin anew with each.
+struct TwoClocks {
+  Instant session{};
+  std::chrono::system_clock::time_point day{};
+};
+
+class KeptPositions {
+ public:
+  explicit KeptPositions(UserFolders folders) : folders_(std::move(folders)) {}
+  [[nodiscard]] bool enabled() const { return folders_.enabled; }
+  /// By AxisId; empty: nothing is kept. A damaged file: a fault, the file is put aside.
+  [[nodiscard]] Result<std::vector<KeptPosition>> load(std::string_view key, TwoClocks now) const;
+  /// May block: for workers, and for the end.
+  Result<> save(std::string_view key, const std::vector<KeptPosition>& axes, TwoClocks now) const;
+
+ private:
+  [[nodiscard]] std::filesystem::path file_of(std::string_view key) const;
+  UserFolders folders_;
+};
+
+}  // namespace hw
