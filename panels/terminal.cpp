@@ -30,7 +30,11 @@ void Terminal::draw(Frame& f) {
   if (with_head_) draw_head(f, desk.traffic);
   const float bottom = f.ui.px(f.area.bottom());
   const float left_for_log = bottom - ImGui::GetCursorScreenPos().y - f.ui.px(command_row);
-  rows_.draw(f.ui, desk.traffic, std::max(left_for_log, f.ui.px(20)));
+  const float height = std::max(left_for_log, f.ui.px(20));
+  if (shows_events_)
+    happened_.draw(f, height);
+  else
+    rows_.draw(f.ui, desk.traffic, height);
   if (!offered_.empty()) draw_list(f, bottom - f.ui.px(command_row));
   draw_command(f);
   if (const auto path = save_.draw(f.ui)) {
@@ -52,8 +56,27 @@ void Terminal::draw(Frame& f) {
 void Terminal::draw_head(Frame& f, TrafficLog& log) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float middle = at.y + ui.px(22), left = ui.px(f.area.x + 16);
-  draw_text_line(ui, left, ui.px(f.area.right()), middle, Face::body_bold, ui[Tone::ink], "Terminal");
+  const std::string_view events = f.area.width >= 700 ? "What happened" : "Events";
+  float x = f.area.x + 16;
+  const auto choose = [&](std::string_view id, std::string_view label, bool events_too) {
+    const ButtonOptions look{.style = ButtonStyle::segment, .on = shows_events_ == events_too};
+    ImGui::SetCursorScreenPos(ImVec2(ui.px(x), at.y + ui.px(6)));
+    x += button_width(ui, label, look);
+    return button(ui, id, label, look).clicked;
+  };
+  const bool log_wanted = choose("terminal/view/log", "Terminal", false);
+  const bool events_wanted = choose("terminal/view/happened", events, true);
+  if (log_wanted || events_wanted) shows_events_ = events_wanted;
+  const float after = ui.px(x + 12);
+  if (shows_events_)
+    happened_.draw_tools(f, ui.px(f.area.right() - 16), at.y + ui.px(6));
+  else
+    draw_traffic_tools(f, log, after, at.y + ui.px(6));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(44)));
+}
+
+void Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float top) {
+  Ui& ui = f.ui;
   TrafficLog::View view = log.view();
   filter_ = view.filter;
 
@@ -83,7 +106,7 @@ void Terminal::draw_head(Frame& f, TrafficLog& log) {
   for (const Part& p : actions) width += button_width(ui, p.label, look(p));
   float x = f.area.right() - 16 - width;
   const auto place = [&](float w) {
-    ImGui::SetCursorScreenPos(ImVec2(ui.px(x), at.y + ui.px(6)));
+    ImGui::SetCursorScreenPos(ImVec2(ui.px(x), top));
     x += w;
   };
   for (const Part& p : toggles) {
@@ -98,27 +121,28 @@ void Terminal::draw_head(Frame& f, TrafficLog& log) {
     if (button(ui, p.id, p.label, look(p)).clicked) act(f, log, p.id);
   }
   log.set_view(std::move(view));
-  draw_lost(ui, log, left + ui.px(72), ui.px(f.area.right() - 24 - width), middle);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(44)));
+  draw_lost(ui, log, left, ui.px(f.area.right() - 24 - width), top + ui.px(16));
 }
 
 /// What the head does, where there is no room for it.
 void Terminal::draw_log_menu(Frame& f) {
   TrafficLog& log = f.tab.desk().traffic;
   TrafficLog::View view = log.view();
-  const std::array<std::string_view, 6> names = {view.decoded ? "Without meanings" : "With meanings",
+  const std::array<std::string_view, 7> names = {shows_events_ ? "The terminal" : "What happened",
+                                                 view.decoded ? "Without meanings" : "With meanings",
                                                  view.fold_polls ? "Show all polls" : "Fold polls",
                                                  view.hex ? "As characters" : "In hexadecimal",
                                                  "Copy",
                                                  "Clear",
                                                  "Save log"};
   switch (menu(f.ui, "terminal/log_menu", "Log", names)) {
-    case 0: view.decoded = !view.decoded; break;
-    case 1: view.fold_polls = !view.fold_polls; break;
-    case 2: view.hex = !view.hex; break;
-    case 3: return act(f, log, "terminal/copy");
-    case 4: return act(f, log, "terminal/clear");
-    case 5: return act(f, log, "terminal/save");
+    case 0: shows_events_ = !shows_events_; return;
+    case 1: view.decoded = !view.decoded; break;
+    case 2: view.fold_polls = !view.fold_polls; break;
+    case 3: view.hex = !view.hex; break;
+    case 4: return act(f, log, "terminal/copy");
+    case 5: return act(f, log, "terminal/clear");
+    case 6: return act(f, log, "terminal/save");
     default: return;
   }
   log.set_view(std::move(view));

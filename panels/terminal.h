@@ -1,5 +1,5 @@
 #pragma once
-// The wire as it speaks: traffic decoded, and a line to speak to it oneself.
+// The wire as it speaks: traffic decoded, and a line to speak to it oneself. In its place: what happened.
 #include <string>
 #include <vector>
 
@@ -7,6 +7,7 @@
 #include "gui/shell/panel_entry.h"
 #include "gui/widgets/file_dialog.h"
 #include "gui/widgets/text_field.h"
+#include "panels/happened.h"
 #include "panels/terminal_log.h"
 
 namespace hw::panels {
@@ -18,6 +19,7 @@ class Terminal final : public gui::Panel {
 
  private:
   void draw_head(gui::Frame& frame, gui::TrafficLog& log);
+  void draw_traffic_tools(gui::Frame& frame, gui::TrafficLog& log, float left_px, float top_px);
   void draw_log_menu(gui::Frame& frame);
   static void draw_lost(gui::Ui& ui, const gui::TrafficLog& log, float left, float right, float middle);
   void act(gui::Frame& frame, gui::TrafficLog& log, std::string_view id);
@@ -29,6 +31,8 @@ class Terminal final : public gui::Panel {
   bool complete(std::string& text, std::size_t& cursor);
 
   TerminalLog rows_;
+  Happened happened_;
+  bool shows_events_ = false;
   std::string command_, filter_;
   bool to_all_ = false;  ///< the line goes to all devices of the wire
   std::vector<std::string_view> to_names_;

@@ -25,6 +25,17 @@ struct AxisTarget {
   Steps value;
 };
 
+/// Who has asked for a stop.
+enum class StoppedBy : std::uint8_t {
+  button,  ///< of the console, under the mouse
+  key,     ///< Esc
+  script,
+  text,     ///< the maker's own words
+  let_go,   ///< a jog's hand
+  console,  ///< the console itself: nobody held the jog any more, a link that was lost, its end
+  nobody    ///< that is known
+};
+
 namespace intent {
 
 /// What becomes of a servo axis whose loop is about to close, or to drive harder, while it stands far from
@@ -71,12 +82,14 @@ struct Home {
 /// ramp. The first one of all axes ramps also beside that of a single axis.
 struct Stop {
   int axis;  ///< -1: all
-  explicit Stop(int a = -1) : axis(a) {}
+  StoppedBy by;
+  explicit Stop(int a = -1, StoppedBy who = StoppedBy::button) : axis(a), by(who) {}
 };
 /// At once, without ramp; positions may be lost.
 struct Abort {
   int axis;
-  explicit Abort(int a = -1) : axis(a) {}
+  StoppedBy by;
+  explicit Abort(int a = -1, StoppedBy who = StoppedBy::button) : axis(a), by(who) {}
 };
 /// Makes the present position read `value` (0: zero here). axis -1: all axes to 0.
 struct SetPosition {
@@ -172,7 +185,8 @@ struct SingleStep {};  ///< from a hold: one command
 /// Goes out like a stop. Where the catalog has threads the motion that one has begun goes on.
 struct HaltProgram {
   int thread;
-  explicit HaltProgram(int t = -1) : thread(t) {}
+  StoppedBy by;
+  explicit HaltProgram(int t = -1, StoppedBy who = StoppedBy::button) : thread(t), by(who) {}
 };
 /// One of Catalog::actions with a value for each of its fields.
 struct Act {
@@ -253,6 +267,15 @@ inline intent::Closing* closing_of(IntentBody& body) {
   if (auto* i = std::get_if<intent::SetParam>(&body)) return &i->closing;
   if (auto* i = std::get_if<intent::Act>(&body)) return &i->closing;
   return nullptr;
+}
+
+/// Of a stop; of nothing else.
+inline void asked_by(IntentBody& body, StoppedBy who) {
+  std::visit(
+      [who](auto& wish) {
+        if constexpr (requires { wish.by; }) wish.by = who;
+      },
+      body);
 }
 
 struct Intent {

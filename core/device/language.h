@@ -62,6 +62,11 @@ struct RehearsedEvent {
   std::string what;
   int slot = -1, command = -1;
 };
+/// From this time on this command was at work.
+struct RehearsedTurn {
+  double t = 0;
+  int command = -1;
+};
 /// A value that the rehearsal had to take from somewhere because nobody has told it.
 struct RehearsedAssumption {
   std::string name;   ///< the maker's, or in words: "HSPD", "V5", "speed of motor 1"
@@ -91,6 +96,9 @@ struct Rehearsal {
   std::string sent_to_host;
   std::map<std::string, int> program_size;  ///< "0" -> 14
   std::vector<RehearsedEvent> events;       ///< in order of time; at most `most_events`, and one that says so
+  /// Of the program that was started, in order of time: what waits for a motion is of the command that began
+  /// it. At most `most_events`; what came then is missing.
+  std::vector<RehearsedTurn> turns;
   int moves = 0;
   bool limit_touched = false;
   bool endless = false;              ///< it goes round in a loop that nothing leaves; `error` names its line
@@ -102,6 +110,11 @@ struct Rehearsal {
   void add(RehearsedEvent event) {
     if (events.size() == most_events) event = {event.t, "more events, not listed", -1, -1};
     if (events.size() <= most_events) events.push_back(std::move(event));
+  }
+  /// `command` -1: the one before goes on.
+  void at_work(double t, int command) {
+    const bool goes_on = command < 0 || (!turns.empty() && turns.back().command == command);
+    if (!goes_on && turns.size() < most_events) turns.push_back({t, command});
   }
 };
 struct ControllerState;

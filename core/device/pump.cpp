@@ -22,6 +22,7 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
       tool_(catalog),
       jogs_(scheduler, [this] { jog_let_go(); }),
       pieces_(catalog, draft_, wake_),
+      endings_(catalog, [this](const Ending& ending) { tell_ending(ending); }),
       wake_(scheduler),
       published_(scheduler),
       ended_(scheduler),
@@ -406,9 +407,16 @@ void Pump::tell_fault(IntentId id, const Fault& fault, std::uint32_t doubtful) {
   set_fate(told);
 }
 
+void Pump::tell_ending(const Ending& ending) {
+  Notice notice(Notice::Kind::ending, scheduler_.now(), {});
+  notice.ending = ending;
+  ways_.notify(std::move(notice));
+}
+
 void Pump::publish() {
   ++draft_.sequence;
   draft_.at = scheduler_.now();
+  endings_.look(draft_);
   ways_.publish(draft_);
   published_.notify();
 }

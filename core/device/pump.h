@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/device/driver.h"
+#include "core/device/ending_watch.h"
 #include "core/device/held_jogs.h"
 #include "core/device/job_queue.h"
 #include "core/device/line.h"
@@ -111,6 +112,7 @@ class Pump {
   [[nodiscard]] bool stop_goes_out_again() const;
   [[nodiscard]] bool something_runs() const;
   void publish();
+  void tell_ending(const Ending& ending);
   [[nodiscard]] bool runs() const { return life_ > Life::made && life_ < Life::over; }
   [[nodiscard]] bool leaves() const { return life_ >= Life::leaves; }
   [[nodiscard]] bool closes() const { return life_ >= Life::closes; }
@@ -146,6 +148,7 @@ class Pump {
   Task<Result<>> perform_guarding_tool(const IntentBody& body);
   Task<Result<>> perform_beside_pieces(const IntentBody& body);
   Task<> perform_piece(const IntentBody& body);
+  void tell_hold_behind_piece();
   void pieces_end(std::string why);
   Result<> trust_position(AxisId axis);
   void recall_positions(const std::vector<KeptPosition>& kept);
@@ -177,6 +180,7 @@ class Pump {
   PieceRun pieces_;
   Rounds rounds_;
   Outage outage_;
+  EndingWatch endings_;
   std::unique_ptr<Driver> driver_;
   std::unique_ptr<Station> station_;
   Event wake_, published_, ended_;

@@ -79,6 +79,7 @@ void Pump::post_text(Intent intent) {
     StopOrder order;
     order.what = StopOrder::What::words;
     order.words = text.text;
+    order.by = StoppedBy::text;
     order.meaning = meaning;
     order.axis = meaning.axis;
     order.intent = intent.id;

@@ -42,6 +42,7 @@ StopOrder& Pump::ask(StopOrder order) {
   using What = StopOrder::What;
   const bool leaves_tool =
       order.what == What::jog || (order.what == What::words && !order.meaning.stops_here());
+  endings_.stop_asked(order);
   StopOrder& asked = desk_.ask(std::move(order));
   if (!leaves_tool) pieces_.end();
   if (leaves_tool || !tool_.may_be_on(draft_)) return asked;
@@ -131,6 +132,7 @@ void Pump::follow_words(const StopOrder& words) {
   StopOrder own;
   own.intent = words.intent;
   own.told = true;
+  own.by = words.by;
   own.times_sent = words.times_sent;
   own.sent_at = words.sent_at, own.first_sent_at = words.first_sent_at;
   const TextMeaning& meaning = words.meaning;
@@ -207,7 +209,7 @@ void Pump::owe_stops_at_loss(const Fault& why) {
         order.what == What::broadcast || (order.what == What::words && !order.meaning.stops_here());
     return !outage_.may_run() || other;
   });
-  if (tool_.at_work()) {
+  if (tool_.at_work() && !desk_.stops_all()) {
     StopOrder ends;
     ends.told = true;
     ask(std::move(ends)).at_once = false;
@@ -232,6 +234,7 @@ void Pump::hear_text_to_all(const std::string& text, const TextMeaning& meaning)
     if (meaning.stops == TextMeaning::Stops::all) {  // whether it has come here, the next rounds show
       StopOrder order;
       order.sent = order.told = true;
+      order.by = StoppedBy::text;
       order.times_sent = 1;
       order.sent_at = order.first_sent_at = scheduler_.now();
       ask(std::move(order)).at_once = false;
@@ -260,6 +263,7 @@ Task<Result<std::string>> Pump::query_stop(std::string text, TextMeaning meaning
   StopOrder order;
   order.what = StopOrder::What::words;
   order.words = std::move(text);
+  order.by = StoppedBy::text;
   order.meaning = meaning;
   order.axis = meaning.axis;
   order.patience = patience;

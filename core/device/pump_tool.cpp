@@ -86,9 +86,20 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
     const RunState run = draft_.program.run;
     const bool at_work = draft_.program.owned && (holds ? run == RunState::running : run == RunState::held);
     const bool can_hold = catalog_.can.single_step || catalog_.program.threads > 0;
-    if (!at_work || !can_hold || !catalog_.can.outputs_while_held) co_return Result<>();
+    const bool within = at_work && can_hold && catalog_.can.outputs_while_held;
+    if (holds && at_work && !within) tell_hold_behind_piece();
+    if (!within) co_return Result<>();
   }
   co_return co_await perform_guarding_tool(body);
+}
+
+/// Where a program cannot be held within itself, or its tool would stay on.
+void Pump::tell_hold_behind_piece() {
+  ways_.notify(
+      Notice(Notice::Kind::warning, scheduler_.now(),
+             fmt::format("It is held behind piece {}, which goes on until then with its tool. Stop ends "
+                         "it now, and switches the tool off.",
+                         draft_.pieces.done + 1)));
 }
 
 /// A stop that comes meanwhile has ended them.
@@ -107,6 +118,7 @@ Task<> Pump::perform_piece(const IntentBody& body) {
 
 void Pump::pieces_end(std::string why) {
   pieces_.end();
+  draft_.pieces.ended_because = why;
   ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), std::move(why)));
   publish();
 }

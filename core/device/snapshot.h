@@ -126,6 +126,7 @@ struct PiecesState {
   std::int32_t done = 0, total = 0;  ///< pieces
   std::int32_t step = -1;            ///< of the sequence's own list: that is at work, or was last; -1: none
   std::int32_t percent = 100;        ///< of the speeds that were asked for; see intent::OverrideSpeed
+  FixedText<240> ended_because;      ///< what has broken it off, as a sentence; empty: nothing
   bool operator==(const PiecesState&) const = default;
 };
 
@@ -323,9 +324,28 @@ struct AxisSample {
   bool output_known = false;
 };
 
+/// How a motion or a program came to its end: told once for each. What a program or a list moves is told with
+/// it, unless it ended badly.
+struct Ending {
+  enum class What : std::uint8_t { motion, jog, homing, program, list, pieces };
+  What what = What::motion;
+  int axis = -1;    ///< of a motion, jog or homing
+  int slot = -1;    ///< of a program: where the catalog has threads, which of them; -1: not known
+  Instant began{};  ///< as it was first seen
+  EndedBy by = EndedBy::nothing;
+  StoppedBy who = StoppedBy::nobody;  ///< where it was stopped
+  AxisError error = AxisError::none;
+  bool limit_minus = false, limit_plus = false;  ///< are hit
+  bool place_known = false;
+  Steps place{};                     ///< where it came to rest
+  Steps off{};                       ///< of a servo axis: from its command
+  std::int32_t done = 0, total = 0;  ///< of a list or pieces
+  bool operator==(const Ending&) const = default;
+};
+
 /// Things that must not be lost: they travel in a ring beside the snapshots.
 struct Notice {
-  enum class Kind : std::uint8_t { info, warning, error, program, report, question };
+  enum class Kind : std::uint8_t { info, warning, error, program, report, question, ending };
   Kind kind = Kind::info;
   Instant at{};
   IntentId intent = 0;
@@ -333,6 +353,7 @@ struct Notice {
   bool whole = true;       ///< ... and false: `text` leaves out code that means nothing here
   std::string text;        ///< a sentence, or the listing
   std::vector<int> slots;  ///< question: one of these must be emptied before a move is possible
+  Ending ending;           ///< of that kind, which has no text
 
   Notice() = default;
   Notice(Kind k, Instant when, std::string t) : kind(k), at(when), text(std::move(t)) {}

@@ -12,11 +12,11 @@ std::vector<double> seconds_of_parts(const Rehearsal& r, std::span<const int> pa
     if (part >= 0) all[ix(part)] += t - since;
     since = t;
   };
-  for (const RehearsedEvent& e : r.events) {
-    if (e.slot != 0 || e.command < 0 || ix(e.command) >= part_of_command.size()) continue;
-    const int next = part_of_command[ix(e.command)];
+  for (const RehearsedTurn& turn : r.turns) {
+    if (ix(turn.command) >= part_of_command.size()) continue;
+    const int next = part_of_command[ix(turn.command)];
     if (next < 0 || next == part) continue;
-    until(e.t);
+    until(turn.t);
     part = next;
     if (all.size() <= ix(part)) all.resize(ix(part) + 1, 0);
   }

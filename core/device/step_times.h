@@ -7,9 +7,8 @@
 
 namespace hw {
 
-/// By part, in seconds: from the event of its first command to that of the next part. `part_of_command`: by
-/// RehearsedEvent::command of program 0; a command of no part (-1) belongs to the part before it. Of parts
-/// that the rehearsal has not listed there is nothing.
+/// By part, in seconds. `part_of_command`: by RehearsedTurn::command; a command of no part (-1) belongs to
+/// the part before it. Of parts that were never at work there is nothing.
 std::vector<double> seconds_of_parts(const Rehearsal& rehearsal, std::span<const int> part_of_command);
 
 }  // namespace hw

@@ -87,15 +87,19 @@ std::optional<StopOrder> stop_order_of(const Intent& intent) {
   order.intent = intent.id;
   if (const auto* s = std::get_if<intent::Stop>(&intent.body)) {
     order.axis = s->axis;
+    order.by = s->by;
   } else if (const auto* a = std::get_if<intent::Abort>(&intent.body)) {
     order.axis = a->axis;
+    order.by = a->by;
     order.at_once = true;
   } else if (const auto* j = std::get_if<intent::JogStop>(&intent.body)) {
     order.what = StopOrder::What::jog;
     order.axis = j->axis;
+    order.by = StoppedBy::let_go;
   } else if (const auto* h = std::get_if<intent::HaltProgram>(&intent.body)) {
     order.what = StopOrder::What::program;
     order.thread = h->thread;
+    order.by = h->by;
   } else {
     return std::nullopt;
   }

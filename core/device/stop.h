@@ -35,7 +35,8 @@ struct StopOrder {
   Duration patience{};                              ///< with an answer to `words`
   std::function<void(Result<std::string>)> answer;  ///< called once, with that answer or why there is none
   IntentId intent = 0;                              ///< 0: the console's own
-  std::uint64_t number = 0;                         ///< by which the desk finds it
+  StoppedBy by = StoppedBy::console;
+  std::uint64_t number = 0;  ///< by which the desk finds it
 
   int times_sent = 0;
   Instant sent_at{}, first_sent_at{};

@@ -118,6 +118,7 @@ static Task<Answer> perform_body(SessionPtr session, IntentBody body) {
   co_return answer_of(result);
 }
 int perform(Call& call, SessionPtr session, IntentBody body) {
+  asked_by(body, StoppedBy::script);
   return call.wait(perform_body(std::move(session), std::move(body)));
 }
 int perform(Call& call, IntentBody body) { return perform(call, session_of(call), std::move(body)); }

@@ -35,7 +35,7 @@ struct Runner::Leaving {
       if (one.closed)
         one.trouble = "It was closed already: what the script has left running goes on.";
       else if (!one.session->pump().stops_all())
-        one.stop = one.session->post(intent::Stop());
+        one.stop = one.session->post(intent::Stop(-1, StoppedBy::script));
   }
   [[nodiscard]] bool over() const {
     return begun && std::all_of(all.begin(), all.end(), [](const Left& one) { return one.closed; });
@@ -86,7 +86,7 @@ void Runner::leave_all(const std::shared_ptr<Leaving>& leaving) {
   if (options_.stage)
     for (const auto& session : options_.stage->controllers())
       if (!leaving->has(*session))
-        leaving->add(session, failure_.empty() ? 0 : session->post(intent::Stop()));
+        leaving->add(session, failure_.empty() ? 0 : session->post(intent::Stop(-1, StoppedBy::script)));
   for (std::size_t i = 0; i < leaving->all.size(); ++i)
     asio::co_spawn(scheduler_.executor(), leave(leaving, i), asio::detached);
 }

@@ -153,7 +153,8 @@ Task<Result<std::string>> Session::listing(int slot) {
 std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
   if (s.link.state == LinkState::lost || s.link.state == LinkState::closed)
     return fmt::format("The link is lost. {}", s.link.sentence.view());
-  if (s.program.run == RunState::error) return std::string(s.notice.view());
+  if (s.program.run == RunState::error)
+    return s.notice.empty() ? "A program has stopped in an error." : std::string(s.notice.view());
   if (s.program.ended_by == EndedBy::limit) return "A limit switch was hit while the program ran.";
   if (s.program.ended_by == EndedBy::elsewhere)
     return "The program was ended by somebody else: the controller's Stop button or input.";
@@ -212,7 +213,8 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
       std::string reason = why_not_finished(s, catalog_);
       if (reason.empty()) reason = std::exchange(text_refused_, {});
       if (reason.empty() && in_pieces && s.pieces.done < s.pieces.total)
-        reason = fmt::format("It has ended in piece {} of {}.", s.pieces.done + 1, s.pieces.total);
+        reason = fmt::format("It has ended in piece {} of {}. {}", s.pieces.done + 1, s.pieces.total,
+                             s.pieces.ended_because.view());
       if (reason.empty() && cut_off)
         reason = "The controller was switched off and on, or reset, while something was under way.";
       if (reason.empty()) co_return Result<>();

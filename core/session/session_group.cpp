@@ -36,9 +36,9 @@ int SessionGroup::find(std::string_view id) const {
   return -1;
 }
 
-static IntentBody stop_intent(bool at_once) {
-  if (at_once) return intent::Abort();
-  return intent::Stop();
+static IntentBody stop_intent(bool at_once, StoppedBy by) {
+  if (at_once) return intent::Abort(-1, by);
+  return intent::Stop(-1, by);
 }
 
 void SessionGroup::stop_wire(bool at_once) const {
@@ -47,17 +47,17 @@ void SessionGroup::stop_wire(bool at_once) const {
     if (member->pump().stop_wire(at_once)) return;
 }
 
-std::vector<IntentId> SessionGroup::stop(bool at_once) {
+std::vector<IntentId> SessionGroup::stop(bool at_once, StoppedBy by) {
   asio::post(scheduler_.executor(), [self = shared_from_this(), at_once] { self->stop_wire(at_once); });
   std::vector<IntentId> ids;
-  for (const auto& member : members_) ids.push_back(member->send(stop_intent(at_once)));
+  for (const auto& member : members_) ids.push_back(member->send(stop_intent(at_once, by)));
   return ids;
 }
 
 std::vector<IntentId> SessionGroup::post_stop(bool at_once) {
   stop_wire(at_once);
   std::vector<IntentId> ids;
-  for (const auto& member : members_) ids.push_back(member->post(stop_intent(at_once)));
+  for (const auto& member : members_) ids.push_back(member->post(stop_intent(at_once, StoppedBy::script)));
   return ids;
 }
 

@@ -24,10 +24,10 @@ class SessionGroup : public std::enable_shared_from_this<SessionGroup> {
   [[nodiscard]] int find(std::string_view id) const;
   /// Stops all of them; where the maker has a message that all obey at once, it goes out first. The intents'
   /// ids, in the order of the members.
-  std::vector<IntentId> stop(bool at_once = false);
+  std::vector<IntentId> stop(bool at_once = false, StoppedBy by = StoppedBy::button);
 
   // ---- io thread
-  /// The same as stop(), before anything else happens on this thread.
+  /// The same as stop(), for scripts, before anything else happens on this thread.
   std::vector<IntentId> post_stop(bool at_once);
   /// And resumes with the first thing that went wrong.
   Task<Result<>> perform_stop(bool at_once);

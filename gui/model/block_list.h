@@ -17,6 +17,9 @@ class BlockList {
   explicit BlockList(const Catalog& catalog);
 
   sequence::Editor editor;
+  // As SequenceText counts the steps; -1: none.
+  int wanted_step = -1;  ///< to be chosen where the blocks are drawn
+  int chosen_step = -1;  ///< there
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   /// Differs from its file, or is in none.

@@ -49,12 +49,12 @@ std::size_t Bus::connected() const {
   }));
 }
 
-void Bus::stop_all() {
+void Bus::stop_all(StoppedBy by) {
   if (!group) {
-    for (Tab* member : members) member->stop_all();
+    for (Tab* member : members) member->stop_all(by);
     return;
   }
-  const std::vector<IntentId> stops = group->stop();
+  const std::vector<IntentId> stops = group->stop(false, by);
   for (std::size_t i = 0; i < members.size(); ++i) members[i]->stopped_with(stops[i]);
 }
 

@@ -33,7 +33,7 @@ struct Bus {
   [[nodiscard]] Tab& worst() const;
   /// How many answer.
   [[nodiscard]] std::size_t connected() const;
-  void stop_all();
+  void stop_all(StoppedBy by = StoppedBy::button);
   /// To each that is at pieces: a hold, its end, another speed.
   void tell_pieces(const IntentBody& wish);
   /// Of the one that is at them, or was last.

@@ -78,6 +78,7 @@ void Desk::refresh(const Snapshot& now, const BenchView& bench, Instant clock, c
   setup_write.update(now, catalog_, send);
   setup.settle(now);
   places.follow(now, clock, send, worker());
+  events.follow(now, catalog_);
   autosave(clock);
 }
 

@@ -13,6 +13,7 @@
 #include "core/session/autosave.h"
 #include "gui/model/block_list.h"
 #include "gui/model/command_help.h"
+#include "gui/model/event_log.h"
 #include "gui/model/position_memory.h"
 #include "gui/model/position_trace.h"
 #include "gui/model/program_job.h"
@@ -33,6 +34,7 @@ class Desk {
   Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain explain);
 
   TrafficLog traffic;
+  EventLog events;
   ProgramTexts texts;
   BlockList blocks;
   ProgramSource source;

@@ -291,6 +291,7 @@ Said say_limit(const StatusFacts& f) {
 }
 
 Said say_unset(const StatusFacts& f) {
+  if (f.unset_read) return {};
   for (int i = 0; i < f.now.axis_count; ++i)
     if (const int param = unset_before_moving(f.catalog, f.now, axis(i)); param >= 0)
       return say(Mood::warn, f.catalog.params[static_cast<std::size_t>(param)].before_moving);

@@ -37,7 +37,8 @@ struct StatusFacts {
   std::function<std::string(AxisId, Pps)> show_speed;       ///< "5.000 mm/s"
   std::function<std::string(Instant)> time_of_day;          ///< "14:20:08"
   RunPlace run{};
-  std::string failed{};  ///< programs that have stopped in error, as a sentence: beside what still runs
+  std::string failed{};     ///< programs that have stopped in error, as a sentence: beside what still runs
+  bool unset_read = false;  ///< what should be chosen before the first move has been told
 };
 
 StatusSentence status_sentence(const StatusFacts& facts);

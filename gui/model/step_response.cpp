@@ -10,26 +10,50 @@ namespace {
 constexpr double settled_share = 0.02;
 constexpr std::size_t usual_samples = 4096;
 
-/// When `y` first reaches `level`, between samples; negative: never.
-double reaches(const StepRun& run, double level) {
+/// When `y` first reaches `level`, between samples; nothing: never.
+std::optional<Measure> reaches(const StepRun& run, double level) {
   const auto t = run.t_ms(), y = run.encoder();
   for (std::size_t i = 0; i < y.size(); ++i) {
     if (t[i] < 0 || static_cast<double>(y[i]) < level) continue;
-    if (i == 0 || y[i] == y[i - 1]) return t[i];
+    if (run.gap_before(i)) return Measure(t[i - 1], t[i]);
+    if (i == 0 || y[i] == y[i - 1]) return Measure(t[i]);
     const double share = (level - static_cast<double>(y[i - 1])) / static_cast<double>(y[i] - y[i - 1]);
-    return static_cast<double>(t[i - 1]) + share * static_cast<double>(t[i] - t[i - 1]);
+    return Measure(static_cast<double>(t[i - 1]) + share * static_cast<double>(t[i] - t[i - 1]));
   }
-  return -1;
+  return std::nullopt;
 }
 
+void measure_rise(const StepRun& run, double target, StepMeasures& m) {
+  const auto low = reaches(run, 0.1 * target), high = reaches(run, 0.9 * target);
+  m.rose = low && high;
+  if (m.rose) m.rise_ms = {std::max(0.0, high->low - low->high), high->high - low->low};
+}
+
+/// It may have left the band again in any gap that comes later.
 void measure_settling(const StepRun& run, double target, StepMeasures& m) {
   const auto t = run.t_ms(), y = run.encoder();
-  std::size_t last_outside = 0;
-  bool any_outside = false;
+  std::size_t within = 0;  // the first sample of those that stay within
   for (std::size_t i = 0; i < y.size(); ++i)
-    if (std::fabs(static_cast<double>(y[i]) - target) > m.band) last_outside = i, any_outside = true;
-  m.settled = !y.empty() && (!any_outside || last_outside + 1 < y.size());
-  if (m.settled && any_outside) m.settling_ms = std::max(0.0f, t[last_outside + 1]);
+    if (std::fabs(static_cast<double>(y[i]) - target) > m.band) within = i + 1;
+  m.settled = !y.empty() && within < y.size();
+  if (!m.settled || within == 0) return;
+  const double at = std::max(0.0f, t[within]);
+  m.settling_ms = {run.gap_before(within) ? std::max(0.0f, t[within - 1]) : at, at};
+  for (std::size_t i = within + 1; i < y.size(); ++i)
+    if (run.gap_before(i)) m.settling_ms.high = t[i];
+}
+
+/// The mean of the last tenth, if nothing is missing there.
+void measure_steady(const StepRun& run, StepMeasures& m) {
+  const auto e = run.error();
+  const std::size_t tail = std::max<std::size_t>(1, e.size() / 10);
+  double sum = 0;
+  m.steady_known = true;
+  for (std::size_t i = e.size() - tail; i < e.size(); ++i) {
+    sum += e[i];
+    if (run.gap_before(i)) m.steady_known = false;
+  }
+  m.steady_error = sum / static_cast<double>(tail);
 }
 
 int count_crossings(const StepRun& run, double target) {
@@ -70,6 +94,17 @@ void StepRun::take(const AxisSample& s) {
   if (s.output_known) output_.push_back(sign * s.output_percent);
 }
 
+void StepRun::end() {
+  constexpr std::size_t enough = 8;
+  constexpr float usual_jitter = 4;  // times as long as half of them are
+  if (t_ms_.size() < enough) return;
+  std::vector<float> spacing;
+  for (std::size_t i = 1; i < t_ms_.size(); ++i) spacing.push_back(t_ms_[i] - t_ms_[i - 1]);
+  const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
+  std::nth_element(spacing.begin(), middle, spacing.end());
+  longest_joined_ms_ = usual_jitter * *middle;
+}
+
 float StepRun::largest_output() const {
   float largest = 0;
   for (const float v : output()) largest = std::max(largest, std::fabs(v));
@@ -83,20 +118,35 @@ StepMeasures measure(const StepRun& run) {
   const auto y = run.encoder(), e = run.error();
   const double target = static_cast<double>(run.command().back());
   m.band = std::max(1.0, settled_share * run.step());
+  for (std::size_t i = 1; i < y.size(); ++i) m.gaps += run.gap_before(i) && run.t_ms()[i] > 0;
+  const auto as_seen = [&m](double value) { return m.gaps > 0 ? Measure::at_least(value) : Measure(value); };
   const auto highest = std::max_element(y.begin(), y.end());
-  m.overshoot_percent = std::max(0.0, (static_cast<double>(*highest) - target) / run.step() * 100);
+  m.overshoot_percent = as_seen(std::max(0.0, (static_cast<double>(*highest) - target) / run.step() * 100));
   m.peak_ms = run.t_ms()[static_cast<std::size_t>(highest - y.begin())];
-  const double low = reaches(run, 0.1 * target), high = reaches(run, 0.9 * target);
-  m.rose = low >= 0 && high >= 0;
-  if (m.rose) m.rise_ms = high - low;
+  measure_rise(run, target, m);
   measure_settling(run, target, m);
-  m.crossings = count_crossings(run, target);
-  const std::size_t tail = std::max<std::size_t>(1, e.size() / 10);
-  double sum = 0;
-  for (const float v : e.last(tail)) sum += v;
-  m.steady_error = sum / static_cast<double>(tail);
-  for (const float v : e) m.largest_error = std::max(m.largest_error, std::fabs(static_cast<double>(v)));
+  m.crossings = as_seen(count_crossings(run, target));
+  measure_steady(run, m);
+  double largest = 0;
+  for (const float v : e) largest = std::max(largest, std::fabs(static_cast<double>(v)));
+  m.largest_error = as_seen(largest);
   return m;
+}
+
+void StepScatter::take(const StepMeasures& measures) {
+  all_[static_cast<std::size_t>(taken_ % enough)] = measures;
+  ++taken_;
+}
+
+std::optional<double> StepScatter::of(Of measure) const {
+  if (!known()) return std::nullopt;
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  for (const StepMeasures& m : all_) {
+    const auto value = measure(m);
+    if (!value || !value->exact()) return std::nullopt;
+    least = std::min(least, value->low), greatest = std::max(greatest, value->high);
+  }
+  return greatest - least;
 }
 
 }  // namespace hw::gui

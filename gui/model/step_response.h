@@ -1,5 +1,9 @@
 #pragma once
 // One recorded step of an axis: where it was sent, where it went, and what that says of its gains. Pure.
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +19,8 @@ class StepRun {
   StepRun(int number, AxisId axis, Steps step);
 
   void take(const AxisSample& sample);
+  /// All samples have come: what is longer apart than usual is a gap from now on.
+  void end();
 
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] AxisId axis() const { return axis_; }
@@ -31,6 +37,12 @@ class StepRun {
   [[nodiscard]] std::span<const float> output() const {
     return output_.size() == t_ms_.size() ? std::span<const float>(output_) : std::span<const float>();
   }
+  /// Samples further apart than this have a gap between them; 0: not known yet.
+  [[nodiscard]] float longest_joined_ms() const { return longest_joined_ms_; }
+  /// Between this sample and the one before.
+  [[nodiscard]] bool gap_before(std::size_t sample) const {
+    return sample > 0 && longest_joined_ms_ > 0 && t_ms_[sample] - t_ms_[sample - 1] > longest_joined_ms_;
+  }
   /// The largest of it, without sign.
   [[nodiscard]] float largest_output() const;
 
@@ -41,23 +53,51 @@ class StepRun {
   bool began_ = false;
   Instant first_at_{};
   Steps from_command_{}, from_encoder_{};
-  float origin_ms_ = 0;
+  float origin_ms_ = 0, longest_joined_ms_ = 0;
   std::vector<float> t_ms_, command_, encoder_, error_, output_;
+};
+
+/// A value that lies between two: what happened in a gap of the samples nobody has seen.
+struct Measure {
+  double low = 0, high = 0;
+  Measure() = default;
+  Measure(double exact) : low(exact), high(exact) {}  // NOLINT: converts on purpose
+  Measure(double from, double to) : low(from), high(to) {}
+  static Measure at_least(double value) { return {value, std::numeric_limits<double>::infinity()}; }
+  [[nodiscard]] bool exact() const { return low == high; }
+  [[nodiscard]] bool open() const { return std::isinf(high); }
 };
 
 struct StepMeasures {
   bool any = false;
-  double overshoot_percent = 0;
+  int gaps = 0;  ///< after the step had begun
+  Measure overshoot_percent;
   double peak_ms = 0;
   bool rose = false;
-  double rise_ms = 0;  ///< from 10 to 90 % of the step
+  Measure rise_ms;  ///< from 10 to 90 % of the step
   bool settled = false;
-  double settling_ms = 0;    ///< after the step, within `band` from then on
-  double band = 0;           ///< 2 % of the step, at least one count
-  double steady_error = 0;   ///< command minus encoder, mean of the last tenth
-  double largest_error = 0;  ///< while it went there
-  int crossings = 0;         ///< how often the encoder passed its target
+  Measure settling_ms;        ///< after the step, within `band` from then on
+  double band = 0;            ///< 2 % of the step, at least one count
+  bool steady_known = false;  ///< no gap in it
+  Measure steady_error;       ///< command minus encoder, mean of the last tenth
+  Measure largest_error;      ///< while it went there
+  Measure crossings;          ///< how often the encoder passed its target
 };
 StepMeasures measure(const StepRun& run);
+
+/// How far measures of the same step lie apart when nothing has been changed.
+class StepScatter {
+ public:
+  static constexpr int enough = 3;
+  void take(const StepMeasures& measures);
+  [[nodiscard]] bool known() const { return taken_ >= enough; }
+  /// Greatest less least of what `of` says of them; nothing: one of them does not say it exactly.
+  using Of = std::optional<Measure> (*)(const StepMeasures&);
+  [[nodiscard]] std::optional<double> of(Of measure) const;
+
+ private:
+  int taken_ = 0;
+  std::array<StepMeasures, enough> all_{};
+};
 
 }  // namespace hw::gui

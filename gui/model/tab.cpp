@@ -6,6 +6,7 @@
 
 #include "core/device/refusals.h"
 #include "core/session/session.h"
+#include "gui/model/ending_words.h"
 #include "gui/model/status_sentence.h"
 
 namespace hw::gui {
@@ -82,6 +83,8 @@ void Tab::refresh() {
   follow_fates();
   tell_what_is_watched();
   find_why_not_move();
+  unset_read = unset_read || now_->any_axis_moving();
+  banner_folded = banner_folded && now_->link.state == LinkState::lost;
   desk_.refresh(*now_, *bench_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
 
@@ -93,14 +96,21 @@ void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) 
   follow_fates();
   tell_what_is_watched();
   find_why_not_move();
+  unset_read = unset_read || now_->any_axis_moving();
+  banner_folded = banner_folded && now_->link.state == LinkState::lost;
   desk_.refresh(*now_, *bench_, clock_, [this](IntentBody body) { return send(std::move(body)); });
 }
 
 void Tab::take(Notice& notice) {
-  if (notice.kind == Notice::Kind::program)
-    desk_.listed(notice);
-  else
-    notices_.push_back(std::move(notice));
+  if (notice.kind == Notice::Kind::program) return desk_.listed(notice);
+  const auto position = [this](AxisId axis, Steps place) {
+    return std::string(format_with_unit(place, unit(axis)).view());
+  };
+  if (notice.kind == Notice::Kind::ending)
+    return desk_.events.add(event_of(notice.ending, notice.at, catalog_, position));
+  const bool bad = notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error;
+  desk_.events.add({Happening::Mark::message, bad, notice.at, {}, notice.text, -1});
+  notices_.push_back(std::move(notice));
 }
 
 IntentId Tab::send(IntentBody body) {
@@ -119,9 +129,9 @@ IntentId Tab::send_followed(IntentBody body) {
   return id;
 }
 
-void Tab::stop_all() {
+void Tab::stop_all(StoppedBy by) {
   jog.forget();
-  send_followed(intent::Stop());
+  send_followed(intent::Stop(-1, by));
 }
 
 void Tab::stopped_with(IntentId stop) {
@@ -141,6 +151,7 @@ void Tab::follow_fates() {
     if (id == jog.jog_intent()) jog.forget();  // there is no jog to stop
     if (fate->asks) return true;               // follow_questions() has it
     complaints_.emplace_back(fate->sentence.view());
+    desk_.events.add({Happening::Mark::message, true, clock_, {}, complaints_.back(), -1});
     return true;
   };
   std::erase_if(followed_, settled);

@@ -61,7 +61,8 @@ class Tab {
   [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
   /// The same for one axis, whose motor may have no current.
   [[nodiscard]] std::string_view why_not_move(AxisId axis) const;
-  void stop_all();  ///< Stop to this controller; a held jog is forgotten, since the stop ends it
+  /// Stop to this controller; a held jog is forgotten, since the stop ends it.
+  void stop_all(StoppedBy by = StoppedBy::button);
   /// The same for a stop that has gone out with those of others, as this intent.
   void stopped_with(IntentId stop);
 
@@ -107,8 +108,10 @@ class Tab {
   std::shared_ptr<Bus> bus;                                  ///< null: alone on its wire
   [[nodiscard]] std::string_view id() const { return id_; }  ///< which device of its wire; may be empty
   JogHold jog;
-  AxisId chosen_axis{0};         ///< of many: the one that Go and Home act on
-  bool unset_read = false;       ///< the user has read what should be chosen before the first move
+  AxisId chosen_axis{0};  ///< of many: the one that Go and Home act on
+  bool unset_read =
+      false;  ///< what should be chosen before the first move has been told: it was read, or made
+  bool banner_folded = false;    ///< the banner of a lost link is one line high
   std::string centre_panel;      ///< id of the panel in front
   std::uint64_t text_turns = 0;  ///< Desk::text_turns() that the console has followed
   /// This controller's panels, beside the console's list; made when they are first drawn.

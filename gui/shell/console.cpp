@@ -108,12 +108,12 @@ void Console::set_day(DayClock day) {
 
 // ---- hands
 
-void Console::stop_all() {
+void Console::stop_all(StoppedBy by) {
   for (const auto& tab : tabs_) {
     if (!tab->bus)
-      tab->stop_all();
+      tab->stop_all(by);
     else if (is_face(*tab))
-      tab->bus->stop_all();
+      tab->bus->stop_all(by);
   }
 }
 

@@ -97,7 +97,7 @@ class Console {
 
   // ---- hands
   /// Ramp down everything, everywhere; a second time: at once.
-  void stop_all();
+  void stop_all(StoppedBy by = StoppedBy::button);
   /// Has this keyboard's edges act on arrival, before the next frame.
   void attach(Keyboard& keyboard);
   void on_edge(const CommandEdge& edge);

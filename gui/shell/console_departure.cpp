@@ -52,7 +52,7 @@ void Console::depart(std::string_view how) {
                                   : LastEnd::Fate::not_told;
     if (told.fate == LastEnd::Fate::left_alone) continue;
     tab->jog.forget();  // the stop ends it; two stops would mean: at once, without a ramp
-    const IntentId stop = tab->send(intent::Stop());
+    const IntentId stop = tab->send(intent::Stop(-1, StoppedBy::console));
     if (!tab->session() || told.fate == LastEnd::Fate::not_told) continue;
     watched.push_back(std::make_shared<Watched>(end.controllers.size() - 1));
     Task<> seen = see_at_rest(tab->session(), stop, watched.back());

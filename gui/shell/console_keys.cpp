@@ -29,7 +29,7 @@ constexpr JogKey jog_keys[] = {
 void Console::on_edge(const CommandEdge& edge) {
   if (edge.command == Command::stop_all) {
     if (!edge.down) return;
-    stop_all();
+    stop_all(StoppedBy::key);
     if (list_open_ && !tabs_.empty()) toast(Mood::plain, words_of_esc(tabs_));
   } else if (edge.command == Command::next_controller || edge.command == Command::previous_controller) {
     if (edge.down) activate_next(edge.command == Command::next_controller ? 1 : -1);

@@ -10,6 +10,7 @@
 
 #include "gui/model/axis_look.h"
 #include "gui/model/bus.h"
+#include "gui/model/goes_on.h"
 #include "gui/model/status_sentence.h"
 #include "gui/shell/console.h"
 #include "gui/widgets/area.h"
@@ -109,7 +110,8 @@ StatusSentence sentence_alone(Console& console, Tab& tab) {
       {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),
        [&](AxisId a, Steps s) { return std::string(format_with_unit(s, tab.unit(a)).view()); },
        [&](AxisId a, Pps v) { return std::string(format_speed(v, tab.unit(a)).view()); },
-       [&](Instant when) { return console.time_of_day(when); }, run_place(tab), failed_threads(tab)});
+       [&](Instant when) { return console.time_of_day(when); }, run_place(tab), failed_threads(tab),
+       tab.unset_read});
   name_device(said, tab);
   return said;
 }
@@ -233,18 +235,20 @@ struct BannerPlace {
 };
 
 /// As high as it needs to be; in what leaves the traffic less than some rows it is a bar.
-BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const Banner& what, bool actions) {
+BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const Banner& what, bool actions,
+                     bool folded) {
   constexpr float bar = 48, traffic_at_least = 150;
   if (below.empty()) return {layout.status, true, true};
   const float whole = banner_height(ui, what, below.width, actions);
-  if (below.height - whole >= traffic_at_least) return {{below.x, below.y, below.width, whole}, false, false};
+  if (!folded && below.height - whole >= traffic_at_least)
+    return {{below.x, below.y, below.width, whole}, false, false};
   return {{below.x, below.y, below.width, std::min(bar, below.height)}, true, false};
 }
 
 /// Returns the action pressed, and leaves in `taken` what is taken of the part below.
 int tell(Ui& ui, const Layout& layout, const Box& below, std::string_view id, const Banner& what,
-         std::span<const Action> actions, float& taken) {
-  const BannerPlace place = place_of(ui, layout, below, what, !actions.empty());
+         std::span<const Action> actions, float& taken, bool folded = false) {
+  const BannerPlace place = place_of(ui, layout, below, what, !actions.empty(), folded);
   taken = place.over_status ? 0 : place.box.height;
   const Rect r = in_pixels(ui, place.box);
   begin_over(ui, id, r, place.over_status);
@@ -258,18 +262,23 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
   const std::string title = fmt::format("{} does not answer since {}.", tab.bus ? tab.id() : tab.name(),
                                         console.time_of_day(link.lost_at));
   const bool others = tab.bus && tab.bus->connected() > 0;
+  const std::string went_on = what_goes_on(tab, Tense::past);
   const std::string sentences = fmt::format(
-      "{}{}\nStop does not reach it: to be sure, use its power switch. When it is back its state is read "
-      "afresh; nothing moves "
-      "by itself.",
-      others ? "The others answer, so port and baud rate are right. " : "", link.sentence.view());
+      "{}{}\n{}Stop does not reach it now, and goes out first when it answers: to be sure, use its power "
+      "switch. "
+      "Then its state is read afresh; nothing moves by itself.",
+      others ? "The others answer, so port and baud rate are right. " : "", link.sentence.view(),
+      went_on.empty() ? "Nothing moved when the link went. "
+                      : fmt::format("When the link went, {}. ", went_on));
   char attempt[64];
   const Banner what{Mood::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt)};
   const Action actions[] = {{.id = "fault/try_now", .label = "Try now", .main = true},
-                            {.id = "fault/report", .label = "Copy this report"}};
+                            {.id = "fault/report", .label = "Copy this report"},
+                            {.id = "fault/fold", .label = tab.banner_folded ? "Unfold" : "Fold"}};
   float taken = 0;
-  const int picked = tell(ui, layout, below, "fault/lost", what, actions, taken);
+  const int picked = tell(ui, layout, below, "fault/lost", what, actions, taken, tab.banner_folded);
   if (picked == 0) console.reconnect(tab);
+  if (picked == 2) tab.banner_folded = !tab.banner_folded;
   if (picked == 1) {
     ImGui::SetClipboardText(report(console, tab).c_str());
     console.toast(Mood::ok, "The report is in the clipboard.");

@@ -57,9 +57,8 @@ void draw_grid(Ui& ui, const PlotField& f, const PlotOptions& o) {
 }
 
 /// At most two points for each column of pixels: its lowest and its highest, as they come.
-void path_of(const PlotField& f, const PlotTrace& t) {
+void path_of(const PlotField& f, std::span<const float> xs, std::span<const float> ys) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const std::size_t n = std::min(t.x.size(), t.y.size());
   float column = 0, low = 0, high = 0;
   bool any = false, low_first = true;
   const auto emit = [&] {
@@ -67,8 +66,8 @@ void path_of(const PlotField& f, const PlotTrace& t) {
     list->PathLineTo(ImVec2(column, low_first ? low : high));
     if (low != high) list->PathLineTo(ImVec2(column, low_first ? high : low));
   };
-  for (std::size_t i = 0; i < n; ++i) {
-    const float x = std::floor(f.px(t.x[i])), y = f.py(t.y[i]);
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    const float x = std::floor(f.px(xs[i])), y = f.py(ys[i]);
     if (any && x == column) {
       if (y < low) low = y, low_first = false;
       if (y > high) high = y, low_first = true;
@@ -104,14 +103,22 @@ void stroke_dashed(Ui& ui, ImU32 colour, float width) {
   }
 }
 
+bool gap_before(const PlotTrace& t, std::size_t point) {
+  return t.longest_joined > 0 && point > 0 && t.x[point] - t.x[point - 1] > t.longest_joined;
+}
+
+/// In one stroke from gap to gap.
 void draw_trace(Ui& ui, const PlotField& f, const PlotTrace& t) {
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  path_of(f, t);
+  const std::size_t n = std::min(t.x.size(), t.y.size());
   const float width = t.width * ui.hair();
-  if (t.dashed)
-    stroke_dashed(ui, ui[t.tone], width);
-  else
-    list->PathStroke(ui[t.tone], 0, width);
+  for (std::size_t begin = 0, end; begin < n; begin = end) {
+    for (end = begin + 1; end < n && !gap_before(t, end);) ++end;
+    path_of(f, t.x.subspan(begin, end - begin), t.y.subspan(begin, end - begin));
+    if (t.dashed)
+      stroke_dashed(ui, ui[t.tone], width);
+    else
+      ImGui::GetWindowDrawList()->PathStroke(ui[t.tone], 0, width);
+  }
 }
 
 void words_on_well(Ui& ui, const PlotField& f, ImVec2 at, ImU32 colour, std::string_view words) {
@@ -216,6 +223,7 @@ bool value_at(const PlotTrace& t, float x, float& value) {
     value = t.y[behind];
     return true;
   }
+  if (gap_before(t, behind)) return false;
   const float share = (x - t.x[behind - 1]) / (t.x[behind] - t.x[behind - 1]);
   value = t.y[behind - 1] + share * (t.y[behind] - t.y[behind - 1]);
   return true;

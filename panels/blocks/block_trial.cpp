@@ -22,6 +22,7 @@ constexpr double tried_for_s = 600, block_seen_every_s = 0.02;
 void BlockTrial::forget() {
   times_.clear(), total_.clear();
   path_ = nullptr;
+  none_ = "Nothing moves yet.";
   ends_ = false;
 }
 
@@ -73,6 +74,10 @@ void BlockTrial::take(Frame& f, const Rehearsals::Outcome& outcome) {
   axes.tool_output = tool_output_of(f.tab.desk().blocks.editor.sequence(), f.catalog);
   auto path = std::make_shared<const drawing::ToolPath>(track_path(r, axes, 0, steps));
   if (!path->runs.empty()) path_ = std::move(path);
+  const bool others_move =
+      std::any_of(r.axes.begin() + 2, r.axes.end(), [](const RehearsedAxis& a) { return a.travel > 0; });
+  if (!path_ && others_move)
+    none_ = fmt::format("Only other axes than {} and {} move.", r.axes[0].name, r.axes[1].name);
 }
 
 std::string_view BlockTrial::time_of(std::size_t step) const {
@@ -82,7 +87,7 @@ std::string_view BlockTrial::time_of(std::size_t step) const {
 void BlockTrial::draw_path(Frame& f, int lit_step, float width, float height) {
   PathSubject subject;
   subject.path = path_;
-  subject.none = "Nothing moves yet.";
+  subject.none = none_;
   subject.lit = lit_step;
   canvas_.draw(f, "blocks/path", subject, width, height);
 }

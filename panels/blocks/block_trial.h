@@ -36,7 +36,7 @@ class BlockTrial {
   std::shared_ptr<const WrittenBlocks> tried_;  ///< what is being tried, or was
   int taken_ = 0;                               ///< Rehearsals::Outcome::number
   std::vector<std::string> times_;              ///< by step
-  std::string total_;
+  std::string total_, none_;                    ///< none_: why there is no path
   bool ends_ = false;
   std::shared_ptr<const drawing::ToolPath> path_;
   PathCanvas canvas_;

@@ -35,6 +35,7 @@ WrittenBlocks write_blocks(const Language& language, const sequence::Sequence& s
     const bool known = line >= 0 && ix(line) < made.text.step_of_line.size();
     line = known ? made.text.step_of_line[ix(line)] : -1;
   }
+  for (const auto& [slot, cost] : report.cost) made.cost += cost;
   if (!made.text.remarks.empty()) made.remark = made.text.remarks.front();
   return made;
 }

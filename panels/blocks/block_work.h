@@ -23,6 +23,7 @@ struct WrittenBlocks {
   std::string problem;                          ///< why they cannot be written
   std::optional<sequence::StepPath> refused{};  ///< the block that it is about
   std::string remark;
+  int cost = 0;  ///< of the text, in the unit of ProgramFacts::capacity
 };
 
 class BlockWork {

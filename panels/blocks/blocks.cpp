@@ -52,6 +52,10 @@ void Blocks::follow(Frame& f) {
   files_.follow(f);
   use_keys(f);
   if (rows_.follow(*editor_)) chosen_.row = rows_.row_of(chosen_.path);
+  BlockList& blocks = f.tab.desk().blocks;
+  if (const int step = std::exchange(blocks.wanted_step, -1); step >= 0 && ix(step) < rows_.size())
+    choose(rows_.path(ix(step)));
+  blocks.chosen_step = chosen_.row;
   work_.follow(f, *editor_);
   trial_.follow(f, work_.written());
 }
@@ -59,7 +63,8 @@ void Blocks::follow(Frame& f) {
 void Blocks::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = begin_toolbar(f);
-  run_.draw(f, work_.written()->text, work_.why_none(*editor_));
+  const std::string_view typed = form_.problem();
+  run_.draw(f, work_.written()->text, typed.empty() ? work_.why_none(*editor_) : typed);
   const ButtonOptions from_text{.disabled = TextToBlocks::why_not(f),
                                 .tip = "Makes blocks of the text in the program editor.",
                                 .height = 40};
@@ -106,6 +111,10 @@ void Blocks::use_keys(Frame& f) {
   if (io.KeyAlt && pressed(GLFW_KEY_DOWN)) move(1);
   if (io.KeyCtrl && pressed('D')) change_chosen(&sequence::Editor::duplicate);
   if (io.KeyCtrl && pressed('G')) change_chosen(&sequence::Editor::put_into_loop);
+  const bool presses_something = f.ui.focus.ring_on(f.ui.focus.id());
+  if (const sequence::Step* step = editor_->at(*chosen_.path);
+      step && pressed(GLFW_KEY_SPACE) && !presses_something)
+    return choose(editor_->skip(*chosen_.path, !step->skipped));
   if (pressed(GLFW_KEY_DELETE)) change_chosen(&sequence::Editor::remove);
 }
 

@@ -105,12 +105,14 @@ void Blocks::change_chosen(std::optional<seq::StepPath> (seq::Editor::*change)(c
   choose((editor_->*change)(at));
 }
 
-/// The target becomes where the axes are now.
+/// The target becomes where the axes are now: of those that it names, or of all while it is as it was made.
 void Blocks::take_here(const Frame& f, seq::Move m) {
   const seq::Sequence& s = editor_->sequence();
+  const bool untouched =
+      std::all_of(m.to.begin(), m.to.end(), [](const auto& to) { return !to || *to == 0; });
   for (std::size_t a = 0; a < s.axes.size(); ++a) {
     const int axis = f.catalog.find_axis(s.axes[a].name);
-    if (!m.to[a] || axis < 0 || !is_seen_now(f, f.now.axes[ix(axis)])) continue;
+    if ((!m.to[a] && !untouched) || axis < 0 || !is_seen_now(f, f.now.axes[ix(axis)])) continue;
     m.to[a] = static_cast<double>(f.now.axes[ix(axis)].commanded().value) / s.axes[a].per_unit;
   }
   editor_->replace(*chosen_.path, m);
@@ -250,8 +252,10 @@ void Blocks::draw_chosen(Frame& f, std::size_t row, float left, float width) {
 void Blocks::draw_tools(Frame& f, const seq::Step& step) {
   Ui& ui = f.ui;
   const float left = ImGui::GetCursorScreenPos().x, edge = left + ImGui::GetContentRegionAvail().x;
-  const auto tool = [&](const char* id, const char* label, Icon icon = Icon::none) {
+  const auto tool = [&](const char* id, const char* label, Icon icon = Icon::none,
+                        std::string_view why_not = {}) {
     ButtonOptions look;
+    look.disabled = why_not;
     look.style = ButtonStyle::outlined;
     look.icon = icon;
     const float width = ui.px(button_width(ui, label, look));
@@ -265,7 +269,11 @@ void Blocks::draw_tools(Frame& f, const seq::Step& step) {
   };
   const seq::StepPath at = *chosen_.path;
   const auto* move = std::get_if<seq::Move>(&step.body);
-  if (move && !move->relative && tool("blocks/here", "Take here")) return take_here(f, *move);
+  const bool is_seen = std::any_of(f.now.axes.begin(), f.now.axes.begin() + f.now.axis_count,
+                                   [&f](const AxisState& axis) { return is_seen_now(f, axis); });
+  if (move && !move->relative &&
+      tool("blocks/here", "Take here", Icon::none, is_seen ? "" : "Where the axes stand is not known now."))
+    return take_here(f, *move);
   if (tool("blocks/up", "", Icon::chevron_up)) return this->move(-1);
   if (tool("blocks/down", "", Icon::chevron_down)) return this->move(1);
   if (tool("blocks/remove", "", Icon::cross)) return choose(editor_->remove(at));
@@ -282,8 +290,14 @@ void Blocks::draw_tools(Frame& f, const seq::Step& step) {
 
 /// How long all of it takes, or why nobody can say.
 void Blocks::draw_total(Frame& f, float width) {
-  if (trial_.total().empty()) return;
   Ui& ui = f.ui;
+  const ProgramFacts& program = f.catalog.program;
+  if (work_.written()->cost > 0 && program.capacity > 0) {
+    gap(ui, 8);
+    const Path used("{} of {} {}", work_.written()->cost, program.capacity, program.capacity_unit);
+    key_value(ui, "blocks/memory", "Memory", used);
+  }
+  if (trial_.total().empty()) return;
   gap(ui, 8);
   if (!trial_.ends()) return wrapped(ui, Face::body, Tone::ink2, trial_.total(), width);
   key_value(ui, "blocks/total", "Rehearsed", trial_.total());

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include <fmt/format.h>
+
 #include "core/base/index.h"
 #include "core/sequence/fields.h"
 #include "core/sequence/words.h"
@@ -29,6 +31,9 @@ class FieldLines {
       : f_(frame), path_(path), of_(of), numbers_(numbers), width_(width) {}
 
   [[nodiscard]] bool changed() const { return changed_; }
+  [[nodiscard]] std::string& problem() { return problem_; }
+  /// Texts of several lines from now on.
+  void with_several_lines() { several_lines_ = true; }
 
   void number(std::string_view key, double& value) { put_number(key, key, value, {-1e9, 1e9, 6, {}}); }
   void needed(std::string_view key, double& value) { number(key, value); }
@@ -69,6 +74,7 @@ class FieldLines {
     end(at);
   }
   void text(std::string_view key, std::string& value) {
+    if (several_lines_ && key == "text") return lines(key, value);
     const ImVec2 at = begin(key);
     FieldOptions o;
     o.width = width_ - label_width;
@@ -106,7 +112,12 @@ class FieldLines {
       NumberOptions o;
       o.range = {-1e9, 1e9, 6, of_.unit};
       o.width = 120;
+      o.sentence_below = false;
+      if (state.text.empty()) state.sentence.clear();
+      const std::string refused = state.text.empty() ? std::string() : range_sentence(state.text, o.range);
+      o.refused = refused;
       const NumberEvent event = number_field(f_.ui, id, of_.axes[a].name, std::nullopt, state, o);
+      tell_refusal(at, o.width, FixedText<64>(of_.axes[a].name), refused);
       if (event.field.edited) {
         const auto typed = state.value();
         if (typed || state.text.empty()) {
@@ -141,8 +152,45 @@ class FieldLines {
     ImGui::SetCursorScreenPos(field);
     return field;
   }
+  ImVec2 begin_without_label() {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), field(at.x + f_.ui.px(label_width), at.y);
+    ImGui::SetCursorScreenPos(field);
+    return field;
+  }
   void end(ImVec2 field) {
     ImGui::SetCursorScreenPos(ImVec2(field.x - f_.ui.px(label_width), field.y + f_.ui.px(field_height)));
+  }
+  /// Beside the field, in what the line has left.
+  void tell_refusal(ImVec2 field, float width, const FixedText<64>& name, std::string_view why) {
+    if (why.empty()) return;
+    problem_ = fmt::format("{}: {}", name.view(), why);
+    const float left = field.x + f_.ui.px(width + 8), right = field.x + f_.ui.px(width_ - label_width);
+    draw_text_in_two_lines(f_.ui, left, right, field.y + f_.ui.px(16), Face::small, f_.ui[Tone::fault], why);
+  }
+  /// One field for each; Enter begins another, an empty one goes when it is left.
+  void lines(std::string_view key, std::string& value) {
+    std::size_t begins = 0;
+    for (int n = 1; begins <= value.size(); ++n) {
+      const std::size_t end = std::min(value.find('\n', begins), value.size());
+      std::string line = value.substr(begins, end - begins);
+      const Path id = n == 1 ? Path("{}/{}", path_, key) : Path("{}/{}/{}", path_, key, n);
+      const ImVec2 at = n == 1 ? begin(key) : begin_without_label();
+      FieldOptions o;
+      o.width = width_ - label_width;
+      o.face = Face::code_field;
+      const Field field = text_field(f_.ui, id, label(key), line, o);
+      this->end(at);
+      const bool goes = field.left && line.empty() && n > 1;
+      if (field.edited) value.replace(begins, end - begins, line);
+      if (field.entered) {
+        value.insert(begins + line.size(), "\n");
+        type_into(f_.ui, Path("{}/{}/{}", path_, key, n + 1));
+      }
+      if (goes) value.erase(begins - 1, 1);
+      changed_ = changed_ || field.edited || field.entered || goes;
+      if (goes) return;
+      begins += line.size() + 1;
+    }
   }
   NumberField& kept(std::string_view id, std::optional<double> value) {
     const auto found = numbers_.find(id);
@@ -161,8 +209,11 @@ class FieldLines {
     o.range = range;
     o.width = width;
     o.sentence_below = false;
-    if (!state.sentence.empty()) o.tip = state.sentence;
+    const std::string refused = range_sentence(state.text, range);
+    o.refused = refused;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
     const NumberEvent event = number_field(f_.ui, id, label(key), std::nullopt, state, o);
+    tell_refusal(at, width, label(key), refused);
     if (!event.field.edited) return false;
     const auto typed = state.value();
     if (!typed || *typed < range.min || *typed > range.max) return false;
@@ -206,7 +257,8 @@ class FieldLines {
   const sequence::Sequence& of_;
   Numbers& numbers_;
   float width_;
-  bool changed_ = false, all_lines_ = false;
+  bool changed_ = false, all_lines_ = false, several_lines_ = false;
+  std::string problem_;
 };
 
 sequence::Step::Body without_steps(const sequence::Step::Body& body) {
@@ -234,7 +286,9 @@ std::optional<sequence::Step::Body> StepForm::draw(Frame& f, std::string_view pa
                                                    const sequence::Sequence& of, float width) {
   if (!at_hand_) at_hand_ = without_steps(body);
   FieldLines lines(f, path, of, numbers_, width);
+  if (std::holds_alternative<sequence::Custom>(*at_hand_)) lines.with_several_lines();
   std::visit([&lines](auto& b) { fields(lines, b); }, *at_hand_);
+  problem_ = std::move(lines.problem());
   if (!lines.changed()) return std::nullopt;
   return with_steps_of(body, *at_hand_);
 }

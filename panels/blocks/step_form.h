@@ -20,11 +20,15 @@ class StepForm {
                                            const sequence::Step::Body& body, const sequence::Sequence& of,
                                            float width);
   /// Another step is shown from now on, or the same with other values.
-  void forget() { numbers_.clear(), at_hand_.reset(); }
+  void forget() { numbers_.clear(), at_hand_.reset(), problem_.clear(); }
+  /// What is typed and cannot be taken, so that the step is still as it was: "Output: from 0 to 64."; empty:
+  /// nothing.
+  [[nodiscard]] std::string_view problem() const { return problem_; }
 
  private:
   std::map<std::string, gui::NumberField, std::less<>> numbers_;
   std::optional<sequence::Step::Body> at_hand_;  ///< without the steps that stand in it
+  std::string problem_;
 };
 
 }  // namespace hw::panels

@@ -123,7 +123,7 @@ void PathCanvas::touch(Frame& f, std::string_view id, const PathSubject& s, cons
                      std::fabs(io.MousePos.y - grip_.pressed_at.y) < a_click_within_px;
   measure_.pointer = view_.flat() ? std::optional(view_.from_px(mouse)) : std::nullopt;
   if (t.clicked && t.hovered && stood) take_click(s, mouse, ui.px(points_within_px));
-  if (t.ring) use_keys(s);
+  if (ui.focus.is(id)) use_keys(s);
   draw_ring(ui, t);
 }
 

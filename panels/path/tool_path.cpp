@@ -34,6 +34,7 @@ void ToolPath::draw(Frame& f) {
     canvas_.fit();
   }
   follow_caret(f);
+  follow_block(f);
   if (f.ui.keyboard.pressed(Command::simulate)) f.tab.desk().rehearse(f.now, f.bench);
   draw_toolbar(f);
   const ImVec2 top = ImGui::GetCursorScreenPos();
@@ -115,9 +116,34 @@ void ToolPath::say_measure(const Frame& f) {
 void ToolPath::follow_caret(const Frame& f) {
   Desk& desk = f.tab.desk();
   if (std::exchange(caret_line_, desk.caret_line) == desk.caret_line || !program_.path()) return;
+  light(f, caret_line_);
+}
+
+/// Of the text that is drawn, while it is that of the program.
+void ToolPath::light(const Frame& f, int line) {
   const std::string* text = program_.text(f);
-  if (!text || *text != desk.texts.text(program_.slot())) return;
-  hit_ = {caret_line_, fmt::format("Line {}: {}", caret_line_ + 1, line_of(*text, caret_line_))};
+  if (!text || *text != f.tab.desk().texts.text(program_.slot())) return;
+  hit_ = {line, fmt::format("Line {}: {}", line + 1, line_of(*text, line))};
+}
+
+/// The blocks, if they are what the text was written from; else null.
+const WrittenSequence* ToolPath::blocks_of_text(const Frame& f) const {
+  Desk& desk = f.tab.desk();
+  const std::string* text = program_.text(f);
+  if (!text || program_.slot() < 0 || program_.older(f)) return nullptr;
+  const WrittenSequence* source = desk.source.of(*text, desk.blocks, desk.language(), f.catalog);
+  return source && source->sequence == desk.blocks.editor.shared() ? source : nullptr;
+}
+
+/// The block that has been chosen since is lit here.
+void ToolPath::follow_block(const Frame& f) {
+  const int step = f.tab.desk().blocks.chosen_step;
+  if (std::exchange(chosen_step_, step) == step || step < 0 || !program_.path()) return;
+  const WrittenSequence* blocks = blocks_of_text(f);
+  if (!blocks) return;
+  const auto& steps = blocks->written.step_of_line;
+  const auto line = std::find(steps.begin(), steps.end(), step);
+  if (line != steps.end()) light(f, static_cast<int>(line - steps.begin()));
 }
 
 // ---- drawing
@@ -241,13 +267,19 @@ void ToolPath::draw_hit_links(Frame& f, float& right, float y) {
     desk.wanted_line = hit_.line;
     f.show_panel("program");
   }
+  const auto line_at = static_cast<std::size_t>(hit_.line);
+  if (const WrittenSequence* blocks = blocks_of_text(f); blocks &&
+                                                         line_at < blocks->written.step_of_line.size() &&
+                                                         pressed("path/show_block", "Show block", "")) {
+    desk.blocks.wanted_step = blocks->written.step_of_line[line_at];
+    f.show_panel("blocks");
+  }
   const std::string* text = program_.text(f);
   const WrittenSequence* source =
       text && old.empty() ? desk.source.of(*text, desk.blocks, desk.language(), f.catalog) : nullptr;
   if (!pressed("path/run_here", "Run from here", old.empty() ? why_not_run_from(f, source) : old)) return;
   const std::vector<int>& steps = source->written.step_of_line;
-  const auto line = static_cast<std::size_t>(hit_.line);
-  run_from_.ask(f, *source->sequence, line < steps.size() ? steps[line] : -1);
+  run_from_.ask(f, *source->sequence, line_at < steps.size() ? steps[line_at] : -1);
 }
 
 }  // namespace hw::panels

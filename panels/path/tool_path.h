@@ -27,6 +27,9 @@ class ToolPath final : public gui::Panel {
   void say_hit(gui::Frame& frame);
   void say_measure(const gui::Frame& frame);
   void follow_caret(const gui::Frame& frame);
+  void follow_block(const gui::Frame& frame);
+  [[nodiscard]] const gui::WrittenSequence* blocks_of_text(const gui::Frame& frame) const;
+  void light(const gui::Frame& frame, int line);
   void draw_toolbar(gui::Frame& frame);
   void draw_legend(gui::Frame& frame, float height);
   void draw_hit(gui::Frame& frame, float width);
@@ -39,7 +42,7 @@ class ToolPath final : public gui::Panel {
   PathExport export_;
   RunFrom run_from_;
   Hit hit_;
-  int caret_line_ = -1;
+  int caret_line_ = -1, chosen_step_ = -1;
 };
 
 }  // namespace hw::panels

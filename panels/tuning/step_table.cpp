@@ -18,14 +18,14 @@ constexpr float step_row_height = 26;
 /// Instead of a unit.
 constexpr std::string_view bare = "-";
 
-struct Measure {
+struct Line {
   std::string_view id, label, brief, unit;
   int decimals;
-  std::optional<double> (*of)(const StepMeasures&);
+  StepScatter::Of of;
   std::string_view absent;  ///< said when there is none
 };
 
-constexpr Measure measures[] = {
+constexpr Line lines[] = {
     {"overshoot", "Overshoot", "Overshoot", "%", 1,
      [](const StepMeasures& m) { return std::optional(m.overshoot_percent); }, ""},
     {"rise", "Rise, 10 to 90 %", "Rise", "ms", 1,
@@ -34,49 +34,57 @@ constexpr Measure measures[] = {
      [](const StepMeasures& m) { return m.settled ? std::optional(m.settling_ms) : std::nullopt; },
      "not settled"},
     {"steady", "Steady error", "Steady", "", 1,
-     [](const StepMeasures& m) { return std::optional(m.steady_error); }, ""},
+     [](const StepMeasures& m) { return m.steady_known ? std::optional(m.steady_error) : std::nullopt; },
+     "gap in it"},
     {"crossings", "Target passed", "Passed", bare, 0,
-     [](const StepMeasures& m) { return std::optional(static_cast<double>(m.crossings)); }, ""},
+     [](const StepMeasures& m) { return std::optional(m.crossings); }, ""},
     {"largest", "Largest error", "Largest", "", 0,
      [](const StepMeasures& m) { return std::optional(m.largest_error); }, ""},
 };
 
 /// " ms", " counts"; a bare number has none.
-Path unit_of(const Frame& f, const Measure& m) {
+Path unit_of(const Frame& f, const Line& m) {
   if (m.unit == bare) return Path("{}", "");
   return Path(" {}", m.unit.empty() ? std::string_view(f.catalog.step_word) : m.unit);
 }
 
-/// Without its unit.
-Path number_of(const Measure& m, const StepMeasures& of) {
+/// Without its unit: "12.0", "3.1 to 5.2", or "12.0 or more" where a gap has hidden what it was.
+Path number_of(const Line& m, const StepMeasures& of) {
   const auto value = m.of(of);
   if (!of.any || !value) return Path("{}", of.any ? m.absent : "");
-  const NumberText number = format_number(*value, m.decimals);
-  return Path("{}", number.view());
+  const NumberText low = format_number(value->low, m.decimals);
+  if (value->open()) return Path("{} or more", low.view());
+  const NumberText high = format_number(value->high, m.decimals);
+  return low.view() == high.view() ? Path("{}", low.view()) : Path("{} to {}", low.view(), high.view());
 }
-Path words_of(const Frame& f, const Measure& m, const StepMeasures& of) {
+Path words_of(const Frame& f, const Line& m, const StepMeasures& of) {
   const bool number = of.any && m.of(of);
   return Path("{}{}", number_of(m, of).view(), number ? unit_of(f, m).view() : std::string_view());
 }
 
 struct Change {
   Path words;
-  Tone tone;
+  Tone tone = Tone::ink2;
   Path by;                        ///< the first part of the words: how much
   std::string_view verdict = {};  ///< the second
 };
-/// Less is better in all of them; errors count without their sign.
-Change change_of(const Frame& f, const Measure& m, const TwoSteps& s, bool roomy) {
+Change change_in_words(std::string_view words) { return {Path("{}", words), Tone::ink2, Path("{}", words)}; }
+
+/// Less is better in all of them; errors count without their sign. A verdict needs to know how far two runs
+/// lie apart between which nothing was changed.
+Change change_of(const Frame& f, const Line& m, const TwoSteps& s, bool roomy) {
   const auto now = m.of(s.now), was = m.of(s.was);
-  if (s.number == 0 || s.before == 0 || !s.now.any || !s.was.any || !now || !was)
-    return {Path("{}", ""), Tone::ink2, Path("{}", "")};
-  const double by = std::fabs(*now) - std::fabs(*was);
-  const double least = 0.5 * std::pow(10.0, -m.decimals);
-  if (std::fabs(by) < least) return {Path("same"), Tone::ink2, Path("same")};
+  if (s.number == 0 || s.before == 0 || !s.now.any || !s.was.any || !now || !was) return change_in_words("");
+  if (!now->exact() || !was->exact()) return change_in_words("not sure: a gap");
+  const double by = std::fabs(now->low) - std::fabs(was->low);
+  const double printed = 0.5 * std::pow(10.0, -m.decimals);
+  const auto scatter = s.scatter.of(m.of);
+  if (std::fabs(by) < printed || (scatter && std::fabs(by) <= *scatter)) return change_in_words("same");
   const NumberText number = format_number(by, m.decimals);
-  const std::string_view sign = by > 0 ? "+" : "";
+  const Path much("{}{}{}", by > 0 ? "+" : "", number.view(),
+                  roomy ? unit_of(f, m).view() : std::string_view());
+  if (!scatter) return {Path("{}", much.view()), Tone::ink2, much, {}};
   const std::string_view verdict = by < 0 ? "better" : "worse";
-  const Path much("{}{}{}", sign, number.view(), roomy ? unit_of(f, m).view() : std::string_view());
   return {Path("{}, {}", much.view(), verdict), by < 0 ? Tone::ok : Tone::warn, much, verdict};
 }
 
@@ -100,7 +108,7 @@ void draw_step_table(Frame& f, const TwoSteps& s, float width) {
     places.text(ui, 3, head, Face::body, ui[Tone::ink2], "change");
   }
   float y = head.max.y;
-  for (const Measure& m : measures) {
+  for (const Line& m : lines) {
     const Rect row{ImVec2(left, y), ImVec2(right, y + ui.px(step_row_height))};
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.hair()),
                                               ui[Tone::line]);
@@ -128,7 +136,7 @@ void draw_flat_step_table(Frame& f, const TwoSteps& s, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   constexpr float run_width = 52;
   const float left = at.x + ui.px(16 + run_width), right = at.x + ui.px(width - 16);
-  const float pitch = (right - left) / static_cast<float>(std::size(measures));
+  const float pitch = (right - left) / static_cast<float>(std::size(lines));
   const float now_y = at.y + ui.px(36), was_y = now_y + ui.px(24), change_y = was_y + ui.px(24);
   const auto line = [&](float y) {
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.hair()),
@@ -143,7 +151,7 @@ void draw_flat_step_table(Frame& f, const TwoSteps& s, float width) {
   if (compared) begin(was_y, Face::small, Tone::ink2, Path("run {}", s.before));
   if (compared) begin(change_y, Face::small, Tone::ink2, "change");
   float x = left;
-  for (const Measure& m : measures) {
+  for (const Line& m : lines) {
     const float end = x + pitch - ui.px(4);
     const auto line_of = [&](float y, Face face, Tone tone, std::string_view words) {
       const bool fits = text_width(ui, face, words) <= end - x;

@@ -14,6 +14,7 @@ struct TwoSteps {
   const gui::StepMeasures& now;
   int before = 0;  ///< 0: none
   const gui::StepMeasures& was;
+  const gui::StepScatter& scatter;  ///< what a difference has to be greater than, once it is known
 };
 /// At ImGui's cursor, `width` logical.
 void draw_step_table(gui::Frame& frame, const TwoSteps& steps, float width);

@@ -146,8 +146,31 @@ void Tuning::follow(Frame& f) {
 }
 
 void Tuning::end_repeat(Frame& f, std::string why) {
-  repeat_ = false;
+  repeat_ = learns_scatter_ = false;
   if (!why.empty()) f.toast(Mood::plain, std::move(why));
+}
+
+/// `steps`: even; negative: until it is pressed again.
+void Tuning::begin_repeat(Frame& f, int steps) {
+  repeat_ = true;
+  steps_left_ = steps;
+  sign_ = 1;
+  record(f);
+}
+
+/// A step that leads away from there is followed by one back.
+void Tuning::end_where_it_began(Frame& f) {
+  const bool stands = stage_ == Stage::pausing, leads_away = sign_ > 0;
+  steps_left_ = (stands ? 0 : 1) + (leads_away == stands ? 0 : 1);
+  if (steps_left_ == 0) end_repeat(f, {});
+}
+
+/// Of the steps there; those back begin elsewhere.
+void Tuning::learn_scatter(Frame& f) {
+  if (!learns_scatter_) return;
+  if (sign_ > 0) scatter_.take(now_);
+  if (steps_left_ != 0) return;
+  f.toast(Mood::ok, "Three repetitions are measured: a smaller difference than theirs is called the same.");
 }
 
 /// Then Repeat ends. One that has not come to its place is what is being tuned.
@@ -167,6 +190,7 @@ void Tuning::finish(Frame& f) {
     return f.toast(Mood::fault, none ? "No sample has come: nothing was recorded."
                                      : "The axis was not sent anywhere: nothing was recorded.");
   }
+  runs_.back().end();
   now_ = measure(runs_.back());
   while (runs_.size() > most_runs) runs_.pop_front();
   run_texts_.clear(), run_names_.clear();
@@ -176,6 +200,9 @@ void Tuning::finish(Frame& f) {
   now_number_ = runs_.back().number();
   measure_before();
   if (!repeat_ || ended_early(f)) return;
+  if (steps_left_ > 0) --steps_left_;
+  learn_scatter(f);
+  if (steps_left_ == 0) return end_repeat(f, {});
   sign_ = -sign_;
   stage_ = Stage::pausing;
   since_s_ = f.ui.now_s;
@@ -214,8 +241,10 @@ void Tuning::record(Frame& f) {
     return f.toast(Mood::fault, std::string(why));
   }
   take_samples(f.tab, [](const AxisSample&) {});  // of an earlier recording
+  const Steps step(sign_ * std::llround(*step_.value()));
+  if (length_ms_ != *length_.value() || std::abs(step.value) != std::abs(step_now_.value)) scatter_ = {};
   length_ms_ = *length_.value();
-  step_now_ = Steps(sign_ * std::llround(*step_.value()));
+  step_now_ = step;
   runs_.emplace_back(++number_, axis(), step_now_);
   any_sample_ = false;
   timeouts_ = f.now.link.timeouts;
@@ -254,11 +283,14 @@ void Tuning::draw_toolbar(Frame& f) {
   again.width = button_width(ui, "Repeat", again);  // whether it is on or not
   again.on = repeat_;
   again.disabled = repeat_ ? std::string_view() : why_not(f);
-  again.tip = "Steps to and fro until it is pressed again, a stop comes, or another panel is chosen.";
+  again.tip =
+      "Steps to and fro until it is pressed again, and ends where it began. A stop or another panel ends it "
+      "at once.";
   if (button(ui, "tuning/repeat", "Repeat", again).clicked) {
-    repeat_ = !repeat_;
-    sign_ = 1;
-    if (repeat_) record(f);
+    if (repeat_)
+      end_where_it_began(f);
+    else
+      begin_repeat(f, -1);
   }
   const float after = ImGui::GetItemRectMax().x;
   ImGui::SetCursorScreenPos(ImVec2(after + ui.px(16), at.y + ui.px(12)));
@@ -289,6 +321,7 @@ void Tuning::draw_fields(Frame& f) {
       picked >= 0 && picked != chosen_) {
     chosen_ = picked;
     runs_.clear(), run_names_.clear(), run_texts_.clear();
+    scatter_ = {};
     compare_ = now_number_ = was_number_ = 0;
     make(f);
   }

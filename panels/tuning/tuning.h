@@ -1,8 +1,8 @@
 #pragma once
 // The step response of a servo axis: a step is made and recorded, drawn over the run before, and measured;
-// gains are edited beside it. Ids: `tuning/record`, `tuning/repeat`, `tuning/axis`, `tuning/step`,
-// `tuning/length`, `tuning/compare`, `tuning/plot`, `tuning/error`, `tuning/output`, `tuning/KPX`,
-// `tuning/send`, `tuning/measure/overshoot` (`/before`, `/change`).
+// gains are edited beside it. Ids: `tuning/record`, `tuning/repeat`, `tuning/scatter`, `tuning/axis`,
+// `tuning/step`, `tuning/length`, `tuning/compare`, `tuning/plot`, `tuning/error`, `tuning/output`,
+// `tuning/KPX`, `tuning/send`, `tuning/measure/overshoot` (`/before`, `/change`).
 #include <deque>
 #include <string>
 #include <string_view>
@@ -37,7 +37,10 @@ class Tuning final : public gui::Panel {
   void finish(gui::Frame& frame);
   bool ended_early(gui::Frame& frame);
   void measure_before();
+  void begin_repeat(gui::Frame& frame, int steps);
   void end_repeat(gui::Frame& frame, std::string why);
+  void end_where_it_began(gui::Frame& frame);
+  void learn_scatter(gui::Frame& frame);
   void record(gui::Frame& frame);
   void make_step(gui::Frame& frame);
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame);
@@ -51,6 +54,7 @@ class Tuning final : public gui::Panel {
   void draw_error(gui::Frame& frame, float width, float height, bool lowest);
   void draw_output(gui::Frame& frame, float height);
   void draw_side(gui::Frame& frame, float width);
+  void draw_scatter(gui::Frame& frame, float width);
   void draw_gain(gui::Frame& frame, std::size_t param, float width);
   void send_gains(gui::Frame& frame);
 
@@ -72,6 +76,8 @@ class Tuning final : public gui::Panel {
 
   Stage stage_ = Stage::idle;
   bool repeat_ = false;
+  int steps_left_ =
+      0;  ///< of Repeat: an even number, so that it ends where it began; negative: until it is pressed
   int sign_ = 1, number_ = 0;
   Steps step_now_{};  ///< of the run under way, with its sign
   double since_s_ = 0, length_ms_ = 0, drawn_s_ = 0;
@@ -84,6 +90,8 @@ class Tuning final : public gui::Panel {
   std::deque<gui::StepRun> runs_;   ///< oldest first
   // Of the latest that is whole, and of what it is compared with; number 0: there is none.
   gui::StepMeasures now_, was_;
+  gui::StepScatter scatter_;  ///< of this axis, step and length
+  bool learns_scatter_ = false;
   int now_number_ = 0, was_number_ = 0;
   gui::PlotCursor cursor_;
 };

@@ -92,7 +92,7 @@ void Tuning::draw_work(Frame& f, float width, float height) {
     draw_output(f, small);
     ImGui::SetCursorScreenPos(below);
   }
-  const TwoSteps steps{now_number_, now_, was_number_, was_};
+  const TwoSteps steps{now_number_, now_, was_number_, was_, scatter_};
   heights.flat ? draw_flat_step_table(f, steps, width) : draw_step_table(f, steps, width);
   end_part();
 }
@@ -114,21 +114,23 @@ void Tuning::draw_plots(Frame& f, float width, float height) {
   const Path encoder("encoder {:.0f}", run ? last(run->encoder()) : 0.0f);
   std::array<PlotTrace, 3> traces;
   std::size_t n = 0;
-  if (old) traces[n++] = {old->t_ms(), old->encoder(), Tone::ink3, 1, false, {}};
+  if (old)
+    traces[n++] = {old->t_ms(), old->encoder(), Tone::ink3, 1, false, {}, false, old->longest_joined_ms()};
   if (run) {
-    traces[n++] = {run->t_ms(), run->command(), Tone::ink, 1, true, command, true};
-    traces[n++] = {run->t_ms(), run->encoder(), Tone::motion, 2, false, encoder};
+    traces[n++] = {run->t_ms(), run->command(), Tone::ink, 1, true, command, true, run->longest_joined_ms()};
+    traces[n++] = {run->t_ms(), run->encoder(), Tone::motion, 2,
+                   false,       encoder,        false,        run->longest_joined_ms()};
     o.y = {0, static_cast<float>(run->step())};
   }
   for (std::size_t i = 0; i < n; ++i) o.y.take(traces[i].y);
   o.y.widen(0.1f);
   const bool measured = run && stage_ != Stage::recording && stage_ != Stage::arming && now_.any;
-  const Path settled("settled {:.0f} ms after the step", now_.settling_ms);
-  const PlotMark mark{static_cast<float>(now_.settling_ms), settled};
+  const Path settled("settled {:.0f} ms after the step", now_.settling_ms.high);
+  const PlotMark mark{static_cast<float>(now_.settling_ms.high), settled};
   if (measured) {
     const float target = last(run->command());
     o.band = {target - static_cast<float>(now_.band), target + static_cast<float>(now_.band)};
-    if (now_.settled) o.marks = {&mark, 1};
+    if (now_.settled && now_.settling_ms.exact()) o.marks = {&mark, 1};
   }
   const Path words("{} samples, {}, {}", run ? run->t_ms().size() : 0, command.view(), encoder.view());
   if (run) o.words = words;
@@ -152,8 +154,10 @@ void Tuning::draw_error(Frame& f, float width, float height, bool lowest) {
   const Path error("error {}", last_error.view());
   std::array<PlotTrace, 2> traces;
   std::size_t n = 0;
-  if (old) traces[n++] = {old->t_ms(), old->error(), Tone::ink3, 1, false, {}};
-  if (run) traces[n++] = {run->t_ms(), run->error(), Tone::trace, 2, false, error, true};
+  if (old)
+    traces[n++] = {old->t_ms(), old->error(), Tone::ink3, 1, false, {}, false, old->longest_joined_ms()};
+  if (run)
+    traces[n++] = {run->t_ms(), run->error(), Tone::trace, 2, false, error, true, run->longest_joined_ms()};
   for (std::size_t i = 0; i < n; ++i) o.y.take(traces[i].y);
   o.y.widen(0.15f);
   if (run) o.words = error;
@@ -173,8 +177,9 @@ void Tuning::draw_output(Frame& f, float height) {
   const Path largest("at most {:.0f} %", run->largest_output());
   std::array<PlotTrace, 2> traces;
   std::size_t n = 0;
-  if (old && !old->output().empty()) traces[n++] = {old->t_ms(), old->output(), Tone::ink3, 1, false, {}};
-  traces[n++] = {run->t_ms(), run->output(), Tone::ink, 2, false, largest, true};
+  if (old && !old->output().empty())
+    traces[n++] = {old->t_ms(), old->output(), Tone::ink3, 1, false, {}, false, old->longest_joined_ms()};
+  traces[n++] = {run->t_ms(), run->output(), Tone::ink, 2, false, largest, true, run->longest_joined_ms()};
   for (std::size_t i = 0; i < n; ++i) o.y.take(traces[i].y);
   o.y.widen(0.15f);
   const Path words("worked out, not read: {}", largest.view());
@@ -209,6 +214,7 @@ void Tuning::draw_side(Frame& f, float width) {
   if (button(ui, "tuning/undo", "Undo", undo).clicked)
     for (const std::size_t i : gains_) edits.undo(i), fields_[i].reset();
   gap(ui, 8);
+  draw_scatter(f, width);
   if (!f.catalog.can.store)
     wrapped(ui, Face::small, Tone::ink2,
             "The controller forgets its gains with its power. Setup saves them to a file.", width);
@@ -220,6 +226,27 @@ void Tuning::draw_side(Frame& f, float width) {
             width);
   }
   gap(ui, 16);
+}
+
+/// What a change of a gain has to be greater than to be one.
+void Tuning::draw_scatter(Frame& f, float width) {
+  Ui& ui = f.ui;
+  wrapped(ui, Face::small, Tone::ink2,
+          scatter_.known() ? "A difference within the scatter of three repetitions is called the same."
+                           : "Better or worse is said when the scatter of three repetitions is known.",
+          width);
+  gap(ui, 4);
+  ButtonOptions three;
+  three.width = width;
+  three.moving = true;
+  three.disabled = repeat_ ? std::string_view("Repeat is on: switch it off first.") : why_not(f);
+  three.tip = "Makes the step three times to and fro, and ends where it began.";
+  if (button(ui, "tuning/scatter", "Repeat three times", three).clicked) {
+    scatter_ = {};
+    learns_scatter_ = true;
+    begin_repeat(f, 2 * StepScatter::enough);
+  }
+  gap(ui, 8);
 }
 
 void Tuning::draw_gain(Frame& f, std::size_t i, float width) {

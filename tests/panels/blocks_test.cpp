@@ -98,13 +98,49 @@ TEST_F(BlocksTest, ABlockIsLeftOutDuplicatedAndRemoved) {
 TEST_F(BlocksTest, ATargetIsTaughtWhereTheAxesAre) {
   s.now.poll_period = std::chrono::hours(1);
   s.now.axes[0].position = Steps(4321);
+  s.now.axes[1].position = Steps(567);
   s.click("blocks/add/move");
   s.click("blocks/here");
-  EXPECT_THAT(text(), HasSubstr("X4321\n"));
+  EXPECT_THAT(text(), HasSubstr("X4321Y567Z0U0\n"));
+  for (const char* axis : {"Y", "Z", "U"}) s.type((std::string("blocks/1/to/") + axis).c_str(), "");
   s.now.axes[0].position = Steps(99);
-  s.now.link.state = LinkState::lost;
   s.click("blocks/here");
-  EXPECT_THAT(text(), HasSubstr("X4321\n")) << "what was seen last is no place to be taught";
+  EXPECT_THAT(text(), HasSubstr("X99\n")) << "what it names, and nothing else";
+  s.now.link.state = LinkState::lost;
+  s.stage.frames(2);
+  EXPECT_THAT(s.reason("blocks/here"), HasSubstr("not known"))
+      << "what was seen last is no place to be taught";
+}
+
+TEST_F(BlocksTest, WhatCannotBeTakenIsSaidBesideItsFieldAndKeepsItFromBeingRun) {
+  s.click("blocks/add/output");
+  s.type("blocks/1/output", "99");
+  EXPECT_THAT(s.reason("blocks/to_program"), HasSubstr("64"));
+  s.type("blocks/1/output", "5");
+  EXPECT_EQ(s.reason("blocks/to_program"), "");
+  EXPECT_THAT(text(), HasSubstr("DO5=1"));
+}
+
+TEST_F(BlocksTest, OwnTextHasSeveralLines) {
+  s.click("blocks/add/custom");
+  s.type("blocks/1/text", "V1=5\n");
+  s.type("blocks/1/text/2", "V2=6");
+  EXPECT_THAT(text(), HasSubstr("V1=5\nV2=6\n"));
+}
+
+TEST_F(BlocksTest, TheMemoryThatTheyTakeIsTold) {
+  s.click("blocks/add/delay");
+  EXPECT_THAT(s.value("blocks/memory"), HasSubstr(" of 1275 "));
+}
+
+TEST_F(BlocksTest, SpaceLeavesTheChosenOneOut) {
+  s.click("blocks/add/comment");
+  s.click("blocks/end");
+  s.click("blocks/1");
+  key("space");
+  EXPECT_EQ(text(), "END\n");
+  key("space");
+  EXPECT_EQ(text(), "; what comes now\nEND\n");
 }
 
 TEST_F(VxmBlocksTest, WhatCannotBeDoneIsSaidAtItsBlock) {

@@ -62,6 +62,26 @@ TEST_F(PathTest, AClickTellsTheLineAndTheEditorGoesThere) {
   EXPECT_THAT(s.reason("path/show_line"), HasSubstr("changed since"));
 }
 
+TEST_F(PathTest, AClickLeadsToItsBlockAndAChosenBlockIsLit) {
+  gui::Desk& desk = s.tab.desk();
+  sequence::Sequence blocks = desk.blocks.editor.sequence();
+  for (const int axis : {0, 1}) {
+    sequence::Move move;
+    move.to[static_cast<std::size_t>(axis)] = 400;
+    blocks.steps.push_back(sequence::Step{move});
+  }
+  desk.blocks.became(std::move(blocks));
+  const auto written = desk.language()->write(desk.blocks.editor.sequence(), s.tab.catalog());
+  ASSERT_TRUE(written);
+  rehearse(written->text.c_str());
+  s.click_at(in_view(static_cast<float>(200 / per_px()), 0));
+  s.click("path/show_block");
+  EXPECT_EQ(desk.blocks.wanted_step, 1);
+  desk.blocks.chosen_step = 0;
+  s.stage.frames(2);
+  EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 1"));
+}
+
 TEST_F(PathTest, WheelKeysAndDragMoveTheView) {
   rehearse("I1M400,\nI2M400,\n");
   const double before = per_px();
@@ -100,8 +120,6 @@ TEST_F(PathTest, ArrowsWithAltMoveTheViewAndJogNothing) {
   const auto half = static_cast<float>(200 / per_px());
   s.click_at(in_view(half, 0));
   ASSERT_THAT(s.value("path/hit"), HasSubstr("Line 2"));
-  ASSERT_TRUE(s.stage.hand.key("Tab"));
-  ASSERT_TRUE(s.stage.hand.key("shift+Tab"));  // the ring shows where keys go
   ASSERT_TRUE(s.stage.hand.key("alt+right"));
   s.stage.frames(2);
   const std::string before = s.value("path/hit");

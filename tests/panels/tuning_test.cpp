@@ -38,6 +38,16 @@ struct TuningTest : ::testing::Test {
     }
     s.stage.frames(3);
   }
+  /// Three times to and fro, with these dampings on the way there. They are runs 1 to 6.
+  void learn_scatter(std::initializer_list<double> dampings) {
+    s.click("tuning/scatter");
+    for (const double damping : dampings) {
+      samples(damping);
+      s.stage.frames(30);
+      samples(damping, 0, -400);
+      s.stage.frames(30);
+    }
+  }
   void sends_nothing_more() {
     const std::size_t sent = s.sent.size();
     s.stage.frames(60);
@@ -129,13 +139,37 @@ TEST_F(TuningTest, TheNextRunIsComparedWithTheOneBefore) {
   s.click("tuning/record");
   samples(0.7);
   EXPECT_EQ(s.value("tuning/measure/overshoot/before"), "37.2 %");
+  EXPECT_EQ(s.value("tuning/measure/overshoot/change"), "\u221232.6 %")
+      << "no verdict: the scatter is not known";
+}
+
+TEST_F(TuningTest, BetterAndWorseAreSaidWhenTheScatterIsKnown) {
+  learn_scatter({0.5, 0.5, 0.5});
+  sends_nothing_more();
+  s.click("tuning/record");
+  samples(0.3);
+  s.click("tuning/record");
+  samples(0.7);
+  EXPECT_EQ(s.value("tuning/measure/overshoot/before"), "37.2 %");
   EXPECT_THAT(s.value("tuning/measure/overshoot/change"), HasSubstr("better"));
   s.click("tuning/record");
   samples(0.5);
   EXPECT_THAT(s.value("tuning/measure/overshoot/change"), HasSubstr("worse"));
   s.click("tuning/compare");
-  s.click("tuning/compare/run 1");
+  s.click("tuning/compare/run 7");
   EXPECT_EQ(s.value("tuning/measure/overshoot/before"), "37.2 %");
+  EXPECT_THAT(s.value("tuning/measure/overshoot/change"), HasSubstr("better"));
+}
+
+TEST_F(TuningTest, WhatLiesWithinTheScatterIsTheSame) {
+  learn_scatter({0.45, 0.5, 0.55});
+  s.click("tuning/record");
+  samples(0.5);
+  s.click("tuning/record");
+  samples(0.53);
+  EXPECT_EQ(s.value("tuning/measure/overshoot/change"), "same");
+  s.click("tuning/record");
+  samples(0.7);
   EXPECT_THAT(s.value("tuning/measure/overshoot/change"), HasSubstr("better"));
 }
 
@@ -148,6 +182,26 @@ TEST_F(TuningTest, RepeatGoesToAndFroAndEndsWithTheNextPress) {
   EXPECT_EQ(s.last<intent::MoveBy>()->distances[0].value, Steps(-400));
   EXPECT_EQ(s.value("tuning/measure/overshoot"), "16.2 %") << "turned into the direction of its step";
   s.click("tuning/repeat");
+  sends_nothing_more();
+}
+
+TEST_F(TuningTest, RepeatEndsWhereItBegan) {
+  s.click("tuning/repeat");
+  samples(0.5);
+  s.click("tuning/repeat");
+  s.stage.frames(30);
+  samples(0.5, 0, -400);
+  EXPECT_EQ(s.last<intent::MoveBy>()->distances[0].value, Steps(-400));
+  sends_nothing_more();
+  EXPECT_EQ(s.reason("tuning/record"), "") << "Repeat is off";
+}
+
+TEST_F(TuningTest, AfterAStopItDoesNotGoBack) {
+  s.click("tuning/repeat");
+  samples(0.5);
+  s.click("tuning/repeat");
+  s.now.axes[0].ended_by = EndedBy::stop;
+  s.stage.frames(2);
   sends_nothing_more();
 }
 

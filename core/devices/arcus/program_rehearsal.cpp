@@ -30,6 +30,7 @@ class Rehearsing {
         made_(made),
         options_(options),
         catalog_(catalog),
+        program_(std::clamp(options.slot, 0, controller_.model().programs - 1)),
         watch_(controller_, made, dialect),
         track_(emulator, options) {
     if (options.from) begin_like(emulator, *options.from, catalog);
@@ -54,8 +55,7 @@ class Rehearsing {
       controller_.set_program_line(static_cast<int>(n), made_.lines[n]);
     std::vector<Controller::Trace> trace;
     controller_.trace = &trace;
-    const int program = std::clamp(options_.slot, 0, controller_.model().programs - 1);
-    controller_.control_program(program, run_it);
+    controller_.control_program(program_, run_it);
     track_.look(now_);
     go_through(trace);
     controller_.trace = nullptr;
@@ -74,6 +74,14 @@ class Rehearsing {
     return false;
   }
 
+  /// The low-level line of the started program; -1: it has ended, or it waits for what an earlier one moves.
+  [[nodiscard]] int command_at_work() const {
+    if (controller_.program_state(program_) != static_cast<int>(language::ThreadState::running)) return -1;
+    const int line = controller_.program_place(program_);
+    if (line < 0 || ix(line) >= made_.program.code.size()) return -1;
+    return made_.program.code[ix(line)].op == language::Opcode::wait ? -1 : line;
+  }
+
   /// Until no program runs and nothing moves, or the time is over.
   void go_through(std::vector<Controller::Trace>& trace) {
     const Instant last = Instant(from_seconds(std::clamp(options_.for_seconds, 0.0, 1e9)));
@@ -83,6 +91,7 @@ class Rehearsing {
       for (const auto& other : {hands_.next(), track_.next()})
         if (other) next = std::min(next.value_or(*other), *other);
       if (!next || *next > last) return out_of_time(last, trace);
+      result_.at_work(seconds(now_), command_at_work());
       now_ = std::max(now_, *next);
       emulator_.advance_to(now_);
       hands_.act_until(now_, emulator_);
@@ -161,6 +170,7 @@ class Rehearsing {
   const language::Compilation& made_;
   const RehearseOptions& options_;
   const Catalog& catalog_;
+  const int program_;  ///< that is started
   ProgramWatch watch_;
   PlannedHands hands_;
   TrackKeeper track_;

@@ -126,6 +126,7 @@ class Rehearsing {
       if (other) next = std::min(next.value_or(*other), *other);
     const Instant end(last_);
     const bool some = next && *next <= end;
+    result_.at_work(seconds(now_.time_since_epoch()), watch_.at_work());
     const Instant before = std::exchange(now_, some ? std::max(now_, *next) : std::max(now_, end));
     emulator_.advance_to(now_);
     hands_.act_until(now_, emulator_);

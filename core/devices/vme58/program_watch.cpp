@@ -1,5 +1,7 @@
 #include "core/devices/vme58/program_watch.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace hw::vme58 {
@@ -49,6 +51,14 @@ ProgramWatch::Unfinished ProgramWatch::of_queue(const CommandQueue& queue) const
                         static_cast<int>(now.first())),
             false};
   return {now.source, line_words(now.source) + " was not done", false};
+}
+
+int ProgramWatch::at_work() const {
+  int earliest = -1;
+  for (int context = 0; context < contexts; ++context)
+    if (const Command* now = board_.task(context).queue.current(); now && now->source >= 0)
+      earliest = earliest < 0 ? now->source : std::min(earliest, now->source);
+  return earliest;
 }
 
 ProgramWatch::Unfinished ProgramWatch::unfinished() const {

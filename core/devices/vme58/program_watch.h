@@ -21,6 +21,9 @@ class ProgramWatch {
   void stopped(Instant at, int source, std::string reason, int axis = -1, int direction = 0);
   [[nodiscard]] const std::vector<RehearsedStop>& stops() const { return stops_; }
 
+  /// Note::source of the earliest command that is at work in a queue; -1: none, or what it moves goes on.
+  [[nodiscard]] int at_work() const;
+
   struct Unfinished {
     int source = -1;  ///< as Note::source; -1: the text has not been taken to its end
     std::string why;  ///< a part of a sentence; empty: no more is known

@@ -175,6 +175,7 @@ class Rehearsing {
     Box& box = emulator_.box();
     for (Trace& t : trace_) {
       watch_.hear(t, box);
+      if (t.program == 0) result_.at_work(seconds(t.at), t.command);
       event(t.at, std::move(t.what), t.program, t.command);
     }
     trace_.clear();

@@ -1,5 +1,7 @@
 #include "gui/model/step_response.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 namespace hw::gui {
@@ -30,19 +32,19 @@ TEST(StepResponse, TimeCountsFromTheLastMomentBeforeTheStep) {
 TEST(StepResponse, Measures) {
   const StepMeasures m = measure(
       recorded(100, {0, 50, 100, 120, 110, 96, 99, 100, 100, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99}));
-  EXPECT_DOUBLE_EQ(m.overshoot_percent, 20);
+  EXPECT_DOUBLE_EQ(m.overshoot_percent.low, 20);
   EXPECT_DOUBLE_EQ(m.peak_ms, 4);
   EXPECT_TRUE(m.settled);
-  EXPECT_DOUBLE_EQ(m.settling_ms, 7) << "96 was outside of 2 %";
-  EXPECT_NEAR(m.rise_ms, 1.6, 1e-6);
-  EXPECT_DOUBLE_EQ(m.steady_error, 1);
-  EXPECT_EQ(m.crossings, 2) << "up through the target and back";
-  EXPECT_DOUBLE_EQ(m.largest_error, 100);
+  EXPECT_DOUBLE_EQ(m.settling_ms.low, 7) << "96 was outside of 2 %";
+  EXPECT_NEAR(m.rise_ms.low, 1.6, 1e-6);
+  EXPECT_DOUBLE_EQ(m.steady_error.low, 1);
+  EXPECT_EQ(m.crossings.low, 2) << "up through the target and back";
+  EXPECT_DOUBLE_EQ(m.largest_error.low, 100);
 }
 
 TEST(StepResponse, AStepDownIsTurnedRound) {
   const StepMeasures m = measure(recorded(-100, {0, -50, -110, -100, -100}));
-  EXPECT_DOUBLE_EQ(m.overshoot_percent, 10);
+  EXPECT_DOUBLE_EQ(m.overshoot_percent.low, 10);
   EXPECT_TRUE(m.settled);
 }
 
@@ -50,7 +52,7 @@ TEST(StepResponse, WhatDidNotSettleOrMoveSaysSo) {
   const StepMeasures m = measure(recorded(100, {0, 10, 20, 30}));
   EXPECT_FALSE(m.settled);
   EXPECT_FALSE(m.rose);
-  EXPECT_DOUBLE_EQ(m.overshoot_percent, 0);
+  EXPECT_DOUBLE_EQ(m.overshoot_percent.low, 0);
   EXPECT_FALSE(measure(recorded(100, {})).any);
 }
 
@@ -67,6 +69,59 @@ TEST(StepResponse, TheOutputIsThereWhenItWasKnownAllTheTime) {
   s.output_known = false;
   run.take(s);
   EXPECT_TRUE(run.output().empty());
+}
+
+/// 40 ms of a step of 100 that rises by 10 a ms and stays, without the samples from `from` to `to`.
+StepRun recorded_but(int from, int to) {
+  StepRun run(1, AxisId{2}, Steps(100));
+  for (int ms = -5; ms <= 40; ++ms) {
+    if (ms > from && ms < to) continue;
+    AxisSample s;
+    s.at = Instant(Millis(5000 + ms));
+    s.axis = 2;
+    s.command = Steps(ms > 0 ? 100 : 0);
+    s.encoder = Steps(std::clamp(10 * ms, 0, 100));
+    run.take(s);
+  }
+  run.end();
+  return run;
+}
+
+TEST(StepResponse, WithoutAGapAllMeasuresAreExact) {
+  const StepMeasures m = measure(recorded_but(0, 0));
+  EXPECT_EQ(m.gaps, 0);
+  EXPECT_TRUE(m.overshoot_percent.exact());
+  EXPECT_TRUE(m.settling_ms.exact());
+  EXPECT_DOUBLE_EQ(m.rise_ms.low, 8);
+}
+
+TEST(StepResponse, WhatAGapTouchesIsARangeOrIsWithheld) {
+  StepMeasures m = measure(recorded_but(7, 20));
+  EXPECT_EQ(m.gaps, 1);
+  EXPECT_DOUBLE_EQ(m.rise_ms.low, 6);
+  EXPECT_DOUBLE_EQ(m.rise_ms.high, 19);
+  EXPECT_DOUBLE_EQ(m.settling_ms.low, 7);
+  EXPECT_DOUBLE_EQ(m.settling_ms.high, 20);
+  EXPECT_TRUE(m.overshoot_percent.open()) << "it may have been over it unseen";
+  EXPECT_TRUE(m.steady_known);
+  m = measure(recorded_but(20, 30));
+  EXPECT_TRUE(m.rise_ms.exact());
+  EXPECT_DOUBLE_EQ(m.settling_ms.low, 10);
+  EXPECT_DOUBLE_EQ(m.settling_ms.high, 30) << "it may have left the band again";
+  m = measure(recorded_but(30, 39));
+  EXPECT_FALSE(m.steady_known);
+}
+
+TEST(StepScatter, IsWhatThreeRepetitionsDifferBy) {
+  constexpr auto rise = [](const StepMeasures& m) { return std::optional(m.rise_ms); };
+  StepScatter scatter;
+  StepMeasures m;
+  for (const double ms : {10.0, 12.5, 11.0}) {
+    EXPECT_FALSE(scatter.of(rise));
+    m.rise_ms = ms;
+    scatter.take(m);
+  }
+  EXPECT_DOUBLE_EQ(*scatter.of(rise), 2.5);
 }
 
 TEST(StepResponse, OtherAxesAreNotMixedIn) {

@@ -1,0 +1,159 @@
+#include "core/device/ending_watch.h"
+
+#include <algorithm>
+
+#include "core/base/index.h"
+
+namespace hw {
+namespace {
+
+/// Something that tells of the motions it makes, at its end.
+bool something_tells(const Snapshot& now) {
+  const ProgramState& p = now.program;
+  const bool program = p.owned && p.run != RunState::idle && p.run != RunState::error;
+  const bool thread = std::any_of(now.threads.begin(), now.threads.end(), [](const ThreadState& t) {
+    return t.known && t.run != RunState::idle && t.run != RunState::error;
+  });
+  return program || thread || now.feed.running || now.pieces.running;
+}
+
+bool stopped(EndedBy by) { return by == EndedBy::stop || by == EndedBy::abort; }
+bool as_meant(EndedBy by) { return by == EndedBy::target || by == EndedBy::nothing; }
+
+Ending::What what_moves(Activity activity) {
+  return activity == Activity::homing    ? Ending::What::homing
+         : activity == Activity::jogging ? Ending::What::jog
+                                         : Ending::What::motion;
+}
+
+}  // namespace
+
+void EndingWatch::stop_asked(const StopOrder& order) {
+  using What = StopOrder::What;
+  if (order.what == What::tool || (order.what == What::words && !order.meaning.stops_here())) return;
+  const bool all = order.stops_all() || order.what == What::broadcast;
+  for (int i = 0; i < max_axes; ++i)
+    if (all || order.axis == i || (order.what == What::words && (order.meaning.axes >> i & 1u) != 0))
+      axes_[ix(i)].who = order.by;
+  if (order.what == What::jog) return;
+  const bool one_axis = order.what == What::everything && order.axis >= 0 && catalog_.program.threads > 0;
+  if (one_axis) return;  // its program goes on
+  for (int i = 0; i < max_threads; ++i)
+    if (order.thread < 0 || order.thread == i) threads_[ix(i)].who = order.by;
+  program_.who = list_.who = pieces_.who = order.by;
+  if (order.what == What::program)
+    for (Run& axis : axes_) axis.who = order.by;
+}
+
+void EndingWatch::look(const Snapshot& now) {
+  for (int i = 0; i < now.axis_count; ++i) look_at_axis(now, i);
+  if (catalog_.program.threads > 0)
+    look_at_threads(now);
+  else
+    look_at_program(now);
+  look_at_list(now);
+  look_at_pieces(now);
+}
+
+void EndingWatch::begin(Run& run, Ending::What what, Instant now) {
+  run = Run();
+  run.under_way = true;
+  run.told.what = what;
+  run.told.began = now;
+}
+
+void EndingWatch::finish(Run& run) {
+  run.under_way = run.ended = false;
+  if (stopped(run.told.by)) run.told.who = run.who;
+  if (run.quiet && as_meant(run.told.by)) return;
+  tell_(run.told);
+}
+
+void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
+  Run& run = axes_[ix(axis)];
+  const AxisState& state = now.axes[ix(axis)];
+  if (now.axis_moves(axis)) {
+    if (!run.under_way) begin(run, what_moves(state.activity), now.at);
+    if (state.activity != Activity::stopping) run.told.what = what_moves(state.activity);
+    run.ended = false;
+    run.quiet = something_tells(now);
+    return;
+  }
+  if (!run.under_way) return;
+  if (state.activity == Activity::unknown) return (void)(run = Run());  // the loss of the link is told
+  run.ended = true;
+  if (state.ended_by == EndedBy::nothing && state.activity != Activity::error) return;
+  run.quiet = run.quiet || something_tells(now);
+  run.told.axis = axis;
+  run.told.by = state.ended_by == EndedBy::nothing ? EndedBy::error : state.ended_by;
+  run.told.error = state.error;
+  run.told.limit_minus = state.limits_known && state.limit_minus;
+  run.told.limit_plus = state.limits_known && state.limit_plus;
+  run.told.place_known = state.position_known;
+  run.told.place = state.position;
+  run.told.off = state.loop == Loop::none ? Steps() : state.following_error();
+  finish(run);
+}
+
+void EndingWatch::look_at_program(const Snapshot& now) {
+  const ProgramState& p = now.program;
+  const bool runs = p.owned && p.run != RunState::idle && p.run != RunState::error;
+  if (runs && now.link.connected()) {
+    if (!program_.under_way) begin(program_, Ending::What::program, now.at);
+    program_.told.slot = p.slot;
+    return;
+  }
+  if (!program_.under_way || !now.link.connected()) return;
+  if (p.ended_by == EndedBy::nothing && p.run != RunState::error) return;
+  program_.told.by = p.run == RunState::error ? EndedBy::error : p.ended_by;
+  finish(program_);
+}
+
+void EndingWatch::look_at_threads(const Snapshot& now) {
+  for (int i = 0; i < std::min(catalog_.program.threads, max_threads); ++i) {
+    Run& run = threads_[ix(i)];
+    const ThreadState& thread = now.threads[ix(i)];
+    if (!thread.known) continue;
+    if (thread.run != RunState::idle && thread.run != RunState::error) {
+      if (!run.under_way) begin(run, Ending::What::program, now.at);
+      continue;
+    }
+    if (!run.under_way) continue;
+    run.told.slot = i;
+    // How one of several has ended is not told; a stop that was for it is known.
+    run.told.by = thread.run == RunState::error              ? EndedBy::error
+                  : run.who != StoppedBy::nobody             ? EndedBy::stop
+                  : stopped(now.program.ended_by)            ? EndedBy::elsewhere
+                  : now.program.ended_by == EndedBy::nothing ? EndedBy::target
+                                                             : now.program.ended_by;
+    finish(run);
+  }
+}
+
+void EndingWatch::look_at_list(const Snapshot& now) {
+  if (now.feed.running) {
+    if (!list_.under_way) begin(list_, Ending::What::list, now.at);
+    list_.told.done = now.feed.sent, list_.told.total = now.feed.total;
+    return;
+  }
+  if (!list_.under_way || now.any_axis_moving() || !now.link.connected()) return;
+  list_.told.done = now.feed.sent;
+  list_.told.by = list_.who != StoppedBy::nobody ? EndedBy::stop : EndedBy::target;
+  finish(list_);
+}
+
+void EndingWatch::look_at_pieces(const Snapshot& now) {
+  if (now.pieces.running) {
+    if (!pieces_.under_way) begin(pieces_, Ending::What::pieces, now.at);
+    pieces_.told.done = now.pieces.done, pieces_.told.total = now.pieces.total;
+    return;
+  }
+  if (!pieces_.under_way || now.any_axis_moving() || !now.link.connected()) return;
+  pieces_.told.done = now.pieces.done;
+  pieces_.told.by = pieces_.who != StoppedBy::nobody         ? EndedBy::stop
+                    : pieces_.told.done < pieces_.told.total ? EndedBy::elsewhere
+                                                             : EndedBy::target;
+  finish(pieces_);
+}
+
+}  // namespace hw

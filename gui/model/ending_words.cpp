@@ -1,0 +1,135 @@
+#include "gui/model/ending_words.h"
+
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+
+namespace hw::gui {
+namespace {
+
+std::string_view by_whom(StoppedBy who) {
+  switch (who) {
+    case StoppedBy::button: return "by its button";
+    case StoppedBy::key: return "by Esc";
+    case StoppedBy::script: return "by the script";
+    case StoppedBy::text: return "by the command that was sent";
+    case StoppedBy::console: return "by the console, as nobody held it any more or the link was lost";
+    case StoppedBy::let_go: return "when its button was let go";
+    case StoppedBy::nobody: break;
+  }
+  return "by the console";
+}
+
+std::string_view words_of(AxisError error) {
+  switch (error) {
+    case AxisError::limit_minus: return " on its \u2212 limit";
+    case AxisError::limit_plus: return " on its + limit";
+    case AxisError::limit: return " on a limit";
+    case AxisError::alarm: return ": its driver gave an alarm";
+    case AxisError::stalled: return ": it stalled";
+    case AxisError::too_far: return ": its load stood further off than is allowed";
+    case AxisError::not_corrected: return ": its place could not be corrected";
+    case AxisError::none: break;
+  }
+  return "";
+}
+
+std::string_view limit_of(const Ending& e) {
+  if (e.limit_minus == e.limit_plus) return "a";
+  return e.limit_minus ? "its \u2212" : "its +";
+}
+
+Happening::Mark mark_of(const Ending& e) {
+  switch (e.by) {
+    case EndedBy::stop:
+    case EndedBy::abort:
+    case EndedBy::elsewhere:
+      return e.who == StoppedBy::let_go ? Happening::Mark::reached : Happening::Mark::stopped;
+    case EndedBy::limit: return Happening::Mark::limit;
+    case EndedBy::error:
+    case EndedBy::lost:
+    case EndedBy::not_in_place: return Happening::Mark::error;
+    case EndedBy::target:
+    case EndedBy::nothing: break;
+  }
+  return e.what == Ending::What::homing ? Happening::Mark::homed : Happening::Mark::reached;
+}
+
+bool is_bad(const Ending& e) {
+  return e.by == EndedBy::limit || e.by == EndedBy::error || e.by == EndedBy::lost ||
+         e.by == EndedBy::not_in_place || e.by == EndedBy::elsewhere;
+}
+
+std::string axis_words(const Ending& e, const std::string& at, const ShowPosition& position) {
+  const bool jog = e.what == Ending::What::jog, homing = e.what == Ending::What::homing;
+  const std::string_view what = jog ? "jog" : homing ? "homing" : "motion";
+  switch (e.by) {
+    case EndedBy::target:
+    case EndedBy::nothing:
+      if (homing) return fmt::format("found home{}", at);
+      return jog ? fmt::format("jog ended{}", at) : fmt::format("reached its target{}", at);
+    case EndedBy::limit: return fmt::format("{} ended on {} limit{}", what, limit_of(e), at);
+    case EndedBy::stop:
+      if (e.who == StoppedBy::let_go) return fmt::format("jog ended {}{}", by_whom(e.who), at);
+      return fmt::format("{} stopped {}{}", what, by_whom(e.who), at);
+    case EndedBy::abort:
+      return fmt::format("{} stopped at once, without a ramp, {}{}", what, by_whom(e.who), at);
+    case EndedBy::elsewhere:
+      return fmt::format("{} was cut short by another program or at the controller{}", what, at);
+    case EndedBy::error: return fmt::format("{} ended in error{}{}", what, words_of(e.error), at);
+    case EndedBy::lost: return fmt::format("{} ended unseen: how is not known{}", what, at);
+    case EndedBy::not_in_place: break;
+  }
+  const Steps off(std::abs(e.off.value));
+  return fmt::format("{} ended {} from its command{}", what,
+                     position(AxisId{static_cast<std::uint8_t>(e.axis)}, off), at);
+}
+
+std::string run_words(const Ending& e) {
+  const std::string of = e.total > 0 ? fmt::format(" after {} of {}", e.done, e.total) : std::string();
+  switch (e.by) {
+    case EndedBy::target:
+    case EndedBy::nothing:
+      return e.total > 0 ? fmt::format("of {} ran to its end", e.total) : "ran to its end";
+    case EndedBy::limit: return fmt::format("ended on a limit{}", of);
+    case EndedBy::stop: return fmt::format("stopped {}{}", by_whom(e.who), of);
+    case EndedBy::abort: return fmt::format("stopped at once, without a ramp, {}{}", by_whom(e.who), of);
+    case EndedBy::elsewhere: return fmt::format("was cut short{}", of);
+    case EndedBy::error: return fmt::format("stopped in error{}", of);
+    case EndedBy::not_in_place: return fmt::format("ended, and an axis is not in place{}", of);
+    case EndedBy::lost: break;
+  }
+  return fmt::format("ended unseen: how is not known{}", of);
+}
+
+std::string name_of_run(const Ending& e, const Catalog& catalog) {
+  if (e.what == Ending::What::list) return "List";
+  if (e.what == Ending::What::pieces) return "Drawing";
+  const std::string& word = catalog.program.slot_word;
+  return e.slot < 0 ? word : fmt::format("{} {}", word, e.slot);
+}
+
+}  // namespace
+
+Happening event_of(const Ending& e, Instant at, const Catalog& catalog, const ShowPosition& position) {
+  Happening event;
+  event.mark = mark_of(e);
+  event.bad = is_bad(e);
+  event.at = at;
+  event.took_s = seconds(at - e.began);
+  if (e.axis < 0) {
+    event.who = name_of_run(e, catalog);
+    event.words = run_words(e);
+    return event;
+  }
+  const std::string place =
+      e.place_known ? fmt::format(", at {}", position(AxisId{static_cast<std::uint8_t>(e.axis)}, e.place))
+                    : "";
+  event.who = catalog.axes[ix(e.axis)].name;
+  event.words = axis_words(e, place, position);
+  return event;
+}
+
+}  // namespace hw::gui

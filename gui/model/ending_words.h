@@ -1,0 +1,17 @@
+#pragma once
+// How a motion or a program ended, as a sentence in the units of the console.
+#include <functional>
+#include <string>
+
+#include "core/device/catalog.h"
+#include "core/device/snapshot.h"
+#include "gui/model/event_log.h"
+
+namespace hw::gui {
+
+using ShowPosition = std::function<std::string(AxisId, Steps)>;
+
+/// The event that it is, at `at`.
+Happening event_of(const Ending& ending, Instant at, const Catalog& catalog, const ShowPosition& position);
+
+}  // namespace hw::gui

@@ -1,0 +1,30 @@
+#pragma once
+// What happened to the controller, newest first: how motions and programs ended, what was lost, what was
+// said.
+#include <cstdint>
+#include <string>
+
+#include "gui/model/event_log.h"
+#include "gui/shell/frame.h"
+#include "gui/surface/ui.h"
+
+namespace hw::panels {
+
+class Happened {
+ public:
+  /// Fills the rest of the width and `height` pixels.
+  void draw(gui::Frame& frame, float height);
+  /// Which of them are shown, and Copy; ends at `right`, in pixels. Returns where they begin.
+  float draw_tools(gui::Frame& frame, float right, float top);
+
+ private:
+  void draw_rows(gui::Frame& frame, const gui::EventLog& log);
+  void say(gui::Frame& frame, const gui::EventLog& log);
+
+  gui::EventFilter filter_ = gui::EventFilter::all;
+  std::string said_;  ///< what scripts read, and Copy takes
+  std::uint64_t said_version_ = ~std::uint64_t{0};
+  gui::EventFilter said_filter_ = gui::EventFilter::all;
+};
+
+}  // namespace hw::panels

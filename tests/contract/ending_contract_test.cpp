@@ -1,0 +1,69 @@
+// Every end of a motion or a program is told once, with what it was and who has ended it.
+#include "tests/contract/rig.h"
+
+namespace hw {
+namespace {
+
+using std::chrono::seconds;
+
+class EndingContract : public ContractTest {
+ protected:
+  std::vector<Ending> endings() {
+    std::vector<Ending> all;
+    session->notices().drain([&](Notice& notice) {
+      if (notice.kind == Notice::Kind::ending) all.push_back(notice.ending);
+    });
+    return all;
+  }
+  void switch_motor_on() {
+    if (session->catalog().axes[0].switchable) perform(intent::SetPower(0, true));
+    run(seconds(1));
+    endings();
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Every, EndingContract, testing::ValuesIn(types_under_test()), name_of_type);
+
+TEST_P(EndingContract, AMoveThatComesToItsTarget) {
+  switch_motor_on();
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(500)}})).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  run(seconds(1));
+  const auto all = endings();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].what, Ending::What::motion);
+  EXPECT_EQ(all[0].by, EndedBy::target);
+  EXPECT_EQ(all[0].axis, 0);
+  EXPECT_EQ(all[0].place, Steps(500));
+}
+
+TEST_P(EndingContract, AJogThatIsStoppedByEsc) {
+  switch_motor_on();
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000), false)).fate, Fate::done);
+  run(seconds(1));
+  EXPECT_EQ(perform(intent::Stop(-1, StoppedBy::key)).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  run(seconds(1));
+  const auto all = endings();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].what, Ending::What::jog);
+  EXPECT_EQ(all[0].by, EndedBy::stop);
+  EXPECT_EQ(all[0].who, StoppedBy::key);
+}
+
+TEST_P(EndingContract, AMotionThatALimitEnds) {
+  switch_motor_on();
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(1'000'000)}})).fate, Fate::done);
+  run(Millis(300));
+  operate(bench::Limit(AxisId{0}, Sign::plus, true));
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  run(seconds(1));
+  const auto all = endings();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].by, EndedBy::limit);
+  EXPECT_TRUE(all[0].limit_plus);
+  EXPECT_FALSE(all[0].limit_minus);
+}
+
+}  // namespace
+}  // namespace hw

@@ -1,0 +1,120 @@
+// What is told of ends, losses and doubts, and in which words.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "gui/model/ending_words.h"
+
+namespace hw::gui {
+namespace {
+
+using std::chrono::seconds;
+using testing::HasSubstr;
+
+Catalog two_axes() {
+  Catalog c;
+  c.axes.resize(2);
+  c.axes[0].name = "X", c.axes[1].name = "Y";
+  c.program.slot_word = "Program";
+  return c;
+}
+const Catalog catalog = two_axes();
+std::string in_mm(AxisId, Steps place) { return std::to_string(place.value / 100) + " mm"; }
+
+std::string words(const Ending& e) {
+  const Happening event = event_of(e, Instant{seconds(9)}, catalog, in_mm);
+  return event.who + " " + event.words;
+}
+
+Ending motion(EndedBy by, StoppedBy who = StoppedBy::nobody) {
+  Ending e;
+  e.axis = 1;
+  e.began = Instant{seconds(2)};
+  e.by = by, e.who = who;
+  e.place_known = true, e.place = Steps(8500);
+  return e;
+}
+
+TEST(EndingWords, SayHowAMotionEndedAndWhere) {
+  EXPECT_EQ(words(motion(EndedBy::target)), "Y reached its target, at 85 mm");
+  EXPECT_EQ(words(motion(EndedBy::stop, StoppedBy::key)), "Y motion stopped by Esc, at 85 mm");
+  EXPECT_EQ(words(motion(EndedBy::abort, StoppedBy::script)),
+            "Y motion stopped at once, without a ramp, by the script, at 85 mm");
+  EXPECT_EQ(words(motion(EndedBy::elsewhere)),
+            "Y motion was cut short by another program or at the controller, at 85 mm");
+  EXPECT_DOUBLE_EQ(event_of(motion(EndedBy::target), Instant{seconds(9)}, catalog, in_mm).took_s, 7);
+}
+
+TEST(EndingWords, NameTheLimitAndTheError) {
+  Ending e = motion(EndedBy::limit);
+  e.limit_plus = true;
+  EXPECT_EQ(words(e), "Y motion ended on its + limit, at 85 mm");
+  e.limit_minus = true;
+  EXPECT_EQ(words(e), "Y motion ended on a limit, at 85 mm");
+  e = motion(EndedBy::error);
+  e.error = AxisError::alarm;
+  EXPECT_EQ(words(e), "Y motion ended in error: its driver gave an alarm, at 85 mm");
+  e = motion(EndedBy::not_in_place);
+  e.off = Steps(-300);
+  EXPECT_EQ(words(e), "Y motion ended 3 mm from its command, at 85 mm");
+}
+
+TEST(EndingWords, TellAJogAHomingAndARunApart) {
+  Ending e = motion(EndedBy::stop, StoppedBy::let_go);
+  e.what = Ending::What::jog;
+  EXPECT_EQ(words(e), "Y jog ended when its button was let go, at 85 mm");
+  e = motion(EndedBy::target);
+  e.what = Ending::What::homing;
+  e.place_known = false;
+  EXPECT_EQ(words(e), "Y found home");
+  Ending run;
+  run.what = Ending::What::program, run.slot = 2, run.by = EndedBy::target;
+  EXPECT_EQ(words(run), "Program 2 ran to its end");
+  run.what = Ending::What::list, run.by = EndedBy::stop, run.who = StoppedBy::button;
+  run.done = 4, run.total = 12;
+  EXPECT_EQ(words(run), "List stopped by its button after 4 of 12");
+}
+
+class EventLogTest : public testing::Test {
+ protected:
+  Snapshot now;
+  EventLog log;
+  void SetUp() override {
+    now.axis_count = 2;
+    at(1, LinkState::good);
+  }
+  void at(int s, LinkState link) {
+    now.at = Instant{seconds(s)};
+    now.link.state = link;
+    log.follow(now, catalog);
+  }
+  std::string text(EventFilter filter = EventFilter::all) { return log.text(filter, DayClock{}); }
+};
+
+TEST_F(EventLogTest, ALinkThatGoesAndComesBackIsToldOnceEach) {
+  EXPECT_EQ(text(), "");
+  at(2, LinkState::lost);
+  at(3, LinkState::lost);
+  at(4, LinkState::connecting);
+  at(5, LinkState::good);
+  at(6, LinkState::late);
+  EXPECT_EQ(text(), "00:00:05  answers again (3 s)\n00:00:02  no answer any more: the link is lost\n");
+  EXPECT_EQ(text(EventFilter::trouble), "00:00:02  no answer any more: the link is lost\n");
+  EXPECT_EQ(text(EventFilter::ends), "");
+}
+
+TEST_F(EventLogTest, APlaceThatIsLostIsTroubleOfItsAxis) {
+  now.axes[1].trust.doubt(Doubt::power_cut, Instant{seconds(2)});
+  at(3, LinkState::good);
+  at(4, LinkState::good);
+  EXPECT_EQ(text(EventFilter::trouble), "00:00:02  Y its power was cut: its place is no longer sure\n");
+}
+
+TEST_F(EventLogTest, TheOldestGo) {
+  for (std::size_t i = 0; i < EventLog::capacity + 5; ++i)
+    log.add({Happening::Mark::message, false, {}, {}, std::to_string(i), -1});
+  EXPECT_EQ(log.list().size(), EventLog::capacity);
+  EXPECT_EQ(log.list().front().words, "5");
+}
+
+}  // namespace
+}  // namespace hw::gui
