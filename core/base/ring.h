@@ -27,10 +27,11 @@ class Ring {
     return true;
   }
   /// The same without a copy: `fill` writes into the slot, where the memory of an earlier item is used again.
+  /// `left_for_others`: so many places are not for this one.
   template <class Fill>
-  bool push_in_place(Fill&& fill) {
+  bool push_in_place(Fill&& fill, std::size_t left_for_others = 0) {
     const auto tail = tail_.load(std::memory_order_relaxed);
-    if (tail - head_.load(std::memory_order_acquire) == slots_.size()) {
+    if (tail - head_.load(std::memory_order_acquire) >= slots_.size() - left_for_others) {
       lost_.fetch_add(1, std::memory_order_relaxed);
       return false;
     }
@@ -50,6 +51,7 @@ class Ring {
     }
     return n;
   }
+  [[nodiscard]] std::size_t capacity() const { return slots_.size(); }
   [[nodiscard]] bool empty() const {
     return head_.load(std::memory_order_acquire) == tail_.load(std::memory_order_acquire);
   }

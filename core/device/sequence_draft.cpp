@@ -166,7 +166,7 @@ SequenceText SequenceDraft::finish() && {
 Result<std::int64_t> SequenceDraft::steps_of(int place, double units, double low, double high) const {
   const double steps = std::round(units * sequence.axes[ix(place)].per_unit);
   if (!(steps >= low && steps <= high))
-    return refuse(fmt::format("{} {} of {} are {:.0f} {}; a {} goes from {:.0f} to {:.0f}.", units,
+    return refuse(fmt::format("{} {} of {} are {:.15g} {}; a {} goes from {:.0f} to {:.0f}.", units,
                               sequence.unit, name(place), steps, catalog.step_word, catalog.short_name, low,
                               high));
   return static_cast<std::int64_t>(steps);
@@ -189,7 +189,7 @@ Result<StepSpeeds> SequenceDraft::speeds(int place, const seq::Speeds& units) co
     if (from == 0) continue;
     const double pps = std::round(from * per_unit);
     if (!(pps >= 1 && pps <= catalog.jog_speed_max.value))
-      return refuse(fmt::format("a {} of {} {}/s is {:.0f} {}/s on {}; a {} goes from 1 to {:.0f}.", word,
+      return refuse(fmt::format("a {} of {} {}/s is {:.15g} {}/s on {}; a {} goes from 1 to {:.0f}.", word,
                                 from, sequence.unit, pps, catalog.step_word, name(place), catalog.short_name,
                                 catalog.jog_speed_max.value));
     *to = static_cast<std::int64_t>(pps);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "core/base/index.h"
@@ -20,6 +22,16 @@ void begin_at(Chain& closed, std::size_t curve) {
   std::rotate(closed.curves.begin(), closed.curves.begin() + static_cast<std::ptrdiff_t>(curve),
               closed.curves.end());
 }
+
+/// The place of a circle that is nearest; its middle is as far from all of them.
+Point place_on_circle(const Curve& circle, Point to) {
+  const Point middle = circle.centre;
+  const double away = distance(middle, to);
+  if (!(away > 0)) return circle.from;
+  const double share = distance(middle, circle.from) / away;
+  return {middle.x + (to.x - middle.x) * share, middle.y + (to.y - middle.y) * share};
+}
+void begin_circle_at(Chain& circle, Point at) { circle.curves[0].from = circle.curves[0].to = at; }
 
 /// A whole ring of its own: it is joined to nothing.
 bool is_ring(const Path& path) { return path.closed() || path.curves.front().from == path.curves.back().to; }
@@ -87,12 +99,22 @@ class Joining {
   std::vector<bool> used_;
 };
 
+/// Of a circle, where it can be looked for: from each of its places one of them is not far.
+void add_places_of_circle(const Curve& circle, int owner, std::vector<NearPoints::Entry>& entries) {
+  const double radius = distance(circle.centre, circle.from), half = radius / std::numbers::sqrt2;
+  for (const Point p : {Point{radius, 0}, Point{half, half}, Point{0, radius}, Point{-half, half},
+                        Point{-radius, 0}, Point{-half, -half}, Point{0, -radius}, Point{half, -half}})
+    entries.push_back({{circle.centre.x + p.x, circle.centre.y + p.y}, owner, 0});
+}
+
 /// One after the other, always the nearest.
 std::vector<Chain> nearest_first(std::vector<Chain> chains, Point here, const Progress& progress) {
   std::vector<NearPoints::Entry> entries;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const int owner = static_cast<int>(i);
-    if (chains[i].closed())
+    if (chains[i].is_circle())
+      add_places_of_circle(chains[i].curves[0], owner, entries);
+    else if (chains[i].closed())
       for (std::size_t k = 0; k < chains[i].curves.size(); ++k)
         entries.push_back({chains[i].curves[k].from, owner, static_cast<int>(k)});
     else
@@ -105,7 +127,9 @@ std::vector<Chain> nearest_first(std::vector<Chain> chains, Point here, const Pr
     const int place = next->place;
     Chain& chain = chains[ix(next->owner)];
     near.remove(next->owner);
-    if (place < 0)
+    if (chain.is_circle())
+      begin_circle_at(chain, place_on_circle(chain.curves[0], here));
+    else if (place < 0)
       turn_round(chain);
     else if (place > 0)
       begin_at(chain, ix(place));
@@ -237,10 +261,22 @@ class Turning {
   std::vector<std::uint8_t> turned_;
 };
 
+/// Where the ways to and from it are short: at the place that is nearest to where the tool comes from, or to
+/// where it goes.
+void choose_begin_of_circle(Chain& circle, Point here, const Chain* next) {
+  const Curve& curve = circle.curves[0];
+  const auto way = [&](Point at) { return distance(here, at) + (next ? distance(at, next->begin()) : 0); };
+  Point best = place_on_circle(curve, here);
+  for (const Point other : {next ? place_on_circle(curve, next->begin()) : best, curve.from})
+    if (way(other) < way(best)) best = other;
+  begin_circle_at(circle, best);
+}
+
 /// A closed chain is begun where the ways to and from it are shortest.
 void choose_begins(std::vector<Chain>& chains, Point here) {
   for (std::size_t i = 0; i < chains.size(); ++i) {
     Chain& chain = chains[i];
+    if (chain.is_circle()) choose_begin_of_circle(chain, here, i + 1 < chains.size() ? &chain + 1 : nullptr);
     if (chain.closed()) {
       std::size_t best = 0;
       double least = std::numeric_limits<double>::infinity();
@@ -257,6 +293,10 @@ void choose_begins(std::vector<Chain>& chains, Point here) {
 }
 
 }  // namespace
+
+bool Chain::is_circle() const {
+  return curves.size() == 1 && curves[0].kind == Curve::Kind::arc && std::fabs(curves[0].degrees) >= 360;
+}
 
 void turn_round(Chain& chain) {
   std::reverse(chain.curves.begin(), chain.curves.end());
@@ -326,11 +366,14 @@ double way_between(const std::vector<Chain>& chains, Point begin) {
 }
 
 void order(std::vector<Chain>& chains, Point begin, const Progress& progress) {
+  std::vector<Chain> as_it_was = chains;
+  choose_begins(as_it_was, begin);
   chains = nearest_first(std::move(chains), begin, progress);
   Turning turning(chains, begin);
   turning.run(progress);
   turning.apply();
   choose_begins(chains, begin);
+  if (way_between(as_it_was, begin) <= way_between(chains, begin)) chains = std::move(as_it_was);
 }
 
 }  // namespace hw::drawing

@@ -16,6 +16,7 @@ struct Chain {
   [[nodiscard]] Point begin() const { return curves.front().from; }
   [[nodiscard]] Point end() const { return curves.back().to; }
   [[nodiscard]] bool closed() const { return curves.size() > 1 && begin() == end(); }
+  [[nodiscard]] bool is_circle() const;
 };
 
 void turn_round(Chain& chain);
@@ -32,7 +33,8 @@ double way_between(const std::vector<Chain>& chains, Point begin);
 /// Told now and then how far it is, from 0 to 1; false: it ends with what it has.
 using Progress = std::function<bool(double done)>;
 /// The nearest next, then improved by turning round parts of the order. Chains may be turned round, closed
-/// ones begun at any of their points. Long, for a worker.
+/// ones begun at any of their points, circles anywhere. The order they have stays where none that is found is
+/// shorter. Long, for a worker.
 void order(std::vector<Chain>& chains, Point begin, const Progress& progress = {});
 
 }  // namespace hw::drawing

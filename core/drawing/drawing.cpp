@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+
+#include "core/base/index.h"
 
 namespace hw::drawing {
 namespace {
@@ -40,6 +43,16 @@ void Box::add(const Curve& curve) {
   add(curve.from);
   add(curve.to);
   if (curve.kind == Curve::Kind::arc) add_quarters(*this, curve);
+}
+
+std::vector<HiddenLayer> hidden_layers(const Drawing& drawing) {
+  std::vector<std::set<int>> entities(drawing.layers.size());  // one may draw more than one path
+  for (const Path& path : drawing.paths) entities[ix(path.layer)].insert(path.entity);
+  std::vector<HiddenLayer> hidden;
+  for (std::size_t i = 0; i < entities.size(); ++i)
+    if (!drawing.layers[i].shown && !entities[i].empty())
+      hidden.push_back({drawing.layers[i].name, static_cast<int>(entities[i].size())});
+  return hidden;
 }
 
 Box box_of(const Drawing& drawing) {

@@ -54,10 +54,17 @@ struct Drawing {
   std::vector<Layer> layers;
   std::vector<Path> paths;
   std::vector<LeftOut> left_out;
-  std::string unit;     ///< "mm", "in" ...; empty: the file does not say
+  std::string unit;     ///< "mm", "in" ..., see millimetres(); empty: the file does not say
   std::string version;  ///< "AC1009"
 };
 
+/// A layer that is not shown, and how many entities lie on it.
+struct HiddenLayer {
+  std::string name;
+  int entities = 0;
+};
+/// Those that have any.
+std::vector<HiddenLayer> hidden_layers(const Drawing& drawing);
 /// Of the curves themselves, not only of their ends.
 Box box_of(const Drawing& drawing);
 double length_of(const Drawing& drawing);

@@ -1,10 +1,12 @@
 #include "core/drawing/dxf_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/drawing/dxf_blocks.h"
 
 namespace hw::drawing {
@@ -13,18 +15,12 @@ namespace {
 constexpr std::size_t most_curves = 5'000'000;
 constexpr int deepest_insert = 16;
 
+/// Those of AutoCAD, from 0 on: that it has none; the last four are those of American surveyors.
 std::string unit_of(int insunits) {
-  switch (insunits) {
-    case 1: return "in";
-    case 2: return "ft";
-    case 4: return "mm";
-    case 5: return "cm";
-    case 6: return "m";
-    case 8: return "uin";
-    case 9: return "mil";
-    case 13: return "um";
-    default: return {};
-  }
+  static constexpr std::array<const char*, 25> units{
+      "",   "in", "ft",  "mi", "mm", "cm", "m",  "km", "uin",   "mil",   "yd",    "angstrom", "nm",
+      "um", "dm", "dam", "hm", "Gm", "au", "ly", "pc", "us-ft", "us-in", "us-yd", "us-mi"};
+  return insunits > 0 && ix(insunits) < units.size() ? units[ix(insunits)] : "";
 }
 
 bool is_finite(const std::vector<Curve>& curves) {

@@ -94,7 +94,7 @@ class Draw {
   [[nodiscard]] bool is_straight(const Curve& arc) const {
     const double radius = std::hypot(arc.from.x - arc.centre.x, arc.from.y - arc.centre.y);
     const double quarter = std::sin(arc.degrees / 720 * std::numbers::pi);  // of its angle
-    return 2 * radius * quarter * quarter <= std::max(tool_.tolerance, half_step());
+    return 2 * radius * quarter * quarter <= std::max(tool_.chord(), half_step());
   }
   [[nodiscard]] double half_step() const {
     double finest = std::numeric_limits<double>::infinity();
@@ -131,9 +131,9 @@ class Draw {
         if (tool_.cutting != Speeds{}) arc.own = tool_.cutting;
         add(arc);
       } else if (tool_.going == Going::stairs) {
-        chords(curve, tool_.tolerance / 2, [this](Point to) { stairs(to); });
+        chords(curve, tool_.chord(), [this](Point to) { stairs(to); });
       } else {
-        chords(curve, tool_.tolerance, [this](Point to) { add(move_to(to, tool_.cutting)); });
+        chords(curve, tool_.chord(), [this](Point to) { add(move_to(to, tool_.cutting)); });
       }
       at_ = curve.to;
     }
@@ -142,8 +142,9 @@ class Draw {
   void stairs(Point to) {
     const double dx = to.x - at_.x, dy = to.y - at_.y, length = std::hypot(dx, dy);
     if (dx == 0 || dy == 0) return single(to, tool_.cutting);
-    // Corners lie |dx dy| / (2 count length) beside the line; half of the tolerance is theirs.
-    const double wanted = std::ceil(std::fabs(dx * dy) / (length * tool_.tolerance));
+    // Corners lie |dx dy| / (2 count length) beside the line; what chords leave of the tolerance is theirs.
+    const double beside = tool_.tolerance - tool_.chord();
+    const double wanted = std::ceil(std::fabs(dx * dy) / (2 * length * beside));
     const int count = static_cast<int>(std::clamp(wanted, 1.0, 1e6));
     const Point from = at_;
     for (int n = 0; n < count; ++n) {

@@ -29,12 +29,18 @@ enum class Going : std::uint8_t {
   lines,     ///< by lines, with a stop between; arcs become chords
   stairs     ///< one axis at a time
 };
+/// How far chords may lie beside their curve, where all together may lie `tolerance` beside it: stairs take
+/// half of that, as their lines are chords of it too.
+constexpr double chord_within(double tolerance, Going going) {
+  return going == Going::stairs ? tolerance / 2 : tolerance;
+}
 struct Tool {
   Going going = Going::lines;
   double tolerance = 0.01;  ///< of chords and stairs, in units of the sequence
   sequence::Speeds cutting, travel;
   std::vector<int> contour_outputs;  ///< that can be switched within a contour
   int contour_pieces = 40;           ///< that a contour holds
+  [[nodiscard]] double chord() const { return chord_within(tolerance, going); }
 };
 /// Where the tool has to be, or `way` between, told from the begin on. Lines longer than nothing only.
 void chords(const Curve& curve, double tolerance, const std::function<void(Point)>& put);

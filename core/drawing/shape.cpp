@@ -74,12 +74,13 @@ class SplineDrawing {
  private:
   void halve(double t0, Point from, double t1, Point to, int depth) {
     constexpr int deepest = 14;
+    constexpr double between_looks = 1.1;  // as much farther away a cubic may be, at most
     const double middle = (t0 + t1) / 2;
     const Point halfway = point_at(spline_, middle);
     const auto beside = [&](double t) { return distance(point_at(spline_, t), from, to); };
     const double gap =
         std::max({distance(halfway, from, to), beside((t0 + middle) / 2), beside((middle + t1) / 2)});
-    if (depth >= deepest || gap <= chord_) return line_to(to, curves_, from);
+    if (depth >= deepest || gap * between_looks <= chord_) return line_to(to, curves_, from);
     halve(t0, from, middle, halfway, depth + 1);
     halve(middle, halfway, t1, to, depth + 1);
   }

@@ -197,15 +197,19 @@ void Station::leave(const Fault& why, Link::Leaving how) {
 
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
   if (!traffic_) return;
+  // Whatever a controller babbles, a stop and what somebody has asked for have their places.
+  const bool of_somebody = way == Way::sent && (kind == TrafficKind::stop || kind == TrafficKind::intent);
+  const std::size_t left_for_others = of_somebody ? 0 : traffic_->capacity() / 4;
   do {  // a slot of the ring keeps its memory: no piece is longer than this
     const std::string_view piece = bytes.substr(0, longest_traffic_entry);
     bytes.remove_prefix(piece.size());
-    traffic_->push_in_place([&](TrafficEntry& entry) {
+    const auto fill = [&](TrafficEntry& entry) {
       entry.at = at;
       entry.way = way;
       entry.kind = kind;
       entry.bytes = piece;
-    });
+    };
+    traffic_->push_in_place(fill, left_for_others);
   } while (!bytes.empty());
   if (kind != TrafficKind::poll && recorded) recorded();
 }

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/device/sequence_draft.h"
 #include "core/drawing/dxf_reader.h"
 #include "core/drawing/dxf_scan.h"
 #include "core/session/user_files.h"
@@ -24,7 +26,7 @@ tl::unexpected<Fault> refuse(std::string what, std::string advice = {}) {
 Result<double> scale_of(const drawing::Drawing& drawing, const ConversionOptions& o) {
   const std::string& from = drawing.unit.empty() ? o.drawing_unit : drawing.unit;
   if (from.empty())
-    return refuse("The drawing does not say in which unit it is.", "Say whether it is mm or in.");
+    return refuse("The drawing does not say in which unit it is.", "Say which: mm, in, cm, m ...");
   const auto its = millimetres(from), ours = millimetres(o.unit);
   if (!its || !ours) return refuse(fmt::format("\"{}\" is no unit of length.", its ? o.unit : from));
   return *its / *ours;
@@ -58,63 +60,117 @@ Result<double> tolerance_of(Going going, const ConversionOptions& o) {
   }
   if (going == Going::stairs)
     return refuse("This controller moves one axis at a time: a slanted line becomes a staircase.",
-                  "Say how far its corners may lie beside the line.");
+                  "Say with the tolerance how far its corners may lie beside the line.");
   double finest = 0;
   for (const sequence::Axis& axis : o.axes) finest = std::max(finest, axis.per_unit);
   return 0.5 / finest;
 }
 
 std::vector<std::size_t> off_the(const drawing::Box& table, const std::vector<drawing::Chain>& chains) {
+  constexpr double rounding = 1e-9;  // where a circle touches the edge
   std::vector<std::size_t> off;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const drawing::Box box = drawing::box_of({chains[i]});
-    if (box.low.x < table.low.x || box.low.y < table.low.y || box.high.x > table.high.x ||
-        box.high.y > table.high.y)
+    if (box.low.x < table.low.x - rounding || box.low.y < table.low.y - rounding ||
+        box.high.x > table.high.x + rounding || box.high.y > table.high.y + rounding)
       off.push_back(i);
   }
   return off;
 }
 
+/// Beyond it two steps that follow each other are one number. Whoever counts, counts less far.
+Result<> can_be_counted(const std::vector<drawing::Chain>& chains, const ConversionOptions& o) {
+  constexpr double furthest = 9007199254740992;  // steps, 2^53
+  for (const drawing::Chain& chain : chains) {
+    const drawing::Box box = drawing::box_of({chain});
+    const std::array<std::array<double, 2>, 2> reach{{{box.low.x, box.high.x}, {box.low.y, box.high.y}}};
+    for (const std::size_t axis : {0, 1})
+      for (const double at : reach[axis])
+        if (!(std::fabs(at) * o.axes[axis].per_unit <= furthest))
+          return refuse(
+              fmt::format("Entity {}, line {} of the file, reaches to {:.4g} {} of {}: no controller "
+                          "counts so far.",
+                          chain.entity, chain.line, at, o.unit, o.axes[axis].name));
+  }
+  return {};
+}
+
 }  // namespace
 
 std::optional<double> millimetres(const std::string& unit) {
-  static constexpr std::array<std::pair<std::string_view, double>, 9> units{{{"mm", 1},
-                                                                             {"in", 25.4},
-                                                                             {"inch", 25.4},
-                                                                             {"cm", 10},
-                                                                             {"m", 1000},
-                                                                             {"um", 0.001},
-                                                                             {"ft", 304.8},
-                                                                             {"mil", 0.0254},
-                                                                             {"uin", 0.0000254}}};
+  constexpr double survey_foot = 1200.0 / 3937 * 1000;
+  static constexpr std::pair<std::string_view, double> units[] = {{"mm", 1},
+                                                                  {"in", 25.4},
+                                                                  {"inch", 25.4},
+                                                                  {"cm", 10},
+                                                                  {"m", 1000},
+                                                                  {"um", 1e-3},
+                                                                  {"ft", 304.8},
+                                                                  {"mil", 0.0254},
+                                                                  {"uin", 0.0000254},
+                                                                  {"yd", 914.4},
+                                                                  {"mi", 1'609'344},
+                                                                  {"dm", 100},
+                                                                  {"dam", 1e4},
+                                                                  {"hm", 1e5},
+                                                                  {"km", 1e6},
+                                                                  {"nm", 1e-6},
+                                                                  {"angstrom", 1e-7},
+                                                                  {"us-in", survey_foot / 12},
+                                                                  {"us-ft", survey_foot},
+                                                                  {"us-yd", survey_foot * 3},
+                                                                  {"us-mi", survey_foot * 5280},
+                                                                  {"Gm", 1e12},
+                                                                  {"au", 1.495978707e14},
+                                                                  {"ly", 9.4607304725808e18},
+                                                                  {"pc", 3.0856775814913673e19}};
   for (const auto& [name, length] : units)
     if (name == unit) return length;
   return std::nullopt;
 }
 
-double finest_chord(const ConversionOptions& o) {
-  if (o.tolerance) return *o.tolerance;
+double finest_chord(const Catalog& catalog, const ConversionOptions& o) {
+  if (o.tolerance) return drawing::chord_within(*o.tolerance, going_of(catalog, o));
   double finest = 1;
   for (const sequence::Axis& axis : o.axes) finest = std::min(finest, 0.5 / axis.per_unit);
   return finest;
 }
 
-// Splines and ellipses are flattened as they are read: again, finer, where the file's unit asks for that.
-Result<drawing::Drawing> read_drawing(const std::filesystem::path& path, const ConversionOptions& o) {
+// Splines and ellipses are flattened as they are read: again, where the file's unit asks for that.
+Result<drawing::Drawing> read_drawing(const std::filesystem::path& path, const Catalog& catalog,
+                                      const ConversionOptions& o) {
   const auto file = read_file(path, drawing::largest_dxf);
   if (!file) return fail(file.error());
-  const double finest = finest_chord(o);
+  const double finest = finest_chord(catalog, o);
   drawing::Tolerance tolerance{finest};
   auto drawing = drawing::read_dxf(*file, path.string(), tolerance);
   if (!drawing) return drawing;
   const auto its = millimetres(drawing->unit.empty() ? o.drawing_unit : drawing->unit);
   tolerance.chord = finest * millimetres(o.unit).value_or(1) / its.value_or(1);
-  return tolerance.chord < finest ? drawing::read_dxf(*file, path.string(), tolerance) : drawing;
+  return tolerance.chord != finest ? drawing::read_dxf(*file, path.string(), tolerance) : drawing;
+}
+
+Result<std::string> said_of_tool(const sequence::Sequence& sequence, const Catalog& together) {
+  SequenceDraft draft(sequence, together);  // as the writers of programs say it
+  if (auto said = draft.tool_line({}); !said) return fail(said.error());
+  return std::move(draft).finish().tool;
 }
 
 Going going_of(const Catalog& catalog) {
   if (catalog.can.contours) return Going::contours;
   if (catalog.can.arcs) return Going::arcs;
+  return catalog.can.interpolates ? Going::lines : Going::stairs;
+}
+
+// Arcs are of the first two axes; and where the axes differ in their steps a circle is none of the
+// controller's any more.
+Going going_of(const Catalog& catalog, const ConversionOptions& o) {
+  const Going going = going_of(catalog);
+  if (o.axes.size() < 2) return going;
+  const bool first_two = catalog.axes.size() > 1 && o.axes[0].name == catalog.axes[0].name &&
+                         o.axes[1].name == catalog.axes[1].name;
+  const bool no_arcs = o.axes[0].per_unit != o.axes[1].per_unit || (going == Going::arcs && !first_two);
+  if (!no_arcs) return going;
   return catalog.can.interpolates ? Going::lines : Going::stairs;
 }
 
@@ -124,14 +180,7 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
     return refuse(fmt::format("A drawing needs two axes; {} {} given.", o.axes.size(),
                               o.axes.size() == 1 ? "is" : "are"));
   Conversion made;
-  made.going = going_of(catalog);
-  // Arcs are of the first two axes; and where the axes differ in their steps a circle is none of the
-  // controller's any more.
-  const bool first_two = catalog.axes.size() > 1 && o.axes[0].name == catalog.axes[0].name &&
-                         o.axes[1].name == catalog.axes[1].name;
-  const bool no_arcs = o.axes[0].per_unit != o.axes[1].per_unit || (made.going == Going::arcs && !first_two);
-  if (no_arcs && made.going != Going::stairs)
-    made.going = catalog.can.interpolates ? Going::lines : Going::stairs;
+  made.going = going_of(catalog, o);
   const auto scale = scale_of(whole, o);
   if (!scale) return fail(scale.error());
   const auto tolerance = tolerance_of(made.going, o);
@@ -145,12 +194,13 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   drawing::Placing placing = o.placing;
   placing.scale = *scale;
   made.placed = drawing::place(made.chains, placing);
+  if (auto counted = can_be_counted(made.chains, o); !counted) return fail(counted.error());
+  made.box = drawing::box_of(made.chains);
   made.way_as_drawn = made.way = drawing::way_between(made.chains, {});
   if (!o.keep_order) {
     drawing::order(made.chains, {}, progress);
     made.way = drawing::way_between(made.chains, {});
   }
-  made.box = drawing::box_of(made.chains);
   made.box_around = drawing::box_around(made.chains);
   made.drawn = length_of(made.chains);
   if (o.table) made.off_the_table = off_the(*o.table, made.chains);

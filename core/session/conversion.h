@@ -44,14 +44,19 @@ struct Conversion {
   std::vector<std::size_t> off_the_table;  ///< places in `chains`
 };
 
-/// How far splines and ellipses may lie beside their chords, in the unit of the options.
-double finest_chord(const ConversionOptions& options);
-/// The file, its splines and ellipses as fine as that. May block: for a worker.
-Result<drawing::Drawing> read_drawing(const std::filesystem::path& file, const ConversionOptions& options);
-/// How the controller gets along a chain.
+/// How the controller gets along a chain; and by the axes that draw.
 drawing::Going going_of(const Catalog& catalog);
+drawing::Going going_of(const Catalog& catalog, const ConversionOptions& options);
+/// How far splines and ellipses may lie beside their chords, in the unit of the options.
+double finest_chord(const Catalog& catalog, const ConversionOptions& options);
+/// The file, its splines and ellipses as fine as that. May block: for a worker.
+Result<drawing::Drawing> read_drawing(const std::filesystem::path& file, const Catalog& catalog,
+                                      const ConversionOptions& options);
 /// "mm", "in" ... in millimetres; none: it is no unit.
 std::optional<double> millimetres(const std::string& unit);
+
+/// Of controllers that draw together: what is to be known of their tool. A program's text says it by itself.
+Result<std::string> said_of_tool(const sequence::Sequence& sequence, const Catalog& together);
 
 Result<Conversion> convert(const drawing::Drawing& drawing, const Catalog& catalog,
                            const ConversionOptions& options, const drawing::Progress& progress = {});

@@ -199,6 +199,9 @@ Result<SequenceText> write(const sequence::Sequence& sequence, const MeantFor& m
   const auto parts = pieces_together(sequence, meant.catalog, 0);
   if (!parts) return fail(parts.error());
   SequenceText none;
+  auto tool = said_of_tool(sequence, meant.catalog);
+  if (!tool) return fail(tool.error());
+  none.tool = std::move(*tool);
   none.remarks.push_back(parts->front().remark);
   return none;
 }
@@ -220,8 +223,16 @@ struct Made {
   SequenceText written;
   const drawing::Drawing& drawing;
   Rehearsal rehearsal;
-  std::vector<std::string> problems;  ///< of the program: it is too large for its memory
+  std::vector<drawing::HiddenLayer> hidden;  ///< that nobody has asked for
+  std::vector<std::string> problems;         ///< of the program: it is too large for its memory
 };
+
+/// Whoever names layers knows that the others are left out.
+std::vector<drawing::HiddenLayer> layers_left_out(const drawing::Drawing& drawing,
+                                                  const ConversionOptions& o) {
+  if (!o.layers.empty()) return {};
+  return hidden_layers(drawing);
+}
 
 void print_json(const Made& m, const Catalog& catalog) {
   nlohmann::ordered_json out;
@@ -243,6 +254,9 @@ void print_json(const Made& m, const Catalog& catalog) {
   out["left_out"] = nlohmann::ordered_json::array();
   for (const drawing::LeftOut& l : m.drawing.left_out)
     out["left_out"].push_back({{"what", l.what}, {"why", l.why}, {"entity", l.entity}, {"line", l.line}});
+  out["hidden_layers"] = nlohmann::ordered_json::array();
+  for (const drawing::HiddenLayer& l : m.hidden)
+    out["hidden_layers"].push_back({{"layer", l.name}, {"entities", l.entities}});
   print_result("{}\n", out.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace));
 }
 
@@ -260,11 +274,24 @@ void print_words(const Made& m) {
 
 }  // namespace
 
+/// Of what the controller cannot hold: where it can be drawn all the same.
+static std::string elsewhere(const sequence::Sequence& sequence, const MeantFor& meant) {
+  const auto pieces = meant.language->in_pieces(sequence, meant.catalog);
+  if (!pieces) return "It cannot be drawn in pieces either: " + pieces.error().sentence();
+  return fmt::format(
+      "It can be drawn in {} piece{}: from the console (Drawing, Cut), or as a sequence (-o OUT.toml) by a "
+      "script with c:run_in_pieces(text).",
+      pieces->all.size(), pieces->all.size() == 1 ? "" : "s");
+}
+
 static void try_it(Made& made, const MeantFor& meant) {
   for (const Problem& p : meant.language->analyse(made.written.text, 0).problems) {
     if (!p.error) continue;
     made.problems.push_back(p.sentence);
-    write_aside(p.sentence);
+  }
+  if (!made.problems.empty()) {
+    made.problems.push_back(elsewhere(made.conversion.sequence, meant));
+    return;
   }
   RehearseOptions rehearse;
   rehearse.device = meant.catalog.made_from;
@@ -286,6 +313,29 @@ static void try_together(Made& made, const Given& given) {
   write_aside(made.written.remarks.back());
 }
 
+/// What the user did not ask to be left out.
+static void tell_left_out(const std::string& path, const drawing::Drawing& drawing,
+                          const std::vector<drawing::HiddenLayer>& hidden) {
+  for (const drawing::LeftOut& l : drawing.left_out)
+    write_aside(fmt::format("{}:{}: {} {} was left out: {}", path, l.line, l.what, l.entity, l.why));
+  for (const drawing::HiddenLayer& l : hidden)
+    write_aside(
+        fmt::format("{}: layer \"{}\" was left out with {} entit{}: it is frozen or off in the file. --layer "
+                    "\"{}\" draws it.",
+                    path, l.name, l.entities, l.entities == 1 ? "y" : "ies", l.name));
+}
+
+/// What would not run is not written: a program that the controller cannot hold.
+static int keep(const Made& made, const std::string& out) {
+  const bool as_sequence = out.ends_with(".toml");
+  for (const std::string& problem : made.problems) write_aside(problem);
+  if (!made.problems.empty() && !as_sequence)
+    return complain(fmt::format("{} was not written: the controller would not run it.", out));
+  const auto kept =
+      write_file(out, as_sequence ? write_sequence(made.conversion.sequence) : made.written.text);
+  return kept ? done : complain(kept.error());
+}
+
 static int convert_drawing(const Given& given) {
   const auto meant = read_who_draws(given);
   if (!meant) return complain(meant.error(), status_of(meant.error()));
@@ -293,10 +343,10 @@ static int convert_drawing(const Given& given) {
   if (!options) return complain(options.error(), usage);
   if (!given.has("output")) return complain("It is not said where to write it. Add -o OUT.", usage);
   const std::string& path = given.words[0];
-  const auto drawing = read_drawing(path, *options);
+  const auto drawing = read_drawing(path, meant->catalog, *options);
   if (!drawing) return complain(drawing.error());
-  for (const drawing::LeftOut& l : drawing->left_out)
-    write_aside(fmt::format("{}:{}: {} {} was left out: {}", path, l.line, l.what, l.entity, l.why));
+  const auto hidden = layers_left_out(*drawing, *options);
+  tell_left_out(path, *drawing, hidden);
   if (auto found = leave_out(*drawing, given, *options); !found) return complain(found.error());
   auto converted = convert(*drawing, meant->catalog, *options);
   if (!converted) return complain(converted.error());
@@ -308,20 +358,17 @@ static int convert_drawing(const Given& given) {
   if (!converted->off_the_table.empty())
     write_aside(fmt::format("{} of {} chains leave the table.", converted->off_the_table.size(),
                             converted->chains.size()));
-  const std::string out = given.one("output");
-  const bool as_sequence = out.ends_with(".toml");
-  if (auto kept = write_file(out, as_sequence ? write_sequence(converted->sequence) : written->text); !kept)
-    return complain(kept.error());
-  Made made{std::move(*converted), std::move(*written), *drawing, {}, {}};
+  Made made{std::move(*converted), std::move(*written), *drawing, {}, hidden, {}};
   if (meant->language)
     try_it(made, *meant);
   else
     try_together(made, given);
+  const int status = keep(made, given.one("output"));
   if (given.has("json"))
     print_json(made, meant->catalog);
   else
     print_words(made);
-  return done;
+  return status;
 }
 
 const Subcommand convert_subcommand{

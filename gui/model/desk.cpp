@@ -36,12 +36,46 @@ std::vector<std::filesystem::path> Desk::take_dropped(std::string_view panel) {
 
 void Desk::rehearse(const Snapshot& now, const BenchView& bench) {
   const int slot = texts.chosen();
-  if (!language_ || texts.text(slot).empty()) return;
+  const std::string& text = texts.text(slot);
+  if (!language_ || text.empty()) return;
+  if (job.busy() || !can_tell_more(now)) {
+    prepared_.erase(slot);
+    return start_rehearsal(slot, text, now, bench);
+  }
+  if (rehearsals.under_way(slot)) return;
+  prepared_[slot] = text;
+  rehearsals.prepare(slot);
+}
+
+void Desk::start_rehearsal(int slot, const std::string& text, const Snapshot& now, const BenchView& bench) {
   constexpr double seen_every_s = 0.02;
   RehearseOptions wish;
   wish.slot = slot;
   wish.track_every_s = seen_every_s;
-  rehearsals.start(*language_, texts.text(slot), wish, state_of(now), bench, catalog_, worker());
+  rehearsals.start(*language_, text, wish, state_of(now), bench, catalog_, worker());
+}
+
+// However the reading ends: what it has not brought is named by the rehearsal. A run that is about to begin
+// is not waited for: the rehearsal would begin in the middle of it.
+void Desk::rehearse_prepared(const Snapshot& now, const BenchView& bench, const Send& send) {
+  if (prepared_.empty()) {
+    set_up_read_by_ = 0;
+    return;
+  }
+  if (!job.busy() && can_tell_more(now)) {
+    if (set_up_read_by_ == 0) set_up_read_by_ = send(intent::ReadParams());
+    const IntentFate* fate = now.fate_of(set_up_read_by_);
+    const bool settled = fate ? fate->fate != Fate::pending : now.forgotten(set_up_read_by_);
+    if (!settled && set_up_read_by_ != 0) return;
+  }
+  for (const auto& [slot, text] : std::exchange(prepared_, {})) start_rehearsal(slot, text, now, bench);
+}
+
+bool Desk::can_tell_more(const Snapshot& now) const {
+  if (!now.link.connected()) return false;
+  for (std::size_t i = 0; i < catalog_.params.size(); ++i)
+    if (catalog_.params[i].readable && !now.params[i].known) return true;
+  return false;
 }
 
 ControllerState Desk::state_of(const Snapshot& now) const {
@@ -69,6 +103,7 @@ void Desk::refresh(const Snapshot& now, const BenchView& bench, Instant clock, c
   job.update(texts, now, catalog_, clock, send);
   trace.follow(now);
   notice_program_changes(now);
+  rehearse_prepared(now, bench, send);
   rehearsals.follow(now, bench, catalog_, [this](int slot) {
     const HeldProgram& held = texts.held(slot);
     return held.known ? &held.text : nullptr;

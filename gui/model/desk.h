@@ -71,8 +71,9 @@ class Desk {
   /// Seconds until the autosave wants a frame; negative: it does not.
   [[nodiscard]] double autosave_due_in(Instant clock) const;
 
-  /// Dry run of the chosen text, from where the axes stand. Nothing where there is no text, or one is under
-  /// way.
+  /// Dry run of the chosen text, from where the axes stand. What the controller can tell of its set-up and
+  /// nobody has asked yet is read first, unless Run has been pressed: then it begins where that does. Nothing
+  /// where there is no text, or one is under way.
   void rehearse(const Snapshot& now, const BenchView& bench);
   /// What is known of the controller, with the programs that it is known to hold.
   [[nodiscard]] ControllerState state_of(const Snapshot& now) const;
@@ -93,6 +94,9 @@ class Desk {
   [[nodiscard]] std::uint64_t typed() const { return texts.changes() + blocks.changes(); }
   void doubt_texts(const Snapshot& now);
   void notice_program_changes(const Snapshot& now);
+  void start_rehearsal(int slot, const std::string& text, const Snapshot& now, const BenchView& bench);
+  void rehearse_prepared(const Snapshot& now, const BenchView& bench, const Send& send);
+  [[nodiscard]] bool can_tell_more(const Snapshot& now) const;
 
   const Catalog& catalog_;
   const Language* language_;
@@ -103,6 +107,8 @@ class Desk {
   std::uint64_t autosaved_ = 0;
   std::uint32_t program_changes_ = 0;
   std::uint64_t starts_ = 0;
+  std::map<int, std::string> prepared_;  ///< texts by slot: to be rehearsed when the set-up is read
+  IntentId set_up_read_by_ = 0;
   Instant changed_at_{}, started_at_{};
   bool dirty_ = false;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0), until_stopped_ = std::make_shared<int>(0);

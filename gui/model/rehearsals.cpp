@@ -1,5 +1,7 @@
 #include "gui/model/rehearsals.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -11,6 +13,46 @@ namespace {
 
 bool runs(const ProgramState& p) { return p.owned && p.run != RunState::idle && p.run != RunState::error; }
 
+// What is read of these trembles though nothing changes.
+constexpr int analog_steps_of_range = 100;
+constexpr std::int64_t encoder_trembles = 2;
+
+bool trembles(std::int64_t then, std::int64_t now, std::int64_t by) {
+  return std::max(then, now) - std::min(then, now) <= by;
+}
+
+/// Who is compared with what a rehearsal began from.
+struct Comparison {
+  const Rehearsal& rehearsal;
+  const ControllerState& from;
+  const Snapshot& now;
+  const Catalog& catalog;
+  int slot;
+  const Rehearsals::Held& held;
+  bool left;  ///< the controller has gone on from there: only how it stood is told
+};
+
+// ---- axes
+
+/// Of an axis what a rehearsal begins from, and how sure that is.
+AxisState begins_as(const AxisState& axis) {
+  AxisState a;
+  a.position_known = axis.position_known, a.trust = axis.trust, a.activity = axis.activity;
+  a.position = a.command = axis.commanded(), a.in_counts = axis.in_counts;
+  if (axis.loop != Loop::none) a.loop = axis.loop == Loop::open ? Loop::open : Loop::in_place;
+  a.has_encoder = axis.has_encoder && axis.loop == Loop::none;
+  if (a.has_encoder) a.encoder = axis.encoder;
+  a.enabled = axis.enabled, a.error = axis.error, a.alarm = axis.alarm;
+  a.limits_known = axis.limits_known;
+  if (a.limits_known) a.limit_minus = axis.limit_minus, a.limit_plus = axis.limit_plus, a.home = axis.home;
+  return a;
+}
+
+void take_axes(const ControllerState& of, const Catalog&, ControllerState& into) {
+  into.now.axis_count = of.now.axis_count;
+  for (int i = 0; i < of.now.axis_count; ++i) into.now.axes[ix(i)] = begins_as(of.now.axes[ix(i)]);
+}
+
 Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& axis, bool moves) {
   if (!axis.position_known) return Footing::unknown;
   if (axis.trust.doubtful()) return Footing::doubtful;
@@ -19,26 +61,47 @@ Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& axis, bool m
   return rehearsed.begin == axis.commanded().value ? Footing::here : Footing::elsewhere;
 }
 
-Stand compare_axes(const Rehearsal& rehearsal, const Snapshot& began, const Snapshot& now, bool left,
-                   const Catalog& catalog) {
-  for (const RehearsedAxis& rehearsed : rehearsal.axes) {
-    const int i = catalog.find_axis(rehearsed.name);
-    if (i < 0 || i >= now.axis_count) continue;
-    const AxisState &then = began.axes[ix(i)], &axis = left ? then : now.axes[ix(i)];
-    const Footing footing = footing_of(rehearsed, axis, (left ? began : now).axis_moves(i));
+/// Both as begins_as() makes them; where it stands has been compared.
+Footing other_state(const AxisState& then, AxisState now) {
+  now.position = then.position, now.command = then.command, now.position_known = then.position_known;
+  now.trust = then.trust, now.activity = then.activity;
+  const bool same_encoder = trembles(then.encoder.value, now.encoder.value, encoder_trembles);
+  if (then.has_encoder && now.has_encoder && !same_encoder) return Footing::other_encoder;
+  now.has_encoder = then.has_encoder, now.encoder = then.encoder;
+  AxisState same_switches = now;
+  same_switches.limits_known = then.limits_known;
+  same_switches.limit_minus = then.limit_minus, same_switches.limit_plus = then.limit_plus;
+  same_switches.home = then.home;
+  if (same_switches != then) return Footing::other_power;
+  return then.limits_known && now.limits_known && now != then ? Footing::other_switch : Footing::here;
+}
+
+Stand compare_axes(const Comparison& c) {
+  const Snapshot& began = c.from.now;
+  for (const RehearsedAxis& rehearsed : c.rehearsal.axes) {
+    const int i = c.catalog.find_axis(rehearsed.name);
+    if (i < 0 || i >= c.now.axis_count) continue;
+    const AxisState &then = began.axes[ix(i)], &axis = c.left ? then : c.now.axes[ix(i)];
+    const Footing footing = footing_of(rehearsed, axis, (c.left ? began : c.now).axis_moves(i));
     const bool tells_place = footing == Footing::elsewhere;
     if (footing != Footing::here)
       return {footing, i, Steps(rehearsed.begin), tells_place ? axis.commanded() : Steps()};
-    if (axis.enabled != then.enabled || axis.error != then.error) return {Footing::other_power, i, {}, {}};
+    if (const Footing other = other_state(then, begins_as(axis)); other != Footing::here)
+      return {other, i, {}, {}};
   }
   return {};
 }
 
+// ---- what else it begins from
+
+void take_params(const ControllerState& of, const Catalog&, ControllerState& into) {
+  into.now.params = of.now.params;
+}
 /// What was not known was taken as from the factory.
-Stand compare_params(const Snapshot& began, const Snapshot& now, const Catalog& catalog) {
-  for (std::size_t i = 0; i < catalog.params.size(); ++i) {
-    const ParamState &then = began.params[i], &is = now.params[i];
-    const std::int64_t taken = then.known ? then.value : catalog.params[i].fallback;
+Stand compare_params(const Comparison& c) {
+  for (std::size_t i = 0; i < c.catalog.params.size(); ++i) {
+    const ParamState &then = c.from.now.params[i], &is = c.now.params[i];
+    const std::int64_t taken = then.known ? then.value : c.catalog.params[i].fallback;
     if (is.known && is.value != taken)
       return {Footing::other_setup, static_cast<int>(i), Steps(taken), Steps(is.value)};
   }
@@ -52,7 +115,64 @@ Stand compare_bits(Footing footing, std::uint32_t then, std::uint32_t now, std::
   return {footing, which, Steps(then >> which & 1u), Steps(now >> which & 1u)};
 }
 
-Stand compare_variables(const Snapshot& began, const Snapshot& now) {
+void take_outputs(const ControllerState& of, const Catalog&, ControllerState& into) {
+  into.now.outputs = of.now.outputs, into.now.outputs_known = of.now.outputs_known;
+}
+Stand compare_outputs(const Comparison& c) {
+  const Snapshot &then = c.from.now, &now = c.now;
+  return compare_bits(Footing::other_output, then.outputs, now.outputs,
+                      then.outputs_known & now.outputs_known);
+}
+
+void take_inputs(const ControllerState& of, const Catalog&, ControllerState& into) {
+  into.now.inputs = of.now.inputs, into.now.inputs_known = of.now.inputs_known;
+}
+Stand compare_inputs(const Comparison& c) {
+  const Snapshot &then = c.from.now, &now = c.now;
+  return compare_bits(Footing::other_input, then.inputs, now.inputs, then.inputs_known & now.inputs_known);
+}
+
+void take_analog(const ControllerState& of, const Catalog&, ControllerState& into) {
+  into.now.analog = of.now.analog, into.now.analog_known = of.now.analog_known;
+}
+Stand compare_analog(const Comparison& c) {
+  const Snapshot &then = c.from.now, &now = c.now;
+  for (std::size_t n = 0; n < c.catalog.analog.size(); ++n) {
+    const AnalogInfo& info = c.catalog.analog[n];
+    const bool known = ((then.analog_known & now.analog_known) >> n & 1u) != 0;
+    const std::int64_t still = (std::int64_t{info.maximum} - info.minimum) / analog_steps_of_range;
+    if (known && !trembles(then.analog[n], now.analog[n], still))
+      return {Footing::other_analog, static_cast<int>(n), Steps(then.analog[n]), Steps(now.analog[n])};
+  }
+  return {};
+}
+
+/// Whether numbers are places or ways; a controller without such a mode has no such readout.
+std::optional<std::size_t> mode_readout(const Catalog& catalog) {
+  const int mode = catalog.find_readout("MM");
+  return mode < 0 ? std::nullopt : std::optional(ix(mode));
+}
+void take_mode(const ControllerState& of, const Catalog& catalog, ControllerState& into) {
+  const auto mode = mode_readout(catalog);
+  if (!mode) return;
+  into.now.readouts[*mode] = of.now.readouts[*mode];
+  into.now.readouts_known.set(*mode, of.now.readouts_known.test(*mode));
+}
+/// One that was not known was taken as after power-up: 0.
+Stand compare_mode(const Comparison& c) {
+  const auto mode = mode_readout(c.catalog);
+  if (!mode || !c.now.readouts_known.test(*mode)) return {};
+  const std::int64_t then = c.from.now.readouts_known.test(*mode) ? c.from.now.readouts[*mode] : 0;
+  const std::int64_t is = c.now.readouts[*mode];
+  if (then == is) return {};
+  return {Footing::other_mode, static_cast<int>(*mode), Steps(then), Steps(is)};
+}
+
+void take_variables(const ControllerState& of, const Catalog&, ControllerState& into) {
+  into.now.variables = of.now.variables, into.now.variables_known = of.now.variables_known;
+}
+Stand compare_variables(const Comparison& c) {
+  const Snapshot &began = c.from.now, &now = c.now;
   if ((began.variables_known | now.variables_known).none()) return {};
   for (int n = 0; n < max_variables; ++n) {
     const std::int32_t taken = began.variables_known.test(ix(n)) ? began.variables[ix(n)] : 0;
@@ -62,45 +182,71 @@ Stand compare_variables(const Snapshot& began, const Snapshot& now) {
   return {};
 }
 
-Stand compare_programs(const ControllerState& began, int slot, const Rehearsals::Held& held) {
-  for (const auto& [other, text] : began.programs) {
-    const std::string* now = other == slot || !held ? nullptr : held(other);
+void take_programs(const ControllerState& of, const Catalog&, ControllerState& into) {
+  into.programs = of.programs;
+}
+Stand compare_programs(const Comparison& c) {
+  for (const auto& [other, text] : c.from.programs) {
+    const std::string* now = other == c.slot || !c.held ? nullptr : c.held(other);
     if (now && *now != text) return {Footing::other_program, other, {}, {}};
   }
   return {};
 }
 
-/// What is asked first is told first.
-Stand compare(int slot, const Rehearsals::Outcome& outcome, const Snapshot& now, const BenchView& bench,
-              bool left, const Catalog& catalog, const Rehearsals::Held& held) {
-  const ControllerState& from = *outcome.scene.state;
-  const Snapshot& began = from.now;
-  if (const Stand s = compare_axes(*outcome.result, began, now, left, catalog); s != Stand()) return s;
-  if (left) return {};
-  const bool known = outcome.scene.switches.has_value();
-  if (known != bench.present || (known && *outcome.scene.switches != bench.switches))
-    return {Footing::other_bench, -1, {}, {}};
-  if (const Stand s = compare_params(began, now, catalog); s != Stand()) return s;
-  if (const Stand s = compare_bits(Footing::other_output, began.outputs, now.outputs,
-                                   began.outputs_known & now.outputs_known);
-      s != Stand())
-    return s;
-  if (const Stand s =
-          compare_bits(Footing::other_input, began.inputs, now.inputs, began.inputs_known & now.inputs_known);
-      s != Stand())
-    return s;
-  if (const Stand s = compare_variables(began, now); s != Stand()) return s;
-  return compare_programs(from, slot, held);
+/// No rehearsal begins from these: they only tell what it has to name as taken for granted.
+void take_hints(const ControllerState& of, const Catalog&, ControllerState& into) {
+  into.now.slot_bytes_used = of.now.slot_bytes_used;
+  into.now.working = of.now.working, into.now.feed = of.now.feed;
+}
+Stand compare_hints(const Comparison&) { return {}; }
+
+/// Everything that a rehearsal is told of the controller, and how each is compared afterwards. What is not
+/// in here is unknown to it, so nothing can come into it that is not compared. What is asked first is told
+/// first.
+struct Fact {
+  void (*take)(const ControllerState& of, const Catalog&, ControllerState& into);
+  Stand (*compare)(const Comparison&);
+};
+constexpr std::array<Fact, 9> facts{{
+    {take_axes, compare_axes},
+    {take_params, compare_params},
+    {take_outputs, compare_outputs},
+    {take_inputs, compare_inputs},
+    {take_analog, compare_analog},
+    {take_mode, compare_mode},
+    {take_variables, compare_variables},
+    {take_programs, compare_programs},
+    {take_hints, compare_hints},
+}};
+
+ControllerState told_to_rehearsals(const ControllerState& from, const Catalog& catalog) {
+  ControllerState into;
+  into.now.slot_bytes_used.fill(-1);
+  for (const Fact& fact : facts) fact.take(from, catalog, into);
+  return into;
+}
+
+/// One that has gone on from there differs at most in how its axes stood.
+Stand compare(const Comparison& c, const Rehearsals::Scene& scene, const BenchView& bench) {
+  const bool known = scene.switches.has_value();
+  const bool same_bench = known == bench.present && (!known || *scene.switches == bench.switches);
+  for (const Fact& fact : facts) {
+    if (const Stand stand = fact.compare(c); stand != Stand()) return stand;
+    if (c.left) return {};
+    if (!same_bench) return {Footing::other_bench, -1, {}, {}};
+  }
+  return {};
 }
 
 }  // namespace
 
 void Rehearsals::start(const Language& language, std::string text, const RehearseOptions& wish,
-                       ControllerState from, const BenchView& bench, const Catalog& catalog, Worker& worker) {
+                       const ControllerState& from, const BenchView& bench, const Catalog& catalog,
+                       Worker& worker) {
   const int slot = wish.slot;
-  if (under_way(slot)) return;
-  running_[slot] = true;
-  Scene scene{std::make_shared<const ControllerState>(std::move(from)), std::nullopt};
+  prepared_.erase(slot);
+  if (!running_.insert(slot).second) return;
+  Scene scene{std::make_shared<const ControllerState>(told_to_rehearsals(from, catalog)), std::nullopt};
   if (bench.present) scene.switches = bench.switches;
   RehearseOptions options = rehearse_from(scene.state, bench, catalog);
   options.slot = slot, options.for_seconds = wish.for_seconds, options.track_every_s = wish.track_every_s;
@@ -133,7 +279,8 @@ void Rehearsals::follow(const Snapshot& now, const BenchView& bench, const Catal
   for (auto& [slot, outcome] : outcomes_) {
     const bool first = !std::exchange(outcome.compared, true);
     if (!outcome.result || (left && !first)) continue;
-    const Stand stand = compare(slot, outcome, now, bench, left, catalog, held);
+    const Comparison made{*outcome.result, *outcome.scene.state, now, catalog, slot, held, left};
+    const Stand stand = compare(made, outcome.scene, bench);
     if (stand == outcome.stand) continue;
     outcome.stand = stand;
     ++version_;

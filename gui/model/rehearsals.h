@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "core/device/catalog.h"
@@ -24,17 +25,21 @@ enum class Footing : std::uint8_t {
   unknown,         ///< where the axis stands is not known
   doubtful,        ///< its count may not be true
   other_bench,     ///< switches have been placed elsewhere since
-  other_power,     ///< the motor of an axis has been switched on or off, or its error has come or gone
+  other_encoder,   ///< the encoder of an axis reads otherwise
+  other_power,     ///< an axis has been switched on or off, or its loop, error or alarm has come or gone
+  other_switch,    ///< a limit or home switch of an axis is operated, or is no more
   other_setup,     ///< a parameter has another value
   other_output,    ///< an output has been switched
   other_input,     ///< an input stands otherwise
+  other_analog,    ///< an analog input reads otherwise
+  other_mode,      ///< numbers mean places now where they meant ways, or the other way round
   other_variable,  ///< a variable has another value
   other_program    ///< another program of the controller has been changed
 };
 struct Stand {
   Footing footing = Footing::here;
-  int which =
-      -1;  ///< the first that differs: axis, parameter, output or input in the catalog, variable, slot
+  int which = -1;       ///< the first that differs: axis, parameter, output, input or readout in the catalog,
+                        ///< variable, slot
   Steps began, stands;  ///< positions, or other values as they are counted
   bool operator==(const Stand&) const = default;
 };
@@ -59,9 +64,11 @@ class Rehearsals {
   /// From the controller as it is, among the switches of the bench, as far as both are known; what is not is
   /// as after power-up. Of `wish` the slot, the time and the track count. Nothing happens while one is under
   /// way for this slot.
-  void start(const Language& language, std::string text, const RehearseOptions& wish, ControllerState from,
-             const BenchView& bench, const Catalog& catalog, Worker& worker);
-  [[nodiscard]] bool under_way(int slot) const { return running_.contains(slot); }
+  void start(const Language& language, std::string text, const RehearseOptions& wish,
+             const ControllerState& from, const BenchView& bench, const Catalog& catalog, Worker& worker);
+  /// One for this slot is to be started as soon as something else is known: under way until then too.
+  void prepare(int slot) { prepared_.insert(slot); }
+  [[nodiscard]] bool under_way(int slot) const { return running_.contains(slot) || prepared_.contains(slot); }
   /// Null: none yet.
   [[nodiscard]] const Outcome* of(int slot) const;
   /// First line (from 0) in which the present text differs from the rehearsed one; -1: none.
@@ -75,7 +82,7 @@ class Rehearsals {
 
  private:
   std::map<int, Outcome> outcomes_;
-  std::map<int, bool> running_;
+  std::set<int> running_, prepared_;
   int version_ = 0;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };

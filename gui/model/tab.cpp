@@ -115,6 +115,8 @@ void Tab::take(Notice& notice) {
 
 IntentId Tab::send(IntentBody body) {
   desk_.sent(body);
+  if (const auto* text = std::get_if<intent::SendText>(&body))
+    note(fmt::format("{} was sent{}", text->text, text->broadcast ? " to all devices" : ""));
   if (!closing_of(body)) return door_.send(std::move(body));
   IntentBody again = body;
   const IntentId id = door_.send(std::move(body));
@@ -131,13 +133,20 @@ IntentId Tab::send_followed(IntentBody body) {
 
 void Tab::stop_all(StoppedBy by) {
   jog.forget();
+  note(by == StoppedBy::key ? "Stop was asked for by Esc" : "Stop was asked for by its button");
   send_followed(intent::Stop(-1, by));
 }
 
 void Tab::stopped_with(IntentId stop) {
   jog.forget();
+  note("Stop of all devices was asked for");
   desk_.stopped();
   followed_.push_back(stop);
+}
+
+/// What a hand has done: it stays there when a wire that babbles has pushed it out of the terminal.
+void Tab::note(std::string words) {
+  desk_.events.add({Happening::Mark::message, false, clock_, {}, std::move(words), -1});
 }
 
 std::vector<Notice> Tab::take_notices() { return std::exchange(notices_, {}); }

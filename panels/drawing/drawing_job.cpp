@@ -14,6 +14,7 @@
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/shell/console.h"
+#include "gui/surface/ui.h"
 #include "panels/drawing/drawn_together.h"
 
 namespace hw::panels {
@@ -80,6 +81,13 @@ Result<> write(DrawingJob::Made& made, const Catalog& catalog, const Language& l
   return {};
 }
 
+Result<> say_tool(DrawingJob::Made& made, const Catalog& catalog) {
+  auto tool = said_of_tool(made.conversion.sequence, catalog);
+  if (!tool) return fail(tool.error());
+  made.written.tool = std::move(*tool);
+  return {};
+}
+
 /// Of controllers that draw together; a piece is a chain.
 void time_together(DrawingJob::Made& made, const Catalog& catalog, const Console::Together& rehearse) {
   made.written.remarks.push_back(made.parts.front()->remark);
@@ -121,7 +129,10 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
     made.parts = std::move(*parts);
   else
     made.no_pieces = parts.error().sentence();
-  if (!language && !made.parts.empty()) time_together(made, catalog, together);
+  if (!language && !made.parts.empty()) {
+    if (auto said = say_tool(made, catalog); !said) return fail(said.error());
+    time_together(made, catalog, together);
+  }
   made.path = path_of(made.conversion, scale);
   return made;
 }
@@ -164,10 +175,10 @@ void DrawingJob::open(Frame& f, const std::filesystem::path& file, const Convers
   if (reading_)
     return f.toast(Mood::plain, "Another drawing is being read. Open this one again when it is there.");
   reading_ = true;
-  read_chord_ = finest_chord(wanted);
+  read_as_ = as(f, wanted);
   f.tab.desk().worker().run(
-      [file, wanted]() -> Result<Drawing> {
-        return read_drawing(file, wanted).map([](drawing::Drawing&& d) {
+      [file, catalog = f.catalog, wanted]() -> Result<Drawing> {
+        return read_drawing(file, catalog, wanted).map([](drawing::Drawing&& d) {
           return std::make_shared<const drawing::Drawing>(std::move(d));
         });
       },
@@ -198,8 +209,8 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
   const bool together = draws_together(f);
   if (busy()) f.ui.wake_in(0.1);  // the bar moves
   if (std::exchange(scale_, scale) != scale) old_ = true;
-  // What was flattened more coarsely than is wanted now is read again.
-  if (drawing_ && !reading_ && finest_chord(wanted) < read_chord_) return open(f, file_, wanted);
+  // What was flattened otherwise than is wanted now is read again.
+  if (drawing_ && !reading_ && as(f, wanted) != read_as_) return open(f, file_, wanted);
   if (!drawing_ || !language || converting_ || (wanted_ == version && !old_)) return;
   wanted_ = version;
   old_ = false;

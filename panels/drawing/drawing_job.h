@@ -72,7 +72,14 @@ class DrawingJob {
   std::string fault_;
   bool reading_ = false, converting_ = false, old_ = false;  ///< old: what was converted is of another file
   drawing::Point scale_;
-  double read_chord_ = 0;  ///< finest_chord() with which the file was read
+  struct ReadAs {
+    double chord = 0;       ///< finest_chord()
+    std::string file_unit;  ///< where the file does not say it
+    bool operator==(const ReadAs&) const = default;
+  } read_as_;  ///< as which the file was flattened
+  static ReadAs as(const gui::Frame& frame, const ConversionOptions& wanted) {
+    return {finest_chord(frame.catalog, wanted), wanted.drawing_unit};
+  }
   std::uint64_t wanted_ = 0, version_ = 0;
   /// Set by the worker, which may outlive this.
   std::shared_ptr<std::atomic<float>> ordered_ = std::make_shared<std::atomic<float>>(0.0f);

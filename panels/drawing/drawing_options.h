@@ -20,7 +20,7 @@ class DrawingOptions {
   /// As the controller and the units of its axes suggest, before anybody has chosen.
   void begin(const gui::Frame& frame);
   /// Of another file.
-  void forget_file() { left_out_.clear(), without_.clear(), set_origin({}); }
+  void forget_file() { left_out_.clear(), without_.clear(), place_.forget_file(), changed_ = true; }
   /// Places in Drawing::paths.
   void leave_out(const std::vector<int>& paths) {
     without_.insert(without_.end(), paths.begin(), paths.end());

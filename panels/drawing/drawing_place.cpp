@@ -13,7 +13,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-static constexpr std::array<std::string_view, 4> file_units{"mm", "in", "cm", "m"};
+static constexpr std::array<std::string_view, 5> file_units{"mm", "in", "cm", "m", "ft"};
 
 double steps_in_mm(const Frame& f, int axis) {
   const DisplayUnit& unit = unit_of_axis(f, axis);
@@ -24,7 +24,6 @@ double steps_in_mm(const Frame& f, int axis) {
 void DrawingPlace::begin(const Frame& f) {
   for (const AxisInfo& axis : f.catalog.axes) axis_names_.push_back(axis.name);
   for (const std::size_t d : {0, 1}) take_axis(f, d, axes_[d]);
-  if (going_of(f.catalog) == drawing::Going::stairs) tolerance_.set(0.1, 3);
 }
 
 void DrawingPlace::take_axis(const Frame& f, std::size_t direction, int axis) {
@@ -35,7 +34,7 @@ void DrawingPlace::take_axis(const Frame& f, std::size_t direction, int axis) {
 void DrawingPlace::put(const Frame& f, ConversionOptions& o) const {
   for (std::size_t d = 0; d < std::min<std::size_t>(2, f.catalog.axes.size()); ++d)
     o.axes.push_back({f.catalog.axes[ix(axes_[d])].name, per_unit_[d].value()});
-  o.drawing_unit = file_units[ix(unit_)];
+  if (unit_ >= 0) o.drawing_unit = file_units[ix(unit_)];
   using Origin = drawing::Placing::Origin;
   o.placing.origin = std::array{Origin::as_drawn, Origin::lower_left, Origin::point}[ix(origin_)];
   o.placing.point = point_;
@@ -66,7 +65,7 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
   changed |= tolerance_.draw(f, "drawing/tolerance", "Tolerance", 0, "mm");
   const bool stairs = going_of(f.catalog) == drawing::Going::stairs;
   wrapped(ui, Face::small, Tone::ink3,
-          stairs ? "One axis moves at a time: how far the corners of the stairs may lie beside the line."
+          stairs ? "One axis moves at a time: say how far the corners of the stairs may lie beside the line."
                  : "Of chords and curves; empty: half a step.");
   changed |= draw_table(f);
   group_line(ui);
@@ -82,7 +81,8 @@ bool DrawingPlace::draw_unit(Frame& f, const drawing::Drawing* drawing) {
     ImGui::SetCursorScreenPos(ImVec2(beside.x, beside.y + ui.px(6)));
     named_text(ui, "drawing/file_unit", Face::body_bold, Tone::ink, drawing->unit);
   } else {
-    picked = dropdown(ui, "drawing/unit", "Unit", file_units, unit_, {.width = fill});
+    picked = dropdown(ui, "drawing/unit", "Unit", file_units, unit_,
+                      {.width = fill, .error = drawing && unit_ < 0, .none = "choose it"});
   }
   end_option(ui, at);
   if (picked >= 0) unit_ = picked;

@@ -22,6 +22,8 @@ class DrawingPlace {
   bool draw(gui::Frame& frame, const drawing::Drawing* drawing);
   void put(const gui::Frame& frame, ConversionOptions& options) const;
 
+  /// Another one may be in another unit.
+  void forget_file() { unit_ = -1, set_origin({}); }
   /// A click shall say what lies at 0, 0.
   [[nodiscard]] bool wants_origin() const { return origin_ == 2; }
   /// A place of the drawing.
@@ -35,7 +37,8 @@ class DrawingPlace {
   bool draw_axes(gui::Frame& frame);
   bool draw_table(gui::Frame& frame);
 
-  int unit_ = 0, origin_ = 0;
+  int unit_ = -1;  ///< of a file that does not say it; -1: nobody has
+  int origin_ = 0;
   std::array<int, 2> axes_{0, 1};
   std::array<NumberOption, 2> per_unit_;
   std::vector<std::string_view> axis_names_;

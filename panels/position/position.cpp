@@ -133,7 +133,10 @@ void Position::draw_lines(Frame& f) {
     show_steps(f, axis, touched.number.rect);
     show_phase(f, axis, aside);
     const ImVec2 beside(aside.min.x, std::floor(aside.centre().y - f.ui.line(Face::small) / 2));
-    const float said = draw_at_work(f, axis, beside, aside.width(), true);
+    const float mark = f.ui.px(16);
+    const float said = draw_at_work(f, axis, ImVec2(beside.x + mark, beside.y), aside.width() - mark, true);
+    const bool alone = said == 0 && !f.catalog.axes[i].encoder;
+    draw_about_number(f, axis, beside, alone ? aside.width() : mark);
     if (said == 0 && aside.width() > f.ui.px(48)) draw_encoder(f, axis, aside.min, aside.width(), true);
     menu_.draw(f, axis, touched.number);
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + f.ui.px(axis_line_height) * static_cast<float>(i + 1)));
@@ -331,7 +334,8 @@ void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room
   Ui& ui = f.ui;
   const float line = ui.line(Face::small);
   const ImVec2 upper(at.x, at.y + ui.px(2)), lower(at.x, upper.y + line);
-  draw_about(f, axis, upper, room, false);
+  const bool encoder = f.now.axes[axis.index].has_encoder && f.catalog.axes[axis.index].encoder;
+  draw_about(f, axis, upper, room, encoder);
   if (f.now.axes[axis.index].has_encoder && f.catalog.axes[axis.index].encoder)
     return draw_encoder(f, axis, lower, room, false);
   if (about_number(f, axis).tone != Tone::warn) draw_about_number(f, axis, lower, room);

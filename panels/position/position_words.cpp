@@ -31,23 +31,19 @@ Caption about_number(Frame& f, AxisId axis, bool brief) {
 
 float draw_about_number(Frame& f, AxisId axis, ImVec2 at, float room) {
   Ui& ui = f.ui;
-  const float mark = ui.px(12), gap = ui.px(4), line = ui.line(Face::small);
+  const float mark = ui.px(12), gap = ui.px(4), line = ui.line(Face::small), middle = at.y + line / 2;
   Caption said = about_number(f, axis);
   const auto width_of = [&] { return mark + gap + std::ceil(text_width(ui, Face::small, said.words)); };
   if (width_of() > room) said = about_number(f, axis, true);
-  const float width = std::min(width_of(), room);
-  const float middle = at.y + line / 2;
+  const bool warns = said.tone == Tone::warn;  // of that also a part is told
+  const bool with_words = width_of() <= room || (warns && room > ui.px(48));
+  const float width = with_words ? std::min(width_of(), room) : mark;
   draw_icon(ImGui::GetWindowDrawList(), said.mark, ImVec2(at.x + mark / 2, middle), mark, ui[said.tone]);
-  draw_text_line(ui, at.x + mark + gap, at.x + room, middle, Face::small, ui[said.tone], said.words);
-  show(ui,
-       {Path("dro/{}/provenance", f.catalog.axes[axis.index].name),
-        Kind::text,
-        "Provenance",
-        said.words,
-        {},
-        false,
-        {}},
-       {at, ImVec2(at.x + width, at.y + line)});
+  if (with_words)
+    draw_text_line(ui, at.x + mark + gap, at.x + room, middle, Face::small, ui[said.tone], said.words);
+  const Rect where{at, ImVec2(at.x + width, at.y + line)};
+  const Path id("dro/{}/provenance", f.catalog.axes[axis.index].name);
+  show(ui, {.id = id, .kind = Kind::text, .label = "Provenance", .value = said.words}, where);
   return width;
 }
 

@@ -29,9 +29,19 @@ std::string position_difference(const Frame& f, const Stand& stand) {
       return fmt::format("Rehearsed as after power-up; {} counts in another unit now", axis);
     case Footing::unknown:
       return fmt::format("Rehearsed from {}; where {} stands is not known", began.view(), axis);
+    case Footing::other_encoder:
+      return fmt::format("Rehearsed before the encoder of {} came to read otherwise", axis);
+    case Footing::other_switch:
+      return fmt::format("Rehearsed before a limit or home switch of {} changed", axis);
     case Footing::doubtful: return fmt::format("The position of {} may not be true", axis);
     default: return fmt::format("Rehearsed before {} was switched, or its error came or went", axis);
   }
+}
+
+std::string readout_word(const ReadoutInfo& readout, std::int64_t value) {
+  for (const ParamChoice& word : readout.words)
+    if (word.value == value) return word.label;
+  return std::to_string(value);
 }
 
 std::string difference(const Frame& f, const Stand& stand) {
@@ -54,6 +64,16 @@ std::string difference(const Frame& f, const Stand& stand) {
       const auto level = [](Steps high) { return high.value != 0 ? "high" : "low"; };
       return differs(place < c.inputs.size() ? c.inputs[place].name : "an input", level(stand.began),
                      level(stand.stands));
+    }
+    case Footing::other_analog: {
+      const AnalogInfo& input = c.analog[place];
+      const auto reads = [&](Steps value) { return fmt::format("{} {}", value.value, input.unit); };
+      return differs(input.name, reads(stand.began), reads(stand.stands));
+    }
+    case Footing::other_mode: {
+      const ReadoutInfo& mode = c.readouts[place];
+      return differs(mode.label, readout_word(mode, stand.began.value),
+                     readout_word(mode, stand.stands.value));
     }
     case Footing::other_variable:
       return differs(fmt::format("V{}", place), std::to_string(stand.began.value),
@@ -86,7 +106,7 @@ std::string stand_words(const Frame& f, const Rehearsals::Outcome& outcome) {
 std::vector<std::string> stop_words(const Rehearsal& r) {
   std::vector<std::string> all;
   for (const RehearsedStop& stop : r.stops) {
-    if (stop.reason == r.error) continue;  // stands above
+    if (r.error.find(stop.reason) != std::string::npos) continue;  // stands above
     const std::string line = stop.line < 0 ? std::string() : fmt::format("Line {}, ", stop.line + 1);
     all.push_back(fmt::format("{}{}: {}", line, exact_time(stop.t), stop.reason));
     if (all.size() == most_stops) break;

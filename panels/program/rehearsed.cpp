@@ -27,10 +27,14 @@ std::string_view changed(const Stand& stand) {
     case Footing::unknown: return "Rehearsed from 0: where the axes stand is not known.";
     case Footing::doubtful: return "Rehearsed, but the position of an axis may not be true.";
     case Footing::other_bench: return "Rehearsed before the switches on the bench were moved.";
+    case Footing::other_encoder: return "Rehearsed before the encoder of an axis changed.";
+    case Footing::other_switch: return "Rehearsed before a limit or home switch changed.";
     case Footing::other_power: return "Rehearsed before an axis was switched, or its error came or went.";
     case Footing::other_setup: return "Rehearsed before a parameter was changed.";
     case Footing::other_output: return "Rehearsed before an output was switched.";
     case Footing::other_input: return "Rehearsed before an input changed.";
+    case Footing::other_analog: return "Rehearsed before an analog input changed.";
+    case Footing::other_mode: return "Rehearsed before the move mode was changed.";
     case Footing::other_variable: return "Rehearsed before a variable was changed.";
     case Footing::other_program: return "Rehearsed before another program was changed.";
   }

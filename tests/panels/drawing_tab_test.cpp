@@ -3,6 +3,8 @@
 
 #include "core/device/registry.h"
 #include "core/session/user_files.h"
+#include "tests/panels/console_stage.h"
+#include "tests/panels/must.h"
 #include "tests/panels/panel_stage.h"
 
 namespace hw::panels {
@@ -343,6 +345,36 @@ TEST_F(DrawingTabTest, TheSpeedChangesWhereThatIsTaken) {
   EXPECT_NEAR(asked->percent, 105, 5);
 }
 
+TEST_F(DrawingTabTest, AFileThatSaysNoUnitIsNotCutBeforeOneWasChosen) {
+  std::string text(square_and_text);
+  text.replace(text.find("70\n4\n"), 5, "70\n0\n");
+  ASSERT_TRUE(write_file(file, text));
+  drop();
+  for (const char* id : {"drawing/cut", "drawing/frame", "drawing/to_program", "drawing/to_blocks"})
+    EXPECT_THAT(s.reason(id), HasSubstr("does not say in which unit")) << id;
+  s.click("drawing/unit");
+  s.click("drawing/unit/in");
+  s.stage.frames(10);
+  EXPECT_EQ(s.value("drawing/size"), "508.000 x 254.000 mm");
+  s.click("drawing/cut");
+  EXPECT_TRUE(s.stage.find("drawing/ask_cut/yes"));
+  s.click("drawing/ask_cut/no");
+  drop();
+  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("does not say in which unit")) << "it may be another file";
+}
+
+TEST_F(VxmDrawingTabTest, NobodyButTheUserSaysHowFarStairsMayLieBesideTheLine) {
+  drop();
+  for (const char* id : {"drawing/cut", "drawing/frame", "drawing/to_program"})
+    EXPECT_THAT(s.reason(id), HasSubstr("how far its corners may lie beside the line")) << id;
+  s.type("drawing/tolerance", "0.5");
+  s.stage.frames(10);
+  EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
+  s.type("drawing/tolerance", "");
+  s.stage.frames(10);
+  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("how far its corners may lie beside the line"));
+}
+
 TEST_F(VxmDrawingTabTest, StairsWithinTheTolerance) {
   drop();
   s.type("drawing/per_unit/1", "10");
@@ -352,6 +384,29 @@ TEST_F(VxmDrawingTabTest, StairsWithinTheTolerance) {
   s.stage.frames(6);
   ASSERT_TRUE(s.stage.find("drawing/view"));
   EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
+}
+
+TEST(DrawnTogether, BeforeACutItIsSaidThatALostLinkLeavesTheToolOn) {
+  const auto file = std::filesystem::temp_directory_path() / "hw_drawing_together.dxf";
+  ASSERT_TRUE(write_file(file, square_and_text));
+  const DeviceType& dmx = *find_device_type("dmx-k-sa");
+  ConsoleStage s(1440, 1400);
+  std::vector<gui::Tab*> members;
+  for (const char* id : {"01", "02"})
+    members.push_back(s.add(*dmx.make_catalog({{"id", id}}), &dmx.language()).tab);
+  s.console.join(members, "DMX 01-02");
+  s.run(0.1);
+  MUST(s.hand.click("tab/drawing"));
+  s.console.active()->desk().dropped["drawing"].push_back(file);
+  s.run(0.5);
+  MUST(s.hand.click("drawing/tool"));
+  MUST(s.hand.click("drawing/tool/DO1"));
+  s.run(0.5);
+  MUST(s.hand.click("drawing/cut"));
+  s.run(0.1);
+  EXPECT_THAT(s.value("drawing/ask_cut/says"),
+              HasSubstr("(output 1) off. While the link is lost nothing can"));
+  std::filesystem::remove(file);
 }
 
 TEST_F(DrawingTabTest, AFileThatIsNoDrawingIsToldAndLosesNothing) {

@@ -69,6 +69,45 @@ TEST_F(ProgramTest, RunSaysWhetherItHasBeenRehearsed) {
   EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("before the text was changed"));
 }
 
+TEST_F(ProgramTest, WhatTheControllerCanTellIsReadBeforeARehearsal) {
+  write("I1M400");
+  s.now.params[1].known = false;
+  s.click("program/simulate");
+  EXPECT_TRUE(s.last<intent::ReadParams>());
+  EXPECT_EQ(s.reason("program/simulate"), "It is being worked out.");
+  EXPECT_EQ(s.value("program/rehearsed"), "It is being rehearsed.");
+  const auto asked = s.sent.size();
+  s.settle(Fate::pending);
+  EXPECT_EQ(s.language.rehearsed, 0);
+  s.now.params[1].known = true, s.now.params[1].value = 77;
+  s.settle(Fate::done);
+  EXPECT_EQ(s.language.rehearsed, 1);
+  EXPECT_EQ(s.sent.size(), asked) << "once is enough";
+  EXPECT_EQ(s.tab.desk().rehearsals.of(0)->scene.state->param(1), 77);
+  EXPECT_THAT(s.value("rehearsal/result"), HasSubstr("1 min"));
+}
+
+TEST_F(ProgramTest, WhatCannotBeReadDoesNotHoldUpARehearsal) {
+  write("I1M400");
+  s.now.params[1].known = false;
+  s.click("program/simulate");
+  s.settle(Fate::refused, "A program runs.");
+  EXPECT_EQ(s.language.rehearsed, 1);
+  s.click("program/simulate");
+  EXPECT_TRUE(s.last<intent::ReadParams>());
+  s.now.link.state = LinkState::lost;
+  s.stage.frames(2);
+  EXPECT_EQ(s.language.rehearsed, 2);
+}
+
+TEST_F(ProgramTest, RunWaitsForNoReading) {
+  write("I1M400");
+  s.now.params[1].known = false;
+  s.click("program/run");
+  EXPECT_TRUE(s.last<intent::LoadProgram>());
+  EXPECT_EQ(s.language.rehearsed, 1) << "from where the run begins";
+}
+
 TEST_F(ProgramTest, SlotInUseByAnotherProgramIsAskedAbout) {
   s.now.slot_bytes_used[0] = 12;
   write("I1M400");

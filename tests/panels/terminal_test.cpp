@@ -139,6 +139,25 @@ TEST_F(TerminalTest, ChosenLinesAreCopied) {
   EXPECT_THAT(ImGui::GetClipboardText(), Not(HasSubstr("second")));
 }
 
+TEST_F(TerminalTest, WhatHappenedStandsInItsPlaceAndCanBeNarrowedAndCopied) {
+  s.type("terminal/command", "I1M400,R\n");
+  s.tab.desk().events.add({gui::Happening::Mark::limit, true, s.tab.clock(), "1",
+                           "motion ended on its + limit, at 400 steps", 0.4});
+  s.click("terminal/view/happened");
+  EXPECT_FALSE(s.stage.find("terminal/log"));
+  EXPECT_THAT(s.value("happened/log"), HasSubstr("1 motion ended on its + limit, at 400 steps (0.4 s)"));
+  EXPECT_THAT(s.value("happened/log"), HasSubstr("I1M400,R was sent"));
+  s.click("happened/filter");
+  s.click("happened/filter/trouble");
+  EXPECT_THAT(s.value("happened/log"), Not(HasSubstr("was sent")));
+  s.click("happened/copy");
+  EXPECT_THAT(s.toast(), HasSubstr("copied"));
+  s.type("terminal/command", "V\n");
+  ASSERT_TRUE(s.last<intent::SendText>()) << "the line is there in both";
+  s.click("terminal/view/log");
+  EXPECT_TRUE(s.stage.find("terminal/log"));
+}
+
 TEST_F(TerminalTest, ThreeRowsAreEnoughToBeDrawn) {
   test::PanelStage small(panel, 704, 116, 1, gui::Tier::medium);
   small.stage.frames(3);

@@ -1064,11 +1064,17 @@ class Convert(Case):
         dry = json.loads(run("simulate", self.folder / "out.prg", "--for", "pmx-4ex-sa", "--json").stdout)
         self.assertEqual([dry["axes"][a]["max"] for a in "XY"], [500, 400])
 
-    def test_a_program_that_does_not_fit_is_told(self):
-        result = self.convert(self.drawing(self.line(0, 0, 5, 5)), "vxm", "--per-unit", "1000", "--tolerance", "0.01")
-        self.expect(result, 0)
-        self.assertIn("has 256", result.stderr)
-        self.assertIn("has 256", json.loads(result.stdout)["problems"][0])
+    def test_a_program_that_does_not_fit_is_not_written(self):
+        file = self.drawing(self.line(0, 0, 5, 5))
+        result = self.convert(file, "vxm", "--per-unit", "1000", "--tolerance", "0.01")
+        self.expect(result, 1, "has 256", "can be drawn in", "out.prg was not written")
+        problems = json.loads(result.stdout)["problems"]
+        self.assertIn("has 256", problems[0])
+        self.assertIn("can be drawn in", problems[-1])
+        self.assertFalse((self.folder / "out.prg").exists())
+        result = self.convert(file, "vxm", "--per-unit", "1000", "--tolerance", "0.01", out="out.toml")
+        self.expect(result, 0, "has 256", "can be drawn in")
+        self.assertIn("handwheel_sequence = 1", (self.folder / "out.toml").read_text())
 
     def test_what_is_left_out_is_named(self):
         file = self.drawing(self.line(0, 0, 5, 5), ((0, "TEXT"), (8, "0"), (10, 1), (20, 1), (40, 2), (1, "word")))
@@ -1076,6 +1082,34 @@ class Convert(Case):
         self.expect(result, 0)
         self.assertIn("TEXT 2 was left out", result.stderr)
         self.assertEqual(json.loads(result.stdout)["left_out"][0]["what"], "TEXT")
+
+    def test_layers_that_are_frozen_or_off_are_named(self):
+        layers = "0\nENDSEC\n0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n2\n" + "".join(
+            f"0\nLAYER\n2\n{name}\n70\n{flags}\n62\n{colour}\n6\nCONTINUOUS\n"
+            for name, flags, colour in (("ice", 1, 7), ("dark", 0, -7))) + "0\nENDTAB\n"
+        file = self.drawing(self.line(0, 0, 5, 5), self.line(0, 0, 1, 5, "ice"), self.line(0, 0, 2, 5, "ice"),
+                            self.line(0, 0, 3, 5, "dark"), header="9\n$INSUNITS\n70\n4\n" + layers)
+        result = self.convert(file, "pmx-4ex-sa")
+        self.expect(result, 0)
+        self.assertIn('layer "ice" was left out with 2 entities', result.stderr)
+        self.assertIn('layer "dark" was left out with 1 entity:', result.stderr)
+        self.assertEqual(json.loads(result.stdout)["hidden_layers"],
+                         [{"layer": "ice", "entities": 2}, {"layer": "dark", "entities": 1}])
+        result = self.convert(file, "pmx-4ex-sa", "--layer", "ice")
+        self.assertNotIn("was left out", result.stderr)
+        self.assertEqual(json.loads(result.stdout)["hidden_layers"], [])
+
+    def test_a_coordinate_that_nobody_counts_is_told_in_short(self):
+        result = self.convert(self.drawing(self.line(0, 0, "1e300", 5)), "pmx-4ex-sa")
+        self.expect(result, 1, "Entity 1", "1e+300 mm")
+        self.assertLess(len(result.stderr), 200)
+
+    def test_units_that_the_file_says_are_known(self):
+        for unit, factor in ((7, 1e6), (10, 914.4), (14, 100)):
+            file = self.drawing(self.line(0, 0, 0.001, 0), header=f"9\n$INSUNITS\n70\n{unit}\n")
+            result = self.convert(file, "pmx-4ex-sa", "--per-unit", "100")
+            self.expect(result, 0)
+            self.assertAlmostEqual(json.loads(result.stdout)["drawn"], factor / 1000, places=6)
 
     def test_an_entity_is_left_out(self):
         file = self.drawing(self.line(0, 0, 5, 5), self.line(20, 0, 20, 30))
@@ -1089,6 +1123,7 @@ class Convert(Case):
         result = self.convert(file, "dmx-k-sa", "--id", "01-02", "--per-unit", "100", "--pen-output", "1", out="both.toml")
         self.expect(result, 0, "comes to rest at each corner", "It was not rehearsed: DO1 stays on")
         self.assertEqual(json.loads(result.stdout)["duration_s"], None)
+        self.assertIn("While the link is lost nothing can", json.loads(result.stdout)["tool"])
         result = self.convert(file, "dmx-k-sa", "--id", "01-02", "--per-unit", "100", "--pen-output", "2", "--cut-speed", "5",
                               "--travel-speed", "10", out="both.toml")
         self.assertGreater(json.loads(result.stdout)["duration_s"], 1)

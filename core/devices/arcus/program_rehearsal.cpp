@@ -82,6 +82,15 @@ class Rehearsing {
     return made_.program.code[ix(line)].op == language::Opcode::wait ? -1 : line;
   }
 
+  /// What stands from its beginning to that of the next program, its subroutines included.
+  [[nodiscard]] bool is_of_started(int line) const {
+    const auto& begins = made_.program.programs;
+    const auto own = begins[ix(program_)];
+    return line >= 0 && own && line >= *own &&
+           std::none_of(begins.begin(), begins.end(),
+                        [&](const auto& other) { return other && *other > *own && line >= *other; });
+  }
+
   /// Until no program runs and nothing moves, or the time is over.
   void go_through(std::vector<Controller::Trace>& trace) {
     const Instant last = Instant(from_seconds(std::clamp(options_.for_seconds, 0.0, 1e9)));
@@ -112,8 +121,11 @@ class Rehearsing {
   }
 
   void collect(std::vector<Controller::Trace>& trace) {
-    for (Controller::Trace& t : trace)
+    for (Controller::Trace& t : trace) {
+      const bool begins_a_motion = t.axes != 0 && t.limit == 0 && is_of_started(t.line);
+      if (begins_a_motion) result_.at_work(seconds(t.at), t.line);
       if (watch_.hear(t)) event(t);
+    }
     trace.clear();
     watch_.look_at_programs();
     for (const auto& [axis, position] : controller_.overwritten) stretch(result_.axes[ix(axis)], position);

@@ -179,7 +179,8 @@ ProgramWatch::Unfinished ProgramWatch::still_running(int program, bool nothing_c
   return result;
 }
 
-ProgramWatch::Unfinished ProgramWatch::unfinished(bool nothing_comes) {
+/// The first axis that moves, though no program runs any more.
+ProgramWatch::Unfinished ProgramWatch::still_moving(bool nothing_comes) {
   Unfinished result{"An axis was still moving when the rehearsal ended.", nothing_comes};
   int line = -1;
   for (int a = controller_.axes(); a-- > 0;)
@@ -191,13 +192,20 @@ ProgramWatch::Unfinished ProgramWatch::unfinished(bool nothing_comes) {
         result.sentence += "; line " + std::to_string(by + 1) + " sent it on its way";
       result.sentence += ".";
     }
-  for (int n = controller_.model().programs; n-- > 0;)
-    if (is_in(n, language::ThreadState::running)) {
-      line = controller_.program_place(n);
-      result = still_running(n, nothing_comes);
-    }
   stopped(line, result.sentence);
   return result;
+}
+
+ProgramWatch::Unfinished ProgramWatch::unfinished(bool nothing_comes) {
+  Unfinished all;
+  for (int n = 0; n < controller_.model().programs; ++n) {
+    if (!is_in(n, language::ThreadState::running)) continue;
+    const Unfinished one = still_running(n, nothing_comes);
+    stopped(controller_.program_place(n), one.sentence);
+    all.sentence += (all.sentence.empty() ? "" : " ") + one.sentence;
+    all.endless = all.endless || one.endless;
+  }
+  return all.sentence.empty() ? still_moving(nothing_comes) : all;
 }
 
 }  // namespace hw::arcus

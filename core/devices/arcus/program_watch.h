@@ -31,7 +31,8 @@ class ProgramWatch {
     std::string sentence;
     bool endless = false;
   };
-  /// What went on until the time was over. `nothing_comes`: nor would anything have happened any more.
+  /// What went on until the time was over: each program that did. `nothing_comes`: nor would anything have
+  /// happened any more.
   [[nodiscard]] Unfinished unfinished(bool nothing_comes);
 
  private:
@@ -44,6 +45,7 @@ class ProgramWatch {
   [[nodiscard]] int source_line(int line) const;
   [[nodiscard]] Loop loop_around(int line) const;
   [[nodiscard]] Unfinished still_running(int program, bool nothing_comes) const;
+  [[nodiscard]] Unfinished still_moving(bool nothing_comes);
   [[nodiscard]] bool has_mixed_loops(const language::Instruction& i) const;
   [[nodiscard]] Refusal error_among(const language::Instruction& i) const;
   void stopped(int line, std::string reason, std::string axis = {}, int direction = 0);

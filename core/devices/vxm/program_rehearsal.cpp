@@ -63,8 +63,7 @@ class Rehearsing {
     Box& box = emulator_.box();
     emulator_.receive("F");
     if (options_.from)
-      begin_like(emulator_, *options_.from, catalog_,
-                 [this](int slot) { return slot == options_.slot || analysis_.programs.contains(slot); });
+      begin_like(emulator_, *options_.from, catalog_, [this](int slot) { return text_fills(slot); });
     emulator_.receive(selecting(options_.slot) + analysis_.script);
     emulator_.receive(selecting(slot_to_run()));
     for (int i = 0; i < program_count; ++i)
@@ -98,6 +97,9 @@ class Rehearsing {
     if (analysis_.run_slot >= 0) return analysis_.run_slot;
     const bool holds_it = options_.slot >= 0 && options_.slot < program_count;
     return holds_it && !emulator_.box().program(options_.slot).empty() ? options_.slot : analysis_.last_slot;
+  }
+  [[nodiscard]] bool text_fills(int slot) const {
+    return slot == options_.slot || analysis_.programs.contains(slot);
   }
   static EmulatorOptions emulator_options(int motors) {
     EmulatorOptions options;
@@ -241,7 +243,8 @@ class Rehearsing {
     std::uint32_t moved = 0;
     for (int i = 0; i < motors_; ++i) moved |= std::uint32_t{axis(i).travelled > 0} << i;
     result_.assumptions = watch_.assumptions();
-    for (RehearsedAssumption& a : assumptions(from, catalog_, moved))
+    const Ran ran{emulator_.box(), slot_to_run(), [this](int slot) { return text_fills(slot); }};
+    for (RehearsedAssumption& a : assumptions(from, catalog_, moved, ran))
       result_.assumptions.push_back(std::move(a));
   }
 

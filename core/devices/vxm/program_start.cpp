@@ -1,5 +1,8 @@
 #include "core/devices/vxm/program_start.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/base/index.h"
 #include "core/devices/vxm/program_analysis.h"
 
@@ -7,6 +10,7 @@ namespace hw::vxm {
 namespace {
 
 constexpr std::int64_t couples_all_but_0 = -5;  // a number has no minus zero
+constexpr std::array<int, 11> u_waits{0, 1, 13, 23, 30, 31, 32, 33, 50, 51, 90};  // U commands, App. B
 
 /// The line rate changes no program, and the second name of a motor's type is known by the first.
 bool acts_on_programs(const ParamInfo& info) { return info.readable; }
@@ -37,7 +41,7 @@ void store(VxmEmulator& emulator, const std::map<int, std::string>& programs,
       emulator.receive(selecting(slot) + analyse_text(text, slot).script);
 }
 
-/// The lines as they are held now: low is operated.
+/// The lines as they are held now: low is operated. The analog input as it was read last.
 void hold(VxmEmulator& emulator, const Snapshot& now) {
   for (int line = 0; line < line_count; ++line) {
     const bool low = (now.inputs_known >> line & 1u) != 0 && (now.inputs >> line & 1u) == 0;
@@ -47,6 +51,54 @@ void hold(VxmEmulator& emulator, const Snapshot& now) {
     else if (const int button = line - inputs_per_controller; button < line_run)
       (void)emulator.operate(bench::Button(std::string(panel_buttons[ix(button)]), true));
   }
+  if ((now.analog_known & 1u) != 0) (void)emulator.operate(bench::Analog(1, now.analog[0]));
+}
+
+/// Slots in which a command may go on: a bit for each.
+std::uint32_t leads_to(const Command& c, bool input_3_branches) {
+  if (c.op == Op::jump || c.op == Op::call || c.op == Op::call_pick) return 1u << c.value;
+  const int u = c.value % slave_u_offset;
+  if (c.op != Op::user || std::find(u_waits.begin(), u_waits.end(), u) == u_waits.end()) return 0;
+  const bool by_button = u == 13 || u == 23;
+  return (by_button ? 1u << 1 | 1u << 2 : 0u) | (input_3_branches ? 1u << 3 : 0u);
+}
+
+/// Programs that a run may come to, the one it begins with included: a bit for each.
+std::uint32_t programs_of_run(const ControllerState& state, const Catalog& catalog, const Ran& ran) {
+  const int inputs = catalog.find_param("I");
+  const std::int64_t mode =
+      inputs < 0 ? 0 : state.param(ix(inputs)).value_or(catalog.params[ix(inputs)].fallback);
+  const bool branches = (mode & inputs_branch_3) != 0 && ran.box.line(line_in_3).low;
+  std::uint32_t all = 1u << ran.slot;
+  for (std::uint32_t before = 0; before != all;) {
+    before = all;
+    for (int slot = 0; slot < program_count; ++slot)
+      if ((before >> slot & 1u) != 0)
+        for (const Command& c : ran.box.program(slot).commands()) all |= leads_to(c, branches);
+  }
+  return all;
+}
+
+bool uses_analog(const Program& program) {
+  return std::any_of(program.commands().begin(), program.commands().end(), [](const Command& c) {
+    return c.op == Op::analog_speed || c.op == Op::analog_speed_full;
+  });
+}
+
+/// Programs whose text nobody has read, and the analog input: where the run may meet them.
+void add_met(std::vector<RehearsedAssumption>& all, const ControllerState& state, const Catalog& catalog,
+             const Ran& ran) {
+  const std::uint32_t met = programs_of_run(state, catalog, ran);
+  bool by_analog = false;
+  for (int slot = 0; slot < program_count; ++slot) {
+    if ((met >> slot & 1u) == 0) continue;
+    by_analog = by_analog || uses_analog(ran.box.program(slot));
+    const bool known =
+        ran.text_fills(slot) || state.programs.contains(slot) || state.now.slot_bytes_used[ix(slot)] == 0;
+    if (!known) all.push_back({"program " + std::to_string(slot), "taken to be empty: it was not read"});
+  }
+  if (by_analog && (state.now.analog_known & 1u) == 0)
+    all.push_back({"analog input", std::to_string(analog_default) + ", the middle"});
 }
 
 }  // namespace
@@ -63,12 +115,13 @@ void begin_like(VxmEmulator& emulator, const ControllerState& state, const Catal
 }
 
 std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const Catalog& catalog,
-                                             std::uint32_t moved) {
+                                             std::uint32_t moved, const Ran& ran) {
   std::vector<RehearsedAssumption> all = unknown_params(state, catalog, moved, acts_on_programs);
   for (RehearsedAssumption& a : unknown_surroundings(state, catalog, moved)) all.push_back(std::move(a));
   const int mode = catalog.find_param("DM");
   if (mode >= 0 && (state.param(ix(mode)).value_or(0) & mode_program_4_first) != 0)
     all.push_back({"first run since power-up", "no, so program 4 does not run first"});
+  add_met(all, state, catalog, ran);
   return all;
 }
 

@@ -9,10 +9,22 @@ namespace {
 
 constexpr std::size_t most_stops = 200;
 
-/// U11, U12 and the like leave out the next command when an input is low: with one of them inside, a loop
-/// may be left.
-bool may_skip(const Command& c) {
-  return c.op == Op::user && (c.value == 11 || c.value == 12 || c.value == 21 || c.value == 22);
+/// U11, U12 and the like leave out the next command by an input, U13 and U23 go on in another program by a
+/// button: with one of them inside, a loop may be left.
+bool may_lead_off(const Command& c) {
+  const int u = c.value % slave_u_offset;
+  return c.op == Op::user && (u == 11 || u == 12 || u == 21 || u == 22 || u == 13 || u == 23);
+}
+
+/// It or a program that it comes to. `seen`: bit per program that has been asked.
+bool may_lead_off(const Box& box, int program, std::uint32_t seen = 0) {
+  if ((seen >> program & 1u) != 0) return false;
+  seen |= 1u << program;
+  const auto& commands = box.program(program).commands();
+  return std::any_of(commands.begin(), commands.end(), [&](const Command& c) {
+    const bool goes = c.op == Op::jump || c.op == Op::call || c.op == Op::call_pick;
+    return may_lead_off(c) || (goes && may_lead_off(box, c.value, seen));
+  });
 }
 
 std::string lines_words(int first, int last) {
@@ -60,8 +72,8 @@ void ProgramWatch::hear_command(const Command& c) {
   switch (c.op) {
     case Op::loop_endless:
     case Op::jump:
-      jumps_ = loop_program_ == program_ && loop_at_ == command_ ? jumps_ + 1 : 1;
       loop_program_ = program_, loop_at_ = command_;
+      ++times_back_[{loop_program_, loop_at_}];
       return;
     case Op::speed:
     case Op::speed_full:
@@ -82,27 +94,55 @@ void ProgramWatch::uses_speed(const Command& c) {
   accel_assumed_[motor] = accel_assumed_[motor] || !accel_set_[motor];
 }
 
-bool ProgramWatch::endless(const Box& box) const {
-  if (loop_at_ < 0) return false;
-  const Program& program = box.program(loop_program_);
-  if (loop_at_ >= program.size()) return false;
-  const bool jumps = program[loop_at_].op == Op::jump;
-  if (jumps && jumps_ < 2) return false;
-  const int first = jumps ? 0 : program.loop_target(loop_at_);
-  return std::none_of(program.commands().begin() + first, program.commands().begin() + loop_at_, may_skip);
+std::vector<ProgramWatch::Part> ProgramWatch::way_round(const Box& box) const {
+  const Program& own = box.program(loop_program_);
+  const bool jumps = own[loop_at_].op == Op::jump;
+  int program = jumps ? own[loop_at_].value : loop_program_;
+  int first = jumps ? 0 : own.loop_target(loop_at_);
+  std::vector<Part> way;
+  while (way.size() < ix(program_count)) {
+    const Program& here = box.program(program);
+    int at = first;
+    for (; at < here.size() && here[at].op != Op::jump && here[at].op != Op::loop_endless; ++at) {
+      const bool calls = here[at].op == Op::call || here[at].op == Op::call_pick;
+      if (may_lead_off(here[at]) || (calls && may_lead_off(box, here[at].value))) return {};
+    }
+    if (at == here.size()) return {};
+    way.push_back({program, first, at});
+    if (program == loop_program_ && at == loop_at_) return way;
+    if (here[at].op != Op::jump) return {};
+    program = here[at].value, first = 0;
+  }
+  return {};
+}
+
+bool ProgramWatch::knows_loop(const Box& box) const {
+  return loop_at_ >= 0 && loop_at_ < box.program(loop_program_).size();
+}
+
+bool ProgramWatch::endless(const Box& box) const { return knows_loop(box) && !way_round(box).empty(); }
+
+std::string ProgramWatch::part_words(const Part& part) const {
+  const int first = line_of(part.program, part.first), last = line_of(part.program, part.last);
+  return first < 0 || last < 0 ? "program " + std::to_string(part.program)
+                               : lines_words(std::min(first, last), last);
 }
 
 std::string ProgramWatch::loop_words(const Box& box) const {
-  if (loop_at_ < 0) return {};
+  if (!knows_loop(box)) return {};
   const Program& program = box.program(loop_program_);
-  if (loop_at_ >= program.size()) return {};
   const bool jumps = program[loop_at_].op == Op::jump;
-  const int last = line_of(loop_program_, loop_at_);
-  const int first = line_of(loop_program_, jumps ? 0 : program.loop_target(loop_at_));
-  const std::string where = last < 0 || first < 0 ? "program " + std::to_string(loop_program_)
-                                                  : lines_words(std::min(first, last), last);
+  std::vector<Part> way = way_round(box);
+  const bool closed = !way.empty();
+  if (!closed) {
+    if (jumps && times_back_.at({loop_program_, loop_at_}) < 2) return {};  // it only went on there
+    way.push_back({loop_program_, jumps ? 0 : program.loop_target(loop_at_), loop_at_});
+  }
+  std::sort(way.begin(), way.end(), [](const Part& a, const Part& b) { return a.program < b.program; });
+  std::string where;
+  for (const Part& part : way) where += (where.empty() ? "" : " and ") + part_words(part);
   return "the loop of " + where + " (" + listing_of(program[loop_at_]) + ") " +
-         (endless(box) ? "has no end" : "was going round");
+         (closed ? "has no end" : "was going round");
 }
 
 std::vector<RehearsedAssumption> ProgramWatch::assumptions() const {

@@ -3,7 +3,9 @@
 // speeds that nobody has set.
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/device/language.h"
@@ -31,14 +33,23 @@ class ProgramWatch {
   [[nodiscard]] std::vector<RehearsedAssumption> assumptions() const;
 
  private:
+  /// Commands of a program that a loop goes through.
+  struct Part {
+    int program = 0, first = 0, last = 0;
+  };
   void hear_command(const Command& command);
+  [[nodiscard]] bool knows_loop(const Box& box) const;
+  /// From where the loop's command goes back to, through the programs that it jumps to, to that command
+  /// again. Empty: something may lead off that way.
+  [[nodiscard]] std::vector<Part> way_round(const Box& box) const;
+  [[nodiscard]] std::string part_words(const Part& part) const;
   void uses_speed(const Command& command);
   [[nodiscard]] int line_of(int program, int command) const;
 
   const Analysis& analysis_;
-  int program_ = -1, command_ = -1;       ///< the latest
-  int loop_program_ = -1, loop_at_ = -1;  ///< the latest command that went back without counting
-  int jumps_ = 0;                         ///< of it, where it is a J
+  int program_ = -1, command_ = -1;                ///< the latest
+  int loop_program_ = -1, loop_at_ = -1;           ///< the latest command that went back without counting
+  std::map<std::pair<int, int>, int> times_back_;  ///< by program and command
   std::array<bool, max_motors> speed_set_{}, accel_set_{}, speed_assumed_{}, accel_assumed_{};
   std::vector<RehearsedStop> stops_;
 };

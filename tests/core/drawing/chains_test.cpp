@@ -1,7 +1,9 @@
 // What touches is drawn in one go, and the ways in between are short.
 #include "core/drawing/chains.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -103,6 +105,70 @@ TEST(Chains, RingsAreBegunWhereTheToolComesBy) {
   ASSERT_EQ(chains.size(), 1u);
   EXPECT_EQ(chains[0].begin(), (Point{12, 12}));
   EXPECT_NEAR(way_between(chains, {13, 13}), std::sqrt(2.0), 1e-12);
+}
+
+Path circle_from(Point begin, Point centre, double degrees = 360) {
+  Path path;
+  path.curves = {{Curve::Kind::arc, begin, begin, centre, degrees}};
+  return path;
+}
+
+TEST(Chains, ACircleIsBegunAtItsPlaceThatIsNearest) {
+  for (const double degrees : {360.0, -360.0}) {
+    auto chains = join(drawing_of({circle_from({12, 10}, {10, 10}, degrees)}), 0.001);
+    order(chains, {5, 10});
+    ASSERT_EQ(chains.size(), 1u);
+    const Curve& circle = chains[0].curves[0];
+    EXPECT_NEAR(circle.from.x, 8, 1e-12);
+    EXPECT_NEAR(circle.from.y, 10, 1e-12);
+    EXPECT_EQ(circle.to, circle.from);
+    EXPECT_EQ(circle.centre, (Point{10, 10})) << "it is the same circle";
+    EXPECT_EQ(circle.degrees, degrees);
+  }
+  auto around = join(drawing_of({circle_from({12, 10}, {10, 10})}), 0.001);
+  order(around, {10, 10});
+  EXPECT_EQ(around[0].begin(), (Point{12, 10})) << "from its middle all are as near";
+}
+
+TEST(Chains, AlongARowOfCirclesTheToolPassesOnlyTheGaps) {
+  std::vector<Path> paths;
+  for (const int i : {3, 1, 2, 4}) paths.push_back(circle_from({i * 10.0, 3}, {i * 10.0, 0}));
+  auto chains = join(drawing_of(paths), 0.001);
+  order(chains, {0, 0});
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    EXPECT_EQ(chains[i].curves[0].centre.x, 10.0 * static_cast<double>(i + 1));
+  EXPECT_LE(way_between(chains, {0, 0}), 7 + 3 * 10) << "at the left of each, and on to the left of the next";
+}
+
+/// Dots in the order that is the shortest of all.
+std::vector<Path> shortest_way(std::vector<Point> dots) {
+  const auto less = [](Point a, Point b) { return a.x < b.x; };
+  std::sort(dots.begin(), dots.end(), less);
+  std::vector<Point> best = dots;
+  double least = std::numeric_limits<double>::infinity();
+  do {
+    double way = 0;
+    Point at;
+    for (const Point dot : dots) way += std::hypot(dot.x - at.x, dot.y - at.y), at = dot;
+    if (way < least) least = way, best = dots;
+  } while (std::next_permutation(dots.begin(), dots.end(), less));
+  std::vector<Path> paths;
+  for (const Point dot : best) paths.push_back(path_from(dot, dot));
+  return paths;
+}
+
+TEST(Chains, OrderingNeverLengthensTheWay) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(0, 30);
+  for (int tried = 0; tried < 100; ++tried) {
+    std::vector<Point> dots(7);
+    for (Point& dot : dots) dot = {place(random), place(random)};
+    auto chains = join(drawing_of(shortest_way(dots)), 0);
+    const double as_drawn = way_between(chains, {0, 0});
+    order(chains, {0, 0});
+    ASSERT_EQ(chains.size(), dots.size());
+    EXPECT_LE(way_between(chains, {0, 0}), as_drawn) << "of drawing " << tried;
+  }
 }
 
 TEST(Chains, TheOrderOfARowIsTheRow) {

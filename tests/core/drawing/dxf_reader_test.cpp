@@ -216,7 +216,7 @@ TEST(DxfReader, LayersThatAreFrozenOrOffAreKnown) {
   const std::string tables =
       section("TABLES", groups({{0, "TABLE"}, {2, "LAYER"}, {70, 3}}) + layer("cut", 0, 7) +
                             layer("ice", 1, 7) + layer("dark", 0, -7) + groups({{0, "ENDTAB"}}));
-  const Drawing d = read(file(line(0, 0, 1, 1, "ice"), tables));
+  const Drawing d = read(file(line(0, 0, 1, 1, "ice") + line(0, 0, 2, 1, "ice") + line(0, 0, 1, 1), tables));
   ASSERT_GE(d.layers.size(), 3u);
   const auto shown = [&](const char* name) {
     for (const Layer& l : d.layers)
@@ -227,6 +227,10 @@ TEST(DxfReader, LayersThatAreFrozenOrOffAreKnown) {
   EXPECT_FALSE(shown("ice"));
   EXPECT_FALSE(shown("dark"));
   EXPECT_FALSE(d.layers[static_cast<std::size_t>(d.paths[0].layer)].shown);
+  const auto hidden = hidden_layers(d);
+  ASSERT_EQ(hidden.size(), 1u) << "nothing lies on the dark one";
+  EXPECT_EQ(hidden[0].name, "ice");
+  EXPECT_EQ(hidden[0].entities, 2);
 }
 
 TEST(DxfReader, TheUnitIsTheFiles) {
@@ -237,7 +241,14 @@ TEST(DxfReader, TheUnitIsTheFiles) {
   };
   EXPECT_EQ(with_unit(4).unit, "mm");
   EXPECT_EQ(with_unit(1).unit, "in");
-  EXPECT_EQ(with_unit(0).unit, "");
+  EXPECT_EQ(with_unit(0).unit, "") << "it has none";
+  const std::pair<int, const char*> others[] = {
+      {2, "ft"},  {3, "mi"},  {5, "cm"},  {6, "m"},   {7, "km"},     {8, "uin"},   {9, "mil"},
+      {10, "yd"}, {12, "nm"}, {13, "um"}, {14, "dm"}, {15, "dam"},   {16, "hm"},   {11, "angstrom"},
+      {17, "Gm"}, {18, "au"}, {19, "ly"}, {20, "pc"}, {21, "us-ft"}, {24, "us-mi"}};
+  for (const auto& [number, name] : others) EXPECT_EQ(with_unit(number).unit, name) << number;
+  EXPECT_EQ(with_unit(25).unit, "") << "nobody knows that one";
+  EXPECT_EQ(with_unit(-1).unit, "");
   EXPECT_EQ(with_unit(4).version, "AC1015");
 }
 

@@ -2,10 +2,13 @@
 // its tool down.
 #include "core/session/conversion.h"
 
+#include <cmath>
 #include <fstream>
+#include <functional>
 
 #include <gmock/gmock.h>
 
+#include "core/device/pieces_together.h"
 #include "core/drawing/dxf_reader.h"
 #include "emulator_drawing.h"
 
@@ -106,7 +109,7 @@ TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
     far.paths = {{{curve}, 1, 2, 0}};
     o.layers.clear();
     const auto converted = convert(far, catalog, o);
-    EXPECT_TRUE(converted);
+    if (!converted) return converted.error().sentence();
     const auto written = type.language().write(converted->sequence, catalog);
     return written ? written->text : written.error().sentence();
   };
@@ -114,21 +117,126 @@ TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
   const auto line = drawing::Curve::Kind::line;
   EXPECT_THAT(refusal({line, {0, 0}, {reach + 1, 0}, {}, 0}),
               testing::ContainsRegex("[Ss]tep [0-9]+.*goes from"));
-  EXPECT_THAT(refusal({line, {0, 0}, {1e30, 0}, {}, 0}), testing::ContainsRegex("[Ss]tep [0-9]+.*goes from"));
+  EXPECT_THAT(refusal({line, {0, 0}, {1e12, 0}, {}, 0}), testing::ContainsRegex("[Ss]tep [0-9]+.*goes from"));
+  for (const double far : {1e30, -1e300}) {
+    const std::string said = refusal({line, {0, 0}, {far, 0}, {}, 0});
+    EXPECT_THAT(said, HasSubstr(far > 0 ? "Entity 1, line 2 of the file, reaches to 1e+30 mm"
+                                        : "reaches to -1e+300 mm"));
+    EXPECT_LT(said.size(), 150u) << said;
+  }
   if (going_of(catalog) != drawing::Going::arcs) return;
   const double radius = reach - 2;
   EXPECT_THAT(refusal({drawing::Curve::Kind::arc, {radius, 0}, {0, radius}, {0, 0}, 90}),
               HasSubstr("134216773 is the largest"));
 }
 
+/// Of a file that says it is in mm.
+std::filesystem::path file_of(const char* name, std::initializer_list<std::pair<int, std::string_view>> all) {
+  std::filesystem::path file = std::filesystem::path(testing::TempDir()) / name;
+  std::ofstream(file) << pairs({{0, "SECTION"}, {2, "HEADER"}, {9, "$INSUNITS"}, {70, "4"}, {0, "ENDSEC"}})
+                      << pairs({{0, "SECTION"}, {2, "ENTITIES"}}) << pairs(all)
+                      << pairs({{0, "ENDSEC"}, {0, "EOF"}});
+  return file;
+}
+/// How far the corners of a VXM's stairs lie beside what `at` goes along, for t from 0 to 1.
+double farthest_corner(const std::filesystem::path& file, double tolerance,
+                       const std::function<drawing::Point(double t)>& at) {
+  const Catalog catalog = *find_device_type("vxm")->make_catalog({});
+  ConversionOptions o;
+  o.axes = {{"1", 1000}, {"2", 1000}};
+  o.tolerance = tolerance;
+  const auto drawing = read_drawing(file, catalog, o);
+  EXPECT_TRUE(drawing) << drawing.error().sentence();
+  const auto made = convert(*drawing, catalog, o);
+  EXPECT_TRUE(made) << made.error().sentence();
+  drawing::Point corner;
+  double farthest = 0;
+  for (const sequence::Step& step : made->sequence.steps) {
+    const auto* move = std::get_if<sequence::Move>(&step.body);
+    if (!move) continue;
+    corner = {move->to[0].value_or(corner.x), move->to[1].value_or(corner.y)};
+    if (&step - made->sequence.steps.data() < 3) continue;  // one axis, then the other, to its begin
+    double nearest = 1e9;
+    for (int n = 0; n <= 20'000; ++n) {
+      const drawing::Point on = at(n / 20'000.0);
+      nearest = std::min(nearest, std::hypot(on.x - corner.x, on.y - corner.y));
+    }
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+// Flattened, and then made into stairs: both together keep what was asked for.
+TEST(Conversion, StairsOfCurvesStayWithinTheTolerance) {
+  const auto spline =
+      file_of("spline.dxf",
+              {{0, "SPLINE"}, {8, "0"},   {70, "8"}, {71, "3"},  {72, "8"},  {73, "4"},  {74, "0"}, {40, "0"},
+               {40, "0"},     {40, "0"},  {40, "0"}, {40, "1"},  {40, "1"},  {40, "1"},  {40, "1"}, {10, "0"},
+               {20, "0"},     {10, "40"}, {20, "0"}, {10, "60"}, {20, "20"}, {10, "60"}, {20, "60"}});
+  const auto ellipse = file_of("ellipse.dxf", {{0, "ELLIPSE"},
+                                               {8, "0"},
+                                               {10, "0"},
+                                               {20, "0"},
+                                               {11, "40"},
+                                               {21, "0"},
+                                               {40, "0.5"},
+                                               {41, "0"},
+                                               {42, "6.283185307179586"}});
+  for (const double tolerance : {2.0, 0.5, 0.1}) {
+    const double off_spline = farthest_corner(spline, tolerance, [](double t) {
+      const double u = 1 - t, b = 3 * t * u * u, c = 3 * t * t * u, d = t * t * t;
+      return drawing::Point{40 * b + 60 * c + 60 * d, 20 * c + 60 * d};
+    });
+    EXPECT_LE(off_spline, tolerance) << "spline";
+    EXPECT_GT(off_spline, tolerance / 4) << "it is used";
+    EXPECT_LE(farthest_corner(ellipse, tolerance,
+                              [](double t) {
+                                const double angle = t * 2 * std::acos(-1);
+                                return drawing::Point{40 * std::cos(angle), 20 * std::sin(angle)};
+                              }),
+              tolerance)
+        << "ellipse";
+  }
+  std::filesystem::remove(spline), std::filesystem::remove(ellipse);
+}
+
 TEST(Conversion, AFileOfHalfAGigabyteIsNotRead) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "large.dxf";
   std::ofstream(file) << drawing_text();
   std::filesystem::resize_file(file, 500'000'000);  // of holes
-  const auto drawing = read_drawing(file, {});
+  const auto drawing = read_drawing(file, {}, {});
   std::filesystem::remove(file);
   ASSERT_FALSE(drawing);
   EXPECT_THAT(drawing.error().sentence(), HasSubstr("large.dxf is larger than 256000 kB"));
+}
+
+TEST(Conversion, EveryUnitOfADxfFileHasALength) {
+  for (int number = 1; number <= 24; ++number) {
+    const std::string header = pairs({{0, "SECTION"}, {2, "HEADER"}, {9, "$INSUNITS"}}) + "70\n" +
+                               std::to_string(number) + "\n" + pairs({{0, "ENDSEC"}, {0, "EOF"}});
+    const auto drawing = drawing::read_dxf(header, "a.dxf", {});
+    ASSERT_TRUE(drawing) << drawing.error().sentence();
+    EXPECT_TRUE(millimetres(drawing->unit)) << number << ": " << drawing->unit;
+  }
+  EXPECT_DOUBLE_EQ(*millimetres("yd"), 914.4);
+  EXPECT_DOUBLE_EQ(*millimetres("km"), 1e6);
+  EXPECT_FALSE(millimetres(""));
+}
+
+TEST(Conversion, OfToolsThatSeveralDrawWithItIsSaidWhatALostLinkMeans) {
+  std::vector<Catalog> members;
+  for (const char* id : {"01", "02"})
+    members.push_back(*find_device_type("dmx-k-sa")->make_catalog({{"id", id}}));
+  const std::vector<const Catalog*> all{&members[0], &members[1]};
+  const auto together = catalog_together(all);
+  ASSERT_TRUE(together);
+  sequence::Sequence s;
+  s.axes = {{"01", 100}, {"02", 100}};
+  EXPECT_EQ(*said_of_tool(s, *together), "") << "it has none";
+  s.pen_down = {{sequence::Output{1, true}}}, s.pen_up = {{sequence::Output{1, false}}};
+  s.steps = {{sequence::Pen{true}}, {sequence::Pen{false}}};
+  EXPECT_THAT(*said_of_tool(s, *together), HasSubstr("output 1"));
+  EXPECT_THAT(*said_of_tool(s, *together), HasSubstr("While the link is lost nothing can"));
 }
 
 TEST_P(ConversionTest, StairsNeedATolerance) {

@@ -120,7 +120,13 @@ TEST(Rehearsals, SayWhatHasChangedOfTheWholeController) {
   catalog.axes = {{"1", "motor 1"}};
   catalog.params.resize(3);
   catalog.params[2].fallback = 40;
+  catalog.analog = {{"AI1", "mV", 0, 5000}, {"AI2", "mV", 0, 5000}};
+  catalog.readouts.resize(3);
+  catalog.readouts[2].id = "MM";
   Snapshot now;
+  now.analog[1] = 900, now.analog_known = 3;
+  now.readouts_known.set(0).set(2);
+  now.axes[0].has_encoder = true, now.axes[0].limits_known = true;
   now.axis_count = 1;
   now.axes[0].position_known = true;
   now.params[1].known = true, now.params[1].value = 7;
@@ -153,8 +159,37 @@ TEST(Rehearsals, SayWhatHasChangedOfTheWholeController) {
   EXPECT_EQ(told([&] { now.variables[5] = -9; }), (Stand{Footing::other_variable, 5, Steps(0), Steps(-9)}));
   EXPECT_EQ(told([&] { now.axes[0].enabled = false; }).footing, Footing::other_power);
   EXPECT_EQ(told([&] { now.axes[0].error = AxisError::limit_plus; }).footing, Footing::other_power);
+  EXPECT_EQ(told([&] { now.axes[0].alarm = true; }).footing, Footing::other_power);
+  EXPECT_EQ(told([&] { now.axes[0].encoder = Steps(9); }).footing, Footing::other_encoder);
+  EXPECT_EQ(told([&] { now.axes[0].encoder = Steps(1); }), Stand()) << "it only trembles";
+  EXPECT_EQ(told([&] { now.axes[0].limit_plus = true; }).footing, Footing::other_switch);
+  EXPECT_EQ(told([&] { now.axes[0].limits_known = false; }), Stand()) << "nobody knows them any more";
+  EXPECT_EQ(told([&] { now.analog[1] = 100; }), (Stand{Footing::other_analog, 1, Steps(900), Steps(100)}));
+  EXPECT_EQ(told([&] { now.analog[1] = 930; }), Stand()) << "it only trembles";
+  EXPECT_EQ(told([&] { now.readouts[2] = 1; }), (Stand{Footing::other_mode, 2, Steps(0), Steps(1)}));
+  EXPECT_EQ(told([&] { now.readouts[0] = 1; }), Stand()) << "no rehearsal begins from it";
   EXPECT_EQ(told([&] { other_program = "I1M6"; }), (Stand{Footing::other_program, 2, {}, {}}));
   EXPECT_EQ(told([&] { now.inputs_known = 0, now.inputs = 1; }), Stand()) << "nobody knows it any more";
+}
+
+// What is not compared afterwards does not come into a rehearsal at all.
+TEST(Rehearsals, AreToldWhatIsComparedAndNothingElse) {
+  test::ToyLanguage language;
+  Worker worker;
+  Rehearsals rehearsals;
+  const Catalog catalog = test::toy_catalog();
+  ControllerState from;
+  from.now.axis_count = 2;
+  from.now.axes[1].position = Steps(12), from.now.axes[1].position_known = true;
+  from.now.axes[1].speed = Pps(5), from.now.readouts_known.set();
+  from.programs[2] = "I1";
+  rehearsals.start(language, "I1", {}, from, {}, catalog, worker);
+  worker.deliver();
+  const ControllerState& told = *rehearsals.of(0)->scene.state;
+  EXPECT_EQ(told.now.axes[1].position, Steps(12));
+  EXPECT_EQ(told.programs, from.programs);
+  EXPECT_EQ(told.now.axes[1].speed, Pps());
+  EXPECT_TRUE(told.now.readouts_known.none());
 }
 
 TEST(Worker, RunsBesideAndHandsOver) {

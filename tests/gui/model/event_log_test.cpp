@@ -97,7 +97,7 @@ TEST_F(EventLogTest, ALinkThatGoesAndComesBackIsToldOnceEach) {
   at(4, LinkState::connecting);
   at(5, LinkState::good);
   at(6, LinkState::late);
-  EXPECT_EQ(text(), "00:00:05  answers again (3 s)\n00:00:02  no answer any more: the link is lost\n");
+  EXPECT_EQ(text(), "00:00:05  answers again (3.0 s)\n00:00:02  no answer any more: the link is lost\n");
   EXPECT_EQ(text(EventFilter::trouble), "00:00:02  no answer any more: the link is lost\n");
   EXPECT_EQ(text(EventFilter::ends), "");
 }

@@ -302,5 +302,27 @@ TEST_P(ArcusRehearsal, ALoopWithoutEndIsToldWithItsLines) {
       << long_one->error;
 }
 
+TEST(PmxRehearsal, EachLoopWithoutEndIsTold) {
+  RehearseOptions options;
+  options.for_seconds = 5;
+  const auto& language = find_device_type("pmx-4ex-sa")->language();
+  const auto r = language.rehearse(
+      "PRG 0\nSR1=1\nWHILE 1=1\nDELAY=50\nENDWHILE\nEND\nPRG 1\nWHILE 1=1\nDELAY=30\nENDWHILE\nEND\n",
+      options);
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_TRUE(r->endless);
+  EXPECT_NE(r->error.find("the loop of lines 3 to 5 has no end."), std::string::npos) << r->error;
+  EXPECT_NE(r->error.find("the loop of lines 8 to 10 has no end."), std::string::npos) << r->error;
+  ASSERT_EQ(r->stops.size(), 2u);
+  EXPECT_NE(r->stops[0].reason.find("Program 0, line "), std::string::npos) << r->stops[0].reason;
+  EXPECT_NE(r->stops[1].reason.find("Program 1, line "), std::string::npos) << r->stops[1].reason;
+  const auto one = language.rehearse(
+      "PRG 0\nSR1=1\nV1=1\nWHILE V1<999\nV1=V1+1\nDELAY=50\nENDWHILE\nEND\nPRG 1\nWHILE 1=1\nDELAY=30\n"
+      "ENDWHILE\nEND\n",
+      options);
+  ASSERT_TRUE(one) << one.error().sentence();
+  EXPECT_TRUE(one->endless) << "program 1 is";
+}
+
 }  // namespace
 }  // namespace hw::arcus

@@ -263,6 +263,48 @@ TEST(VxmRehearsal, NamesWhatNobodyCouldTell) {
               testing::ElementsAre("L2M=0", "Bx=0 steps", "position of 2=0"));
 }
 
+TEST(VxmRehearsal, NamesProgramsThatNobodyHasReadWhereTheRunMayComeToThem) {
+  auto state = vxm_at_rest();
+  state->now.slot_bytes_used.fill(-1);
+  state->now.slot_bytes_used[1] = 0;
+  state->programs[2] = "JM4";
+  RehearseOptions options;
+  options.from = state;
+  const auto assumed = [&](std::string_view text) { return assumed_in(rehearse(text, options)); };
+  const std::string of_3 = "program 3=taken to be empty: it was not read";
+  const std::string of_4 = "program 4=taken to be empty: it was not read";
+  const std::string speed = "S1M900,A1M2,I1M100,";
+  EXPECT_THAT(assumed(speed + "JM3"), testing::ElementsAre(of_3));
+  EXPECT_THAT(assumed(speed + "J3"), testing::ElementsAre(of_3));
+  EXPECT_THAT(assumed(speed + "JM-3"), testing::ElementsAre(of_3));
+  EXPECT_THAT(assumed(speed + "U11,JM3"), testing::ElementsAre(of_3)) << "though the input leaves it out";
+  EXPECT_THAT(assumed(speed + "JM2"), testing::ElementsAre(of_4)) << "program 2 goes on there";
+  EXPECT_THAT(assumed(speed + "JM1"), testing::IsEmpty()) << "it holds nothing";
+  EXPECT_THAT(assumed(speed), testing::IsEmpty());
+  EXPECT_THAT(assumed("PM-3,I1M5,PM-0," + speed + "JM3"), testing::Not(testing::Contains(of_3)))
+      << "the text fills it";
+  state->now.inputs = 0xFF & ~4u;  // input 3 is operated
+  EXPECT_THAT(assumed(speed + "U0"), testing::ElementsAre(of_3)) << "a wait ends there";
+  state->now.slot_bytes_used[2] = 9, state->programs.clear();
+  EXPECT_THAT(assumed(speed + "U23"), testing::Contains("program 2=taken to be empty: it was not read"));
+}
+
+TEST(VxmRehearsal, TheAnalogInputIsAsItIsRead) {
+  auto state = vxm_at_rest();
+  state->now.analog[0] = 1024, state->now.analog_known = 1;
+  RehearseOptions options;
+  options.from = state;
+  const Rehearsal fast = rehearse("A1M9,S1M-1,I1M2000", options);
+  EXPECT_THAT(assumed_in(fast), testing::IsEmpty());
+  state->now.analog[0] = 256;
+  EXPECT_GT(rehearse("A1M9,S1M-1,I1M2000", options).duration_s, 3 * fast.duration_s);
+  state->now.analog_known = 0;
+  const std::string middle = "analog input=512, the middle";
+  EXPECT_THAT(assumed_in(rehearse("A1M9,S1M-1,I1M2000", options)), testing::ElementsAre(middle));
+  EXPECT_THAT(assumed_in(rehearse("A1M9,SA1M-1,I1M2000", options)), testing::ElementsAre(middle));
+  EXPECT_THAT(assumed_in(rehearse("A1M9,S1M900,I1M2000", options)), testing::IsEmpty());
+}
+
 TEST(VxmRehearsal, ALimitIsToldWithMotorDirectionLineAndTime) {
   RehearseOptions options;
   options.bench_toml = "[axis.1]\nminus = -500\nplus = 1000\n";
@@ -294,6 +336,35 @@ TEST(VxmRehearsal, ALoopWithoutEndIsToldWithItsLines) {
   EXPECT_TRUE(again.endless);
   EXPECT_THAT(again.error, HasSubstr("the loop of lines 1 to 2 (J0) has no end"));
   EXPECT_FALSE(rehearse("P10\nL65535\n", options).endless) << "it only takes long";
+}
+
+TEST(VxmRehearsal, ALoopOfJumpsThroughProgramsIsToldWithItsLines) {
+  RehearseOptions options;
+  options.for_seconds = 31;
+  const Rehearsal r = rehearse("PM-0\nP5\nJ1\nPM-1\nP7\nJ0\n", options);
+  EXPECT_TRUE(r.endless);
+  EXPECT_THAT(r.error, HasSubstr("the loop of lines 2 to 3 and lines 5 to 6 (J1) has no end"));
+  ASSERT_EQ(r.stops.size(), 1u);
+  EXPECT_EQ(r.stops[0].line, 4);
+  EXPECT_TRUE(rehearse("PM-0\nP5,J1\nPM-1\nJM2,J0\nPM-2\nP5\n", options).endless);
+
+  const auto goes_round = [&](std::string_view text) {
+    const Rehearsal going = rehearse(text, options);
+    EXPECT_FALSE(going.endless) << text;
+    EXPECT_THAT(going.error, HasSubstr("was going round")) << text;
+  };
+  goes_round("PM-0\nP5,J1\nPM-1\nP7,U21,J0\n");
+  goes_round("PM-0\nP5,J1\nPM-1\nP7,JM2,J0\nPM-2\nU21,P1\n");
+}
+
+TEST(VxmRehearsal, AJumpThatOnlyGoesOnIsNoLoop) {
+  RehearseOptions options;
+  options.for_seconds = 31;
+  const Rehearsal once = rehearse("PM-0\nP5,J1\nPM-1\nP10,L65535\n", options);
+  EXPECT_FALSE(once.endless);
+  EXPECT_THAT(once.error, testing::Not(HasSubstr("loop"))) << "a counted one ends";
+  const Rehearsal again = rehearse("PM-0\nJM1,L65535\nPM-1\nP5,J2\nPM-2\nP7\n", options);
+  EXPECT_FALSE(again.endless) << "it comes to J2 again and again, and back from there";
 }
 
 TEST(VxmRehearsal, OutputsAndWaitsStandOnTheTimeLine) {

@@ -11,7 +11,8 @@ from ezdxf.math import Vec3
 CHORD = 1e-6  # far below what the reader is asked for
 DRAWN = {"LINE", "POINT", "ARC", "CIRCLE", "POLYLINE", "LWPOLYLINE", "ELLIPSE", "SPLINE", "INSERT"}
 PARTS = {"VERTEX", "SEQEND", "BLOCK", "ENDBLK", "VIEWPORT"}
-UNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 8: "uin", 9: "mil", 13: "um"}
+UNITS = dict(enumerate(
+    "in ft mi mm cm m km uin mil yd angstrom nm um dm dam hm Gm au ly pc us-ft us-in us-yd us-mi".split(), 1))
 
 
 def simple(entity, doc, insert_layer="0"):
