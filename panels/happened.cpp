@@ -16,7 +16,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float row_logical = 24, time_x = 16, mark_x = 94, who_x = 112, words_x = 150;
+constexpr float event_row = 24, event_time_x = 16, event_mark_x = 94, event_who_x = 112, event_words_x = 150;
 
 struct MarkLook {
   Icon icon;
@@ -42,13 +42,13 @@ void draw_event(Frame& f, const Happening& event, const Rect& place, float words
   const float middle = std::floor(place.centre().y);
   char buffer[16];
   const auto time = format_time_of_day(f.tab.desk().traffic.clock().of(event.at), false, buffer);
-  draw_text(ui, ImVec2(place.min.x + ui.px(time_x), std::floor(middle - ui.line(Face::code_time) / 2)),
+  draw_text(ui, ImVec2(place.min.x + ui.px(event_time_x), std::floor(middle - ui.line(Face::code_time) / 2)),
             Face::code_time, ui[Tone::ink3], time);
   const MarkLook mark = look_of(event);
-  draw_icon(ImGui::GetWindowDrawList(), mark.icon, ImVec2(place.min.x + ui.px(mark_x), middle), ui.px(12),
-            ui[mark.tone]);
-  draw_text_line(ui, place.min.x + ui.px(who_x), words_at - ui.px(8), middle, Face::body_bold, ui[Tone::ink],
-                 event.who);
+  draw_icon(ImGui::GetWindowDrawList(), mark.icon, ImVec2(place.min.x + ui.px(event_mark_x), middle),
+            ui.px(12), ui[mark.tone]);
+  draw_text_line(ui, place.min.x + ui.px(event_who_x), words_at - ui.px(8), middle, Face::body_bold,
+                 ui[Tone::ink], event.who);
   const NumberText took = duration_of(event);
   const float right = place.max.x - ui.px(16), took_width = std::ceil(text_width(ui, Face::small, took));
   draw_text_line(ui, words_at, right - took_width - ui.px(took_width > 0 ? 12 : 0), middle, Face::body,
@@ -61,7 +61,7 @@ float words_begin(const Ui& ui, const EventLog& log, float width) {
   float names = 0;
   for (const Happening& event : log.list())
     names = std::max(names, text_width(ui, Face::body_bold, event.who));
-  return std::min(std::max(ui.px(words_x), ui.px(who_x + 12) + std::ceil(names)), width / 2);
+  return std::min(std::max(ui.px(event_words_x), ui.px(event_who_x + 12) + std::ceil(names)), width / 2);
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void Happened::draw(Frame& f, float height) {
 void Happened::draw_rows(Frame& f, const EventLog& log) {
   Ui& ui = f.ui;
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  const float row = ui.px(row_logical), scroll = std::floor(ImGui::GetScrollY());
+  const float row = ui.px(event_row), scroll = std::floor(ImGui::GetScrollY());
   const float words_at = corner.x + words_begin(ui, log, size.x);
   float y = ui.px(4);
   for (auto event = log.list().rbegin(); event != log.list().rend(); ++event) {
@@ -114,8 +114,8 @@ void Happened::draw_rows(Frame& f, const EventLog& log) {
     y += row;
   }
   if (y <= ui.px(4))
-    draw_text_line(ui, corner.x + ui.px(time_x), corner.x + size.x, corner.y + ui.px(4) + row / 2, Face::body,
-                   ui[Tone::ink3], "Nothing has happened yet that is shown here.");
+    draw_text_line(ui, corner.x + ui.px(event_time_x), corner.x + size.x, corner.y + ui.px(4) + row / 2,
+                   Face::body, ui[Tone::ink3], "Nothing has happened yet that is shown here.");
   ImGui::SetCursorPos(ImVec2(0, y + ui.px(4)));
   ImGui::Dummy(ImVec2(0, 0));
 }
