@@ -246,8 +246,8 @@ BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const
 }
 
 /// Returns the action pressed, and leaves in `taken` what is taken of the part below.
-int tell(Ui& ui, const Layout& layout, const Box& below, std::string_view id, const Banner& what,
-         std::span<const Action> actions, float& taken, bool folded = false) {
+int show_banner(Ui& ui, const Layout& layout, const Box& below, std::string_view id, const Banner& what,
+                std::span<const Action> actions, float& taken, bool folded = false) {
   const BannerPlace place = place_of(ui, layout, below, what, !actions.empty(), folded);
   taken = place.over_status ? 0 : place.box.height;
   const Rect r = in_pixels(ui, place.box);
@@ -276,7 +276,7 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
                             {.id = "fault/report", .label = "Copy this report"},
                             {.id = "fault/fold", .label = tab.banner_folded ? "Unfold" : "Fold"}};
   float taken = 0;
-  const int picked = tell(ui, layout, below, "fault/lost", what, actions, taken, tab.banner_folded);
+  const int picked = show_banner(ui, layout, below, "fault/lost", what, actions, taken, tab.banner_folded);
   if (picked == 0) console.reconnect(tab);
   if (picked == 2) tab.banner_folded = !tab.banner_folded;
   if (picked == 1) {
@@ -293,7 +293,7 @@ float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& la
   const Action actions[] = {{.id = "fault/setup", .label = "Choose it in Setup", .main = true},
                             {.id = "fault/unset_read", .label = "Leave it"}};
   float taken = 0;
-  const int picked = tell(ui, layout, below, "fault/unset", what, actions, taken);
+  const int picked = show_banner(ui, layout, below, "fault/unset", what, actions, taken);
   if (picked == 0) console.show_panel("setup", "setup/" + info.mnemonic);
   if (picked == 1) tab.unset_read = true;
   return taken;

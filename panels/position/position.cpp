@@ -292,7 +292,8 @@ void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   if (wide <= room) draw_text(ui, ImVec2(at.x + width - wide, at.y), Face::small, ui[Tone::ink2], steps);
 }
 
-/// What is wrong with the number, or what its axis does, or (`origin_too`) where the number comes from.
+/// What is wrong with the number, or what its axis does, or (`origin_too`) where the number comes from: of
+/// that at least its mark, beside what the axis does.
 void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool origin_too) {
   Ui& ui = f.ui;
   const Caption about = about_number(f, axis);
@@ -305,6 +306,11 @@ void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool ori
   show_steps(f, axis, {at, ImVec2(at.x + room, at.y + line)});
   if (axis_extras_height(f.catalog, axis) > 0) show_phase(f, axis, {at, ImVec2(at.x + room, at.y + line)});
   if (about.tone == Tone::warn) return (void)draw_about_number(f, axis, at, room);
+  const bool does_nothing = phase.empty() && !says_something(f, axis);
+  if (origin_too) draw_about_number(f, axis, at, does_nothing ? room : ui.px(12));
+  if (does_nothing) return (void)draw_at_work(f, axis, at, room, false);  // which scripts may read
+  const float mark = origin_too ? ui.px(16) : 0;
+  at.x += mark, room -= mark;
   if (!is_motion(state) && !phase.empty()) return say(Tone::fault, phase);
   if (is_motion(state) && !phase.empty()) {
     draw_what_fits(ui, at, room, false, [&](int brevity) {
@@ -318,7 +324,7 @@ void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool ori
     });
     return;
   }
-  if (draw_at_work(f, axis, at, room, false) == 0 && origin_too) draw_about_number(f, axis, at, room);
+  draw_at_work(f, axis, at, room, false);
 }
 
 /// One line under the number: at the right the place of its encoder, whatever is said at the left.

@@ -33,6 +33,7 @@ float draw_about_number(Frame& f, AxisId axis, ImVec2 at, float room) {
   Ui& ui = f.ui;
   const float mark = ui.px(12), gap = ui.px(4), line = ui.line(Face::small), middle = at.y + line / 2;
   Caption said = about_number(f, axis);
+  const NumberText whole = said.words;
   const auto width_of = [&] { return mark + gap + std::ceil(text_width(ui, Face::small, said.words)); };
   if (width_of() > room) said = about_number(f, axis, true);
   const bool warns = said.tone == Tone::warn;  // of that also a part is told
@@ -43,7 +44,7 @@ float draw_about_number(Frame& f, AxisId axis, ImVec2 at, float room) {
     draw_text_line(ui, at.x + mark + gap, at.x + room, middle, Face::small, ui[said.tone], said.words);
   const Rect where{at, ImVec2(at.x + width, at.y + line)};
   const Path id("dro/{}/provenance", f.catalog.axes[axis.index].name);
-  show(ui, {.id = id, .kind = Kind::text, .label = "Provenance", .value = said.words}, where);
+  show(ui, {.id = id, .kind = Kind::text, .label = "Provenance", .value = whole}, where);
   return width;
 }
 
@@ -159,6 +160,8 @@ void show_servo(Frame& f, AxisId axis, const Rect& where) {
 }
 
 }  // namespace
+
+bool says_something(const Frame& f, AxisId axis) { return !at_work(f, axis, 0).view().empty(); }
 
 float draw_at_work(Frame& f, AxisId axis, ImVec2 at, float room, bool right_aligned) {
   const Rect where{at, ImVec2(at.x + std::max(0.0f, room), at.y + f.ui.line(Face::small))};

@@ -28,6 +28,8 @@ gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
 /// 12 of 200", "200 000/s, queue 12", "queue 12"; of a servo axis also how far it is from its command.
 /// Returns its width in pixels; 0: nothing, or no room for any.
 float draw_at_work(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px, bool right_aligned);
+/// draw_at_work() has anything to say.
+bool says_something(const gui::Frame& frame, AxisId axis);
 /// "5.000/s", beside a position that says the unit.
 gui::NumberText format_brief_speed(Pps speed, const gui::DisplayUnit& unit);
 /// How far the number is to be believed.
