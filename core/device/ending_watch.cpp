@@ -46,6 +46,7 @@ void EndingWatch::stop_asked(const StopOrder& order) {
 }
 
 void EndingWatch::look(const Snapshot& now) {
+  if (!tell_) return;
   for (int i = 0; i < now.axis_count; ++i) look_at_axis(now, i);
   if (catalog_.program.threads > 0)
     look_at_threads(now);
@@ -62,10 +63,11 @@ void EndingWatch::begin(Run& run, Ending::What what, Instant now) {
   run.told.began = now;
 }
 
-void EndingWatch::finish(Run& run) {
+void EndingWatch::finish(Run& run, Instant at) {
   run.under_way = run.ended = false;
   if (stopped(run.told.by)) run.told.who = run.who;
   if (run.quiet && as_meant(run.told.by)) return;
+  run.told.at = at;
   tell_(run.told);
 }
 
@@ -92,7 +94,7 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
   run.told.place_known = state.position_known;
   run.told.place = state.position;
   run.told.off = state.loop == Loop::none ? Steps() : state.following_error();
-  finish(run);
+  finish(run, now.at);
 }
 
 void EndingWatch::look_at_program(const Snapshot& now) {
@@ -106,7 +108,7 @@ void EndingWatch::look_at_program(const Snapshot& now) {
   if (!program_.under_way || !now.link.connected()) return;
   if (p.ended_by == EndedBy::nothing && p.run != RunState::error) return;
   program_.told.by = p.run == RunState::error ? EndedBy::error : p.ended_by;
-  finish(program_);
+  finish(program_, now.at);
 }
 
 void EndingWatch::look_at_threads(const Snapshot& now) {
@@ -126,7 +128,7 @@ void EndingWatch::look_at_threads(const Snapshot& now) {
                   : stopped(now.program.ended_by)            ? EndedBy::elsewhere
                   : now.program.ended_by == EndedBy::nothing ? EndedBy::target
                                                              : now.program.ended_by;
-    finish(run);
+    finish(run, now.at);
   }
 }
 
@@ -139,7 +141,7 @@ void EndingWatch::look_at_list(const Snapshot& now) {
   if (!list_.under_way || now.any_axis_moving() || !now.link.connected()) return;
   list_.told.done = now.feed.sent;
   list_.told.by = list_.who != StoppedBy::nobody ? EndedBy::stop : EndedBy::target;
-  finish(list_);
+  finish(list_, now.at);
 }
 
 void EndingWatch::look_at_pieces(const Snapshot& now) {
@@ -153,7 +155,7 @@ void EndingWatch::look_at_pieces(const Snapshot& now) {
   pieces_.told.by = pieces_.who != StoppedBy::nobody         ? EndedBy::stop
                     : pieces_.told.done < pieces_.told.total ? EndedBy::elsewhere
                                                              : EndedBy::target;
-  finish(pieces_);
+  finish(pieces_, now.at);
 }
 
 }  // namespace hw

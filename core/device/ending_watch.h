@@ -12,7 +12,7 @@ namespace hw {
 class EndingWatch {
  public:
   using Tell = std::function<void(const Ending&)>;
-  /// The catalog outlives it.
+  /// The catalog outlives it. `tell` null: nobody wants to know.
   EndingWatch(const Catalog& catalog, Tell tell) : catalog_(catalog), tell_(std::move(tell)) {}
 
   /// A stop is asked for: what ends by one from now on, ends by this.
@@ -35,7 +35,7 @@ class EndingWatch {
   void look_at_list(const Snapshot& now);
   void look_at_pieces(const Snapshot& now);
   static void begin(Run& run, Ending::What what, Instant now);
-  void finish(Run& run);
+  void finish(Run& run, Instant at);
 
   const Catalog& catalog_;
   const Tell tell_;

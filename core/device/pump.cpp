@@ -22,7 +22,7 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
       tool_(catalog),
       jogs_(scheduler, [this] { jog_let_go(); }),
       pieces_(catalog, draft_, wake_),
-      endings_(catalog, [this](const Ending& ending) { tell_ending(ending); }),
+      endings_(catalog, ways_.ended),
       wake_(scheduler),
       published_(scheduler),
       ended_(scheduler),
@@ -405,12 +405,6 @@ void Pump::tell_fault(IntentId id, const Fault& fault, std::uint32_t doubtful) {
   told.sentence = fault.sentence();
   told.doubtful = doubtful;
   set_fate(told);
-}
-
-void Pump::tell_ending(const Ending& ending) {
-  Notice notice(Notice::Kind::ending, scheduler_.now(), {});
-  notice.ending = ending;
-  ways_.notify(std::move(notice));
 }
 
 void Pump::publish() {

@@ -34,6 +34,8 @@ class Pump {
     std::shared_ptr<Line> line = nullptr;
     /// Something that is no poll stands in `traffic` now.
     std::function<void()> recorded = nullptr;
+    /// A motion or a program has come to its end.
+    std::function<void(const Ending&)> ended = nullptr;
   };
 
   Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Ways ways);
@@ -112,7 +114,6 @@ class Pump {
   [[nodiscard]] bool stop_goes_out_again() const;
   [[nodiscard]] bool something_runs() const;
   void publish();
-  void tell_ending(const Ending& ending);
   [[nodiscard]] bool runs() const { return life_ > Life::made && life_ < Life::over; }
   [[nodiscard]] bool leaves() const { return life_ >= Life::leaves; }
   [[nodiscard]] bool closes() const { return life_ >= Life::closes; }

@@ -329,9 +329,9 @@ struct AxisSample {
 struct Ending {
   enum class What : std::uint8_t { motion, jog, homing, program, list, pieces };
   What what = What::motion;
-  int axis = -1;    ///< of a motion, jog or homing
-  int slot = -1;    ///< of a program: where the catalog has threads, which of them; -1: not known
-  Instant began{};  ///< as it was first seen
+  int axis = -1;          ///< of a motion, jog or homing
+  int slot = -1;          ///< of a program: where the catalog has threads, which of them; -1: not known
+  Instant began{}, at{};  ///< as they were first seen
   EndedBy by = EndedBy::nothing;
   StoppedBy who = StoppedBy::nobody;  ///< where it was stopped
   AxisError error = AxisError::none;
@@ -345,7 +345,7 @@ struct Ending {
 
 /// Things that must not be lost: they travel in a ring beside the snapshots.
 struct Notice {
-  enum class Kind : std::uint8_t { info, warning, error, program, report, question, ending };
+  enum class Kind : std::uint8_t { info, warning, error, program, report, question };
   Kind kind = Kind::info;
   Instant at{};
   IntentId intent = 0;
@@ -353,7 +353,6 @@ struct Notice {
   bool whole = true;       ///< ... and false: `text` leaves out code that means nothing here
   std::string text;        ///< a sentence, or the listing
   std::vector<int> slots;  ///< question: one of these must be emptied before a move is possible
-  Ending ending;           ///< of that kind, which has no text
 
   Notice() = default;
   Notice(Kind k, Instant when, std::string t) : kind(k), at(when), text(std::move(t)) {}

@@ -51,6 +51,10 @@ Session::Session(Scheduler& scheduler, Address address, const DeviceType& type, 
                        [this](const AxisSample& sample) { samples_.push(sample); }, wire_->line(),
                        [this] {
                          if (wake_) wake_();
+                       },
+                       [this](const Ending& ending) {
+                         endings_.push(ending);
+                         if (wake_) wake_();
                        }}) {}
 
 Session::~Session() {

@@ -43,6 +43,7 @@ class Session : public std::enable_shared_from_this<Session> {
   const BenchView& bench_view() { return latest_bench_.view(); }
   [[nodiscard]] TrafficRing& traffic() { return traffic_; }
   [[nodiscard]] Ring<Notice>& notices() { return notices_; }
+  [[nodiscard]] Ring<Ending>& endings() { return endings_; }
   [[nodiscard]] Ring<AxisSample>& samples() { return samples_; }
 
   // ---- io thread
@@ -92,6 +93,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Latest<BenchView> latest_bench_;
   TrafficRing traffic_{traffic_capacity};
   Ring<Notice> notices_{1024};
+  Ring<Ending> endings_{1024};
   Ring<AxisSample> samples_{1 << 14};
   std::shared_ptr<BenchAccess> bench_;
   BenchView bench_view_;

@@ -113,12 +113,12 @@ std::string name_of_run(const Ending& e, const Catalog& catalog) {
 
 }  // namespace
 
-Happening event_of(const Ending& e, Instant at, const Catalog& catalog, const ShowPosition& position) {
+Happening event_of(const Ending& e, const Catalog& catalog, const ShowPosition& position) {
   Happening event;
   event.mark = mark_of(e);
   event.bad = is_bad(e);
-  event.at = at;
-  event.took_s = seconds(at - e.began);
+  event.at = e.at;
+  event.took_s = seconds(e.at - e.began);
   if (e.axis < 0) {
     event.who = name_of_run(e, catalog);
     event.words = run_words(e);

@@ -11,7 +11,6 @@ namespace hw::gui {
 
 using ShowPosition = std::function<std::string(AxisId, Steps)>;
 
-/// The event that it is, at `at`.
-Happening event_of(const Ending& ending, Instant at, const Catalog& catalog, const ShowPosition& position);
+Happening event_of(const Ending& ending, const Catalog& catalog, const ShowPosition& position);
 
 }  // namespace hw::gui

@@ -78,6 +78,7 @@ void Tab::refresh() {
   bench_ = &session_->bench_view();
   clock_ = session_->now();
   session_->notices().drain([this](Notice& notice) { take(notice); });
+  session_->endings().drain([this](const Ending& ending) { take(ending); });
   desk_.traffic.drain(session_->traffic());
   follow_counting();
   follow_fates();
@@ -103,11 +104,6 @@ void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) 
 
 void Tab::take(Notice& notice) {
   if (notice.kind == Notice::Kind::program) return desk_.listed(notice);
-  const auto position = [this](AxisId axis, Steps place) {
-    return std::string(format_with_unit(place, unit(axis)).view());
-  };
-  if (notice.kind == Notice::Kind::ending)
-    return desk_.events.add(event_of(notice.ending, notice.at, catalog_, position));
   const bool bad = notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error;
   desk_.events.add({Happening::Mark::message, bad, notice.at, {}, notice.text, -1});
   notices_.push_back(std::move(notice));
@@ -142,6 +138,13 @@ void Tab::stopped_with(IntentId stop) {
   note("Stop of all devices was asked for");
   desk_.stopped();
   followed_.push_back(stop);
+}
+
+void Tab::take(const Ending& ending) {
+  const auto position = [this](AxisId axis, Steps place) {
+    return std::string(format_with_unit(place, unit(axis)).view());
+  };
+  desk_.events.add(event_of(ending, catalog_, position));
 }
 
 /// What a hand has done: it stays there when a wire that babbles has pushed it out of the terminal.

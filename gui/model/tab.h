@@ -125,6 +125,7 @@ class Tab {
   void tell_what_is_watched();
   void find_why_not_move();
   void take(Notice& notice);
+  void take(const Ending& ending);
   void note(std::string words);
   void work_out_units();
   void follow_counting();

@@ -10,9 +10,7 @@ class EndingContract : public ContractTest {
  protected:
   std::vector<Ending> endings() {
     std::vector<Ending> all;
-    session->notices().drain([&](Notice& notice) {
-      if (notice.kind == Notice::Kind::ending) all.push_back(notice.ending);
-    });
+    session->endings().drain([&all](const Ending& ending) { all.push_back(ending); });
     return all;
   }
   void switch_motor_on() {

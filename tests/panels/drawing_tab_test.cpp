@@ -367,10 +367,10 @@ TEST_F(VxmDrawingTabTest, NobodyButTheUserSaysHowFarStairsMayLieBesideTheLine) {
   drop();
   for (const char* id : {"drawing/cut", "drawing/frame", "drawing/to_program"})
     EXPECT_THAT(s.reason(id), HasSubstr("how far its corners may lie beside the line")) << id;
-  s.type("drawing/tolerance", "0.5");
+  s.type("drawing/tolerance", "0.5\n");
   s.stage.frames(10);
   EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
-  s.type("drawing/tolerance", "");
+  s.type("drawing/tolerance", "\n");
   s.stage.frames(10);
   EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("how far its corners may lie beside the line"));
 }

@@ -195,8 +195,7 @@ Task<> Stage::close_and_look(std::shared_ptr<SessionGroup> group, int call) {
   co_await never.wait_until(now() + opening_takes);
   if (--closing_now_ == 0 && opens_later_) open();
   for (std::size_t i = 0; i < machines_.size(); ++i)
-    group->members()[i]->notices().drain(
-        [&](const Notice& n) { machines_[i].told = machines_[i].told || n.kind != Notice::Kind::ending; });
+    group->members()[i]->notices().drain([&](const Notice&) { machines_[i].told = true; });
   if (!connected) co_return;
   constexpr Duration arrives = std::chrono::seconds(1);
   co_await never.wait_until(now() + arrives);  // what is on the wire

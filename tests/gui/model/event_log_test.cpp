@@ -21,14 +21,14 @@ const Catalog catalog = two_axes();
 std::string in_mm(AxisId, Steps place) { return std::to_string(place.value / 100) + " mm"; }
 
 std::string words(const Ending& e) {
-  const Happening event = event_of(e, Instant{seconds(9)}, catalog, in_mm);
+  const Happening event = event_of(e, catalog, in_mm);
   return event.who + " " + event.words;
 }
 
 Ending motion(EndedBy by, StoppedBy who = StoppedBy::nobody) {
   Ending e;
   e.axis = 1;
-  e.began = Instant{seconds(2)};
+  e.began = Instant{seconds(2)}, e.at = Instant{seconds(9)};
   e.by = by, e.who = who;
   e.place_known = true, e.place = Steps(8500);
   return e;
@@ -41,7 +41,7 @@ TEST(EndingWords, SayHowAMotionEndedAndWhere) {
             "Y motion stopped at once, without a ramp, by the script, at 85 mm");
   EXPECT_EQ(words(motion(EndedBy::elsewhere)),
             "Y motion was cut short by another program or at the controller, at 85 mm");
-  EXPECT_DOUBLE_EQ(event_of(motion(EndedBy::target), Instant{seconds(9)}, catalog, in_mm).took_s, 7);
+  EXPECT_DOUBLE_EQ(event_of(motion(EndedBy::target), catalog, in_mm).took_s, 7);
 }
 
 TEST(EndingWords, NameTheLimitAndTheError) {

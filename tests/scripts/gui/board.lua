@@ -72,6 +72,15 @@ block("tuning-bad-and-good-gains", function()
   gains{KDX = "8.00"}
   record()
   must(number("tuning/measure/overshoot") < 5, "KP2 KD8 does not: " .. ui.value("tuning/measure/overshoot"))
+  shows("tuning/measure/overshoot/change", "-")
+  ui.click("tuning/scatter")
+  hw.sleep(12)  -- six steps, and a pause behind each
+  ui.frame(3)
+  gains{KDX = "0.00"}
+  record()
+  shows("tuning/measure/overshoot/change", "worse")
+  gains{KDX = "8.00"}
+  record()
   shows("tuning/measure/overshoot/change", "better")
   shows("tuning/measure/settling", "ms")
   must(tonumber(ui.value("tuning/plot"):match("^(%d+) samples")) > 50, ui.value("tuning/plot"))
