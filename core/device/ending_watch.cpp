@@ -64,7 +64,7 @@ void EndingWatch::begin(Run& run, Ending::What what, Instant now) {
 }
 
 void EndingWatch::finish(Run& run, Instant at) {
-  run.under_way = run.ended = false;
+  run.under_way = false;
   if (stopped(run.told.by)) run.told.who = run.who;
   if (run.quiet && as_meant(run.told.by)) return;
   run.told.at = at;
@@ -77,13 +77,12 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
   if (now.axis_moves(axis)) {
     if (!run.under_way) begin(run, what_moves(state.activity), now.at);
     if (state.activity != Activity::stopping) run.told.what = what_moves(state.activity);
-    run.ended = false;
     run.quiet = something_tells(now);
     return;
   }
   if (!run.under_way) return;
   if (state.activity == Activity::unknown) return (void)(run = Run());  // the loss of the link is told
-  run.ended = true;
+  // How it ended may show a round later.
   if (state.ended_by == EndedBy::nothing && state.activity != Activity::error) return;
   run.quiet = run.quiet || something_tells(now);
   run.told.axis = axis;

@@ -24,7 +24,6 @@ class EndingWatch {
   /// A motion, or a run of programs or lists.
   struct Run {
     bool under_way = false;
-    bool ended = false;  ///< and how it ended is not known yet
     bool quiet = false;  ///< of a motion: a program or a list tells of it
     Ending told;
     StoppedBy who = StoppedBy::nobody;

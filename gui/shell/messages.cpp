@@ -268,7 +268,7 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
       "switch. "
       "Then its state is read afresh; nothing moves by itself.",
       others ? "The others answer, so port and baud rate are right. " : "", link.sentence.view(),
-      went_on.empty() ? "Nothing moved when the link went. "
+      went_on.empty() ? "Nothing was seen to move when the link went. "
                       : fmt::format("When the link went, {}. ", went_on));
   char attempt[64];
   const Banner what{Mood::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt)};

@@ -115,7 +115,7 @@ void Tuning::follow(Frame& f) {
     stage_ = Stage::idle;
     return end_repeat(f, fmt::format("The step was not made: {}.", between));
   }
-  if (repeat_) {
+  if (repeat_.on) {
     if (f.ui.cancelled())
       end_repeat(f, "Stopped: Repeat is off.");
     else if (!between.empty())
@@ -126,7 +126,7 @@ void Tuning::follow(Frame& f) {
   f.ui.wake_in(0.02);
   if (stage_ == Stage::pausing) {
     const bool settles = f.now.axis_moves(axis().index);
-    if (!repeat_)
+    if (!repeat_.on)
       stage_ = Stage::idle;
     else if (f.ui.now_s - since_s_ > pause_s && !settles && !ended_early(f))
       record(f);
@@ -137,7 +137,7 @@ void Tuning::follow(Frame& f) {
   if (fate && (fate->fate == Fate::refused || fate->fate == Fate::failed)) {
     f.toast(Mood::fault, std::string(fate->sentence.view()));
     runs_.pop_back();
-    repeat_ = false;
+    repeat_.on = false;
     stage_ = Stage::idle;
     return;
   }
@@ -146,14 +146,14 @@ void Tuning::follow(Frame& f) {
 }
 
 void Tuning::end_repeat(Frame& f, std::string why) {
-  repeat_ = learns_scatter_ = false;
+  repeat_.on = repeat_.learns_scatter = false;
   if (!why.empty()) f.toast(Mood::plain, std::move(why));
 }
 
 /// `steps`: even; negative: until it is pressed again.
 void Tuning::begin_repeat(Frame& f, int steps) {
-  repeat_ = true;
-  steps_left_ = steps;
+  repeat_.on = true;
+  repeat_.steps_left = steps;
   sign_ = 1;
   record(f);
 }
@@ -161,15 +161,15 @@ void Tuning::begin_repeat(Frame& f, int steps) {
 /// A step that leads away from there is followed by one back.
 void Tuning::end_where_it_began(Frame& f) {
   const bool stands = stage_ == Stage::pausing, leads_away = sign_ > 0;
-  steps_left_ = (stands ? 0 : 1) + (leads_away == stands ? 0 : 1);
-  if (steps_left_ == 0) end_repeat(f, {});
+  repeat_.steps_left = (stands ? 0 : 1) + (leads_away == stands ? 0 : 1);
+  if (repeat_.steps_left == 0) end_repeat(f, {});
 }
 
 /// Of the steps there; those back begin elsewhere.
 void Tuning::learn_scatter(Frame& f) {
-  if (!learns_scatter_) return;
+  if (!repeat_.learns_scatter) return;
   if (sign_ > 0) scatter_.take(now_);
-  if (steps_left_ != 0) return;
+  if (repeat_.steps_left != 0) return;
   f.toast(Mood::ok, "Three repetitions are measured: a smaller difference than theirs is called the same.");
 }
 
@@ -186,7 +186,7 @@ void Tuning::finish(Frame& f) {
   if (!runs_.back().moved()) {
     const bool none = runs_.back().empty();
     runs_.pop_back();
-    repeat_ = false;
+    repeat_.on = false;
     return f.toast(Mood::fault, none ? "No sample has come: nothing was recorded."
                                      : "The axis was not sent anywhere: nothing was recorded.");
   }
@@ -199,10 +199,10 @@ void Tuning::finish(Frame& f) {
   run_names_.assign(run_texts_.begin(), run_texts_.end());
   now_number_ = runs_.back().number();
   measure_before();
-  if (!repeat_ || ended_early(f)) return;
-  if (steps_left_ > 0) --steps_left_;
+  if (!repeat_.on || ended_early(f)) return;
+  if (repeat_.steps_left > 0) --repeat_.steps_left;
   learn_scatter(f);
-  if (steps_left_ == 0) return end_repeat(f, {});
+  if (repeat_.steps_left == 0) return end_repeat(f, {});
   sign_ = -sign_;
   stage_ = Stage::pausing;
   since_s_ = f.ui.now_s;
@@ -237,7 +237,7 @@ std::string_view Tuning::why_not(const Frame& f) {
 void Tuning::record(Frame& f) {
   if (stage_ == Stage::pausing) stage_ = Stage::idle;
   if (const std::string_view why = why_not(f); !why.empty()) {
-    repeat_ = false;
+    repeat_.on = false;
     return f.toast(Mood::fault, std::string(why));
   }
   take_samples(f.tab, [](const AxisSample&) {});  // of an earlier recording
@@ -269,7 +269,7 @@ void Tuning::draw_toolbar(Frame& f) {
   go.icon = Icon::play;
   go.moving = true;
   go.height = 40;
-  go.disabled = repeat_ ? std::string_view("Repeat is on: switch it off first.") : why_not(f);
+  go.disabled = repeat_.on ? std::string_view("Repeat is on: switch it off first.") : why_not(f);
   go.tip = "Moves the axis by the step and records it.";
   if (button(ui, "tuning/record", f.area.width >= 640 ? "Record step" : "Record", go).clicked) {
     sign_ = 1;
@@ -277,17 +277,17 @@ void Tuning::draw_toolbar(Frame& f) {
   }
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions again;
-  again.moving = !repeat_;  // a press that ends it waits for nothing
+  again.moving = !repeat_.on;  // a press that ends it waits for nothing
   again.height = 40;
   again.on = true;
   again.width = button_width(ui, "Repeat", again);  // whether it is on or not
-  again.on = repeat_;
-  again.disabled = repeat_ ? std::string_view() : why_not(f);
+  again.on = repeat_.on;
+  again.disabled = repeat_.on ? std::string_view() : why_not(f);
   again.tip =
       "Steps to and fro until it is pressed again, and ends where it began. A stop or another panel ends it "
       "at once.";
   if (button(ui, "tuning/repeat", "Repeat", again).clicked) {
-    if (repeat_)
+    if (repeat_.on)
       end_where_it_began(f);
     else
       begin_repeat(f, -1);

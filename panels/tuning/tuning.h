@@ -75,9 +75,12 @@ class Tuning final : public gui::Panel {
   gui::NumberField step_, length_;
 
   Stage stage_ = Stage::idle;
-  bool repeat_ = false;
-  int steps_left_ =
-      0;  ///< of Repeat: an even number, so that it ends where it began; negative: until it is pressed
+  struct Repeat {
+    bool on = false;
+    int steps_left = 0;  ///< even, so that it ends where it began; negative: until it is pressed
+    bool learns_scatter = false;
+  };
+  Repeat repeat_;
   int sign_ = 1, number_ = 0;
   Steps step_now_{};  ///< of the run under way, with its sign
   double since_s_ = 0, length_ms_ = 0, drawn_s_ = 0;
@@ -91,7 +94,6 @@ class Tuning final : public gui::Panel {
   // Of the latest that is whole, and of what it is compared with; number 0: there is none.
   gui::StepMeasures now_, was_;
   gui::StepScatter scatter_;  ///< of this axis, step and length
-  bool learns_scatter_ = false;
   int now_number_ = 0, was_number_ = 0;
   gui::PlotCursor cursor_;
 };

@@ -239,11 +239,11 @@ void Tuning::draw_scatter(Frame& f, float width) {
   ButtonOptions three;
   three.width = width;
   three.moving = true;
-  three.disabled = repeat_ ? std::string_view("Repeat is on: switch it off first.") : why_not(f);
+  three.disabled = repeat_.on ? std::string_view("Repeat is on: switch it off first.") : why_not(f);
   three.tip = "Makes the step three times to and fro, and ends where it began.";
   if (button(ui, "tuning/scatter", "Repeat three times", three).clicked) {
     scatter_ = {};
-    learns_scatter_ = true;
+    repeat_.learns_scatter = true;
     begin_repeat(f, 2 * StepScatter::enough);
   }
   gap(ui, 8);
