@@ -14,6 +14,9 @@
 
 namespace hw {
 
+struct AxisTarget;
+struct Snapshot;
+
 struct AxisInfo {
   std::string name;          ///< the maker's: "1", "X"
   std::string description;   ///< "motor 1"
@@ -150,6 +153,8 @@ struct ActionInfo {
   bool follows_analog = false;  ///< its axis follows an analog input: they are shown with it
   std::vector<ActionField> fields;
   std::string manual;
+  /// The outermost places of its way with these values from where the axes stand; null: its places are all.
+  std::vector<AxisTarget> (*reaches)(const Snapshot& now, const std::vector<std::int64_t>& values) = nullptr;
 };
 
 /// Numbered variables of the controller's programs.

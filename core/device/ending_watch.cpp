@@ -1,6 +1,8 @@
 #include "core/device/ending_watch.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "core/base/index.h"
 
@@ -20,6 +22,12 @@ bool something_tells(const Snapshot& now) {
 bool stopped(EndedBy by) { return by == EndedBy::stop || by == EndedBy::abort; }
 bool as_meant(EndedBy by) { return by == EndedBy::target || by == EndedBy::nothing; }
 
+bool goes_to_travel_end(const AxisState& axis) {
+  if (axis.activity != Activity::jogging || !axis.has_target || !axis.travel_holds()) return false;
+  const Travel& t = axis.travel;
+  return (t.has_minus && axis.target == t.minus) || (t.has_plus && axis.target == t.plus);
+}
+
 Ending::What what_moves(Activity activity) {
   return activity == Activity::homing    ? Ending::What::homing
          : activity == Activity::jogging ? Ending::What::jog
@@ -28,13 +36,26 @@ Ending::What what_moves(Activity activity) {
 
 }  // namespace
 
-void EndingWatch::stop_asked(const StopOrder& order) {
+bool EndingWatch::stops_axis(const StopOrder& order, int axis) {
+  using What = StopOrder::What;
+  if (order.what == What::tool || (order.what == What::words && !order.meaning.stops_here())) return false;
+  const bool all = order.stops_all() || order.what == What::broadcast;
+  return all || order.axis == axis || (order.what == What::words && (order.meaning.axes >> axis & 1u) != 0);
+}
+
+void EndingWatch::stop_asked(const StopOrder& order, const Snapshot& now, Instant at) {
   using What = StopOrder::What;
   if (order.what == What::tool || (order.what == What::words && !order.meaning.stops_here())) return;
-  const bool all = order.stops_all() || order.what == What::broadcast;
-  for (int i = 0; i < max_axes; ++i)
-    if (all || order.axis == i || (order.what == What::words && (order.meaning.axes >> i & 1u) != 0))
-      axes_[ix(i)].who = order.by;
+  for (int i = 0; i < max_axes; ++i) {
+    if (!stops_axis(order, i)) continue;
+    Run& run = axes_[ix(i)];
+    run.who = order.by;
+    if (!run.under_way || run.asked_at != Instant{}) continue;
+    const AxisState& axis = now.axes[ix(i)];
+    const double since_seen = seconds(at - axis.seen_at) * axis.speed.value * axis.direction;
+    run.asked_at = at;
+    run.asked_place = axis.position + Steps(std::llround(since_seen));
+  }
   if (order.what == What::jog) return;
   const bool one_axis = order.what == What::everything && order.axis >= 0 && catalog_.program.threads > 0;
   if (one_axis) return;  // its program goes on
@@ -43,6 +64,19 @@ void EndingWatch::stop_asked(const StopOrder& order) {
   program_.who = list_.who = pieces_.who = order.by;
   if (order.what == What::program)
     for (Run& axis : axes_) axis.who = order.by;
+}
+
+void EndingWatch::stop_goes_out(const StopOrder& order, Instant at) {
+  for (int i = 0; i < max_axes; ++i)
+    if (Run& run = axes_[ix(i)]; run.sent_at == Instant{} && stops_axis(order, i)) run.sent_at = at;
+}
+
+void EndingWatch::time_the_stop(Run& run, Instant at) {
+  if (run.asked_at == Instant{} || run.sent_at == Instant{} || !run.told.place_known) return;
+  run.told.timed = true;
+  run.told.to_wire = run.sent_at - run.asked_at;
+  run.told.to_rest = at - run.asked_at;
+  run.told.ran_on = Steps(std::abs((run.told.place - run.asked_place).value));
 }
 
 void EndingWatch::look(const Snapshot& now) {
@@ -65,7 +99,7 @@ void EndingWatch::begin(Run& run, Ending::What what, Instant now) {
 
 void EndingWatch::finish(Run& run, Instant at) {
   run.under_way = false;
-  if (stopped(run.told.by)) run.told.who = run.who;
+  if (stopped(run.told.by)) run.told.who = run.who, time_the_stop(run, at);
   if (run.quiet && as_meant(run.told.by)) return;
   run.told.at = at;
   tell_(run.told);
@@ -77,6 +111,7 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
   if (now.axis_moves(axis)) {
     if (!run.under_way) begin(run, what_moves(state.activity), now.at);
     if (state.activity != Activity::stopping) run.told.what = what_moves(state.activity);
+    run.told.at_travel_end = goes_to_travel_end(state);
     run.quiet = something_tells(now);
     return;
   }
@@ -86,6 +121,7 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
   if (state.ended_by == EndedBy::nothing && state.activity != Activity::error) return;
   run.quiet = run.quiet || something_tells(now);
   run.told.axis = axis;
+  run.told.at_travel_end = run.told.at_travel_end && state.ended_by == EndedBy::target;
   run.told.by = state.ended_by == EndedBy::nothing ? EndedBy::error : state.ended_by;
   run.told.error = state.error;
   run.told.limit_minus = state.limits_known && state.limit_minus;

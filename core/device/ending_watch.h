@@ -16,7 +16,9 @@ class EndingWatch {
   EndingWatch(const Catalog& catalog, Tell tell) : catalog_(catalog), tell_(std::move(tell)) {}
 
   /// A stop is asked for: what ends by one from now on, ends by this.
-  void stop_asked(const StopOrder& order);
+  void stop_asked(const StopOrder& order, const Snapshot& now, Instant at);
+  /// Its first byte goes out.
+  void stop_goes_out(const StopOrder& order, Instant at);
   /// After each change of what is known.
   void look(const Snapshot& now);
 
@@ -27,6 +29,8 @@ class EndingWatch {
     bool quiet = false;  ///< of a motion: a program or a list tells of it
     Ending told;
     StoppedBy who = StoppedBy::nobody;
+    Instant asked_at{}, sent_at{};  ///< of the first stop
+    Steps asked_place{};
   };
   void look_at_axis(const Snapshot& now, int axis);
   void look_at_program(const Snapshot& now);
@@ -35,6 +39,8 @@ class EndingWatch {
   void look_at_pieces(const Snapshot& now);
   static void begin(Run& run, Ending::What what, Instant now);
   void finish(Run& run, Instant at);
+  static void time_the_stop(Run& run, Instant at);
+  static bool stops_axis(const StopOrder& order, int axis);
 
   const Catalog& catalog_;
   const Tell tell_;

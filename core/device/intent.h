@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/device/travel.h"
 #include "core/device/trust.h"
 
 namespace hw {
@@ -64,6 +66,9 @@ struct JogStart {
   Sign sign;
   Pps speed;      ///< 0: the controller's own jog or high speed
   bool dead_man;  ///< false for scripts, which stop it themselves
+  /// The end of the user's travel that way, which the pump fills in: the jog is sent as a move there, so that
+  /// the controller ends it whatever becomes of the console.
+  std::optional<Steps> up_to;
   JogStart(AxisId a, Sign s, Pps v = {}, bool guarded = true)
       : axis(a), sign(s), speed(v), dead_man(guarded) {}
 };
@@ -107,6 +112,12 @@ struct TrustPosition {
 struct RecallPositions {
   std::vector<KeptPosition> kept;
   explicit RecallPositions(std::vector<KeptPosition> k) : kept(std::move(k)) {}
+};
+/// How far the user lets an axis go. Nothing is sent; also without a connection.
+struct SetTravel {
+  AxisId axis;
+  Travel travel;
+  SetTravel(AxisId a, Travel t) : axis(a), travel(t) {}
 };
 /// Makes the present encoder count read `value`.
 struct SetEncoder {
@@ -253,8 +264,8 @@ struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
 using IntentBody =
     std::variant<intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop,
                  intent::Home, intent::Stop, intent::Abort, intent::SetPosition, intent::TrustPosition,
-                 intent::RecallPositions, intent::SetEncoder, intent::SetPower, intent::SetOutput,
-                 intent::SetParam, intent::ReadParams, intent::ReadAnalog, intent::Store,
+                 intent::RecallPositions, intent::SetTravel, intent::SetEncoder, intent::SetPower,
+                 intent::SetOutput, intent::SetParam, intent::ReadParams, intent::ReadAnalog, intent::Store,
                  intent::SelectProgram, intent::LoadProgram, intent::UploadProgram, intent::ClearProgram,
                  intent::RunProgram, intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram,
                  intent::Act, intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves,

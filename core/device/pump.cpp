@@ -23,6 +23,7 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
       jogs_(scheduler, [this] { jog_let_go(); }),
       pieces_(catalog, draft_, wake_),
       endings_(catalog, ways_.ended),
+      travel_(catalog),
       wake_(scheduler),
       published_(scheduler),
       ended_(scheduler),
@@ -397,13 +398,11 @@ void Pump::set_fate(const IntentFate& told) {
   *at = told;
 }
 
-void Pump::tell_fault(IntentId id, const Fault& fault, std::uint32_t doubtful) {
-  IntentFate told;
+void Pump::tell_fault(IntentId id, const Fault& fault, IntentFate told) {
   told.id = id;
   told.asks = fault.kind == FaultKind::asks;
   told.fate = told.asks || fault.kind == FaultKind::refused ? Fate::refused : Fate::failed;
   told.sentence = fault.sentence();
-  told.doubtful = doubtful;
   set_fate(told);
 }
 
@@ -411,6 +410,8 @@ void Pump::publish() {
   ++draft_.sequence;
   draft_.at = scheduler_.now();
   endings_.look(draft_);
+  if (std::string passed = travel_.look(draft_); !passed.empty())
+    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(passed)));
   ways_.publish(draft_);
   published_.notify();
 }

@@ -17,6 +17,7 @@
 #include "core/device/rounds.h"
 #include "core/device/stop.h"
 #include "core/device/tool_guard.h"
+#include "core/device/travel_check.h"
 #include "core/link/station.h"
 #include "core/time/scheduler.h"
 
@@ -119,7 +120,7 @@ class Pump {
   [[nodiscard]] bool closes() const { return life_ >= Life::closes; }
   void set_fate(IntentId id, Fate fate, std::string_view sentence = {});
   void set_fate(const IntentFate& told);
-  void tell_fault(IntentId id, const Fault& fault, std::uint32_t doubtful = 0);
+  void tell_fault(IntentId id, const Fault& fault, IntentFate told = {});
 
   // ---- pump_stops.cpp
   void post_stop(StopOrder order);
@@ -153,6 +154,8 @@ class Pump {
   void pieces_end(std::string why);
   Result<> trust_position(AxisId axis);
   void recall_positions(const std::vector<KeptPosition>& kept);
+  void set_travel(IntentId id, const intent::SetTravel& wish);
+  [[nodiscard]] Result<> admit(Job& job, IntentFate& told) const;
   Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
                                                  Duration patience);
   Task<Result<std::string>> wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience);
@@ -182,6 +185,7 @@ class Pump {
   Rounds rounds_;
   Outage outage_;
   EndingWatch endings_;
+  TravelWatch travel_;
   std::unique_ptr<Driver> driver_;
   std::unique_ptr<Station> station_;
   Event wake_, published_, ended_;

@@ -48,6 +48,7 @@ void Pump::post(Intent intent) {
     wake_.notify();
     return;
   }
+  if (const auto* wish = std::get_if<intent::SetTravel>(&intent.body)) return set_travel(intent.id, *wish);
   if (std::holds_alternative<intent::SendText>(intent.body)) return post_text(std::move(intent));
   if (leaves()) {
     set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
@@ -260,6 +261,35 @@ void Pump::recall_positions(const std::vector<KeptPosition>& kept) {
   }
 }
 
+/// At once, also without a connection: what waits goes by it.
+void Pump::set_travel(IntentId id, const intent::SetTravel& wish) {
+  const std::string why_not = say_no_travel(catalog_, wish);
+  if (why_not.empty()) draft_.axes[wish.axis.index].travel = wish.travel;
+  set_fate(id, why_not.empty() ? Fate::done : Fate::refused, why_not);
+  publish();
+}
+
+/// What no driver is asked for is refused here, see refusals.h and travel_check.h; a jog gets its end.
+/// `told`: what a sentence in other units needs.
+Result<> Pump::admit(Job& job, IntentFate& told) const {
+  IntentBody& body = job.intent.body;
+  const auto steps = words_in_steps(catalog_, draft_);
+  if (says_where_it_stands(body) && job.restarts_before != draft_.restarts)
+    return fail(FaultKind::refused, "The controller was switched off and on after this was asked for.",
+                "Nothing was sent.", "Look where it stands, and ask again.");
+  told.doubtful = doubtful_axes(catalog_, draft_, body);
+  if (told.doubtful != 0)
+    return fail(FaultKind::refused, say_doubtful(catalog_, draft_, body, told.doubtful, steps));
+  if (const int torn = torn_program(catalog_, draft_, body); torn >= 0)
+    return fail(FaultKind::refused, say_torn(catalog_, torn));
+  told.past = past_travel(catalog_, draft_, body);
+  if (told.past) return fail(FaultKind::refused, say_past(catalog_, *told.past, steps.position));
+  if (auto* jog = std::get_if<intent::JogStart>(&body))
+    if (std::string end = bound_by_travel(catalog_, draft_, *jog); !end.empty())
+      return fail(FaultKind::refused, std::move(end));
+  return {};
+}
+
 /// A text to all controllers of a wire that was asked for before a stop of one of them, or while one is being
 /// stopped.
 Result<> Pump::may_go_to_all(const Job& job) const {
@@ -275,8 +305,7 @@ Result<> Pump::may_go_to_all(const Job& job) const {
 Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = jobs_.begin();
   count_program_change(job->intent);
-  // What no driver is asked for: see refusals.h.
-  const std::uint32_t doubtful = doubtful_axes(catalog_, draft_, job->intent.body);
+  IntentFate told;
   const std::uint64_t epoch = desk_.epoch();
   const std::uint32_t restarts = draft_.restarts;
   Result<> performed = may_go_to_all(*job);
@@ -290,14 +319,8 @@ Task<> Pump::perform_next() {
     job->reply = co_await guarded("question", driver_->query(job->text, job->patience));
   } else if (!performed && job->is_query) {
     job->reply = fail(performed.error());
-  } else if (performed && says_where_it_stands(job->intent.body) && job->restarts_before != draft_.restarts) {
-    performed = fail(FaultKind::refused, "The controller was switched off and on after this was asked for.",
-                     "Nothing was sent.", "Look where it stands, and ask again.");
-  } else if (performed && doubtful != 0) {
-    performed = fail(FaultKind::refused, say_doubtful(catalog_, draft_, job->intent.body, doubtful,
-                                                      words_in_steps(catalog_, draft_)));
-  } else if (const int torn = torn_program(catalog_, draft_, job->intent.body); performed && torn >= 0) {
-    performed = fail(FaultKind::refused, say_torn(catalog_, torn));
+  } else if (auto admitted = admit(*job, told); performed && !admitted) {
+    performed = std::move(admitted);
   } else if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body)) {
     performed = trust_position(wish->axis);
   } else if (const auto* memory = std::get_if<intent::RecallPositions>(&job->intent.body)) {
@@ -321,7 +344,7 @@ Task<> Pump::perform_next() {
   if (performed)
     set_fate(job->intent.id, Fate::done);
   else
-    tell_fault(job->intent.id, performed.error(), doubtful);
+    tell_fault(job->intent.id, performed.error(), told);
   if (!performed) jog_failed(job->intent, performed.error().kind);
   publish();
 }

@@ -42,7 +42,7 @@ StopOrder& Pump::ask(StopOrder order) {
   using What = StopOrder::What;
   const bool leaves_tool =
       order.what == What::jog || (order.what == What::words && !order.meaning.stops_here());
-  endings_.stop_asked(order);
+  endings_.stop_asked(order, draft_, scheduler_.now());
   StopOrder& asked = desk_.ask(std::move(order));
   if (!leaves_tool) pieces_.end();
   if (leaves_tool || !tool_.may_be_on(draft_)) return asked;
@@ -77,6 +77,7 @@ Task<> Pump::send_stop(StopOrder& order) {
   ++order.times_sent;
   order.sent_at = scheduler_.now();
   if (order.times_sent == 1) order.first_sent_at = order.sent_at;
+  endings_.stop_goes_out(order, order.sent_at);
   if (order.what == StopOrder::What::words)
     count_program_change(Intent(order.intent, intent::SendText(order.words)));
   order.in_haste = desk_.another_waits(order);

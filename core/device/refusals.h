@@ -28,9 +28,11 @@ std::vector<AxisTarget> places_of(const Catalog& catalog, const IntentBody& body
 /// Bit per axis that it would send to a place although its position is not to be trusted.
 std::uint32_t doubtful_axes(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
 
-/// How a sentence writes a place and a time.
+/// How a sentence writes a place.
+using PlaceWords = std::function<std::string(AxisId, Steps)>;
+/// The same, and a time.
 struct DoubtWords {
-  std::function<std::string(AxisId, Steps)> position;
+  PlaceWords position;
   std::function<std::string(Instant)> time_of_day;      ///< empty: there is no clock
   [[nodiscard]] std::string when(Instant since) const;  ///< " (12:31:07)"
 };

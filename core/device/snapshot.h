@@ -5,11 +5,13 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/base/fixed_text.h"
 #include "core/base/units.h"
 #include "core/device/intent.h"
+#include "core/device/travel.h"
 #include "core/device/trust.h"
 #include "core/time/clock.h"
 
@@ -61,6 +63,7 @@ struct AxisState {
   Instant seen_at{};            ///< when the position was read
   bool position_known = false;  ///< false: never read, or not true any more since a loss or reset
   PositionTrust trust;          ///< of what is known
+  Travel travel;                ///< the user's; see travel_holds()
   Activity activity = Activity::unknown;
   Phase phase = Phase::unknown;
   AxisError error = AxisError::none;
@@ -84,6 +87,12 @@ struct AxisState {
 
   /// Where its moves begin, and what relative ones add to.
   [[nodiscard]] Steps commanded() const { return loop == Loop::none ? position : command; }
+  /// Its count tells where it stands within its travel: a limit by a doubtful count would be none.
+  [[nodiscard]] bool travel_holds() const {
+    return travel.any() && position_known && !trust.doubtful() && travel.in_counts == in_counts;
+  }
+  /// Where it is sent now, or stands.
+  [[nodiscard]] Steps goal() const { return has_target ? target : commanded(); }
   [[nodiscard]] Steps following_error() const { return commanded() - position; }
 };
 
@@ -145,6 +154,7 @@ struct IntentFate {
   FixedText<320> sentence;     ///< refused or failed: Fault::sentence()
   bool asks = false;           ///< refused until intent::Closing says what is to be done
   std::uint32_t doubtful = 0;  ///< refused for it: bit per axis whose position is not to be trusted
+  std::optional<PastTravel> past = {};  ///< refused for it
   bool operator==(const IntentFate&) const = default;
 };
 
@@ -334,8 +344,13 @@ struct Ending {
   Instant began{}, at{};  ///< as they were first seen
   EndedBy by = EndedBy::nothing;
   StoppedBy who = StoppedBy::nobody;  ///< where it was stopped
+  /// Of a motion that the console has stopped, from when its core was told: to the first byte, and to rest.
+  bool timed = false;
+  Duration to_wire{}, to_rest{};
+  Steps ran_on{};  ///< meanwhile, worked out from where it was seen last and its speed
   AxisError error = AxisError::none;
   bool limit_minus = false, limit_plus = false;  ///< are hit
+  bool at_travel_end = false;                    ///< of a jog: it went to the end of the user's travel
   bool place_known = false;
   Steps place{};                     ///< where it came to rest
   Steps off{};                       ///< of a servo axis: from its command

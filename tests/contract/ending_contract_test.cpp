@@ -47,6 +47,10 @@ TEST_P(EndingContract, AJogThatIsStoppedByEsc) {
   EXPECT_EQ(all[0].what, Ending::What::jog);
   EXPECT_EQ(all[0].by, EndedBy::stop);
   EXPECT_EQ(all[0].who, StoppedBy::key);
+  EXPECT_TRUE(all[0].timed);
+  EXPECT_LT(all[0].to_wire, Millis(100)) << "nothing is under way but a poll";
+  EXPECT_GT(all[0].to_rest, all[0].to_wire);
+  EXPECT_LT(all[0].ran_on, Steps(1000)) << "it was at 1000 a second";
 }
 
 TEST_P(EndingContract, AMotionThatALimitEnds) {

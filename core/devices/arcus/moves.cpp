@@ -46,7 +46,7 @@ Task<Result<std::int64_t>> Moves::ask_position(int axis) {
                  "Nothing was moved.", "Wait until it stands, or stop it.");
 }
 
-Task<Result<>> Moves::move(std::vector<AxisTarget> wish, Pps speed, bool relative) {
+Task<Result<>> Moves::move(std::vector<AxisTarget> wish, Pps speed, bool relative, Activity shown_as) {
   if (wish.empty()) co_return Result<>();
   auto incremental = co_await ask_incremental();
   if (!incremental) co_return fail(incremental.error());
@@ -75,7 +75,7 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> wish, Pps speed, bool relativ
   }
   auto borrowed = co_await borrow_speed(speed, axes.size() == 1 ? axes.front() : -1);
   if (!borrowed) co_return borrowed;
-  auto started = co_await start(move_command(console_.forms, values), axes, Activity::moving);
+  auto started = co_await start(move_command(console_.forms, values), axes, shown_as);
   for (std::size_t i = 0; started && i < axes.size(); ++i) {
     motions_.goes_to(axes[i], Steps(goals[i]), speed);
     watch_.was_sent_to(axes[i], Steps(goals[i]));
@@ -88,6 +88,10 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> wish, Pps speed, bool relativ
 }
 
 Task<Result<>> Moves::jog(intent::JogStart wish) {
+  if (wish.up_to) {
+    std::vector<AxisTarget> end(1, AxisTarget{wish.axis, *wish.up_to});
+    co_return co_await move(std::move(end), wish.speed, false, Activity::jogging);
+  }
   const int axis = wish.axis.index;
   if (auto may = console_.has_axis(axis); !may) co_return may;
   auto borrowed = co_await borrow_speed(wish.speed, axis);

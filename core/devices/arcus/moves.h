@@ -21,7 +21,8 @@ class Moves {
         motions_(motions),
         status_(status) {}
 
-  Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
+  Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative,
+                      Activity shown_as = Activity::moving);
   Task<Result<>> jog(intent::JogStart wish);
   Task<Result<>> home(intent::Home wish);
   Task<Result<>> set_position(intent::SetPosition wish);

@@ -4,6 +4,7 @@
 
 #include "core/devices/arcus/address.h"
 #include "core/devices/arcus/catalog.h"
+#include "core/devices/pmx_4ex_sa/arc_reach.h"
 #include "core/devices/pmx_4ex_sa/facts.h"
 
 namespace hw::pmx_4ex_sa {
@@ -67,6 +68,7 @@ void add_actions(Catalog& c) {
        angle("sweep", "Swept angle", 1, 3'600'000, 90'000), direction_field()},
       "PMX manual ch. 6 Arc Interpolation Moves"));
   c.actions.back().moves = true;
+  c.actions.back().reaches = arc_reaches;
   c.actions.push_back(
       make_action("circle", "Draw circle",
                   "X and Y make one full turn about the centre and end where they began. Absolute mode only.",
@@ -75,6 +77,7 @@ void add_actions(Catalog& c) {
                    followed(position_field("centre_y", "Centre Y", "pulses"), 1), direction_field()},
                   "PMX manual ch. 6 Circular Interpolation Moves"));
   c.actions.back().moves = true;
+  c.actions.back().reaches = circle_reaches;
   const std::size_t buffer_begin = c.actions.size();
   c.actions.push_back(make_action(
       "buffer_on", "Buffered mode on",

@@ -72,8 +72,7 @@ void Motions::show_still(int i, Instant when) {
   // The board goes on with the ID behind a move that a switch has cut short. And a done flag of a motion
   // before stays until the move's GD is carried out.
   const bool believed = limits_.has_turned(i) || there || limited || mind.wanted == Activity::homing;
-  if (mind.done && believed && mind.wanted != Activity::jogging)
-    return end(i, limited && !there ? EndedBy::limit : EndedBy::target);
+  if (mind.done && believed && !jogs(i)) return end(i, limited && !there ? EndedBy::limit : EndedBy::target);
   if (limited) return end(i, EndedBy::limit);
   // On a straight line the shortest way shows nothing for long: the axes of a group rest together.
   for (int other = 0; other < count(); ++other)
@@ -96,8 +95,7 @@ void Motions::take_done(unsigned axes) {
 bool Motions::waits_for_done() const {
   for (int i = 0; i < count(); ++i) {
     const Axis& mind = at(i);
-    if (mind.ours && !mind.stopping && !moving(i) && !loops_.settles(i) && mind.wanted != Activity::jogging)
-      return true;
+    if (mind.ours && !mind.stopping && !moving(i) && !loops_.settles(i) && !jogs(i)) return true;
   }
   return false;
 }
@@ -145,14 +143,14 @@ Motions::Before Motions::begin(const Way& way) {
     mind.at_home = way.at_home;
     mind.group = (way.axes & (way.axes - 1)) != 0 ? way.axes : 0;
     mind.done = mind.stopping = mind.by_text = mind.asks_queue = false;
-    if (way.activity != Activity::jogging) creeps(i, {});
+    AxisState& axis = draft_.axes[i];
+    axis.has_target = way.has_targets;
+    if (!jogs(i)) creeps(i, {});
     limits_.begins(i, !moving(i));
     mind.still_since = wire_.now();
-    loops_.begins(i, way.activity != Activity::jogging);
-    AxisState& axis = draft_.axes[i];
+    loops_.begins(i, !jogs(i));
     axis.activity = way.activity;
     axis.ended_by = EndedBy::nothing;
-    axis.has_target = way.activity == Activity::moving;
     axis.target = way.targets[ix(i)];
   }
   return before;
@@ -332,7 +330,7 @@ void Motions::queued_was_rejected() {
 /// which a queue tells of only when it moves by itself.
 Duration Motions::rest_patience(int i) const {
   const Axis& mind = at(i);
-  if (mind.group == 0 && mind.wanted != Activity::jogging) return rest_time;
+  if (mind.group == 0 && !jogs(i)) return rest_time;
   return std::max(jog_gap(i, 1), mind.jog_gap);
 }
 

@@ -47,6 +47,7 @@ class Motions {
     unsigned axes = 0;
     Activity activity = Activity::moving;
     std::array<Steps, most_axes> targets{};
+    bool has_targets = false;
     AtHome at_home = AtHome::nothing;
   };
   /// What an axis did before.
@@ -65,7 +66,10 @@ class Motions {
   [[nodiscard]] bool at_rest(int axis) const { return !moving(axis) && !ours(axis); }
   /// Several axes move as one.
   [[nodiscard]] bool in_company(int axis) const { return at(axis).group != 0; }
-  [[nodiscard]] bool jogs(int axis) const { return at(axis).wanted == Activity::jogging; }
+  /// A jog without an end of its own; one that is sent to the end of a travel is a move.
+  [[nodiscard]] bool jogs(int axis) const {
+    return at(axis).wanted == Activity::jogging && !draft_.axes[axis].has_target;
+  }
   /// Its counter is set, or may be: what changes then is no motion.
   void counts(int axis) { at(axis).counted = true; }
   void trust(int axis, Trust how);

@@ -45,6 +45,7 @@ Result<std::int64_t> Moves::checked_speed(Pps speed) const {
 
 Result<Moves::Wish> Moves::checked(const std::vector<AxisTarget>& targets, bool relative) const {
   Wish wish;
+  wish.way.has_targets = true;
   for (const AxisTarget& t : targets) {
     const int axis = t.axis.index;
     if (auto may = may_move(axis); !may) return fail(may.error());
@@ -74,11 +75,13 @@ Task<Result<>> Moves::begin(std::string text, Motions::Way way) {
   co_return sent;
 }
 
-Task<Result<>> Moves::move(std::vector<AxisTarget> targets, Pps speed_wish, bool relative) {
+Task<Result<>> Moves::move(std::vector<AxisTarget> targets, Pps speed_wish, bool relative,
+                           Activity shown_as) {
   const auto speed = checked_speed(speed_wish);
   if (!speed) co_return fail(speed.error());
-  const auto wish = checked(targets, relative);
+  auto wish = checked(targets, relative);
   if (!wish) co_return fail(wish.error());
+  wish->way.activity = shown_as;
   for (int i = 0; i < axes(); ++i) {
     if ((wish->way.axes >> i & 1) == 0) continue;
     Result<> set;
@@ -111,6 +114,10 @@ std::string Moves::move_text(const Wish& wish, std::int64_t speed, bool relative
 }
 
 Task<Result<>> Moves::jog(intent::JogStart wish) {
+  if (wish.up_to) {
+    std::vector<AxisTarget> end(1, AxisTarget{wish.axis, *wish.up_to});
+    co_return co_await move(std::move(end), wish.speed, false, Activity::jogging);
+  }
   const int axis = wish.axis.index;
   if (auto may = may_move(axis); !may) co_return may;
   auto speed = checked_speed(wish.speed);

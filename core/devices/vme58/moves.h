@@ -24,7 +24,8 @@ class Moves {
         draft_(draft) {}
 
   /// One axis by itself; several on a straight line, as a group of AM beside which others may run.
-  Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative);
+  Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative,
+                      Activity shown_as = Activity::moving);
   Task<Result<>> jog(intent::JogStart wish);
   /// JF, in thousandths of a count a second; 0 ends it.
   Task<Result<>> jog_slowly(int axis, std::int64_t thousandths);

@@ -18,6 +18,7 @@ struct Leg {
   Activity activity = Activity::idle;  ///< idle: switches or sets something, moves nothing
   Sign sign = Sign::plus;
   std::optional<Steps> target;
+  std::optional<Steps> up_to;   ///< of a jog: the end of its travel
   int speed = 0;                ///< 0: as the controller is set
   std::optional<Trust> zeroes;  ///< ends with its axis called zero: for this reason
 

@@ -168,16 +168,18 @@ void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {
   }
 }
 
-Leg Legs::jog_leg(int axis, Sign sign, int speed) const {
+Leg Legs::jog_leg(int axis, Sign sign, int speed, std::optional<Steps> up_to) const {
   const AxisState& state = console_.draft.axes[axis];
-  const Steps room = sign == Sign::plus ? console_.catalog.position_max - state.position
-                                        : state.position - console_.catalog.position_min;
+  const Catalog& catalog = console_.catalog;
+  const Steps end = up_to.value_or(sign == Sign::plus ? catalog.position_max : catalog.position_min);
+  const Steps room = std::max(Steps(0), sign == Sign::plus ? end - state.position : state.position - end);
   const std::int64_t distance = std::min<std::int64_t>(std::llround(speed * longest_jog_s), room.value);
   Leg leg;
   leg.axis = axis;
   leg.activity = Activity::jogging;
   leg.sign = sign;
   leg.speed = speed;
+  leg.up_to = up_to;
   leg.target = state.position + Steps{factor(sign) * distance};
   leg.text = index_by(axis + 1, Steps{factor(sign) * distance});
   return leg;
@@ -185,7 +187,7 @@ Leg Legs::jog_leg(int axis, Sign sign, int speed) const {
 
 std::optional<Leg> Legs::next_jog_leg(const Leg& last, EndedBy ended_by) const {
   if (!under_way_.job().is_jog() || ended_by != EndedBy::target) return std::nullopt;
-  Leg leg = jog_leg(last.axis, last.sign, last.speed);
+  Leg leg = jog_leg(last.axis, last.sign, last.speed, last.up_to);
   if (*leg.target == console_.draft.axes[last.axis].position) return std::nullopt;
   return leg;
 }

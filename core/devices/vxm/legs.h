@@ -52,7 +52,8 @@ class Legs {
   void show_leg(const Leg& leg);
   /// One that was cut off may have left its own speed behind.
   Task<Result<>> restore_speeds();
-  [[nodiscard]] Leg jog_leg(int axis, Sign sign, int speed) const;
+  /// `up_to`: not beyond it; none: as far as the register counts.
+  [[nodiscard]] Leg jog_leg(int axis, Sign sign, int speed, std::optional<Steps> up_to) const;
 
   // ---- see Driver
   [[nodiscard]] bool clears_up() const;

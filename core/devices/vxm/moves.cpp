@@ -105,8 +105,16 @@ Task<Result<>> Moves::jog(const intent::JogStart& wish) {
   if (auto may = admission_.may_move(axis); !may) co_return may;
   auto speed = checked_speed(wish.speed.value == 0 ? console_.catalog.jog_speed : wish.speed);
   if (!speed) co_return fail(speed.error());
+  if (wish.up_to) {
+    auto read = co_await positions_.read(Priority::intent, true);
+    if (!read) co_return read;
+  }
   admission_.warn_of_motor_type(axis);
-  Job job = Job::jog(legs_.jog_leg(axis, wish.sign, *speed));
+  Job job = Job::jog(legs_.jog_leg(axis, wish.sign, *speed, wish.up_to));
+  if (*job.leg().target == console_.draft.axes[axis].position && wish.up_to)
+    co_return fail(FaultKind::refused,
+                   fmt::format("Motor {} stands at the end of its travel, {}.", axis + 1, wish.up_to->value),
+                   "Nothing was sent.", "Jog it the other way, or change the limit.");
   if (*job.leg().target == console_.draft.axes[axis].position)
     co_return fail(FaultKind::refused,
                    fmt::format("Motor {} stands at the end of the controller's position register.", axis + 1),
