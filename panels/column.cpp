@@ -47,8 +47,8 @@ float height_of(const Frame& f, const Column& c) {
   const float pad = axes < 2 ? c.cell : 3 * c.cell + 2 * close_between;
   const float steps = axes == 2 ? c.between_steps : c.between_steps + steps_row + c.below_steps;
   const float jog = c.title + c.reason + pad + steps + (c.speed_over_slider ? 58 : speed_row) + hairline;
-  const bool foot = axes < 2 || (interpolates(f) && !c.together_in_title);
-  return position_title + axes * c.block() + jog + c.go_title + (axes + (foot ? 1.0f : 0.0f)) * c.go_row;
+  const float go = axes > 2 ? 4 + 2 * c.go_row : c.go_title + (axes + 1) * c.go_row;
+  return position_title + axes * c.block() + jog + go;
 }
 
 }  // namespace

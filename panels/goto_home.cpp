@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/device/travel_check.h"
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
@@ -25,121 +26,231 @@ float go_width(const Frame& f) { return medium(f) ? 36 : 44; }
 float home_width(const Frame& f) { return medium(f) ? 34 : 42; }
 float apart(const Frame& f) { return medium(f) ? 4 : 8; }
 
-bool several(const Frame& f) { return f.catalog.can.interpolates && f.catalog.axes.size() > 1; }
 /// A name that can be chosen is a button.
-float name_width_of(const Frame& f) { return several(f) ? 36 : f.catalog.axes.size() > 1 ? 20 : 28; }
+float name_width_of(const Frame& f) { return can_go_together(f) ? 36 : f.catalog.axes.size() > 1 ? 20 : 28; }
 
 /// Of many axes only the chosen one has a row, unless all are asked for.
-bool many(const Frame& f) { return f.catalog.axes.size() > 4; }
+bool many(const Frame& f) { return f.catalog.axes.size() > 2; }
 float homes_width(const Frame& f) { return f.catalog.can.homes ? 2 * home_width(f) + close_between : 0; }
+
+constexpr std::string_view all_axes = "All axes";
+constexpr float by_width = 34;
+float places_width(const Frame& f) { return medium(f) ? 58 : 62; }
 
 }  // namespace
 
 void GotoHome::draw(Frame& f) {
-  draw_title(f);
-  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
-    const AxisId axis{static_cast<std::uint8_t>(i)};
-    follow(f, axis);
-    if (!many(f) || all_ || axis == f.tab.chosen_axis) draw_row(f, axis);
-  }
-  const Column column = column_of(f);
-  const bool foot =
-      (!many(f) || all_) && !column.together_in_title && (several(f) || f.catalog.axes.size() == 1);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (foot) draw_together(f, {0, 0, f.area.width, 32}, at);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + f.ui.px(foot ? column.go_row : 0)));
-  if (many(f)) draw_all_or_one(f);
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) follow(f, AxisId{static_cast<std::uint8_t>(i)});
+  if (many(f) && !all_)
+    draw_chosen(f);
+  else
+    draw_rows(f);
   ImGui::Dummy(ImVec2(1, 0));
 }
 
-void GotoHome::draw_all_or_one(Frame& f) {
+// ---- one of many axes: two rows
+
+/// "X v [240.000 mm] at [20 mm/s] Go", under it the way, the saved places and Home.
+void GotoHome::draw_chosen(Frame& f) {
+  Ui& ui = f.ui;
+  const AxisId axis = f.tab.chosen_axis;
+  const Column column = column_of(f);
+  constexpr float name = 48;
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  const auto next_row = [&] {
+    at.y += ui.px(column.go_row);
+    ImGui::SetCursorScreenPos(at);
+  };
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(4)));
+  at.y += ui.px(4);
+  draw_axis_choice(f, name);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(name + close_between), at.y));
+  draw_target(f, axis, f.area.width - name - close_between, medium(f) ? 56 : 68);
+  draw_refusal(f, axis, {at, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(32))});
+  next_row();
+  draw_by(f);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(by_width + close_between), at.y));
+  draw_places(f, places_width(f));
+  if (f.catalog.can.homes) {
+    const float homes = homes_width(f);
+    const float word = button_width(ui, "Home", {.style = ButtonStyle::quiet});
+    draw_home_ways(f, ImVec2(at.x + ui.px(f.area.width - homes - word), at.y), ui.px(word));
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - homes), at.y));
+    draw_homes(f, axis, f.tab.why_not_move(axis));
+  }
+  next_row();
+}
+
+/// Lit: what is typed is a distance.
+void GotoHome::draw_by(Frame& f) {
+  ButtonOptions o{
+      .style = ButtonStyle::segment, .width = by_width, .height = column_of(f).go_control, .on = by_};
+  o.tip = "Go by a distance, and not to a place.";
+  if (button(f.ui, "goto/way/By", "By", o).clicked) by_ = !by_;
+}
+
+void GotoHome::draw_axis_choice(Frame& f, float width) {
+  names_.clear();
+  for (const AxisInfo& axis : f.catalog.axes) names_.push_back(axis.name);
+  names_.push_back(all_axes);
+  DropdownOptions o;
+  o.width = width;
+  o.height = column_of(f).go_control;
+  o.tip = "Which axis goes. All axes: a row for each, and moves of several together.";
+  const int picked = dropdown(f.ui, "goto/axis", "Axis", names_, f.tab.chosen_axis.index, o);
+  if (picked < 0) return;
+  all_ = picked == static_cast<int>(f.catalog.axes.size());
+  if (all_) return;
+  if (f.tab.chosen_axis.index != picked) speed_.reset(), speed_.text.clear();  // it was of another axis
+  f.tab.chosen_axis = AxisId{static_cast<std::uint8_t>(picked)};
+}
+
+// ---- a row for each axis
+
+void GotoHome::draw_rows(Frame& f) {
+  draw_title(f);
+  for (std::uint8_t i = 0; i < f.catalog.axes.size(); ++i) draw_row(f, AxisId{i});
+  const Column column = column_of(f);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float places = many(f) ? 0 : places_width(f);
+  if (places > 0) draw_places(f, places);
+  if (!column.together_in_title && (can_go_together(f) || f.catalog.axes.size() == 1))
+    draw_together(f,
+                  {places + (places > 0 ? close_between : 0), 0,
+                   f.area.width - places - (places > 0 ? close_between : 0), column.go_control},
+                  at);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + f.ui.px(column.go_row)));
+  if (!many(f)) return;
   ButtonOptions o;
   o.style = ButtonStyle::quiet;
   o.width = f.area.width;
-  o.icon_after = all_ ? Icon::chevron_up : Icon::chevron_down;
-  o.tip =
-      all_ ? "Only the axis that is chosen above." : "A row for each axis, and moves of several together.";
-  if (button(f.ui, "goto/all", all_ ? "The chosen axis only" : "All axes", o).clicked) all_ = !all_;
+  o.icon_after = Icon::chevron_up;
+  if (button(f.ui, "goto/all", "The chosen axis only", o).clicked) all_ = false;
 }
 
 void GotoHome::draw_title(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Column column = column_of(f);
-  const float height = column.go_title;
-  static constexpr std::array<std::string_view, 2> ways = {"To", "By"};
-  const float word = column.together_in_title ? 0 : 28;
-  if (word > 0)
-    draw_text_line(ui, at.x, at.x + ui.px(40), at.y + ui.px(height / 2), Face::body_bold, ui[Tone::ink],
-                   "Go");
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(word), at.y + ui.px((height - column.go_control) / 2)));
-  const int way = segment(ui, "goto/way", ways, by_ ? 1 : 0,
-                          {.cell_width = word > 0 ? 36.0f : 32.0f, .height = column.go_control});
-  if (way >= 0) by_ = way == 1;
+  const float height = column.go_title, top = at.y + ui.px((height - column.go_control) / 2);
+  constexpr float cell = 32, ways_end = 2 * cell + close_between;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, top));
+  draw_way(f, cell);
+  const float free = f.area.width - homes_width(f) - close_between - ways_end;
   if (column.together_in_title) {
-    const float ways_end = (ImGui::GetItemRectMax().x - at.x) / ui.scale + close_between;
-    draw_together(f,
-                  {ways_end, 0, f.area.width - homes_width(f) - close_between - ways_end, column.go_control},
-                  ImVec2(at.x, at.y + ui.px((height - column.go_control) / 2)));
+    draw_together(f, {ways_end, 0, free, column.go_control}, ImVec2(at.x, top));
+  } else if (!many(f)) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(ways_end), top));
+    draw_speed(f, AxisId{0}, free);
   }
-  const ImVec2 after(at.x, at.y + ui.px(height));
-  ImGui::SetCursorScreenPos(after);
-  if (!f.catalog.can.homes) return;
-  const float x = at.x + ui.px(f.area.width - homes_width(f));
-  if (f.catalog.homing_modes.size() < 2) {
-    draw_text_line(ui, x, x + ui.px(90), at.y + ui.px(height / 2), Face::body_bold, ui[Tone::ink], "Home");
-    return;
-  }
-  // The way of homing, for all axes; its button says Home.
-  ImGui::SetCursorScreenPos(ImVec2(x, at.y + ui.px((height - column.go_control) / 2)));
+  if (f.catalog.can.homes)
+    draw_home_ways(f, ImVec2(at.x + ui.px(f.area.width - homes_width(f)), top), ui.px(homes_width(f)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(height)));
+}
+
+/// To a place, or by a distance.
+void GotoHome::draw_way(Frame& f, float cell) {
+  static constexpr std::array<std::string_view, 2> ways = {"To", "By"};
+  const int way =
+      segment(f.ui, "goto/way", ways, by_ ? 1 : 0, {.cell_width = cell, .height = column_of(f).go_control});
+  if (way >= 0) by_ = way == 1;
+}
+
+/// The way of homing, for all axes; its button says Home.
+void GotoHome::draw_home_ways(Frame& f, ImVec2 at, float width) {
+  const float height = column_of(f).go_control;
+  if (f.catalog.homing_modes.size() < 2)
+    return draw_text_line(f.ui, at.x, at.x + width, at.y + f.ui.px(height / 2), Face::body_bold,
+                          f.ui[Tone::ink], "Home");
+  ImGui::SetCursorScreenPos(at);
   names_.clear();
   for (const HomingMode& mode : f.catalog.homing_modes) names_.push_back(mode.label);
-  const int picked = menu(ui, "home/mode", "Home", names_, {}, column.go_control);
-  if (picked >= 0) {
-    mode_ = picked;
-    f.toast(Mood::plain, fmt::format("Home now means: {}.", names_[static_cast<std::size_t>(picked)]));
-  }
-  ImGui::SetCursorScreenPos(after);
+  const int picked = menu(f.ui, "home/mode", "Home", names_, {}, height);
+  if (picked < 0) return;
+  mode_ = picked;
+  f.toast(Mood::plain, fmt::format("Home now means: {}.", names_[static_cast<std::size_t>(picked)]));
 }
 
 void GotoHome::draw_row(Frame& f, AxisId axis) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float name_width = name_width_of(f);
+  draw_name(f, axis, at);
+  const float homes = homes_width(f) > 0 ? homes_width(f) + apart(f) : 0;
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(name_width), at.y));
+  draw_target(f, axis, f.area.width - name_width - homes, 0);
+  if (homes > 0) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - homes_width(f)), at.y));
+    draw_homes(f, axis, f.tab.why_not_move(axis));
+  }
+  draw_refusal(f, axis, {at, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(32))});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(column_of(f).go_row)));
+}
+
+/// Where to, perhaps how fast, and Go, in a line of that width from the cursor on.
+void GotoHome::draw_target(Frame& f, AxisId axis, float width, float speed_width) {
   Ui& ui = f.ui;
   Row& row = rows_[axis.index];
   const std::string& name = f.catalog.axes[axis.index].name;
   const DisplayUnit& unit = f.tab.unit(axis);
   const std::string_view why = f.tab.why_not_move(axis);
-  const Column column = column_of(f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float name_width = name_width_of(f);
-  draw_name(f, axis, at);
-  const float homes = homes_width(f) > 0 ? homes_width(f) + apart(f) : 0;
+  const float speed = speed_width > 0 ? speed_width + 20 : 0;
   NumberOptions o;
   o.range.decimals = unit.real ? unit.decimals : 0;
   // The controller's own word stands beside the digits already; numbers need the room.
-  if (unit.real || !medium(f)) o.range.unit = unit.name;
-  o.width = f.area.width - name_width - go_width(f) - close_between - homes;
-  o.height = column.go_control;
+  if (unit.real || (!medium(f) && speed == 0)) o.range.unit = unit.name;
+  o.width = width - go_width(f) - close_between - speed;
+  o.height = column_of(f).go_control;
   o.disabled = why;
   o.refused = row.refused;
   o.sentence_below = false;
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(name_width), at.y));
   const NumberEvent typed =
       number_field(ui, Path("goto/{}", name), Path("Go to, axis {}", name), std::nullopt, row.field, o);
   if (typed.field.edited) row.refused.clear(), row.offers = false;
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - homes - go_width(f)), at.y));
+  if (speed > 0) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(o.width), at.y));
+    draw_speed(f, axis, speed);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - go_width(f)), at.y));
   ButtonOptions button_options;
   button_options.moving = true;
   button_options.width = go_width(f);
-  button_options.height = column.go_control;
+  button_options.height = o.height;
   button_options.disabled = !why.empty() ? why : row.field.text.empty() ? "Type where to go first." : "";
   const bool clicked = button(ui, Path("goto/{}/go", name), "Go", button_options).clicked;
-  if (homes > 0) {
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - homes_width(f)), at.y));
-    draw_homes(f, axis, why);
-  }
   if (clicked || typed.entered) go(f, axis);
-  draw_refusal(f, axis, {at, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(32))});
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(column.go_row)));
+}
+
+/// "at [20]", in the unit of that axis: of Go until it is emptied.
+void GotoHome::draw_speed(Frame& f, AxisId axis, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const DisplayUnit& unit = f.tab.unit(axis);
+  draw_text_line(ui, at.x + ui.px(4), at.x + ui.px(20), at.y + ui.px(column_of(f).go_control / 2),
+                 Face::small, ui[Tone::ink2], "at");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(20), at.y));
+  NumberOptions o;
+  o.range.decimals = unit.real ? unit.decimals : 0;
+  o.range.unit = "/s";
+  o.range.min = 0;
+  o.width = width - 20 - close_between;
+  o.height = column_of(f).go_control;
+  o.sentence_below = false;
+  const Path tip("The speed of Go, in {} a second. Empty: as the controller is set.", unit.name);
+  o.tip = tip;
+  (void)number_field(ui, "goto/speed", "Speed of Go", std::nullopt, speed_, o);
+}
+
+Pps GotoHome::speed_of(const Frame& f, AxisId axis) const {
+  const DisplayUnit& unit = f.tab.unit(axis);
+  const double typed = speed_.value().value_or(0);
+  return Pps(std::round(std::abs(typed / (unit.real ? unit.per_step : 1))));
+}
+
+void GotoHome::draw_places(Frame& f, float width) {
+  const auto to = places_.draw(f, width, column_of(f).go_control);
+  if (to && !to->empty()) send(f, *to, false);
 }
 
 void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
@@ -166,63 +277,13 @@ void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
   }
 }
 
-// ---- what becomes of it
-
-std::optional<Steps> GotoHome::target_of(Frame& f, AxisId axis) {
-  Row& row = rows_[axis.index];
-  const DisplayUnit& unit = f.tab.unit(axis);
-  row.offers = false;
-  const auto typed = parse_position(row.field.text, unit);
-  if (!typed) {
-    row.refused = typed.error().sentence();
-    return {};
-  }
-  const Steps here = f.now.axes[axis.index].commanded();
-  const Steps target = by_ ? here + *typed : *typed;
-  const Steps low = f.catalog.position_min, high = f.catalog.position_max;
-  if (low >= high || (target >= low && target <= high)) return *typed;
-  const Steps nearest = std::clamp(target, low, high);
-  row.nearest = by_ ? nearest - here : nearest;
-  row.offers = true;
-  const bool above = target > high;
-  const Steps past = above ? target - high : low - target;
-  row.refused =
-      fmt::format("{} lies {} past the {} end of what {} can count, {}. Nothing was sent.",
-                  format_with_unit(target, unit).view(), format_with_unit(past, unit).view(),
-                  above ? "+" : "\u2212", f.catalog.short_name, format_with_unit(nearest, unit).view());
-  return {};
-}
-
-void GotoHome::go(Frame& f, AxisId axis) {
-  if (const auto target = target_of(f, axis)) go_to(f, axis, *target);
-}
-
-void GotoHome::go_to(Frame& f, AxisId axis, Steps target) {
-  send(f, std::vector<AxisTarget>(1, AxisTarget{axis, target}), by_);
-}
-
-/// The row of the first one tells what became of it.
-void GotoHome::send(Frame& f, std::vector<AxisTarget> targets, bool by) {
-  Row& row = rows_[targets.front().axis.index];
-  row.refused.clear();
-  row.offers = false;
-  if (by)
-    row.asked = row.doubt.send(f, intent::MoveBy(std::move(targets)));
-  else
-    row.asked = row.doubt.send(f, intent::MoveTo(std::move(targets)));
-}
-
-// ---- several axes
-
-bool GotoHome::chosen(const Frame& f, std::size_t axis) const {
-  return !several(f) || ((together_ >> axis) & 1u);
-}
+// ---- several axes together
 
 /// Where several axes can move together, the name chooses whether this one does.
 void GotoHome::draw_name(Frame& f, AxisId axis, ImVec2 at) {
   Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
-  if (!several(f) || (many(f) && !all_))
+  if (!can_go_together(f))
     return draw_text_line(ui, at.x, at.x + ui.px(name_width_of(f)), at.y + ui.px(column_of(f).go_control / 2),
                           Face::body_bold, ui[Tone::ink], name);
   ButtonOptions o;
@@ -237,84 +298,24 @@ void GotoHome::draw_name(Frame& f, AxisId axis, ImVec2 at) {
 
 /// In `place`, logical, from `at` on. In the title the words are short.
 void GotoHome::draw_together(Frame& f, const Box& place, ImVec2 at) {
-  if (!several(f) && f.catalog.axes.size() != 1) return;
+  if (!can_go_together(f) && f.catalog.axes.size() != 1) return;
   Ui& ui = f.ui;
   const bool brief = column_of(f).together_in_title;
   const std::string_view why = why_not_together(f);
-  const bool none = several(f) && together_ == 0;
+  const bool none = can_go_together(f) && together_ == 0;
   ButtonOptions o;
   o.moving = true;
-  o.width = several(f) ? std::floor((place.width - close_between) / 2) : place.width;
+  o.width = can_go_together(f) ? std::floor((place.width - close_between) / 2) : place.width;
   o.height = place.height;
   o.disabled = !why.empty() ? why : none ? "Choose the axes by their names first." : "";
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(place.x), at.y));
-  if (several(f)) {
+  if (can_go_together(f)) {
     o.tip = "The chosen axes move together on a straight line.";
     if (button(ui, "goto/go", brief ? "Go all" : "Go together", o).clicked) go_together(f);
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(place.x + o.width + close_between), at.y));
   }
-  o.tip = several(f) ? "The chosen axes move to 0 together." : "Moves to 0.";
+  o.tip = can_go_together(f) ? "The chosen axes move to 0 together." : "Moves to 0.";
   if (button(ui, "goto/zero", brief ? "To 0" : "Return to zero", o).clicked) go_to_zero(f);
-}
-
-void GotoHome::go_together(Frame& f) {
-  std::vector<AxisTarget> targets;
-  bool all = true;
-  for (std::uint8_t i = 0; i < f.catalog.axes.size(); ++i) {
-    if (!chosen(f, i)) continue;
-    rows_[i].refused.clear();
-    const auto target = target_of(f, AxisId{i});
-    all = all && target;
-    if (target) targets.push_back({AxisId{i}, *target});
-  }
-  if (all && !targets.empty()) send(f, std::move(targets), by_);
-}
-
-void GotoHome::go_to_zero(Frame& f) {
-  std::vector<AxisTarget> targets;
-  for (std::uint8_t i = 0; i < f.catalog.axes.size(); ++i)
-    if (chosen(f, i)) targets.push_back({AxisId{i}, Steps{}});
-  send(f, std::move(targets), false);
-}
-
-std::string_view GotoHome::why_not_together(const Frame& f) const {
-  for (std::uint8_t i = 0; i < f.catalog.axes.size(); ++i)
-    if (const std::string_view why = f.tab.why_not_move(AxisId{i}); chosen(f, i) && !why.empty()) return why;
-  return f.tab.why_not_move();
-}
-
-void GotoHome::follow(Frame& f, AxisId axis) {
-  Row& row = rows_[axis.index];
-  if (f.now.forgotten(row.asked)) row.asked = 0;
-  const IntentFate* fate = f.now.fate_of(row.asked);
-  if (!fate || fate->fate == Fate::pending) return;
-  row.asked = 0;
-  if (fate->fate != Fate::done && !row.doubt.hear(f, *fate)) row.refused = fate->sentence.view();
-}
-
-void GotoHome::draw_refusal(Frame& f, AxisId axis, const Rect& beside) {
-  Row& row = rows_[axis.index];
-  const std::string& name = f.catalog.axes[axis.index].name;
-  const Path about("Go, {}", name);
-  if (row.doubt.open()) {
-    if (const IntentId sent = row.doubt.draw(f, "goto", about, beside, mode_)) row.asked = sent;
-    return;
-  }
-  if (row.refused.empty()) return;
-  const DisplayUnit& unit = f.tab.unit(axis);
-  const Path id("goto/{}/refused", name), nearest("goto/{}/nearest", name);
-  const Path label("Go {} {}", by_ ? "by" : "to", format_with_unit(row.nearest, unit).view());
-  const std::array<Action, 1> actions = {
-      Action{.id = nearest, .label = label, .disabled = f.tab.why_not_move(axis), .moving = true}};
-  row.card.begin(
-      f, {.id = id, .about = about, .words = row.refused, .actions = {actions.data(), row.offers ? 1u : 0u}},
-      beside);
-  const RefusalTouch done = row.card.end();
-  if (done.action == 0) {
-    row.field.set(from_steps(row.nearest, unit), unit.real ? unit.decimals : 0);
-    go_to(f, axis, row.nearest);
-  }
-  if (done.closed) row.refused.clear(), row.offers = false;
 }
 
 }  // namespace hw::panels

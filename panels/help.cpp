@@ -53,6 +53,8 @@ constexpr std::string_view rules[] = {
     "needs two presses within two seconds.",
     "While you type, the arrows move the caret and jog nothing. Esc stops everything all the same.",
     "Esc in an open list or dialog closes it and stops everything too; what it has stopped is said.",
+    "This is no emergency stop: it needs this computer, the cable and a controller that listens. Wire a "
+    "switch that cuts the motor power.",
 };
 
 /// A row of 32: the key in its frame, what it does, a hairline above.

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "core/base/units.h"
+
 namespace hw::panels {
 
 class Path {

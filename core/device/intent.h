@@ -25,6 +25,7 @@ using IntentId = std::uint64_t;
 struct AxisTarget {
   AxisId axis;
   Steps value;
+  bool operator==(const AxisTarget&) const = default;
 };
 
 /// Who has asked for a stop.

@@ -1,5 +1,6 @@
 #include "core/session/profile.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/session/json_file.h"
@@ -7,6 +8,63 @@
 namespace hw {
 
 using nlohmann::json;
+
+namespace {
+
+void put_own_unit(json& axis, const OwnUnit& own) {
+  if (own.per_step != 0) axis["own_unit"] = {{"name", own.name}, {"per_step", own.per_step}};
+}
+
+OwnUnit own_unit_of(const json& axis) {
+  const json kept = axis.value("own_unit", json::object());
+  OwnUnit own;
+  own.name = kept.value("name", own.name);
+  own.per_step = kept.value("per_step", 0.0);
+  if (!std::isfinite(own.per_step)) own.per_step = 0;
+  return own;
+}
+
+void put_travel(json& axis, const Travel& travel) {
+  if (travel.has_minus) axis["minus_limit"] = travel.minus.value;
+  if (travel.has_plus) axis["plus_limit"] = travel.plus.value;
+  if (travel.any() && travel.in_counts) axis["limits_in_counts"] = true;
+}
+
+Travel travel_of(const json& axis) {
+  Travel travel;
+  travel.has_minus = axis.contains("minus_limit");
+  travel.has_plus = axis.contains("plus_limit");
+  travel.minus = Steps(axis.value("minus_limit", std::int64_t{0}));
+  travel.plus = Steps(axis.value("plus_limit", std::int64_t{0}));
+  travel.in_counts = axis.value("limits_in_counts", false);
+  return travel;
+}
+
+json to_json(const SavedPlaces& places) {
+  json all = json::array();
+  for (const SavedPlace& place : places) {
+    json at = json::array();
+    for (const AxisTarget& target : place.at) at.push_back({target.axis.index, target.value.value});
+    all.push_back({{"name", place.name}, {"at", at}});
+  }
+  return all;
+}
+
+SavedPlaces places_of(const json& profile) {
+  SavedPlaces places;
+  for (const json& place : profile.value("places", json::array())) {
+    SavedPlace out{place.value("name", ""), {}};
+    for (const json& target : place.value("at", json::array())) {
+      const auto axis = target.at(0).get<std::int64_t>();
+      if (axis >= 0 && axis < max_axes)
+        out.at.push_back({AxisId{static_cast<std::uint8_t>(axis)}, Steps(target.at(1).get<std::int64_t>())});
+    }
+    if (!out.name.empty()) put_place(places, std::move(out));
+  }
+  return places;
+}
+
+}  // namespace
 
 std::string profile_key(const Address& address, std::string_view usb_serial) {
   if (!usb_serial.empty()) return "usb-" + std::string(usb_serial);
@@ -30,6 +88,7 @@ Result<Profile> ProfileStore::load(std::string_view key) const {
     profile.unit = object->value("unit", "");
     profile.jog_step = Steps(object->value("jog_step", std::int64_t{1}));
     profile.jog_speed = Pps(object->value("jog_speed", 0.0));
+    profile.places = places_of(*object);
     std::size_t i = 0;
     for (const json& axis : object->value("axes", json::array())) {
       if (i == profile.axes.size()) break;
@@ -37,6 +96,8 @@ Result<Profile> ProfileStore::load(std::string_view key) const {
       out.name = axis.value("name", "");
       out.unit_choice = axis.value("unit_choice", "");
       out.reversed = axis.value("reversed", false);
+      out.travel = travel_of(axis);
+      out.own_unit = own_unit_of(axis);
     }
     return profile;
   } catch (const json::exception&) {  // parses, but a field is of the wrong kind
@@ -47,15 +108,19 @@ Result<Profile> ProfileStore::load(std::string_view key) const {
 Result<> ProfileStore::save(std::string_view key, const Profile& profile) const {
   if (!folders_.enabled) return {};
   json axes = json::array();
-  for (const AxisProfile& axis : profile.axes)
+  for (const AxisProfile& axis : profile.axes) {
     axes.push_back({{"name", axis.name}, {"unit_choice", axis.unit_choice}, {"reversed", axis.reversed}});
+    put_travel(axes.back(), axis.travel);
+    put_own_unit(axes.back(), axis.own_unit);
+  }
   const json object = {{"controller", std::string(key)},
                        {"name", profile.name},
                        {"bus_name", profile.bus_name},
                        {"unit", profile.unit},
                        {"jog_step", profile.jog_step.value},
                        {"jog_speed", profile.jog_speed.value},
-                       {"axes", axes}};
+                       {"axes", axes},
+                       {"places", to_json(profile.places)}};
   return write_json(file_of(key), object);
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/latest.h"
 #include "core/device/pump.h"
 #include "core/session/begun_here.h"
+#include "core/session/saved_places.h"
 #include "core/session/shared_wire.h"
 
 namespace hw {
@@ -50,6 +51,8 @@ class Session : public std::enable_shared_from_this<Session> {
   [[nodiscard]] const Snapshot& known() const { return pump_.known(); }
   [[nodiscard]] Pump& pump() { return pump_; }
   [[nodiscard]] const std::shared_ptr<BenchAccess>& bench() const { return bench_; }
+  /// Of scripts.
+  [[nodiscard]] SavedPlaces& places() { return places_; }
   /// Performs and resumes with what became of it.
   Task<Result<>> perform(IntentBody body);
   /// The same in two steps, for several controllers at once.
@@ -97,6 +100,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Ring<AxisSample> samples_{1 << 14};
   std::shared_ptr<BenchAccess> bench_;
   BenchView bench_view_;
+  SavedPlaces places_;
   std::map<int, std::string> listings_;      ///< by slot, as last told
   Snapshot shown_;                           ///< what the reader was last woken for
   FaultKind why_no_wire_ = FaultKind::lost;  ///< of the latest attempt to open it

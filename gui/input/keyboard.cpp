@@ -9,7 +9,10 @@ namespace {
 constexpr bool ctrl = true, shift = true, plain = false;
 constexpr int by_letter = -1;  // where `?` lies depends on the keyboard's country: its text event counts
 constexpr Shortcut table[] = {
-    {Command::stop_all, GLFW_KEY_ESCAPE, plain, plain, Reach::always, false, "Esc", "Stop all controllers"},
+    {Command::stop_all, GLFW_KEY_ESCAPE, plain, plain, Reach::always, false, "Esc",
+     "Stop all controllers; again: at once"},
+    {Command::stop_at_once, GLFW_KEY_ESCAPE, plain, shift, Reach::always, false, "Shift Esc",
+     "Stop all controllers at once, without a ramp"},
     {Command::jog_left, GLFW_KEY_LEFT, plain, plain, Reach::outside_text, true, "Left",
      "Jog axis 1 \u2212 while held"},
     {Command::jog_right, GLFW_KEY_RIGHT, plain, plain, Reach::outside_text, true, "Right",
@@ -69,6 +72,7 @@ const Shortcut* Keyboard::match(int key) const {
 bool Keyboard::stop_key(const InputEvent& event) {
   bool& taken = taken_[GLFW_KEY_ESCAPE];
   if (event.down && !taken) emit(Command::stop_all, true, event.at_s);
+  if (event.down && !taken && modifiers_.shift) emit(Command::stop_at_once, true, event.at_s);
   taken = event.down;
   return true;
 }

@@ -15,6 +15,7 @@ namespace hw::gui {
 
 enum class Command : std::uint8_t {
   stop_all,
+  stop_at_once,  ///< comes behind stop_all
   run,
   simulate,
   save,

@@ -22,7 +22,9 @@
 #include "gui/model/rehearsals.h"
 #include "gui/model/run_follower.h"
 #include "gui/model/setup_edits.h"
+#include "gui/model/stop_times.h"
 #include "gui/model/traffic_log.h"
+#include "gui/model/unread_programs.h"
 #include "gui/model/worker.h"
 
 namespace hw::gui {
@@ -35,6 +37,7 @@ class Desk {
 
   TrafficLog traffic;
   EventLog events;
+  StopTimes stop_times;
   ProgramTexts texts;
   BlockList blocks;
   ProgramSource source;
@@ -72,8 +75,8 @@ class Desk {
   [[nodiscard]] double autosave_due_in(Instant clock) const;
 
   /// Dry run of the chosen text, from where the axes stand. What the controller can tell of its set-up and
-  /// nobody has asked yet is read first, unless Run has been pressed: then it begins where that does. Nothing
-  /// where there is no text, or one is under way.
+  /// nobody has asked yet is read first, and so are other programs that the run comes to, unless Run has been
+  /// pressed: then it begins where that does. Nothing where there is no text, or one is under way.
   void rehearse(const Snapshot& now, const BenchView& bench);
   /// What is known of the controller, with the programs that it is known to hold.
   [[nodiscard]] ControllerState state_of(const Snapshot& now) const;
@@ -96,6 +99,8 @@ class Desk {
   void notice_program_changes(const Snapshot& now);
   void start_rehearsal(int slot, const std::string& text, const Snapshot& now, const BenchView& bench);
   void rehearse_prepared(const Snapshot& now, const BenchView& bench, const Send& send);
+  [[nodiscard]] bool reads_set_up(const Snapshot& now, const Send& send);
+  void look_for_unread_programs(const Snapshot& now);
   [[nodiscard]] bool can_tell_more(const Snapshot& now) const;
 
   const Catalog& catalog_;
@@ -109,6 +114,8 @@ class Desk {
   std::uint64_t starts_ = 0;
   std::map<int, std::string> prepared_;  ///< texts by slot: to be rehearsed when the set-up is read
   IntentId set_up_read_by_ = 0;
+  UnreadPrograms unread_;
+  int rehearsed_slot_ = -1;  ///< whose other programs may be read; -1: of none
   Instant changed_at_{}, started_at_{};
   bool dirty_ = false;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0), until_stopped_ = std::make_shared<int>(0);

@@ -62,6 +62,13 @@ bool is_bad(const Ending& e) {
          e.by == EndedBy::not_in_place || e.by == EndedBy::elsewhere;
 }
 
+/// ": at rest 84 ms later, 1.700 mm on"
+std::string course_of(const Ending& e, const ShowPosition& position) {
+  if (!e.timed) return {};
+  return fmt::format(": at rest {:.0f} ms later, {} on", 1000 * seconds(e.to_rest),
+                     position(AxisId{static_cast<std::uint8_t>(e.axis)}, e.ran_on));
+}
+
 std::string axis_words(const Ending& e, const std::string& at, const ShowPosition& position) {
   const bool jog = e.what == Ending::What::jog, homing = e.what == Ending::What::homing;
   const std::string_view what = jog ? "jog" : homing ? "homing" : "motion";
@@ -69,13 +76,16 @@ std::string axis_words(const Ending& e, const std::string& at, const ShowPositio
     case EndedBy::target:
     case EndedBy::nothing:
       if (homing) return fmt::format("found home{}", at);
+      if (e.at_travel_end) return fmt::format("jog reached the limit that is set for it{}", at);
       return jog ? fmt::format("jog ended{}", at) : fmt::format("reached its target{}", at);
     case EndedBy::limit: return fmt::format("{} ended on {} limit{}", what, limit_of(e), at);
     case EndedBy::stop:
-      if (e.who == StoppedBy::let_go) return fmt::format("jog ended {}{}", by_whom(e.who), at);
-      return fmt::format("{} stopped {}{}", what, by_whom(e.who), at);
+      if (e.who == StoppedBy::let_go)
+        return fmt::format("jog ended {}{}{}", by_whom(e.who), course_of(e, position), at);
+      return fmt::format("{} stopped {}{}{}", what, by_whom(e.who), course_of(e, position), at);
     case EndedBy::abort:
-      return fmt::format("{} stopped at once, without a ramp, {}{}", what, by_whom(e.who), at);
+      return fmt::format("{} stopped at once, without a ramp, {}{}{}", what, by_whom(e.who),
+                         course_of(e, position), at);
     case EndedBy::elsewhere:
       return fmt::format("{} was cut short by another program or at the controller{}", what, at);
     case EndedBy::error: return fmt::format("{} ended in error{}{}", what, words_of(e.error), at);

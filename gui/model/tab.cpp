@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/device/refusals.h"
+#include "core/device/travel_check.h"
 #include "core/session/session.h"
 #include "gui/model/ending_words.h"
 #include "gui/model/status_sentence.h"
@@ -19,6 +20,9 @@ DisplayUnit display_unit(const Catalog& catalog, const Profile& profile, AxisId 
   steps.name = catalog.step_word;
   if (profile.unit.empty() || profile.unit == catalog.step_word) return steps;
   const AxisProfile& wish = profile.axes[axis.index];
+  if (const OwnUnit& own = wish.own_unit; wish.unit_choice == own_unit_choice && own.per_step != 0)
+    return DisplayUnit{own.name, wish.reversed ? -own.per_step : own.per_step, decimals_of(own.per_step),
+                       true};
   for (const UnitChoice& choice : catalog.units)
     if (choice.label == wish.unit_choice)
       return DisplayUnit{choice.unit, wish.reversed ? -choice.per_step : choice.per_step, choice.decimals,
@@ -145,6 +149,7 @@ void Tab::take(const Ending& ending) {
     return std::string(format_with_unit(place, unit(axis)).view());
   };
   desk_.events.add(event_of(ending, catalog_, position));
+  desk_.stop_times.add(ending, position);
 }
 
 /// What a hand has done: it stays there when a wire that babbles has pushed it out of the terminal.
@@ -162,12 +167,19 @@ void Tab::follow_fates() {
     if (fate->fate == Fate::done) return true;
     if (id == jog.jog_intent()) jog.forget();  // there is no jog to stop
     if (fate->asks) return true;               // follow_questions() has it
-    complaints_.emplace_back(fate->sentence.view());
+    complaints_.push_back(words_of(*fate));
     desk_.events.add({Happening::Mark::message, true, clock_, {}, complaints_.back(), -1});
     return true;
   };
   std::erase_if(followed_, settled);
   follow_questions();
+}
+
+std::string Tab::words_of(const IntentFate& fate) const {
+  if (!fate.past) return std::string(fate.sentence.view());
+  return say_past(catalog_, *fate.past, [this](AxisId axis, Steps place) {
+    return std::string(format_with_unit(place, unit(axis)).view());
+  });
 }
 
 void Tab::follow_questions() {
@@ -245,6 +257,13 @@ std::string Tab::unkept() const {
 void Tab::profile_edited() {
   profile_changed = true;
   work_out_units();
+  tell_travel();
+}
+
+void Tab::tell_travel() {
+  for (std::size_t i = 0; i < catalog_.axes.size(); ++i)
+    if (const Travel& travel = profile.axes[i].travel; travel != std::exchange(told_travel_[i], travel))
+      send_followed(intent::SetTravel(AxisId{static_cast<std::uint8_t>(i)}, travel));
 }
 
 void Tab::choose_jog(Steps step, Pps speed) {

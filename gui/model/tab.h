@@ -94,6 +94,8 @@ class Tab {
   [[nodiscard]] Desk& desk() { return desk_; }
 
   // ---- what must be told once
+  /// Why it was refused or has failed, in the units that are shown.
+  [[nodiscard]] std::string words_of(const IntentFate& fate) const;
   /// Messages since the last call; listings go to the desk.
   [[nodiscard]] std::vector<Notice> take_notices();
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
@@ -129,6 +131,7 @@ class Tab {
   void note(std::string words);
   void work_out_units();
   void follow_counting();
+  void tell_travel();
 
   std::shared_ptr<Session> session_;
   const Address address_;
@@ -144,6 +147,7 @@ class Tab {
   std::array<DisplayUnit, max_axes> units_;
   std::string why_not_move_;
   std::array<std::string, max_axes> power_is_off_;  ///< the words, if it is
+  std::array<Travel, max_axes> told_travel_;        ///< to the session
   std::uint32_t looked_at_ = 0, watched_ = 0;
   LinkState told_link_ = LinkState::closed;
   ProgramState told_program_;

@@ -187,4 +187,9 @@ std::vector<JogStep> jog_steps(const DisplayUnit& unit, int many) {
   return list;
 }
 
+int decimals_of(double per_step) {
+  if (per_step == 0) return 0;
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(std::abs(per_step)) - 1e-9)), 0, 6);
+}
+
 }  // namespace hw::gui

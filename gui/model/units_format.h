@@ -57,6 +57,9 @@ Result<double> parse_number(std::string_view text);
 Steps to_steps(double value, const DisplayUnit& unit);
 double from_steps(Steps steps, const DisplayUnit& unit);
 
+/// As many as one step needs: 3 for 0.0025.
+int decimals_of(double per_step);
+
 /// One entry of the list of jog steps.
 struct JogStep {
   Steps steps;

@@ -31,6 +31,8 @@ void Console::on_edge(const CommandEdge& edge) {
     if (!edge.down) return;
     stop_all(StoppedBy::key);
     if (list_open_ && !tabs_.empty()) toast(Mood::plain, words_of_esc(tabs_));
+  } else if (edge.command == Command::stop_at_once) {
+    if (edge.down) stop_all(StoppedBy::key);  // the second one in a row
   } else if (edge.command == Command::next_controller || edge.command == Command::previous_controller) {
     if (edge.down) activate_next(edge.command == Command::next_controller ? 1 : -1);
   } else if (edge.command == Command::show_map) {

@@ -150,7 +150,8 @@ int dropdown(Ui& ui, std::string_view id, std::string_view label, std::span<cons
                                    : o.none;
   const bool none = chosen < 0;
   const float w = o.width == 0 ? widest(ui, names) + ui.px(36) : width_px(ui, o.width);
-  const Touch t = touch(ui, {id, Kind::list, label, now, o.disabled, false, o.tip}, ImVec2(w, ui.px(32)));
+  const Touch t =
+      touch(ui, {id, Kind::list, label, now, o.disabled, false, o.tip}, ImVec2(w, ui.px(o.height)));
   if (t.enabled) draw_fill(ui, t.rect, ui[t.held ? Tone::sel : t.hovered ? Tone::hover : Tone::raised]);
   if (!t.enabled || o.error) draw_outline(ui, t.rect, ui[o.error ? Tone::fault : Tone::line]);
   const float middle = std::floor(t.rect.centre().y);

@@ -24,6 +24,7 @@ struct DropdownOptions {
   std::string_view disabled = {};
   std::string_view tip = {};
   float width = 0;  ///< 0: as wide as the longest name
+  float height = 32;
   bool error = false;
   std::string_view none = {};  ///< said while none is chosen
 };

@@ -42,6 +42,14 @@ bool jogs_in_rows(const Frame& f) {
   return f.tier == Tier::narrow ? f.tab.bus && f.catalog.axes.size() == 1
                                 : f.tab.bus || f.catalog.axes.size() > 4;
 }
+/// A second Stop is another one.
+bool stops_now(const Frame& f) {
+  bool stops = false;
+  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
+    stops = stops || tab.now().axes[axis.index].activity == Activity::stopping;
+  });
+  return stops;
+}
 bool in_pairs(const Frame& f) { return f.catalog.axes.size() > 4 && !jogs_in_rows(f); }
 
 }  // namespace
@@ -88,7 +96,7 @@ void Jog::draw_title(Frame& f, const Column& column) {
     const float right = at.x + ui.px(f.area.width - unit_chooser_width(f));
     draw_reason(f, {ImVec2(at.x + ui.px(title), at.y), ImVec2(right - ui.px(8), at.y + ui.px(column.title))});
     ImGui::SetCursorScreenPos(ImVec2(right, at.y + ui.px(4)));
-    draw_unit_chooser(f);
+    chooser_.draw(f);
   }
 }
 
@@ -144,6 +152,8 @@ float Jog::draw_cross(Frame& f, const Column& column) {
       draw_button(f, axis, sign, x, (flat ? 0 : place.row) * pitch, ImVec2(cell, cell));
     }
   draw_stop(f, pitch, flat ? 0 : pitch, ImVec2(cell, cell));
+  const float aside = 3 * pitch + apart;
+  if (axes > 2) draw_stop_again(f, aside, pitch, ImVec2(f.area.width - aside, cell));
   const float height = flat ? cell : 3 * cell + 2 * close_between, below = height + column.between_steps;
   if (!beside) {
     draw_steps_row(f, 0, below, std::min(f.area.width, 304.0f));
@@ -189,27 +199,40 @@ void Jog::draw_button(Frame& f, AxisId axis, Sign sign, float x, float y, ImVec2
 void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
   Ui& ui = f.ui;
   ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
+  const std::string& times = f.tab.desk().stop_times.words();
+  const std::string_view tip =
+      times.empty() ? "Stops this controller with its ramp. Again, or Shift Esc: at once, without a ramp."
+                    : std::string_view(times);
   const Touch t =
-      touch(ui, {"jog/stop", Kind::button, "Stop", {}, {}, false, "Stops this controller", false, true},
-            ui.px(size.x, size.y));
+      touch(ui, {"jog/stop", Kind::button, "Stop", {}, {}, false, tip, false, true}, ui.px(size.x, size.y));
   if (t.hovered || t.held) draw_fill(ui, t.rect, ui[t.held ? Tone::sel : Tone::hover]);
   draw_outline(ui, t.rect, ui[Tone::fault]);
+  const bool again = stops_now(f), wide = size.x > 1.5f * size.y;
+  const std::string_view word = !again ? "Stop" : wide ? "Stop at once" : "At once";
   const float middle = t.rect.centre().y;
-  if (size.x > 1.5f * size.y) {  // beside each other
-    const float words = text_width(ui, Face::body_bold, "Stop"),
+  if (wide) {  // beside each other
+    const float words = text_width(ui, Face::body_bold, word),
                 left = t.rect.centre().x - words / 2 + ui.px(8);
     draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
               ImVec2(std::floor(left - ui.px(14)), std::floor(middle)), ui.px(12), ui[Tone::fault]);
-    draw_text_line(ui, std::floor(left), t.rect.max.x, middle, Face::body_bold, ui[Tone::fault], "Stop");
+    draw_text_line(ui, std::floor(left), t.rect.max.x, middle, Face::body_bold, ui[Tone::fault], word);
   } else {
     draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
               ImVec2(std::floor(t.rect.centre().x), std::floor(middle - ui.px(10))), ui.px(12),
               ui[Tone::fault]);
     draw_text_centred(ui, {ImVec2(t.rect.min.x, middle), ImVec2(t.rect.max.x, middle + ui.px(20))},
-                      Face::body_bold, ui[Tone::fault], "Stop");
+                      again && size.x < 60 ? Face::small_bold : Face::body_bold, ui[Tone::fault], word);
   }
   draw_ring(ui, t);
   if (t.started) f.tab.stop_all();  // on the press, not on the release
+}
+
+/// In the empty cell beside Stop: what a second press does.
+void Jog::draw_stop_again(Frame& f, float x, float y, ImVec2 size) {
+  const ImVec2 at(origin_.x + f.ui.px(x), origin_.y + f.ui.px(y));
+  const Rect place{ImVec2(at.x, at.y + f.ui.px(size.y / 2) - f.ui.line(Face::small)),
+                   ImVec2(at.x + f.ui.px(size.x), at.y + f.ui.px(size.y))};
+  draw_text_in_lines(f.ui, place, Face::small, f.ui[Tone::ink2], "Stop again: at once, no ramp", 2);
 }
 
 // ---- step

@@ -7,6 +7,7 @@
 #include "gui/shell/panel_entry.h"
 #include "panels/column.h"
 #include "panels/jog/jog_speed.h"
+#include "panels/position/unit_chooser.h"
 
 namespace hw::panels {
 
@@ -25,6 +26,7 @@ class Jog final : public gui::Panel {
   [[nodiscard]] float draw_stop_and_steps(gui::Frame& frame, const Column& column);
   void draw_button(gui::Frame& frame, AxisId axis, Sign sign, float x, float y, ImVec2 size);
   void draw_stop(gui::Frame& frame, float x, float y, ImVec2 size);
+  void draw_stop_again(gui::Frame& frame, float x, float y, ImVec2 size);
   void draw_steps_column(gui::Frame& frame, float x, float width, float height);
   void draw_steps_row(gui::Frame& frame, float x, float y, float width);
   void draw_step(gui::Frame& frame, const gui::JogStep& step, std::string_view label, float width);
@@ -35,6 +37,7 @@ class Jog final : public gui::Panel {
   void follow_unit(gui::Frame& frame);
 
   JogSpeed speed_;
+  UnitChooser chooser_;
   std::vector<gui::JogStep> steps_;
   gui::DisplayUnit steps_unit_;
   int steps_many_ = 0;

@@ -7,6 +7,10 @@ namespace hw::panels {
 using namespace gui;
 
 static std::string_view limit_reason(const AxisState& a, Sign sign) {
+  if (a.travel_holds() && a.travel.has(sign) && a.travel.past(sign, a.goal()) >= Steps(0) &&
+      a.activity != Activity::jogging)
+    return sign == Sign::plus ? "It stands at the + limit that is set for it. It can only move \u2212."
+                              : "It stands at the \u2212 limit that is set for it. It can only move +.";
   if (!a.limits_known) return {};
   if (sign == Sign::plus && a.limit_plus) return "It stands on its + limit. It can only move \u2212.";
   if (sign == Sign::minus && a.limit_minus) return "It stands on its \u2212 limit. It can only move +.";

@@ -2,6 +2,7 @@
 // What the steps and the speed of jogging are for, and are shown in.
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
+#include "gui/shell/frame.h"
 
 namespace hw::panels {
 

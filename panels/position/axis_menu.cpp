@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include "core/device/refusals.h"
+#include "core/device/travel_check.h"
 #include "gui/model/tab.h"
+#include "gui/widgets/button.h"
 #include "gui/widgets/popup.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
@@ -36,7 +38,7 @@ bool set_field(Frame& f, std::string_view id, std::string_view label, std::strin
 
 void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
   const AxisInfo& info = f.catalog.axes[axis.index];
-  const float rows = 3.25f + (info.encoder ? 2.25f : 0) + (info.switchable ? 1 : 0);
+  const float rows = 5.75f + (info.encoder ? 2.25f : 0) + (info.switchable ? 1 : 0);
   ImGui::PushID(axis.index);
   if (begin_popup(f.ui, "axis", opener, 288, rows)) {
     draw_position_rows(f, axis);
@@ -44,6 +46,8 @@ void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
       popup_line(f.ui);
       draw_encoder_rows(f, axis);
     }
+    popup_line(f.ui);
+    draw_limit_rows(f, axis);
     if (info.switchable) {
       popup_line(f.ui);
       const bool on = f.now.axes[axis.index].enabled;
@@ -71,6 +75,52 @@ void AxisMenu::draw_position_rows(Frame& f, AxisId axis) {
   f.send(stands_at(f.now, axis, *value));
   position_.clear();
   ImGui::CloseCurrentPopup();
+}
+
+/// "- limit [     ] Here  None", and the same of the other end.
+void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
+  Ui& ui = f.ui;
+  const std::string& name = f.catalog.axes[axis.index].name;
+  const DisplayUnit& unit = f.tab.unit(axis);
+  const AxisState& state = f.now.axes[axis.index];
+  Travel travel = f.tab.profile.axes[axis.index].travel;
+  const Travel before = travel;
+  for (const Sign sign : {Sign::minus, Sign::plus}) {
+    const ImVec2 at(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y + ui.px(4));
+    draw_text_line(ui, at.x, at.x + ui.px(60), at.y + ui.px(16), Face::body, ui[Tone::ink],
+                   sign == Sign::minus ? "\u2212 limit" : "+ limit");
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(60), at.y));
+    bool& has = sign == Sign::minus ? travel.has_minus : travel.has_plus;
+    Steps& end = sign == Sign::minus ? travel.minus : travel.plus;
+    NumberOptions o;
+    o.range.decimals = unit.real ? unit.decimals : 0;
+    o.range.unit = unit.name;
+    o.width = 108;
+    o.sentence_below = false;
+    o.tip = "Jogs, moves and lists of the console do not go beyond it. Commands that are typed do.";
+    const std::optional<double> shown = has ? std::optional(from_steps(end, unit)) : std::nullopt;
+    const NumberEvent typed = number_field(ui, Path("dro/{}/limit/{}", name, letter(sign)), "Limit", shown,
+                                           limits_[sign == Sign::minus ? 0 : 1], o);
+    if (typed.committed) has = true, end = to_steps(typed.value, unit);
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(172), at.y));
+    ButtonOptions small{.style = ButtonStyle::quiet, .tip = "The limit lies where the axis stands now."};
+    small.disabled = state.position_known && !state.trust.doubtful() ? "" : "Where it stands is not known.";
+    small.width = 44;
+    if (button(ui, Path("dro/{}/limit/{}/here", name, letter(sign)), "Here", small).clicked)
+      has = true, end = state.commanded();
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(216), at.y));
+    small.tip = "No limit at this end.";
+    small.disabled = has ? "" : "None is set.";
+    if (button(ui, Path("dro/{}/limit/{}/none", name, letter(sign)), "None", small).clicked) has = false;
+    ImGui::SetCursorScreenPos(ImVec2(at.x - ui.px(12), at.y + ui.px(36)));
+  }
+  if (travel == before) return;
+  travel.in_counts = state.in_counts;
+  if (const std::string why = say_no_travel(f.catalog, intent::SetTravel(axis, travel)); !why.empty())
+    return f.toast(Mood::fault, why);
+  for (NumberField& field : limits_) field.reset();
+  f.tab.profile.axes[axis.index].travel = travel;
+  f.tab.profile_edited();
 }
 
 void AxisMenu::draw_encoder_rows(Frame& f, AxisId axis) {

@@ -1,9 +1,12 @@
 #pragma once
 // What can be done to the number of an axis: copy it, make it zero, say where the axis stands; the same for
-// its encoder; motor power. Ids: `dro/X/copy`, `/zero`, `/set`, `/encoder/zero`, `/encoder/set`, `/power`.
+// its encoder; how far it may go; motor power. Ids: `dro/X/copy`, `/zero`, `/set`, `/encoder/zero`,
+// `/encoder/set`, `/limit/-`, `/limit/-/here`, `/limit/-/none`, `/menu/power`.
+#include <array>
 #include <string>
 
 #include "gui/shell/frame.h"
+#include "gui/widgets/number_field.h"
 #include "gui/widgets/touch.h"
 
 namespace hw::panels {
@@ -16,8 +19,10 @@ class AxisMenu {
  private:
   void draw_position_rows(gui::Frame& frame, AxisId axis);
   void draw_encoder_rows(gui::Frame& frame, AxisId axis);
+  void draw_limit_rows(gui::Frame& frame, AxisId axis);
 
-  std::string position_, encoder_;  ///< typed, in the menu that is open
+  std::string position_, encoder_;            ///< typed, in the menu that is open
+  std::array<gui::NumberField, 2> limits_{};  ///< -, +
 };
 
 }  // namespace hw::panels

@@ -53,7 +53,7 @@ void BusRows::draw_title(Frame& f) {
     emulated_badge(ui, "dro/emulated");
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - unit_chooser_width(f)), at.y + ui.px(6)));
-  draw_unit_chooser(f);
+  chooser_.draw(f);
   ImGui::SetCursorScreenPos(after);
   draw_summary(f, f.area.width);
 }

@@ -6,6 +6,7 @@
 #include "gui/model/tab.h"
 #include "gui/shell/panel_entry.h"
 #include "panels/position/axis_menu.h"
+#include "panels/position/unit_chooser.h"
 
 namespace hw::panels {
 
@@ -21,6 +22,7 @@ class BusRows final : public gui::Panel {
   void draw_row(gui::Frame& frame, gui::Tab& member, float width);
 
   AxisMenu menu_;
+  UnitChooser chooser_;
 };
 
 }  // namespace hw::panels

@@ -17,6 +17,7 @@
 #include "panels/position/axis_line.h"
 #include "panels/position/position_strip.h"
 #include "panels/position/position_words.h"
+#include "panels/position/travel_bar.h"
 #include "panels/position/unit_chooser.h"
 #include "panels/position/what_fits.h"
 #include "panels/widget_path.h"
@@ -161,7 +162,7 @@ void Position::draw_title(Frame& f) {
     emulated_badge(ui, "dro/emulated", form);
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(f.area.width - chooser), at.y + ui.px(6)));
-  draw_unit_chooser(f);
+  chooser_.draw(f);
   ImGui::SetCursorScreenPos(after);
 }
 
@@ -213,6 +214,8 @@ void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, const Co
     const float taken = digits_width(ui, face, number, unit_beside(f, axis));
     return draw_captions_beside(f, axis, ImVec2(at.x, below_head), w - taken - ui.px(8));
   }
+  const float above_bar = below_digits + ui.px(column.caption + column.extras);
+  if (column.travel > 0) draw_travel_bar(f, axis, ImVec2(at.x, above_bar), w);
   if (power_in_head(f)) return draw_provenance(f, axis, ImVec2(at.x, below_digits), w);
   draw_captions(f, axis, ImVec2(at.x, below_digits), w);
   draw_axis_extras(f, axis, ImVec2(at.x, below_digits + ui.line(Face::small)), w);

@@ -5,6 +5,7 @@
 #include "gui/widgets/digits.h"
 #include "panels/column.h"
 #include "panels/position/axis_menu.h"
+#include "panels/position/unit_chooser.h"
 
 namespace hw::panels {
 
@@ -29,6 +30,7 @@ class Position final : public gui::Panel {
   void draw_captions_beside(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px);
 
   AxisMenu menu_;
+  UnitChooser chooser_;
 };
 
 }  // namespace hw::panels

@@ -17,15 +17,26 @@ using namespace gui;
 
 namespace {
 
+constexpr std::string_view own_conversion = "another conversion";
+
+/// What its profile says that hangs on the axis; empty: nothing, or nothing that is told yet.
+std::string_view unit_chosen(const Frame& f, std::size_t axis) {
+  const AxisProfile& wish = f.tab.profile.axes[axis];
+  if (wish.unit_choice == own_unit_choice && wish.own_unit.per_step != 0) return wish.own_unit.name;
+  for (const UnitChoice& choice : f.catalog.units)
+    if (choice.label == wish.unit_choice) return choice.unit;
+  return {};
+}
+
 /// The real unit of all axes that have one: "mm"; "real units" when they differ; empty when none has.
 std::string_view real_unit(const Frame& f) {
   std::string_view found;
-  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
-    for (const UnitChoice& choice : f.catalog.units) {
-      if (choice.label != f.tab.profile.axes[i].unit_choice) continue;
-      if (!found.empty() && found != choice.unit) return "real units";
-      found = choice.unit;
-    }
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
+    const std::string_view unit = unit_chosen(f, i);
+    if (unit.empty()) continue;
+    if (!found.empty() && found != unit) return "real units";
+    found = unit;
+  }
   return found;
 }
 
@@ -51,37 +62,6 @@ void use(Frame& f, std::string unit) {
   f.tab.profile_edited();
 }
 
-void draw_axis_choice(Frame& f, std::size_t i) {
-  const AxisInfo& axis = f.catalog.axes[i];
-  AxisProfile& wish = f.tab.profile.axes[i];
-  const std::string own = counted_unit(f.catalog, f.now, f.catalog.step_word, static_cast<int>(i));
-  std::vector<std::string_view> names{own};
-  int chosen = 0;
-  for (const UnitChoice& choice : f.catalog.units) {
-    names.push_back(choice.label);
-    if (choice.label == wish.unit_choice) chosen = static_cast<int>(names.size()) - 1;
-  }
-  gap(f.ui, 6);
-  text(f.ui, Face::small, Tone::ink2, axis.description.empty() ? axis.name : axis.description);
-  DropdownOptions o;
-  o.width = 336;
-  const int picked = dropdown(f.ui, Path("dro/unit/axis/{}", axis.name), axis.description, names, chosen, o);
-  if (picked >= 0) {
-    wish.unit_choice = picked == 0 ? std::string() : std::string(names[static_cast<std::size_t>(picked)]);
-    use(f, "real");
-  }
-  if (wish.unit_choice.empty()) return;
-  ImGui::SameLine();
-  ToggleOptions toggle;
-  toggle.state = wish.reversed ? ToggleState::on : ToggleState::off;
-  toggle.width = 116;
-  toggle.tip = "The real unit counts against the steps.";
-  if (toggle_lamp(f.ui, Path("dro/unit/reversed/{}", axis.name), "reversed", toggle).clicked) {
-    wish.reversed = !wish.reversed;
-    use(f, f.tab.profile.unit);
-  }
-}
-
 }  // namespace
 
 // An axis with a closed loop counts in other steps than one without.
@@ -99,13 +79,54 @@ float unit_chooser_width(const Frame& f) {
   return f.tier == Tier::medium ? natural - 8 : natural;  // beside a title and a badge
 }
 
-void draw_unit_chooser(Frame& f) {
+void UnitChooser::draw_axis(Frame& f, std::size_t i) {
+  const AxisInfo& axis = f.catalog.axes[i];
+  AxisProfile& wish = f.tab.profile.axes[i];
+  const std::string counted = counted_unit(f.catalog, f.now, f.catalog.step_word, static_cast<int>(i));
+  std::vector<std::string_view> names{counted};
+  int chosen = 0;
+  for (const UnitChoice& choice : f.catalog.units) {
+    names.push_back(choice.label);
+    if (choice.label == wish.unit_choice) chosen = static_cast<int>(names.size()) - 1;
+  }
+  names.push_back(own_conversion);
+  if (wish.unit_choice == own_unit_choice) chosen = static_cast<int>(names.size()) - 1;
+  gap(f.ui, 6);
+  text(f.ui, Face::small, Tone::ink2, axis.description.empty() ? axis.name : axis.description);
+  DropdownOptions o;
+  o.width = 336;
+  const int picked = dropdown(f.ui, Path("dro/unit/axis/{}", axis.name), axis.description, names, chosen, o);
+  if (picked >= 0) {
+    const bool own = picked == static_cast<int>(names.size()) - 1;
+    wish.unit_choice = picked == 0 ? std::string()
+                       : own       ? std::string(own_unit_choice)
+                                   : std::string(names[static_cast<std::size_t>(picked)]);
+    use(f, "real");
+  }
+  if (wish.unit_choice.empty()) return;
+  ImGui::SameLine();
+  ToggleOptions toggle;
+  toggle.state = wish.reversed ? ToggleState::on : ToggleState::off;
+  toggle.width = 116;
+  toggle.tip = "The real unit counts against the steps.";
+  if (toggle_lamp(f.ui, Path("dro/unit/reversed/{}", axis.name), "reversed", toggle).clicked) {
+    wish.reversed = !wish.reversed;
+    use(f, f.tab.profile.unit);
+  }
+  if (wish.unit_choice != own_unit_choice) return;
+  gap(f.ui, 4);
+  if (own_[i].draw(f, AxisId{static_cast<std::uint8_t>(i)}, wish.own_unit)) use(f, "real");
+}
+
+void UnitChooser::draw(Frame& f) {
   Ui& ui = f.ui;
   ButtonOptions opener = opener_options();
   opener.width = unit_chooser_width(f);
   const Touch t = button(ui, "dro/unit", shown_unit(f), opener);
-  const auto axes = static_cast<float>(f.catalog.axes.size());
-  if (!begin_popup(ui, "unit", t, 484, 3.1f + 1.9f * axes)) return;
+  float rows = 3.1f + 1.9f * static_cast<float>(f.catalog.axes.size());
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
+    if (f.tab.profile.axes[i].unit_choice == own_unit_choice) rows += OwnUnitForm::rows;
+  if (!begin_popup(ui, "unit", t, 492, rows)) return;
   const std::string_view real = real_unit(f);
   if (popup_row(ui, "dro/unit/steps", own_unit(f), "as the controller counts", !shows_real(f)))
     use(f, f.catalog.step_word);
@@ -118,7 +139,7 @@ void draw_unit_chooser(Frame& f) {
   ImGui::BeginGroup();
   gap(ui, 8);
   text(ui, Face::body_bold, Tone::ink, "What hangs on each axis");
-  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) draw_axis_choice(f, i);
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) draw_axis(f, i);
   ImGui::EndGroup();
   ImGui::PopStyleVar();
   end_popup();

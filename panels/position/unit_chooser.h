@@ -1,12 +1,21 @@
 #pragma once
 // Steps or real units, and what hangs on each axis (`dro/unit`).
+#include <array>
 #include <string_view>
 
 #include "gui/shell/frame.h"
+#include "panels/position/own_unit_form.h"
 
 namespace hw::panels {
 
-void draw_unit_chooser(gui::Frame& frame);
+class UnitChooser {
+ public:
+  void draw(gui::Frame& frame);
+
+ private:
+  void draw_axis(gui::Frame& frame, std::size_t axis);
+  std::array<OwnUnitForm, max_axes> own_;
+};
 /// What positions are shown in: "mm", "pulses"; of axes that differ what most of them would say.
 std::string_view shown_unit(const gui::Frame& frame);
 /// Logical.

@@ -73,6 +73,9 @@ TEST_F(RefusalCardTest, IsABarOverTheStatusLineInANarrowWindow) {
 
 TEST_F(RefusalCardTest, EachRowHasItsOwnAndNoneLiesOnAnother) {
   open(1440, 900);
+  MUST(s->hand.click("goto/axis"));
+  MUST(s->hand.click("goto/axis/All axes"));
+  s->run(0.2);
   refuse("X");
   refuse("U");
   const Rect x = find("goto/X/refused")->rect, u = find("goto/U/refused")->rect;

@@ -19,6 +19,12 @@ Profile stage() {
   p.axes[0].name = "across";
   p.axes[0].unit_choice = "BiSlide E04";
   p.axes[1].reversed = true;
+  p.axes[1].travel = {true, true, Steps(-20), Steps(4000), true};
+  p.axes[2].travel.has_plus = true;
+  p.axes[3].unit_choice = own_unit_choice;
+  p.axes[3].own_unit = {"inch", 0.000125};
+  p.places = {{"load", {{AxisId{0}, Steps(5)}, {AxisId{2}, Steps(-7)}}},
+              {"u\u00e9 \"x\"", {{AxisId{1}, Steps(1)}}}};
   p.jog_step = Steps(40);
   p.jog_speed = Pps(800);
   return p;

@@ -1,0 +1,140 @@
+#include "panels/position/own_unit_form.h"
+
+#include <cmath>
+
+#include <imgui.h>
+
+#include "gui/model/tab.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/text.h"
+#include "gui/widgets/text_field.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float line_height = 36;
+
+/// The parts of one line, at their places.
+class FormLine {
+ public:
+  FormLine(Frame& f, AxisId axis)
+      : f_(f), name_(f.catalog.axes[axis.index].name), at_(ImGui::GetCursorScreenPos()) {}
+  ~FormLine() { ImGui::SetCursorScreenPos(ImVec2(at_.x, at_.y + f_.ui.px(line_height))); }
+  FormLine(const FormLine&) = delete;
+  FormLine& operator=(const FormLine&) = delete;
+
+  void words(float x, std::string_view said) const {
+    draw_text_line(f_.ui, at_.x + f_.ui.px(x), at_.x + f_.ui.px(x + 120), at_.y + f_.ui.px(16), Face::small,
+                   f_.ui[Tone::ink2], said);
+  }
+  void go_to(float x) const { ImGui::SetCursorScreenPos(ImVec2(at_.x + f_.ui.px(x), at_.y)); }
+  NumberEvent number(float x, float width, std::string_view id, std::string_view label, NumberField& field,
+                     std::optional<double> shown, int decimals) const {
+    go_to(x);
+    NumberOptions o;
+    o.range.decimals = decimals;
+    o.width = width;
+    o.sentence_below = false;
+    return number_field(f_.ui, Path("dro/unit/own/{}/{}", name_, id), label, shown, field, o);
+  }
+  bool use(float x, std::string_view id, std::string_view why_not) const {
+    go_to(x);
+    ButtonOptions o{.disabled = why_not, .width = 52};
+    return button(f_.ui, Path("dro/unit/own/{}/{}", name_, id), "Use", o).clicked;
+  }
+
+ private:
+  Frame& f_;
+  const std::string& name_;
+  const ImVec2 at_;
+};
+
+}  // namespace
+
+bool OwnUnitForm::draw(Frame& f, AxisId axis, OwnUnit& own) {
+  const bool told = draw_step(f, axis, own);
+  const bool by_drive = draw_drive(f, axis, own);
+  const bool measured = draw_points(f, axis, own);
+  if (by_drive || measured) step_.reset();
+  return told || by_drive || measured;
+}
+
+/// "1 step = [0.0025] [mm]"
+bool OwnUnitForm::draw_step(Frame& f, AxisId axis, OwnUnit& own) {
+  const FormLine line(f, axis);
+  line.words(0, "One step is");
+  const auto shown = own.per_step != 0 ? std::optional(own.per_step) : std::nullopt;
+  const NumberEvent typed = line.number(76, 132, "step", "One step is", step_, shown, 9);
+  line.go_to(216);
+  FieldOptions o;
+  o.width = 84;
+  o.tip = "mm, inch, \u00b0 or any other word.";
+  const Field unit =
+      text_field(f.ui, Path("dro/unit/own/{}/name", f.catalog.axes[axis.index].name), "Unit", own.name, o);
+  const bool renamed = unit.entered || unit.left;
+  if (!typed.committed || typed.value == 0) return renamed;
+  own.per_step = std::abs(typed.value);
+  return true;
+}
+
+bool OwnUnitForm::draw_drive(Frame& f, AxisId axis, OwnUnit& own) {
+  const FormLine line(f, axis);
+  line.words(0, "steps a turn");
+  line.number(76, 60, "full", "Full steps a turn", full_, std::nullopt, 0);
+  line.words(142, "micro");
+  line.number(178, 52, "micro", "Micro steps a full step", micro_, std::nullopt, 0);
+  line.words(236, "gear");
+  line.number(264, 52, "gear", "Turns of the motor for one of the screw", gear_, std::nullopt, 6);
+  line.words(322, "goes");
+  line.number(354, 54, "travel", "Way of one turn", travel_, std::nullopt, 6);
+  const double steps = full_.value().value_or(200) * micro_.value().value_or(1) * gear_.value().value_or(1);
+  const auto travel = travel_.value();
+  const bool known = travel && *travel != 0 && steps > 0;
+  if (!line.use(412, "drive", known ? "" : "Type how far one turn goes. Steps a turn: 200 unless told."))
+    return false;
+  own.per_step = std::abs(*travel) / steps;
+  return true;
+}
+
+/// Two places read at the machine, each with the count at that moment.
+bool OwnUnitForm::draw_points(Frame& f, AxisId axis, OwnUnit& own) {
+  const FormLine line(f, axis);
+  line.words(0, "measured at");
+  draw_point(f, axis, points_[0], "first", 76);
+  line.words(228, "and at");
+  draw_point(f, axis, points_[1], "second", 268);
+  const auto from = points_[0].place.value(), to = points_[1].place.value();
+  const bool taken = from && to && points_[0].steps && points_[1].steps;
+  const Steps steps = taken ? *points_[1].steps - *points_[0].steps : Steps();
+  const bool known = taken && steps != Steps(0) && *to != *from;
+  if (!line.use(412, "measured",
+                known ? "" : "Type what you measure and press Here, move the axis, and do it again."))
+    return false;
+  own.per_step = (*to - *from) / static_cast<double>(steps.value);
+  return true;
+}
+
+void OwnUnitForm::draw_point(Frame& f, AxisId axis, Point& point, std::string_view id, float x) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const std::string& name = f.catalog.axes[axis.index].name;
+  const AxisState& state = f.now.axes[axis.index];
+  NumberOptions o;
+  o.range.decimals = 6;
+  o.width = 84;
+  o.sentence_below = false;
+  ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(x), at.y));
+  number_field(f.ui, Path("dro/unit/own/{}/{}", name, id), "Measured place", std::nullopt, point.place, o);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(x + 88), at.y));
+  ButtonOptions here{.tip = "The axis stands there now.", .width = 50, .on = point.steps.has_value()};
+  here.disabled = !state.position_known          ? "Where it counts is not known."
+                  : f.now.axis_moves(axis.index) ? "It moves."
+                                                 : "";
+  if (button(f.ui, Path("dro/unit/own/{}/{}/here", name, id), "Here", here).clicked)
+    point.steps = state.commanded();
+  ImGui::SetCursorScreenPos(at);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,142 @@
+// Limits and places of the user's own: set at the number of an axis, drawn under it, kept in the profile.
+#include <gtest/gtest.h>
+
+#include "tests/panels/console_stage.h"
+#include "tests/panels/must.h"
+
+namespace hw::panels {
+namespace {
+
+using namespace gui;
+
+class TravelTest : public testing::Test {
+ protected:
+  ConsoleStage s;
+  Example& a = s.add(example_catalog());
+
+  void SetUp() override {
+    a.tab->unset_read = true;
+    a.tab->profile.unit = "real";
+    a.tab->profile.axes[0].unit_choice = "screw of 1 mm";
+    a.tab->profile_edited();
+    a.now.axes[0].position = Steps(4000);  // 10 mm
+    s.run(0.2);
+  }
+  /// As the pump does it.
+  void hold_to(Travel travel) {
+    a.now.axes[0].travel = travel;
+    s.run(0.1);
+  }
+  static Travel from_to(std::int64_t minus, std::int64_t plus) {
+    Travel t;
+    t.has_minus = t.has_plus = true;
+    t.minus = Steps(minus), t.plus = Steps(plus);
+    return t;
+  }
+};
+
+TEST_F(TravelTest, AreTypedInTheUnitOfTheAxisAndKept) {
+  MUST(s.hand.click("dro/1/position"));
+  MUST(s.hand.type("dro/1/limit/+", "300\n"));
+  ASSERT_TRUE(a.last<intent::SetTravel>());
+  EXPECT_EQ(a.last<intent::SetTravel>()->axis, AxisId{0});
+  EXPECT_FALSE(a.last<intent::SetTravel>()->travel.has_minus);
+  EXPECT_EQ(a.last<intent::SetTravel>()->travel.plus, Steps(120'000));
+  MUST(s.hand.click("dro/1/limit/-/here"));
+  EXPECT_EQ(a.last<intent::SetTravel>()->travel, from_to(4000, 120'000));
+  EXPECT_EQ(a.tab->profile.axes[0].travel, from_to(4000, 120'000));
+  MUST(s.hand.type("dro/1/limit/-", "400\n"));
+  EXPECT_EQ(a.tab->profile.axes[0].travel, from_to(4000, 120'000)) << "it would lie past the other one";
+  MUST(s.hand.click("dro/1/limit/+/none"));
+  EXPECT_FALSE(a.last<intent::SetTravel>()->travel.has_plus);
+}
+
+TEST_F(TravelTest, AreSeenUnderTheNumber) {
+  EXPECT_FALSE(s.hand.exists("dro/1/travel"));
+  hold_to(from_to(-8000, 120'000));
+  EXPECT_EQ(s.value("dro/1/travel"), "-20.000 to 300.000 mm");
+  Travel up;
+  up.has_plus = true;
+  up.plus = Steps(120'000);
+  hold_to(up);
+  EXPECT_EQ(s.value("dro/1/travel"), "up to 300.000 mm");
+}
+
+TEST_F(TravelTest, OfGoTheNearestPlaceInsideIsOffered) {
+  hold_to(from_to(-8000, 120'000));
+  MUST(s.hand.type("goto/1", "318\n"));
+  s.run(0.1);
+  EXPECT_EQ(a.count<intent::MoveTo>(), 0);
+  EXPECT_EQ(s.value("goto/1/refused"),
+            "318.000 mm lies 18.000 mm past the + limit of motor 1, 300.000 mm. Nothing was sent.");
+  MUST(s.hand.click("goto/1/nearest"));
+  ASSERT_TRUE(a.last<intent::MoveTo>());
+  EXPECT_EQ(a.last<intent::MoveTo>()->targets.at(0).value, Steps(120'000));
+}
+
+TEST_F(TravelTest, ARefusalOfAnotherSpeaksTheUnitOfTheAxis) {
+  MUST(s.hand.press("jog/1/+"));
+  MUST(s.hand.release("jog/1/+"));
+  s.run(0.1);
+  ASSERT_TRUE(a.last<intent::MoveBy>());
+  IntentFate& fate = a.now.fates[0];
+  fate.past = PastTravel{AxisId{0}, Sign::plus, Steps(120'400), Steps(120'000)};
+  a.fate(Fate::refused, "in the controller's own words");
+  s.run(0.1);
+  bool said = false;
+  for (const auto& w : s.stage.surface.screen().registry().widgets())
+    said = said || w.value.find("301.000 mm lies 1.000 mm past the + limit of motor 1") != std::string::npos;
+  EXPECT_TRUE(said);
+}
+
+TEST_F(TravelTest, AtTheEndOnlyTheWayBackIsOffered) {
+  a.now.axes[0].position = Steps(120'000);
+  hold_to(from_to(-8000, 120'000));
+  EXPECT_FALSE(s.stage.find("jog/1/+")->enabled);
+  EXPECT_TRUE(s.stage.find("jog/1/-")->enabled);
+}
+
+TEST_F(TravelTest, GoHasASpeedInTheUnitOfTheAxis) {
+  MUST(s.hand.type("goto/speed", "5\n"));
+  MUST(s.hand.type("goto/1", "20\n"));
+  ASSERT_TRUE(a.last<intent::MoveTo>());
+  EXPECT_EQ(a.last<intent::MoveTo>()->speed, Pps(2000));
+  MUST(s.hand.type("goto/speed", ""));
+  MUST(s.hand.type("goto/1", "30\n"));
+  EXPECT_EQ(a.last<intent::MoveTo>()->speed, Pps(0)) << "as the controller is set";
+}
+
+TEST_F(TravelTest, APlaceIsSavedGoneToChangedAndForgotten) {
+  a.now.axes[1].position = Steps(-50);
+  s.run(0.1);
+  MUST(s.hand.click("places"));
+  MUST(s.hand.type("places/name", "load\n"));
+  ASSERT_EQ(a.tab->profile.places.size(), 1u);
+  a.now.axes[0].position = a.now.axes[1].position = Steps(0);
+  s.run(0.1);
+  MUST(s.hand.click("places/load/go"));
+  ASSERT_TRUE(a.last<intent::MoveTo>());
+  ASSERT_EQ(a.last<intent::MoveTo>()->targets.size(), 2u);
+  EXPECT_EQ(a.last<intent::MoveTo>()->targets[0].value, Steps(4000));
+  EXPECT_EQ(a.last<intent::MoveTo>()->targets[1].value, Steps(-50));
+  MUST(s.hand.click("places"));
+  MUST(s.hand.click("places/load/edit"));
+  MUST(s.hand.type("places/load/1", "7\n"));
+  EXPECT_EQ(a.tab->profile.places[0].at[0].value, Steps(2800));
+  MUST(s.hand.click("places/load/2/here"));
+  EXPECT_EQ(a.tab->profile.places[0].at[1].value, Steps(0));
+  MUST(s.hand.click("places/load/forget"));
+  EXPECT_TRUE(a.tab->profile.places.empty());
+}
+
+TEST_F(TravelTest, NoPlaceIsSavedByACountThatIsNotToBeTrusted) {
+  a.now.axes[1].trust.doubt(Doubt::power_cut, s.scheduler.now());
+  s.run(0.1);
+  MUST(s.hand.click("places"));
+  MUST(s.hand.type("places/name", "load"));
+  MUST(s.hand.click("places/save"));
+  EXPECT_TRUE(a.tab->profile.places.empty());
+}
+
+}  // namespace
+}  // namespace hw::panels
