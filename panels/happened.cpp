@@ -66,25 +66,23 @@ float words_begin(const Ui& ui, const EventLog& log, float width) {
 
 }  // namespace
 
-float Happened::draw_tools(Frame& f, float right, float top) {
+float Happened::draw_tools(Frame& f, float left, float top) {
   Ui& ui = f.ui;
   constexpr std::array<std::string_view, 3> names = {"all events", "how it ended", "trouble"};
-  const float copy = ui.px(button_width(ui, "Copy", {.style = ButtonStyle::quiet})), choice = ui.px(132);
-  ImGui::SetCursorScreenPos(ImVec2(right - copy, top));
-  if (button(ui, "happened/copy", "Copy",
-             {.style = ButtonStyle::quiet, .tip = "All that are shown, with their times."})
-          .clicked) {
-    ImGui::SetClipboardText(said_.c_str());
-    f.toast(Mood::ok, "The events were copied.");
-  }
-  const float left = right - copy - ui.px(8) - choice;
-  ImGui::SetCursorScreenPos(ImVec2(left, top));
+  const ButtonOptions copy{.style = ButtonStyle::quiet, .tip = "All that are shown, with their times."};
   DropdownOptions o;
   o.width = 132;
   o.tip = "Which events are shown.";
+  ImGui::SetCursorScreenPos(ImVec2(left, top));
   const int picked = dropdown(ui, "happened/filter", "Show", names, static_cast<int>(filter_), o);
   if (picked >= 0) filter_ = static_cast<EventFilter>(picked);
-  return left;
+  left += ui.px(o.width + 8);
+  ImGui::SetCursorScreenPos(ImVec2(left, top));
+  if (button(ui, "happened/copy", "Copy", copy).clicked) {
+    ImGui::SetClipboardText(said_.c_str());
+    f.toast(Mood::ok, "The events were copied.");
+  }
+  return left + ui.px(button_width(ui, "Copy", copy));
 }
 
 void Happened::draw(Frame& f, float height) {

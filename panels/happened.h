@@ -14,8 +14,8 @@ class Happened {
  public:
   /// Fills the rest of the width and `height` pixels.
   void draw(gui::Frame& frame, float height);
-  /// Which of them are shown, and Copy; ends at `right`, in pixels. Returns where they begin.
-  float draw_tools(gui::Frame& frame, float right, float top);
+  /// Which of them are shown, and Copy; from `left`, in pixels. Returns where they end.
+  float draw_tools(gui::Frame& frame, float left, float top);
 
  private:
   void draw_rows(gui::Frame& frame, const gui::EventLog& log);

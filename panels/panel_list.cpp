@@ -63,7 +63,7 @@ constexpr gui::PanelEntry panels[] = {
     {"program", "Program", Place::centre, make<Program>, has_programs, 240},
     {"blocks", "Blocks", Place::centre, make<Blocks>, has_programs, 240, ".toml", 560},
     {"drawing", "Drawing", Place::centre, make<DrawingTab>, cuts_drawings, 240, ".dxf", 560},
-    {"path", "Path", Place::centre, make<ToolPath>, goes_in_a_plane, 240, "", 560},
+    {"path", "Path", Place::centre, make<ToolPath>, nullptr, 240, "", 560, true},
     {"control", "Control", Place::centre, make<Control>, controls},
     {"variables", "Variables", Place::centre, make<Variables>, has_variables},
     {"list", "Moves", Place::centre, make<Moves>, has_move_list, 240},

@@ -11,11 +11,18 @@
 #include "gui/shell/console.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
+#include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
 
 namespace hw::panels {
 
 using namespace gui;
+namespace {
+
+/// In the title row: less room than this is none for a message; and for what the log has lost.
+constexpr float messages_at_least = 280, lost_width = 140;
+
+}  // namespace
 
 Terminal::Terminal() {
   line_help_.history = [this](std::string& text, int direction) { return older_or_newer(text, direction); };
@@ -67,15 +74,26 @@ void Terminal::draw_head(Frame& f, TrafficLog& log) {
   const bool log_wanted = choose("terminal/view/log", "Terminal", false);
   const bool events_wanted = choose("terminal/view/happened", events, true);
   if (log_wanted || events_wanted) shows_events_ = events_wanted;
-  const float after = ui.px(x + 12);
-  if (shows_events_)
-    happened_.draw_tools(f, ui.px(f.area.right() - 16), at.y + ui.px(6));
-  else
-    draw_traffic_tools(f, log, after, at.y + ui.px(6));
+  const float after = ui.px(x + 12), top = at.y + ui.px(6);
+  const float end =
+      shows_events_ ? happened_.draw_tools(f, after, top) : draw_traffic_tools(f, log, after, top);
+  draw_messages_behind(f, end, top);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(44)));
 }
 
-void Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float top) {
+/// Messages at the right end of the title row, if it has room for a sentence; else the status line shows
+/// them.
+void Terminal::draw_messages_behind(Frame& f, float left, float top) {
+  Ui& ui = f.ui;
+  const float right = ui.px(f.area.right() - 16), room = right - left - ui.px(16);
+  const bool covered = f.console.right_open && f.tier == Tier::medium;
+  if (covered || room < ui.px(messages_at_least)) return;
+  const float width = std::min(room, ui.px(432));
+  draw_messages(ui, f.console.toasts(), {ImVec2(right - width, top), ImVec2(right, top + ui.px(32))});
+}
+
+/// At the right; beside it messages, where there is room for both. Returns where it ends.
+float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float top) {
   Ui& ui = f.ui;
   TrafficLog::View view = log.view();
   filter_ = view.filter;
@@ -104,7 +122,10 @@ void Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float t
   float width = filter_width + space;
   for (const Part& p : toggles) width += button_width(ui, p.label, look(p)) + space;
   for (const Part& p : actions) width += button_width(ui, p.label, look(p));
-  float x = f.area.right() - 16 - width;
+  const float room = f.area.right() - 16 - left / ui.scale - width;
+  const bool beside = room >= messages_at_least + lost_width + 16;
+  const float from = beside ? left / ui.scale : f.area.right() - 16 - width, end = ui.px(from + width);
+  float x = from;
   const auto place = [&](float w) {
     ImGui::SetCursorScreenPos(ImVec2(ui.px(x), top));
     x += w;
@@ -121,7 +142,10 @@ void Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float t
     if (button(ui, p.id, p.label, look(p)).clicked) act(f, log, p.id);
   }
   log.set_view(std::move(view));
-  draw_lost(ui, log, left, ui.px(f.area.right() - 24 - width), top + ui.px(16));
+  const float lost_from = beside ? end + ui.px(8) : left;
+  const float lost_to = beside ? lost_from + ui.px(lost_width) : ui.px(from - 8);
+  draw_lost(ui, log, lost_from, lost_to, top + ui.px(16));
+  return beside ? lost_to : end;
 }
 
 /// What the head does, where there is no room for it.
@@ -336,7 +360,7 @@ float Terminal::draw_to(Frame& f, float top) {
 void Terminal::send(Frame& f) {
   if (command_.empty()) return;
   if (!f.connected())
-    return f.toast(Mood::warn, "There is no link. Nothing was sent; what you typed stays here.");
+    return f.toast(Mood::warn, "There is no link. Nothing was sent; what you typed stays here.", &f.tab);
   f.send(intent::SendText(command_, to_all_));
   if (to_all_) f.toast(Mood::plain, "Sent to all devices of the wire. None of them replies to that.");
   auto& history = f.tab.desk().history;

@@ -19,7 +19,8 @@ class Terminal final : public gui::Panel {
 
  private:
   void draw_head(gui::Frame& frame, gui::TrafficLog& log);
-  void draw_traffic_tools(gui::Frame& frame, gui::TrafficLog& log, float left_px, float top_px);
+  float draw_traffic_tools(gui::Frame& frame, gui::TrafficLog& log, float left_px, float top_px);
+  static void draw_messages_behind(gui::Frame& frame, float left_px, float top_px);
   void draw_log_menu(gui::Frame& frame);
   static void draw_lost(gui::Ui& ui, const gui::TrafficLog& log, float left, float right, float middle);
   void act(gui::Frame& frame, gui::TrafficLog& log, std::string_view id);

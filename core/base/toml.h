@@ -10,6 +10,13 @@
 
 namespace hw {
 
+/// toml++, as everybody in the house names it; but what a file nests without end, writes in a line of
+/// megabytes or names with what is no text is refused as a fault of that line (toml_guard.cpp).
+namespace toml {
+using namespace ::toml;
+::toml::parse_result parse(std::string_view text);
+}  // namespace toml
+
 /// As a value in quotation marks, on one line.
 std::string toml_quoted(std::string_view text);
 /// The same over several lines, as it stands.

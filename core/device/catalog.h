@@ -85,6 +85,7 @@ struct ParamInfo {
   std::string group;        ///< heading in Setup
   std::int64_t minimum = 0, maximum = 0, fallback = 0;  ///< fallback: the factory value
   std::vector<ParamChoice> choices;                     ///< not empty: exactly these values
+  std::vector<std::string> short_choices;               ///< the same in a word each, for a narrow column
   std::vector<ParamBit> bits;                           ///< not empty: a bit field
   int decimals = 0;        ///< the value counts the last of so many decimals: 0.800 is 800
   std::string prefix;      ///< of a name that ends in a number: 4EX07 is 7 with prefix "4EX" ...
@@ -125,6 +126,7 @@ struct ReadoutInfo {
   std::string unit;
   std::vector<ParamChoice> words;  ///< not empty: what the values mean
   std::vector<std::int64_t> bad;   ///< values that are faults
+  bool for_scripts = false;        ///< a bare number that tells a person nothing: not drawn in Control
   std::string help;
 };
 
@@ -138,6 +140,7 @@ struct ActionField {
   std::vector<ParamChoice> choices;  ///< not empty: exactly these values
   bool follows_loop = false;         ///< as ParamInfo::follows_loop
   bool is_place = false;             ///< a position that an axis is sent by: it takes the count for true
+  bool for_all_rows = false;         ///< in an AxisTable one value for all axes, under the tables
   int of_axis = -1;  ///< whose value it is; -1: of what is chosen in the field "axis", else of the only one
 };
 /// Something the controller can be told to do that is no verb of all controllers: intent::Act. Drawn as a
@@ -150,11 +153,40 @@ struct ActionInfo {
   bool moves = false;           ///< starts or changes motion
   bool while_busy = false;      ///< makes sense while a motion or program runs
   bool of_move_buffer = false;  ///< shown beside the list of moves too
+  bool is_arc =
+      false;  ///< of the first two axes: its fields are the centre and the way round, + against the clock
   bool follows_analog = false;  ///< its axis follows an analog input: they are shown with it
+  std::string sets = {};        ///< the readout that shows what it has done ...
+  std::int64_t sets_to = 0;     ///< ... and its value then; those of one readout are a choice
   std::vector<ActionField> fields;
   std::string manual;
   /// The outermost places of its way with these values from where the axes stand; null: its places are all.
   std::vector<AxisTarget> (*reaches)(const Snapshot& now, const std::vector<std::int64_t>& values) = nullptr;
+};
+
+/// A column of an AxisTable: what stands in the row of each axis. Of axes for which nothing of that id is in
+/// the catalog the cell is empty.
+struct AxisColumn {
+  enum class Shows : std::uint8_t {
+    motion,   ///< what the axis does, its speed, and the action `id` that clears the error that holds it
+    readout,  ///< its words or number
+    param,    ///< its value, that is written as soon as it is chosen or typed
+    toggle,   ///< a param that is 0 or 1, or the action that switches with a field "on", as a lamp
+    action,   ///< the action: its fields and its button; one that switches has two verbs
+  };
+  Shows shows = Shows::readout;
+  std::string id;     ///< '*' is the name of the axis, or nothing: "LT*S"
+  std::string title;  ///< over the column; empty: the label of what stands there
+  std::string state =
+      {};  ///< id of what is not 0 while it is on: a readout, a param, or bit n of a param of all
+  std::string verb_on = {}, verb_off = {};  ///< on the button of an action; empty: its label
+  bool while_moving = false;                ///< only an axis that moves can be told so
+};
+/// A table of the Control panel with a row per axis. What stands in one stands nowhere else there.
+struct AxisTable {
+  std::string title;
+  std::string note = {};  ///< at the right of the title: "on DI1 to DI4"
+  std::vector<AxisColumn> columns;
 };
 
 /// Numbered variables of the controller's programs.
@@ -291,6 +323,7 @@ struct Catalog {
   std::vector<std::string> readout_groups;
   std::vector<ReadoutInfo> readouts;
   std::vector<ActionInfo> actions;
+  std::vector<AxisTable> axis_tables;
   VariableFacts variables;
   MoveListFacts move_list;
   std::vector<MemoryCell> memory;  ///< where Capabilities::memory_map

@@ -1,5 +1,7 @@
 #include "core/device/controller_state.h"
 
+#include <charconv>
+
 #include <fmt/format.h>
 
 #include "core/base/index.h"
@@ -44,6 +46,8 @@ std::vector<BenchCommand> seen_switches(const Snapshot& now) {
   return all;
 }
 
+constexpr std::string_view program_word = "program ", taken_as_empty = "empty, since it was not read";
+
 bool concerns(const ParamInfo& info, std::uint32_t moved) {
   return info.axis < 0 || (moved >> info.axis & 1u) != 0;
 }
@@ -84,6 +88,24 @@ std::vector<RehearsedAssumption> unknown_surroundings(const ControllerState& sta
   if (!catalog.outputs.empty() && state.now.outputs_known == 0)
     all.push_back({"outputs", "as after power-up"});
   return all;
+}
+
+RehearsedAssumption unread_program(int slot) {
+  return {fmt::format("{}{}", program_word, slot), std::string(taken_as_empty)};
+}
+
+std::optional<int> unread_slot(const RehearsedAssumption& assumption) {
+  const std::string_view name = assumption.name;
+  if (assumption.value != taken_as_empty || !name.starts_with(program_word)) return std::nullopt;
+  int slot = -1;
+  std::from_chars(name.data() + program_word.size(), name.data() + name.size(), slot);
+  return slot < 0 ? std::nullopt : std::optional(slot);
+}
+
+bool acts_on_programs(const ReadoutInfo& readout) {
+  const std::string_view id = readout.id;
+  const bool of_axis = readout.axis >= 0;
+  return id == "MM" || (of_axis && (id.starts_with("LT") || id.starts_with("SYN")));
 }
 
 std::string param_words(const ParamInfo& info, std::int64_t value) {

@@ -42,6 +42,14 @@ struct ControllerState {
                                                                     const Catalog& catalog,
                                                                     std::uint32_t moved);
 
+/// A program that the run comes to and nobody has read; and back: its slot, if that is what it says.
+[[nodiscard]] RehearsedAssumption unread_program(int slot);
+[[nodiscard]] std::optional<int> unread_slot(const RehearsedAssumption& assumption);
+
+/// What programs of the controller go by beside its parameters: how numbers are meant, latches, sync outputs.
+/// 0 of it: as after power-up.
+[[nodiscard]] bool acts_on_programs(const ReadoutInfo& readout);
+
 /// "1.50", as people write the parameter's value, with its unit where it has one.
 [[nodiscard]] std::string param_words(const ParamInfo& info, std::int64_t value);
 

@@ -14,10 +14,13 @@ Result<> PieceRun::begin(const intent::RunInPieces& wish) {
     return fail(FaultKind::refused, "There are no pieces.", "Nothing was sent.");
   if (!running() && !at_rest())
     return fail(FaultKind::refused, "Something runs or moves.", "Nothing was sent.", "Stop it first.");
+  if (std::string why = why_not_begun(*wish.pieces, catalog_, draft_); !why.empty())
+    return fail(FaultKind::refused, std::move(why), "Nothing was sent.", "Switch it off first.");
   end();  // what is left of another one
   pieces_ = wish.pieces, seat_ = wish.seat;
   if (seat_) seat_->take(wake_);
   piece_ = step_ = acts_before_ = 0;
+  doubts_ = false;
   restarts_ = draft_.restarts;
   draft_.pieces = PiecesState();
   draft_.pieces.running = true;
@@ -73,7 +76,7 @@ bool PieceRun::at_rest() const {
 
 const IntentBody* PieceRun::due(std::uint64_t rounds, Instant now) {
   if (!running() || rounds < shows_in_ || !draft_.link.connected() || !at_rest()) return nullptr;
-  if (now < not_before_ || draft_.restarts != restarts_) return nullptr;
+  if (now < not_before_ || draft_.restarts != restarts_ || doubts_) return nullptr;
   const std::vector<PieceAct>& does = pieces_->all[piece_].does;
   while (step_ < does.size() && may_begin()) {  // behind the last the next round shows what has come of it
     if (does[step_].what) return &*does[step_].what;
@@ -113,6 +116,7 @@ void PieceRun::done(std::uint64_t shows_in, Instant now) {
   shows_in_ = shows_in;
   not_before_ = now + pieces_->all[piece_].does[step_].then;
   ++step_;
+  doubts_ = false;
 }
 
 /// As far as the controller tells; else the piece's first.
@@ -142,9 +146,12 @@ std::string PieceRun::watch(std::uint64_t rounds) {
   show_step();
   const Piece& piece = pieces_->all[piece_];
   if (rounds < shows_in_ || !at_rest()) return {};
-  if (std::string why = why_not_done(piece); !why.empty()) return end_because(why);
-  if (step_ < piece.does.size()) return {};
-  if (std::string why = why_not_whole(piece); !why.empty()) return end_because(why);
+  const bool whole = step_ == piece.does.size();
+  std::string why = why_not_done(piece);
+  if (whole && why.empty()) why = why_not_whole(piece);
+  if (!why.empty()) return end_because(why);
+  doubts_ = false;
+  if (!whole) return {};
   acts_before_ += std::exchange(step_, 0);
   if (seat_) seat_->has_done(acts_before_);
   draft_.pieces.done = static_cast<std::int32_t>(++piece_);
@@ -160,7 +167,9 @@ void PieceRun::show_others() {
   draft_.pieces.rests = seat_->rests();
 }
 
+/// In two rounds: in the first a position may have been read in the moment before all came to rest.
 std::string PieceRun::end_because(std::string_view what) {
+  if (!std::exchange(doubts_, true)) return {};
   std::string why =
       fmt::format("Piece {} of {} {} Nothing follows it.", piece_ + 1, pieces_->all.size(), what);
   end();

@@ -59,6 +59,7 @@ class PieceRun {
   std::size_t acts_before_ = 0;            ///< of the pieces that are done
   std::uint64_t shows_in_ = 0, seen_ = 0;  ///< rounds: that shows what was asked for; that was watched last
   Instant not_before_{};
+  bool doubts_ = false;         ///< something seems not to have come to its own end: the next round tells
   std::uint32_t restarts_ = 0;  ///< of the controller, when they were begun
 };
 

@@ -10,6 +10,7 @@
 #include "core/base/index.h"
 #include "core/device/act_writer.h"
 #include "core/device/language.h"
+#include "core/device/snapshot.h"
 #include "core/device/told_speeds.h"
 #include "core/sequence/steps_in.h"
 
@@ -251,6 +252,28 @@ class Cutter {
 };
 
 }  // namespace
+
+std::uint32_t loops_in_the_way(const Pieces& pieces, const Snapshot& now) {
+  std::uint32_t closed = 0;
+  for (const OpenLoop& loop : pieces.open_loops)
+    if (now.axes[loop.axis.index].in_counts) closed |= 1u << loop.axis.index;
+  return closed;
+}
+
+std::string why_not_begun(const Pieces& pieces, const Catalog& catalog, const Snapshot& now) {
+  const std::uint32_t closed = loops_in_the_way(pieces, now);
+  if (closed == 0) return {};
+  std::string which;
+  int count = 0;
+  for (const OpenLoop& loop : pieces.open_loops) {
+    if ((closed >> loop.axis.index & 1u) == 0) continue;
+    const int param = catalog.find_param(loop.parameter);
+    if (count++ > 0) which += ", ";
+    which += param >= 0 ? catalog.params[ix(param)].label : loop.parameter;
+  }
+  return fmt::format("{} {} on, and the controller's buffer takes no moves then.", which,
+                     count == 1 ? "is" : "are");
+}
 
 Result<> has_step(const seq::Sequence& sequence, int step) {
   if (sequence.steps.empty()) return fail(FaultKind::text, "It has no steps.", "Nothing was written.");

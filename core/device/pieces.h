@@ -16,6 +16,7 @@
 namespace hw {
 
 class Language;
+struct Snapshot;
 
 struct PieceAct {
   std::optional<IntentBody> what;  ///< none: only others have something to do, see PieceSync
@@ -34,11 +35,18 @@ struct Piece {
   std::vector<int> step_of_act;  ///< of each of `does`, where several controllers do theirs together
 };
 
+/// An axis whose closed loop has to be off while they are done.
+struct OpenLoop {
+  AxisId axis;
+  std::string parameter;  ///< 0 switches it off
+};
+
 struct Pieces {
   std::vector<Piece> all;
-  int lifts = 0;       ///< so often the tool is lifted within what it draws in one go
-  ToolOff tool;        ///< of what they switch act by act; a program's text says it by itself
-  std::string remark;  ///< what is to be known before; may be empty
+  std::vector<OpenLoop> open_loops;  ///< none: they do not mind
+  int lifts = 0;                     ///< so often the tool is lifted within what it draws in one go
+  ToolOff tool;                      ///< of what they switch act by act; a program's text says it by itself
+  std::string remark;                ///< what is to be known before; may be empty
   /// The program of a piece at that share of the speeds that stand in it, as near as the controller goes.
   /// Null: none says any speed, or moves go through the controller's buffer.
   std::function<Result<std::string>(const Piece& piece, int percent)> text_at;
@@ -48,6 +56,10 @@ struct Pieces {
 /// Language::in_pieces().
 Result<Pieces> cut_by_text(const Language& language, const sequence::Sequence& sequence,
                            const Catalog& catalog, int from_step);
+/// Bit per axis whose loop is closed although they need it open.
+[[nodiscard]] std::uint32_t loops_in_the_way(const Pieces& pieces, const Snapshot& now);
+/// A sentence that says so; empty: there are none.
+[[nodiscard]] std::string why_not_begun(const Pieces& pieces, const Catalog& catalog, const Snapshot& now);
 /// Why it cannot begin there.
 Result<> has_step(const sequence::Sequence& sequence, int step);
 

@@ -76,13 +76,24 @@ int SequenceDraft::index() const {
   return path.empty() ? -1 : path.back().index;
 }
 
+std::string SequenceDraft::numbers() const {
+  std::string all;
+  for (const Entered& e : path_) all += fmt::format("{}{}", all.empty() ? "" : ".", e.place + 1);
+  return all;
+}
+
 tl::unexpected<Fault> SequenceDraft::refuse(std::string_view why) const {
-  std::string where;
-  for (const Entered& e : path_) where += fmt::format("{}{}", where.empty() ? "" : ".", e.place + 1);
   return fail(FaultKind::text,
-              fmt::format("{}{} {} ({}): {}", routine_, routine_.empty() ? "Step" : ", step", where,
+              fmt::format("{}{} {} ({}): {}", routine_, routine_.empty() ? "Step" : ", step", numbers(),
                           kind_of(*path_.back().step), why),
               "Nothing was written.");
+}
+
+tl::unexpected<Fault> SequenceDraft::refuse_field(std::string field, std::string_view why,
+                                                  std::optional<double> nearest) const {
+  auto refusal = refuse(why);
+  latest_ = {index(), std::move(field), refusal.value().what, std::string(why), nearest};
+  return refusal;
 }
 
 tl::unexpected<Fault> SequenceDraft::refuse_own_speed() const {
@@ -102,6 +113,46 @@ std::optional<std::vector<std::size_t>> refused_step(std::string_view what) {
     what.remove_prefix(static_cast<std::size_t>(end - what.data()));
     if (!what.starts_with('.')) return path;
     what.remove_prefix(1);
+  }
+}
+
+bool SequenceDraft::pass_over(const seq::Step& step, const Fault& fault, const Before& before) {
+  if (!refused_) return false;
+  // What it says of a field of this step is known beside it; of another refusal, or of one in a routine of
+  // the tool, only the sentence.
+  RefusedStep refused = latest_.what == fault.what && routine_.empty() ? latest_ : RefusedStep();
+  if (refused.what.empty()) {
+    const std::size_t why = fault.what.find("): ");
+    refused.what = fault.what;
+    refused.why = routine_.empty() && why != fault.what.npos ? fault.what.substr(why + 3) : fault.what;
+  }
+  if (!steps_in(step)) path_.resize(before.depth + 1);  // what it is written as is no step of the list
+  refused.step = index();
+  path_.resize(before.depth + 1);
+  lines_.resize(before.lines);
+  indent_ = before.indent, part_ = before.part, at_ = before.at;
+  if (routine_.empty()) line(fmt::format("{}block {} is not written", comment_mark_, numbers()));
+  if (const auto* move = std::get_if<seq::Move>(&step.body))
+    as_if_moved(*move);
+  else if (!std::holds_alternative<seq::Arc>(step.body))
+    forget_what_moves({step});
+  const auto same = [&](const RefusedStep& r) { return r.step == refused.step && r.what == refused.what; };
+  if (routine_.empty() || std::none_of(refused_->begin(), refused_->end(), same))
+    refused_->push_back(std::move(refused));
+  return true;
+}
+
+/// So that an arc behind a move that goes too far is not refused for that.
+void SequenceDraft::as_if_moved(const seq::Move& move) {
+  constexpr double far = 1e15;
+  for (int a = 0; a < axis_count(); ++a) {
+    if (!move.to[ix(a)]) continue;
+    const double steps = std::clamp(*move.to[ix(a)] * sequence.axes[ix(a)].per_unit, -far, far);
+    const auto at = this->at(a);
+    if (!move.relative)
+      stands(a, std::llround(steps));
+    else if (at)
+      stands(a, *at + std::llround(steps));
   }
 }
 
@@ -164,12 +215,23 @@ SequenceText SequenceDraft::finish() && {
 // ---- axes
 
 Result<std::int64_t> SequenceDraft::steps_of(int place, double units, double low, double high) const {
-  const double steps = std::round(units * sequence.axes[ix(place)].per_unit);
-  if (!(steps >= low && steps <= high))
-    return refuse(fmt::format("{} {} of {} are {:.15g} {}; a {} goes from {:.0f} to {:.0f}.", units,
-                              sequence.unit, name(place), steps, catalog.step_word, catalog.short_name, low,
-                              high));
+  const double per_unit = sequence.axes[ix(place)].per_unit, steps = std::round(units * per_unit);
+  if (!(steps >= low && steps <= high)) {
+    const double nearest = steps > high ? high : low;
+    return refuse_field(
+        place_field(place),
+        fmt::format("{} {} of {} are {:.15g} {}; a {} goes from {:.0f} to {:.0f}.", units, sequence.unit,
+                    name(place), steps, catalog.step_word, catalog.short_name, low, high),
+        std::isnan(steps) ? std::nullopt : std::optional(nearest / per_unit));
+  }
   return static_cast<std::int64_t>(steps);
+}
+
+std::string SequenceDraft::place_field(int place) const {
+  const seq::Step::Body& body = path_.back().step->body;
+  if (std::holds_alternative<seq::Move>(body)) return "to/" + sequence.axes[ix(place)].name;
+  if (std::holds_alternative<seq::MoveOnInput>(body)) return "to";
+  return place == 0 ? "x" : "y";
 }
 
 Result<std::int64_t> SequenceDraft::position(int place, double units) const {
@@ -185,16 +247,20 @@ Result<std::int64_t> SequenceDraft::distance(int place, double units) const {
 Result<StepSpeeds> SequenceDraft::speeds(int place, const seq::Speeds& units) const {
   const double per_unit = sequence.axes[ix(place)].per_unit;
   StepSpeeds s;
-  for (auto [from, to, word] : {std::tuple{units.high, &s.high, "speed"}, {units.low, &s.low, "low speed"}}) {
+  for (auto [key, from, to, word] :
+       {std::tuple{"high", units.high, &s.high, "speed"}, {"low", units.low, &s.low, "low speed"}}) {
     if (from == 0) continue;
-    const double pps = std::round(from * per_unit);
-    if (!(pps >= 1 && pps <= catalog.jog_speed_max.value))
-      return refuse(fmt::format("a {} of {} {}/s is {:.15g} {}/s on {}; a {} goes from 1 to {:.0f}.", word,
-                                from, sequence.unit, pps, catalog.step_word, name(place), catalog.short_name,
-                                catalog.jog_speed_max.value));
+    const double pps = std::round(from * per_unit), most = catalog.jog_speed_max.value;
+    if (!(pps >= 1 && pps <= most))
+      return refuse_field(
+          key,
+          fmt::format("a {} of {} {}/s is {:.15g} {}/s on {}; a {} goes from 1 to {:.0f}.", word, from,
+                      sequence.unit, pps, catalog.step_word, name(place), catalog.short_name, most),
+          (pps > most ? most : 1) / per_unit);
     *to = static_cast<std::int64_t>(pps);
   }
-  if (s.high != 0 && s.low > s.high) return refuse("the low speed is above the high speed.");
+  if (s.high != 0 && s.low > s.high)
+    return refuse_field("low", "the low speed is above the high speed.", units.high);
   s.ramp_ms = units.ramp_ms;
   return s;
 }
@@ -241,13 +307,15 @@ void SequenceDraft::forget_what_moves(const seq::StepList& steps) {
 
 Result<int> SequenceDraft::input(int number) const {
   const int place = catalog.find_input(number);
-  if (place < 0) return refuse(fmt::format("a {} has no input {}.", catalog.short_name, number));
+  if (place < 0)
+    return refuse_field("input", fmt::format("a {} has no input {}.", catalog.short_name, number));
   return place;
 }
 
 Result<int> SequenceDraft::output(int number) const {
   const int place = catalog.find_output(number);
-  if (place < 0) return refuse(fmt::format("a {} has no output {}.", catalog.short_name, number));
+  if (place < 0)
+    return refuse_field("output", fmt::format("a {} has no output {}.", catalog.short_name, number));
   return place;
 }
 

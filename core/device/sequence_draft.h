@@ -15,6 +15,7 @@
 #include "core/base/index.h"
 #include "core/base/result.h"
 #include "core/device/catalog.h"
+#include "core/device/refused_steps.h"
 #include "core/device/sequence_text.h"
 #include "core/sequence/steps_in.h"
 
@@ -50,9 +51,28 @@ class SequenceDraft {
   }
   /// "Step 3.2 (arc): a VXM draws no arcs."
   [[nodiscard]] tl::unexpected<Fault> refuse(std::string_view why) const;
+  /// Of a field: its key in files. `nearest`: what it could be.
+  [[nodiscard]] tl::unexpected<Fault> refuse_field(std::string field, std::string_view why,
+                                                   std::optional<double> nearest = {}) const;
   /// A motion that goes at the controller's own speed, behind one that has changed it.
   [[nodiscard]] tl::unexpected<Fault> refuse_own_speed() const;
   void remark(std::string_view what);
+
+  // ---- steps that are refused
+  /// From here on they are collected, with a comment behind `mark` in the place of each.
+  void collect_refused(std::vector<RefusedStep>* refused, std::string_view mark) {
+    refused_ = refused, comment_mark_ = mark;
+  }
+  /// How things stand before a step is entered.
+  struct Before {
+    std::size_t depth, lines;
+    int indent, part;
+    std::array<std::optional<std::int64_t>, max_axes> at;
+  };
+  [[nodiscard]] Before before() const { return {path_.size(), lines_.size(), indent_, part_, at_}; }
+  /// Leaves the step at hand out, whose writer has answered with `fault`, and goes on as if it had been done.
+  /// False: refused steps are not collected.
+  bool pass_over(const sequence::Step& step, const Fault& fault, const Before& before);
 
   // ---- the text
   void line(std::string_view text);
@@ -98,6 +118,10 @@ class SequenceDraft {
 
  private:
   [[nodiscard]] Result<std::int64_t> steps_of(int place, double units, double low, double high) const;
+  /// The key of the field that says where an axis goes.
+  [[nodiscard]] std::string place_field(int place) const;
+  [[nodiscard]] std::string numbers() const;  ///< of the step at hand: "3.2"
+  void as_if_moved(const sequence::Move& move);
 
   [[nodiscard]] int index() const;
   static sequence::Speeds over(sequence::Speeds below, const sequence::Speeds& above);
@@ -122,6 +146,9 @@ class SequenceDraft {
   std::vector<Line> lines_;
   std::vector<std::string> remarks_;
   std::string tool_;
+  std::vector<RefusedStep>* refused_ = nullptr;  ///< null: the first one is the end
+  std::string_view comment_mark_;
+  mutable RefusedStep latest_;  ///< what refuse_field() knows beside its sentence
 };
 
 /// What texts call them, too, so that they are known again.
@@ -139,11 +166,12 @@ std::optional<std::vector<std::size_t>> refused_step(std::string_view what);
 template <class Writer>
 Result<> write_steps(Writer& writer, SequenceDraft& draft, const sequence::StepList& steps) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
+    const SequenceDraft::Before before = draft.before();
     draft.enter(steps[i], i);
     Result<> written;
     if (!steps[i].skipped)
       written = std::visit([&writer](const auto& body) { return writer.write(body); }, steps[i].body);
-    if (!written) return written;
+    if (!written && !draft.pass_over(steps[i], written.error(), before)) return written;
     draft.leave();
   }
   return {};

@@ -1,11 +1,12 @@
 #include "core/device/track_keeper.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/index.h"
 
 namespace hw {
 namespace {
-
-constexpr std::size_t most_places = 200'000;
 
 bool same_stand(const RehearsedPlace& a, const RehearsedPlace& b) {
   return a.position == b.position && a.outputs == b.outputs;
@@ -35,12 +36,33 @@ void TrackKeeper::look(Instant now) {
   if (track_.size() > most_places) thin_out();
 }
 
-/// Every other one, and half as often from here on.
+/// Every other one, and half as often from here on. Where it has rested or an output was switched stays, as
+/// far as there is room.
 void TrackKeeper::thin_out() {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < track_.size(); i += 2) track_[kept++] = track_[i];
-  track_.resize(kept);
+  const auto stays = [this](std::size_t i) {
+    if (i == 0 || i + 1 == track_.size()) return true;
+    const RehearsedPlace &before = track_[i - 1], &here = track_[i], &after = track_[i + 1];
+    return here.position == before.position || here.position == after.position ||
+           here.outputs != before.outputs;
+  };
+  std::vector<RehearsedPlace> kept;
+  kept.reserve(most_places + 1);
+  for (std::size_t i = 0; i < track_.size(); ++i)
+    if (i % 2 == 0 || stays(i)) kept.push_back(track_[i]);
   every_ *= 2;
+  if (kept.size() * 4 > most_places * 3) {  // it hardly does anything else
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < kept.size(); i += 2) kept[n++] = kept[i];
+    kept.resize(n);
+  }
+  track_ = std::move(kept);
+}
+
+int thinned_to(std::span<const RehearsedPlace> track, double every_s) {
+  double longest = 0;
+  for (std::size_t i = 1; i < track.size(); ++i)
+    if (track[i].position != track[i - 1].position) longest = std::max(longest, track[i].t - track[i - 1].t);
+  return every_s > 0 ? std::max(1, static_cast<int>(std::lround(longest / every_s))) : 1;
 }
 
 }  // namespace hw

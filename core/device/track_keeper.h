@@ -1,6 +1,7 @@
 #pragma once
 // Where the axes of a rehearsal are: at each event, and every so often while something moves.
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -9,8 +10,13 @@
 
 namespace hw {
 
+/// How often a path that people look at is.
+constexpr double track_seen_every_s = 0.02;
+
 class TrackKeeper {
  public:
+  /// What becomes longer is thinned: 24 MB.
+  static constexpr std::size_t most_places = 300'000;
   /// Keeps nothing where the options do not ask for it.
   TrackKeeper(const Emulator& emulator, const RehearseOptions& options)
       : emulator_(emulator), every_(from_seconds(options.track_every_s)) {}
@@ -29,5 +35,8 @@ class TrackKeeper {
   std::optional<Instant> due_;
   std::vector<RehearsedPlace> track_;
 };
+
+/// It has every so manieth of the places that were looked at every `every_s`; 1: all of them.
+[[nodiscard]] int thinned_to(std::span<const RehearsedPlace> track, double every_s);
 
 }  // namespace hw

@@ -54,8 +54,9 @@ struct Drawing {
   std::vector<Layer> layers;
   std::vector<Path> paths;
   std::vector<LeftOut> left_out;
-  std::string unit;     ///< "mm", "in" ..., see millimetres(); empty: the file does not say
-  std::string version;  ///< "AC1009"
+  std::vector<LeftOut> understood;  ///< drawn in a way that the file leaves open, and why
+  std::string unit;                 ///< "mm", "in" ..., see millimetres(); empty: the file does not say
+  std::string version;              ///< "AC1009"
 };
 
 /// A layer that is not shown, and how many entities lie on it.

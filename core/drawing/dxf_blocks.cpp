@@ -11,6 +11,8 @@
 #include <dxflib/dl_dxf.h>
 #include <fmt/core.h>
 
+#include "core/drawing/fit_spline.h"
+
 namespace hw::drawing {
 namespace {
 
@@ -112,7 +114,9 @@ class Collector : public DL_CreationAdapter {
   void addSpline(const DL_SplineData& s) override {
     begin("SPLINE");
     spline_ = Spline{static_cast<int>(s.degree), {}, {}, {}};
-    fit_points_ = 0;
+    constexpr int closed = 1;
+    fit_ = FitPoints{
+        {}, (s.flags & closed) != 0, {s.tangentStartX, s.tangentStartY}, {s.tangentEndX, s.tangentEndY}};
   }
   void addKnot(const DL_KnotData& k) override {
     if (spline_) spline_->knots.push_back(k.k);
@@ -124,7 +128,12 @@ class Collector : public DL_CreationAdapter {
     if (spline_->points.size() == 1) spline_height_ = p.z;
     if (p.z != spline_height_) leave_out("it is not flat");
   }
-  void addFitPoint(const DL_FitPointData&) override { ++fit_points_; }
+  void addFitPoint(const DL_FitPointData& p) override {
+    if (!spline_) return;
+    fit_.points.push_back({p.x, p.y});
+    if (fit_.points.size() == 1) fit_height_ = p.z;
+    fit_is_flat_ = (fit_is_flat_ || fit_.points.size() == 1) && p.z == fit_height_;
+  }
 
   void addInsert(const DL_InsertData& i) override {
     begin("INSERT");
@@ -283,10 +292,26 @@ class Collector : public DL_CreationAdapter {
     }
   }
   void put_spline(Spline spline) {
-    if (spline.points.empty() && fit_points_ > 0)
-      return leave_out("it has points to go through and no control points");
+    if (spline.points.empty() && !fit_.points.empty()) return put_through();
     if (const std::string_view flaw = flaw_of(spline); !flaw.empty()) return leave_out(flaw);
     put(std::move(spline));
+  }
+
+  /// No control points: what goes through them is not said.
+  void put_through() {
+    if (!fit_is_flat_) return leave_out("it is not flat");
+    auto shape = through(std::exchange(fit_, {}));
+    if (!shape) return leave_out("it has no length");
+    const Spline* spline = std::get_if<Spline>(&*shape);
+    const auto is_finite = [](Point p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+    if (spline && !std::all_of(spline->points.begin(), spline->points.end(), is_finite))
+      return leave_out("its points lie too far apart or too close together");
+    put(std::move(*shape));
+    file_.understood.push_back(
+        {std::string(name_),
+         "it has points to go through and no control points, so it is drawn as a smooth "
+         "curve through them: another program may draw it a little beside that",
+         number(), line()});
   }
 
   DxfFile& file_;
@@ -300,8 +325,9 @@ class Collector : public DL_CreationAdapter {
   bool left_out_ = false;
   std::optional<Polyline> polyline_;
   std::optional<Spline> spline_;
-  double spline_height_ = 0;
-  int fit_points_ = 0;
+  double spline_height_ = 0, fit_height_ = 0;
+  bool fit_is_flat_ = false;
+  FitPoints fit_;
 };
 
 }  // namespace

@@ -39,7 +39,7 @@ struct DxfFile {
       frozen;  ///< layers: what is inserted on one is hidden with all that is in it
   std::map<std::string, DxfBlock, LessName> blocks;
   DxfBlock model;
-  std::vector<LeftOut> left_out;
+  std::vector<LeftOut> left_out, understood;
   int unit = 0;  ///< $INSUNITS
   std::string version;
 };

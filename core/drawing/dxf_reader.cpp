@@ -159,6 +159,7 @@ Result<Drawing> read_dxf(std::string_view text, const std::string& name, const T
   Drawing drawing;
   drawing.layers = file->layers;
   drawing.left_out = std::move(file->left_out);
+  drawing.understood = std::move(file->understood);
   drawing.unit = unit_of(file->unit);
   drawing.version = std::move(file->version);
   auto placed = InsertPlacing(*file, tolerance, drawing).run(name);

@@ -6,6 +6,7 @@
 
 #include "core/drawing/contour_path.h"
 #include "core/drawing/placing.h"
+#include "core/sequence/chords.h"
 
 namespace hw::drawing {
 namespace {
@@ -40,8 +41,16 @@ class Walk {
   }
   void take(const sequence::Arc& a) {
     const double radius = std::hypot(at_[0] - a.x, at_[1] - a.y);
+    if (axes_.chord > 0) return take_as_chords(a);
     const Curve curve{Curve::Kind::arc, {at_[0], at_[1]}, {}, {a.x, a.y}, a.degrees};
     if (radius > 0) chords(with_end(curve), radius * chord_of_radius, [this](Point to) { go(in_plane(to)); });
+  }
+  void take_as_chords(const sequence::Arc& a) {
+    const sequence::Chords chords(at_[0] - a.x, at_[1] - a.y, a.degrees, axes_.chord);
+    for (int n = 1; n <= chords.count(); ++n) {
+      const auto [dx, dy] = chords.end(n);
+      go(in_plane({a.x + dx, a.y + dy}));
+    }
   }
   void take(const sequence::Contour& c) {
     const ToolPath part = contour_path(c, {1, 1});

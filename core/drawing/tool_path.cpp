@@ -28,15 +28,15 @@ Point3 on_line(Point3 a, Point3 b, double along_px, const PathView& view) {
 
 }  // namespace
 
-void ToolPath::go(Point3 from, Point3 to, bool tool_on, int source) {
+void ToolPath::go(Point3 from, Point3 to, bool tool_on, int source, int pass) {
   (tool_on ? way_on : way_off) += length(to - from);
   bounds.add(from), bounds.add(to);
   const bool joins = !points.empty() && points.back() == from;
   if (!joins) points.push_back(from);
-  const bool same_run =
-      joins && !runs.empty() && runs.back().tool_on == tool_on && runs.back().source == source;
+  const bool same_run = joins && !runs.empty() && runs.back().tool_on == tool_on &&
+                        runs.back().source == source && runs.back().pass == pass;
   if (!same_run) {
-    runs.push_back({points.size() - 1, 1, tool_on, source});
+    runs.push_back({points.size() - 1, 1, tool_on, source, pass});
   } else if (runs.back().size >= 2 && straight_on(points[points.size() - 2], from, to)) {
     points.back() = to;
     return;

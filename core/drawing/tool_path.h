@@ -15,6 +15,7 @@ struct ToolPath {
     std::size_t first = 0, size = 0;  ///< its points; the first may be the last of the run before
     bool tool_on = true;
     int source = -1;  ///< line of a program or step of a list, from 0; -1: not known
+    int pass = 0;     ///< of a source that is gone through several times
   };
   std::vector<Point3> points;
   std::vector<Run> runs;
@@ -22,7 +23,7 @@ struct ToolPath {
   double way_on = 0, way_off = 0;  ///< with the tool on and off
 
   /// Goes on to `to` from `from`. Straight on in the same run it only becomes longer.
-  void go(Point3 from, Point3 to, bool tool_on, int source);
+  void go(Point3 from, Point3 to, bool tool_on, int source, int pass = 0);
 };
 
 struct PathHit {

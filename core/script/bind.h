@@ -11,8 +11,12 @@ namespace hw::script {
 void bind_hw(lua_State* L);          ///< `hw`, `print`
 void bind_controller(lua_State* L);  ///< methods of what hw.open() gives
 std::span<const Function> motion_methods(), text_methods(), status_methods(), setup_methods(),
-    program_methods(), trust_methods();  ///< of them, by subject
-void bind_bench(lua_State* L);           ///< methods of its `bench`
+    program_methods(), trust_methods(), place_methods(), upkeep_methods(),
+    watch_methods();                         ///< of them, by subject
+void bind_bench(lua_State* L);               ///< methods of its `bench`
+void bind_tasks(lua_State* L);               ///< `hw.spawn` and what waits; needs bind_hw
+std::span<const Function> file_functions();  ///< of `hw`: files and arguments
+void bind_watches(lua_State* L);             ///< what c:on and c:wait_until run on
 
 inline constexpr const char *controller_type = "controller", *bench_type = "bench";
 // Metamethods of both.
@@ -37,10 +41,13 @@ struct OneAxis {
   int index = -1;       ///< -1: there is none such
   std::string refusal;  ///< why
 };
+inline AxisId id_of(int index) { return AxisId{static_cast<std::uint8_t>(index)}; }
 OneAxis one_axis(const Call& call, int argument, const char* function);
 /// The same for a key of a table, at `place` of the stack.
 OneAxis one_axis_at(const Call& call, int place, const char* function);
 
+/// With what the fault itself does not say.
+Refusal refusal_of(const Fault& fault, const Session& session, std::string axis);
 /// Sends an intent, waits for its outcome: true, or nil and the reason.
 int perform(Call& call, SessionPtr session, IntentBody body);
 int perform(Call& call, IntentBody body);

@@ -6,8 +6,9 @@ namespace hw::script {
 void bind_controller(lua_State* L) {
   luaL_newmetatable(L, controller_type);
   lua_newtable(L);
-  for (const auto methods : {motion_methods(), text_methods(), status_methods(), setup_methods(),
-                             program_methods(), trust_methods()})
+  for (const auto methods :
+       {motion_methods(), text_methods(), status_methods(), setup_methods(), program_methods(),
+        trust_methods(), place_methods(), upkeep_methods(), watch_methods()})
     add_functions(L, methods, 1);
   lua_pushcclosure(L, index_handle, 1);
   lua_setfield(L, -2, "__index");

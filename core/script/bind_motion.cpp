@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "core/base/near_name.h"
 #include "core/script/bind.h"
+#include "core/script/options.h"
 
 namespace hw::script {
 namespace {
-
-AxisId id_of(int index) { return AxisId{static_cast<std::uint8_t>(index)}; }
 
 Sign sign_of(const Call& call, int argument) {
   const std::string sign = call.text(argument, "direction");
@@ -47,30 +47,48 @@ std::string read_targets(const Call& call, int argument, Targets& targets) {
 
 // ---- moves
 
+std::string name_of_axis(const Session& session, AxisId axis) {
+  return session.catalog().axes[axis.index].name;
+}
+
 // All begin before the first is waited for.
 template <class Move>
-Task<Answer> move_all(Targets targets) {
-  std::vector<std::pair<SessionPtr, IntentId>> under_way;
-  for (auto& [session, own] : targets) under_way.emplace_back(session, session->post(Move(std::move(own))));
-  Result<> all;
-  for (const auto& [session, id] : under_way) {
-    auto moved = co_await session->outcome(id);
-    if (all && !moved) all = std::move(moved);
+Task<Answer> move_all(Targets targets, Pps speed) {
+  struct UnderWay {
+    SessionPtr session;
+    IntentId id;
+    std::string axis;  // empty: several
+  };
+  std::vector<UnderWay> under_way;
+  for (auto& [session, own] : targets)
+    under_way.push_back({session, 0, own.size() == 1 ? name_of_axis(*session, own.front().axis) : ""});
+  for (UnderWay& one : under_way) one.id = one.session->post(Move(std::move(targets[one.session]), speed));
+  std::optional<Refusal> first;
+  for (const UnderWay& one : under_way) {
+    const auto moved = co_await one.session->outcome(one.id);
+    if (!first && !moved) first = refusal_of(moved.error(), *one.session, one.axis);
   }
-  co_return answer_of(all);
+  co_return first ? answer_refused(std::move(*first)) : answer_yes();
 }
 
 template <class Move>
 int move(Call& call) {
+  const Pps speed = Options(call, 2, "move", {"speed"}).speed();
   Targets targets;
   if (const std::string why = read_targets(call, 1, targets); !why.empty()) return call.refuse(why);
-  return call.wait(move_all<Move>(std::move(targets)));
+  return call.wait(move_all<Move>(std::move(targets), speed));
+}
+
+/// A bare number, or {speed=}.
+Pps jog_speed(const Call& call, int argument) {
+  const bool bare = call.has(argument) && !lua_istable(call.L, call.place(argument));
+  return bare ? Pps(call.number(argument, "speed")) : Options(call, argument, "jog", {"speed"}).speed();
 }
 
 int jog(Call& call) {
   const OneAxis one = one_axis(call, 1, "jog");
+  const Pps speed = jog_speed(call, 3);
   if (one.index < 0) return call.refuse(one.refusal);
-  const Pps speed(call.has(3) ? call.number(3, "speed") : 0);
   return perform(call, one.session, intent::JogStart(id_of(one.index), sign_of(call, 2), speed, false));
 }
 
@@ -84,20 +102,29 @@ int homing_mode(const std::vector<HomingMode>& modes, const std::string& wanted)
 }
 
 std::string no_such_homing(const std::vector<HomingMode>& modes, const std::string& wanted) {
-  std::vector<std::string_view> ids;
+  std::vector<std::string> ids;
   for (const HomingMode& m : modes) ids.push_back(m.id);
-  return fmt::format("There is no way of homing \"{}\". There is {}.", wanted, fmt::join(ids, ", "));
+  return fmt::format("There is no way of homing \"{}\". There is {}.{}", wanted, fmt::join(ids, ", "),
+                     did_you_mean(wanted, ids));
+}
+
+/// The bare word, or {mode=}.
+std::optional<std::string> wanted_homing(const Call& call, int argument) {
+  if (lua_istable(call.L, call.place(argument)))
+    return Options(call, argument, "home", {"mode"}).text("mode");
+  if (!call.has(argument)) return {};
+  return call.text(argument, "mode");
 }
 
 int home(Call& call) {
   const OneAxis one = one_axis(call, 1, "home");
+  const auto wanted = wanted_homing(call, 3);
   if (one.index < 0) return call.refuse(one.refusal);
   int mode = 0;
-  if (call.has(3)) {
-    const std::string wanted = call.text(3, "mode");
+  if (wanted) {
     const auto& modes = one.session->catalog().homing_modes;
-    mode = homing_mode(modes, wanted);
-    if (mode < 0) return call.refuse(no_such_homing(modes, wanted));
+    mode = homing_mode(modes, *wanted);
+    if (mode < 0) return call.refuse(no_such_homing(modes, *wanted));
   }
   return perform(call, one.session, intent::Home(id_of(one.index), sign_of(call, 2), mode));
 }
@@ -120,7 +147,8 @@ int stop(Call& call) {
 
 Task<Answer> wait_idle(SessionPtr session, Duration patience) {
   const auto idle = co_await session->wait_until_idle(patience);
-  co_return answer_of(idle);
+  if (idle) co_return answer_yes();
+  co_return answer_refused(refusal_of(idle.error(), *session, {}));
 }
 Task<Answer> wait_bus_idle(std::shared_ptr<SessionGroup> bus, Duration patience) {
   const auto idle = co_await bus->wait_until_idle(patience);

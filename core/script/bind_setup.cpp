@@ -1,10 +1,11 @@
-// Methods of a controller for its parameters, by the maker's mnemonics.
+// Methods of a controller for its axes' names and its parameters, by the maker's mnemonics.
 #include <cmath>
 #include <cstdlib>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include "core/base/near_name.h"
 #include "core/script/bind.h"
 
 namespace hw::script {
@@ -18,7 +19,10 @@ std::string no_param(const Catalog& catalog, const std::string& name) {
   if (of_axes.size() == 1) sentence += fmt::format(" Say which axis: {}.", of_axes.front());
   if (of_axes.size() > 1)
     sentence += fmt::format(" Say which axis: {} to {}.", of_axes.front(), of_axes.back());
-  return sentence;
+  if (!of_axes.empty()) return sentence;
+  std::vector<std::string> names;
+  for (const ParamInfo& info : catalog.params) names.push_back(info.mnemonic);
+  return sentence + did_you_mean(name, names);
 }
 
 // As the maker writes it: 0.8, "4EX07".
@@ -71,6 +75,63 @@ int get(Call& call) {
   return call.wait(get_param(session_of(call), index));
 }
 
+// ---- what there is
+
+// Of a bus: the ids of its devices.
+int axes(Call& call) {
+  std::vector<std::string> names;
+  if (const auto bus = bus_of(call))
+    for (const auto& member : bus->members()) names.push_back(member->catalog().id());
+  else
+    for (const AxisInfo& axis : session_of(call)->catalog().axes) names.push_back(axis.name);
+  lua_createtable(call.L, static_cast<int>(names.size()), 0);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    lua_pushstring(call.L, names[i].c_str());
+    lua_rawseti(call.L, -2, static_cast<lua_Integer>(i + 1));
+  }
+  return 1;
+}
+
+void set_text(lua_State* L, const char* key, const std::string& text) {
+  if (text.empty()) return;
+  lua_pushlstring(L, text.data(), text.size());
+  lua_setfield(L, -2, key);
+}
+
+void push_parameter(lua_State* L, const ParamInfo& info, const ParamState& state) {
+  lua_createtable(L, 0, 6);
+  set_text(L, "label", info.label);
+  set_text(L, "unit", info.unit);
+  push_value(L, info, info.minimum);
+  lua_setfield(L, -2, "min");
+  push_value(L, info, info.maximum);
+  lua_setfield(L, -2, "max");
+  push_value(L, info, info.fallback);
+  lua_setfield(L, -2, "default");
+  if (!state.known) return;
+  push_value(L, info, state.value);
+  lua_setfield(L, -2, "value");
+}
+
+/// All of them, read now. A value that cannot be read is left out.
+Task<Answer> read_parameters(SessionPtr session) {
+  IntentBody ask = intent::ReadParams();
+  const auto read = co_await session->perform(std::move(ask));
+  if (!read) co_return answer_refused(read.error().sentence());
+  co_return [session](lua_State* L) {
+    const auto& params = session->catalog().params;
+    lua_createtable(L, 0, static_cast<int>(params.size()));
+    for (std::size_t i = 0; i < params.size(); ++i) {
+      push_parameter(L, params[i], session->known().params[i]);
+      lua_setfield(L, -2, params[i].mnemonic.c_str());
+    }
+    return 1;
+  };
+}
+int parameters(Call& call) { return call.wait(read_parameters(session_of(call))); }
+
+// ---- one of them
+
 intent::Closing closing_of(const Call& call, int argument) {
   if (!call.has(argument)) return intent::Closing::ask;
   const std::string word = call.text(argument, "answer");
@@ -105,6 +166,8 @@ int set(Call& call) {
 }
 
 constexpr Function setup_table[] = {
+    {"axes", axes},
+    {"parameters", parameters},
     {"get", get},
     {"set", set},
 };

@@ -22,10 +22,8 @@ std::string why_unread(const LinkHealth& link) {
   return "The controller tells nothing of it at present.";
 }
 
-int push_unknown(lua_State* L, std::string reason) {
-  lua_pushnil(L);
-  lua_pushlstring(L, reason.data(), reason.size());
-  return 2;
+int push_unknown(lua_State* L, std::string reason, FaultKind kind = FaultKind::no_answer) {
+  return push_refusal(L, Refusal{std::move(reason), kind});
 }
 
 /// When the round read what is asked for.
@@ -39,7 +37,7 @@ Task<Answer> read_fresh(SessionPtr session, Instant asked_at, Push push, int num
   co_return [session, asked_at, push, number, seen_at, what = std::move(what)](lua_State* L) {
     const Snapshot& known = session->known();
     const LinkHealth& link = known.link;
-    if (is_gone(link)) return push_unknown(L, why_gone(link));
+    if (is_gone(link)) return push_unknown(L, why_gone(link), FaultKind::lost);
     if (number >= 0 && seen_at(known, number) < asked_at)
       return push_unknown(L, fmt::format("{} cannot be read now. {}", what, why_unread(link)));
     return push(L, known, session->catalog(), number);
@@ -273,12 +271,12 @@ bool has_read(lua_State* L, std::uint32_t known, int place, const char* what, in
 bool is_high(std::uint32_t bits, int place) { return (bits & (1u << place)) != 0; }
 
 int push_input(lua_State* L, const Snapshot& known, const Catalog& catalog, int place) {
-  if (!has_read(L, known.inputs_known, place, "Input", catalog.input_number(place))) return 2;
+  if (!has_read(L, known.inputs_known, place, "Input", catalog.input_number(place))) return 3;
   lua_pushboolean(L, is_high(known.inputs, place) != catalog.inputs[place].active_low);
   return 1;
 }
 int push_output(lua_State* L, const Snapshot& known, const Catalog& catalog, int place) {
-  if (!has_read(L, known.outputs_known, place, "Output", catalog.output_number(place))) return 2;
+  if (!has_read(L, known.outputs_known, place, "Output", catalog.output_number(place))) return 3;
   lua_pushboolean(L, is_high(known.outputs, place));
   return 1;
 }

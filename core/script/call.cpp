@@ -54,13 +54,57 @@ int Call::yes() {
   return 1;
 }
 
-static int push_refusal(lua_State* L, std::string_view reason) {
-  lua_pushnil(L);
-  lua_pushlstring(L, reason.data(), reason.size());
-  return 2;
+static const char* word_of(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::refused: return "refused";
+    case FaultKind::asks: return "asks";
+    case FaultKind::no_answer: return "no_answer";
+    case FaultKind::garbled: return "garbled";
+    case FaultKind::controller: return "controller";
+    case FaultKind::stopped: return "stopped";
+    case FaultKind::lost: return "lost";
+    case FaultKind::port: return "port";
+    case FaultKind::text: return "text";
+    case FaultKind::internal: break;
+  }
+  return "internal";
 }
 
-int Call::refuse(std::string_view reason) { return push_refusal(L, reason); }
+// One that is printed shows its kind, and not where it lies in memory: a replay is one.
+static int refusal_as_text(lua_State* L) {
+  if (!lua_istable(L, 1)) return 0;
+  lua_pushliteral(L, "kind");
+  lua_rawget(L, 1);
+  if (lua_type(L, -1) != LUA_TSTRING) lua_pushliteral(L, "refusal");
+  return 1;
+}
+
+int push_refusal(lua_State* L, const Refusal& refusal) {
+  lua_pushnil(L);
+  lua_pushlstring(L, refusal.reason.data(), refusal.reason.size());
+  lua_createtable(L, 0, 4);
+  const auto set = [L](const char* key, std::string_view text) {
+    if (text.empty()) return;
+    lua_pushlstring(L, text.data(), text.size());
+    lua_setfield(L, -2, key);
+  };
+  set("kind", word_of(refusal.kind));
+  set("axis", refusal.axis);
+  set("device", refusal.device);
+  set("what_to_do", refusal.what_to_do);
+  if (luaL_newmetatable(L, "refusal")) {
+    lua_pushcfunction(L, refusal_as_text);
+    lua_setfield(L, -2, "__tostring");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+  }
+  lua_setmetatable(L, -2);
+  return 3;
+}
+
+Refusal refusal_of(const Fault& fault) { return {fault.sentence(), fault.kind, {}, {}, fault.advice}; }
+
+int Call::refuse(std::string_view reason) { return push_refusal(L, Refusal{std::string(reason)}); }
 
 int Call::wait(Task<Answer> work) {
   if (const char* why = runner().why_cannot_wait(L)) throw Misuse(fmt::format("{}: {}", function_, why));
@@ -131,8 +175,9 @@ Answer answer_yes() {
     return 1;
   };
 }
-Answer answer_refused(std::string reason) {
-  return [reason = std::move(reason)](lua_State* L) { return push_refusal(L, reason); };
+Answer answer_refused(std::string reason) { return answer_refused(Refusal{std::move(reason)}); }
+Answer answer_refused(Refusal refusal) {
+  return [refusal = std::move(refusal)](lua_State* L) { return push_refusal(L, refusal); };
 }
 Answer answer_text(std::string text) {
   return [text = std::move(text)](lua_State* L) {
@@ -149,7 +194,7 @@ Answer answer_error(std::string sentence) {
   };
 }
 Answer answer_of(const Result<>& result) {
-  return result ? answer_yes() : answer_refused(result.error().sentence());
+  return result ? answer_yes() : answer_refused(refusal_of(result.error()));
 }
 
 }  // namespace hw::script

@@ -9,9 +9,21 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/result.h"
 #include "core/script/runner.h"
 
 namespace hw::script {
+
+/// Why a call gives nil: the reason, and a table {kind=, axis=, device=, what_to_do=} without what is not
+/// known.
+struct Refusal {
+  std::string reason;  ///< a sentence
+  FaultKind kind = FaultKind::refused;
+  std::string axis = {}, device = {}, what_to_do = {};
+};
+Refusal refusal_of(const Fault& fault);
+/// nil, reason, table.
+int push_refusal(lua_State* L, const Refusal& refusal);
 
 /// The script called something the wrong way: an error at its line.
 class Misuse : public std::runtime_error {
@@ -40,7 +52,7 @@ class Call {
   // Results.
   int nothing() { return 0; }
   int yes();
-  int refuse(std::string_view reason);  ///< nil, reason
+  int refuse(std::string_view reason);  ///< see Refusal
   /// Suspends the script until `work` is over. The last thing that a body does.
   int wait(Task<Answer> work);
 
@@ -69,6 +81,7 @@ void push_functions(lua_State* L, const Function* first, const Function* last, i
 // Answers for calls that waited.
 Answer answer_yes();
 Answer answer_refused(std::string reason);
+Answer answer_refused(Refusal refusal);
 Answer answer_text(std::string text);
 Answer answer_error(std::string sentence);  ///< an error at the script's line
 /// true, or nil and the reason.

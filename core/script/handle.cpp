@@ -1,8 +1,9 @@
 // The value that stands for a controller, a bus, or one of the bus's devices in a script.
 #include <new>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
+#include "core/base/near_name.h"
 #include "core/script/bind.h"
 
 namespace hw::script {
@@ -41,10 +42,11 @@ std::string ids_of(const SessionGroup& bus) {
   return all;
 }
 
-std::string no_axis(const Catalog& catalog) {
-  std::string names;
-  for (const AxisInfo& axis : catalog.axes) names += (names.empty() ? "" : ", ") + axis.name;
-  return fmt::format("There is no such axis. {} has: {}.", catalog.short_name, names);
+std::string no_axis(const Catalog& catalog, const char* wanted) {
+  std::vector<std::string> names;
+  for (const AxisInfo& axis : catalog.axes) names.push_back(axis.name);
+  return fmt::format("There is no such axis. {} has: {}.{}", catalog.short_name, fmt::join(names, ", "),
+                     wanted ? did_you_mean(wanted, names) : "");
 }
 
 }  // namespace
@@ -67,7 +69,8 @@ OneAxis one_axis_at(const Call& call, int place, const char* function) {
   if (!bus) {
     one.session = session_of(call);
     one.index = axis_index(call.L, place, one.session->catalog(), function);
-    if (one.index < 0) one.refusal = no_axis(one.session->catalog());
+    const char* name = lua_type(call.L, place) == LUA_TSTRING ? lua_tostring(call.L, place) : nullptr;
+    if (one.index < 0) one.refusal = no_axis(one.session->catalog(), name);
     return one;
   }
   if (lua_type(call.L, place) != LUA_TSTRING)
@@ -113,9 +116,33 @@ void close_handle_type(lua_State* L) {
   lua_pop(L, 1);
 }
 
+/// The axis that a wish is for; empty: for none, or several.
+static std::string axis_of_wish(const IntentBody& body, const Catalog& catalog) {
+  const int axis = std::visit(
+      [](const auto& wish) -> int {
+        if constexpr (requires { wish.axis.index; })
+          return wish.axis.index;
+        else if constexpr (requires { wish.targets.front().axis; })
+          return wish.targets.size() == 1 ? wish.targets.front().axis.index : -1;
+        else
+          return -1;
+      },
+      body);
+  return axis < 0 ? std::string() : catalog.axes[static_cast<std::size_t>(axis)].name;
+}
+
+Refusal refusal_of(const Fault& fault, const Session& session, std::string axis) {
+  Refusal refusal = refusal_of(fault);
+  refusal.axis = std::move(axis);
+  refusal.device = session.address().text();
+  return refusal;
+}
+
 static Task<Answer> perform_body(SessionPtr session, IntentBody body) {
+  std::string axis = axis_of_wish(body, session->catalog());
   const auto result = co_await session->perform(std::move(body));
-  co_return answer_of(result);
+  if (result) co_return answer_yes();
+  co_return answer_refused(refusal_of(result.error(), *session, std::move(axis)));
 }
 int perform(Call& call, SessionPtr session, IntentBody body) {
   asked_by(body, StoppedBy::script);

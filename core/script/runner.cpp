@@ -54,6 +54,9 @@ struct Runner::Fiber {
   lua_State* L = nullptr;
   int kept = LUA_NOREF;  ///< in the registry, so that it is not collected
   bool waits = false;
+  bool cancelled = false;  ///< what it waits for comes to its end, and then it is gone
+  int arguments = 0;       ///< of its function, when it starts
+  std::shared_ptr<Spawned> spawned;
   Answer answer;
   Timer starts;
   Fiber(Scheduler& scheduler, std::function<void()> start) : starts(scheduler, std::move(start)) {}
@@ -62,7 +65,11 @@ struct Runner::Fiber {
 // ---- the state and its limits
 
 Runner::Runner(HybridScheduler& scheduler, RunOptions options)
-    : scheduler_(scheduler), options_(std::move(options)), began_(scheduler.now()), ended_(scheduler) {
+    : scheduler_(scheduler),
+      options_(std::move(options)),
+      began_(scheduler.now()),
+      ended_(scheduler),
+      happened_(scheduler) {
   lua_ = lua_newstate(&Runner::allocate, this);
   *static_cast<Runner**>(lua_getextraspace(lua_)) = this;
 }
@@ -150,7 +157,7 @@ void Runner::unwind(lua_State* L) {
 Runner::Fiber& Runner::add_fiber() {
   lua_State* L = lua_newthread(lua_);
   auto fiber = std::make_unique<Fiber>(scheduler_, [this, L] {
-    if (!main_over_) resume(*fibers_.at(L), 0);
+    if (!main_over_) resume(*fibers_.at(L), fibers_.at(L)->arguments);
   });
   fiber->L = L;
   fiber->kept = luaL_ref(lua_, LUA_REGISTRYINDEX);
@@ -176,7 +183,15 @@ Task<> Runner::carry(Fiber& fiber, Task<Answer> work) {
   fiber.answer = co_await std::move(work);
   if (scheduler_.now() > asked_at) instructions_ = 0;
   fiber.waits = false;
-  if (!main_over_) resume(fiber, 0);
+  go_on(fiber);
+}
+
+void Runner::go_on(Fiber& fiber) {
+  if (main_over_) return;
+  if (fiber.cancelled)
+    end_fiber(fiber, 0);
+  else
+    resume(fiber, 0);
 }
 
 // Where a call that waited goes on: its results are the answer's.
@@ -199,6 +214,31 @@ void Runner::run_at(lua_State* L, Instant when) {
   fiber.starts.arm(std::max(when, scheduler_.now()));
 }
 
+std::shared_ptr<Spawned> Runner::spawn(lua_State* L, int arguments) {
+  Fiber& fiber = add_fiber();
+  lua_checkstack(fiber.L, arguments + 2);
+  lua_xmove(L, fiber.L, arguments + 1);
+  lua_pushthread(fiber.L);
+  lua_xmove(fiber.L, L, 1);
+  fiber.arguments = arguments;
+  fiber.spawned = std::make_shared<Spawned>();
+  fiber.spawned->L = fiber.L;
+  fiber.starts.arm(scheduler_.now());
+  return fiber.spawned;
+}
+
+bool Runner::cancel(const Spawned& one) {
+  const auto found = one.over ? fibers_.end() : fibers_.find(one.L);
+  if (found == fibers_.end()) return true;
+  Fiber& fiber = *found->second;
+  if (!fiber.waits && !fiber.starts.armed()) return false;
+  fiber.cancelled = true;
+  fiber.spawned->over = true;
+  happened_.notify();
+  if (!fiber.waits) end_fiber(fiber, 0);  // it has not begun
+  return true;
+}
+
 void Runner::resume(Fiber& fiber, int arguments) {
   int results = 0, status = LUA_OK;
   heartbeat_.fetch_add(1, std::memory_order_relaxed);
@@ -217,10 +257,18 @@ void Runner::resume(Fiber& fiber, int arguments) {
   }
   if (&fiber == main_)
     main_over_ = true;
-  else {
-    luaL_unref(lua_, LUA_REGISTRYINDEX, fiber.kept);
-    fibers_.erase(fiber.L);
+  else
+    end_fiber(fiber, status == LUA_OK ? results : 0);
+}
+
+void Runner::end_fiber(Fiber& fiber, int results) {
+  if (fiber.spawned) {
+    fiber.spawned->results = results;
+    fiber.spawned->over = true;
+    happened_.notify();
   }
+  luaL_unref(lua_, LUA_REGISTRYINDEX, fiber.kept);
+  fibers_.erase(fiber.L);
 }
 
 // Nothing but its memory may be known of the Lua state from here on.
@@ -255,6 +303,7 @@ void Runner::prepare() {
     bind_hw(L);
     bind_controller(L);
     bind_bench(L);
+    bind_tasks(L);
     if (runner.options_.stage) runner.options_.stage->bind(L);
     return 0;
   });
@@ -308,11 +357,12 @@ void Runner::act_between_turns(lua_State* L, std::function<Answer()> act) {
 void Runner::act_now() {
   const Act next = std::move(acts_.front());
   acts_.pop_front();
+  if (next.fiber->cancelled) return go_on(*next.fiber);
   const Instant began = scheduler_.now();
   next.fiber->answer = next.act();
   next.fiber->waits = false;
   if (scheduler_.now() > began) instructions_ = 0;
-  if (!main_over_) resume(*next.fiber, 0);
+  go_on(*next.fiber);
 }
 
 // A frame that comes late is drawn once, not for each that was missed.

@@ -43,6 +43,13 @@ struct RunOptions {
 /// What a call that waited gives back: pushes values, answers how many.
 using Answer = std::function<int(lua_State*)>;
 
+/// A function of the script that runs beside the rest of it.
+struct Spawned {
+  lua_State* L = nullptr;  ///< its stack, with its results on top once it is over; see Runner::spawn()
+  int results = 0;
+  bool over = false;
+};
+
 class Runner {
  public:
   Runner(HybridScheduler& scheduler, RunOptions options);
@@ -81,6 +88,13 @@ class Runner {
   void wait_for(lua_State* L, Task<Answer> work);
   /// Runs the function on top of `L`'s stack as a fiber of its own, at `when`. Pops it.
   void run_at(lua_State* L, Instant when);
+  /// The same at once, with `arguments` that stand above the function. Leaves the coroutine in their place:
+  /// whoever wants the results keeps it.
+  std::shared_ptr<Spawned> spawn(lua_State* L, int arguments);
+  /// It is resumed no more. False: it runs at this moment, so it is the one who asks.
+  bool cancel(const Spawned& one);
+  /// Notified when a spawned function is over, when bindings say so, and at the end of the script.
+  [[nodiscard]] Event& happened() { return happened_; }
   /// What C++ closes while Lua calls it.
   [[nodiscard]] WayOut& way_out() { return way_out_; }
   /// Ends the whole run with this sentence; no pcall of the script survives it.
@@ -121,6 +135,8 @@ class Runner {
   Task<> carry(Fiber& fiber, Task<Answer> work);
   Task<> begin_at(Fiber& fiber, Instant when);
   void resume(Fiber& fiber, int arguments);
+  void go_on(Fiber& fiber);
+  void end_fiber(Fiber& fiber, int results);
   void fiber_failed(Fiber& fiber, int status);
   void take_turns();
   void act_now();
@@ -139,7 +155,7 @@ class Runner {
   std::map<lua_State*, std::unique_ptr<Fiber>> fibers_;
   Fiber* main_ = nullptr;
   std::vector<std::shared_ptr<SessionGroup>> groups_;
-  Event ended_;
+  Event ended_, happened_;
   Instant next_frame_ = Instant::max();
   struct Act {
     Fiber* fiber;

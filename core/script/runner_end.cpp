@@ -63,6 +63,7 @@ void Runner::interrupt_now(std::string why) {
 void Runner::finish() {
   main_over_ = true;
   ended_.notify();
+  happened_.notify();
   const auto leaving = std::make_shared<Leaving>();
   asio::post(scheduler_.executor(), [this, leaving] {  // behind what was sent before
     leave_all(leaving);

@@ -1,12 +1,11 @@
 #include "core/script/sandbox.h"
 
 #include <algorithm>
-#include <climits>
-#include <cstdlib>
 #include <lua.hpp>
 #include <string_view>
 
 #include "core/script/runner.h"
+#include "core/script/script_files.h"
 #include "core/session/text_file.h"
 #include "core/session/user_files.h"
 
@@ -84,15 +83,6 @@ bool harmless_name(std::string_view name) {
          std::all_of(name.begin(), name.end(), ok);
 }
 
-// Where the links really lead; empty when there is no such file.
-std::string real_path(const std::string& path) {
-  char* real = ::realpath(path.c_str(), nullptr);
-  if (!real) return {};
-  std::string copy = real;
-  std::free(real);
-  return copy;
-}
-
 // Pushes the module's chunk, or a sentence. True: the chunk.
 bool load_module(lua_State* L, const std::string& folder, std::string_view name) {
   const auto say = [&](const std::string& sentence) {
@@ -105,10 +95,9 @@ bool load_module(lua_State* L, const std::string& folder, std::string_view name)
   std::string file(name);
   std::replace(file.begin(), file.end(), '.', '/');
   file += ".lua";
-  const std::string root = real_path(folder), path = real_path(folder + "/" + file);
+  const std::string path = real_path(folder + "/" + file);
   if (path.empty()) return say(quoted + "there is no " + file + " in the script's folder");
-  if (path.compare(0, root.size() + 1, root == "/" ? root : root + "/") != 0)
-    return say(quoted + "that file is outside of the script's folder");
+  if (!is_below(real_path(folder), path)) return say(quoted + "that file is outside of the script's folder");
   const auto text = read_file(path, largest_program_text);
   if (!text) return say(quoted + text.error().sentence());
   return luaL_loadbufferx(L, text->data(), text->size(), ("@" + file).c_str(), "t") == LUA_OK;

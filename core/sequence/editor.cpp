@@ -26,9 +26,12 @@ StepList* list_of(Sequence& s, const StepPath& path) {
 
 std::ptrdiff_t offset(std::size_t place) { return static_cast<std::ptrdiff_t>(place); }
 
-/// Whether `inner` is `outer` or stands in it.
-bool within(const StepPath& inner, const StepPath& outer) {
-  return inner.size() >= outer.size() && std::equal(outer.begin(), outer.end(), inner.begin());
+/// Whether `inner` is one of them, or stands in one.
+bool within(const StepPath& inner, const StepSpan& outer) {
+  const std::size_t level = outer.first.size() - 1;
+  return inner.size() > level &&
+         std::equal(inner.begin(), inner.begin() + offset(level), outer.first.begin()) &&
+         inner[level] >= outer.first[level] && inner[level] < outer.first[level] + outer.count;
 }
 
 int depth_of(const StepList& steps) {
@@ -48,6 +51,17 @@ void collect(const StepList& steps, StepPath& path, std::vector<StepRow>& rows) 
 }
 
 }  // namespace
+
+StepSpan span_between(const StepPath& one, const StepPath& other) {
+  const StepPath& shorter = one.size() < other.size() ? one : other;
+  const auto differ = std::mismatch(shorter.begin(), shorter.end(), (&shorter == &one ? other : one).begin());
+  auto level = static_cast<std::size_t>(differ.first - shorter.begin());
+  if (level == shorter.size()) return StepSpan(shorter);  // the one stands in the other
+  StepPath first(shorter.begin(), differ.first + 1);
+  const auto [low, high] = std::minmax(one[level], other[level]);
+  first[level] = low;
+  return StepSpan(std::move(first), high - low + 1);
+}
 
 void Editor::load(Sequence sequence) {
   done_.clear(), undone_.clear();
@@ -117,13 +131,21 @@ std::optional<StepPath> Editor::insert(const StepPath& at, Step step) {
   return keep(std::move(s)) ? std::optional(at) : std::nullopt;
 }
 
-std::optional<StepPath> Editor::remove(const StepPath& at) {
-  if (!this->at(at)) return std::nullopt;
+bool Editor::holds(const StepSpan& which) const {
+  if (which.count == 0 || !at(which.first)) return false;
+  StepPath last = which.first;
+  last.back() += which.count - 1;
+  return at(last) != nullptr;
+}
+
+std::optional<StepPath> Editor::remove(const StepSpan& which) {
+  if (!holds(which)) return std::nullopt;
   Sequence s = *now_;
-  StepList* list = list_of(s, at);
-  list->erase(list->begin() + offset(at.back()));
-  StepPath next = at;
-  if (at.back() >= list->size()) {
+  StepPath next = which.first;
+  StepList* list = list_of(s, next);
+  const auto first = list->begin() + offset(next.back());
+  list->erase(first, first + offset(which.count));
+  if (next.back() >= list->size()) {
     if (list->empty())
       next.pop_back();
     else
@@ -132,45 +154,55 @@ std::optional<StepPath> Editor::remove(const StepPath& at) {
   return keep(std::move(s)) ? std::optional(next) : std::nullopt;
 }
 
-std::optional<StepPath> Editor::move(const StepPath& from, const StepPath& to) {
-  const Step* step = at(from);
-  if (!step || to.empty() || within(to, from)) return std::nullopt;
+std::optional<StepPath> Editor::move(const StepSpan& from, const StepPath& to) {
+  if (!holds(from) || to.empty()) return std::nullopt;
+  const StepPath& first = from.first;
+  const std::size_t level = first.size() - 1;
+  // Just behind the last of them is no place within them.
+  if (within(to, from)) return std::nullopt;
   Sequence s = *now_;
   StepList* target = list_of(s, to);
   if (!target || to.back() > target->size()) return std::nullopt;
-  Step moved = *step;
-  StepList* source = list_of(s, from);
-  source->erase(source->begin() + offset(from.back()));
-  // What stood behind it in its list has come nearer by one.
+  StepList* source = list_of(s, first);
+  const auto begin = source->begin() + offset(first.back()), end = begin + offset(from.count);
+  StepList moved(std::make_move_iterator(begin), std::make_move_iterator(end));
+  source->erase(begin, end);
+  // What stood behind them in their list has come nearer.
   StepPath place = to;
-  const std::size_t level = from.size() - 1;
-  if (place.size() > level && std::equal(from.begin(), from.end() - 1, place.begin()) &&
-      place[level] > from[level])
-    --place[level];
+  if (place.size() > level && std::equal(first.begin(), first.end() - 1, place.begin()) &&
+      place[level] > first[level])
+    place[level] -= from.count;
   target = list_of(s, place);
-  target->insert(target->begin() + offset(place.back()), std::move(moved));
-  if (place == from) return std::nullopt;  // it stands there
-  if (s == *now_) return place;            // its like stood there, and nothing has changed
+  target->insert(target->begin() + offset(place.back()), std::make_move_iterator(moved.begin()),
+                 std::make_move_iterator(moved.end()));
+  if (place == first) return std::nullopt;  // they stand there
+  if (s == *now_) return place;             // their like stood there, and nothing has changed
   return keep(std::move(s)) ? std::optional(place) : std::nullopt;
 }
 
-std::optional<StepPath> Editor::duplicate(const StepPath& at) {
-  const Step* step = this->at(at);
-  if (!step) return std::nullopt;
-  StepPath behind = at;
-  ++behind.back();
-  return insert(behind, *step);
+std::optional<StepPath> Editor::duplicate(const StepSpan& which) {
+  if (!holds(which)) return std::nullopt;
+  Sequence s = *now_;
+  StepList* list = list_of(s, which.first);
+  const auto first = list->begin() + offset(which.first.back()), end = first + offset(which.count);
+  const StepList again(first, end);
+  list->insert(end, again.begin(), again.end());
+  StepPath behind = which.first;
+  behind.back() += which.count;
+  return keep(std::move(s)) ? std::optional(behind) : std::nullopt;
 }
 
-std::optional<StepPath> Editor::put_into_loop(const StepPath& at) {
-  if (!this->at(at)) return std::nullopt;
+std::optional<StepPath> Editor::put_into_loop(const StepSpan& which) {
+  if (!holds(which)) return std::nullopt;
   Sequence s = *now_;
-  Step& step = (*list_of(s, at))[at.back()];
+  StepList* list = list_of(s, which.first);
+  const auto first = list->begin() + offset(which.first.back()), end = first + offset(which.count);
   Repeat loop;
   loop.times = 2;
-  loop.steps.push_back(std::move(step));
-  step = Step{std::move(loop)};
-  return keep(std::move(s)) ? std::optional(at) : std::nullopt;
+  loop.steps.assign(std::make_move_iterator(first), std::make_move_iterator(end));
+  *first = Step{std::move(loop)};
+  list->erase(first + 1, end);
+  return keep(std::move(s)) ? std::optional(which.first) : std::nullopt;
 }
 
 std::optional<StepPath> Editor::take_out_of_loop(const StepPath& at) {
@@ -184,12 +216,14 @@ std::optional<StepPath> Editor::take_out_of_loop(const StepPath& at) {
   return keep(std::move(s)) ? std::optional(at) : std::nullopt;
 }
 
-std::optional<StepPath> Editor::skip(const StepPath& at, bool skipped) {
-  const Step* step = this->at(at);
-  if (!step || step->skipped == skipped) return std::nullopt;
+std::optional<StepPath> Editor::skip(const StepSpan& which, bool skipped) {
+  if (!holds(which)) return std::nullopt;
   Sequence s = *now_;
-  (*list_of(s, at))[at.back()].skipped = skipped;
-  return keep(std::move(s)) ? std::optional(at) : std::nullopt;
+  StepList* list = list_of(s, which.first);
+  bool any = false;
+  for (std::size_t i = which.first.back(); i < which.first.back() + which.count; ++i)
+    if (std::exchange((*list)[i].skipped, skipped) != skipped) any = true;
+  return any && keep(std::move(s)) ? std::optional(which.first) : std::nullopt;
 }
 
 std::optional<StepPath> Editor::replace(const StepPath& at, Step::Body body) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,12 +25,18 @@ std::string axis_of(int axis, const Sequence& of) {
   return axis < 0 ? "all" : axis < static_cast<int>(of.axes.size()) ? of.axes[ix(axis)].name : "?";
 }
 
-std::string speeds_of(const Speeds& s, const Sequence& of) {
+std::string number(double value, const Scale& scale) { return number(scale.shown(value)); }
+/// Degrees stand close.
+std::string_view space_before(const Scale& scale) { return scale.unit == "\u00b0" ? "" : " "; }
+
+std::string speeds_of(const Speeds& s, const Scale& scale) {
+  const auto speed = [&](double value) { return number(std::fabs(scale.shown(value))); };
   std::string all;
   if (s.high != 0 && s.low != 0)
-    all = fmt::format("{} from {} {}/s", number(s.high), number(s.low), of.unit);
+    all = fmt::format("{} from {}{}{}/s", speed(s.high), speed(s.low), space_before(scale), scale.unit);
   else if (s.high != 0 || s.low != 0)
-    all = fmt::format("{}{} {}/s", s.low != 0 ? "from " : "", number(s.high + s.low), of.unit);
+    all = fmt::format("{}{}{}{}/s", s.low != 0 ? "from " : "", speed(s.high + s.low), space_before(scale),
+                      scale.unit);
   if (s.ramp_ms != 0) all += fmt::format("{}{} ms", all.empty() ? "" : ", ", number(s.ramp_ms));
   return all.empty() ? "as the controller has it" : all;
 }
@@ -38,17 +45,28 @@ std::string state(bool on) { return on ? "on" : "off"; }
 
 struct Summary {
   const Sequence& of;
+  const Look& look;
 
-  std::string operator()(const Speed& s) const { return speeds_of(s.speeds, of); }
+  /// With its unit where the axes are shown in several.
+  [[nodiscard]] std::string place(double value, int axis) const {
+    const Scale& scale = look.of_axis(axis);
+    const std::string told = number(value, scale);
+    return scale.unit == look.all.unit ? told : fmt::format("{}{}{}", told, space_before(scale), scale.unit);
+  }
+  std::string operator()(const Speed& s) const { return speeds_of(s.speeds, look.all); }
   std::string operator()(const Move& m) const {
     std::string all;
     for (std::size_t a = 0; a < of.axes.size(); ++a)
-      if (m.to[a]) all += fmt::format("{}{} {}", all.empty() ? "" : ", ", of.axes[a].name, number(*m.to[a]));
+      if (m.to[a])
+        all += fmt::format("{}{} {}", all.empty() ? "" : ", ", of.axes[a].name,
+                           place(*m.to[a], static_cast<int>(a)));
     return all.empty() ? "no axis yet" : all;
   }
   std::string operator()(const Arc& a) const {
-    const std::string round = a.degrees == 360 ? "" : fmt::format(", {}\u00b0", number(a.degrees));
-    return fmt::format("about {}, {}{}", number(a.x), number(a.y), round);
+    const bool circle = std::fabs(a.degrees) == 360;
+    const std::string round = circle ? "" : fmt::format(", {}\u00b0", number(std::fabs(a.degrees)));
+    return fmt::format("about {}, {}{}{}", place(a.x, 0), place(a.y, 1), round,
+                       clockwise(a, look) ? " clockwise" : "");
   }
   std::string operator()(const Jog& j) const {
     return axis_of(j.axis, of) + " " + std::string(sign_of(j.direction));
@@ -67,7 +85,7 @@ struct Summary {
   std::string operator()(const MoveOnInput& m) const {
     const std::string what =
         m.kind == MoveOnInput::Kind::move
-            ? fmt::format("to {}", number(m.to))
+            ? fmt::format("to {}", place(m.to, m.axis))
             : fmt::format("{} {}", m.kind == MoveOnInput::Kind::jog ? "jog" : "home", sign_of(m.direction));
     return fmt::format("{} {} if input {} is {}", axis_of(m.axis, of), what, m.input, state(m.on));
   }
@@ -84,11 +102,51 @@ struct Summary {
     return !c.about.empty() ? c.about : c.text.substr(0, c.text.find('\n'));
   }
   std::string operator()(const Contour& c) const {
-    return fmt::format("from {}, {}", number(c.x), number(c.y));
+    return fmt::format("from {}, {}", place(c.x, 0), place(c.y, 1));
   }
 };
 
 }  // namespace
+
+double Scale::shown(double value) const {
+  const double all = value * factor, fine = std::pow(10.0, decimals);
+  return factor == 1 ? value : std::round(all * fine) / fine + 0.0;
+}
+
+double Scale::kept(double shown) const {
+  constexpr double fine = 1e6;  // far finer than a step of any machine
+  return factor == 1 ? shown : std::round(shown / factor * fine) / fine + 0.0;
+}
+
+const Scale& Look::of_axis(int axis) const { return axis >= 0 && axis < max_axes ? axes[ix(axis)] : all; }
+
+const Scale& Look::of_motion(const Step::Body& body) const {
+  if (const auto* jog = std::get_if<Jog>(&body)) return of_axis(jog->axis);
+  if (const auto* home = std::get_if<Home>(&body)) return of_axis(home->axis);
+  if (const auto* some = std::get_if<MoveOnInput>(&body)) return of_axis(some->axis);
+  const auto* move = std::get_if<Move>(&body);
+  const bool plane = std::holds_alternative<Arc>(body) || std::holds_alternative<Contour>(body);
+  if (!move && !plane) return all;
+  const Scale* first = nullptr;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    if (move ? !move->to[a] : a > 1) continue;
+    if (first && (first->unit != axes[a].unit || std::fabs(first->factor) != std::fabs(axes[a].factor)))
+      return all;
+    if (!first) first = &axes[a];
+  }
+  return first ? *first : all;
+}
+
+Look own_look(const Sequence& of) {
+  Look look;
+  look.all.unit = of.unit;
+  look.axes.fill(look.all);
+  return look;
+}
+
+bool clockwise(const Arc& arc, const Look& look) {
+  return (arc.degrees < 0) != (look.axes[0].factor * look.axes[1].factor < 0);
+}
 
 std::string_view title_of(const Step::Body& body) {
   static constexpr std::array<std::string_view, std::variant_size_v<Step::Body>> titles{
@@ -101,9 +159,14 @@ std::string_view title_of(const Step::Body& body) {
   return titles[body.index()];
 }
 
-std::string summary_of(const Step::Body& body, const Sequence& of) { return std::visit(Summary{of}, body); }
+std::string summary_of(const Step::Body& body, const Sequence& of) {
+  return summary_of(body, of, own_look(of));
+}
+std::string summary_of(const Step::Body& body, const Sequence& of, const Look& look) {
+  return std::visit(Summary{of, look}, body);
+}
 
-FixedText<64> label_of_field(std::string_view key, const Sequence& of) {
+FixedText<64> label_of_field(std::string_view key, std::string_view unit_shown) {
   struct Label {
     std::string_view key, label;
     enum class Unit : std::uint8_t { none, length, speed, ms } unit = Unit::none;
@@ -137,7 +200,7 @@ FixedText<64> label_of_field(std::string_view key, const Sequence& of) {
     if (l.key != key) continue;
     if (l.unit == Unit::none) return l.label;
     std::array<char, 96> words{};
-    const std::string_view unit = l.unit == Unit::ms ? "ms" : std::string_view(of.unit).substr(0, 40);
+    const std::string_view unit = l.unit == Unit::ms ? "ms" : unit_shown.substr(0, 40);
     const auto end = fmt::format_to_n(words.data(), words.size(), "{}, {}{}", l.label, unit,
                                       l.unit == Unit::speed ? "/s" : "");
     return std::string_view(words.data(), std::min(end.size, words.size()));

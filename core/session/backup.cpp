@@ -5,15 +5,6 @@
 namespace hw {
 namespace {
 
-/// The listing of `slot` that UploadProgram left among the notices.
-Result<std::string> listing_of(Session& session, int slot) {
-  Result<std::string> listing = fail(FaultKind::no_answer, fmt::format("Program {} was not listed.", slot));
-  session.notices().drain([&](Notice& notice) {
-    if (notice.kind == Notice::Kind::program && notice.slot == slot) listing = std::move(notice.text);
-  });
-  return listing;
-}
-
 Task<Result<>> read_parameters(std::shared_ptr<Session> session) {
   if (session->catalog().params.empty()) co_return Result<>();
   IntentBody read = intent::ReadParams();
@@ -37,10 +28,7 @@ Task<Result<Backup>> take_backup(std::shared_ptr<Session> session) {
     if (known.variables_known[static_cast<std::size_t>(n)])
       backup.variables[n] = known.variables[static_cast<std::size_t>(n)];
   for (int slot = 0; slot < catalog.program.slots; ++slot) {
-    IntentBody upload = intent::UploadProgram(slot);
-    auto uploaded = co_await session->perform(std::move(upload));
-    if (!uploaded) co_return fail(uploaded.error());
-    auto listing = listing_of(*session, slot);
+    auto listing = co_await session->listing(slot);
     if (!listing) co_return fail(listing.error());
     backup.programs[slot] = std::move(*listing);  // an empty one too: putting it back empties the slot
   }

@@ -1,5 +1,5 @@
 #pragma once
-// A whole controller into one file and back. Io thread; the caller is the session's one reader (notices).
+// A whole controller into one file and back. Io thread.
 #include <string>
 #include <vector>
 

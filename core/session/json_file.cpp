@@ -10,6 +10,26 @@ namespace hw {
 
 using nlohmann::json;
 
+namespace {
+
+constexpr int deepest_json = 32;
+constexpr std::size_t longest_json_name = 200;
+
+/// No file of ours is nested deep. Whoever copies a value goes down into it, so one without end is not kept.
+json parse_small(const std::string& bytes) {
+  bool fits = true;
+  const auto look = [&fits](int depth, json::parse_event_t event, const json& part) {
+    if (depth > deepest_json) fits = false;
+    if (event == json::parse_event_t::key && part.get_ref<const std::string&>().size() > longest_json_name)
+      fits = false;
+    return fits;
+  };
+  json object = json::parse(bytes, look, false);
+  return fits ? object : json(json::value_t::discarded);
+}
+
+}  // namespace
+
 Fault damaged(const std::filesystem::path& path, std::string_view what_it_is) {
   const auto aside = set_aside(path);
   return Fault(FaultKind::text, fmt::format("The file with {} is damaged ({}).", what_it_is, path.string()),
@@ -24,15 +44,14 @@ Result<json> read_json(const std::filesystem::path& path, std::string_view what_
   constexpr std::uintmax_t largest = 16'000'000;
   auto bytes = read_file(path, largest);
   if (!bytes) return fail(bytes.error());
-  json object = json::parse(*bytes, nullptr, false);
+  json object = parse_small(*bytes);
   if (object.is_discarded() || !object.is_object()) return fail(damaged(path, what_it_is));
   return object;
 }
 
 Result<> write_json(const std::filesystem::path& path, const json& object) {
-  std::error_code error;
-  std::filesystem::create_directories(path.parent_path(), error);
-  return write_file(path, object.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  make_private_folder(path.parent_path());
+  return write_private_file(path, object.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace hw

@@ -12,7 +12,7 @@ namespace hw {
 /// The object in the file. An absent file is an empty object. A damaged one is renamed, and the fault says
 /// so.
 Result<nlohmann::json> read_json(const std::filesystem::path& path, std::string_view what_it_is);
-/// Creates the folder, writes atomically.
+/// Creates the folder, writes atomically; for the eyes of its owner only.
 Result<> write_json(const std::filesystem::path& path, const nlohmann::json& object);
 /// The fault of a file that parses but does not hold what it should; also renames it.
 Fault damaged(const std::filesystem::path& path, std::string_view what_it_is);

@@ -125,7 +125,19 @@ Result<std::string> read_file(const fs::path& path, std::uintmax_t largest) {
   }
 }
 
-Result<> write_file(const fs::path& path, std::string_view bytes) {
+namespace {
+
+/// Of a new file as everybody makes them, of an old one as it was.
+mode_t usual_mode(const fs::path& target) {
+  struct stat old {};
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return ::stat(target.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask;
+}
+
+enum class Readable : std::uint8_t { as_usual, by_owner };
+
+Result<> write_whole(const fs::path& path, std::string_view bytes, Readable readable) {
   std::error_code ignored;
   fs::path target = fs::canonical(path, ignored);  // through a link, to the file itself
   if (target.empty()) target = path;
@@ -137,10 +149,8 @@ Result<> write_file(const fs::path& path, std::string_view bytes) {
       (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
   Descriptor file(::mkostemp(beside.data(), O_CLOEXEC));
   if (!file.good()) return not_written(path, errno);
-  struct stat old {};
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  ::fchmod(file.get(), ::stat(target.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask);
+  // mkostemp() has made it for its owner only.
+  if (readable == Readable::as_usual) ::fchmod(file.get(), usual_mode(target));
   int error = write_all(file.get(), bytes);
   if (!error && ::fsync(file.get()) != 0) error = errno;
   if (const int at_close = file.close(); !error) error = at_close;
@@ -148,6 +158,28 @@ Result<> write_file(const fs::path& path, std::string_view bytes) {
   if (!error) return {};
   ::unlink(beside.c_str());
   return not_written(path, error);
+}
+
+void make_missing_folders(const fs::path& folder) {
+  std::error_code ignored;
+  if (folder.empty() || fs::exists(folder, ignored)) return;
+  make_missing_folders(folder.parent_path());
+  ::mkdir(folder.c_str(), 0700);
+}
+
+}  // namespace
+
+Result<> write_file(const fs::path& path, std::string_view bytes) {
+  return write_whole(path, bytes, Readable::as_usual);
+}
+
+Result<> write_private_file(const fs::path& path, std::string_view bytes) {
+  return write_whole(path, bytes, Readable::by_owner);
+}
+
+void make_private_folder(const fs::path& folder) {
+  make_missing_folders(folder);
+  ::chmod(folder.c_str(), 0700);
 }
 
 fs::path set_aside(const fs::path& path) {

@@ -30,6 +30,11 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t 
 /// target keeps its permissions; a link is followed; what is no regular file (a device) is written in place.
 Result<> write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// The same for what is nobody else's: only its owner may read it, whatever stood there before.
+Result<> write_private_file(const std::filesystem::path& path, std::string_view bytes);
+/// Makes it and what is missing above it, for its owner only; one that is there is closed to others.
+void make_private_folder(const std::filesystem::path& folder);
+
 /// Moves a file that cannot be understood out of the way and returns its new name (empty: it would not move).
 std::filesystem::path set_aside(const std::filesystem::path& path);
 

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/script/call.h"
+#include "gui/app/output.h"
 #include "gui/app/script_stage.h"
 
 namespace hw::app {
@@ -100,7 +101,11 @@ int frame(Call& call) {
 int screenshot(Call& call) {
   std::string path = call.text(1, "path");
   if (!path.ends_with(".png")) throw Misuse("ui.screenshot: the name of a picture ends in .png");
-  return call.wait_for_act([&ui = hands(call), path] { return done_or_error(ui.screenshot(path)); });
+  return call.wait_for_act([&ui = hands(call), path] {
+    const Result<> taken = ui.screenshot(path);
+    if (taken) write_aside(fmt::format("The picture {} was written.", path));
+    return done_or_error(taken);
+  });
 }
 
 int window(Call& call) {

@@ -67,6 +67,6 @@ inline constexpr OptionSpec bench_option{"bench", "FILE.toml", "what surrounds t
 // Each in its own cmd_*.cpp.
 extern const Subcommand open_subcommand, demo_subcommand, run_subcommand, emulate_subcommand, send_subcommand,
     check_subcommand, compile_subcommand, simulate_subcommand, convert_subcommand, scan_subcommand,
-    backup_subcommand, restore_subcommand;
+    backup_subcommand, restore_subcommand, params_subcommand;
 
 }  // namespace hw::app

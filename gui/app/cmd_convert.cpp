@@ -1,5 +1,4 @@
 // A drawing becomes a program, or a sequence, without a window.
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
@@ -14,158 +13,13 @@
 #include "core/session/rehearse_together.h"
 #include "core/session/user_files.h"
 #include "gui/app/cli.h"
+#include "gui/app/cmd_convert_options.h"
 #include "gui/app/output.h"
 #include "gui/app/program_file.h"
 #include "gui/app/wiring.h"
 
 namespace hw::app {
 namespace {
-
-std::vector<std::string> split(std::string_view text, char at) {
-  std::vector<std::string> parts;
-  for (;;) {
-    const std::size_t end = text.find(at);
-    parts.emplace_back(text.substr(0, end));
-    if (end == text.npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
-std::optional<double> number_in(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-tl::unexpected<Fault> wrong(const char* option, const Given& given, const char* form) {
-  return fail(FaultKind::text, fmt::format("--{} {} is not understood.", option, given.one(option)), {},
-              fmt::format("Write --{} {}.", option, form));
-}
-
-Result<std::vector<double>> numbers(const Given& given, const char* option, char at, std::size_t least,
-                                    std::size_t most, const char* form) {
-  std::vector<double> all;
-  for (const std::string& part : split(given.one(option), at)) {
-    const auto number = number_in(part);
-    if (!number) return wrong(option, given, form);
-    all.push_back(*number);
-  }
-  if (all.size() < least || all.size() > most) return wrong(option, given, form);
-  return all;
-}
-
-Result<> read_axes(const Given& given, const Catalog& catalog, ConversionOptions& o) {
-  std::vector<double> per_unit{1};
-  if (given.has("per-unit")) {
-    auto read = numbers(given, "per-unit", ',', 1, 2, "STEPS or STEPS,STEPS");
-    if (!read) return fail(read.error());
-    per_unit = std::move(*read);
-    if (*std::min_element(per_unit.begin(), per_unit.end()) <= 0)
-      return wrong("per-unit", given, "more than 0");
-  }
-  std::vector<std::string> names;
-  if (given.has("axes"))
-    names = split(given.one("axes"), ',');
-  else
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, catalog.axes.size()); ++i)
-      names.push_back(catalog.axes[i].name);
-  for (std::size_t i = 0; i < names.size(); ++i) o.axes.push_back({names[i], per_unit[i % per_unit.size()]});
-  return {};
-}
-
-Result<> read_placing(const Given& given, ConversionOptions& o) {
-  const std::string origin = given.one("origin", "as-drawn");
-  if (origin == "lower-left") {
-    o.placing.origin = drawing::Placing::Origin::lower_left;
-  } else if (origin != "as-drawn") {
-    const auto at = numbers(given, "origin", ',', 2, 2, "as-drawn, lower-left or X,Y");
-    if (!at) return fail(at.error());
-    o.placing.origin = drawing::Placing::Origin::point, o.placing.point = {(*at)[0], (*at)[1]};
-  }
-  o.placing.swapped = given.has("swap");
-  const std::string mirror = given.one("mirror");
-  if (mirror.find_first_not_of("xy") != mirror.npos) return wrong("mirror", given, "x, y or xy");
-  o.placing.mirrored_x = mirror.find('x') != mirror.npos,
-  o.placing.mirrored_y = mirror.find('y') != mirror.npos;
-  if (given.has("table")) {
-    const auto table = numbers(given, "table", ',', 4, 4, "X0,Y0,X1,Y1");
-    if (!table) return fail(table.error());
-    drawing::Box box;
-    box.add({(*table)[0], (*table)[1]});
-    box.add({(*table)[2], (*table)[3]});
-    o.table = box;
-  }
-  return {};
-}
-
-Result<> read_speeds(const Given& given, ConversionOptions& o) {
-  struct Field {
-    const char* option;
-    double* value;
-  };
-  double low = 0, ramp = 0;
-  for (const Field& f : {Field{"cut-speed", &o.cutting.high}, Field{"travel-speed", &o.travel.high},
-                         Field{"low-speed", &low}, Field{"ramp", &ramp}}) {
-    const auto read = given.number(f.option, 0, 0, 1e9);
-    if (!read) return fail(read.error());
-    *f.value = *read;
-  }
-  for (sequence::Speeds* s : {&o.cutting, &o.travel})
-    if (s->high != 0) s->low = low, s->ramp_ms = ramp;
-  return {};
-}
-
-// An output, an axis, and time for it to act: down in this order, up likewise.
-Result<> read_pen(const Given& given, ConversionOptions& o) {
-  if (given.has("pen-output")) {
-    const auto number = given.number("pen-output", 0, 0, 64);
-    if (!number) return fail(number.error());
-    o.pen_down.push_back({sequence::Output{static_cast<int>(*number), true}});
-    o.pen_up.push_back({sequence::Output{static_cast<int>(*number), false}});
-  }
-  if (given.has("pen-axis")) {
-    const std::vector<std::string> parts = split(given.one("pen-axis"), ':');
-    const auto down = parts.size() == 3 ? number_in(parts[1]) : std::nullopt;
-    const auto up = parts.size() == 3 ? number_in(parts[2]) : std::nullopt;
-    if (!down || !up) return wrong("pen-axis", given, "AXIS:DOWN:UP");
-    const std::size_t place = o.axes.size();
-    o.axes.push_back({parts[0], o.axes.front().per_unit});
-    for (auto [to, routine] : {std::pair{*down, &o.pen_down}, std::pair{*up, &o.pen_up}}) {
-      sequence::Move move;
-      move.to[place] = to;
-      routine->push_back({move});
-      routine->push_back({sequence::WaitMotion{static_cast<int>(place)}});
-    }
-  }
-  const auto delay = given.number("pen-delay", 0, 0, 1e6);
-  if (!delay) return fail(delay.error());
-  if (*delay > 0)
-    for (sequence::StepList* routine : {&o.pen_down, &o.pen_up})
-      routine->push_back({sequence::Delay{*delay}});
-  return {};
-}
-
-Result<ConversionOptions> read_options(const Given& given, const Catalog& catalog) {
-  ConversionOptions o;
-  o.unit = given.has("inch") ? "in" : "mm";
-  o.drawing_unit = given.one("unit");
-  o.layers = given.all("layer");
-  o.keep_order = given.has("keep-order");
-  if (auto read = read_axes(given, catalog, o); !read) return fail(read.error());
-  if (auto read = read_placing(given, o); !read) return fail(read.error());
-  if (auto read = read_speeds(given, o); !read) return fail(read.error());
-  if (auto read = read_pen(given, o); !read) return fail(read.error());
-  const auto touching = given.number("join", o.touching, 0, 1e6);
-  if (!touching) return fail(touching.error());
-  o.touching = *touching;
-  if (given.has("tolerance")) {
-    const auto tolerance = given.number("tolerance", 0, 1e-9, 1e6);
-    if (!tolerance) return fail(tolerance.error());
-    o.tolerance = *tolerance;
-  }
-  return o;
-}
 
 /// --id 01-02: controllers of one axis each that share a wire and draw together. No language is theirs.
 Result<MeantFor> read_who_draws(const Given& given) {
@@ -218,8 +72,15 @@ Result<> leave_out(const drawing::Drawing& drawing, const Given& given, Conversi
   return {};
 }
 
+/// What the order saves on the way with the tool off; none: nothing says how fast that goes.
+std::optional<double> saved_seconds(const Conversion& c, const ConversionOptions& o) {
+  if (!(o.travel.high > 0)) return std::nullopt;
+  return (c.way_as_drawn - c.way) / o.travel.high;
+}
+
 struct Made {
   Conversion conversion;
+  std::optional<double> saved_s;
   SequenceText written;
   const drawing::Drawing& drawing;
   Rehearsal rehearsal;
@@ -241,7 +102,9 @@ void print_json(const Made& m, const Catalog& catalog) {
   out["unit"] = c.sequence.unit;
   out["chains"] = c.chains.size();
   out["drawn"] = c.drawn;
-  out["travel"] = {{"as_drawn", c.way_as_drawn}, {"ordered", c.way}};
+  out["travel"] = {{"as_drawn", c.way_as_drawn},
+                   {"ordered", c.way},
+                   {"saved_s", m.saved_s ? nlohmann::ordered_json(*m.saved_s) : nullptr}};
   out["box"] = {c.box.low.x, c.box.low.y, c.box.high.x, c.box.high.y};
   out["tolerance"] = c.tolerance;
   out["steps"] = count_steps(c.sequence.steps);
@@ -251,9 +114,12 @@ void print_json(const Made& m, const Catalog& catalog) {
   out["remarks"] = m.written.remarks;
   out["tool"] = m.written.tool;
   out["problems"] = m.problems;
-  out["left_out"] = nlohmann::ordered_json::array();
-  for (const drawing::LeftOut& l : m.drawing.left_out)
-    out["left_out"].push_back({{"what", l.what}, {"why", l.why}, {"entity", l.entity}, {"line", l.line}});
+  const auto list = [&out](const char* name, const std::vector<drawing::LeftOut>& entities) {
+    out[name] = nlohmann::ordered_json::array();
+    for (const drawing::LeftOut& l : entities)
+      out[name].push_back({{"what", l.what}, {"why", l.why}, {"entity", l.entity}, {"line", l.line}});
+  };
+  list("left_out", m.drawing.left_out), list("understood", m.drawing.understood);
   out["hidden_layers"] = nlohmann::ordered_json::array();
   for (const drawing::HiddenLayer& l : m.hidden)
     out["hidden_layers"].push_back({{"layer", l.name}, {"entities", l.entities}});
@@ -265,6 +131,11 @@ void print_words(const Made& m) {
   print_result("{} chain{}, {:.3f} {} drawn, {:.3f} {} between them ({:.3f} as drawn)\n", c.chains.size(),
                c.chains.size() == 1 ? "" : "s", c.drawn, c.sequence.unit, c.way, c.sequence.unit,
                c.way_as_drawn);
+  if (c.way_as_drawn > c.way) {
+    print_result("the order saves {:.3f} {}", c.way_as_drawn - c.way, c.sequence.unit);
+    if (m.saved_s) print_result(", {:.1f} s", *m.saved_s);
+    print_result("\n");
+  }
   print_result("from {:.3f}, {:.3f} to {:.3f}, {:.3f} {}\n", c.box.low.x, c.box.low.y, c.box.high.x,
                c.box.high.y, c.sequence.unit);
   print_result("{} steps, {} lines", count_steps(c.sequence.steps), m.written.step_of_line.size());
@@ -274,10 +145,24 @@ void print_words(const Made& m) {
 
 }  // namespace
 
+/// How long it takes in pieces, as after power-up and on a wire of its usual pace.
+static void rehearse(const Pieces& pieces, const Catalog& catalog, Made& made) {
+  constexpr Duration at_most = std::chrono::hours(1);
+  std::string address = fmt::format("{}@emulator,wire=real", catalog.model);
+  for (const auto& [option, value] : catalog.made_from) address += fmt::format(",{}={}", option, value);
+  const auto alone = Address::parse(address);
+  if (!alone) return;
+  const auto done =
+      rehearse_pieces(std::make_shared<const Pieces>(pieces), *alone, {}, wire_opener(), at_most);
+  if (!done || !done->finished) return;
+  made.rehearsal.finished = true, made.rehearsal.duration_s = done->duration_s;
+}
+
 /// Of what the controller cannot hold: where it can be drawn all the same.
-static std::string elsewhere(const sequence::Sequence& sequence, const MeantFor& meant) {
-  const auto pieces = meant.language->in_pieces(sequence, meant.catalog);
+static std::string elsewhere(Made& made, const MeantFor& meant) {
+  const auto pieces = meant.language->in_pieces(made.conversion.sequence, meant.catalog);
   if (!pieces) return "It cannot be drawn in pieces either: " + pieces.error().sentence();
+  rehearse(*pieces, meant.catalog, made);
   return fmt::format(
       "It can be drawn in {} piece{}: from the console (Drawing, Cut), or as a sequence (-o OUT.toml) by a "
       "script with c:run_in_pieces(text).",
@@ -290,7 +175,7 @@ static void try_it(Made& made, const MeantFor& meant) {
     made.problems.push_back(p.sentence);
   }
   if (!made.problems.empty()) {
-    made.problems.push_back(elsewhere(made.conversion.sequence, meant));
+    made.problems.push_back(elsewhere(made, meant));
     return;
   }
   RehearseOptions rehearse;
@@ -318,6 +203,8 @@ static void tell_left_out(const std::string& path, const drawing::Drawing& drawi
                           const std::vector<drawing::HiddenLayer>& hidden) {
   for (const drawing::LeftOut& l : drawing.left_out)
     write_aside(fmt::format("{}:{}: {} {} was left out: {}", path, l.line, l.what, l.entity, l.why));
+  for (const drawing::LeftOut& l : drawing.understood)
+    write_aside(fmt::format("{}:{}: {} {}: {}", path, l.line, l.what, l.entity, l.why));
   for (const drawing::HiddenLayer& l : hidden)
     write_aside(
         fmt::format("{}: layer \"{}\" was left out with {} entit{}: it is frozen or off in the file. --layer "
@@ -339,7 +226,7 @@ static int keep(const Made& made, const std::string& out) {
 static int convert_drawing(const Given& given) {
   const auto meant = read_who_draws(given);
   if (!meant) return complain(meant.error(), status_of(meant.error()));
-  auto options = read_options(given, meant->catalog);
+  auto options = read_conversion(given, meant->catalog);
   if (!options) return complain(options.error(), usage);
   if (!given.has("output")) return complain("It is not said where to write it. Add -o OUT.", usage);
   const std::string& path = given.words[0];
@@ -358,7 +245,8 @@ static int convert_drawing(const Given& given) {
   if (!converted->off_the_table.empty())
     write_aside(fmt::format("{} of {} chains leave the table.", converted->off_the_table.size(),
                             converted->chains.size()));
-  Made made{std::move(*converted), std::move(*written), *drawing, {}, hidden, {}};
+  const auto saved = saved_seconds(*converted, *options);
+  Made made{std::move(*converted), saved, std::move(*written), *drawing, {}, hidden, {}};
   if (meant->language)
     try_it(made, *meant);
   else
@@ -397,8 +285,14 @@ const Subcommand convert_subcommand{
      {"ramp", "MS", "how long a ramp takes"},
      {"pen-output", "N", "is on while the tool is down"},
      {"pen-axis", "A:DOWN:UP", "moves the tool down and up"},
+     {"pen-per-unit", "N", "steps of that axis in a mm, where it has others"},
      {"pen-delay", "MS", "until the tool has acted"},
+     {"pen-down-delay", "MS", "the same, only down"},
+     {"pen-up-delay", "MS", "the same, only up"},
+     {"pen-down", "STEPS", "instead: \"Z to -2, DO1 on, wait 250\""},
+     {"pen-up", "STEPS", "and what takes that back"},
      {"variant", "V", "of the controller"},
+     {"motors", "N", "of a VXM: 3 or 4 with a Slave"},
      {"id", "IDS", "01-02: these draw together, an axis each"},
      {"json", "", "a report as JSON"}},
     convert_drawing,

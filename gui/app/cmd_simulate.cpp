@@ -138,6 +138,16 @@ Rehearsal nothing_rehearsed(const ProgramFile& program, const Fault& why) {
   return r;
 }
 
+/// What a script that runs this has to know; empty: the program does its work to its end.
+std::string why_not_good(const Rehearsal& r, bool strict) {
+  if (!r.error.empty()) return r.error;
+  if (!r.finished) return fmt::format("The program still runs after {:.3f} s.", r.duration_s);
+  if (!strict) return {};
+  for (const RehearsedStop& stop : r.stops)
+    if (stop.direction != 0) return stop.reason;
+  return r.limit_touched ? "A limit switch is hit." : "";
+}
+
 }  // namespace
 
 static int simulate(const Given& given) {
@@ -174,10 +184,8 @@ static int simulate(const Given& given) {
     print_json(*rehearsed, program->catalog);
   else
     print_words(*rehearsed, program->catalog);
-  // A program that has no end is no failure; it was asked how it goes for so long.
-  constexpr double nanosecond = 1e-9;
-  if (rehearsed->error.empty() || rehearsed->duration_s >= *for_seconds - nanosecond) return done;
-  return complain(rehearsed->error);
+  const std::string why = why_not_good(*rehearsed, given.has("strict"));
+  return why.empty() ? done : complain(why);
 }
 
 const Subcommand simulate_subcommand{
@@ -191,6 +199,7 @@ const Subcommand simulate_subcommand{
      {"program", "N", "the one that is started (default 0); it may start others"},
      bench_option,
      {"like", "FILE.toml", "begin with the parameters, variables and other programs of this backup"},
+     {"strict", "", "end with status 1 when a limit is hit, too"},
      {"for-seconds", "N", "stop a program that does not end by then (default 3600, simulated)"}},
     simulate,
 };

@@ -13,7 +13,7 @@ namespace hw::app {
 // Of the controller as its options make it; one that has no such option does not take it.
 static Result<Catalog> catalog_for(const DeviceType& type, const Given& given) {
   DeviceOptions keys;
-  for (const char* key : {"variant", "jumpers"})
+  for (const char* key : {"variant", "jumpers", "motors"})
     if (given.has(key)) keys[key] = given.one(key);
   auto catalog = type.make_catalog(keys);
   if (catalog && catalog->made_from.size() < keys.size())

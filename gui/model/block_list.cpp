@@ -1,17 +1,43 @@
 #include "gui/model/block_list.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/sequence/sequence_file.h"
 
 namespace hw::gui {
 
-BlockList::BlockList(const Catalog& catalog) {
+namespace {
+
+/// Speeds are of all axes, so one word must be true of all.
+sequence::Sequence empty_sequence(const Catalog& catalog, std::span<const DisplayUnit> units) {
+  const std::size_t count = std::min<std::size_t>(catalog.axes.size(), max_axes);
+  const bool real =
+      units.size() >= count && count > 0 &&
+      std::all_of(units.begin(), units.begin() + static_cast<std::ptrdiff_t>(count),
+                  [&](const DisplayUnit& u) { return u.real && u.name == units[0].name && u.per_step > 0; });
   sequence::Sequence s;
-  s.unit = catalog.step_word;
-  for (const AxisInfo& axis : catalog.axes)
-    if (s.axes.size() < max_axes) s.axes.push_back({axis.name});
-  editor.load(std::move(s));
+  s.unit = real ? units[0].name : catalog.step_word;
+  for (std::size_t a = 0; a < count; ++a)
+    s.axes.push_back({catalog.axes[a].name, real ? 1 / units[a].per_step : 1});
+  return s;
+}
+
+}  // namespace
+
+BlockList::BlockList(const Catalog& catalog) {
+  editor.load(empty_sequence(catalog, {}));
+  in_file_ = editor.version();
+}
+
+void BlockList::begin_in(const Catalog& catalog, std::span<const DisplayUnit> units) {
+  units = units.first(std::min(units.size(), begun_in_.size()));
+  if (std::equal(units.begin(), units.end(), begun_in_.begin())) return;
+  const bool begun =
+      !editor.sequence().steps.empty() || editor.can_undo() || editor.can_redo() || !file_.empty();
+  if (begun) return;
+  std::copy(units.begin(), units.end(), begun_in_.begin());
+  editor.load(empty_sequence(catalog, units));
   in_file_ = editor.version();
 }
 

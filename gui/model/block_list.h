@@ -1,13 +1,16 @@
 #pragma once
 // The blocks of one controller: a sequence under the hand, and the file that it belongs to. GUI thread.
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/device/catalog.h"
 #include "core/sequence/editor.h"
 #include "core/session/autosave.h"
+#include "gui/model/units_format.h"
 
 namespace hw::gui {
 
@@ -17,6 +20,8 @@ class BlockList {
   explicit BlockList(const Catalog& catalog);
 
   sequence::Editor editor;
+  /// Once a frame: blocks that are begun now are kept in the unit that all axes are shown in, else in steps.
+  void begin_in(const Catalog& catalog, std::span<const DisplayUnit> units);
   // As SequenceText counts the steps; -1: none.
   int wanted_step = -1;  ///< to be chosen where the blocks are drawn
   int chosen_step = -1;  ///< there
@@ -44,6 +49,7 @@ class BlockList {
 
  private:
   std::filesystem::path file_;
+  std::array<DisplayUnit, max_axes> begun_in_;
   std::uint64_t in_file_ = 0;  ///< Editor::version() that the file holds
   std::uint64_t files_ = 0;    ///< how often it was opened or saved
 };

@@ -3,6 +3,8 @@
 #include <utility>
 #include <variant>
 
+#include "core/device/track_keeper.h"
+
 namespace hw::gui {
 
 // Short enough that a crash costs a word or two, long enough that not each key is a file.
@@ -38,6 +40,8 @@ void Desk::rehearse(const Snapshot& now, const BenchView& bench) {
   const int slot = texts.chosen();
   const std::string& text = texts.text(slot);
   if (!language_ || text.empty()) return;
+  unread_.begin();
+  rehearsed_slot_ = job.busy() ? -1 : slot;
   if (job.busy() || !can_tell_more(now)) {
     prepared_.erase(slot);
     return start_rehearsal(slot, text, now, bench);
@@ -48,27 +52,42 @@ void Desk::rehearse(const Snapshot& now, const BenchView& bench) {
 }
 
 void Desk::start_rehearsal(int slot, const std::string& text, const Snapshot& now, const BenchView& bench) {
-  constexpr double seen_every_s = 0.02;
   RehearseOptions wish;
   wish.slot = slot;
-  wish.track_every_s = seen_every_s;
+  wish.track_every_s = track_seen_every_s;
   rehearsals.start(*language_, text, wish, state_of(now), bench, catalog_, worker());
 }
 
 // However the reading ends: what it has not brought is named by the rehearsal. A run that is about to begin
 // is not waited for: the rehearsal would begin in the middle of it.
 void Desk::rehearse_prepared(const Snapshot& now, const BenchView& bench, const Send& send) {
+  look_for_unread_programs(now);
   if (prepared_.empty()) {
     set_up_read_by_ = 0;
     return;
   }
-  if (!job.busy() && can_tell_more(now)) {
-    if (set_up_read_by_ == 0) set_up_read_by_ = send(intent::ReadParams());
-    const IntentFate* fate = now.fate_of(set_up_read_by_);
-    const bool settled = fate ? fate->fate != Fate::pending : now.forgotten(set_up_read_by_);
-    if (!settled && set_up_read_by_ != 0) return;
-  }
+  const bool can_read = !job.busy() && now.link.connected();
+  if (can_read && (reads_set_up(now, send) || !unread_.have_been_read(now, send))) return;
   for (const auto& [slot, text] : std::exchange(prepared_, {})) start_rehearsal(slot, text, now, bench);
+}
+
+bool Desk::reads_set_up(const Snapshot& now, const Send& send) {
+  if (!can_tell_more(now)) return false;
+  if (set_up_read_by_ == 0) set_up_read_by_ = send(intent::ReadParams());
+  const IntentFate* fate = now.fate_of(set_up_read_by_);
+  const bool settled = fate ? fate->fate != Fate::pending : now.forgotten(set_up_read_by_);
+  return !settled && set_up_read_by_ != 0;
+}
+
+/// Nothing is read while something runs or moves: the rehearsal says what it took it to be.
+void Desk::look_for_unread_programs(const Snapshot& now) {
+  const Rehearsals::Outcome* outcome = rehearsed_slot_ < 0 ? nullptr : rehearsals.of(rehearsed_slot_);
+  if (!outcome || !outcome->result || rehearsals.under_way(rehearsed_slot_)) return;
+  if (!unread_.found(*outcome->result, outcome->number)) return;
+  const bool runs = now.program.run != RunState::idle && now.program.run != RunState::error;
+  if (job.busy() || !now.link.connected() || runs || now.any_axis_moving()) return;
+  prepared_[rehearsed_slot_] = outcome->text;
+  rehearsals.prepare(rehearsed_slot_);
 }
 
 bool Desk::can_tell_more(const Snapshot& now) const {

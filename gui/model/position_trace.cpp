@@ -17,7 +17,7 @@ bool find_place(const Snapshot& now, PositionTrace::Place& place) {
     place.position[static_cast<std::size_t>(i)] = axis.position;
     place.counted_since[static_cast<std::size_t>(i)] = axis.trust.since;
   }
-  place.at = now.at;
+  place.at = place.until = now.at;
   return true;
 }
 
@@ -49,7 +49,11 @@ void PositionTrace::follow(const Snapshot& now) {
   const bool first = std::exchange(broken_, false) || places_.empty();
   // A count that was set anew names other places than before.
   place.goes_on = !first && places_.back().counted_since == place.counted_since;
-  if (place.goes_on && places_.back().position == place.position) return;
+  if (place.goes_on && places_.back().position == place.position) {
+    places_.back().until = place.at;
+    return;
+  }
+  if (count_ == 0) first_at_ = place.at;
   places_.push_back(place);
   if (places_.size() > most_places) places_.pop_front();
   ++count_;

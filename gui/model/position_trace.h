@@ -15,6 +15,7 @@ class PositionTrace {
     std::array<Steps, max_axes> position{};
     std::array<Instant, max_axes> counted_since{};  ///< AxisState::trust
     Instant at{};
+    Instant until{};       ///< it was still there
     bool goes_on = false;  ///< from the place before: nothing was unknown in between
   };
   /// Where an axis has met its switches, as its counter counts now: on the way in it stood there first. Gone
@@ -30,6 +31,8 @@ class PositionTrace {
   /// How many have been kept since clear(), those that have gone included: places().back() is the last of
   /// them.
   [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// When the first of them was, whether it has gone or not.
+  [[nodiscard]] Instant first_at() const { return first_at_; }
   /// Grows with clear().
   [[nodiscard]] std::uint64_t begun() const { return begun_; }
   void clear();
@@ -46,6 +49,7 @@ class PositionTrace {
   std::array<Followed, max_axes> followed_{};
   std::deque<Place> places_;
   std::uint64_t count_ = 0, begun_ = 0;
+  Instant first_at_{};
   bool broken_ = true;
 };
 

@@ -147,25 +147,22 @@ Stand compare_analog(const Comparison& c) {
   return {};
 }
 
-/// Whether numbers are places or ways; a controller without such a mode has no such readout.
-std::optional<std::size_t> mode_readout(const Catalog& catalog) {
-  const int mode = catalog.find_readout("MM");
-  return mode < 0 ? std::nullopt : std::optional(ix(mode));
-}
-void take_mode(const ControllerState& of, const Catalog& catalog, ControllerState& into) {
-  const auto mode = mode_readout(catalog);
-  if (!mode) return;
-  into.now.readouts[*mode] = of.now.readouts[*mode];
-  into.now.readouts_known.set(*mode, of.now.readouts_known.test(*mode));
+void take_readouts(const ControllerState& of, const Catalog& catalog, ControllerState& into) {
+  for (std::size_t i = 0; i < catalog.readouts.size(); ++i) {
+    if (!acts_on_programs(catalog.readouts[i])) continue;
+    into.now.readouts[i] = of.now.readouts[i];
+    into.now.readouts_known.set(i, of.now.readouts_known.test(i));
+  }
 }
 /// One that was not known was taken as after power-up: 0.
-Stand compare_mode(const Comparison& c) {
-  const auto mode = mode_readout(c.catalog);
-  if (!mode || !c.now.readouts_known.test(*mode)) return {};
-  const std::int64_t then = c.from.now.readouts_known.test(*mode) ? c.from.now.readouts[*mode] : 0;
-  const std::int64_t is = c.now.readouts[*mode];
-  if (then == is) return {};
-  return {Footing::other_mode, static_cast<int>(*mode), Steps(then), Steps(is)};
+Stand compare_readouts(const Comparison& c) {
+  for (std::size_t i = 0; i < c.catalog.readouts.size(); ++i) {
+    if (!acts_on_programs(c.catalog.readouts[i]) || !c.now.readouts_known.test(i)) continue;
+    const std::int64_t then = c.from.now.readouts_known.test(i) ? c.from.now.readouts[i] : 0;
+    if (const std::int64_t is = c.now.readouts[i]; then != is)
+      return {Footing::other_readout, static_cast<int>(i), Steps(then), Steps(is)};
+  }
+  return {};
 }
 
 void take_variables(const ControllerState& of, const Catalog&, ControllerState& into) {
@@ -197,6 +194,7 @@ Stand compare_programs(const Comparison& c) {
 void take_hints(const ControllerState& of, const Catalog&, ControllerState& into) {
   into.now.slot_bytes_used = of.now.slot_bytes_used;
   into.now.working = of.now.working, into.now.feed = of.now.feed;
+  into.now.queue_free = of.now.queue_free, into.now.queue_known = of.now.queue_known;
 }
 Stand compare_hints(const Comparison&) { return {}; }
 
@@ -213,7 +211,7 @@ constexpr std::array<Fact, 9> facts{{
     {take_outputs, compare_outputs},
     {take_inputs, compare_inputs},
     {take_analog, compare_analog},
-    {take_mode, compare_mode},
+    {take_readouts, compare_readouts},
     {take_variables, compare_variables},
     {take_programs, compare_programs},
     {take_hints, compare_hints},

@@ -32,7 +32,7 @@ enum class Footing : std::uint8_t {
   other_output,    ///< an output has been switched
   other_input,     ///< an input stands otherwise
   other_analog,    ///< an analog input reads otherwise
-  other_mode,      ///< numbers mean places now where they meant ways, or the other way round
+  other_readout,   ///< the move mode, a latch or a sync output is another: see acts_on_programs()
   other_variable,  ///< a variable has another value
   other_program    ///< another program of the controller has been changed
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace hw::gui {
 
@@ -63,6 +64,20 @@ void RunFollower::put_right(const ProgramState& told) {
   run_s_ = nearest;
 }
 
+/// A command of which nothing happens, as a delay, may have its turn since.
+void RunFollower::see_turns(const Rehearsal& r, double since, Place& place) const {
+  const auto after = std::upper_bound(r.turns.begin(), r.turns.end(), run_s_,
+                                      [](double t, const RehearsedTurn& turn) { return t < turn.t; });
+  if (after != r.turns.begin()) {
+    const RehearsedTurn& turn = *std::prev(after);
+    if (turn.t > since || (turn.t == since && place.slot == told_.slot))
+      place.slot = told_.slot, place.command = turn.command;
+  }
+  if (after == r.turns.end()) return;
+  const double next = after->t - run_s_;
+  place.next_in_s = place.next_in_s > 0 ? std::min(place.next_in_s, next) : next;
+}
+
 RunFollower::Place RunFollower::place() const {
   Place place;
   if (!following_) return place;
@@ -73,14 +88,17 @@ RunFollower::Place RunFollower::place() const {
   } else if (r && run_s_ <= r->duration_s) {
     const auto after = std::upper_bound(r->events.begin(), r->events.end(), run_s_,
                                         [](double t, const RehearsedEvent& event) { return t < event.t; });
+    double since = -1;
     for (auto at = after; at != r->events.begin();) {
       --at;
       if (at->command < 0) continue;
       place.slot = at->slot;
       place.command = at->command;
+      since = at->t;
       break;
     }
     if (after != r->events.end()) place.next_in_s = after->t - run_s_;
+    see_turns(*r, since, place);
   }
   if (!r || place.command < 0) return place;
   for (const RehearsedEvent& event : r->events) {

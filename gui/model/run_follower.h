@@ -36,6 +36,7 @@ class RunFollower {
   void begin(const Snapshot& now, const BenchView& bench, const ProgramTexts& texts, const Language& language,
              Worker& worker);
   void put_right(const ProgramState& told);
+  void see_turns(const Rehearsal& r, double since, Place& place) const;
   [[nodiscard]] const Rehearsal* rehearsal() const { return of_run_ ? &*of_run_ : nullptr; }
 
   const Catalog& catalog_;

@@ -20,7 +20,8 @@
 #include "gui/surface/layout.h"
 
 namespace hw {
-struct RehearsedTogether;  // core/session/rehearse_together.h
+struct RehearsedPieces;  // core/session/rehearse_together.h
+struct RehearsedTogether;
 namespace sequence {
 struct Sequence;
 }
@@ -138,6 +139,9 @@ class Console {
   /// controllers are behind their tabs.
   using Together = std::function<Result<RehearsedTogether>(const sequence::Sequence&)>;
   [[nodiscard]] Together rehearsal_of(const Bus& bus) const;
+  /// The same of one controller's pieces. Null: none is behind the tab.
+  using InPieces = std::function<Result<RehearsedPieces>(std::shared_ptr<const Pieces>)>;
+  [[nodiscard]] InPieces rehearsal_of(Tab& tab) const;
   /// The object behind a page, made when it is first shown.
   [[nodiscard]] Page& page_object(std::string_view id);
 

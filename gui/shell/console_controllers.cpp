@@ -65,6 +65,15 @@ Console::Together Console::rehearsal_of(const Bus& bus) const {
   };
 }
 
+Console::InPieces Console::rehearsal_of(Tab& tab) const {
+  if (!tab.session()) return nullptr;
+  return [state = tab.desk().state_of(tab.now()), address = tab.address(),
+          opener = outside_->open_wire](std::shared_ptr<const Pieces> pieces) {
+    constexpr Duration at_most = std::chrono::hours(1);  // some seconds of the worker
+    return rehearse_pieces(std::move(pieces), address, state, opener, at_most);
+  };
+}
+
 bool Console::is_face(const Tab& tab) { return !tab.bus || &tab.bus->front() == &tab; }
 
 int Console::faces() const {

@@ -161,6 +161,25 @@ float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
   return width + 16;
 }
 
+bool linked(const Tab& tab) {
+  const LinkState state = tab.now().link.state;
+  return state == LinkState::good || state == LinkState::late;
+}
+
+/// The newest message at the right of the line, where no title row has had room for it: at most half of what
+/// is left. Returns its width.
+float draw_messages_in(Ui& ui, Console& console, const Box& line, float taken) {
+  Toasts& toasts = console.toasts();
+  for (const auto& tab : console.tabs())
+    toasts.look_at_controller(tab.get(), {linked(*tab), is_motion(worst_state(tab->now(), tab->clock()))});
+  if (toasts.in_frame.shown || toasts.list().empty()) return 0;
+  const float width = std::min(432.0f, std::floor((line.width - taken) / 2)), height = 28;
+  draw_messages(
+      ui, toasts,
+      in_pixels(ui, {line.right() - taken - width - 4, line.y + (line.height - height) / 2, width, height}));
+  return width + 12;
+}
+
 }  // namespace
 
 void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
@@ -176,13 +195,15 @@ void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
   } else if (!console.page().empty()) {
     said = console.page_object(console.page()).status(console);
   }
+  taken += draw_messages_in(ui, console, layout.status, taken);
   const MoodLook look = mood_look(said.mood);
   const float middle = r.centre().y, left = r.min.x + ui.px(16);
   draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(left + ui.px(6), std::floor(middle)), ui.px(12),
             ui[look.tone]);
   draw_text_in_two_lines(ui, left + ui.px(24), r.max.x - ui.px(16 + taken), middle, Face::body, ui[Tone::ink],
                          said.text);
-  show(ui, {"status/text", Kind::text, "Status", said.text, {}, false, {}}, r);
+  show(ui, {"status/text", Kind::text, "Status", said.text, {}, false, {}},
+       {r.min, ImVec2(r.max.x - ui.px(taken), r.max.y)});
   end_region();
 }
 
@@ -245,14 +266,30 @@ BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const
   return {{below.x, below.y, below.width, std::min(bar, below.height)}, true, false};
 }
 
+/// Of the status line that a banner lies over: the messages keep a place there too.
+float draw_messages_beside(Ui& ui, Toasts& toasts, const Box& line) {
+  if (toasts.list().empty()) return 0;
+  constexpr float width = 52, height = 28;
+  draw_messages(
+      ui, toasts,
+      in_pixels(ui, {line.right() - width - 4, line.y + (line.height - height) / 2, width, height}));
+  return width + 8;
+}
+
 /// Returns the action pressed, and leaves in `taken` what is taken of the part below.
-int show_banner(Ui& ui, const Layout& layout, const Box& below, std::string_view id, const Banner& what,
-                std::span<const Action> actions, float& taken, bool folded = false) {
+int show_banner(Ui& ui, Console& console, const Layout& layout, const Box& below, std::string_view id,
+                const Banner& what, std::span<const Action> actions, float& taken, bool folded = false) {
   const BannerPlace place = place_of(ui, layout, below, what, !actions.empty(), folded);
   taken = place.over_status ? 0 : place.box.height;
   const Rect r = in_pixels(ui, place.box);
   begin_over(ui, id, r, place.over_status);
+  const float beside = place.over_status ? draw_messages_beside(ui, console.toasts(), place.box) : 0;
+  if (beside > 0) {
+    ImGui::SetCursorScreenPos(r.min);
+    begin_part(ui, "bar", r.width() - ui.px(beside), r.height(), Tone::panel, 0, false);
+  }
   const int picked = place.bar ? banner_bar(ui, id, what, actions) : banner(ui, id, what, actions);
+  if (beside > 0) end_part();
   end_over(place.over_status);
   return picked;
 }
@@ -276,7 +313,8 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
                             {.id = "fault/report", .label = "Copy this report"},
                             {.id = "fault/fold", .label = tab.banner_folded ? "Unfold" : "Fold"}};
   float taken = 0;
-  const int picked = show_banner(ui, layout, below, "fault/lost", what, actions, taken, tab.banner_folded);
+  const int picked =
+      show_banner(ui, console, layout, below, "fault/lost", what, actions, taken, tab.banner_folded);
   if (picked == 0) console.reconnect(tab);
   if (picked == 2) tab.banner_folded = !tab.banner_folded;
   if (picked == 1) {
@@ -293,7 +331,7 @@ float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& la
   const Action actions[] = {{.id = "fault/setup", .label = "Choose it in Setup", .main = true},
                             {.id = "fault/unset_read", .label = "Leave it"}};
   float taken = 0;
-  const int picked = show_banner(ui, layout, below, "fault/unset", what, actions, taken);
+  const int picked = show_banner(ui, console, layout, below, "fault/unset", what, actions, taken);
   if (picked == 0) console.show_panel("setup", "setup/" + info.mnemonic);
   if (picked == 1) tab.unset_read = true;
   return taken;

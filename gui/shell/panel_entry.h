@@ -42,6 +42,8 @@ struct PanelEntry {
   /// Logical, of a panel tab. While it is in front the part below gives way, down to its least, unless
   /// somebody has given that a height of his own; 0: it does not.
   float good_height = 0;
+  /// Controllers that share a bus have one for all of them: it is the first one's, whichever is chosen.
+  bool of_bus = false;
 };
 
 struct PageEntry {

@@ -25,11 +25,11 @@ struct Work {
   [[nodiscard]] bool wanted(const PanelEntry& entry) const { return !entry.wanted || entry.wanted(tab); }
   void draw(std::size_t index, const Box& area, bool rail = false) const {
     const PanelEntry& entry = console.list().panels[index];
-    auto& panel = tab.panels[index];
+    Tab& of = entry.of_bus && tab.bus ? *tab.bus->members.front() : tab;
+    auto& panel = of.panels[index];
     if (!panel) panel = entry.make();
-    Frame frame{
-        {ui, console, area, layout.tier, rail, tab.clock()}, tab, tab.catalog(), tab.now(), tab.bench()};
-    ImGui::PushID(&tab);  // the same button of another controller is another button: standing.h
+    Frame frame{{ui, console, area, layout.tier, rail, of.clock()}, of, of.catalog(), of.now(), of.bench()};
+    ImGui::PushID(&of);  // the same button of another controller is another button: standing.h
     ImGui::PushID(entry.id.data(), entry.id.data() + entry.id.size());
     panel->draw(frame);
     ImGui::PopID();

@@ -1,10 +1,8 @@
 #include "gui/surface/offscreen.h"
 
-#include <cerrno>
-#include <cstring>
-
 #include <stb/stb_image_write.h>
 
+#include "core/session/user_files.h"
 #include "gui/surface/gl_canvas.h"
 
 namespace hw::gui {
@@ -81,10 +79,17 @@ Result<> write_png(const std::string& path, std::span<const std::uint32_t> pixel
   for (const std::uint32_t p : pixels)
     for (int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT})
       rgb.push_back(static_cast<unsigned char>(p >> shift));
-  errno = 0;
-  if (stbi_write_png(path.c_str(), width, height, 3, rgb.data(), width * 3)) return {};
-  return fail(FaultKind::port, "The picture " + path + " could not be written: " + std::strerror(errno) + ".",
-              "Nothing was saved.", "Choose a folder that exists and may be written to.");
+  // Not by its own way into a file: that does not see that the disk is full.
+  std::string png;
+  const auto take = [](void* to, void* bytes, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
+  };
+  if (!stbi_write_png_to_func(take, &png, width, height, 3, rgb.data(), width * 3))
+    return fail(FaultKind::internal, "There was no memory for the picture " + path + ".",
+                "Nothing was saved.");
+  Result<> written = write_file(path, png);
+  if (!written) written.error().done = "The picture was not saved.";
+  return written;
 }
 
 }  // namespace hw::gui

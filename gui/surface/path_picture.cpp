@@ -190,6 +190,26 @@ double arrows_apart(const ToolPath& path, const PathLook& look, const PathView& 
   return look.arrow_every > 0 ? std::max(static_cast<double>(look.arrow_every), all / most) : 0;
 }
 
+void lay_over(Picture& picture, const PathLayer& layer, const PathView& view) {
+  const auto& all = layer.path->runs;
+  const std::size_t end = std::min(layer.end_run, all.size()), first = std::min(layer.first_run, end);
+  const std::span runs(all.data() + first, end - first);
+  const double every = arrows_apart(*layer.path, layer.look, view);
+  for (const bool tool_on : {false, true}) {
+    const auto wanted = [tool_on](const ToolPath::Run& run) { return run.tool_on == tool_on; };
+    if (std::none_of(runs.begin(), runs.end(), wanted)) continue;
+    Coverage coverage(picture.width, picture.height);
+    const PathLook& look = layer.look;
+    coverage.set_width(tool_on ? look.on_width : look.off_width, tool_on ? 0 : look.dash,
+                       tool_on ? 0 : look.dash_gap);
+    Stroke stroke(view, coverage, every, look.arrow);
+    for (const ToolPath::Run& run : runs)
+      if (wanted(run)) stroke.run(layer.path->points, run);
+    stroke.lift();
+    lay_over(picture, coverage, tool_on ? look.tool_on : look.tool_off);
+  }
+}
+
 }  // namespace
 
 Picture path_picture(std::span<const PathLayer> layers, const PathView& view) {
@@ -197,18 +217,7 @@ Picture path_picture(std::span<const PathLayer> layers, const PathView& view) {
   picture.width = static_cast<int>(view.width_px()), picture.height = static_cast<int>(view.height_px());
   picture.pixels.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
                         0);
-  for (const PathLayer& layer : layers) {
-    Coverage off(picture.width, picture.height), on(picture.width, picture.height);
-    off.set_width(layer.look.off_width, layer.look.dash, layer.look.dash_gap);
-    on.set_width(layer.look.on_width, 0, 0);
-    const double every = arrows_apart(*layer.path, layer.look, view);
-    Stroke stroke_off(view, off, every, layer.look.arrow), stroke_on(view, on, every, layer.look.arrow);
-    for (const ToolPath::Run& run : layer.path->runs)
-      (run.tool_on ? stroke_on : stroke_off).run(layer.path->points, run);
-    stroke_off.lift(), stroke_on.lift();
-    lay_over(picture, off, layer.look.tool_off);
-    lay_over(picture, on, layer.look.tool_on);
-  }
+  for (const PathLayer& layer : layers) lay_over(picture, layer, view);
   return picture;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 // Draws a tool's path into a picture, for a worker: a path of a million lines takes too long for a frame.
+#include <cstddef>
+#include <limits>
 #include <span>
 
 #include "core/drawing/tool_path.h"
@@ -20,6 +22,8 @@ struct PathLook {
 struct PathLayer {
   const drawing::ToolPath* path = nullptr;
   PathLook look;
+  /// Of its runs only these.
+  std::size_t first_run = 0, end_run = std::numeric_limits<std::size_t>::max();
 };
 /// The size of the view; later layers lie over earlier ones. Pure and perhaps long.
 Picture path_picture(std::span<const PathLayer> layers, const drawing::PathView& view);

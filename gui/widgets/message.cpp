@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <optional>
-#include <vector>
 
 #include <imgui_internal.h>
 
@@ -13,21 +11,6 @@
 
 namespace hw::gui {
 namespace {
-
-struct Look {
-  Tone ink, tint;
-  Icon icon;
-};
-Look look_of(Mood mood) {
-  switch (mood) {
-    case Mood::plain: return {Tone::ink2, Tone::raised, Icon::info};
-    case Mood::ok: return {Tone::ok, Tone::ok_t, Icon::check};
-    case Mood::motion: return {Tone::motion, Tone::motion_t, Icon::play};
-    case Mood::warn: return {Tone::warn, Tone::warn_t, Icon::warning};
-    case Mood::fault: break;
-  }
-  return {Tone::fault, Tone::fault_t, Icon::diamond_solid};
-}
 
 /// Dims the screen but for the modal itself and STOP ALL, which works under it.
 void dim_around_modal(Ui& ui) {
@@ -83,9 +66,20 @@ int draw_actions(Ui& ui, std::span<const Action> actions, std::string_view aside
 
 }  // namespace
 
+MoodMark mood_mark(Mood mood) {
+  switch (mood) {
+    case Mood::plain: return {Tone::ink2, Tone::raised, Icon::info};
+    case Mood::ok: return {Tone::ok, Tone::ok_t, Icon::check};
+    case Mood::motion: return {Tone::motion, Tone::motion_t, Icon::play};
+    case Mood::warn: return {Tone::warn, Tone::warn_t, Icon::warning};
+    case Mood::fault: break;
+  }
+  return {Tone::fault, Tone::fault_t, Icon::diamond_solid};
+}
+
 void tinted(Ui& ui, Mood mood, float height_px) {
   const float y = ImGui::GetCursorScreenPos().y;
-  const Look look = look_of(mood);
+  const MoodMark look = mood_mark(mood);
   draw_across(ui, y, y + height_px, ui[look.tint], ui[look.ink]);
 }
 
@@ -97,7 +91,7 @@ int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Acti
   const float sentences = wrapped_height(ui, Face::body, what.sentences, width - indent);
   const float rows = actions.empty() ? 0 : ui.px(32) + ui.px(8);
   const float height = ui.px(12) + ui.line(Face::title_bold) + ui.px(6) + sentences + rows + ui.px(12);
-  const Look look = look_of(what.mood);
+  const MoodMark look = mood_mark(what.mood);
   tinted(ui, what.mood, height);
   draw_icon(ImGui::GetWindowDrawList(), what.icon, ImVec2(at.x + ui.px(8), at.y + ui.px(22)), ui.px(14),
             ui[look.ink]);
@@ -126,7 +120,7 @@ float banner_height(const Ui& ui, const Banner& what, float width, bool actions)
 int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const Rect all{at, ImVec2(at.x + room.x, at.y + room.y)};
-  const Look look = look_of(what.mood);
+  const MoodMark look = mood_mark(what.mood);
   tinted(ui, what.mood, all.height());
   show(ui, {.id = id, .kind = Kind::text, .label = what.title, .value = what.sentences, .card = true}, all);
   const float middle = std::floor(all.centre().y), line = ui.line(Face::small), side = ui.px(16);
@@ -151,134 +145,6 @@ int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const 
     if (button(ui, a.id, a.label, o).clicked) picked = i;
   }
   return picked;
-}
-
-namespace {
-
-/// One toast as a small window. `slim`: in one place with the status line, two lines at most. True: clicked.
-bool draw_toast(Ui& ui, const Toasts::Toast& toast, const Rect& place, bool slim) {
-  char name[24], id[24];
-  std::snprintf(name, sizeof name, "##toast%d", toast.number);
-  std::snprintf(id, sizeof id, "toast/%d", toast.number);
-  const ImVec2 size(place.width(), place.height());
-  ImGui::SetNextWindowPos(place.min);
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-  ImGui::Begin(name, nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBackground);
-  ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
-  const Touch t = touch(ui, {id, Kind::button, toast.said, toast.said, {}, false, "Click to close."}, size);
-  draw_fill(ui, t.rect, ui[t.hovered ? Tone::hover : Tone::raised]);
-  draw_outline(ui, t.rect, ui[Tone::edge]);
-  const Look look = look_of(toast.mood);
-  const float middle = slim ? t.rect.centre().y : t.rect.min.y + ui.px(20);
-  draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(t.rect.min.x + ui.px(18), std::floor(middle)),
-            ui.px(12), ui[look.ink]);
-  const float left = t.rect.min.x + ui.px(34);
-  if (slim) {
-    draw_text_in_two_lines(ui, left, t.rect.max.x - ui.px(10), middle, Face::body, ui[Tone::ink], toast.said);
-  } else {
-    ImGui::SetCursorScreenPos(ImVec2(left, t.rect.min.y + ui.px(10)));
-    wrapped(ui, Face::body, Tone::ink, toast.said, (size.x - ui.px(44)) / ui.scale);
-  }
-  if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 3, ui.px(2));
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-  return t.clicked;
-}
-
-bool touch_each_other(const Rect& a, const Rect& b) {
-  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
-}
-
-/// What a hand may reach for in there. Of an editor a part may be covered.
-std::vector<Rect> controls_in(const Ui& ui, const Rect& within) {
-  std::vector<Rect> all;
-  for (const Widget& w : ui.registry.widgets()) {
-    const bool in_the_way = (w.usable() && w.kind != Kind::editor) || w.card;
-    if (!in_the_way || w.id.starts_with("toast/")) continue;
-    const Rect seen{ImVec2(std::max(w.rect.min.x, w.clip.min.x), std::max(w.rect.min.y, w.clip.min.y)),
-                    ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
-    if (seen.width() > 0 && seen.height() > 0 && touch_each_other(seen, within)) all.push_back(seen);
-  }
-  return all;
-}
-
-/// Finds places for toasts, the newest first.
-class ToastPlaces {
- public:
-  ToastPlaces(const Ui& ui, const Rect& within) : ui_(ui), within_(within), taken_(controls_in(ui, within)) {}
-  /// Where it lies already, else as low as can be, rather at the right.
-  std::optional<Rect> find(Toasts::Toast& toast, ImVec2 size) {
-    const float side = ui_.px(16), edge = ui_.px(8);
-    if (toast.x >= 0)
-      if (const auto place = take(toast.x, toast.y, size)) return place;
-    const float right = within_.max.x - side - size.x, left = within_.min.x + side;
-    for (float y = within_.max.y - edge - size.y; y >= within_.min.y + edge; y -= ui_.px(4))
-      for (float x = std::max(left, right); x >= left; x -= ui_.px(24))
-        if (const auto place = take(std::floor(x), std::floor(y), size)) {
-          toast.x = place->min.x, toast.y = place->min.y;
-          return place;
-        }
-    toast.x = toast.y = -1;
-    return {};
-  }
-
- private:
-  std::optional<Rect> take(float x, float y, ImVec2 size) {
-    const Rect place{ImVec2(x, y), ImVec2(x + size.x, y + size.y)};
-    if (x < within_.min.x || y < within_.min.y || place.max.x > within_.max.x || place.max.y > within_.max.y)
-      return {};
-    for (const Rect& r : taken_)
-      if (touch_each_other(r, place)) return {};
-    const float apart = ui_.px(8);
-    taken_.push_back({ImVec2(x - apart, y - apart), ImVec2(place.max.x + apart, place.max.y + apart)});
-    return place;
-  }
-
-  const Ui& ui_;
-  const Rect within_;
-  std::vector<Rect> taken_;
-};
-
-/// Over the sentence of the status line, beside its button.
-Rect place_in_status(const Ui& ui, const Rect& status) {
-  Rect place = status;
-  if (const Widget* button = ui.registry.find("status/unsaved")) place.max.x = button->rect.min.x;
-  place.min.x += ui.px(4), place.min.y += ui.px(1), place.max.x -= ui.px(4), place.max.y -= ui.px(1);
-  return place;
-}
-
-}  // namespace
-
-void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within, const Rect& status) {
-  // What is being chosen or answered is not covered; they are told afterwards.
-  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
-  toasts.tick(ui.now_s);
-  ui.wake_in(toasts.due_in_s(ui.now_s));
-  if (toasts.list().empty()) return;
-  const float width = std::min(ui.px(320), within.width() - ui.px(32));
-  ToastPlaces places(ui, within);
-  int closed = 0;
-  bool in_status = false;
-  std::vector<Toasts::Toast*> order;  // what lies somewhere stays there, the others come the newest first
-  for (const bool lies : {true, false})
-    for (auto toast = toasts.list().rbegin(); toast != toasts.list().rend(); ++toast)
-      if ((toast->x >= 0) == lies) order.push_back(&*toast);
-  for (Toasts::Toast* toast : order) {
-    const float height =
-        std::max(ui.px(40), wrapped_height(ui, Face::body, toast->said, width - ui.px(44)) + ui.px(20));
-    const bool lay = toast->x >= 0;
-    const auto place = places.find(*toast, ImVec2(width, height));
-    if (!lay && place) ui.wake_in(0);  // the controls of this frame are not known before the next
-    const bool slim = !place && !in_status;
-    if (!place && !slim) continue;
-    in_status |= slim;
-    if (draw_toast(ui, *toast, place ? *place : place_in_status(ui, status), slim)) closed = toast->number;
-  }
-  if (closed) toasts.dismiss(closed);
 }
 
 namespace {

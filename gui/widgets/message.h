@@ -11,6 +11,12 @@
 
 namespace hw::gui {
 
+struct MoodMark {
+  Tone ink, tint;
+  Icon icon;
+};
+MoodMark mood_mark(Mood mood);
+
 struct Action {
   std::string_view id, label;
   std::string_view brief = {};  ///< label where there is little room; empty: the same
@@ -35,8 +41,14 @@ int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const 
 /// Tint of a row or card with its bar at the left, from the cursor down `height` pixels; draws nothing else.
 void tinted(Ui& ui, Mood mood, float height_px);
 
-/// Low in `within`, where they cover no control; a click closes one. Without such a place the newest is told
-/// in the status line, and the others wait. Ids: `toast/NUMBER`.
+/// The newest message in `place`, for whoever has room for it beside all else: mark, sentence, how often,
+/// age, how many more stand, and a cross; in less than 160 its mark and their number. A press opens the list
+/// of all. Ids: `toast/NUMBER` (those that wait behind the newest too), `message/strip`, `message/more`,
+/// `message/close/NUMBER`.
+void draw_messages(Ui& ui, Toasts& toasts, const Rect& place);
+/// Last in a frame: lets the time of messages pass, and draws their list while it is open: by the strip, in
+/// `within`, over nothing of the line `status`. Ids: `message/list/NUMBER`, `message/list/NUMBER/close`,
+/// `message/close_all`.
 void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within, const Rect& status);
 
 struct Dialog {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 
-#include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
+#include "gui/widgets/touch.h"
+#include "panels/blocks/block_icons.h"
 
 namespace hw::panels {
 
@@ -17,61 +19,98 @@ namespace {
 
 struct PaletteEntry {
   const char *group, *id, *label;
-  seq::Step::Body (*make)(const seq::Sequence& of);
+  BlockWays (*make)(const seq::Sequence& of, const Catalog& catalog);
 };
 
+/// So many steps of the first axis, in the unit of the sequence, as a round number.
+double about_steps(const seq::Sequence& of, double steps) {
+  const double units = of.axes.empty() ? steps : steps / std::fabs(of.axes[0].per_unit);
+  const double ten = std::pow(10.0, std::floor(std::log10(units)));
+  const double round = units / ten < 2 ? 1 : units / ten < 5 ? 2 : 5;
+  return ten < 1 ? round / std::round(1 / ten) : round * ten;
+}
 seq::Move whole_move(const seq::Sequence& of, bool relative) {
   seq::Move m;
   m.relative = relative;
   if (!of.axes.empty()) m.to[0] = 0;
   return m;
 }
+BlockWays speeds(const seq::Sequence& of, const Catalog&) {
+  const double high = about_steps(of, 1000), low = about_steps(of, 100);
+  return {seq::Speed{{high, low, 300}}, seq::Speed{{high, 0, 300}}, seq::Speed{{high, low, 0}},
+          seq::Speed{{high, 0, 0}}};
+}
+/// Beside the origin: it may begin there.
+BlockWays arcs(const seq::Sequence& of, double degrees) {
+  return {seq::Arc{0, 0, degrees, {}}, seq::Arc{about_steps(of, 1000), 0, degrees, {}}};
+}
+BlockWays jogs(const seq::Sequence& of, const Catalog&) {
+  seq::Jog with_speed;
+  with_speed.own = seq::Speeds{about_steps(of, 1000), 0, 0};
+  return {seq::Jog{}, with_speed};
+}
+int first_input(const Catalog& catalog) { return catalog.inputs.empty() ? 1 : catalog.input_number(0); }
+BlockWays waits(const seq::Sequence&, const Catalog& catalog) {
+  const int input = first_input(catalog);
+  return {seq::WaitInput{input, true}, seq::WaitInput{input, false}};
+}
+BlockWays input_moves(const seq::Sequence&, const Catalog& catalog) {
+  seq::MoveOnInput move;
+  move.input = first_input(catalog);
+  return {move};
+}
+BlockWays outputs(const seq::Sequence&, const Catalog& catalog) {
+  BlockWays all;
+  for (std::size_t i = 0; i < catalog.outputs.size(); ++i)
+    all.emplace_back(seq::Output{catalog.output_number(i), true, 0});
+  if (all.empty()) all.emplace_back(seq::Output{});
+  return all;
+}
+BlockWays loops(const seq::Sequence&, const Catalog&) {
+  seq::Repeat loop;
+  loop.times = 2;
+  return {loop};
+}
+template <class Body>
+BlockWays plain(const seq::Sequence&, const Catalog&) {
+  return {Body{}};
+}
+using Of = const seq::Sequence&;
+using With = const Catalog&;
 
-constexpr std::array<PaletteEntry, 18> palette{{
-    {"Motion", "blocks/add/speed", "Speed",
-     [](const seq::Sequence&) -> seq::Step::Body {
-       return seq::Speed{{1000, 100, 300}};
-     }},
-    {"Motion", "blocks/add/move", "Move to",
-     [](const seq::Sequence& of) -> seq::Step::Body { return whole_move(of, false); }},
-    {"Motion", "blocks/add/move_by", "Move by",
-     [](const seq::Sequence& of) -> seq::Step::Body { return whole_move(of, true); }},
-    {"Motion", "blocks/add/arc", "Arc",
-     [](const seq::Sequence&) -> seq::Step::Body {
-       return seq::Arc{0, 0, 90, {}};
-     }},
-    {"Motion", "blocks/add/circle", "Circle",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::Arc{}; }},
-    {"Motion", "blocks/add/jog", "Jog", [](const seq::Sequence&) -> seq::Step::Body { return seq::Jog{}; }},
-    {"Motion", "blocks/add/home", "Home",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::Home{}; }},
-    {"Motion", "blocks/add/stop", "Stop",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::Stop{}; }},
-    {"Waiting", "blocks/add/wait_motion", "Until still",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::WaitMotion{}; }},
-    {"Waiting", "blocks/add/delay", "Delay",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::Delay{500}; }},
-    {"Waiting", "blocks/add/wait_input", "Wait for input",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::WaitInput{}; }},
-    {"Waiting", "blocks/add/move_on_input", "Move on input",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::MoveOnInput{}; }},
-    {"Signals", "blocks/add/output", "Output",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::Output{}; }},
-    {"Signals", "blocks/add/enable", "Motor power",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::Enable{}; }},
-    {"Signals", "blocks/add/pen", "Tool",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::Pen{true}; }},
-    {"Order", "blocks/add/loop", "Loop",
-     [](const seq::Sequence&) -> seq::Step::Body {
-       seq::Repeat loop;
-       loop.times = 2;
-       return loop;
-     }},
-    {"Order", "blocks/add/comment", "Comment",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::Comment{"what comes now"}; }},
-    {"Order", "blocks/add/custom", "Own text",
-     [](const seq::Sequence&) -> seq::Step::Body { return seq::Custom{}; }},
-}};
+constexpr std::array<PaletteEntry, 18> palette{
+    {{"Motion", "blocks/add/speed", "Speed", speeds},
+     {"Motion", "blocks/add/move", "Move to",
+      [](Of of, With) -> BlockWays { return {whole_move(of, false)}; }},
+     {"Motion", "blocks/add/move_by", "Move by",
+      [](Of of, With) -> BlockWays { return {whole_move(of, true)}; }},
+     {"Motion", "blocks/add/arc", "Arc", [](Of of, With) { return arcs(of, 90); }},
+     {"Motion", "blocks/add/circle", "Circle", [](Of of, With) { return arcs(of, 360); }},
+     {"Motion", "blocks/add/jog", "Jog", jogs},
+     {"Motion", "blocks/add/home", "Home", plain<seq::Home>},
+     {"Motion", "blocks/add/stop", "Stop", plain<seq::Stop>},
+     {"Waiting", "blocks/add/wait_motion", "Until still", plain<seq::WaitMotion>},
+     {"Waiting", "blocks/add/delay", "Delay", [](Of, With) -> BlockWays { return {seq::Delay{500}}; }},
+     {"Waiting", "blocks/add/wait_input", "Wait for input", waits},
+     {"Waiting", "blocks/add/move_on_input", "Move on input", input_moves},
+     {"Signals", "blocks/add/output", "Output", outputs},
+     {"Signals", "blocks/add/enable", "Motor power", plain<seq::Enable>},
+     {"Signals", "blocks/add/pen", "Tool", [](Of, With) -> BlockWays { return {seq::Pen{true}}; }},
+     {"Order", "blocks/add/loop", "Loop", loops},
+     {"Order", "blocks/add/comment", "Comment",
+      [](Of, With) -> BlockWays { return {seq::Comment{"what comes now"}}; }},
+     {"Order", "blocks/add/custom", "Own text", plain<seq::Custom>}}};
+
+/// What it looks like does not hang on the controller.
+const seq::Step::Body& drawn_as(std::size_t entry) {
+  static const std::vector<seq::Step::Body> all = [] {
+    std::vector<seq::Step::Body> made;
+    const Catalog none;
+    for (const PaletteEntry& e : palette) made.push_back(e.make({}, none).front());
+    return made;
+  }();
+  return all[entry];
+}
 
 /// Typed so far: the beginning of one of its words, however it is written.
 bool is_named(const PaletteEntry& entry, std::string_view typed) {
@@ -87,19 +126,37 @@ bool is_named(const PaletteEntry& entry, std::string_view typed) {
   return false;
 }
 
+/// A row of the palette: the whole of it is to be pressed.
+bool draw_entry(Ui& ui, std::size_t entry) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const Touch t =
+      touch(ui, {palette[entry].id, Kind::button, palette[entry].label}, ImVec2(width, ui.px(32)));
+  if (t.hovered) draw_fill(ui, t.rect, ui[Tone::hover]);
+  const float middle = std::floor(t.rect.centre().y);
+  draw_block_icon(ImGui::GetWindowDrawList(), drawn_as(entry), ImVec2(at.x + ui.px(12), middle), ui.px(12),
+                  ui[Tone::ink2]);
+  draw_text_line(ui, at.x + ui.px(28), t.rect.max.x, middle, Face::body_medium, ui[Tone::ink],
+                 palette[entry].label);
+  draw_ring(ui, t);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, t.rect.max.y));
+  return t.clicked;
+}
+
 }  // namespace
 
-std::optional<seq::Step::Body> BlockPalette::draw(Frame& f, const seq::Sequence& of, bool all) {
+BlockWays BlockPalette::draw(Frame& f, const seq::Sequence& of, bool all) {
   Ui& ui = f.ui;
   FieldOptions field;
   field.width = fill;
   field.placeholder = "Add by name";
   field.keep_focus = true;  // for the next one
   const Field typed = text_field(ui, "blocks/add_by_name", "Add by name", wanted_, field);
-  if (!all && wanted_.empty()) return std::nullopt;
+  if (!all && wanted_.empty()) return {};
   const PaletteEntry *first = nullptr, *clicked = nullptr;
   std::string_view group;
-  for (const PaletteEntry& entry : palette) {
+  for (std::size_t i = 0; i < palette.size(); ++i) {
+    const PaletteEntry& entry = palette[i];
     if (!is_named(entry, wanted_)) continue;
     if (!first) first = &entry;
     if (all && group != entry.group) {
@@ -107,16 +164,13 @@ std::optional<seq::Step::Body> BlockPalette::draw(Frame& f, const seq::Sequence&
       gap(ui, 8);
       text(ui, Face::small, Tone::ink2, group);
     }
-    ButtonOptions look;
-    look.style = ButtonStyle::quiet;
-    look.width = fill;
-    if (button(ui, entry.id, entry.label, look).clicked) clicked = &entry;
+    if (draw_entry(ui, i)) clicked = &entry;
   }
   if (!first) wrapped(ui, Face::small, Tone::ink2, "No block has such a name.");
   const bool entered = typed.entered && first && !wanted_.empty();
   if (entered || (clicked && !all)) wanted_.clear();
-  if (clicked) return clicked->make(of);
-  return entered ? std::optional(first->make(of)) : std::nullopt;
+  if (clicked) return clicked->make(of, f.catalog);
+  return entered ? first->make(of, f.catalog) : BlockWays();
 }
 
 }  // namespace hw::panels

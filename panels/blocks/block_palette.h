@@ -3,16 +3,20 @@
 // `blocks/add/move`.
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/sequence/sequence.h"
 #include "gui/shell/frame.h"
 
 namespace hw::panels {
 
+/// What a new block could be: the first of these that the controller can do.
+using BlockWays = std::vector<sequence::Step::Body>;
+
 class BlockPalette {
  public:
-  /// At ImGui's cursor; what is to be added. `all`: before anything is typed, too.
-  std::optional<sequence::Step::Body> draw(gui::Frame& frame, const sequence::Sequence& of, bool all);
+  /// At ImGui's cursor; what is to be added, empty: nothing. `all`: before anything is typed, too.
+  BlockWays draw(gui::Frame& frame, const sequence::Sequence& of, bool all);
 
  private:
   std::string wanted_;  ///< typed to find a block by its name

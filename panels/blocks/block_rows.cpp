@@ -7,7 +7,6 @@
 
 #include "core/base/index.h"
 #include "core/sequence/steps_in.h"
-#include "core/sequence/words.h"
 
 namespace hw::panels {
 
@@ -34,22 +33,24 @@ sequence::StepPath BlockRows::path(std::size_t row) const {
   return path;
 }
 
-bool BlockRows::is_at(std::size_t row, const sequence::StepPath& path) const {
-  if (ix(rows_[row].depth) + 1 != path.size()) return false;
-  int r = static_cast<int>(row);
-  for (auto place = path.rbegin(); place != path.rend(); ++place, r = rows_[ix(r)].parent)
-    if (rows_[ix(r)].place != *place) return false;
-  return true;
+std::size_t BlockRows::behind(std::size_t row) const {
+  std::size_t next = row + 1;
+  while (next < rows_.size() && rows_[next].depth > rows_[row].depth) ++next;
+  return next;
 }
 
-const BlockRows::Words& BlockRows::words(std::size_t row) {
+void BlockRows::forget_words() {
+  for (Row& row : rows_) row.words.reset();
+}
+
+const BlockRows::Words& BlockRows::words(std::size_t row, const sequence::Look& look) {
   Row& r = rows_[row];
   if (!r.words) {
     r.words = std::make_unique<Words>();
     for (const std::size_t place : path(row))
       r.words->number += fmt::format("{}{}", r.words->number.empty() ? "" : ".", place + 1);
     r.words->title = sequence::title_of(r.step->body);
-    r.words->summary = sequence::summary_of(r.step->body, *of_);
+    r.words->summary = sequence::summary_of(r.step->body, *of_, look);
   }
   return *r.words;
 }

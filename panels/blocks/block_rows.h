@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/sequence/editor.h"
+#include "core/sequence/words.h"
 
 namespace hw::panels {
 
@@ -18,13 +19,16 @@ class BlockRows {
   };
   /// Once a frame, before anything else. True: the blocks have changed.
   bool follow(const sequence::Editor& editor);
+  /// They are shown in other units than before.
+  void forget_words();
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] const sequence::Step& step(std::size_t row) const { return *rows_[row].step; }
   [[nodiscard]] int depth(std::size_t row) const { return rows_[row].depth; }
   [[nodiscard]] sequence::StepPath path(std::size_t row) const;
-  [[nodiscard]] bool is_at(std::size_t row, const sequence::StepPath& path) const;
-  [[nodiscard]] const Words& words(std::size_t row);
+  [[nodiscard]] const Words& words(std::size_t row, const sequence::Look& look);
+  /// Row behind those that stand in it.
+  [[nodiscard]] std::size_t behind(std::size_t row) const;
   /// -1: none stands there. Long; for changes.
   [[nodiscard]] int row_of(const std::optional<sequence::StepPath>& path) const;
 

@@ -5,6 +5,7 @@
 
 #include "gui/surface/ui.h"
 #include "gui/widgets/area.h"
+#include "gui/widgets/icons.h"
 #include "gui/widgets/text.h"
 #include "panels/lines.h"
 #include "panels/widget_path.h"
@@ -29,6 +30,25 @@ LinesInSight lines_in_sight(const Ui& ui, float top, std::size_t count) {
   return {bounded(std::floor(from / line)), bounded(std::ceil((from + ImGui::GetWindowHeight()) / line))};
 }
 
+/// Refused over at work over chosen: the three marks of a block, here again.
+void draw_line_of_text(Ui& ui, const WrittenBlocks& written, std::size_t n, const BlockTextMarks& marks,
+                       ImVec2 at, float right) {
+  const std::size_t begin = written.line_begins[n], end = written.line_begins[n + 1] - 1;
+  const float line = ui.px(text_line), middle = at.y + line / 2;
+  const int step = written.text.step_of_line[n];
+  const bool refused = written.refusal_of(step) != nullptr, live = step >= 0 && step == marks.live_step;
+  if (refused || live) draw_across(ui, at.y, at.y + line, ui[refused ? Tone::fault_t : Tone::motion_t]);
+  if (marks.chosen.has_row(step))
+    draw_across(ui, at.y, at.y + line, refused || live ? 0 : ui[Tone::sel], ui[Tone::ink]);
+  draw_text_line(ui, at.x, at.x + ui.px(32), middle, Face::code_time, ui[Tone::ink3], Path("{}", n + 1));
+  if (refused || live)
+    draw_icon(ImGui::GetWindowDrawList(), refused ? Icon::diamond_solid : Icon::play,
+              ImVec2(at.x + ui.px(36), std::floor(middle)), ui.px(8),
+              ui[refused ? Tone::fault : Tone::motion]);
+  draw_text_line(ui, at.x + ui.px(44), right, middle, Face::code_field, ui[refused ? Tone::fault : Tone::ink],
+                 std::string_view(written.text.text).substr(begin, end - begin));
+}
+
 }  // namespace
 
 void draw_block_problem(Frame& f, const WrittenBlocks& written, float width) {
@@ -40,7 +60,7 @@ void draw_block_problem(Frame& f, const WrittenBlocks& written, float width) {
   gap(f.ui, 8);
 }
 
-void draw_block_text(Frame& f, const WrittenBlocks& written, int chosen_row, float height) {
+void draw_block_text(Frame& f, const WrittenBlocks& written, const BlockTextMarks& marks, float height) {
   Ui& ui = f.ui;
   draw_line_down(f);
   begin_part(ui, "blocks/side", 0, ui.px(height), Tone::panel, 16);
@@ -57,14 +77,8 @@ void draw_block_text(Frame& f, const WrittenBlocks& written, int chosen_row, flo
   const std::size_t count = written.text.step_of_line.size();
   const LinesInSight seen = lines_in_sight(ui, from.y, count);
   for (std::size_t n = seen.first; n < seen.behind; ++n) {
-    const std::size_t begin = written.line_begins[n], end = written.line_begins[n + 1] - 1;
-    const float y = from.y + static_cast<float>(n) * line;
-    if (chosen_row >= 0 && written.text.step_of_line[n] == chosen_row)
-      draw_across(ui, y, y + line, ui[Tone::sel], ui[Tone::ink]);
-    draw_text_line(ui, from.x, from.x + ui.px(36), y + line / 2, Face::code_time, ui[Tone::ink3],
-                   Path("{}", n + 1));
-    draw_text_line(ui, from.x + ui.px(40), from.x + ui.px(width), y + line / 2, Face::code_field,
-                   ui[Tone::ink], text.substr(begin, end - begin));
+    draw_line_of_text(ui, written, n, marks, ImVec2(from.x, from.y + static_cast<float>(n) * line),
+                      from.x + ui.px(width));
   }
   ImGui::Dummy(ImVec2(1, line * static_cast<float>(count)));
   std::string_view told = text;

@@ -2,12 +2,19 @@
 // The text that blocks become, beside them, with the lines of the chosen block marked. Ids: `blocks/text`,
 // `blocks/problem`.
 #include "gui/shell/frame.h"
+#include "panels/blocks/block_choice.h"
 #include "panels/blocks/block_work.h"
 
 namespace hw::panels {
 
+/// Which lines are marked: those of the chosen blocks, and of the one that the controller is at.
+struct BlockTextMarks {
+  const BlockChoice& chosen;
+  int live_step = -1;
+};
 /// At ImGui's cursor, to the right edge, logical height.
-void draw_block_text(gui::Frame& frame, const WrittenBlocks& written, int chosen_row, float height);
+void draw_block_text(gui::Frame& frame, const WrittenBlocks& written, const BlockTextMarks& marks,
+                     float height);
 /// Why they cannot be written.
 void draw_block_problem(gui::Frame& frame, const WrittenBlocks& written, float width);
 

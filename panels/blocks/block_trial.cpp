@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
-#include "core/device/step_times.h"
 #include "core/device/track_path.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
+#include "gui/surface/ui.h"
+#include "panels/blocks/block_times.h"
 
 namespace hw::panels {
 
@@ -23,7 +24,8 @@ void BlockTrial::forget() {
   times_.clear(), total_.clear();
   path_ = nullptr;
   none_ = "Nothing moves yet.";
-  ends_ = false;
+  without_.clear();
+  ends_ = goes_on_ = false;
 }
 
 void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& written) {
@@ -33,13 +35,13 @@ void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& wr
     if (outcome->text == tried_->text.text) take(f, *outcome);
   }
   if (written == tried_ || rehearsals_.under_way(0)) return;
-  const bool same = tried_ && written->problem.empty() && written->text.text == tried_->text.text;
+  const bool same = tried_ && !written->text.text.empty() && written->text.text == tried_->text.text;
   tried_ = written;
   if (same) {  // but not of the same blocks
     if (outcome && outcome->text == tried_->text.text) take(f, *outcome);
     return;
   }
-  if (!written->problem.empty() || written->text.text.empty()) return forget();
+  if (written->text.text.empty()) return forget();
   RehearseOptions wish;
   wish.track_every_s = block_seen_every_s;
   wish.for_seconds = tried_for_s;
@@ -57,16 +59,36 @@ static int tool_output_of(const sequence::Sequence& sequence, const Catalog& cat
   return -1;
 }
 
+/// "without 3 and 5.1": by their numbers in the list.
+static std::string without_words(const WrittenBlocks& written) {
+  constexpr std::size_t most = 3;
+  std::string all;
+  std::size_t told = 0;
+  for (const RefusedStep& r : written.refused) {
+    if (r.step < 0 || r.what == r.why) continue;  // a text of its own is tried as it stands
+    if (++told > most) continue;
+    const std::size_t begin = r.what.find(' ') + 1, end = r.what.find(" (");
+    all += fmt::format(
+        "{}{}", all.empty() ? "without " : ", ",
+        r.what.starts_with("Step ") ? r.what.substr(begin, end - begin) : std::to_string(r.step + 1));
+  }
+  if (told > most) all += fmt::format(" and {} more", told - most);
+  return all;
+}
+
 void BlockTrial::take(Frame& f, const Rehearsals::Outcome& outcome) {
   forget();
   if (!outcome.result) return;
   const Rehearsal& r = *outcome.result;
   const std::vector<int>& steps = tried_->step_of_command;
-  for (const double s : seconds_of_parts(r, steps)) times_.push_back(s > 0 ? fmt::format("{:.1f} s", s) : "");
+  BlockTimes times = block_times(f.tab.desk().blocks.editor.sequence().steps, r, steps);
+  times_ = std::move(times.of_step);
   ends_ = r.finished;
-  total_ = r.finished         ? std::string(format_duration(r.duration_s).view())
-           : !r.error.empty() ? r.error
-                              : fmt::format("no end within {}", format_duration(r.duration_s).view());
+  goes_on_ = times.goes_on;
+  total_ = r.finished ? std::string(format_duration(r.duration_s).view())
+           : goes_on_ ? fmt::format("at least {}", format_duration(times.at_least_s).view())
+                      : r.error;
+  without_ = without_words(*tried_);
   if (f.catalog.axes.size() < 2) return;
   TrackAxes axes;
   axes.right = {0, from_steps(Steps(1), f.tab.unit(AxisId{0}))};

@@ -1,6 +1,9 @@
 #include "panels/blocks/blocks.h"
 
+#include <string_view>
 #include <utility>
+
+#include <imgui_internal.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -20,7 +23,10 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float palette_width = 148, text_width_wide = 264, path_height = 240;
+constexpr float palette_width = 160, path_height = 240;
+
+/// The text and the path, where there is room beside the blocks.
+float side_width_of(const Frame& f) { return f.area.width >= 960 ? 304 : f.area.width >= 760 ? 264 : 0.0f; }
 
 }  // namespace
 
@@ -30,12 +36,12 @@ void Blocks::draw(Frame& f) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float asked = overwrite_question_height(f), bottom = f.ui.px(f.area.bottom());
   const float height = (bottom - asked - at.y) / f.ui.scale;
-  const bool palette = f.area.width >= 560, side = f.area.width >= 760;
-  const float left = palette ? palette_width : 0, right = side ? text_width_wide : 0;
-  if (palette) draw_palette(f, height);
+  const bool palette = f.area.width >= 560;
+  const float left = palette ? palette_width : 0, right = side_width_of(f);
+  if (palette) draw_palette(f, palette_width, height);
   ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + left), at.y));
   draw_list(f, left, f.area.width - left - right, height);
-  if (side) {
+  if (right > 0) {
     ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + f.area.width - right), at.y));
     draw_sides(f, height);
   }
@@ -47,15 +53,21 @@ void Blocks::draw(Frame& f) {
 
 /// What has changed since the last frame.
 void Blocks::follow(Frame& f) {
-  editor_ = &f.tab.desk().blocks.editor;
-  if (std::exchange(chosen_.loads, editor_->loads()) != editor_->loads()) choose(std::nullopt);
+  BlockList& blocks = f.tab.desk().blocks;
+  if (!f.catalog.axes.empty()) blocks.begin_in(f.catalog, {&f.tab.unit(AxisId{0}), f.catalog.axes.size()});
+  editor_ = &blocks.editor;
+  chosen_.follow(*editor_, rows_);
+  if (look_.follow(f, *editor_)) {
+    rows_.forget_words(), form_.forget();
+    // What was being typed meant the unit before.
+    if (std::string_view(f.ui.focus.id()).starts_with("blocks/")) ImGui::ClearActiveID();
+  }
   files_.follow(f);
   use_keys(f);
-  if (rows_.follow(*editor_)) chosen_.row = rows_.row_of(chosen_.path);
-  BlockList& blocks = f.tab.desk().blocks;
+  chosen_.follow(*editor_, rows_);
   if (const int step = std::exchange(blocks.wanted_step, -1); step >= 0 && ix(step) < rows_.size())
     choose(rows_.path(ix(step)));
-  blocks.chosen_step = chosen_.row;
+  blocks.chosen_step = chosen_.row();
   work_.follow(f, *editor_);
   trial_.follow(f, work_.written());
 }
@@ -76,9 +88,9 @@ void Blocks::draw_toolbar(Frame& f) {
     return button(ui, id, label, look).clicked;
   };
   if (step_back(16, "blocks/undo", "Undo", editor_->can_undo() ? "" : "Nothing to take back."))
-    editor_->undo(), choose(chosen_.path);
+    editor_->undo(), choose(chosen_.head());
   if (step_back(0, "blocks/redo", "Redo", editor_->can_redo() ? "" : "Nothing was taken back."))
-    editor_->redo(), choose(chosen_.path);
+    editor_->redo(), choose(chosen_.head());
   files_.draw(f);
   end_toolbar(f, at);
 }
@@ -88,13 +100,13 @@ void Blocks::draw_sides(Frame& f, float height) {
   Ui& ui = f.ui;
   const float top = ImGui::GetCursorScreenPos().y;
   const float path = f.catalog.axes.size() > 1 && height >= 420 ? path_height : 0;
-  draw_block_text(f, *work_.written(), chosen_.row, height - path);
+  draw_block_text(f, *work_.written(), BlockTextMarks{chosen_, run_.live_step()}, height - path);
   if (path == 0) return;
-  const float x = ui.px(f.area.right() - text_width_wide) + ui.hair(), y = top + ui.px(height - path);
+  const float x = ui.px(f.area.right() - side_width_of(f)) + ui.hair(), y = top + ui.px(height - path);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(ui.px(f.area.right()), y + ui.hair()),
                                             ui[Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(x, y + ui.hair()));
-  trial_.draw_path(f, chosen_.row, text_width_wide - 1, path - 1);
+  trial_.draw_path(f, chosen_.row(), side_width_of(f) - 1, path - 1);
   if (const int step = trial_.clicked_step(); step >= 0 && ix(step) < rows_.size())
     choose(rows_.path(ix(step)));
 }
@@ -104,18 +116,19 @@ void Blocks::use_keys(Frame& f) {
   if (f.ui.keyboard.typing() || f.ui.registry.top_layer() > 0) return;
   const ImGuiIO& io = ImGui::GetIO();
   const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, true); };
-  if (io.KeyCtrl && pressed('Z')) io.KeyShift ? editor_->redo() : editor_->undo(), choose(chosen_.path);
-  if (io.KeyCtrl && pressed('Y')) editor_->redo(), choose(chosen_.path);
-  if (!chosen_.path) return;
-  if (io.KeyAlt && pressed(GLFW_KEY_UP)) move(-1);
-  if (io.KeyAlt && pressed(GLFW_KEY_DOWN)) move(1);
-  if (io.KeyCtrl && pressed('D')) change_chosen(&sequence::Editor::duplicate);
-  if (io.KeyCtrl && pressed('G')) change_chosen(&sequence::Editor::put_into_loop);
+  if (io.KeyCtrl && pressed('Z')) io.KeyShift ? editor_->redo() : editor_->undo(), choose(chosen_.head());
+  if (io.KeyCtrl && pressed('Y')) editor_->redo(), choose(chosen_.head());
+  if (!chosen_.any()) return;
+  const int arrow = (pressed(GLFW_KEY_DOWN) ? 1 : 0) - (pressed(GLFW_KEY_UP) ? 1 : 0);
+  if (arrow != 0 && io.KeyAlt) move(arrow);
+  if (arrow != 0 && io.KeyShift && !io.KeyAlt) chosen_.extend(*editor_, arrow), form_.forget();
+  if (io.KeyCtrl && pressed('D')) duplicate();
+  if (io.KeyCtrl && pressed('G')) put_into_loop();
   const bool presses_something = f.ui.focus.ring_on(f.ui.focus.id());
-  if (const sequence::Step* step = editor_->at(*chosen_.path);
+  if (const sequence::Step* step = chosen_.any() ? editor_->at(*chosen_.head()) : nullptr;
       step && pressed(GLFW_KEY_SPACE) && !presses_something)
-    return choose(editor_->skip(*chosen_.path, !step->skipped));
-  if (pressed(GLFW_KEY_DELETE)) change_chosen(&sequence::Editor::remove);
+    return skip(!step->skipped);
+  if (pressed(GLFW_KEY_DELETE)) remove();
 }
 
 }  // namespace hw::panels

@@ -7,10 +7,13 @@
 
 #include "core/sequence/editor.h"
 #include "gui/shell/panel_entry.h"
+#include "panels/blocks/block_choice.h"
 #include "panels/blocks/block_files.h"
+#include "panels/blocks/block_look.h"
 #include "panels/blocks/block_palette.h"
 #include "panels/blocks/block_rows.h"
 #include "panels/blocks/block_run.h"
+#include "panels/blocks/block_teach.h"
 #include "panels/blocks/block_trial.h"
 #include "panels/blocks/block_work.h"
 #include "panels/blocks/row_drag.h"
@@ -30,32 +33,42 @@ class Blocks final : public gui::Panel {
   void use_keys(gui::Frame& frame);
 
   // ---- blocks_list.cpp
-  void draw_palette(gui::Frame& frame, float height);
+  void draw_palette(gui::Frame& frame, float width, float height);
   void draw_list(gui::Frame& frame, float left, float width, float height);
   void draw_rows(gui::Frame& frame, float width);
   void draw_row_at(gui::Frame& frame, int row, ImVec2 at, float width);
-  void draw_row(gui::Frame& frame, std::size_t row, float width);
-  void draw_chosen(gui::Frame& frame, std::size_t row, float left, float width);
-  void draw_tools(gui::Frame& frame, const sequence::Step& step);
+  [[nodiscard]] float top_of(const gui::Frame& frame, int row) const;
   void draw_end(gui::Frame& frame, float width, bool palette_aside);
   void draw_total(gui::Frame& frame, float width);
-  [[nodiscard]] bool is_refused(std::size_t row) const;
-  void add(sequence::Step::Body body);
+
+  // ---- blocks_row.cpp
+  void draw_row(gui::Frame& frame, std::size_t row, float width);
+  void draw_card(gui::Frame& frame, std::size_t row, const gui::Touch& touch);
+  void draw_words(gui::Frame& frame, std::size_t row, const gui::Rect& card);
+  void draw_brackets(gui::Frame& frame, std::size_t row, ImVec2 corner, float bottom);
+  void draw_chosen(gui::Frame& frame, std::size_t row, float left, float width);
+  void draw_tools(gui::Frame& frame, const sequence::Step& step);
+  [[nodiscard]] const RefusedStep* refusal_of(std::size_t row) const;
+  /// It is chosen alone, and shows its fields.
+  [[nodiscard]] bool is_open(std::size_t row) const;
+
+  // ---- blocks_change.cpp
+  void add(gui::Frame& frame, const BlockWays& ways);
   void choose(std::optional<sequence::StepPath> path);
+  void choose_all(const sequence::StepSpan& span);
+  void click(std::size_t row);
   void move(int rows);
   void drop(const RowDrag::Drop& drop);
-  void change_chosen(
-      std::optional<sequence::StepPath> (sequence::Editor::*change)(const sequence::StepPath&));
-  void take_here(const gui::Frame& frame, sequence::Move move);
+  void remove();
+  void duplicate();
+  void put_into_loop();
+  void skip(bool skipped);
 
   sequence::Editor* editor_ = nullptr;  ///< the desk's, in this frame
-  struct Chosen {
-    std::optional<sequence::StepPath> path;  ///< none: the end of the list
-    int row = -1;
-    float height_px = 0;      ///< of what it shows below its row, as drawn last
-    std::uint64_t loads = 0;  ///< Editor::loads() then
-  };
-  Chosen chosen_;
+  BlockChoice chosen_;
+  float open_height_px_ = 0;  ///< of what the chosen one shows below its row, as drawn last
+  BlockLook look_;
+  BlockTeach teach_;
   BlockRows rows_;
   BlockWork work_;
   StepForm form_;

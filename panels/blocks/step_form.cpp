@@ -9,7 +9,7 @@
 
 #include "core/base/index.h"
 #include "core/sequence/fields.h"
-#include "core/sequence/words.h"
+#include "gui/model/units_format.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
@@ -23,21 +23,41 @@ namespace {
 
 constexpr float label_width = 148, field_height = 36;
 
+void draw_refusal(Frame& f, const StepAtHand& step, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  wrapped(f.ui, Face::small, Tone::fault, step.refused->why, width);
+  show(f.ui, {Path("{}/refusal", step.path), Kind::text, "Refused", step.refused->why},
+       {at, ImVec2(at.x + f.ui.px(width), ImGui::GetCursorScreenPos().y)});
+  ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + f.ui.px(4)));
+}
+
 /// One line for each field: its label, and what is typed or chosen.
 class FieldLines {
  public:
   using Numbers = std::map<std::string, NumberField, std::less<>>;
-  FieldLines(Frame& frame, std::string_view path, const sequence::Sequence& of, Numbers& numbers, float width)
-      : f_(frame), path_(path), of_(of), numbers_(numbers), width_(width) {}
+  FieldLines(Frame& frame, const StepAtHand& step, const sequence::Step::Body& typed, Numbers& numbers,
+             float width)
+      : f_(frame),
+        path_(step.path),
+        of_(step.of),
+        step_(step),
+        typed_(typed),
+        numbers_(numbers),
+        width_(width) {}
 
   [[nodiscard]] bool changed() const { return changed_; }
+  /// What is refused was not said beside a field of it.
+  [[nodiscard]] bool refusal_left() const { return step_.refused && !refusal_told_; }
   [[nodiscard]] std::string& problem() { return problem_; }
   /// Texts of several lines from now on.
   void with_several_lines() { several_lines_ = true; }
 
-  void number(std::string_view key, double& value) { put_number(key, key, value, {-1e9, 1e9, 6, {}}); }
+  void number(std::string_view key, double& value) {
+    if (key == "degrees") return turn(key, value);
+    put_number(key, value, -1e9);
+  }
   void needed(std::string_view key, double& value) { number(key, value); }
-  void positive(std::string_view key, double& value) { put_number(key, key, value, {0, 1e9, 6, {}}); }
+  void positive(std::string_view key, double& value) { put_number(key, value, 0); }
   void count(std::string_view key, int& value) { whole(key, value, 0, 1'000'000); }
   void line(std::string_view key, int& value) { whole(key, value, 0, 64); }
   void line_or_all(std::string_view key, int& value) {
@@ -52,13 +72,14 @@ class FieldLines {
       field(Path("{}/{}", path_, key), key, value, {0, 64, 0, {}}, 64);
     }
     end(at);
+    tell_refused(key);
     all_lines_ = value < 0;
   }
   void word(std::string_view key, std::uint32_t& value) {
     if (!all_lines_) return;
-    double as_number = value;
-    if (put_number(key, key, as_number, {0, 4294967295.0, 0, {}}))
-      value = static_cast<std::uint32_t>(as_number);
+    const ImVec2 at = begin(key);
+    field(Path("{}/{}", path_, key), key, value, {0, 4294967295.0, 0, {}}, 120);
+    end(at);
   }
   void flag(std::string_view key, bool& value) {
     if (all_lines_ && key == "on") return;
@@ -107,25 +128,29 @@ class FieldLines {
   void places(std::string_view key, sequence::Places& value) {
     for (std::size_t a = 0; a < of_.axes.size(); ++a) {
       const ImVec2 at = begin(key, &of_.axes[a].name);
-      const Path id("{}/{}/{}", path_, key, of_.axes[a].name);
-      NumberField& state = kept(id, value[a]);
+      const Path below("{}/{}", key, of_.axes[a].name), id("{}/{}", path_, below.view());
+      const sequence::Scale& scale = step_.look.axes[a];
+      NumberField& state = kept(id, value[a], scale);
       NumberOptions o;
-      o.range = {-1e9, 1e9, 6, of_.unit};
+      o.range = {-1e9, 1e9, scale.decimals, scale.unit};
       o.width = 120;
       o.sentence_below = false;
       if (state.text.empty()) state.sentence.clear();
       const std::string refused = state.text.empty() ? std::string() : range_sentence(state.text, o.range);
-      o.refused = refused;
+      o.refused = is_refused(below) ? std::string_view(step_.refused->why) : refused;
       const NumberEvent event = number_field(f_.ui, id, of_.axes[a].name, std::nullopt, state, o);
       tell_refusal(at, o.width, FixedText<64>(of_.axes[a].name), refused);
       if (event.field.edited) {
         const auto typed = state.value();
         if (typed || state.text.empty()) {
-          changed_ = changed_ || typed != value[a];
-          value[a] = typed;
+          const auto now = typed ? std::optional(scale.kept(*typed)) : std::nullopt;
+          changed_ = changed_ || now != value[a];
+          value[a] = now;
         }
       }
       end(at);
+      tell_refused(below);
+      if (double nearest = 0; offers_nearest(below, scale, nearest)) value[a] = nearest;
     }
   }
   void own(sequence::OwnSpeeds& value) {
@@ -142,7 +167,22 @@ class FieldLines {
   void steps(std::string_view, sequence::StepList&) {}  // rows of their own
 
  private:
-  [[nodiscard]] FixedText<64> label(std::string_view key) const { return sequence::label_of_field(key, of_); }
+  [[nodiscard]] FixedText<64> label(std::string_view key) const {
+    const bool of_plane = (key == "x" || key == "y") && of_.axes.size() > 1;
+    if (!of_plane) return sequence::label_of_field(key, scale_of(key).unit);
+    const std::string_view what = std::holds_alternative<sequence::Arc>(typed_) ? "Centre" : "Begin";
+    return Path("{} {}, {}", what, of_.axes[key == "x" ? 0 : 1].name, scale_of(key).unit).view();
+  }
+  /// What a number of this field is shown in.
+  [[nodiscard]] const sequence::Scale& scale_of(std::string_view key) const {
+    static const sequence::Scale plain;
+    const sequence::Look& look = step_.look;
+    if (key == "x" || key == "y") return look.of_axis(key == "x" ? 0 : 1);
+    if (key == "high" || key == "low") return look.of_motion(typed_);
+    if (key == "lead_in") return look.all;
+    const auto* some = std::get_if<sequence::MoveOnInput>(&typed_);
+    return key == "to" && some ? look.of_axis(some->axis) : plain;
+  }
   ImVec2 begin(std::string_view key, const std::string* of_axis = nullptr) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const FixedText<64> words = of_axis ? FixedText<64>(*of_axis) : label(key);
@@ -166,6 +206,30 @@ class FieldLines {
     problem_ = fmt::format("{}: {}", name.view(), why);
     const float left = field.x + f_.ui.px(width + 8), right = field.x + f_.ui.px(width_ - label_width);
     draw_text_in_two_lines(f_.ui, left, right, field.y + f_.ui.px(16), Face::small, f_.ui[Tone::fault], why);
+  }
+  [[nodiscard]] bool is_refused(std::string_view key) const {
+    return step_.refused && step_.refused->field == key;
+  }
+  /// What the controller cannot do is said below the field: nothing is wrong with the number itself.
+  void tell_refused(std::string_view key) {
+    if (!is_refused(key)) return;
+    refusal_told_ = true;
+    draw_refusal(f_, step_, width_);
+  }
+  /// A button below the field; true: it was taken.
+  bool offers_nearest(std::string_view key, const sequence::Scale& scale, double& nearest) {
+    if (!is_refused(key) || !step_.refused->nearest) return false;
+    nearest = *step_.refused->nearest;
+    const ImVec2 at = begin_without_label();
+    const Path words("Use {}",
+                     format_number(scale.shown(nearest), scale.decimals == 6 ? 0 : scale.decimals).view());
+    ButtonOptions look;
+    look.style = ButtonStyle::outlined;
+    const bool taken = button(f_.ui, Path("{}/nearest", path_), words, look).clicked;
+    end(at);
+    if (!taken) return false;
+    numbers_.erase(std::string(Path("{}/{}", path_, key).view()));
+    return changed_ = true;
   }
   /// One field for each; Enter begins another, an empty one goes when it is left.
   void lines(std::string_view key, std::string& value) {
@@ -192,11 +256,11 @@ class FieldLines {
       begins += line.size() + 1;
     }
   }
-  NumberField& kept(std::string_view id, std::optional<double> value) {
+  NumberField& kept(std::string_view id, std::optional<double> value, const sequence::Scale& scale = {}) {
     const auto found = numbers_.find(id);
     if (found != numbers_.end()) return found->second;
     NumberField& made = numbers_[std::string(id)];
-    if (value) made.set(*value, 6);
+    if (value) made.set(scale.shown(*value), scale.decimals);
     while (value && made.text.find('.') != std::string::npos &&
            (made.text.back() == '0' || made.text.back() == '.'))
       made.text.pop_back();
@@ -210,7 +274,7 @@ class FieldLines {
     o.width = width;
     o.sentence_below = false;
     const std::string refused = range_sentence(state.text, range);
-    o.refused = refused;
+    o.refused = refused.empty() && is_refused(key) ? std::string_view(step_.refused->why) : refused;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const NumberEvent event = number_field(f_.ui, id, label(key), std::nullopt, state, o);
     tell_refusal(at, width, label(key), refused);
@@ -223,16 +287,39 @@ class FieldLines {
     value = now;
     return other;
   }
-  bool put_number(std::string_view key, std::string_view id, double& value, NumberRange range) {
+  /// Speeds have no direction, so neither has what they are shown in.
+  void put_number(std::string_view key, double& value, double low) {
+    sequence::Scale scale = scale_of(key);
+    if (low == 0) scale.factor = std::fabs(scale.factor);
     const ImVec2 at = begin(key);
-    const bool other = field(Path("{}/{}", path_, id), key, value, range, 120);
+    const Path id("{}/{}", path_, key);
+    double shown = scale.shown(value);
+    kept(id, value, scale);
+    if (field(id, key, shown, {low, 1e9, 6, {}}, 120)) value = scale.kept(shown);
     end(at);
-    return other;
+    tell_refused(key);
+    if (double nearest = 0; offers_nearest(key, scale, nearest)) value = nearest;
+  }
+  /// How far round, and which way as it is seen.
+  void turn(std::string_view key, double& value) {
+    static constexpr std::array<std::string_view, 2> names{"clockwise", "counter"};
+    const double sign = step_.look.axes[0].factor * step_.look.axes[1].factor < 0 ? -1 : 1;
+    const bool clockwise = value * sign < 0;
+    const ImVec2 at = begin(key);
+    double size = std::fabs(value);
+    if (field(Path("{}/{}", path_, key), key, size, {0, 360, 3, "\u00b0"}, 80))
+      value = clockwise ? -size * sign : size * sign;
+    end(at);
+    const ImVec2 below = begin("direction");
+    const int picked = segment(f_.ui, Path("{}/way", path_), names, clockwise ? 0 : 1, {.cell_width = 72});
+    if (picked >= 0 && (picked == 0) != clockwise) value = -value, changed_ = true;
+    end(below);
   }
   void whole(std::string_view key, int& value, double low, double high) {
     const ImVec2 at = begin(key);
     field(Path("{}/{}", path_, key), key, value, {low, high, 0, {}}, 80);
     end(at);
+    tell_refused(key);
   }
   void choose_axis(std::string_view key, int& value, bool or_all) {
     std::array<std::string_view, max_axes + 1> names;
@@ -255,9 +342,11 @@ class FieldLines {
   Frame& f_;
   std::string_view path_;
   const sequence::Sequence& of_;
+  const StepAtHand& step_;
+  const sequence::Step::Body& typed_;
   Numbers& numbers_;
   float width_;
-  bool changed_ = false, all_lines_ = false, several_lines_ = false;
+  bool changed_ = false, all_lines_ = false, several_lines_ = false, refusal_told_ = false;
   std::string problem_;
 };
 
@@ -281,16 +370,15 @@ sequence::Step::Body with_steps_of(const sequence::Step::Body& body, sequence::S
 
 }  // namespace
 
-std::optional<sequence::Step::Body> StepForm::draw(Frame& f, std::string_view path,
-                                                   const sequence::Step::Body& body,
-                                                   const sequence::Sequence& of, float width) {
-  if (!at_hand_) at_hand_ = without_steps(body);
-  FieldLines lines(f, path, of, numbers_, width);
+std::optional<sequence::Step::Body> StepForm::draw(Frame& f, const StepAtHand& step, float width) {
+  if (!at_hand_) at_hand_ = without_steps(step.body);
+  FieldLines lines(f, step, *at_hand_, numbers_, width);
   if (std::holds_alternative<sequence::Custom>(*at_hand_)) lines.with_several_lines();
   std::visit([&lines](auto& b) { fields(lines, b); }, *at_hand_);
   problem_ = std::move(lines.problem());
+  if (lines.refusal_left()) draw_refusal(f, step, width);
   if (!lines.changed()) return std::nullopt;
-  return with_steps_of(body, *at_hand_);
+  return with_steps_of(step.body, *at_hand_);
 }
 
 }  // namespace hw::panels

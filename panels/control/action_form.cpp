@@ -35,14 +35,38 @@ FieldGrid cells_of(std::size_t cells, float width, float least) {
 /// A short button takes the place of one more field, a long one a line of its own.
 bool fits_a_cell(std::string_view label) { return label.size() <= 14; }
 
+bool is_axis(const ActionField& info) { return info.id == "axis"; }
+bool is_switch(const ActionField& info) { return info.id == "on"; }
+
+std::string path_of(const Catalog& c, const ActionInfo& info, int axis) {
+  const bool several = axis >= 0 && std::any_of(info.fields.begin(), info.fields.end(), is_axis);
+  return several ? fmt::format("action/{}/{}", info.id, c.axes[static_cast<std::size_t>(axis)].name)
+                 : fmt::format("action/{}", info.id);
+}
+
 int lines_of(std::size_t cells, int per_line) { return (static_cast<int>(cells) + per_line - 1) / per_line; }
 
 }  // namespace
 
+ActionForm::ActionForm(const Catalog& catalog, int action, int axis, ActionForm& shared)
+    : action_(action),
+      info_(catalog.actions[static_cast<std::size_t>(action)]),
+      path_(path_of(catalog, info_, axis)),
+      row_axis_(axis),
+      shared_(&shared),
+      fields_(info_.fields.size()) {
+  fill_in();
+}
+
 ActionForm::ActionForm(const Catalog& catalog, int action)
     : action_(action),
       info_(catalog.actions[static_cast<std::size_t>(action)]),
+      path_(path_of(catalog, info_, -1)),
       fields_(info_.fields.size()) {
+  fill_in();
+}
+
+void ActionForm::fill_in() {
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     const ActionField& info = info_.fields[i];
     for (const ParamChoice& choice : info.choices) {
@@ -105,15 +129,22 @@ void ActionForm::draw(Frame& f, float width) {
 void ActionForm::draw_field(Frame& f, std::size_t i, float width) {
   Ui& ui = f.ui;
   const ActionField& info = info_.fields[i];
-  Field& field = fields_[i];
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(label_height / 2), Face::small, ui[Tone::ink2],
                  info.label);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(label_height)));
-  const Path id("action/{}/{}", info_.id, info.id);
+  draw_bare_field(f, i, width);
+}
+
+void ActionForm::draw_bare_field(Frame& f, std::size_t i, float width, float height) {
+  Ui& ui = f.ui;
+  const ActionField& info = info_.fields[i];
+  Field& field = fields_[i];
+  const Path id("{}/{}", path_, info.id);
   if (!field.names.empty()) {
     DropdownOptions o;
     o.width = width;
+    o.height = height;
     const int picked = dropdown(ui, id, info.label, field.names, field.chosen, o);
     if (picked >= 0) field.chosen = picked;
     return;
@@ -124,8 +155,10 @@ void ActionForm::draw_field(Frame& f, std::size_t i, float width) {
   o.range.max = static_cast<double>(info.maximum) / scale;
   o.range.decimals = info.decimals;
   const std::string unit = unit_of(f, info);
-  o.range.unit = unit;
+  o.range.unit = row_axis_ >= 0 ? std::string_view() : std::string_view(unit);
   o.width = width;
+  o.height = height;
+  o.tip = info.label;
   o.sentence_below = false;
   const NumberEvent e = number_field(ui, id, info.label, std::nullopt, field.number, o);
   if (e.field.edited) refused_.clear();
@@ -135,7 +168,7 @@ void ActionForm::draw_field(Frame& f, std::size_t i, float width) {
 // In counts or in pulses: that depends on the axis that the form has chosen.
 std::string ActionForm::unit_of(const Frame& f, const ActionField& info) const {
   if (!info.follows_loop) return info.unit;
-  int axis = info.of_axis;
+  int axis = row_axis_ >= 0 ? row_axis_ : info.of_axis;
   for (std::size_t i = 0; axis < 0 && i < fields_.size(); ++i)
     if (info_.fields[i].id == "axis" && !fields_[i].names.empty())
       axis = static_cast<int>(info_.fields[i].choices[static_cast<std::size_t>(fields_[i].chosen)].value);
@@ -148,7 +181,24 @@ void ActionForm::draw_button(Frame& f, float width) {
   o.width = width;
   o.tip = info_.help;
   o.disabled = why_not(f);
-  if (button(f.ui, Path("action/{}/go", info_.id), info_.label, o).clicked) send(f);
+  if (button(f.ui, Path("{}/go", path_), info_.label, o).clicked) send(f);
+}
+
+void ActionForm::draw_choice(Frame& f, std::string_view label, bool lamp, bool chosen) {
+  ButtonOptions o;
+  o.tip = info_.help;
+  o.disabled = why_not(f);
+  if (lamp) {
+    const bool on = label == "on";
+    o.icon = on ? Icon::disc : Icon::ring;
+    o.icon_tone = on ? Tone::ok : Tone::ink3;
+    o.on = on;
+    o.width = 72;
+  } else {
+    o.style = ButtonStyle::segment;
+    o.on = chosen;
+  }
+  if (button(f.ui, Path("{}/go", path_), label, o).clicked) send(f);
 }
 
 std::optional<std::int64_t> ActionForm::value(const Frame& f, const ActionField& info, Field& field) {
@@ -172,10 +222,86 @@ std::optional<std::int64_t> ActionForm::value(const Frame& f, const ActionField&
 void ActionForm::send(Frame& f) {
   refused_.clear();
   std::vector<std::int64_t> values;
-  for (std::size_t i = 0; i < fields_.size(); ++i)
-    if (const auto v = value(f, info_.fields[i], fields_[i])) values.push_back(*v);
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const ActionField& info = info_.fields[i];
+    if (row_axis_ >= 0 && is_axis(info))
+      values.push_back(row_axis_);
+    else if (row_axis_ >= 0 && is_switch(info))
+      values.push_back(switches_on_ ? 1 : 0);
+    else if (const auto v = value(f, info, shared_ && info.for_all_rows ? shared_->fields_[i] : fields_[i]))
+      values.push_back(*v);
+  }
   if (values.size() != fields_.size()) return;
   asked_ = doubt_.send(f, intent::Act(action_, std::move(values)));
+}
+
+bool ActionForm::of_row(const ActionField& info) const {
+  return !is_axis(info) && !is_switch(info) && !info.for_all_rows;
+}
+
+void ActionForm::draw_in_row(Frame& f, std::string_view verb, bool on, bool lamp, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  float x = at.x;
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    if (!of_row(info_.fields[i])) continue;
+    ImGui::SetCursorScreenPos(ImVec2(x, at.y));
+    draw_bare_field(f, i, row_field, row_height);
+    x += f.ui.px(row_field + close_between);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(x, at.y));
+  ButtonOptions o;
+  o.moving = info_.moves;
+  o.height = row_height;
+  o.width = width - (x - at.x) / f.ui.scale;
+  o.tip = info_.help;
+  o.disabled = why_not(f);
+  if (lamp) {
+    o.icon = on ? Icon::ring : Icon::disc;
+    o.icon_tone = on ? Tone::ink3 : Tone::ok;
+    o.on = !on;
+  }
+  if (button(f.ui, Path("{}/go", path_), verb, o).clicked) {
+    switches_on_ = on;
+    send(f);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + f.ui.px(row_height)));
+  draw_refusal(f, width);
+}
+
+bool ActionForm::has_shared() const {
+  return std::any_of(info_.fields.begin(), info_.fields.end(),
+                     [](const ActionField& info) { return info.for_all_rows; });
+}
+
+bool ActionForm::draw_shared(Frame& f, float label_width) {
+  Ui& ui = f.ui;
+  bool any = false;
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    if (!info_.fields[i].for_all_rows) continue;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    draw_text_line(ui, at.x, at.x + ui.px(label_width), at.y + ui.px(control_height / 2), Face::body,
+                   ui[Tone::ink2], info_.fields[i].label);
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(label_width + between), at.y));
+    draw_bare_field(f, i, 104);
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(control_height + between)));
+    any = true;
+  }
+  return any;
+}
+
+std::optional<std::int64_t> ActionForm::entered(std::size_t i) const {
+  const ActionField& info = info_.fields[i];
+  const auto number = fields_[i].number.value();
+  if (!number) return {};
+  const double scaled = *number * std::pow(10.0, info.decimals);
+  if (scaled < static_cast<double>(info.minimum) || scaled > static_cast<double>(info.maximum)) return {};
+  return std::llround(scaled);
+}
+
+void ActionForm::put(std::size_t i, std::int64_t value) {
+  const int decimals = info_.fields[i].decimals;
+  fields_[i].number.set(static_cast<double>(value) / std::pow(10.0, decimals), decimals);
+  refused_.clear();
 }
 
 void ActionForm::draw_refusal(Frame& f, float width) {
@@ -186,9 +312,9 @@ void ActionForm::draw_refusal(Frame& f, float width) {
   if (f.now.forgotten(asked_)) asked_ = 0;
   if (refused_.empty() && !doubt_.open()) return;
   const ImVec2 after = ImGui::GetCursorScreenPos();
-  const Rect form{ImVec2(after.x, after.y - f.ui.px(height(width))),
+  const Rect form{ImVec2(after.x, after.y - f.ui.px(row_axis_ >= 0 ? row_height : height(width))),
                   ImVec2(after.x + f.ui.px(width), after.y - f.ui.px(between))};
-  const Path prefix("action/{}", info_.id), id("action/{}/refused", info_.id);
+  const Path prefix("{}", path_), id("{}/refused", path_);
   if (doubt_.open()) {
     if (const IntentId sent = doubt_.draw(f, prefix, info_.label, form)) asked_ = sent;
   } else {

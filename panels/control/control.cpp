@@ -60,22 +60,27 @@ Control::Section& Control::section(const std::string& title) {
 
 void Control::make_sections(const Catalog& c) {
   if (std::exchange(made_, true)) return;
+  tables_.emplace(c);
+  elsewhere_ = tables_->readouts();
+  for (const ActionInfo& a : c.actions)
+    if (const int set = c.find_readout(a.sets); set >= 0) elsewhere_.set(static_cast<std::size_t>(set));
   for (std::size_t i = 0; i < c.readout_groups.size(); ++i) {
     const int group = static_cast<int>(i);
-    const bool any = std::any_of(c.readouts.begin(), c.readouts.end(),
-                                 [&](const ReadoutInfo& r) { return r.group == group; });
-    if (any && group != c.variables.readout_group) section(c.readout_groups[i]).readouts = group;
+    if (readouts_height(c, group, elsewhere_) > 0 && group != c.variables.readout_group)
+      section(c.readout_groups[i]).readouts = group;
   }
   for (std::size_t i = 0; i < c.actions.size(); ++i)
-    section(c.actions[i].group).actions.emplace_back(c, static_cast<int>(i));
+    if (!tables_->has_action(static_cast<int>(i)))
+      section(c.actions[i].group).actions.emplace_back(c, static_cast<int>(i));
 }
 
 void Control::draw(Frame& f) {
   make_sections(f.catalog);
   Ui& ui = f.ui;
   begin_part(ui, "control", 0, ui.px(f.area.height), Tone::panel, 16);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
   const float whole = ImGui::GetContentRegionAvail().x / ui.scale;
+  tables_->draw(f, whole);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool two = whole >= 640;
   const float width = two ? std::floor((whole - between_columns) / 2) : whole;
   const std::size_t left = two ? first_column(f, width) : sections_.size();
@@ -109,11 +114,12 @@ std::size_t Control::first_column(const Frame& f, float width) const {
   return sections_.size();
 }
 
-float Control::height_of(const Frame& f, const Section& s, float width) {
+float Control::height_of(const Frame& f, const Section& s, float width) const {
   float height = title_height + below_section;
-  if (s.readouts >= 0) height += readouts_height(f.catalog, s.readouts);
+  if (s.readouts >= 0) height += readouts_height(f.catalog, s.readouts, elsewhere_);
   height += analog_bar_height * static_cast<float>(analog_count(f.catalog, s.actions));
-  for (const ActionForm& a : s.actions) height += a.height(width);
+  for (const ActionForm& a : s.actions)
+    height += f.catalog.actions[static_cast<std::size_t>(a.action())].is_arc ? arc_height : a.height(width);
   return height;
 }
 
@@ -123,7 +129,7 @@ void Control::draw_section(Frame& f, Section& s, float width) {
   draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(title_height / 2), Face::body_bold,
                  ui[Tone::ink], s.title);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(title_height)));
-  if (s.readouts >= 0) draw_readouts(f, s.readouts, width);
+  if (s.readouts >= 0) draw_readouts(f, s.readouts, width, elsewhere_);
   for (int n = 1; n <= analog_count(f.catalog, s.actions); ++n)
     draw_analog_bar(f, Path("control/analog/{}", n), n, width);
   if (s.readouts >= 0 && !s.actions.empty()) gap(ui, 8);
@@ -146,10 +152,22 @@ void Control::draw_actions(Frame& f, Section& s, float width) {
     x = left;
     ImGui::SetCursorScreenPos(ImVec2(left, ImGui::GetCursorScreenPos().y));
   };
-  for (ActionForm& a : s.actions) {
+  for (std::size_t i = 0; i < s.actions.size(); ++i) {
+    ActionForm& a = s.actions[i];
+    const ActionInfo& info = f.catalog.actions[static_cast<std::size_t>(a.action())];
     if (!a.only_a_button()) {
       end_line();
-      a.draw(f, width);
+      if (info.is_arc)
+        arc_.draw(f, a, width);
+      else
+        a.draw(f, width);
+      continue;
+    }
+    if (f.catalog.find_readout(info.sets) >= 0) {
+      const bool first =
+          i == 0 || f.catalog.actions[static_cast<std::size_t>(s.actions[i - 1].action())].sets != info.sets;
+      end_line();
+      if (first) draw_choice(f, s, i, width);
       continue;
     }
     const float wide = ui.px(a.button_width(ui));
@@ -164,6 +182,37 @@ void Control::draw_actions(Frame& f, Section& s, float width) {
   end_line();
   for (ActionForm& a : s.actions)
     if (a.only_a_button()) a.draw_refusal(f, width);
+}
+
+/// Actions of which each sets a readout to another value: a choice that shows the present one, or a lamp
+/// where they switch on and off.
+void Control::draw_choice(Frame& f, Section& s, std::size_t first, float width) {
+  Ui& ui = f.ui;
+  const auto info_of = [&](std::size_t i) -> const ActionInfo& {
+    return f.catalog.actions[static_cast<std::size_t>(s.actions[i].action())];
+  };
+  const auto readout = static_cast<std::size_t>(f.catalog.find_readout(info_of(first).sets));
+  const ReadoutInfo& shown = f.catalog.readouts[readout];
+  const ReadoutText now(f, readout);
+  f.tab.look_at_group(shown.group);
+  const bool lamp = !shown.words.empty() && shown.words.front().label == "off";
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float middle = std::floor(at.y + ui.px(16));
+  draw_text_line(ui, at.x, at.x + ui.px(width), middle, Face::body, ui[Tone::ink2], shown.label);
+  show(ui, {Path("readout/{}", shown.id), Kind::text, shown.label, now.view(), {}, false, shown.help},
+       {at, ImVec2(at.x + ui.px(120), at.y + ui.px(32))});
+  float x = at.x + ui.px(128);
+  for (std::size_t i = first; i < s.actions.size() && info_of(i).sets == info_of(first).sets; ++i) {
+    const bool is = now.known() && f.now.readouts[readout] == info_of(i).sets_to;
+    if (lamp && is) continue;  // the lamp's press is the other one
+    ImGui::SetCursorScreenPos(ImVec2(x, at.y));
+    s.actions[i].draw_choice(f, lamp ? now.view() : std::string_view(info_of(i).label), lamp, is);
+    x = ImGui::GetItemRectMax().x + ui.px(lamp ? between : 0);
+    if (lamp && now.known()) break;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(32 + between)));
+  for (std::size_t i = first; i < s.actions.size() && info_of(i).sets == info_of(first).sets; ++i)
+    s.actions[i].draw_refusal(f, width);
 }
 
 void Control::draw_about(Frame& f, float width) {

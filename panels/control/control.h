@@ -1,10 +1,14 @@
 #pragma once
-// What a controller can do and tell beside moving: its readouts and actions, by the catalog's headings.
+// What a controller can do and tell beside moving: tables with a row per axis, and under them what is left,
+// by the catalog's headings.
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gui/shell/panel_entry.h"
 #include "panels/control/action_form.h"
+#include "panels/control/arc_form.h"
+#include "panels/control/axis_tables.h"
 
 namespace hw::panels {
 
@@ -20,15 +24,19 @@ class Control final : public gui::Panel {
   };
   void make_sections(const Catalog& catalog);
   Section& section(const std::string& title);
-  static float height_of(const gui::Frame& frame, const Section& section, float width);
+  [[nodiscard]] float height_of(const gui::Frame& frame, const Section& section, float width) const;
   /// The sections that stand in the first of two columns.
   [[nodiscard]] std::size_t first_column(const gui::Frame& frame, float width) const;
-  static void draw_section(gui::Frame& frame, Section& section, float width);
-  static void draw_actions(gui::Frame& frame, Section& section, float width);
+  void draw_section(gui::Frame& frame, Section& section, float width);
+  void draw_actions(gui::Frame& frame, Section& section, float width);
+  static void draw_choice(gui::Frame& frame, Section& section, std::size_t first, float width);
   static void draw_about(gui::Frame& frame, float width);
 
   bool made_ = false;
   std::vector<Section> sections_;
+  std::optional<AxisTables> tables_;
+  ReadoutSet elsewhere_;  ///< readouts that stand in a table or beside their switch
+  ArcPath arc_;
 };
 
 /// Its analog inputs, actions and readouts are worth a panel of their own.

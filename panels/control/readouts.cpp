@@ -6,6 +6,7 @@
 
 #include "gui/model/tab.h"
 #include "gui/widgets/icons.h"
+#include "gui/widgets/lamp.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/touch.h"
 #include "panels/widget_path.h"
@@ -25,6 +26,10 @@ struct Run {
   std::size_t first = 0, size = 0;
 };
 
+bool drawn(const Catalog& c, std::size_t i, int group, const ReadoutSet& elsewhere) {
+  return c.readouts[i].group == group && !c.readouts[i].for_scripts && !elsewhere[i];
+}
+
 bool per_axis(const Catalog& c, const ReadoutInfo& r) { return c.axes.size() > 1 && r.axis >= 0; }
 
 /// "State of X" -> "State".
@@ -38,12 +43,12 @@ std::string_view without_axis(const Catalog& c, const ReadoutInfo& r) {
 }
 
 /// The columns of a group's table. Returns how many.
-std::size_t find_columns(const Catalog& c, int group,
+std::size_t find_columns(const Catalog& c, int group, const ReadoutSet& elsewhere,
                          Run (&columns)[static_cast<std::size_t>(most_columns)]) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < c.readouts.size(); ++i) {
     const ReadoutInfo& r = c.readouts[i];
-    if (r.group != group || !per_axis(c, r)) continue;
+    if (!drawn(c, i, group, elsewhere) || !per_axis(c, r)) continue;
     const bool goes_on =
         n > 0 && columns[n - 1].first + columns[n - 1].size == i && c.readouts[i - 1].axis < r.axis;
     if (goes_on)
@@ -54,10 +59,11 @@ std::size_t find_columns(const Catalog& c, int group,
   return n;
 }
 
-std::size_t count_single(const Catalog& c, int group) {
-  return static_cast<std::size_t>(
-      std::count_if(c.readouts.begin(), c.readouts.end(),
-                    [&](const ReadoutInfo& r) { return r.group == group && !per_axis(c, r); }));
+std::size_t count_single(const Catalog& c, int group, const ReadoutSet& elsewhere) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < c.readouts.size(); ++i)
+    n += drawn(c, i, group, elsewhere) && !per_axis(c, c.readouts[i]) ? 1 : 0;
+  return n;
 }
 
 /// The value, ending at `right` or beginning at `left`.
@@ -152,26 +158,45 @@ ReadoutText::ReadoutText(const Frame& f, std::size_t i) {
   size_ = std::min<std::size_t>(end.size, sizeof bytes_);
 }
 
-float readouts_height(const Catalog& c, int group) {
+float readouts_height(const Catalog& c, int group, const ReadoutSet& elsewhere) {
   Run columns[static_cast<std::size_t>(most_columns)];
-  float height = static_cast<float>(count_single(c, group)) * readout_row_height;
-  if (find_columns(c, group, columns) > 0)
+  float height = static_cast<float>(count_single(c, group, elsewhere)) * readout_row_height;
+  if (find_columns(c, group, elsewhere, columns) > 0)
     height += head_height + static_cast<float>(c.axes.size()) * readout_row_height;
   return height;
 }
 
-void draw_readouts(Frame& f, int group, float width) {
+void draw_readouts(Frame& f, int group, float width, const ReadoutSet& elsewhere) {
   Ui& ui = f.ui;
-  const float height = ui.px(readouts_height(f.catalog, group));
+  const float height = ui.px(readouts_height(f.catalog, group, elsewhere));
   if (height <= 0) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::IsRectVisible(at, ImVec2(at.x + ui.px(width), at.y + height))) f.tab.look_at_group(group);
   for (std::size_t i = 0; i < f.catalog.readouts.size(); ++i)
-    if (f.catalog.readouts[i].group == group && !per_axis(f.catalog, f.catalog.readouts[i]))
+    if (drawn(f.catalog, i, group, elsewhere) && !per_axis(f.catalog, f.catalog.readouts[i]))
       draw_single(f, i, width);
   Run columns[static_cast<std::size_t>(most_columns)];
-  const std::size_t n = find_columns(f.catalog, group, columns);
+  const std::size_t n = find_columns(f.catalog, group, elsewhere, columns);
   if (n > 0) draw_table(f, {columns, n}, width);
+}
+
+// Off, waiting and done are lamps too: a state is never told by a word alone.
+void draw_readout(Frame& f, std::size_t i, const Rect& in) {
+  Ui& ui = f.ui;
+  const ReadoutInfo& info = f.catalog.readouts[i];
+  if (ImGui::IsRectVisible(in.min, in.max)) f.tab.look_at_group(info.group);
+  Rect rest = in;
+  const bool known = i < f.now.readouts_known.size() && f.now.readouts_known[i];
+  if (!info.words.empty() && info.words.front().label == "off") {
+    const std::int64_t value = f.now.readouts[i];
+    draw_lamp(ui, ImVec2(in.min.x + ui.px(6), std::floor(in.centre().y)), 12, LampShape::round,
+              !known                              ? LampState::unknown
+              : value == info.words.front().value ? LampState::off
+              : value == info.words.back().value  ? LampState::on
+                                                  : LampState::armed);
+    rest.min.x += ui.px(20);
+  }
+  draw_value(f, i, rest, info.words.empty());
 }
 
 }  // namespace hw::panels

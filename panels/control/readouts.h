@@ -1,6 +1,7 @@
 #pragma once
 // What a controller tells beside positions and inputs (Catalog::readouts), by group: values of the whole
 // controller as rows, values of each axis as a table. Ids: `readout/ID`.
+#include <bitset>
 #include <string_view>
 
 #include "gui/shell/frame.h"
@@ -23,9 +24,15 @@ class ReadoutText {
   bool known_ = false, old_ = false, bad_ = false;
 };
 
-/// All readouts of a group at ImGui's cursor, `width` logical; has them polled while they are in sight.
-void draw_readouts(gui::Frame& frame, int group, float width);
+/// By index in Catalog::readouts.
+using ReadoutSet = std::bitset<max_readouts>;
+
+/// The readouts of a group at ImGui's cursor, `width` logical, but for those that are `elsewhere`; has them
+/// polled while they are in sight.
+void draw_readouts(gui::Frame& frame, int group, float width, const ReadoutSet& elsewhere = {});
 /// What draw_readouts() takes, logical.
-float readouts_height(const Catalog& catalog, int group);
+float readouts_height(const Catalog& catalog, int group, const ReadoutSet& elsewhere = {});
+/// One value within `in`: a number ends at its right border, a word begins at the left one. Has it polled.
+void draw_readout(gui::Frame& frame, std::size_t readout, const gui::Rect& in);
 
 }  // namespace hw::panels

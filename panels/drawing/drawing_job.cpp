@@ -1,6 +1,7 @@
 #include "panels/drawing/drawing_job.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -37,9 +38,18 @@ std::vector<int> chains_of_steps(const Conversion& made) {
   return chains;
 }
 
-/// The path that the sequence says; each run with its chain.
-std::shared_ptr<const drawing::ToolPath> path_of(const Conversion& made, drawing::Point scale) {
-  drawing::ToolPath path = sequence_path(made.sequence, scale);
+/// How far its chords lie beside its arcs, where they go through a controller's buffer; else 0.
+double chord_of(const sequence::Sequence& sequence, const Parts& parts) {
+  constexpr double half_a_step = 0.5;
+  const bool streams = !parts.empty() && std::any_of(parts.front()->all.begin(), parts.front()->all.end(),
+                                                     [](const Piece& piece) { return piece.draws >= 0; });
+  return streams ? std::max(half_a_step / sequence.axes[0].per_unit, sequence.tolerance) : 0;
+}
+
+/// The path as the machine goes it; each run with its chain.
+std::shared_ptr<const drawing::ToolPath> path_of(const Conversion& made, const Parts& parts,
+                                                 drawing::Point scale) {
+  drawing::ToolPath path = sequence_path(made.sequence, scale, chord_of(made.sequence, parts));
   for (drawing::ToolPath::Run& run : path.runs) {
     const auto next = std::upper_bound(made.begins.begin(), made.begins.end(),
                                        static_cast<std::size_t>(std::max(run.source, 0)));
@@ -48,9 +58,19 @@ std::shared_ptr<const drawing::ToolPath> path_of(const Conversion& made, drawing
   return std::make_shared<const drawing::ToolPath>(std::move(path));
 }
 
-std::optional<double> without_ramps(const Conversion& made, const ConversionOptions& options) {
-  if (!(options.cutting.high > 0) || !(options.travel.high > 0)) return std::nullopt;
-  return made.drawn / options.cutting.high + made.way / options.travel.high;
+/// By chain, with the way to it. Empty: it goes at the controller's own speeds.
+std::vector<double> without_ramps(const Conversion& made, const ConversionOptions& options) {
+  std::vector<double> all;
+  if (!(options.cutting.high > 0) || !(options.travel.high > 0)) return all;
+  drawing::Point at;
+  for (const drawing::Chain& chain : made.chains) {
+    double drawn = 0;
+    for (const drawing::Curve& curve : chain.curves) drawn += curve.length();
+    const double way = std::hypot(chain.begin().x - at.x, chain.begin().y - at.y);
+    all.push_back(drawn / options.cutting.high + way / options.travel.high);
+    at = chain.end();
+  }
+  return all;
 }
 
 /// The text of a controller that draws by itself, and how long it takes.
@@ -109,9 +129,45 @@ void time_together(DrawingJob::Made& made, const Catalog& catalog, const Console
   made.chain_seconds = std::move(seconds);
 }
 
+/// Of one controller that does it in pieces. What is behind the rehearsed time takes as much longer than
+/// its length says as what came before.
+void time_pieces(DrawingJob::Made& made, const Console::InPieces& rehearse) {
+  std::vector<double>& chains = made.chain_seconds;  // by their lengths, so far
+  if (!rehearse) return;
+  const auto done = rehearse(made.parts.front());
+  if (!done) {
+    made.written.remarks.insert(made.written.remarks.begin(),
+                                "It was not rehearsed to its end: " + done.error().sentence());
+    return;
+  }
+  const std::vector<std::size_t>& begins = made.conversion.begins;
+  if (done->finished) made.duration_s = done->duration_s;
+  if (!done->told.empty()) made.written.remarks.insert(made.written.remarks.begin(), done->told);
+  chains.resize(begins.size());
+  const int last_step = done->came_to.empty() ? -1 : done->came_to.back().step;
+  double before = 0, of_length = 0;
+  for (std::size_t c = 0; c < begins.size(); ++c) {
+    const bool last = c + 1 == begins.size();
+    if (!done->finished && (last || static_cast<int>(begins[c + 1]) > last_step)) {
+      const double stretch = of_length > 0 ? std::max(before / of_length, 1.0) : 1.0;
+      for (; c < chains.size(); ++c) chains[c] *= stretch;
+      return;
+    }
+    const double behind = last ? done->duration_s : done->when(static_cast<int>(begins[c + 1]));
+    of_length += chains[c];
+    chains[c] = behind - std::exchange(before, behind);
+  }
+}
+
+/// How a worker rehearses what is done in pieces; null: it cannot.
+struct Rehearsing {
+  Console::Together together;
+  Console::InPieces alone;
+};
+
 /// All that a drawing becomes. Long.
 Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& catalog,
-                              const Language* language, const Console::Together& together,
+                              const Language* language, const Rehearsing& rehearsing,
                               const ConversionOptions& options, drawing::Point scale,
                               std::atomic<float>& ordered) {
   auto converted = convert(drawing, catalog, options, [&](double done) {
@@ -121,7 +177,8 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
   ordered = 1;
   if (!converted) return fail(converted.error());
   DrawingJob::Made made;
-  made.at_least_s = without_ramps(*converted, options);
+  std::vector<double> least = without_ramps(*converted, options);
+  if (!least.empty()) made.at_least_s = std::accumulate(least.begin(), least.end(), 0.0);
   made.conversion = std::move(*converted);
   if (language)
     if (auto text = write(made, catalog, *language); !text) return fail(text.error());
@@ -131,9 +188,12 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
     made.no_pieces = parts.error().sentence();
   if (!language && !made.parts.empty()) {
     if (auto said = say_tool(made, catalog); !said) return fail(said.error());
-    time_together(made, catalog, together);
+    time_together(made, catalog, rehearsing.together);
+  } else if (made.chain_seconds.empty() && !made.parts.empty()) {
+    made.chain_seconds = std::move(least);
+    time_pieces(made, rehearsing.alone);
   }
-  made.path = path_of(made.conversion, scale);
+  made.path = path_of(made.conversion, made.parts, scale);
   return made;
 }
 
@@ -154,7 +214,7 @@ Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalo
   return parts;
 }
 
-std::optional<double> DrawingJob::seconds_left(const Made& made, int step, int percent) {
+std::optional<double> DrawingJob::seconds_left(const Made& made, int step, int percent, double at_it_s) {
   const std::vector<std::size_t>& begins = made.conversion.begins;
   if (made.chain_seconds.empty() || made.chain_seconds.size() != begins.size() || percent <= 0)
     return std::nullopt;
@@ -168,7 +228,14 @@ std::optional<double> DrawingJob::seconds_left(const Made& made, int step, int p
         at <= begins[chain] ? 1.0 : static_cast<double>(end - at) / static_cast<double>(end - begins[chain]);
     left += share * made.chain_seconds[chain];
   }
-  return left * 100 / percent;
+  return std::max(left * 100 / percent - at_it_s, 0.0);
+}
+
+void StepClock::follow(const PiecesState& now, Instant clock) {
+  if (now.step != step_ || now.done != done_) at_it_s_ = 0;
+  if (now.running && !now.held && now.step == step_ && now.done == done_)
+    at_it_s_ += std::max(hw::seconds(clock - seen_at_), 0.0);
+  step_ = now.step, done_ = now.done, seen_at_ = clock;
 }
 
 void DrawingJob::open(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted) {
@@ -218,8 +285,10 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
   *ordered_ = 0;
   f.tab.desk().worker().run(
       [drawing = drawing_, catalog = f.catalog, language = together ? nullptr : language,
-       rehearse = together ? f.console.rehearsal_of(*f.tab.bus) : nullptr, wanted, scale,
-       ordered = ordered_] { return make(*drawing, catalog, language, rehearse, wanted, scale, *ordered); },
+       rehearsing = together ? Rehearsing{f.console.rehearsal_of(*f.tab.bus), nullptr}
+                             : Rehearsing{nullptr, f.console.rehearsal_of(f.tab)},
+       wanted, scale,
+       ordered = ordered_] { return make(*drawing, catalog, language, rehearsing, wanted, scale, *ordered); },
       [this](Result<Made> made) {
         converting_ = false;
         ++version_;

@@ -21,23 +21,40 @@ using Parts = std::vector<std::shared_ptr<const Pieces>>;
 Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalog, const Language* language,
                        int from_step);
 
+/// How long it has been at the step that was told last: controllers that run a stored program tell no other
+/// until it ends.
+class StepClock {
+ public:
+  /// Once a frame.
+  void follow(const PiecesState& now, Instant clock);
+  [[nodiscard]] double at_it_s() const { return at_it_s_; }
+
+ private:
+  std::int32_t step_ = -1, done_ = 0;
+  Instant seen_at_{};
+  double at_it_s_ = 0;  ///< without the times in which it was held
+};
+
 class DrawingJob {
  public:
   struct Made {
     Conversion conversion;
-    SequenceText written;               ///< empty: several controllers draw it, and there is no one program
-    std::string frame;                  ///< text that goes once around it with the tool off
-    std::string problem;                ///< of the text: it does not fit; empty: none
-    std::optional<double> duration_s;   ///< as rehearsed
-    std::optional<double> at_least_s;   ///< by the speeds that are asked for; together: with ramps
-    Parts parts;                        ///< empty: it has no pieces
-    std::string no_pieces;              ///< why
-    std::vector<double> chain_seconds;  ///< of the chains that the rehearsal has listed
+    SequenceText written;              ///< empty: several controllers draw it, and there is no one program
+    std::string frame;                 ///< text that goes once around it with the tool off
+    std::string problem;               ///< of the text: it does not fit; empty: none
+    std::optional<double> duration_s;  ///< as rehearsed
+    std::optional<double> at_least_s;  ///< by the speeds that are asked for; together: with ramps
+    Parts parts;                       ///< empty: it has no pieces
+    std::string no_pieces;             ///< why
+    /// As rehearsed, or as their lengths say what was not; empty: nothing tells.
+    std::vector<double> chain_seconds;
     std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes; a source is a chain
   };
 
-  /// From a step of its sequence on, at that share of its speeds; none: it was not rehearsed.
-  [[nodiscard]] static std::optional<double> seconds_left(const Made& made, int step, int percent);
+  /// From a step of its sequence on, at that share of its speeds, so long after it was come to; none: nothing
+  /// tells.
+  [[nodiscard]] static std::optional<double> seconds_left(const Made& made, int step, int percent,
+                                                          double at_it_s = 0);
 
   /// The file is read, and converted as is wanted then.
   void open(gui::Frame& frame, const std::filesystem::path& file, const ConversionOptions& wanted);

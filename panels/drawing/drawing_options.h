@@ -34,6 +34,8 @@ class DrawingOptions {
   /// The axes that go along its X and Y, by their place in the catalog.
   [[nodiscard]] const std::array<int, 2>& axes() const { return place_.axes(); }
   [[nodiscard]] const ConversionOptions& wanted() const { return wanted_; }
+  /// What of it is not understood, as a sentence; empty: all is.
+  [[nodiscard]] const std::string& wrong() const { return tool_.wrong(); }
   /// Changes with wanted().
   [[nodiscard]] std::uint64_t version() const { return version_; }
 

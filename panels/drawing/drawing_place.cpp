@@ -24,6 +24,7 @@ double steps_in_mm(const Frame& f, int axis) {
 void DrawingPlace::begin(const Frame& f) {
   for (const AxisInfo& axis : f.catalog.axes) axis_names_.push_back(axis.name);
   for (const std::size_t d : {0, 1}) take_axis(f, d, axes_[d]);
+  join_.set(ConversionOptions().touching, 3);
 }
 
 void DrawingPlace::take_axis(const Frame& f, std::size_t direction, int axis) {
@@ -40,6 +41,7 @@ void DrawingPlace::put(const Frame& f, ConversionOptions& o) const {
   o.placing.point = point_;
   o.placing.swapped = swap_, o.placing.mirrored_x = flip_x_, o.placing.mirrored_y = flip_y_;
   if (tolerance_.value() > 0) o.tolerance = tolerance_.value();
+  o.touching = join_.value();
   const auto& [left, right, bottom, top] = table_;
   if (right.value() <= left.value() || top.value() <= bottom.value()) return;
   o.table.emplace();
@@ -67,6 +69,7 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
   wrapped(ui, Face::small, Tone::ink3,
           stairs ? "One axis moves at a time: say how far the corners of the stairs may lie beside the line."
                  : "Of chords and curves; empty: half a step.");
+  changed |= join_.draw(f, "drawing/join", "Join ends within", 0, "mm");
   changed |= draw_table(f);
   group_line(ui);
   return changed;

@@ -2,7 +2,7 @@
 // Where a drawing comes to lie: its unit, the axes that draw it and their scale, what lies at 0, 0, and the
 // table. Ids: `drawing/unit`, `drawing/along_x`, `drawing/along_y`, `drawing/per_unit/AXIS`,
 // `drawing/origin/...`, `drawing/swap`, `drawing/flip_x`, `drawing/flip_y`, `drawing/tolerance`,
-// `drawing/table/left` (right, bottom, top).
+// `drawing/join`, `drawing/table/left` (right, bottom, top).
 #include <array>
 #include <string_view>
 #include <vector>
@@ -45,6 +45,7 @@ class DrawingPlace {
   drawing::Point point_;  ///< of the drawing, at 0, 0
   bool swap_ = false, flip_x_ = false, flip_y_ = false;
   NumberOption tolerance_;
+  NumberOption join_;
   std::array<NumberOption, 4> table_;  ///< left, right, bottom, top
 };
 

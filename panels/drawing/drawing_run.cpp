@@ -1,6 +1,7 @@
 #include "panels/drawing/drawing_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -22,7 +23,7 @@ using namespace gui;
 
 namespace {
 
-std::string_view why_not_now(const Frame& f) {
+std::string_view why_not_at_all(const Frame& f) {
   if (!f.connected()) return "There is no link. Cut comes back when the controller answers.";
   if (f.tab.desk().job.busy()) return "A program is being transferred.";
   const ProgramState& p = f.now.program;
@@ -64,9 +65,39 @@ void DrawingRun::draw(Frame& f, const Wanted& wanted) {
   gap(f.ui, 8);
 }
 
+/// At all, or for these.
+std::string_view DrawingRun::why_not_now(const Frame& f, const Pieces* pieces) {
+  const std::uint32_t closed = pieces ? loops_in_the_way(*pieces, f.now) : 0;
+  if (std::exchange(closed_loops_, closed) != closed)
+    loops_ = closed != 0 ? why_not_begun(*pieces, f.catalog, f.now) : std::string();
+  if (const std::string_view why = why_not_at_all(f); !why.empty()) return why;
+  return loops_;
+}
+
+/// What keeps it from being cut, and what mends that.
+void DrawingRun::draw_loops(Frame& f, const Pieces& pieces) {
+  if (closed_loops_ == 0) return;
+  Ui& ui = f.ui;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  wrapped(ui, Face::body, Tone::warn, loops_);
+  show(ui, {"drawing/loops", Kind::text, "Closed loops", loops_}, {from, ImGui::GetCursorScreenPos()});
+  gap(ui, 4);
+  const ButtonOptions off{
+      .disabled = why_not_at_all(f),
+      .tip = "Positions count in steps from then on. It stays off until you switch it on.",
+      .height = 40};
+  if (button(ui, "drawing/open_loops", "Switch it off", off).clicked)
+    for (const OpenLoop& loop : pieces.open_loops)
+      if ((closed_loops_ >> loop.axis.index & 1u) != 0) f.send(intent::SetParam(loop.parameter, 0));
+  gap(ui, 8);
+}
+
 void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
-  const std::string_view now = working_ ? "It is being worked out." : why_not_now(f);
   const bool any = wanted.made && !wanted.made->parts.empty();
+  const Pieces* pieces = any ? wanted.made->parts.front().get() : nullptr;
+  const std::string_view why = why_not_now(f, pieces);
+  const std::string_view now = working_ ? "It is being worked out." : why;
+  if (pieces) draw_loops(f, *pieces);
   const ButtonOptions options{.icon = Icon::play,
                               .disabled = any || wanted.in_work ? now : wanted.why_not,
                               .tip = any ? wanted.made->written.tool : std::string_view(),
@@ -76,10 +107,10 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
   waits_ = button(f.ui, "drawing/cut", "Cut", options).clicked || waits_;
   const bool asks = !wanted.in_work && std::exchange(waits_, false);
   if (asks && any && now.empty()) {
-    const std::string time = wanted.time.empty() ? "" : fmt::format(" and takes {}", wanted.time);
-    asked_.goes_on = false;
-    ask(f, wanted.made, wanted.made->parts,
-        fmt::format("It goes {}{}.", in_pieces(wanted.made->parts.front()->all.size()), time));
+    const std::string time = wanted.time.empty() ? "" : fmt::format(", and takes {}", wanted.time);
+    ask(f, What::all, wanted.made, wanted.made->parts,
+        fmt::format("It goes {}, {} move{} in all{}.", in_pieces(wanted.made->parts.front()->all.size()),
+                    wanted.moves, wanted.moves == 1 ? "" : "s", time));
   }
   if (!cut_ || !was_stopped(pieces_of(f))) return;
   ImGui::SameLine(0, f.ui.px(8));
@@ -142,6 +173,7 @@ void DrawingRun::draw_override(Frame& f) {
 void DrawingRun::draw_progress(Frame& f) {
   const PiecesState& now = pieces_of(f);
   if (now.total == 0) return;
+  clock_.follow(now, f.clock);
   progress_.clear();
   const char* what = was_stopped(now) ? "Stopped in"
                      : !now.held      ? "At"
@@ -151,8 +183,9 @@ void DrawingRun::draw_progress(Frame& f) {
     fmt::format_to(std::back_inserter(progress_), "All {} pieces are done", now.total);
   else
     fmt::format_to(std::back_inserter(progress_), "{} piece {} of {}", what, now.done + 1, now.total);
-  if (const auto left =
-          cut_ && now.running ? DrawingJob::seconds_left(*cut_, now.step, now.percent) : std::nullopt)
+  if (const auto left = cut_ && now.running
+                            ? DrawingJob::seconds_left(*cut_, now.step, now.percent, clock_.at_it_s())
+                            : std::nullopt)
     fmt::format_to(std::back_inserter(progress_), ", {} left", format_duration(*left).view());
   const auto steps = cut_ ? cut_->conversion.sequence.steps.size() : 0;
   const double share = now.done == now.total ? 1
@@ -168,50 +201,67 @@ void DrawingRun::draw_progress(Frame& f) {
 
 // ---- what is asked, and what comes of it
 
-void DrawingRun::ask(Frame& f, Made made, Parts parts, std::string question) {
+void DrawingRun::ask(Frame& f, What what, Made made, Parts parts, std::string question) {
   asked_.question = std::move(question) + said_first(*parts.front(), f.catalog, made->written.tool);
-  asked_.made = std::move(made), asked_.parts = std::move(parts);
+  asked_.what = what, asked_.made = std::move(made), asked_.parts = std::move(parts);
   asked_.go_ahead = f.tab.desk().until_stopped();
   asked_.open = true;
 }
 
 /// What is left is cut anew: from the start of what was being drawn.
-void DrawingRun::ask_to_go_on(Frame& f) {
+void DrawingRun::ask_to_go_on(Frame& f) { work_out(f, What::rest, cut_, pieces_of(f).step); }
+
+std::string_view DrawingRun::why_no_trace(const Frame& f) const {
+  if (working_) return "It is being worked out.";
+  if (pieces_of(f).running)
+    return "The drawing is being cut. Frame comes back when it has ended or was stopped.";
+  return why_not_at_all(f);
+}
+
+void DrawingRun::trace_frame(Frame& f, Made made) { work_out(f, What::frame, std::move(made), 0); }
+
+void DrawingRun::work_out(Frame& f, What what, Made made, int from_step) {
   const Language* language = draws_together(f) ? nullptr : f.tab.desk().language();
   working_ = true;
-  const int step = pieces_of(f).step;
-  f.tab.desk().worker().run([made = cut_, catalog = f.catalog, language,
-                             step] { return parts_of(made->conversion.sequence, catalog, language, step); },
-                            [this, &console = f.console](Result<Parts> left) {
-                              working_ = false;
-                              if (!left) return console.toast(Mood::fault, left.error().sentence());
-                              left_ = std::move(*left);
-                            },
-                            alive_);
+  f.tab.desk().worker().run(
+      [what, made, catalog = f.catalog, language, from_step] {
+        const Conversion& c = made->conversion;
+        return parts_of(what == What::frame ? c.frame : c.sequence, catalog, language, from_step);
+      },
+      [this, what, made, &console = f.console](Result<Parts> parts) {
+        working_ = false;
+        if (!parts) return console.toast(Mood::fault, parts.error().sentence());
+        worked_out_ = {what, made, std::move(*parts)};
+      },
+      alive_);
   f.ui.wake_in(0);
 }
 
 void DrawingRun::draw_dialog(Frame& f) {
-  if (Parts left = std::exchange(left_, {}); !left.empty() && was_stopped(pieces_of(f))) {
-    asked_.goes_on = true;
+  auto [what, made, parts] = std::exchange(worked_out_, {});
+  if (!parts.empty() && what == What::frame)
+    ask(f, what, std::move(made), std::move(parts),
+        "It goes once around the drawing with the tool off, and back to where that began.");
+  else if (!parts.empty() && was_stopped(pieces_of(f))) {
     std::string question =
         fmt::format("The tool goes to the start of what was being drawn, off, and draws the rest {}.",
-                    in_pieces(left.front()->all.size()));
-    ask(f, cut_, std::move(left), std::move(question));
+                    in_pieces(parts.front()->all.size()));
+    ask(f, what, std::move(made), std::move(parts), std::move(question));
   }
   if (!asked_.open) return;
-  const Dialog what{.title = asked_.goes_on ? "Go on with the drawing?" : "Cut the drawing?",
-                    .sentences = asked_.question,
-                    .yes = asked_.goes_on ? "Go on" : "Cut",
-                    .moving = true};
-  if (dialog(f.ui, "drawing/ask_cut", asked_.open, what) == Answer::yes) cut(f);
+  static constexpr std::array<std::array<std::string_view, 2>, 3> words{
+      {{"Cut the drawing?", "Cut"}, {"Go on with the drawing?", "Go on"}, {"Trace the frame?", "Trace"}}};
+  const auto& [title, yes] = words[static_cast<std::size_t>(asked_.what)];
+  const Dialog dialog_of{.title = title, .sentences = asked_.question, .yes = yes, .moving = true};
+  if (dialog(f.ui, "drawing/ask_cut", asked_.open, dialog_of) == Answer::yes) cut(f);
 }
 
 /// While the question stood a stop may have come, or something else have begun.
 void DrawingRun::cut(Frame& f) {
   if (asked_.go_ahead.expired()) return f.toast(Mood::warn, "A stop came first. Nothing was begun.");
-  if (const std::string_view why = why_not_now(f); !why.empty()) return f.toast(Mood::warn, std::string(why));
-  cut_ = asked_.made;
+  if (const std::string_view why = why_not_now(f, asked_.parts.front().get()); !why.empty())
+    return f.toast(Mood::warn, std::string(why));
+  cut_ = asked_.what == What::frame ? nullptr : asked_.made;  // a frame is not gone on with
   begun_.clear();
   const Parts& parts = asked_.parts;
   if (!draws_together(f)) {
@@ -220,7 +270,7 @@ void DrawingRun::cut(Frame& f) {
   }
   auto seats = PieceSync::seats(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const int axis = f.catalog.find_axis(cut_->conversion.sequence.axes[i].name);
+    const int axis = f.catalog.find_axis(asked_.made->conversion.sequence.axes[i].name);
     Tab& owner = owner_of(f, axis);
     begun_.push_back({&owner, owner.send(intent::RunInPieces(parts[i], std::move(seats[i])))});
   }

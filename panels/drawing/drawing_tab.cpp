@@ -13,7 +13,6 @@
 #include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
-#include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/drawing/drawn_together.h"
 #include "panels/lines.h"
@@ -26,9 +25,6 @@ namespace {
 
 constexpr float drawing_side = 288, both_width = 620, both_height = 480, chains_height = 216,
                 bar_and_picture = 240;
-constexpr std::size_t most_left_out = 40;
-
-std::string in_mm(double v) { return fmt::format("{} mm", format_number(v, 1).view()); }
 
 }  // namespace
 
@@ -49,7 +45,7 @@ void DrawingTab::draw_all(Frame& f) {
   for (const auto& path : f.tab.desk().take_dropped("drawing")) open(f, path);
   options_.settle(f, job_.drawing());
   job_.follow(f, options_.wanted(), options_.version(), scale_of(f));
-  say();
+  facts_.follow(job_, options_.wanted());
   draw_toolbar(f);
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float height = (f.ui.px(f.area.bottom()) - top.y) / f.ui.scale;
@@ -138,64 +134,34 @@ void DrawingTab::open(Frame& f, const std::filesystem::path& path) {
   job_.open(f, path, options_.wanted());
 }
 
-void DrawingTab::say() {
-  if (std::exchange(said_, job_.version()) == job_.version()) return;
-  time_.clear(), drawn_.clear(), travel_.clear(), saved_.clear(), size_.clear(), chains_.clear();
-  left_out_.clear(), left_out_title_.clear(), off_.clear();
-  if (const drawing::Drawing* d = job_.drawing(); d && !d->left_out.empty()) {
-    left_out_title_ = fmt::format("{} in the file", d->left_out.size());
-    for (std::size_t i = 0; i < std::min(most_left_out, d->left_out.size()); ++i) {
-      const drawing::LeftOut& l = d->left_out[i];
-      left_out_.push_back(fmt::format("{} {}, line {}: {}", l.what, l.entity, l.line, l.why));
-    }
-  }
-  const DrawingJob::Made* made = job_.made();
-  if (!made) return;
-  const Conversion& c = made->conversion;
-  if (made->duration_s)
-    time_ = format_duration(*made->duration_s).view();
-  else if (made->at_least_s)
-    time_ = fmt::format("at least {}", format_duration(*made->at_least_s).view());
-  drawn_ = in_mm(c.drawn), travel_ = in_mm(c.way);
-  if (const double saved = c.way_as_drawn - c.way; saved > 0) {
-    saved_ = in_mm(saved);
-    if (const double speed = options_.wanted().travel.high; speed > 0)
-      saved_ += fmt::format(", {} s", format_number(saved / speed, 1).view());
-  }
-  size_ = fmt::format("{} \u00d7 {} mm", format_number(c.box.high.x - c.box.low.x, 3).view(),
-                      format_number(c.box.high.y - c.box.low.y, 3).view());
-  if (!c.off_the_table.empty())
-    off_ = fmt::format("{} of {} chains leave the table.", c.off_the_table.size(), c.chains.size());
-  chains_ = fmt::format("{}", c.chains.size());
-  if (const auto lines = made->written.step_of_line.size(); lines > 0)
-    chains_ += fmt::format(", {} lines", lines);
-}
-
 std::string_view DrawingTab::why_not() const {
   if (!job_.drawing()) return "No drawing has been opened.";
   if (job_.busy()) return "It is being worked out.";
+  if (!options_.wrong().empty()) return options_.wrong();
   if (!job_.made()) return job_.fault();
   return {};
 }
 
-std::string_view DrawingTab::why_no_use(Use use) const {
+std::string_view DrawingTab::why_no_use(const Frame& f, Use use) const {
   if (job_.drawing() && job_.busy()) return {};
   if (const auto why = why_not(); !why.empty()) return why;
+  if (together_ && use == Use::frame) return run_.why_no_trace(f);
   if (together_) return "Several controllers draw it together: there is no one text for them.";
   return use == Use::program ? std::string_view(job_.made()->problem) : std::string_view();
 }
 
 void DrawingTab::draw_use(Frame& f, Use use, std::string_view id, std::string_view label, float gap,
                           ButtonOptions look) {
-  look.disabled = why_no_use(use);
+  look.disabled = why_no_use(f, use);
   next_in_toolbar(f, gap, button_width(f.ui, label, look));
   look.on = wanted_ == use;
   if (button(f.ui, id, label, look).clicked) wanted_ = use;
 }
 
 void DrawingTab::use(Frame& f, Use use) {
-  if (!why_no_use(use).empty()) return;
+  if (!why_no_use(f, use).empty()) return;
   if (use == Use::program) return ask_or_put(f, job_.made()->written.text);
+  if (use == Use::frame && together_) return run_.trace_frame(f, job_.shared_made());
   if (use == Use::frame) return ask_or_put(f, job_.made()->frame);
   asking_blocks_ = f.tab.desk().blocks.edited();
   if (!asking_blocks_) to_blocks(f);
@@ -246,9 +212,12 @@ void DrawingTab::draw_toolbar(Frame& f) {
     open_.ask_open("Open a drawing", open_.folder(), {".dxf"});
   draw_use(f, Use::blocks, "drawing/to_blocks", "To the blocks", 8, look);
   draw_use(f, Use::program, "drawing/to_program", "To the program", 8, look);
-  look.style = ButtonStyle::quiet, look.tip = "A program that goes once around it with the tool off.";
+  look.style = ButtonStyle::quiet, look.tip = together_
+                                                  ? "Goes once around it with the tool off."
+                                                  : "A program that goes once around it with the tool off.";
+  look.moving = together_.has_value();
   draw_use(f, Use::frame, "drawing/frame", "Frame", 0, look);
-  look.tip = {};
+  look.tip = {}, look.moving = false;
   next_in_toolbar(f, 0, button_width(ui, "Fit", look));
   if (button(ui, "drawing/fit", "Fit", look).clicked) canvas_.fit();
   if (f.area.width < both_width) {
@@ -267,70 +236,21 @@ void DrawingTab::draw_side(Frame& f, float height) {
   Ui& ui = f.ui;
   draw_line_down(f);
   begin_part(ui, "drawing/side", 0, ui.px(height), Tone::panel, 16);
-  draw_facts(f);
+  facts_.draw(f, job_);
   draw_run(f);
   options_.draw(f, job_.drawing());
-  draw_left_out(f);
+  facts_.draw_left_out(f);
   gap(ui, 16);
   end_part();
 }
 
-void DrawingTab::draw_facts(Frame& f) {
-  Ui& ui = f.ui;
-  section_title(ui, "Time", job_.busy_with());
-  // Always there: what is to be clicked below must not move while something is worked out.
-  const float share = job_.busy() ? job_.ordered() : job_.made() ? 1.0f : 0.0f;
-  meter(ui, "drawing/progress", "Done", share,
-        {.tone = job_.busy() ? Tone::motion : Tone::ink2, .words = job_.busy_with()});
-  gap(ui, 8);
-  const DrawingJob::Made* made = job_.made();
-  const std::string& wrong = made ? made->problem : job_.fault();
-  if (!wrong.empty()) {
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    wrapped(ui, Face::body, Tone::fault, wrong);
-    show(ui, {"drawing/problem", Kind::text, "Problem", wrong}, {from, ImGui::GetCursorScreenPos()});
-    gap(ui, 8);
-  }
-  if (!off_.empty()) {
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    wrapped(ui, Face::body, Tone::warn, off_);
-    show(ui, {"drawing/off", Kind::text, "Off the table", off_}, {from, ImGui::GetCursorScreenPos()});
-    gap(ui, 8);
-  }
-  if (made) {
-    if (!time_.empty()) key_value(ui, "drawing/time", made->duration_s ? "Rehearsed" : "Takes", time_);
-    key_value(ui, "drawing/drawn", "Tool on", drawn_);
-    key_value(ui, "drawing/travel", "Tool off", travel_);
-    if (!saved_.empty()) key_value(ui, "drawing/saved", "Saved by the order", saved_, Tone::ok);
-    key_value(ui, "drawing/size", "Size", size_);
-    key_value(ui, "drawing/chains", "Chains", chains_);
-    if (!made->written.remarks.empty()) wrapped(ui, Face::small, Tone::ink2, made->written.remarks.front());
-    if (!made->written.tool.empty()) wrapped(ui, Face::small, Tone::ink2, made->written.tool);
-  } else if (!job_.drawing()) {
-    wrapped(ui, Face::body, Tone::ink2, "Lines, arcs, circles, polylines, ellipses and splines are cut.");
-  }
-  group_line(ui);
-}
-
 void DrawingTab::draw_run(Frame& f) {
-  DrawingRun::Wanted wanted{job_.busy() ? nullptr : job_.shared_made(), why_not(), time_,
+  const bool nothing = job_.busy() || !options_.wrong().empty();
+  DrawingRun::Wanted wanted{nothing ? nullptr : job_.shared_made(), why_not(), facts_.time(), facts_.moves(),
                             job_.drawing() && job_.busy()};
   if (wanted.made && wanted.made->parts.empty()) wanted.why_not = wanted.made->no_pieces;
   run_.draw(f, wanted);
   group_line(f.ui);
-}
-
-void DrawingTab::draw_left_out(Frame& f) {
-  if (left_out_.empty()) return;
-  Ui& ui = f.ui;
-  section_title(ui, "Left out", left_out_title_);
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  for (const std::string& what : left_out_) {
-    wrapped(ui, Face::small, Tone::ink2, what);
-    gap(ui, 4);
-  }
-  show(ui, {"drawing/left_out", Kind::text, "Left out", left_out_.front()},
-       {from, ImGui::GetCursorScreenPos()});
 }
 
 void DrawingTab::draw_dialogs(Frame& f) {

@@ -1,8 +1,8 @@
 #pragma once
 // A drawing file: what it shows, where it comes to lie, what the tool does along it, and the program that
 // comes of it. Ids: `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/frame`,
-// `drawing/off`, `drawing/fit`, `drawing/settings`, `drawing/view`, `drawing/problem`, `drawing/progress`,
-// `drawing/time`, `drawing/left_out`; the settings: see DrawingOptions; cutting it: see DrawingRun.
+// `drawing/fit`, `drawing/settings`, `drawing/view`; what is said of it: see DrawingFacts; the settings: see
+// DrawingOptions; cutting it: see DrawingRun.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -11,6 +11,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/file_dialog.h"
 #include "panels/drawing/drawing_chains.h"
+#include "panels/drawing/drawing_facts.h"
 #include "panels/drawing/drawing_job.h"
 #include "panels/drawing/drawing_options.h"
 #include "panels/drawing/drawing_run.h"
@@ -27,19 +28,16 @@ class DrawingTab final : public gui::Panel {
   [[nodiscard]] PathSubject subject_of(const gui::Frame& frame);
   [[nodiscard]] drawing::Point scale_of(const gui::Frame& frame) const;
   void open(gui::Frame& frame, const std::filesystem::path& path);
-  void say();
   void draw_toolbar(gui::Frame& frame);
   void draw_picture(gui::Frame& frame, float width, float height);
   void draw_side(gui::Frame& frame, float height);
-  void draw_facts(gui::Frame& frame);
   void draw_run(gui::Frame& frame);
-  void draw_left_out(gui::Frame& frame);
   void draw_dialogs(gui::Frame& frame);
   /// What a click is for; it waits while the drawing is being worked out, as a field that it left began that.
   enum class Use : std::uint8_t { nothing, blocks, program, frame };
   void draw_use(gui::Frame& frame, Use use, std::string_view id, std::string_view label, float gap,
                 gui::ButtonOptions look);
-  [[nodiscard]] std::string_view why_no_use(Use use) const;
+  [[nodiscard]] std::string_view why_no_use(const gui::Frame& frame, Use use) const;
   void use(gui::Frame& frame, Use use);
   void to_blocks(gui::Frame& frame);
   void ask_or_put(gui::Frame& frame, std::string text);
@@ -51,13 +49,11 @@ class DrawingTab final : public gui::Panel {
   DrawingJob job_;
   DrawingOptions options_;
   DrawingRun run_;
+  DrawingFacts facts_;
   PathCanvas canvas_;
   DrawingChains chains_table_;
   gui::FileDialog open_;
-  std::uint64_t said_ = ~std::uint64_t{0};  ///< DrawingJob::version() that the words are of
-  std::string time_, drawn_, travel_, saved_, size_, chains_, left_out_title_;
-  std::vector<std::string> left_out_;
-  std::string off_, to_put_, here_;
+  std::string to_put_, here_;
   Use wanted_ = Use::nothing;
   bool asking_blocks_ = false, asking_program_ = false;
   bool settings_ = false;  ///< without room for both: they take the picture's place

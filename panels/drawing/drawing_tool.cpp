@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "core/base/index.h"
+#include "core/session/tool_routine.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
+#include "gui/widgets/text_field.h"
 #include "panels/drawing/drawing_place.h"
 #include "panels/widget_path.h"
 
@@ -21,9 +23,33 @@ void DrawingTool::begin(const Frame& f) {
   cut_speed_.set(5, 1), travel_speed_.set(10, 1);
 }
 
-// Lowered before it is switched on; switched off before it is lifted.
-void DrawingTool::put(const Frame& f, ConversionOptions& o) const {
+void DrawingTool::put(const Frame& f, ConversionOptions& o) {
   o.cutting.high = cut_speed_.value(), o.travel.high = travel_speed_.value();
+  wrong_.clear();
+  if (own_)
+    put_routines(f, o);
+  else
+    put_choices(f, o);
+}
+
+void DrawingTool::put_routines(const Frame& f, ConversionOptions& o) {
+  const PerUnit per_unit = [&](const std::string& name) {
+    const int axis = f.catalog.find_axis(name);
+    return axis == axis_ ? per_unit_.value() : steps_in_mm(f, axis);
+  };
+  for (auto [routine, steps] : {std::pair{0, &o.pen_down}, std::pair{1, &o.pen_up}}) {
+    auto read = read_routine(routines_[ix(routine)], f.catalog, per_unit, o.axes);
+    if (read)
+      *steps = std::move(*read);
+    else if (wrong_.empty())
+      wrong_ = read.error().sentence();
+  }
+  const auto back = switches_back(o.pen_down, o.pen_up, f.catalog);
+  if (!back && wrong_.empty()) wrong_ = back.error().sentence();
+}
+
+// Lowered before it is switched on; switched off before it is lifted.
+void DrawingTool::put_choices(const Frame& f, ConversionOptions& o) const {
   if (axis_ >= 0) {
     const std::size_t place = o.axes.size();
     o.axes.push_back({f.catalog.axes[ix(axis_)].name, per_unit_.value()});
@@ -52,6 +78,19 @@ bool DrawingTool::draw(Frame& f, const std::array<int, 2>& drawing_axes) {
   const bool draws = axis_ >= 0 && std::find(axes_.begin(), axes_.end(), axis_) == axes_.end();
   if (draws) axis_ = -1;  // it has been made one of those since
   bool changed = draws;
+  if (toggle_option(f, "drawing/own_routines", "Routines of my own", own_)) {
+    if (own_) begin_routines(f, drawing_axes);
+    changed = true;
+  }
+  changed |= own_ ? draw_routines(f) : draw_choices(f);
+  changed |= cut_speed_.draw(f, "drawing/cut_speed", "Tool on", 0, "mm/s");
+  changed |= travel_speed_.draw(f, "drawing/travel_speed", "Tool off", 0, "mm/s");
+  return changed;
+}
+
+bool DrawingTool::draw_choices(Frame& f) {
+  Ui& ui = f.ui;
+  bool changed = false;
   const ImVec2 at = begin_option(ui, "Output");
   if (const int picked = dropdown(ui, "drawing/tool", "Output", output_names_, output_, {.width = fill});
       picked >= 0)
@@ -62,8 +101,40 @@ bool DrawingTool::draw(Frame& f, const std::array<int, 2>& drawing_axes) {
     changed |= wait_on_.draw(f, "drawing/wait_on", "Wait when on", 0, "ms");
     changed |= wait_off_.draw(f, "drawing/wait_off", "Wait when off", 0, "ms");
   }
-  changed |= cut_speed_.draw(f, "drawing/cut_speed", "Tool on", 0, "mm/s");
-  changed |= travel_speed_.draw(f, "drawing/travel_speed", "Tool off", 0, "mm/s");
+  return changed;
+}
+
+/// What was chosen so far, to be gone on with.
+void DrawingTool::begin_routines(const Frame& f, const std::array<int, 2>& drawing_axes) {
+  if (!routines_[0].empty() || !routines_[1].empty()) return;
+  ConversionOptions chosen;
+  for (const int axis : drawing_axes)
+    if (ix(axis) < f.catalog.axes.size()) chosen.axes.push_back({f.catalog.axes[ix(axis)].name, 1});
+  put_choices(f, chosen);
+  routines_ = {write_routine(chosen.pen_down, f.catalog, chosen.axes),
+               write_routine(chosen.pen_up, f.catalog, chosen.axes)};
+}
+
+bool DrawingTool::draw_routines(Frame& f) {
+  Ui& ui = f.ui;
+  static constexpr std::array<const char*, 2> ids{"drawing/routine/on", "drawing/routine/off"};
+  static constexpr std::array<const char*, 2> labels{"To switch the tool on", "To switch it off"};
+  bool changed = false;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    text(ui, Face::body, Tone::ink2, labels[i]);
+    FieldOptions o;
+    o.face = Face::code_field;
+    o.placeholder = "nothing";
+    o.tip = "Steps in their order: an axis to a place (mm), an output on or off, wait a time (ms).";
+    const Field field = text_field(ui, ids[i], labels[i], routines_[i], o);
+    changed |= field.entered || field.left;
+    gap(ui, 4);
+  }
+  if (wrong_.empty()) return changed;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  wrapped(ui, Face::small, Tone::fault, wrong_);
+  show(ui, {"drawing/routine/wrong", Kind::text, "Routine", wrong_}, {from, ImGui::GetCursorScreenPos()});
+  gap(ui, 4);
   return changed;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 // The tool of a drawing: an axis that lowers it, an output that switches it, the time that it takes, and the
-// speeds with it on and off. Ids: `drawing/tool`, `drawing/wait_on`, `drawing/wait_off`, `drawing/tool_axis`,
-// `drawing/tool_axis/per_unit`, `drawing/tool_axis/down`, `drawing/tool_axis/up`, `drawing/cut_speed`,
-// `drawing/travel_speed`.
+// speeds with it on and off; or routines of the user's own. Ids: `drawing/tool`, `drawing/wait_on`,
+// `drawing/wait_off`, `drawing/tool_axis`, `drawing/tool_axis/per_unit`, `drawing/tool_axis/down`,
+// `drawing/tool_axis/up`, `drawing/own_routines`, `drawing/routine/on`, `drawing/routine/off`,
+// `drawing/routine/wrong`, `drawing/cut_speed`, `drawing/travel_speed`.
 #include <array>
 #include <string>
 #include <vector>
@@ -18,9 +19,16 @@ class DrawingTool {
   /// `drawing_axes` draw, and so cannot lower it. True: something of it is another now.
   bool draw(gui::Frame& frame, const std::array<int, 2>& drawing_axes);
   /// Behind the axes that draw.
-  void put(const gui::Frame& frame, ConversionOptions& options) const;
+  void put(const gui::Frame& frame, ConversionOptions& options);
+  /// Why a routine of the user's own is not understood; empty: they are.
+  [[nodiscard]] const std::string& wrong() const { return wrong_; }
 
  private:
+  void put_choices(const gui::Frame& frame, ConversionOptions& options) const;
+  void put_routines(const gui::Frame& frame, ConversionOptions& options);
+  bool draw_choices(gui::Frame& frame);
+  bool draw_routines(gui::Frame& frame);
+  void begin_routines(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
   void list_axes(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
   bool draw_axis(gui::Frame& frame);
 
@@ -31,6 +39,9 @@ class DrawingTool {
   std::vector<std::string_view> axis_names_;
   NumberOption per_unit_, down_, up_;
   NumberOption wait_on_, wait_off_, cut_speed_, travel_speed_;
+  bool own_ = false;
+  std::array<std::string, 2> routines_;  ///< on, off: see read_routine()
+  std::string wrong_;
 };
 
 }  // namespace hw::panels

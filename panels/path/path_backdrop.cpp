@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gui/model/tab.h"
+#include "panels/path/path_trace.h"
 
 namespace hw::panels {
 
@@ -12,6 +13,7 @@ using namespace gui;
 namespace {
 
 constexpr std::size_t drawn_after = 500;   // so many new points of the trace
+constexpr int older_after_s = 5;           // of its way: what has become older is drawn as that
 constexpr std::size_t most_coarse = 2500;  // points in a frame
 
 PathLook look_of(const Ui& ui) {
@@ -34,24 +36,32 @@ void PathBackdrop::follow(Frame& f, const PathSubject& s, const drawing::ToolPat
                           const drawing::PathView& view, bool turning) {
   const PathLook look = look_of(f.ui);
   const std::size_t traced = trace.points.size();
+  const int until = trace.runs.empty() ? 0 : trace.runs.back().source;
   const bool there = shown_.path == s.path && shown_.commanded == s.commanded && shown_.view == view &&
-                     shown_.look == look && traced >= shown_.traced && traced < shown_.traced + drawn_after;
+                     shown_.look == look && traced >= shown_.traced && traced < shown_.traced + drawn_after &&
+                     until < shown_.traced_until + older_after_s;
   if (there || under_way_) return;
   if (turning) return f.ui.wake_in(0);
-  PathLook meant = look, of_trace = look;
+  PathLook meant = look;
   meant.tool_on = meant.tool_off = f.ui[Tone::trace], meant.on_width = f.ui.hair(), meant.arrow_every = 0;
-  of_trace.tool_on = f.ui[Tone::motion], of_trace.on_width = f.ui.hair(), of_trace.arrow_every = 0;
+  std::array<PathLook, TraceAges::count> of_trace;
+  for (std::size_t age = 0; age < TraceAges::count; ++age)
+    of_trace[age].tool_on = trace_colour(f.ui, age), of_trace[age].on_width = trace_width(f.ui, age);
   under_way_ = true;
   const SharedPath coarse = shown_.path == s.path ? shown_.coarse : nullptr;
-  Shown next{nullptr, s.path, s.commanded, coarse, view, look, traced};
+  Shown next{nullptr, s.path, s.commanded, coarse, view, look, traced, until};
   f.tab.desk().worker().run(
       [next, trace, meant, of_trace]() mutable {
         static const drawing::ToolPath none;
         const auto layer = [](const SharedPath& path, const PathLook& drawn) {
           return PathLayer{path ? path.get() : &none, drawn};
         };
-        const std::array layers{layer(next.commanded, meant), layer(next.path, next.look),
-                                PathLayer{&trace, of_trace}};
+        std::array<PathLayer, 2 + TraceAges::count> layers{layer(next.commanded, meant),
+                                                           layer(next.path, next.look)};
+        const TraceAges ages = ages_of(trace);
+        for (std::size_t age = 0; age < TraceAges::count; ++age)
+          layers[2 + age] = {&trace, of_trace[age], ages.begin[age],
+                             age + 1 < TraceAges::count ? ages.begin[age + 1] : trace.runs.size()};
         next.picture = std::make_shared<const Picture>(path_picture(layers, next.view));
         if (next.path && !next.coarse && !next.view.flat())
           next.coarse = std::make_shared<const drawing::ToolPath>(coarser(*next.path, most_coarse));

@@ -31,6 +31,7 @@ class PathBackdrop {
     drawing::PathView view;
     gui::PathLook look;
     std::size_t traced = 0;
+    int traced_until = 0;  ///< source of the latest run of the trace
   };
   [[nodiscard]] bool fits(const drawing::PathView& view) const {
     return shown_.picture && shown_.view.projection() == view.projection();

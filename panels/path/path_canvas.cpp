@@ -23,7 +23,7 @@ constexpr float left_margin = 62, bottom_margin = 24, top_margin = 12, right_mar
 constexpr double points_within_px = 8, a_click_within_px = 4, zoom_step = 1.25;
 constexpr double degrees_a_px = 0.4, degrees_a_key = 15;
 
-/// Path, table, present place and where it has been; of three axes the origin too, for it is drawn.
+/// Path, table, present place and where it has been; and the origin, where it is drawn.
 drawing::Box3 all_of(const Frame& f, const PathSubject& s, const drawing::ToolPath& trace) {
   drawing::Box3 box = trace.bounds;
   for (const auto& path : {s.path, s.commanded})
@@ -32,11 +32,13 @@ drawing::Box3 all_of(const Frame& f, const PathSubject& s, const drawing::ToolPa
   const Point3 here = place_now(f, s).value_or(Point3());
   box.add(here);
   if (s.wanted_at) box.add(*s.wanted_at);
-  if (s.axes.third) box.add(Point3());
+  if (s.axes.third || s.origin) box.add(Point3());
   if (box.low == box.high) {
     std::array<Steps, max_axes> around;
     around.fill(Steps(1000));
-    const Point3 air = place_of(f.tab, around, s.axes);
+    const Directions all = directions_of(f, s.axes);
+    Point3 air;
+    for (std::size_t n = 0; n < all.count; ++n) along(air, n) = all.all[n].place(around);
     box.add(here - air), box.add(here + air);
   }
   return box;
@@ -60,17 +62,19 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
       ImVec2(whole.max.x - ui.px(right_margin), whole.max.y - ui.px(flat ? bottom_margin : right_margin))};
   if (in.width() >= ui.px(40) && in.height() >= ui.px(40)) {
     if (!subject.own) trace_.follow(f, subject.axes);
-    place(f, subject, in);
+    const KnownLimits limits = limits_of(f, subject);
+    place(f, subject, limits, in);
     touch(f, id, subject, in);
     backdrop_.follow(f, subject, trace_.path(), view_, grip_.turned);
     const PathGround ground{f, subject, view_, whole, in, all_};
     draw_grid(ground);
     list->PushClipRect(in.min, in.max, true);
     draw_table(ground);
-    if (!subject.own) draw_travel(ground);
+    draw_limits(ground, limits);
     backdrop_.draw(f, in, subject, view_);
     draw_lit(ground);
     draw_trace(ground, trace_.path(), backdrop_.traced(view_));
+    if (subject.origin) draw_zero(ground);
     draw_here(ground, id);
     draw_measure(ground, measure_);
     list->PopClipRect();
@@ -81,11 +85,12 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
   ImGui::SetCursorScreenPos(ImVec2(corner.x, whole.max.y));
 }
 
-void PathCanvas::place(Frame& f, const PathSubject& s, const Rect& in) {
-  const bool equal = one_unit(f.tab, s), flat = !s.axes.third;
+void PathCanvas::place(Frame& f, const PathSubject& s, const KnownLimits& limits, const Rect& in) {
+  const bool equal = one_unit(f, s), flat = !s.axes.third;
   const bool another = s.path && s.path != fitted_to_;
   const bool resized = view_.width_px() != in.width() || view_.height_px() != in.height();
   all_ = all_of(f, s, trace_.path());
+  if (with_limits_) all_ = with_limits(all_, limits);
   if (!fitted_ || flat != view_.flat() || ((another || resized) && !moved_)) {
     const auto projection = flat ? drawing::Projection() : drawing::Projection(all_, looking_, equal);
     view_ = drawing::PathView(all_, projection, in.width(), in.height(), equal || !flat);
@@ -105,7 +110,7 @@ void PathCanvas::touch(Frame& f, std::string_view id, const PathSubject& s, cons
   ImGui::SetCursorScreenPos(in.min);
   const Path scale("{} {} a pixel",
                    format_number(view_.per_px().x, decimals_of(view_.per_px().x / 1000)).view(),
-                   unit_name(f.tab, s, s.axes.right));
+                   unit_name(s, directions_of(f, s.axes).all[0]));
   const Path looked("turned {:.0f}, tilted {:.0f}, {}", looking_.turn, looking_.tilt, scale.view());
   const std::string_view said = !s.words.empty() ? s.words : view_.flat() ? scale.view() : looked.view();
   const Touch t = gui::touch(ui, {id, Kind::slider, "Path", said}, ImVec2(in.width(), in.height()));
@@ -171,6 +176,7 @@ void PathCanvas::use_keys(const PathSubject& s) {
     if (c == '+') zoom(zoom_step);
     if (c == '-') zoom(1 / zoom_step);
     if (c == '0') fit();
+    if (c == '1') fit_limits();
     if (!space) continue;
     if (c == 't' || c == 'T') look(drawing::looking::top);
     if (c == 'f' || c == 'F') look(drawing::looking::front);

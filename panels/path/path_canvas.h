@@ -7,6 +7,7 @@
 
 #include "gui/surface/ui.h"
 #include "panels/path/path_backdrop.h"
+#include "panels/path/path_limits.h"
 #include "panels/path/path_measure.h"
 #include "panels/path/path_overlays.h"
 #include "panels/path/path_subject.h"
@@ -26,16 +27,24 @@ struct TraceHit {
 
 class PathCanvas {
  public:
-  /// At ImGui's cursor, logical size. Ids: `id` (the view: drag and wheel; with the focus + - 0, and arrows
+  /// At ImGui's cursor, logical size. Ids: `id` (the view: drag and wheel; with the focus + - 0 1, and arrows
   /// with Alt, for arrows alone jog), `id/here`. Of three axes a drag turns it, with Shift or another button
   /// it is moved; arrows with Alt and Shift turn it, the letters T F S I are `id/top`, `id/front`, `id/side`,
   /// `id/iso`.
   void draw(gui::Frame& frame, std::string_view id, const PathSubject& subject, float width, float height);
   /// All of it, with the next frame.
-  void fit() { fitted_ = moved_ = false; }
+  void fit() { fitted_ = moved_ = with_limits_ = false; }
+  /// And all limits that are known.
+  void fit_limits() {
+    fit();
+    with_limits_ = true;
+  }
   void zoom(double factor);
   /// As it is looked at.
   [[nodiscard]] const drawing::Projection& projection() const { return view_.projection(); }
+  [[nodiscard]] const drawing::ToolPath& trace() const { return trace_.path(); }
+  /// Of what is shown.
+  [[nodiscard]] const drawing::Box3& box() const { return all_; }
   /// What was clicked in this frame.
   [[nodiscard]] const std::optional<drawing::PathHit>& clicked() const { return click_.hit; }
   [[nodiscard]] const std::optional<TraceHit>& passed() const { return click_.passed; }
@@ -61,7 +70,7 @@ class PathCanvas {
     int pans_with = 0;      ///< the button that was pressed on it, beside the left one; 0: none
     bool turned = false;    ///< in this frame
   };
-  void place(gui::Frame& frame, const PathSubject& subject, const gui::Rect& in);
+  void place(gui::Frame& frame, const PathSubject& subject, const KnownLimits& limits, const gui::Rect& in);
   void touch(gui::Frame& frame, std::string_view id, const PathSubject& subject, const gui::Rect& in);
   void drag(const gui::Touch& touch, const PathSubject& subject);
   void take_click(const PathSubject& subject, drawing::Point mouse_px, float within_px);
@@ -76,6 +85,7 @@ class PathCanvas {
   drawing::Looking looking_ = drawing::looking::iso;  ///< of three axes
   drawing::Box3 all_;                                 ///< of what is shown
   bool fitted_ = false, moved_ = false;  ///< moved: by hand, another path does not take its view away
+  bool with_limits_ = false;             ///< they are in `all_`
   std::shared_ptr<const drawing::ToolPath> fitted_to_;
   Click click_;
   PathMeasure measure_;

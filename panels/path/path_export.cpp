@@ -1,7 +1,7 @@
 #include "panels/path/path_export.h"
 
-#include <array>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -16,7 +16,63 @@
 namespace hw::panels {
 
 using namespace gui;
+using drawing::ToolPath;
 namespace {
+
+struct Layer {
+  std::string_view name;
+  std::shared_ptr<const ToolPath> path;
+  unsigned rgb = 0;
+  float width = 1;
+};
+/// For a worker.
+struct Shown {
+  std::vector<Layer> layers;  ///< the lowest first
+  drawing::Projection projection;
+  bool equal = true;
+  std::string unit, about;
+};
+
+/// "X in mm to the right, Y in mm upwards"
+std::string about_axes(const Directions& all) {
+  static constexpr std::string_view ways[] = {"to the right", "upwards", "towards you"};
+  std::string about;
+  for (std::size_t n = 0; n < all.count; ++n)
+    about += fmt::format("{}{} in {} {}", n == 0 ? "" : ", ", all.all[n].name, all.all[n].unit().name,
+                         all.count > 2 ? "in perspective" : ways[n]);
+  return about;
+}
+
+Shown shown_by(const Frame& f, const PathSubject& s, const PathCanvas& canvas) {
+  const auto shared = [](ToolPath path) {
+    return path.runs.empty() ? nullptr : std::make_shared<const ToolPath>(std::move(path));
+  };
+  const KnownLimits limits = limits_of(f, s);
+  const bool flat = canvas.projection().flat();
+  const auto ends = [&](const std::array<KnownEnds, 3>& known) {
+    return shared(lines_of(known, canvas.box(), flat));
+  };
+  ToolPath home;  // each axis by itself: home of two is no frame
+  for (std::size_t n = 0; n < 3; ++n) {
+    std::array<KnownEnds, 3> one;
+    one[n] = limits.home[n];
+    const ToolPath lines = lines_of(one, canvas.box(), flat);
+    for (std::size_t i = 0; i + 1 < lines.points.size(); i += 2)
+      home.go(lines.points[i], lines.points[i + 1], true, -1);
+  }
+  const Directions all = directions_of(f, s.axes);
+  const bool equal = one_unit(f, s);
+  return {{{"switches", ends(limits.switches), 0x805200, 1},
+           {"travel", ends(limits.travel), 0x805200, 1},
+           {"home", shared(std::move(home)), 0x176B3C, 1},
+           {"commanded", s.commanded, 0x9B2463, 1},
+           {"rehearsed", s.path, 0, 2},
+           {"trace", shared(canvas.trace()), 0x00647C, 1}},
+          canvas.projection(),
+          equal || !flat,
+          flat && equal ? all.all[0].unit().name : "",
+          about_axes(all)};
+}
 
 std::uint32_t over_white(std::uint32_t pixel) {
   const unsigned alpha = pixel >> IM_COL32_A_SHIFT & 255u;
@@ -26,20 +82,42 @@ std::uint32_t over_white(std::uint32_t pixel) {
   return out;
 }
 
-/// As its name ends: lines, in the unit of the axes where they are seen as they are, or pixels. Long.
-Result<> write_picture(const PathExport::What& what, const std::filesystem::path& file) {
-  if (file.extension() != ".png")
-    return write_file(file, drawing::path_svg(flattened(*what.path, what.projection),
-                                              what.projection.flat() ? what.unit : ""));
+/// Lines, in the unit of the axes where they are seen as they are.
+std::string svg_of(const Shown& shown) {
+  std::vector<ToolPath> flat(shown.layers.size());
+  std::vector<std::string> colours(shown.layers.size());
+  std::vector<drawing::SvgLayer> layers;
+  for (std::size_t n = 0; n < shown.layers.size(); ++n) {
+    const Layer& layer = shown.layers[n];
+    if (!layer.path) continue;
+    flat[n] = flattened(*layer.path, shown.projection);
+    colours[n] = fmt::format("#{:06x}", layer.rgb);
+    layers.push_back({layer.name, &flat[n], colours[n], static_cast<double>(layer.width)});
+  }
+  return drawing::path_svg(layers, {shown.unit, shown.about});
+}
+
+Result<> write_pixels(const Shown& shown, const std::filesystem::path& file) {
   constexpr int width = 1600, height = 1200;
-  PathLook look;
-  look.tool_on = IM_COL32(0, 0, 0, 255), look.tool_off = IM_COL32(136, 136, 136, 255);
-  look.dash = 5, look.dash_gap = 4;
-  const drawing::PathView view(what.path->bounds, what.projection, width, height,
-                               what.equal || !what.projection.flat());
-  Picture picture = path_picture(std::array{PathLayer{what.path.get(), look}}, view);
+  drawing::Box3 box;
+  std::vector<PathLayer> layers;
+  for (const Layer& layer : shown.layers) {
+    if (!layer.path) continue;
+    box.add(layer.path->bounds);
+    PathLook look;
+    look.tool_on = rgb(layer.rgb), look.tool_off = rgb(0x888888);
+    look.on_width = layer.width, look.dash = 5, look.dash_gap = 4;
+    layers.push_back({layer.path.get(), look});
+  }
+  const drawing::PathView view(box, shown.projection, width, height, shown.equal);
+  Picture picture = path_picture(layers, view);
   for (std::uint32_t& p : picture.pixels) p = over_white(p);
   return write_png(file.string(), picture.pixels, width, height);
+}
+
+/// As its name ends. Long.
+Result<> write_picture(const Shown& shown, const std::filesystem::path& file) {
+  return file.extension() == ".png" ? write_pixels(shown, file) : write_file(file, svg_of(shown));
 }
 
 }  // namespace
@@ -48,22 +126,23 @@ void PathExport::draw_button(Frame& f, std::string_view label, bool can) {
   if (button(f.ui, "path/save", label,
              {.style = ButtonStyle::quiet,
               .disabled = can ? "" : "There is no path yet.",
-              .tip = "As SVG in the units of the axes, or as PNG.",
+              .tip = "All that is shown, as SVG in the units of the axes, or as PNG.",
               .height = 40})
           .clicked)
     dialog_.ask_save("Save the path", dialog_.folder() / "path.svg", {".svg", ".png"});
 }
 
-void PathExport::draw_dialog(Frame& f, const What& what) {
+void PathExport::draw_dialog(Frame& f, const PathSubject& subject, const PathCanvas& canvas) {
   const auto file = dialog_.draw(f.ui);
-  if (!file || !what.path) return;
+  if (!file) return;
   Desk& desk = f.tab.desk();
-  desk.worker().run([what, file = *file] { return write_picture(what, file); },
-                    [&console = f.console, file = *file](Result<> written) {
-                      if (!written) return console.toast(Mood::fault, written.error().sentence());
-                      console.toast(Mood::ok, fmt::format("Saved as {}.", file.string()));
-                    },
-                    desk.alive());
+  desk.worker().run(
+      [shown = shown_by(f, subject, canvas), file = *file] { return write_picture(shown, file); },
+      [&console = f.console, file = *file](Result<> written) {
+        if (!written) return console.toast(Mood::fault, written.error().sentence());
+        console.toast(Mood::ok, fmt::format("Saved as {}.", file.string()));
+      },
+      desk.alive());
 }
 
 }  // namespace hw::panels

@@ -1,5 +1,6 @@
 #pragma once
-// A path kept as a picture. Ids: `path/save` and those of the dialog for a file.
+// What a path canvas shows, kept as a picture. Ids: `path/save` and those of the dialog for a file.
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -7,20 +8,16 @@
 #include "core/drawing/tool_path.h"
 #include "gui/shell/frame.h"
 #include "gui/widgets/file_dialog.h"
+#include "panels/path/path_canvas.h"
 
 namespace hw::panels {
 
 class PathExport {
  public:
-  struct What {
-    std::shared_ptr<const drawing::ToolPath> path;  ///< null: there is none
-    drawing::Projection projection;                 ///< as it is looked at
-    bool equal = true;                              ///< its axes have one unit
-    std::string unit;                               ///< that of lengths; empty: there is none
-  };
   /// At ImGui's cursor.
   void draw_button(gui::Frame& frame, std::string_view label, bool can);
-  void draw_dialog(gui::Frame& frame, const What& what);
+  /// All that is shown then goes into the file.
+  void draw_dialog(gui::Frame& frame, const PathSubject& subject, const PathCanvas& canvas);
 
  private:
   gui::FileDialog dialog_;

@@ -27,8 +27,10 @@ double step_over(double range, float px, float apart_px) {
 
 bool is_zero(double v, double step) { return std::fabs(v) < step * 1e-6; }
 
-Path axis_and_unit(const PathGround& g, AxisId axis) {
-  return Path("{} {}", g.frame.catalog.axes[axis.index].name, unit_name(g.frame.tab, g.subject, axis));
+Path axis_and_unit(const PathGround& g, std::size_t direction) {
+  const Directions all = directions_of(g.frame, g.subject.axes);
+  const Direction& d = all.all[direction];
+  return Path("{} {}", d.name, unit_name(g.subject, d));
 }
 
 void draw_rulers(const PathGround& g) {
@@ -40,8 +42,7 @@ void draw_rulers(const PathGround& g) {
   const auto tone = [&](double v, double step) { return ui[is_zero(v, step) ? Tone::edge : Tone::line]; };
   const double across = step_over(high.x - low.x, in.width(), ui.px(90)),
                up = step_over(high.y - low.y, in.height(), ui.px(50));
-  const float name_begins =
-      whole.max.x - text_width(ui, Face::small, axis_and_unit(g, g.subject.axes.right)) - ui.px(16);
+  const float name_begins = whole.max.x - text_width(ui, Face::small, axis_and_unit(g, 0)) - ui.px(16);
   for (double v = std::ceil(low.x / across) * across; v <= high.x; v += across) {
     const float x = std::floor(g.at({v, 0}).x);
     list->AddRectFilled(ImVec2(x, in.min.y), ImVec2(x + ui.hair(), in.max.y), tone(v, across));
@@ -58,9 +59,9 @@ void draw_rulers(const PathGround& g) {
                       ui[Tone::ink3], format_number(v, decimals_of(up)));
   }
   draw_text_right(ui, ImVec2(in.max.x + ui.px(8), in.max.y + ui.px(4)), Face::small, ui[Tone::ink2],
-                  axis_and_unit(g, g.subject.axes.right));
+                  axis_and_unit(g, 0));
   draw_text_line(ui, whole.min.x + ui.px(8), in.min.x - ui.px(4), in.min.y + ui.px(4), Face::small,
-                 ui[Tone::ink2], axis_and_unit(g, g.subject.axes.up));
+                 ui[Tone::ink2], axis_and_unit(g, 1));
 }
 
 float distance(ImVec2 a, ImVec2 b) { return std::hypot(b.x - a.x, b.y - a.y); }
@@ -112,25 +113,24 @@ void draw_floor(const PathGround& g) {
 void draw_origin(const PathGround& g) {
   constexpr double part = 0.25;  // of what is shown
   const Frame& f = g.frame;
-  const PathAxes& axes = g.subject.axes;
   const Point3 size = g.box.size();
   const double reach = std::max({size.x, size.y, size.z}) * part;
-  const auto arm = [&](Point3 end, AxisId axis) {
+  const auto arm = [&](Point3 end, std::size_t direction) {
     const ImVec2 from = g.at({}), to = g.at(end);
     ImGui::GetWindowDrawList()->AddLine(from, to, f.ui[Tone::ink2], 2 * f.ui.hair());
     const float length = distance(from, to);
     if (length < f.ui.px(12)) return;
     // Its name goes on where it ends.
-    const Path name = axis_and_unit(g, axis);
+    const Path name = axis_and_unit(g, direction);
     const float w = std::ceil(text_width(f.ui, Face::small, name)), h = f.ui.line(Face::small);
     const ImVec2 way((to.x - from.x) / length, (to.y - from.y) / length);
     const ImVec2 middle(to.x + way.x * (w / 2 + f.ui.px(6)), to.y + way.y * (h / 2 + f.ui.px(4)));
     draw_text(f.ui, ImVec2(std::floor(middle.x - w / 2), std::floor(middle.y - h / 2)), Face::small,
               f.ui[Tone::ink2], name);
   };
-  arm({reach, 0, 0}, axes.right);
-  arm({0, reach, 0}, axes.up);
-  arm({0, 0, reach}, *axes.third);
+  arm({reach, 0, 0}, 0);
+  arm({0, reach, 0}, 1);
+  arm({0, 0, reach}, 2);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "gui/model/axis_look.h"
 #include "gui/model/tab.h"
@@ -11,6 +10,7 @@
 #include "gui/widgets/text.h"
 #include "gui/widgets/touch.h"
 #include "panels/path/path_backdrop.h"
+#include "panels/path/path_trace.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -34,16 +34,15 @@ void draw_table(const PathGround& g) {
 
 /// Straight, or one axis after the other in their order.
 static std::array<Point3, 4> way_there(const PathGround& g, Point3 from, Point3 to) {
-  if (g.frame.catalog.can.interpolates) return {from, from, from, to};
-  const PathAxes& axes = g.subject.axes;
-  std::array<std::pair<int, double Point3::*>, 3> order{
-      {{axes.right.index, &Point3::x}, {axes.up.index, &Point3::y}, {max_axes, &Point3::z}}};
-  if (axes.third) order[2].first = axes.third->index;
-  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::array<Point3, 4> way{from, from, from, to};
+  if (g.frame.catalog.can.interpolates) return way;
+  const Directions all = directions_of(g.frame, g.subject.axes);
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.begin() + all.count,
+            [&](std::size_t a, std::size_t b) { return all.all[a].axis.index < all.all[b].axis.index; });
   for (std::size_t n = 1; n < way.size(); ++n) {
     way[n] = way[n - 1];
-    way[n].*order[n - 1].second = to.*order[n - 1].second;
+    along(way[n], order[n - 1]) = along(to, order[n - 1]);
   }
   return way;
 }
@@ -74,103 +73,40 @@ void draw_trace(const PathGround& g, const drawing::ToolPath& path, std::size_t 
   ImDrawList* list = ImGui::GetWindowDrawList();
   const std::size_t newer = in_picture > 2 ? in_picture - 2 : 0;
   const std::size_t from = std::max(newer, path.points.size() - std::min(path.points.size(), most_drawn));
-  for (const drawing::ToolPath::Run& run : path.runs) {
-    if (run.first + run.size <= from) continue;
+  const TraceAges ages = ages_of(path);
+  std::size_t age = TraceAges::count - 1;
+  for (std::size_t r = path.runs.size(); r-- > 0;) {
+    const drawing::ToolPath::Run& run = path.runs[r];
+    if (run.first + run.size <= from) break;
+    while (age > 0 && r < ages.begin[age]) --age;
     for (std::size_t i = std::max(run.first, from); i < run.first + run.size; ++i)
       list->PathLineTo(g.at(path.points[i]));
-    list->PathStroke(g.frame.ui[Tone::motion], 0, g.frame.ui.hair());
-  }
-}
-
-// ---- travel limits and home
-
-namespace {
-
-/// What is known of an axis' switches, as its counter counts.
-struct KnownSwitches {
-  std::optional<Steps> minus, plus, home_from, home_to;
-};
-
-KnownSwitches switches_of(const Frame& f, AxisId id) {
-  const AxisState& axis = f.now.axes[id.index];
-  if (!f.bench.present) {
-    const PositionTrace::Met& met = f.tab.desk().trace.met(id);
-    return {met.minus, met.plus, met.home, {}};
-  }
-  if (!axis.position_known || axis.in_counts) return {};
-  const auto counted = [&](const std::optional<Steps>& place) {
-    return place ? std::optional(*place - f.bench.load_position[id.index] + axis.position) : std::nullopt;
-  };
-  const SwitchPlaces& s = f.bench.switches[id.index];
-  return {counted(s.minus), counted(s.plus), counted(s.home_from), counted(s.home_to)};
-}
-
-double& along(Point3& p, int direction) { return direction == 0 ? p.x : direction == 1 ? p.y : p.z; }
-
-/// Two axes: across the whole view. Three: around what is shown, as far as that is true there.
-void draw_plane(const PathGround& g, int direction, double v, ImU32 colour) {
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const float hair = g.frame.ui.hair();
-  if (g.view.flat()) {
-    const ImVec2 p = g.at({v, v});
-    const float x = std::floor(p.x), y = std::floor(p.y);
-    return direction == 0 ? list->AddRectFilled(ImVec2(x, g.in.min.y), ImVec2(x + hair, g.in.max.y), colour)
-                          : list->AddRectFilled(ImVec2(g.in.min.x, y), ImVec2(g.in.max.x, y + hair), colour);
-  }
-  drawing::Box3 plane = g.box;
-  along(plane.low, direction) = along(plane.high, direction) = v;
-  if (!g.view.projection().reaches(plane)) return;
-  const int first = direction == 0 ? 2 : 1, second = direction == 2 ? 2 : 4;
-  for (const int n : {0, first, first + second, second}) list->PathLineTo(g.at(plane.corner(n)));
-  list->PathStroke(colour, ImDrawFlags_Closed, hair);
-}
-
-/// In the order of their directions; the last of two is -1.
-std::array<int, 3> axes_of(const PathAxes& axes) {
-  return {axes.right.index, axes.up.index, axes.third ? axes.third->index : -1};
-}
-
-}  // namespace
-
-void draw_travel(const PathGround& g) {
-  const Frame& f = g.frame;
-  int direction = 0;
-  for (const int index : axes_of(g.subject.axes)) {
-    if (index < 0) break;
-    const AxisId id{static_cast<std::uint8_t>(index)};
-    const KnownSwitches known = switches_of(f, id);
-    const auto draw = [&](const std::optional<Steps>& place, Tone tone) {
-      if (place) draw_plane(g, direction, from_steps(*place, f.tab.unit(id)), f.ui[tone]);
-    };
-    draw(known.minus, Tone::warn), draw(known.plus, Tone::warn);
-    draw(known.home_from, Tone::ok), draw(known.home_to, Tone::ok);
-    ++direction;
+    list->PathStroke(trace_colour(g.frame.ui, age), 0, trace_width(g.frame.ui, age));
   }
 }
 
 // ---- the tool
 
-static Path place_words(const Frame& f, const PathAxes& axes, bool doubtful) {
-  const auto written = [&f](AxisId a) {
-    return format_with_unit(f.now.axes[a.index].position, f.tab.unit(a));
-  };
-  const Path third("{}{}", axes.third ? ", " : "",
-                   axes.third ? written(*axes.third).view() : std::string_view());
-  return Path("{}, {}{}{}", written(axes.right).view(), written(axes.up).view(), third.view(),
+static Path place_words(const Directions& all, Point3 here, bool doubtful) {
+  std::array<NumberText, 3> places;
+  for (std::size_t n = 0; n < all.count; ++n) {
+    const DisplayUnit& unit = all.all[n].unit();
+    places[n] = format_with_unit(to_steps(along(here, n), unit), unit);
+  }
+  return Path("{}, {}{}{}{}", places[0].view(), places[1].view(), all.count > 2 ? ", " : "", places[2].view(),
               doubtful ? "?" : "");
 }
 
 void draw_here(const PathGround& g, std::string_view id) {
   Frame& f = g.frame;
-  const PathAxes& axes = g.subject.axes;
   const auto here = place_now(f, g.subject);
   if (!here) return;
   Ui& ui = f.ui;
-  const auto not_sure = [&f](AxisId axis) {
-    return f.now.axes[axis.index].trust.doubtful() || is_old(f.now, axis.index, f.clock);
+  const Directions all = directions_of(f, g.subject.axes);
+  const auto not_sure = [](const Direction& d) {
+    return d.tab && (d.state()->trust.doubtful() || is_old(d.tab->now(), d.axis.index, d.tab->clock()));
   };
-  const bool doubtful =
-      !g.subject.own && (not_sure(axes.right) || not_sure(axes.up) || (axes.third && not_sure(*axes.third)));
+  const bool doubtful = !g.subject.own && std::any_of(all.begin(), all.end(), not_sure);
   const ImVec2 p = g.at(*here);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImU32 colour = ui[doubtful ? Tone::ink3 : Tone::motion], faint = with_alpha(colour, 0.45f);
@@ -187,7 +123,8 @@ void draw_here(const PathGround& g, std::string_view id) {
                   ui.hair());
   }
   list->AddCircle(p, ui.px(6), colour, 0, 2 * ui.hair());
-  const Path value = g.subject.own ? Path("{}", g.subject.own->here_words) : place_words(f, axes, doubtful);
+  const Path value =
+      g.subject.own ? Path("{}", g.subject.own->here_words) : place_words(all, *here, doubtful);
   show(ui, {Path("{}/here", id), Kind::text, "The tool is here", value},
        {ImVec2(p.x - ui.px(6), p.y - ui.px(6)), ImVec2(p.x + ui.px(6), p.y + ui.px(6))});
 }

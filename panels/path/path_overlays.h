@@ -1,5 +1,5 @@
 #pragma once
-// What is drawn over and under a path: rulers and grid, the table, travel limits, home, the tool.
+// What is drawn over and under a path: rulers and grid, the table, the trace, the tool.
 #include "gui/model/position_trace.h"
 #include "gui/surface/ui.h"
 #include "panels/path/path_subject.h"
@@ -24,11 +24,9 @@ int decimals_of(double step);
 /// their numbers, and the axes at the origin.
 void draw_grid(const PathGround& ground);
 void draw_table(const PathGround& ground);
-/// Where the switches of an emulated machine are; of a real one, where they have acted.
-void draw_travel(const PathGround& ground);
 /// What the subject lights, and from where the tool is to where it is asked to go.
 void draw_lit(const PathGround& ground);
-/// All but the first `in_picture` points, and no more of them than a frame draws in no time.
+/// Faded by age. All but the first `in_picture` points, and no more of them than a frame draws in no time.
 void draw_trace(const PathGround& ground, const drawing::ToolPath& trace, std::size_t in_picture);
 /// Registered as `id/here`.
 void draw_here(const PathGround& ground, std::string_view id);

@@ -1,12 +1,28 @@
 #pragma once
-// Where the axes have really been, as a path in those of them that are looked at.
+// Where the axes have really been, as a path in those of them that are looked at, and how long ago.
+#include <array>
 #include <cstdint>
+
+#include <imgui.h>
 
 #include "core/drawing/tool_path.h"
 #include "gui/shell/frame.h"
 #include "panels/path/path_subject.h"
 
 namespace hw::panels {
+
+/// Runs of a trace by their age when it was last added to, the oldest first: so it looks the same for as long
+/// as nothing moves.
+struct TraceAges {
+  static constexpr std::size_t count = 4;
+  static constexpr std::array<int, count - 1> seconds{600, 60, 10};
+  /// Where each begins; the last is the newest, and goes on to the end.
+  std::array<std::size_t, count> begin{};
+};
+TraceAges ages_of(const drawing::ToolPath& trace);
+/// Fades from the newest to the oldest.
+ImU32 trace_colour(const gui::Ui& ui, std::size_t age);
+float trace_width(const gui::Ui& ui, std::size_t age);
 
 class PathTrace {
  public:
@@ -19,14 +35,28 @@ class PathTrace {
  private:
   /// What it was followed with; another one begins it anew.
   struct Of {
-    std::uint64_t begun = 0;  ///< gui::PositionTrace::begun()
     PathAxes axes;
-    drawing::Point3 scale;
+    Instant zero{};                        ///< of time
+    std::array<std::uint64_t, 3> begun{};  ///< by direction: gui::PositionTrace::begun()
+    std::array<double, 3> scale{};
     bool operator==(const Of&) const = default;
   };
+  /// One controller, and how far its trace was followed.
+  struct Source {
+    gui::Tab* tab = nullptr;
+    std::uint64_t taken = 0;  ///< of gui::PositionTrace::count()
+  };
+  void begin(const Directions& all);
+  [[nodiscard]] bool is_lost() const;
+  Source* soonest();
+  [[nodiscard]] std::optional<drawing::Point3> point(const Directions& all, Instant at) const;
+  void add(const std::optional<drawing::Point3>& from, const std::optional<drawing::Point3>& to, Instant at);
+  void take_next(const Directions& all, Source& source);
+
   Of of_;
-  std::uint64_t count_ = 0;  ///< gui::PositionTrace::count() that it has come to
-  Instant first_{};          ///< each run is of one second since then
+  std::array<Source, 3> sources_;
+  std::size_t source_count_ = 0;
+  Instant first_{};  ///< each run is of one second since then
   drawing::ToolPath path_;
 };
 

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/device/track_keeper.h"
 #include "core/drawing/sequence_path.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
+#include "gui/surface/ui.h"
 
 namespace hw::panels {
 
@@ -52,37 +54,129 @@ Meant meant_in(std::shared_ptr<const sequence::Sequence> sequence, const Catalog
 
 }  // namespace
 
-bool ProgramPath::follow(Frame& f, const TrackAxes& axes) {
-  Desk& desk = f.tab.desk();
-  const int slot = desk.texts.chosen();
-  const Rehearsals::Outcome* outcome = desk.rehearsals.of(slot);
-  const Made wanted{outcome && outcome->result ? outcome->number : 0, slot, axes};
+// ---- what it is of
+
+const Rehearsals::Outcome* ProgramPath::Part::outcome() const {
+  return tab ? tab->desk().rehearsals.of(slot) : nullptr;
+}
+
+ProgramPath::Made ProgramPath::wanted_of(const Frame& f, const PathAxes& axes, PathTool tool) {
+  Made wanted;
+  wanted.tool = tool;
+  const Directions all = directions_of(f, axes);
+  const auto part_of = [&wanted](Tab* tab) {
+    std::size_t n = 0;
+    while (n < wanted.count && wanted.parts[n].tab != tab) ++n;
+    if (n == wanted.count) {
+      Part& part = wanted.parts[wanted.count++];
+      part.tab = tab, part.slot = tab->desk().texts.chosen();
+      const Rehearsals::Outcome* outcome = part.outcome();
+      part.rehearsal = outcome && outcome->result ? outcome->number : 0;
+    }
+    return static_cast<int>(n);
+  };
+  const auto seen = [&](const Direction& d) {
+    return TrackAxes::Axis{d.axis.index, from_steps(Steps(1), d.unit()), part_of(d.tab)};
+  };
+  wanted.axes.over_time = axes.over_time;
+  if (!axes.over_time) wanted.axes.right = seen(all.all[0]);
+  wanted.axes.up = seen(all.all[1]);
+  if (all.count > 2) wanted.axes.third = seen(all.all[2]);
+  if (!tool.own) wanted.axes.tool_output = tool.output;
+  return wanted;
+}
+
+bool ProgramPath::follow(Frame& f, const PathAxes& axes, PathTool tool) {
+  Made wanted = wanted_of(f, axes, tool);
   if (wanted == made_) return false;
-  made_ = wanted;
+  made_ = std::move(wanted);
   path_ = commanded_ = nullptr;
-  if (wanted.rehearsal > 0) work_out(f, *outcome);
+  if (rehearsed()) work_out(f, directions_of(f, axes));
   return true;
 }
 
-void ProgramPath::work_out(Frame& f, const Rehearsals::Outcome& outcome) {
-  Desk& desk = f.tab.desk();
-  line_of_command_ = lines_of_commands(desk.language()->analyse(outcome.text, made_.slot), made_.slot);
-  facts_.time = fmt::format("{}", format_duration(outcome.result->duration_s).view());
-  Rehearsal way;
-  way.track = outcome.result->track, way.events = outcome.result->events;
-  const auto unit = [&](int axis) { return f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}); };
-  const TrackAxes& axes = made_.axes;
-  const std::array units{unit(axes.right.place), unit(axes.up.place),
-                         axes.third ? unit(axes.third->place) : DisplayUnit()};
-  const WrittenSequence* source = desk.source.of(outcome.text, desk.blocks, desk.language(), f.catalog);
+bool ProgramPath::rehearsed() const {
+  return std::any_of(made_.parts.begin(), made_.parts.end(), [](const Part& p) { return p.rehearsal > 0; });
+}
+
+void ProgramPath::rehearse(const Frame& f) const {
+  if (made_.count == 0) return f.tab.desk().rehearse(f.now, f.bench);
+  for (std::size_t n = 0; n < made_.count; ++n)
+    made_.parts[n].tab->desk().rehearse(made_.parts[n].tab->now(), made_.parts[n].tab->bench());
+}
+
+bool ProgramPath::under_way() const {
+  return std::any_of(made_.parts.begin(), made_.parts.begin() + made_.count,
+                     [](const Part& p) { return p.tab->desk().rehearsals.under_way(p.slot); });
+}
+
+std::string_view ProgramPath::why_not_rehearse() const {
+  bool any = false;
+  for (std::size_t n = 0; n < made_.count; ++n) {
+    const Desk& desk = made_.parts[n].tab->desk();
+    if (!desk.language()) return "This model has no rehearsal.";
+    any = any || !desk.texts.text(made_.parts[n].slot).empty();
+  }
+  if (!any) return of_several() ? "Their programs are empty." : "The program is empty.";
+  return under_way() ? "It is being worked out." : "";
+}
+
+// ---- the path
+
+/// Of one that has no rehearsal: where it stands.
+std::vector<Rehearsal> ProgramPath::tracks() const {
+  std::vector<Rehearsal> all(made_.count);
+  for (std::size_t n = 0; n < made_.count; ++n) {
+    const Part& part = made_.parts[n];
+    if (const auto* outcome = part.rehearsal > 0 ? part.outcome() : nullptr) {
+      all[n].duration_s = outcome->result->duration_s;
+      all[n].track = outcome->result->track;
+      all[n].events = outcome->result->events, all[n].turns = outcome->result->turns;
+      continue;
+    }
+    RehearsedPlace here;
+    for (std::size_t a = 0; a < max_axes; ++a) here.position[a] = part.tab->now().axes[a].position.value;
+    all[n].track.push_back(here);
+  }
+  return all;
+}
+
+void ProgramPath::work_out(Frame& f, const Directions& seen) {
+  const Part& first = made_.parts[0];
+  const Rehearsals::Outcome* outcome = of_several() ? nullptr : first.outcome();
+  Desk& desk = first.tab->desk();
+  const Catalog& catalog = first.tab->catalog();
+  std::vector<Rehearsal> ways = tracks();
+  double longest = 0;
+  for (const Rehearsal& way : ways) longest = std::max(longest, way.duration_s);
+  facts_ = {};
+  facts_.time = format_duration(longest).view();
+  TrackAxes axes = made_.axes;
+  line_of_command_.clear();
+  Meant meant;
+  if (outcome) {
+    line_of_command_ = lines_of_commands(desk.language()->analyse(outcome->text, first.slot), first.slot);
+    const WrittenSequence* source = desk.source.of(outcome->text, desk.blocks, desk.language(), catalog);
+    if (source && made_.tool.own) take_tool_of(*source->sequence, catalog, axes);
+    if (source && !axes.over_time) meant = meant_in(source->sequence, catalog, axes, *outcome->result);
+  }
+  if (axes.tool_output >= 0 && ix(axes.tool_output) < catalog.outputs.size())
+    facts_.tool = catalog.outputs[ix(axes.tool_output)].name;
+  else if (axes.lowers)
+    facts_.tool = catalog.axes[ix(axes.lowers->place)].name;
+  std::vector<DisplayUnit> units;
+  for (const Direction& d : seen) units.push_back(d.unit());
   desk.worker().run(
-      [way = std::move(way), wanted = made_, lines = line_of_command_,
-       meant = source ? meant_in(source->sequence, f.catalog, axes, *outcome.result) : Meant()] {
+      [ways = std::move(ways), axes, slot = first.slot, alone = outcome != nullptr, lines = line_of_command_,
+       meant = std::move(meant)] {
         const auto shared = [](drawing::ToolPath&& path) {
           return std::make_shared<const drawing::ToolPath>(std::move(path));
         };
-        Paths paths{shared(track_path(way, wanted.axes, wanted.slot, lines)), nullptr};
+        Paths paths;
+        paths.path = shared(alone ? track_path(ways[0], axes, slot, lines) : track_path_together(ways, axes));
         if (meant.sequence) paths.commanded = shared(sequence_path_in(*meant.sequence, meant.axes));
+        for (const Rehearsal& way : ways)
+          paths.every = std::max(paths.every, thinned_to(way.track, track_seen_every_s));
         return paths;
       },
       [this, wanted = made_, units](Paths paths) {
@@ -92,44 +186,56 @@ void ProgramPath::work_out(Frame& f, const Rehearsals::Outcome& outcome) {
   f.ui.wake_in(0);
 }
 
-void ProgramPath::take(Paths paths, const std::array<DisplayUnit, 3>& units) {
+void ProgramPath::take(Paths paths, const std::vector<DisplayUnit>& units) {
   const drawing::ToolPath* path = paths.path.get();
-  const bool flat = !made_.axes.third;
-  const bool one_unit = units[0].name == units[1].name && (flat || units[0].name == units[2].name);
-  facts_.way_on = length_text(path->way_on, units[0], one_unit);
-  facts_.way_off = length_text(path->way_off, units[0], one_unit);
-  const drawing::Box3& box = path->bounds;
-  if (box.empty) {
-    facts_.size = "nothing moves";
-    return;
+  const bool one_unit = std::all_of(units.begin(), units.end(),
+                                    [&](const DisplayUnit& unit) { return unit.name == units[0].name; });
+  facts_.every = paths.every;
+  if (!made_.axes.over_time) {
+    facts_.way_on = length_text(path->way_on, units[0], one_unit);
+    facts_.way_off = length_text(path->way_off, units[0], one_unit);
   }
-  const drawing::Point3 size = box.size();
-  const std::array<double, 3> spans{size.x, size.y, size.z};
-  facts_.size.clear();
-  for (std::size_t i = 0; i < (flat ? 2u : 3u); ++i) {
-    const bool last = i == (flat ? 1u : 2u);
+  if (path->bounds.empty) return;
+  const drawing::Point3 size = path->bounds.size();
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const bool named = i + 1 == units.size() || !one_unit;
     facts_.size += fmt::format("{}{}{}{}", i == 0 ? "" : " \u00d7 ",
-                               format_number(spans[i], std::min(units[i].decimals, 3)).view(),
-                               last || !one_unit ? " " : "", last || !one_unit ? units[i].name : "");
+                               format_number(along(size, i), std::min(units[i].decimals, 3)).view(),
+                               named ? " " : "", named ? units[i].name : "");
   }
   path_ = std::move(paths.path), commanded_ = std::move(paths.commanded);
 }
 
-const std::string* ProgramPath::text(const Frame& f) const {
-  const Rehearsals::Outcome* outcome = f.tab.desk().rehearsals.of(made_.slot);
+// ---- its text
+
+const std::string* ProgramPath::text() const {
+  const Rehearsals::Outcome* outcome = of_several() ? nullptr : made_.parts[0].outcome();
   return outcome ? &outcome->text : nullptr;
 }
 
-bool ProgramPath::older(const Frame& f) const {
-  Desk& desk = f.tab.desk();
-  return desk.rehearsals.older_than_line(made_.slot, desk.texts.text(made_.slot)) >= 0;
+bool ProgramPath::older() const {
+  return std::any_of(made_.parts.begin(), made_.parts.begin() + made_.count, [](const Part& part) {
+    Desk& desk = part.tab->desk();
+    return desk.rehearsals.older_than_line(part.slot, desk.texts.text(part.slot)) >= 0;
+  });
 }
 
-int ProgramPath::line_at_work(const Frame& f) const {
-  Desk& desk = f.tab.desk();
+/// Passes that the controller makes without a break are one run: then none of them is told from the others.
+std::optional<int> ProgramPath::pass_of(std::size_t run) const {
+  const std::vector<drawing::ToolPath::Run>& runs = path_->runs;
+  const bool told = std::any_of(runs.begin(), runs.end(), [&](const drawing::ToolPath::Run& r) {
+    return r.source == runs[run].source && r.pass > 0;
+  });
+  return told ? std::optional(runs[run].pass) : std::nullopt;
+}
+
+int ProgramPath::line_at_work() const {
+  const std::string* rehearsed = text();
+  if (!path_ || !rehearsed) return -1;
+  const Part& part = made_.parts[0];
+  Desk& desk = part.tab->desk();
   const RunFollower::Place at = desk.follower.place();
-  const std::string* rehearsed = text(f);
-  if (!path_ || !rehearsed || !f.connected() || at.slot != made_.slot || at.command < 0) return -1;
+  if (!part.tab->now().link.connected() || at.slot != part.slot || at.command < 0) return -1;
   if (desk.texts.held(at.slot).text != *rehearsed || ix(at.command) >= line_of_command_.size()) return -1;
   return line_of_command_[ix(at.command)];
 }

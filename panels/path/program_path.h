@@ -1,7 +1,9 @@
 #pragma once
-// The path of a program's latest rehearsal, worked out by the worker, and what it comes to.
+// The path of a program's latest rehearsal, worked out by the worker, and what it comes to; on a bus, of the
+// programs of all controllers that are looked at, as if they began at once.
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,43 +11,65 @@
 #include "gui/model/rehearsals.h"
 #include "gui/model/units_format.h"
 #include "gui/shell/frame.h"
+#include "panels/path/path_choice.h"
 
 namespace hw::panels {
 
 class ProgramPath {
  public:
   struct Facts {
-    std::string size, way_on, way_off, time;
+    std::string size, way_on, way_off, time;  ///< empty: there is none
+    std::string tool;                         ///< what switches it: "DO5", "Z"; empty: it is always on
+    int every = 1;                            ///< every so manieth of its places was kept
   };
   /// Once a frame, of the chosen program. True: it is another one from now on, or in other axes or units.
-  bool follow(gui::Frame& frame, const TrackAxes& axes);
+  bool follow(gui::Frame& frame, const PathAxes& axes, PathTool tool);
+  /// Has the programs rehearsed that it is of.
+  void rehearse(const gui::Frame& frame) const;
+  [[nodiscard]] std::string_view why_not_rehearse() const;
+  [[nodiscard]] bool under_way() const;
 
-  [[nodiscard]] int slot() const { return made_.slot; }
-  [[nodiscard]] bool rehearsed() const { return made_.rehearsal > 0; }
+  [[nodiscard]] bool of_several() const { return made_.count > 1; }
+  [[nodiscard]] int slot() const { return made_.parts[0].slot; }
+  [[nodiscard]] bool rehearsed() const;
   /// Null: not rehearsed, not worked out yet, or nothing moves. Its sources are lines of text().
   [[nodiscard]] const std::shared_ptr<const drawing::ToolPath>& path() const { return path_; }
   /// The way that the blocks or the drawing mean which the program was written from; null: it is of none.
   [[nodiscard]] const std::shared_ptr<const drawing::ToolPath>& commanded() const { return commanded_; }
   [[nodiscard]] const Facts& facts() const { return facts_; }
-  /// That was rehearsed; null: none was.
-  [[nodiscard]] const std::string* text(const gui::Frame& frame) const;
+  /// That was rehearsed; null: none was, or several were.
+  [[nodiscard]] const std::string* text() const;
   /// What is typed now is not what was rehearsed.
-  [[nodiscard]] bool older(const gui::Frame& frame) const;
+  [[nodiscard]] bool older() const;
+  /// How often the line of that run of path() was done before; none: the path does not tell.
+  [[nodiscard]] std::optional<int> pass_of(std::size_t run) const;
   /// Where the controller is in it, -1: nowhere.
-  [[nodiscard]] int line_at_work(const gui::Frame& frame) const;
+  [[nodiscard]] int line_at_work() const;
 
  private:
+  /// One controller.
+  struct Part {
+    gui::Tab* tab = nullptr;
+    int rehearsal = 0, slot = -1;
+    bool operator==(const Part&) const = default;
+    [[nodiscard]] const gui::Rehearsals::Outcome* outcome() const;
+  };
   /// What the path was made of: made anew when it differs.
   struct Made {
-    int rehearsal = 0, slot = -1;
+    std::array<Part, 3> parts;
+    std::size_t count = 0;
     TrackAxes axes;
+    PathTool tool;
     bool operator==(const Made&) const = default;
   };
-  void work_out(gui::Frame& frame, const gui::Rehearsals::Outcome& outcome);
   struct Paths {
     std::shared_ptr<const drawing::ToolPath> path, commanded;
+    int every = 1;
   };
-  void take(Paths paths, const std::array<gui::DisplayUnit, 3>& units);
+  static Made wanted_of(const gui::Frame& frame, const PathAxes& axes, PathTool tool);
+  [[nodiscard]] std::vector<Rehearsal> tracks() const;
+  void work_out(gui::Frame& frame, const Directions& seen);
+  void take(Paths paths, const std::vector<gui::DisplayUnit>& units);
 
   Made made_;
   std::shared_ptr<const drawing::ToolPath> path_, commanded_;

@@ -1,7 +1,9 @@
 #pragma once
-// The path: where the rehearsed program goes in two or three axes, and where they have really been. Ids:
-// `path/simulate`, `path/fit`, `path/nearer`, `path/further`, `path/forget`, `path/save`, `path/view`,
-// `path/hit`, `path/measure`, `path/show_line`, `path/run_here`; the axes: see PathChoice.
+// The path: where the rehearsed program goes in two or three axes, or in one over time, and where they have
+// really been; of a bus one panel for all of it. Ids: `path/simulate`, `path/fit`, `path/fit_table`,
+// `path/nearer`, `path/further`, `path/forget`, `path/save`, `path/view`, `path/hit`, `path/measure`,
+// `path/show_line`, `path/run_here`; the axes: see PathChoice; the legend: see draw_path_legend().
+#include <optional>
 #include <string>
 
 #include "gui/shell/panel_entry.h"
@@ -22,7 +24,10 @@ class ToolPath final : public gui::Panel {
   struct Hit {
     int line = -1;
     std::string words;
+    std::optional<int> pass = {};  ///< of that line; none: not known
   };
+  void draw_all(gui::Frame& frame);
+  [[nodiscard]] PathSubject subject_of(const gui::Frame& frame) const;
   [[nodiscard]] std::string place_text(const gui::Frame& frame, drawing::Point3 place) const;
   void say_hit(gui::Frame& frame);
   void say_measure(const gui::Frame& frame);
@@ -31,11 +36,12 @@ class ToolPath final : public gui::Panel {
   [[nodiscard]] const gui::WrittenSequence* blocks_of_text(const gui::Frame& frame) const;
   void light(const gui::Frame& frame, int line);
   void draw_toolbar(gui::Frame& frame);
-  void draw_legend(gui::Frame& frame, float height);
+  void draw_view_tools(gui::Frame& frame);
   void draw_hit(gui::Frame& frame, float width);
   void draw_hit_links(gui::Frame& frame, float& right_px, float y_px);
-  void draw_dialogs(gui::Frame& frame);
+  void ask_to_run_from(gui::Frame& frame, const gui::WrittenSequence& source);
 
+  std::optional<Catalog> together_;  ///< of all on the bus; none: of this controller
   PathChoice choice_;
   ProgramPath program_;
   PathCanvas canvas_;

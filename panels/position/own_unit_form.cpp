@@ -15,14 +15,14 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float line_height = 36;
+constexpr float form_line = 36;
 
 /// The parts of one line, at their places.
 class FormLine {
  public:
   FormLine(Frame& f, AxisId axis)
       : f_(f), name_(f.catalog.axes[axis.index].name), at_(ImGui::GetCursorScreenPos()) {}
-  ~FormLine() { ImGui::SetCursorScreenPos(ImVec2(at_.x, at_.y + f_.ui.px(line_height))); }
+  ~FormLine() { ImGui::SetCursorScreenPos(ImVec2(at_.x, at_.y + f_.ui.px(form_line))); }
   FormLine(const FormLine&) = delete;
   FormLine& operator=(const FormLine&) = delete;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/core.h>
 
@@ -12,10 +13,20 @@
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/program/rehearsal_words.h"
+#include "panels/program/travel_words.h"
 
 namespace hw::panels {
 
 using namespace gui;
+
+/// What its words depend on besides the outcome.
+static void add_shown(std::string& all, const Frame& f, std::size_t axis) {
+  const AxisState& state = f.now.axes[axis];
+  const Travel travel = state.travel_holds() ? state.travel : Travel();
+  all += f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}).name;
+  fmt::format_to(std::back_inserter(all), " {} {} {} {}\n", travel.has_minus, travel.minus.value,
+                 travel.has_plus, travel.plus.value);
+}
 
 // The words of the outcome in the user's units; the caption says which text they are of.
 void RehearsalCard::refresh(Frame& f, int slot) {
@@ -24,8 +35,7 @@ void RehearsalCard::refresh(Frame& f, int slot) {
   refresh_caption(f, slot);
   std::string& units = units_now_;  // keeps its memory from frame to frame
   units.clear();
-  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
-    (units += f.tab.unit(AxisId{static_cast<std::uint8_t>(i)}).name) += '\n';
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) add_shown(units, f, i);
   if (version_ == desk.rehearsals.version() && slot_ == slot && units == text_of_units_) return;
   version_ = desk.rehearsals.version();
   slot_ = slot;
@@ -73,7 +83,8 @@ void RehearsalCard::refresh_words(const Frame& f) {
         fmt::format("It has not ended after {}; it may never end.", format_duration(r.duration_s).view());
   for (const RehearsedAxis& axis : r.axes) say_span(f, axis);
   stand_ = stand_words(f, *outcome_);
-  stops_ = stop_words(r);
+  if (begins_here()) stops_ = past_travel_words(f, r);
+  for (std::string& stop : stop_words(r)) stops_.push_back(std::move(stop));
   assumed_ = assumption_words(r);
   sends_ = r.sent_to_host;
   std::replace(sends_.begin(), sends_.end(), '\r', ' ');
@@ -275,19 +286,21 @@ bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
   } else {
     word(Face::body_medium, tone, time_);
     if (old_ && !of_running_) word(Face::small, Tone::ink3, said_caption_);
-    const bool touched = outcome_->result->limit_touched;
-    const std::string_view verdict = !begins_here()     ? "begins elsewhere: limits not judged"
+    const bool touched = outcome_->result->limit_touched,
+               past = begins_here() && passes_travel(f, *outcome_->result);
+    const std::string_view verdict = past               ? "goes past a limit of yours"
+                                     : !begins_here()   ? "begins elsewhere: limits not judged"
                                      : !judges_limits() ? "limits not judged"
                                      : touched          ? "a limit is touched"
                                                         : "no limit touched";
-    const bool fine = judges_limits() && !touched;
+    const bool fine = judges_limits() && !touched && !past;
     // The verdict is never cut; of the spans what fits.
     const float verdict_width = ui.px(20 + 14) + std::ceil(text_width(ui, Face::body, verdict));
     const float spans_end = right - ui.px(24) - verdict_width;
     draw_text_line(ui, x, spans_end, middle, Face::body, ui[Tone::ink2], spans_);
     if (!spans_.empty())
       x = std::max(x, std::min(spans_end, x + std::ceil(text_width(ui, Face::body, spans_)))) + ui.px(14);
-    if (fine || judges_limits() || !begins_here()) {
+    if (fine || past || judges_limits() || !begins_here()) {
       draw_icon(ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::warning, ImVec2(x + ui.px(6), middle),
                 ui.px(12), ui[fine ? Tone::ok : Tone::warn]);
       x += ui.px(20);

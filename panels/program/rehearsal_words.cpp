@@ -70,10 +70,10 @@ std::string difference(const Frame& f, const Stand& stand) {
       const auto reads = [&](Steps value) { return fmt::format("{} {}", value.value, input.unit); };
       return differs(input.name, reads(stand.began), reads(stand.stands));
     }
-    case Footing::other_mode: {
-      const ReadoutInfo& mode = c.readouts[place];
-      return differs(mode.label, readout_word(mode, stand.began.value),
-                     readout_word(mode, stand.stands.value));
+    case Footing::other_readout: {
+      const ReadoutInfo& readout = c.readouts[place];
+      return differs(readout.label, readout_word(readout, stand.began.value),
+                     readout_word(readout, stand.stands.value));
     }
     case Footing::other_variable:
       return differs(fmt::format("V{}", place), std::to_string(stand.began.value),

@@ -1,6 +1,7 @@
 #include "panels/program/rehearsed.h"
 
 #include "gui/model/tab.h"
+#include "panels/program/travel_words.h"
 
 namespace hw::panels {
 
@@ -34,7 +35,8 @@ std::string_view changed(const Stand& stand) {
     case Footing::other_output: return "Rehearsed before an output was switched.";
     case Footing::other_input: return "Rehearsed before an input changed.";
     case Footing::other_analog: return "Rehearsed before an analog input changed.";
-    case Footing::other_mode: return "Rehearsed before the move mode was changed.";
+    case Footing::other_readout:
+      return "Rehearsed before the move mode, a latch or a sync output was changed.";
     case Footing::other_variable: return "Rehearsed before a variable was changed.";
     case Footing::other_program: return "Rehearsed before another program was changed.";
   }
@@ -51,6 +53,8 @@ Rehearsed rehearsed(const Frame& f, int slot) {
   if (outcome->text != desk.texts.text(slot)) return {false, "Rehearsed before the text was changed."};
   for (const std::string_view why : {found(*outcome), changed(outcome->stand)})
     if (!why.empty()) return {false, why};
+  if (passes_travel(f, *outcome->result))
+    return {false, "Rehearsed: it goes past a limit that you have set."};
   if (!outcome->result->assumptions.empty())
     return {true, "Rehearsed: this text, from here, with what the card says it takes for granted."};
   return {true, "Rehearsed: this text, from where the axes stand."};

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/sequence/within_loop.h"
 #include "core/sequence/words.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
@@ -49,30 +50,51 @@ std::string_view why_not_run_from(const Frame& f, const WrittenSequence* source)
   return is_under_way(f.now.program) ? "A program waits. Stop it first." : "";
 }
 
-void RunFrom::ask(Frame& f, const sequence::Sequence& of, int step) {
+Result<RunFrom::Wanted> RunFrom::wanted_of(const sequence::Sequence& of, int step, std::optional<int> pass) {
+  if (const auto within = sequence::loops_around(of, step)) {
+    if (!pass && within->times == 1) pass = 0;
+    if (!pass)
+      return fail(
+          FaultKind::refused,
+          fmt::format("It lies within the loop of step {}, and the path does not show which pass of it "
+                      "this is.",
+                      within->loop + 1),
+          "Nothing was begun.",
+          "Click the pass that you mean in the picture. Where its passes lie in one line, begin in front of "
+          "the loop or behind it.");
+    auto found = sequence::rest_within(of, step, *pass);
+    if (!found) return fail(found.error());
+    return Wanted{std::move(found->rest), std::move(found->begins)};
+  }
+  const auto begin = sequence::step_to_begin_at(of, step);
+  if (!begin) return fail(begin.error());
+  auto rest = sequence::rest_from(of, *begin);
+  if (!rest) return fail(rest.error());
+  const sequence::Step::Body& first = of.steps[*begin].body;
+  return Wanted{std::move(*rest), fmt::format("step {}, {} {}", *begin + 1, sequence::title_of(first),
+                                              sequence::summary_of(first, of))};
+}
+
+void RunFrom::ask(Frame& f, const sequence::Sequence& of, int step, std::optional<int> pass) {
   const Language* language = f.tab.desk().language();
   if (!language) return;
-  const auto begin = sequence::step_to_begin_at(of, step);
-  if (!begin) return f.toast(Mood::warn, begin.error().sentence());
-  auto rest = sequence::rest_from(of, *begin);
-  if (!rest) return f.toast(Mood::warn, rest.error().sentence());
-  auto written = language->write(rest->sequence, f.catalog);
+  auto wanted = wanted_of(of, step, pass);
+  if (!wanted) return f.toast(Mood::warn, wanted.error().sentence());
+  auto written = language->write(wanted->rest.sequence, f.catalog);
   if (!written) return f.toast(Mood::warn, written.error().sentence());
-  rest_ = std::move(*rest), written_ = std::move(*written);
+  rest_ = std::move(wanted->rest), written_ = std::move(*written);
   const ProgramTexts& texts = f.tab.desk().texts;
   replaces_ = texts.edited(texts.chosen());
   go_ahead_ = f.tab.desk().until_stopped();
   asking_ = true;
-  say(f, of, *begin);
+  say(f, wanted->begins);
 }
 
-void RunFrom::say(const Frame& f, const sequence::Sequence& of, std::size_t step) {
+void RunFrom::say(const Frame& f, std::string_view begins) {
   const std::string at = standing_at(f, rest_);
-  const sequence::Step::Body& first = of.steps[step].body;
   question_ = at.empty() ? std::string() : fmt::format("The axes stand at {}.\n", at);
   question_ += fmt::format("First: {}\n", words_of_leading(rest_));
-  question_ += fmt::format("Then step {}, {} {}, and all behind it.", step + 1, sequence::title_of(first),
-                           sequence::summary_of(first, of));
+  question_ += fmt::format("Then {}, and all behind it.", begins);
   if (rest_.leaves_homing_out) question_ += "\nHoming is left out: the counts are taken for true.";
   if (!speaks_of_a_tool(rest_))
     question_ += "\nNo step speaks of a tool: see to it that nothing is in its way.";
@@ -103,17 +125,16 @@ void RunFrom::draw_dialog(Frame& f, std::string_view where) {
 }
 
 std::optional<drawing::Point3> RunFrom::goes_to(const Frame& f, const PathAxes& axes) const {
+  if (!asking_) return std::nullopt;
   auto at = place_now(f, axes);
-  if (!asking_ || !at) return std::nullopt;
-  const auto take = [&](AxisId id, double& coordinate) {
+  if (!at) return std::nullopt;
+  const Directions all = directions_of(f, axes);
+  for (std::size_t n = 0; n < all.count; ++n)
     for (std::size_t a = 0; a < rest_.sequence.axes.size(); ++a) {
       const sequence::Axis& axis = rest_.sequence.axes[a];
-      if (axis.name != f.catalog.axes[id.index].name || !rest_.start[a]) continue;
-      coordinate = from_steps(Steps(std::llround(*rest_.start[a] * axis.per_unit)), f.tab.unit(id));
+      if (!all.all[n].tab || axis.name != all.all[n].name || !rest_.start[a]) continue;
+      along(*at, n) = from_steps(Steps(std::llround(*rest_.start[a] * axis.per_unit)), all.all[n].unit());
     }
-  };
-  take(axes.right, at->x), take(axes.up, at->y);
-  if (axes.third) take(*axes.third, at->z);
   return at;
 }
 

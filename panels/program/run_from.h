@@ -14,14 +14,20 @@ namespace hw::panels {
 
 class RunFrom {
  public:
-  /// `step`: as SequenceText counts them. Where the rest cannot be run it is told why.
-  void ask(gui::Frame& frame, const sequence::Sequence& of, int step);
+  /// `step`: as SequenceText counts them. `pass`: how often it was done before, which matters within a loop;
+  /// none: that is not known. Where the rest cannot be run it is told why.
+  void ask(gui::Frame& frame, const sequence::Sequence& of, int step, std::optional<int> pass);
   void draw_dialog(gui::Frame& frame, std::string_view where);
   /// While it is asked: where the tool would go first, in the units of the axes.
   [[nodiscard]] std::optional<drawing::Point3> goes_to(const gui::Frame& frame, const PathAxes& axes) const;
 
  private:
-  void say(const gui::Frame& frame, const sequence::Sequence& of, std::size_t step);
+  struct Wanted {
+    sequence::Rest rest;
+    std::string begins;  ///< "step 6, Move to 2 400"
+  };
+  static Result<Wanted> wanted_of(const sequence::Sequence& of, int step, std::optional<int> pass);
+  void say(const gui::Frame& frame, std::string_view begins);
   void run(gui::Frame& frame) const;
 
   bool asking_ = false;

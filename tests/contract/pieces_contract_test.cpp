@@ -342,6 +342,29 @@ TEST_P(PiecesContractTest, AStopInTheMiddleOfABufferSwitchesItsToolOff) {
   EXPECT_LT(axis().position, Steps(at_));
 }
 
+TEST_P(PiecesContractTest, ABufferNeedsLoopsOpenAndSaysSoBeforeAnythingMoves) {
+  if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
+  add_chains(1, 1500);  // more than a program holds
+  const auto pieces = cut();
+  ASSERT_TRUE(pieces);
+  ASSERT_FALSE(pieces->open_loops.empty());
+  const OpenLoop& loop = pieces->open_loops.back();
+  must(intent::SetParam(loop.parameter, 1));
+  ASSERT_TRUE(run_until([&] { return now().axes[loop.axis.index].in_counts; }, seconds(10)));
+  EXPECT_EQ(loops_in_the_way(*pieces, now()), 1u << loop.axis.index);
+  const IntentFate asked = perform(intent::RunInPieces(pieces));
+  EXPECT_EQ(asked.fate, Fate::refused);
+  EXPECT_THAT(std::string(asked.sentence.view()), HasSubstr("takes no moves then. Nothing was sent."));
+  run(seconds(5));
+  EXPECT_FALSE(now().pieces.running);
+  EXPECT_EQ(axis().position, Steps(0));
+  must(intent::SetParam(loop.parameter, 0));
+  ASSERT_TRUE(run_until([&] { return loops_in_the_way(*pieces, now()) == 0; }, seconds(10)));
+  must(intent::RunInPieces(pieces));
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(axis().position, Steps(at_)) << told();
+}
+
 TEST_P(PiecesContractTest, TheSpeedOfABufferCanBeOverridden) {
   EXPECT_EQ(perform(intent::OverrideSpeed(50)).fate, Fate::refused) << "nothing is under way";
   if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";

@@ -285,7 +285,10 @@ TEST(Automation, WindowThemeAndScreenshot) {
   EXPECT_GT(std::filesystem::file_size(path), 1000u);
   const auto bad = stage.hand.screenshot("/no/such/folder/x.png");
   ASSERT_FALSE(bad);
-  EXPECT_NE(bad.error().what.find("could not be written"), std::string::npos);
+  EXPECT_NE(bad.error().what.find("was not written"), std::string::npos);
+  const auto full = stage.hand.screenshot("/dev/full");
+  ASSERT_FALSE(full);
+  EXPECT_NE(full.error().sentence().find("the disk is full"), std::string::npos) << full.error().sentence();
 }
 
 }  // namespace

@@ -128,6 +128,69 @@ TEST_F(ControlTest, TheJoysticksInputsHaveLiveBars) {
   EXPECT_EQ(s.value("control/analog/3"), "1840");
 }
 
+Catalog with_tables() {
+  Catalog c = test::full_catalog();
+  AxisColumn arm{AxisColumn::Shows::action, "latch", ""};
+  arm.state = "LTS*", arm.verb_on = "Arm", arm.verb_off = "Disarm";
+  AxisColumn change{AxisColumn::Shows::action, "change_speed", "speed"};
+  change.verb_on = "Change", change.while_moving = true;
+  c.axis_tables = {{"Motion", "", {{AxisColumn::Shows::motion, "clear", "what it does"}, change}},
+                   {"Latch", "", {{AxisColumn::Shows::readout, "LTS*", "state"}, arm}}};
+  return c;
+}
+
+struct ControlTablesTest : ::testing::Test {
+  ControlTablesTest() {
+    s.now.axis_count = 4;
+    for (AxisState& a : s.now.axes) {
+      a.activity = Activity::idle;
+      a.position_known = true;
+    }
+    s.stage.frames(2);
+  }
+  Control panel;
+  test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, with_tables()};
+};
+
+TEST_F(ControlTablesTest, ARowHasTheActionOfItsAxisAndTheVerbOfItsState) {
+  const auto state = static_cast<std::size_t>(s.catalog.find_readout("LTSY"));
+  s.now.readouts_known[state] = true;
+  s.stage.frames(2);
+  EXPECT_EQ(s.stage.find("action/latch/Y/go")->label, "Arm");
+  s.click("action/latch/Y/go");
+  ASSERT_TRUE(s.last<intent::Act>());
+  EXPECT_THAT(s.last<intent::Act>()->values, ElementsAre(1, 1));
+  s.now.readouts[state] = 1;
+  s.stage.frames(2);
+  EXPECT_EQ(s.stage.find("action/latch/Y/go")->label, "Disarm");
+  s.click("action/latch/Y/go");
+  EXPECT_THAT(s.last<intent::Act>()->values, ElementsAre(1, 0));
+  EXPECT_FALSE(s.stage.find("action/latch/go")) << "nothing stands twice";
+}
+
+TEST_F(ControlTablesTest, AChangeUnderWayIsThereOnlyWhileTheAxisMoves) {
+  EXPECT_FALSE(s.stage.find("action/change_speed/X/go"));
+  s.now.axes[0].activity = Activity::moving;
+  s.stage.frames(60);
+  s.type("action/change_speed/X/speed", "2500");
+  s.click("action/change_speed/X/go");
+  ASSERT_TRUE(s.last<intent::Act>());
+  EXPECT_EQ(s.last<intent::Act>()->values[0], 0);
+  EXPECT_EQ(s.last<intent::Act>()->values[1], 2500);
+  EXPECT_FALSE(s.stage.find("action/change_speed/Y/go"));
+}
+
+TEST_F(ControlTablesTest, AnErrorIsClearedWhereItIsShown) {
+  EXPECT_FALSE(s.stage.find("action/clear/Z/go"));
+  s.now.axes[2].activity = Activity::error;
+  s.now.axes[2].error = AxisError::alarm;
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("control/Z/does"), "ended by alarm");
+  s.click("action/clear/Z/go");
+  ASSERT_TRUE(s.last<intent::Act>());
+  EXPECT_THAT(s.last<intent::Act>()->values, ElementsAre(2));
+}
+
 TEST_F(ControlTest, WhatTheControllerSaysOfItself) {
   EXPECT_EQ(s.value("about/firmware"), "not told");
   s.now.identity.firmware = "V319";

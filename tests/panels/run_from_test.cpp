@@ -1,6 +1,8 @@
 // Running the rest of a program from a place on its path.
 #include "panels/program/run_from.h"
 
+#include <algorithm>
+
 #include "core/device/registry.h"
 #include "panels/path/tool_path.h"
 #include "tests/panels/panel_stage.h"
@@ -108,16 +110,44 @@ TEST_F(RunFromTest, ATextThatIsOfNoBlocksIsNotBegunInTheMiddle) {
   EXPECT_THAT(s.reason("path/run_here"), HasSubstr("This text is of no blocks"));
 }
 
-TEST_F(RunFromTest, WithinALoopItIsRefusedWithTheReason) {
-  sequence::Sequence s3 = s.tab.desk().blocks.editor.sequence();
-  sequence::StepList round(s3.steps.begin() + 4, s3.steps.end());
-  s3.steps.erase(s3.steps.begin() + 4, s3.steps.end());
-  s3.steps.push_back({sequence::Repeat{3, round}});
-  s.tab.desk().blocks.editor.load(s3);
+/// Round and round to the right and upwards: its passes lie beside one another.
+sequence::Sequence stairs(const sequence::Sequence& square) {
+  sequence::Sequence looped = square;
+  looped.steps.erase(looped.steps.begin() + 4, looped.steps.end());
+  std::get<sequence::Move>(looped.steps[2].body).to[1] = 0;
+  sequence::Move right = to(0, 100), up = to(1, 100);
+  right.relative = up.relative = true;
+  looped.steps.push_back({sequence::Repeat{4, {{right}, {up}}}});
+  return looped;
+}
+
+TEST_F(RunFromTest, WithinALoopThePassThatWasClickedIsWrittenOut) {
+  s.tab.desk().blocks.editor.load(stairs(s.tab.desk().blocks.editor.sequence()));
   rehearse(of_blocks());
-  click_on_second_side();
+  const gui::Rect r = s.stage.find("path/view")->rect;
+  // From 200, 100 up to 200, 200: the second way upwards.
+  s.click_at(ImVec2(r.centre().x, r.centre().y + static_cast<float>(50 / std::stod(s.value("path/view")))));
+  ASSERT_THAT(s.value("path/hit"), HasSubstr("I2M100"));
   s.click("path/run_here");
-  EXPECT_THAT(s.toast(), HasSubstr("within the loop of step 5"));
+  EXPECT_THAT(s.value("path/run_from/says"), HasSubstr("Then pass 2 of 4 of the loop of step 5, "))
+      << s.toast();
+  EXPECT_THAT(s.value("path/run_from/says"), HasSubstr("Move to 1 200, 2 100."));
+  s.click("path/run_from/yes");
+  s.stage.frames(4);
+  EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("LA2")) << "two passes are left";
+}
+
+TEST_F(RunFromTest, ALineOfALoopThatNobodyClickedIsRefusedWithTheReason) {
+  s.tab.desk().blocks.editor.load(stairs(s.tab.desk().blocks.editor.sequence()));
+  const std::string text = of_blocks();
+  rehearse(text);
+  const auto before = text.find("I2M100");
+  s.tab.desk().caret_line =
+      static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(before), '\n'));
+  s.stage.frames(2);
+  s.click("path/run_here");
+  EXPECT_THAT(s.toast(), HasSubstr("the path does not show which pass of it this is"));
+  EXPECT_THAT(s.toast(), HasSubstr("Click the pass that you mean"));
   EXPECT_FALSE(s.stage.find("path/run_from/yes"));
   EXPECT_TRUE(s.sent.empty());
 }

@@ -86,7 +86,7 @@ class Usage(Case):
         self.expect(run("--version"), 0, "handwheel ")
         result = run("--help")
         self.expect(result, 0)
-        for name in "open demo run emulate send check simulate convert scan backup restore".split():
+        for name in "open demo run emulate send check simulate convert scan backup restore params".split():
             self.assertIn(name, result.stdout)
             self.expect(run(name, "--help"), 0, "handwheel " + name)
 
@@ -1056,6 +1056,36 @@ class Convert(Case):
         broken = self.file("b.toml", sequence.read_text().replace("move", "fly", 1))
         self.expect(run("check", broken, "--for", "pmx-4ex-sa"), 1, 'there is no step "fly"')
 
+    def test_the_tool_has_an_axis_delays_or_routines(self):
+        file = self.drawing(self.line(1, 2, 5, 2))
+        def program(*tool):
+            self.expect(self.convert(file, "pmx-4ex-sa", "--per-unit", "100", *tool), 0)
+            return (self.folder / "out.prg").read_text()
+        self.assertRegex(program("--pen-axis", "Z:-2:3", "--pen-per-unit", "50", "--pen-down-delay", "40", "--pen-up-delay", "70"),
+                         r"(?s)Z150.*DELAY=70.*Z-100.*DELAY=40")
+        self.assertRegex(program("--pen-down", "Z to -2, DO1 on, wait 40", "--pen-up", "DO1 off, Z to 3", "--pen-per-unit", "50"),
+                         r"(?s)DO1=0.*Z150.*Z-100.*DO1=1.*DELAY=40")
+        for wrong, says in ((("--pen-down", "hop"), '--pen-down: "hop" is not understood.'),
+                            (("--pen-down", "DO1 on"), "nothing switches it back"),
+                            (("--pen-down", "DO1 on", "--pen-up", "DO1 off", "--pen-output", "1"), "say the same")):
+            self.expect(self.convert(file, "pmx-4ex-sa", *wrong), 2, says)
+
+    def test_motors_of_a_slave_draw_too(self):
+        file = self.drawing(self.line(1, 2, 5, 2))
+        slave = ("--motors", "4", "--per-unit", "100", "--tolerance", "0.1", "--axes")
+        self.expect(self.convert(file, "vxm", *slave, "3,4"), 0)
+        self.assertIn("IA3M500", (self.folder / "out.prg").read_text())
+        self.expect(self.convert(file, "vxm", *slave, "1,3"), 0, "Master and Slave could start together")
+        self.expect(self.convert(file, "pmx-4ex-sa", "--motors", "4"), 2, "has no --motors")
+
+    def test_what_the_order_saves_is_told_in_seconds_too(self):
+        file = self.drawing(self.line(0, 0, 1, 0), self.line(50, 0, 51, 0), self.line(2, 0, 3, 0))
+        result = self.convert(file, "pmx-4ex-sa", "--per-unit", "100", "--travel-speed", "10")
+        travel = json.loads(result.stdout)["travel"]
+        self.assertAlmostEqual(travel["saved_s"], (travel["as_drawn"] - travel["ordered"]) / 10)
+        self.assertGreater(travel["saved_s"], 4)
+        self.assertEqual(json.loads(self.convert(file, "pmx-4ex-sa", "--per-unit", "100").stdout)["travel"]["saved_s"], None)
+
     def test_a_frame_goes_once_around(self):
         file = self.drawing(self.line(1, 2, 5, 2), self.line(5, 2, 5, 4))
         self.expect(self.convert(file, "pmx-4ex-sa", "--per-unit", "100", "--pen-output", "1", "--frame"), 0)
@@ -1071,6 +1101,7 @@ class Convert(Case):
         problems = json.loads(result.stdout)["problems"]
         self.assertIn("has 256", problems[0])
         self.assertIn("can be drawn in", problems[-1])
+        self.assertGreater(json.loads(result.stdout)["duration_s"], 20, "in pieces, with the transfer of each")
         self.assertFalse((self.folder / "out.prg").exists())
         result = self.convert(file, "vxm", "--per-unit", "1000", "--tolerance", "0.01", out="out.toml")
         self.expect(result, 0, "has 256", "can be drawn in")
@@ -1144,6 +1175,83 @@ class Convert(Case):
         self.expect(self.convert(self.file("b.dxf", "AutoCAD Binary DXF\r\n"), "vxm"), 1, "b.dxf")
 
 
+class Jobs(Case):
+    """assets/examples/*.lua: real jobs, on emulators in virtual time. In a copy, as they write beside themselves."""
+
+    TOLD = {"grid_scan": "16 points", "home_repeat": "scatter 0 steps", "places": "measure\t4000\t1500",
+            "jog_until_input": "found at ", "soak": "past the + limit", "two_together": "4000\t3000",
+            "backup_all": "board\t8 axes", "watch_and_stop": "stopped at ", "calibrate": "200.000 steps a millimetre",
+            "list_parameters": "j1M\t1200\tsteps/s"}
+
+    def test_each_does_its_work(self):
+        self.assertEqual(set(self.TOLD), {path.stem for path in Examples.FOLDER.glob("*.lua")})
+        for name, told in self.TOLD.items():
+            with self.subTest(name):
+                script = self.file(name + ".lua", (Examples.FOLDER / (name + ".lua")).read_text())
+                self.expect(run("run", script), 0, told)
+        rows = (self.folder / "grid.csv").read_text().splitlines()
+        self.assertEqual((rows[0], len(rows), rows[4].rsplit(",", 1)[0]), ("x,y,millivolts", 17, "1500,0"))
+        for file in ("stage", "table", "slide", "board"):
+            self.assertIn("[parameters]", (self.folder / (file + ".toml")).read_text())
+
+    def test_files_stay_in_the_scripts_folder(self):
+        outside = self.folder / "outside"
+        outside.mkdir()
+        (self.folder / "in").mkdir()
+        (self.folder / "in" / "link").symlink_to(outside)
+        (self.folder / "in" / "link.csv").symlink_to(outside / "a.csv")
+        script = self.file("in/a.lua", """
+          for _, name in ipairs{"../a.csv", "/tmp/a.csv", "a.lua", ".csv", "link/a.csv", "link.csv", "none/a.csv", "a.toml"} do
+            local done, why, more = hw.write_csv(name, {{1}})
+            hw.check(done == nil and #why > 10 and more.kind == "port", name)
+          end
+          local c = hw.open("vxm@emulator")
+          hw.check(not c:backup("../a.toml") and not c:backup("a.csv") and not c:restore("none.toml"))
+          hw.check(hw.write_csv("a.csv", {{'say "so", twice', 1, 2.5, true}, {"two\\nlines"}}))
+          hw.check(not pcall(hw.write_csv, "b.csv", {5}) and not pcall(hw.write_csv, "b.csv", {{{}}}))""")
+        self.expect(run("run", script), 0)
+        self.assertEqual((script.parent / "a.csv").read_text(), '"say ""so"", twice",1,2.5,true\n"two\nlines"\n')
+        self.assertEqual(list(outside.iterdir()), [])
+        self.assertFalse((self.folder / "a.csv").exists())
+
+    def test_upkeep_on_every_controller(self):
+        for model in ("vxm", "pmx-4ex-sa", "dmx-k-sa", "vme58"):
+            script = self.file("a.lua", f"""
+              local c = assert(hw.open("{model}@emulator"))
+              assert(c:clear_errors())
+              local stored, why = c:store()
+              hw.check(stored or why:find("nothing to store"), why)
+              assert(c:backup("a.toml") and c:restore("a.toml"))""")
+            result = run("run", script)
+            self.expect(result, 0)
+            self.assertIn("a.toml: ", result.stderr, "a script says what it has written")
+
+    def test_an_error_side_by_side_ends_the_script(self):
+        script = self.file("a.lua", "hw.spawn(function() hw.sleep(1) error('beside') end)\nhw.sleep(9)\nprint('on')")
+        result = run("run", script)
+        self.expect(result, 1, "a.lua:1: beside")
+        self.assertEqual(result.stdout, "")
+
+
+class Params(Case):
+    def test_words_and_json(self):
+        self.expect(run("params", "vxm"), 0, "j1M ", "First jog speed of motor 1 [steps/s]: ", "6000 (default 2000)")
+        self.expect(run("params", "vxm", "--motors", "4"), 0, "j4M ")
+        for model, name in (("vxm", "j1M"), ("pmx-4ex-sa", "HSX"), ("dmx-k-sa", "HSPD"), ("vme58", "VLX")):
+            result = run("params", model, "--json")
+            self.expect(result, 0)
+            told = json.loads(result.stdout)
+            self.assertEqual(told["model"], model)
+            (one,) = [p for p in told["parameters"] if p["name"] == name]
+            self.assertTrue(one["label"])
+            self.assertLess(one["min"], one["max"])
+            self.assertIn("default", one)
+
+    def test_wrong_usage(self):
+        self.expect(run("params", "vmx"), 2, 'There is no controller model "vmx". Did you mean "vxm"?')
+        self.expect(run("params", "dmx-k-sa", "--motors", "4"), 2, "has no --motors")
+
+
 class Simulate(Case):
     def simulate(self, text, *more):
         result = run("simulate", self.file("a.vxm", text), "--for", "vxm", "--json", *more)
@@ -1166,7 +1274,8 @@ class Simulate(Case):
 
     def test_a_program_without_end(self):
         result, got = self.simulate("LM0\nI1M100\nI1M-100\nL0\n", "--for-seconds", 30)
-        self.expect(result, 0)
+        self.assertEqual(result.returncode, 1, "a shell sees that it has no end")
+        self.assertTrue(result.stderr.strip())
         self.assertFalse(got["finished"])
         self.assertAlmostEqual(got["duration_s"], 30, delta=0.01)
 
@@ -1228,6 +1337,10 @@ class Simulate(Case):
         bench = self.file("bench.toml", "[axis.1]\nplus = 500\n")
         result, got = self.simulate("I1M4000\nI2M5\n", "--bench", bench)
         self.expect(result, 0)
+        result, strict = self.simulate("I1M4000\nI2M5\n", "--bench", bench, "--strict")
+        self.assertEqual((result.returncode, strict), (1, got), "a limit is a failure for who asks for it")
+        self.assertIn("limit", result.stderr)
+        self.expect(self.simulate("I1M40\n", "--bench", bench, "--strict")[0], 0)
         (stop,) = got["stops"]
         self.assertEqual((stop["axis"], stop["direction"], stop["line"]), ("1", 1, 1))
         self.assertAlmostEqual(stop["t"], 0.707, delta=0.001)

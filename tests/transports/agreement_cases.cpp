@@ -47,20 +47,22 @@ constexpr const char* three_taps =
 constexpr const char* stopped_for_a_second =
     "[[at]]\nt = 1.0\ninput = [1, true]\n[[at]]\nt = 2.0\ninput = [1, false]\n";
 
+constexpr double a_minute = 60;  // of those that do not end
+
 std::vector<AgreementCase> arcus_cases(const std::string& family) {
   const auto example = [&](int n) {
     return file("language/good/" + family + "_example_" + std::to_string(n) + ".prg");
   };
   return {
       {"example_1", example(1)},
-      {"example_2", example(2), 0, 10},
+      {"example_2", example(2), 0, a_minute},
       {"example_3", example(3)},
-      {"example_4", example(4), 0, 2, held_a_second},
-      {"example_5", example(5), 0, 1.5, three_taps},
-      {"example_6", example(6), 0, 1.2, four_taps, "", {}, {home(0, -600, 0)}},
-      {"example_7", example(7), 1, 3, stopped_for_a_second},
-      {"example_8", example(8), 0, 8},
-      {"example_8_watch", example(8), 1, 8},
+      {"example_4", example(4), 0, a_minute, held_a_second},
+      {"example_5", example(5), 0, a_minute, three_taps},
+      {"example_6", example(6), 0, a_minute, four_taps, "", {}, {home(0, -600, 0)}},
+      {"example_7", example(7), 1, a_minute, stopped_for_a_second},
+      {"example_8", example(8), 0, a_minute},
+      {"example_8_watch", example(8), 1, a_minute},
   };
 }
 
@@ -135,7 +137,7 @@ std::vector<AgreementCase> vxm_cases() {
       {"example_6_repeating_index", "P10,I1M400,L10,I1M-3600"},
       {"example_7_home_to_limit", "S1M600,I1M0,I1M-200,IA1M-0", 0, 120, "", "", {}, {travel(0, -5000, 3000)}},
       {"example_8_raster_scan", "I1M200,P10,L7,I2M400,L-4,U6,LM-2", 0, 300},
-      {"example_9_rectangle", "I1M2000,U1,I2M1000,U1,LM-3,L0", 0, 12, taps},
+      {"example_9_rectangle", "I1M2000,U1,I2M1000,U1,LM-3,L0", 0, a_minute, taps},
       {"example_10_raster_scans", "I1M2000,I2M300,L-4,LM0,I2M600,I1M3000,L-3,IA2M0,LM-0,LA5", 0, 300},
       {"example_11_matrix", "I3M2000,I3M-2000,I1M1600,L5,I2M400,L-3,IA1M0,IA2M0", 0, 300, "", ",motors=4"},
       {"example_12_pick_and_place", example(12), 0, 300},
@@ -152,6 +154,15 @@ std::vector<AgreementCase> vxm_cases() {
       {"appendix_d_three_speeds", "S2M1500,U7,I2M2000,S2M3000,I2M4000,S2M500,I2M800,U9,S2M3000,IA2M0"},
       {"appendix_g_one_after_the_other", "I1M400,I3M800", 0, 60, "", ",motors=4"},
       {"appendix_g_together", "(I3M800,I1M400,)", 0, 60, "", ",motors=4"},
+      {"appendix_i_speed_by_the_middle", "S1M-12,I1M4000"},
+      {"appendix_i_speed_by_a_potentiometer",
+       "S1M-12,I1M4000,I1M-4000,L3",
+       0,
+       60,
+       "[[at]]\nt = 4.0\nanalog = [1, 60]\n[[at]]\nt = 9.0\nanalog = [1, 1024]\n",
+       "",
+       {},
+       {bench::Analog(1, 900)}},
       {"appendix_n_home_switch",
        "S1M600,I1M-0,I1M4000,I1M-0,IA1M-0",
        0,

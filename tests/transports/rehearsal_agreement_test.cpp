@@ -1,6 +1,6 @@
 // What a rehearsal says a program does is what the same emulated controller does when the program is loaded
-// and run through session, link and driver: where every axis is to the step, and how long it took to the
-// millisecond.
+// and run through session, link and driver: where every axis is to the step at moments on the way and at the
+// end, which outputs are on, and how long it took to the millisecond.
 #include <fstream>
 #include <sstream>
 
@@ -42,17 +42,19 @@ class RehearsalAgreement : public testing::TestWithParam<AgreementCase> {
     const std::string text = text_of(c);
     const Rehearsal said = rehearse(c, text);
     ASSERT_FALSE(HasFatalFailure());
-    run_live(c, text, said.duration_s, begins_on, answers_waits);
-    ASSERT_TRUE(watched->seen()) << "nothing began";
-    for (int i = 0; i < watched->seen()->axis_count; ++i)
-      EXPECT_EQ(said.axes.at(static_cast<std::size_t>(i)).position,
-                watched->seen()->axes[static_cast<std::size_t>(i)].position.value)
-          << said.axes[static_cast<std::size_t>(i)].name;
-    if (said.finished) {
-      ASSERT_TRUE(watched->took()) << "it is still at work";
-      EXPECT_NEAR(seconds(*watched->took()), said.duration_s, 0.001);
+    const std::vector<RehearsedPlace> places = places_of(said);
+    run_live(c, text, places, begins_on, answers_waits);
+    ASSERT_TRUE(watched->has_seen_all()) << (watched->began() ? "it was not looked at" : "nothing began");
+    for (std::size_t n = 0; n < places.size(); ++n) {
+      const WatchedRun::Look& seen = watched->looks()[n];
+      for (std::size_t i = 0; i < static_cast<std::size_t>(seen.truth.axis_count); ++i)
+        EXPECT_EQ(places[n].position[i], seen.truth.axes[i].position.value)
+            << said.axes.at(i).name << " after " << places[n].t << " s";
+      EXPECT_EQ(places[n].outputs, seen.outputs) << "after " << places[n].t << " s";
     }
-    EXPECT_EQ(said.track.back().outputs, watched->outputs_seen());
+    if (!said.finished) return;
+    ASSERT_TRUE(watched->took()) << "it is still at work";
+    EXPECT_NEAR(seconds(*watched->took()), said.duration_s, 0.001);
   }
   void TearDown() override {
     if (!session) return;
@@ -120,23 +122,40 @@ class RehearsalAgreement : public testing::TestWithParam<AgreementCase> {
     options.slot = c.slot;
     options.for_seconds = c.seconds;
     options.bench_toml = c.bench;
-    options.track_every_s = 0.5;
+    options.track_every_s = 0.05;
     auto done = session->type().language().rehearse(text, options);
     EXPECT_TRUE(done) << done.error().sentence();
     return done ? std::move(*done) : Rehearsal();
   }
 
-  void run_live(const AgreementCase& c, const std::string& text, double looked_at_s, Duration begins_on,
-                bool answers_waits) {
+  /// Some of them, one after the other through all of the run, and how it ends.
+  static std::vector<RehearsedPlace> places_of(const Rehearsal& said) {
+    constexpr std::size_t moments = 12;
+    std::vector<RehearsedPlace> all;
+    for (std::size_t n = 1; n <= moments; ++n) {
+      const RehearsedPlace& place = said.track[(said.track.size() - 1) * n / (moments + 1)];
+      if (place.t > (all.empty() ? 0 : all.back().t) && place.t < said.duration_s) all.push_back(place);
+    }
+    RehearsedPlace end;
+    end.t = said.duration_s, end.outputs = said.track.back().outputs;
+    for (std::size_t i = 0; i < said.axes.size(); ++i) end.position[i] = said.axes[i].position;
+    all.push_back(end);
+    return all;
+  }
+
+  void run_live(const AgreementCase& c, const std::string& text, const std::vector<RehearsedPlace>& places,
+                Duration begins_on, bool answers_waits) {
     const auto hands = parse_bench_file(c.bench, session->catalog());
     ASSERT_TRUE(hands) << hands.error().sentence();
     const bool threads = session->catalog().program.threads > 0;
     must(intent::LoadProgram(threads ? 0 : c.slot, text));
     ASSERT_FALSE(HasFatalFailure());
-    watched->arm(*hands, from_seconds(looked_at_s), begins_on, answers_waits);
+    std::vector<Duration> moments;
+    for (const RehearsedPlace& place : places) moments.push_back(from_seconds(place.t));
+    watched->arm(*hands, std::move(moments), begins_on, answers_waits);
     const IntentId id = session->send(intent::RunProgram(c.slot));
-    time.run_until(time.now() + from_seconds(looked_at_s) + 5s,
-                   [this] { return watched->seen().has_value(); });
+    time.run_until(time.now() + from_seconds(places.back().t) + 5s,
+                   [this] { return watched->has_seen_all(); });
     const IntentFate* fate = known().fate_of(id);
     EXPECT_TRUE(!fate || fate->fate != Fate::refused) << fate->sentence.view();
     time.run_for(1s);

@@ -115,5 +115,127 @@ TEST_F(BusAtWork, SaysWhyItDoesNotComeToItsEnd) {
       << from_the_factory.error().sentence();
 }
 
+/// Chains of short lines, more than the memory of a VXM holds and than a PMX stores.
+seq::Sequence many_chains(const Catalog& catalog, int chains, int lines) {
+  seq::Sequence drawing;
+  drawing.axes = {{catalog.axes[0].name, 100}, {catalog.axes[1].name, 100}};
+  drawing.tolerance = 0.05;
+  const int output = catalog.output_number(catalog.outputs.size() - 1);
+  drawing.pen_down = {{seq::Output{output, true}}};
+  drawing.pen_up = {{seq::Output{output, false}}};
+  drawing.steps = {{seq::Pen{false}}, {seq::Speed{{10, 0, 100}}}};
+  for (int c = 0; c < chains; ++c) {
+    drawing.steps.push_back(to(c, 0));
+    drawing.steps.push_back({seq::WaitMotion{}});
+    drawing.steps.push_back({seq::Pen{true}});
+    for (int n = 0; n < lines; ++n) {
+      drawing.steps.push_back(n % 2 == 0 ? to(c, 0.5 * (n + 1)) : to(c + 0.4, 0.5 * n));
+      drawing.steps.push_back({seq::WaitMotion{}});
+    }
+    drawing.steps.push_back({seq::Pen{false}});
+  }
+  return drawing;
+}
+
+class InPieces : public testing::TestWithParam<const char*> {
+ protected:
+  InPieces() {
+    group = *SessionGroup::open(time, address, opener, [] {});
+    done([](std::shared_ptr<SessionGroup> g) { return g->wait_until_connected(); });
+    time.run_for(std::chrono::seconds(5));
+    for (int axis = 0; axis < session().known().axis_count; ++axis)
+      if (session().catalog().axes[static_cast<std::size_t>(axis)].switchable)
+        session().send(intent::SetPower(axis, true));
+    time.run_for(std::chrono::seconds(5));
+  }
+  ~InPieces() override {
+    asio::co_spawn(time.executor(), group->close(), asio::detached);
+    time.run_for(std::chrono::seconds(5));
+  }
+  template <class Work>
+  void done(Work work) {
+    std::optional<Result<>> result;
+    asio::co_spawn(time.executor(), work(group),
+                   [&result](std::exception_ptr, Result<> r) { result = std::move(r); });
+    time.run_until(time.now() + std::chrono::minutes(5), [&result] { return result.has_value(); });
+    ASSERT_TRUE(result.has_value());
+    ASSERT_TRUE(*result) << result->error().sentence();
+  }
+  [[nodiscard]] Session& session() { return *group->members().front(); }
+  std::shared_ptr<const Pieces> pieces_of(const seq::Sequence& drawing) {
+    auto pieces = session().type().language().in_pieces(drawing, session().catalog());
+    EXPECT_TRUE(pieces) << pieces.error().sentence();
+    return pieces ? std::make_shared<const Pieces>(std::move(*pieces)) : nullptr;
+  }
+  Result<RehearsedPieces> rehearsed(std::shared_ptr<const Pieces> pieces, Duration at_most) {
+    return rehearse_pieces(std::move(pieces), address, {session().known(), {}}, opener, at_most);
+  }
+
+  const WireOpener opener = make_wire_opener();
+  const Address address = *Address::parse(std::string(GetParam()) + "@emulator,wire=real");
+  IoContext io{1};
+  VirtualScheduler time{io};
+  std::shared_ptr<SessionGroup> group;
+};
+INSTANTIATE_TEST_SUITE_P(Each, InPieces, testing::Values("vxm", "pmx-4ex-sa"),
+                         [](const auto& info) { return std::string(info.param).substr(0, 3); });
+
+TEST_P(InPieces, WhatIsLeftAtEachStepIsWhatWasRehearsed) {
+  const bool stores_little = session().catalog().program.capacity < 1000;
+  const auto pieces = pieces_of(many_chains(session().catalog(), stores_little ? 12 : 40, 36));
+  ASSERT_TRUE(pieces);
+  ASSERT_GT(pieces->all.size(), 1u);
+  const auto told = rehearsed(pieces, an_hour);
+  ASSERT_TRUE(told) << told.error().sentence();
+  ASSERT_TRUE(told->finished);
+  session().send(intent::RunInPieces(pieces));
+  std::vector<RehearsedPieces::Arrival> came_to;
+  const Instant began = time.now();
+  ASSERT_TRUE(time.run_until(began + std::chrono::hours(1), [&] {
+    const PiecesState& now = session().known().pieces;
+    if (now.running && now.step > (came_to.empty() ? -1 : came_to.back().step))
+      came_to.push_back({now.step, seconds(time.now() - began)});
+    return !now.running && !came_to.empty();
+  }));
+  const double took = seconds(time.now() - began);
+  EXPECT_EQ(session().known().pieces.done, session().known().pieces.total);
+  EXPECT_NEAR(told->duration_s, took, 0.02 * took);
+  ASSERT_GT(came_to.size(), 5u);
+  for (const auto& [step, t] : came_to) EXPECT_NEAR(told->when(step), t, 0.02 * took + 1) << step;
+}
+
+TEST_P(InPieces, WhatTakesTooLongIsToldAsFarAsItCame) {
+  const auto pieces = pieces_of(many_chains(session().catalog(), 40, 36));
+  ASSERT_TRUE(pieces);
+  const auto told = rehearsed(pieces, std::chrono::seconds(20));
+  ASSERT_TRUE(told) << told.error().sentence();
+  EXPECT_FALSE(told->finished);
+  ASSERT_FALSE(told->came_to.empty());
+  EXPECT_GT(told->came_to.back().step, 0);
+  EXPECT_LE(told->came_to.back().t, 21);
+}
+
+TEST_P(InPieces, LinesThatCannotBeSentInTimeAreToldBeforehand) {
+  if (session().catalog().move_list.columns.empty()) GTEST_SKIP() << "it stores all that it draws";
+  seq::Sequence drawing = many_chains(session().catalog(), 40, 36);
+  drawing.steps[1] = {seq::Speed{{5, 0, 100}}};
+  const auto leisurely = rehearsed(pieces_of(drawing), an_hour);
+  ASSERT_TRUE(leisurely);
+  EXPECT_EQ(leisurely->told.find("slower"), std::string::npos) << leisurely->told;
+  drawing.steps[1] = {seq::Speed{{100, 0, 100}}};
+  const auto hasty = rehearsed(pieces_of(drawing), an_hour);
+  ASSERT_TRUE(hasty);
+  EXPECT_NE(hasty->told.find("Short lines go slower than asked"), std::string::npos) << hasty->told;
+}
+
+TEST(RehearsedInPieces, TheTimeBetweenTwoStepsThatWereToldIsShared) {
+  RehearsedPieces told;
+  told.came_to = {{0, 1}, {10, 3}};
+  EXPECT_DOUBLE_EQ(told.when(0), 1);
+  EXPECT_DOUBLE_EQ(told.when(5), 2);
+  EXPECT_DOUBLE_EQ(told.when(10), 3);
+  EXPECT_DOUBLE_EQ(told.when(20), 3);
+}
+
 }  // namespace
 }  // namespace hw

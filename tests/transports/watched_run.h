@@ -1,9 +1,10 @@
 #pragma once
-// An emulator with a stop-watch: it knows the moment at which a program began, when all was over, and where
-// the axes were so long after the begin. Hands on the bench act by the same watch.
+// An emulator with a stop-watch: it knows the moment at which a program began, when all was over, and how it
+// stood at moments after the begin. Hands on the bench act by the same watch.
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/device/planned_hands.h"
 #include "tests/core/device/emulator_around.h"
@@ -14,11 +15,15 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
  public:
   using EmulatorAround::EmulatorAround;
 
-  /// From now on the next program is the one. `look_after`: when the axes are looked at. `tick`: programs
-  /// begin on whole ones of these; 0: at once.
-  void arm(const BenchFile& hands, Duration look_after, Duration tick, bool answers_waits) {
-    file_ = hands, look_after_ = look_after, tick_ = tick, answers_waits_ = answers_waits;
-    began_.reset(), ended_.reset(), seen_.reset();
+  struct Look {
+    MachineTruth truth;
+    std::uint32_t outputs = 0;
+  };
+  /// From now on the next program is the one. `look_after`: when it is looked at, each later than the one
+  /// before. `tick`: programs begin on whole ones of these; 0: at once.
+  void arm(const BenchFile& hands, std::vector<Duration> look_after, Duration tick, bool answers_waits) {
+    file_ = hands, look_after_ = std::move(look_after), tick_ = tick, answers_waits_ = answers_waits;
+    began_.reset(), ended_.reset(), looks_.clear();
     armed_ = true;
   }
   [[nodiscard]] std::optional<Instant> began() const { return began_; }
@@ -27,9 +32,9 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
     if (!began_ || !ended_) return std::nullopt;
     return *ended_ - *began_;
   }
-  /// At the moment that arm() asked for.
-  [[nodiscard]] const std::optional<MachineTruth>& seen() const { return seen_; }
-  [[nodiscard]] std::uint32_t outputs_seen() const { return outputs_seen_; }
+  /// At the moments that arm() asked for, as far as they have come.
+  [[nodiscard]] const std::vector<Look>& looks() const { return looks_; }
+  [[nodiscard]] bool has_seen_all() const { return began_ && looks_.size() == look_after_.size(); }
 
   void receive(std::string_view bytes) override {
     inner_->receive(bytes);
@@ -42,7 +47,7 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
   }
   [[nodiscard]] std::optional<Instant> next_event() const override {
     std::optional<Instant> next = inner_->next_event();
-    for (const auto& other : {hands_.next(), look_at_})
+    for (const auto& other : {hands_.next(), next_look()})
       if (other && (!next || *other < *next)) next = other;
     return next;
   }
@@ -71,12 +76,15 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
     inner_->advance_to(reached_ = to);
     hands_.act_until(reached_, *inner_);
     look_at_it();
-    if (!look_at_ || *look_at_ > reached_) return;
-    look_at_.reset();
-    seen_ = truth_;
-    BenchView view;
-    inner_->look(view);
-    outputs_seen_ = view.outputs;
+    for (auto due = next_look(); due && *due <= reached_; due = next_look()) {
+      BenchView view;
+      inner_->look(view);
+      looks_.push_back({truth_, view.outputs});
+    }
+  }
+  [[nodiscard]] std::optional<Instant> next_look() const {
+    if (!began_ || looks_.size() == look_after_.size()) return std::nullopt;
+    return *began_ + look_after_[looks_.size()];
   }
   void look_at_it() {
     inner_->tell_truth(truth_);
@@ -92,20 +100,19 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
     armed_ = false;
     const auto late = tick_ > Duration{} ? reached_.time_since_epoch() % tick_ : Duration{};
     began_ = late > Duration{} ? reached_ + (tick_ - late) : reached_;
-    look_at_ = *began_ + look_after_;
     hands_.count_from(*began_);
     (void)hands_.begin(file_, *inner_);
   }
 
   BenchFile file_;
-  Duration look_after_{}, tick_{};
+  std::vector<Duration> look_after_;
+  Duration tick_{};
   bool armed_ = false, answers_waits_ = false;
   Instant reached_{};
   PlannedHands hands_;
-  std::optional<Instant> began_, ended_, look_at_;
+  std::optional<Instant> began_, ended_;
   MachineTruth truth_;
-  std::optional<MachineTruth> seen_;
-  std::uint32_t outputs_seen_ = 0;
+  std::vector<Look> looks_;
 };
 
 }  // namespace hw::test

@@ -1,5 +1,9 @@
 #include "core/devices/arcus/actions.h"
 
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
@@ -29,7 +33,7 @@ Task<Result<>> Actions::act(intent::Act wish) {
   if (id == "clear") co_return co_await clear_errors(console_.forms.clear, axis);
   if (id == "clear_loop") co_return co_await clear_errors(console_.forms.clear_loop, axis);
   if (id == "change_speed") co_return co_await change_speed(axis, value("speed"), value("accel"));
-  if (id == "arc" || id == "circle") co_return co_await draw(info, wish.values);
+  if (id == "arc") co_return co_await draw_arc(value("centre_x"), value("centre_y"), value("sweep"));
   if (id == "joystick") co_return co_await joystick(axis, on);
   if (id == "change_target") co_return co_await change_target(axis, value("target"));
 
@@ -105,18 +109,28 @@ Task<Result<>> Actions::change_target(int axis, std::int64_t target) {
   co_return Result<>();
 }
 
-Task<Result<>> Actions::draw(const ActionInfo& info, std::vector<std::int64_t> values) {
+// The controller wants to be told where the arc ends, as an angle from its - side of X on and with the clock;
+// it follows from where the axes stand.
+Task<Result<>> Actions::draw_arc(std::int64_t centre_x, std::int64_t centre_y, std::int64_t sweep) {
+  if (sweep == 0) co_return fail(FaultKind::refused, "An arc of 0 degrees is none.", "Nothing was sent.");
   auto incremental = co_await moves_.ask_incremental();
   if (!incremental) co_return fail(incremental.error());
   if (*incremental)
     co_return fail(FaultKind::refused,
                    "Arcs and circles are absolute, and the controller is in incremental mode.",
-                   "Nothing was sent.", "Choose absolute mode first.");
-  const auto value = [&](std::string_view id) { return field(info, values, id); };
-  const char way = value("direction") != 0 ? 'P' : 'N';
+                   "Nothing was sent.", "Choose absolute mode first: typed moves go to a place.");
+  constexpr std::int64_t full_turn = 360'000;
+  const bool circle = sweep == full_turn || sweep == -full_turn;
   std::string text =
-      fmt::format("{}{}{}:{}", info.id == "arc" ? "ARC" : "CIR", way, value("centre_x"), value("centre_y"));
-  if (info.id == "arc") text += fmt::format(":{}:{}", value("end_angle"), value("sweep"));
+      fmt::format("{}{}{}:{}", circle ? "CIR" : "ARC", sweep < 0 ? 'P' : 'N', centre_x, centre_y);
+  if (!circle) {
+    const auto& axes = console_.draft.axes;
+    const double begin = std::atan2(static_cast<double>(axes[1].position.value - centre_y),
+                                    static_cast<double>(axes[0].position.value - centre_x));
+    const std::int64_t from = full_turn / 2 - std::llround(begin * 180'000 / std::numbers::pi);
+    const std::int64_t end = ((from - sweep) % full_turn + full_turn) % full_turn;
+    text += fmt::format(":{}:{}", end, std::abs(sweep));
+  }
   std::vector<int> axes{0, 1};
   auto started = co_await moves_.start(std::move(text), std::move(axes), Activity::moving);
   if (!started && started.error().kind == FaultKind::refused && started.error().advice.empty())

@@ -27,7 +27,7 @@ class Actions {
  private:
   Task<Result<>> change_speed(int axis, std::int64_t speed, std::int64_t accel_ms);
   Task<Result<>> change_target(int axis, std::int64_t target);
-  Task<Result<>> draw(const ActionInfo& info, std::vector<std::int64_t> values);
+  Task<Result<>> draw_arc(std::int64_t centre_x, std::int64_t centre_y, std::int64_t sweep);
   Task<Result<>> clear_errors(std::string_view form, int axis);
   Task<Result<>> joystick(int axis, bool on);
 

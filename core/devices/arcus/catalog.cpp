@@ -192,11 +192,12 @@ void add_readouts(Catalog& catalog, const Model& model, Group group, std::string
 }
 
 void add_common_readouts(Catalog& catalog, const Model& model) {
-  add_readouts(
-      catalog, model, motion, "MSTa",
-      value_readout("Status word", "", "The status bits as the controller sends them, in one number."));
+  ReadoutInfo word =
+      value_readout("Status word", "", "The status bits as the controller sends them, in one number.");
+  word.for_scripts = true;
+  add_readouts(catalog, model, motion, "MSTa", word);
   add_readout(catalog, motion, "MM",
-              state_words("Move mode", {{0, "absolute"}, {1, "incremental"}},
+              state_words("Typed moves go", {{0, "absolute"}, {1, "incremental"}},
                           "What a plain move command of the terminal means. The console's own moves put it "
                           "back as it was."));
   ReadoutInfo state = state_words("State",
@@ -259,12 +260,22 @@ struct CommonActions {
                     "Motion", with_axis(true, {}), where("Limits")));
     actions.push_back(make_action("clear_loop", "Clear StepNLoop errors", "Clears StepNLoop errors only.",
                                   "StepNLoop", with_axis(true, {}), where("StepNLoop Closed Loop Control")));
-    actions.push_back(make_action("absolute", "Absolute mode",
+    actions.push_back(make_action("absolute", "To a place",
                                   "Plain move commands of the terminal give the target from now on.",
                                   "Motion", {}, where("Moves")));
-    actions.push_back(make_action("incremental", "Incremental mode",
+    actions.back().sets = "MM";
+    actions.push_back(make_action("incremental", "By a distance",
                                   "Plain move commands of the terminal give the distance from now on.",
                                   "Motion", {}, where("Moves")));
+    actions.back().sets = "MM";
+    actions.back().sets_to = 1;
+  }
+
+  /// One for the changes of all axes: it is seldom another than the ramp that is set.
+  [[nodiscard]] ActionField accel_field() const {
+    ActionField f = number_field("accel", "Ramp of a change, 0: as set", "ms", 0, longest_ramp_ms(model));
+    f.for_all_rows = true;
+    return f;
   }
 
   void add_changes_under_way() {
@@ -274,7 +285,7 @@ struct CommonActions {
         "ramp must be straight.",
         "Change under way",
         with_axis(false, {followed(number_field("speed", "New speed", "pulses/s", 1, max_speed, 1000)),
-                          number_field("accel", "In (0: as set)", "ms", 0, longest_ramp_ms(model))}),
+                          accel_field()}),
         where("On-The-Fly Speed Change")));
     actions.back().while_busy = actions.back().moves = true;
     ActionField window = number_field("window", "Window", "", 0, model.speeds.back().window);
@@ -327,6 +338,52 @@ void add_common_actions(Catalog& catalog, const Model& model, std::string_view c
   common.add_changes_under_way();
   common.add_latches_and_sync();
   common.add_programs();
+}
+
+void add_axis_tables(Catalog& catalog, const Model& model) {
+  using Shows = AxisColumn::Shows;
+  AxisColumn speed{Shows::action, "change_speed", "speed"};
+  AxisColumn target{Shows::action, "change_target", "target"};
+  speed.verb_on = "Change", target.verb_on = "Go";
+  speed.while_moving = target.while_moving = true;
+  AxisColumn arm{Shows::action, "latch", ""};
+  arm.state = "LT*S", arm.verb_on = "Arm", arm.verb_off = "Disarm";
+  AxisColumn watch{Shows::action, "sync", ""};
+  watch.state = "SYN*S", watch.verb_on = "Watch", watch.verb_off = "Stop";
+  catalog.axis_tables = {
+      {"Motion", "", {{Shows::motion, "clear", "what it does"}}},
+      {"StepNLoop",
+       "",
+       {{Shows::toggle, "SL*", ""}, {Shows::readout, "SLS*", "does"}, {Shows::readout, "DX*", "off by"}}},
+      {"Change under way", "", {speed, target}},
+  };
+  if (catalog.find_action("joystick") >= 0) {
+    AxisColumn stick{Shows::toggle, "joystick", ""};
+    stick.state = "JE";
+    catalog.axis_tables.push_back({"Joystick", "", {stick}});
+  }
+  catalog.axis_tables.push_back(
+      {"Latch",
+       model.axes() == 1 ? std::string("on the latch input") : [&] {
+         std::string inputs = "on";
+         for (int axis = 0; axis < model.axes(); ++axis)
+           inputs += fmt::format("{} DI{}", axis > 0 ? "," : "", model.latch_inputs[static_cast<std::size_t>(axis)]);
+         return inputs;
+       }(),
+       {{Shows::readout, "LT*S", "state"},
+        {Shows::readout, "LT*P", "pulses at"},
+        {Shows::readout, "LT*E", "encoder"},
+        arm}});
+  const auto output = [&](int axis) { return model.sync_outputs[static_cast<std::size_t>(axis)]; };
+  catalog.axis_tables.push_back(
+      {"Sync output",
+       model.axes() == 1 ? fmt::format("on the encoder, DO{}", output(0))
+                         : fmt::format("on the encoder, DO{} to DO{}", output(0), output(model.axes() - 1)),
+       {{Shows::readout, "SYN*S", "state"},
+        {Shows::param, "SYN*C", "on when"},
+        {Shows::param, "SYN*P", "position"},
+        {Shows::param, "SYN*T", "for, ms"},
+        watch}});
 }
 
 std::vector<CommandInfo> commands_of(std::span<const CommandRow> rows) {

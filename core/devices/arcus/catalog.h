@@ -32,6 +32,8 @@ void add_readout(Catalog& catalog, Group group, std::string id, ReadoutInfo info
 /// Actions that both have under the same form but for the axis: clear, modes, speed and target under way,
 /// latch, sync, subroutines.
 void add_common_actions(Catalog& catalog, const Model& model, std::string_view chapter);
+/// The tables of Control: a row per axis.
+void add_axis_tables(Catalog& catalog, const Model& model);
 /// StepNLoop states and errors, latch and sync states.
 void add_common_readouts(Catalog& catalog, const Model& model);
 

@@ -216,6 +216,7 @@ void add_choices(ParamInfo& p, const Model& model, Setting id, const Words& word
     p.choices = {{1, "1: encoder equals the position"},
                  {2, "2: encoder is below the position"},
                  {3, "3: encoder is above the position"}};
+  if (id == Setting::sync_condition) p.short_choices = {"equal", "below", "above"};
   if (id == Setting::speed_window) {
     p.choices = {{0, "0: ordinary moves"}};
     std::int64_t lower = 1;

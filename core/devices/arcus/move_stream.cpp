@@ -24,6 +24,8 @@ class Streamer final : public ActWriter {
     pieces_.remark =
         "It goes through the controller's buffer. Lines so short that the next could not be sent in time go "
         "slower.";
+    for (std::uint8_t axis = 0; axis < buffer_axes; ++axis)
+      pieces_.open_loops.push_back({AxisId{axis}, "SL" + draft_.catalog.axes[axis].name});
     set("IACC", 1);  // ramps between its moves
     auto written = write_all();
     if (unfit_) return std::optional<Pieces>();

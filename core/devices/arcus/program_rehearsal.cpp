@@ -250,6 +250,12 @@ Result<SequenceText> ProgramLanguage::write(const sequence::Sequence& sequence,
   return write_sequence(sequence, catalog, dialect_);
 }
 
+Result<SequenceText> ProgramLanguage::write_what_can_be(const sequence::Sequence& sequence,
+                                                        const Catalog& catalog,
+                                                        std::vector<RefusedStep>& refused) const {
+  return write_sequence(sequence, catalog, dialect_, &refused);
+}
+
 Result<Pieces> ProgramLanguage::in_pieces(const sequence::Sequence& sequence, const Catalog& catalog,
                                           int from_step) const {
   if (auto has = has_step(sequence, from_step); !has) return fail(has.error());

@@ -2,6 +2,7 @@
 // A dry run of a program on an emulator, in virtual time. Pure and long: for a worker thread.
 #include "core/device/catalog.h"
 #include "core/device/language.h"
+#include "core/device/refused_steps.h"
 #include "core/device/registry.h"
 #include "core/devices/arcus/emulator_arcus.h"
 #include "core/devices/arcus/language/dialect.h"
@@ -13,7 +14,7 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
                                    const Catalog& catalog, const language::Dialect& dialect);
 
 /// The language of one model: texts by its dialect, dry runs on its emulator.
-class ProgramLanguage final : public Language {
+class ProgramLanguage final : public Language, public PartialWriter {
  public:
   using MakeCatalog = Result<Catalog> (*)(const DeviceOptions&);
   using MakeEmulator = Result<std::unique_ptr<Emulator>> (*)(const DeviceOptions&);
@@ -25,6 +26,9 @@ class ProgramLanguage final : public Language {
                                            const RehearseOptions& options) const override;
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& sequence,
                                            const Catalog& catalog) const override;
+  [[nodiscard]] Result<SequenceText> write_what_can_be(const sequence::Sequence& sequence,
+                                                       const Catalog& catalog,
+                                                       std::vector<RefusedStep>& refused) const override;
   /// What fits into program memory is a program; of what does not, straight lines go through the buffer.
   [[nodiscard]] Result<Pieces> in_pieces(const sequence::Sequence& sequence, const Catalog& catalog,
                                          int from_step) const override;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/index.h"
+#include "core/devices/arcus/catalog.h"
 
 namespace hw::arcus {
 namespace {
@@ -81,6 +82,68 @@ bool incremental(const ControllerState& state, const Catalog& catalog) {
   return mode >= 0 && state.now.readouts_known.test(ix(mode)) && state.now.readouts[ix(mode)] != 0;
 }
 
+/// What a readout of one axis has told, by the last letter of its name: S its state, P and E what it holds.
+std::optional<std::int64_t> told(const ControllerState& state, const Catalog& catalog, Group group, int axis,
+                                 char what) {
+  for (std::size_t i = 0; i < catalog.readouts.size(); ++i) {
+    const ReadoutInfo& info = catalog.readouts[i];
+    if (info.group == group && info.axis == axis && info.id.back() == what &&
+        state.now.readouts_known.test(i))
+      return state.now.readouts[i];
+  }
+  return std::nullopt;
+}
+
+/// When the inputs stand: no edge of theirs is to be caught.
+void arm(Controller& controller, const ControllerState& state, const Catalog& catalog) {
+  for (int i = 0; i < controller.axes(); ++i) {
+    if (const auto latch = told(state, catalog, latches, i, 'S'))
+      controller.axis(i).latch = {static_cast<int>(*latch), told(state, catalog, latches, i, 'P').value_or(0),
+                                  told(state, catalog, latches, i, 'E').value_or(0)};
+    const auto sync = told(state, catalog, sync_outputs, i, 'S');
+    if (sync == 1) controller.sync_on(i);
+    if (sync == 2) controller.axis(i).sync.state = 2;
+  }
+}
+
+bool looks_at_latch(language::Quantity q) {
+  using enum language::Quantity;
+  return q == latch_state || q == latch_pulse || q == latch_encoder;
+}
+
+/// Axes (bits) whose latch, or sync output, is looked at before the program has armed it or put it off.
+struct LooksFirst {
+  std::uint32_t at_latch = 0, at_sync = 0;
+};
+LooksFirst looks_first(const language::Program& program) {
+  LooksFirst first;
+  std::uint32_t latch_is_set = 0, sync_is_set = 0;
+  for (const language::Instruction& i : program.code) {
+    for (const language::Operand& value : i.values) {
+      if (value.kind != language::Operand::Kind::quantity) continue;
+      const std::uint32_t axis = 1u << value.index;
+      if (looks_at_latch(value.quantity)) first.at_latch |= axis & ~latch_is_set;
+      if (value.quantity == language::Quantity::sync_state) first.at_sync |= axis & ~sync_is_set;
+    }
+    const bool sets = i.op == language::Opcode::set && i.target.kind == language::Operand::Kind::quantity;
+    if (sets && i.target.quantity == language::Quantity::latch_enable) latch_is_set |= 1u << i.target.index;
+    if (i.op == language::Opcode::sync_on || i.op == language::Opcode::sync_off) sync_is_set = ~0u;
+  }
+  return first;
+}
+
+void name_unarmed(std::vector<RehearsedAssumption>& all, const ControllerState& state, const Catalog& catalog,
+                  const language::Program& program) {
+  const LooksFirst first = looks_first(program);
+  for (const ReadoutInfo& info : catalog.readouts) {
+    const bool latch = info.group == latches, sync = info.group == sync_outputs;
+    if ((!latch && !sync) || info.axis < 0 || info.id.back() != 'S') continue;
+    const bool matters = ((latch ? first.at_latch : first.at_sync) >> info.axis & 1u) != 0;
+    if (matters && !told(state, catalog, latch ? latches : sync_outputs, info.axis, 'S'))
+      all.push_back({info.id, "off"});
+  }
+}
+
 /// Variables whose first mention is that they are looked at.
 std::bitset<language::variables> read_first(const language::Program& program) {
   std::bitset<language::variables> looked_at, written;
@@ -120,6 +183,7 @@ void begin_like(ArcusEmulator& emulator, const ControllerState& state, const Cat
     controller.set_outputs(now.outputs & now.outputs_known);
   }
   hold_inputs(controller, now);
+  arm(controller, state, catalog);
 }
 
 std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const Catalog& catalog,
@@ -132,6 +196,9 @@ std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const
   for (int n = 0; n < language::variables; ++n)
     if (looked_at.test(ix(n)) && !state.now.variables_known.test(ix(n)))
       all.push_back({"V" + std::to_string(n), "0"});
+  name_unarmed(all, state, catalog, program);
+  if (state.now.feed.running)
+    all.push_back({"moves that wait in the buffer", "none, since the controller tells their number only"});
   return all;
 }
 

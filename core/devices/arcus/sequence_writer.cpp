@@ -34,7 +34,8 @@ class Writer {
   Writer(const seq::Sequence& sequence, const Catalog& catalog, const language::Dialect& dialect)
       : draft_(sequence, catalog), dialect_(dialect) {}
 
-  Result<SequenceText> run() {
+  Result<SequenceText> run(std::vector<RefusedStep>* refused) {
+    draft_.collect_refused(refused, "; ");
     if (auto found = draft_.find_axes(); !found) return fail(found.error());
     if (auto said = draft_.tool_line("; "); !said) return fail(said.error());
     if (auto written = write_steps(*this, draft_, draft_.sequence.steps); !written)
@@ -308,8 +309,8 @@ Result<> Writer::write(const seq::Contour& c) {
 }  // namespace
 
 Result<SequenceText> write_sequence(const seq::Sequence& sequence, const Catalog& catalog,
-                                    const language::Dialect& dialect) {
-  return Writer(sequence, catalog, dialect).run();
+                                    const language::Dialect& dialect, std::vector<RefusedStep>* refused) {
+  return Writer(sequence, catalog, dialect).run(refused);
 }
 
 }  // namespace hw::arcus

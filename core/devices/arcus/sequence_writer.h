@@ -3,6 +3,7 @@
 // and SUB 2, as the maker's own converter has them; loops count in V49 downwards.
 #include "core/base/result.h"
 #include "core/device/catalog.h"
+#include "core/device/refused_steps.h"
 #include "core/device/sequence_text.h"
 #include "core/devices/arcus/language/dialect.h"
 #include "core/sequence/sequence.h"
@@ -12,7 +13,9 @@ namespace hw::arcus {
 inline constexpr int pen_up_sub = 1, pen_down_sub = 2;
 inline constexpr int first_counter = 49;  ///< those from V50 on are kept in flash
 
+/// `refused`: collects what PartialWriter tells of; null: the first step that is refused is the end.
 [[nodiscard]] Result<SequenceText> write_sequence(const sequence::Sequence& sequence, const Catalog& catalog,
-                                                  const language::Dialect& dialect);
+                                                  const language::Dialect& dialect,
+                                                  std::vector<RefusedStep>* refused = nullptr);
 
 }  // namespace hw::arcus

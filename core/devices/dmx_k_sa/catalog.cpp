@@ -86,6 +86,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   add_readouts(c);
   name_the_outputs(c);
   arcus::add_common_actions(c, model, "DMX manual ch. 7");
+  arcus::add_axis_tables(c, model);
   c.commands = command_help();
   c.bench.panel_title = "DMX-K-SA";
   return c;

@@ -41,14 +41,8 @@ std::vector<AxisTarget> reaches(const Snapshot& now, std::int64_t centre_x, std:
 }  // namespace
 
 std::vector<AxisTarget> arc_reaches(const Snapshot& now, const std::vector<std::int64_t>& values) {
-  if (values.size() < 5) return {};
-  const double sweep = static_cast<double>(values[3]) / 1000 * std::numbers::pi / 180;
-  return reaches(now, values[0], values[1], values[4] != 0 ? -sweep : sweep);
-}
-
-std::vector<AxisTarget> circle_reaches(const Snapshot& now, const std::vector<std::int64_t>& values) {
-  if (values.size() < 2) return {};
-  return reaches(now, values[0], values[1], 2 * std::numbers::pi);
+  if (values.size() < 3) return {};
+  return reaches(now, values[0], values[1], static_cast<double>(values[2]) / 1000 * std::numbers::pi / 180);
 }
 
 }  // namespace hw::pmx_4ex_sa

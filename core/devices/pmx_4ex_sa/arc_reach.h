@@ -1,5 +1,5 @@
 #pragma once
-// How far the arcs and circles of X and Y get from where these axes stand. PMX manual ch. 6.
+// How far an arc of X and Y gets from where these axes stand. PMX manual ch. 6.
 #include <cstdint>
 #include <vector>
 
@@ -9,7 +9,5 @@ namespace hw::pmx_4ex_sa {
 
 /// The least and the greatest place of each. `values`: of the action "arc".
 std::vector<AxisTarget> arc_reaches(const Snapshot& now, const std::vector<std::int64_t>& values);
-/// Of the action "circle".
-std::vector<AxisTarget> circle_reaches(const Snapshot& now, const std::vector<std::int64_t>& values);
 
 }  // namespace hw::pmx_4ex_sa

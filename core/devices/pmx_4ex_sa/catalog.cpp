@@ -1,5 +1,7 @@
 #include "core/devices/pmx_4ex_sa/catalog.h"
 
+#include <tuple>
+
 #include <fmt/core.h>
 
 #include "core/devices/arcus/address.h"
@@ -31,21 +33,18 @@ void add_readouts(Catalog& c) {
   arcus::add_readout(c, arcus::motion, "TR",
                      value_readout("Timer", "ms", "A timer of the controller that counts down to 0."));
   c.readout_groups.insert(c.readout_groups.end(), {"Buffer", "Analog inputs"});
-  ReadoutInfo mode = value_readout("Buffered mode", "", "Whether buffered moves are taken.");
+  ReadoutInfo mode = value_readout("Buffer", "", "Whether buffered moves are taken.");
   mode.words = {{0, "off"}, {1, "on"}};
   arcus::add_readout(c, arcus::buffer, "BUF", mode);
-  arcus::add_readout(
-      c, arcus::buffer, "BUFSTART",
-      value_readout("Present place", "", "Place in the ring, 0 to 35, of the move that runs."));
-  arcus::add_readout(c, arcus::buffer, "BUFEND",
-                     value_readout("Last place", "", "Place in the ring, 0 to 35, of the newest move."));
-  arcus::add_readout(c, arcus::buffer, "BUFFREE", value_readout("Free places", "", "Of 36."));
-}
-
-ActionField direction_field() {
-  ActionField f = number_field("direction", "Direction", "", 0, 1, 1);
-  f.choices = {{1, "clockwise"}, {0, "counter-clockwise"}};
-  return f;
+  for (const auto& [id, label, help] :
+       {std::tuple{"BUFSTART", "Present place", "Place in the ring, 0 to 35, of the move that runs."},
+        std::tuple{"BUFEND", "Last place", "Place in the ring, 0 to 35, of the newest move."}}) {
+    ReadoutInfo place = value_readout(label, "", help);
+    place.for_scripts = true;
+    arcus::add_readout(c, arcus::buffer, id, place);
+  }
+  arcus::add_readout(c, arcus::buffer, "BUFFREE",
+                     value_readout("Free places of 36", "", "For buffered moves."));
 }
 
 ActionField angle(const char* id, const char* label, std::int64_t minimum, std::int64_t maximum,
@@ -59,34 +58,27 @@ void add_actions(Catalog& c) {
   arcus::add_common_actions(c, model, "PMX manual ch. 6");
   c.actions.push_back(make_action(
       "arc", "Draw arc",
-      "X and Y move on an arc about the centre to the end angle. 0° lies on the minus side of X and angles "
-      "grow clockwise. Absolute mode only.",
-      "Arcs and circles",
+      "X and Y go round the centre by so many degrees from where they stand: + against the clock, - with it. "
+      "360 is a full circle. Only while typed moves go to a place.",
+      "Arc and circle",
       {followed(position_field("centre_x", "Centre X", "pulses"), 0),
        followed(position_field("centre_y", "Centre Y", "pulses"), 1),
-       angle("end_angle", "End angle", -3'600'000, 3'600'000, 180'000),
-       angle("sweep", "Swept angle", 1, 3'600'000, 90'000), direction_field()},
+       angle("sweep", "Sweep", -360'000, 360'000, -90'000)},
       "PMX manual ch. 6 Arc Interpolation Moves"));
-  c.actions.back().moves = true;
+  c.actions.back().moves = c.actions.back().is_arc = true;
   c.actions.back().reaches = arc_reaches;
-  c.actions.push_back(
-      make_action("circle", "Draw circle",
-                  "X and Y make one full turn about the centre and end where they began. Absolute mode only.",
-                  "Arcs and circles",
-                  {followed(position_field("centre_x", "Centre X", "pulses"), 0),
-                   followed(position_field("centre_y", "Centre Y", "pulses"), 1), direction_field()},
-                  "PMX manual ch. 6 Circular Interpolation Moves"));
-  c.actions.back().moves = true;
-  c.actions.back().reaches = circle_reaches;
   const std::size_t buffer_begin = c.actions.size();
   c.actions.push_back(make_action(
-      "buffer_on", "Buffered mode on",
+      "buffer_on", "Switch buffer on",
       "From now on the controller takes buffered moves of X, Y and Z. Needs StepNLoop of them switched off.",
       "Buffer", {}, "PMX manual ch. 6 Buffered Linear Interpolation Moves"));
-  c.actions.push_back(make_action("buffer_off", "Buffered mode off",
+  c.actions.back().sets = "BUF";
+  c.actions.back().sets_to = 1;
+  c.actions.push_back(make_action("buffer_off", "Switch buffer off",
                                   "The running move ends as it is; what waits in the buffer is dropped.",
                                   "Buffer", {}, "PMX manual ch. 6 Buffered Linear Interpolation Moves"));
   c.actions.back().while_busy = true;
+  c.actions.back().sets = "BUF";
   for (std::size_t i = buffer_begin; i < c.actions.size(); ++i) c.actions[i].of_move_buffer = true;
   c.actions.push_back(make_action("timer", "Start timer", "Lets the timer count down from here.", "Motion",
                                   {number_field("time", "Time", "ms", 0, arcus::max_number, 1000)},
@@ -142,6 +134,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
       "END\n";
   add_readouts(c);
   add_actions(c);
+  arcus::add_axis_tables(c, model);
   c.move_list.columns = {position_field("x", "X", "pulses"), position_field("y", "Y", "pulses"),
                          position_field("z", "Z", "pulses"),
                          number_field("speed", "Speed", "pulses/s", 1, arcus::max_speed, 1000)};

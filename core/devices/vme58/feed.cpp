@@ -80,7 +80,9 @@ Task<Result<std::optional<std::string>>> Feed::finish() {
   if (!bad) co_return fail(bad.error());
   const std::string sent = std::exchange(fed_.text, {});
   ++draft_.feed.sent;
-  draft_.program.command = static_cast<std::int16_t>(draft_.feed.sent);
+  // What the board has taken waits in its queues, and nobody tells what it is at; only pieces count by it.
+  draft_.program.command =
+      draft_.pieces.running ? static_cast<std::int16_t>(draft_.feed.sent) : std::int16_t{-1};
   if (*bad) {
     std::string what = fed_.waits ? rejected_late()  // others had their turn meanwhile
                                   : fmt::format("Line {}: the board rejected \"{}\".", fed_.line + 1, sent);

@@ -9,7 +9,7 @@
 namespace hw::vme58 {
 namespace {
 
-class CommandStrings final : public Language, public StaircaseWriter {
+class CommandStrings final : public Language, public StaircaseWriter, public PartialWriter {
  public:
   [[nodiscard]] ProgramReport analyse(std::string_view text, int) const override {
     return check_program(text);
@@ -21,6 +21,11 @@ class CommandStrings final : public Language, public StaircaseWriter {
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& sequence,
                                            const Catalog& catalog) const override {
     return write_sequence(sequence, catalog);
+  }
+  [[nodiscard]] Result<SequenceText> write_what_can_be(const sequence::Sequence& sequence,
+                                                       const Catalog& catalog,
+                                                       std::vector<RefusedStep>& refused) const override {
+    return write_sequence(sequence, catalog, &refused);
   }
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
                                           const Catalog& catalog) const override {

@@ -92,7 +92,17 @@ std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const
   for (int i = 0; i < state.now.axis_count; ++i)
     if ((moved >> i & 1u) != 0)
       all.push_back({fmt::format("UU{}", axis_letters[ix(i)]), "off: positions in counts"});
-  if (state.now.shows_under_way().queued) all.push_back({"command queues", "empty"});
+  bool named = false;
+  for (int i = 0; i < state.now.axis_count; ++i) {
+    const int waiting = catalog.queue_depth - state.now.queue_free[ix(i)];
+    if ((state.now.queue_known >> i & 1u) == 0 || waiting <= 0) continue;
+    named = true;
+    all.push_back({"queue of " + catalog.axes[ix(i)].name,
+                   fmt::format("empty, since the board does not tell what its {} {}", waiting,
+                               waiting == 1 ? "entry says" : "entries say")});
+  }
+  if (!named && state.now.shows_under_way().queued)
+    all.push_back({"command queues", "empty, since the board does not tell what waits there"});
   return all;
 }
 

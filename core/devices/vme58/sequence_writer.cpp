@@ -23,7 +23,8 @@ class Writer {
  public:
   Writer(const seq::Sequence& sequence, const Catalog& catalog) : draft_(sequence, catalog) {}
 
-  Result<SequenceText> run() {
+  Result<SequenceText> run(std::vector<RefusedStep>* refused) {
+    draft_.collect_refused(refused, "# ");
     if (auto found = draft_.find_axes(); !found) return fail(found.error());
     draft_.line("AA");
     if (auto said = draft_.tool_line("# "); !said) return fail(said.error());
@@ -252,8 +253,9 @@ Result<> Writer::write(const seq::Contour& c) {
 
 }  // namespace
 
-Result<SequenceText> write_sequence(const seq::Sequence& sequence, const Catalog& catalog) {
-  return Writer(sequence, catalog).run();
+Result<SequenceText> write_sequence(const seq::Sequence& sequence, const Catalog& catalog,
+                                    std::vector<RefusedStep>* refused) {
+  return Writer(sequence, catalog).run(refused);
 }
 
 }  // namespace hw::vme58

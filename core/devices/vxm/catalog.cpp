@@ -110,6 +110,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.short_name = "VXM";
   c.summary = "stepping motors, 2 or 4";
   c.options = {{"motors", {{"2", "2 motors"}, {"4", "4 motors"}}}};
+  if (const auto said = options.find("motors"); said != options.end()) c.made_from.insert(*said);
   for (int m = 1; m <= *motors; ++m) c.axes.push_back({fmt::format("{}", m), fmt::format("motor {}", m)});
   c.units = units();
   c.homing_modes = {{"limit", "to the limit switch", "", false},

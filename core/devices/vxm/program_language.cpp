@@ -8,7 +8,7 @@
 namespace hw::vxm {
 namespace {
 
-class VxmLanguage final : public Language {
+class VxmLanguage final : public Language, public PartialWriter {
  public:
   [[nodiscard]] ProgramReport analyse(std::string_view text, int slot) const override {
     Analysis analysis = analyse_text(text, slot);
@@ -22,6 +22,11 @@ class VxmLanguage final : public Language {
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& sequence,
                                            const Catalog& catalog) const override {
     return write_sequence(sequence, catalog);
+  }
+  [[nodiscard]] Result<SequenceText> write_what_can_be(const sequence::Sequence& sequence,
+                                                       const Catalog& catalog,
+                                                       std::vector<RefusedStep>& refused) const override {
+    return write_sequence(sequence, catalog, &refused);
   }
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
                                           const Catalog& catalog) const override {

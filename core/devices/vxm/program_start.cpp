@@ -95,7 +95,7 @@ void add_met(std::vector<RehearsedAssumption>& all, const ControllerState& state
     by_analog = by_analog || uses_analog(ran.box.program(slot));
     const bool known =
         ran.text_fills(slot) || state.programs.contains(slot) || state.now.slot_bytes_used[ix(slot)] == 0;
-    if (!known) all.push_back({"program " + std::to_string(slot), "taken to be empty: it was not read"});
+    if (!known) all.push_back(unread_program(slot));
   }
   if (by_analog && (state.now.analog_known & 1u) == 0)
     all.push_back({"analog input", std::to_string(analog_default) + ", the middle"});

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,7 +24,8 @@ class Writer {
  public:
   Writer(const seq::Sequence& sequence, const Catalog& catalog) : draft_(sequence, catalog) {}
 
-  Result<SequenceText> run() {
+  Result<SequenceText> run(std::vector<RefusedStep>* refused) {
+    draft_.collect_refused(refused, "; ");
     if (auto found = draft_.find_axes(); !found) return fail(found.error());
     draft_.change_part(heading_part);
     if (auto said = draft_.tool_line("; ", limits_are_told); !said) return fail(said.error());
@@ -44,6 +46,7 @@ class Writer {
     return {};
   }
   Result<> write(const seq::Move& m) {
+    remark_on_two_controllers();
     int moved = 0;
     for (int a = 0; a < draft_.axis_count(); ++a) {
       if (!m.to[ix(a)]) continue;
@@ -112,6 +115,14 @@ class Writer {
   static constexpr int heading_part = 0, main_part = 1;  // programs 1 to 4 stand in the parts 2 to 5
 
   [[nodiscard]] int motor(int axis) const { return draft_.axis(axis).index + 1; }
+  /// Once, where the axes that draw are not of one.
+  void remark_on_two_controllers() {
+    if (std::exchange(looked_at_axes_, true) || draft_.axis_count() < 2) return;
+    if ((motor(0) > motors_per_controller) == (motor(1) > motors_per_controller)) return;
+    draft_.remark(
+        "motors on Master and Slave could start together, but not on a straight line: they go one after "
+        "the other.");
+  }
   Result<> move(int axis, double units, bool relative, const seq::OwnSpeeds& own) {
     const auto to = relative ? draft_.distance(axis, units) : draft_.position(axis, units);
     if (!to) return fail(to.error());
@@ -144,7 +155,8 @@ class Writer {
 
   SequenceDraft draft_;
   std::array<ToldSpeeds, max_axes> told_;
-  int programs_ = 0;                     ///< written beside the main one
+  int programs_ = 0;  ///< written beside the main one
+  bool looked_at_axes_ = false;
   bool in_loop_ = false;                 ///< the present program has a loop that is open
   std::map<std::string, int> callable_;  ///< program numbers by what they do
 };
@@ -291,8 +303,9 @@ Result<> Writer::write(const seq::Contour& c) {
 
 }  // namespace
 
-Result<SequenceText> write_sequence(const seq::Sequence& sequence, const Catalog& catalog) {
-  return Writer(sequence, catalog).run();
+Result<SequenceText> write_sequence(const seq::Sequence& sequence, const Catalog& catalog,
+                                    std::vector<RefusedStep>* refused) {
+  return Writer(sequence, catalog).run(refused);
 }
 
 }  // namespace hw::vxm

@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/device/catalog.h"
+#include "core/device/refused_steps.h"
 #include "core/device/sequence_text.h"
 #include "core/sequence/sequence.h"
 
@@ -14,6 +15,8 @@ namespace hw::vxm {
 /// U commands that switch the outputs (App. B).
 inline constexpr std::array<int, 4> output_on{5, 15, 17, 19}, output_off{4, 14, 16, 18};
 
-[[nodiscard]] Result<SequenceText> write_sequence(const sequence::Sequence& sequence, const Catalog& catalog);
+/// `refused`: collects what PartialWriter tells of; null: the first step that is refused is the end.
+[[nodiscard]] Result<SequenceText> write_sequence(const sequence::Sequence& sequence, const Catalog& catalog,
+                                                  std::vector<RefusedStep>* refused = nullptr);
 
 }  // namespace hw::vxm

@@ -43,8 +43,7 @@ TEST(Refusals, SoAreTheActionsThatGoToPlaces) {
   const Snapshot now = doubtful({1});
   EXPECT_EQ(doubtful_axes(pmx, now, act(pmx, "change_target", {1, 400})), 2u);
   EXPECT_EQ(doubtful_axes(pmx, now, act(pmx, "change_target", {0, 400})), 0u);
-  EXPECT_EQ(doubtful_axes(pmx, now, act(pmx, "arc", {0, 0, 0, 90000, 1})), 2u);
-  EXPECT_EQ(doubtful_axes(pmx, now, act(pmx, "circle", {0, 0, 1})), 2u);
+  EXPECT_EQ(doubtful_axes(pmx, now, act(pmx, "arc", {0, 0, 90000})), 2u);
   EXPECT_EQ(doubtful_axes(pmx, now, act(pmx, "change_speed", {1, 400, 0})), 0u);
   EXPECT_EQ(doubtful_axes(pmx, now, intent::FeedMoves({{1, 2, 3, 1000}})), 2u);
   EXPECT_EQ(doubtful_axes(pmx, doubtful({3}), intent::FeedMoves({{1, 2, 3, 1000}})), 0u) << "X, Y, Z only";
@@ -61,7 +60,7 @@ TEST(Refusals, OnceGoesWithEveryOneOfThem) {
   const Catalog pmx = catalog_of("pmx-4ex-sa");
   const Snapshot now = doubtful({0, 1});
   for (IntentBody body :
-       {IntentBody(intent::MoveTo({to(0, 5)})), IntentBody(act(pmx, "circle", {0, 0, 1})),
+       {IntentBody(intent::MoveTo({to(0, 5)})), IntentBody(act(pmx, "arc", {0, 0, 360000})),
         IntentBody(intent::FeedMoves({{1, 2, 3, 1000}})), IntentBody(intent::RunProgram(0, {to(0, 0)}))}) {
     EXPECT_NE(doubtful_axes(pmx, now, body), 0u);
     go_despite_doubt(body);

@@ -92,5 +92,83 @@ TEST(TrackPath, CountsThatGoAgainstTheStepsAreMirrored) {
   EXPECT_DOUBLE_EQ(path.bounds.high.x, 0);
 }
 
+TEST(TrackPath, OverTimeOneAxisRestsWhileItWaits) {
+  TrackAxes axes;
+  axes.over_time = true;
+  const auto path = path_of("vxm", "I1M400,\nP20,\nI1M-400,\n", axes);
+  EXPECT_DOUBLE_EQ(path.bounds.high.y, 400);
+  double rests = 0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    EXPECT_GE(path.points[i].x, path.points[i - 1].x) << "time goes on";
+    if (path.points[i].y == 400 && path.points[i - 1].y == 400)
+      rests += path.points[i].x - path.points[i - 1].x;
+  }
+  EXPECT_NEAR(rests, 2, 0.05);
+}
+
+TEST(TrackPath, EachPassOfALoopIsTold) {
+  const auto path = path_of("vxm", "LM0\nI1M100\nI2M100\nLA3\n", first_two());
+  std::vector<int> passes;
+  for (const auto& run : path.runs)
+    if (run.source == 2) passes.push_back(run.pass);
+  EXPECT_EQ(passes, (std::vector<int>{0, 1, 2}));
+  const auto looped =
+      path_of("pmx-4ex-sa",
+              "INC\nHSPD=5000\nLSPD=100\nACC=100\nV1=3\nWHILE V1>0\nX100\nWAITX\nY100\nWAITY\n"
+              "V1=V1-1\nENDWHILE\nEND\n",
+              first_two());
+  passes.clear();
+  for (const auto& run : looped.runs)
+    if (run.source == 8) passes.push_back(run.pass);
+  EXPECT_EQ(passes, (std::vector<int>{0, 1, 2}));
+}
+
+sequence::Move lowered(double z) {
+  sequence::Move move;
+  move.to[2] = z;
+  return move;
+}
+
+TEST(TrackPath, TheToolIsThatOfTheRoutines) {
+  const Catalog pmx = *find_device_type("pmx-4ex-sa")->make_catalog({});
+  sequence::Sequence s;
+  s.axes = {{"X", 1}, {"Y", 1}, {"Z", 100}};
+  TrackAxes axes = first_two();
+  EXPECT_FALSE(take_tool_of(s, pmx, axes));
+  EXPECT_EQ(axes, first_two());
+  s.pen_up = {{lowered(2)}}, s.pen_down = {{lowered(-1)}};
+  ASSERT_TRUE(take_tool_of(s, pmx, axes));
+  const auto path =
+      path_of("pmx-4ex-sa",
+              "ABS\nHSPD=5000\nLSPD=100\nACC=100\nZ200\nWAITZ\nX1000\nWAITX\nZ-100\nWAITZ\nX3000\n"
+              "WAITX\nZ200\nWAITZ\nX0\nWAITX\nEND\n",
+              axes);
+  EXPECT_NEAR(path.way_on, 2000, 1);
+  EXPECT_NEAR(path.way_off, 4000, 1);
+  s.pen_up.push_back({sequence::Output{5, true}}), s.pen_down.push_back({sequence::Output{5, false}});
+  axes = first_two();
+  ASSERT_TRUE(take_tool_of(s, pmx, axes));
+  EXPECT_EQ(axes.tool_output, 4);
+  EXPECT_FALSE(axes.tool_is_on_when) << "it is on while the output is off";
+}
+
+TEST(TrackPath, ControllersOfABusGoTogether) {
+  const auto track = [](std::initializer_list<std::pair<double, int>> places) {
+    Rehearsal r;
+    for (const auto& [t, position] : places) {
+      RehearsedPlace place;
+      place.t = t, place.position[0] = position;
+      r.track.push_back(place);
+    }
+    return r;
+  };
+  const std::vector<Rehearsal> all{track({{0, 0}, {1, 100}}), track({{0, 50}, {2, 250}})};
+  TrackAxes axes;
+  axes.right = {0, 1, 0}, axes.up = {0, 0.1, 1};
+  const auto path = track_path_together(all, axes);
+  EXPECT_EQ(path.points, (std::vector<drawing::Point3>{{0, 5}, {100, 15}, {100, 25}}));
+  EXPECT_EQ(path.runs.front().source, -1);
+}
+
 }  // namespace
 }  // namespace hw

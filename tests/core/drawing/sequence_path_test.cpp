@@ -29,6 +29,16 @@ TEST(SequencePath, MovesArcsAndThePen) {
   EXPECT_EQ(path.runs.back().source, 6);
 }
 
+TEST(SequencePath, ArcsAreChordsWhereTheMachineDrawsThem) {
+  Sequence s;
+  s.steps = {to(10, 0), {Arc{0, 0, 360, {}}}};
+  const double beside = 10 * (1 - std::cos(std::numbers::pi / 8));  // of chords of 45 degrees
+  const ToolPath path = sequence_path(s, {1, 1}, beside * 1.001);
+  EXPECT_NEAR(path.way_on, 10 + 8 * 2 * 10 * std::sin(std::numbers::pi / 8), 1e-6) << "eight of them";
+  EXPECT_NEAR(path.points.back().x, 10, 1e-9);
+  EXPECT_NEAR(path.points.back().y, 0, 1e-9);
+}
+
 TEST(SequencePath, WithoutAPenAllOfItIsWork) {
   Sequence s;
   Repeat loop;

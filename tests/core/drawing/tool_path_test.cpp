@@ -1,6 +1,7 @@
 // The way of a tool, and the view of it.
 #include "core/drawing/tool_path.h"
 
+#include <array>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -105,11 +106,20 @@ TEST(PathSvg, IsAsLargeAsThePathAndTheRightWayUp) {
   ToolPath path;
   path.go({0, 0}, {100, 0}, true, 0);
   path.go({100, 0}, {100, 50}, false, 0);
-  const std::string svg = path_svg(path, "mm");
+  ToolPath meant;
+  meant.go({0, 0}, {100, 50}, true, 0);
+  const std::array layers{SvgLayer{"commanded", &meant, "#9b2463", 1}, SvgLayer{"home", nullptr},
+                          SvgLayer{"rehearsed", &path}};
+  const std::string svg = path_svg(layers, {"mm", "X in mm, Y < 3"});
   EXPECT_THAT(svg, testing::HasSubstr("width=\"104mm\" height=\"54mm\" viewBox=\"-2 -52 104 54\""));
-  EXPECT_THAT(svg, testing::HasSubstr("<polyline class=\"on\" points=\"0,-0 100,-0\"/>"));
-  EXPECT_THAT(svg, testing::HasSubstr("<polyline class=\"off\" points=\"100,-0 100,-50\"/>"));
-  EXPECT_THAT(path_svg(path, "steps"), testing::HasSubstr("width=\"800\" viewBox"));
+  EXPECT_THAT(svg, testing::HasSubstr("<desc>X in mm, Y &lt; 3</desc>"));
+  EXPECT_THAT(svg, testing::ContainsRegex("<g id=\"commanded\" stroke=\"#9b2463\"[^>]*>\n<polyline points="
+                                          "\"0,-0 100,-50\"/>\n</g>"));
+  EXPECT_THAT(svg, testing::ContainsRegex("<g id=\"rehearsed\"[^>]*>\n<polyline points=\"0,-0 100,-0\"/>"));
+  EXPECT_THAT(svg, testing::ContainsRegex(
+                       "<g id=\"rehearsed-tool-off\"[^>]*>\n<polyline points=\"100,-0 100,-50\"/>"));
+  EXPECT_THAT(svg, testing::Not(testing::HasSubstr("home"))) << "what is not there has no group";
+  EXPECT_THAT(path_svg(layers, {"steps", ""}), testing::HasSubstr("width=\"800\" viewBox"));
 }
 
 }  // namespace

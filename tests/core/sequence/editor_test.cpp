@@ -96,6 +96,44 @@ TEST_F(EditorTest, LoopsAreMadeAndUnmade) {
   EXPECT_FALSE(editor.skip({2}, true));
 }
 
+TEST_F(EditorTest, SeveralThatFollowEachOtherAreOneChange) {
+  const StepSpan both(StepPath{0}, 2);
+  EXPECT_EQ(editor.put_into_loop(both), StepPath{0});
+  EXPECT_EQ(now(), "(1 (2 3)) 4");
+  EXPECT_EQ(after_undo(), "1 (2 3) 4");
+  EXPECT_EQ(editor.duplicate(both), StepPath{2});
+  EXPECT_EQ(now(), "1 (2 3) 1 (2 3) 4");
+  EXPECT_EQ(after_undo(), "1 (2 3) 4");
+  EXPECT_EQ(editor.skip(both, true), StepPath{0});
+  EXPECT_EQ(now(), "-1 -(2 3) 4");
+  EXPECT_EQ(after_undo(), "1 (2 3) 4");
+  EXPECT_EQ(editor.move(both, {3}), StepPath{1});
+  EXPECT_EQ(now(), "4 1 (2 3)");
+  EXPECT_EQ(after_undo(), "1 (2 3) 4");
+  EXPECT_EQ(editor.move(StepSpan(StepPath{1, 0}, 2), {0}), StepPath{0});
+  EXPECT_EQ(now(), "2 3 1 () 4");
+  EXPECT_EQ(after_undo(), "1 (2 3) 4");
+  EXPECT_EQ(editor.remove(both), StepPath{0});
+  EXPECT_EQ(now(), "4");
+  EXPECT_EQ(after_undo(), "1 (2 3) 4");
+  EXPECT_FALSE(editor.move(both, {1, 1})) << "not into themselves";
+  EXPECT_FALSE(editor.move(both, {1}));
+  EXPECT_FALSE(editor.move(both, {2})) << "they stand there";
+  EXPECT_FALSE(editor.remove(StepSpan(StepPath{2}, 2))) << "there is no second one";
+}
+
+TEST(StepSpanTest, ReachesFromOnePlaceToAnotherInTheListOfBoth) {
+  const auto span = [](StepPath a, StepPath b) {
+    const StepSpan s = span_between(a, b);
+    return std::pair(s.first, s.count);
+  };
+  EXPECT_EQ(span({3}, {1}), std::pair(StepPath{1}, std::size_t{3}));
+  EXPECT_EQ(span({2, 1}, {2, 1}), std::pair(StepPath({2, 1}), std::size_t{1}));
+  EXPECT_EQ(span({2, 1}, {4}), std::pair(StepPath{2}, std::size_t{3}));
+  EXPECT_EQ(span({2, 1}, {2, 3, 0}), std::pair(StepPath({2, 1}), std::size_t{3}));
+  EXPECT_EQ(span({2}, {2, 3}), std::pair(StepPath{2}, std::size_t{1})) << "the one stands in the other";
+}
+
 TEST_F(EditorTest, EachChangeIsTakenBackAndMadeAgain) {
   editor.remove({0});
   editor.duplicate({0});

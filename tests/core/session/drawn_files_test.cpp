@@ -34,32 +34,67 @@ TEST_P(DrawnFile, IsDrawnThroughEveryVertexAndNowhereElse) {
   expect_nothing_beside();
 }
 
-// A VXM has 256 bytes for a program; a line that is neither across nor along is a staircase.
-constexpr Drawn drawn_files[] = {{"vxm", "own/polylines_in_space.dxf"},
-                                 {"vxm", "own/passed_over.dxf"},
-                                 {"vxm", "own/on_the_sheet.dxf"},
-                                 {"pmx-4ex-sa", "ezdxf/lines_and_arcs_r2000.dxf"},
-                                 {"pmx-4ex-sa", "ezdxf/seen_from_below_r12.dxf"},
-                                 {"pmx-4ex-sa", "ezdxf/blocks_r2018.dxf"},
-                                 {"pmx-4ex-sa", "ezdxf/ellipses_r2007.dxf"},
-                                 {"pmx-4ex-sa", "ezdxf/splines_r2000.dxf"},
-                                 {"pmx-4ex-sa", "own/bulges.dxf"},
-                                 {"pmx-4ex-sa", "own/inserts_mirrored.dxf"},
-                                 {"pmx-4ex-sa", "own/old_polylines.dxf"},
-                                 {"pmx-4ex-sa", "other/inkscape_r14.dxf"},
-                                 {"pmx-4ex-sa", "other/librecad_saved.dxf"},
-                                 {"vme58", "ezdxf/lines_and_arcs_r2000.dxf"},
-                                 {"vme58", "ezdxf/seen_from_below_r12.dxf"},
-                                 {"vme58", "ezdxf/blocks_r2018.dxf"},
-                                 {"vme58", "ezdxf/ellipses_r2007.dxf"},
-                                 {"vme58", "ezdxf/splines_r2000.dxf"},
-                                 {"vme58", "own/bulges.dxf"},
-                                 {"vme58", "own/inserts_mirrored.dxf"},
-                                 {"vme58", "own/old_polylines.dxf"},
-                                 {"vme58", "other/inkscape_r14.dxf"},
-                                 {"vme58", "other/librecad_saved.dxf"}};
+/// Of each kind of what files hold; own, of other software, and of each age.
+constexpr const char* files[] = {"ezdxf/lines_and_arcs_r2000.dxf",
+                                 "ezdxf/lines_and_arcs_r2018.dxf",
+                                 "ezdxf/seen_from_below_r12.dxf",
+                                 "ezdxf/seen_from_below_r2018.dxf",
+                                 "ezdxf/blocks_r2018.dxf",
+                                 "ezdxf/light_polylines_r2000.dxf",
+                                 "ezdxf/stretched_r12.dxf",
+                                 "ezdxf/stretched_r2007.dxf",
+                                 "ezdxf/ellipses_r2007.dxf",
+                                 "ezdxf/splines_r2000.dxf",
+                                 "other/inkscape_r14.dxf",
+                                 "other/librecad_drawn.dxf",
+                                 "other/librecad_saved.dxf",
+                                 "own/arcs.dxf",
+                                 "own/arcs_below.dxf",
+                                 "own/arcs_new.dxf",
+                                 "own/behind_the_end.dxf",
+                                 "own/blanks.dxf",
+                                 "own/bulges.dxf",
+                                 "own/bulges_as_good_as_none.dxf",
+                                 "own/byte_order_mark.dxf",
+                                 "own/circles.dxf",
+                                 "own/comments.dxf",
+                                 "own/dimensions.dxf",
+                                 "own/ellipse_parts.dxf",
+                                 "own/ellipses_below.dxf",
+                                 "own/ends_of_lines.dxf",
+                                 "own/filled.dxf",
+                                 "own/in_space.dxf",
+                                 "own/inserts.dxf",
+                                 "own/inserts_below.dxf",
+                                 "own/inserts_in_rows.dxf",
+                                 "own/inserts_mirrored.dxf",
+                                 "own/inserts_nested.dxf",
+                                 "own/inserts_sheared.dxf",
+                                 "own/inserts_stretched.dxf",
+                                 "own/layers.dxf",
+                                 "own/lines.dxf",
+                                 "own/old_polylines.dxf",
+                                 "own/on_the_sheet.dxf",
+                                 "own/only_entities.dxf",
+                                 "own/passed_over.dxf",
+                                 "own/points.dxf",
+                                 "own/polylines.dxf",
+                                 "own/polylines_in_space.dxf",
+                                 "own/polylines_of_programs.dxf",
+                                 "own/splines.dxf",
+                                 "own/splines_closed.dxf",
+                                 "own/splines_through_points.dxf",
+                                 "own/splines_weighted.dxf",
+                                 "own/texts.dxf"};
 
-INSTANTIATE_TEST_SUITE_P(Each, DrawnFile, testing::ValuesIn(drawn_files), [](const auto& info) {
+std::vector<Drawn> drawn_files() {
+  std::vector<Drawn> all;
+  for (const char* model : {"vxm", "pmx-4ex-sa", "vme58"})
+    for (const char* file : files) all.push_back({model, file});
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, DrawnFile, testing::ValuesIn(drawn_files()), [](const auto& info) {
   std::string name = fmt::format("{}_{}", info.param.model, info.param.file);
   name.resize(name.find('.'));
   for (char& c : name)

@@ -1,5 +1,8 @@
 #pragma once
 // A drawing, converted for a controller and drawn by its emulator in virtual time: where its tool has been.
+#include <utility>
+#include <vector>
+
 #include "core/device/registry.h"
 #include "core/session/conversion.h"
 
@@ -8,7 +11,8 @@ namespace hw {
 struct EmulatorDrawing {
   explicit EmulatorDrawing(const char* model);
 
-  /// Converts, writes and rehearses; fails the test where that is not possible.
+  /// Converts, writes and rehearses, in pieces where one program does not hold it; fails the test where that
+  /// is not possible.
   void draw(const drawing::Drawing& drawing);
   /// Within one step, and with the tool down where it is more than a dot.
   void expect_every_vertex() const;
@@ -25,10 +29,11 @@ struct EmulatorDrawing {
   Rehearsal rehearsal;
 
  private:
+  void rehearse(const std::string& text, std::vector<std::int64_t> start_at);
   [[nodiscard]] drawing::Point at(std::size_t n) const;
   [[nodiscard]] bool down(std::size_t n) const { return (rehearsal.track[n].outputs >> out & 1u) != 0; }
   [[nodiscard]] double nearest_pass(drawing::Point to, bool dot) const;
-  [[nodiscard]] double off_the_drawing(drawing::Point p) const;
+  [[nodiscard]] std::vector<std::pair<drawing::Point, drawing::Point>> drawn_lines() const;
 };
 
 }  // namespace hw

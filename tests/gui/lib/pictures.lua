@@ -62,7 +62,7 @@ function read_messages()
   for _ = 1, 8 do
     local message
     for _, w in ipairs(ui.list()) do
-      if w.id:match("^toast/") then message = w.id end
+      if w.id:match("^message/close/") then message = w.id end
     end
     if not message or not pcall(ui.click, message) then return end
     ui.frame(2)

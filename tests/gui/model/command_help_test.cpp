@@ -121,8 +121,9 @@ TEST(Rehearsals, SayWhatHasChangedOfTheWholeController) {
   catalog.params.resize(3);
   catalog.params[2].fallback = 40;
   catalog.analog = {{"AI1", "mV", 0, 5000}, {"AI2", "mV", 0, 5000}};
-  catalog.readouts.resize(3);
+  catalog.readouts.resize(4);
   catalog.readouts[2].id = "MM";
+  catalog.readouts[3].id = "LTS", catalog.readouts[3].axis = 0;
   Snapshot now;
   now.analog[1] = 900, now.analog_known = 3;
   now.readouts_known.set(0).set(2);
@@ -166,7 +167,10 @@ TEST(Rehearsals, SayWhatHasChangedOfTheWholeController) {
   EXPECT_EQ(told([&] { now.axes[0].limits_known = false; }), Stand()) << "nobody knows them any more";
   EXPECT_EQ(told([&] { now.analog[1] = 100; }), (Stand{Footing::other_analog, 1, Steps(900), Steps(100)}));
   EXPECT_EQ(told([&] { now.analog[1] = 930; }), Stand()) << "it only trembles";
-  EXPECT_EQ(told([&] { now.readouts[2] = 1; }), (Stand{Footing::other_mode, 2, Steps(0), Steps(1)}));
+  EXPECT_EQ(told([&] { now.readouts[2] = 1; }), (Stand{Footing::other_readout, 2, Steps(0), Steps(1)}));
+  EXPECT_EQ(told([&] { now.readouts_known.set(3), now.readouts[3] = 2; }),
+            (Stand{Footing::other_readout, 3, Steps(0), Steps(2)}))
+      << "it was taken to be off";
   EXPECT_EQ(told([&] { now.readouts[0] = 1; }), Stand()) << "no rehearsal begins from it";
   EXPECT_EQ(told([&] { other_program = "I1M6"; }), (Stand{Footing::other_program, 2, {}, {}}));
   EXPECT_EQ(told([&] { now.inputs_known = 0, now.inputs = 1; }), Stand()) << "nobody knows it any more";

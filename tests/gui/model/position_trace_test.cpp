@@ -31,6 +31,19 @@ TEST_F(PositionTraceTest, GrowsOnlyWhileSomethingMoves) {
   EXPECT_TRUE(trace.places()[2].goes_on);
 }
 
+TEST_F(PositionTraceTest, KnowsHowLongItRestedWhereItIs) {
+  now.at = Instant(Millis(100));
+  at(5, 0);
+  now.at = Instant(Millis(900));
+  at(5, 0);
+  EXPECT_EQ(trace.places().back().at, Instant(Millis(100)));
+  EXPECT_EQ(trace.places().back().until, Instant(Millis(900)));
+  EXPECT_EQ(trace.first_at(), Instant{});
+  trace.clear();
+  at(5, 0);
+  EXPECT_EQ(trace.first_at(), Instant(Millis(900)));
+}
+
 TEST_F(PositionTraceTest, ALostLinkLeavesAGap) {
   at(5, 0);
   now.link.state = LinkState::lost;

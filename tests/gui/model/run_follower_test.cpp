@@ -9,6 +9,7 @@ namespace {
 class Clockwork final : public Language {
  public:
   mutable std::vector<std::int64_t> begun_at;
+  std::vector<RehearsedTurn> turns;
   [[nodiscard]] ProgramReport analyse(std::string_view text, int slot) const override {
     ProgramReport report;
     for (int i = 0; i < 3; ++i) {
@@ -26,6 +27,7 @@ class Clockwork final : public Language {
     Rehearsal r;
     constexpr std::pair<double, int> run[] = {{0, 0}, {1, 1}, {2, 2}, {3, 1}, {4, 2}};
     for (const auto& [t, command] : run) r.events.push_back({t, "a command", options.slot, command});
+    r.turns = turns;
     r.duration_s = 5;
     r.finished = true;
     return r;
@@ -86,6 +88,17 @@ TEST_F(RunFollowerTest, WorksOutTheCommandAndItsPass) {
   const auto again = when(13.2);
   EXPECT_EQ(again.command, 1);
   EXPECT_EQ(again.pass, 2);
+}
+
+TEST_F(RunFollowerTest, ACommandOfWhichNothingHappensHasItsTurn) {
+  language.turns = {{0, 0}, {1, 1}, {1.4, 2}, {2, 2}};
+  now.program.started_at = at(20);
+  follower.follow(now, {}, at(20), texts, &language, worker);
+  worker.deliver();
+  EXPECT_EQ(when(21.2).command, 1);
+  EXPECT_NEAR(follower.place().next_in_s, 0.2, 1e-6);
+  EXPECT_EQ(when(21.6).command, 2);
+  EXPECT_EQ(when(23.2).command, 1) << "what has happened since is newer than the latest turn";
 }
 
 TEST_F(RunFollowerTest, TimeStandsStillWhileItIsHeld) {

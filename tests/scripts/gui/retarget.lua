@@ -8,8 +8,9 @@ for _, model in ipairs{"pmx-4ex-sa", "dmx-k-sa"} do
   c:query("X50000")
   hw.sleep(0.5)
   tab("control")
-  fill("action/change_target/target", "2000")
-  ui.click("action/change_target/go")
+  local change = model == "dmx-k-sa" and "action/change_target" or "action/change_target/X"
+  fill(change .. "/target", "2000")
+  ui.click(change .. "/go")
   hw.sleep(0.3)
   hw.check(ui.value("dro/X/state"):find("MOVING", 1, true), model .. " shows " .. ui.value("dro/X/state"))
   hw.check(c:wait(60))

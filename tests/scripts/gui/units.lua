@@ -22,8 +22,12 @@ for _, now in ipairs{{1, "counts"}, {0, "pulses"}} do
   dmx:set("SL", now[1])
   hw.sleep(1)
   ui.click("tab/control")
+  dmx:jog(1, "+")  -- they are changes under way
+  ui.frame(2)
   refused("change_target", "target", now[2])
   refused("change_speed", "speed", now[2] .. "/s")
+  dmx:stop()
+  dmx:wait(20)
   ui.click("tab/setup")
   range("HSPD", now[2] .. "/s")
   range("LSPD", now[2] .. "/s")

@@ -622,7 +622,7 @@ TEST_F(DriverTest, AnOutputThatTheControllerUsesItselfIsSaidToBe) {
 TEST_F(DriverTest, ACircleIsDrawnAndEndsWhereItBegan) {
   start(pmx);
   sent();
-  EXPECT_EQ(act("circle", {500, 0, 1}), "");
+  EXPECT_EQ(act("arc", {500, 0, -360'000}), "");
   EXPECT_THAT(sent(), HasSubstr("CIRP500:0"));
   run(1);
   EXPECT_NE(position(1), 0);
@@ -631,10 +631,26 @@ TEST_F(DriverTest, ACircleIsDrawnAndEndsWhereItBegan) {
   EXPECT_EQ(position(1), 0);
 }
 
+TEST_F(DriverTest, AnArcIsGivenByItsSweepAndBeginsWhereTheAxesStand) {
+  start(pmx);
+  sent();
+  EXPECT_EQ(act("arc", {1000, 0, -90'000}), "");
+  EXPECT_THAT(sent(), HasSubstr("ARCP1000:0:90000:90000"));
+  ASSERT_TRUE(wait_idle());
+  EXPECT_NEAR(position(0), 1000, 1);
+  EXPECT_NEAR(position(1), 1000, 1);
+  EXPECT_EQ(act("arc", {1000, 0, 90'000}), "");
+  EXPECT_THAT(sent(), HasSubstr("ARCN1000:0:0:90000"));
+  ASSERT_TRUE(wait_idle());
+  EXPECT_NEAR(position(0), 0, 1);
+  EXPECT_NEAR(position(1), 0, 1);
+  EXPECT_EQ(act("arc", {1000, 0, 0}), "An arc of 0 degrees is none. Nothing was sent.");
+}
+
 TEST_F(DriverTest, ArcsAreRefusedInIncrementalModeWithAWord) {
   start(pmx);
   act("incremental", {});
-  EXPECT_THAT(act("arc", {0, 0, 180'000, 90'000, 1}), HasSubstr("absolute mode"));
+  EXPECT_THAT(act("arc", {0, 0, 90'000}), HasSubstr("absolute mode"));
 }
 
 TEST_F(DriverTest, ALimitErrorIsShownAndCleared) {

@@ -233,6 +233,37 @@ TEST_P(ArcusRehearsal, NamesWhatNobodyCouldTell) {
   EXPECT_EQ(r->assumptions[1].value, "0");
 }
 
+// Only a DMX has words for its latch.
+TEST(ArcusRehearsalOfALatch, BeginsWithWhatItHasCaught) {
+  const DeviceType& type = *find_device_type("dmx-k-sa");
+  const Catalog catalog = type.make_catalog({}).value();
+  auto state = known_at_rest(catalog);
+  state->now.readouts_known.reset(static_cast<std::size_t>(catalog.find_readout("LTS")));
+  const auto put = [&](const char* id, std::int64_t value) {
+    const auto place = static_cast<std::size_t>(catalog.find_readout(id));
+    state->now.readouts[place] = value, state->now.readouts_known.set(place);
+  };
+  const std::string text = "V1=LTSX\nIF V1=2\nV2=LTPX\nXV2\nWAITX\nENDIF\nEND\n";
+  RehearseOptions options;
+  options.from = state;
+  const auto unknown = type.language().rehearse(text, options);
+  ASSERT_TRUE(unknown) << unknown.error().sentence();
+  EXPECT_EQ(unknown->axes[0].position, 0);
+  ASSERT_EQ(unknown->assumptions.size(), 1u);
+  EXPECT_EQ(unknown->assumptions[0].name, "LTS");
+  EXPECT_EQ(unknown->assumptions[0].value, "off");
+  put("LTS", 2), put("LTP", 345), put("LTE", 346);
+  const auto caught = type.language().rehearse(text, options);
+  ASSERT_TRUE(caught) << caught.error().sentence();
+  EXPECT_EQ(caught->axes[0].position, 345);
+  EXPECT_TRUE(caught->assumptions.empty());
+  put("LTS", 1);
+  state->now.inputs = 0xF;  // has been so for long: it is no edge
+  const auto waits = type.language().rehearse("V1=LTSX\nXV1\nWAITX\nEND\n", options);
+  ASSERT_TRUE(waits) << waits.error().sentence();
+  EXPECT_EQ(waits->axes[0].position, 1);
+}
+
 TEST_P(ArcusRehearsal, AnAxisThatIsInErrorHoldsItsProgram) {
   const DeviceType& type = *find_device_type(GetParam());
   auto state = known_at_rest(type.make_catalog({}).value());

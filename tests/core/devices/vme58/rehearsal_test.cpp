@@ -300,6 +300,23 @@ TEST(Vme58Rehearsal, NamesWhatNobodyCouldTell) {
   EXPECT_THAT(names, testing::ElementsAre("KPX=0.00", "HDX=0 counts", "UUX=off: positions in counts"));
 }
 
+TEST(Vme58Rehearsal, WhatWaitsInAQueueIsNamedByItsNumber) {
+  const Catalog catalog = make_catalog({}).value();
+  auto state = known_board(catalog);
+  state->now.working = true;
+  RehearseOptions options;
+  options.from = state;
+  const auto last = [&] {
+    const auto all = rehearse("AX MR20 GO", options).assumptions;
+    return all.empty() ? std::string() : all.back().name + ": " + all.back().value;
+  };
+  EXPECT_EQ(last(), "command queues: empty, since the board does not tell what waits there");
+  state->now.queue_known = 0b11;
+  state->now.queue_free[0] = static_cast<std::int16_t>(catalog.queue_depth);
+  state->now.queue_free[1] = static_cast<std::int16_t>(catalog.queue_depth - 12);
+  EXPECT_EQ(last(), "queue of Y: empty, since the board does not tell what its 12 entries say");
+}
+
 TEST(Vme58Rehearsal, ALimitIsToldWithAxisDirectionLineAndTime) {
   RehearseOptions options;
   options.bench_toml = "[axis.Y]\nminus = -500\n";

@@ -271,8 +271,8 @@ TEST(VxmRehearsal, NamesProgramsThatNobodyHasReadWhereTheRunMayComeToThem) {
   RehearseOptions options;
   options.from = state;
   const auto assumed = [&](std::string_view text) { return assumed_in(rehearse(text, options)); };
-  const std::string of_3 = "program 3=taken to be empty: it was not read";
-  const std::string of_4 = "program 4=taken to be empty: it was not read";
+  const std::string of_3 = "program 3=empty, since it was not read";
+  const std::string of_4 = "program 4=empty, since it was not read";
   const std::string speed = "S1M900,A1M2,I1M100,";
   EXPECT_THAT(assumed(speed + "JM3"), testing::ElementsAre(of_3));
   EXPECT_THAT(assumed(speed + "J3"), testing::ElementsAre(of_3));
@@ -286,7 +286,7 @@ TEST(VxmRehearsal, NamesProgramsThatNobodyHasReadWhereTheRunMayComeToThem) {
   state->now.inputs = 0xFF & ~4u;  // input 3 is operated
   EXPECT_THAT(assumed(speed + "U0"), testing::ElementsAre(of_3)) << "a wait ends there";
   state->now.slot_bytes_used[2] = 9, state->programs.clear();
-  EXPECT_THAT(assumed(speed + "U23"), testing::Contains("program 2=taken to be empty: it was not read"));
+  EXPECT_THAT(assumed(speed + "U23"), testing::Contains("program 2=empty, since it was not read"));
 }
 
 TEST(VxmRehearsal, TheAnalogInputIsAsItIsRead) {

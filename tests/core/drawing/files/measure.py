@@ -30,7 +30,7 @@ def simple(entity, doc, insert_layer="0"):
                 yield from simple(part, doc, name)
     elif kind in ("POLYLINE", "LWPOLYLINE"):
         yield list(entity.virtual_entities())
-    elif kind != "SPLINE" or len(entity.control_points):
+    else:
         yield [entity]
 
 

@@ -188,7 +188,7 @@ def splines_weighted():
 
 def splines_through_points():
     d = Dxf("AC1015")
-    d.spline(8, 3, [], [], fit=HILL, why="it has points to go through and no control points")
+    d.spline(8, 3, [], [], fit=HILL)
     d.spline(8, 3, CLAMPED, HILL, fit=[(0, 0), (6, 0)])
     return d
 

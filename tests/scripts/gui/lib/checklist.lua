@@ -16,7 +16,7 @@ end
 function read_messages()
   for _ = 1, 8 do
     local all = messages()
-    if #all == 0 or not pcall(ui.click, all[#all].id) then break end
+    if #all == 0 or not pcall(ui.click, "message/close/" .. all[#all].id:match("%d+")) then break end
   end
 end
 

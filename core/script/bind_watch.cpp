@@ -1,0 +1,251 @@
+// Methods of a controller that run a script's function when something has changed: c:on, c:wait_until.
+#include <deque>
+#include <new>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include "core/base/near_name.h"
+#include "core/base/number_text.h"
+#include "core/script/bind.h"
+#include "core/script/task_handle.h"
+
+namespace hw::script {
+namespace {
+
+constexpr const char *watch_type = "watch", *react_key = "handwheel.react", *hold_key = "handwheel.hold";
+
+// Both run as fibers of their own, so that what they call may wait.
+constexpr std::string_view loops = R"lua(
+local function react(watch, f)
+  while true do f(watch:next()) end
+end
+local function hold(watch, f)
+  while true do
+    local found = f()
+    if found then return found end
+    watch:next()
+  end
+end
+return react, hold
+)lua";
+
+enum class About : std::uint8_t { limit, input, stopped, lost, anything };
+
+/// What is compared from one look to the next.
+struct Seen {
+  std::uint32_t minus = 0, plus = 0, moving = 0, inputs = 0, inputs_known = 0;
+  bool lost = false;
+};
+
+Seen look_at(const Snapshot& now) {
+  Seen seen;
+  for (int i = 0; i < now.axis_count; ++i) {
+    const AxisState& axis = now.axes[i];
+    if (axis.limits_known && axis.limit_minus) seen.minus |= 1u << i;
+    if (axis.limits_known && axis.limit_plus) seen.plus |= 1u << i;
+    if (now.axis_moves(i)) seen.moving |= 1u << i;
+  }
+  seen.inputs = now.inputs, seen.inputs_known = now.inputs_known;
+  seen.lost = now.link.state == LinkState::lost;
+  return seen;
+}
+
+/// As scripts name it: 1, "X".
+void push_axis_name(lua_State* L, const std::string& name) {
+  if (const auto number = whole_number<lua_Integer>(name))
+    lua_pushinteger(L, *number);
+  else
+    lua_pushlstring(L, name.data(), name.size());
+}
+
+/// What a script's function is to be told.
+class Watch {
+ public:
+  Watch(SessionPtr session, About about)
+      : session_(std::move(session)), about_(about), seen_(look_at(session_->known())) {}
+
+  [[nodiscard]] const SessionPtr& session() const { return session_; }
+  [[nodiscard]] About about() const { return about_; }
+  /// What a person or a machine does from outside shows only in a round of status.
+  [[nodiscard]] bool is_urgent() const { return about_ == About::limit || about_ == About::input; }
+  /// True: there is something to tell.
+  bool look();
+  std::deque<Answer> news;
+
+ private:
+  void tell_limits(std::uint32_t hit, const char* sign);
+  void tell_inputs(const Seen& now);
+  void tell_stopped(std::uint32_t axes);
+  void tell_lost();
+
+  const SessionPtr session_;
+  const About about_;
+  Seen seen_;
+};
+
+bool Watch::look() {
+  const Seen now = look_at(session_->known());
+  if (about_ == About::limit) tell_limits(now.minus & ~seen_.minus, "-");
+  if (about_ == About::limit) tell_limits(now.plus & ~seen_.plus, "+");
+  if (about_ == About::input) tell_inputs(now);
+  if (about_ == About::stopped) tell_stopped(seen_.moving & ~now.moving);
+  if (about_ == About::lost && now.lost && !seen_.lost) tell_lost();
+  seen_ = now;
+  return !news.empty();
+}
+
+void Watch::tell_limits(std::uint32_t hit, const char* sign) {
+  const auto& axes = session_->catalog().axes;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if ((hit >> i & 1) != 0)
+      news.emplace_back([name = axes[i].name, sign](lua_State* L) {
+        push_axis_name(L, name);
+        lua_pushstring(L, sign);
+        return 2;
+      });
+}
+
+void Watch::tell_inputs(const Seen& now) {
+  const Catalog& catalog = session_->catalog();
+  const std::uint32_t changed = (now.inputs ^ seen_.inputs) & now.inputs_known & seen_.inputs_known;
+  for (std::size_t i = 0; i < catalog.inputs.size(); ++i)
+    if ((changed >> i & 1) != 0) {
+      const bool operated = ((now.inputs >> i & 1) != 0) != catalog.inputs[i].active_low;
+      news.emplace_back([number = catalog.input_number(i), operated](lua_State* L) {
+        lua_pushinteger(L, number);
+        lua_pushboolean(L, operated);
+        return 2;
+      });
+    }
+}
+
+void Watch::tell_stopped(std::uint32_t stopped) {
+  const auto& axes = session_->catalog().axes;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if ((stopped >> i & 1) != 0)
+      news.emplace_back([name = axes[i].name](lua_State* L) {
+        push_axis_name(L, name);
+        return 1;
+      });
+}
+
+void Watch::tell_lost() {
+  news.emplace_back([why = std::string(session_->known().link.sentence.view())](lua_State* L) {
+    lua_pushlstring(L, why.data(), why.size());
+    return 1;
+  });
+}
+
+using WatchPtr = std::shared_ptr<Watch>;
+
+constexpr Duration look_again = Millis(10);
+
+/// Beside the script, so that nothing is missed while its function runs.
+Task<> keep_watch(Runner& runner, std::weak_ptr<Watch> watched, SessionPtr session, bool urgent) {
+  const Duration pace = urgent ? look_again : Duration(Millis(1000));
+  for (;;) {
+    const Instant deadline = runner.scheduler().now() + pace;
+    const bool news = co_await session->pump().published().wait_until(deadline);
+    const WatchPtr watch = watched.lock();
+    if (!watch || runner.over() || session->known().link.state == LinkState::closed) co_return;
+    if (urgent && !news && session->known().link.connected()) session->pump().want_round();
+    if (watch->look()) runner.happened().notify();
+  }
+}
+
+Task<Answer> next_news(Runner& runner, WatchPtr watch) {
+  while (watch->news.empty() && !runner.over()) co_await runner.happened().wait();
+  Answer next = [](lua_State*) { return 0; };
+  if (!watch->news.empty()) {
+    next = std::move(watch->news.front());
+    watch->news.pop_front();
+  }
+  co_return next;
+}
+
+/// News of the very instant may be what the script's own reading has brought: time has to pass.
+Task<Answer> pause_until_news(Runner& runner, SessionPtr session) {
+  const Instant began = runner.scheduler().now(), deadline = began + look_again;
+  for (bool news = true; news && runner.scheduler().now() == began && !runner.over();)
+    news = co_await session->pump().published().wait_until(deadline);
+  co_return [](lua_State*) { return 0; };
+}
+
+int watch_next(Call& call) {
+  const auto& watch = *static_cast<WatchPtr*>(luaL_checkudata(call.L, 1, watch_type));
+  if (watch->about() == About::anything) return call.wait(pause_until_news(call.runner(), watch->session()));
+  return call.wait(next_news(call.runner(), watch));
+}
+
+int drop_watch(lua_State* L) {
+  const WayOut::Closed closed(Runner::of(L).way_out());
+  static_cast<WatchPtr*>(lua_touserdata(L, 1))->~WatchPtr();
+  return 0;
+}
+
+/// loop(watch, the function at `place`), side by side; leaves the coroutine on the stack.
+std::shared_ptr<Spawned> begin_loop(Call& call, const char* loop, const WatchPtr& watch, int place) {
+  lua_getfield(call.L, LUA_REGISTRYINDEX, loop);
+  new (lua_newuserdatauv(call.L, sizeof(WatchPtr), 0)) WatchPtr(watch);
+  luaL_setmetatable(call.L, watch_type);
+  lua_pushvalue(call.L, place);
+  return call.runner().spawn(call.L, 2);
+}
+
+void want_function(const Call& call, int argument, const char* function) {
+  if (!lua_isfunction(call.L, call.place(argument)))
+    throw Misuse(fmt::format("{}: argument {} must be a function", function, argument));
+}
+
+About about_of(const std::string& word) {
+  static const std::vector<std::string> words{"limit", "input", "stopped", "lost"};
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (word == words[i]) return static_cast<About>(i);
+  throw Misuse(fmt::format("on: there is no \"{}\". There is limit, input, stopped, lost.{}", word,
+                           did_you_mean(word, words)));
+}
+
+int on(Call& call) {
+  const SessionPtr& session = session_of(call);
+  const About about = about_of(call.text(1, "what"));
+  want_function(call, 2, "on");
+  const auto watch = std::make_shared<Watch>(session, about);
+  asio::co_spawn(call.runner().scheduler().executor(),
+                 keep_watch(call.runner(), watch, session, watch->is_urgent()), asio::detached);
+  push_task(call.L, begin_loop(call, react_key, watch, call.place(2)));
+  return 1;
+}
+
+int wait_until(Call& call) {
+  const SessionPtr& session = session_of(call);
+  want_function(call, 1, "wait_until");
+  const Duration patience = call.patience(2, 3600);
+  const auto watch = std::make_shared<Watch>(session, About::anything);
+  std::vector<Racer> racers{{begin_loop(call, hold_key, watch, call.place(1)), true}};
+  return call.wait(
+      wait_for_first(call.runner(), std::move(racers), false, patience,
+                     fmt::format("Timeout: it has not come true within {:g} s.", seconds(patience))));
+}
+
+constexpr Function watch_table[] = {{"on", on}, {"wait_until", wait_until}};
+constexpr Function news_table[] = {{"next", watch_next}};
+
+}  // namespace
+
+std::span<const Function> watch_methods() { return watch_table; }
+
+void bind_watches(lua_State* L) {
+  luaL_newmetatable(L, watch_type);
+  push_functions(L, std::begin(news_table), std::end(news_table), 1);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, drop_watch);
+  lua_setfield(L, -2, "__gc");
+  lua_pop(L, 1);
+  if (luaL_loadbufferx(L, loops.data(), loops.size(), "=handwheel", "t") != LUA_OK) lua_error(L);
+  lua_call(L, 0, 2);
+  lua_setfield(L, LUA_REGISTRYINDEX, hold_key);
+  lua_setfield(L, LUA_REGISTRYINDEX, react_key);
+}
+
+}  // namespace hw::script

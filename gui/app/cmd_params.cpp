@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include "core/base/near_name.h"
+#include "core/device/registry.h"
+#include "core/session/address.h"
+#include "core/session/parameter_file.h"
+#include "gui/app/cli.h"
+#include "gui/app/output.h"
+
+namespace hw::app {
+namespace {
+
+using ParamJson = nlohmann::ordered_json;
+
+constexpr const char* option_keys[] = {"variant", "motors"};
+
+// The controller as its options make it.
+Result<Catalog> catalog_of(const Given& given) {
+  const std::string& model = given.words[0];
+  const DeviceType* type = find_device_type(model);
+  std::vector<std::string> models;
+  for (const DeviceType& each : device_types()) models.emplace_back(each.model);
+  if (!type)
+    return fail(FaultKind::text,
+                fmt::format("There is no controller model \"{}\".{}", model, did_you_mean(model, models)), {},
+                fmt::format("Known: {}.", known_models()));
+  DeviceOptions keys;
+  for (const char* key : option_keys)
+    if (given.has(key)) keys[key] = given.one(key);
+  auto catalog = type->make_catalog(keys);
+  if (catalog && catalog->made_from.size() < keys.size())
+    return fail(FaultKind::text, fmt::format("A {} has no --{}.", model, keys.begin()->first));
+  return catalog;
+}
+
+/// As the maker writes it: 0.8, "4EX07".
+std::string written(const ParamInfo& info, std::int64_t value) {
+  if (!info.prefix.empty()) return fmt::format("{}{:0{}}", info.prefix, value, info.digits);
+  if (info.decimals == 0) return fmt::format("{}", value);
+  double unit = 1;
+  for (int i = 0; i < info.decimals; ++i) unit *= 10;
+  return fmt::format("{:.{}f}", static_cast<double>(value) / unit, info.decimals);
+}
+
+std::string written_range(const ParamInfo& info) {
+  if (!info.choices.empty() || (info.decimals == 0 && info.prefix.empty())) return range_of(info);
+  return fmt::format("{} to {}", written(info, info.minimum), written(info, info.maximum));
+}
+
+void print_parameters(const Catalog& catalog) {
+  std::size_t widest = 0;
+  for (const ParamInfo& info : catalog.params) widest = std::max(widest, info.mnemonic.size());
+  for (const ParamInfo& info : catalog.params)
+    print_result("{:<{}}  {}{}: {} (default {})\n", info.mnemonic, widest, info.label,
+                 info.unit.empty() ? "" : fmt::format(" [{}]", info.unit), written_range(info),
+                 written(info, info.fallback));
+}
+
+/// A number, unless the maker writes a name.
+ParamJson as_json(const ParamInfo& info, std::int64_t value) {
+  const std::string text = written(info, value);
+  return info.prefix.empty() ? ParamJson::parse(text) : ParamJson(text);
+}
+
+void print_parameters_json(const Catalog& catalog) {
+  ParamJson all = ParamJson::array();
+  for (const ParamInfo& info : catalog.params) {
+    ParamJson one;
+    one["name"] = info.mnemonic;
+    one["label"] = info.label;
+    one["unit"] = info.unit.empty() ? ParamJson(nullptr) : ParamJson(info.unit);
+    one["min"] = as_json(info, info.minimum);
+    one["max"] = as_json(info, info.maximum);
+    one["default"] = as_json(info, info.fallback);
+    for (const ParamChoice& choice : info.choices)
+      one["choices"].push_back({{"value", as_json(info, choice.value)}, {"label", choice.label}});
+    all.push_back(std::move(one));
+  }
+  const ParamJson out{{"model", catalog.model}, {"parameters", std::move(all)}};
+  print_result("{}\n", out.dump(-1, ' ', true, ParamJson::error_handler_t::replace));
+}
+
+}  // namespace
+
+static int params(const Given& given) {
+  const auto catalog = catalog_of(given);
+  if (!catalog) return complain(catalog.error(), usage);
+  if (given.has("json"))
+    print_parameters_json(*catalog);
+  else
+    print_parameters(*catalog);
+  return done;
+}
+
+const Subcommand params_subcommand{
+    "params",
+    "the parameters of a model: name, label, unit, range, default",
+    {{"MODEL", "the model", 1, 1}},
+    {{"json", "", "one JSON object instead of words"},
+     {"motors", "N", "so many motors (vxm): 2 or 4"},
+     {"variant", "V", "model of the board (vme58): 8S, 4S4, 8, 4E, 2S2, 2S6, 6S2, 4S or 4"}},
+    params,
+};
+
+}  // namespace hw::app

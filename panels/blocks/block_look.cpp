@@ -1,0 +1,52 @@
+#include "panels/blocks/block_look.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/base/index.h"
+#include "gui/model/tab.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+/// Steps are shown where the axis has another unit that was not chosen; where it has none, a sequence that
+/// came from elsewhere is shown in its own.
+sequence::Scale scale_of(const Frame& f, const sequence::Axis& axis, const std::string& own_unit) {
+  const int place = f.catalog.find_axis(axis.name);
+  if (place < 0) return {own_unit, 1, 6};
+  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(place)});
+  if (unit.real) return {unit.name, axis.per_unit * unit.per_step, unit.decimals};
+  if (f.tab.profile.axes[ix(place)].unit_choice.empty()) return {own_unit, 1, 6};
+  return {f.catalog.step_word, axis.per_unit, 6};
+}
+
+sequence::Look look_of(const Frame& f, const sequence::Sequence& s) {
+  sequence::Look look = own_look(s);
+  bool alike = !s.axes.empty();
+  for (std::size_t a = 0; a < s.axes.size() && a < look.axes.size(); ++a) {
+    look.axes[a] = scale_of(f, s.axes[a], s.unit);
+    alike = alike && look.axes[a].unit == look.axes[0].unit &&
+            std::fabs(look.axes[a].factor) == std::fabs(look.axes[0].factor);
+  }
+  if (alike) look.all = look.axes[0];
+  look.all.factor = std::fabs(look.all.factor);
+  return look;
+}
+
+}  // namespace
+
+bool BlockLook::follow(const Frame& f, const sequence::Editor& editor) {
+  bool same = std::exchange(version_, editor.version()) == editor.version();
+  for (std::size_t a = 0; a < f.catalog.axes.size() && a < units_.size(); ++a)
+    if (const DisplayUnit& now = f.tab.unit(AxisId{static_cast<std::uint8_t>(a)}); units_[a] != now)
+      units_[a] = now, same = false;
+  if (same) return false;
+  sequence::Look now = look_of(f, editor.sequence());
+  if (now == look_) return false;
+  look_ = std::move(now);
+  return true;
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,107 @@
+#include "panels/blocks/block_times.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/device/step_times.h"
+#include "core/sequence/steps_in.h"
+
+namespace hw::panels {
+
+namespace seq = sequence;
+namespace {
+
+/// When a step was begun first and last, and how often.
+struct Begun {
+  int times = 0;
+  double first = 0, last = 0;
+};
+
+std::vector<Begun> begun_of(const Rehearsal& r, std::span<const int> step_of_command, std::size_t count,
+                            int& at) {
+  std::vector<Begun> all(count);
+  for (const RehearsedTurn& turn : r.turns) {
+    const int next = ix(turn.command) < step_of_command.size() ? step_of_command[ix(turn.command)] : -1;
+    if (next < 0 || next == at || ix(next) >= count) continue;
+    at = next;
+    Begun& b = all[ix(next)];
+    if (b.times++ == 0) b.first = turn.t;
+    b.last = turn.t;
+  }
+  return all;
+}
+
+class Times {
+ public:
+  Times(const Rehearsal& r, std::span<const int> step_of_command, int count)
+      : r_(r),
+        seconds_(seconds_of_parts(r, step_of_command)),
+        begun_(begun_of(r, step_of_command, ix(count), last_)) {
+    seconds_.resize(ix(count), 0);
+    made_.of_step.resize(ix(count));
+  }
+  BlockTimes take(const seq::StepList& steps) && {
+    for (const seq::Step& step : steps) made_.at_least_s += tell(step, true);
+    made_.at_least_s = std::max(made_.at_least_s, r_.duration_s);
+    made_.goes_on = !r_.finished && !r_.endless && !waits_;
+    return std::move(made_);
+  }
+
+ private:
+  /// Of a step and all that stand in it: how long it takes, as far as it is known.
+  double tell(const seq::Step& step, bool outermost) {
+    const int row = next_++;
+    // What waits for a hand says so better than a time does, and nobody knows what own text waits for.
+    if (row == last_ &&
+        (std::holds_alternative<seq::WaitInput>(step.body) || std::holds_alternative<seq::Custom>(step.body)))
+      waits_ = true;
+    const seq::StepList* inner = steps_in(step);
+    double all = seconds_[ix(row)];
+    if (inner)
+      for (const seq::Step& below : *inner) all += tell(below, false);
+    const auto* loop = std::get_if<seq::Repeat>(&step.body);
+    if (!loop || loop->times == 1) return say(row, all);
+    const double pass = pass_of(row, *loop, all, outermost);
+    if (pass <= 0) return say(row, all);
+    made_.of_step[ix(row)] = loop->times == 0 ? fmt::format("{:.1f} s a pass", pass)
+                                              : fmt::format("{} \u00d7 {:.1f} s", loop->times, pass);
+    const bool cut_off = outermost && !r_.finished && begun_in(row).last + pass >= r_.duration_s;
+    return cut_off ? std::max(all, pass * loop->times) : all;
+  }
+  double say(int row, double seconds) {
+    if (seconds > 0) made_.of_step[ix(row)] = fmt::format("{:.1f} s", seconds);
+    return seconds;
+  }
+  /// What is first at work of those that stand in the loop at `row`.
+  [[nodiscard]] Begun begun_in(int row) const {
+    for (int r = row + 1; r < next_; ++r)
+      if (begun_[ix(r)].times > 0) return begun_[ix(r)];
+    return {};
+  }
+  /// One round; 0: not known. Of a loop within another, on the average.
+  [[nodiscard]] double pass_of(int row, const seq::Repeat& loop, double all, bool outermost) const {
+    const Begun begun = begun_in(row);
+    if (outermost && r_.finished) return all / std::max(loop.times, 1);
+    if (outermost && begun.times > 1) return (begun.last - begun.first) / (begun.times - 1);
+    return begun.times > 1 ? all / begun.times : 0;
+  }
+
+  const Rehearsal& r_;
+  int last_ = -1;  ///< at work when it ended
+  bool waits_ = false;
+  std::vector<double> seconds_;
+  std::vector<Begun> begun_;
+  BlockTimes made_;
+  int next_ = 0;
+};
+
+}  // namespace
+
+BlockTimes block_times(const seq::StepList& steps, const Rehearsal& rehearsal,
+                       std::span<const int> step_of_command) {
+  return Times(rehearsal, step_of_command, count_steps(steps)).take(steps);
+}
+
+}  // namespace hw::panels

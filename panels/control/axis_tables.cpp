@@ -1,0 +1,413 @@
+#include "panels/control/axis_tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/model/axis_look.h"
+#include "gui/model/tab.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "gui/widgets/lamp.h"
+#include "gui/widgets/state_word.h"
+#include "gui/widgets/text.h"
+#include "panels/measures.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float band_title = 32, band_heads = 20, band_row = 32, name_column = 30;
+constexpr float speed_width = 100, does_width = 108, least_between = 20, most_between = 40;
+
+/// The id of a column for one axis: '*' is its name, or nothing where there is only one.
+std::string id_of_axis(const Catalog& c, std::string id, std::size_t axis) {
+  if (const auto star = id.find('*'); star != id.npos)
+    id.replace(star, 1, c.axes.size() > 1 ? c.axes[axis].name : std::string());
+  return id;
+}
+
+bool has_value(const ActionField& field, std::int64_t value) {
+  return std::any_of(field.choices.begin(), field.choices.end(),
+                     [&](const ParamChoice& c) { return c.value == value; });
+}
+
+/// It can be told to this axis.
+bool takes_axis(const ActionInfo& action, std::size_t axis) {
+  for (const ActionField& field : action.fields)
+    if (field.id == "axis") return has_value(field, static_cast<std::int64_t>(axis));
+  return true;
+}
+
+std::size_t row_fields(const ActionInfo& action) {
+  return static_cast<std::size_t>(
+      std::count_if(action.fields.begin(), action.fields.end(), [](const ActionField& field) {
+        return field.id != "axis" && field.id != "on" && !field.for_all_rows;
+      }));
+}
+
+struct Does {
+  Icon icon;
+  std::string_view word;
+  Tone tone;
+};
+
+std::string_view error_word(AxisError error) {
+  switch (error) {
+    case AxisError::limit_minus: return "ended by \u2212 limit";
+    case AxisError::limit_plus: return "ended by + limit";
+    case AxisError::limit: return "ended by a limit";
+    case AxisError::alarm: return "ended by alarm";
+    case AxisError::stalled: return "stalled";
+    case AxisError::too_far: return "too far off";
+    case AxisError::not_corrected: return "not corrected";
+    case AxisError::none: break;
+  }
+  return "error";
+}
+
+Does what_it_does(const Frame& f, int axis) {
+  const AxisState& a = f.now.axes[static_cast<std::size_t>(axis)];
+  const State state = state_of(f.now, axis, f.clock);
+  if (a.activity == Activity::error && f.connected())
+    return {Icon::diamond_solid, error_word(a.error), Tone::fault};
+  if (is_motion(state)) {
+    std::string_view word = look_of(state).small;
+    if (a.phase == Phase::accelerating) word = "ramping up";
+    if (a.phase == Phase::constant) word = "steady";
+    if (a.phase == Phase::decelerating) word = "slowing";
+    return {look_of(state).icon, word, Tone::motion};
+  }
+  if (state == State::idle || state == State::in_place) return {Icon::ring, "at rest", Tone::ink2};
+  return {look_of(state).icon, look_of(state).small, look_of(state).tone};
+}
+
+void row_hairline(Ui& ui, float x, float y, float width) {
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(x + ui.px(width), y + ui.hair()),
+                                            ui[Tone::line]);
+}
+
+}  // namespace
+
+AxisTables::AxisTables(const Catalog& catalog) {
+  for (const AxisTable& info : catalog.axis_tables) {
+    Table& table = tables_.emplace_back();
+    table.info = &info;
+    for (const AxisColumn& column : info.columns) {
+      Column made;
+      made.info = &column;
+      fill(catalog, made);
+      const bool any =
+          std::any_of(made.cells.begin(), made.cells.end(), [](const Cell& cell) { return cell.index >= 0; });
+      if (any || column.shows == AxisColumn::Shows::motion) table.columns.push_back(std::move(made));
+    }
+  }
+  std::erase_if(tables_, [](const Table& table) { return table.columns.empty(); });
+}
+
+void AxisTables::fill(const Catalog& catalog, Column& column) {
+  using Shows = AxisColumn::Shows;
+  for (std::size_t axis = 0; axis < catalog.axes.size(); ++axis) {
+    Cell& cell = column.cells.emplace_back();
+    const std::string id = id_of_axis(catalog, column.info->id, axis);
+    fill_state(catalog, column.info->state, axis, cell);
+    if (column.info->shows == Shows::readout) {
+      cell.index = catalog.find_readout(id);
+      if (cell.index >= 0) readouts_.set(static_cast<std::size_t>(cell.index));
+      continue;
+    }
+    const int param = catalog.find_param(id);
+    if (column.info->shows == Shows::param || (column.info->shows == Shows::toggle && param >= 0)) {
+      cell.index = param;
+      if (param >= 0 && column.choices.empty()) {
+        const ParamInfo& p = catalog.params[static_cast<std::size_t>(param)];
+        column.choices.assign(p.short_choices.begin(), p.short_choices.end());
+        if (column.choices.empty())
+          for (const ParamChoice& choice : p.choices) column.choices.push_back(choice.label);
+      }
+      continue;
+    }
+    const int action = catalog.find_action(id);
+    if (action < 0 || !takes_axis(catalog.actions[static_cast<std::size_t>(action)], axis)) continue;
+    cell.index = action;
+    if (!column.shared) column.shared = std::make_unique<ActionForm>(catalog, action);
+    cell.form = std::make_unique<ActionForm>(catalog, action, static_cast<int>(axis), *column.shared);
+  }
+}
+
+void AxisTables::fill_state(const Catalog& catalog, const std::string& form, std::size_t axis,
+                            Cell& cell) const {
+  if (form.empty()) return;
+  const std::string id = id_of_axis(catalog, form, axis);
+  cell.state = catalog.find_readout(id);
+  if (cell.state >= 0) return;
+  cell.state = catalog.find_param(id);
+  cell.state_is_param = true;
+  if (cell.state >= 0 && !catalog.params[static_cast<std::size_t>(cell.state)].bits.empty())
+    cell.state_bits = std::int64_t{1} << axis;
+}
+
+bool AxisTables::has_action(int action) const {
+  for (const Table& table : tables_)
+    for (const Column& column : table.columns)
+      for (const Cell& cell : column.cells)
+        if (cell.form && cell.index == action) return true;
+  return false;
+}
+
+/// By the longest that can stand in a column, so that nothing moves when a value comes.
+void AxisTables::measure(const Ui& ui, const Catalog& c, Table& table) {
+  using Shows = AxisColumn::Shows;
+  const auto words = [&](Face face, std::string_view s) { return text_width(ui, face, s) / ui.scale; };
+  table.width = -between;
+  for (Column& column : table.columns) {
+    float width = 0;
+    const auto cell = std::find_if(column.cells.begin(), column.cells.end(),
+                                   [](const Cell& one) { return one.index >= 0; });
+    const auto index = cell == column.cells.end() ? 0 : static_cast<std::size_t>(cell->index);
+    switch (column.info->shows) {
+      case Shows::motion: width = does_width + speed_width; break;
+      case Shows::readout: {
+        width = 60;
+        for (const ParamChoice& word : c.readouts[index].words)
+          width = std::max(width, std::min(84.0f, words(Face::body_bold, word.label) + 24));
+        break;
+      }
+      case Shows::param: {
+        width = c.params[index].choices.empty()
+                    ? std::max(56.0f, c.params[index].maximum > 9999 ? 88.0f : 0.0f)
+                    : 0;
+        for (const std::string_view choice : column.choices)
+          width = std::max(width, std::min(140.0f, words(Face::body_bold, choice) + 42));
+        break;
+      }
+      case Shows::toggle: width = 60; break;
+      case Shows::action: {
+        const ActionInfo& action = c.actions[index];
+        float button = std::max(words(Face::body_medium, column.info->verb_on),
+                                words(Face::body_medium, column.info->verb_off));
+        if (column.info->verb_on.empty()) button = words(Face::body_medium, action.label);
+        width =
+            static_cast<float>(row_fields(action)) * (ActionForm::row_field + close_between) + button + 24;
+        break;
+      }
+    }
+    column.width = std::ceil(std::max(width, words(Face::small, column.info->title)));
+    table.width += column.width + between;
+  }
+}
+
+void AxisTables::draw(Frame& f, float width) {
+  if (scale_ != f.ui.scale) {
+    for (Table& table : tables_) measure(f.ui, f.catalog, table);
+    scale_ = f.ui.scale;
+  }
+  for (std::size_t first = 0; first < tables_.size();) {
+    float used = name_column + tables_[first].width;
+    std::size_t end = first + 1;
+    while (end < tables_.size() && used + least_between + tables_[end].width <= width)
+      used += least_between + tables_[end++].width;
+    draw_band(f, first, end, width);
+    first = end;
+  }
+  for (Table& table : tables_)
+    for (Column& column : table.columns)
+      if (column.shared) column.shared->draw_shared(f, 200);
+}
+
+void AxisTables::draw_band(Frame& f, std::size_t first, std::size_t end, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  float used = name_column;
+  for (std::size_t i = first; i < end; ++i) used += tables_[i].width;
+  const auto gaps = static_cast<float>(end - first - 1);
+  const float apart =
+      gaps > 0 ? std::clamp(std::floor((width - used) / gaps), least_between, most_between) : 0;
+  const float rows_top = at.y + ui.px(band_title + band_heads);
+  for (std::size_t axis = 0; axis < f.catalog.axes.size(); ++axis) {
+    const float y = rows_top + ui.px(band_row) * static_cast<float>(axis);
+    row_hairline(ui, at.x, y, width);
+    draw_text_line(ui, at.x, at.x + ui.px(name_column), std::floor(y + ui.px(band_row / 2)), Face::body_bold,
+                   ui[Tone::ink], f.catalog.axes[axis].name);
+  }
+  float x = name_column;
+  for (std::size_t i = first; i < end; ++i) {
+    Table& table = tables_[i];
+    // The first title stands at the edge, over the names of the axes.
+    const float title_x = at.x + (i == first ? 0 : ui.px(x));
+    const float right = at.x + ui.px(i + 1 == end ? width : x + table.width);
+    const float middle = std::floor(at.y + ui.px(band_title / 2));
+    draw_text_line(ui, title_x, right, middle, Face::body_bold, ui[Tone::ink], table.info->title);
+    const float note = std::ceil(text_width(ui, Face::small, table.info->note));
+    if (title_x + text_width(ui, Face::body_bold, table.info->title) + ui.px(16) + note <= right)
+      draw_text_line(ui, right - note, right + 1, middle, Face::small, ui[Tone::ink2], table.info->note);
+    draw_heads(f, table, ImVec2(at.x + ui.px(x), at.y + ui.px(band_title)));
+    for (std::size_t axis = 0; axis < f.catalog.axes.size(); ++axis)
+      draw_row(f, table, axis,
+               ImVec2(at.x + ui.px(x), rows_top + ui.px(band_row) * static_cast<float>(axis)));
+    x += table.width + apart;
+  }
+  const float bottom = rows_top + ui.px(band_row) * static_cast<float>(f.catalog.axes.size());
+  row_hairline(ui, at.x, bottom, width);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, bottom + ui.px(between)));
+}
+
+void AxisTables::draw_heads(Frame& f, const Table& table, ImVec2 at) {
+  Ui& ui = f.ui;
+  float x = at.x;
+  const float middle = std::floor(at.y + ui.px(band_heads / 2));
+  for (const Column& column : table.columns) {
+    const float right = x + ui.px(column.width);
+    const bool motion = column.info->shows == AxisColumn::Shows::motion;
+    const bool number =
+        column.info->shows == AxisColumn::Shows::readout &&
+        std::any_of(column.cells.begin(), column.cells.end(), [&](const Cell& cell) {
+          return cell.index >= 0 && f.catalog.readouts[static_cast<std::size_t>(cell.index)].words.empty();
+        });
+    const float wide = std::ceil(text_width(ui, Face::small, column.info->title));
+    draw_text_line(ui, number ? right - wide : x, right + 1, middle, Face::small, ui[Tone::ink2],
+                   column.info->title);
+    if (motion)
+      draw_text_right(ui, ImVec2(right, middle - ui.line(Face::small) / 2), Face::small, ui[Tone::ink2],
+                      "speed");
+    x = right + ui.px(between);
+  }
+}
+
+void AxisTables::draw_row(Frame& f, Table& table, std::size_t axis, ImVec2 at) {
+  Ui& ui = f.ui;
+  const bool moves = f.now.axis_moves(static_cast<int>(axis));
+  const float end = at.x + ui.px(table.width);
+  float x = at.x;
+  bool said = false;
+  for (Column& column : table.columns) {
+    const Rect in{ImVec2(x, at.y), ImVec2(x + ui.px(column.width), at.y + ui.px(band_row))};
+    x = in.max.x + ui.px(between);
+    if (column.cells[axis].index < 0 && column.info->shows != AxisColumn::Shows::motion) continue;
+    if (column.info->while_moving && !moves) {
+      if (!said)
+        draw_text_line(ui, in.min.x, end, std::floor(in.centre().y), Face::body, ui[Tone::ink3],
+                       "only while it moves");
+      said = true;
+      continue;
+    }
+    draw_cell(f, column, axis, in);
+  }
+}
+
+void AxisTables::draw_cell(Frame& f, Column& column, std::size_t axis, const Rect& in) {
+  using Shows = AxisColumn::Shows;
+  Cell& cell = column.cells[axis];
+  const auto index = static_cast<std::size_t>(std::max(0, cell.index));
+  ImGui::SetCursorScreenPos(ImVec2(in.min.x, in.min.y + f.ui.px(2)));
+  switch (column.info->shows) {
+    case Shows::motion: return draw_motion(f, cell, axis, in);
+    case Shows::readout: return draw_readout(f, index, in);
+    case Shows::param: return draw_param(f, column, cell, in);
+    case Shows::toggle: return cell.form ? draw_action(f, column, cell, in) : draw_toggle(f, cell, in);
+    case Shows::action: return draw_action(f, column, cell, in);
+  }
+}
+
+void AxisTables::draw_motion(Frame& f, Cell& cell, std::size_t i, const Rect& in) {
+  Ui& ui = f.ui;
+  const AxisId axis{static_cast<std::uint8_t>(i)};
+  const Does does = what_it_does(f, static_cast<int>(i));
+  const bool held = cell.form && f.now.axes[i].activity == Activity::error && f.connected();
+  const float middle = std::floor(in.centre().y);
+  const float clear_left = in.max.x - ui.px(60);
+  draw_icon(ImGui::GetWindowDrawList(), does.icon, ImVec2(in.min.x + ui.px(6), middle), ui.px(12),
+            ui[does.tone]);
+  const float words_end = held ? clear_left - ui.px(close_between) : in.max.x - ui.px(speed_width);
+  const Face face = does.tone == Tone::ink2 ? Face::body : Face::body_bold;
+  draw_text_line(ui, in.min.x + ui.px(20), words_end, middle, face, ui[does.tone], does.word);
+  show(
+      ui,
+      {Path("control/{}/does", f.catalog.axes[i].name), Kind::text, "What it does", does.word, {}, false, {}},
+      {in.min, ImVec2(words_end, in.max.y)});
+  if (held) {
+    ImGui::SetCursorScreenPos(ImVec2(clear_left, in.min.y + ui.px(2)));
+    return cell.form->draw_in_row(f, "Clear", true, false, 60);
+  }
+  const NumberText speed = format_speed(f.now.axes[i].speed, f.tab.unit(axis));
+  const bool moves = f.now.axis_moves(static_cast<int>(i));
+  const Face number = moves ? Face::body_bold : Face::body;
+  const float wide = std::ceil(text_width(ui, number, speed));
+  draw_text_line(ui, std::max(words_end, in.max.x - wide), in.max.x + 1, middle, number,
+                 ui[moves ? Tone::ink : Tone::ink3], speed);
+}
+
+std::optional<bool> AxisTables::is_on(const Frame& f, const Cell& cell) {
+  if (cell.state < 0) return {};
+  const auto i = static_cast<std::size_t>(cell.state);
+  if (!cell.state_is_param)
+    return f.now.readouts_known[i] ? std::optional<bool>(f.now.readouts[i] != 0) : std::nullopt;
+  const ParamState& p = f.now.params[i];
+  return p.known ? std::optional<bool>((p.value & cell.state_bits) != 0) : std::nullopt;
+}
+
+void AxisTables::draw_action(Frame& f, const Column& column, Cell& cell, const Rect& in) {
+  const ActionInfo& action = f.catalog.actions[static_cast<std::size_t>(cell.index)];
+  const bool lamp = column.info->shows == AxisColumn::Shows::toggle;
+  const std::optional<bool> on = is_on(f, cell);
+  std::string_view verb =
+      column.info->verb_on.empty() ? std::string_view(action.label) : column.info->verb_on;
+  if (on.value_or(false) && !column.info->verb_off.empty()) verb = column.info->verb_off;
+  if (lamp) verb = !on ? "?" : *on ? "on" : "off";
+  cell.form->draw_in_row(f, verb, !on.value_or(false), lamp, (in.max.x - in.min.x) / f.ui.scale);
+}
+
+void AxisTables::draw_toggle(Frame& f, const Cell& cell, const Rect& in) {
+  const auto i = static_cast<std::size_t>(cell.index);
+  const ParamInfo& p = f.catalog.params[i];
+  const ParamState& has = f.now.params[i];
+  const bool on = has.known && has.value != 0;
+  ButtonOptions o;
+  o.height = ActionForm::row_height;
+  o.width = (in.max.x - in.min.x) / f.ui.scale;
+  o.icon = on ? Icon::disc : Icon::ring;
+  o.icon_tone = on ? Tone::ok : Tone::ink3;
+  o.on = on;
+  o.tip = p.explanation;
+  o.disabled = !f.connected() ? "There is no link." : has.known ? "" : "It has not been read yet.";
+  if (button(f.ui, Path("control/{}", p.mnemonic), !has.known ? "?" : on ? "on" : "off", o).clicked)
+    f.send(intent::SetParam(p.mnemonic, on ? 0 : 1));
+}
+
+void AxisTables::draw_param(Frame& f, Column& column, Cell& cell, const Rect& in) {
+  const auto i = static_cast<std::size_t>(cell.index);
+  const ParamInfo& p = f.catalog.params[i];
+  const ParamState& has = f.now.params[i];
+  const Path id("control/{}", p.mnemonic);
+  const float width = (in.max.x - in.min.x) / f.ui.scale;
+  if (!p.choices.empty()) {
+    int chosen = -1;
+    for (std::size_t n = 0; n < p.choices.size(); ++n)
+      if (has.known && p.choices[n].value == has.value) chosen = static_cast<int>(n);
+    DropdownOptions o;
+    o.disabled = f.no_link();
+    o.tip = p.explanation;
+    o.width = width;
+    o.height = ActionForm::row_height;
+    o.none = "?";
+    const int picked = dropdown(f.ui, id, p.label, column.choices, chosen, o);
+    if (picked >= 0) f.send(intent::SetParam(p.mnemonic, p.choices[static_cast<std::size_t>(picked)].value));
+    return;
+  }
+  NumberOptions o;
+  const double scale = std::pow(10.0, p.decimals);
+  o.range = {static_cast<double>(p.minimum) / scale, static_cast<double>(p.maximum) / scale, p.decimals, {}};
+  o.disabled = f.no_link();
+  o.tip = p.explanation;
+  o.width = width;
+  o.height = ActionForm::row_height;
+  o.sentence_below = false;
+  const NumberEvent e =
+      number_field(f.ui, id, p.label,
+                   has.known ? std::optional<double>(static_cast<double>(has.value) / scale) : std::nullopt,
+                   cell.number, o);
+  if (e.committed) f.send(intent::SetParam(p.mnemonic, std::llround(e.value * scale)));
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,64 @@
+#pragma once
+// Catalog::axis_tables: a row per axis, everything about an axis found by going right. As many tables beside
+// each other as fit. Ids: `readout/ID`, `control/PARAM`, `action/ID/AXIS/go`, `control/X/does`.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gui/shell/frame.h"
+#include "gui/widgets/number_field.h"
+#include "panels/control/action_form.h"
+#include "panels/control/readouts.h"
+
+namespace hw::panels {
+
+class AxisTables {
+ public:
+  explicit AxisTables(const Catalog& catalog);
+  /// At ImGui's cursor; leaves it below.
+  void draw(gui::Frame& frame, float width);
+  /// What stands in them, and so nowhere else.
+  [[nodiscard]] const ReadoutSet& readouts() const { return readouts_; }
+  [[nodiscard]] bool has_action(int action) const;
+
+ private:
+  /// One axis in one column.
+  struct Cell {
+    int index = -1;  ///< of its readout, param or action; -1: nothing is there
+    int state = -1;  ///< of the readout or param that tells whether it is on
+    bool state_is_param = false;
+    std::int64_t state_bits = -1;      ///< of that param
+    std::unique_ptr<ActionForm> form;  ///< of an action
+    gui::NumberField number;           ///< of a param
+  };
+  struct Column {
+    const AxisColumn* info = nullptr;
+    std::unique_ptr<ActionForm> shared;
+    std::vector<Cell> cells;
+    std::vector<std::string_view> choices;  ///< of a param
+    float width = 0;
+  };
+  struct Table {
+    const AxisTable* info = nullptr;
+    std::vector<Column> columns;
+    float width = 0;
+  };
+  void fill(const Catalog& catalog, Column& column);
+  void fill_state(const Catalog& catalog, const std::string& id, std::size_t axis, Cell& cell) const;
+  static void measure(const gui::Ui& ui, const Catalog& catalog, Table& table);
+  void draw_band(gui::Frame& frame, std::size_t first, std::size_t end, float width);
+  static void draw_heads(gui::Frame& frame, const Table& table, ImVec2 at);
+  void draw_row(gui::Frame& frame, Table& table, std::size_t axis, ImVec2 at);
+  void draw_cell(gui::Frame& frame, Column& column, std::size_t axis, const gui::Rect& in);
+  static void draw_motion(gui::Frame& frame, Cell& cell, std::size_t axis, const gui::Rect& in);
+  static void draw_param(gui::Frame& frame, Column& column, Cell& cell, const gui::Rect& in);
+  static void draw_toggle(gui::Frame& frame, const Cell& cell, const gui::Rect& in);
+  static void draw_action(gui::Frame& frame, const Column& column, Cell& cell, const gui::Rect& in);
+  static std::optional<bool> is_on(const gui::Frame& frame, const Cell& cell);
+
+  std::vector<Table> tables_;
+  ReadoutSet readouts_;
+  float scale_ = 0;
+};
+
+}  // namespace hw::panels

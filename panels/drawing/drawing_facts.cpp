@@ -1,0 +1,144 @@
+#include "panels/drawing/drawing_facts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/sequence/steps_in.h"
+#include "gui/model/units_format.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/slider.h"
+#include "gui/widgets/text.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr std::size_t most_left_out = 40, most_remarks = 4;
+
+/// Of all axes, with the tool on or off; an arc is one.
+std::size_t moves_in(const sequence::StepList& steps) {
+  std::size_t moves = 0;
+  for (const sequence::Step& step : steps) {
+    const auto is = [&step](auto kind) { return std::holds_alternative<decltype(kind)>(step.body); };
+    if (is(sequence::Move{}) || is(sequence::Arc{})) ++moves;
+    if (const sequence::StepList* inner = steps_in(step)) moves += moves_in(*inner);
+  }
+  return moves;
+}
+
+std::vector<std::string> in_words(const std::vector<drawing::LeftOut>& entities) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < std::min(most_left_out, entities.size()); ++i) {
+    const drawing::LeftOut& l = entities[i];
+    all.push_back(fmt::format("{} {}, line {}: {}", l.what, l.entity, l.line, l.why));
+  }
+  return all;
+}
+
+std::string in_mm(double v) { return fmt::format("{} mm", format_number(v, 1).view()); }
+
+}  // namespace
+
+void DrawingFacts::follow(const DrawingJob& job, const ConversionOptions& wanted) {
+  if (std::exchange(said_, job.version()) == job.version()) return;
+  time_.clear(), drawn_.clear(), travel_.clear(), saved_.clear(), size_.clear(), chains_.clear(),
+      moves_.clear();
+  left_out_.clear(), left_out_title_.clear(), off_.clear(), understood_.clear();
+  if (const drawing::Drawing* d = job.drawing()) {
+    left_out_ = in_words(d->left_out), understood_ = in_words(d->understood);
+    if (!left_out_.empty()) left_out_title_ = fmt::format("{} in the file", d->left_out.size());
+  }
+  const DrawingJob::Made* made = job.made();
+  if (!made) return;
+  const Conversion& c = made->conversion;
+  if (made->duration_s)
+    time_ = format_duration(*made->duration_s).view();
+  else if (made->at_least_s)
+    time_ = fmt::format("at least {}", format_duration(*made->at_least_s).view());
+  count_ = moves_in(c.sequence.steps);
+  moves_ = fmt::format("{}", count_);
+  if (c.going == drawing::Going::stairs) moves_ += ", an axis each";
+  drawn_ = in_mm(c.drawn), travel_ = in_mm(c.way);
+  if (const double saved = c.way_as_drawn - c.way; saved > 0) {
+    saved_ = in_mm(saved);
+    if (const double speed = wanted.travel.high; speed > 0)
+      saved_ += fmt::format(", {} s", format_number(saved / speed, 1).view());
+  }
+  size_ = fmt::format("{} \u00d7 {} mm", format_number(c.box.high.x - c.box.low.x, 3).view(),
+                      format_number(c.box.high.y - c.box.low.y, 3).view());
+  if (!c.off_the_table.empty())
+    off_ = fmt::format("{} of {} chains leave the table.", c.off_the_table.size(), c.chains.size());
+  chains_ = fmt::format("{}", c.chains.size());
+  if (const auto lines = made->written.step_of_line.size(); lines > 0)
+    chains_ += fmt::format(", {} lines", lines);
+}
+
+// ---- drawing
+
+void DrawingFacts::draw_remarks(Frame& f, const std::vector<std::string>& remarks) {
+  if (remarks.empty()) return;
+  Ui& ui = f.ui;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  for (std::size_t i = 0; i < std::min(most_remarks, remarks.size()); ++i)
+    wrapped(ui, Face::small, Tone::ink2, remarks[i]);
+  show(ui, {"drawing/remarks", Kind::text, "Remarks", remarks.front()}, {from, ImGui::GetCursorScreenPos()});
+}
+
+void DrawingFacts::draw(Frame& f, const DrawingJob& job) {
+  Ui& ui = f.ui;
+  section_title(ui, "Time", job.busy_with());
+  // Always there: what is to be clicked below must not move while something is worked out.
+  const float share = job.busy() ? job.ordered() : job.made() ? 1.0f : 0.0f;
+  meter(ui, "drawing/progress", "Done", share,
+        {.tone = job.busy() ? Tone::motion : Tone::ink2, .words = job.busy_with()});
+  gap(ui, 8);
+  const DrawingJob::Made* made = job.made();
+  const std::string& wrong = made ? made->problem : job.fault();
+  if (!wrong.empty()) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::fault, wrong);
+    show(ui, {"drawing/problem", Kind::text, "Problem", wrong}, {from, ImGui::GetCursorScreenPos()});
+    gap(ui, 8);
+  }
+  if (!off_.empty()) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::warn, off_);
+    show(ui, {"drawing/off", Kind::text, "Off the table", off_}, {from, ImGui::GetCursorScreenPos()});
+    gap(ui, 8);
+  }
+  if (made) {
+    if (!time_.empty()) key_value(ui, "drawing/time", made->duration_s ? "Rehearsed" : "Takes", time_);
+    key_value(ui, "drawing/moves", "Moves", moves_);
+    key_value(ui, "drawing/drawn", "Tool on", drawn_);
+    key_value(ui, "drawing/travel", "Tool off", travel_);
+    if (!saved_.empty()) key_value(ui, "drawing/saved", "Saved by the order", saved_, Tone::ok);
+    key_value(ui, "drawing/size", "Size", size_);
+    key_value(ui, "drawing/chains", "Chains", chains_);
+    draw_remarks(f, made->written.remarks);
+    if (!made->written.tool.empty()) wrapped(ui, Face::small, Tone::ink2, made->written.tool);
+  } else if (!job.drawing()) {
+    wrapped(ui, Face::body, Tone::ink2, "Lines, arcs, circles, polylines, ellipses and splines are cut.");
+  }
+  group_line(ui);
+}
+
+void DrawingFacts::draw_left_out(Frame& f) {
+  const auto list = [&f](const char* id, std::string_view title, std::string_view caption,
+                         const std::vector<std::string>& entities) {
+    if (entities.empty()) return;
+    section_title(f.ui, title, caption);
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    for (const std::string& what : entities) {
+      wrapped(f.ui, Face::small, Tone::ink2, what);
+      gap(f.ui, 4);
+    }
+    show(f.ui, {id, Kind::text, title, entities.front()}, {from, ImGui::GetCursorScreenPos()});
+  };
+  list("drawing/left_out", "Left out", left_out_title_, left_out_);
+  list("drawing/understood", "Drawn as understood", {}, understood_);
+}
+
+}  // namespace hw::panels

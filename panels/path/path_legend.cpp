@@ -1,0 +1,117 @@
+#include "panels/path/path_legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "gui/model/tab.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/text.h"
+#include "gui/widgets/touch.h"
+#include "panels/path/path_limits.h"
+#include "panels/path/path_trace.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float swatch = 28, swatch_row = 24;
+
+struct Stroke {
+  ImU32 colour = 0;
+  float width = 1;
+  bool dashed = false;
+};
+
+/// A line of as many parts as there are strokes, and what it means.
+void entry(const Frame& f, std::initializer_list<Stroke> strokes, std::string_view words) {
+  Ui& ui = f.ui;
+  const ImVec2 p = ImGui::GetCursorScreenPos();
+  const float y = std::floor(p.y + ui.px(swatch_row / 2)), part = swatch / static_cast<float>(strokes.size());
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  float begin = 0;
+  for (const Stroke& s : strokes) {
+    for (float x = 0; x < part; x += s.dashed ? 9 : part)
+      list->AddRectFilled(ImVec2(p.x + ui.px(begin + x), y),
+                          ImVec2(p.x + ui.px(begin + (s.dashed ? std::min(x + 5, part) : part)), y + s.width),
+                          s.colour);
+    begin += part;
+  }
+  draw_text_line(ui, p.x + ui.px(40), ui.px(f.area.right() - 16), p.y + ui.px(swatch_row / 2), Face::body,
+                 ui[Tone::ink2], words);
+  ImGui::SetCursorScreenPos(ImVec2(p.x, p.y + ui.px(swatch_row)));
+}
+
+void draw_lines(const Frame& f, const ProgramPath& program, const PathSubject& s) {
+  Ui& ui = f.ui;
+  const auto line = [&](Tone tone, float width, std::string_view words, bool dashed = false) {
+    entry(f, {{ui[tone], width * ui.hair(), dashed}}, words);
+  };
+  const std::string& tool = program.facts().tool;
+  const std::string_view by = tool;
+  line(Tone::ink, 2, tool.empty() ? Path("rehearsed") : Path("rehearsed, tool on ({})", by));
+  if (!tool.empty()) line(Tone::ink3, 1, "rehearsed, tool off", true);
+  if (program.commanded()) line(Tone::trace, 1, "as it was meant");
+  const auto aged = [&ui](std::size_t age) { return Stroke{trace_colour(ui, age), trace_width(ui, age)}; };
+  const ImVec2 trace = ImGui::GetCursorScreenPos();
+  entry(f, {aged(3)}, "was there last, for 10 s");
+  entry(f, {aged(2), aged(1), aged(0)}, "minute, 10 min, earlier");
+  show(ui, {"path/legend/trace", Kind::text, "Trace", "newest brightest"},
+       {trace, ImVec2(ui.px(f.area.right() - 16), ImGui::GetCursorScreenPos().y)});
+  line(Tone::motion, 3, "line at work, or clicked");
+  const KnownLimits limits = limits_of(f, s);
+  const auto known = [](const KnownEnds& ends) { return ends.minus || ends.plus; };
+  if (std::any_of(limits.travel.begin(), limits.travel.end(), known))
+    line(Tone::warn, 1, "end of the travel that is set");
+  line(Tone::warn, 1, f.bench.present ? "limit switch on the bench" : "limit switch, as met");
+  line(Tone::ok, 1, f.bench.present ? "home, on the bench" : "home, as met");
+}
+
+void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s) {
+  Ui& ui = f.ui;
+  if (!program.rehearsed()) return wrapped(ui, Face::body, Tone::ink2, "Nothing has been rehearsed yet.");
+  if (!program.path()) {
+    if (program.under_way()) return;
+    return wrapped(ui, Face::body, Tone::ink2,
+                   s.axes.over_time ? "This axis does not move in it." : "These axes do not move in it.");
+  }
+  const ProgramPath::Facts& facts = program.facts();
+  key_value(ui, "path/size", "Size", facts.size);
+  if (!facts.way_on.empty()) {
+    key_value(ui, "path/way_on", facts.tool.empty() ? "Way" : "Tool on", facts.way_on);
+    if (!facts.tool.empty()) key_value(ui, "path/way_off", "Tool off", facts.way_off);
+  }
+  key_value(ui, "path/time", "Time", facts.time);
+  if (program.of_several()) {
+    gap(ui, 8);
+    wrapped(ui, Face::body, Tone::ink2, "As if their programs began at once.");
+  }
+  if (facts.every > 1) {
+    gap(ui, 8);
+    const Path thinned("It is long: of every {} places one is shown.", facts.every);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::warn, thinned);
+    show(ui, {"path/thinned", Kind::text, "Thinned", thinned},
+         {at, ImVec2(ui.px(f.area.right() - 16), ImGui::GetCursorScreenPos().y)});
+  }
+  if (!program.older()) return;
+  gap(ui, 8);
+  wrapped(ui, Face::body, Tone::warn, "The text has been changed since. Simulate draws it anew.");
+}
+
+}  // namespace
+
+void draw_path_legend(Frame& f, float height, const ProgramPath& program, const PathSubject& s) {
+  Ui& ui = f.ui;
+  begin_part(ui, "path/legend", 0, ui.px(height), Tone::panel, 16);
+  section_title(ui, "Legend");
+  draw_lines(f, program, s);
+  group_line(ui);
+  section_title(ui, "This path", program.under_way() ? "working it out" : "");
+  draw_facts(f, program, s);
+  end_part();
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,18 @@
+#pragma once
+// Which of the user's limits a rehearsed program would pass: it is told, and the program may run all the
+// same.
+#include <string>
+#include <vector>
+
+#include "core/device/language.h"
+#include "gui/shell/frame.h"
+
+namespace hw::panels {
+
+/// It goes past one of them.
+[[nodiscard]] bool passes_travel(const gui::Frame& frame, const Rehearsal& rehearsal);
+/// "Past the + limit of X, 300.000 mm, after 4.1 s, and up to 318.000 mm." of each end. `rehearsal`: from
+/// where the axes stand now.
+[[nodiscard]] std::vector<std::string> past_travel_words(const gui::Frame& frame, const Rehearsal& rehearsal);
+
+}  // namespace hw::panels

@@ -1,0 +1,119 @@
+// Blocks that a controller cannot do are marked, each, and all others stay what they are.
+#include "tests/panels/blocks_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+struct RefusedBlocks : test_blocks::BlocksStage {
+  using BlocksStage::BlocksStage;
+};
+struct VxmRefusedBlocks : test_blocks::BlocksStage {
+  VxmRefusedBlocks() : BlocksStage("vxm") {}
+};
+struct BoardBlocks : test_blocks::BlocksStage {
+  BoardBlocks() : BlocksStage("vme58") {}
+};
+
+TEST_F(VxmRefusedBlocks, EachIsMarkedAndTheOthersKeepTheirTextPathAndTimes) {
+  s.click("blocks/add/move_by");
+  s.type("blocks/1/to/1", "400");
+  s.click("blocks/add/arc");
+  s.click("blocks/add/delay");
+  s.click("blocks/add/stop");
+  s.click("blocks/end");
+  s.stage.frames(6);
+  EXPECT_EQ(text(), "I1M400\n; block 2 is not written\nP5\n; block 4 is not written\n");
+  EXPECT_EQ(value("blocks/2/time"), "not written");
+  EXPECT_EQ(value("blocks/4/time"), "not written");
+  EXPECT_THAT(value("blocks/2/refusal"), HasSubstr("draws no arcs"));
+  EXPECT_THAT(value("blocks/4/refusal"), HasSubstr("nothing is left to be stopped"));
+  EXPECT_EQ(value("blocks/3/time"), "0.5 s");
+  EXPECT_EQ(s.stage.find("blocks/total")->label, "Rehearsed without 2, 4");
+  EXPECT_TRUE(s.stage.find("blocks/path"));
+  EXPECT_THAT(s.reason("blocks/run"), HasSubstr("Step 2 (arc): a VXM moves one motor at a time"));
+  EXPECT_THAT(s.reason("blocks/run"), HasSubstr("1 more block is not written"));
+  s.click("blocks/2");
+  s.click("blocks/remove");
+  EXPECT_THAT(s.reason("blocks/run"), HasSubstr("Step 3 (stop)"));
+  s.click("blocks/3");
+  s.click("blocks/remove");
+  EXPECT_EQ(s.reason("blocks/to_program"), "");
+  EXPECT_EQ(text(), "I1M400\nP5\n");
+}
+
+TEST_F(RefusedBlocks, TheNearestThatCanBeIsOneClickAway) {
+  s.click("blocks/add/move");
+  s.type("blocks/1/to/Y", "5");
+  s.type("blocks/1/to/X", "900000000");
+  s.stage.frames(3);
+  EXPECT_EQ(text(), "; block 1 is not written\nEND\n");
+  EXPECT_THAT(value("blocks/1/refusal"), HasSubstr("goes from"));
+  s.click("blocks/1/nearest");
+  s.stage.frames(3);
+  EXPECT_THAT(text(), HasSubstr("X134217727Y5\n"));
+  EXPECT_EQ(s.reason("blocks/to_program"), "");
+}
+
+TEST_F(RefusedBlocks, ATextOfItsOwnThatIsWrongIsMarkedAtItsBlock) {
+  load({{sequence::Delay{10}}, {sequence::Custom{"", "NONSENSE 5"}}});
+  EXPECT_EQ(value("blocks/2/time"), "not written");
+  EXPECT_NE(value("blocks/1/time"), "not written");
+  EXPECT_NE(s.reason("blocks/run"), "");
+}
+
+TEST_F(RefusedBlocks, EachTellsHowManyLinesItTakes) {
+  sequence::Repeat loop;
+  loop.times = 3;
+  loop.steps = {{sequence::Delay{10}}};
+  load({{loop}, {sequence::WaitInput{1, true}}});
+  EXPECT_EQ(value("blocks/1/lines"), "4") << "counter, WHILE, one more, ENDWHILE";
+  EXPECT_EQ(value("blocks/2/lines"), "1");
+  EXPECT_EQ(value("blocks/3/lines"), "2");
+}
+
+TEST_F(VxmRefusedBlocks, NewBlocksAreSuchAsTheControllerDoes) {
+  for (const char* id : {"blocks/add/speed", "blocks/add/wait_input", "blocks/add/output", "blocks/add/delay",
+                         "blocks/add/move_on_input", "blocks/add/home", "blocks/add/move_by"})
+    s.click(id);
+  s.stage.frames(3);
+  EXPECT_EQ(s.stage.find("blocks/problem"), nullptr) << value("blocks/problem");
+}
+
+TEST_F(BoardBlocks, NewBlocksAreSuchAsTheControllerDoes) {
+  for (const char* id : {"blocks/add/jog", "blocks/add/speed", "blocks/add/wait_input", "blocks/add/output",
+                         "blocks/add/delay", "blocks/add/home", "blocks/add/move"})
+    s.click(id);
+  s.stage.frames(3);
+  EXPECT_EQ(s.stage.find("blocks/problem"), nullptr) << value("blocks/problem");
+  EXPECT_THAT(text(), HasSubstr("JG1000;"));
+}
+
+TEST_F(RefusedBlocks, AnArcThatIsAddedBehindAMoveCanBeDrawn) {
+  s.click("blocks/add/move");
+  s.type("blocks/1/to/Y", "0");
+  s.click("blocks/add/arc");
+  EXPECT_EQ(s.stage.find("blocks/problem"), nullptr) << value("blocks/problem");
+}
+
+TEST_F(RefusedBlocks, OfALongLoopThePassesAreTold) {
+  sequence::Repeat loop;
+  loop.times = 1000;
+  loop.steps = {{sequence::Delay{2000}}};
+  load({{loop}, {sequence::Delay{1000}}});
+  s.stage.frames(20);
+  EXPECT_THAT(value("blocks/1/time"), StartsWith("1000 x 2.0 s"));
+  EXPECT_THAT(value("blocks/at_least"), StartsWith("at least 33 min"));
+  EXPECT_FALSE(s.stage.find("blocks/total"));
+  loop.times = 3;
+  load({{loop}, {sequence::Delay{1000}}});
+  s.stage.frames(6);
+  EXPECT_THAT(value("blocks/1/time"), StartsWith("3 x 2.0 s"));
+  EXPECT_THAT(value("blocks/total"), StartsWith("7"));
+}
+
+}  // namespace
+}  // namespace hw::panels

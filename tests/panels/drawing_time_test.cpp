@@ -1,0 +1,61 @@
+// How long what is being drawn will still take.
+#include "panels/drawing/drawing_tab.h"
+#include "tests/panels/drawing_stage.h"
+
+namespace hw::panels {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST_F(DrawingTabTest, ADrawingThatGoesThroughTheBufferTellsWhatIsLeft) {
+  std::string many("0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n");
+  for (int n = 0; n < 700; ++n)
+    many += "0\nLINE\n8\ncut\n10\n" + std::to_string(2 * n) + "\n20\n0\n11\n" + std::to_string(2 * n + 1) +
+            "\n21\n1\n";
+  ASSERT_TRUE(write_file(file, many + "0\nENDSEC\n0\nEOF\n"));
+  drop();
+  EXPECT_TRUE(s.stage.find("drawing/problem")) << "it is too long for the controller's memory";
+  s.click("drawing/cut");
+  s.click("drawing/ask_cut/yes");
+  const auto* asked = s.last<intent::RunInPieces>();
+  ASSERT_TRUE(asked);
+  ASSERT_GE(asked->pieces->all.front().draws, 0) << "through the buffer";
+  s.settle(Fate::done);
+  s.now.pieces.running = s.now.pieces.draws = true;
+  s.now.pieces.total = 700, s.now.pieces.step = 0;
+  s.stage.frames(3);
+  EXPECT_THAT(s.value("drawing/cut_progress"), HasSubstr(" left"));
+}
+
+TEST(TimeLeft, GoesDownWhileAStepIsAtWork) {
+  DrawingJob::Made made;
+  made.conversion.begins = {0, 4};
+  made.conversion.sequence.steps.resize(8);
+  made.chain_seconds = {10, 20};
+  EXPECT_DOUBLE_EQ(*DrawingJob::seconds_left(made, 6, 50), 20);
+  EXPECT_DOUBLE_EQ(*DrawingJob::seconds_left(made, 6, 50, 4), 16);
+  EXPECT_DOUBLE_EQ(*DrawingJob::seconds_left(made, 6, 50, 40), 0);
+}
+
+TEST(TimeLeft, OfAStepIsCountedFromWhereItWasToldFirst) {
+  StepClock clock;
+  PiecesState pieces;
+  pieces.running = true;
+  pieces.step = 3;
+  const auto at = [&](double s) {
+    clock.follow(pieces, Instant(from_seconds(s)));
+    return clock.at_it_s();
+  };
+  EXPECT_DOUBLE_EQ(at(10), 0);
+  EXPECT_DOUBLE_EQ(at(12), 2);
+  pieces.held = true;
+  EXPECT_DOUBLE_EQ(at(20), 2);
+  pieces.held = false;
+  EXPECT_DOUBLE_EQ(at(21), 3);
+  pieces.step = 4;
+  EXPECT_DOUBLE_EQ(at(22), 0);
+  EXPECT_DOUBLE_EQ(at(23), 1);
+}
+
+}  // namespace
+}  // namespace hw::panels

@@ -1,0 +1,119 @@
+// Where the console's messages stand: beside the terminal's title, or in the status line, and over nothing.
+#include <gmock/gmock.h>
+
+#include "tests/panels/console_stage.h"
+
+namespace hw::panels {
+namespace {
+
+struct MessageShape {
+  int width, height;
+  bool events;  ///< the list of events is in front
+};
+
+const gui::Rect* strip_of(ConsoleStage& s) {
+  const gui::Widget* strip = s.stage.find("message/strip");
+  return strip ? &strip->rect : nullptr;
+}
+
+bool lie_over_each_other(const gui::Rect& a, const gui::Rect& b) {
+  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
+}
+
+/// What can be pressed or read under the strip, by name.
+std::string under_the_strip(ConsoleStage& s) {
+  const gui::Rect strip = *strip_of(s);
+  std::string names;
+  for (const gui::Widget& w : s.stage.surface.screen().registry().widgets()) {
+    if (w.id.starts_with("message/") || w.id.starts_with("toast/")) continue;
+    const gui::Rect seen{ImVec2(std::max(w.rect.min.x, w.clip.min.x), std::max(w.rect.min.y, w.clip.min.y)),
+                         ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
+    const bool matters = w.usable() || w.id == "status/text" || w.id == "fault/lost";
+    if (matters && lie_over_each_other(seen, strip)) names += std::string(w.id) + " ";
+  }
+  return names;
+}
+
+void show_events(ConsoleStage& s, bool events) {
+  if (!s.stage.find("terminal/view/happened")) return;
+  ASSERT_TRUE(s.hand.click(events ? "terminal/view/happened" : "terminal/view/log").has_value());
+}
+
+TEST(MessagePlace, IsBesideTheTitleWhereItHasRoom) {
+  ConsoleStage s;
+  s.add();
+  s.run(0.1);
+  show_events(s, true);
+  s.console.toast(gui::Mood::fault, "The home switch is not there.");
+  s.run(0.2);
+  ASSERT_TRUE(strip_of(s));
+  const gui::Rect strip = *strip_of(s), copy = s.stage.find("happened/copy")->rect;
+  EXPECT_GT(strip.min.x, copy.max.x);
+  EXPECT_EQ(strip.centre().y, copy.centre().y);
+  EXPECT_EQ(strip.max.x, 1440 - 272 - 16);
+  EXPECT_EQ(s.value("toast/1"), "The home switch is not there.");
+}
+
+TEST(MessagePlace, IsInTheStatusLineWhereTheTitleHasNone) {
+  ConsoleStage s;
+  s.add();
+  s.run(0.1);
+  s.console.toast(gui::Mood::fault, "The home switch is not there.");
+  s.run(0.2);
+  ASSERT_TRUE(strip_of(s));
+  EXPECT_GE(strip_of(s)->min.y, 900 - 36);
+  EXPECT_GE(strip_of(s)->min.x, s.stage.find("status/text")->rect.max.x) << "not over its sentence";
+}
+
+TEST(MessagePlace, CoversNothingInAnySize) {
+  for (const MessageShape shape :
+       {MessageShape{1920, 1080, false}, MessageShape{1440, 900, true}, MessageShape{1440, 900, false},
+        MessageShape{1366, 768, true}, MessageShape{1024, 700, true}, MessageShape{720, 450, false}})
+    for (const bool lost : {false, true}) {
+      ConsoleStage s(shape.width, shape.height);
+      Example& a = s.add();
+      if (lost) a.now.link.state = LinkState::lost;
+      s.run(0.1);
+      show_events(s, shape.events);
+      s.console.toast(gui::Mood::fault, "The home switch is not there.");
+      s.console.toast(gui::Mood::warn, "It is hot.");
+      s.run(0.2);
+      ASSERT_TRUE(strip_of(s)) << shape.width;
+      EXPECT_EQ(under_the_strip(s), "") << shape.width << " x " << shape.height << (lost ? ", lost" : "");
+      EXPECT_TRUE(s.stage.find("toast/1")) << shape.width;
+      EXPECT_EQ(s.value("toast/2"), "It is hot.") << shape.width;
+    }
+}
+
+TEST(MessagePlace, OnAPageItIsInTheStatusLine) {
+  ConsoleStage s;
+  s.run(0.1);
+  s.console.toast(gui::Mood::fault, "The disk is full.");
+  s.run(0.2);
+  ASSERT_TRUE(strip_of(s));
+  EXPECT_GE(strip_of(s)->min.y, 900 - 36);
+  ASSERT_TRUE(s.hand.click("toast/1").has_value());
+  s.run(0.1);
+  EXPECT_EQ(s.value("message/list/1"), "The disk is full.");
+  ASSERT_TRUE(s.hand.click("message/list/1/close").has_value());
+  s.run(0.1);
+  EXPECT_FALSE(s.stage.find("message/strip"));
+}
+
+TEST(MessagePlace, WhatWantedALinkGoesWhenThereIsOne) {
+  ConsoleStage s;
+  Example& a = s.add();
+  a.now.link.state = LinkState::lost;
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.type("terminal/command", "R\n").has_value());
+  s.run(7);
+  ASSERT_TRUE(s.hand.type("terminal/command", "R\n").has_value());
+  s.run(0.2);
+  EXPECT_NE(s.value("toast/2").find("There is no link."), std::string::npos);
+  a.now.link.state = LinkState::good;
+  s.run(0.2);
+  EXPECT_FALSE(s.stage.find("toast/2"));
+}
+
+}  // namespace
+}  // namespace hw::panels
