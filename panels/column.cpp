@@ -65,6 +65,11 @@ Column column_of(const Frame& f) {
     c.below_steps = 8;
     if (axes > 2)
       c.cell = std::min(48.0f, std::floor((f.area.width + 4) / (static_cast<float>(axes) + 1)) - 4);
+    if (axes > 2 && !rows) {  // so that Go and Home stand in the lowest window of this kind too
+      c.above = 2, c.below = 1, c.title = 32, c.below_steps = 2;
+      c.cell = std::min(40.0f, c.cell);
+      c.go_row = 32, c.go_control = 28;
+    }
   }
   if (rows) c.speed_over_slider = false, c.between_steps = 8, c.below_steps = wide ? 0 : 8;
   if (wide && !rows) {

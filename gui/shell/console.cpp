@@ -179,7 +179,7 @@ void Console::tell_news(Tab& tab) {
   for (std::string& complaint : tab.complaints()) {
     // The refusal says in a toast what a dialog asks already. A fate has less room than a notice.
     const bool asked = !asked_.empty() && asked_.starts_with(complaint);
-    if (!asked) toast(tab, Mood::fault, std::move(complaint));
+    if (!asked) toast(tab, Mood::fault, std::move(complaint), &tab);
     if (asked) asked_.clear();
   }
   tab.complaints().clear();

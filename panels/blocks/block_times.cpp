@@ -45,7 +45,7 @@ class Times {
   BlockTimes take(const seq::StepList& steps) && {
     for (const seq::Step& step : steps) made_.at_least_s += tell(step, true);
     made_.at_least_s = std::max(made_.at_least_s, r_.duration_s);
-    made_.goes_on = !r_.finished && !r_.endless && !waits_;
+    made_.goes_on = !r_.finished && !r_.endless && goes_on_;
     return std::move(made_);
   }
 
@@ -53,10 +53,7 @@ class Times {
   /// Of a step and all that stand in it: how long it takes, as far as it is known.
   double tell(const seq::Step& step, bool outermost) {
     const int row = next_++;
-    // What waits for a hand says so better than a time does, and nobody knows what own text waits for.
-    if (row == last_ &&
-        (std::holds_alternative<seq::WaitInput>(step.body) || std::holds_alternative<seq::Custom>(step.body)))
-      waits_ = true;
+    if (row == last_ && std::holds_alternative<seq::Delay>(step.body)) goes_on_ = true;
     const seq::StepList* inner = steps_in(step);
     double all = seconds_[ix(row)];
     if (inner)
@@ -68,7 +65,9 @@ class Times {
     made_.of_step[ix(row)] = loop->times == 0 ? fmt::format("{:.1f} s a pass", pass)
                                               : fmt::format("{} \u00d7 {:.1f} s", loop->times, pass);
     const bool cut_off = outermost && !r_.finished && begun_in(row).last + pass >= r_.duration_s;
-    return cut_off ? std::max(all, pass * loop->times) : all;
+    if (!cut_off || loop->times == 0) return all;
+    goes_on_ = true;
+    return std::max(all, pass * loop->times);
   }
   double say(int row, double seconds) {
     if (seconds > 0) made_.of_step[ix(row)] = fmt::format("{:.1f} s", seconds);
@@ -89,8 +88,8 @@ class Times {
   }
 
   const Rehearsal& r_;
-  int last_ = -1;  ///< at work when it ended
-  bool waits_ = false;
+  int last_ = -1;         ///< at work when it ended
+  bool goes_on_ = false;  ///< what was at work then comes to its end
   std::vector<double> seconds_;
   std::vector<Begun> begun_;
   BlockTimes made_;

@@ -13,7 +13,7 @@ namespace hw::panels {
 struct BlockTimes {
   std::vector<std::string> of_step;  ///< "2.3 s", "12 x 6.5 s"; as SequenceText counts the steps
   double at_least_s = 0;             ///< of the whole, where the rehearsal did not end
-  bool goes_on = false;              ///< it did not, and nothing keeps it from ending but its length
+  bool goes_on = false;  ///< it did not, in a loop or a delay that only takes longer than it was tried
 };
 
 BlockTimes block_times(const sequence::StepList& steps, const Rehearsal& rehearsal,

@@ -18,11 +18,9 @@ namespace {
 constexpr float below_section = 12;
 
 /// Bars of the analog inputs stand where an axis can be made to follow them.
-int analog_count(const Catalog& c, const std::vector<ActionForm>& actions) {
-  const bool follows = std::any_of(actions.begin(), actions.end(), [&](const ActionForm& a) {
-    return c.actions[static_cast<std::size_t>(a.action())].follows_analog;
-  });
-  return follows ? static_cast<int>(c.analog.size()) : 0;
+bool any_follows_analog(const Catalog& c) {
+  return std::any_of(c.actions.begin(), c.actions.end(),
+                     [](const ActionInfo& a) { return a.follows_analog; });
 }
 
 /// Settings of the manual that the controller did not answer: an older firmware does not know them.
@@ -69,6 +67,7 @@ void Control::make_sections(const Catalog& c) {
     if (readouts_height(c, group, elsewhere_) > 0 && group != c.variables.readout_group)
       section(c.readout_groups[i]).readouts = group;
   }
+  if (any_follows_analog(c)) section("Analog inputs").analog = static_cast<int>(c.analog.size());
   for (std::size_t i = 0; i < c.actions.size(); ++i)
     if (!tables_->has_action(static_cast<int>(i)))
       section(c.actions[i].group).actions.emplace_back(c, static_cast<int>(i));
@@ -117,7 +116,7 @@ std::size_t Control::first_column(const Frame& f, float width) const {
 float Control::height_of(const Frame& f, const Section& s, float width) const {
   float height = title_height + below_section;
   if (s.readouts >= 0) height += readouts_height(f.catalog, s.readouts, elsewhere_);
-  height += analog_bar_height * static_cast<float>(analog_count(f.catalog, s.actions));
+  height += analog_bar_height * static_cast<float>(s.analog);
   for (const ActionForm& a : s.actions)
     height += f.catalog.actions[static_cast<std::size_t>(a.action())].is_arc ? arc_height : a.height(width);
   return height;
@@ -130,8 +129,7 @@ void Control::draw_section(Frame& f, Section& s, float width) {
                  ui[Tone::ink], s.title);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(title_height)));
   if (s.readouts >= 0) draw_readouts(f, s.readouts, width, elsewhere_);
-  for (int n = 1; n <= analog_count(f.catalog, s.actions); ++n)
-    draw_analog_bar(f, Path("control/analog/{}", n), n, width);
+  for (int n = 1; n <= s.analog; ++n) draw_analog_bar(f, Path("control/analog/{}", n), n, width);
   if (s.readouts >= 0 && !s.actions.empty()) gap(ui, 8);
   draw_actions(f, s, width);
   gap(ui, below_section - 4);

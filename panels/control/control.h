@@ -20,6 +20,7 @@ class Control final : public gui::Panel {
   struct Section {
     std::string title;
     int readouts = -1;  ///< index into Catalog::readout_groups
+    int analog = 0;     ///< so many bars
     std::vector<ActionForm> actions;
   };
   void make_sections(const Catalog& catalog);

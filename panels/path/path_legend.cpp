@@ -56,15 +56,15 @@ void draw_lines(const Frame& f, const ProgramPath& program, const PathSubject& s
   if (program.commanded()) line(Tone::trace, 1, "as it was meant");
   const auto aged = [&ui](std::size_t age) { return Stroke{trace_colour(ui, age), trace_width(ui, age)}; };
   const ImVec2 trace = ImGui::GetCursorScreenPos();
-  entry(f, {aged(3)}, "was there last, for 10 s");
-  entry(f, {aged(2), aged(1), aged(0)}, "minute, 10 min, earlier");
+  entry(f, {aged(3)}, "has been there, last 10 s");
+  entry(f, {aged(2), aged(1), aged(0)}, "minute, 10 min, longer ago");
   show(ui, {"path/legend/trace", Kind::text, "Trace", "newest brightest"},
        {trace, ImVec2(ui.px(f.area.right() - 16), ImGui::GetCursorScreenPos().y)});
   line(Tone::motion, 3, "line at work, or clicked");
   const KnownLimits limits = limits_of(f, s);
   const auto known = [](const KnownEnds& ends) { return ends.minus || ends.plus; };
   if (std::any_of(limits.travel.begin(), limits.travel.end(), known))
-    line(Tone::warn, 1, "end of the travel that is set");
+    line(Tone::warn, 1, "limit of your own");
   line(Tone::warn, 1, f.bench.present ? "limit switch on the bench" : "limit switch, as met");
   line(Tone::ok, 1, f.bench.present ? "home, on the bench" : "home, as met");
 }

@@ -28,7 +28,10 @@ std::string under_the_strip(ConsoleStage& s) {
     if (w.id.starts_with("message/") || w.id.starts_with("toast/")) continue;
     const gui::Rect seen{ImVec2(std::max(w.rect.min.x, w.clip.min.x), std::max(w.rect.min.y, w.clip.min.y)),
                          ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
-    const bool matters = w.usable() || w.id == "status/text" || w.id == "fault/lost";
+    // In the lowest windows the banner of a lost link lies over the status line already.
+    const gui::Widget* banner = s.stage.find("fault/lost");
+    const bool status = w.id == "status/text" && !(banner && lie_over_each_other(banner->rect, w.rect));
+    const bool matters = w.usable() || status || w.id == "fault/lost";
     if (matters && lie_over_each_other(seen, strip)) names += std::string(w.id) + " ";
   }
   return names;

@@ -113,7 +113,7 @@ TEST_F(PathShownTest, FitTableShowsTheLimitsThatAreKnown) {
     return ImVec2(view().centre().x + static_cast<float>((x - 1000) / per_px()),
                   view().centre().y - static_cast<float>((y - 500) / per_px()));
   };
-  EXPECT_GE(coloured(at(0, 2000), amber), 1);
+  EXPECT_GE(coloured(at(2000, 2000), amber), 1);
   EXPECT_EQ(coloured(at(-1080, 2000), amber), 0);
   s.click("path/fit");
   s.stage.frames(3);

@@ -1008,7 +1008,7 @@ class Examples(Case):
 
     def test_every_file_is_tried(self):
         tried = {"raster.vxm", "slide.toml", "plate.prg", "plate.dxf", "shuttle.prg", "circle.vme", "servo.toml"}
-        self.assertEqual({f.name for f in self.FOLDER.iterdir()}, tried)
+        self.assertEqual({f.name for f in self.FOLDER.iterdir() if f.suffix != ".lua"}, tried)  # Jobs runs those
 
 
 class Convert(Case):

@@ -19,7 +19,7 @@ for _, kind in ipairs{
     count = count + 1
     if p.value ~= nil then read = read + 1 end
   end
-  hw.check(count > 10 and read > count / 2, string.format("%s: %d, %d read", address, count, read))
+  hw.check(count > 10 and read > count / 3, string.format("%s: %d, %d read", address, count, read))
   hw.check(one.value == c:get(known), address .. ": as c:get reads it")
 
   refused('Did you mean "' .. known .. '"?', c:get(slip))

@@ -50,7 +50,8 @@ TEST_F(VxmSequence, MotorsGoOneAfterTheOther) {
   both.to[1] = -2;
   EXPECT_EQ(write({{both}}), "IA1M600\nIA3M-400\n");
   EXPECT_THAT(remarks,
-              ElementsAre("Step 1 (move): its motors go one after the other, not on a straight line."));
+              ElementsAre(HasSubstr("motors on Master and Slave could start together"),
+                          "Step 1 (move): its motors go one after the other, not on a straight line."));
   EXPECT_EQ(write({{to(0)}, {to(-0.5, true)}, {to(0, true)}}), "IA1M0\nI1M-200\n")
       << "a relative move of nothing would be one to the limit switch";
 }
