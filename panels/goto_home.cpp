@@ -133,7 +133,7 @@ void GotoHome::draw_title(Frame& f) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Column column = column_of(f);
   const float height = column.go_title, top = at.y + ui.px((height - column.go_control) / 2);
-  constexpr float cell = 32, ways_end = 2 * cell + close_between;
+  constexpr float cell = 38, ways_end = 2 * cell + close_between;
   ImGui::SetCursorScreenPos(ImVec2(at.x, top));
   draw_way(f, cell);
   const float free = f.area.width - homes_width(f) - close_between - ways_end;

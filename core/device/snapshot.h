@@ -151,9 +151,9 @@ enum class Fate : std::uint8_t { pending, done, refused, failed };
 struct IntentFate {
   IntentId id = 0;
   Fate fate = Fate::pending;
-  FixedText<320> sentence;     ///< refused or failed: Fault::sentence()
-  bool asks = false;           ///< refused until intent::Closing says what is to be done
-  std::uint32_t doubtful = 0;  ///< refused for it: bit per axis whose position is not to be trusted
+  FixedText<320> sentence;              ///< refused or failed: Fault::sentence()
+  bool asks = false;                    ///< refused until intent::Closing says what is to be done
+  std::uint32_t doubtful = 0;           ///< refused for it: bit per axis whose position is not to be trusted
   std::optional<PastTravel> past = {};  ///< refused for it
   bool operator==(const IntentFate&) const = default;
 };

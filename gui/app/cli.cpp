@@ -15,10 +15,9 @@ namespace hw::app {
 namespace {
 
 const Subcommand* const subcommands[] = {
-    &open_subcommand,    &demo_subcommand,  &run_subcommand,     &emulate_subcommand,
-    &send_subcommand,    &check_subcommand, &compile_subcommand, &simulate_subcommand,
-    &convert_subcommand, &scan_subcommand,  &backup_subcommand,  &restore_subcommand,
-    &params_subcommand,
+    &open_subcommand,   &demo_subcommand,    &run_subcommand,      &emulate_subcommand, &send_subcommand,
+    &check_subcommand,  &compile_subcommand, &simulate_subcommand, &convert_subcommand, &scan_subcommand,
+    &backup_subcommand, &restore_subcommand, &params_subcommand,
 };
 
 /// Where a model is asked for, those that there are.

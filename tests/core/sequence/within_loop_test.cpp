@@ -27,7 +27,9 @@ Step at_zero() {
   return {m};
 }
 /// Counted: 0 the move, 1 the loop, 2 and 3 in it, 4 behind it.
-Sequence stairs() { return sequence_of({at_zero(), {Repeat{3, {{moved(0, 10)}, {moved(1, 5)}}}}, at_zero()}); }
+Sequence stairs() {
+  return sequence_of({at_zero(), {Repeat{3, {{moved(0, 10)}, {moved(1, 5)}}}}, at_zero()});
+}
 
 StepList behind(const Rest& rest) {
   return {rest.sequence.steps.begin() + static_cast<std::ptrdiff_t>(rest.leading), rest.sequence.steps.end()};
@@ -41,7 +43,8 @@ TEST(WithinLoop, TheRestOfThePassIsWrittenOutAndTheOthersStayALoop) {
   ASSERT_TRUE(rest) << rest.error().sentence();
   EXPECT_EQ(rest->rest.start[0], 20);
   EXPECT_EQ(rest->rest.start[1], 5);
-  EXPECT_EQ(behind(rest->rest), (StepList{{moved(1, 5)}, {Repeat{1, {{moved(0, 10)}, {moved(1, 5)}}}}, at_zero()}));
+  EXPECT_EQ(behind(rest->rest),
+            (StepList{{moved(1, 5)}, {Repeat{1, {{moved(0, 10)}, {moved(1, 5)}}}}, at_zero()}));
   EXPECT_THAT(rest->begins, HasSubstr("pass 2 of 3 of the loop of step 2, Move by"));
   EXPECT_EQ(std::get<Comment>(rest->rest.sequence.steps[0].body).text, "From pass 2 of 3 of step 2 on.");
 }
