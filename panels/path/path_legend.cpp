@@ -57,7 +57,7 @@ void draw_lines(const Frame& f, const ProgramPath& program, const PathSubject& s
   const auto aged = [&ui](std::size_t age) { return Stroke{trace_colour(ui, age), trace_width(ui, age)}; };
   const ImVec2 trace = ImGui::GetCursorScreenPos();
   entry(f, {aged(3)}, "has been there, last 10 s");
-  entry(f, {aged(2), aged(1), aged(0)}, "minute, 10 min, longer ago");
+  entry(f, {aged(2), aged(1), aged(0)}, "minute, 10 min, longer");
   show(ui, {"path/legend/trace", Kind::text, "Trace", "newest brightest"},
        {trace, ImVec2(ui.px(f.area.right() - 16), ImGui::GetCursorScreenPos().y)});
   line(Tone::motion, 3, "line at work, or clicked");

@@ -195,7 +195,7 @@ void ToolPath::draw_view_tools(Frame& f) {
     canvas_.fit_limits();
   if (tool("path/nearer", "+", "Nearer. On the picture: +, or the wheel.")) canvas_.zoom(1.5);
   if (tool("path/further", "\u2212", "Further away. On the picture: -, or the wheel.")) canvas_.zoom(1 / 1.5);
-  const bool brief = f.area.width < 780;
+  const bool brief = f.area.width < 900;
   if (tool("path/forget", brief ? "Forget" : "Forget trace", "Forgets where the axes have been so far."))
     for (const Direction& d : directions_of(f, seen.axes))
       if (d.tab) d.tab->desk().trace.clear();
