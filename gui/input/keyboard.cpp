@@ -72,7 +72,7 @@ const Shortcut* Keyboard::match(int key) const {
 bool Keyboard::stop_key(const InputEvent& event) {
   bool& taken = taken_[GLFW_KEY_ESCAPE];
   if (event.down && !taken) emit(Command::stop_all, true, event.at_s);
-  if (event.down && !taken && modifiers_.shift) emit(Command::stop_at_once, true, event.at_s);
+  if (event.down && !taken && arrived_.shift) emit(Command::stop_at_once, true, event.at_s);
   taken = event.down;
   return true;
 }
@@ -116,6 +116,7 @@ bool Keyboard::on_arrival(const InputEvent& event) {
     release_all(event.at_s);
     return false;
   }
+  arrived_.follow(event);
   if (!is_key(event, taken_.size())) return false;
   if (event.code == GLFW_KEY_ESCAPE) return stop_key(event);
   return !event.down && key_up(event);
@@ -148,7 +149,7 @@ void Keyboard::release_all(double at_s) {
       emit(static_cast<Command>(i), false, at_s);
     }
   taken_.fill(false);
-  modifiers_ = {};
+  arrived_ = modifiers_ = {};
 }
 
 void Keyboard::begin_frame() {

@@ -104,7 +104,8 @@ class Keyboard {
   std::array<bool, n> held_{};
   std::array<bool, 512> taken_{};  // keys whose release belongs to us
   Edges now_, next_;
-  Modifiers modifiers_;
+  Modifiers arrived_;    ///< as far as events have arrived: of what ends something
+  Modifiers modifiers_;  ///< as far as they have had their turn
   bool typing_ = false, covered_ = false;
 };
 

@@ -51,14 +51,6 @@ void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& wr
   f.ui.wake_in(0);
 }
 
-/// The output that the tool's own routine switches on; -1: none.
-static int tool_output_of(const sequence::Sequence& sequence, const Catalog& catalog) {
-  for (const sequence::Step& step : sequence.pen_down)
-    if (const auto* output = std::get_if<sequence::Output>(&step.body); output && output->on && !step.skipped)
-      return catalog.find_output(output->output);
-  return -1;
-}
-
 /// "without 3 and 5.1": by their numbers in the list.
 static std::string without_words(const WrittenBlocks& written) {
   constexpr std::size_t most = 3;
@@ -93,7 +85,7 @@ void BlockTrial::take(Frame& f, const Rehearsals::Outcome& outcome) {
   TrackAxes axes;
   axes.right = {0, from_steps(Steps(1), f.tab.unit(AxisId{0}))};
   axes.up = {1, from_steps(Steps(1), f.tab.unit(AxisId{1}))};
-  axes.tool_output = tool_output_of(f.tab.desk().blocks.editor.sequence(), f.catalog);
+  take_tool_of(f.tab.desk().blocks.editor.sequence(), f.catalog, axes);
   auto path = std::make_shared<const drawing::ToolPath>(track_path(r, axes, 0, steps));
   if (!path->runs.empty()) path_ = std::move(path);
   const bool others_move =

@@ -256,6 +256,15 @@ void RehearsalCard::draw_events(Frame& f) {
   if (r.events.size() > event_times_.size()) text(ui, Face::small, Tone::ink3, "and more");
 }
 
+/// Of limits, in the one line that there is.
+RehearsalCard::Verdict RehearsalCard::verdict(const Frame& f) const {
+  if (!begins_here()) return {"begins elsewhere: limits not judged", Icon::warning};
+  if (passes_travel(f, *outcome_->result)) return {"goes past a limit of yours", Icon::warning};
+  if (!judges_limits()) return {"limits not judged", Icon::none};
+  if (outcome_->result->limit_touched) return {"a limit is touched", Icon::warning};
+  return {"no limit touched", Icon::check};
+}
+
 bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
   Ui& ui = f.ui;
   refresh(f, slot);
@@ -286,23 +295,16 @@ bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
   } else {
     word(Face::body_medium, tone, time_);
     if (old_ && !of_running_) word(Face::small, Tone::ink3, said_caption_);
-    const bool touched = outcome_->result->limit_touched,
-               past = begins_here() && passes_travel(f, *outcome_->result);
-    const std::string_view verdict = past               ? "goes past a limit of yours"
-                                     : !begins_here()   ? "begins elsewhere: limits not judged"
-                                     : !judges_limits() ? "limits not judged"
-                                     : touched          ? "a limit is touched"
-                                                        : "no limit touched";
-    const bool fine = judges_limits() && !touched && !past;
+    const auto [verdict, mark] = this->verdict(f);
     // The verdict is never cut; of the spans what fits.
     const float verdict_width = ui.px(20 + 14) + std::ceil(text_width(ui, Face::body, verdict));
     const float spans_end = right - ui.px(24) - verdict_width;
     draw_text_line(ui, x, spans_end, middle, Face::body, ui[Tone::ink2], spans_);
     if (!spans_.empty())
       x = std::max(x, std::min(spans_end, x + std::ceil(text_width(ui, Face::body, spans_)))) + ui.px(14);
-    if (fine || past || judges_limits() || !begins_here()) {
-      draw_icon(ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::warning, ImVec2(x + ui.px(6), middle),
-                ui.px(12), ui[fine ? Tone::ok : Tone::warn]);
+    if (mark != Icon::none) {
+      draw_icon(ImGui::GetWindowDrawList(), mark, ImVec2(x + ui.px(6), middle), ui.px(12),
+                ui[mark == Icon::check ? Tone::ok : Tone::warn]);
       x += ui.px(20);
     }
     word(Face::body, Tone::ink, verdict);

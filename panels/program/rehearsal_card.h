@@ -3,6 +3,7 @@
 #include "gui/model/desk.h"
 #include "gui/shell/frame.h"
 #include "gui/surface/ui.h"
+#include "gui/widgets/icons.h"
 
 namespace hw::panels {
 
@@ -25,6 +26,11 @@ class RehearsalCard {
   void draw_axes(gui::Frame& frame);
   bool draw_verdict(gui::Frame& frame);
   bool draw_limits(gui::Frame& frame);
+  struct Verdict {
+    std::string_view words;
+    gui::Icon mark;  ///< none: there is nothing to be said for or against
+  };
+  [[nodiscard]] Verdict verdict(const gui::Frame& frame) const;
   void draw_sentences(gui::Frame& frame);
   void draw_events(gui::Frame& frame);
 

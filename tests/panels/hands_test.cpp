@@ -176,6 +176,11 @@ TEST_F(HandsTest, StopReachesAllControllers) {
   EXPECT_EQ(b.count<intent::Stop>(), 2);
 }
 
+TEST_F(HandsTest, ShiftEscStopsAtOnce) {
+  MUST(s.hand.key("Shift+Escape"));
+  EXPECT_EQ(a.count<intent::Stop>(), 2) << "the second one in a row is without a ramp";
+}
+
 TEST_F(HandsTest, EscStopsWhileTypingAndWithAListOpen) {
   MUST(s.hand.click("goto/1"));
   MUST(s.hand.key("Escape"));

@@ -124,9 +124,11 @@ Task<Result<>> Actions::draw_arc(std::int64_t centre_x, std::int64_t centre_y, s
   std::string text =
       fmt::format("{}{}{}:{}", circle ? "CIR" : "ARC", sweep < 0 ? 'P' : 'N', centre_x, centre_y);
   if (!circle) {
-    const auto& axes = console_.draft.axes;
-    const double begin = std::atan2(static_cast<double>(axes[1].position.value - centre_y),
-                                    static_cast<double>(axes[0].position.value - centre_x));
+    const auto x = co_await moves_.ask_position(0);
+    if (!x) co_return fail(x.error());
+    const auto y = co_await moves_.ask_position(1);
+    if (!y) co_return fail(y.error());
+    const double begin = std::atan2(static_cast<double>(*y - centre_y), static_cast<double>(*x - centre_x));
     const std::int64_t from = full_turn / 2 - std::llround(begin * 180'000 / std::numbers::pi);
     const std::int64_t end = ((from - sweep) % full_turn + full_turn) % full_turn;
     text += fmt::format(":{}:{}", end, std::abs(sweep));

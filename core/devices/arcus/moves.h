@@ -32,9 +32,10 @@ class Moves {
   Task<Result<>> start(std::string text, std::vector<int> axes, Activity activity);
   /// The mode as it is now: a program or another terminal may have changed it since the last round.
   Task<Result<bool>> ask_incremental();
+  /// The same of where an axis stands, or is sent with StepNLoop.
+  Task<Result<std::int64_t>> ask_position(int axis);
 
  private:
-  Task<Result<std::int64_t>> ask_position(int axis);
   Task<Result<>> borrow_speed(Pps speed, int axis);
 
   const Console& console_;
