@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/core.h>
+#include <sys/socket.h>
 
 #include "core/device/bus_target.h"
 #include "transports/gone.h"
@@ -29,6 +30,14 @@ std::uint32_t number(std::string_view bytes) {
   return value;
 }
 
+/// As the kernel writes it; empty: no connection to another end.
+std::string peer_of(int socket) {
+  sockaddr_storage peer{};
+  socklen_t length = sizeof peer;
+  if (::getpeername(socket, reinterpret_cast<sockaddr*>(&peer), &length) != 0) return {};
+  return {reinterpret_cast<const char*>(&peer), length};
+}
+
 class BusPort final : public Window, private Stream::Listener {
  public:
   BusPort(Scheduler& scheduler, std::unique_ptr<Stream> stream, std::string where)
@@ -43,6 +52,15 @@ class BusPort final : public Window, private Stream::Listener {
   }
 
   void listen(Window::Listener* listener) override { listener_ = listener; }
+  // Bytes of a burst that was cut short must not be taken for those of the next: a connection of its own.
+  [[nodiscard]] WireShare share() const override {
+    WireShare share = stream_ ? stream_->share() : WireShare();
+    if (share.how != WireShare::How::bytes) return {};
+    share.place = peer_of(share.fd);
+    share.how = share.place.empty() ? WireShare::How::none : WireShare::How::dial;
+    share.fd = -1;
+    return share;
+  }
   [[nodiscard]] std::string describe() const override { return "bus port " + where_; }
 
   Task<Result<>> run(std::span<BusCycle> cycles) override {
@@ -71,12 +89,8 @@ class BusPort final : public Window, private Stream::Listener {
   static constexpr Duration longest_silence = Millis(2000);
 
   void add_message(const BusCycle& cycle) {
-    messages_ += static_cast<char>(cycle.width | (cycle.write ? write_bit : 0));
-    put(messages_, cycle.offset, 2);
-    if (cycle.write)
-      put(messages_, cycle.value, cycle.width);
-    else
-      expected_ += cycle.width;
+    append_bus_message(messages_, cycle);
+    if (!cycle.write) expected_ += cycle.width;
   }
 
   void bytes_arrived(std::string_view bytes) override {
@@ -118,6 +132,12 @@ class BusPort final : public Window, private Stream::Listener {
 };
 
 }  // namespace
+
+void append_bus_message(std::string& bytes, const BusCycle& cycle) {
+  bytes += static_cast<char>(cycle.width | (cycle.write ? write_bit : 0));
+  put(bytes, cycle.offset, 2);
+  if (cycle.write) put(bytes, cycle.value, cycle.width);
+}
 
 std::unique_ptr<Window> make_bus_port(Scheduler& scheduler, std::unique_ptr<Stream> stream,
                                       std::string where) {

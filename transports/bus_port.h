@@ -20,6 +20,9 @@ Task<Result<std::unique_ptr<Window>>> open_bus_port(Scheduler& scheduler, std::s
 std::unique_ptr<Window> make_bus_port(Scheduler& scheduler, std::unique_ptr<Stream> stream,
                                       std::string where);
 
+/// The message of one cycle.
+void append_bus_message(std::string& bytes, const BusCycle& cycle);
+
 /// The board's side of one connection: takes messages apart and puts answers together. No I/O.
 class BusPortTalk {
  public:

@@ -18,6 +18,10 @@ class FdStream : public Stream {
   void listen(Listener* listener) final;
   void send(std::string_view bytes) override;
   void discard_unsent() final;
+  [[nodiscard]] WireShare share() const override {
+    const int open = fd();
+    return open < 0 ? WireShare() : WireShare{WireShare::How::bytes, open, {}, 0};
+  }
 
  protected:
   /// Takes `fd` over; reading begins with the first listener.

@@ -52,6 +52,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
   std::unique_ptr<UsbLoop> loop;
   std::string name;  // "USB 4ex00"
   libusb_device_handle* handle = nullptr;
+  int file = -1;  // the library's own, for the watchdog; -1: not found
   std::function<void(std::string_view)> heard;
   std::function<void(const Fault&)> ended;
 
@@ -210,6 +211,10 @@ class PerformaxStream final : public Stream {
   Result<> set_rate(int) override { return {}; }
   [[nodiscard]] int rate() const override { return 0; }
   [[nodiscard]] bool carries_messages() const override { return true; }
+  [[nodiscard]] WireShare share() const override {
+    if (!wire_->handle || wire_->over || wire_->file < 0) return {};
+    return {WireShare::How::messages, wire_->file, {}, 0};
+  }
   [[nodiscard]] std::string describe() const override { return wire_->name; }
 
  private:
@@ -260,6 +265,18 @@ int claim(libusb_device_handle* handle) {
   return libusb_claim_interface(handle, interface);
 }
 
+std::string node_of(const PerformaxDevice& device) {
+  return fmt::format("/dev/bus/usb/{:03}/{:03}", device.bus, device.number);
+}
+
+// The library does not tell it. Who shares the open file may write where it has claimed the interface.
+int file_of(const std::string& node) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator("/proc/self/fd", error))
+    if (fs::read_symlink(entry.path(), error) == node) return std::atoi(entry.path().filename().c_str());
+  return -1;
+}
+
 int open_device(PerformaxWire& wire, const PerformaxDevice& wanted) {
   libusb_device** all = nullptr;
   const ssize_t count = libusb_get_device_list(wire.loop->context(), &all);
@@ -268,6 +285,7 @@ int open_device(PerformaxWire& wire, const PerformaxDevice& wanted) {
     if (libusb_get_bus_number(all[i]) == wanted.bus && libusb_get_device_address(all[i]) == wanted.number)
       error = libusb_open(all[i], &wire.handle);
   if (count >= 0) libusb_free_device_list(all, 1);
+  if (error == 0) wire.file = file_of(node_of(wanted));
   return error != 0 ? error : claim(wire.handle);
 }
 
@@ -292,8 +310,7 @@ std::vector<PerformaxDevice> list_performax(const std::string& sys) {
     device.product = first_line(at / "product");
     device.bus = std::atoi(first_line(at / "busnum").c_str());
     device.number = std::atoi(first_line(at / "devnum").c_str());
-    const std::string node = fmt::format("/dev/bus/usb/{:03}/{:03}", device.bus, device.number);
-    device.permitted = ::access(node.c_str(), R_OK | W_OK) == 0;
+    device.permitted = ::access(node_of(device).c_str(), R_OK | W_OK) == 0;
     found.push_back(std::move(device));
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.serial < b.serial; });

@@ -117,9 +117,10 @@ bool access_all(volatile std::uint8_t* window, std::span<BusCycle> cycles) {
 
 class VmeDevice final : public Window {
  public:
-  VmeDevice(Scheduler& scheduler, int fd, void* memory, std::string place)
+  VmeDevice(Scheduler& scheduler, int fd, std::uint32_t base, void* memory, std::string place)
       : scheduler_(scheduler),
         fd_(fd),
+        base_(base),
         memory_(memory),
         place_(std::move(place)),
         tell_(std::make_shared<Tell>()) {
@@ -131,6 +132,7 @@ class VmeDevice final : public Window {
     ::close(fd_);
   }
   void listen(Listener* listener) override { tell_->listener = listener; }
+  [[nodiscard]] WireShare share() const override { return {WireShare::How::memory, fd_, {}, base_}; }
   [[nodiscard]] std::string describe() const override { return place_; }
 
   Task<Result<>> run(std::span<BusCycle> cycles) override {
@@ -151,6 +153,7 @@ class VmeDevice final : public Window {
   };
   Scheduler& scheduler_;
   int fd_;
+  std::uint32_t base_;
   void* memory_;
   std::string place_;
   std::shared_ptr<Tell> tell_;
@@ -219,7 +222,8 @@ Result<std::unique_ptr<Window>> map_window(Scheduler& scheduler, int fd, const s
     return fail(FaultKind::port,
                 fmt::format("{} cannot be mapped at 0x{:04X}: {}.", device, base, std::strerror(errno)),
                 "Nothing was opened.", "Choose the VME device of the bridge, as /dev/bus/vme/m0.");
-  return std::make_unique<VmeDevice>(scheduler, fd, memory, fmt::format("{} at 0x{:04X}", device, base));
+  return std::make_unique<VmeDevice>(scheduler, fd, *offset, memory,
+                                     fmt::format("{} at 0x{:04X}", device, base));
 }
 
 }  // namespace

@@ -48,6 +48,10 @@ class Driver {
   /// Sends a stop, all of it, and does not wait for its effect. Also before connect(), and whatever is known
   /// of the state. Returns the answer to the user's words, if they have one.
   virtual Task<Result<std::string>> stop(const StopOrder& order) = 0;
+  /// What stops a jog of these axes (a bit each) when nobody can ask the controller anything any more: the
+  /// exact bytes for the wire that is attached, with the end of a message that was cut short in front. It may
+  /// stop more than these axes where the controller knows no less.
+  [[nodiscard]] virtual LastWill last_will(unsigned axes) const = 0;
   /// What the round of status that has just ended shows of it. The user's own words are followed by the
   /// console's stop where this asks for them again.
   virtual StopProgress stop_progress(const StopOrder& order) = 0;

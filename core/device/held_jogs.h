@@ -57,6 +57,14 @@ class HeldJogs {
   [[nodiscard]] bool has(IntentId id) const {
     return std::any_of(jogs_.begin(), jogs_.end(), [id](const Jog& jog) { return jog.id == id; });
   }
+  /// A bit for each axis that a hand jogs, of those that `has_begun(id)`.
+  template <class Begun>
+  [[nodiscard]] unsigned guarded_axes_if(Begun has_begun) const {
+    unsigned axes = 0;
+    for (const Jog& jog : jogs_)
+      if (jog.guarded && has_begun(jog.id)) axes |= 1u << jog.axis;
+    return axes;
+  }
   [[nodiscard]] bool any_guarded() const {
     return std::any_of(jogs_.begin(), jogs_.end(), [](const Jog& jog) { return jog.guarded; });
   }

@@ -11,6 +11,7 @@
 
 #include "core/base/asio.h"
 #include "core/link/framing.h"
+#include "core/link/last_will.h"
 #include "core/link/owed_answers.h"
 #include "core/link/stream.h"
 #include "core/link/traffic.h"
@@ -74,6 +75,12 @@ class Link final : public std::enable_shared_from_this<Link>,
   [[nodiscard]] Duration wire_time(std::size_t bytes) const;
   [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
 
+  /// Who carries out last wills; null: nobody. `emulated`: what is at the other end ends with this program.
+  void entrust_to(std::shared_ptr<WillKeeper> keeper, bool emulated) {
+    keeper_ = std::move(keeper);
+    emulated_here_ = emulated;
+  }
+
   /// A controller was told another rate, and the wire follows it.
   std::function<void(int baud)> rate_set;
 
@@ -91,6 +98,11 @@ class Link final : public std::enable_shared_from_this<Link>,
   void leave(Station& station, const Fault& why, Leaving leaving);
   Task<Result<std::string>> transact(Station& station, Transaction transaction);
   Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
+  std::shared_ptr<WillKeeper::Will> leave_will(const LastWill& will);
+  [[nodiscard]] JogEnds jog_ends() const;
+  [[nodiscard]] WireShare share() const;
+  [[nodiscard]] bool a_will_may_be_carried_out();
+  void give_up_soon(Fault why);
   void drop_waiting(const Station& station, const Fault& why);
   void hurry_for_a_stop();
   [[nodiscard]] Duration patience_for(const Station& station, const Transaction& transaction) const;
@@ -137,6 +149,9 @@ class Link final : public std::enable_shared_from_this<Link>,
   int silent_in_a_row_ = 0;  ///< questions that nobody on the wire has answered
   Instant settle_until_{};   ///< after a miss: a late reply must not be taken for the next one's
   OwedAnswers left_owed_;    ///< by stations that have left
+  std::shared_ptr<WillKeeper> keeper_;
+  bool emulated_here_ = false;
+  std::vector<std::weak_ptr<WillKeeper::Will>> wills_;
   Timer deadline_;
   Timer settled_;
   Timer unfinished_;

@@ -134,6 +134,11 @@ class Station {
   [[nodiscard]] bool carries_messages() const { return link_ && link_->carries_messages(); }
   [[nodiscard]] bool is_window() const { return link_ && link_->is_window(); }
   [[nodiscard]] bool tells_interrupts() const { return link_ && link_->tells_interrupts(); }
+  /// What must reach the wire when this program cannot say it any more; null: nobody keeps it.
+  [[nodiscard]] std::shared_ptr<WillKeeper::Will> leave_will(const LastWill& will) {
+    return link_ ? link_->leave_will(will) : nullptr;
+  }
+  [[nodiscard]] JogEnds jog_ends() const { return link_ ? link_->jog_ends() : JogEnds::by_nobody; }
   /// For everybody on the wire.
   Result<> set_rate(int baud);
   /// Time that `bytes` characters take on this wire (0 when it has no rate).

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/link/wire_share.h"
 
 namespace hw {
 
@@ -32,6 +33,8 @@ class Stream {
   /// True: each send() is one message, and so is each bytes_arrived() (USB): no address in front, no
   /// terminator behind; an empty one arrives as a single zero byte. False: a line of bytes.
   [[nodiscard]] virtual bool carries_messages() const { return false; }
+  /// How a watchdog reaches it too; none: it ends with this program.
+  [[nodiscard]] virtual WireShare share() const { return {}; }
   /// Where it leads, for a person: "/dev/ttyUSB0, 9600 baud".
   [[nodiscard]] virtual std::string describe() const = 0;
 };

@@ -9,6 +9,7 @@
 
 #include "core/base/asio.h"
 #include "core/base/result.h"
+#include "core/link/wire_share.h"
 
 namespace hw {
 
@@ -51,6 +52,8 @@ class Window {
   virtual void abandon() {}
   /// Interrupts of the controller reach its host this way. False: they must stay off.
   [[nodiscard]] virtual bool tells_interrupts() const { return false; }
+  /// How a watchdog reaches it too; none: it ends with this program.
+  [[nodiscard]] virtual WireShare share() const { return {}; }
   /// Where it leads, for a person: "bus port 127.0.0.1:5000".
   [[nodiscard]] virtual std::string describe() const = 0;
 };

@@ -43,6 +43,7 @@ Task<Result<std::shared_ptr<Link>>> SharedWire::link() {
     benches_ = std::move(wire->benches);
     link = wire->window ? std::make_shared<Link>(scheduler_, std::move(wire->window))
                         : std::make_shared<Link>(scheduler_, std::move(wire->stream));
+    link->entrust_to(std::move(wire->keeper), !benches_.empty());
     link->rate_set = [self = weak_from_this()](int baud) {
       const auto wire = self.lock();
       if (!wire) return;

@@ -6,6 +6,7 @@
 
 #include "core/base/asio.h"
 #include "core/device/bench.h"
+#include "core/link/last_will.h"
 #include "core/link/stream.h"
 #include "core/link/window.h"
 #include "core/session/address.h"
@@ -38,6 +39,7 @@ struct Wire {
   std::unique_ptr<Window> window;
   /// One for each device on it, in the order of the address's ids; empty: no emulators of ours.
   std::vector<std::shared_ptr<BenchAccess>> benches;
+  std::shared_ptr<WillKeeper> keeper;  ///< null: there is no watchdog
 };
 
 /// Resumes with an open wire or a fault that names the place. An emulator that was unplugged opens again as

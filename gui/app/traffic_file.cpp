@@ -42,6 +42,7 @@ class Tapped final : public Stream, private Stream::Listener {
   Result<> set_rate(int baud) override { return inner_->set_rate(baud); }
   [[nodiscard]] int rate() const override { return inner_->rate(); }
   [[nodiscard]] bool carries_messages() const override { return inner_->carries_messages(); }
+  [[nodiscard]] WireShare share() const override { return inner_->share(); }
   [[nodiscard]] std::string describe() const override { return inner_->describe(); }
 
  private:
@@ -82,6 +83,7 @@ class TappedWindow final : public Window, private Window::Listener {
   }
   void abandon() override { inner_->abandon(); }
   [[nodiscard]] bool tells_interrupts() const override { return inner_->tells_interrupts(); }
+  [[nodiscard]] WireShare share() const override { return inner_->share(); }
   [[nodiscard]] std::string describe() const override { return inner_->describe(); }
 
  private:

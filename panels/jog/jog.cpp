@@ -8,6 +8,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/hold_button.h"
 #include "gui/widgets/text.h"
+#include "panels/jog/guarantee.h"
 #include "panels/jog/jog_button.h"
 #include "panels/jog/jog_units.h"
 #include "panels/jog/power_switch.h"
@@ -97,6 +98,9 @@ void Jog::draw_title(Frame& f, const Column& column) {
     draw_reason(f, {ImVec2(at.x + ui.px(title), at.y), ImVec2(right - ui.px(8), at.y + ui.px(column.title))});
     ImGui::SetCursorScreenPos(ImVec2(right, at.y + ui.px(4)));
     chooser_.draw(f);
+  } else {
+    draw_guarantee(f, {ImVec2(at.x + ui.px(title), at.y),
+                       ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(column.title))});
   }
 }
 
@@ -108,7 +112,9 @@ void Jog::draw_reason(Frame& f, const Rect& place) {
   const std::string_view why = !flaw.empty() ? flaw
                                : off != 0    ? powerless_words(f, off)
                                              : f.tab.why_not_move();
-  const bool unit_said = f.tier == Tier::narrow || steps_unit_.name.empty();  // it stands beside it
+  if (why.empty() && f.tier == Tier::narrow) return draw_guarantee(f, place);
+  if (why.empty() && column_of(f).speed_in_title) return draw_hint_over_guarantee(f, place);
+  const bool unit_said = steps_unit_.name.empty();
   const Path hint("Hold a button to move. A tap moves the chosen step{}{}.", unit_said ? "" : ", in ",
                   unit_said ? std::string_view() : std::string_view(steps_unit_.name));
   const float line = ui.line(Face::small);
@@ -122,6 +128,14 @@ void Jog::draw_reason(Frame& f, const Rect& place) {
   const Rect words{ImVec2(place.min.x + ui.px(20), top), left.max};
   const Tone tone = !flaw.empty() ? Tone::fault : why.empty() ? Tone::ink3 : Tone::ink2;
   draw_text_in_lines(ui, words, Face::small, ui[tone], why.empty() ? hint.view() : why, lines);
+}
+
+/// Where the title is the speed's.
+void Jog::draw_hint_over_guarantee(Frame& f, const Rect& place) {
+  const float line = f.ui.line(Face::small), badge = place.min.y + line + f.ui.px(3);
+  draw_text_line(f.ui, place.min.x, place.max.x, place.min.y + line / 2, Face::small, f.ui[Tone::ink3],
+                 "Hold to move. A tap moves one step.");
+  draw_guarantee(f, {ImVec2(place.min.x, badge), ImVec2(place.max.x, badge + f.ui.px(18))});
 }
 
 /// The most words with which every step has room in its button.

@@ -20,6 +20,7 @@ class Jog final : public gui::Panel {
  private:
   void draw_title(gui::Frame& frame, const Column& column);
   void draw_reason(gui::Frame& frame, const gui::Rect& place);
+  void draw_hint_over_guarantee(gui::Frame& frame, const gui::Rect& place);
   // Each leaves how high it is.
   [[nodiscard]] float draw_cross(gui::Frame& frame, const Column& column);
   [[nodiscard]] float draw_pairs(gui::Frame& frame);

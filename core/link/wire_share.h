@@ -1,0 +1,29 @@
+#pragma once
+// A wire that this program has open, as the watchdog reaches it when this program is gone.
+#include <cstdint>
+#include <string>
+
+namespace hw {
+
+struct WireShare {
+  enum class How : std::uint8_t {
+    none,
+    bytes,     ///< written to `fd`
+    messages,  ///< each in a transfer of its own, by the USB device that is open as `fd`
+    dial,      ///< on a connection of its own to `place`
+    memory     ///< cycles in the window that `fd` maps at `base`
+  };
+  How how = How::none;
+  int fd = -1;  ///< borrowed
+  std::string place;
+  std::uint32_t base = 0;
+};
+
+/// Who ends a held jog when this program dies.
+enum class JogEnds : std::uint8_t {
+  by_nobody,
+  by_watchdog,
+  with_program  ///< the controller is emulated within it
+};
+
+}  // namespace hw

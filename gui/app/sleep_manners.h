@@ -1,0 +1,24 @@
+#pragma once
+// What the console does about the sleep of the computer, see sleep_watch.h. GUI thread.
+#include <atomic>
+#include <functional>
+
+#include "gui/shell/console.h"
+#include "transports/sleep_watch.h"
+
+namespace hw::app {
+
+class SleepManners {
+ public:
+  /// `wake`: a frame is wanted; any thread.
+  SleepManners(Scheduler& scheduler, std::function<void()> wake);
+  /// Once a frame.
+  void follow(gui::Console& console);
+
+ private:
+  std::atomic<bool> wants_to_sleep_{false}, has_woken_{false};
+  bool makes_ready_ = false, keeps_awake_ = false;
+  SleepWatch watch_;
+};
+
+}  // namespace hw::app

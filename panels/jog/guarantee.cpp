@@ -1,0 +1,112 @@
+#include "panels/jog/guarantee.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/model/tab.h"
+#include "gui/widgets/text.h"
+#include "gui/widgets/touch.h"
+#include "panels/jog/jog_units.h"
+#include "panels/widget_path.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr double longest_silence_s = 1.3;  // until the watchdog has spoken for a program that stands still
+
+enum class Who : std::uint8_t { controller, watchdog, program, nobody };
+
+/// The weakest of all axes that the pad jogs.
+struct Guarantee {
+  Who who = Who::controller;
+  Steps way{};  ///< the longest
+};
+
+Guarantee of_axis(const Tab& tab, AxisId id) {
+  const Snapshot& now = tab.now();
+  const AxisState& axis = now.axes[id.index];
+  if (axis.travel_holds() && axis.travel.has_minus && axis.travel.has_plus)
+    return {Who::controller,
+            std::max(axis.travel.plus - axis.commanded(), axis.commanded() - axis.travel.minus)};
+  if (now.link.jog_ends == JogEnds::with_program) return {Who::program, {}};
+  if (now.link.jog_ends == JogEnds::by_nobody) return {Who::nobody, {}};
+  const double speed = tab.jog_speed().value > 0 ? tab.jog_speed().value : axis.own_speed.value;
+  return {Who::watchdog, Steps(std::llround(speed * longest_silence_s))};
+}
+
+Guarantee guarantee_of(const Frame& f) {
+  Guarantee all;
+  for_each_axis(f, [&](const Tab& tab, AxisId id) {
+    const Guarantee one = of_axis(tab, id);
+    if (one.who > all.who)
+      all = one;
+    else if (one.who == all.who)
+      all.way = std::max(all.way, one.way);
+  });
+  return all;
+}
+
+struct Words {
+  std::string_view who, verb, tip;
+  Tone tone;
+};
+Words words_of(Who who) {
+  switch (who) {
+    case Who::controller:
+      return {"controller", "stops it",
+              "A held jog is sent as a move to the limit that you have set. The controller ends it there, "
+              "whatever "
+              "becomes of this program.",
+              Tone::ok};
+    case Who::watchdog:
+      return {
+          "watchdog", "stops it",
+          "A process of its own stops a held jog: within 0.3 s when this program dies, within 1.3 s when it "
+          "stands still, and then the ramp. The way is that of 1.3 s at this speed.",
+          Tone::ink};
+    case Who::program:
+      return {"this program", "ends it", "The controller is emulated in this program, and ends with it.",
+              Tone::ink};
+    case Who::nobody: break;
+  }
+  return {
+      "nobody", "stops it",
+      "When this program dies a held jog runs on to a limit switch: its watchdog does not run, or does not "
+      "reach this wire. Set both limits of the axis, and the controller ends the jog there.",
+      Tone::fault};
+}
+
+}  // namespace
+
+void draw_guarantee(const Frame& f, const Rect& place) {
+  const LinkState link = f.tab.now().link.state;
+  if (link != LinkState::good && link != LinkState::late) return;
+  Ui& ui = f.ui;
+  const Guarantee guarantee = guarantee_of(f);
+  const Words words = words_of(guarantee.who);
+  const bool known = guarantee.way > Steps(0);
+  const NumberText way = format_with_unit(guarantee.way, common_unit(f));
+  const Path whole("{}: {}{}", words.verb, guarantee.who == Who::controller ? "within " : "", way.view()),
+      longest("{} at this speed", whole.view());
+  const float who_width = std::ceil(text_width(ui, Face::small_bold, words.who)) + ui.px(20);
+  const auto fits = [&](std::string_view rest) {
+    return who_width + text_width(ui, Face::small, rest) <= place.width();
+  };
+  const bool with_speed = known && guarantee.who == Who::watchdog && fits(longest.view());
+  const std::string_view rest = with_speed                    ? longest.view()
+                                : known && fits(whole.view()) ? whole.view()
+                                                              : words.verb;
+  const float width = who_width + std::ceil(text_width(ui, Face::small, rest));
+  const float middle = place.centre().y, half = ui.px(std::min(24.0f, place.height() / ui.px(1)) / 2);
+  const Rect badge{ImVec2(place.min.x, std::floor(middle - half)),
+                   ImVec2(std::min(place.max.x, place.min.x + width), std::floor(middle + half))};
+  draw_outline(ui, badge, ui[guarantee.who == Who::nobody ? Tone::fault : Tone::edge]);
+  const float left = badge.min.x + ui.px(8);
+  draw_text_line(ui, left, badge.max.x, middle, Face::small_bold, ui[words.tone], words.who);
+  draw_text_line(ui, left + who_width - ui.px(16), badge.max.x, middle, Face::small, ui[Tone::ink2], rest);
+  show(ui, {"jog/guarantee", Kind::text, words.who, rest, {}, false, words.tip}, badge);
+}
+
+}  // namespace hw::panels

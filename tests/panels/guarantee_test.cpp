@@ -1,0 +1,75 @@
+// The badge by the jog pad: who ends a held jog when the program dies.
+#include <gtest/gtest.h>
+
+#include "tests/panels/console_stage.h"
+#include "tests/panels/must.h"
+
+namespace hw::panels {
+namespace {
+
+using namespace gui;
+
+class GuaranteeTest : public testing::Test {
+ protected:
+  ConsoleStage s;
+  Example& a = s.add(example_catalog());
+
+  void SetUp() override {
+    for (AxisState& axis : a.now.axes) axis.own_speed = Pps(1000);
+    ends(JogEnds::by_watchdog);
+  }
+  void ends(JogEnds how) {
+    a.now.link.jog_ends = how;
+    s.run(0.1);
+  }
+  void bound(int axis) {
+    Travel t;
+    t.has_minus = t.has_plus = true;
+    t.minus = Steps(-500), t.plus = Steps(2000);
+    a.now.axes[static_cast<std::size_t>(axis)].travel = t;
+    s.run(0.1);
+  }
+  std::string label() {
+    const Widget* w = s.stage.find("jog/guarantee");
+    return w ? std::string(w->label) : "(absent)";
+  }
+};
+
+TEST_F(GuaranteeTest, SaysHowFarItGoesUntilTheWatchdogHasSpoken) {
+  EXPECT_EQ(label(), "watchdog");
+  EXPECT_EQ(s.value("jog/guarantee"), "stops it: 1300 steps");
+  a.tab->choose_jog(a.tab->jog_step(), Pps(200));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/guarantee"), "stops it: 260 steps");
+}
+
+TEST_F(GuaranteeTest, TheControllerDoesWhereEveryAxisHasItsLimits) {
+  bound(0);
+  EXPECT_EQ(label(), "watchdog") << "motor 2 has none";
+  bound(1);
+  EXPECT_EQ(label(), "controller");
+  EXPECT_EQ(s.value("jog/guarantee"), "stops it: within 2000 steps");
+}
+
+TEST_F(GuaranteeTest, NobodyIsSaidAsWhatItIs) {
+  ends(JogEnds::by_nobody);
+  EXPECT_EQ(label(), "nobody");
+  ends(JogEnds::with_program);
+  EXPECT_EQ(label(), "this program");
+  a.now.link.state = LinkState::lost;
+  s.run(0.1);
+  EXPECT_EQ(label(), "(absent)") << "nothing is jogged there";
+}
+
+TEST_F(GuaranteeTest, BacklashIsTypedAtTheNumberAndKept) {
+  MUST(s.hand.click("dro/1/position"));
+  MUST(s.hand.type("dro/1/backlash", "60\n"));
+  ASSERT_TRUE(a.last<intent::SetBacklash>());
+  EXPECT_EQ(a.last<intent::SetBacklash>()->backlash, (Backlash{Steps(60), Sign::plus}));
+  MUST(s.hand.click("dro/1/backlash/way"));
+  EXPECT_EQ(a.last<intent::SetBacklash>()->backlash, (Backlash{Steps(60), Sign::minus}));
+  EXPECT_EQ(a.tab->profile.axes[0].backlash, (Backlash{Steps(60), Sign::minus}));
+}
+
+}  // namespace
+}  // namespace hw::panels
