@@ -1,11 +1,13 @@
 // How far a script lets axes go, and the places that it saves and goes back to.
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "core/script/bind.h"
+#include "core/script/options.h"
 
 namespace hw::script {
 namespace {
@@ -13,7 +15,7 @@ namespace {
 // ---- limits
 
 /// {minus=-1000, plus=90000}; what is left out bounds nothing.
-Travel read_travel(const Call& call, int argument) {
+Travel read_travel(const Call& call, int argument, const Counting& counting, const OneAxis& one) {
   const int table = call.place(argument);
   if (!lua_istable(call.L, table)) throw Misuse("the limits must be a table like {minus=-1000, plus=90000}");
   Travel travel;
@@ -21,55 +23,85 @@ Travel read_travel(const Call& call, int argument) {
   while (lua_next(call.L, table)) {
     const char* key = lua_type(call.L, -2) == LUA_TSTRING ? lua_tostring(call.L, -2) : "";
     const bool minus = std::strcmp(key, "minus") == 0, plus = std::strcmp(key, "plus") == 0;
-    int whole = 0;
-    const lua_Integer place = lua_tointegerx(call.L, -1, &whole);
     if (!minus && !plus) throw Misuse("limits are called minus and plus");
-    if (!whole) throw Misuse("a limit must be a whole number of steps");
-    (minus ? travel.minus : travel.plus) = Steps(place);
+    (minus ? travel.minus : travel.plus) = counting.steps(call, lua_absindex(call.L, -1), one, "a limit");
     (minus ? travel.has_minus : travel.has_plus) = true;
     lua_pop(call.L, 1);
   }
   return travel;
 }
 
-Answer answer_travel(const Travel& travel) {
-  return [travel](lua_State* L) {
+/// `per_unit`: 0: in steps.
+Answer answer_travel(const Travel& travel, double per_unit) {
+  return [travel, per_unit](lua_State* L) {
+    const auto set = [&](const char* end, Steps at) {
+      push_steps(L, at, per_unit);
+      lua_setfield(L, -2, end);
+    };
     lua_createtable(L, 0, 2);
-    if (travel.has_minus) lua_pushinteger(L, travel.minus.value), lua_setfield(L, -2, "minus");
-    if (travel.has_plus) lua_pushinteger(L, travel.plus.value), lua_setfield(L, -2, "plus");
+    if (travel.has_minus) set("minus", travel.minus);
+    if (travel.has_plus) set("plus", travel.plus);
     return 1;
   };
 }
 
-Task<Answer> tell_travel(SessionPtr session, int axis) {
-  co_return answer_travel(session->known().axes[axis].travel);
+Task<Answer> tell_travel(SessionPtr session, int axis, double per_unit) {
+  co_return answer_travel(session->known().axes[axis].travel, per_unit);
 }
 
 int limits(Call& call) {
   const OneAxis one = one_axis(call, 1, "limits");
   if (one.index < 0) return call.refuse(one.refusal);
-  if (!call.has(2)) return call.wait(tell_travel(one.session, one.index));
-  Travel travel = read_travel(call, 2);
+  const Counting counting = Options(call, 3, "limits", {"unit"}).counting();
+  if (!call.has(2)) return call.wait(tell_travel(one.session, one.index, counting.per_unit(call, one)));
+  Travel travel = read_travel(call, 2, counting, one);
   travel.in_counts = one.session->known().axes[one.index].in_counts;
   return perform(call, one.session, intent::SetTravel(id_of(one.index), travel));
+}
+
+// ---- backlash
+
+Task<Answer> tell_backlash(SessionPtr session, int axis) {
+  const Backlash backlash = session->known().axes[axis].backlash;
+  co_return [backlash](lua_State* L) {
+    lua_createtable(L, 0, 2);
+    lua_pushinteger(L, backlash.by.value);
+    lua_setfield(L, -2, "by");
+    lua_pushstring(L, backlash.last == Sign::plus ? "+" : "-");
+    lua_setfield(L, -2, "ends");
+    return 1;
+  };
+}
+
+/// c:backlash("X", {by=50, ends="+"}); {}: it is not taken up.
+int backlash(Call& call) {
+  const OneAxis one = one_axis(call, 1, "backlash");
+  if (one.index < 0) return call.refuse(one.refusal);
+  if (!call.has(2)) return call.wait(tell_backlash(one.session, one.index));
+  const Options options(call, 2, "backlash", {"by", "ends"});
+  const std::string ends = options.text("ends").value_or("+");
+  if (ends != "+" && ends != "-") throw Misuse("ends is \"+\" or \"-\": the way in which every move ends");
+  Backlash wish;
+  wish.by = Steps(std::llround(options.above_zero("by", "steps").value_or(0)));
+  wish.last = ends == "+" ? Sign::plus : Sign::minus;
+  return perform(call, one.session, intent::SetBacklash(id_of(one.index), wish));
 }
 
 // ---- places
 
 /// By axis, in the catalog's order. Not empty: there is none such.
-std::string read_place(const Call& call, int argument, std::vector<AxisTarget>& at) {
+std::string read_place(const Call& call, int argument, const Counting& counting,
+                       std::vector<AxisTarget>& at) {
   const int table = call.place(argument);
   if (!lua_istable(call.L, table)) throw Misuse("a place must be a table like {X=1000, Y=0}");
   std::array<std::optional<Steps>, max_axes> found{};
   lua_pushnil(call.L);
   while (lua_next(call.L, table)) {
     const OneAxis one = one_axis_at(call, lua_absindex(call.L, -2), "place");
-    int whole = 0;
-    const lua_Integer steps = lua_tointegerx(call.L, -1, &whole);
-    if (!whole) throw Misuse("a place must be a whole number of steps");
-    lua_pop(call.L, 1);
     if (one.index < 0) return one.refusal;
-    found[static_cast<std::size_t>(one.index)] = Steps(steps);
+    found[static_cast<std::size_t>(one.index)] =
+        counting.steps(call, lua_absindex(call.L, -1), one, "a place");
+    lua_pop(call.L, 1);
   }
   for (int i = 0; i < max_axes; ++i)
     if (found[static_cast<std::size_t>(i)]) at.push_back({id_of(i), *found[static_cast<std::size_t>(i)]});
@@ -90,7 +122,8 @@ int save_place(Call& call) {
   if (name.empty()) throw Misuse("a place needs a name");
   if (!call.has(2)) return call.wait(save_here(session, std::move(name)));
   SavedPlace saved{std::move(name), {}};
-  if (const std::string why = read_place(call, 2, saved.at); !why.empty()) return call.refuse(why);
+  const Counting counting = Options(call, 3, "place", {"unit"}).counting();
+  if (const std::string why = read_place(call, 2, counting, saved.at); !why.empty()) return call.refuse(why);
   put_place(session->places(), std::move(saved));
   return call.yes();
 }
@@ -98,15 +131,20 @@ int save_place(Call& call) {
 int go(Call& call) {
   const SessionPtr& session = session_of(call);
   const std::string name = call.text(1, "name");
-  const SavedPlace* to = find_place(session->places(), name);
-  if (to) return perform(call, session, intent::MoveTo(to->at));
+  const Options options(call, 2, "go", {"speed", "acceleration"});
+  if (const SavedPlace* to = find_place(session->places(), name)) {
+    intent::MoveTo body(to->at, options.speed());
+    body.acceleration = options.acceleration();
+    return perform(call, session, std::move(body));
+  }
   const std::string names = names_of(session->places());
   return call.refuse(fmt::format("There is no place \"{}\". {}", name,
                                  names.empty() ? "None was saved: c:place(name) saves where the axes stand."
                                                : fmt::format("There is: {}.", names)));
 }
 
-constexpr Function places_table[] = {{"limits", limits}, {"place", save_place}, {"go", go}};
+constexpr Function places_table[] = {
+    {"limits", limits}, {"backlash", backlash}, {"place", save_place}, {"go", go}};
 
 }  // namespace
 

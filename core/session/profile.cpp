@@ -40,6 +40,19 @@ Travel travel_of(const json& axis) {
   return travel;
 }
 
+void put_backlash(json& axis, const Backlash& backlash) {
+  if (backlash.by <= Steps(0)) return;
+  axis["backlash"] = backlash.by.value;
+  axis["ends_in"] = std::string(1, letter(backlash.last));
+}
+
+Backlash backlash_of(const json& axis) {
+  Backlash backlash;
+  backlash.by = Steps(std::max(axis.value("backlash", std::int64_t{0}), std::int64_t{0}));
+  backlash.last = axis.value("ends_in", "+") == "-" ? Sign::minus : Sign::plus;
+  return backlash;
+}
+
 json to_json(const SavedPlaces& places) {
   json all = json::array();
   for (const SavedPlace& place : places) {
@@ -97,6 +110,7 @@ Result<Profile> ProfileStore::load(std::string_view key) const {
       out.unit_choice = axis.value("unit_choice", "");
       out.reversed = axis.value("reversed", false);
       out.travel = travel_of(axis);
+      out.backlash = backlash_of(axis);
       out.own_unit = own_unit_of(axis);
     }
     return profile;
@@ -111,6 +125,7 @@ Result<> ProfileStore::save(std::string_view key, const Profile& profile) const 
   for (const AxisProfile& axis : profile.axes) {
     axes.push_back({{"name", axis.name}, {"unit_choice", axis.unit_choice}, {"reversed", axis.reversed}});
     put_travel(axes.back(), axis.travel);
+    put_backlash(axes.back(), axis.backlash);
     put_own_unit(axes.back(), axis.own_unit);
   }
   const json object = {{"controller", std::string(key)},

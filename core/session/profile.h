@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/units.h"
+#include "core/device/backlash.h"
 #include "core/device/travel.h"
 #include "core/session/address.h"
 #include "core/session/saved_places.h"
@@ -28,6 +29,7 @@ struct AxisProfile {
   OwnUnit own_unit;
   bool reversed = false;  ///< real units count against the steps
   Travel travel;          ///< how far it is let go
+  Backlash backlash;
   bool operator==(const AxisProfile&) const = default;
 };
 

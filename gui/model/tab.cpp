@@ -264,6 +264,10 @@ void Tab::tell_travel() {
   for (std::size_t i = 0; i < catalog_.axes.size(); ++i)
     if (const Travel& travel = profile.axes[i].travel; travel != std::exchange(told_travel_[i], travel))
       send_followed(intent::SetTravel(AxisId{static_cast<std::uint8_t>(i)}, travel));
+  for (std::size_t i = 0; i < catalog_.axes.size(); ++i)
+    if (const Backlash& backlash = profile.axes[i].backlash;
+        backlash != std::exchange(told_backlash_[i], backlash))
+      send_followed(intent::SetBacklash(AxisId{static_cast<std::uint8_t>(i)}, backlash));
 }
 
 void Tab::choose_jog(Steps step, Pps speed) {

@@ -148,6 +148,7 @@ class Tab {
   std::string why_not_move_;
   std::array<std::string, max_axes> power_is_off_;  ///< the words, if it is
   std::array<Travel, max_axes> told_travel_;        ///< to the session
+  std::array<Backlash, max_axes> told_backlash_;
   std::uint32_t looked_at_ = 0, watched_ = 0;
   LinkState told_link_ = LinkState::closed;
   ProgramState told_program_;

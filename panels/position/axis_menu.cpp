@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "core/device/backlash_moves.h"
 #include "core/device/refusals.h"
 #include "core/device/travel_check.h"
 #include "gui/model/tab.h"
@@ -38,7 +39,7 @@ bool set_field(Frame& f, std::string_view id, std::string_view label, std::strin
 
 void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
   const AxisInfo& info = f.catalog.axes[axis.index];
-  const float rows = 5.75f + (info.encoder ? 2.25f : 0) + (info.switchable ? 1 : 0);
+  const float rows = 7.25f + (info.encoder ? 2.25f : 0) + (info.switchable ? 1 : 0);
   ImGui::PushID(axis.index);
   if (begin_popup(f.ui, "axis", opener, 288, rows)) {
     draw_position_rows(f, axis);
@@ -48,6 +49,7 @@ void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
     }
     popup_line(f.ui);
     draw_limit_rows(f, axis);
+    draw_backlash_row(f, axis);
     if (info.switchable) {
       popup_line(f.ui);
       const bool on = f.now.axes[axis.index].enabled;
@@ -120,6 +122,44 @@ void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
     return f.toast(Mood::fault, why);
   for (NumberField& field : limits_) field.reset();
   f.tab.profile.axes[axis.index].travel = travel;
+  f.tab.profile_edited();
+}
+
+/// "Backlash [     ] ends in +".
+void AxisMenu::draw_backlash_row(Frame& f, AxisId axis) {
+  Ui& ui = f.ui;
+  const std::string& name = f.catalog.axes[axis.index].name;
+  const DisplayUnit& unit = f.tab.unit(axis);
+  Backlash backlash = f.tab.profile.axes[axis.index].backlash;
+  const Backlash before = backlash;
+  const ImVec2 at(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y + ui.px(4));
+  draw_text_line(ui, at.x, at.x + ui.px(60), at.y + ui.px(16), Face::body, ui[Tone::ink], "Backlash");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(68), at.y));
+  NumberOptions o;
+  o.range.decimals = unit.real ? unit.decimals : 0;
+  o.range.unit = unit.name;
+  o.width = 100;
+  o.sentence_below = false;
+  o.tip =
+      "A move of the console that would end the other way goes this far past its target and comes back. 0: "
+      "not.";
+  const double sense = unit.per_step < 0 ? -1 : 1;
+  const NumberEvent typed = number_field(ui, Path("dro/{}/backlash", name), "Backlash",
+                                         from_steps(backlash.by, unit) * sense, backlash_, o);
+  if (typed.committed) backlash.by = to_steps(typed.value * sense, unit);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(172), at.y));
+  ButtonOptions way{.style = ButtonStyle::quiet, .tip = "The way in which every move ends, in steps."};
+  way.disabled = backlash.by > Steps(0) ? "" : "Type first how far a move goes past its target.";
+  way.width = 88;
+  const bool plus = backlash.last == Sign::plus;
+  if (button(ui, Path("dro/{}/backlash/way", name), plus ? "Ends in +" : "Ends in \u2212", way).clicked)
+    backlash.last = -backlash.last;
+  ImGui::SetCursorScreenPos(ImVec2(at.x - ui.px(12), at.y + ui.px(36)));
+  if (backlash == before) return;
+  if (const std::string why = say_no_backlash(intent::SetBacklash(axis, backlash), f.catalog.axes.size());
+      !why.empty())
+    return f.toast(Mood::fault, why);
+  f.tab.profile.axes[axis.index].backlash = backlash;
   f.tab.profile_edited();
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 // What can be done to the number of an axis: copy it, make it zero, say where the axis stands; the same for
 // its encoder; how far it may go; motor power. Ids: `dro/X/copy`, `/zero`, `/set`, `/encoder/zero`,
-// `/encoder/set`, `/limit/-`, `/limit/-/here`, `/limit/-/none`, `/menu/power`.
+// `/encoder/set`, `/limit/-`, `/limit/-/here`, `/limit/-/none`, `/backlash`,
+// `/backlash/way`, `/menu/power`.
 #include <array>
 #include <string>
 
@@ -20,9 +21,11 @@ class AxisMenu {
   void draw_position_rows(gui::Frame& frame, AxisId axis);
   void draw_encoder_rows(gui::Frame& frame, AxisId axis);
   void draw_limit_rows(gui::Frame& frame, AxisId axis);
+  void draw_backlash_row(gui::Frame& frame, AxisId axis);
 
   std::string position_, encoder_;            ///< typed, in the menu that is open
   std::array<gui::NumberField, 2> limits_{};  ///< -, +
+  gui::NumberField backlash_;
 };
 
 }  // namespace hw::panels
