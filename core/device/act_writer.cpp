@@ -59,25 +59,25 @@ Result<> ActWriter::write(const seq::Move& step) {
 }
 
 /// Of a chord, in steps of the plane.
-double ActWriter::tolerance() const {
+double ActWriter::tolerance(const seq::Plane& plane) const {
   constexpr double half_a_step = 0.5;
   const seq::Sequence& s = draft_.sequence;
-  return std::max(half_a_step, s.tolerance * s.axes[0].per_unit);
+  return std::max(half_a_step, s.tolerance * s.axes[ix(plane.right)].per_unit);
 }
 
 Result<> ActWriter::write(const seq::Arc& step) {
-  const auto x = draft_.at(0), y = draft_.at(1);
-  const bool plane = draft_.axis_count() >= 2 && can_move(0) && can_move(1) &&
-                     draft_.sequence.axes[0].per_unit == draft_.sequence.axes[1].per_unit;
-  if (!plane || !x || !y) return unfit();
-  const auto cx = draft_.position(0, step.x), cy = draft_.position(1, step.y);
+  const auto [right, up] = step.plane;
+  const bool goes = draft_.has(step.plane) && can_move(right) && can_move(up) && draft_.alike(step.plane);
+  const auto x = draft_.at(right), y = draft_.at(up);
+  if (!goes || !x || !y) return unfit();
+  const auto cx = draft_.position(right, step.x), cy = draft_.position(up, step.y);
   if (!cx || !cy) return fail(!cx ? cx.error() : cy.error());
   const seq::Chords chords(static_cast<double>(*x - *cx), static_cast<double>(*y - *cy), step.degrees,
-                           tolerance());
+                           tolerance(step.plane));
   for (int n = 1; n <= chords.count(); ++n) {
     const auto [dx, dy] = chords.end(n);
-    draft_.stands(0, *cx + std::llround(dx));
-    draft_.stands(1, *cy + std::llround(dy));
+    draft_.stands(right, *cx + std::llround(dx));
+    draft_.stands(up, *cy + std::llround(dy));
     if (auto gone = go(step.own); !gone) return gone;
   }
   drew_ = drew_ || (cuts() && emits());

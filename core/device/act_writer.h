@@ -59,7 +59,7 @@ class ActWriter {
   Result<> write(const sequence::Pen& step);
   Result<> routine(bool down);
   Result<> begin_here();
-  [[nodiscard]] double tolerance() const;
+  [[nodiscard]] double tolerance(const sequence::Plane& plane) const;
 
   const std::size_t from_;
   int place_ = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -12,6 +12,8 @@
 #include "core/device/language.h"
 #include "core/device/snapshot.h"
 #include "core/device/told_speeds.h"
+#include "core/sequence/arc_shape.h"
+#include "core/sequence/places_before.h"
 #include "core/sequence/steps_in.h"
 
 namespace hw {
@@ -40,6 +42,8 @@ struct Standing {
       }
     } else if (const auto* arc = std::get_if<seq::Arc>(&step.body)) {
       behind_arc(*arc);
+    } else if (const auto* stairs = std::get_if<seq::SpeedStairs>(&step.body)) {
+      at[ix(stairs->axis)] = stairs->stop_at;
     } else if (moves_elsewhere(step)) {
       at = {};
     }
@@ -50,10 +54,11 @@ struct Standing {
 
  private:
   void behind_arc(const seq::Arc& arc) {
-    if (!at[0] || !at[1] || std::fabs(arc.degrees) == 360) return;
-    const double turn = arc.degrees / 180 * std::numbers::pi, dx = *at[0] - arc.x, dy = *at[1] - arc.y;
-    at[0] = arc.x + dx * std::cos(turn) - dy * std::sin(turn);
-    at[1] = arc.y + dx * std::sin(turn) + dy * std::cos(turn);
+    auto &x = at[ix(arc.plane.right)], &y = at[ix(arc.plane.up)];
+    if (x && y)
+      std::tie(x, y) = seq::end_of(arc, *x, *y);
+    else
+      x = y = std::nullopt;
   }
   static bool moves_elsewhere(const seq::Step& step) {
     const auto is = [&step](auto kind) { return std::holds_alternative<decltype(kind)>(step.body); };
@@ -82,6 +87,8 @@ class Faster {
   template <class Body>
   void change(Body& body) const {
     if constexpr (std::is_same_v<Body, seq::Speed>) change(body.speeds);
+    if constexpr (std::is_same_v<Body, seq::SpeedStairs>)
+      for (seq::SpeedStairs::Stair& stair : body.stairs) stair.speed = share_of(stair.speed);
     if constexpr (requires { body.own; }) {
       if (!body.own) return;
       const double before = body.own->high;
@@ -91,10 +98,12 @@ class Faster {
     }
   }
   /// One that is beyond the bounds already stays there: whether it can be is the writer's to say.
+  [[nodiscard]] double share_of(double speed) const {
+    return std::clamp(speed * share_, std::min(least_, speed), std::max(most_, speed));
+  }
   void change(seq::Speeds& speeds) const {
     if (speeds.high == 0) return;
-    const double high = speeds.high * share_;
-    speeds.high = std::clamp(high, std::min(least_, speeds.high), std::max(most_, speeds.high));
+    speeds.high = share_of(speeds.high);
     speeds.low = std::min(speeds.low, speeds.high);
   }
 
@@ -126,6 +135,7 @@ class Cutter {
       add(begin, *end, std::move(*text));
       begin = *end;
     }
+    find_reaches();
     return std::move(pieces_);
   }
   [[nodiscard]] Result<std::string> text_at(const Piece& made, int percent) const {
@@ -202,12 +212,25 @@ class Cutter {
     made.first_step = static_cast<int>(begin), made.end_step = static_cast<int>(end);
     made.step_of_command = steps_of_commands(text, begin, end);
     made.does = {{intent::LoadProgram(0, std::move(text.text))}, {intent::RunProgram(0)}};
-    for (std::size_t a = 0; a < sequence_.axes.size(); ++a)
-      if (const auto place = before_[end].at[a]; place)
-        if (const int axis = catalog_.find_axis(sequence_.axes[a].name); axis >= 0)
-          made.ends_at.push_back({AxisId{static_cast<std::uint8_t>(axis)},
-                                  Steps(std::llround(*place * sequence_.axes[a].per_unit))});
+    put(made.ends_at, before_[end].at);
     pieces_.all.push_back(std::move(made));
+  }
+  /// Those that are known.
+  void put(std::vector<AxisTarget>& into, const seq::Places& places) const {
+    for (std::size_t a = 0; a < sequence_.axes.size(); ++a)
+      if (const int axis = catalog_.find_axis(sequence_.axes[a].name); places[a] && axis >= 0)
+        into.push_back({AxisId{static_cast<std::uint8_t>(axis)},
+                        Steps(std::llround(*places[a] * sequence_.axes[a].per_unit))});
+  }
+  void find_reaches() {
+    std::vector<std::size_t> bounds;
+    for (const Piece& piece : pieces_.all) bounds.push_back(ix(piece.first_step));
+    bounds.push_back(size());
+    const std::vector<seq::Reach> reaches = seq::reaches_between(sequence_, bounds);
+    for (std::size_t i = 0; i < reaches.size(); ++i) {
+      put(pieces_.all[i].reaches, reaches[i].least);
+      put(pieces_.all[i].reaches, reaches[i].greatest);
+    }
   }
 
   /// Counted through, as the text has it, back to places in the whole list.

@@ -26,8 +26,11 @@ struct PieceAct {
 struct Piece {
   std::vector<PieceAct> does;       ///< one after the other, each once the controller is at rest
   std::vector<AxisTarget> ends_at;  ///< where that is known
-  int first_step = 0;               ///< place of its first step in the sequence's own list
-  int end_step = 0;                 ///< behind its last one, where a program draws it
+  /// Where a program draws it: the least and the greatest known place of each axis, bulges of arcs among
+  /// them.
+  std::vector<AxisTarget> reaches;
+  int first_step = 0;  ///< place of its first step in the sequence's own list
+  int end_step = 0;    ///< behind its last one, where a program draws it
   /// The same of each command that the controller stores, where it runs one program; -1: of none of them.
   std::vector<int> step_of_command;
   int draws = -1;                ///< which of `does` is the list of moves that draws; -1: a program does

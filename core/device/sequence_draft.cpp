@@ -10,6 +10,7 @@
 #include "core/device/told_speeds.h"
 #include "core/device/tool_off.h"
 #include "core/sequence/fields.h"
+#include "core/sequence/speed_stairs.h"
 
 namespace hw {
 
@@ -19,7 +20,7 @@ namespace {
 template <class Body>
 bool has_speeds(const Body& body) {
   if constexpr (requires { body.own; }) return body.own.has_value();
-  return std::is_same_v<Body, seq::Speed>;
+  return std::is_same_v<Body, seq::Speed> || std::is_same_v<Body, seq::SpeedStairs>;
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ tl::unexpected<Fault> SequenceDraft::refuse_field(std::string field, std::string
 }
 
 tl::unexpected<Fault> SequenceDraft::refuse_own_speed() const {
-  return refuse(std::string(no_own_speed) + " Put a speed step in front.");
+  return refuse(fmt::format("{} Put a speed step in front.", no_own_speed));
 }
 
 std::optional<std::vector<std::size_t>> refused_step(std::string_view what) {
@@ -231,7 +232,8 @@ std::string SequenceDraft::place_field(int place) const {
   const seq::Step::Body& body = path_.back().step->body;
   if (std::holds_alternative<seq::Move>(body)) return "to/" + sequence.axes[ix(place)].name;
   if (std::holds_alternative<seq::MoveOnInput>(body)) return "to";
-  return place == 0 ? "x" : "y";
+  const seq::Plane* plane = seq::plane_of(body);
+  return place == (plane ? plane->right : 0) ? "x" : "y";
 }
 
 Result<std::int64_t> SequenceDraft::position(int place, double units) const {
@@ -276,6 +278,26 @@ seq::Speeds SequenceDraft::over(seq::Speeds below, const seq::Speeds& above) {
   return below;
 }
 
+Result<StepStairs> SequenceDraft::stairs(const seq::SpeedStairs& s) const {
+  const auto from = at(s.axis);
+  const double per_unit = sequence.axes[ix(s.axis)].per_unit;
+  const std::string why =
+      seq::why_no_way(s, from ? std::optional(static_cast<double>(*from) / per_unit) : std::nullopt);
+  if (!why.empty()) return refuse_field("stairs", why);
+  StepStairs made{seq::direction_of(s)};
+  for (std::size_t i = 0; i < s.stairs.size(); ++i) {
+    const auto until = position(s.axis, s.stairs[i].until);
+    const auto speed = speeds(s.axis, {s.stairs[i].speed});
+    if (!until || !speed) return fail(!until ? until.error() : speed.error());
+    if (speed->high == 0) return refuse_field("stairs", fmt::format("stair {} needs a speed.", i + 1));
+    made.stairs.push_back({*until, speed->high});
+  }
+  const auto stop_at = position(s.axis, s.stop_at);
+  if (!stop_at) return fail(stop_at.error());
+  made.stop_at = *stop_at;
+  return made;
+}
+
 bool SequenceDraft::all_alike() const {
   return std::all_of(sequence.axes.begin(), sequence.axes.end(),
                      [this](const seq::Axis& a) { return a.per_unit == sequence.axes[0].per_unit; });
@@ -292,11 +314,12 @@ void SequenceDraft::forget_what_moves(const seq::StepList& steps) {
       stands(some->axis, std::nullopt);
     } else if (const auto* jog = std::get_if<seq::Jog>(&step.body)) {
       stands(jog->axis, std::nullopt);
+    } else if (const auto* stairs = std::get_if<seq::SpeedStairs>(&step.body)) {
+      stands(stairs->axis, std::nullopt);
     } else if (const auto* home = std::get_if<seq::Home>(&step.body)) {
       stands(home->axis, std::nullopt);
-    } else if (std::holds_alternative<seq::Arc>(step.body) ||
-               std::holds_alternative<seq::Contour>(step.body)) {
-      stands(0, std::nullopt), stands(1, std::nullopt);
+    } else if (const seq::Plane* plane = seq::plane_of(step.body)) {
+      stands(plane->right, std::nullopt), stands(plane->up, std::nullopt);
     } else if (std::holds_alternative<seq::Custom>(step.body)) {
       nothing_known();
     }

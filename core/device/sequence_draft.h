@@ -3,6 +3,7 @@
 // axis of the controller is meant and how many of its steps, and where its axes stand by then.
 //
 // A writer has a function write(const X&) for each kind of step; write_steps() calls them in turn.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -26,6 +27,16 @@ struct StepSpeeds {
   std::int64_t high = 0, low = 0;
   double ramp_ms = 0;
   bool operator==(const StepSpeeds&) const = default;
+};
+
+/// Of one axis.
+struct StepStairs {
+  struct Stair {
+    std::int64_t until, speed;
+  };
+  Sign direction = Sign::plus;
+  std::vector<Stair> stairs{};
+  std::int64_t stop_at = 0;
 };
 
 class SequenceDraft {
@@ -98,12 +109,22 @@ class SequenceDraft {
   [[nodiscard]] Result<StepSpeeds> speeds(int place, const sequence::Speeds& units) const;
   /// Of a motion of this axis: what is its own, else what speed steps have said.
   [[nodiscard]] Result<StepSpeeds> speeds_of(int place, const sequence::OwnSpeeds& own) const;
+  /// Checked: they go one way, from where the axis stands by then if that is known.
+  [[nodiscard]] Result<StepStairs> stairs(const sequence::SpeedStairs& stairs) const;
   void say_speeds(const sequence::Speeds& units) { speeds_now_ = over(speeds_now_, units); }
   /// Where steps are written that are carried out elsewhere: nothing is said there that they do not say
   /// themselves. Returns those so far.
   sequence::Speeds change_speeds(const sequence::Speeds& units) { return std::exchange(speeds_now_, units); }
   /// Whether all axes have equally many steps in a unit.
   [[nodiscard]] bool all_alike() const;
+  /// Both axes of it.
+  [[nodiscard]] bool has(const sequence::Plane& plane) const {
+    return std::max(plane.right, plane.up) < axis_count();
+  }
+  /// Whether its axes have equally many: otherwise its circles are ellipses.
+  [[nodiscard]] bool alike(const sequence::Plane& plane) const {
+    return sequence.axes[ix(plane.right)].per_unit == sequence.axes[ix(plane.up)].per_unit;
+  }
 
   // ---- where the axes stand, in steps, once the motions so far have ended
   [[nodiscard]] std::optional<std::int64_t> at(int place) const { return at_[ix(place)]; }

@@ -185,9 +185,9 @@ class Proof {
     if (!path) return false;
     Spot spot{&read_.steps, 0, false};
     for (const std::size_t place : *path) {
-      if (spot.taken) spot.list = &(*spot.list)[spot.i].inner;
-      if (place >= spot.list->size()) break;  // within a contour: all of it
-      spot.i = place, spot.taken = true;
+      ReadSteps& list = spot.taken ? (*spot.list)[spot.i].inner : *spot.list;
+      if (place >= list.size()) break;  // within a contour: all of it
+      spot = {&list, place, true};
     }
     std::string_view why = refusal.substr(std::min(refusal.find("): ") + 3, refusal.size()));
     if (why.ends_with('.')) why.remove_suffix(1);

@@ -46,6 +46,7 @@ Goals goals_of(const Catalog& catalog, const Snapshot& now, const IntentBody& bo
 void add_pieces(Goals& goals, const Catalog& catalog, const Snapshot& now, const Pieces& pieces) {
   for (const Piece& piece : pieces.all) {
     add(goals, piece.ends_at);
+    add(goals, piece.reaches);
     for (const PieceAct& act : piece.does)
       if (act.what && !std::holds_alternative<intent::MoveBy>(*act.what))  // from wherever it is then
         for (Goal& goal : goals_of(catalog, now, *act.what)) goals.push_back({goal.at, -1});

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <set>
+
+#include "core/base/index.h"
+#include "core/sequence/arc_shape.h"
 
 namespace hw::drawing {
 namespace {
@@ -29,10 +31,10 @@ class DrawnContour {
         always_on_(std::none_of(contour.steps.begin(), contour.steps.end(), switches_on)) {}
 
   ToolPath run() {
-    const std::optional<Point> way = first_direction();
+    const auto way = sequence::sets_off(contour_);
     here_ = {contour_.x, contour_.y};
     if (way && contour_.lead_in > 0) {
-      const Point park{here_.x - way->x * contour_.lead_in, here_.y - way->y * contour_.lead_in};
+      const Point park{here_.x - way->first * contour_.lead_in, here_.y - way->second * contour_.lead_in};
       path_.go(scaled(park), scaled(here_), false, -1);
     }
     for (std::size_t i = 0; i < contour_.steps.size(); ++i)
@@ -42,23 +44,6 @@ class DrawnContour {
 
  private:
   [[nodiscard]] Point scaled(Point p) const { return {p.x * scale_.x, p.y * scale_.y}; }
-  [[nodiscard]] std::optional<Point> first_direction() {
-    here_ = {contour_.x, contour_.y};
-    for (const sequence::Step& step : contour_.steps) {
-      if (step.skipped) continue;
-      if (const auto* move = std::get_if<Move>(&step.body)) {
-        const Point to = end_of(*move);
-        const double way = std::hypot(to.x - here_.x, to.y - here_.y);
-        if (way > 0) return Point{(to.x - here_.x) / way, (to.y - here_.y) / way};
-      }
-      if (const auto* arc = std::get_if<Arc>(&step.body)) {
-        const double rx = here_.x - arc->x, ry = here_.y - arc->y, radius = std::hypot(rx, ry);
-        const double sense = arc->degrees > 0 ? 1 : -1;
-        if (radius > 0 && arc->degrees != 0) return Point{-sense * ry / radius, sense * rx / radius};
-      }
-    }
-    return std::nullopt;
-  }
   void draw(const sequence::Step& step, int place) {
     if (const auto* move = std::get_if<Move>(&step.body)) go(end_of(*move), place);
     if (const auto* arc = std::get_if<Arc>(&step.body)) round(*arc, place);
@@ -70,7 +55,8 @@ class DrawnContour {
     }
   }
   [[nodiscard]] Point end_of(const Move& m) const {
-    return {m.to[0].value_or(here_.x), m.to[1].value_or(here_.y)};
+    const auto [right, up] = contour_.plane;
+    return {m.to[ix(right)].value_or(here_.x), m.to[ix(up)].value_or(here_.y)};
   }
   void round(const Arc& a, int place) {
     const double rx = here_.x - a.x, ry = here_.y - a.y, radius = std::hypot(rx, ry);

@@ -113,6 +113,9 @@ class Scan {
         take(pair);
       }
     }
+    if (!ends && !has_sections_)
+      return fail(FaultKind::text, fmt::format("{} is no DXF file: no section begins in it.", name_),
+                  std::string(nothing_taken), "Save the drawing as DXF.");
     if (!ends)
       return fail(FaultKind::text, fmt::format("{} is cut off: it does not end with EOF.", name_),
                   std::string(nothing_taken), "Save or copy it again.");
@@ -129,6 +132,7 @@ class Scan {
                            [&](const Count& count) { return count.entity == pair.value; });
     declared_.fill(0), parts_.fill(0);
     awaits_section_name_ = pair.value == "SECTION";
+    has_sections_ = has_sections_ || awaits_section_name_;
     const bool draws = section_ == "ENTITIES" || section_ == "BLOCKS";
     in_entity_ = draws && !awaits_section_name_ && pair.value != "ENDSEC";
     if (in_entity_) {
@@ -180,6 +184,7 @@ class Scan {
   std::vector<ScannedEntity> found_;
   std::string_view section_, name_of_entity_;
   bool awaits_section_name_ = false, in_entity_ = false, counted_ = false, padded_names_ = false;
+  bool has_sections_ = false;
   std::size_t owner_ = 0;  ///< in found_: who has the values; of a point its polyline
   std::int64_t pairs_ = 0, began_at_pair_ = 0;
   std::array<std::int64_t, counts.size()> declared_{}, parts_{};
@@ -188,12 +193,16 @@ class Scan {
 
 }  // namespace
 
+Result<> may_be_read(std::uintmax_t bytes, const std::string& name) {
+  if (bytes <= largest_dxf) return {};
+  return fail(FaultKind::text,
+              fmt::format("{} has {} MB; more than {} are not read.", name, bytes / 1'000'000,
+                          largest_dxf / 1'000'000),
+              std::string(nothing_taken), "Save the part that is to be drawn as a file of its own.");
+}
+
 Result<ScannedDxf> scan_dxf(std::string_view text, const std::string& name) {
-  if (text.size() > largest_dxf)
-    return fail(FaultKind::text,
-                fmt::format("{} has {} MB; more than {} are not read.", name, text.size() / 1'000'000,
-                            largest_dxf / 1'000'000),
-                std::string(nothing_taken), "Save the part that is to be drawn as a file of its own.");
+  if (auto small = may_be_read(text.size(), name); !small) return fail(small.error());
   if (text.empty())
     return fail(FaultKind::text, fmt::format("{} is empty.", name), {}, "Save or copy it again.");
   if (text.starts_with("AutoCAD Binary DXF"))

@@ -1,6 +1,7 @@
 #pragma once
 // What stands in a DXF file, found without understanding it: which entities, and where. It tells what the
 // parser passes over, and keeps from it what it would not survive.
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,5 +30,7 @@ struct ScannedDxf {
 Result<ScannedDxf> scan_dxf(std::string_view text, const std::string& name);
 
 inline constexpr std::size_t largest_dxf = 256'000'000;  // bytes
+/// Why a file of that size is not read; nothing: it is.
+Result<> may_be_read(std::uintmax_t bytes, const std::string& name);
 
 }  // namespace hw::drawing

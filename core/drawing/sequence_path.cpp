@@ -2,10 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "core/base/index.h"
 #include "core/drawing/contour_path.h"
 #include "core/drawing/placing.h"
+#include "core/sequence/arc_shape.h"
 #include "core/sequence/chords.h"
 
 namespace hw::drawing {
@@ -40,42 +41,42 @@ class Walk {
     go(to);
   }
   void take(const sequence::Arc& a) {
-    const double radius = std::hypot(at_[0] - a.x, at_[1] - a.y);
-    if (axes_.chord > 0) return take_as_chords(a);
-    const Curve curve{Curve::Kind::arc, {at_[0], at_[1]}, {}, {a.x, a.y}, a.degrees};
-    if (radius > 0) chords(with_end(curve), radius * chord_of_radius, [this](Point to) { go(in_plane(to)); });
+    const Point from{at_[ix(a.plane.right)], at_[ix(a.plane.up)]};
+    if (axes_.chord > 0) return take_as_chords(a, from);
+    const double radius = std::hypot(from.x - a.x, from.y - a.y);
+    const auto [end_x, end_y] = sequence::end_of(a, from.x, from.y);
+    const Curve curve{Curve::Kind::arc, from, {end_x, end_y}, {a.x, a.y}, a.degrees};
+    const auto go_on = [&](Point to) { go(in_plane(a.plane, to)); };
+    if (radius > 0) chords(curve, radius * chord_of_radius, go_on);
   }
-  void take_as_chords(const sequence::Arc& a) {
-    const sequence::Chords chords(at_[0] - a.x, at_[1] - a.y, a.degrees, axes_.chord);
+  void take(const sequence::SpeedStairs& s) {
+    Places to = at_;
+    to[ix(s.axis)] = s.stop_at;
+    go(to);
+  }
+  void take_as_chords(const sequence::Arc& a, Point from) {
+    const sequence::Chords chords(from.x - a.x, from.y - a.y, a.degrees, axes_.chord);
     for (int n = 1; n <= chords.count(); ++n) {
       const auto [dx, dy] = chords.end(n);
-      go(in_plane({a.x + dx, a.y + dy}));
+      go(in_plane(a.plane, {a.x + dx, a.y + dy}));
     }
   }
   void take(const sequence::Contour& c) {
     const ToolPath part = contour_path(c, {1, 1});
-    const auto place = [this](Point3 p) { return in_plane({p.x, p.y}); };
+    const auto place = [&](Point3 p) { return in_plane(c.plane, {p.x, p.y}); };
     for (const ToolPath::Run& run : part.runs)
       for (std::size_t i = run.first + 1; i < run.first + run.size; ++i)
         path.go(seen(place(part.points[i - 1])), seen(place(part.points[i])), run.tool_on, source_);
     if (!part.points.empty()) at_ = place(part.points.back());
-  }
-  static Curve with_end(Curve curve) {
-    const double turn = curve.degrees / 180 * std::numbers::pi;
-    const double x = curve.from.x - curve.centre.x, y = curve.from.y - curve.centre.y;
-    curve.to = {curve.centre.x + x * std::cos(turn) - y * std::sin(turn),
-                curve.centre.y + x * std::sin(turn) + y * std::cos(turn)};
-    return curve;
   }
   void go(const Places& to) {
     const Point3 a = seen(at_), b = seen(to);
     if (a != b) path.go(a, b, tool_on_, source_);
     at_ = to;
   }
-  /// Arcs and contours are of the first two axes.
-  [[nodiscard]] Places in_plane(Point p) const {
+  [[nodiscard]] Places in_plane(const sequence::Plane& plane, Point p) const {
     Places to = at_;
-    to[0] = p.x, to[1] = p.y;
+    to[ix(plane.right)] = p.x, to[ix(plane.up)] = p.y;
     return to;
   }
   [[nodiscard]] Point3 seen(const Places& at) const {

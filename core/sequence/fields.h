@@ -10,8 +10,8 @@
 namespace hw::sequence {
 
 inline constexpr std::array<std::string_view, std::variant_size_v<Step::Body>> kind_names{
-    "speed",         "move",   "arc",    "jog", "home",    "stop", "wait_motion", "delay",  "wait_input",
-    "move_on_input", "output", "enable", "pen", "comment", "loop", "custom",      "contour"};
+    "speed",         "move",   "arc",    "jog", "home",    "stop", "wait_motion", "delay",   "wait_input",
+    "move_on_input", "output", "enable", "pen", "comment", "loop", "custom",      "contour", "speed_stairs"};
 inline constexpr std::array<std::string_view, 3> input_moves{"move", "jog", "home"};
 
 /// To be read into or written from.
@@ -39,6 +39,7 @@ void fields(Io& io, S& a) {
   io.needed("x", a.x);
   io.needed("y", a.y);
   io.number("degrees", a.degrees);
+  io.plane("axes", a.plane);
   io.own(a.own);
 }
 template <class Io, Of<Jog> S>
@@ -118,8 +119,20 @@ void fields(Io& io, S& c) {
   io.needed("y", c.y);
   io.positive("lead_in", c.lead_in);
   io.flag("ends_ramped", c.ends_ramped);
+  io.plane("axes", c.plane);
   io.own(c.own);
   io.steps("steps", c.steps);
+}
+template <class Io, Of<SpeedStairs::Stair> S>
+void fields(Io& io, S& s) {
+  io.needed("until", s.until);
+  io.needed("speed", s.speed);
+}
+template <class Io, Of<SpeedStairs> S>
+void fields(Io& io, S& s) {
+  io.axis("axis", s.axis);
+  io.stairs("stairs", s.stairs);
+  io.needed("stop_at", s.stop_at);
 }
 
 }  // namespace hw::sequence

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/sequence/arc_shape.h"
 #include "core/sequence/steps_in.h"
 #include "core/sequence/words.h"
 
@@ -70,23 +69,23 @@ class Pass {
     if (!standing.tool_down && !in_routine_) standing.of_travel = m.own;
   }
   void take(const Arc& arc) {
-    const auto x = axis(0).at, y = axis(1).at;
-    if (!x || !y) return lose(0), lose(1);
-    const double turn = arc.degrees / 180 * std::numbers::pi, dx = *x - arc.x, dy = *y - arc.y;
-    const bool circle = std::fmod(arc.degrees, 360) == 0;
-    set(0, circle ? *x : arc.x + dx * std::cos(turn) - dy * std::sin(turn));
-    set(1, circle ? *y : arc.y + dx * std::sin(turn) + dy * std::cos(turn));
+    const auto [right, up] = arc.plane;
+    const auto x = axis(right).at, y = axis(up).at;
+    if (!x || !y) return lose(right), lose(up);
+    const auto [end_x, end_y] = end_of(arc, *x, *y);
+    set(right, end_x), set(up, end_y);
   }
   void take(const Contour& c) {
-    set(0, c.x), set(1, c.y);
+    set(c.plane.right, c.x), set(c.plane.up, c.y);
     for (const Step& step : c.steps) {
       if (step.skipped) continue;
       if (const auto* move = std::get_if<Move>(&step.body)) take(*move);
       if (const auto* arc = std::get_if<Arc>(&step.body)) take(*arc);
       if (const auto* output = std::get_if<Output>(&step.body)) take(*output);
     }
-    if (c.ends_ramped) lose(0), lose(1);  // it runs on along its last direction
+    if (c.ends_ramped) lose(c.plane.right), lose(c.plane.up);  // it runs on along its last direction
   }
+  void take(const SpeedStairs& s) { set(s.axis, s.stop_at); }
   void take(const Jog& j) { lose(j.axis); }
   void take(const Home& h) { lose(h.axis); }
   void take(const MoveOnInput& m) { lose(m.axis); }

@@ -39,11 +39,17 @@ struct Move {
   OwnSpeeds own{};
   bool operator==(const Move&) const = default;
 };
-/// In the first two axes, around a centre.
+/// The two axes in which something lies, by their places in Sequence::axes.
+struct Plane {
+  int right = 0, up = 1;
+  bool operator==(const Plane&) const = default;
+};
+/// Around a centre.
 struct Arc {
-  double x = 0, y = 0;
+  double x = 0, y = 0;   ///< to the right and up in its plane
   double degrees = 360;  ///< counterclockwise; 360 and -360 are circles
   OwnSpeeds own{};
+  Plane plane{};
   bool operator==(const Arc&) const = default;
 };
 struct Jog {
@@ -116,14 +122,26 @@ struct Repeat {
   StepList steps;
   bool operator==(const Repeat&) const;
 };
-/// Moves, arcs and outputs in the first two axes, in one go at one speed, through corners as well.
+/// Moves, arcs and outputs in one plane, in one go at one speed, through corners as well.
 struct Contour {
-  double x = 0, y = 0;      ///< where it begins
+  double x = 0, y = 0;      ///< where it begins, to the right and up in its plane
   double lead_in = 0;       ///< so far before that, in its first direction, it sets off
   bool ends_ramped = true;  ///< on along its last direction; false: at once
   OwnSpeeds own{};
   StepList steps;
+  Plane plane{};
   bool operator==(const Contour&) const;
+};
+/// One axis, at one speed up to each place and on from there without a stop.
+struct SpeedStairs {
+  struct Stair {
+    double until = 0, speed = 0;
+    bool operator==(const Stair&) const = default;
+  };
+  int axis = 0;
+  std::vector<Stair> stairs;
+  double stop_at = 0;  ///< behind the last one
+  bool operator==(const SpeedStairs&) const = default;
 };
 /// Text of one controller's language, as it is.
 struct Custom {
@@ -134,7 +152,7 @@ struct Custom {
 
 struct Step {
   using Body = std::variant<Speed, Move, Arc, Jog, Home, Stop, WaitMotion, Delay, WaitInput, MoveOnInput,
-                            Output, Enable, Pen, Comment, Repeat, Custom, Contour>;
+                            Output, Enable, Pen, Comment, Repeat, Custom, Contour, SpeedStairs>;
   Body body;
   bool skipped = false;  ///< stays in the list and does nothing
   bool operator==(const Step&) const = default;
@@ -145,7 +163,7 @@ inline bool Repeat::operator==(const Repeat& other) const {
 }
 inline bool Contour::operator==(const Contour& other) const {
   return x == other.x && y == other.y && lead_in == other.lead_in && ends_ramped == other.ends_ramped &&
-         own == other.own && steps == other.steps;
+         own == other.own && plane == other.plane && steps == other.steps;
 }
 
 struct Axis {
@@ -163,6 +181,13 @@ struct Sequence {
   StepList steps;
   bool operator==(const Sequence&) const = default;
 };
+
+/// In which a step lies, or null: it lies in none.
+inline const Plane* plane_of(const Step::Body& body) {
+  if (const auto* arc = std::get_if<Arc>(&body)) return &arc->plane;
+  if (const auto* contour = std::get_if<Contour>(&body)) return &contour->plane;
+  return nullptr;
+}
 
 /// All of it that is no step.
 inline Sequence frame_of(const Sequence& s) {

@@ -115,6 +115,32 @@ class FieldReader {
     }
     if (node->as_table()->empty()) file_.wrong(*node, "it moves no axis");
   }
+  void plane(std::string_view key, Plane& value) {
+    const toml::node* node = find(key);
+    if (!node) return;
+    std::array<int, 2> places{-1, -1};
+    const toml::array* names = node->as_array();
+    if (names && names->size() == places.size())
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto name = (*names)[i].value_exact<std::string>();
+        if (name && (places[i] = place_of(*name)) < 0)
+          return file_.wrong(*node, fmt::format("there is no axis \"{}\" in the file", *name));
+      }
+    if (places[0] < 0 || places[1] < 0 || places[0] == places[1])
+      return file_.wrong(*node, fmt::format("{} are two different axes, [\"X\", \"Z\"]", key));
+    value = {places[0], places[1]};
+  }
+  void stairs(std::string_view key, std::vector<SpeedStairs::Stair>& value) {
+    const toml::node* node = find(key);
+    if (!node || !node->is_array()) return missing(fmt::format("{} in [ ]", key));
+    for (const toml::node& each : *node->as_array()) {
+      const toml::table* table = each.as_table();
+      if (!table) return file_.wrong(each, "a stair stands in { }");
+      FieldReader reader(*table, file_, depth_);
+      fields(reader, value.emplace_back());
+      reader.end();
+    }
+  }
   void own(OwnSpeeds& value) {
     Speeds speeds;
     const std::size_t before = used_.size();

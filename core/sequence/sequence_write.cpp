@@ -49,6 +49,18 @@ class FieldWriter {
         all += fmt::format("{}{} = {}", all.empty() ? "" : ", ", toml_key(of_.axes[i].name), *value[i]);
     put(key, "{ " + all + " }");
   }
+  /// Of the first two axes nothing is said.
+  void plane(std::string_view key, const Plane& value) {
+    if (value == Plane()) return;
+    const auto name = [this](int axis) { return toml_quoted(of_.axes[ix(axis)].name); };
+    put(key, fmt::format("[{}, {}]", name(value.right), name(value.up)));
+  }
+  void stairs(std::string_view key, const std::vector<SpeedStairs::Stair>& value) {
+    std::string all;
+    for (const auto& [until, speed] : value)
+      all += fmt::format("{}{{ until = {}, speed = {} }}", all.empty() ? "" : ", ", until, speed);
+    put(key, fmt::format("[{}]", all));
+  }
   void own(const OwnSpeeds& value) {
     if (!value) return;
     const std::size_t before = out_.size();

@@ -53,6 +53,12 @@ struct Summary {
     const std::string told = number(value, scale);
     return scale.unit == look.all.unit ? told : fmt::format("{}{}{}", told, space_before(scale), scale.unit);
   }
+  /// Axes that are not the first two are named.
+  [[nodiscard]] std::string point(double x, double y, const Plane& plane) const {
+    const auto [right, up] = plane;
+    if (plane == Plane()) return fmt::format("{}, {}", place(x, right), place(y, up));
+    return fmt::format("{} {}, {} {}", axis_of(right, of), place(x, right), axis_of(up, of), place(y, up));
+  }
   std::string operator()(const Speed& s) const { return speeds_of(s.speeds, look.all); }
   std::string operator()(const Move& m) const {
     std::string all;
@@ -65,7 +71,7 @@ struct Summary {
   std::string operator()(const Arc& a) const {
     const bool circle = std::fabs(a.degrees) == 360;
     const std::string round = circle ? "" : fmt::format(", {}\u00b0", number(std::fabs(a.degrees)));
-    return fmt::format("about {}, {}{}{}", place(a.x, 0), place(a.y, 1), round,
+    return fmt::format("about {}{}{}", point(a.x, a.y, a.plane), round,
                        clockwise(a, look) ? " clockwise" : "");
   }
   std::string operator()(const Jog& j) const {
@@ -101,9 +107,14 @@ struct Summary {
   std::string operator()(const Custom& c) const {
     return !c.about.empty() ? c.about : c.text.substr(0, c.text.find('\n'));
   }
-  std::string operator()(const Contour& c) const {
-    return fmt::format("from {}, {}", place(c.x, 0), place(c.y, 1));
+  std::string operator()(const SpeedStairs& s) const {
+    std::string all = axis_of(s.axis, of);
+    for (const SpeedStairs::Stair& stair : s.stairs)
+      all += fmt::format(", to {} at {}", place(stair.until, s.axis),
+                         number(std::fabs(look.of_axis(s.axis).shown(stair.speed))));
+    return fmt::format("{}, rest at {}", all, place(s.stop_at, s.axis));
   }
+  std::string operator()(const Contour& c) const { return fmt::format("from {}", point(c.x, c.y, c.plane)); }
 };
 
 }  // namespace
@@ -124,12 +135,14 @@ const Scale& Look::of_motion(const Step::Body& body) const {
   if (const auto* jog = std::get_if<Jog>(&body)) return of_axis(jog->axis);
   if (const auto* home = std::get_if<Home>(&body)) return of_axis(home->axis);
   if (const auto* some = std::get_if<MoveOnInput>(&body)) return of_axis(some->axis);
+  if (const auto* stairs = std::get_if<SpeedStairs>(&body)) return of_axis(stairs->axis);
   const auto* move = std::get_if<Move>(&body);
-  const bool plane = std::holds_alternative<Arc>(body) || std::holds_alternative<Contour>(body);
+  const Plane* plane = plane_of(body);
   if (!move && !plane) return all;
   const Scale* first = nullptr;
   for (std::size_t a = 0; a < axes.size(); ++a) {
-    if (move ? !move->to[a] : a > 1) continue;
+    const bool moves = move ? move->to[a].has_value() : ix(plane->right) == a || ix(plane->up) == a;
+    if (!moves) continue;
     if (first && (first->unit != axes[a].unit || std::fabs(first->factor) != std::fabs(axes[a].factor)))
       return all;
     if (!first) first = &axes[a];
@@ -144,15 +157,17 @@ Look own_look(const Sequence& of) {
   return look;
 }
 
-bool clockwise(const Arc& arc, const Look& look) {
-  return (arc.degrees < 0) != (look.axes[0].factor * look.axes[1].factor < 0);
+bool Look::mirrors(const Plane& plane) const {
+  return of_axis(plane.right).factor * of_axis(plane.up).factor < 0;
 }
+
+bool clockwise(const Arc& arc, const Look& look) { return (arc.degrees < 0) != look.mirrors(arc.plane); }
 
 std::string_view title_of(const Step::Body& body) {
   static constexpr std::array<std::string_view, std::variant_size_v<Step::Body>> titles{
-      "Speed", "Move to",        "Arc",           "Jog",    "Home",        "Stop", "Until still",
-      "Delay", "Wait for input", "Move on input", "Output", "Motor power", "Tool", "Comment",
-      "Loop",  "Own text",       "Contour"};
+      "Speed", "Move to",        "Arc",           "Jog",         "Home",        "Stop", "Until still",
+      "Delay", "Wait for input", "Move on input", "Output",      "Motor power", "Tool", "Comment",
+      "Loop",  "Own text",       "Contour",       "Speed stairs"};
   if (const auto* move = std::get_if<Move>(&body); move && move->relative) return "Move by";
   if (const auto* arc = std::get_if<Arc>(&body); arc && (arc->degrees == 360 || arc->degrees == -360))
     return "Circle";
@@ -172,7 +187,7 @@ FixedText<64> label_of_field(std::string_view key, std::string_view unit_shown) 
     enum class Unit : std::uint8_t { none, length, speed, ms } unit = Unit::none;
   };
   using Unit = Label::Unit;
-  static constexpr std::array<Label, 24> labels{{{"high", "Speed", Unit::speed},
+  static constexpr std::array<Label, 29> labels{{{"high", "Speed", Unit::speed},
                                                  {"low", "Low speed", Unit::speed},
                                                  {"ramp_ms", "Ramp", Unit::ms},
                                                  {"ms", "Time", Unit::ms},
@@ -182,6 +197,11 @@ FixedText<64> label_of_field(std::string_view key, std::string_view unit_shown) 
                                                  {"to", "Target", Unit::length},
                                                  {"relative", "By, not to"},
                                                  {"axis", "Axis"},
+                                                 {"until", "Up to", Unit::length},
+                                                 {"speed", "At", Unit::speed},
+                                                 {"stop_at", "Rest at", Unit::length},
+                                                 {"axes/1", "Right"},
+                                                 {"axes/2", "Up"},
                                                  {"direction", "Direction"},
                                                  {"at_once", "At once"},
                                                  {"input", "Input"},

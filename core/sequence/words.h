@@ -26,6 +26,8 @@ struct Look {
   [[nodiscard]] const Scale& of_axis(int axis) const;
   /// Of a speed of axes: theirs, where it is the same for each.
   [[nodiscard]] const Scale& of_motion(const Step::Body& body) const;
+  /// One of its two axes is shown the other way round.
+  [[nodiscard]] bool mirrors(const Plane& plane) const;
 };
 /// In its own unit.
 Look own_look(const Sequence& of);

@@ -249,31 +249,37 @@ class BlockReader {
     if (!choose_mode(i) || mode_ == Mode::inc) return leave("an arc by distances", i, i + 1, list);
     const bool circle = s.op == Opcode::circle_clockwise || s.op == Opcode::circle_counterclockwise;
     const bool back = s.op == Opcode::circle_clockwise || s.op == Opcode::arc_clockwise;
-    if (place_of(0) != 0 || place_of(1) != 1)
-      return leave("X and Y are not the first two axes", i, i + 1, list);
-    seq::Arc arc{out_.units(0, s.values[0].number), out_.units(1, s.values[1].number), 360, {}};
+    const seq::Plane plane{place_of(0), place_of(1)};
+    if (plane.right < 0 || plane.up < 0) return leave(no_such_axis, i, i + 1, list);
+    seq::Arc arc{out_.units(plane.right, s.values[0].number),
+                 out_.units(plane.up, s.values[1].number),
+                 360,
+                 {},
+                 plane};
     if (!circle) arc.degrees = s.values[3].number / 1000.0;
     std::size_t behind = i + 1;
     if (!circle && correct(arc, i, back)) ++behind;
     if (back) arc.degrees = -arc.degrees;
-    if (!circle && behind == i + 1) forget(0), forget(1);
+    if (!circle && behind == i + 1) forget(plane.right), forget(plane.up);
     return put(arc, i, behind, list);
   }
   /// A large arc is followed by a short move to where it has to end.
   bool correct(seq::Arc& arc, std::size_t i, bool back) {
-    if (i + 1 >= text_.statements.size() || !at_[0] || !at_[1]) return false;
+    const auto [right, up] = arc.plane;
+    auto &at_x = at_[ix(right)], &at_y = at_[ix(up)];
+    if (i + 1 >= text_.statements.size() || !at_x || !at_y) return false;
     const Instruction& next = text_.at(i + 1);
     if (next.op != Opcode::move || next.axes != language::AxisSet{3} || !is_number(next.values[0]) ||
         !is_number(next.values[1]))
       return false;
-    const double x = out_.units(0, next.values[0].number), y = out_.units(1, next.values[1].number);
-    const double from = std::atan2(*at_[1] - arc.y, *at_[0] - arc.x), to = std::atan2(y - arc.y, x - arc.x);
+    const double x = out_.units(right, next.values[0].number), y = out_.units(up, next.values[1].number);
+    const double from = std::atan2(*at_y - arc.y, *at_x - arc.x), to = std::atan2(y - arc.y, x - arc.x);
     double degrees = (back ? from - to : to - from) / std::numbers::pi * 180;
     if (degrees <= 0) degrees += 360;
     if (std::fabs(degrees - arc.degrees) > 0.001) return false;
     // As few digits as are the same arc.
     arc.degrees = std::round(degrees * 1e6) / 1e6;
-    at_[0] = x, at_[1] = y;
+    at_x = x, at_y = y;
     return true;
   }
 

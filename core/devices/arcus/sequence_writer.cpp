@@ -146,6 +146,10 @@ class Writer {
     return {};
   }
   Result<> write(const seq::Contour& c);
+  Result<> write(const seq::SpeedStairs&) {
+    return draft_.refuse(
+        fmt::format("a {} takes no new speed at a place on the way.", draft_.catalog.short_name));
+  }
 
  private:
   enum class Mode : std::uint8_t { unknown, abs, inc };
@@ -196,14 +200,19 @@ class Writer {
 // decides where it ends (AMB-066).
 Result<> Writer::write(const seq::Arc& a) {
   if (!dialect_.arcs) return draft_.refuse(fmt::format("a {} draws no arcs.", draft_.catalog.short_name));
-  if (draft_.axis_count() < 2 || draft_.name(0) != "X" || draft_.name(1) != "Y")
-    return draft_.refuse("arcs are drawn by X and Y, which have to be the first two axes.");
-  if (draft_.sequence.axes[0].per_unit != draft_.sequence.axes[1].per_unit)
+  const auto [right, up] = a.plane;
+  if (!draft_.has(a.plane)) return draft_.refuse("an arc needs two axes.");
+  if (draft_.name(right) == "Y" && draft_.name(up) == "X")  // the same arc, seen from behind
+    return write(seq::Arc{a.y, a.x, -a.degrees, a.own, {up, right}});
+  if (draft_.name(right) != "X" || draft_.name(up) != "Y")
+    return draft_.refuse(fmt::format("a {} draws arcs with X and Y only, and this one lies in {} and {}.",
+                                     draft_.catalog.short_name, draft_.name(right), draft_.name(up)));
+  if (!draft_.alike(a.plane))
     return draft_.refuse("X and Y differ in their pulses per unit: the arc would be an ellipse.");
-  const auto x = draft_.at(0), y = draft_.at(1);
+  const auto x = draft_.at(right), y = draft_.at(up);
   if (!x || !y)
     return draft_.refuse("it is not known where it begins. Put an absolute move of both axes in front.");
-  const auto cx = draft_.position(0, a.x), cy = draft_.position(1, a.y);
+  const auto cx = draft_.position(right, a.x), cy = draft_.position(up, a.y);
   if (!cx || !cy) return fail(!cx ? cx.error() : cy.error());
   const auto dx = static_cast<double>(*x - *cx), dy = static_cast<double>(*y - *cy);
   const double radius = std::hypot(dx, dy);
@@ -215,7 +224,7 @@ Result<> Writer::write(const seq::Arc& a) {
                     radius, largest_radius));
   if (!(std::fabs(a.degrees) > 0 && std::fabs(a.degrees) <= 360))
     return draft_.refuse("it goes round by more than 0 and at most 360 degrees.");
-  if (auto said = say_speeds(0, a.own); !said) return said;
+  if (auto said = say_speeds(right, a.own); !said) return said;
   choose(Mode::abs);
   const char way = a.degrees > 0 ? 'N' : 'P';
   if (std::fabs(a.degrees) == 360) {
@@ -234,7 +243,7 @@ Result<> Writer::write(const seq::Arc& a) {
   if (*cx + std::llround(-radius * std::cos(told)) != end_x ||
       *cy + std::llround(radius * std::sin(told)) != end_y)
     draft_.line(fmt::format("X{}Y{}", end_x, end_y));
-  draft_.stands(0, end_x), draft_.stands(1, end_y);
+  draft_.stands(right, end_x), draft_.stands(up, end_y);
   return {};
 }
 
@@ -281,9 +290,9 @@ Result<> Writer::write(const seq::Repeat& l) {
 
 // A motion waits for the one before it (decision AMB-113); an output does not.
 Result<> Writer::write(const seq::Contour& c) {
-  if (draft_.axis_count() < 2) return draft_.refuse("a contour needs two axes.");
+  if (!draft_.has(c.plane)) return draft_.refuse("a contour needs two axes.");
   seq::Move begin;
-  begin.to[0] = c.x, begin.to[1] = c.y, begin.own = c.own;
+  begin.to[ix(c.plane.right)] = c.x, begin.to[ix(c.plane.up)] = c.y, begin.own = c.own;
   if (auto written = write(begin); !written) return written;
   if (c.steps.size() > 1) draft_.remark("it stops at each corner.");
   for (const seq::Step& step : c.steps) {
@@ -298,7 +307,7 @@ Result<> Writer::write(const seq::Contour& c) {
       own.own = c.own;
       written = write(own);
     } else if (const auto* output = std::get_if<seq::Output>(&step.body)) {
-      draft_.line("WAIT" + draft_.name(0));
+      draft_.line("WAIT" + draft_.name(c.plane.right));
       written = write(*output);
     }
     if (!written) return written;

@@ -1,10 +1,12 @@
 #include "core/devices/vme58/contour_reading.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
+#include "core/base/index.h"
 #include "core/devices/vme58/catalog.h"
 
 namespace hw::vme58 {
@@ -16,18 +18,17 @@ using Place = std::array<double, 2>;
 class ContourReader {
  public:
   ContourReader(std::span<const TextCommand> commands, const ReadText& frame, const Catalog& catalog)
-      : commands_(commands), frame_(frame) {
-    for (const std::size_t a : {0u, 1u})
-      if (a < frame.axes.size()) axes_[a] = catalog.find_axis(frame.axes[a].name);
-  }
+      : commands_(commands), frame_(frame), catalog_(catalog) {}
 
   std::optional<ContourRead> run() {
-    if (axes_[0] < 0 || axes_[1] < 0 || !next(Op::CV) || !commands_[0].numbers[0]) return std::nullopt;
+    if (!next(Op::CV) || !commands_[0].numbers[0] || !next(Op::CD) || !find_plane(commands_[1]))
+      return std::nullopt;
+    const auto begin = places(commands_[1]);
+    if (!begin) return std::nullopt;
     ContourRead read;
     seq::Contour& contour = read.contour;
-    contour.own = seq::Speeds{*commands_[0].numbers[0] / frame_.axes[0].per_unit};
-    const auto begin = next(Op::CD) ? places(commands_[at_ - 1]) : std::nullopt;
-    if (!begin) return std::nullopt;
+    contour.plane = plane_;
+    contour.own = seq::Speeds{*commands_[0].numbers[0] / per_unit(0)};
     contour.x = (*begin)[0], contour.y = (*begin)[1];
     while (at_ < commands_.size() && !commands_[at_].is(Op::CE) && !commands_[at_].is(Op::CK)) {
       auto step = piece(commands_[at_++]);
@@ -47,6 +48,21 @@ class ContourReader {
   bool next(Op op) {
     return at_ < commands_.size() && commands_[at_].is(op) && commands_[at_++].flaw.empty();
   }
+  /// The two that it gives a place, in the order of the blocks' axes.
+  bool find_plane(const TextCommand& command) {
+    std::vector<std::pair<int, int>> found;  // by place among the blocks' axes, on the board
+    for (std::size_t n = 0; n < command.numbers.size(); ++n)
+      if (command.numbers[n])
+        found.emplace_back(frame_.place_of(catalog_, static_cast<int>(n)), static_cast<int>(n));
+    if (found.size() != 2) return false;
+    std::sort(found.begin(), found.end());
+    plane_ = {found[0].first, found[1].first};
+    axes_ = {found[0].second, found[1].second};
+    return plane_.right >= 0;
+  }
+  [[nodiscard]] double per_unit(std::size_t i) const {
+    return frame_.axes[ix(i == 0 ? plane_.right : plane_.up)].per_unit;
+  }
   /// Of the two axes, and no others.
   [[nodiscard]] std::optional<Place> places(const TextCommand& command) const {
     Place p{};
@@ -54,7 +70,7 @@ class ContourReader {
       const auto place = static_cast<std::size_t>(axes_[a]);
       if (command.given() != 2 || place >= command.numbers.size() || !command.numbers[place])
         return std::nullopt;
-      p[a] = *command.numbers[place] / frame_.axes[a].per_unit;
+      p[a] = *command.numbers[place] / per_unit(a);
     }
     return p;
   }
@@ -62,8 +78,7 @@ class ContourReader {
   [[nodiscard]] std::optional<Place> pair(const TextCommand& command) const {
     if (command.numbers.size() < 2 || !command.numbers[0] || !command.numbers[1]) return std::nullopt;
     const std::size_t first = turned() ? 1 : 0;
-    return Place{*command.numbers[first] / frame_.axes[0].per_unit,
-                 *command.numbers[1 - first] / frame_.axes[1].per_unit};
+    return Place{*command.numbers[first] / per_unit(0), *command.numbers[1 - first] / per_unit(1)};
   }
   [[nodiscard]] bool turned() const { return axes_[0] > axes_[1]; }
   [[nodiscard]] std::optional<seq::Step::Body> piece(const TextCommand& command) const {
@@ -73,13 +88,14 @@ class ContourReader {
         const auto to = pair(command);
         if (!to || command.numbers.size() != 2) return std::nullopt;
         seq::Move move;
-        move.to[0] = (*to)[0], move.to[1] = (*to)[1];
+        move.to[ix(plane_.right)] = (*to)[0], move.to[ix(plane_.up)] = (*to)[1];
         return move;
       }
       case Op::CR: {
         const auto centre = pair(command);
         if (!centre || command.numbers.size() != 3 || !command.numbers[2]) return std::nullopt;
-        return seq::Arc{(*centre)[0], (*centre)[1], degrees(*command.numbers[2] * (turned() ? -1 : 1)), {}};
+        return seq::Arc{
+            (*centre)[0], (*centre)[1], degrees(*command.numbers[2] * (turned() ? -1 : 1)), {}, plane_};
       }
       case Op::contour_AN:
       case Op::contour_AF:
@@ -98,7 +114,9 @@ class ContourReader {
 
   std::span<const TextCommand> commands_;
   const ReadText& frame_;
-  std::array<int, 2> axes_{-1, -1};
+  const Catalog& catalog_;
+  seq::Plane plane_;
+  std::array<int, 2> axes_{-1, -1};  ///< its two on the board
   std::size_t at_ = 0;
 };
 

@@ -18,11 +18,12 @@ using Point = std::array<double, 2>;
 // mirrored.
 class Recorder {
  public:
-  Recorder(SequenceDraft& draft, const seq::Contour& contour) : draft_(draft), contour_(contour) {}
+  Recorder(SequenceDraft& draft, const seq::Contour& contour)
+      : draft_(draft), contour_(contour), axes_{contour.plane.right, contour.plane.up} {}
 
   Result<ContourRecording> run() {
-    if (draft_.axis_count() < 2) return draft_.refuse("a contour needs two axes.");
-    turned_ = draft_.axis(0) > draft_.axis(1);
+    if (!draft_.has(contour_.plane)) return draft_.refuse("a contour needs two axes.");
+    turned_ = draft_.axis(axes_[0]) > draft_.axis(axes_[1]);
     if (auto begun = begin(); !begun) return fail(begun.error());
     for (std::size_t i = 0; i < contour_.steps.size(); ++i) {
       draft_.enter(contour_.steps[i], i);
@@ -35,25 +36,26 @@ class Recorder {
       return draft_.refuse(
           fmt::format("it has {} entries, and the board keeps {}.", entries_, draft_.catalog.contour_size));
     draft_.line(contour_.ends_ramped ? "CE" : "CK");
-    made_.way_there.to[0] = contour_.x - contour_.lead_in * (*direction_)[0];
-    made_.way_there.to[1] = contour_.y - contour_.lead_in * (*direction_)[1];
+    made_.way_there.to[ix(axes_[0])] = contour_.x - contour_.lead_in * (*direction_)[0];
+    made_.way_there.to[ix(axes_[1])] = contour_.y - contour_.lead_in * (*direction_)[1];
     for (const std::size_t i : {0u, 1u}) made_.end[i] = std::llround(here_[i]);
     return std::move(made_);
   }
 
  private:
   Result<> begin() {
-    const auto speeds = draft_.speeds_of(0, contour_.own);
+    const auto speeds = draft_.speeds_of(axes_[0], contour_.own);
     if (!speeds) return fail(speeds.error());
     if (speeds->high == 0) return draft_.refuse("a contour needs a speed. Put a speed step in front.");
     const auto at = point(contour_.x, contour_.y);
     if (!at) return fail(at.error());
     here_ = *at;
     std::string places;
-    for (int place = 0; place <= std::max(draft_.axis(0).index, draft_.axis(1).index); ++place) {
+    for (int place = 0; place <= std::max(draft_.axis(axes_[0]).index, draft_.axis(axes_[1]).index);
+         ++place) {
       if (place > 0) places += ',';
-      for (const int a : {0, 1})
-        if (draft_.axis(a).index == place) places += fmt::format("{:.0f}", here_[ix(a)]);
+      for (const std::size_t i : {0u, 1u})
+        if (draft_.axis(axes_[i]).index == place) places += fmt::format("{:.0f}", here_[i]);
     }
     draft_.lines(fmt::format("CV{};\nCD{};", speeds->high, places));
     return {};
@@ -66,7 +68,10 @@ class Recorder {
   }
   Result<> line(const seq::Move& m) {
     if (m.relative) return draft_.refuse("moves of a contour are absolute.");
-    const auto to = point(m.to[0].value_or(unit(0, here_[0])), m.to[1].value_or(unit(1, here_[1])));
+    for (int a = 0; a < draft_.axis_count(); ++a)
+      if (m.to[ix(a)] && a != axes_[0] && a != axes_[1])
+        return draft_.refuse(fmt::format("the contour lies in {}: nothing else moves on the way.", plane()));
+    const auto to = point(m.to[ix(axes_[0])].value_or(unit(0)), m.to[ix(axes_[1])].value_or(unit(1)));
     if (!to) return fail(to.error());
     const double dx = (*to)[0] - here_[0], dy = (*to)[1] - here_[1], length = std::hypot(dx, dy);
     if (length == 0) return draft_.refuse("the line ends where it begins.");
@@ -76,7 +81,9 @@ class Recorder {
     return {};
   }
   Result<> arc(const seq::Arc& a) {
-    if (draft_.sequence.axes[0].per_unit != draft_.sequence.axes[1].per_unit)
+    if (a.plane != contour_.plane)
+      return draft_.refuse(fmt::format("the contour lies in {}, and so do its arcs.", plane()));
+    if (!draft_.alike(a.plane))
       return draft_.refuse("its axes differ in their counts per unit: the arc would be an ellipse.");
     const auto centre = point(a.x, a.y);
     if (!centre) return fail(centre.error());
@@ -107,11 +114,15 @@ class Recorder {
     draft_.line(fmt::format("{}{};", letters, operands));
     entries_ += 1 + count;
   }
-  [[nodiscard]] double unit(int axis, double steps) const {
-    return steps / draft_.sequence.axes[ix(axis)].per_unit;
+  /// Where it is, in one of its axes.
+  [[nodiscard]] double unit(std::size_t i) const {
+    return here_[i] / draft_.sequence.axes[ix(axes_[i])].per_unit;
+  }
+  [[nodiscard]] std::string plane() const {
+    return fmt::format("{} and {}", draft_.name(axes_[0]), draft_.name(axes_[1]));
   }
   [[nodiscard]] Result<Point> point(double x, double y) const {
-    const auto a = draft_.position(0, x), b = draft_.position(1, y);
+    const auto a = draft_.position(axes_[0], x), b = draft_.position(axes_[1], y);
     if (!a || !b) return fail(!a ? a.error() : b.error());
     return Point{static_cast<double>(*a), static_cast<double>(*b)};
   }
@@ -124,6 +135,7 @@ class Recorder {
 
   SequenceDraft& draft_;
   const seq::Contour& contour_;
+  const std::array<int, 2> axes_;  ///< of its plane
   ContourRecording made_;
   Point here_{};
   std::optional<Point> direction_;

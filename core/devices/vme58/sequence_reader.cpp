@@ -13,6 +13,7 @@
 #include "core/devices/vme58/sequence_commands.h"
 #include "core/devices/vme58/sequence_writer.h"
 #include "core/sequence/sequence_file.h"
+#include "core/sequence/speed_stairs.h"
 
 namespace hw::vme58 {
 namespace {
@@ -159,12 +160,38 @@ class BlockReader {
   /// By itself, or in front of what needs the queue empty.
   std::size_t read_wait(std::size_t i, ReadSteps& list) {
     if (is(i + 1, Op::WQ) && is(i + 2, Op::CV)) return read_recording(i, i + 2, list);
+    if (const std::size_t end = end_of_stairs(i)) return read_stairs(i, end, list);
     const bool switches = is(i + 1, Op::WQ) && i + 4 < commands_.size() && selects(commands_[i + 2]) &&
                           (is(i + 3, Op::AN) || is(i + 3, Op::AF)) && is(i + 4, Op::AA) &&
                           commands_[i + 3].context.mode == where::single;
     if (!switches) return put(seq::WaitMotion{}, i, i + 1, list);
     return put(seq::Output{first_auxiliary + commands_[i + 3].context.axis, is(i + 3, Op::AN), 0}, i, i + 5,
                list);
+  }
+  /// Behind "WA WQ AX MP MV... SP WQ AA WA"; 0: it is something else.
+  [[nodiscard]] std::size_t end_of_stairs(std::size_t i) const {
+    std::size_t at = i + 1;
+    const auto next = [&](Op op) { return is(at, op) && commands_[at].flaw.empty() && ++at; };
+    if (!next(Op::WQ) || at >= commands_.size() || !selects(commands_[at++]) || is(at - 1, Op::AM)) return 0;
+    const std::size_t head = at;
+    if (!next(Op::MP) && !next(Op::MM)) return 0;
+    while (next(Op::MV)) continue;
+    const bool all = at > head + 1 && next(Op::SP) && next(Op::WQ) && next(Op::AA) && next(Op::WA);
+    return all ? at : 0;
+  }
+  std::size_t read_stairs(std::size_t from, std::size_t end, ReadSteps& list) {
+    constexpr std::size_t head = 3, tail = 4;  // before the first MV, from SP on
+    const int place = out_.place_of(catalog_, commands_[from + head].context.axis);
+    if (place < 0) return leave("an axis that is not among those of the blocks", from, end, list);
+    seq::SpeedStairs s;
+    s.axis = place;
+    for (std::size_t i = from + head + 1; i < end - tail; ++i)
+      s.stairs.push_back(
+          {units(ix(place), *commands_[i].numbers[0]), units(ix(place), *commands_[i].numbers[1])});
+    s.stop_at = units(ix(place), *commands_[end - tail].numbers[0]);
+    if (seq::direction_of(s) != (is(from + head, Op::MP) ? Sign::plus : Sign::minus))
+      return leave("its stairs lie the other way", from, end, list);
+    return put(std::move(s), from, end, list);
   }
   std::size_t read_recording(std::size_t from, std::size_t i, ReadSteps& list) {
     if (depth_ == 0)

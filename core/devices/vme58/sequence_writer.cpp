@@ -42,12 +42,15 @@ class Writer {
   Result<> write(const seq::Move& m);
   /// By itself: a contour of one piece.
   Result<> write(const seq::Arc& a) {
-    const auto x = draft_.at(0), y = draft_.at(1);
+    const auto [right, up] = a.plane;
+    if (!draft_.has(a.plane)) return draft_.refuse("an arc needs two axes.");
+    const auto x = draft_.at(right), y = draft_.at(up);
     if (!x || !y)
       return draft_.refuse("it is not known where it begins. Put an absolute move of both axes in front.");
     seq::Contour one;
-    one.x = static_cast<double>(*x) / draft_.sequence.axes[0].per_unit;
-    one.y = static_cast<double>(*y) / draft_.sequence.axes[1].per_unit;
+    one.plane = a.plane;
+    one.x = static_cast<double>(*x) / draft_.sequence.axes[ix(right)].per_unit;
+    one.y = static_cast<double>(*y) / draft_.sequence.axes[ix(up)].per_unit;
     one.ends_ramped = false;
     one.own = a.own;
     one.steps = {{a}};
@@ -109,6 +112,7 @@ class Writer {
     return {};
   }
   Result<> write(const seq::Contour& c);
+  Result<> write(const seq::SpeedStairs& s);
 
  private:
   using Lists = std::array<std::optional<std::int64_t>, max_axes>;  // by place in the catalog
@@ -246,8 +250,25 @@ Result<> Writer::write(const seq::Contour& c) {
   if (!recording) return fail(recording.error());
   if (auto there = write(recording->way_there); !there) return there;
   draft_.line("CX");
-  for (const int a : {0, 1})
-    draft_.stands(a, c.ends_ramped ? std::nullopt : std::optional(recording->end[ix(a)]));
+  const std::array<int, 2> axes{c.plane.right, c.plane.up};
+  for (const std::size_t i : {0u, 1u})
+    draft_.stands(axes[i], c.ends_ramped ? std::nullopt : std::optional(recording->end[i]));
+  return {};
+}
+
+// MP and MM say which way, MV runs at a speed up to a position, SP comes to rest (decision M84). They are of
+// the queue of their axis: what stands before and behind them waits as for an auxiliary output.
+Result<> Writer::write(const seq::SpeedStairs& s) {
+  if (depth_ > 0)
+    return draft_.refuse("speed stairs stand in the queue of their axis, which knows no loop of all.");
+  const auto stairs = draft_.stairs(s);
+  if (!stairs) return fail(stairs.error());
+  draft_.lines("WA\nWQ");
+  draft_.line(fmt::format("A{} {}", axis_letters[draft_.axis(s.axis).index],
+                          stairs->direction == Sign::plus ? "MP" : "MM"));
+  for (const auto& [until, speed] : stairs->stairs) draft_.line(fmt::format("MV{},{};", until, speed));
+  draft_.lines(fmt::format("SP{};\nWQ AA WA", stairs->stop_at));
+  draft_.stands(s.axis, stairs->stop_at);
   return {};
 }
 

@@ -110,6 +110,10 @@ class Writer {
     return {};
   }
   Result<> write(const seq::Contour& c);
+  Result<> write(const seq::SpeedStairs&) {
+    return draft_.refuse(
+        "no block changes the speed of a VXM on the way. Its continuous index (U7 to U9) does, as own text.");
+  }
 
  private:
   static constexpr int heading_part = 0, main_part = 1;  // programs 1 to 4 stand in the parts 2 to 5
@@ -283,8 +287,8 @@ Result<> Writer::write(const seq::Repeat& l) {
 
 Result<> Writer::write(const seq::Contour& c) {
   seq::Move begin;
-  begin.to[0] = c.x, begin.to[1] = c.y, begin.own = c.own;
-  if (draft_.axis_count() < 2) return draft_.refuse("a contour needs two axes.");
+  if (!draft_.has(c.plane)) return draft_.refuse("a contour needs two axes.");
+  begin.to[ix(c.plane.right)] = c.x, begin.to[ix(c.plane.up)] = c.y, begin.own = c.own;
   if (auto written = write(begin); !written) return written;
   for (const seq::Step& step : c.steps) {
     if (step.skipped) continue;

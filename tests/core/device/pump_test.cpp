@@ -91,6 +91,7 @@ class ToyDriver : public Driver {
     if (!stopped) co_return fail(stopped.error());
     co_return std::string();
   }
+  [[nodiscard]] LastWill last_will(unsigned) const override { return {}; }
   StopProgress stop_progress(const StopOrder&) override {
     return context_.draft.any_axis_moving() ? StopProgress::again() : StopProgress::stands();
   }

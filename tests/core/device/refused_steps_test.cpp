@@ -42,6 +42,19 @@ seq::Move move_to(double x, double y) {
   return m;
 }
 
+TEST(RefusedSteps, SpeedStairsAreOfControllersThatChangeTheirSpeedAtAPlace) {
+  for (const char* model : {"vxm", "pmx-4ex-sa", "dmx-k-sa", "vme58"}) {
+    const Partial p = write_partly(model, {{seq::SpeedStairs{0, {{1000, 500}}, 2000}}, {seq::Delay{30}}});
+    const std::string_view name = model;
+    if (name == "vme58") {
+      EXPECT_TRUE(p.refused.empty());
+      continue;
+    }
+    ASSERT_EQ(p.refused.size(), 1u) << model;
+    EXPECT_THAT(p.refused[0].what, HasSubstr("Step 1 (speed_stairs): ")) << model;
+  }
+}
+
 TEST(RefusedSteps, AllAreToldAndTheRestIsWritten) {
   seq::Repeat loop;
   loop.times = 3;

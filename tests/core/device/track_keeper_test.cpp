@@ -60,7 +60,7 @@ TEST(TrackKeeper, KeepsAllOfAnHour) {
 
 TEST(TrackKeeper, TellsThatALongOneWasThinned) {
   const auto track = kept_of(4 * 3600);
-  EXPECT_LE(track.size(), TrackKeeper::most_places);
+  EXPECT_LE(track.size(), Track::most_places);
   EXPECT_EQ(thinned_to(track, track_seen_every_s), 4);
   // A rest is still a rest from its begin to its end.
   double rests = 0;

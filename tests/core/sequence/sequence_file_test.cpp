@@ -47,8 +47,22 @@ Sequence one_of_each() {
       {Comment{"a \"quoted\" \\ remark\nof two lines"}},
       {loop},
       {Contour{1.5, -2, 0.25, false, Speeds{20}, {{Move{{3, 4}}}, {Output{1, true}}, {Arc{5, 4, 180}}}}},
+      {SpeedStairs{1, {{1000, 250.5}, {1500, 20}}, 1600.25}},
       {Custom{"own text", "X1000\nWAITX"}, true}};
   return s;
+}
+
+TEST(SequenceFile, AnArcSaysItsAxesOnlyWhereTheyAreNotTheFirstTwo) {
+  Sequence s;
+  s.axes = {{"X"}, {"Y"}, {"Z"}};
+  s.steps = {{Arc{1, 2, 90}}, {Arc{1, 2, 90, {}, {0, 2}}}, {Contour{0, 0, 0, true, {}, {}, {2, 1}}}};
+  const std::string text = write_sequence(s);
+  EXPECT_THAT(text, HasSubstr("{ do = \"arc\", x = 1, y = 2, degrees = 90 }"));
+  EXPECT_THAT(text, HasSubstr("{ do = \"arc\", x = 1, y = 2, degrees = 90, axes = [\"X\", \"Z\"] }"));
+  EXPECT_THAT(text, HasSubstr("axes = [\"Z\", \"Y\"], steps"));
+  const auto read = read_sequence(text, "a.toml");
+  ASSERT_TRUE(read) << read.error().sentence();
+  EXPECT_TRUE(*read == s) << text;
 }
 
 TEST(SequenceFile, EveryKindOfStepReadsBackAsTheSame) {
@@ -122,6 +136,15 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"PlaceIsNoNumber", with_steps("{ do = \"move\", to = { X = nan } }"),
               "line 5: X is no axis with a number"},
         Wrong{"CentreIsMissing", with_steps("{ do = \"arc\", x = 1 }"), "line 5: it needs y"},
+        Wrong{"PlaneOfAnUnknownAxis", with_steps("{ do = \"arc\", x = 1, y = 2, axes = [\"X\", \"Q\"] }"),
+              "line 5: there is no axis \"Q\" in the file"},
+        Wrong{"PlaneOfOneAxis", with_steps("{ do = \"arc\", x = 1, y = 2, axes = [\"X\", \"X\"] }"),
+              "line 5: axes are two different axes"},
+        Wrong{"NoStairs", with_steps("{ do = \"speed_stairs\", axis = \"X\", stop_at = 1 }"),
+              "line 5: it needs stairs in [ ]"},
+        Wrong{"HalfAStair",
+              with_steps("{ do = \"speed_stairs\", axis = \"X\", stairs = [ { until = 1 } ], stop_at = 1 }"),
+              "line 5: it needs speed"},
         Wrong{"Direction", with_steps("{ do = \"jog\", axis = \"X\", direction = \"up\" }"),
               "direction has no such value"},
         Wrong{"Negative", with_steps("{ do = \"delay\", ms = -1 }"), "line 5: ms must not be negative"},
