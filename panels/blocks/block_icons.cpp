@@ -88,6 +88,9 @@ struct DrawOwn {
   void operator()(const seq::Contour&) const {
     p.path({V(-5, 4), V(-2, -3), V(2, 2), V(5, -4)}), p.disc(-5, 4, 1.25f);
   }
+  void operator()(const seq::SpeedStairs&) const {
+    p.path({V(-5.5f, 4), V(-2, 4), V(-2, 0), V(2, 0), V(2, -4), V(5.5f, -4)});
+  }
   template <class Other>
   void operator()(const Other&) const {}
 };

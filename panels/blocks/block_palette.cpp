@@ -49,6 +49,11 @@ BlockWays jogs(const seq::Sequence& of, const Catalog&) {
   with_speed.own = seq::Speeds{about_steps(of, 1000), 0, 0};
   return {seq::Jog{}, with_speed};
 }
+/// Twice as fast behind the first.
+BlockWays speed_stairs(const seq::Sequence& of, const Catalog&) {
+  const double unit = about_steps(of, 1000);
+  return {seq::SpeedStairs{0, {{unit, unit}, {3 * unit, 2 * unit}}, 4 * unit}};
+}
 int first_input(const Catalog& catalog) { return catalog.inputs.empty() ? 1 : catalog.input_number(0); }
 BlockWays waits(const seq::Sequence&, const Catalog& catalog) {
   const int input = first_input(catalog);
@@ -78,7 +83,7 @@ BlockWays plain(const seq::Sequence&, const Catalog&) {
 using Of = const seq::Sequence&;
 using With = const Catalog&;
 
-constexpr std::array<PaletteEntry, 18> palette{
+constexpr std::array<PaletteEntry, 19> palette{
     {{"Motion", "blocks/add/speed", "Speed", speeds},
      {"Motion", "blocks/add/move", "Move to",
       [](Of of, With) -> BlockWays { return {whole_move(of, false)}; }},
@@ -89,6 +94,7 @@ constexpr std::array<PaletteEntry, 18> palette{
      {"Motion", "blocks/add/jog", "Jog", jogs},
      {"Motion", "blocks/add/home", "Home", plain<seq::Home>},
      {"Motion", "blocks/add/stop", "Stop", plain<seq::Stop>},
+     {"Motion", "blocks/add/speed_stairs", "Speed stairs", speed_stairs},
      {"Waiting", "blocks/add/wait_motion", "Until still", plain<seq::WaitMotion>},
      {"Waiting", "blocks/add/delay", "Delay", [](Of, With) -> BlockWays { return {seq::Delay{500}}; }},
      {"Waiting", "blocks/add/wait_input", "Wait for input", waits},

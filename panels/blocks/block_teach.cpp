@@ -89,8 +89,10 @@ std::string_view BlockTeach::why_not(const Frame& f, const seq::Editor& editor, 
   }
   if (const auto* some = std::get_if<seq::MoveOnInput>(&step->body))
     return place_now(f, s, some->axis) ? std::string_view() : not_seen;
-  if (!place_now(f, s, 0) || !place_now(f, s, 1)) return not_seen;
-  return what == Lesson::What::end && !(from[0] && from[1]) ? begins_nowhere : std::string_view();
+  const seq::Plane* plane = seq::plane_of(step->body);
+  if (!plane || !place_now(f, s, plane->right) || !place_now(f, s, plane->up)) return not_seen;
+  const bool begins = from[ix(plane->right)] && from[ix(plane->up)];
+  return what == Lesson::What::end && !begins ? begins_nowhere : std::string_view();
 }
 
 std::optional<seq::Step::Body> BlockTeach::teach(const Frame& f, const seq::Editor& editor,
@@ -106,12 +108,13 @@ std::optional<seq::Step::Body> BlockTeach::teach(const Frame& f, const seq::Edit
     return body;
   }
   if (auto* some = std::get_if<seq::MoveOnInput>(&body)) return some->to = *place_now(f, s, some->axis), body;
-  const double x = *place_now(f, s, 0), y = *place_now(f, s, 1);
+  const auto [right, up] = *seq::plane_of(body);
+  const double x = *place_now(f, s, right), y = *place_now(f, s, up);
   if (auto* contour = std::get_if<seq::Contour>(&body)) {
     contour->x = x, contour->y = y;
   } else if (auto* arc = std::get_if<seq::Arc>(&body)) {
     if (what == Lesson::What::end)
-      arc->degrees = degrees_to(*arc, *from[0], *from[1], x, y);
+      arc->degrees = degrees_to(*arc, *from[ix(right)], *from[ix(up)], x, y);
     else
       arc->x = x, arc->y = y;
   }

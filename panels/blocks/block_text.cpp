@@ -5,6 +5,7 @@
 
 #include "gui/surface/ui.h"
 #include "gui/widgets/area.h"
+#include "gui/widgets/button.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/text.h"
 #include "panels/lines.h"
@@ -51,22 +52,37 @@ void draw_line_of_text(Ui& ui, const WrittenBlocks& written, std::size_t n, cons
 
 }  // namespace
 
-void draw_block_problem(Frame& f, const WrittenBlocks& written, float width) {
-  if (written.problem.empty()) return;
+bool draw_block_problem(Frame& f, const WrittenBlocks& written, float width) {
+  if (written.problem.empty()) return false;
+  Ui& ui = f.ui;
   const ImVec2 from = ImGui::GetCursorScreenPos();
-  wrapped(f.ui, Face::body, Tone::fault, written.problem, width);
-  show(f.ui, {"blocks/problem", Kind::text, "Problem", written.problem},
-       {from, ImVec2(from.x + f.ui.px(width), ImGui::GetCursorScreenPos().y)});
-  gap(f.ui, 8);
+  const std::size_t count = written.refused.size();
+  // Each says itself why; here they are only counted.
+  const Path counted("{} {} refused.", count, count == 1 ? "block is" : "blocks are");
+  const std::string_view said = count > 0 ? counted.view() : std::string_view(written.problem);
+  bool wanted = false;
+  if (count > 0) {
+    named_text(ui, "blocks/problem", Face::body, Tone::fault, said);
+    ImGui::SetCursorScreenPos(ImVec2(from.x + text_width(ui, Face::body, said) + ui.px(8),
+                                     from.y + std::floor((ui.line(Face::body) - ui.line(Face::small)) / 2)));
+    wanted = link(ui, "blocks/show_refused", count == 1 ? "Show it" : "Show the first");
+    ImGui::SetCursorScreenPos(ImVec2(from.x, from.y + ui.line(Face::body)));
+  } else {
+    wrapped(ui, Face::body, Tone::fault, said, width);
+    show(ui, {"blocks/problem", Kind::text, "Problem", said},
+         {from, ImVec2(from.x + ui.px(width), ImGui::GetCursorScreenPos().y)});
+  }
+  gap(ui, 8);
+  return wanted;
 }
 
-void draw_block_text(Frame& f, const WrittenBlocks& written, const BlockTextMarks& marks, float height) {
+bool draw_block_text(Frame& f, const WrittenBlocks& written, const BlockTextMarks& marks, float height) {
   Ui& ui = f.ui;
   draw_line_down(f);
   begin_part(ui, "blocks/side", 0, ui.px(height), Tone::panel, 16);
   const float width = ImGui::GetContentRegionAvail().x / ui.scale;
   section_title(ui, "Text it writes", written.remark.empty() ? "" : "with a remark");
-  draw_block_problem(f, written, width);
+  const bool wanted = draw_block_problem(f, written, width);
   if (!written.remark.empty()) {
     wrapped(ui, Face::small, Tone::ink2, written.remark, width);
     gap(ui, 8);
@@ -88,6 +104,7 @@ void draw_block_text(Frame& f, const WrittenBlocks& written, const BlockTextMark
   show(ui, {"blocks/text", Kind::text, "Text it writes", told},
        {from, ImVec2(from.x + ui.px(width), ImGui::GetCursorScreenPos().y)});
   end_part();
+  return wanted;
 }
 
 }  // namespace hw::panels

@@ -57,7 +57,7 @@ static std::string without_words(const WrittenBlocks& written) {
   std::string all;
   std::size_t told = 0;
   for (const RefusedStep& r : written.refused) {
-    if (r.step < 0 || r.what == r.why) continue;  // a text of its own is tried as it stands
+    if (r.step < 0) continue;
     if (++told > most) continue;
     const std::size_t begin = r.what.find(' ') + 1, end = r.what.find(" (");
     all += fmt::format(

@@ -3,34 +3,13 @@
 // have changed.
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <string_view>
-#include <vector>
 
-#include "core/device/refused_steps.h"
-#include "core/device/sequence_text.h"
 #include "core/sequence/editor.h"
 #include "gui/shell/frame.h"
+#include "panels/blocks/written_blocks.h"
 
 namespace hw::panels {
-
-/// Of one version of the blocks.
-struct WrittenBlocks {
-  std::uint64_t version = ~std::uint64_t{0};
-  SequenceText text;                     ///< of those that can be written
-  std::vector<std::size_t> line_begins;  ///< of the text, and its end
-  std::vector<int> step_of_command;      ///< of its first program
-  std::vector<int> lines_of_step;        ///< how many each block has itself
-  std::string problem;                   ///< why it is not to be run; empty: it is
-  std::vector<RefusedStep> refused{};    ///< in the order of the blocks, one for each
-  std::string remark;
-  int cost = 0;  ///< of the text, in the unit of ProgramFacts::capacity
-
-  /// Null: the block is written.
-  [[nodiscard]] const RefusedStep* refusal_of(int row) const;
-  /// How many before `row`.
-  [[nodiscard]] int refused_before(int row) const;
-};
 
 class BlockWork {
  public:

@@ -100,7 +100,8 @@ void Blocks::draw_sides(Frame& f, float height) {
   Ui& ui = f.ui;
   const float top = ImGui::GetCursorScreenPos().y;
   const float path = f.catalog.axes.size() > 1 && height >= 420 ? path_height : 0;
-  draw_block_text(f, *work_.written(), BlockTextMarks{chosen_, run_.live_step()}, height - path);
+  if (draw_block_text(f, *work_.written(), BlockTextMarks{chosen_, run_.live_step()}, height - path))
+    choose_first_refused();
   if (path == 0) return;
   const float x = ui.px(f.area.right() - side_width_of(f)) + ui.hair(), y = top + ui.px(height - path);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(ui.px(f.area.right()), y + ui.hair()),

@@ -36,6 +36,7 @@ class Blocks final : public gui::Panel {
   void draw_palette(gui::Frame& frame, float width, float height);
   void draw_list(gui::Frame& frame, float left, float width, float height);
   void draw_rows(gui::Frame& frame, float width);
+  void scroll_to(const gui::Frame& frame, int row, float top_px);
   void draw_row_at(gui::Frame& frame, int row, ImVec2 at, float width);
   [[nodiscard]] float top_of(const gui::Frame& frame, int row) const;
   void draw_end(gui::Frame& frame, float width, bool palette_aside);
@@ -56,6 +57,7 @@ class Blocks final : public gui::Panel {
   void add(gui::Frame& frame, const BlockWays& ways);
   void choose(std::optional<sequence::StepPath> path);
   void choose_all(const sequence::StepSpan& span);
+  void choose_first_refused();
   void click(std::size_t row);
   void move(int rows);
   void drop(const RowDrag::Drop& drop);
@@ -67,6 +69,7 @@ class Blocks final : public gui::Panel {
   sequence::Editor* editor_ = nullptr;  ///< the desk's, in this frame
   BlockChoice chosen_;
   float open_height_px_ = 0;  ///< of what the chosen one shows below its row, as drawn last
+  int in_sight_ = -1;         ///< the row that the list was scrolled for last
   BlockLook look_;
   BlockTeach teach_;
   BlockRows rows_;

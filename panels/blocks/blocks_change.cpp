@@ -66,6 +66,12 @@ void Blocks::choose_all(const seq::StepSpan& span) {
   form_.forget();
 }
 
+void Blocks::choose_first_refused() {
+  const std::vector<RefusedStep>& refused = work_.written()->refused;
+  if (!refused.empty() && work_.up_to_date() && ix(refused.front().step) < rows_.size())
+    choose(rows_.path(ix(refused.front().step)));
+}
+
 /// Once more: it is not chosen any longer.
 void Blocks::click(std::size_t row) {
   if (ImGui::GetIO().KeyShift && chosen_.any()) {

@@ -1,6 +1,7 @@
 // The column of blocks.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/index.h"
 #include "gui/model/tab.h"
@@ -43,7 +44,7 @@ void Blocks::draw_list(Frame& f, float left, float width, float height) {
     if (const BlockWays ways = palette_.draw(f, editor_->sequence(), false); !ways.empty()) add(f, ways);
     gap(ui, 8);
   }
-  if (f.area.width < 760) draw_block_problem(f, *work_.written(), inner);
+  if (f.area.width < 760 && draw_block_problem(f, *work_.written(), inner)) choose_first_refused();
   draw_rows(f, inner);
   if (const auto dropped = drag_.finish(ui)) drop(*dropped);
   draw_end(f, inner, palette_aside);
@@ -90,7 +91,16 @@ void Blocks::draw_rows(Frame& f, float width) {
   if (chosen >= 0 && chosen < first) draw_one(chosen);
   for (int row = first; row < behind; ++row) draw_one(row);
   if (chosen >= behind) draw_one(chosen);
+  if (std::exchange(in_sight_, chosen) != chosen && chosen >= 0) scroll_to(f, chosen, at.y);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + end));
+}
+
+/// With what it shows below itself, as far as there is room. `top`: of the first row.
+void Blocks::scroll_to(const Frame& f, int row, float top) {
+  const float begin = top + top_of(f, row), end = begin + f.ui.px(block_height + block_gap) + open_height_px_;
+  const float view = ImGui::GetWindowPos().y, room_above = begin - view;
+  const float by = std::min(std::max(end - (view + ImGui::GetWindowHeight()), 0.0f), room_above);
+  if (by != 0) ImGui::SetScrollY(ImGui::GetScrollY() + by);
 }
 
 void Blocks::draw_row_at(Frame& f, int row, ImVec2 at, float width) {

@@ -153,6 +153,48 @@ class FieldLines {
       if (double nearest = 0; offers_nearest(below, scale, nearest)) value[a] = nearest;
     }
   }
+  /// Of a controller with two axes there is nothing to choose.
+  void plane(std::string_view key, sequence::Plane& value) {
+    if (of_.axes.size() < 3) return;
+    const sequence::Plane before = value;
+    choose_axis(Path("{}/1", key), value.right, false);
+    choose_axis(Path("{}/2", key), value.up, false);
+    if (value == before) return;
+    if (value.right == value.up)  // they change places
+      (value.right == before.right ? value.right : value.up) =
+          value.right == before.right ? before.up : before.right;
+    for (const std::string_view place : {"x", "y"})  // in what the other axes are shown in
+      numbers_.erase(std::string(Path("{}/{}", path_, place).view()));
+  }
+  /// A line for each.
+  void stairs(std::string_view key, std::vector<sequence::SpeedStairs::Stair>& value) {
+    constexpr float cell = 100;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const ImVec2 at = begin("until");
+      stair_number(Path("{}/{}/until", key, i + 1), "until", value[i].until, -1e9, cell);
+      ImGui::SetCursorScreenPos(ImVec2(at.x + f_.ui.px(cell + 8), at.y));
+      stair_number(Path("{}/{}/speed", key, i + 1), "speed", value[i].speed, 0, cell);
+      end(at);
+    }
+    const ImVec2 at = begin_without_label();
+    const bool more = button(f_.ui, Path("{}/{}/add", path_, key), "Add stair", {.icon = Icon::plus}).clicked;
+    ImGui::SameLine(0, f_.ui.px(8));
+    ButtonOptions fewer;
+    fewer.style = ButtonStyle::quiet;
+    fewer.icon = Icon::cross;
+    fewer.width = 32;
+    fewer.tip = "Takes the last stair away.";
+    fewer.disabled = value.size() < 2 ? "One stair stays." : "";
+    const bool less = button(f_.ui, Path("{}/{}/remove", path_, key), "", fewer).clicked;
+    end(at);
+    tell_refused(key);
+    if (!more && !less) return;
+    changed_ = true;
+    if (more) return value.push_back(value.empty() ? sequence::SpeedStairs::Stair{} : value.back());
+    for (const std::string_view field : {"until", "speed"})
+      numbers_.erase(std::string(Path("{}/{}/{}/{}", path_, key, value.size(), field).view()));
+    value.pop_back();
+  }
   void own(sequence::OwnSpeeds& value) {
     static constexpr std::array<std::string_view, 2> names{"as before", "its own"};
     const ImVec2 at = begin("high");
@@ -171,15 +213,21 @@ class FieldLines {
     const bool of_plane = (key == "x" || key == "y") && of_.axes.size() > 1;
     if (!of_plane) return sequence::label_of_field(key, scale_of(key).unit);
     const std::string_view what = std::holds_alternative<sequence::Arc>(typed_) ? "Centre" : "Begin";
-    return Path("{} {}, {}", what, of_.axes[key == "x" ? 0 : 1].name, scale_of(key).unit).view();
+    return Path("{} {}, {}", what, of_.axes[ix(axis_of(key))].name, scale_of(key).unit).view();
+  }
+  /// Of "x" or "y" of what lies in a plane.
+  [[nodiscard]] int axis_of(std::string_view key) const {
+    const sequence::Plane* plane = sequence::plane_of(typed_);
+    return !plane ? 0 : key == "x" ? plane->right : plane->up;
   }
   /// What a number of this field is shown in.
   [[nodiscard]] const sequence::Scale& scale_of(std::string_view key) const {
     static const sequence::Scale plain;
     const sequence::Look& look = step_.look;
-    if (key == "x" || key == "y") return look.of_axis(key == "x" ? 0 : 1);
+    if (key == "x" || key == "y") return look.of_axis(axis_of(key));
     if (key == "high" || key == "low") return look.of_motion(typed_);
     if (key == "lead_in") return look.all;
+    if (const auto* stairs = std::get_if<sequence::SpeedStairs>(&typed_)) return look.of_axis(stairs->axis);
     const auto* some = std::get_if<sequence::MoveOnInput>(&typed_);
     return key == "to" && some ? look.of_axis(some->axis) : plain;
   }
@@ -300,10 +348,19 @@ class FieldLines {
     tell_refused(key);
     if (double nearest = 0; offers_nearest(key, scale, nearest)) value = nearest;
   }
+  void stair_number(std::string_view below, std::string_view key, double& value, double low, float width) {
+    sequence::Scale scale = scale_of(key);
+    if (low == 0) scale.factor = std::fabs(scale.factor);
+    const Path id("{}/{}", path_, below);
+    double shown = scale.shown(value);
+    kept(id, value, scale);
+    if (field(id, key, shown, {low, 1e9, 6, {}}, width)) value = scale.kept(shown);
+  }
   /// How far round, and which way as it is seen.
   void turn(std::string_view key, double& value) {
     static constexpr std::array<std::string_view, 2> names{"clockwise", "counter"};
-    const double sign = step_.look.axes[0].factor * step_.look.axes[1].factor < 0 ? -1 : 1;
+    const sequence::Plane* plane = sequence::plane_of(typed_);
+    const double sign = plane && step_.look.mirrors(*plane) ? -1 : 1;
     const bool clockwise = value * sign < 0;
     const ImVec2 at = begin(key);
     double size = std::fabs(value);

@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "gui/model/tab.h"
+#include "gui/model/units_format.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/touch.h"
@@ -84,7 +85,18 @@ void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s
     if (!facts.tool.empty()) key_value(ui, "path/way_off", "Tool off", facts.way_off);
   }
   key_value(ui, "path/time", "Time", facts.time);
-  if (program.of_several()) {
+  if (const auto left = program.seconds_left()) {
+    key_value(ui, "path/left", "Left", format_duration(*left).view());
+    ui.wake_in(0.1);
+  }
+  if (program.drawn()) {
+    const Path words("{}, as the controllers draw it together.", program.drawn()->name);
+    gap(ui, 8);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::ink2, words);
+    show(ui, {"path/drawn", Kind::text, "Drawing", words},
+         {at, ImVec2(ui.px(f.area.right() - 16), ImGui::GetCursorScreenPos().y)});
+  } else if (program.of_several()) {
     gap(ui, 8);
     wrapped(ui, Face::body, Tone::ink2, "As if their programs began at once.");
   }

@@ -60,7 +60,8 @@ void draw_lit(const PathGround& g) {
   if (!g.subject.path || g.subject.lit < 0) return;
   std::size_t drawn = 0;
   for (const drawing::ToolPath::Run& run : g.subject.path->runs) {
-    if (run.source != g.subject.lit || drawn + run.size > most_points) continue;
+    const int beyond = run.source - g.subject.lit;
+    if (beyond < 0 || beyond >= g.subject.lit_count || drawn + run.size > most_points) continue;
     drawn += run.size;
     for (std::size_t i = run.first; i < run.first + run.size; ++i)
       list->PathLineTo(g.at(g.subject.path->points[i]));

@@ -33,7 +33,8 @@ struct PathSubject {
   std::string_view none;                                    ///< said then
   std::shared_ptr<const drawing::ToolPath> commanded = {};  ///< as it was meant, under the path
   PathAxes axes = {};
-  int lit = -1;                 ///< runs of this source stand out
+  int lit = -1;                 ///< runs of this source stand out ...
+  int lit_count = 1;            ///< ... and of those behind it
   drawing::Box3 table = {};     ///< where the tool gets; empty: not known
   std::string_view words = {};  ///< what it comes to, for scripts; empty: how it is looked at
   std::optional<drawing::Point3> wanted_at = {};  ///< where the tool is asked to go from where it is

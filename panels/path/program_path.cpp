@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "core/base/index.h"
 #include "core/device/track_keeper.h"
 #include "core/drawing/sequence_path.h"
+#include "core/session/way_together.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/surface/ui.h"
@@ -60,9 +62,10 @@ const Rehearsals::Outcome* ProgramPath::Part::outcome() const {
   return tab ? tab->desk().rehearsals.of(slot) : nullptr;
 }
 
-ProgramPath::Made ProgramPath::wanted_of(const Frame& f, const PathAxes& axes, PathTool tool) {
+ProgramPath::Made ProgramPath::wanted_of(const Frame& f, const PathAxes& axes, PathTool tool) const {
   Made wanted;
   wanted.tool = tool;
+  if (drawn_.number > passed_over_) wanted.drawn = drawn_.rehearsal;
   const Directions all = directions_of(f, axes);
   const auto part_of = [&wanted](Tab* tab) {
     std::size_t n = 0;
@@ -75,31 +78,55 @@ ProgramPath::Made ProgramPath::wanted_of(const Frame& f, const PathAxes& axes, P
     }
     return static_cast<int>(n);
   };
-  const auto seen = [&](const Direction& d) {
-    return TrackAxes::Axis{d.axis.index, from_steps(Steps(1), d.unit()), part_of(d.tab)};
+  const auto seen = [&](const Direction& d, AxisId on_bus) {
+    TrackAxes::Axis axis{d.axis.index, from_steps(Steps(1), d.unit()), part_of(d.tab)};
+    if (wanted.drawn) axis.place = on_bus.index, axis.track = 0;
+    return axis;
   };
   wanted.axes.over_time = axes.over_time;
-  if (!axes.over_time) wanted.axes.right = seen(all.all[0]);
-  wanted.axes.up = seen(all.all[1]);
-  if (all.count > 2) wanted.axes.third = seen(all.all[2]);
+  if (!axes.over_time) wanted.axes.right = seen(all.all[0], axes.right);
+  wanted.axes.up = seen(all.all[1], axes.up);
+  if (all.count > 2) wanted.axes.third = seen(all.all[2], *axes.third);
   if (!tool.own) wanted.axes.tool_output = tool.output;
   return wanted;
 }
 
 bool ProgramPath::follow(Frame& f, const PathAxes& axes, PathTool tool) {
+  follow_drawn(f);
   Made wanted = wanted_of(f, axes, tool);
   if (wanted == made_) return false;
   made_ = std::move(wanted);
   path_ = commanded_ = nullptr;
-  if (rehearsed()) work_out(f, directions_of(f, axes));
+  if (made_.drawn)
+    work_out_drawn(f, directions_of(f, axes));
+  else if (rehearsed())
+    work_out(f, directions_of(f, axes));
   return true;
 }
 
-bool ProgramPath::rehearsed() const {
-  return std::any_of(made_.parts.begin(), made_.parts.end(), [](const Part& p) { return p.rehearsal > 0; });
+/// How far it has come.
+void ProgramPath::follow_drawn(const Frame& f) {
+  step_at_work_ = -1;
+  left_s_.reset();
+  if (!f.tab.bus) return;
+  const Bus& bus = *f.tab.bus;
+  if (bus.drawn.number != drawn_.number) drawn_ = bus.drawn;
+  const PiecesState& now = bus.pieces();
+  clock_.follow(now, f.clock);
+  if (!drawn_.rehearsal || !now.running || bus.begun != drawn_.sequence) return;
+  step_at_work_ = now.step;
+  if (drawn_.rehearsal->finished && now.percent > 0)
+    left_s_ = std::max(seconds_from(now.step, *drawn_.rehearsal) * 100 / now.percent - clock_.at_it_s(), 0.0);
 }
 
-void ProgramPath::rehearse(const Frame& f) const {
+bool ProgramPath::rehearsed() const {
+  return made_.drawn ||
+         std::any_of(made_.parts.begin(), made_.parts.end(), [](const Part& p) { return p.rehearsal > 0; });
+}
+
+void ProgramPath::rehearse(const Frame& f) {
+  if (!why_not_rehearse().empty()) return;
+  passed_over_ = drawn_.number;
   if (made_.count == 0) return f.tab.desk().rehearse(f.now, f.bench);
   for (std::size_t n = 0; n < made_.count; ++n)
     made_.parts[n].tab->desk().rehearse(made_.parts[n].tab->now(), made_.parts[n].tab->bench());
@@ -152,28 +179,26 @@ void ProgramPath::work_out(Frame& f, const Directions& seen) {
   facts_ = {};
   facts_.time = format_duration(longest).view();
   TrackAxes axes = made_.axes;
-  line_of_command_.clear();
+  places_ = {};
   Meant meant;
   if (outcome) {
-    line_of_command_ = lines_of_commands(desk.language()->analyse(outcome->text, first.slot), first.slot);
+    places_ = source_places(desk.language()->analyse(outcome->text, first.slot), first.slot);
     const WrittenSequence* source = desk.source.of(outcome->text, desk.blocks, desk.language(), catalog);
     if (source && made_.tool.own) take_tool_of(*source->sequence, catalog, axes);
     if (source && !axes.over_time) meant = meant_in(source->sequence, catalog, axes, *outcome->result);
   }
-  if (axes.tool_output >= 0 && ix(axes.tool_output) < catalog.outputs.size())
-    facts_.tool = catalog.outputs[ix(axes.tool_output)].name;
-  else if (axes.lowers)
-    facts_.tool = catalog.axes[ix(axes.lowers->place)].name;
+  name_tool(catalog, axes);
   std::vector<DisplayUnit> units;
   for (const Direction& d : seen) units.push_back(d.unit());
   desk.worker().run(
-      [ways = std::move(ways), axes, slot = first.slot, alone = outcome != nullptr, lines = line_of_command_,
-       meant = std::move(meant)] {
+      [ways = std::move(ways), axes, slot = first.slot, alone = outcome != nullptr,
+       sources = places_.of_command, meant = std::move(meant)] {
         const auto shared = [](drawing::ToolPath&& path) {
           return std::make_shared<const drawing::ToolPath>(std::move(path));
         };
         Paths paths;
-        paths.path = shared(alone ? track_path(ways[0], axes, slot, lines) : track_path_together(ways, axes));
+        paths.path =
+            shared(alone ? track_path(ways[0], axes, slot, sources) : track_path_together(ways, axes));
         if (meant.sequence) paths.commanded = shared(sequence_path_in(*meant.sequence, meant.axes));
         for (const Rehearsal& way : ways)
           paths.every = std::max(paths.every, thinned_to(way.track, track_seen_every_s));
@@ -186,6 +211,43 @@ void ProgramPath::work_out(Frame& f, const Directions& seen) {
   f.ui.wake_in(0);
 }
 
+void ProgramPath::work_out_drawn(Frame& f, const Directions& seen) {
+  facts_ = {};
+  facts_.time = format_duration(made_.drawn->duration_s).view();
+  if (!made_.drawn->finished) facts_.time = fmt::format("more than {}", facts_.time);
+  TrackAxes axes = made_.axes;
+  places_ = {};
+  if (made_.tool.own) take_tool_of(*drawn_.sequence, f.catalog, axes);
+  name_tool(f.catalog, axes);
+  const Meant meant = axes.over_time ? Meant() : meant_in(drawn_.sequence, f.catalog, axes, *made_.drawn);
+  std::vector<DisplayUnit> units;
+  for (const Direction& d : seen) units.push_back(d.unit());
+  f.tab.desk().worker().run(
+      [done = made_.drawn, axes, meant, count = drawn_.sequence->steps.size()] {
+        std::vector<int> steps(count);
+        std::iota(steps.begin(), steps.end(), 0);
+        Paths paths;
+        paths.path = std::make_shared<const drawing::ToolPath>(track_path(*done, axes, 0, steps));
+        if (meant.sequence)
+          paths.commanded =
+              std::make_shared<const drawing::ToolPath>(sequence_path_in(*meant.sequence, meant.axes));
+        paths.every = thinned_to(done->track, track_seen_every_s);
+        return paths;
+      },
+      [this, wanted = made_, units](Paths paths) {
+        if (wanted == made_) take(std::move(paths), units);
+      },
+      alive_);
+  f.ui.wake_in(0);
+}
+
+void ProgramPath::name_tool(const Catalog& catalog, const TrackAxes& axes) {
+  if (axes.tool_output >= 0 && ix(axes.tool_output) < catalog.outputs.size())
+    facts_.tool = catalog.outputs[ix(axes.tool_output)].name;
+  else if (axes.lowers)
+    facts_.tool = catalog.axes[ix(axes.lowers->place)].name;
+}
+
 void ProgramPath::take(Paths paths, const std::vector<DisplayUnit>& units) {
   const drawing::ToolPath* path = paths.path.get();
   const bool one_unit = std::all_of(units.begin(), units.end(),
@@ -195,6 +257,9 @@ void ProgramPath::take(Paths paths, const std::vector<DisplayUnit>& units) {
     facts_.way_on = length_text(path->way_on, units[0], one_unit);
     facts_.way_off = length_text(path->way_off, units[0], one_unit);
   }
+  has_run_.assign(places_.all.size(), false);
+  for (const drawing::ToolPath::Run& run : path->runs)
+    if (run.source >= 0 && ix(run.source) < has_run_.size()) has_run_[ix(run.source)] = true;
   if (path->bounds.empty) return;
   const drawing::Point3 size = path->bounds.size();
   for (std::size_t i = 0; i < units.size(); ++i) {
@@ -209,15 +274,16 @@ void ProgramPath::take(Paths paths, const std::vector<DisplayUnit>& units) {
 // ---- its text
 
 const std::string* ProgramPath::text() const {
-  const Rehearsals::Outcome* outcome = of_several() ? nullptr : made_.parts[0].outcome();
+  const Rehearsals::Outcome* outcome = of_several() || made_.drawn ? nullptr : made_.parts[0].outcome();
   return outcome ? &outcome->text : nullptr;
 }
 
 bool ProgramPath::older() const {
-  return std::any_of(made_.parts.begin(), made_.parts.begin() + made_.count, [](const Part& part) {
-    Desk& desk = part.tab->desk();
-    return desk.rehearsals.older_than_line(part.slot, desk.texts.text(part.slot)) >= 0;
-  });
+  return !made_.drawn &&
+         std::any_of(made_.parts.begin(), made_.parts.begin() + made_.count, [](const Part& part) {
+           Desk& desk = part.tab->desk();
+           return desk.rehearsals.older_than_line(part.slot, desk.texts.text(part.slot)) >= 0;
+         });
 }
 
 /// Passes that the controller makes without a break are one run: then none of them is told from the others.
@@ -229,15 +295,24 @@ std::optional<int> ProgramPath::pass_of(std::size_t run) const {
   return told ? std::optional(runs[run].pass) : std::nullopt;
 }
 
-int ProgramPath::line_at_work() const {
+int ProgramPath::source_at_work() const {
+  if (made_.drawn) return step_at_work_;
   const std::string* rehearsed = text();
   if (!path_ || !rehearsed) return -1;
   const Part& part = made_.parts[0];
   Desk& desk = part.tab->desk();
   const RunFollower::Place at = desk.follower.place();
   if (!part.tab->now().link.connected() || at.slot != part.slot || at.command < 0) return -1;
-  if (desk.texts.held(at.slot).text != *rehearsed || ix(at.command) >= line_of_command_.size()) return -1;
-  return line_of_command_[ix(at.command)];
+  if (desk.texts.held(at.slot).text != *rehearsed || ix(at.command) >= places_.of_command.size()) return -1;
+  int source = places_.of_command[ix(at.command)];
+  const int line = places_.line_of(source);
+  while (source > 0 && !has_run_[ix(source)] && places_.line_of(source - 1) == line) --source;
+  return source;
+}
+
+const Rehearsal* ProgramPath::rehearsal() const {
+  const Rehearsals::Outcome* outcome = of_several() ? nullptr : made_.parts[0].outcome();
+  return outcome && outcome->result ? &*outcome->result : nullptr;
 }
 
 }  // namespace hw::panels

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/index.h"
 #include "core/device/pieces_together.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
@@ -25,6 +26,7 @@ using namespace gui;
 namespace {
 
 constexpr float hit_height = 36, legend_width = 248;
+constexpr std::string_view changed_since = "The text has been changed since. Simulate draws it anew.";
 
 std::optional<Catalog> all_axes_of(const Bus& bus) {
   std::vector<const Catalog*> all;
@@ -41,13 +43,14 @@ void ToolPath::draw(Frame& own) {
 }
 
 PathSubject ToolPath::subject_of(const Frame& f) const {
-  const int at_work = program_.line_at_work();
+  const int at_work = program_.source_at_work();
   PathSubject subject;
   subject.path = program_.path(), subject.commanded = program_.commanded();
   subject.none = program_.under_way() ? "The path is being worked out."
                                       : "Simulate shows where the program goes. What moves leaves a trace.";
   subject.axes = choice_.axes();
-  subject.lit = at_work >= 0 ? at_work : hit_.line;
+  subject.lit = at_work >= 0 ? at_work : hit_.source;
+  subject.lit_count = at_work >= 0 ? 1 : hit_.count;
   subject.wanted_at = run_from_.goes_to(f, subject.axes);
   subject.origin = true;
   return subject;
@@ -99,12 +102,14 @@ std::string ToolPath::place_text(const Frame& f, drawing::Point3 p) const {
 void ToolPath::say_hit(Frame& f) {
   const auto& hit = canvas_.clicked();
   const auto& passed = canvas_.passed();
-  hit_ = {hit ? program_.path()->runs[hit->run].source : -1, place_text(f, hit ? hit->at : passed->at)};
+  hit_ = {hit ? program_.path()->runs[hit->run].source : -1, 1, place_text(f, hit ? hit->at : passed->at)};
   if (hit) hit_.pass = program_.pass_of(hit->run);
   const std::string* text = program_.text();
-  if (hit_.line >= 0)
-    hit_.words = fmt::format("Line {}: {} \u00b7 {}", hit_.line + 1, text ? line_of(*text, hit_.line) : "",
-                             hit_.words);
+  if (hit_.source >= 0 && program_.drawn())
+    hit_.words = fmt::format("Step {} of {}: {}", hit_.source + 1, program_.drawn()->name, hit_.words);
+  else if (const int line = program_.places().line_of(hit_.source); line >= 0 && text)
+    hit_.words = fmt::format("Line {}: {} \u00b7 {}", line + 1,
+                             program_.places().command_of(hit_.source, *text), hit_.words);
   if (passed)
     hit_.words +=
         fmt::format(" \u00b7 was there {} ago",
@@ -137,7 +142,8 @@ void ToolPath::follow_caret(const Frame& f) {
 void ToolPath::light(const Frame& f, int line) {
   const std::string* text = program_.text();
   if (!text || *text != f.tab.desk().texts.text(program_.slot())) return;
-  hit_ = {line, fmt::format("Line {}: {}", line + 1, line_of(*text, line))};
+  const SourcePlaces::Some some = program_.places().of_line(line);
+  hit_ = {some.first, some.count, fmt::format("Line {}: {}", line + 1, line_of(*text, line))};
 }
 
 /// The blocks, if they are what the text was written from; else null.
@@ -236,32 +242,38 @@ void ToolPath::draw_hit_links(Frame& f, float& right, float y) {
     canvas_.measure(!measures);
     hit_ = {};
   }
-  if (hit_.line < 0 || program_.slot() < 0 || measures) return;
+  const int line = program_.places().line_of(hit_.source);
+  if (line < 0 || program_.slot() < 0 || measures) return;
   Desk& desk = f.tab.desk();
-  const std::string_view old =
-      program_.older() ? "The text has been changed since. Simulate draws it anew." : "";
+  const std::string_view old = program_.older() ? changed_since : "";
   if (pressed("path/show_line", "Show line", old)) {
-    desk.wanted_line = hit_.line;
+    desk.wanted_line = line;
     f.show_panel("program");
   }
-  const auto line_at = static_cast<std::size_t>(hit_.line);
   if (const WrittenSequence* blocks = blocks_of_text(f); blocks &&
-                                                         line_at < blocks->written.step_of_line.size() &&
+                                                         ix(line) < blocks->written.step_of_line.size() &&
                                                          pressed("path/show_block", "Show block", "")) {
-    desk.blocks.wanted_step = blocks->written.step_of_line[line_at];
+    desk.blocks.wanted_step = blocks->written.step_of_line[ix(line)];
     f.show_panel("blocks");
   }
-  const std::string* text = program_.text();
-  const WrittenSequence* source =
-      text && old.empty() ? desk.source.of(*text, desk.blocks, desk.language(), f.catalog) : nullptr;
-  if (pressed("path/run_here", "Run from here", old.empty() ? why_not_run_from(f, source) : old))
-    ask_to_run_from(f, *source);
+  if (pressed("path/run_here", "Run from here", old.empty() ? why_not_run_from(f) : old))
+    ask_to_run_from_hit(f);
 }
 
-void ToolPath::ask_to_run_from(Frame& f, const WrittenSequence& source) {
-  const std::vector<int>& steps = source.written.step_of_line;
-  const auto line = static_cast<std::size_t>(hit_.line);
-  run_from_.ask(f, *source.sequence, line < steps.size() ? steps[line] : -1, hit_.pass);
+/// Of blocks or a drawing their step is known; of another text it is found out.
+void ToolPath::ask_to_run_from_hit(Frame& f) {
+  Desk& desk = f.tab.desk();
+  const std::string* text = program_.text();
+  if (!text || !program_.rehearsal()) return;
+  const SourcePlace& place = program_.places().all[ix(hit_.source)];
+  if (const WrittenSequence* source = desk.source.of(*text, desk.blocks, desk.language(), f.catalog)) {
+    const std::vector<int>& steps = source->written.step_of_line;
+    return run_from_.ask(f, *source->sequence, ix(place.line) < steps.size() ? steps[ix(place.line)] : -1,
+                         hit_.pass);
+  }
+  const Rehearsal& rehearsal = *program_.rehearsal();
+  run_from_.ask(f, {*text, place.line, place.byte, hit_.pass, rehearsal.axes,
+                    begun_between(rehearsal, program_.places().of_command, hit_.source, hit_.pass)});
 }
 
 }  // namespace hw::panels

@@ -20,11 +20,11 @@ class ToolPath final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
-  /// A line of the rehearsed text, and what is said of it or of what was clicked.
+  /// A place in the rehearsed text, and what is said of it or of what was clicked.
   struct Hit {
-    int line = -1;
+    int source = -1, count = 1;  ///< of a line all of its own
     std::string words;
-    std::optional<int> pass = {};  ///< of that line; none: not known
+    std::optional<int> pass = {};  ///< of that place; none: not known
   };
   void draw_all(gui::Frame& frame);
   [[nodiscard]] PathSubject subject_of(const gui::Frame& frame) const;
@@ -39,7 +39,7 @@ class ToolPath final : public gui::Panel {
   void draw_view_tools(gui::Frame& frame);
   void draw_hit(gui::Frame& frame, float width);
   void draw_hit_links(gui::Frame& frame, float& right_px, float y_px);
-  void ask_to_run_from(gui::Frame& frame, const gui::WrittenSequence& source);
+  void ask_to_run_from_hit(gui::Frame& frame);
 
   std::optional<Catalog> together_;  ///< of all on the bus; none: of this controller
   PathChoice choice_;

@@ -90,8 +90,11 @@ constexpr FileButton file_buttons[] = {{"program/check", "Check", "Check", ""},
                                        {"program/save", "Save", "Save", "ctrl S"},
                                        {"program/store", "Store in controller", "Store", ""}};
 
+/// What is stored compiled is checked, sent and kept by the verbs of its own row: see draw_compiled_row().
 bool is_there(const FileButton& b, const Frame& f) {
-  return f.catalog.can.store || std::string_view(b.id) != "program/store";
+  const std::string_view id = b.id;
+  if (id == "program/check") return !f.catalog.program.compiled;
+  return id != "program/store" || (f.catalog.can.store && !f.catalog.program.compiled);
 }
 }  // namespace
 
@@ -145,7 +148,9 @@ void Program::draw_more(Frame& f) {
                                                             "Load from controller",
                                                             "Empty in controller"};
   Desk& desk = f.tab.desk();
-  const std::size_t many = f.catalog.program.capacity > 0 ? names.size() : 5;  // else it keeps none
+  // Else it keeps none, or the row of what is stored compiled has the last two.
+  const bool moves_texts = f.catalog.program.capacity > 0 && !f.catalog.program.compiled;
+  const std::size_t many = moves_texts ? names.size() : 5;
   switch (menu(f.ui, "program/more", "More", std::span(names.data(), many))) {
     case 0: ask_save(f); break;
     case 1: ask_or_empty(f); break;

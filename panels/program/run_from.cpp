@@ -41,10 +41,7 @@ bool speaks_of_a_tool(const sequence::Rest& rest) {
 
 }  // namespace
 
-std::string_view why_not_run_from(const Frame& f, const WrittenSequence* source) {
-  if (!source)
-    return "This text is of no blocks and no drawing: what its commands leave behind is not known, so that "
-           "nothing can begin in the middle. Put it together in Blocks, and it can.";
+std::string_view why_not_run_from(const Frame& f) {
   const std::string_view why = why_none_runs(f);
   if (!why.empty()) return why;
   return is_under_way(f.now.program) ? "A program waits. Stop it first." : "";
@@ -76,16 +73,38 @@ Result<RunFrom::Wanted> RunFrom::wanted_of(const sequence::Sequence& of, int ste
 }
 
 void RunFrom::ask(Frame& f, const sequence::Sequence& of, int step, std::optional<int> pass) {
+  go_ahead_ = f.tab.desk().until_stopped();
+  ask(f, wanted_of(of, step, pass));
+}
+
+void RunFrom::ask(Frame& f, PlaceToBegin place) {
+  Desk& desk = f.tab.desk();
+  if (!desk.language() || std::exchange(reading_, true)) return;
+  go_ahead_ = desk.until_stopped();
+  auto frame = sequence::frame_of(desk.blocks.editor.sequence());
+  frame.pen_up.clear(), frame.pen_down.clear();
+  desk.worker().run(
+      [language = desk.language(), place = std::move(place), frame = std::move(frame),
+       catalog = std::make_shared<const Catalog>(f.catalog)] {
+        auto found = rest_of_text(*language, place, frame, *catalog);
+        if (!found) return Result<Wanted>(tl::unexpected(found.error()));
+        return Result<Wanted>(Wanted{std::move(found->rest), std::move(found->begins), place.text});
+      },
+      [this](Result<Wanted> wanted) { read_ = std::move(wanted), reading_ = false; }, alive_);
+  f.ui.wake_in(0);
+}
+
+void RunFrom::ask(Frame& f, Result<Wanted> wanted) {
   const Language* language = f.tab.desk().language();
   if (!language) return;
-  auto wanted = wanted_of(of, step, pass);
   if (!wanted) return f.toast(Mood::warn, wanted.error().sentence());
   auto written = language->write(wanted->rest.sequence, f.catalog);
   if (!written) return f.toast(Mood::warn, written.error().sentence());
-  rest_ = std::move(wanted->rest), written_ = std::move(*written);
   const ProgramTexts& texts = f.tab.desk().texts;
+  if (!wanted->text.empty() && texts.text(texts.chosen()) != wanted->text)
+    return f.toast(Mood::warn, "The text has been changed since. Nothing was begun.");
+  rest_ = std::move(wanted->rest), written_ = std::move(*written);
   replaces_ = texts.edited(texts.chosen());
-  go_ahead_ = f.tab.desk().until_stopped();
   asking_ = true;
   say(f, wanted->begins);
 }
@@ -115,6 +134,7 @@ void RunFrom::run(Frame& f) const {
 }
 
 void RunFrom::draw_dialog(Frame& f, std::string_view where) {
+  if (auto wanted = std::exchange(read_, std::nullopt)) ask(f, std::move(*wanted));
   if (!asking_) return;
   const Dialog what{.title = "Run from here?",
                     .sentences = question_,

@@ -9,6 +9,7 @@
 #include "core/sequence/rest.h"
 #include "gui/model/program_source.h"
 #include "panels/path/path_subject.h"
+#include "panels/program/rest_of_text.h"
 
 namespace hw::panels {
 
@@ -17,6 +18,8 @@ class RunFrom {
   /// `step`: as SequenceText counts them. `pass`: how often it was done before, which matters within a loop;
   /// none: that is not known. Where the rest cannot be run it is told why.
   void ask(gui::Frame& frame, const sequence::Sequence& of, int step, std::optional<int> pass);
+  /// The same of a text that somebody has typed, once it has been read.
+  void ask(gui::Frame& frame, PlaceToBegin place);
   void draw_dialog(gui::Frame& frame, std::string_view where);
   /// While it is asked: where the tool would go first, in the units of the axes.
   [[nodiscard]] std::optional<drawing::Point3> goes_to(const gui::Frame& frame, const PathAxes& axes) const;
@@ -25,12 +28,16 @@ class RunFrom {
   struct Wanted {
     sequence::Rest rest;
     std::string begins;  ///< "step 6, Move to 2 400"
+    std::string text{};  ///< that was read; empty: it is of blocks or a drawing
   };
+  void ask(gui::Frame& frame, Result<Wanted> wanted);
   static Result<Wanted> wanted_of(const sequence::Sequence& of, int step, std::optional<int> pass);
   void say(const gui::Frame& frame, std::string_view begins);
   void run(gui::Frame& frame) const;
 
-  bool asking_ = false;
+  bool asking_ = false, reading_ = false;
+  std::optional<Result<Wanted>> read_;  ///< has come from the worker
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0);
   sequence::Rest rest_;
   SequenceText written_;
   std::string question_;
@@ -38,7 +45,7 @@ class RunFrom {
   std::weak_ptr<void> go_ahead_;  ///< a stop while it is asked takes it away
 };
 
-/// Why nothing could be run from a place of a text now; empty: it could. `source`: of that text.
-std::string_view why_not_run_from(const gui::Frame& frame, const gui::WrittenSequence* source);
+/// Why nothing could be run from any place of a text now; empty: it may be asked for.
+std::string_view why_not_run_from(const gui::Frame& frame);
 
 }  // namespace hw::panels

@@ -1,4 +1,6 @@
 // Blocks that a controller cannot do are marked, each, and all others stay what they are.
+#include <algorithm>
+
 #include "tests/panels/blocks_stage.h"
 
 namespace hw::panels {
@@ -58,11 +60,65 @@ TEST_F(RefusedBlocks, TheNearestThatCanBeIsOneClickAway) {
   EXPECT_EQ(s.reason("blocks/to_program"), "");
 }
 
-TEST_F(RefusedBlocks, ATextOfItsOwnThatIsWrongIsMarkedAtItsBlock) {
-  load({{sequence::Delay{10}}, {sequence::Custom{"", "NONSENSE 5"}}});
+/// In each controller's language.
+struct OwnTexts : test_blocks::BlocksStage, ::testing::WithParamInterface<const char*> {
+  OwnTexts() : BlocksStage(GetParam()) {}
+};
+TEST_P(OwnTexts, OneThatIsWrongIsLeftOutAndTheOthersKeepTextAndTimes) {
+  load({{sequence::Delay{500}}, {sequence::Custom{"", "NONSENSE 5"}}, {sequence::Delay{1500}}});
+  s.stage.frames(10);
+  EXPECT_EQ(value("blocks/1/time"), "0.5 s");
   EXPECT_EQ(value("blocks/2/time"), "not written");
-  EXPECT_NE(value("blocks/1/time"), "not written");
-  EXPECT_NE(s.reason("blocks/run"), "");
+  EXPECT_EQ(value("blocks/3/time"), "1.5 s");
+  EXPECT_THAT(text(), HasSubstr("block 2 is not written"));
+  EXPECT_THAT(text(), Not(HasSubstr("NONSENSE")));
+  EXPECT_NE(value("blocks/2/refusal"), "");
+  EXPECT_EQ(s.stage.find("blocks/total")->label, "Rehearsed without 2");
+  EXPECT_THAT(s.reason("blocks/run"), StartsWith("Step 2 (custom): "));
+  s.click("blocks/2");
+  s.click("blocks/remove");
+  s.stage.frames(6);
+  EXPECT_EQ(s.reason("blocks/to_program"), "");
+  EXPECT_EQ(s.stage.find("blocks/total")->label, "Rehearsed");
+}
+INSTANTIATE_TEST_SUITE_P(Each, OwnTexts, ::testing::Values("vxm", "pmx-4ex-sa", "dmx-k-sa", "vme58"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST_F(RefusedBlocks, OfAnOwnTextThatSpoilsAnotherBlockThatOneIsNamed) {
+  sequence::Repeat loop;
+  loop.times = 3;
+  loop.steps = {{sequence::Custom{"", "ENDWHILE"}}, {sequence::Delay{1000}}};
+  load({{loop}, {sequence::Delay{500}}});
+  s.stage.frames(10);
+  EXPECT_EQ(value("blocks/2/time"), "not written");
+  EXPECT_EQ(value("blocks/2/refusal"), "Block 1 cannot be with it: ENDWHILE has no WHILE above it.");
+  EXPECT_EQ(value("blocks/4/time"), "0.5 s");
+  EXPECT_EQ(s.stage.find("blocks/total")->label, "Rehearsed without 1.1");
+}
+
+TEST_F(RefusedBlocks, OfAnOwnTextOfSeveralLinesTheOneThatIsWrongIsNamed) {
+  load({{sequence::Custom{"", "DELAY=100\nNONSENSE"}}});
+  EXPECT_THAT(value("blocks/1/refusal"), StartsWith("Line 2: NONSENSE is nothing"));
+}
+
+TEST_F(VxmRefusedBlocks, TheReasonStandsAtItsBlockAndTheTopLeadsThere) {
+  sequence::StepList steps(40, {sequence::Delay{10}});
+  steps[30].body = sequence::Arc{0, 0, 90, {}};
+  steps[35].body = sequence::Enable{0, true};
+  load(std::move(steps));
+  EXPECT_EQ(value("blocks/problem"), "2 blocks are refused.");
+  EXPECT_EQ(value("blocks/36/refusal"), "The motor power of a VXM cannot be switched by a program.");
+  EXPECT_FALSE(s.stage.find("blocks/31")->in_view());
+  s.click("blocks/show_refused");
+  s.stage.frames(3);
+  ASSERT_TRUE(s.stage.find("blocks/31/refusal")) << "it is open";
+  EXPECT_TRUE(s.stage.find("blocks/31/x"));
+  EXPECT_TRUE(s.stage.find("blocks/31/refusal")->in_view());
+  EXPECT_TRUE(s.stage.find("blocks/31")->in_view());
 }
 
 TEST_F(RefusedBlocks, EachTellsHowManyLinesItTakes) {

@@ -146,7 +146,8 @@ TEST_F(BlocksTest, SpaceLeavesTheChosenOneOut) {
 TEST_F(VxmBlocksTest, WhatCannotBeDoneIsSaidAtItsBlock) {
   s.click("blocks/add/delay");
   s.click("blocks/add/arc");
-  EXPECT_THAT(s.value("blocks/problem"), HasSubstr("Step 2 (arc): a VXM moves one motor at a time"));
+  EXPECT_EQ(s.value("blocks/problem"), "1 block is refused.");
+  EXPECT_THAT(s.value("blocks/2/refusal"), HasSubstr("A VXM moves one motor at a time"));
   EXPECT_THAT(s.reason("blocks/to_program"), HasSubstr("Step 2 (arc)"));
   s.click("blocks/remove");
   EXPECT_FALSE(s.stage.find("blocks/problem"));

@@ -103,11 +103,50 @@ TEST_F(RunFromTest, RunsTheRestBehindTheWayThere) {
   EXPECT_THAT(s.reason("path/run_here"), Not(HasSubstr("of no blocks")));
 }
 
-TEST_F(RunFromTest, ATextThatIsOfNoBlocksIsNotBegunInTheMiddle) {
+TEST_F(RunFromTest, ATypedTextIsBegunWhereItsRehearsalCameTo) {
+  s.now.axes[1].position = s.now.axes[1].command = Steps(50);
+  s.stage.frames(2);
   rehearse("I1M400,\nI2M400,\nI1M-400,\n");
+  s.now.axes[1].position = s.now.axes[1].command = Steps(70);
+  s.stage.frames(2);
   click_on_second_side();
-  ASSERT_THAT(s.value("path/hit"), HasSubstr("Line 2"));
-  EXPECT_THAT(s.reason("path/run_here"), HasSubstr("This text is of no blocks"));
+  ASSERT_THAT(s.value("path/hit"), HasSubstr("Line 2: I2M400"));
+  s.click("path/run_here");
+  s.stage.frames(3);
+  const std::string asked = s.value("path/run_from/says");
+  EXPECT_THAT(asked, HasSubstr("The axes stand at 1 0 steps, 2 70 steps")) << s.toast();
+  EXPECT_THAT(asked, HasSubstr("First: Move to 1 400, 2 50.")) << "where it was rehearsed";
+  EXPECT_THAT(asked, HasSubstr("Then line 2, I2M400, and all behind it."));
+  EXPECT_THAT(asked, HasSubstr("No step speaks of a tool"));
+  EXPECT_TRUE(s.sent.empty());
+  s.click("path/run_from/yes");
+  s.stage.frames(4);
+  const std::string& text = s.tab.desk().texts.text(0);
+  const auto there = text.find("IA1M400"), rest = text.find("I2M400"), last = text.find("I1M-400");
+  EXPECT_TRUE(there < rest && rest < last && last != std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("From line 2 on."));
+  EXPECT_FALSE(s.sent.empty());
+}
+
+TEST_F(RunFromTest, OfALineOfSeveralCommandsTheOneThatWasClickedIsMeant) {
+  rehearse("I1M400,I2M400,I1M-400");
+  click_on_second_side();
+  EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 1: I2M400"));
+  s.click("path/run_here");
+  s.stage.frames(3);
+  EXPECT_THAT(s.value("path/run_from/says"), HasSubstr("First: Move to 1 400, 2 0.")) << s.toast();
+}
+
+TEST_F(RunFromTest, WhatATypedTextLeavesBehindThatNobodyKnowsIsNamed) {
+  rehearse("I1M400,\nU99,\nI2M400,\nI1M-400,\n");
+  click_on_second_side();
+  ASSERT_THAT(s.value("path/hit"), HasSubstr("Line 3"));
+  s.click("path/run_here");
+  s.stage.frames(3);
+  EXPECT_THAT(s.toast(), HasSubstr("What \"U99"));
+  EXPECT_THAT(s.toast(), HasSubstr("above line 3 leaves behind is not known."));
+  EXPECT_FALSE(s.stage.find("path/run_from/yes"));
+  EXPECT_TRUE(s.sent.empty());
 }
 
 /// Round and round to the right and upwards: its passes lie beside one another.

@@ -82,6 +82,16 @@ class Rehearsing {
     return made_.program.code[ix(line)].op == language::Opcode::wait ? -1 : line;
   }
 
+  /// The statement behind a DELAY is carried out in the turn in which its time has passed: nobody sees it
+  /// come up as the next one.
+  [[nodiscard]] bool ends_delay(int before) const {
+    const auto& code = made_.program.code;
+    return before >= 0 && code[ix(before)].op == language::Opcode::delay && ix(before + 1) < code.size() &&
+           code[ix(before + 1)].op != language::Opcode::wait &&
+           controller_.program_state(program_) == static_cast<int>(language::ThreadState::running) &&
+           controller_.program_place(program_) != before;
+  }
+
   /// What stands from its beginning to that of the next program, its subroutines included.
   [[nodiscard]] bool is_of_started(int line) const {
     const auto& begins = made_.program.programs;
@@ -100,9 +110,11 @@ class Rehearsing {
       for (const auto& other : {hands_.next(), track_.next()})
         if (other) next = std::min(next.value_or(*other), *other);
       if (!next || *next > last) return out_of_time(last, trace);
-      result_.at_work(seconds(now_), command_at_work());
+      const int command = command_at_work();
+      result_.at_work(seconds(now_), command);
       now_ = std::max(now_, *next);
       emulator_.advance_to(now_);
+      if (ends_delay(command)) result_.at_work(seconds(now_), command + 1);
       hands_.act_until(now_, emulator_);
       track_.look(now_);
       collect(trace);

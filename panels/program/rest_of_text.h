@@ -1,0 +1,38 @@
+#pragma once
+// The rest of a program that somebody has typed, from one of its commands on: where the text is steps of a
+// sequence, how things stand there is known from those before and from its rehearsal. Pure.
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/device/language.h"
+#include "core/sequence/rest.h"
+
+namespace hw::panels {
+
+/// Where it is to begin, and what the rehearsal of that text tells.
+struct PlaceToBegin {
+  std::string text;
+  int line = 0, byte = 0;        ///< from 0, where a command begins
+  std::optional<int> pass = {};  ///< how often it was done before; none: not known
+  std::vector<RehearsedAxis> axes = {};
+  /// Between these it was begun; none: the rehearsal does not tell.
+  std::optional<std::array<RehearsedPlace, 2>> begun = {};
+};
+/// When that pass of a source was begun. `source_of_command`: by RehearsedTurn::command.
+std::optional<std::array<RehearsedPlace, 2>> begun_between(const Rehearsal& rehearsal,
+                                                           std::span<const int> source_of_command, int source,
+                                                           std::optional<int> pass);
+
+struct RestOfText {
+  sequence::Rest rest;
+  std::string begins;  ///< "line 7, I2M400"
+};
+/// In the unit and axes of `frame`. The fault says why how things stand there is not known. Long, for the
+/// worker.
+Result<RestOfText> rest_of_text(const Language& language, const PlaceToBegin& place,
+                                const sequence::Sequence& frame, const Catalog& catalog);
+
+}  // namespace hw::panels
