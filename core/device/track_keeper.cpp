@@ -14,6 +14,41 @@ bool same_stand(const RehearsedPlace& a, const RehearsedPlace& b) {
 
 }  // namespace
 
+bool Track::rests(const RehearsedPlace& place) const {
+  return !places_.empty() && same_stand(places_.back(), place);
+}
+
+void Track::add(const RehearsedPlace& place) {
+  const std::size_t size = places_.size();
+  if (size >= 2 && same_stand(places_[size - 1], place) && same_stand(places_[size - 2], place))
+    places_.back() = place;
+  else
+    places_.push_back(place);
+  if (places_.size() > most_places) thin_out();
+}
+
+/// Every other one, and half as often from here on. Where it has rested or an output was switched stays, as
+/// far as there is room.
+void Track::thin_out() {
+  const auto stays = [this](std::size_t i) {
+    if (i == 0 || i + 1 == places_.size()) return true;
+    const RehearsedPlace &before = places_[i - 1], &here = places_[i], &after = places_[i + 1];
+    return here.position == before.position || here.position == after.position ||
+           here.outputs != before.outputs;
+  };
+  std::vector<RehearsedPlace> kept;
+  kept.reserve(most_places + 1);
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (i % 2 == 0 || stays(i)) kept.push_back(places_[i]);
+  every_ *= 2;
+  if (kept.size() * 4 > most_places * 3) {  // it hardly does anything else
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < kept.size(); i += 2) kept[n++] = kept[i];
+    kept.resize(n);
+  }
+  places_ = std::move(kept);
+}
+
 void TrackKeeper::look(Instant now) {
   if (every_ == Duration{}) return;
   MachineTruth truth;
@@ -25,37 +60,9 @@ void TrackKeeper::look(Instant now) {
   for (int i = 0; i < truth.axis_count; ++i) place.position[ix(i)] = truth.axes[ix(i)].position.value;
   place.outputs = view.outputs;
   // At an event nothing may have moved yet that begins with it: that is seen a little later.
-  const bool by_itself = due_ == now, rests = !track_.empty() && same_stand(track_.back(), place);
-  due_ = by_itself && rests && truth.moving() == 0 ? std::nullopt : std::optional(now + every_);
-  // Of a rest its begin and its end are enough.
-  const std::size_t size = track_.size();
-  if (size >= 2 && same_stand(track_[size - 1], place) && same_stand(track_[size - 2], place))
-    track_.back() = place;
-  else
-    track_.push_back(place);
-  if (track_.size() > most_places) thin_out();
-}
-
-/// Every other one, and half as often from here on. Where it has rested or an output was switched stays, as
-/// far as there is room.
-void TrackKeeper::thin_out() {
-  const auto stays = [this](std::size_t i) {
-    if (i == 0 || i + 1 == track_.size()) return true;
-    const RehearsedPlace &before = track_[i - 1], &here = track_[i], &after = track_[i + 1];
-    return here.position == before.position || here.position == after.position ||
-           here.outputs != before.outputs;
-  };
-  std::vector<RehearsedPlace> kept;
-  kept.reserve(most_places + 1);
-  for (std::size_t i = 0; i < track_.size(); ++i)
-    if (i % 2 == 0 || stays(i)) kept.push_back(track_[i]);
-  every_ *= 2;
-  if (kept.size() * 4 > most_places * 3) {  // it hardly does anything else
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < kept.size(); i += 2) kept[n++] = kept[i];
-    kept.resize(n);
-  }
-  track_ = std::move(kept);
+  const bool rests = due_ == now && track_.rests(place) && truth.moving() == 0;
+  due_ = rests ? std::nullopt : std::optional(now + every_ * track_.every());
+  track_.add(place);
 }
 
 int thinned_to(std::span<const RehearsedPlace> track, double every_s) {

@@ -13,10 +13,25 @@ namespace hw {
 /// How often a path that people look at is.
 constexpr double track_seen_every_s = 0.02;
 
+/// In the order of time. Of a rest its begin and its end are kept; what becomes longer is thinned.
+class Track {
+ public:
+  static constexpr std::size_t most_places = 300'000;  // 24 MB
+  void add(const RehearsedPlace& place);
+  /// As at the last place.
+  [[nodiscard]] bool rests(const RehearsedPlace& place) const;
+  /// Of the places to come every so manieth is enough: 1, 2, 4 ...
+  [[nodiscard]] int every() const { return every_; }
+  [[nodiscard]] std::vector<RehearsedPlace> take() { return std::move(places_); }
+
+ private:
+  void thin_out();
+  std::vector<RehearsedPlace> places_;
+  int every_ = 1;
+};
+
 class TrackKeeper {
  public:
-  /// What becomes longer is thinned: 24 MB.
-  static constexpr std::size_t most_places = 300'000;
   /// Keeps nothing where the options do not ask for it.
   TrackKeeper(const Emulator& emulator, const RehearseOptions& options)
       : emulator_(emulator), every_(from_seconds(options.track_every_s)) {}
@@ -25,15 +40,13 @@ class TrackKeeper {
   [[nodiscard]] std::optional<Instant> next() const { return due_; }
   /// The emulator has come to this time.
   void look(Instant now);
-  [[nodiscard]] std::vector<RehearsedPlace> take() { return std::move(track_); }
+  [[nodiscard]] std::vector<RehearsedPlace> take() { return track_.take(); }
 
  private:
-  void thin_out();
-
   const Emulator& emulator_;
-  Duration every_;
+  const Duration every_;
   std::optional<Instant> due_;
-  std::vector<RehearsedPlace> track_;
+  Track track_;
 };
 
 /// It has every so manieth of the places that were looked at every `every_s`; 1: all of them.

@@ -78,21 +78,41 @@ std::vector<std::size_t> off_the(const drawing::Box& table, const std::vector<dr
   return off;
 }
 
-/// Beyond it two steps that follow each other are one number. Whoever counts, counts less far.
-Result<> can_be_counted(const std::vector<drawing::Chain>& chains, const ConversionOptions& o) {
-  constexpr double furthest = 9007199254740992;  // steps, 2^53
+/// What lies beyond is named by its entity, before anything is made of it.
+Result<> can_be_counted(const std::vector<drawing::Chain>& chains, const Catalog& catalog,
+                        const ConversionOptions& o) {
+  constexpr double furthest = 9007199254740992;  // steps, 2^53: beyond, two that follow each other are one
+  const bool told = catalog.position_max > catalog.position_min;
+  const double low = told ? static_cast<double>(catalog.position_min.value) : -furthest;
+  const double high = told ? static_cast<double>(catalog.position_max.value) : furthest;
   for (const drawing::Chain& chain : chains) {
     const drawing::Box box = drawing::box_of({chain});
     const std::array<std::array<double, 2>, 2> reach{{{box.low.x, box.high.x}, {box.low.y, box.high.y}}};
     for (const std::size_t axis : {0, 1})
-      for (const double at : reach[axis])
-        if (!(std::fabs(at) * o.axes[axis].per_unit <= furthest))
-          return refuse(
-              fmt::format("Entity {}, line {} of the file, reaches to {:.4g} {} of {}: no controller "
-                          "counts so far.",
-                          chain.entity, chain.line, at, o.unit, o.axes[axis].name));
+      for (const double at : reach[axis]) {
+        const double steps = std::round(at * o.axes[axis].per_unit);
+        if (steps >= low && steps <= high) continue;
+        return refuse(
+            fmt::format("Entity {}, line {} of the file, reaches to {:.6g} {} of {}: that is {:.15g} "
+                        "{}, and a {} goes from {:.0f} to {:.0f}.",
+                        chain.entity, chain.line, at, o.unit, o.axes[axis].name, steps, catalog.step_word,
+                        catalog.short_name, low, high));
+      }
   }
   return {};
+}
+
+/// Stairs of what is large against their tolerance.
+Result<> are_few_enough(const std::vector<drawing::Chain>& chains, const Conversion& made,
+                        const ConversionOptions& o) {
+  constexpr double most = 5e6;
+  const double moves = made.going == Going::stairs ? 2 * length_of(chains) / made.tolerance : 0;
+  if (moves <= most) return {};
+  return refuse(
+      fmt::format("With stairs that lie within {:g} {} of the line it would become some {:.0f} million "
+                  "moves.",
+                  made.tolerance, o.unit, moves / 1e6),
+      "Allow them to lie further away.");
 }
 
 }  // namespace
@@ -139,6 +159,10 @@ double finest_chord(const Catalog& catalog, const ConversionOptions& o) {
 // Splines and ellipses are flattened as they are read: again, where the file's unit asks for that.
 Result<drawing::Drawing> read_drawing(const std::filesystem::path& path, const Catalog& catalog,
                                       const ConversionOptions& o) {
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  if (!unknown)
+    if (auto small = drawing::may_be_read(size, path.string()); !small) return fail(small.error());
   const auto file = read_file(path, drawing::largest_dxf);
   if (!file) return fail(file.error());
   const double finest = finest_chord(catalog, o);
@@ -194,7 +218,8 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   drawing::Placing placing = o.placing;
   placing.scale = *scale;
   made.placed = drawing::place(made.chains, placing);
-  if (auto counted = can_be_counted(made.chains, o); !counted) return fail(counted.error());
+  if (auto counted = can_be_counted(made.chains, catalog, o); !counted) return fail(counted.error());
+  if (auto few = are_few_enough(made.chains, made, o); !few) return fail(few.error());
   made.box = drawing::box_of(made.chains);
   made.way_as_drawn = made.way = drawing::way_between(made.chains, {});
   if (!o.keep_order) {

@@ -7,6 +7,7 @@
 #include "core/base/index.h"
 #include "core/device/registry.h"
 #include "core/session/session_group.h"
+#include "core/session/track_together.h"
 #include "core/time/virtual_scheduler.h"
 
 namespace hw {
@@ -33,8 +34,11 @@ class Stage {
         const WireOpener& opener)
       : begin_(std::move(begin)), address_(emulated_like(like)), states_(states), opener_(opener) {}
 
-  /// Nothing: it came to its end.
+  /// Of a sequence that they do together: where they go is kept, and which of them has the tool.
+  void keep_track(std::string_view id_with_tool) { id_with_tool_ = id_with_tool; }
+  /// Nothing: it came to its end, or was at it all the time; see finished().
   Result<> run(Duration at_most);
+  [[nodiscard]] bool finished() const { return drawn_ && drawn_->has_value(); }
   [[nodiscard]] RehearsedTogether& together() { return seen_; }
   [[nodiscard]] RehearsedPieces& pieces() { return alone_; }
 
@@ -43,7 +47,9 @@ class Stage {
   Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again);
   Task<Result<>> draw(Duration at_most);
   void look();
-  void look_at_steps(const PiecesState& pieces);
+  void look_at_steps();
+  void begin_track();
+  void end_track();
   void hear_what_is_told();
   [[nodiscard]] Fault why_not();
 
@@ -54,6 +60,8 @@ class Stage {
   IoContext io_;
   VirtualScheduler time_{io_};
   std::shared_ptr<SessionGroup> group_;
+  std::optional<std::string_view> id_with_tool_;  ///< none: no track is kept
+  std::optional<TrackTogether> track_;
   std::optional<Instant> began_;  ///< to draw
   Instant piece_began_{};
   std::optional<Result<>> drawn_;
@@ -65,6 +73,7 @@ class Stage {
 Task<> Stage::perform(Duration at_most) {
   auto drawn = co_await draw(at_most);
   look();
+  end_track();
   drawn_ = std::move(drawn);
   if (group_) co_await group_->close();
   closed_ = true;
@@ -94,12 +103,35 @@ Task<Result<>> Stage::draw(Duration at_most) {
   co_await time_.sleep_for(everything_is_read);
   auto begun = co_await begin_(*group_);
   if (!begun) co_return begun;
-  began_ = piece_began_ = time_.now();
+  began_ = piece_began_ = time_.now();  // and nothing moves yet
+  begin_track();
   co_return co_await group_->wait_until_idle(at_most);
+}
+
+void Stage::begin_track() {
+  if (!id_with_tool_) return;
+  TrackTogether::Benches benches;
+  for (const auto& member : group_->members()) benches.push_back(member->bench());
+  track_.emplace(time_, std::move(benches), ix(std::max(group_->find(*id_with_tool_), 0)));
+}
+
+void Stage::end_track() {
+  if (!track_) return;
+  track_->look();
+  seen_.track = track_->take();
+  track_.reset();
+  for (std::size_t a = 0; a < std::min(group_->members().size(), ix(max_axes)); ++a) {
+    RehearsedAxis& axis = seen_.axes.emplace_back();
+    axis.name = group_->members()[a]->catalog().id();
+    axis.begin = seen_.track.front().position[a], axis.position = seen_.track.back().position[a];
+  }
+  for (const RehearsedPieces::Arrival& came : alone_.came_to)
+    seen_.events.push_back({came.t, {}, 0, came.step});
 }
 
 /// A piece has ended when all who take part have done it.
 void Stage::look() {
+  if (track_) track_->look();
   if (!began_) return;
   bool runs = false;
   std::int32_t done = std::numeric_limits<std::int32_t>::max();
@@ -108,17 +140,26 @@ void Stage::look() {
     runs = runs || pieces.running;
     if (pieces.total > 0) done = std::min(done, pieces.done);
   }
-  look_at_steps(group_->members().front()->known().pieces);
+  look_at_steps();
   const bool more = seen_.piece_seconds.size() < ix(done);
   for (; seen_.piece_seconds.size() < ix(done); piece_began_ = time_.now())
     seen_.piece_seconds.push_back(seconds(time_.now() - piece_began_));
   if (runs || more) seen_.duration_s = seconds(time_.now() - *began_);
 }
 
-void Stage::look_at_steps(const PiecesState& pieces) {
-  const int came_to = alone_.came_to.empty() ? -1 : alone_.came_to.back().step;
-  if (pieces.total > 0 && pieces.step > came_to)
-    alone_.came_to.push_back({pieces.step, seconds(time_.now() - *began_)});
+/// As far as whoever is furthest. A round of status tells a step whose motion has begun before.
+void Stage::look_at_steps() {
+  RehearsedPieces::Arrival last;
+  if (alone_.came_to.empty())
+    last.step = -1;
+  else
+    last = alone_.came_to.back();
+  int step = last.step;
+  for (const auto& member : group_->members())
+    if (member->known().pieces.total > 0) step = std::max(step, member->known().pieces.step);
+  if (step == last.step) return;
+  const double moves_since = track_ ? track_->moves_since() : 0;
+  alone_.came_to.push_back({step, moves_since > last.t ? moves_since : seconds(time_.now() - *began_)});
 }
 
 void Stage::hear_what_is_told() {
@@ -151,7 +192,9 @@ Result<> Stage::run(Duration at_most) {
     return closed_;
   });
   if (!drawn_) return fail(FaultKind::no_answer, "It could not be rehearsed: its emulators do not answer.");
-  if (!*drawn_) return fail(why_not());
+  const bool at_it_still =
+      !*drawn_ && drawn_->error().kind == FaultKind::no_answer && !alone_.came_to.empty();
+  if (!*drawn_ && !at_it_still) return fail(why_not());
   hear_what_is_told();
   return {};
 }
@@ -183,7 +226,9 @@ Result<RehearsedTogether> rehearse_together(const sequence::Sequence& sequence, 
                                             const std::vector<ControllerState>& states,
                                             const WireOpener& opener, Duration at_most) {
   Stage stage([&](SessionGroup& group) { return group.run_together(sequence, 0); }, bus, states, opener);
+  stage.keep_track(sequence.axes.empty() ? std::string_view() : sequence.axes.front().name);
   if (auto done = stage.run(at_most); !done) return fail(done.error());
+  stage.together().finished = stage.finished();
   return std::move(stage.together());
 }
 
@@ -193,11 +238,9 @@ Result<RehearsedPieces> rehearse_pieces(std::shared_ptr<const Pieces> pieces, co
   const std::vector<ControllerState> states(1, state);
   Stage stage([&](SessionGroup& group) { return begin_alone(*group.members().front(), pieces); }, controller,
               states, opener);
-  const auto done = stage.run(at_most);
+  if (auto done = stage.run(at_most); !done) return fail(done.error());
   RehearsedPieces& seen = stage.pieces();
-  const bool was_at_it = !done && done.error().kind == FaultKind::no_answer && !seen.came_to.empty();
-  if (!done && !was_at_it) return fail(done.error());
-  seen.finished = done.has_value(), seen.duration_s = stage.together().duration_s;
+  seen.finished = stage.finished(), seen.duration_s = stage.together().duration_s;
   return std::move(seen);
 }
 

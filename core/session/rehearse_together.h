@@ -5,15 +5,17 @@
 #include <vector>
 
 #include "core/device/controller_state.h"
+#include "core/device/language.h"
 #include "core/device/pieces.h"
 #include "core/sequence/sequence.h"
 #include "core/session/wire.h"
 
 namespace hw {
 
-struct RehearsedTogether {
-  double duration_s = 0;
-  std::vector<double> piece_seconds;  ///< of each, with the way to it
+/// Of the axes of their catalog_together(); its outputs are those of the one that switches the tool. Events
+/// name the steps of the sequence, as places in its own list, when they are begun.
+struct RehearsedTogether : Rehearsal {
+  std::vector<double> piece_seconds;  ///< of each that was done, with the way to it
 };
 
 /// One controller's pieces, as far as they came in the time that they had.
@@ -32,8 +34,8 @@ struct RehearsedPieces {
 };
 
 /// Controllers of one axis each do it together. `bus`: their address, of emulators or not. `states`: of each,
-/// in the order of their ids; empty: as after power-up. The fault says why it does not come to its end within
-/// `at_most`. Long: on a worker's thread.
+/// in the order of their ids; empty: as after power-up. The fault says why it was broken off; what only took
+/// longer than `at_most` is no fault. Long: on a worker's thread.
 [[nodiscard]] Result<RehearsedTogether> rehearse_together(const sequence::Sequence& sequence,
                                                           const Address& bus,
                                                           const std::vector<ControllerState>& states,

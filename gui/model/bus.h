@@ -13,17 +13,31 @@
 
 namespace hw {
 class SessionGroup;
+struct Rehearsal;
+namespace sequence {
+struct Sequence;
 }
+}  // namespace hw
 
 namespace hw::gui {
 
 class Tab;
+
+/// A drawing that the controllers of a bus can do together, as it was rehearsed last.
+struct DrawnTogether {
+  std::string name;                                    ///< of its file
+  std::shared_ptr<const sequence::Sequence> sequence;  ///< null: there is none
+  std::shared_ptr<const Rehearsal> rehearsal;          ///< see rehearse_together()
+  int number = 0;                                      ///< grows with each
+};
 
 struct Bus {
   std::shared_ptr<SessionGroup> group;  ///< null in tests of panels
   std::string default_name;             ///< the catalog's short name and the ids
   std::vector<Tab*> members;            ///< in the order of their ids; owned by the console
   std::size_t chosen = 0;
+  DrawnTogether drawn;
+  std::shared_ptr<const sequence::Sequence> begun;  ///< latest: what its controllers do together, or did
 
   [[nodiscard]] Tab& front() const { return *members[chosen]; }
   /// The user's, which the first member's profile keeps; else the default.

@@ -44,8 +44,8 @@ std::string in_mm(double v) { return fmt::format("{} mm", format_number(v, 1).vi
 
 void DrawingFacts::follow(const DrawingJob& job, const ConversionOptions& wanted) {
   if (std::exchange(said_, job.version()) == job.version()) return;
-  time_.clear(), drawn_.clear(), travel_.clear(), saved_.clear(), size_.clear(), chains_.clear(),
-      moves_.clear();
+  time_.clear(), beside_.clear(), drawn_.clear(), travel_.clear(), saved_.clear(), size_.clear(),
+      chains_.clear(), moves_.clear();
   left_out_.clear(), left_out_title_.clear(), off_.clear(), understood_.clear();
   if (const drawing::Drawing* d = job.drawing()) {
     left_out_ = in_words(d->left_out), understood_ = in_words(d->understood);
@@ -62,11 +62,12 @@ void DrawingFacts::follow(const DrawingJob& job, const ConversionOptions& wanted
   moves_ = fmt::format("{}", count_);
   if (c.going == drawing::Going::stairs) moves_ += ", an axis each";
   drawn_ = in_mm(c.drawn), travel_ = in_mm(c.way);
-  if (const double saved = c.way_as_drawn - c.way; saved > 0) {
+  if (const double saved = c.way_as_drawn - c.way; saved >= 0.05) {
     saved_ = in_mm(saved);
     if (const double speed = wanted.travel.high; speed > 0)
       saved_ += fmt::format(", {} s", format_number(saved / speed, 1).view());
   }
+  if (made->together) beside_ = fmt::format("{} mm at most", format_number(made->beside, 3).view());
   size_ = fmt::format("{} \u00d7 {} mm", format_number(c.box.high.x - c.box.low.x, 3).view(),
                       format_number(c.box.high.y - c.box.low.y, 3).view());
   if (!c.off_the_table.empty())
@@ -115,6 +116,7 @@ void DrawingFacts::draw(Frame& f, const DrawingJob& job) {
     key_value(ui, "drawing/drawn", "Tool on", drawn_);
     key_value(ui, "drawing/travel", "Tool off", travel_);
     if (!saved_.empty()) key_value(ui, "drawing/saved", "Saved by the order", saved_, Tone::ok);
+    if (!beside_.empty()) key_value(ui, "drawing/beside", "Beside its lines", beside_);
     key_value(ui, "drawing/size", "Size", size_);
     key_value(ui, "drawing/chains", "Chains", chains_);
     draw_remarks(f, made->written.remarks);

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/base/index.h"
 #include "core/device/pieces_together.h"
 #include "core/device/step_times.h"
@@ -12,6 +14,7 @@
 #include "core/drawing/sequence_path.h"
 #include "core/sequence/steps_in.h"
 #include "core/session/rehearse_together.h"
+#include "core/session/way_together.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/shell/console.h"
@@ -108,25 +111,50 @@ Result<> say_tool(DrawingJob::Made& made, const Catalog& catalog) {
   return {};
 }
 
-/// Of controllers that draw together; a piece is a chain.
-void time_together(DrawingJob::Made& made, const Catalog& catalog, const Console::Together& rehearse) {
-  made.written.remarks.push_back(made.parts.front()->remark);
-  if (rehearse) {
-    auto done = rehearse(made.conversion.sequence);
-    if (done) {
-      made.duration_s = done->duration_s;
-      made.chain_seconds = std::move(done->piece_seconds);
-      return;
-    }
-    made.written.remarks.insert(made.written.remarks.begin(),
-                                "It was not rehearsed to its end: " + done.error().sentence());
-  }
+/// What was not rehearsed stays as it is meant.
+void take_way(DrawingJob::Made& made, WayTogether&& way) {
+  const drawing::ToolPath& meant = *made.meant;
+  const int last = way.path.runs.empty() ? -1 : way.path.runs.back().source;
+  for (const drawing::ToolPath::Run& run : meant.runs)
+    for (std::size_t i = run.first + 1; run.source > last && i < run.first + run.size; ++i)
+      way.path.go(meant.points[i - 1], meant.points[i], run.tool_on, run.source);
+  made.beside = way.beside;
+  made.path = std::make_shared<const drawing::ToolPath>(std::move(way.path));
+}
+
+void time_by_ramps(DrawingJob::Made& made, const Catalog& catalog) {
   std::vector<Pieces> parts;
   for (const auto& part : made.parts) parts.push_back(*part);
   std::vector<double> seconds = least_seconds(parts, catalog);
   if (seconds.size() != made.conversion.chains.size()) return;
   made.at_least_s = std::accumulate(seconds.begin(), seconds.end(), 0.0);
   made.chain_seconds = std::move(seconds);
+}
+
+/// Of controllers that draw together, in mm; a piece is a chain.
+void take_rehearsal(DrawingJob::Made& made, const Catalog& catalog, const Console::Together& rehearse) {
+  made.path = made.meant = path_of(made.conversion, made.parts, {1, 1});
+  made.written.remarks.push_back(made.parts.front()->remark);
+  auto done = rehearse ? rehearse(made.conversion.sequence) : RehearsedTogether();
+  if (!done)
+    made.written.remarks.insert(
+        made.written.remarks.begin(),
+        "Its lines are drawn straight, as it was not rehearsed to its end: " + done.error().sentence());
+  if (!done || !done->finished) time_by_ramps(made, catalog);
+  if (!done || done->track.empty()) return;
+  take_way(made, way_together(made.conversion, *done, catalog));
+  if (done->finished) {
+    made.duration_s = done->duration_s;
+    made.chain_seconds = std::move(done->piece_seconds);
+  } else {
+    for (std::size_t c = 0; c < std::min(made.chain_seconds.size(), done->piece_seconds.size()); ++c)
+      made.chain_seconds[c] = done->piece_seconds[c];
+    made.written.remarks.insert(
+        made.written.remarks.begin(),
+        fmt::format("The first {} of it were rehearsed. Behind that lines are drawn straight.",
+                    format_duration(done->duration_s).view()));
+  }
+  made.together = std::make_shared<const Rehearsal>(std::move(*done));
 }
 
 /// Of one controller that does it in pieces. What is behind the rehearsed time takes as much longer than
@@ -188,12 +216,12 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
     made.no_pieces = parts.error().sentence();
   if (!language && !made.parts.empty()) {
     if (auto said = say_tool(made, catalog); !said) return fail(said.error());
-    time_together(made, catalog, rehearsing.together);
+    take_rehearsal(made, catalog, rehearsing.together);
   } else if (made.chain_seconds.empty() && !made.parts.empty()) {
     made.chain_seconds = std::move(least);
     time_pieces(made, rehearsing.alone);
   }
-  made.path = path_of(made.conversion, made.parts, scale);
+  if (!made.path) made.path = path_of(made.conversion, made.parts, scale);
   return made;
 }
 
@@ -289,7 +317,7 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
                              : Rehearsing{nullptr, f.console.rehearsal_of(f.tab)},
        wanted, scale,
        ordered = ordered_] { return make(*drawing, catalog, language, rehearsing, wanted, scale, *ordered); },
-      [this](Result<Made> made) {
+      [this, bus = together ? f.tab.bus : nullptr](Result<Made> made) {
         converting_ = false;
         ++version_;
         if (old_) return;  // of the drawing before
@@ -298,9 +326,18 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
           made_ = std::make_shared<const Made>(std::move(*made));
         else
           fault_ = made.error().sentence();
+        if (bus) show_on_bus(*bus);
       },
       alive_);
   f.ui.wake_in(0);
+}
+
+/// Whoever else draws it: the path of the bus.
+void DrawingJob::show_on_bus(Bus& bus) const {
+  DrawnTogether& drawn = bus.drawn;
+  drawn = {file_.filename().string(), nullptr, nullptr, drawn.number + 1};
+  if (!made_ || !made_->together) return;
+  drawn.sequence = {made_, &made_->conversion.sequence}, drawn.rehearsal = made_->together;
 }
 
 }  // namespace hw::panels

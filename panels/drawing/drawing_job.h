@@ -11,6 +11,7 @@
 #include "core/device/language.h"
 #include "core/drawing/tool_path.h"
 #include "core/session/conversion.h"
+#include "gui/model/bus.h"
 #include "gui/shell/frame.h"
 
 namespace hw::panels {
@@ -49,6 +50,11 @@ class DrawingJob {
     /// As rehearsed, or as their lengths say what was not; empty: nothing tells.
     std::vector<double> chain_seconds;
     std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes; a source is a chain
+    /// Of controllers that draw together: the lines that are meant. Then `path` is how they really go, as far
+    /// as it was rehearsed.
+    std::shared_ptr<const drawing::ToolPath> meant;
+    std::shared_ptr<const Rehearsal> together;  ///< of these; null: not rehearsed
+    double beside = 0;                          ///< so far `path` lies beside lines of `meant`, at most
   };
 
   /// From a step of its sequence on, at that share of its speeds, so long after it was come to; none: nothing
@@ -80,6 +86,7 @@ class DrawingJob {
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
  private:
+  void show_on_bus(gui::Bus& bus) const;
   using Drawing = std::shared_ptr<const drawing::Drawing>;
   void take(Result<Drawing> read, const std::filesystem::path& file, gui::Console& console);
 

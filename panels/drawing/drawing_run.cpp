@@ -23,13 +23,23 @@ using namespace gui;
 
 namespace {
 
-std::string_view why_not_at_all(const Frame& f) {
-  if (!f.connected()) return "There is no link. Cut comes back when the controller answers.";
-  if (f.tab.desk().job.busy()) return "A program is being transferred.";
-  const ProgramState& p = f.now.program;
+std::string_view why_not(Tab& tab) {
+  if (!tab.now().link.connected()) return "There is no link. Cut comes back when the controller answers.";
+  if (tab.desk().job.busy()) return "A program is being transferred.";
+  const ProgramState& p = tab.now().program;
   if (p.owned && p.run != RunState::idle && p.run != RunState::error)
     return "A program is at work. Cut comes back when it has ended or was stopped.";
-  return f.tab.why_not_move();
+  return tab.why_not_move();
+}
+
+/// Of each whose axis draws it.
+std::string_view why_not_at_all(const Frame& f, const DrawingJob::Made* made) {
+  if (!draws_together(f) || !made) return why_not(f.tab);
+  for (const sequence::Axis& axis : made->conversion.sequence.axes) {
+    const std::string_view why = why_not(owner_of(f, f.catalog.find_axis(axis.name)));
+    if (!why.empty()) return why;
+  }
+  return {};
 }
 
 bool was_stopped(const PiecesState& p) { return !p.running && p.step >= 0 && p.done < p.total; }
@@ -66,11 +76,12 @@ void DrawingRun::draw(Frame& f, const Wanted& wanted) {
 }
 
 /// At all, or for these.
-std::string_view DrawingRun::why_not_now(const Frame& f, const Pieces* pieces) {
+std::string_view DrawingRun::why_not_now(const Frame& f, const DrawingJob::Made* made) {
+  const Pieces* pieces = made && !made->parts.empty() ? made->parts.front().get() : nullptr;
   const std::uint32_t closed = pieces ? loops_in_the_way(*pieces, f.now) : 0;
   if (std::exchange(closed_loops_, closed) != closed)
     loops_ = closed != 0 ? why_not_begun(*pieces, f.catalog, f.now) : std::string();
-  if (const std::string_view why = why_not_at_all(f); !why.empty()) return why;
+  if (const std::string_view why = why_not_at_all(f, made); !why.empty()) return why;
   return loops_;
 }
 
@@ -83,7 +94,7 @@ void DrawingRun::draw_loops(Frame& f, const Pieces& pieces) {
   show(ui, {"drawing/loops", Kind::text, "Closed loops", loops_}, {from, ImGui::GetCursorScreenPos()});
   gap(ui, 4);
   const ButtonOptions off{
-      .disabled = why_not_at_all(f),
+      .disabled = why_not_at_all(f, nullptr),
       .tip = "Positions count in steps from then on. It stays off until you switch it on.",
       .height = 40};
   if (button(ui, "drawing/open_loops", "Switch it off", off).clicked)
@@ -95,7 +106,7 @@ void DrawingRun::draw_loops(Frame& f, const Pieces& pieces) {
 void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
   const bool any = wanted.made && !wanted.made->parts.empty();
   const Pieces* pieces = any ? wanted.made->parts.front().get() : nullptr;
-  const std::string_view why = why_not_now(f, pieces);
+  const std::string_view why = why_not_now(f, wanted.made.get());
   const std::string_view now = working_ ? "It is being worked out." : why;
   if (pieces) draw_loops(f, *pieces);
   const ButtonOptions options{.icon = Icon::play,
@@ -211,11 +222,11 @@ void DrawingRun::ask(Frame& f, What what, Made made, Parts parts, std::string qu
 /// What is left is cut anew: from the start of what was being drawn.
 void DrawingRun::ask_to_go_on(Frame& f) { work_out(f, What::rest, cut_, pieces_of(f).step); }
 
-std::string_view DrawingRun::why_no_trace(const Frame& f) const {
+std::string_view DrawingRun::why_no_trace(const Frame& f, const DrawingJob::Made* made) const {
   if (working_) return "It is being worked out.";
   if (pieces_of(f).running)
     return "The drawing is being cut. Frame comes back when it has ended or was stopped.";
-  return why_not_at_all(f);
+  return why_not_at_all(f, made);
 }
 
 void DrawingRun::trace_frame(Frame& f, Made made) { work_out(f, What::frame, std::move(made), 0); }
@@ -259,7 +270,7 @@ void DrawingRun::draw_dialog(Frame& f) {
 /// While the question stood a stop may have come, or something else have begun.
 void DrawingRun::cut(Frame& f) {
   if (asked_.go_ahead.expired()) return f.toast(Mood::warn, "A stop came first. Nothing was begun.");
-  if (const std::string_view why = why_not_now(f, asked_.parts.front().get()); !why.empty())
+  if (const std::string_view why = why_not_now(f, asked_.made.get()); !why.empty())
     return f.toast(Mood::warn, std::string(why));
   cut_ = asked_.what == What::frame ? nullptr : asked_.made;  // a frame is not gone on with
   begun_.clear();
@@ -268,9 +279,11 @@ void DrawingRun::cut(Frame& f) {
     begun_.push_back({&f.tab, f.send_and_watch(intent::RunInPieces(parts.front()))});
     return;
   }
+  const Conversion& c = asked_.made->conversion;
+  f.tab.bus->begun = {asked_.made, asked_.what == What::frame ? &c.frame : &c.sequence};
   auto seats = PieceSync::seats(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const int axis = f.catalog.find_axis(asked_.made->conversion.sequence.axes[i].name);
+    const int axis = f.catalog.find_axis(c.sequence.axes[i].name);
     Tab& owner = owner_of(f, axis);
     begun_.push_back({&owner, owner.send(intent::RunInPieces(parts[i], std::move(seats[i])))});
   }

@@ -27,7 +27,7 @@ class DrawingRun {
   /// Asks whether several controllers shall go once around it with the tool off: they have no one program.
   void trace_frame(gui::Frame& frame, std::shared_ptr<const DrawingJob::Made> made);
   /// Why that cannot be now, as a sentence; empty: it can.
-  [[nodiscard]] std::string_view why_no_trace(const gui::Frame& frame) const;
+  [[nodiscard]] std::string_view why_no_trace(const gui::Frame& frame, const DrawingJob::Made* made) const;
 
  private:
   using Made = std::shared_ptr<const DrawingJob::Made>;
@@ -41,7 +41,7 @@ class DrawingRun {
   void tell(gui::Frame& frame, const IntentBody& wish);
   void draw_start(gui::Frame& frame, const Wanted& wanted);
   void draw_loops(gui::Frame& frame, const Pieces& pieces);
-  [[nodiscard]] std::string_view why_not_now(const gui::Frame& frame, const Pieces* pieces);
+  [[nodiscard]] std::string_view why_not_now(const gui::Frame& frame, const DrawingJob::Made* made);
   void draw_progress(gui::Frame& frame);
   void cut(gui::Frame& frame);
   void say_what_came(gui::Frame& frame);

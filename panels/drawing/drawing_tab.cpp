@@ -42,7 +42,7 @@ void DrawingTab::draw(Frame& own) {
 
 void DrawingTab::draw_all(Frame& f) {
   options_.begin(f);
-  for (const auto& path : f.tab.desk().take_dropped("drawing")) open(f, path);
+  take_dropped(f);
   options_.settle(f, job_.drawing());
   job_.follow(f, options_.wanted(), options_.version(), scale_of(f));
   facts_.follow(job_, options_.wanted());
@@ -60,6 +60,15 @@ void DrawingTab::draw_all(Frame& f) {
   draw_dialogs(f);
 }
 
+/// On a bus, whichever of its controllers was in front.
+void DrawingTab::take_dropped(Frame& f) {
+  const auto take = [&](Tab& tab) {
+    for (const auto& path : tab.desk().take_dropped("drawing")) open(f, path);
+  };
+  if (!f.tab.bus) return take(f.tab);
+  for (Tab* member : f.tab.bus->members) take(*member);
+}
+
 /// Units of the axes in a mm. Several controllers draw in mm.
 drawing::Point DrawingTab::scale_of(const Frame& f) const {
   const ConversionOptions& wanted = options_.wanted();
@@ -74,7 +83,7 @@ drawing::Point DrawingTab::scale_of(const Frame& f) const {
 PathSubject DrawingTab::subject_of(const Frame& f) {
   const DrawingJob::Made* made = job_.made();
   PathSubject subject;
-  if (made) subject.path = made->path;
+  if (made) subject.path = made->path, subject.commanded = made->meant;
   subject.none = job_.busy()      ? "It is being worked out."
                  : job_.drawing() ? "Nothing of it can be drawn as it is wanted."
                                   : "Open a DXF file, or let one fall on the window.";
@@ -145,7 +154,7 @@ std::string_view DrawingTab::why_not() const {
 std::string_view DrawingTab::why_no_use(const Frame& f, Use use) const {
   if (job_.drawing() && job_.busy()) return {};
   if (const auto why = why_not(); !why.empty()) return why;
-  if (together_ && use == Use::frame) return run_.why_no_trace(f);
+  if (together_ && use == Use::frame) return run_.why_no_trace(f, job_.made());
   if (together_) return "Several controllers draw it together: there is no one text for them.";
   return use == Use::program ? std::string_view(job_.made()->problem) : std::string_view();
 }

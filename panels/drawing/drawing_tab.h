@@ -28,6 +28,7 @@ class DrawingTab final : public gui::Panel {
   [[nodiscard]] PathSubject subject_of(const gui::Frame& frame);
   [[nodiscard]] drawing::Point scale_of(const gui::Frame& frame) const;
   void open(gui::Frame& frame, const std::filesystem::path& path);
+  void take_dropped(gui::Frame& frame);
   void draw_toolbar(gui::Frame& frame);
   void draw_picture(gui::Frame& frame, float width, float height);
   void draw_side(gui::Frame& frame, float height);

@@ -16,14 +16,13 @@ namespace {
 namespace seq = sequence;
 using namespace std::chrono_literals;
 
-constexpr double steps_per_mm = 200, radius = 2;
-constexpr int arcs = 1000;
+constexpr double steps_per_mm = 200, radius = 2, beside = 0.02;
 
 /// One chain of half circles in rows up and down, drawn at that speed in mm/s.
-seq::Sequence waves(double speed) {
+seq::Sequence waves(int arcs, double speed) {
   seq::Sequence drawing;
   drawing.axes = {{"X", steps_per_mm}, {"Y", steps_per_mm}};
-  drawing.tolerance = 0.02;
+  drawing.tolerance = beside;
   drawing.pen_down = {{seq::Output{1, true}}};
   drawing.pen_up = {{seq::Output{1, false}}};
   drawing.steps = {{seq::Pen{false}}, {seq::Speed{{speed, 1, 50}}}, {seq::Move{}}, {seq::Pen{true}}};
@@ -58,8 +57,8 @@ struct PmxBuffer : testing::Test {
     double took_s = 0;  ///< from the first row to the last
     std::string told;
   };
-  Drawn draw(double speed) {
-    auto pieces = session->type().language().in_pieces(waves(speed), session->catalog());
+  Drawn draw(int arcs, double speed) {
+    auto pieces = session->type().language().in_pieces(waves(arcs, speed), session->catalog());
     EXPECT_TRUE(pieces) << pieces.error().sentence();
     EXPECT_EQ(pieces->all.size(), 1u) << "the tool is not lifted";
     session->send(intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
@@ -91,9 +90,11 @@ struct PmxBuffer : testing::Test {
 };
 
 TEST_F(PmxBuffer, IsNeverEmptyWhileLinesLastLongerThanTheyTakeToBeSent) {
+  const int arcs = 5000;
   const double speed = 8;
-  const Drawn drawn = draw(speed);
-  EXPECT_GT(drawn.rows, 5 * arcs);
+  const Drawn drawn = draw(arcs, speed);
+  const double of_a_chord = 2 * std::acos(1 - beside / radius);
+  EXPECT_NEAR(drawn.rows, arcs * std::ceil(3.1416 / of_a_chord), 10) << "no finer than was asked for";
   EXPECT_EQ(drawn.stood, 0);
   EXPECT_EQ(drawn.told.find("slower"), std::string::npos) << drawn.told;
   const double way = arcs * radius * 3.1416;
@@ -101,8 +102,9 @@ TEST_F(PmxBuffer, IsNeverEmptyWhileLinesLastLongerThanTheyTakeToBeSent) {
 }
 
 TEST_F(PmxBuffer, IsNeverEmptySinceLinesThatAreTooShortGoSlowerAndThatIsSaid) {
+  const int arcs = 1000;
   const double speed = 60;
-  const Drawn drawn = draw(speed);
+  const Drawn drawn = draw(arcs, speed);
   EXPECT_EQ(drawn.stood, 0);
   EXPECT_NE(drawn.told.find("Short lines go slower than asked"), std::string::npos) << drawn.told;
   EXPECT_GT(drawn.took_s, 1.5 * arcs * radius * 3.1416 / speed);

@@ -76,6 +76,7 @@ class BusToyDriver final : public Driver {
     if (!sent) co_return fail(sent.error());
     co_return std::string();
   }
+  [[nodiscard]] LastWill last_will(unsigned) const override { return {}; }
   StopProgress stop_progress(const StopOrder&) override { return StopProgress::stands(); }
   void wire_lost() override { station_ = nullptr; }
   Task<Result<std::string>> query(std::string, Duration) override { co_return std::string(); }

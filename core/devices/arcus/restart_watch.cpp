@@ -38,9 +38,12 @@ void RestartWatch::goes_out(std::string_view command) {
     if (moves || (stops && std::exchange(axis.sent_away, false))) axis.may_have_left = true;
 }
 
-// No reading shows it yet, and the power may go before the next.
+// No reading shows it yet, and the power may go before the next; or it has come there by then.
 void RestartWatch::was_sent_to(int axis, Steps target) {
-  if (stood_) stood_->axes[ix(axis)].sent_away = target != Steps(0);
+  if (!stood_) return;
+  Stood::Axis& stood = stood_->axes[ix(axis)];
+  stood.sent_away = target != Steps(0);
+  stood.then.towards_zero = std::max(stood.then.towards_zero, ways_.axis_now(axis).towards_zero);
 }
 void RestartWatch::jogs(int axis, Sign way) {
   if (stood_ && stood_->axes[ix(axis)].position.value * factor(way) >= 0)

@@ -328,6 +328,7 @@ INSTANTIATE_TEST_SUITE_P(
     Each, DxfBad,
     testing::Values(BadFile{"CutOff", section("ENTITIES", line(0, 0, 1, 1)),
                             "a.dxf is cut off: it does not end with EOF."},
+                    BadFile{"NoDxf", "this is no drawing", "a.dxf is no DXF file"},
                     BadFile{"Empty", "", "a.dxf is empty."},
                     BadFile{"Binary", std::string("AutoCAD Binary DXF\r\n\x1a\0", 22), "binary DXF"},
                     BadFile{"Picture", "\x89PNG\r\n\x1a\n....", "line 1: a group code was expected here"},

@@ -39,6 +39,18 @@ TEST(SequencePath, ArcsAreChordsWhereTheMachineDrawsThem) {
   EXPECT_NEAR(path.points.back().y, 0, 1e-9);
 }
 
+TEST(SequencePath, AnArcLiesInItsOwnTwoAxes) {
+  Sequence s;
+  s.axes = {{"X"}, {"Y"}, {"Z"}};
+  s.steps = {to(10, 3), {Arc{0, 0, 90, {}, {0, 2}}}};
+  const ToolPath side = sequence_path_in(s, {0, 2, -1, {1, 1, 1}, 0, {}});
+  EXPECT_NEAR(side.points.back().x, 0, 1e-9);
+  EXPECT_NEAR(side.points.back().y, 10, 1e-9);
+  const ToolPath above = sequence_path(s, {1, 1});
+  EXPECT_NEAR(above.points.back().x, 0, 1e-9);
+  EXPECT_NEAR(above.points.back().y, 3, 1e-9) << "Y stays";
+}
+
 TEST(SequencePath, WithoutAPenAllOfItIsWork) {
   Sequence s;
   Repeat loop;

@@ -116,8 +116,8 @@ TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
   const double reach = static_cast<double>(catalog.position_max.value) / per_unit;
   const auto line = drawing::Curve::Kind::line;
   EXPECT_THAT(refusal({line, {0, 0}, {reach + 1, 0}, {}, 0}),
-              testing::ContainsRegex("[Ss]tep [0-9]+.*goes from"));
-  EXPECT_THAT(refusal({line, {0, 0}, {1e12, 0}, {}, 0}), testing::ContainsRegex("[Ss]tep [0-9]+.*goes from"));
+              testing::ContainsRegex("(Entity|[Ss]tep) [0-9]+.*goes from"));
+  EXPECT_THAT(refusal({line, {0, 0}, {1e12, 0}, {}, 0}), testing::ContainsRegex("(Entity|[Ss]tep) [0-9]+.*goes from"));
   for (const double far : {1e30, -1e300}) {
     const std::string said = refusal({line, {0, 0}, {far, 0}, {}, 0});
     EXPECT_THAT(said, HasSubstr(far > 0 ? "Entity 1, line 2 of the file, reaches to 1e+30 mm"
@@ -207,7 +207,20 @@ TEST(Conversion, AFileOfHalfAGigabyteIsNotRead) {
   const auto drawing = read_drawing(file, {}, {});
   std::filesystem::remove(file);
   ASSERT_FALSE(drawing);
-  EXPECT_THAT(drawing.error().sentence(), HasSubstr("large.dxf is larger than 256000 kB"));
+  EXPECT_THAT(drawing.error().sentence(), HasSubstr("large.dxf has 500 MB; more than 256 are not read."));
+}
+
+TEST_P(ConversionTest, WhatLiesBeyondTheControllersRangeIsNamedByItsEntityAndLine) {
+  const std::string header = pairs({{0, "SECTION"}, {2, "ENTITIES"}, {0, "CIRCLE"}, {8, "0"}});
+  const auto far =
+      drawing::read_dxf(header + "10\n0\n20\n0\n40\n2000000\n" + pairs({{0, "ENDSEC"}, {0, "EOF"}}), "a.dxf",
+                        drawing::Tolerance{1});
+  ASSERT_TRUE(far) << far.error().sentence();
+  o.drawing_unit = "mm", o.layers.clear();
+  const auto converted = convert(*far, catalog, o);
+  ASSERT_FALSE(converted) << "and no memory is filled with it before";
+  EXPECT_THAT(converted.error().sentence(), HasSubstr("Entity 1, line 6 of the file, reaches to"));
+  EXPECT_THAT(converted.error().sentence(), HasSubstr("a " + catalog.short_name + " goes from "));
 }
 
 TEST(Conversion, EveryUnitOfADxfFileHasALength) {

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "../drawing/dxf_table.h"
-#include "core/drawing/dxf_reader.h"
+#include "../drawing/drawable_files.h"
 #include "emulator_drawing.h"
 
 namespace hw {
@@ -18,79 +17,18 @@ void PrintTo(const Drawn& d, std::ostream* out) { *out << d.model << " " << d.fi
 
 struct DrawnFile : testing::TestWithParam<Drawn>, EmulatorDrawing {
   DrawnFile() : EmulatorDrawing(GetParam().model) { o.placing.origin = drawing::Placing::Origin::lower_left; }
-  drawing::Drawing read() const {
-    const std::string name = GetParam().file;
-    const std::filesystem::path file = std::filesystem::path(HW_TEST_DIR) / "core/drawing/files" / name;
-    auto read = drawing::read_dxf(drawing::text_of(file), name, drawing::Tolerance{*o.tolerance});
-    EXPECT_TRUE(read) << read.error().sentence();
-    if (read) read->unit = "mm";
-    return read ? *read : drawing::Drawing();
-  }
 };
 
 TEST_P(DrawnFile, IsDrawnThroughEveryVertexAndNowhereElse) {
-  ASSERT_NO_FATAL_FAILURE(draw(read()));
+  ASSERT_NO_FATAL_FAILURE(draw(read_drawable(GetParam().file, *o.tolerance)));
   expect_every_vertex();
   expect_nothing_beside();
 }
 
-/// Of each kind of what files hold; own, of other software, and of each age.
-constexpr const char* files[] = {"ezdxf/lines_and_arcs_r2000.dxf",
-                                 "ezdxf/lines_and_arcs_r2018.dxf",
-                                 "ezdxf/seen_from_below_r12.dxf",
-                                 "ezdxf/seen_from_below_r2018.dxf",
-                                 "ezdxf/blocks_r2018.dxf",
-                                 "ezdxf/light_polylines_r2000.dxf",
-                                 "ezdxf/stretched_r12.dxf",
-                                 "ezdxf/stretched_r2007.dxf",
-                                 "ezdxf/ellipses_r2007.dxf",
-                                 "ezdxf/splines_r2000.dxf",
-                                 "other/inkscape_r14.dxf",
-                                 "other/librecad_drawn.dxf",
-                                 "other/librecad_saved.dxf",
-                                 "own/arcs.dxf",
-                                 "own/arcs_below.dxf",
-                                 "own/arcs_new.dxf",
-                                 "own/behind_the_end.dxf",
-                                 "own/blanks.dxf",
-                                 "own/bulges.dxf",
-                                 "own/bulges_as_good_as_none.dxf",
-                                 "own/byte_order_mark.dxf",
-                                 "own/circles.dxf",
-                                 "own/comments.dxf",
-                                 "own/dimensions.dxf",
-                                 "own/ellipse_parts.dxf",
-                                 "own/ellipses_below.dxf",
-                                 "own/ends_of_lines.dxf",
-                                 "own/filled.dxf",
-                                 "own/in_space.dxf",
-                                 "own/inserts.dxf",
-                                 "own/inserts_below.dxf",
-                                 "own/inserts_in_rows.dxf",
-                                 "own/inserts_mirrored.dxf",
-                                 "own/inserts_nested.dxf",
-                                 "own/inserts_sheared.dxf",
-                                 "own/inserts_stretched.dxf",
-                                 "own/layers.dxf",
-                                 "own/lines.dxf",
-                                 "own/old_polylines.dxf",
-                                 "own/on_the_sheet.dxf",
-                                 "own/only_entities.dxf",
-                                 "own/passed_over.dxf",
-                                 "own/points.dxf",
-                                 "own/polylines.dxf",
-                                 "own/polylines_in_space.dxf",
-                                 "own/polylines_of_programs.dxf",
-                                 "own/splines.dxf",
-                                 "own/splines_closed.dxf",
-                                 "own/splines_through_points.dxf",
-                                 "own/splines_weighted.dxf",
-                                 "own/texts.dxf"};
-
 std::vector<Drawn> drawn_files() {
   std::vector<Drawn> all;
   for (const char* model : {"vxm", "pmx-4ex-sa", "vme58"})
-    for (const char* file : files) all.push_back({model, file});
+    for (const char* file : drawable_files) all.push_back({model, file});
   return all;
 }
 

@@ -64,6 +64,38 @@ TEST(Profile, DamagedFileIsPutAsideWithASentence) {
   }
 }
 
+TEST(Profile, OfBeforeThereWereVersionsIsRead) {
+  test::Folder folder;
+  const ProfileStore store(UserFolders::below(folder.path()));
+  folder.put("config/profiles/" + file_name_for("k") + ".json",
+             R"({"controller": "k", "name": "VXM stage", "unit": "mm", "axes": [{"name": "across"}]})");
+  const auto loaded = store.load("k");
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->name, "VXM stage");
+  EXPECT_EQ(loaded->axes[0].name, "across");
+}
+
+TEST(Profile, CarriesTheVersionOfItsForm) {
+  test::Folder folder;
+  ASSERT_TRUE(ProfileStore(UserFolders::below(folder.path())).save("k", stage()));
+  EXPECT_THAT(folder.get("config/profiles/" + file_name_for("k") + ".json"), HasSubstr("\"version\": 1"));
+}
+
+TEST(Profile, OfANewerHandwheelIsKeptWhole) {
+  test::Folder folder;
+  const ProfileStore store(UserFolders::below(folder.path()));
+  const std::string file = "config/profiles/" + file_name_for("k") + ".json";
+  const std::string bytes = R"({"version": 2, "name": {"first": "VXM", "last": "stage"}})";
+  folder.put(file, bytes);
+  const auto loaded = store.load("k");
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().sentence(),
+              HasSubstr("A newer version of Handwheel has written the name and units"));
+  EXPECT_THAT(loaded.error().sentence(), HasSubstr(".newer, and a new one begins"));
+  ASSERT_TRUE(store.save("k", stage()));
+  EXPECT_EQ(folder.get(file + ".newer"), bytes);
+}
+
 TEST(Autosave, UnsavedTextsComeBackAndGo) {
   test::Folder folder;
   const Autosave autosave(UserFolders::below(folder.path()));
@@ -74,6 +106,19 @@ TEST(Autosave, UnsavedTextsComeBackAndGo) {
   ASSERT_TRUE(autosave.keep("/dev/ttyUSB0", {}));
   EXPECT_TRUE(autosave.restore("/dev/ttyUSB0")->empty());
   EXPECT_EQ(folder.files(), 0);
+}
+
+TEST(Autosave, TextsCarryAVersionAndOlderOnesComeBack) {
+  test::Folder folder;
+  const Autosave autosave(UserFolders::below(folder.path()));
+  const std::string file = "state/unsaved/" + file_name_for("k") + ".json";
+  folder.put(file, R"({"controller": "k", "texts": [{"slot": 2, "text": "I1M400", "path": ""}]})");
+  const auto old = autosave.restore("k");
+  ASSERT_TRUE(old);
+  EXPECT_EQ(*old, (std::vector<UnsavedText>{{2, "I1M400", ""}}));
+  ASSERT_TRUE(autosave.keep("k", *old));
+  EXPECT_THAT(folder.get(file), HasSubstr("\"version\": 1"));
+  EXPECT_EQ(*autosave.restore("k"), *old);
 }
 
 TEST(Autosave, DamagedFileIsPutAside) {
@@ -108,6 +153,34 @@ TEST(Recent, KeepsTheLastTwelve) {
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(recent.opened("vxm@tcp:h:" + std::to_string(i), ""));
   EXPECT_EQ(recent.list().size(), RecentConnections::capacity);
   EXPECT_EQ(recent.list().front().address, "vxm@tcp:h:19");
+}
+
+TEST(Recent, KnowsWhatTheLastRunHasOpened) {
+  test::Folder folder;
+  const UserFolders folders = UserFolders::below(folder.path());
+  {
+    RecentConnections first(folders);
+    ASSERT_TRUE(first.opened("vxm@tcp:old:1", ""));
+  }
+  {
+    RecentConnections second(folders);
+    ASSERT_TRUE(second.load());
+    ASSERT_TRUE(second.opened("vxm@emulator", ""));
+    ASSERT_TRUE(second.opened("vxm@serial:/dev/ttyUSB0", ""));
+    EXPECT_TRUE(second.is_of_last_time("vxm@tcp:old:1")) << "what is opened now is of this time";
+    EXPECT_FALSE(second.is_of_last_time("vxm@emulator"));
+  }
+  {
+    RecentConnections idle(folders);  // it opens nothing, and forgets nothing
+    ASSERT_TRUE(idle.load());
+    ASSERT_TRUE(idle.renamed("vxm@emulator", "Bench"));
+  }
+  RecentConnections now(folders);
+  ASSERT_TRUE(now.load());
+  const std::vector<std::string> both = {"vxm@serial:/dev/ttyUSB0", "vxm@emulator"};
+  EXPECT_EQ(now.last_time(), both);
+  ASSERT_TRUE(now.remove("vxm@emulator"));
+  EXPECT_EQ(now.last_time(), std::vector<std::string>{"vxm@serial:/dev/ttyUSB0"});
 }
 
 TEST(Recent, DamagedFileIsPutAside) {
