@@ -12,8 +12,10 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/device/backlash.h"
 #include "core/device/travel.h"
 #include "core/device/trust.h"
+#include "core/time/clock.h"
 
 namespace hw {
 
@@ -49,18 +51,33 @@ enum class Closing : std::uint8_t {
   stay    ///< it stays: the place where it stands becomes its command first
 };
 
+/// Of one motion, in the controller's own unit: see DeviceType::acceleration. None: as the controller is set.
+using Acceleration = std::optional<std::int64_t>;
+
+/// How fast a motion goes, and how it comes there. What it sets is given back behind it.
+struct Pace {
+  Pps speed;  ///< 0: as the controller is set
+  Acceleration acceleration = {};
+};
+
 struct MoveTo {
   std::vector<AxisTarget>
-      targets;                 ///< absolute; several axes: together where the controller can, else in order
-  Pps speed;                   ///< 0: as the controller is set
-  bool despite_doubt = false;  ///< this once, although a position is not to be trusted; see PositionTrust
+      targets;  ///< absolute; several axes: together where the controller can, else in order
+  Pps speed;    ///< 0: as the controller is set
+  Acceleration acceleration = {};  ///< see Pace
+  bool despite_doubt = false;      ///< this once, although a position is not to be trusted; see PositionTrust
   explicit MoveTo(std::vector<AxisTarget> t, Pps s = {}) : targets(std::move(t)), speed(s) {}
 };
 struct MoveBy {
   std::vector<AxisTarget> distances;
   Pps speed;
+  Acceleration acceleration = {};
   explicit MoveBy(std::vector<AxisTarget> d, Pps s = {}) : distances(std::move(d)), speed(s) {}
 };
+template <class Motion>
+[[nodiscard]] Pace pace_of(const Motion& motion) {
+  return {motion.speed, motion.acceleration};
+}
 /// Continuous jog. Whoever holds it sends JogKeepAlive at least every 250 ms, else the pump stops the axis.
 struct JogStart {
   AxisId axis;
@@ -70,6 +87,7 @@ struct JogStart {
   /// The end of the user's travel that way, which the pump fills in: the jog is sent as a move there, so that
   /// the controller ends it whatever becomes of the console.
   std::optional<Steps> up_to;
+  Acceleration acceleration = {};
   JogStart(AxisId a, Sign s, Pps v = {}, bool guarded = true)
       : axis(a), sign(s), speed(v), dead_man(guarded) {}
 };
@@ -82,6 +100,7 @@ struct Home {
   AxisId axis;
   Sign sign;
   int mode;  ///< index into Catalog::homing_modes
+  Pace pace = {};
   Home(AxisId a, Sign s, int m = 0) : axis(a), sign(s), mode(m) {}
 };
 /// Ramp down. Always goes out first. On an axis that is already stopping, or asked twice: at once, without
@@ -119,6 +138,12 @@ struct SetTravel {
   AxisId axis;
   Travel travel;
   SetTravel(AxisId a, Travel t) : axis(a), travel(t) {}
+};
+/// How the play of an axis is taken up by moves from now on. Nothing is sent.
+struct SetBacklash {
+  AxisId axis;
+  Backlash backlash;
+  SetBacklash(AxisId a, Backlash b) : axis(a), backlash(b) {}
 };
 /// Makes the present encoder count read `value`.
 struct SetEncoder {
@@ -265,7 +290,7 @@ struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
 using IntentBody =
     std::variant<intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop,
                  intent::Home, intent::Stop, intent::Abort, intent::SetPosition, intent::TrustPosition,
-                 intent::RecallPositions, intent::SetTravel, intent::SetEncoder, intent::SetPower,
+                 intent::RecallPositions, intent::SetTravel, intent::SetBacklash, intent::SetEncoder, intent::SetPower,
                  intent::SetOutput, intent::SetParam, intent::ReadParams, intent::ReadAnalog, intent::Store,
                  intent::SelectProgram, intent::LoadProgram, intent::UploadProgram, intent::ClearProgram,
                  intent::RunProgram, intent::Pause, intent::Resume, intent::SingleStep, intent::HaltProgram,
@@ -293,7 +318,8 @@ inline void asked_by(IntentBody& body, StoppedBy who) {
 struct Intent {
   IntentId id = 0;
   IntentBody body;
-  Intent(IntentId i, IntentBody b) : id(i), body(std::move(b)) {}
+  Instant asked_at{};  ///< by a hand or a script, on its own thread; 0: not told
+  Intent(IntentId i, IntentBody b, Instant at = {}) : id(i), body(std::move(b)), asked_at(at) {}
 };
 
 }  // namespace hw

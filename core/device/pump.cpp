@@ -31,6 +31,7 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
         if (!station_) return;
         const bool silent = station_->heard_at() < outage_.attempt_at();
         if (!silent && !outage_.takes_too_long(scheduler_.now())) return silence_.arm(outage_.latest());
+        pump_log().debug("{}: nothing comes while a stop is owed; connecting begins anew", Whose{catalog_});
         station_->preempt();
       }) {
   draft_.axis_count = static_cast<int>(catalog.axes.size());
@@ -43,6 +44,7 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
   };
   driver_ = type.make_driver(
       DriverContext{scheduler, catalog_, draft_, texts_, ways_.notify, changed, ways_.sample});
+  will_ = std::make_unique<JogWill>(*driver_);
   if (ways_.line) ways_.line->join(*this, catalog_.address);
 }
 
@@ -208,6 +210,7 @@ void Pump::connection_made() {
   if (outage_.end(draft_))  // what runs now is somebody else's
     desk_.orders().remove_if(
         [](const StopOrder& order) { return order.told && order.what != StopOrder::What::tool; });
+  pump_log().debug("{}: connected at attempt {}", Whose{catalog_}, draft_.link.attempts);
   draft_.link.state = LinkState::good;
   draft_.link.when_lost = UnderWay();
   draft_.link.attempts = 0;
@@ -255,6 +258,9 @@ void Pump::lose_wire(const Fault& why) {
   }
   draft_.link.state = LinkState::lost;
   draft_.link.sentence = why.sentence();
+  pump_log().debug("{}: lost: {}", Whose{catalog_}, draft_.link.sentence.view());
+  if (will_->may_be_carried_out())  // the wire may be back before anybody has read why it was given up
+    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), why.sentence()));
   pieces_.end();
   owe_stops_at_loss(why);
   jogs_.stop(-1);
@@ -338,6 +344,7 @@ void Pump::poll_finished(const Result<>& result) {
     look_at_stops();
   else
     desk_.send_all_again();  // nothing shows that they have arrived
+  if (!result) driver_log(catalog_).debug("{}: round failed: {}", Whose{catalog_}, result.error().sentence());
   if (result) tell_what_came_of_the_loss();
   const bool understood =
       result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);
@@ -380,11 +387,14 @@ void Pump::set_fate(IntentId id, Fate fate, std::string_view sentence) {
   IntentFate told;
   told.id = id;
   told.fate = fate;
+  if (fate == Fate::failed) told.kind = FaultKind::controller;
   told.sentence = sentence;
   set_fate(told);
 }
 
 void Pump::set_fate(const IntentFate& told) {
+  if (told.fate == Fate::refused || told.fate == Fate::failed)
+    pump_log().debug("{}: command {} not done: {}", Whose{catalog_}, told.id, told.sentence.view());
   if (told.id == 0) return;
   auto& fates = draft_.fates;
   auto at = std::find_if(fates.begin(), fates.end(), [&](const IntentFate& f) { return f.id == told.id; });
@@ -402,13 +412,15 @@ void Pump::tell_fault(IntentId id, const Fault& fault, IntentFate told) {
   told.id = id;
   told.asks = fault.kind == FaultKind::asks;
   told.fate = told.asks || fault.kind == FaultKind::refused ? Fate::refused : Fate::failed;
-  told.sentence = fault.sentence();
+  told.tell(fault);
   set_fate(told);
 }
 
 void Pump::publish() {
   ++draft_.sequence;
   draft_.at = scheduler_.now();
+  keep_will();
+  draft_.link.jog_ends = station_ ? station_->jog_ends() : JogEnds::by_nobody;
   endings_.look(draft_);
   if (std::string passed = travel_.look(draft_); !passed.empty())
     ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(passed)));

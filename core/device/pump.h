@@ -10,6 +10,7 @@
 #include "core/device/ending_watch.h"
 #include "core/device/held_jogs.h"
 #include "core/device/job_queue.h"
+#include "core/device/jog_will.h"
 #include "core/device/line.h"
 #include "core/device/outage.h"
 #include "core/device/piece_run.h"
@@ -155,6 +156,8 @@ class Pump {
   Result<> trust_position(AxisId axis);
   void recall_positions(const std::vector<KeptPosition>& kept);
   void set_travel(IntentId id, const intent::SetTravel& wish);
+  void set_backlash(IntentId id, const intent::SetBacklash& wish);
+  Result<> take_up_backlash(IntentBody& body, IntentFate& told) const;
   [[nodiscard]] Result<> admit(Job& job, IntentFate& told) const;
   Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
                                                  Duration patience);
@@ -163,6 +166,7 @@ class Pump {
   void refuse_queued(std::string_view why);
   void refuse(std::unique_ptr<Job> job, std::string_view why);
   void hold_jog(const Intent& intent);
+  void keep_will();
   void release_jogs(const StopOrder& order);
   bool withdraw_waiting_jog();
   void jog_not_begun(const Intent& intent);
@@ -188,6 +192,7 @@ class Pump {
   TravelWatch travel_;
   std::unique_ptr<Driver> driver_;
   std::unique_ptr<Station> station_;
+  std::unique_ptr<JogWill> will_;
   Event wake_, published_, ended_;
   Timer silence_;   ///< while a stop is owed: a controller from which nothing comes is told again
   int asking_ = 0;  ///< coroutines that wait here for an answer

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/backlash_moves.h"
 #include "core/device/pump_job.h"
 #include "core/device/refusals.h"
 
@@ -49,6 +50,8 @@ void Pump::post(Intent intent) {
     return;
   }
   if (const auto* wish = std::get_if<intent::SetTravel>(&intent.body)) return set_travel(intent.id, *wish);
+  if (const auto* wish = std::get_if<intent::SetBacklash>(&intent.body))
+    return set_backlash(intent.id, *wish);
   if (std::holds_alternative<intent::SendText>(intent.body)) return post_text(std::move(intent));
   if (leaves()) {
     set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
@@ -140,6 +143,14 @@ void Pump::hold_jog(const Intent& intent) {
   if (jog) jogs_.begin(intent.id, jog->axis.index, jog->dead_man);
 }
 
+/// Left just before a held jog goes out, taken back when its stop is over. One that waits for its turn has
+/// none: what moves then is no jog.
+void Pump::keep_will() {
+  const bool has_wire = station_ && station_->is_open();
+  const unsigned held = jogs_.guarded_axes_if([this](IntentId id) { return !jobs_.has(id); });
+  will_->follow(held, desk_.any(), has_wire ? station_.get() : nullptr);
+}
+
 // Halting one of several threads leaves the motion alone, and a stop of one axis the others: what else is
 // held stays guarded.
 void Pump::release_jogs(const StopOrder& order) {
@@ -191,6 +202,8 @@ void Pump::jog_failed(const Intent& intent, FaultKind kind) {
 }
 
 void Pump::jog_let_go() {
+  pump_log().debug("{}: nobody has kept the jog alive for {} ms", Whose{catalog_},
+                   dead_man.count() / 1'000'000);
   ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                       "The console did not hold the jog any more, so the axis was stopped."));
   StopOrder lets_go;
@@ -212,6 +225,7 @@ void Pump::stop_jogs_out_of_sight() {
 
 void Pump::refuse_queued(std::string_view why) {
   if (jobs_.empty()) return;
+  pump_log().debug("{}: all that waits is dropped: {}", Whose{catalog_}, why);
   for (auto& job : jobs_.take_all()) refuse(std::move(job), why);
   publish();
 }
@@ -269,6 +283,26 @@ void Pump::set_travel(IntentId id, const intent::SetTravel& wish) {
   publish();
 }
 
+void Pump::set_backlash(IntentId id, const intent::SetBacklash& wish) {
+  const std::string why_not = say_no_backlash(wish, catalog_.axes.size());
+  if (why_not.empty()) draft_.axes[wish.axis.index].backlash = wish.backlash;
+  set_fate(id, why_not.empty() ? Fate::done : Fate::refused, why_not);
+  publish();
+}
+
+/// The place from where it is taken up has to lie within the travel too.
+Result<> Pump::take_up_backlash(IntentBody& body, IntentFate& told) const {
+  auto in_two = with_backlash_taken_up(draft_, body);
+  if (!in_two) return {};
+  told.past = past_travel(catalog_, draft_, *in_two->pieces->all[0].does[0].what);
+  if (told.past)
+    return fail(FaultKind::refused,
+                fmt::format("To take its backlash up the move begins at a place that cannot be reached. {}",
+                            say_past(catalog_, *told.past, words_in_steps(catalog_, draft_).position)));
+  body = std::move(*in_two);
+  return {};
+}
+
 /// What no driver is asked for is refused here, see refusals.h and travel_check.h; a jog gets its end.
 /// `told`: what a sentence in other units needs.
 Result<> Pump::admit(Job& job, IntentFate& told) const {
@@ -287,7 +321,7 @@ Result<> Pump::admit(Job& job, IntentFate& told) const {
   if (auto* jog = std::get_if<intent::JogStart>(&body))
     if (std::string end = bound_by_travel(catalog_, draft_, *jog); !end.empty())
       return fail(FaultKind::refused, std::move(end));
-  return {};
+  return take_up_backlash(body, told);
 }
 
 /// A text to all controllers of a wire that was asked for before a stop of one of them, or while one is being
@@ -304,6 +338,7 @@ Result<> Pump::may_go_to_all(const Job& job) const {
 
 Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = jobs_.begin();
+  keep_will();
   count_program_change(job->intent);
   IntentFate told;
   const std::uint64_t epoch = desk_.epoch();
@@ -329,6 +364,7 @@ Task<> Pump::perform_next() {
     performed = co_await perform_beside_pieces(job->intent.body);
   }
   jobs_.end();
+  if (!performed) driver_log(catalog_).debug("{}: {}", Whose{catalog_}, performed.error().sentence());
   if (performed && draft_.restarts != restarts && restarts_it(*job)) jobs_.restart_was_asked(draft_.restarts);
   if (job->is_query) {
     job->answered = true;

@@ -19,6 +19,13 @@ class Emulator;
 /// key=value options of an address ("motors" -> "4"). Keys are known to the device type or to the transport.
 using DeviceOptions = std::map<std::string, std::string>;
 
+/// What intent::Acceleration counts, as the maker has it.
+struct AccelerationUnit {
+  std::string_view unit;     ///< "ms"
+  std::string_view meaning;  ///< what the number says, and of what; a sentence
+  std::int64_t minimum = 0, maximum = 0;
+};
+
 struct DeviceType {
   std::string_view model;
   Result<Catalog> (*make_catalog)(const DeviceOptions&);
@@ -31,6 +38,9 @@ struct DeviceType {
   /// Where several devices can share a line, NN in it stands for the two digits of the one that is asked.
   std::string_view probe;
   bool (*recognises)(std::string_view reply);
+  AccelerationUnit acceleration = {};
+  /// Whether an answer is the controller's own "no" to what was sent. Null: it has no such answers.
+  bool (*refuses)(std::string_view reply) = nullptr;
 };
 
 /// In the order of the address table. From core/devices/registry.cpp.

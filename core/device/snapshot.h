@@ -9,10 +9,12 @@
 #include <string>
 
 #include "core/base/fixed_text.h"
+#include "core/base/result.h"
 #include "core/base/units.h"
 #include "core/device/intent.h"
 #include "core/device/travel.h"
 #include "core/device/trust.h"
+#include "core/link/wire_share.h"
 #include "core/time/clock.h"
 
 namespace hw {
@@ -64,6 +66,7 @@ struct AxisState {
   bool position_known = false;  ///< false: never read, or not true any more since a loss or reset
   PositionTrust trust;          ///< of what is known
   Travel travel;                ///< the user's; see travel_holds()
+  Backlash backlash;            ///< the user's
   Activity activity = Activity::unknown;
   Phase phase = Phase::unknown;
   AxisError error = AxisError::none;
@@ -149,12 +152,32 @@ struct TransferState {
 /// What became of the newest intents; a panel finds its own by id.
 enum class Fate : std::uint8_t { pending, done, refused, failed };
 struct IntentFate {
+  static constexpr std::size_t sentence_room = 320;
   IntentId id = 0;
   Fate fate = Fate::pending;
-  FixedText<320> sentence;              ///< refused or failed: Fault::sentence()
+  FaultKind kind = FaultKind::refused;  ///< refused or failed: of the fault
+  FixedText<sentence_room> sentence;    ///< the same: Fault::sentence()
+  std::uint16_t advice_at = 0;          ///< where in the sentence Fault::advice begins; 0: there is none
   bool asks = false;                    ///< refused until intent::Closing says what is to be done
   std::uint32_t doubtful = 0;           ///< refused for it: bit per axis whose position is not to be trusted
   std::optional<PastTravel> past = {};  ///< refused for it
+
+  void tell(const Fault& fault) {
+    const std::string whole = fault.sentence();
+    const std::size_t at = whole.size() - fault.advice.size();
+    const bool apart = !fault.advice.empty() && at > 0 && whole.size() <= sentence_room;
+    kind = fault.kind;
+    sentence = whole;
+    advice_at = static_cast<std::uint16_t>(apart ? at : 0);
+  }
+  /// What was told, as far as it is known; its sentence is the same.
+  [[nodiscard]] Fault fault() const {
+    if (advice_at == 0) return {kind, std::string(sentence.view())};
+    return {kind,
+            std::string(sentence.view().substr(0, advice_at - 1u)),
+            {},
+            std::string(sentence.view().substr(advice_at))};
+  }
   bool operator==(const IntentFate&) const = default;
 };
 
@@ -230,6 +253,7 @@ struct LinkHealth {
   FixedText<640> sentence;  ///< why it is late, lost or closed; what is being done
   /// When the link was lost; nothing any more when it is good again.
   UnderWay when_lost;
+  JogEnds jog_ends = JogEnds::by_nobody;  ///< a held one, when this program dies
 
   [[nodiscard]] bool connected() const { return state == LinkState::good || state == LinkState::late; }
 };

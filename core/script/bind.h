@@ -11,12 +11,12 @@ namespace hw::script {
 void bind_hw(lua_State* L);          ///< `hw`, `print`
 void bind_controller(lua_State* L);  ///< methods of what hw.open() gives
 std::span<const Function> motion_methods(), text_methods(), status_methods(), setup_methods(),
-    program_methods(), trust_methods(), place_methods(), upkeep_methods(),
-    watch_methods();                         ///< of them, by subject
-void bind_bench(lua_State* L);               ///< methods of its `bench`
-void bind_tasks(lua_State* L);               ///< `hw.spawn` and what waits; needs bind_hw
-std::span<const Function> file_functions();  ///< of `hw`: files and arguments
-void bind_watches(lua_State* L);             ///< what c:on and c:wait_until run on
+    program_methods(), trust_methods(), place_methods(), upkeep_methods(), watch_methods(),
+    unit_methods();             ///< of them, by subject
+void bind_bench(lua_State* L);  ///< methods of its `bench`
+void bind_tasks(lua_State* L);  ///< `hw.spawn` and what waits; needs bind_hw
+std::span<const Function> file_functions(), argument_functions();  ///< of `hw`
+void bind_watches(lua_State* L);                                   ///< what c:on and c:wait_until run on
 
 inline constexpr const char *controller_type = "controller", *bench_type = "bench";
 // Metamethods of both.
@@ -46,8 +46,11 @@ OneAxis one_axis(const Call& call, int argument, const char* function);
 /// The same for a key of a table, at `place` of the stack.
 OneAxis one_axis_at(const Call& call, int place, const char* function);
 
-/// With what the fault itself does not say.
-Refusal refusal_of(const Fault& fault, const Session& session, std::string axis);
+/// Whether what a method was called on is a bus, or one of its devices.
+bool is_on_bus(const Call& call);
+
+/// With what the fault itself does not say. On a bus the sentence begins with the id of the device.
+Refusal refusal_of(const Fault& fault, const Session& session, std::string axis, bool on_bus);
 /// Sends an intent, waits for its outcome: true, or nil and the reason.
 int perform(Call& call, SessionPtr session, IntentBody body);
 int perform(Call& call, IntentBody body);

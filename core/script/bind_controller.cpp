@@ -8,7 +8,7 @@ void bind_controller(lua_State* L) {
   lua_newtable(L);
   for (const auto methods :
        {motion_methods(), text_methods(), status_methods(), setup_methods(), program_methods(),
-        trust_methods(), place_methods(), upkeep_methods(), watch_methods()})
+        trust_methods(), place_methods(), upkeep_methods(), watch_methods(), unit_methods()})
     add_functions(L, methods, 1);
   lua_pushcclosure(L, index_handle, 1);
   lua_setfield(L, -2, "__index");

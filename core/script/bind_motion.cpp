@@ -1,6 +1,7 @@
 // Methods of a controller that move its axes, stop them, and wait for them.
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -26,24 +27,39 @@ struct ById {  // the same order in every run
 using Targets = std::map<SessionPtr, std::vector<AxisTarget>, ById>;
 
 // {[1]=400} or {X=1000, Y=0}, put into the catalog's order; on a bus {["01"]=400}. Not empty: why not.
-std::string read_targets(const Call& call, int argument, Targets& targets) {
+std::string read_targets(const Call& call, int argument, const Counting& counting, Targets& targets) {
   const int table = call.place(argument);
   if (!lua_istable(call.L, table)) throw Misuse("the targets must be a table like {[1]=400}");
   lua_pushnil(call.L);
   while (lua_next(call.L, table)) {
     const OneAxis one = one_axis_at(call, lua_absindex(call.L, -2), "targets");
-    int whole = 0;
-    const lua_Integer steps = lua_tointegerx(call.L, -1, &whole);
-    if (!whole) throw Misuse("a target must be a whole number of steps");
-    lua_pop(call.L, 1);
     if (one.index < 0) return one.refusal;
-    targets[one.session].push_back(AxisTarget{id_of(one.index), Steps(steps)});
+    const Steps steps = counting.steps(call, lua_absindex(call.L, -1), one, "a target");
+    lua_pop(call.L, 1);
+    targets[one.session].push_back(AxisTarget{id_of(one.index), steps});
   }
   if (targets.empty()) throw Misuse("the table of targets is empty");
   for (auto& [session, own] : targets)
     std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.axis < b.axis; });
   return {};
 }
+
+// ---- the pace of a motion
+
+/// How many steps a unit of the speed is: of several axes together there is one speed.
+double common_unit(const Call& call, const Counting& counting, const Targets& targets) {
+  std::optional<double> common;
+  for (const auto& [session, own] : targets)
+    for (const AxisTarget& target : own) {
+      const double steps = counting.steps_per_unit(call, OneAxis{session, target.axis.index, {}});
+      if (common && *common != steps)
+        throw Misuse("a speed in units needs axes of one unit: give it in steps/s, without unit=true");
+      common = steps;
+    }
+  return common.value_or(1);
+}
+
+const std::vector<std::string> pace_options{"speed", "acceleration", "unit"};
 
 // ---- moves
 
@@ -53,7 +69,7 @@ std::string name_of_axis(const Session& session, AxisId axis) {
 
 // All begin before the first is waited for.
 template <class Move>
-Task<Answer> move_all(Targets targets, Pps speed) {
+Task<Answer> move_all(Targets targets, intent::Pace pace, bool on_bus) {
   struct UnderWay {
     SessionPtr session;
     IntentId id;
@@ -62,34 +78,48 @@ Task<Answer> move_all(Targets targets, Pps speed) {
   std::vector<UnderWay> under_way;
   for (auto& [session, own] : targets)
     under_way.push_back({session, 0, own.size() == 1 ? name_of_axis(*session, own.front().axis) : ""});
-  for (UnderWay& one : under_way) one.id = one.session->post(Move(std::move(targets[one.session]), speed));
+  for (UnderWay& one : under_way) {
+    Move body(std::move(targets[one.session]), pace.speed);
+    body.acceleration = pace.acceleration;
+    one.id = one.session->post(std::move(body));
+  }
   std::optional<Refusal> first;
   for (const UnderWay& one : under_way) {
     const auto moved = co_await one.session->outcome(one.id);
-    if (!first && !moved) first = refusal_of(moved.error(), *one.session, one.axis);
+    if (!first && !moved) first = refusal_of(moved.error(), *one.session, one.axis, on_bus);
   }
   co_return first ? answer_refused(std::move(*first)) : answer_yes();
 }
 
 template <class Move>
 int move(Call& call) {
-  const Pps speed = Options(call, 2, "move", {"speed"}).speed();
+  const Options options(call, 2, "move", pace_options);
+  const Counting counting = options.counting();
   Targets targets;
-  if (const std::string why = read_targets(call, 1, targets); !why.empty()) return call.refuse(why);
-  return call.wait(move_all<Move>(std::move(targets), speed));
+  if (const std::string why = read_targets(call, 1, counting, targets); !why.empty()) return call.refuse(why);
+  intent::Pace pace{options.speed(), options.acceleration()};
+  if (pace.speed.value > 0) pace.speed = options.speed(common_unit(call, counting, targets));
+  return call.wait(move_all<Move>(std::move(targets), pace, is_on_bus(call)));
 }
 
-/// A bare number, or {speed=}.
-Pps jog_speed(const Call& call, int argument) {
-  const bool bare = call.has(argument) && !lua_istable(call.L, call.place(argument));
-  return bare ? Pps(call.number(argument, "speed")) : Options(call, argument, "jog", {"speed"}).speed();
+intent::Pace pace_of_axis(const Call& call, const Options& options, const OneAxis& one) {
+  return {options.speed(options.counting().steps_per_unit(call, one)), options.acceleration()};
 }
 
+/// A bare speed, or a table of options.
 int jog(Call& call) {
   const OneAxis one = one_axis(call, 1, "jog");
-  const Pps speed = jog_speed(call, 3);
+  const Sign sign = sign_of(call, 2);
+  const bool bare = call.has(3) && !lua_istable(call.L, call.place(3));
+  intent::Pace pace;
+  if (bare)
+    pace.speed = Pps(call.number(3, "speed"));
+  else if (const Options options(call, 3, "jog", pace_options); one.index >= 0)
+    pace = pace_of_axis(call, options, one);
   if (one.index < 0) return call.refuse(one.refusal);
-  return perform(call, one.session, intent::JogStart(id_of(one.index), sign_of(call, 2), speed, false));
+  intent::JogStart body(id_of(one.index), sign, pace.speed, false);
+  body.acceleration = pace.acceleration;
+  return perform(call, one.session, std::move(body));
 }
 
 /// By id, by the maker's word, or by its number, which is its place. -1: none.
@@ -108,25 +138,28 @@ std::string no_such_homing(const std::vector<HomingMode>& modes, const std::stri
                      did_you_mean(wanted, ids));
 }
 
-/// The bare word, or {mode=}.
-std::optional<std::string> wanted_homing(const Call& call, int argument) {
-  if (lua_istable(call.L, call.place(argument)))
-    return Options(call, argument, "home", {"mode"}).text("mode");
-  if (!call.has(argument)) return {};
-  return call.text(argument, "mode");
-}
-
+/// The mode by its bare word, or a table of options.
 int home(Call& call) {
   const OneAxis one = one_axis(call, 1, "home");
-  const auto wanted = wanted_homing(call, 3);
+  const bool bare = call.has(3) && !lua_istable(call.L, call.place(3));
+  std::optional<std::string> wanted;
+  intent::Pace pace;
+  if (bare) {
+    wanted = call.text(3, "mode");
+  } else {
+    const Options options(call, 3, "home", {"mode", "speed", "acceleration", "unit"});
+    wanted = options.text("mode");
+    if (one.index >= 0) pace = pace_of_axis(call, options, one);
+  }
   if (one.index < 0) return call.refuse(one.refusal);
-  int mode = 0;
+  intent::Home body(id_of(one.index), sign_of(call, 2));
+  body.pace = pace;
   if (wanted) {
     const auto& modes = one.session->catalog().homing_modes;
-    mode = homing_mode(modes, *wanted);
-    if (mode < 0) return call.refuse(no_such_homing(modes, *wanted));
+    body.mode = homing_mode(modes, *wanted);
+    if (body.mode < 0) return call.refuse(no_such_homing(modes, *wanted));
   }
-  return perform(call, one.session, intent::Home(id_of(one.index), sign_of(call, 2), mode));
+  return perform(call, one.session, std::move(body));
 }
 
 Task<Answer> stop_bus(std::shared_ptr<SessionGroup> bus, bool at_once) {
@@ -145,10 +178,10 @@ int stop(Call& call) {
   return perform(call, How(-1));
 }
 
-Task<Answer> wait_idle(SessionPtr session, Duration patience) {
+Task<Answer> wait_idle(SessionPtr session, Duration patience, bool on_bus) {
   const auto idle = co_await session->wait_until_idle(patience);
   if (idle) co_return answer_yes();
-  co_return answer_refused(refusal_of(idle.error(), *session, {}));
+  co_return answer_refused(refusal_of(idle.error(), *session, {}, on_bus));
 }
 Task<Answer> wait_bus_idle(std::shared_ptr<SessionGroup> bus, Duration patience) {
   const auto idle = co_await bus->wait_until_idle(patience);
@@ -157,7 +190,7 @@ Task<Answer> wait_bus_idle(std::shared_ptr<SessionGroup> bus, Duration patience)
 int wait(Call& call) {
   const Duration patience = call.patience(1, 3600);
   if (auto bus = bus_of(call)) return call.wait(wait_bus_idle(std::move(bus), patience));
-  return call.wait(wait_idle(session_of(call), patience));
+  return call.wait(wait_idle(session_of(call), patience, is_on_bus(call)));
 }
 
 constexpr Function motion_table[] = {

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/script/bind.h"
+#include "core/script/options.h"
 
 namespace hw::script {
 namespace {
@@ -49,11 +50,15 @@ int ask_of(Call& call, const SessionPtr& session, Push push, int number, SeenAt 
       read_fresh(session, call.runner().scheduler().now(), push, number, seen_at, std::move(what)));
 }
 
+Task<Answer> read_axis(const Call& call, const OneAxis& one, Push push) {
+  return read_fresh(one.session, call.runner().scheduler().now(), push, one.index, axis_seen_at,
+                    "Axis " + one.session->catalog().axes[static_cast<std::size_t>(one.index)].name);
+}
+
 int of_axis(Call& call, Push push) {
   const OneAxis one = one_axis(call, 1, "axis");
   if (one.index < 0) return call.refuse(one.refusal);
-  return ask_of(call, one.session, push, one.index, axis_seen_at,
-                "Axis " + one.session->catalog().axes[static_cast<std::size_t>(one.index)].name);
+  return call.wait(read_axis(call, one, push));
 }
 
 int push_position(lua_State* L, const Snapshot& known, const Catalog& catalog, int axis) {
@@ -194,7 +199,7 @@ constexpr Duration short_look = Millis(20), long_look = Millis(200);
 constexpr std::int64_t enough_steps = 50;  // fewer say little: one step more or less is then a few percent
 
 // Measured: steps between two rounds of status over the time between them. At rest 0 at once.
-Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
+Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis, double steps_per_unit) {
   const AxisState& state = session->known().axes[axis];
   co_await session->pump().refresh();
   const Steps from = state.position;
@@ -210,7 +215,7 @@ Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
       passed > Duration::zero() ? static_cast<double>((state.position - from).value) / seconds(passed) : 0;
   const LinkHealth& link = session->known().link;
   if (is_gone(link)) co_return answer_refused(why_gone(link));
-  co_return [speed](lua_State* L) {
+  co_return [speed = speed / steps_per_unit](lua_State* L) {
     lua_pushnumber(L, speed);
     return 1;
   };
@@ -218,7 +223,9 @@ Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis) {
 int velocity(Call& call) {
   const OneAxis one = one_axis(call, 1, "velocity");
   if (one.index < 0) return call.refuse(one.refusal);
-  return call.wait(measure_velocity(call.runner(), one.session, one.index));
+  const Counting counting = Options(call, 2, "velocity", {"unit"}).counting();
+  return call.wait(
+      measure_velocity(call.runner(), one.session, one.index, counting.steps_per_unit(call, one)));
 }
 
 Task<Answer> read_whole_status(SessionPtr session) {
@@ -226,7 +233,24 @@ Task<Answer> read_whole_status(SessionPtr session) {
   co_return [session](lua_State* L) { return push_whole_status(L, session->known()); };
 }
 
-int position(Call& call) { return of_axis(call, push_position); }
+/// What was read in steps, where `per_unit` is not 0.
+Task<Answer> in_units(Task<Answer> reading, double per_unit) {
+  const Answer read = co_await std::move(reading);
+  co_return [read, per_unit](lua_State* L) {
+    const int results = read(L);
+    if (results != 1 || !lua_isinteger(L, -1)) return results;
+    const Steps steps(lua_tointeger(L, -1));
+    lua_pop(L, 1);
+    push_steps(L, steps, per_unit);
+    return 1;
+  };
+}
+int position(Call& call) {
+  const OneAxis one = one_axis(call, 1, "position");
+  if (one.index < 0) return call.refuse(one.refusal);
+  const double per_unit = Options(call, 2, "position", {"unit"}).counting().per_unit(call, one);
+  return call.wait(in_units(read_axis(call, one, push_position), per_unit));
+}
 int encoder(Call& call) { return of_axis(call, push_encoder); }
 int status(Call& call) {
   if (!call.has(1)) return call.wait(read_whole_status(session_of(call)));

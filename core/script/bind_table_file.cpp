@@ -69,7 +69,7 @@ int write_csv(Call& call) {
   if (!path) return push_refusal(call.L, refusal_of(path.error()));
   if (const auto written = write_file(*path, text); !written)
     return push_refusal(call.L, refusal_of(written.error()));
-  call.runner().options().log(fmt::format("Wrote {}: {} rows.", *path, count));
+  call.runner().notes().written.note(*path, fmt::format("{} row{}", count, count == 1 ? "" : "s"));
   return call.yes();
 }
 

@@ -143,6 +143,7 @@ void bind_tasks(lua_State* L) {
   lua_getglobal(L, "hw");
   add_functions(L, task_functions, 0);
   add_functions(L, file_functions(), 0);
+  add_functions(L, argument_functions(), 0);
   lua_pop(L, 1);
   bind_watches(L);
 }

@@ -55,7 +55,7 @@ Task<Answer> back_up(Runner& runner, SessionPtr session, std::string path) {
   if (!taken) co_return answer_refused(taken.error().sentence());
   const auto saved = save_backup(path, *taken, session->catalog());
   if (!saved) co_return answer_refused(saved.error().sentence());
-  runner.options().log(fmt::format("Wrote {}: {} parameters.", path, taken->parameters.size()));
+  runner.notes().written.note(path, fmt::format("{} parameters", taken->parameters.size()));
   co_return answer_yes();
 }
 

@@ -56,6 +56,8 @@ std::shared_ptr<SessionGroup> bus_of(const Call& call) {
   return handle.device < 0 ? handle.group : nullptr;
 }
 
+bool is_on_bus(const Call& call) { return handle_of(call).group->is_bus(); }
+
 const std::shared_ptr<Session>& session_of(const Call& call) {
   const Handle& handle = handle_of(call);
   if (handle.device >= 0) return handle.group->members()[static_cast<std::size_t>(handle.device)];
@@ -131,22 +133,24 @@ static std::string axis_of_wish(const IntentBody& body, const Catalog& catalog) 
   return axis < 0 ? std::string() : catalog.axes[static_cast<std::size_t>(axis)].name;
 }
 
-Refusal refusal_of(const Fault& fault, const Session& session, std::string axis) {
+// One of many on a wire is named in the sentence too: else nobody knows which of them it was.
+Refusal refusal_of(const Fault& fault, const Session& session, std::string axis, bool on_bus) {
   Refusal refusal = refusal_of(fault);
+  if (on_bus) refusal.reason = fmt::format("{}: {}", session.catalog().id(), refusal.reason);
   refusal.axis = std::move(axis);
   refusal.device = session.address().text();
   return refusal;
 }
 
-static Task<Answer> perform_body(SessionPtr session, IntentBody body) {
+static Task<Answer> perform_body(SessionPtr session, IntentBody body, bool on_bus) {
   std::string axis = axis_of_wish(body, session->catalog());
   const auto result = co_await session->perform(std::move(body));
   if (result) co_return answer_yes();
-  co_return answer_refused(refusal_of(result.error(), *session, std::move(axis)));
+  co_return answer_refused(refusal_of(result.error(), *session, std::move(axis), on_bus));
 }
 int perform(Call& call, SessionPtr session, IntentBody body) {
   asked_by(body, StoppedBy::script);
-  return call.wait(perform_body(std::move(session), std::move(body)));
+  return call.wait(perform_body(std::move(session), std::move(body), is_on_bus(call)));
 }
 int perform(Call& call, IntentBody body) { return perform(call, session_of(call), std::move(body)); }
 

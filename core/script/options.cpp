@@ -41,14 +41,40 @@ int Options::push(const char* key) const {
   return lua_rawget(L_, table_);
 }
 
-Pps Options::speed() const {
-  const int kind = push("speed");
+std::optional<double> Options::above_zero(const char* key, const char* unit) const {
+  const int kind = push(key);
   const double value = kind == LUA_TNUMBER ? lua_tonumber(L_, -1) : 0;
   lua_pop(L_, 1);
-  if (kind == LUA_TNIL) return Pps{};
+  if (kind == LUA_TNIL) return {};
   if (kind != LUA_TNUMBER || !std::isfinite(value) || value <= 0)
-    throw Misuse(fmt::format("{}: the speed must be a number above 0, in steps/s", function_));
-  return Pps(value);
+    throw Misuse(fmt::format("{}: the {} must be a number above 0, in {}", function_, key, unit));
+  return value;
+}
+
+Pps Options::speed(double steps_per_unit) const {
+  const char* unit = steps_per_unit == 1 ? "steps/s" : "units/s";
+  return Pps(above_zero("speed", unit).value_or(0) * steps_per_unit);
+}
+
+Acceleration Options::acceleration() const {
+  const int kind = push("acceleration");
+  int whole = 0;
+  const lua_Integer value = lua_tointegerx(L_, -1, &whole);
+  lua_pop(L_, 1);
+  if (kind == LUA_TNIL) return {};
+  if (kind != LUA_TNUMBER || !whole)
+    throw Misuse(
+        fmt::format("{}: the acceleration must be a whole number, in the controller's own unit", function_));
+  return value;
+}
+
+Counting Options::counting() const {
+  const int kind = push("unit");
+  const bool on = lua_toboolean(L_, -1);
+  lua_pop(L_, 1);
+  if (kind != LUA_TNIL && kind != LUA_TBOOLEAN)
+    throw Misuse(fmt::format("{}: the option unit must be true or false", function_));
+  return Counting(on);
 }
 
 std::optional<std::string> Options::text(const char* key) const {

@@ -5,9 +5,13 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/device/intent.h"
+#include "core/script/axis_units.h"
 #include "core/script/call.h"
 
 namespace hw::script {
+
+using intent::Acceleration;
 
 class Options {
  public:
@@ -15,7 +19,13 @@ class Options {
   Options(const Call& call, int argument, const char* function, std::vector<std::string> known);
 
   /// Above 0; absent: 0, which is the controller's own.
-  [[nodiscard]] Pps speed() const;
+  [[nodiscard]] Pps speed(double steps_per_unit = 1) const;
+  /// A whole number; what it counts is the controller's.
+  [[nodiscard]] Acceleration acceleration() const;
+  /// A number above 0; absent: none.
+  [[nodiscard]] std::optional<double> above_zero(const char* key, const char* unit) const;
+  /// {unit=true}: what this call counts.
+  [[nodiscard]] Counting counting() const;
   [[nodiscard]] std::optional<std::string> text(const char* key) const;
 
  private:

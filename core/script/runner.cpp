@@ -142,6 +142,14 @@ void Runner::end_run(lua_State* L, std::string sentence) {
   unwind(L);
 }
 
+void Runner::end_for_words(lua_State* L, std::string wrong) {
+  if (ending_) return;
+  ending_ = true;
+  notes_.words_are_wrong = !wrong.empty();
+  failure_ = std::move(wrong);
+  unwind(L);
+}
+
 void Runner::end_unread(lua_State* L, const Fault& why) {
   from_outside_ = true;
   end_run(L, why.sentence());
@@ -282,7 +290,7 @@ void Runner::broken_out() {
 
 void Runner::fiber_failed(Fiber& fiber, int status) {
   main_over_ = true;
-  if (!failure_.empty()) return;
+  if (!failure_.empty() || ending_) return;
   if (status == LUA_ERRMEM) {
     failure_ = fmt::format("{}The script needed more than {} MB of memory, so it was ended.", where(fiber.L),
                            options_.limits.memory_bytes >> 20);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/asio.h"
+#include "core/script/notes.h"
 #include "core/script/way_out.h"
 #include "core/session/session_group.h"
 #include "core/session/wire.h"
@@ -95,10 +96,13 @@ class Runner {
   bool cancel(const Spawned& one);
   /// Notified when a spawned function is over, when bindings say so, and at the end of the script.
   [[nodiscard]] Event& happened() { return happened_; }
+  [[nodiscard]] Notes& notes() { return notes_; }
   /// What C++ closes while Lua calls it.
   [[nodiscard]] WayOut& way_out() { return way_out_; }
   /// Ends the whole run with this sentence; no pcall of the script survives it.
   void end_run(lua_State* L, std::string sentence);
+  /// The same for what stands behind the script's name: why that is wrong. Empty: it only asked for help.
+  void end_for_words(lua_State* L, std::string wrong);
   /// The same for results that nobody gets: the script has lost what it is run for.
   void end_unread(lua_State* L, const Fault& why);
   void add(std::shared_ptr<SessionGroup> group);
@@ -150,6 +154,7 @@ class Runner {
   HybridScheduler& scheduler_;
   RunOptions options_;
   Instant began_{};
+  Notes notes_;
   std::size_t memory_used_ = 0;
   lua_State* lua_ = nullptr;
   std::map<lua_State*, std::unique_ptr<Fiber>> fibers_;

@@ -64,7 +64,7 @@ Session::~Session() {
 IntentId Session::send(IntentBody body) {
   const IntentId id = ++last_intent_;
   asio::post(scheduler_.executor(),
-             [self = shared_from_this(), intent = Intent(id, std::move(body))]() mutable {
+             [self = shared_from_this(), intent = Intent(id, std::move(body), now())]() mutable {
                self->posted_ = intent.id;
                self->take(std::move(intent));
              });
@@ -130,8 +130,7 @@ Task<Result<>> Session::outcome(IntentId id) {
     if (!fate)
       co_return fail(FaultKind::internal, "Too many commands at once: what became of this one is not known.");
     if (fate->fate == Fate::done) co_return Result<>();
-    if (fate->fate == Fate::refused) co_return fail(FaultKind::refused, std::string(fate->sentence.view()));
-    if (fate->fate == Fate::failed) co_return fail(FaultKind::controller, std::string(fate->sentence.view()));
+    if (fate->fate == Fate::refused || fate->fate == Fate::failed) co_return fail(fate->fault());
     co_await pump_.published().wait();
   }
 }

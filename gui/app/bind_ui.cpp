@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include "core/script/call.h"
-#include "gui/app/output.h"
 #include "gui/app/script_stage.h"
 
 namespace hw::app {
@@ -101,9 +100,9 @@ int frame(Call& call) {
 int screenshot(Call& call) {
   std::string path = call.text(1, "path");
   if (!path.ends_with(".png")) throw Misuse("ui.screenshot: the name of a picture ends in .png");
-  return call.wait_for_act([&ui = hands(call), path] {
+  return call.wait_for_act([&ui = hands(call), &notes = call.runner().notes(), path] {
     const Result<> taken = ui.screenshot(path);
-    if (taken) write_aside(fmt::format("The picture {} was written.", path));
+    if (taken) notes.written.note(path, {});
     return done_or_error(taken);
   });
 }

@@ -50,13 +50,15 @@ std::string written_range(const ParamInfo& info) {
   return fmt::format("{} to {}", written(info, info.minimum), written(info, info.maximum));
 }
 
-void print_parameters(const Catalog& catalog) {
+void print_parameters(const Catalog& catalog, const AccelerationUnit& acceleration) {
   std::size_t widest = 0;
   for (const ParamInfo& info : catalog.params) widest = std::max(widest, info.mnemonic.size());
   for (const ParamInfo& info : catalog.params)
     print_result("{:<{}}  {}{}: {} (default {})\n", info.mnemonic, widest, info.label,
                  info.unit.empty() ? "" : fmt::format(" [{}]", info.unit), written_range(info),
                  written(info, info.fallback));
+  print_result("acceleration= of one motion of a script: {} to {} {}; {}\n", acceleration.minimum,
+               acceleration.maximum, acceleration.unit, acceleration.meaning);
 }
 
 /// A number, unless the maker writes a name.
@@ -65,7 +67,7 @@ ParamJson as_json(const ParamInfo& info, std::int64_t value) {
   return info.prefix.empty() ? ParamJson::parse(text) : ParamJson(text);
 }
 
-void print_parameters_json(const Catalog& catalog) {
+void print_parameters_json(const Catalog& catalog, const AccelerationUnit& acceleration) {
   ParamJson all = ParamJson::array();
   for (const ParamInfo& info : catalog.params) {
     ParamJson one;
@@ -79,7 +81,9 @@ void print_parameters_json(const Catalog& catalog) {
       one["choices"].push_back({{"value", as_json(info, choice.value)}, {"label", choice.label}});
     all.push_back(std::move(one));
   }
-  const ParamJson out{{"model", catalog.model}, {"parameters", std::move(all)}};
+  ParamJson out{{"model", catalog.model}, {"parameters", std::move(all)}};
+  out["acceleration"] = {
+      {"unit", std::string(acceleration.unit)}, {"min", acceleration.minimum}, {"max", acceleration.maximum}};
   print_result("{}\n", out.dump(-1, ' ', true, ParamJson::error_handler_t::replace));
 }
 
@@ -88,10 +92,11 @@ void print_parameters_json(const Catalog& catalog) {
 static int params(const Given& given) {
   const auto catalog = catalog_of(given);
   if (!catalog) return complain(catalog.error(), usage);
+  const AccelerationUnit& acceleration = find_device_type(given.words[0])->acceleration;
   if (given.has("json"))
-    print_parameters_json(*catalog);
+    print_parameters_json(*catalog, acceleration);
   else
-    print_parameters(*catalog);
+    print_parameters(*catalog, acceleration);
   return done;
 }
 

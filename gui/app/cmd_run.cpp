@@ -40,9 +40,15 @@ static int run_script(const Given& given) {
   };
   if (scheduler.is_real()) runner.on_real_time();
   auto outcome = runner.run(file->text);
-  if (traffic)
-    if (auto kept = traffic->finish(); outcome) outcome = std::move(kept);
-  return outcome ? done : complain(outcome.error());
+  script::Notes& notes = runner.notes();
+  if (traffic) {
+    auto kept = traffic->finish();
+    if (kept) notes.written.note(given.one("traffic"), "traffic");
+    if (outcome) outcome = std::move(kept);
+  }
+  if (const std::string written = notes.written.sentence(); !written.empty()) write_aside(written);
+  if (outcome) return done;
+  return complain(outcome.error(), notes.words_are_wrong ? usage : failed);
 }
 
 const Subcommand run_subcommand{

@@ -46,32 +46,54 @@ bool busy(const Snapshot& s) {
          s.program.run == RunState::waiting;
 }
 
-void print_unasked(Session& session) {
-  std::string text;
-  while (session.pump().take_unsolicited(text)) print_reply(text);
-}
+/// Prints what comes back. The controller's own "no" among it fails the job.
+class Replies {
+ public:
+  explicit Replies(const Session& session) : session_(session) {}
+
+  void print(std::string_view reply, std::string_view asked) {
+    print_reply(reply);
+    const DeviceType& type = session_.type();
+    if (!type.refuses || !type.refuses(reply)) return;
+    std::string words = type.explain(reply, Way::received, TrafficKind::unsolicited, asked);
+    if (words.ends_with('.')) words.pop_back();
+    complain(fmt::format("{}: The controller answered {}{}.", asked, reply,
+                         words.empty() ? "" : fmt::format(" ({})", words)));
+    status_ = failed;
+  }
+  void print_unasked(Session& session, std::string_view asked) {
+    std::string text;
+    while (session.pump().take_unsolicited(text)) print(text, asked);
+  }
+  [[nodiscard]] int status() const { return status_; }
+
+ private:
+  const Session& session_;
+  int status_ = done;
+};
 
 // What comes unasked belongs to the text that made the controller busy: it is printed until it rests.
-Task<bool> print_until_idle(std::shared_ptr<Session> session, Instant give_up) {
+Task<bool> print_until_idle(std::shared_ptr<Session> session, Replies& replies, std::string text,
+                            Instant give_up) {
   co_await session->pump().refresh();
   for (bool in_time = true; in_time;) {
-    print_unasked(*session);
+    replies.print_unasked(*session, text);
     if (session->known().link.state == LinkState::lost || !busy(session->known())) co_return true;
     in_time = co_await session->pump().published().wait_until(give_up);
   }
   co_return false;
 }
 
-Task<int> send_one(std::shared_ptr<Session> session, std::string text, double wait_s) {
+Task<int> send_one(std::shared_ptr<Session> session, Replies& replies, std::string text, double wait_s) {
   const bool answers = session->pump().meaning_of(text).answered == TextMeaning::Answered::at_once;
   Duration patience = answers ? for_an_answer : for_a_prompt;
   if (wait_s > 0 && answers) patience = from_seconds(wait_s);
   const auto reply = co_await session->pump().query(text, patience);
-  if (reply && (answers || !reply->empty())) print_reply(*reply);
+  if (reply && (answers || !reply->empty())) replies.print(*reply, text);
   if (!reply && (answers || reply.error().kind != FaultKind::no_answer))
     co_return complain(fmt::format("{}: {}", text.empty() ? "\"\"" : text, reply.error().sentence()));
-  print_unasked(*session);
-  co_return done;
+  replies.print_unasked(*session, text);
+  co_return replies.status();
 }
 
 // A prompt belongs to the text that brings it, so the next one waits for it; but nothing keeps a stop back.
@@ -81,15 +103,15 @@ bool waits_before(const Pump& pump, const std::string& text, const std::string& 
          !pump.meaning_of(next).is_stop();
 }
 
-Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, std::string text,
-                        double wait_s) {
+Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, Replies& replies,
+                        std::string text, double wait_s) {
   const Instant give_up = scheduler.now() + from_seconds(wait_s > 0 ? wait_s : longest_run_s);
-  const bool rests = co_await print_until_idle(session, give_up);
+  const bool rests = co_await print_until_idle(session, replies, text, give_up);
   if (!rests)
     co_return complain(fmt::format("{}: the controller is still busy. It goes on by itself.", text));
   if (session->known().link.state == LinkState::lost)
     co_return complain(fmt::format("{}: {}", text, session->known().link.sentence.view()));
-  co_return done;
+  co_return replies.status();
 }
 
 /// One after the other. A text that failed ends it; one whose end did not come in time does not. Nothing is
@@ -97,38 +119,40 @@ Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, 
 Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
                      std::span<const std::string> texts, double wait_s, Stopped& stopped) {
   const Pump& pump = session->pump();
+  Replies replies(*session);
   int status = done;
   bool end_is_told = false;
   for (std::size_t i = 0; i < texts.size() && !stopped.asked && !output_is_lost(); ++i) {
     stopped.unseen = true;
-    const int sent = co_await send_one(session, texts[i], wait_s);
+    const int sent = co_await send_one(session, replies, texts[i], wait_s);
     if (sent != done) co_return sent;
     end_is_told = end_is_told || pump.meaning_of(texts[i]).end_is_told;
     const bool last = i + 1 == texts.size();
     if (last ? end_is_told : waits_before(pump, texts[i], texts[i + 1])) {
-      const int rested = co_await wait_for_rest(scheduler, session, texts[i], wait_s);
+      const int rested = co_await wait_for_rest(scheduler, session, replies, texts[i], wait_s);
       status = std::max(status, rested);
     }
     print_warnings(*session);
   }
   co_await session->pump().refresh();  // what the last one brought about
   stopped.unseen = false;
-  print_unasked(*session);
-  co_return status;
+  replies.print_unasked(*session, texts.empty() ? "" : texts.back());
+  co_return std::max(status, replies.status());
 }
 
 /// A controller in an error state may take nothing but what stops or resets it: such a first text is sent
 /// while the connection is being made, if nothing else is answered.
 Task<int> send_stop_first(std::shared_ptr<Session> session, std::string text) {
-  const auto reply = co_await session->pump().query(std::move(text), for_an_answer);
+  const auto reply = co_await session->pump().query(text, for_an_answer);
   // Some stops are never answered. Whether anybody is there, the connection tells.
   if (!reply && reply.error().kind == FaultKind::refused)  // why nobody is there is known by then
     if (const auto connected = co_await session->wait_until_connected(); !connected)
       co_return complain(connected.error(), status_of(connected.error()));
   if (!reply && reply.error().kind != FaultKind::no_answer)
     co_return complain(reply.error(), status_of(reply.error()));
-  if (reply && !reply->empty()) print_reply(*reply);
-  co_return done;
+  Replies replies(*session);
+  if (reply && !reply->empty()) replies.print(*reply, text);
+  co_return replies.status();
 }
 
 bool may_move(Session& session, const Stopped& stopped) { return busy(session.known()) || stopped.unseen; }

@@ -72,6 +72,24 @@ def port_of(line):
     return line.rsplit(" ", 1)[1]
 
 
+class Log(Case):
+    REFUSED = 'local c = hw.check(hw.open("vxm@emulator"))\nprint(c:move_to{[1] = 99999999})\n'
+
+    def test_says_why_of_the_subject_that_is_asked_for(self):
+        script = self.file("refused.lua", self.REFUSED)
+        told = run("run", script, "--log", "pump=debug").stderr
+        self.assertRegex(told, r"debug pump: vxm: command \d+ not done: Position 99999999 of motor 1 lies outside")
+        self.assertNotIn(" driver", told)
+        self.assertIn("debug driver.vxm: ", run("--log", "link=debug,driver.vxm=debug", "run", script).stderr)
+
+    def test_says_nothing_unless_it_is_asked_for(self):
+        self.assertNotIn("debug", run("run", self.file("refused.lua", self.REFUSED)).stderr)
+
+    def test_tells_what_there_is(self):
+        self.expect(run("send", "vxm@emulator", "V", "--log", "lnik=debug"), 2, '"lnik=debug"', "SUBJECT=LEVEL")
+        self.expect(run("send", "vxm@emulator", "V", "--log", "link=loud"), 2, '"link=loud"')
+
+
 class Demo(Case):
     def test_without_a_display_it_works_and_leaves_pictures(self):
         pictures = self.folder / "pictures"
@@ -89,6 +107,18 @@ class Usage(Case):
         for name in "open demo run emulate send check simulate convert scan backup restore params".split():
             self.assertIn(name, result.stdout)
             self.expect(run(name, "--help"), 0, "handwheel " + name)
+
+    def test_the_version_names_the_commit(self):
+        self.assertRegex(run("--version").stdout, r"^handwheel \d+\.\d+\.\d+( \(\w+(, changed)?\))?\n$")
+
+    def test_manual_page_and_completion_know_every_command_and_option(self):
+        for form in ("man", "bash", "zsh", "fish"):
+            text = run("reference", form).stdout.replace("\\-", "-")
+            for name in "open demo run emulate send check simulate convert scan backup restore params reference".split():
+                self.assertIn(name, text, form)
+                for option in re.findall(r"--([a-z-]+)", run(name, "--help").stdout.split("Options:")[-1]):
+                    self.assertRegex(text, rf"(--|-l ){option}\b", form)
+        self.expect(run("reference", "csh"), 2, "Choose man, bash, zsh or fish")
 
     def test_wrong_usage_is_2(self):
         self.expect(run("nonsense"), 2, "nonsense")
@@ -126,6 +156,38 @@ class Scripts(Case):
         self.expect(self.script(text, "--traffic", self.folder / "t", "a", "--", "--gui", "-x"), 0, "3\ta\t--gui\t-x")
         path = self.file("s.lua", text)
         self.expect(run("run", "--traffic", self.folder / "t", path, "a"), 0, "1\ta")
+
+    def test_declared_arguments(self):
+        declared = """local a = hw.arguments{about = "Scans a plate.",
+            {name = "table", help = "where the result goes"},
+            {name = "count", kind = "whole", default = 10, help = "how many rows"},
+            {name = "way", default = "plus", choices = {"plus", "minus"}},
+            {name = "dry", kind = "flag", help = "moves nothing"}}
+          print(a.table, a.count, a.way, a.dry)"""
+        for words, shown in ((["a.csv"], "a.csv\t10\tplus\tfalse"),
+                             (["count=3", "a.csv"], "a.csv\t3\tplus\tfalse"),
+                             (["--", "--dry", "--count", "-4", "--way=minus", "a.csv"], "a.csv\t-4\tminus\ttrue")):
+            result = self.script(declared, *words)
+            self.assertEqual((result.returncode, result.stdout), (0, shown + "\n"), result)
+        for words, why in (([], '"table" is missing.'), (["a", "b"], '"b" is one word too many.'),
+                           (["a", "--", "--cuont", "3"], 'There is no "--cuont". Did you mean "count"?'),
+                           (["a", "count=x"], '"count" must be a whole number, not "x".'),
+                           (["a", "way=pluss"], '"way" must be one of plus, minus, not "pluss". Did you mean "plus"?'),
+                           (["a", "count=1", "count=2"], '"count" is given twice.'),
+                           (["a", "--", "--count"], 'A value is missing behind "--count".')):
+            self.expect(self.script(declared, *words), 2, why, "--help tells what there is.")
+        told = self.script(declared, "--", "--help")
+        self.assertEqual(told.returncode, 0, told)
+        for part in ("TABLE [-- OPTIONS]", "Scans a plate.", "--count N", "how many rows (default 10)", "--way plus|minus"):
+            self.assertIn(part, told.stdout)
+        self.expect(self.script("hw.arguments{{name = 'a', sort = 1}}", "--", "--help"), 1, 'an argument has no "sort"')
+
+    def test_what_was_written_is_told_at_the_end(self):
+        traffic = os.path.join(self.folder, "wire.txt")
+        result = self.script("hw.write_csv('t.csv', {{1}, {2}}) hw.write_csv('t.csv', {{3}}) error('x')", "--traffic", traffic)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr.count("t.csv (1 row)"), 1, result.stderr)
+        self.assertIn("wire.txt (traffic).", result.stderr)
 
     def test_results_and_logs_go_different_ways(self):
         result = self.script('print("result") hw.log("log line")')
@@ -799,8 +861,15 @@ class Send(Case):
 
     def test_an_error_report_is_the_reply_and_is_explained(self):
         result = run("send", "vxm@emulator", "Z")
-        self.assertEqual((result.returncode, result.stdout), (0, "EB\n"), result)
+        self.assertEqual((result.returncode, result.stdout), (1, "EB\n"), result)
         self.assertIn("EB", result.stderr)
+
+    def test_what_the_controller_refuses_has_failed(self):
+        for model, text, reply in (("pmx-4ex-sa", "BOGUS", "?BOGUS"), ("dmx-k-sa", "FOO", "?FOO")):
+            result = run("send", model + "@emulator", text, "ID")
+            self.assertEqual((result.returncode, result.stdout), (1, reply + "\n"), "nothing follows it")
+            self.assertIn("%s: The controller answered %s (refused: " % (text, reply), result.stderr)
+        self.expect(run("send", "vme58@emulator", "AX QQ"), 1, "There is no command QQ.")
 
     def test_a_question_that_is_dropped_has_failed(self):
         result = run("send", "vxm@emulator", "Q", "X")
@@ -844,7 +913,7 @@ class Send(Case):
         self.assertEqual(run("send", "vxm@emulator,motors=4", "[V]", "V").stdout.splitlines()[-1], "R")
         for text in ("[V,X]", "[]"):
             result = run("send", "vxm@emulator", text)
-            self.assertEqual((result.returncode, result.stdout), (0, "EB\n"), result)
+            self.assertEqual((result.returncode, result.stdout), (1, "EB\n"), result)
         script = self.file("a.lua", "hw.log(#hw.args .. ' ' .. hw.args[1] .. ' ' .. hw.args[2])")
         self.assertIn("2 [a,b] --gui", run("run", script, "[a,b]", "--", "--gui").stderr)
 
@@ -1224,7 +1293,7 @@ class Jobs(Case):
               assert(c:backup("a.toml") and c:restore("a.toml"))""")
             result = run("run", script)
             self.expect(result, 0)
-            self.assertIn("a.toml: ", result.stderr, "a script says what it has written")
+            self.assertIn("a.toml (", result.stderr, "a script says what it has written")
 
     def test_an_error_side_by_side_ends_the_script(self):
         script = self.file("a.lua", "hw.spawn(function() hw.sleep(1) error('beside') end)\nhw.sleep(9)\nprint('on')")

@@ -1,32 +1,49 @@
 #include "core/devices/arcus/borrowed_setting.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 namespace hw::arcus {
 
 Task<Result<>> BorrowedSetting::borrow(std::string name, std::int64_t value,
                                        std::optional<std::int64_t> shown) {
+  const auto is_it = [&name](const Borrowed& one) { return one.name == name; };
   Conversation::Decode decode = decode_number;
   auto before = co_await talk_.ask_surely(name, std::move(decode), shown, Priority::intent);
   if (!before) co_return fail(before.error());
   if (*before == value) co_return Result<>();
-  borrowed_ = Borrowed{name, *before, value};
+  if (const auto out = std::find_if(borrowed_.begin(), borrowed_.end(), is_it); out != borrowed_.end())
+    out->for_now = value;
+  else
+    borrowed_.push_back({name, *before, value});
   co_return co_await talk_.command(set_command(name, value), Priority::intent);
 }
 
 Task<Result<>> BorrowedSetting::give_back() {
-  if (!borrowed_) co_return Result<>();
-  if (borrowed_->left_alone) {
-    Conversation::Decode decode = decode_number;
-    auto present =
-        co_await talk_.ask_surely(borrowed_->name, std::move(decode), borrowed_->for_now, Priority::intent);
-    if (!present) co_return fail(present.error());
-    if (borrowed_ && *present != borrowed_->for_now) borrowed_.reset();
-    if (!borrowed_) co_return Result<>();
+  while (!borrowed_.empty()) {
+    const std::size_t out = borrowed_.size();
+    auto returned = co_await give_back_last();
+    if (!returned || borrowed_.size() == out) co_return returned;
   }
-  auto set = co_await put_back(*borrowed_);
-  if (set && borrowed_) given_back_(borrowed_->name);
-  if (set) borrowed_.reset();
+  co_return Result<>();
+}
+
+Task<Result<>> BorrowedSetting::give_back_last() {
+  const Borrowed last = borrowed_.back();
+  if (last.left_alone) {
+    Conversation::Decode decode = decode_number;
+    auto present = co_await talk_.ask_surely(last.name, std::move(decode), last.for_now, Priority::intent);
+    if (!present) co_return fail(present.error());
+    const bool anothers = *present != last.for_now;
+    if (anothers && is_out()) borrowed_.pop_back();
+    if (anothers || !is_out()) co_return Result<>();
+  }
+  auto set = co_await put_back(last);
+  if (set && is_out()) {
+    given_back_(last.name);
+    borrowed_.pop_back();
+  }
   if (!set && set.error().kind == FaultKind::stopped) co_return Result<>();  // the next round does it
   co_return set;
 }
@@ -59,9 +76,11 @@ Task<Result<>> BorrowedSetting::give_back_first() {
 }
 
 std::string BorrowedSetting::leaves_behind() const {
-  if (!borrowed_) return {};
-  return fmt::format("{0} is {1} for one motion; it was {2}. Set {0}={2} before the next one.",
-                     borrowed_->name, borrowed_->for_now, borrowed_->before);
+  std::string all;
+  for (const Borrowed& one : borrowed_)
+    all += fmt::format("{0}{1} is {2} for one motion; it was {3}. Set {1}={3} before the next one.",
+                       all.empty() ? "" : " ", one.name, one.for_now, one.before);
+  return all;
 }
 
 }  // namespace hw::arcus

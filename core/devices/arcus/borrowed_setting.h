@@ -1,10 +1,11 @@
 #pragma once
-// A setting that is written for one motion, and put back behind it: at once, or as soon as a stop or a lost
+// Settings that are written for one motion, and put back behind it: at once, or as soon as a stop or a lost
 // wire lets it.
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/devices/arcus/conversation.h"
 
@@ -21,13 +22,13 @@ class BorrowedSetting {
   Task<Result<>> give_back();
   /// Before anything that it would act on, or store.
   Task<Result<>> give_back_first();
-  [[nodiscard]] bool is_out() const { return borrowed_.has_value(); }
+  [[nodiscard]] bool is_out() const { return !borrowed_.empty(); }
   /// Whoever has set it since the wire was lost is right.
   void leave_alone() {
-    if (borrowed_) borrowed_->left_alone = true;
+    for (Borrowed& one : borrowed_) one.left_alone = true;
   }
   /// The controller has forgotten it.
-  void forget() { borrowed_.reset(); }
+  void forget() { borrowed_.clear(); }
   /// What somebody must do when the console goes now; empty: nothing.
   [[nodiscard]] std::string leaves_behind() const;
 
@@ -37,10 +38,12 @@ class BorrowedSetting {
     std::int64_t before, for_now;
     bool left_alone = false;
   };
+  /// A stop that comes first leaves it among the borrowed.
+  Task<Result<>> give_back_last();
   Task<Result<>> put_back(Borrowed setting);
   Conversation& talk_;
   std::function<void(std::string_view)> given_back_;
-  std::optional<Borrowed> borrowed_;
+  std::vector<Borrowed> borrowed_;
 };
 
 }  // namespace hw::arcus

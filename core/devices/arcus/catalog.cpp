@@ -371,7 +371,7 @@ void add_axis_tables(Catalog& catalog, const Model& model) {
          return inputs;
        }(),
        {{Shows::readout, "LT*S", "state"},
-        {Shows::readout, "LT*P", "pulses at"},
+        {Shows::readout, "LT*P", "place"},
         {Shows::readout, "LT*E", "encoder"},
         arm}});
   const auto output = [&](int axis) { return model.sync_outputs[static_cast<std::size_t>(axis)]; };

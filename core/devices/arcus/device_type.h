@@ -1,6 +1,8 @@
 #pragma once
 // What the rows of both models in the list of controllers share. The rest of a row each model fills in.
 #include "core/device/registry.h"
+#include "core/devices/arcus/catalog_params.h"
+#include "core/devices/arcus/codec.h"
 #include "core/devices/arcus/explain.h"
 
 namespace hw::arcus {
@@ -15,6 +17,10 @@ DeviceType family_type() {
   };
   t.probe = "\r@NNID\r";
   t.recognises = [](std::string_view reply) { return names_product(reply, model); };
+  t.acceleration = {"ms",
+                    "the time of the ramp, as ACC; of the ramp down too unless separate deceleration is on",
+                    1, longest_ramp_ms(model)};
+  t.refuses = [](std::string_view reply) { return decode_reply(reply).refused(); };
   return t;
 }
 

@@ -32,9 +32,9 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   if (auto looked = co_await silence_.look(); !looked) co_return looked;
   if (auto returned = co_await known_.borrowed.give_back_first(); !returned) co_return returned;
   if (const auto* i = std::get_if<MoveTo>(&body))
-    co_return co_await work_.moves.move(i->targets, i->speed, false);
+    co_return co_await work_.moves.move(i->targets, pace_of(*i), false);
   if (const auto* i = std::get_if<MoveBy>(&body))
-    co_return co_await work_.moves.move(i->distances, i->speed, true);
+    co_return co_await work_.moves.move(i->distances, pace_of(*i), true);
   if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await work_.moves.jog(*i);
   if (const auto* i = std::get_if<Home>(&body)) co_return co_await work_.moves.home(*i);
   if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await work_.moves.set_position(*i);
@@ -75,6 +75,8 @@ Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
   if (!sent) co_return fail(sent.error());
   co_return std::string();
 }
+
+LastWill ArcusDriver::last_will(unsigned axes) const { return stops_.last_will(axes); }
 
 StopProgress ArcusDriver::stop_progress(const StopOrder& order) { return stops_.progress(order); }
 

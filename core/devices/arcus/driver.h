@@ -42,6 +42,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> poll(Round round) override;
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<std::string>> stop(const StopOrder& order) override;
+  [[nodiscard]] LastWill last_will(unsigned axes) const override;
   StopProgress stop_progress(const StopOrder& order) override;
   [[nodiscard]] bool clears_up() const override { return known_.borrowed.is_out(); }
   [[nodiscard]] std::string leaves_behind() const override;

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/devices/arcus/catalog_params.h"
 
 namespace hw::arcus {
 
@@ -46,7 +47,8 @@ Task<Result<std::int64_t>> Moves::ask_position(int axis) {
                  "Nothing was moved.", "Wait until it stands, or stop it.");
 }
 
-Task<Result<>> Moves::move(std::vector<AxisTarget> wish, Pps speed, bool relative, Activity shown_as) {
+Task<Result<>> Moves::move(std::vector<AxisTarget> wish, intent::Pace pace, bool relative,
+                           Activity shown_as) {
   if (wish.empty()) co_return Result<>();
   auto incremental = co_await ask_incremental();
   if (!incremental) co_return fail(incremental.error());
@@ -73,28 +75,25 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> wish, Pps speed, bool relativ
     axes.push_back(axis);
     goals.push_back(target);
   }
-  auto borrowed = co_await borrow_speed(speed, axes.size() == 1 ? axes.front() : -1);
+  auto borrowed = co_await borrow_pace(pace, axes.size() == 1 ? axes.front() : -1);
   if (!borrowed) co_return borrowed;
   auto started = co_await start(move_command(console_.forms, values), axes, shown_as);
   for (std::size_t i = 0; started && i < axes.size(); ++i) {
-    motions_.goes_to(axes[i], Steps(goals[i]), speed);
+    motions_.goes_to(axes[i], Steps(goals[i]), pace.speed);
     watch_.was_sent_to(axes[i], Steps(goals[i]));
   }
-  auto returned = co_await borrowed_.give_back();
-  if (!started) co_return started;
-  if (!returned)
-    console_.tell(Notice::Kind::warning, returned.error().sentence());  // the move runs all the same
-  co_return Result<>();
+  co_await give_back_pace();
+  co_return started;
 }
 
 Task<Result<>> Moves::jog(intent::JogStart wish) {
   if (wish.up_to) {
     std::vector<AxisTarget> end(1, AxisTarget{wish.axis, *wish.up_to});
-    co_return co_await move(std::move(end), wish.speed, false, Activity::jogging);
+    co_return co_await move(std::move(end), pace_of(wish), false, Activity::jogging);
   }
   const int axis = wish.axis.index;
   if (auto may = console_.has_axis(axis); !may) co_return may;
-  auto borrowed = co_await borrow_speed(wish.speed, axis);
+  auto borrowed = co_await borrow_pace(pace_of(wish), axis);
   if (!borrowed) {
     Fault why = borrowed.error();
     if (why.kind == FaultKind::no_answer || why.kind == FaultKind::garbled) {
@@ -111,11 +110,8 @@ Task<Result<>> Moves::jog(intent::JogStart wish) {
     console_.draft.axes[axis].has_target = false;
     watch_.jogs(axis, wish.sign);
   }
-  auto returned = co_await borrowed_.give_back();
-  if (!started) co_return started;
-  if (!returned)
-    console_.tell(Notice::Kind::warning, returned.error().sentence());  // the jog runs all the same
-  co_return Result<>();
+  co_await give_back_pace();
+  co_return started;
 }
 
 Task<Result<>> Moves::home(intent::Home wish) {
@@ -124,38 +120,70 @@ Task<Result<>> Moves::home(intent::Home wish) {
   if (wish.mode < 0 || wish.mode >= static_cast<int>(console_.forms.homes.size()))
     co_return fail(FaultKind::refused, fmt::format("There is no way of homing {}.", wish.mode),
                    "Nothing was sent.");
+  auto borrowed = co_await borrow_pace(wish.pace, axis);
+  if (!borrowed) co_return borrowed;
   std::vector<int> axes{axis};
   auto started = co_await start(fill(console_.forms, console_.forms.homes[ix(wish.mode)], axis, wish.sign),
                                 std::move(axes), Activity::homing);
+  co_await give_back_pace();
   if (!started) co_return started;
   console_.draft.axes[axis].has_target = false;
   watch_.counters_may_be_set();
   co_return Result<>();
 }
 
-// ---- the speed of one motion
+// ---- the pace of one motion
 
-// The controller takes its speeds when a motion begins.
-Task<Result<>> Moves::borrow_speed(Pps speed, int axis) {
-  const auto wanted = static_cast<std::int64_t>(std::llround(speed.value));
-  if (wanted <= 0) co_return Result<>();
-  if (wanted > max_speed)
-    co_return fail(FaultKind::refused,
-                   fmt::format("{} is no speed: it goes from 1 to {}.", wanted, max_speed),
-                   "Nothing was sent.");
-  std::string name(console_.forms.high_speed);
-  if (axis >= 0 && console_.forms.axis_speeds) {
-    bool own = true;
-    for (const std::string_view form :
-         {console_.forms.axis_high_speed, console_.forms.axis_low_speed, console_.forms.axis_accel}) {
-      auto value = co_await talk_.ask_number(fill(console_.forms, form, axis), Priority::intent);
-      if (!value) co_return fail(value.error());
-      own = own && *value != 0;
-    }
-    if (own) name = fill(console_.forms, console_.forms.axis_high_speed, axis);
+Result<> Moves::checked(const intent::Pace& pace) const {
+  const auto speed = static_cast<std::int64_t>(std::llround(pace.speed.value));
+  if (speed > max_speed)
+    return fail(FaultKind::refused, fmt::format("{} is no speed: it goes from 1 to {}.", speed, max_speed),
+                "Nothing was sent.");
+  const std::int64_t longest = longest_ramp_ms(console_.model());
+  if (pace.acceleration && (*pace.acceleration < 1 || *pace.acceleration > longest))
+    return fail(FaultKind::refused,
+                fmt::format("{} is no acceleration: it is the time of the ramp, from 1 to {} ms.",
+                            *pace.acceleration, longest),
+                "Nothing was sent.");
+  return {};
+}
+
+Task<Result<bool>> Moves::has_own_speeds(int axis) {
+  if (axis < 0 || !console_.forms.axis_speeds) co_return false;
+  bool own = true;
+  for (const std::string_view form :
+       {console_.forms.axis_high_speed, console_.forms.axis_low_speed, console_.forms.axis_accel}) {
+    auto value = co_await talk_.ask_number(fill(console_.forms, form, axis), Priority::intent);
+    if (!value) co_return fail(value.error());
+    own = own && *value != 0;
   }
+  co_return own;
+}
+
+Task<Result<>> Moves::borrow_pace(intent::Pace pace, int axis) {
+  if (auto may = checked(pace); !may) co_return may;
+  const auto speed = static_cast<std::int64_t>(std::llround(pace.speed.value));
+  if (speed <= 0 && !pace.acceleration) co_return Result<>();
+  const auto own = co_await has_own_speeds(axis);
+  if (!own) co_return fail(own.error());
+  const auto name_of = [&](std::string_view of_all, std::string_view of_axis) {
+    return *own ? fill(console_.forms, of_axis, axis) : std::string(of_all);
+  };
+  if (speed > 0) {
+    std::string name = name_of(console_.forms.high_speed, console_.forms.axis_high_speed);
+    const auto shown = setup_.param(name);
+    auto borrowed = co_await borrowed_.borrow(std::move(name), speed, shown);
+    if (!borrowed) co_return borrowed;
+  }
+  if (!pace.acceleration) co_return Result<>();
+  std::string name = name_of(console_.forms.accel, console_.forms.axis_accel);
   const auto shown = setup_.param(name);
-  co_return co_await borrowed_.borrow(std::move(name), wanted, shown);
+  co_return co_await borrowed_.borrow(std::move(name), *pace.acceleration, shown);
+}
+
+Task<> Moves::give_back_pace() {
+  auto returned = co_await borrowed_.give_back();
+  if (!returned) console_.tell(Notice::Kind::warning, returned.error().sentence());
 }
 
 // ---- counters

@@ -21,7 +21,7 @@ class Moves {
         motions_(motions),
         status_(status) {}
 
-  Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative,
+  Task<Result<>> move(std::vector<AxisTarget> wish, intent::Pace pace, bool relative,
                       Activity shown_as = Activity::moving);
   Task<Result<>> jog(intent::JogStart wish);
   Task<Result<>> home(intent::Home wish);
@@ -36,7 +36,13 @@ class Moves {
   Task<Result<std::int64_t>> ask_position(int axis);
 
  private:
-  Task<Result<>> borrow_speed(Pps speed, int axis);
+  /// The controller takes its speeds and ramps when a motion begins. `axis`: -1: of several together.
+  Task<Result<>> borrow_pace(intent::Pace pace, int axis);
+  /// Whether the speeds of this axis are its own, and not those for all axes.
+  Task<Result<bool>> has_own_speeds(int axis);
+  Result<> checked(const intent::Pace& pace) const;
+  /// Behind a motion that runs all the same, whatever becomes of it.
+  Task<> give_back_pace();
 
   const Console& console_;
   Conversation& talk_;

@@ -1,5 +1,6 @@
 #include "core/devices/arcus/stops.h"
 
+#include <bit>
 #include <bitset>
 
 #include <fmt/core.h>
@@ -148,6 +149,18 @@ Task<Result<>> Stops::release_joystick(int axis, std::string stop) {
   console_.draft.params[ix(index)].known = true;
   console_.tell(Notice::Kind::info, "The joystick was switched off by the stop.");
   co_return said;
+}
+
+// The answers to what was cut short, and to what was asked last, may still be on the line: the stop waits for
+// them, and comes twice. Of several axes all stop, as each command would meet the answer to the one before.
+LastWill Stops::last_will(unsigned axes) const {
+  const std::string_view form = console_.forms.stop;
+  const bool one = console_.axes() > 1 && std::has_single_bit(axes);
+  const std::string word =
+      one ? fill(console_.forms, form, std::countr_zero(axes)) : std::string(form.substr(0, form.find('a')));
+  const std::string stop = frame(talk_.framing(), console_.catalog.address, word);
+  if (talk_.framing() == Framing::message) return {{Millis(0), stop}, {Millis(100), stop}};
+  return {{Millis(0), std::string(cut_off)}, {Millis(50), stop}, {Millis(150), stop}};
 }
 
 // ---- what has become of it

@@ -25,6 +25,7 @@ class Stops {
   Task<Result<>> stop(const StopOrder& order);
   /// What shows whether the controller stands.
   Task<Result<>> look();
+  [[nodiscard]] LastWill last_will(unsigned axes) const;
   StopProgress progress(const StopOrder& order);
 
  private:

@@ -220,20 +220,42 @@ std::vector<ActionInfo> actions(const Variant& variant) {
   return all;
 }
 
+ReadoutInfo readout(std::string_view letters, std::string_view label, int axis, Group group,
+                    const char* help) {
+  ReadoutInfo r;
+  const char letter = axis_letters[ix(axis)];
+  r.id = fmt::format("{}{}", letters, letter);
+  r.label = fmt::format("{} of {}", label, letter);
+  r.group = group;
+  r.axis = axis;
+  r.help = help;
+  return r;
+}
+
+// Those of one kind stand together: a table draws them as a column.
 void add_readouts(Catalog& c, const Variant& variant) {
-  c.readout_groups = {"Flags", "Queues", "Memory map"};
+  c.readout_groups = {"Flags", "Queues", "Memory map", "Loops"};
   c.memory_readout_group = memory_group;
   for (int i = 0; i < variant.axes(); ++i) {
     if (!variant.fitting(i).encoder) continue;
-    ReadoutInfo slip;
-    slip.id = fmt::format("SLIP{}", axis_letters[ix(i)]);
-    slip.label = fmt::format("Slip of {}", axis_letters[ix(i)]);
-    slip.group = flag_group;
-    slip.axis = i;
+    ReadoutInfo slip = readout(
+        "SLIP", "Slip", i, flag_group,
+        "Set when encoder and position differ by more than ES; the console clears it with the flags.");
     slip.words = {{0, "none"}, {1, "slipped"}};
     slip.bad = {1};
-    slip.help = "Set when encoder and position differ by more than ES; the console clears it with the flags.";
     c.readouts.push_back(std::move(slip));
+  }
+  for (int i = 0; i < variant.axes(); ++i)
+    c.readouts.push_back(
+        readout("RQ", "Free places in the queue", i, queue_group,
+                "RQ: entries of the axis' queue that hold nothing. What waits there is carried "
+                "out one after the other."));
+  for (int i = 0; i < variant.axes(); ++i) {
+    if (variant.fitting(i).kind != AxisKind::servo) continue;
+    ReadoutInfo loop =
+        readout("HN", "Servo loop", i, loop_group, "EA: whether the loop of the axis is closed.");
+    loop.words = {{0, "off"}, {1, "on"}};
+    c.readouts.push_back(std::move(loop));
   }
 }
 
@@ -272,6 +294,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   set_factory_values(c.params, *board);
   c.actions = actions(variant);
   add_readouts(c, variant);
+  add_axis_tables(c);
   add_memory_map(c, variant);
   c.queue_depth = queue_entries;
   c.contour_size = board->contour_size;

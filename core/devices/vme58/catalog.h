@@ -6,7 +6,7 @@
 namespace hw::vme58 {
 
 /// Readout groups, in their order.
-enum Group : std::uint8_t { flag_group, queue_group, memory_group };
+enum Group : std::uint8_t { flag_group, queue_group, memory_group, loop_group };
 /// Auxiliary outputs are numbered behind the general lines: 14 is X.
 inline constexpr int first_auxiliary = io_lines;
 /// Ways of homing, in the catalog's order.
@@ -30,6 +30,8 @@ bool recognises(std::string_view reply);
 
 std::vector<CommandInfo> command_help();
 std::vector<ParamInfo> param_infos(const Variant& variant);
+/// What Control shows, a row per axis; behind the actions and the set-up.
+void add_axis_tables(Catalog& catalog);
 void add_memory_map(Catalog& catalog, const Variant& variant);
 
 }  // namespace hw::vme58

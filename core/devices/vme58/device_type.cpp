@@ -4,6 +4,7 @@
 #include "core/devices/vme58/driver.h"
 #include "core/devices/vme58/emulator.h"
 #include "core/devices/vme58/explain.h"
+#include "core/devices/vme58/facts.h"
 #include "core/devices/vme58/program_language.h"
 
 namespace hw::vme58 {
@@ -19,6 +20,7 @@ DeviceType device_type() {
   t.explain = explain;
   t.probe = "";
   t.recognises = recognises;
+  t.acceleration = {"counts/s²", "as AC of the axis", 1, acceleration_max};
   return t;
 }
 

@@ -22,9 +22,9 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
   using namespace intent;
   if (!talk_.wire.is_open()) co_return no_connection();
   if (const auto* i = std::get_if<MoveTo>(&body))
-    co_return co_await work_.moves.move(i->targets, i->speed, false);
+    co_return co_await work_.moves.move(i->targets, pace_of(*i), false);
   if (const auto* i = std::get_if<MoveBy>(&body))
-    co_return co_await work_.moves.move(i->distances, i->speed, true);
+    co_return co_await work_.moves.move(i->distances, pace_of(*i), true);
   if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await work_.moves.jog(*i);
   if (const auto* i = std::get_if<Home>(&body)) co_return co_await work_.moves.home(*i);
   if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await work_.drive.set_position(*i);
@@ -94,6 +94,8 @@ Task<Result<std::string>> Vme58Driver::stop(const StopOrder& order) {
   if (!sent) co_return fail(sent.error());
   co_return std::string();
 }
+
+LastWill Vme58Driver::last_will(unsigned) const { return strings_.stops.last_will(); }
 
 StopProgress Vme58Driver::stop_progress(const StopOrder& order) { return strings_.stops.progress(order); }
 
@@ -175,7 +177,7 @@ void Vme58Driver::axes_read(int whole, Instant at) {
   known_.values.take(whole);
   for (int i = 0; i < axes(); ++i) {
     known_.motions.show(i, at);
-    draft_.axes[i].own_speed = Pps(static_cast<double>(known_.speeds.own(i)));
+    draft_.axes[i].own_speed = Pps(static_cast<double>(known_.speeds.velocity.own(i)));
   }
   samples_.take(at);
 }

@@ -45,6 +45,7 @@ class Vme58Driver final : public Driver, private Readings::Listener {
   Task<Result<>> poll(Round round) override;
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<std::string>> stop(const StopOrder& order) override;
+  [[nodiscard]] LastWill last_will(unsigned axes) const override;
   StopProgress stop_progress(const StopOrder& order) override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;

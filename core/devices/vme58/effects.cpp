@@ -23,6 +23,7 @@ void Effects::note(const TextCommand& command) {
     case Op::ET:
       if (one) loops_.leaves_its_place(axis);  // wherever its encoder input leads
       break;
+    case Op::AC:
     case Op::VL: speeds_.note(command); break;
     case Op::FL:
     case Op::FP: speeds_.forget_put(one ? axis : -1); break;

@@ -32,15 +32,20 @@ Result<> Moves::may_move(int axis) const {
   return {};
 }
 
-Result<std::int64_t> Moves::checked_speed(Pps speed) const {
-  const auto whole = static_cast<std::int64_t>(std::llround(speed.value));
-  if (whole == 0 && speed.value == 0) return 0;
-  if (whole < 1 || whole > velocity_max)
+Result<WholePace> Moves::checked(const intent::Pace& pace) const {
+  const auto speed = static_cast<std::int64_t>(std::llround(pace.speed.value));
+  if (pace.speed.value != 0 && (speed < 1 || speed > velocity_max))
     return fail(FaultKind::refused,
                 fmt::format("{:g} counts/s is not possible: a VME58 axis takes 1 to {} counts/s.",
-                            speed.value, velocity_max),
+                            pace.speed.value, velocity_max),
                 "Nothing was sent.");
-  return whole;
+  const std::int64_t acceleration = pace.acceleration.value_or(0);
+  if (pace.acceleration && (acceleration < 1 || acceleration > acceleration_max))
+    return fail(FaultKind::refused,
+                fmt::format("{} is no acceleration: a VME58 axis takes 1 to {} counts/s².", acceleration,
+                            acceleration_max),
+                "Nothing was sent.");
+  return WholePace{speed, acceleration};
 }
 
 Result<Moves::Wish> Moves::checked(const std::vector<AxisTarget>& targets, bool relative) const {
@@ -75,60 +80,74 @@ Task<Result<>> Moves::begin(std::string text, Motions::Way way) {
   co_return sent;
 }
 
-Task<Result<>> Moves::move(std::vector<AxisTarget> targets, Pps speed_wish, bool relative,
+Task<Result<>> Moves::move(std::vector<AxisTarget> targets, intent::Pace pace_wish, bool relative,
                            Activity shown_as) {
-  const auto speed = checked_speed(speed_wish);
-  if (!speed) co_return fail(speed.error());
+  const auto pace = checked(pace_wish);
+  if (!pace) co_return fail(pace.error());
   auto wish = checked(targets, relative);
   if (!wish) co_return fail(wish.error());
   wish->way.activity = shown_as;
   for (int i = 0; i < axes(); ++i) {
     if ((wish->way.axes >> i & 1) == 0) continue;
-    Result<> set;
-    if (*speed > 0)
-      set = co_await speeds_.borrow(i, *speed);
-    else
-      set = co_await speeds_.give_back(i, Priority::intent);
+    auto set = co_await speeds_.borrow(i, *pace);
     if (!set) co_return set;
   }
   if (wish->way.axes == 0) co_return Result<>();
-  std::string text = move_text(*wish, *speed, relative);
+  std::string text = move_text(*wish, *pace, relative);
   co_return co_await begin(std::move(text), wish->way);
 }
 
-// VL waits in the queue like the move, so it can be put back behind it: by whoever sees it end.
-std::string Moves::move_text(const Wish& wish, std::int64_t speed, bool relative) const {
+namespace {
+
+/// VL and AC wait in the queue like the motion, so they can be put back behind it: by whoever sees it end.
+std::string pace_text(WholePace pace) {
+  std::string text;
+  if (pace.speed > 0) text += fmt::format("VL{} ", pace.speed);
+  if (pace.acceleration > 0) text += fmt::format("AC{} ", pace.acceleration);
+  return text;
+}
+
+}  // namespace
+
+std::string Moves::move_text(const Wish& wish, WholePace pace, bool relative) const {
   const std::string_view letters = relative ? "MR" : "MA";
   const unsigned moved = wish.way.axes;
   int only = 0;
   while ((moved >> only & 1) == 0) ++only;
-  if ((moved & (moved - 1)) == 0) {
-    const std::string first = speed > 0 ? fmt::format("VL{} ", speed) : "";
-    return selection_.addressed(only, fmt::format("{}{}{} GD ID", first, letters, *wish.operands[ix(only)]));
-  }
-  Operands speeds{};
-  for (int i = 0; i < axes(); ++i)
-    if ((moved >> i & 1) != 0) speeds[ix(i)] = speed;
-  const std::string first = speed > 0 ? encode_list("VL", speeds) + " " : "";
+  if ((moved & (moved - 1)) == 0)
+    return selection_.addressed(
+        only, fmt::format("{}{}{} GD ID", pace_text(pace), letters, *wish.operands[ix(only)]));
+  const auto of_all = [&](std::string_view setting, std::int64_t value) {
+    Operands values{};
+    for (int i = 0; i < axes(); ++i)
+      if ((moved >> i & 1) != 0) values[ix(i)] = value;
+    return value > 0 ? encode_list(setting, values) + " " : std::string();
+  };
+  const std::string first = of_all("VL", pace.speed) + of_all("AC", pace.acceleration);
   return selection_.addressed("AM", first + encode_list(letters, wish.operands) + " GD ID");
 }
 
 Task<Result<>> Moves::jog(intent::JogStart wish) {
   if (wish.up_to) {
     std::vector<AxisTarget> end(1, AxisTarget{wish.axis, *wish.up_to});
-    co_return co_await move(std::move(end), wish.speed, false, Activity::jogging);
+    co_return co_await move(std::move(end), pace_of(wish), false, Activity::jogging);
   }
   const int axis = wish.axis.index;
   if (auto may = may_move(axis); !may) co_return may;
-  auto speed = checked_speed(wish.speed);
-  if (!speed) co_return fail(speed.error());
-  if (*speed == 0) {
-    auto read = co_await speeds_.read(axis, Priority::intent);
+  auto pace = checked(pace_of(wish));
+  if (!pace) co_return fail(pace.error());
+  if (pace->speed == 0) {
+    auto read = co_await speeds_.velocity.read(axis, Priority::intent);
     if (!read) co_return read;
+    pace->speed = std::max<std::int64_t>(1, speeds_.velocity.own(axis));
   }
-  if (*speed == 0) speed = std::max<std::int64_t>(1, speeds_.own(axis));
-  motions_.will_jog(axis, static_cast<double>(*speed));
-  std::string text = selection_.addressed(axis, fmt::format("JG{}", factor(wish.sign) * *speed));
+  if (pace->acceleration > 0) {
+    auto set = co_await speeds_.acceleration.borrow(axis, pace->acceleration);
+    if (!set) co_return set;
+  }
+  motions_.will_jog(axis, static_cast<double>(pace->speed));
+  const std::string ramp = pace_text({0, pace->acceleration});
+  std::string text = selection_.addressed(axis, fmt::format("{}JG{}", ramp, factor(wish.sign) * pace->speed));
   co_return co_await begin_jog(std::move(text), axis);
 }
 
@@ -177,14 +196,16 @@ Task<Result<>> Moves::home(intent::Home wish) {
       co_return fail(FaultKind::refused, fmt::format("There is no way of homing number {}.", wish.mode),
                      "Nothing was sent.");
   }
-  auto own = co_await speeds_.give_back(axis, Priority::intent);
-  if (!own) co_return own;
+  const auto pace = checked(wish.pace);
+  if (!pace) co_return fail(pace.error());
+  auto set = co_await speeds_.borrow(axis, *pace);
+  if (!set) co_return set;
   Motions::Way way;
   way.axes = 1u << axis;
   way.activity = Activity::homing;
   const bool dead = static_cast<HomeMode>(wish.mode) == HomeMode::stop_dead;
   way.at_home = dead ? AtHome::stops_dead : AtHome::sets_counter;
-  text = selection_.addressed(axis, "CA " + text);
+  text = selection_.addressed(axis, "CA " + pace_text(*pace) + text);
   co_return co_await begin(std::move(text), way);
 }
 

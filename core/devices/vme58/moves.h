@@ -24,7 +24,7 @@ class Moves {
         draft_(draft) {}
 
   /// One axis by itself; several on a straight line, as a group of AM beside which others may run.
-  Task<Result<>> move(std::vector<AxisTarget> wish, Pps speed, bool relative,
+  Task<Result<>> move(std::vector<AxisTarget> targets, intent::Pace pace, bool relative,
                       Activity shown_as = Activity::moving);
   Task<Result<>> jog(intent::JogStart wish);
   /// JF, in thousandths of a count a second; 0 ends it.
@@ -38,9 +38,9 @@ class Moves {
     Motions::Way way;
   };
   [[nodiscard]] Result<> may_move(int axis) const;
-  [[nodiscard]] Result<std::int64_t> checked_speed(Pps speed) const;
+  [[nodiscard]] Result<WholePace> checked(const intent::Pace& pace) const;
   [[nodiscard]] Result<Wish> checked(const std::vector<AxisTarget>& targets, bool relative) const;
-  [[nodiscard]] std::string move_text(const Wish& wish, std::int64_t speed, bool relative) const;
+  [[nodiscard]] std::string move_text(const Wish& wish, WholePace pace, bool relative) const;
   Task<Result<>> begin(std::string text, Motions::Way way);
   Task<Result<>> begin_jog(std::string text, int axis);
   [[nodiscard]] int axes() const { return static_cast<int>(catalog_.axes.size()); }

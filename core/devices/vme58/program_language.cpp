@@ -4,12 +4,11 @@
 #include "core/devices/vme58/program_rehearsal.h"
 #include "core/devices/vme58/sequence_reader.h"
 #include "core/devices/vme58/sequence_writer.h"
-#include "core/devices/vme58/staircase_text.h"
 
 namespace hw::vme58 {
 namespace {
 
-class CommandStrings final : public Language, public StaircaseWriter, public PartialWriter {
+class CommandStrings final : public Language, public PartialWriter {
  public:
   [[nodiscard]] ProgramReport analyse(std::string_view text, int) const override {
     return check_program(text);
@@ -30,10 +29,6 @@ class CommandStrings final : public Language, public StaircaseWriter, public Par
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
                                           const Catalog& catalog) const override {
     return read_sequence(text, frame, catalog);
-  }
-  [[nodiscard]] Result<std::string> write_staircase(const StaircasePlan& plan,
-                                                    const Catalog& catalog) const override {
-    return staircase_text(plan, catalog);
   }
 };
 

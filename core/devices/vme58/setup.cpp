@@ -35,14 +35,14 @@ Task<Result<>> Setup::set(intent::SetParam wish) {
 /// AC, VL and VB wait in the axis' queue: what the board shows may come later.
 Task<Result<>> Setup::look_what_came(std::size_t place, std::int64_t wanted) {
   const Parameter& parameter = values_.at(place);
-  const bool speed = parameter.fact->shown == AxisValue::maximum_velocity;
-  if (speed) speeds_.was_set(parameter.axis, wanted);
+  OwnSetting* const own = speeds_.shown_at(parameter.fact->shown);
+  if (own) own->was_set(parameter.axis, wanted);
   readings_.next_is(parameter.axis);
   auto read = co_await readings_.read_axes(Priority::intent);
   if (!read) co_return read;
   const ParamState& state = draft_.params[place];
   const ParamInfo& info = catalog_.params[place];
-  if (speed) speeds_.was_put(parameter.axis, wanted, state.value != wanted);
+  if (own) own->was_put(parameter.axis, wanted, state.value != wanted);
   if (state.value == wanted) co_return Result<>();
   if (motions_.moving(parameter.axis)) {
     wire_.tell(Notice::Kind::info,

@@ -1,132 +1,47 @@
 #include "core/devices/vme58/speeds.h"
 
-#include <cmath>
-#include <utility>
-
-#include <fmt/core.h>
-
 namespace hw::vme58 {
 
-std::int64_t Speeds::shown(int axis) const { return readings_.value(axis, AxisValue::maximum_velocity); }
-
-std::int64_t Speeds::own(int axis) const {
-  if (at(axis).borrowed) return at(axis).borrowed->before;
-  return at(axis).put ? at(axis).put->value : shown(axis);
-}
-
-Task<Result<>> Speeds::read(int axis, Priority priority) {
-  Result<> read;
-  if (at(axis).put) read = co_await queues_.read(Priority::poll);
-  readings_.next_is(axis);
-  if (read) read = co_await readings_.read_axes(priority);
-  if (read) co_return read;
-  FaultKind& kind = read.error().kind;
-  if (kind == FaultKind::no_answer || kind == FaultKind::garbled) {
-    kind = FaultKind::refused;
-    read.error().done = "Nothing was sent.";
-  }
-  co_return read;
-}
-
-Task<Result<>> Speeds::borrow(int axis, std::int64_t speed) {
-  if (!at(axis).borrowed) {
-    auto found = co_await read(axis, Priority::intent);
-    if (!found) co_return found;
-  }
-  at(axis).borrowed = Borrowed{own(axis), speed};
-  co_return Result<>();
+Task<Result<>> Speeds::borrow(int axis, WholePace pace) {
+  Result<> set;
+  if (pace.speed > 0)
+    set = co_await velocity.borrow(axis, pace.speed);
+  else
+    set = co_await velocity.give_back(axis, Priority::intent);
+  if (!set) co_return set;
+  if (pace.acceleration > 0)
+    set = co_await acceleration.borrow(axis, pace.acceleration);
+  else
+    set = co_await acceleration.give_back(axis, Priority::intent);
+  co_return set;
 }
 
 Task<Result<>> Speeds::give_back(int axis, Priority priority) {
-  if (!at(axis).borrowed || selection_.recording()) co_return Result<>();
-  const Borrowed borrowed = *at(axis).borrowed;
-  if (borrowed.left_alone) {
-    auto found = co_await read(axis, priority);
-    if (!found) co_return found;
-  }
-  const bool anothers = borrowed.left_alone && shown(axis) != borrowed.for_now;
-  if (borrowed.before == borrowed.for_now || anothers) {
-    at(axis).borrowed.reset();
-    co_return Result<>();
-  }
-  std::string text = selection_.addressed(axis, fmt::format("VL{}", borrowed.before));
-  auto given = co_await commands_.say(std::move(text), priority);
-  if (!given && given.error().kind != FaultKind::controller) co_return given;  // it is still to be done
-  at(axis).borrowed.reset();
-  if (draft_.working) at(axis).put = Put{borrowed.before};
-  // It is shown as the axis' own before it comes to be read in turn.
-  readings_.know(axis, AxisValue::maximum_velocity, borrowed.before);
-  readings_.next_is(axis);
+  auto given = co_await velocity.give_back(axis, priority);
+  if (given) given = co_await acceleration.give_back(axis, priority);
   co_return given;
 }
 
 Task<Result<>> Speeds::give_all_back(Priority priority) {
-  for (int i = 0; i < count(); ++i) {
-    if (motions_.ours(i)) continue;
-    auto given = co_await give_back(i, priority);
-    if (!given) co_return given;
-  }
-  co_return Result<>();
+  auto given = co_await velocity.give_all_back(priority);
+  if (given) given = co_await acceleration.give_all_back(priority);
+  co_return given;
 }
 
 Task<Result<>> Speeds::give_back_behind_motions(Priority priority) {
-  for (int i = 0; i < count() && !selection_.recording(); ++i) {
-    const auto& borrowed = at(i).borrowed;
-    if (!borrowed || borrowed->waits_behind || !motions_.ours(i) || motions_.in_company(i)) continue;
-    std::string text = selection_.addressed(i, fmt::format("VL{}", borrowed->before));
-    auto given = co_await commands_.say(std::move(text), priority);
-    if (!given) co_return given;
-    if (at(i).borrowed) at(i).borrowed->waits_behind = true;
-  }
-  co_return Result<>();
+  auto given = co_await velocity.give_back_behind_motions(priority);
+  if (given) given = co_await acceleration.give_back_behind_motions(priority);
+  co_return given;
 }
 
 void Speeds::note(const TextCommand& command) {
-  const bool one = command.context.mode == where::single;
-  for (int i = 0; i < count(); ++i) {
-    const std::size_t place = one ? 0 : static_cast<std::size_t>(i);
-    if ((one && i != command.context.axis) || place >= command.numbers.size() || !command.numbers[place])
-      continue;
-    const double unit = selection_.user_unit(i) != 0 ? selection_.user_unit(i) : 1;
-    at(i).put = Put{std::llround(*command.numbers[place] * unit)};
-    if (at(i).borrowed) at(i).borrowed->before = at(i).put->value;
-  }
+  if (command.fact->op == Op::VL) velocity.note(command);
+  if (command.fact->op == Op::AC) acceleration.note(command);
 }
 
-void Speeds::was_set(int axis, std::int64_t value) {
-  if (at(axis).borrowed) at(axis).borrowed->before = value;
-}
-
-void Speeds::was_put(int axis, std::int64_t value, bool waits) {
-  if (at(axis).put || waits) at(axis).put = Put{value};
-}
-
-void Speeds::forget_put(int axis) {
-  for (int i = 0; i < count(); ++i) {
-    if (axis >= 0 && i != axis) continue;
-    if (at(i).borrowed && at(i).put) at(i).borrowed->left_alone = true;
-    at(i).put.reset();
-  }
-}
-
-bool Speeds::may_wait(int axis) const { return at(axis).put && !at(axis).put->carried_out; }
-
-void Speeds::take_queues(unsigned all_free) {
-  for (int i = 0; i < count(); ++i) {
-    const unsigned its = 3u << count() | 1u << i;
-    if (at(i).put && (all_free & its) == its) at(i).put->carried_out = true;
-  }
-}
-
-void Speeds::take(int axis) {
-  if (at(axis).put && at(axis).put->carried_out) at(axis).put.reset();
-}
-
-void Speeds::wire_lost() {
-  for (Axis& axis : axes_) {
-    axis.put.reset();
-    if (axis.borrowed) axis.borrowed->left_alone = true;
-  }
+OwnSetting* Speeds::shown_at(std::optional<AxisValue> cell) {
+  if (cell == AxisValue::maximum_velocity) return &velocity;
+  return cell == AxisValue::acceleration ? &acceleration : nullptr;
 }
 
 }  // namespace hw::vme58

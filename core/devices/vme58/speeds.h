@@ -1,88 +1,39 @@
 #pragma once
-// At which speed an axis goes: VL, which is the user's, and which a move with a speed of its own borrows.
-#include <array>
-#include <optional>
-
-#include "core/devices/vme58/commands.h"
-#include "core/devices/vme58/motions.h"
-#include "core/devices/vme58/queues.h"
+// At which speed an axis goes, and how it comes there: VL and AC.
+#include "core/devices/vme58/own_setting.h"
 
 namespace hw::vme58 {
+
+/// Of one motion, in whole counts; 0: as the axis is set.
+struct WholePace {
+  std::int64_t speed = 0, acceleration = 0;
+};
 
 class Speeds {
  public:
   Speeds(Readings& readings, const Selection& selection, Commands& commands, Queues& queues,
          const Motions& motions, const Catalog& catalog, Snapshot& draft)
-      : readings_(readings),
-        selection_(selection),
-        commands_(commands),
-        queues_(queues),
-        motions_(motions),
-        catalog_(catalog),
-        draft_(draft) {}
+      : velocity("VL", AxisValue::maximum_velocity, readings, selection, commands, queues, motions, catalog,
+                 draft),
+        acceleration("AC", AxisValue::acceleration, readings, selection, commands, queues, motions, catalog,
+                     draft) {}
 
-  /// VL as the user has it, also while a move with a speed of its own has another there, or while it waits in
-  /// a queue.
-  [[nodiscard]] std::int64_t own(int axis) const;
-  /// In turn it would be read once in a second or two, and a text may just have set it. One that may wait in
-  /// a queue is believed until the queues are empty.
-  Task<Result<>> read(int axis, Priority priority);
-  Task<Result<>> borrow(int axis, std::int64_t speed);
+  OwnSetting velocity, acceleration;
+
+  /// What the pace has of its own is borrowed, the rest is as the user has it.
+  Task<Result<>> borrow(int axis, WholePace pace);
   Task<Result<>> give_back(int axis, Priority priority);
-  /// Of all axes that no motion of ours moves.
   Task<Result<>> give_all_back(Priority priority);
-  /// What comes behind a motion that is under way, in the same queue, goes at the axis' own speed. At its end
-  /// that is given back once more: a stop may take this out of the queue. A move of several axes stands in
-  /// the queue of AM, and what is put into theirs may come before it.
   Task<Result<>> give_back_behind_motions(Priority priority);
 
-  /// Text has set it. What is set while it is borrowed is what is given back.
   void note(const TextCommand& command);
-  /// Set-up has; `waits`: what the board shows is another one yet.
-  void was_set(int axis, std::int64_t value);
-  void was_put(int axis, std::int64_t value, bool waits);
-  /// Its queue is emptied: what waits there is never carried out, nor is what was to be put back behind it.
-  /// -1: all.
-  void forget_put(int axis);
-  [[nodiscard]] bool may_wait(int axis) const;
-  void take_queues(unsigned all_free);
-  /// VL of this axis has been read.
-  void take(int axis);
-  /// The wire is gone. What is borrowed is still owed.
-  void wire_lost();
-  /// The board was reset: VL is as from the factory.
-  void forget() { axes_ = {}; }
-
- private:
-  /// A setting that is written for one motion, and put back behind it.
-  struct Borrowed {
-    std::int64_t before, for_now;
-    bool left_alone = false;    ///< a lost window or an emptied queue came between: what is there is right,
-                                ///< unless it is `for_now`
-    bool waits_behind = false;  ///< `before` was put into the queue behind the motion already
-  };
-  /// A VL that text or set-up has put into a queue, where it may still wait.
-  struct Put {
-    std::int64_t value;
-    bool carried_out = false;  ///< the queues were seen empty since: what is read next is right
-  };
-  struct Axis {
-    std::optional<Borrowed> borrowed;
-    std::optional<Put> put;
-  };
-  [[nodiscard]] Axis& at(int axis) { return axes_[static_cast<std::size_t>(axis)]; }
-  [[nodiscard]] const Axis& at(int axis) const { return axes_[static_cast<std::size_t>(axis)]; }
-  [[nodiscard]] int count() const { return static_cast<int>(catalog_.axes.size()); }
-  [[nodiscard]] std::int64_t shown(int axis) const;
-
-  Readings& readings_;
-  const Selection& selection_;
-  Commands& commands_;
-  Queues& queues_;
-  const Motions& motions_;
-  const Catalog& catalog_;
-  Snapshot& draft_;
-  std::array<Axis, most_axes> axes_{};
+  void forget_put(int axis) { velocity.forget_put(axis), acceleration.forget_put(axis); }
+  void take_queues(unsigned all_free) { velocity.take_queues(all_free), acceleration.take_queues(all_free); }
+  void take(int axis) { velocity.take(axis), acceleration.take(axis); }
+  void wire_lost() { velocity.wire_lost(), acceleration.wire_lost(); }
+  void forget() { velocity.forget(), acceleration.forget(); }
+  /// The one whose cell this is; null: neither.
+  OwnSetting* shown_at(std::optional<AxisValue> cell);
 };
 
 }  // namespace hw::vme58

@@ -48,7 +48,7 @@ bool StatusQuestions::wants_queues() {
   for (int i = 0; i < axes(); ++i) {
     const bool waiting = bit(draft_.queue_known, i) && draft_.queue_free[ix(i)] < queue_entries;
     const bool anothers = motions_.moving(i) && !motions_.ours(i);
-    matters = matters || waiting || speeds_.may_wait(i) || anothers;
+    matters = matters || waiting || speeds_.velocity.may_wait(i) || anothers;
     at_once = at_once || motions_.asks_queue(i);
   }
   return at_once || (matters && in_turn());
@@ -110,12 +110,27 @@ void StatusQuestions::take_slip_flag(bool any) {
   if (!any) slips_ = 0;
   draft_.window.put(reg::slip, 1, slips_);
   for (int i = 0; i < axes(); ++i) {
-    draft_.axes[i].slipped = bit(slips_, i);
-    const int place = catalog_.find_readout(fmt::format("SLIP{}", catalog_.axes[ix(i)].name));
-    if (place < 0) continue;
-    draft_.readouts_known.set(ix(place));
-    draft_.readouts_seen_at[ix(place)] = wire_.now();
+    AxisState& axis = draft_.axes[i];
+    axis.slipped = bit(slips_, i);
+    show("SLIP", i, bit(slips_, i));
+    if (axis.loop == Loop::unknown)
+      show("HN", i, std::nullopt);
+    else
+      show("HN", i, axis.loop != Loop::open);
+    if (bit(draft_.queue_known, i))
+      show("RQ", i, draft_.queue_free[ix(i)]);
+    else
+      show("RQ", i, std::nullopt);
   }
+}
+
+/// In the readout of that axis, where it has one.
+void StatusQuestions::show(std::string_view letters, int axis, std::optional<std::int64_t> value) {
+  const int place = catalog_.find_readout(fmt::format("{}{}", letters, catalog_.axes[ix(axis)].name));
+  if (place < 0) return;
+  if (value) draft_.readouts[ix(place)] = *value;
+  draft_.readouts_known.set(ix(place), value.has_value());
+  draft_.readouts_seen_at[ix(place)] = wire_.now();
 }
 
 // RL leaves the flags as they are. Of a flag that was seen before nothing more is told.

@@ -1,5 +1,8 @@
 #pragma once
 // What a round of status asks by command, while the board takes commands: flags, slips, loops and queues.
+#include <optional>
+#include <string_view>
+
 #include "core/devices/vme58/speeds.h"
 
 namespace hw::vme58 {
@@ -47,6 +50,7 @@ class StatusQuestions {
   Task<Result<>> read_loops();
   void take_done(unsigned axes);
   void slipped(int axis);
+  void show(std::string_view letters, int axis, std::optional<std::int64_t> value);
 
   Wire& wire_;
   Readings& readings_;

@@ -122,6 +122,13 @@ Task<Result<bool>> Stops::stop_axis(std::string selector) {
   co_return false;
 }
 
+// A second one follows for what the board may just have taken out of its ring.
+LastWill Stops::last_will() const {
+  std::vector<BusCycle> cycles;
+  append_mail(cycles, "SA", wire_.enabled());
+  return {{Millis(0), {}, cycles}, {Millis(100), {}, cycles}};
+}
+
 void Stops::stopping(int axis, bool at_once) {
   for (int i = 0; i < static_cast<int>(catalog_.axes.size()); ++i)
     if (axis < 0 || i == axis) effect_.told(i);

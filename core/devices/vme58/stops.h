@@ -26,6 +26,8 @@ class Stops {
         draft_(draft) {}
 
   Task<Result<>> send(StopOrder order);
+  /// SA, all axes: the mailbox has no place for one, and the ring cannot be written without being read.
+  [[nodiscard]] LastWill last_will() const;
   /// By the latest round.
   StopProgress progress(const StopOrder& order);
   void forget();

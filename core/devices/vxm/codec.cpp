@@ -50,6 +50,7 @@ std::string zero_here(int motor) { return fmt::format("IA{}M-0\r", motor); }
 std::string speed(int motor, int steps_per_second) {
   return fmt::format("S{}M{}\r", motor, steps_per_second);
 }
+std::string acceleration(int motor, int code) { return fmt::format("A{}M{}\r", motor, code); }
 std::string index_pair(int slave_motor, Steps slave_distance, int motor, Steps distance) {
   return fmt::format("(I{}M{},I{}M{},)", slave_motor, slave_distance.value, motor, distance.value);
 }
@@ -135,6 +136,18 @@ std::optional<Digitized> decode_digitized(std::string_view reply, int motors) {
     all.positions.push_back(*position);
   }
   return all;
+}
+
+bool reports_error(std::string_view reply) {
+  while (!reply.empty()) {
+    const std::size_t end = reply.find_first_of("\r\n");
+    const std::string_view line = reply.substr(0, end);
+    if (line.size() == 2 && (line[0] == error_mark || line[0] == error_mark_barred) &&
+        std::string_view("BMLJCN").find(line[1]) != std::string_view::npos)
+      return true;
+    reply.remove_prefix(end == std::string_view::npos ? reply.size() : end + 1);
+  }
+  return false;
 }
 
 bool limit_active(unsigned char byte, int axis, Sign sign) {

@@ -17,6 +17,7 @@ std::string index_to(int motor, Steps position);
 std::string home(int motor, Sign sign);
 std::string zero_here(int motor);
 std::string speed(int motor, int steps_per_second);
+std::string acceleration(int motor, int code);
 /// Moves both at once: one motor of the Slave (3, 4) and one of the Master (1, 2).
 std::string index_pair(int slave_motor, Steps slave_distance, int motor, Steps distance);
 /// Stored command that switches an output of this controller, 1 to 4.
@@ -52,6 +53,9 @@ struct Digitized {  ///< the answer to D in Local mode
   std::vector<Steps> positions;
 };
 std::optional<Digitized> decode_digitized(std::string_view reply, int motors);
+
+/// Whether an error report is among the answers. Of the Stop input it is none: nothing was refused.
+bool reports_error(std::string_view reply);
 
 /// Raw status bytes, by the catalog's numbering.
 bool limit_active(unsigned char byte, int axis, Sign sign);

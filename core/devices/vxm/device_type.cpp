@@ -1,9 +1,11 @@
 #include "core/devices/vxm/device_type.h"
 
 #include "core/devices/vxm/catalog.h"
+#include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/driver.h"
 #include "core/devices/vxm/emulator.h"
 #include "core/devices/vxm/explain.h"
+#include "core/devices/vxm/facts.h"
 #include "core/devices/vxm/program_language.h"
 
 namespace hw::vxm {
@@ -18,6 +20,8 @@ DeviceType device_type() {
   t.explain = explain;
   t.probe = probe;
   t.recognises = recognises;
+  t.acceleration = {"x 1000 steps/s²", "as A of the motor", min_accel, max_accel};
+  t.refuses = reports_error;
   return t;
 }
 

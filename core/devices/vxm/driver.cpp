@@ -94,6 +94,8 @@ Task<Result<std::string>> VxmDriver::stop(const StopOrder& order) {
   co_return std::string();
 }
 
+LastWill VxmDriver::last_will(unsigned) const { return Stops::last_will(); }
+
 StopProgress VxmDriver::stop_progress(const StopOrder& order) { return work_.stops.progress(order); }
 
 // ---- texts
@@ -131,9 +133,9 @@ Task<Result<>> VxmDriver::perform(const IntentBody& body) {
   if (!is_ready) co_return is_ready;
   if (text) co_return co_await work_.texts.send(text->text);
   if (const auto* i = std::get_if<MoveTo>(&body))
-    co_return co_await work_.moves.move(i->targets, i->speed, false);
+    co_return co_await work_.moves.move(i->targets, pace_of(*i), false);
   if (const auto* i = std::get_if<MoveBy>(&body))
-    co_return co_await work_.moves.move(i->distances, i->speed, true);
+    co_return co_await work_.moves.move(i->distances, pace_of(*i), true);
   if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await work_.moves.jog(*i);
   if (const auto* i = std::get_if<Home>(&body)) co_return co_await work_.moves.home(*i);
   if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await work_.moves.set_position(*i);

@@ -46,6 +46,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> poll(Round round) override;
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<std::string>> stop(const StopOrder& order) override;
+  [[nodiscard]] LastWill last_will(unsigned axes) const override;
   StopProgress stop_progress(const StopOrder& order) override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;

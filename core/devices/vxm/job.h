@@ -8,6 +8,7 @@
 
 #include "core/device/snapshot.h"
 #include "core/device/stop.h"
+#include "core/devices/vxm/speeds.h"
 
 namespace hw::vxm {
 
@@ -18,8 +19,8 @@ struct Leg {
   Activity activity = Activity::idle;  ///< idle: switches or sets something, moves nothing
   Sign sign = Sign::plus;
   std::optional<Steps> target;
-  std::optional<Steps> up_to;   ///< of a jog: the end of its travel
-  int speed = 0;                ///< 0: as the controller is set
+  std::optional<Steps> up_to;  ///< of a jog: the end of its travel
+  LegPace pace;
   std::optional<Trust> zeroes;  ///< ends with its axis called zero: for this reason
 
   [[nodiscard]] bool is_of(int an_axis) const { return axis == an_axis || second_axis == an_axis; }

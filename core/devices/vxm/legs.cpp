@@ -1,5 +1,6 @@
-// S lasts beyond a run and cannot be read. A move with a speed of its own therefore ends by putting back what
-// the user's last S said, or 2000 steps/s, the power-up value, if none was seen.
+// S and A last beyond a run and cannot be read. A move with a speed or an acceleration of its own therefore
+// ends by putting back what the user's last S or A said, or the power-up value, 2000 steps/s and 2, if none
+// was seen.
 #include "core/devices/vxm/legs.h"
 
 #include <algorithm>
@@ -17,21 +18,28 @@ namespace {
 constexpr double longest_jog_s = 30;  // a jog that nobody ends (a pulled cable) stops after this
 constexpr Duration quick_patience = std::chrono::seconds(1);
 
+/// What has to be said before a leg; 0: nothing.
+int to_set(const LastSaid& last, int axis, int of_leg) {
+  if (of_leg > 0) return of_leg;
+  return last.is_ours(axis) ? last.usual(axis) : 0;
+}
+
 }  // namespace
 
 std::string Legs::leg_program(const Leg& leg) const {
   std::string text;
   for (const int axis : {leg.axis, leg.second_axis}) {
     if (axis < 0) continue;
-    const int usual = speeds_.usual(axis);
-    if (leg.speed > 0)
-      text += speed(axis + 1, leg.speed);
-    else if (speeds_.is_ours(axis))
-      text += speed(axis + 1, usual);
+    if (const int value = to_set(speeds_.speed, axis, leg.pace.speed)) text += speed(axis + 1, value);
+    if (const int value = to_set(speeds_.acceleration, axis, leg.pace.acceleration))
+      text += acceleration(axis + 1, value);
   }
   text += leg.text;
-  for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0 && leg.speed > 0) text += speed(axis + 1, speeds_.usual(axis));
+  for (const int axis : {leg.axis, leg.second_axis}) {
+    if (axis < 0) continue;
+    if (leg.pace.speed > 0) text += speed(axis + 1, speeds_.speed.usual(axis));
+    if (leg.pace.acceleration > 0) text += acceleration(axis + 1, speeds_.acceleration.usual(axis));
+  }
   return text;
 }
 
@@ -54,8 +62,10 @@ Task<Result<>> Legs::start_leg() {
   auto filled = co_await scratch_.fill(leg_program(leg));
   if (!filled) co_return never_begun(filled);
   under_way_.job().leg_begins();
-  for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0 && leg.speed > 0) speeds_.borrow(axis);
+  for (const int axis : {leg.axis, leg.second_axis}) {
+    if (axis >= 0 && leg.pace.speed > 0) speeds_.speed.borrow(axis);
+    if (axis >= 0 && leg.pace.acceleration > 0) speeds_.acceleration.borrow(axis);
+  }
   const bool held = hold_.is_on();  // it would hold before the first command
   hold_.was_switched(false);
   show_leg(leg);
@@ -90,7 +100,7 @@ void Legs::show_leg(const Leg& leg) {
       if (axis.position_known)
         axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
     }
-    axis.speed = Pps{static_cast<double>(leg.speed > 0 ? leg.speed : speeds_.known(index))};
+    axis.speed = Pps{static_cast<double>(leg.pace.speed > 0 ? leg.pace.speed : speeds_.speed.known(index))};
   }
 }
 
@@ -123,7 +133,7 @@ Task<Result<>> Legs::end_leg(Priority priority) {
   const EndedBy ended_by = how_it_ended(leg);
   const bool cut_off = ended_by == EndedBy::abort || ended_by == EndedBy::error || ended_by == EndedBy::lost;
   for (const int axis : {leg.axis, leg.second_axis})
-    if (axis >= 0 && !cut_off) speeds_.give_back(axis);
+    if (axis >= 0 && !cut_off) speeds_.speed.give_back(axis), speeds_.acceleration.give_back(axis);
   auto again = next_jog_leg(leg, ended_by);
   under_way_.job().go_on(ended_by, std::move(again));
   show_leg_ended(leg, ended_by);
@@ -168,17 +178,17 @@ void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {
   }
 }
 
-Leg Legs::jog_leg(int axis, Sign sign, int speed, std::optional<Steps> up_to) const {
+Leg Legs::jog_leg(int axis, Sign sign, LegPace pace, std::optional<Steps> up_to) const {
   const AxisState& state = console_.draft.axes[axis];
   const Catalog& catalog = console_.catalog;
   const Steps end = up_to.value_or(sign == Sign::plus ? catalog.position_max : catalog.position_min);
   const Steps room = std::max(Steps(0), sign == Sign::plus ? end - state.position : state.position - end);
-  const std::int64_t distance = std::min<std::int64_t>(std::llround(speed * longest_jog_s), room.value);
+  const std::int64_t distance = std::min<std::int64_t>(std::llround(pace.speed * longest_jog_s), room.value);
   Leg leg;
   leg.axis = axis;
   leg.activity = Activity::jogging;
   leg.sign = sign;
-  leg.speed = speed;
+  leg.pace = pace;
   leg.up_to = up_to;
   leg.target = state.position + Steps{factor(sign) * distance};
   leg.text = index_by(axis + 1, Steps{factor(sign) * distance});
@@ -187,7 +197,7 @@ Leg Legs::jog_leg(int axis, Sign sign, int speed, std::optional<Steps> up_to) co
 
 std::optional<Leg> Legs::next_jog_leg(const Leg& last, EndedBy ended_by) const {
   if (!under_way_.job().is_jog() || ended_by != EndedBy::target) return std::nullopt;
-  Leg leg = jog_leg(last.axis, last.sign, last.speed, last.up_to);
+  Leg leg = jog_leg(last.axis, last.sign, last.pace, last.up_to);
   if (*leg.target == console_.draft.axes[last.axis].position) return std::nullopt;
   return leg;
 }
@@ -253,11 +263,13 @@ Result<> Legs::cut_short() const {
 
 Task<Result<>> Legs::restore_speeds() {
   Leg leg;
-  for (int axis = 0; axis < console_.draft.axis_count; ++axis)
-    if (speeds_.is_ours(axis)) leg.text += speed(axis + 1, speeds_.usual(axis));
+  for (int axis = 0; axis < console_.draft.axis_count; ++axis) {
+    if (const int value = to_set(speeds_.speed, axis, 0)) leg.text += speed(axis + 1, value);
+    if (const int value = to_set(speeds_.acceleration, axis, 0)) leg.text += acceleration(axis + 1, value);
+  }
   if (leg.text.empty()) co_return Result<>();
   auto restored = co_await run_quickly(std::move(leg));
-  if (restored) speeds_.give_all_back();
+  if (restored) speeds_.speed.give_all_back(), speeds_.acceleration.give_all_back();
   co_return restored;
 }
 

@@ -53,7 +53,7 @@ class Legs {
   /// One that was cut off may have left its own speed behind.
   Task<Result<>> restore_speeds();
   /// `up_to`: not beyond it; none: as far as the register counts.
-  [[nodiscard]] Leg jog_leg(int axis, Sign sign, int speed, std::optional<Steps> up_to) const;
+  [[nodiscard]] Leg jog_leg(int axis, Sign sign, LegPace pace, std::optional<Steps> up_to) const;
 
   // ---- see Driver
   [[nodiscard]] bool clears_up() const;

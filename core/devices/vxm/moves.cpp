@@ -16,22 +16,27 @@ constexpr int homing_speed = hard_stop_safe_speed;  // the manual's limit for re
 
 bool on_slave(int axis) { return axis >= motors_per_controller; }
 
-Result<int> checked_speed(Pps speed) {
-  const double value = std::round(speed.value);
-  if (value == 0) return 0;
-  if (value < min_speed || value > max_speed)
+Result<LegPace> checked(const intent::Pace& pace) {
+  const double value = std::round(pace.speed.value);
+  if (value != 0 && (value < min_speed || value > max_speed))
     return fail(FaultKind::refused,
                 fmt::format("{:.0f} steps/s is not possible: a VXM motor takes {} to {} steps/s.", value,
                             min_speed, max_speed),
                 "Nothing was sent.");
-  return static_cast<int>(value);
+  const std::int64_t code = pace.acceleration.value_or(0);
+  if (pace.acceleration && (code < min_accel || code > max_accel))
+    return fail(FaultKind::refused,
+                fmt::format("{} is no acceleration: a VXM takes {} to {}, each unit {:.0f} steps/s².",
+                            code, min_accel, max_accel, accel_unit),
+                "Nothing was sent.");
+  return LegPace{static_cast<int>(value), static_cast<int>(code)};
 }
 
 }  // namespace
 
-Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, Pps wish, bool relative) {
-  auto speed = checked_speed(wish);
-  if (!speed) co_return fail(speed.error());
+Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, intent::Pace wish, bool relative) {
+  auto pace = checked(wish);
+  if (!pace) co_return fail(pace.error());
   // Where the axes stand is read first: the last round may have asked before a program came to its end.
   if (auto may = may_move_all(targets, relative); !may) co_return may;
   auto read = co_await positions_.read(Priority::intent, true);
@@ -40,7 +45,7 @@ Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, Pps wish, boo
   if (!goals) co_return fail(goals.error());
   if (goals->empty()) co_return Result<>();
   Job job;
-  for (const AxisTarget& goal : *goals) add_leg(job, goal, *speed, relative);
+  for (const AxisTarget& goal : *goals) add_leg(job, goal, *pace, relative);
   co_return co_await legs_.begin(std::move(job));
 }
 
@@ -78,7 +83,7 @@ Result<std::vector<AxisTarget>> Moves::checked_goals(const std::vector<AxisTarge
 
 /// One leg after the other, but moves on the two controllers can run together; the Slave's must stand first
 /// (App. G p.47).
-void Moves::add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) const {
+void Moves::add_leg(Job& job, const AxisTarget& goal, LegPace pace, bool relative) const {
   const int axis = goal.axis.index;
   const Steps distance = goal.value - console_.draft.axes[axis].position;
   Leg* partner = job.last();
@@ -94,7 +99,7 @@ void Moves::add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) 
   leg.axis = axis;
   leg.activity = Activity::moving;
   leg.target = goal.value;
-  leg.speed = speed;
+  leg.pace = pace;
   leg.sign = distance.value < 0 ? Sign::minus : Sign::plus;
   leg.text = relative ? index_by(axis + 1, distance) : index_to(axis + 1, goal.value);
   job.add(std::move(leg));
@@ -103,14 +108,16 @@ void Moves::add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) 
 Task<Result<>> Moves::jog(const intent::JogStart& wish) {
   const int axis = wish.axis.index;
   if (auto may = admission_.may_move(axis); !may) co_return may;
-  auto speed = checked_speed(wish.speed.value == 0 ? console_.catalog.jog_speed : wish.speed);
-  if (!speed) co_return fail(speed.error());
+  intent::Pace wanted = pace_of(wish);
+  if (wanted.speed.value == 0) wanted.speed = console_.catalog.jog_speed;
+  auto pace = checked(wanted);
+  if (!pace) co_return fail(pace.error());
   if (wish.up_to) {
     auto read = co_await positions_.read(Priority::intent, true);
     if (!read) co_return read;
   }
   admission_.warn_of_motor_type(axis);
-  Job job = Job::jog(legs_.jog_leg(axis, wish.sign, *speed, wish.up_to));
+  Job job = Job::jog(legs_.jog_leg(axis, wish.sign, *pace, wish.up_to));
   if (*job.leg().target == console_.draft.axes[axis].position && wish.up_to)
     co_return fail(FaultKind::refused,
                    fmt::format("Motor {} stands at the end of its travel, {}.", axis + 1, wish.up_to->value),
@@ -133,12 +140,21 @@ Task<Result<>> Moves::home(const intent::Home& wish) {
                    fmt::format("In NF90 emulation I{}M0 runs to zero, not to the + limit switch.", axis + 1),
                    "Nothing was sent.",
                    "Switch NF90 emulation off in Parameters (DM), or home to the - limit switch.");
+  auto pace = checked(wish.pace);
+  if (!pace) co_return fail(pace.error());
+  if (pace->speed > homing_speed)
+    co_return fail(FaultKind::refused,
+                   fmt::format("{} steps/s is too fast for homing: a VXM finds a switch reliably up to {} "
+                               "steps/s.",
+                               pace->speed, homing_speed),
+                   "Nothing was sent.");
+  if (pace->speed == 0) pace->speed = std::min(speeds_.speed.usual(axis), homing_speed);
   admission_.warn_of_motor_type(axis);
   Leg to_switch;
   to_switch.axis = axis;
   to_switch.activity = Activity::homing;
   to_switch.sign = wish.sign;
-  to_switch.speed = std::min(speeds_.usual(axis), homing_speed);
+  to_switch.pace = *pace;
   to_switch.text = vxm::home(axis + 1, wish.sign);
   Leg zero;
   zero.axis = axis;

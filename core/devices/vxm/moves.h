@@ -29,7 +29,7 @@ class Moves {
         positions_(positions),
         legs_(legs) {}
 
-  Task<Result<>> move(const std::vector<AxisTarget>& targets, Pps speed, bool relative);
+  Task<Result<>> move(const std::vector<AxisTarget>& targets, intent::Pace pace, bool relative);
   Task<Result<>> jog(const intent::JogStart& wish);
   Task<Result<>> home(const intent::Home& wish);
   Task<Result<>> set_position(const intent::SetPosition& wish);
@@ -38,7 +38,7 @@ class Moves {
  private:
   [[nodiscard]] Result<> may_move_all(const std::vector<AxisTarget>& targets, bool relative) const;
   Result<std::vector<AxisTarget>> checked_goals(const std::vector<AxisTarget>& targets, bool relative);
-  void add_leg(Job& job, const AxisTarget& goal, int speed, bool relative) const;
+  void add_leg(Job& job, const AxisTarget& goal, LegPace pace, bool relative) const;
 
   const Console& console_;
   Conversation& talk_;

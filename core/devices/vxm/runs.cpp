@@ -66,8 +66,7 @@ Task<Result<>> Runs::run(int slot) {
   slots_.was_selected(slot);
   under_way_.program_begins(slot);
   if (slots_.listing(slot))
-    for (const TextCommand& c : commands_of(*slots_.listing(slot)))
-      if (c.verb == Verb::speed) speeds_.was_set(c.motor, static_cast<int>(c.value));
+    for (const TextCommand& c : commands_of(*slots_.listing(slot))) speeds_.note(c);
   co_return sent;
 }
 

@@ -105,6 +105,9 @@ void Stops::show_stopping() {
       console_.draft.axes[index].activity = Activity::stopping;
 }
 
+// What was cut short becomes a command that is stored and not run.
+LastWill Stops::last_will() { return {{Millis(0), "\rD"}}; }
+
 StopProgress Stops::progress(const StopOrder& order) {
   if (presence_.is_halted()) return StopProgress::stands();  // nothing goes on until K
   const bool ramps_by_words =

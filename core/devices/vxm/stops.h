@@ -24,6 +24,8 @@ class Stops {
         hold_switch_(hold_switch) {}
 
   Task<Result<>> send(const StopOrder& order);
+  /// One motor jogs at a time, and D ends whatever runs.
+  static LastWill last_will();
   /// What has become of it.
   StopProgress progress(const StopOrder& order);
 

@@ -54,7 +54,7 @@ void Texts::note_taken(const Piece& piece) {
 
 void Texts::note_taken(const TextCommand& c) {
   if (c.stored()) slots_.selected_was_changed();
-  if (c.verb == Verb::speed) speeds_.was_set(c.motor, static_cast<int>(c.value));
+  speeds_.note(c);
   if (c.verb == Verb::select || c.verb == Verb::empty) {
     slots_.was_selected(static_cast<int>(c.value));
     if (c.verb == Verb::empty) slots_.selected_was_changed();

@@ -1,0 +1,53 @@
+#include "core/script/axis_units.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/script/bind.h"
+
+namespace hw::script {
+
+void AxisUnits::tell(const std::shared_ptr<Session>& session, int axis, AxisUnit unit) {
+  told_[session][ix(axis)] = std::move(unit);
+}
+
+const AxisUnit* AxisUnits::find(const std::shared_ptr<Session>& session, int axis) const {
+  const auto found = told_.find(session);
+  if (found == told_.end() || !found->second[ix(axis)]) return nullptr;
+  return &*found->second[ix(axis)];
+}
+
+double Counting::steps_per_unit(const Call& call, const OneAxis& one) const {
+  if (!in_units_) return 1;
+  if (const AxisUnit* unit = call.runner().notes().units.find(one.session, one.index))
+    return unit->steps_per_unit;
+  throw Misuse(
+      fmt::format("axis {} has no unit yet: tell it first, c:units(axis, {{unit=\"mm\", "
+                  "steps_per_unit=400}})",
+                  one.session->catalog().axes[ix(one.index)].name));
+}
+
+void push_steps(lua_State* L, Steps steps, double per_unit) {
+  if (per_unit == 0)
+    lua_pushinteger(L, steps.value);
+  else
+    lua_pushnumber(L, static_cast<double>(steps.value) / per_unit);
+}
+
+Steps Counting::steps(const Call& call, int place, const OneAxis& one, const char* what) const {
+  int is_whole = 0;
+  const lua_Integer whole = lua_tointegerx(call.L, place, &is_whole);
+  if (!in_units_) {
+    if (!is_whole) throw Misuse(fmt::format("{} must be a whole number of steps", what));
+    return Steps(whole);
+  }
+  constexpr double most = 9007199254740992;  // 2^53: beyond it two steps are one number
+  const double steps = lua_tonumber(call.L, place) * steps_per_unit(call, one);
+  if (lua_type(call.L, place) != LUA_TNUMBER || !(std::abs(steps) <= most))
+    throw Misuse(fmt::format("{} must be a number of units", what));
+  return Steps(std::llround(steps));
+}
+
+}  // namespace hw::script
