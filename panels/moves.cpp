@@ -52,6 +52,7 @@ void Moves::draw(Frame& f) {
 }
 
 void Moves::follow(Frame& f) {
+  works_ = f.now.feed.running || (works_ && f.now.feed.total > 0 && f.now.any_axis_moving());
   if (f.now.forgotten(started_)) started_ = 0;
   const IntentFate* fate = f.now.fate_of(started_);
   if (!fate || fate->fate == Fate::pending) return;
@@ -85,8 +86,9 @@ void Moves::draw_toolbar(Frame& f) {
   stop.icon = Icon::stop;
   stop.stops = true;
   stop.height = 40;
-  stop.disabled = f.now.feed.running ? "" : "No list is on its way.";
-  stop.tip = "Stops the axes and sends no more. Buffered mode is switched off.";
+  stop.disabled = works_ ? "" : "No list is on its way.";
+  stop.tip =
+      "Stops the axes and sends no more. Buffered mode is switched off, and what waits there is dropped.";
   if (button(ui, "list/abort", "Abort", stop).clicked) abort(f);
   const float left = ImGui::GetItemRectMax().x + ui.px(16);
   const float right = ui.px(f.area.right() - 16);

@@ -50,6 +50,7 @@ class Moves final : public gui::Panel {
   std::filesystem::path file_;
   gui::FileDialog open_, save_;
   bool asking_ = false, asked_to_open_ = false;  ///< before edited rows go
+  bool works_ = true;  ///< the list is on its way, or all of it was sent and the buffer is not empty yet
   IntentId started_ = 0;
   DoubtWays doubt_;
 };

@@ -23,7 +23,8 @@ bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot&
   }
   ++begun_;
   given_up_ = false;
-  goal_ = goal;
+  // What is loaded compiled is kept already: Store would write the set-up as it stands, trials and all.
+  goal_ = goal == Goal::store && catalog.program.compiled ? Goal::load : goal;
   slot_ = slot;
   text_ = texts.text(slot);
   if (goal == Goal::fetch || goal == Goal::make_room) {

@@ -16,7 +16,7 @@ class ProgramJob {
     run,
     run_stepping,  ///< held before its first command
     load,          ///< into the slot, no more
-    store,         ///< into the slot, then into non-volatile memory
+    store,         ///< into the slot, then into non-volatile memory, where it is not there already
     fetch,         ///< the controller's program into the editor
     clear,         ///< empties the slot in the controller
     make_room,     ///< the same, after its text was brought into the editor

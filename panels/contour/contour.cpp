@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/sequence/places_before.h"
+#include "core/sequence/speed_stairs.h"
 #include "gui/model/tab.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
@@ -21,21 +23,16 @@ namespace {
 
 constexpr float text_height = 148;
 
-std::optional<std::int64_t> whole(const NumberField& field) {
-  const auto v = field.value();
-  return v ? std::optional(std::llround(*v)) : std::nullopt;
-}
-
 tl::unexpected<Fault> no_number(std::string what) {
   return fail(FaultKind::text, what + " is no number.", "Nothing was sent.");
 }
 
 /// What is said of the steps of a sequence, said of the rows of this list.
 std::string in_rows(std::string_view what) {
-  constexpr std::string_view of_step = "Step 1.", of_all = "Step 1 (contour): ";
+  constexpr std::string_view of_step = "Step 1.", of_all = "Step 1 (";
   if (what.starts_with(of_step)) return fmt::format("Piece {}", what.substr(of_step.size()));
-  if (!what.starts_with(of_all)) return std::string(what);
-  std::string rest(what.substr(of_all.size()));
+  const std::size_t kind = what.starts_with(of_all) ? what.find("): ") : what.npos;
+  std::string rest(kind == what.npos ? what : what.substr(kind + 3));
   if (!rest.empty()) rest[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(rest[0])));
   return rest;
 }
@@ -45,7 +42,6 @@ std::string in_rows(std::string_view what) {
 void Contour::make(const Frame& f) {
   if (std::exchange(made_, true)) return;
   language_ = f.tab.desk().language();
-  stairs_writer_ = dynamic_cast<const StaircaseWriter*>(language_);
   for (const AxisInfo& a : f.catalog.axes) axis_names_.push_back(a.name);
   second_ = f.catalog.axes.size() > 1 ? 1 : 0;
   for (std::size_t i = 0; i < f.catalog.outputs.size(); ++i)
@@ -53,14 +49,39 @@ void Contour::make(const Frame& f) {
       outputs_.push_back(f.catalog.output_number(i));
       output_names_.push_back(f.catalog.outputs[i].name);
     }
+  unit_.name = stairs_unit_.name = f.catalog.step_word;
   speed_.set(1000, 0);
   for (NumberField* n : {&x_, &y_}) n->set(0, 0);
   lead_in_.set(0, 0);
   stop_at_.set(10'000, 0);
 }
 
+/// What is typed stays where it is when another unit is chosen.
+void Contour::follow_units(const Frame& f) {
+  ContourUnit before = std::exchange(unit_, contour_unit(f, first_, second_));
+  const auto place = [&](NumberField& field, const ContourUnit& unit) {
+    if (const auto steps = before.steps(field)) unit.put(field, *steps);
+  };
+  const auto length = [&](NumberField& field, const ContourUnit& unit) {
+    if (const auto steps = before.steps_long(field)) unit.put_long(field, *steps);
+  };
+  if (before != unit_) {
+    for (NumberField* n : {&x_, &y_}) place(*n, unit_);
+    for (NumberField* n : {&speed_, &lead_in_}) length(*n, unit_);
+    for (Piece& p : pieces_)
+      if (p.kind != PieceKind::output) place(p.x, unit_), place(p.y, unit_);
+    changed_ = true;
+  }
+  before = std::exchange(stairs_unit_, contour_unit(f, stair_axis_));
+  if (before == stairs_unit_) return;
+  place(stop_at_, stairs_unit_);
+  for (Stair& s : stairs_) place(s.until, stairs_unit_), length(s.speed, stairs_unit_);
+  changed_ = true;
+}
+
 void Contour::draw(Frame& f) {
   make(f);
+  follow_units(f);
   follow(f);
   work_out(f);
   draw_toolbar(f);
@@ -85,16 +106,17 @@ void Contour::draw(Frame& f) {
 // ---- what the fields say
 
 Result<sequence::Sequence> Contour::contour() const {
-  const auto speed = whole(speed_), x = whole(x_), y = whole(y_), lead = whole(lead_in_);
+  const auto speed = unit_.steps_long(speed_), lead = unit_.steps_long(lead_in_);
+  const auto x = unit_.steps(x_), y = unit_.steps(y_);
   if (!speed || *speed < 1) return no_number("The speed");
   if (!x || !y) return no_number("The begin");
   if (!lead || *lead < 0) return no_number("The lead-in");
   if (first_ == second_)
     return fail(FaultKind::text, "A contour needs two different axes.", "Nothing was sent.");
   sequence::Contour c;
-  c.x = static_cast<double>(*x), c.y = static_cast<double>(*y);
-  c.lead_in = static_cast<double>(*lead), c.ends_ramped = ramp_;
-  c.own = sequence::Speeds{static_cast<double>(*speed)};
+  c.x = *x, c.y = *y;
+  c.lead_in = *lead, c.ends_ramped = ramp_;
+  c.own = sequence::Speeds{*speed};
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& p = pieces_[i];
     if (p.kind == PieceKind::output) {
@@ -102,16 +124,15 @@ Result<sequence::Sequence> Contour::contour() const {
       c.steps.push_back({sequence::Output{outputs_[static_cast<std::size_t>(p.output)], p.on}});
       continue;
     }
-    const auto px = whole(p.x), py = whole(p.y);
+    const auto px = unit_.steps(p.x), py = unit_.steps(p.y);
     if (!px || !py) return no_number(fmt::format("A position of piece {}", i + 1));
-    const auto to_x = static_cast<double>(*px), to_y = static_cast<double>(*py);
     if (p.kind == PieceKind::arc) {
       const auto degrees = p.degrees.value();
       if (!degrees) return no_number(fmt::format("The angle of piece {}", i + 1));
-      c.steps.push_back({sequence::Arc{to_x, to_y, *degrees, {}}});
+      c.steps.push_back({sequence::Arc{*px, *py, *degrees, {}}});
     } else {
       sequence::Move line;
-      line.to[0] = to_x, line.to[1] = to_y;
+      line.to[0] = *px, line.to[1] = *py;
       c.steps.push_back({line});
     }
   }
@@ -122,19 +143,21 @@ Result<sequence::Sequence> Contour::contour() const {
   return s;
 }
 
-Result<StaircasePlan> Contour::staircase(const Frame& f) const {
-  StaircasePlan plan;
-  plan.axis = AxisId{static_cast<std::uint8_t>(stair_axis_)};
-  plan.from = f.now.axes[plan.axis.index].commanded();
-  const auto stop = whole(stop_at_);
+Result<sequence::Sequence> Contour::staircase() const {
+  sequence::SpeedStairs stairs;
+  const auto stop = stairs_unit_.steps(stop_at_);
   if (!stop) return no_number("The place where it stops");
-  plan.stop_at = Steps(*stop);
+  stairs.stop_at = *stop;
   for (std::size_t i = 0; i < stairs_.size(); ++i) {
-    const auto until = whole(stairs_[i].until), speed = whole(stairs_[i].speed);
-    if (!until || !speed) return no_number(fmt::format("A number of step {}", i + 1));
-    plan.steps.push_back({Steps(*until), Pps(static_cast<double>(*speed))});
+    const auto until = stairs_unit_.steps(stairs_[i].until);
+    const auto speed = stairs_unit_.steps_long(stairs_[i].speed);
+    if (!until || !speed) return no_number(fmt::format("A number of stair {}", i + 1));
+    stairs.stairs.push_back({*until, *speed});
   }
-  return plan;
+  sequence::Sequence s;
+  s.axes = {{std::string(axis_names_[static_cast<std::size_t>(stair_axis_)])}};
+  s.steps = {{std::move(stairs)}};
+  return s;
 }
 
 /// Only when something has changed: a panel at rest works nothing out and allocates nothing.
@@ -148,59 +171,61 @@ void Contour::work_out(Frame& f) {
   if (std::exchange(scale_, scale) != scale) changed_ = true;
   if (!std::exchange(changed_, false)) return;
   worked_out_from_ = stands;
-  problem_.clear(), text_.clear(), facts_.clear();
-  if (!stairs_writer_)
-    return problem_.assign("The language of this controller cannot write contours."), void();
-  const auto refuse = [this](const Fault& fault) { problem_ = in_rows(fault.what); };
-  Result<std::string> written = std::string();
-  if (stairs_shown_) {
-    stair_x_.clear(), stair_y_.clear();
-    const auto plan = staircase(f);
-    if (!plan) return refuse(plan.error());
-    draw_staircase_line(*plan);
-    places_ = {{plan->axis, plan->stop_at}};
-    written = stairs_writer_->write_staircase(*plan, f.catalog);
-  } else {
-    path_ = nullptr;
-    const auto plan = contour();
-    if (!plan) return refuse(plan.error());
-    const auto& drawn = std::get<sequence::Contour>(plan->steps.front().body);
-    places_.clear();
-    for (const auto& [axis, to] : {std::pair{first_, drawn.x}, std::pair{second_, drawn.y}})
-      places_.push_back({AxisId{static_cast<std::uint8_t>(axis)}, Steps(std::llround(to))});
-    const drawing::ToolPath in_steps = drawing::contour_path(drawn, {1, 1});
-    double length = in_steps.way_on + in_steps.way_off;
-    if (!in_steps.runs.empty() && in_steps.runs.front().source < 0) length -= drawn.lead_in;
-    if (!in_steps.runs.empty()) {
-      facts_ = fmt::format("{:.0f} {} long, {:.1f} s at this speed", length, f.catalog.step_word,
-                           length / drawn.own->high);
-      path_ = std::make_shared<const drawing::ToolPath>(drawing::contour_path(drawn, scale_));
-    }
-    written =
-        language_->write(*plan, f.catalog).map([](SequenceText&& text) { return std::move(text.text); });
-  }
-  if (!written) return refuse(written.error());
-  text_ = std::move(*written);
-  const ProgramReport report = f.tab.desk().language()->analyse(text_, 0);
+  problem_.clear(), text_.clear(), facts_.clear(), stair_x_.clear(), stair_y_.clear(), places_.clear();
+  path_ = nullptr;
+  if (!language_) return problem_.assign("The language of this controller cannot write contours."), void();
+  const auto plan = stairs_shown_ ? staircase() : contour();
+  const auto written = plan.and_then([&](const sequence::Sequence& of) {
+    return draw_step(of.steps.front()).and_then([&] { return language_->write(of, f.catalog); });
+  });
+  if (!written) return problem_.assign(in_rows(written.error().what)), void();
+  add_places(*plan, f.catalog);
+  text_ = written->text;
+  const ProgramReport report = language_->analyse(text_, 0);
   for (const Problem& p : report.problems)
     if (p.error) return problem_.assign(fmt::format("Line {}: {}", p.line + 1, p.sentence)), void();
 }
 
-/// Speeds over positions, as steps.
-void Contour::draw_staircase_line(const StaircasePlan& plan) {
-  const auto put = [&](double x, double y) {
-    stair_x_.push_back(static_cast<float>(x)), stair_y_.push_back(static_cast<float>(y));
-  };
-  double at = static_cast<double>(plan.from.value);
-  put(at, 0);
-  for (const StaircaseStep& s : plan.steps) {
-    put(at, s.speed.value);
-    at = static_cast<double>(s.until.value);
-    put(at, s.speed.value);
+Result<> Contour::draw_step(const sequence::Step& step) {
+  if (const auto* stairs = std::get_if<sequence::SpeedStairs>(&step.body)) {
+    const auto from = static_cast<double>(worked_out_from_.value);
+    draw_staircase_line(*stairs, from);
+    const std::string why = why_no_way(*stairs, from);
+    return why.empty() ? Result<>() : fail(FaultKind::text, "Step 1 (speed_stairs): " + why);
   }
-  if (!plan.steps.empty()) put(static_cast<double>(plan.stop_at.value), plan.steps.back().speed.value);
-  put(static_cast<double>(plan.stop_at.value), 0);
-  if (plan.stop_at < plan.from) {
+  const auto& drawn = std::get<sequence::Contour>(step.body);
+  const drawing::ToolPath in_steps = drawing::contour_path(drawn, {1, 1});
+  if (in_steps.runs.empty()) return {};
+  double length = in_steps.way_on + in_steps.way_off;
+  if (in_steps.runs.front().source < 0) length -= drawn.lead_in;
+  facts_ = fmt::format("{:.{}f} {} long, {:.1f} s at this speed", unit_.shown_length(length), unit_.decimals,
+                       unit_.name, length / drawn.own->high);
+  path_ = std::make_shared<const drawing::ToolPath>(drawing::contour_path(drawn, scale_));
+  return {};
+}
+
+/// As far as it comes in each of its axes.
+void Contour::add_places(const sequence::Sequence& plan, const Catalog& catalog) {
+  const sequence::Reach reach = reaches_between(plan, {0, 1}).front();
+  for (std::size_t a = 0; a < plan.axes.size(); ++a)
+    for (const auto& place : {reach.least[a], reach.greatest[a]})
+      if (place)
+        places_.push_back({AxisId{static_cast<std::uint8_t>(catalog.find_axis(plan.axes[a].name))},
+                           Steps(std::llround(*place))});
+}
+
+/// Speeds over positions, as steps.
+void Contour::draw_staircase_line(const sequence::SpeedStairs& stairs, double from) {
+  const auto put = [&](double x, double y) {
+    stair_x_.push_back(static_cast<float>(stairs_unit_.shown(x)));
+    stair_y_.push_back(static_cast<float>(stairs_unit_.shown_length(y)));
+  };
+  double at = from;
+  put(at, 0);
+  for (const auto& [until, speed] : stairs.stairs) put(at, speed), put(at = until, speed);
+  if (!stairs.stairs.empty()) put(stairs.stop_at, stairs.stairs.back().speed);
+  put(stairs.stop_at, 0);
+  if (stair_x_.back() < stair_x_.front()) {
     std::reverse(stair_x_.begin(), stair_x_.end());
     std::reverse(stair_y_.begin(), stair_y_.end());
   }
@@ -291,6 +316,9 @@ void Contour::draw_toolbar(Frame& f) {
     stairs_shown_ = kind == 1;
     changed_ = true;
   }
+  const bool empty = stairs_shown_ ? stairs_.empty() : pieces_.empty();
+  file_.draw_buttons(f, empty ? "There is nothing to save yet." : "",
+                     stairs_shown_ ? "staircase" : "contour");
   end_toolbar(f, at);
 }
 
@@ -319,9 +347,9 @@ void Contour::draw_preview(Frame& f, float width, float height) {
     return canvas_.draw(f, "contour/view", subject, width, height);
   }
   PlotOptions o;
-  const Path title("speed, {}/s, over position", f.catalog.step_word);
+  const Path title("speed, {}, over position", stairs_unit_.of_speed);
   o.title = title;
-  o.x_unit = f.catalog.step_word;
+  o.x_unit = stairs_unit_.name;
   o.width = width, o.height = height;
   o.empty = "Add a step.";
   const PlotTrace trace{stair_x_, stair_y_, Tone::ink, 2, false, "speed", true};
@@ -368,6 +396,15 @@ void Contour::draw_text(Frame& f, float width) {
 }
 
 void Contour::draw_dialogs(Frame& f) {
+  if (const auto sequence = file_.draw_open(f)) opened(f, *sequence);
+  if (const auto path = file_.draw_save(f)) {
+    const auto list = shown_list();
+    if (list)
+      file_.save(f, *path, *list);
+    else
+      f.toast(Mood::fault, list.error().sentence());
+  }
+  if (file_.take_saved()) (stairs_shown_ ? stairs_unkept_ : contour_unkept_) = false;
   if (!asking_) return;
   const Dialog what{.title = "Replace the program text?",
                     .sentences = "The editor holds another text. What is not in a file is lost.",

@@ -1,8 +1,8 @@
 #pragma once
 // Paths at constant speed and staircases of speeds: edited as a list, drawn, checked, and run as the
 // controller's own text. Ids: `contour/kind`, `contour/first`, `contour/speed`, `contour/ROW/x` (rows from
-// 1), `contour/add/line`, `contour/run`, `contour/to_program`, `contour/text`, `contour/problem`,
-// `contour/view`; `stairs/...` alike.
+// 1), `contour/add/line`, `contour/run`, `contour/to_program`, `contour/open`, `contour/save`,
+// `contour/text`, `contour/problem`, `contour/view`; `stairs/...` alike.
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "core/device/language.h"
-#include "core/device/staircase_plan.h"
 #include "core/drawing/contour_path.h"
 #include "gui/shell/panel_entry.h"
 #include "gui/widgets/number_field.h"
 #include "gui/widgets/plot.h"
+#include "panels/contour/contour_file.h"
+#include "panels/contour/contour_unit.h"
 #include "panels/doubt_ways.h"
 #include "panels/path/path_canvas.h"
 
@@ -37,11 +38,21 @@ class Contour final : public gui::Panel {
     gui::NumberField until, speed;
   };
   void make(const gui::Frame& frame);
+  void follow_units(const gui::Frame& frame);
   void work_out(gui::Frame& frame);
   /// A sequence of one step, a contour, in steps of its two axes.
   Result<sequence::Sequence> contour() const;
-  Result<StaircasePlan> staircase(const gui::Frame& frame) const;
-  void draw_staircase_line(const StaircasePlan& plan);
+  /// The same of stairs of speeds.
+  Result<sequence::Sequence> staircase() const;
+  void draw_staircase_line(const sequence::SpeedStairs& stairs, double from);
+  /// Why it cannot be drawn; else `path_` or the plot are those of the step.
+  Result<> draw_step(const sequence::Step& step);
+  void add_places(const sequence::Sequence& plan, const Catalog& catalog);
+  /// What is shown, in its unit, for a file.
+  Result<sequence::Sequence> shown_list() const;
+  void opened(gui::Frame& frame, const sequence::Sequence& sequence);
+  bool take_contour(const sequence::Sequence& sequence);
+  bool take_staircase(const sequence::Sequence& sequence);
   void follow(gui::Frame& frame);
   void run(gui::Frame& frame);
   void put_into_program(gui::Frame& frame);
@@ -67,8 +78,7 @@ class Contour final : public gui::Panel {
   int axis_choice(gui::Frame& frame, std::string_view id, std::string_view label, int chosen, ImVec2 at,
                   std::string_view words);
 
-  const Language* language_ = nullptr;              ///< the tab's, or null
-  const StaircaseWriter* stairs_writer_ = nullptr;  ///< the same, where it writes them
+  const Language* language_ = nullptr;  ///< the tab's, or null
   bool made_ = false, changed_ = true;
   bool stairs_shown_ = false;
   bool contour_unkept_ = false, stairs_unkept_ = false;  ///< edited since it was put into the program
@@ -76,6 +86,7 @@ class Contour final : public gui::Panel {
   std::vector<int> outputs_;  ///< the maker's numbers
 
   int first_ = 0, second_ = 1, stair_axis_ = 0;
+  ContourUnit unit_, stairs_unit_;  ///< of what stands in the fields
   bool ramp_ = true;
   gui::NumberField speed_, x_, y_, lead_in_, stop_at_;
   std::vector<Piece> pieces_;
@@ -91,6 +102,7 @@ class Contour final : public gui::Panel {
   Steps worked_out_from_{};  ///< where the staircase's axis stood
   gui::PlotCursor cursor_;
 
+  ContourFile file_;
   IntentId loading_ = 0, starting_ = 0;
   DoubtWays doubt_;
   std::weak_ptr<void> go_ahead_;  ///< of the latest Run: a stop takes it away

@@ -27,11 +27,6 @@ void words_at(Ui& ui, ImVec2 at, float width, std::string_view words, Tone tone 
   draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(16), Face::body, ui[tone], words);
 }
 
-NumberRange positions(const Catalog& c) {
-  return {static_cast<double>(c.position_min.value), static_cast<double>(c.position_max.value), 0, {}};
-}
-NumberRange speeds(const Catalog& c) { return {1, c.jog_speed_max.value, 0, {}}; }
-
 bool remove_button(Ui& ui, std::string_view id, ImVec2 at) {
   ImGui::SetCursorScreenPos(at);
   ButtonOptions o;
@@ -107,12 +102,14 @@ void Contour::draw_contour_head(Frame& f, float width) {
   static constexpr std::array<std::string_view, 2> ends = {"Ramp", "At once"};
   if (const int end = segment(ui, "contour/end", ends, ramp_ ? 0 : 1, {.cell_width = 52}); end >= 0)
     ramp_ = end == 0, edited();
+  NumberRange places = unit_.places(f.catalog);
+  places.unit = unit_.name;
   words_at(ui, place(1, 0), head_width, "Begin");
-  number(f, "contour/x", "Begin, right", x_, positions(f.catalog), place(1, head_width), cell);
-  number(f, "contour/y", "Begin, up", y_, positions(f.catalog), place(1, head_width + cell + between), cell);
+  number(f, "contour/x", "Begin, right", x_, places, place(1, head_width), cell);
+  number(f, "contour/y", "Begin, up", y_, places, place(1, head_width + cell + between), cell);
   words_at(ui, place(2, 0), head_width, "Speed, lead-in");
-  number(f, "contour/speed", "Speed", speed_, speeds(f.catalog), place(2, head_width), cell);
-  number(f, "contour/lead_in", "Lead-in", lead_in_, {0, positions(f.catalog).max, 0, {}},
+  number(f, "contour/speed", "Speed", speed_, unit_.speeds(f.catalog), place(2, head_width), cell);
+  number(f, "contour/lead_in", "Lead-in", lead_in_, unit_.lengths(f.catalog),
          place(2, head_width + cell + between), cell);
   ImGui::SetCursorScreenPos(place(3, 0));
 }
@@ -144,9 +141,9 @@ bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
         state >= 0)
       p.on = state == 0, edited();
   } else {
-    number(f, Path("contour/{}/x", n), arc ? "Centre, right" : "End, right", p.x, positions(f.catalog),
+    number(f, Path("contour/{}/x", n), arc ? "Centre, right" : "End, right", p.x, unit_.places(f.catalog),
            place(0), cell);
-    number(f, Path("contour/{}/y", n), arc ? "Centre, up" : "End, up", p.y, positions(f.catalog), place(1),
+    number(f, Path("contour/{}/y", n), arc ? "Centre, up" : "End, up", p.y, unit_.places(f.catalog), place(1),
            cell);
     if (arc)
       number(f, Path("contour/{}/angle", n), "Angle, counterclockwise", p.degrees, {-36000, 36000, 3, "°"},
@@ -173,10 +170,10 @@ void Contour::draw_adders(Frame& f) {
 void Contour::add(PieceKind kind) {
   Piece p;
   p.kind = kind;
-  p.x.set(0, 0), p.y.set(0, 0), p.degrees.set(90, 0);
+  unit_.put(p.x, 0), unit_.put(p.y, 0), p.degrees.set(90, 0);
   for (const Piece& old : pieces_)
     if (old.kind == PieceKind::line && kind == old.kind)
-      p.x.set(old.x.value().value_or(0), 0), p.y.set(old.y.value().value_or(0), 0);
+      unit_.put(p.x, unit_.steps(old.x).value_or(0)), unit_.put(p.y, unit_.steps(old.y).value_or(0));
     else if (old.kind == PieceKind::output && kind == old.kind)
       p.output = old.output, p.on = !old.on;
   pieces_.push_back(std::move(p));
@@ -191,15 +188,16 @@ void Contour::draw_stairs_list(Frame& f, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   stair_axis_ = axis_choice(f, "stairs/axis", "Axis", stair_axis_, at, "Axis");
   const AxisState& axis = f.now.axes[static_cast<std::size_t>(stair_axis_)];
-  const NumberText stands = format_number(static_cast<double>(axis.position.value), 0);
+  const NumberText stands =
+      format_number(stairs_unit_.shown(static_cast<double>(axis.position.value)), stairs_unit_.decimals);
   words_at(ui, ImVec2(at.x + ui.px(116), at.y), width - 116,
            axis.position_known ? Path("stands at {}", stands.view()).view() : "its position is not known");
   const float cell = cell_width(width, 2);
   const float y = at.y + ui.px(list_row_height);
   draw_text_line(ui, at.x + ui.px(head_width), at.x + ui.px(head_width + cell), y + ui.px(10), Face::small,
-                 ui[Tone::ink2], Path("up to, {}", f.catalog.step_word));
+                 ui[Tone::ink2], Path("up to, {}", stairs_unit_.name));
   draw_text_line(ui, at.x + ui.px(head_width + cell + between), at.x + ui.px(width), y + ui.px(10),
-                 Face::small, ui[Tone::ink2], Path("at, {}/s", f.catalog.step_word));
+                 Face::small, ui[Tone::ink2], Path("at, {}", stairs_unit_.of_speed));
   ImGui::SetCursorScreenPos(ImVec2(at.x, y + ui.px(20)));
   std::size_t removed = stairs_.size();
   for (std::size_t i = 0; i < stairs_.size(); ++i)
@@ -210,15 +208,16 @@ void Contour::draw_stairs_list(Frame& f, float width) {
   }
   const ImVec2 end = ImGui::GetCursorScreenPos();
   words_at(ui, end, head_width, "stop at");
-  number(f, "stairs/stop", "Stop at", stop_at_, positions(f.catalog),
+  number(f, "stairs/stop", "Stop at", stop_at_, stairs_unit_.places(f.catalog),
          ImVec2(end.x + ui.px(head_width), end.y), cell);
   ImGui::SetCursorScreenPos(ImVec2(end.x, end.y + ui.px(list_row_height + 4)));
   if (button(ui, "stairs/add", "Add step", {.icon = Icon::plus}).clicked) {
     Stair s;
-    const double last =
-        stairs_.empty() ? static_cast<double>(axis.position.value) : stairs_.back().until.value().value_or(0);
-    s.until.set(last + 1000, 0);
-    s.speed.set(stairs_.empty() ? 1000 : stairs_.back().speed.value().value_or(1000), 0);
+    const double last = stairs_.empty() ? static_cast<double>(axis.position.value)
+                                        : stairs_unit_.steps(stairs_.back().until).value_or(0);
+    stairs_unit_.put(s.until, last + 1000);
+    stairs_unit_.put_long(
+        s.speed, stairs_.empty() ? 1000 : stairs_unit_.steps_long(stairs_.back().speed).value_or(1000));
     stairs_.push_back(std::move(s));
     edited();
   }
@@ -233,9 +232,11 @@ bool Contour::draw_stair(Frame& f, std::size_t row, float width) {
   draw_text_line(ui, at.x, at.x + ui.px(24), at.y + ui.px(16), Face::code_field, ui[Tone::ink3],
                  Path("{}", n));
   words_at(ui, ImVec2(at.x + ui.px(24), at.y), head_width - 24, "run", Tone::ink);
-  number(f, Path("stairs/{}/until", n), "Up to", stairs_[row].until, positions(f.catalog),
+  number(f, Path("stairs/{}/until", n), "Up to", stairs_[row].until, stairs_unit_.places(f.catalog),
          ImVec2(at.x + ui.px(head_width), at.y), cell);
-  number(f, Path("stairs/{}/speed", n), "Speed", stairs_[row].speed, speeds(f.catalog),
+  NumberRange speeds = stairs_unit_.speeds(f.catalog);
+  speeds.unit = {};  // stands over the column
+  number(f, Path("stairs/{}/speed", n), "Speed", stairs_[row].speed, speeds,
          ImVec2(at.x + ui.px(head_width + cell + between), at.y), cell);
   const bool gone = remove_button(ui, Path("stairs/{}/remove", n), ImVec2(at.x + ui.px(width - 32), at.y));
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(list_row_height)));

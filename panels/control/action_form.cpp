@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "gui/model/tab.h"
-#include "gui/model/units_format.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
@@ -38,10 +37,21 @@ bool fits_a_cell(std::string_view label) { return label.size() <= 14; }
 bool is_axis(const ActionField& info) { return info.id == "axis"; }
 bool is_switch(const ActionField& info) { return info.id == "on"; }
 
+/// What is one value for all rows, and what the row itself says, has no field in it.
+bool has_row_field(const ActionField& info) {
+  return !is_axis(info) && !is_switch(info) && !info.for_all_rows;
+}
+float row_field_width(const ActionField& info) { return info.is_place ? 76.0f : 64.0f; }
+
+NumberRange range_of(const ActionField& info, const ShownUnit& unit) {
+  const double a = unit.shown(info.minimum), b = unit.shown(info.maximum);
+  return {std::min(a, b), std::max(a, b), unit.decimals, unit.name};
+}
+
 std::string path_of(const Catalog& c, const ActionInfo& info, int axis) {
-  const bool several = axis >= 0 && std::any_of(info.fields.begin(), info.fields.end(), is_axis);
-  return several ? fmt::format("action/{}/{}", info.id, c.axes[static_cast<std::size_t>(axis)].name)
-                 : fmt::format("action/{}", info.id);
+  return axis >= 0 && c.axes.size() > 1
+             ? fmt::format("action/{}/{}", info.id, c.axes[static_cast<std::size_t>(axis)].name)
+             : fmt::format("action/{}", info.id);
 }
 
 int lines_of(std::size_t cells, int per_line) { return (static_cast<int>(cells) + per_line - 1) / per_line; }
@@ -75,9 +85,8 @@ void ActionForm::fill_in() {
       // Wide enough for the longest value of a list; figured before there are fonts to measure with.
       least_ = std::max(least_, std::min(190.0f, 46 + 7.2f * static_cast<float>(choice.label.size())));
     }
-    if (info.choices.empty())
-      fields_[i].number.set(static_cast<double>(info.fallback) / std::pow(10.0, info.decimals),
-                            info.decimals);
+    fields_[i].unit.decimals = fields_[i].unit.own_decimals = info.decimals;
+    if (info.choices.empty()) put(i, info.fallback);
   }
 }
 
@@ -149,13 +158,10 @@ void ActionForm::draw_bare_field(Frame& f, std::size_t i, float width, float hei
     if (picked >= 0) field.chosen = picked;
     return;
   }
-  const double scale = std::pow(10.0, info.decimals);
+  follow_unit(f, i);
   NumberOptions o;
-  o.range.min = static_cast<double>(info.minimum) / scale;
-  o.range.max = static_cast<double>(info.maximum) / scale;
-  o.range.decimals = info.decimals;
-  const std::string unit = unit_of(f, info);
-  o.range.unit = row_axis_ >= 0 ? std::string_view() : std::string_view(unit);
+  o.range = range_of(info, field.unit);
+  if (row_axis_ >= 0) o.range.unit = {};  // stands over the column
   o.width = width;
   o.height = height;
   o.tip = info.label;
@@ -165,14 +171,35 @@ void ActionForm::draw_bare_field(Frame& f, std::size_t i, float width, float hei
   if (e.entered && !info_.moves && why_not(f).empty()) send(f);
 }
 
-// In counts or in pulses: that depends on the axis that the form has chosen.
-std::string ActionForm::unit_of(const Frame& f, const ActionField& info) const {
-  if (!info.follows_loop) return info.unit;
+int ActionForm::axis_of(const ActionField& info) const {
   int axis = row_axis_ >= 0 ? row_axis_ : info.of_axis;
   for (std::size_t i = 0; axis < 0 && i < fields_.size(); ++i)
     if (info_.fields[i].id == "axis" && !fields_[i].names.empty())
       axis = static_cast<int>(info_.fields[i].choices[static_cast<std::size_t>(fields_[i].chosen)].value);
-  return counted_unit(f.catalog, f.now, info.unit, axis);
+  return axis;
+}
+
+// The number stays what it is when another axis, or another unit, is chosen.
+void ActionForm::follow_unit(const Frame& f, std::size_t i) {
+  Field& field = fields_[i];
+  ShownUnit unit = shown_unit(f, info_.fields[i], axis_of(info_.fields[i]));
+  if (unit == field.unit) return;
+  const bool same_scale = unit.per == field.unit.per && unit.decimals == field.unit.decimals;
+  const auto number = field.number.value();
+  const ShownUnit before = std::exchange(field.unit, std::move(unit));
+  if (number && !same_scale) field.number.set(field.unit.shown(before.value(*number)), field.unit.decimals);
+}
+
+void ActionForm::add_units(const Frame& f, UnitsOfRows& units) const {
+  for (const ActionField& info : info_.fields)
+    if (has_row_field(info)) units.add(shown_unit(f, info, axis_of(info)).name);
+}
+
+float ActionForm::row_fields_width(const ActionInfo& action) {
+  float width = 0;
+  for (const ActionField& info : action.fields)
+    if (has_row_field(info)) width += row_field_width(info) + close_between;
+  return width;
 }
 
 void ActionForm::draw_button(Frame& f, float width) {
@@ -201,12 +228,9 @@ void ActionForm::draw_choice(Frame& f, std::string_view label, bool lamp, bool c
   if (button(f.ui, Path("{}/go", path_), label, o).clicked) send(f);
 }
 
-std::optional<std::int64_t> ActionForm::value(const Frame& f, const ActionField& info, Field& field) {
+std::optional<std::int64_t> ActionForm::value(const ActionField& info, Field& field) {
   if (!field.names.empty()) return info.choices[static_cast<std::size_t>(field.chosen)].value;
-  const double scale = std::pow(10.0, info.decimals);
-  const std::string unit = unit_of(f, info);
-  const NumberRange range{static_cast<double>(info.minimum) / scale,
-                          static_cast<double>(info.maximum) / scale, info.decimals, unit};
+  const NumberRange range = range_of(info, field.unit);
   field.number.sentence = range_sentence(field.number.text, range);
   if (!field.number.sentence.empty()) {
     if (refused_.empty())
@@ -216,7 +240,7 @@ std::optional<std::int64_t> ActionForm::value(const Frame& f, const ActionField&
                                  : field.number.sentence);
     return {};
   }
-  return std::llround(*field.number.value() * scale);
+  return field.unit.value(*field.number.value());
 }
 
 void ActionForm::send(Frame& f) {
@@ -228,25 +252,22 @@ void ActionForm::send(Frame& f) {
       values.push_back(row_axis_);
     else if (row_axis_ >= 0 && is_switch(info))
       values.push_back(switches_on_ ? 1 : 0);
-    else if (const auto v = value(f, info, shared_ && info.for_all_rows ? shared_->fields_[i] : fields_[i]))
+    else if (const auto v = value(info, shared_ && info.for_all_rows ? shared_->fields_[i] : fields_[i]))
       values.push_back(*v);
   }
   if (values.size() != fields_.size()) return;
   asked_ = doubt_.send(f, intent::Act(action_, std::move(values)));
 }
 
-bool ActionForm::of_row(const ActionField& info) const {
-  return !is_axis(info) && !is_switch(info) && !info.for_all_rows;
-}
-
 void ActionForm::draw_in_row(Frame& f, std::string_view verb, bool on, bool lamp, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   float x = at.x;
   for (std::size_t i = 0; i < fields_.size(); ++i) {
-    if (!of_row(info_.fields[i])) continue;
+    if (!has_row_field(info_.fields[i])) continue;
+    const float field = row_field_width(info_.fields[i]);
     ImGui::SetCursorScreenPos(ImVec2(x, at.y));
-    draw_bare_field(f, i, row_field, row_height);
-    x += f.ui.px(row_field + close_between);
+    draw_bare_field(f, i, field, row_height);
+    x += f.ui.px(field + close_between);
   }
   ImGui::SetCursorScreenPos(ImVec2(x, at.y));
   ButtonOptions o;
@@ -293,14 +314,14 @@ std::optional<std::int64_t> ActionForm::entered(std::size_t i) const {
   const ActionField& info = info_.fields[i];
   const auto number = fields_[i].number.value();
   if (!number) return {};
-  const double scaled = *number * std::pow(10.0, info.decimals);
-  if (scaled < static_cast<double>(info.minimum) || scaled > static_cast<double>(info.maximum)) return {};
-  return std::llround(scaled);
+  const NumberRange range = range_of(info, fields_[i].unit);
+  if (*number < range.min || *number > range.max) return {};
+  return fields_[i].unit.value(*number);
 }
 
 void ActionForm::put(std::size_t i, std::int64_t value) {
-  const int decimals = info_.fields[i].decimals;
-  fields_[i].number.set(static_cast<double>(value) / std::pow(10.0, decimals), decimals);
+  const ShownUnit& unit = fields_[i].unit;
+  fields_[i].number.set(unit.shown(value), unit.decimals);
   refused_.clear();
 }
 

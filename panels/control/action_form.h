@@ -8,6 +8,7 @@
 #include "gui/shell/frame.h"
 #include "gui/surface/ui.h"
 #include "gui/widgets/number_field.h"
+#include "panels/control/shown_unit.h"
 #include "panels/doubt_ways.h"
 #include "panels/refusal_card.h"
 
@@ -39,7 +40,11 @@ class ActionForm {
   /// The field that is one for all rows, with its label before it. False: there is none.
   bool draw_shared(gui::Frame& frame, float label_width);
   [[nodiscard]] bool has_shared() const;
-  static constexpr float row_field = 60, row_height = 28;
+  static constexpr float row_height = 28;
+  /// Of the fields of a row with a gap behind each, logical.
+  [[nodiscard]] static float row_fields_width(const ActionInfo& action);
+  /// The units of the fields of a row.
+  void add_units(const gui::Frame& frame, UnitsOfRows& units) const;
 
   /// What stands in a field, in the action's own numbers; nothing while it does not do.
   [[nodiscard]] std::optional<std::int64_t> entered(std::size_t field) const;
@@ -50,18 +55,17 @@ class ActionForm {
  private:
   struct Field {
     gui::NumberField number;
+    ShownUnit unit;  ///< of what stands in `number`
     int chosen = 0;
     std::vector<std::string_view> names;  ///< of the choices, in the catalog's memory
   };
   void fill_in();
   void draw_field(gui::Frame& frame, std::size_t field, float width);
   void send(gui::Frame& frame);
-  [[nodiscard]] std::optional<std::int64_t> value(const gui::Frame& frame, const ActionField& info,
-                                                  Field& field);
-  [[nodiscard]] std::string unit_of(const gui::Frame& frame, const ActionField& info) const;
+  [[nodiscard]] std::optional<std::int64_t> value(const ActionField& info, Field& field);
+  void follow_unit(const gui::Frame& frame, std::size_t field);
+  [[nodiscard]] int axis_of(const ActionField& info) const;
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame) const;
-
-  [[nodiscard]] bool of_row(const ActionField& info) const;
 
   const int action_;
   const ActionInfo& info_;

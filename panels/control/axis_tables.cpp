@@ -11,7 +11,6 @@
 #include "gui/widgets/state_word.h"
 #include "gui/widgets/text.h"
 #include "panels/measures.h"
-#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -19,7 +18,7 @@ using namespace gui;
 namespace {
 
 constexpr float band_title = 32, band_heads = 20, band_row = 32, name_column = 30;
-constexpr float speed_width = 100, does_width = 108, least_between = 20, most_between = 40;
+constexpr float speed_width = 84, does_width = 108, least_between = 16, most_between = 40;
 
 /// The id of a column for one axis: '*' is its name, or nothing where there is only one.
 std::string id_of_axis(const Catalog& c, std::string id, std::size_t axis) {
@@ -40,11 +39,14 @@ bool takes_axis(const ActionInfo& action, std::size_t axis) {
   return true;
 }
 
-std::size_t row_fields(const ActionInfo& action) {
-  return static_cast<std::size_t>(
-      std::count_if(action.fields.begin(), action.fields.end(), [](const ActionField& field) {
-        return field.id != "axis" && field.id != "on" && !field.for_all_rows;
-      }));
+bool is_of_axis(const ActionInfo& action) {
+  return std::any_of(action.fields.begin(), action.fields.end(),
+                     [](const ActionField& field) { return field.id == "axis"; });
+}
+
+/// An action with a state and no word for switching off does away with what that state says.
+bool only_while_on(const AxisColumn& column) {
+  return column.shows == AxisColumn::Shows::action && !column.state.empty() && column.verb_off.empty();
 }
 
 struct Does {
@@ -130,6 +132,7 @@ void AxisTables::fill(const Catalog& catalog, Column& column) {
     }
     const int action = catalog.find_action(id);
     if (action < 0 || !takes_axis(catalog.actions[static_cast<std::size_t>(action)], axis)) continue;
+    if (only_while_on(*column.info) && cell.state < 0) continue;
     cell.index = action;
     if (!column.shared) column.shared = std::make_unique<ActionForm>(catalog, action);
     cell.form = std::make_unique<ActionForm>(catalog, action, static_cast<int>(axis), *column.shared);
@@ -148,7 +151,9 @@ void AxisTables::fill_state(const Catalog& catalog, const std::string& form, std
     cell.state_bits = std::int64_t{1} << axis;
 }
 
-bool AxisTables::has_action(int action) const {
+// What is of the whole controller is in a row only at times, and has its place elsewhere.
+bool AxisTables::has_action(const Catalog& catalog, int action) const {
+  if (catalog.axes.size() > 1 && !is_of_axis(catalog.actions[static_cast<std::size_t>(action)])) return false;
   for (const Table& table : tables_)
     for (const Column& column : table.columns)
       for (const Cell& cell : column.cells)
@@ -157,8 +162,11 @@ bool AxisTables::has_action(int action) const {
 }
 
 /// By the longest that can stand in a column, so that nothing moves when a value comes.
-void AxisTables::measure(const Ui& ui, const Catalog& c, Table& table) {
+void AxisTables::measure(const Frame& f, Table& table) {
   using Shows = AxisColumn::Shows;
+  const Ui& ui = f.ui;
+  const Catalog& c = f.catalog;
+  bool after_numbers = true;
   const auto words = [&](Face face, std::string_view s) { return text_width(ui, face, s) / ui.scale; };
   table.width = -between;
   for (Column& column : table.columns) {
@@ -188,20 +196,28 @@ void AxisTables::measure(const Ui& ui, const Catalog& c, Table& table) {
         float button = std::max(words(Face::body_medium, column.info->verb_on),
                                 words(Face::body_medium, column.info->verb_off));
         if (column.info->verb_on.empty()) button = words(Face::body_medium, action.label);
-        width =
-            static_cast<float>(row_fields(action)) * (ActionForm::row_field + close_between) + button + 24;
+        width = ActionForm::row_fields_width(action) + button + 24;
         break;
       }
     }
-    column.width = std::ceil(std::max(width, words(Face::small, column.info->title)));
+    // A head over numbers ends where they end, and may begin over the words of the column before.
+    const bool numbers = has_numbers(c, column);
+    const bool may_reach_over = numbers && !after_numbers;
+    column.width =
+        std::ceil(may_reach_over ? width : std::max(width, words(Face::small, head_of(f, column))));
     table.width += column.width + between;
+    after_numbers = numbers;
   }
 }
 
 void AxisTables::draw(Frame& f, float width) {
-  if (scale_ != f.ui.scale) {
-    for (Table& table : tables_) measure(f.ui, f.catalog, table);
+  UnitsOfRows units;
+  for (std::size_t axis = 0; axis < f.catalog.axes.size(); ++axis)
+    units.add(f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}).name);
+  if (scale_ != f.ui.scale || units_ != units.view()) {
+    for (Table& table : tables_) measure(f, table);
     scale_ = f.ui.scale;
+    units_ = units.view();
   }
   for (std::size_t first = 0; first < tables_.size();) {
     float used = name_column + tables_[first].width;
@@ -253,24 +269,50 @@ void AxisTables::draw_band(Frame& f, std::size_t first, std::size_t end, float w
   ImGui::SetCursorScreenPos(ImVec2(at.x, bottom + ui.px(between)));
 }
 
+/// What stands over a column, with the unit of what is in it.
+Path AxisTables::head_of(const Frame& f, const Column& column) {
+  using Shows = AxisColumn::Shows;
+  UnitsOfRows units;
+  const bool several = f.catalog.axes.size() > 1;
+  for (const Cell& cell : column.cells) {
+    if (cell.index < 0) continue;
+    const auto i = static_cast<std::size_t>(cell.index);
+    if (cell.form)
+      cell.form->add_units(f, units);
+    else if (column.info->shows == Shows::param)
+      units.add(shown_unit(f, f.catalog.params[i]).name);
+    else if (column.info->shows == Shows::readout && several)  // a single one has it beside its value
+      units.add(shown_unit(f, f.catalog.readouts[i]).name);
+  }
+  const std::string_view title = column.info->title;
+  const bool says = units.view().empty() || title.ends_with(units.view());
+  return Path("{}{}{}", title, says || title.empty() ? "" : ", ", says ? std::string_view() : units.view());
+}
+
+bool AxisTables::has_numbers(const Catalog& c, const Column& column) {
+  return column.info->shows == AxisColumn::Shows::readout &&
+         std::any_of(column.cells.begin(), column.cells.end(), [&](const Cell& cell) {
+           return cell.index >= 0 && c.readouts[static_cast<std::size_t>(cell.index)].words.empty();
+         });
+}
+
 void AxisTables::draw_heads(Frame& f, const Table& table, ImVec2 at) {
   Ui& ui = f.ui;
   float x = at.x;
   const float middle = std::floor(at.y + ui.px(band_heads / 2));
   for (const Column& column : table.columns) {
     const float right = x + ui.px(column.width);
-    const bool motion = column.info->shows == AxisColumn::Shows::motion;
-    const bool number =
-        column.info->shows == AxisColumn::Shows::readout &&
-        std::any_of(column.cells.begin(), column.cells.end(), [&](const Cell& cell) {
-          return cell.index >= 0 && f.catalog.readouts[static_cast<std::size_t>(cell.index)].words.empty();
-        });
-    const float wide = std::ceil(text_width(ui, Face::small, column.info->title));
-    draw_text_line(ui, number ? right - wide : x, right + 1, middle, Face::small, ui[Tone::ink2],
-                   column.info->title);
-    if (motion)
+    const Path head = head_of(f, column);
+    const float wide = std::ceil(text_width(ui, Face::small, head));
+    draw_text_line(ui, has_numbers(f.catalog, column) ? right - wide : x, right + 1, middle, Face::small,
+                   ui[Tone::ink2], head);
+    if (column.info->shows == AxisColumn::Shows::motion) {
+      UnitsOfRows units;
+      for (std::size_t axis = 0; axis < f.catalog.axes.size(); ++axis)
+        units.add(Path("{}/s", f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}).name));
       draw_text_right(ui, ImVec2(right, middle - ui.line(Face::small) / 2), Face::small, ui[Tone::ink2],
-                      "speed");
+                      units.view());
+    }
     x = right + ui.px(between);
   }
 }
@@ -285,6 +327,7 @@ void AxisTables::draw_row(Frame& f, Table& table, std::size_t axis, ImVec2 at) {
     const Rect in{ImVec2(x, at.y), ImVec2(x + ui.px(column.width), at.y + ui.px(band_row))};
     x = in.max.x + ui.px(between);
     if (column.cells[axis].index < 0 && column.info->shows != AxisColumn::Shows::motion) continue;
+    if (only_while_on(*column.info) && !is_on(f, column.cells[axis]).value_or(false)) continue;
     if (column.info->while_moving && !moves) {
       if (!said)
         draw_text_line(ui, in.min.x, end, std::floor(in.centre().y), Face::body, ui[Tone::ink3],
@@ -330,7 +373,9 @@ void AxisTables::draw_motion(Frame& f, Cell& cell, std::size_t i, const Rect& in
     ImGui::SetCursorScreenPos(ImVec2(clear_left, in.min.y + ui.px(2)));
     return cell.form->draw_in_row(f, "Clear", true, false, 60);
   }
-  const NumberText speed = format_speed(f.now.axes[i].speed, f.tab.unit(axis));
+  const DisplayUnit& unit = f.tab.unit(axis);
+  const NumberText speed =
+      format_number(f.now.axes[i].speed.value * (unit.real ? std::abs(unit.per_step) : 1), unit.decimals);
   const bool moves = f.now.axis_moves(static_cast<int>(i));
   const Face number = moves ? Face::body_bold : Face::body;
   const float wide = std::ceil(text_width(ui, number, speed));
@@ -395,19 +440,20 @@ void AxisTables::draw_param(Frame& f, Column& column, Cell& cell, const Rect& in
     if (picked >= 0) f.send(intent::SetParam(p.mnemonic, p.choices[static_cast<std::size_t>(picked)].value));
     return;
   }
+  const ShownUnit unit = shown_unit(f, p);
+  if (unit != cell.unit) cell.number.reset(), cell.unit = unit;  // what was typed was meant otherwise
   NumberOptions o;
-  const double scale = std::pow(10.0, p.decimals);
-  o.range = {static_cast<double>(p.minimum) / scale, static_cast<double>(p.maximum) / scale, p.decimals, {}};
+  const double a = unit.shown(p.minimum), b = unit.shown(p.maximum);
+  o.range = {std::min(a, b), std::max(a, b), unit.decimals, {}};
   o.disabled = f.no_link();
   o.tip = p.explanation;
   o.width = width;
   o.height = ActionForm::row_height;
   o.sentence_below = false;
   const NumberEvent e =
-      number_field(f.ui, id, p.label,
-                   has.known ? std::optional<double>(static_cast<double>(has.value) / scale) : std::nullopt,
+      number_field(f.ui, id, p.label, has.known ? std::optional<double>(unit.shown(has.value)) : std::nullopt,
                    cell.number, o);
-  if (e.committed) f.send(intent::SetParam(p.mnemonic, std::llround(e.value * scale)));
+  if (e.committed) f.send(intent::SetParam(p.mnemonic, unit.value(e.value)));
 }
 
 }  // namespace hw::panels

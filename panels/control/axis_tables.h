@@ -9,6 +9,8 @@
 #include "gui/widgets/number_field.h"
 #include "panels/control/action_form.h"
 #include "panels/control/readouts.h"
+#include "panels/control/shown_unit.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -19,7 +21,7 @@ class AxisTables {
   void draw(gui::Frame& frame, float width);
   /// What stands in them, and so nowhere else.
   [[nodiscard]] const ReadoutSet& readouts() const { return readouts_; }
-  [[nodiscard]] bool has_action(int action) const;
+  [[nodiscard]] bool has_action(const Catalog& catalog, int action) const;
 
  private:
   /// One axis in one column.
@@ -30,6 +32,7 @@ class AxisTables {
     std::int64_t state_bits = -1;      ///< of that param
     std::unique_ptr<ActionForm> form;  ///< of an action
     gui::NumberField number;           ///< of a param
+    ShownUnit unit;                    ///< of what stands in `number`
   };
   struct Column {
     const AxisColumn* info = nullptr;
@@ -45,7 +48,9 @@ class AxisTables {
   };
   void fill(const Catalog& catalog, Column& column);
   void fill_state(const Catalog& catalog, const std::string& id, std::size_t axis, Cell& cell) const;
-  static void measure(const gui::Ui& ui, const Catalog& catalog, Table& table);
+  static void measure(const gui::Frame& frame, Table& table);
+  static Path head_of(const gui::Frame& frame, const Column& column);
+  static bool has_numbers(const Catalog& catalog, const Column& column);
   void draw_band(gui::Frame& frame, std::size_t first, std::size_t end, float width);
   static void draw_heads(gui::Frame& frame, const Table& table, ImVec2 at);
   void draw_row(gui::Frame& frame, Table& table, std::size_t axis, ImVec2 at);
@@ -58,7 +63,8 @@ class AxisTables {
 
   std::vector<Table> tables_;
   ReadoutSet readouts_;
-  float scale_ = 0;
+  float scale_ = 0;    ///< they were measured at it ...
+  std::string units_;  ///< ... and with these
 };
 
 }  // namespace hw::panels

@@ -69,7 +69,7 @@ void Control::make_sections(const Catalog& c) {
   }
   if (any_follows_analog(c)) section("Analog inputs").analog = static_cast<int>(c.analog.size());
   for (std::size_t i = 0; i < c.actions.size(); ++i)
-    if (!tables_->has_action(static_cast<int>(i)))
+    if (!tables_->has_action(c, static_cast<int>(i)))
       section(c.actions[i].group).actions.emplace_back(c, static_cast<int>(i));
 }
 

@@ -9,6 +9,7 @@
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/touch.h"
+#include "panels/control/shown_unit.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -111,8 +112,11 @@ void draw_table(Frame& f, std::span<const Run> columns, float width) {
     const ReadoutInfo& info = c.readouts[columns[n].first];
     const Rect r = cell(n, at.y, head_height);
     const std::string_view name = without_axis(c, info);
-    const bool says_unit = info.unit.empty() || name.ends_with(info.unit);
-    const Path title("{}{}{}", name, says_unit ? "" : ", ", says_unit ? "" : info.unit);
+    UnitsOfRows units;
+    for (std::size_t i = 0; i < columns[n].size; ++i)
+      units.add(shown_unit(f, c.readouts[columns[n].first + i]).name);
+    const std::string_view unit = name.ends_with(units.view()) ? std::string_view() : units.view();
+    const Path title("{}{}{}", name, unit.empty() ? "" : ", ", unit);
     const float w = std::ceil(text_width(ui, Face::small, title));
     const float x = info.words.empty() ? std::max(free_from, r.max.x - w) : r.min.x;
     draw_text_line(ui, x, r.max.x + 1, std::floor(r.centre().y), Face::small, ui[Tone::ink2], title);
@@ -149,9 +153,10 @@ ReadoutText::ReadoutText(const Frame& f, std::size_t i) {
   bad_ = std::find(info.bad.begin(), info.bad.end(), value) != info.bad.end();
   const auto word = std::find_if(info.words.begin(), info.words.end(),
                                  [&](const ParamChoice& w) { return w.value == value; });
-  const NumberText number = format_number(static_cast<double>(value), 0);
+  const ShownUnit own = shown_unit(f, info);
+  const NumberText number = format_number(own.shown(value), own.decimals);
   const bool has_word = word != info.words.end();
-  const std::string_view unit = has_word || per_axis(f.catalog, info) ? std::string_view() : info.unit;
+  const std::string_view unit = has_word || per_axis(f.catalog, info) ? std::string_view() : own.name;
   const auto end = fmt::format_to_n(bytes_, sizeof bytes_, "{}{}{}{}",
                                     has_word ? std::string_view(word->label) : number.view(),
                                     unit.empty() ? "" : " ", unit, old_ ? "?" : "");

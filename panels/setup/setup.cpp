@@ -13,6 +13,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -23,6 +24,19 @@ constexpr float facts_width = 272;
 
 void column_line(Ui& ui, float x, float top, float bottom) {
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, top), ImVec2(x + ui.hair(), bottom), ui[Tone::line]);
+}
+
+/// Where programs are stored compiled, loading one has written it there already.
+Path what_store_keeps(const Frame& f) {
+  const Catalog& c = f.catalog;
+  if (c.program.compiled && c.variables.count > 0)
+    return Path("Keeps the set-up, and variables from {}{} on, over power-off. A program is kept without it.",
+                c.variables.prefix, c.variables.stored_from);
+  if (c.can.store_life == 0) return Path("Keeps set-up and programs over power-off.");
+  if (f.now.store_count < 0)
+    return Path("Keeps set-up and programs over power-off. The memory bears {} writes.", c.can.store_life);
+  return Path("Keeps set-up and programs over power-off. {} of {} writes used.", f.now.store_count,
+              c.can.store_life);
 }
 
 void row_line(Ui& ui, const Frame& f, float y) {
@@ -139,22 +153,10 @@ void Setup::draw_write(Frame& f) {
 }
 
 void Setup::draw_store(Frame& f) {
-  char tip[120];
-  const bool known = f.now.store_count >= 0 && f.catalog.can.store_life > 0;
-  const auto end =
-      f.catalog.can.store_life == 0
-          ? fmt::format_to_n(tip, sizeof tip, "Keeps set-up and programs over power-off.")
-      : known ? fmt::format_to_n(tip, sizeof tip,
-                                 "Keeps set-up and programs over power-off. {} of {} writes used.",
-                                 f.now.store_count, f.catalog.can.store_life)
-              : fmt::format_to_n(tip, sizeof tip,
-                                 "Keeps set-up and programs over power-off. The memory bears {} writes.",
-                                 f.catalog.can.store_life);
   const std::string_view why = f.connected() && storing_ ? "It is being stored." : f.no_link();
   const std::string_view label = f.area.width < 560 ? "Store" : "Store in controller";
-  if (button(f.ui, "setup/store", label,
-             {.disabled = why, .tip = {tip, std::min(end.size, sizeof tip)}, .height = 40})
-          .clicked)
+  const Path tip = what_store_keeps(f);
+  if (button(f.ui, "setup/store", label, {.disabled = why, .tip = tip, .height = 40}).clicked)
     storing_ = f.send_and_watch(intent::Store());
 }
 
@@ -241,16 +243,17 @@ void Setup::draw_list(Frame& f, float width) {
   const float left = ImGui::GetCursorScreenPos().x;
   const float right = left + ImGui::GetContentRegionAvail().x;
   const bool beside = f.area.width >= 760;
-  std::string_view group;
+  const float field = order_.field_width(ui, f.catalog, (right - left) / ui.scale);
   bool any = false;
-  for (std::size_t i = 0; i < f.catalog.params.size(); ++i) {
-    if (!listed(f, i)) continue;
-    const ParamInfo& p = f.catalog.params[i];
-    if (group != p.group) section_title(ui, p.group);
-    group = p.group;
-    any = true;
-    if (SetupRow(f, edits, i, rows_[i], left, right).draw(beside)) chosen_ = i;
-    if (!beside && chosen_ == i) draw_explanation(f, p, left, right);
+  for (const SetupList::Section& section : order_.sections(f.catalog)) {
+    bool begun = false;
+    for (const std::size_t i : section.params) {
+      if (!listed(f, i)) continue;
+      if (!std::exchange(begun, true)) section_title(ui, section.title);
+      any = true;
+      if (SetupRow(f, edits, i, rows_[i], {left, right, field}).draw(beside)) chosen_ = i;
+      if (!beside && chosen_ == i) draw_explanation(f, f.catalog.params[i], left, right);
+    }
   }
   if (!any) {
     gap(ui, 16);

@@ -7,6 +7,7 @@
 #include "gui/model/desk.h"
 #include "gui/shell/panel_entry.h"
 #include "gui/widgets/file_dialog.h"
+#include "panels/setup/setup_list.h"
 #include "panels/setup/setup_row.h"
 
 namespace hw::panels {
@@ -37,6 +38,7 @@ class Setup final : public gui::Panel {
   [[nodiscard]] std::string summary(const gui::Frame& frame) const;
 
   std::vector<SetupRowState> rows_;
+  SetupList order_;
   std::string filter_;
   Show show_ = Show::all;
   bool list_changed_ = false;  ///< by search or choice: begin at its top
@@ -45,7 +47,7 @@ class Setup final : public gui::Panel {
   std::string from_file_;
   bool asking_ = false, asked_to_read_ = false;
   std::string question_title_, question_;
-  IntentId storing_ = 0, reading_ = 0;
+  IntentId storing_ = 0;
   gui::FileDialog open_, save_;
 };
 

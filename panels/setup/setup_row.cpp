@@ -38,8 +38,8 @@ bool bit_box(Ui& ui, std::string_view id, std::string_view label, bool on, std::
 
 }  // namespace
 
-SetupRow::SetupRow(Frame& frame, SetupEdits& edits, std::size_t i, SetupRowState& state, float left,
-                   float right)
+SetupRow::SetupRow(Frame& frame, SetupEdits& edits, std::size_t i, SetupRowState& state,
+                   const SetupRowPlace& place)
     : f_(frame),
       ui_(frame.ui),
       edits_(edits),
@@ -47,8 +47,9 @@ SetupRow::SetupRow(Frame& frame, SetupEdits& edits, std::size_t i, SetupRowState
       p_(frame.catalog.params[i]),
       has_(frame.now.params[i]),
       state_(state),
-      left_(left),
-      right_(right) {
+      left_(place.left),
+      right_(place.right),
+      field_(place.field) {
   const auto end = fmt::format_to_n(id_, sizeof id_, "setup/{}", p_.mnemonic);
   id_size_ = std::min(end.size, sizeof id_);
 }
@@ -58,27 +59,12 @@ std::string_view SetupRow::why_not() const {
                         : "There is no link. Values can be read and written when it is back.";
 }
 
-float SetupRow::control_width() const {
-  const float room = (right_ - left_) / ui_.scale;
-  if (!p_.bits.empty()) return 96;
-  if (!p_.choices.empty()) {  // as wide as its longest value, where the label leaves the room
-    float longest = 0;
-    for (const ParamChoice& c : p_.choices)
-      longest = std::max(longest, text_width(ui_, Face::body_bold, c.label) / ui_.scale);
-    const float label = mnemonic_width + text_width(ui_, Face::body, p_.label) / ui_.scale + 24;
-    const float usual = std::clamp(room * 0.4f, 160.f, 300.f);
-    return std::max(usual, std::floor(std::min(longest + 38, room - label)));
-  }
-  return std::clamp(room * 0.3f, 128.f, 152.f);  // seven figures and their unit
-}
-
 bool SetupRow::draw(bool hover_counts) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float field_left = right_ - ui_.px(control_width());
+  const float field_left = right_ - ui_.px(field_);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left_, at.y), ImVec2(right_, at.y + ui_.hair()),
                                             ui_[Tone::line]);
-  const float words_end = draw_words(field_left - ui_.px(12), at.y);
-  draw_was(words_end + ui_.px(8), field_left - ui_.px(12), at.y + ui_.px(setup_row_height / 2));
+  draw_words(field_left - ui_.px(12), at.y);
   draw_control(field_left, at.y);
   const float bottom = ImGui::GetCursorScreenPos().y;
   ImGui::SetCursorScreenPos(ImVec2(at.x, bottom));
@@ -89,54 +75,52 @@ bool SetupRow::draw(bool hover_counts) {
   return focused || (pointed && hover_counts);
 }
 
-float SetupRow::draw_words(float right, float y) {
+// The note stands behind the name, or below it where there is no room: it is never left out.
+void SetupRow::draw_words(float right, float y) {
   const float middle = y + ui_.px(setup_row_height / 2);
   const bool off = edits_.off_factory(i_, f_.now);
   draw_text_line(ui_, left_, left_ + ui_.px(mnemonic_width), middle, Face::code_field,
                  ui_[off ? Tone::ink : Tone::ink2], p_.mnemonic);
   const float x = left_ + ui_.px(mnemonic_width);
   const Face face = off ? Face::body_medium : Face::body;
-  draw_text_line(ui_, x, right, middle, face, ui_[Tone::ink], p_.label);
-  return std::min(right, x + std::ceil(text_width(ui_, face, p_.label)));
+  Tone tone = Tone::ink3;
+  const Path words = note(tone);
+  if (words.view().empty())
+    return draw_text_in_two_lines(ui_, x, right, middle, face, ui_[Tone::ink], p_.label);
+  const float label = std::ceil(text_width(ui_, face, p_.label));
+  const float wide = std::ceil(text_width(ui_, Face::small, words));
+  const bool beside = x + label + ui_.px(8) + wide <= right;
+  const float apart = beside ? 0 : ui_.px(8);
+  draw_text_line(ui_, x, right, middle - apart, x + label <= right ? face : Face::small, ui_[Tone::ink],
+                 p_.label);
+  draw_note(words, tone, ImVec2(beside ? right - wide : x, middle + apart));
 }
 
-// Beside the name: what the controller has instead, or what the factory had, or that it goes with the power.
-void SetupRow::draw_was(float left, float right, float middle) {
-  char words[64];
-  std::size_t size = 0;
-  Tone tone = Tone::ink3;
-  const auto say = [&](const char* format, std::int64_t value = 0) {
-    const auto end = fmt::format_to_n(words, sizeof words, fmt::runtime(format), value);
-    size = std::min(end.size, sizeof words);
-  };
-  const auto say_value = [&](const char* format, std::int64_t value) {
-    if (p_.decimals == 0 && p_.prefix.empty() && p_.digits == 0) return say(format, value);
-    const std::string whole = fmt::format(fmt::runtime(format), value_text(p_, value));
-    size = whole.copy(words, sizeof words);
-  };
+/// What the controller has instead, or what the factory had, or that it goes with the power.
+Path SetupRow::note(Tone& tone) const {
   const bool changed = edits_.changed(i_, f_.now);
-  if (changed && has_.known)
-    say_value("was {}", has_.value);
-  else if (changed)
-    say("edited");
-  else if (has_.known && !has_.stored)
-    say("not stored"), tone = Tone::warn;
-  else if (edits_.off_factory(i_, f_.now))
-    say_value("factory {}", p_.fallback);
-  else if (!p_.stored && f_.catalog.can.store)  // else it is so with all of them
-    say("not stored in flash");
-  if (size == 0) return;
-  const std::string_view said(words, size);
-  const float width = std::ceil(text_width(ui_, Face::small, said));
-  if (right - left < width) return;
-  if (!changed) return draw_text_line(ui_, right - width, right, middle, Face::small, ui_[tone], said);
-  char id[96];
-  part_id("was", id, size);
-  ImGui::SetCursorScreenPos(ImVec2(right - width, std::floor(middle - ui_.line(Face::small) / 2)));
-  if (link(ui_, {id, size}, said)) {
-    edits_.undo(i_);
-    state_.number.reset();
+  if (changed && has_.known) return Path("was {}", value_text(p_, has_.value));
+  if (changed) return Path("edited");
+  if (has_.known && !has_.stored) {
+    tone = Tone::warn;
+    return Path("not stored");
   }
+  if (edits_.off_factory(i_, f_.now)) return Path("factory {}", value_text(p_, p_.fallback));
+  if (!p_.stored && f_.catalog.can.store) return Path("not kept by Store");  // else it is so with all of them
+  return Path("");
+}
+
+void SetupRow::draw_note(std::string_view words, Tone tone, ImVec2 at) {
+  const float wide = std::ceil(text_width(ui_, Face::small, words));
+  if (!edits_.changed(i_, f_.now))
+    return draw_text_line(ui_, at.x, at.x + wide, at.y, Face::small, ui_[tone], words);
+  char id[96];
+  std::size_t size = 0;
+  part_id("was", id, size);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, std::floor(at.y - ui_.line(Face::small) / 2)));
+  if (!link(ui_, {id, size}, words)) return;
+  edits_.undo(i_);
+  state_.number.reset();
 }
 
 void SetupRow::part_id(std::string_view part, char (&out)[96], std::size_t& size) const {
@@ -161,7 +145,7 @@ void SetupRow::draw_name(float y) {
   if (!state_.typing_name) text = shown ? value_text(p_, *shown) : std::string();
   FieldOptions options;
   options.disabled = why_not();
-  options.width = control_width();
+  options.width = field_;
   options.changed = edits_.changed(i_, f_.now);
   options.error = !state_.number.sentence.empty();
   options.face = Face::code_field;
@@ -196,7 +180,7 @@ void SetupRow::draw_number(float y) {
   const std::string unit = unit_of(p_, f_.catalog, f_.now);
   options.range.unit = unit;
   options.disabled = why_not();
-  options.width = control_width();
+  options.width = field_;
   options.changed = edits_.changed(i_, f_.now);
   const NumberEvent e = number_field(
       ui_, id(), p_.label, shown ? std::optional<double>(static_cast<double>(*shown) / scale) : std::nullopt,
@@ -220,9 +204,9 @@ void SetupRow::draw_choice(float y) {
   int chosen = -1;
   for (std::size_t c = 0; c < p_.choices.size(); ++c)
     if (shown && p_.choices[c].value == *shown) chosen = static_cast<int>(c);
-  const int picked = dropdown(
-      ui_, id(), p_.label, state_.views, chosen,
-      {.disabled = why_not(), .width = control_width(), .none = p_.readable ? "not read" : "cannot be read"});
+  const int picked =
+      dropdown(ui_, id(), p_.label, state_.views, chosen,
+               {.disabled = why_not(), .width = field_, .none = p_.readable ? "not read" : "cannot be read"});
   if (picked >= 0 && picked < static_cast<int>(p_.choices.size()))
     edits_.set(i_, p_.choices[static_cast<std::size_t>(picked)].value);
   ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(setup_row_height)));

@@ -8,6 +8,7 @@
 #include "gui/shell/frame.h"
 #include "gui/surface/ui.h"
 #include "gui/widgets/number_field.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -19,22 +20,28 @@ struct SetupRowState {
   std::vector<std::string_view> views;  ///< into `names`
 };
 
+/// Where a row stands: its ends in pixels, and the width of its field, which ends where it ends.
+struct SetupRowPlace {
+  float left, right;
+  float field;  ///< logical
+};
+
 class SetupRow {
  public:
-  SetupRow(gui::Frame& frame, gui::SetupEdits& edits, std::size_t i, SetupRowState& state, float left,
-           float right);
+  SetupRow(gui::Frame& frame, gui::SetupEdits& edits, std::size_t i, SetupRowState& state,
+           const SetupRowPlace& place);
   /// At ImGui's cursor. True: the caret or the ring is on it, or (if that counts) the mouse.
   bool draw(bool hover_counts);
 
  private:
-  float draw_words(float field_left, float y);
-  void draw_was(float left, float right, float middle);
+  void draw_words(float right, float y);
+  Path note(gui::Tone& tone) const;
+  void draw_note(std::string_view words, gui::Tone tone, ImVec2 left_middle);
   void draw_control(float left, float y);
   void draw_number(float y);
   void draw_name(float y);
   void draw_choice(float y);
   void draw_bits(float y);
-  [[nodiscard]] float control_width() const;
   [[nodiscard]] std::string_view why_not() const;
   void part_id(std::string_view part, char (&out)[96], std::size_t& size) const;
 
@@ -46,6 +53,7 @@ class SetupRow {
   const ParamState& has_;
   SetupRowState& state_;
   const float left_, right_;  // pixels
+  const float field_;         ///< width, logical
   char id_[96];
   std::size_t id_size_ = 0;
   [[nodiscard]] std::string_view id() const { return {id_, id_size_}; }

@@ -134,6 +134,10 @@ TEST_F(BusTest, TheTerminalSpeaksToOneOrToAll) {
   s.run(0.1);
   ASSERT_TRUE(a.last<intent::SendText>());
   EXPECT_TRUE(a.last<intent::SendText>()->broadcast);
+  EXPECT_EQ(s.value("terminal/to"), "01") << "all is meant for one line";
+  MUST(s.hand.type("terminal/command", "CLR\n"));
+  s.run(0.1);
+  EXPECT_FALSE(a.last<intent::SendText>()->broadcast);
   MUST(s.hand.click("terminal/to"));
   MUST(s.hand.click("terminal/to/02"));
   s.run(0.1);

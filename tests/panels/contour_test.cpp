@@ -1,6 +1,9 @@
 // Contours and staircases: what is typed is drawn, checked, written by the controller's language and run.
 #include "panels/contour/contour.h"
 
+#include "core/sequence/sequence_file.h"
+#include "core/session/user_files.h"
+#include "tests/core/session/folder.h"
 #include "tests/panels/panel_stage.h"
 #include "tests/panels/window_catalog.h"
 
@@ -84,9 +87,9 @@ TEST_F(ContourTest, AStaircaseHasToGoOneWay) {
   s.click("stairs/add");
   EXPECT_EQ(s.value("contour/text"), "stairs of X 2000 at 500 3000 at 500 stop 10000\n");
   s.type("stairs/2/until", "1500");
-  EXPECT_THAT(s.value("contour/problem"), HasSubstr("Step 2: 1500 does not lie on the way from 2000"));
+  EXPECT_THAT(s.value("contour/problem"), HasSubstr("Stair 2: 1500 does not lie on the way from 2000"));
   s.type("stairs/2/until", "20000");
-  EXPECT_THAT(s.value("contour/problem"), HasSubstr("passed 10000"));
+  EXPECT_THAT(s.value("contour/problem"), HasSubstr("It has passed 10000"));
 }
 
 TEST_F(ContourTest, ItGoesIntoTheEditorAndAsksBeforeItReplaces) {
@@ -100,6 +103,108 @@ TEST_F(ContourTest, ItGoesIntoTheEditorAndAsksBeforeItReplaces) {
   s.click("contour/to_program");
   s.click("contour/replace/yes");
   EXPECT_EQ(s.tab.desk().texts.text(0), "contour X Y at 1000\nline 2000 0\n");
+}
+
+Catalog window_in_mm() {
+  Catalog c = test::window_catalog();
+  c.units = {{"screw", "mm", 0.0025, 4}, {"other screw", "mm", 0.005, 3}};
+  return c;
+}
+
+struct ContourUnitsTest : ::testing::Test {
+  ContourUnitsTest() {
+    s.now.axis_count = 3;
+    for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
+    show("screw", "screw");
+  }
+  void show(const char* x, const char* others) {
+    s.tab.profile.unit = "real";
+    for (AxisProfile& axis : s.tab.profile.axes) axis.unit_choice = others;
+    s.tab.profile.axes[0].unit_choice = x;
+    s.tab.profile_edited();
+    s.stage.frames(4);
+  }
+  void open(const std::filesystem::path& path) {
+    s.click("contour/open");
+    s.type("file/path", path.c_str());
+    s.click("file/open");
+    s.stage.frames(4);
+  }
+  Contour panel;
+  test::WindowLanguage language;
+  test::PanelStage s{panel, 864, 620, 1, gui::Tier::wide, true, window_in_mm(), &language};
+  test::Folder folder;
+};
+
+TEST_F(ContourUnitsTest, WhatIsTypedInTheUnitOfTheAxesIsWrittenInTheirSteps) {
+  s.type("contour/speed", "5");
+  s.click("contour/add/line");
+  s.type("contour/1/x", "2.5");
+  EXPECT_EQ(s.value("contour/text"), "contour X Y at 2000\nline 1000 0\n");
+  EXPECT_EQ(s.value("contour/view"), "2.5000 mm long, 0.5 s at this speed");
+  s.tab.profile.unit.clear();
+  s.tab.profile_edited();
+  s.stage.frames(4);
+  EXPECT_EQ(s.value("contour/1/x"), "1000");
+  EXPECT_EQ(s.value("contour/text"), "contour X Y at 2000\nline 1000 0\n");
+}
+
+TEST_F(ContourUnitsTest, AxesThatShareNoUnitAreTypedInSteps) {
+  s.click("contour/add/line");
+  s.type("contour/1/x", "2.5");
+  show("screw", "other screw");
+  EXPECT_EQ(s.value("contour/1/x"), "1000");
+}
+
+TEST_F(ContourUnitsTest, AStaircaseIsTypedInTheUnitOfItsAxis) {
+  s.click("contour/kind/Staircase");
+  s.click("stairs/add");
+  s.type("stairs/1/until", "5");
+  s.type("stairs/1/speed", "1.25");
+  EXPECT_EQ(s.value("contour/text"), "stairs of X 2000 at 500 stop 10000\n");
+}
+
+TEST_F(ContourUnitsTest, AFileIsASequenceInTheSameUnitAndComesBackAsItWas) {
+  s.click("contour/add/line");
+  s.type("contour/1/x", "2.5");
+  s.click("contour/add/output");
+  s.click("contour/add/arc");
+  s.type("contour/3/x", "2.5");
+  s.type("contour/3/y", "1.25");
+  const std::string text(s.value("contour/text"));
+  EXPECT_FALSE(panel.unkept().empty());
+  s.click("contour/save");
+  s.type("file/path", (folder.path() / "part.toml").c_str());
+  s.click("file/save");
+  s.stage.frames(3);
+  EXPECT_TRUE(panel.unkept().empty());
+  const auto kept = read_file(folder.path() / "part.toml", 1u << 20);
+  ASSERT_TRUE(kept);
+  const auto sequence = sequence::read_sequence(*kept, "part.toml");
+  ASSERT_TRUE(sequence);
+  EXPECT_EQ(sequence->unit, "mm");
+  EXPECT_DOUBLE_EQ(sequence->axes[0].per_unit, 400);
+  Contour fresh;
+  test::PanelStage other{fresh, 864, 620, 1, gui::Tier::wide, true, window_in_mm(), &language};
+  other.stage.frames(2);
+  other.click("contour/open");
+  other.type("file/path", (folder.path() / "part.toml").c_str());
+  other.click("file/open");
+  other.stage.frames(4);
+  EXPECT_EQ(other.value("contour/text"), text) << "also where counts are shown";
+}
+
+TEST_F(ContourUnitsTest, AFileThatDoesMoreIsRefusedAndNothingIsLost) {
+  s.click("contour/add/line");
+  s.type("contour/1/x", "2.5");
+  const std::string text(s.value("contour/text"));
+  sequence::Sequence more;
+  more.axes = {{"X"}, {"Y"}};
+  more.steps = {{sequence::Delay{100}}};
+  ASSERT_TRUE(write_file(folder.path() / "more.toml", sequence::write_sequence(more)));
+  open(folder.path() / "more.toml");
+  EXPECT_THAT(s.toast(), HasSubstr("more.toml has no contour and no staircase. The list here is as it was."));
+  EXPECT_EQ(s.value("contour/text"), text);
 }
 
 }  // namespace

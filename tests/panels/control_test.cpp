@@ -191,6 +191,78 @@ TEST_F(ControlTablesTest, AnErrorIsClearedWhereItIsShown) {
   EXPECT_THAT(s.last<intent::Act>()->values, ElementsAre(2));
 }
 
+Catalog with_units() {
+  Catalog c = with_tables();
+  c.units = {{"screw", "mm", 0.0025, 4}, {"table", "\u00b0", 0.1, 1}};
+  c.axis_tables[1].columns.insert(c.axis_tables[1].columns.begin() + 1,
+                                  {AxisColumn::Shows::readout, "LTP*", "place"});
+  AxisColumn clear{AxisColumn::Shows::action, "clear", ""};
+  clear.state = "SLS*", clear.verb_on = "Clear";
+  c.axis_tables.push_back({"StepNLoop", "", {{AxisColumn::Shows::readout, "SLS*", "does"}, clear}});
+  return c;
+}
+
+struct ControlUnitsTest : ::testing::Test {
+  ControlUnitsTest() {
+    s.now.axis_count = 4;
+    for (AxisState& a : s.now.axes) a.activity = Activity::moving;
+    s.tab.profile.unit = "real";
+    for (AxisProfile& axis : s.tab.profile.axes) axis.unit_choice = "screw";
+    s.tab.profile.axes[3].unit_choice = "table";
+    s.tab.profile_edited();
+    s.stage.frames(60);
+  }
+  void tell(const char* id, std::int64_t value) {
+    const auto i = static_cast<std::size_t>(s.catalog.find_readout(id));
+    s.now.readouts[i] = value;
+    s.now.readouts_known[i] = true;
+    s.now.readouts_seen_at[i] = Instant(from_seconds(s.stage.now_s));
+    s.stage.frames(2);
+  }
+  Control panel;
+  test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, with_units()};
+};
+
+TEST_F(ControlUnitsTest, WhatIsTypedInTheUnitOfAnAxisIsSentInItsPulses) {
+  s.type("action/change_speed/X/speed", "2.5");
+  s.click("action/change_speed/X/go");
+  ASSERT_TRUE(s.last<intent::Act>());
+  EXPECT_EQ(s.last<intent::Act>()->values[1], 1000);
+  s.type("action/change_speed/U/speed", "50");
+  s.click("action/change_speed/U/go");
+  EXPECT_EQ(s.last<intent::Act>()->values[1], 500) << "degrees";
+}
+
+TEST_F(ControlUnitsTest, ARangeIsToldInTheSameUnit) {
+  s.type("action/change_speed/X/speed", "0");
+  s.click("action/change_speed/X/go");
+  EXPECT_THAT(s.value("action/change_speed/X/refused"), HasSubstr("0.0025 to 15000 mm/s"));
+}
+
+TEST_F(ControlUnitsTest, ANumberStaysWhatItIsWhenAnotherUnitIsChosen) {
+  s.type("action/change_speed/X/speed", "2.5");
+  s.tab.profile.unit.clear();
+  s.tab.profile_edited();
+  s.stage.frames(4);
+  EXPECT_EQ(s.value("action/change_speed/X/speed"), "1000");
+}
+
+TEST_F(ControlUnitsTest, PlacesAreToldInTheUnitOfTheirAxis) {
+  tell("LTPX", 46'914);
+  EXPECT_EQ(s.value("readout/LTPX"), "117.2850");
+  tell("LTPU", 46'914);
+  EXPECT_EQ(s.value("readout/LTPU"), "4691.4");
+}
+
+TEST_F(ControlUnitsTest, WhatDoesAwayWithAStateIsOfferedOnlyWhileItIsThere) {
+  EXPECT_FALSE(s.stage.find("action/clear/Y/go"));
+  tell("SLSY", 10);
+  EXPECT_FALSE(s.stage.find("action/clear/X/go"));
+  s.click("action/clear/Y/go");
+  ASSERT_TRUE(s.last<intent::Act>());
+  EXPECT_THAT(s.last<intent::Act>()->values, ElementsAre(1));
+}
+
 TEST_F(ControlTest, WhatTheControllerSaysOfItself) {
   EXPECT_EQ(s.value("about/firmware"), "not told");
   s.now.identity.firmware = "V319";

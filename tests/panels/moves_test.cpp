@@ -69,6 +69,24 @@ TEST_F(MovesTest, ProgressIsToldAndAbortStops) {
   EXPECT_EQ(s.catalog.actions[static_cast<std::size_t>(s.last<intent::Act>()->action)].id, "buffer_off");
 }
 
+TEST_F(MovesTest, AbortWorksUntilTheBufferIsEmpty) {
+  add("1", "1", "1000");
+  s.now.feed = {false, 100, 100};
+  s.now.axes[0].activity = Activity::moving;
+  s.stage.frames(60);
+  EXPECT_EQ(s.reason("list/abort"), "No list is on its way.") << "it moves for another reason";
+  s.now.feed = {true, 99, 100};
+  s.stage.frames(2);
+  s.now.feed = {false, 100, 100};
+  s.stage.frames(2);
+  EXPECT_EQ(s.reason("list/abort"), "") << "the last 36 moves wait in the buffer";
+  s.click("list/abort");
+  ASSERT_TRUE(s.last<intent::Act>());
+  s.now.axes[0].activity = Activity::idle;
+  s.stage.frames(2);
+  EXPECT_EQ(s.reason("list/abort"), "No list is on its way.");
+}
+
 TEST_F(MovesTest, TheBufferStandsBesideTheList) {
   const auto i = static_cast<std::size_t>(s.catalog.find_readout("BUFFREE"));
   s.now.readouts[i] = 33;

@@ -163,6 +163,16 @@ struct PmxProgramTest : ::testing::Test {
   test::PanelStage s{panel, 864, 480, 1, gui::Tier::wide, true, *type.make_catalog({}), &type.language()};
 };
 
+TEST_F(PmxProgramTest, EachVerbStandsOnce) {
+  s.stage.frames(2);
+  for (const char* id : {"program/compile", "program/download", "program/upload", "program/empty"})
+    EXPECT_TRUE(s.stage.find(id)) << id;
+  for (const char* id : {"program/check", "program/store"}) EXPECT_FALSE(s.stage.find(id)) << id;
+  s.click("program/more");
+  EXPECT_FALSE(s.stage.find("program/more/Load from controller"));
+  EXPECT_FALSE(s.stage.find("program/more/Empty in controller"));
+}
+
 TEST_F(PmxProgramTest, WhatIsShownAsBlocksBecomesThem) {
   const gui::BlockList& blocks = s.tab.desk().blocks;
   s.tab.desk().texts.set_text(0, "ABS\nX100\nWAITX\nEND\n");

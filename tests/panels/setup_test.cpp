@@ -1,5 +1,9 @@
 #include "panels/setup/setup.h"
 
+#include <optional>
+
+#include "core/devices/pmx_4ex_sa/catalog.h"
+#include "core/devices/vme58/catalog.h"
 #include "tests/core/session/folder.h"
 #include "tests/panels/panel_stage.h"
 
@@ -127,6 +131,60 @@ TEST_F(SetupTest, EveryParameterCanBeReachedInEachTier) {
       EXPECT_GE(w->rect.min.x, 0);
       EXPECT_LE(w->rect.max.x, width);
     }
+  }
+}
+
+TEST_F(SetupTest, AllFieldsBeginAndEndOnOneEdge) {
+  std::optional<gui::Rect> first;
+  for (const ParamInfo& p : s.catalog.params) {
+    if (!p.bits.empty()) continue;
+    const gui::Widget* w = s.stage.find("setup/" + p.mnemonic);
+    ASSERT_TRUE(w) << p.mnemonic;
+    if (!first) first = w->rect;
+    EXPECT_EQ(w->rect.min.x, first->min.x) << p.mnemonic;
+    EXPECT_EQ(w->rect.max.x, first->max.x) << p.mnemonic;
+  }
+}
+
+TEST_F(SetupTest, WhatItWasStandsBesideAChangeHoweverNarrowThePanelIs) {
+  panels::Setup fresh;
+  test::PanelStage other(fresh, 440, 700, 1, gui::Tier::narrow);
+  other.stage.frames(3);
+  other.type("setup/j1M", "100\n");
+  EXPECT_TRUE(other.stage.find("setup/j1M/was"));
+}
+
+std::vector<std::string> listed(const Catalog& c, std::string_view title) {
+  SetupList list;
+  std::vector<std::string> names;
+  for (const SetupList::Section& section : list.sections(c))
+    if (section.title == title)
+      for (const std::size_t i : section.params) names.push_back(c.params[i].mnemonic);
+  return names;
+}
+
+TEST(SetupListTest, StepNLoopIsListedByAxisAndInTheOrderOfItsUse) {
+  const auto pmx = pmx_4ex_sa::make_catalog({});
+  ASSERT_TRUE(pmx);
+  const auto names = listed(*pmx, "StepNLoop");
+  ASSERT_EQ(names.size(), 20u);
+  EXPECT_EQ(std::vector(names.begin(), names.begin() + 6),
+            (std::vector<std::string>{"SLRX", "SLTX", "SLEX", "SLAX", "SLX", "SLRY"}));
+}
+
+TEST(SetupListTest, AHeadingStandsOnceAndNamesItsAxis) {
+  const auto pmx = pmx_4ex_sa::make_catalog({});
+  const auto board = vme58::make_catalog({});
+  ASSERT_TRUE(pmx && board);
+  EXPECT_EQ(listed(*pmx, "Speed").front(), "HS");
+  EXPECT_EQ(listed(*pmx, "Speed").back(), "SSPDMU");
+  EXPECT_EQ(listed(*board, "Speeds and ramps of X"), (std::vector<std::string>{"VLX", "ACX", "VBX"}));
+  EXPECT_EQ(listed(*board, "Speeds and ramps"), (std::vector<std::string>{"PN", "CV"})) << "of no axis";
+  for (const Catalog* c : {&*pmx, &*board}) {
+    SetupList list;
+    std::size_t all = 0;
+    for (const SetupList::Section& section : list.sections(*c)) all += section.params.size();
+    EXPECT_EQ(all, c->params.size());
   }
 }
 

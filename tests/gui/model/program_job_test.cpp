@@ -211,6 +211,17 @@ TEST_F(ProgramJobTest, StoreSaysHowManyWritesWereUsed) {
   EXPECT_EQ(job.take_told().sentence, "Stored in the controller. 13 of 100000 writes used.");
 }
 
+TEST_F(ProgramJobTest, WhatIsKeptWhenItIsLoadedIsNotStoredWithTheSetUp) {
+  catalog.program.compiled = true;
+  texts.set_text(0, "I1");
+  begin(ProgramJob::Goal::store);
+  settle(Fate::done);
+  EXPECT_TRUE(last<intent::LoadProgram>());
+  EXPECT_FALSE(last<intent::Store>());
+  EXPECT_FALSE(job.busy());
+  EXPECT_EQ(job.take_told().sentence, "The controller holds this program now.");
+}
+
 TEST_F(ProgramJobTest, SteppingHoldsBeforeTheFirstCommand) {
   texts.set_text(0, "I1");
   begin(ProgramJob::Goal::run_stepping);

@@ -1,0 +1,41 @@
+#pragma once
+// A number of the catalog (steps, steps/s, or something of its own) as it is shown and typed: in the unit
+// that the user has chosen for its axis, as everywhere in the console.
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/device/catalog.h"
+#include "gui/shell/frame.h"
+
+namespace hw::panels {
+
+struct ShownUnit {
+  std::string name;  ///< "mm/s"; empty: a bare number
+  double per = 1;    ///< shown units of one unit of the catalog
+  int decimals = 0;
+  int own_decimals = 0;  ///< the catalog's whole numbers count the last of so many
+  bool operator==(const ShownUnit&) const = default;
+
+  [[nodiscard]] double shown(std::int64_t value) const;
+  [[nodiscard]] std::int64_t value(double shown) const;
+};
+
+ShownUnit shown_unit(const gui::Frame& frame, const ParamInfo& param);
+ShownUnit shown_unit(const gui::Frame& frame, const ReadoutInfo& readout);
+/// `axis` -1: of no axis, so as the catalog has it.
+ShownUnit shown_unit(const gui::Frame& frame, const ActionField& field, int axis);
+
+/// Of the rows of a column, each once: "mm/s", or "mm/s, °/s".
+class UnitsOfRows {
+ public:
+  void add(std::string_view name);
+  [[nodiscard]] std::string_view view() const { return {bytes_, size_}; }
+
+ private:
+  [[nodiscard]] bool has(std::string_view name) const;
+  char bytes_[48];
+  std::size_t size_ = 0;
+};
+
+}  // namespace hw::panels
