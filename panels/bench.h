@@ -4,16 +4,19 @@
 
 namespace hw::panels {
 
-/// The emulated device by hand: its front panel, and trouble.
+/// The emulated device by hand: its front panel, a row for each axis, and trouble.
 class Bench final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
 
  private:
-  void draw_title(gui::Frame& frame);
-  void draw_trouble(gui::Frame& frame);
-  void draw_axes(gui::Frame& frame);
-  void draw_inputs(gui::Frame& frame);
+  static void draw_rail(gui::Frame& frame);
+  static void draw_title(gui::Frame& frame, bool folded);
+  void draw_parts(gui::Frame& frame);
+  static void draw_trouble(gui::Frame& frame);
+  static void draw_supplies(gui::Frame& frame, class Cells& cells);
+  static void draw_inputs(gui::Frame& frame);
+  static void draw_analog(gui::Frame& frame, int number);
 
   FrontPanels front_panels_;
 };

@@ -7,7 +7,7 @@
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
-#include "panels/measures.h"
+#include "panels/cells.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -16,24 +16,35 @@ using namespace gui;
 
 namespace {
 
-constexpr float heading_height = 24;
+constexpr float heading_height = 32, level_height = 26, output_pitch = 36;
 
 bool bit(std::uint32_t bits, int number) { return (bits >> (number - 1)) & 1u; }
 bool io_is_old(const Frame& f) {
   return !f.connected() || is_stale(f.now.io_seen_at, f.clock, f.now.poll_period);
 }
+/// `place`: in the catalog, from 0.
+bool is_active(const Frame& f, std::size_t place) {
+  const int n = static_cast<int>(place) + 1;
+  return bit(f.now.inputs_known, n) && bit(f.now.inputs, n) != f.catalog.inputs[place].active_low;
+}
 
-/// Of the whole columns in which all of `names` have room beside `around` logical pixels, so many.
+/// The most columns, at least 2, in which all of `names` have room beside `around` logical pixels.
 template <class Named>
 int columns_of(const Frame& f, std::span<const Named> names, int most, float around) {
-  const auto fit = [&](int columns) {
-    const float cell = (f.area.width + between) / static_cast<float>(columns) - between;
-    return std::all_of(names.begin(), names.end(), [&](const Named& named) {
-      return text_width(f.ui, Face::body_bold, named.name) + f.ui.px(around) <= f.ui.px(cell);
-    });
-  };
-  while (most > 2 && !fit(most)) --most;
+  while (most > 2 && !fit_in_cells(f.ui, f.area.width, most, names, around)) --most;
   return most;
+}
+
+/// Columns of lamps without a word each, so that no row is left half empty; 0: each has its word.
+template <class Named>
+int lamp_columns(const Frame& f, std::span<const Named> names) {
+  constexpr float lamp_width = 20;
+  if (names.size() <= 4) return 0;
+  for (const int columns : {4, 3})
+    if (names.size() % static_cast<std::size_t>(columns) == 0 &&
+        fit_in_cells(f.ui, f.area.width, columns, names, lamp_width))
+      return columns;
+  return 0;
 }
 
 /// The lines that stand together, from `first` on: those of one group.
@@ -44,43 +55,15 @@ std::span<const Line> group_at(const std::vector<Line>& lines, std::size_t first
   return std::span(lines).subspan(first, end - first);
 }
 
-/// Over a group that has a name. `io/group/Lines 0 to 7: inputs`
-void draw_heading(Frame& f, std::string_view group) {
-  if (group.empty()) return;
+/// Over the lines of a direction, or over a group that has a name: `io/group/Lines 0 to 7: inputs`.
+void draw_heading(Frame& f, std::string_view direction, std::string_view group, std::string_view caption) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  section_title(ui, group.empty() ? direction : group, io_is_old(f) ? "not fresh" : caption, heading_height);
+  if (group.empty()) return;
   const Rect r{at, ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(heading_height))};
-  draw_text_line(ui, r.min.x, r.max.x, r.centre().y, Face::small, ui[Tone::ink2], group);
   show(ui, {Path("io/group/{}", group), Kind::text, group, group, {}, false, {}}, r);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, r.max.y));
 }
-
-/// Cells of a grid, row after row.
-class Cells {
- public:
-  Cells(Ui& ui, float width, int columns, float row)
-      : ui_(ui),
-        at_(ImGui::GetCursorScreenPos()),
-        columns_(columns),
-        row_(row),
-        pitch_((width + between) / static_cast<float>(columns)) {}
-  /// Stands at the `n`th, from 0.
-  void stand(int n) {
-    ImGui::SetCursorScreenPos(ImVec2(at_.x + ui_.px(std::floor(pitch_ * static_cast<float>(n % columns_))),
-                                     at_.y + ui_.px(row_ * static_cast<float>(n / columns_))));
-  }
-  [[nodiscard]] float cell() const { return std::floor(pitch_) - between; }
-  void end(int count) {
-    const int rows = (count + columns_ - 1) / columns_;
-    ImGui::SetCursorScreenPos(ImVec2(at_.x, at_.y + ui_.px(row_ * static_cast<float>(rows))));
-  }
-
- private:
-  Ui& ui_;
-  ImVec2 at_;
-  int columns_;
-  float row_, pitch_;
-};
 
 bool is_not_zero(const Frame& f, std::string_view id) {
   if (const int param = f.catalog.find_param(id); param >= 0) {
@@ -112,19 +95,29 @@ RailName rail_name(std::string_view name) {
   return {"Out", digits > 0 && digits < name.size() ? name.substr(digits) : name};
 }
 
+/// "on: 2, 5", of lamps that have no word each.
+class WhatIsOn {
+ public:
+  void add(std::string_view name) {
+    const auto end = fmt::format_to_n(said_ + size_, sizeof said_ - size_, "{}{}", size_ == 0 ? "on: " : ", ",
+                                      rail_name(name).own);
+    size_ = std::min(size_ + end.size, sizeof said_);
+  }
+  [[nodiscard]] std::string_view view() const { return {said_, size_}; }
+
+ private:
+  char said_[96];
+  std::size_t size_ = 0;
+};
+
 }  // namespace
 
 void InputsOutputs::draw(Frame& f) {
   if (f.rail) return draw_rail(f);
-  const char* title = f.catalog.outputs.empty()  ? "Inputs"
-                      : f.catalog.inputs.empty() ? "Outputs"
-                                                 : "Inputs and outputs";
-  section_title(f.ui, title, io_is_old(f) ? "not fresh" : "", 40);
   draw_inputs(f);
-  gap(f.ui, 4);
   draw_outputs(f);
   draw_all_analog(f);
-  group_line(f.ui, 10);
+  group_line(f.ui, 8);
 }
 
 void InputsOutputs::draw_inputs(Frame& f) {
@@ -132,37 +125,37 @@ void InputsOutputs::draw_inputs(Frame& f) {
   for (std::size_t i = 0; i < inputs.size();) {
     const auto group = group_at(inputs, i);
     if (!group.front().of_output) {
-      draw_heading(f, group.front().group);
+      WhatIsOn on;
+      if (lamp_columns(f, group) > 0)
+        for (std::size_t n = i; n < i + group.size(); ++n)
+          if (is_active(f, n)) on.add(inputs[n].name);
+      draw_heading(f, "Inputs", group.front().group, on.view());
       draw_levels(f, group, i);
     }
     i += group.size();
   }
 }
 
-/// What is on, in a word each; of many with short names only the lamps. `first`: the place of the first, from
-/// 0.
+/// A word each; of many with short names only the lamps. `first`: the place of the first, from 0.
 void InputsOutputs::draw_levels(Frame& f, std::span<const InputInfo> lines, std::size_t first) {
-  const int count = static_cast<int>(lines.size());
-  const bool words = count <= 6 || !lines.front().group.empty() || columns_of(f, lines, 4, 20) < 4;
-  const int columns = words ? columns_of(f, lines, 3, 56) : 4;
-  Cells cells(f.ui, f.area.width, columns, 28);
-  for (int i = 0; i < count; ++i) {
-    const InputInfo& info = lines[static_cast<std::size_t>(i)];
-    const std::size_t place = first + static_cast<std::size_t>(i);
+  const int lamps = lamp_columns(f, lines);
+  Cells cells(f.ui, f.area.width, lamps > 0 ? lamps : columns_of(f, lines, 3, 56), level_height);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const InputInfo& info = lines[i];
+    const std::size_t place = first + i;
     const int n = static_cast<int>(place) + 1;
     const bool known = bit(f.now.inputs_known, n) && !io_is_old(f), high = bit(f.now.inputs, n);
-    const bool active = high != info.active_low;
     LampOptions o;
-    o.state = !known ? LampState::unknown : active ? LampState::on : LampState::off;
+    o.state = !known ? LampState::unknown : is_active(f, place) ? LampState::on : LampState::off;
     o.word = !bit(f.now.inputs_known, n) ? "?" : known ? (high ? "high" : "low") : (high ? "high?" : "low?");
-    o.word_shown = words;
+    o.word_shown = lamps == 0;
     o.tip = info.help;
     o.width = cells.cell();
-    o.height = 28;
-    cells.stand(i);
+    o.height = level_height;
+    cells.stand(static_cast<int>(i));
     lamp(f.ui, Path("io/in/{}", f.catalog.input_number(place)), with_minus(info.name), o);
   }
-  cells.end(count);
+  cells.end();
 }
 
 // A few have the name of their duty in full, and their places do not change when it comes and goes.
@@ -182,15 +175,18 @@ void InputsOutputs::draw_outputs(Frame& f) {
   const auto& outputs = f.catalog.outputs;
   for (std::size_t i = 0; i < outputs.size();) {
     const auto group = group_at(outputs, i);
-    const int count = static_cast<int>(group.size());
     const int columns = output_columns(f, group, outputs.size() > 6 ? 4 : 2);
-    draw_heading(f, group.front().group);
-    Cells cells(f.ui, f.area.width, columns, columns > 2 ? 36 : 40);
-    for (int n = 0; n < count; ++n) {
-      cells.stand(n);
-      draw_output(f, static_cast<int>(i) + n + 1, cells.cell(), columns > 2);
+    const bool narrow = columns > 2;
+    WhatIsOn on;
+    for (std::size_t n = i; narrow && n < i + group.size(); ++n)
+      if (bit(f.now.outputs & f.now.outputs_known, static_cast<int>(n) + 1)) on.add(outputs[n].name);
+    draw_heading(f, "Outputs", group.front().group, on.view());
+    Cells cells(f.ui, f.area.width, columns, output_pitch);
+    for (std::size_t n = i; n < i + group.size(); ++n) {
+      cells.stand_at_next();
+      draw_output(f, static_cast<int>(n) + 1, cells.cell(), narrow);
     }
-    cells.end(count);
+    cells.end();
     draw_levels_of_outputs(f, group.front().group);
     i += group.size();
   }
@@ -235,13 +231,13 @@ void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
 void InputsOutputs::draw_all_analog(Frame& f) {
   const int count = static_cast<int>(f.catalog.analog.size());
   const bool many = count > 2;
-  if (many) section_title(f.ui, "Analog", f.catalog.analog.front().unit, 32);
+  if (many) section_title(f.ui, "Analog", f.catalog.analog.front().unit, heading_height);
   Cells cells(f.ui, f.area.width, many ? 2 : 1, many ? 24 : 28);
   for (int n = 1; n <= count; ++n) {
     cells.stand(n - 1);
     draw_analog(f, n, cells.cell(), many);
   }
-  cells.end(count);
+  cells.end();
 }
 
 void InputsOutputs::draw_analog(Frame& f, int n, float width, bool short_words) {

@@ -1,7 +1,9 @@
 #include "panels/limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "gui/model/axis_look.h"
@@ -69,11 +71,22 @@ void Limits::draw(Frame& f) {
 
 /// A lamp with its name, in the line of an axis.
 struct Limits::Signal {
-  Path id;
+  Path id{""};
   std::string_view label, word;
-  LampShape shape;
-  LampState state;
-  bool on;
+  LampShape shape = LampShape::square;
+  LampState state = LampState::off;
+  bool on = false;
+};
+
+/// Of one axis: two limits, home, alarm.
+class Limits::Signals {
+ public:
+  void add(const Signal& signal) { signals_[count_++] = signal; }
+  [[nodiscard]] std::span<const Signal> list() const { return {signals_.data(), count_}; }
+
+ private:
+  std::array<Signal, 4> signals_;
+  std::size_t count_ = 0;
 };
 
 /// What stands in the title in words: first what is wrong.
@@ -104,7 +117,10 @@ void Limits::draw_with_home(Frame& f) {
   Summary summary;
   const ImVec2 title = ImGui::GetCursorScreenPos();
   section_title(ui, "Limits and home", {}, 40);
-  for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) draw_signals(f, i, summary);
+  if (f.catalog.axes.size() > 4)
+    draw_in_halves(f, summary);
+  else
+    for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) draw_signals(f, i, summary);
   const float end = title.x + ui.px(f.area.width);
   const float room = ui.px(f.area.width - 12) - text_width(ui, Face::body_bold, "Limits and home");
   const bool alerts = summary.alert_count > 0;
@@ -116,49 +132,86 @@ void Limits::draw_with_home(Frame& f) {
   group_line(ui, 10);
 }
 
-void Limits::draw_signals(Frame& f, int i, Summary& summary) {
+/// Of many axes half beside half: lamps under the names that they all share.
+void Limits::draw_in_halves(Frame& f, Summary& summary) {
   Ui& ui = f.ui;
+  constexpr float names_height = 20, apart = 16, sign_cell = 28, word_cell = 36;
+  const int axes = static_cast<int>(f.catalog.axes.size()), rows = (axes + 1) / 2;
+  const float half = std::floor((f.area.width - apart) / 2) + apart;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  float used = with_home_name;  // of one half; the lamps of a column stand under its name
+  for (int i = 0; i < axes; ++i) {
+    const ImVec2 corner(at.x + ui.px(half * static_cast<float>(i / rows)),
+                        at.y + ui.px(names_height + signal_height * static_cast<float>(i % rows)));
+    Signals signals;
+    const bool sure = find_signals(f, i, signals, summary);
+    draw_text_line(ui, corner.x, corner.x + ui.px(with_home_name), corner.y + ui.px(signal_height / 2),
+                   Face::body_bold, ui[Tone::ink], f.catalog.axes[static_cast<std::size_t>(i)].name);
+    used = with_home_name;
+    for (const Signal& signal : signals.list()) {
+      const float cell = signal.label.size() > 3 ? word_cell : sign_cell;
+      const float x = corner.x + ui.px(used);
+      if (i % rows == 0)
+        draw_text_line(ui, x, x + ui.px(cell), at.y + ui.px(names_height / 2), Face::small, ui[Tone::ink2],
+                       signal.label);
+      draw_signal(f, signal, sure, ImVec2(x, corner.y), cell, false);
+      used += cell;
+    }
+  }
+  ImGui::SetCursorScreenPos(
+      ImVec2(at.x, at.y + ui.px(names_height + signal_height * static_cast<float>(rows))));
+}
+
+/// Whether they are known and fresh.
+bool Limits::find_signals(const Frame& f, int i, Signals& signals, Summary& summary) {
   const AxisState& a = f.now.axes[static_cast<std::size_t>(i)];
   const AxisInfo& info = f.catalog.axes[static_cast<std::size_t>(i)];
-  const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool sure = a.limits_known && f.connected() && !is_old(f.now, i, f.clock);
+  for (const Sign sign : {Sign::minus, Sign::plus}) {
+    const bool hit = sign == Sign::minus ? a.limit_minus : a.limit_plus;
+    signals.add({Path("io/limit/{}/{}", info.name, letter(sign)), sign_text(sign), hit ? "HIT" : "clear",
+                 LampShape::square, hit ? LampState::hit : LampState::off, hit});
+  }
+  if (info.home_input)
+    signals.add({Path("io/home/{}", info.name), "home", a.home ? "on" : "off", LampShape::round,
+                 a.home ? LampState::on : LampState::off, a.home});
+  if (info.alarm_input)
+    signals.add({Path("io/alarm/{}", info.name), "alarm", a.alarm ? "ALARM" : "clear", LampShape::square,
+                 a.alarm ? LampState::hit : LampState::off, a.alarm});
   summary.known = summary.known && sure;
+  if (sure)
+    for (const Signal& signal : signals.list()) summary.add(info.name, signal);
+  return sure;
+}
+
+void Limits::draw_signals(Frame& f, int i, Summary& summary) {
+  Ui& ui = f.ui;
+  Signals signals;
+  const bool sure = find_signals(f, i, signals, summary);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text_line(ui, at.x, at.x + ui.px(with_home_name), at.y + ui.px(14), Face::body_bold, ui[Tone::ink],
-                 info.name);
-  float x = with_home_name;
-  const auto one = [&](const Signal& signal, float cell) {
-    draw_signal(f, signal, sure, ImVec2(at.x + ui.px(x), at.y), cell);
-    if (sure) summary.add(info.name, signal);
-    x += cell;
-  };
+                 f.catalog.axes[static_cast<std::size_t>(i)].name);
   // A sign needs less room than a word.
   constexpr float sign_cell = 40;
   const float word_cell = (f.area.width - with_home_name - 2 * sign_cell) / 2;
-  for (const Sign sign : {Sign::minus, Sign::plus}) {
-    const bool hit = sign == Sign::minus ? a.limit_minus : a.limit_plus;
-    one({Path("io/limit/{}/{}", info.name, letter(sign)), sign_text(sign), hit ? "HIT" : "clear",
-         LampShape::square, hit ? LampState::hit : LampState::off, hit},
-        sign_cell);
+  float x = with_home_name;
+  for (const Signal& signal : signals.list()) {
+    const float cell = signal.label.size() > 3 ? word_cell : sign_cell;
+    draw_signal(f, signal, sure, ImVec2(at.x + ui.px(x), at.y), cell, true);
+    x += cell;
   }
-  if (info.home_input)
-    one({Path("io/home/{}", info.name), "home", a.home ? "on" : "off", LampShape::round,
-         a.home ? LampState::on : LampState::off, a.home},
-        word_cell);
-  if (info.alarm_input)
-    one({Path("io/alarm/{}", info.name), "alarm", a.alarm ? "ALARM" : "clear", LampShape::square,
-         a.alarm ? LampState::hit : LampState::off, a.alarm},
-        word_cell);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(signal_height)));
 }
 
-void Limits::draw_signal(Frame& f, const Signal& s, bool sure, ImVec2 at, float cell) {
+void Limits::draw_signal(Frame& f, const Signal& s, bool sure, ImVec2 at, float cell, bool named) {
   Ui& ui = f.ui;
   const Rect r{at, ImVec2(at.x + ui.px(cell), at.y + ui.px(signal_height))};
   const float middle = std::floor(r.centre().y);
   draw_lamp(ui, ImVec2(r.min.x + ui.px(7), middle), 12, s.shape, sure ? s.state : LampState::unknown);
   const Tone tone = s.on && s.state == LampState::hit ? Tone::warn : s.on ? Tone::ink : Tone::ink2;
-  draw_text_line(ui, r.min.x + ui.px(18), r.max.x, middle, s.on ? Face::small_bold : Face::small, ui[tone],
-                 s.label);
+  if (named)
+    draw_text_line(ui, r.min.x + ui.px(18), r.max.x, middle, s.on ? Face::small_bold : Face::small, ui[tone],
+                   s.label);
   const Path value("{}{}", s.word, sure ? "" : "?");
   show(ui, {s.id, Kind::lamp, s.label, value, {}, false, value}, r);
 }

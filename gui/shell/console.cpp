@@ -46,9 +46,9 @@ void Console::show_page(std::string_view id) {
   ports().watch(!list_.pages.empty() && page_ == list_.pages[0].id);
 }
 
-void Console::toggle_map() {
-  if (page_ != "help") return show_page("help");
-  show_page(tabs_.empty() ? list_.pages[0].id : std::string_view());
+Sheet& Console::help_object() {
+  if (!help_) help_ = list_.make_help();
+  return *help_;
 }
 
 Page& Console::page_object(std::string_view id) {
@@ -211,6 +211,7 @@ void Console::draw(Ui& ui) {
   const Layout layout = lay_out(wishes);
   draw_top_bar(ui, *this, layout);  // STOP ALL is the first widget of the frame
   draw_workspace(ui, *this, layout);
+  if (help_open_) draw_sheet(ui, *this, layout);
   draw_status_line(ui, *this, layout);
   dialogs.draw(ui, *this);
   const std::string_view front = active() ? active()->name() : std::string_view();
@@ -241,16 +242,22 @@ void Console::load_choices() {
   splitters.below_medium = number("below_medium", splitters.below_medium);
   dark_ = number("dark", 1) != 0;
   set_size(number("size", 1));
-  kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_;
+  lower_right = static_cast<Fold>(std::clamp(static_cast<int>(number("lower_right", 0)), 0, 2));
+  kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_, kept_fold_ = lower_right;
 }
 
 void Console::save_choices() {
-  if (!outside_->folders.enabled || (kept_ == splitters && kept_dark_ == dark_ && kept_size_ == size_))
-    return;
-  kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_;
-  const nlohmann::json object = {{"left", splitters.left},   {"right", splitters.right},
-                                 {"below", splitters.below}, {"below_medium", splitters.below_medium},
-                                 {"dark", dark_ ? 1 : 0},    {"size", size_}};
+  const bool same =
+      kept_ == splitters && kept_dark_ == dark_ && kept_size_ == size_ && kept_fold_ == lower_right;
+  if (!outside_->folders.enabled || same) return;
+  kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_, kept_fold_ = lower_right;
+  const nlohmann::json object = {{"left", splitters.left},
+                                 {"right", splitters.right},
+                                 {"below", splitters.below},
+                                 {"below_medium", splitters.below_medium},
+                                 {"dark", dark_ ? 1 : 0},
+                                 {"size", size_},
+                                 {"lower_right", static_cast<int>(lower_right)}};
   tell(write_json(outside_->folders.state / "window.json", object));
 }
 

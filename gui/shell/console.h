@@ -30,6 +30,8 @@ struct Sequence;
 namespace hw::gui {
 
 enum class Command : std::uint8_t;
+/// Whether the lower part of the right column is open. Automatic: where there is room for it.
+enum class Fold : std::uint8_t { automatic, open, folded };
 struct CommandEdge;
 class Keyboard;
 struct Outside;  // what it needs of the world: outside.h
@@ -73,7 +75,8 @@ class Console {
 
   // ---- what is shown
   void show_page(std::string_view id);
-  void toggle_map();                                             ///< the keyboard map, and back
+  void toggle_help() { help_open_ = !help_open_ && list_.make_help; }
+  [[nodiscard]] bool help_open() const { return help_open_; }
   [[nodiscard]] std::string_view page() const { return page_; }  ///< empty: a controller is in front
   /// Brings a panel of the active controller to the front; `widget`: brought into view and focused as well.
   void show_panel(std::string_view id, std::string_view widget = {});
@@ -95,6 +98,7 @@ class Console {
   /// A dialog that is open, over whichever controller it is about.
   Dialogs dialogs;
   bool right_open = false;  ///< medium: the right column lies over the centre
+  Fold lower_right = Fold::automatic;
 
   // ---- hands
   /// Ramp down everything, everywhere; a second time: at once.
@@ -144,6 +148,7 @@ class Console {
   [[nodiscard]] InPieces rehearsal_of(Tab& tab) const;
   /// The object behind a page, made when it is first shown.
   [[nodiscard]] Page& page_object(std::string_view id);
+  [[nodiscard]] Sheet& help_object();
 
  private:
   void refresh(Ui& ui);
@@ -169,12 +174,15 @@ class Console {
   Tab* active_ = nullptr;
   std::string page_;
   std::vector<std::unique_ptr<Page>> pages_;
+  std::unique_ptr<Sheet> help_;
+  bool help_open_ = false;
   Toasts toasts_;
   bool dark_ = true;
   float size_ = 1;
   Splitters kept_;  ///< as written last
   bool kept_dark_ = true;
   float kept_size_ = 1;
+  Fold kept_fold_ = Fold::automatic;
   bool ended_ = false, covered_ = false, close_asked_ = false, list_open_ = false;
   std::string asked_;  ///< by a dialog, of which no toast need tell
   std::shared_ptr<std::atomic<int>> closing_ = std::make_shared<std::atomic<int>>(0);

@@ -1,4 +1,4 @@
-// What keys do wherever the caret stands: stop, jog while held, change the controller, the size, the map.
+// What keys do wherever the caret stands: stop, jog while held, change the controller, the size, the help.
 #include "gui/input/keyboard.h"
 #include "gui/model/stop_words.h"
 #include "gui/shell/console.h"
@@ -36,7 +36,7 @@ void Console::on_edge(const CommandEdge& edge) {
   } else if (edge.command == Command::next_controller || edge.command == Command::previous_controller) {
     if (edge.down) activate_next(edge.command == Command::next_controller ? 1 : -1);
   } else if (edge.command == Command::show_map) {
-    if (edge.down) toggle_map();
+    if (edge.down) toggle_help();
   } else if (edge.command == Command::close_controller) {
     close_asked_ = close_asked_ || edge.down;
   } else if (edge.command == Command::larger || edge.command == Command::smaller) {

@@ -21,12 +21,17 @@ class Page {
 };
 
 enum class Place : std::uint8_t {
-  top_left,  ///< positions: the top of the left column, in a narrow window the strip; never scrolls
-  left,      ///< the rest of the left column; in a narrow window the first panel tab
-  centre,    ///< a panel tab
-  below,     ///< under the panel tabs (the terminal); without room one more panel tab
-  right,     ///< the right column, from the top; a rail in a medium, the last panel tab in a narrow window
+  top_left,     ///< positions: the top of the left column, in a narrow window the strip; never scrolls
+  left,         ///< the rest of the left column; in a narrow window the first panel tab
+  centre,       ///< a panel tab
+  below,        ///< under the panel tabs (the terminal); without room one more panel tab
+  right,        ///< the right column, from the top; a rail in a medium, the last panel tab in a narrow window
+  lower_right,  ///< under those, in what they leave; moves with a scroll bar of its own, and can be folded
 };
+
+/// Of a panel at `lower_right`, logical: its title, with the button that folds it. In no more it shows only
+/// that.
+inline constexpr float lower_right_title = 44;
 
 struct PanelEntry {
   std::string_view id;  ///< `tab/ID`
@@ -47,15 +52,23 @@ struct PanelEntry {
 };
 
 struct PageEntry {
-  std::string_view id;  ///< "connect", "help"
+  std::string_view id;  ///< "connect"
   std::string_view title;
   std::unique_ptr<Page> (*make)();
+};
+
+/// Lies beside the desk, over neither a position nor a control that moves metal, until it is put away.
+class Sheet {
+ public:
+  virtual ~Sheet() = default;
+  virtual void draw(PageFrame& frame) = 0;
 };
 
 /// What the console shows, in this order.
 struct PanelList {
   std::span<const PanelEntry> panels;
-  std::span<const PageEntry> pages;  ///< the first is shown when no controller is open
+  std::span<const PageEntry> pages;                 ///< the first is shown when no controller is open
+  std::unique_ptr<Sheet> (*make_help)() = nullptr;  ///< null: there is none
 };
 
 }  // namespace hw::gui

@@ -9,6 +9,9 @@
 
 namespace hw::gui {
 
+class EmulatorServer;
+class PortExaminer;
+
 /// One way that may lead to a controller.
 struct FoundPort {
   enum class State : std::uint8_t {
@@ -52,6 +55,10 @@ class PortFinder {
   virtual void ask(const std::string& path) = 0;
   /// Something is being looked for or asked.
   [[nodiscard]] virtual bool busy() const = 0;
+  /// For the link doctor; null: nobody looks.
+  [[nodiscard]] virtual PortExaminer* examiner() { return nullptr; }
+  /// Null: nobody serves emulators.
+  [[nodiscard]] virtual EmulatorServer* server() { return nullptr; }
 };
 
 /// Finds nothing: headless runs.

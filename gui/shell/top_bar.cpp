@@ -9,6 +9,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/popup.h"
+#include "gui/widgets/state_word.h"
 #include "gui/widgets/tabs.h"
 #include "gui/widgets/text.h"
 
@@ -58,7 +59,7 @@ void draw_menu(Ui& ui, Console& console, const Touch& opener) {
   *fmt::format_to_n(percent, sizeof percent - 1, "now {:.0f} %", console.size() * 100).out = 0;
   if (popup_row(ui, "menu/larger", "Larger", "Ctrl +")) console.step_size(1);
   if (popup_row(ui, "menu/smaller", "Smaller", percent)) console.step_size(-1);
-  if (popup_row(ui, "menu/help", "Keyboard map", "?")) console.show_page("help");
+  if (popup_row(ui, "menu/help", console.help_open() ? "Close the help" : "Help", "?")) console.toggle_help();
   end_popup();
   if (close) console.dialogs.close_controller(console, *tab);
 }
@@ -88,8 +89,9 @@ void draw_brand_and_menu(Ui& ui, Console& console, const Layout& layout) {
   draw_menu(ui, console, menu);
   stand_at(ui, layout.brand.right() - 8 - menu_width - 32, 12);
   quiet.width = 32;
-  quiet.tip = "Keyboard map";
-  if (button(ui, "help", "?", quiet).clicked) console.show_page("help");
+  quiet.tip = "Keys and the manual";
+  quiet.on = console.help_open();
+  if (button(ui, "help", "?", quiet).clicked) console.toggle_help();
 }
 
 ControllerTab tab_face(Console& console, Tab& tab) {

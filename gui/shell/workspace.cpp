@@ -1,5 +1,6 @@
 #include "gui/shell/workspace.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/core.h>
@@ -39,6 +40,20 @@ struct Work {
   void draw_all(Place place, const Box& area, bool rail = false) const {
     for (std::size_t i = 0; i < console.list().panels.size(); ++i)
       if (console.list().panels[i].place == place && wanted(console.list().panels[i])) draw(i, area, rail);
+  }
+  [[nodiscard]] bool has(Place place) const {
+    const auto panels = console.list().panels;
+    return std::any_of(panels.begin(), panels.end(),
+                       [&](const PanelEntry& entry) { return entry.place == place && wanted(entry); });
+  }
+  /// A part that moves with a scroll bar is this controller's, or this bus's: another one has another place.
+  void begin_own_part(const char* name, float width, float height, float padding, bool scrolls = true) const {
+    ImGui::PushID(tab.bus ? static_cast<const void*>(tab.bus.get()) : &tab);
+    begin_part(ui, name, width, height, Tone::panel, padding, scrolls);
+  }
+  static void end_own_part() {
+    end_part();
+    ImGui::PopID();
   }
 };
 
@@ -93,30 +108,34 @@ void draw_panel_tabs(const Work& w, const TabItems& items, const TabItem& chosen
   ImGui::SetCursorScreenPos(ImVec2(w.ui.px(w.layout.centre.x), ImGui::GetCursorScreenPos().y));
 }
 
+bool stands_in(Place side, Place place) {
+  return place == side || (side == Place::right && place == Place::lower_right);
+}
+
 /// One of the columns that a side column becomes as a tab: its panels from `first` up to `end` of the list.
-void draw_tab_column(const Work& w, const char* name, Place place, const Box& area, std::size_t first,
+void draw_tab_column(const Work& w, const char* name, Place side, const Box& area, std::size_t first,
                      std::size_t end) {
   ImGui::SetCursorScreenPos(w.ui.px(area.x, area.y));
-  begin_part(w.ui, name, w.ui.px(area.width), w.ui.px(area.height), Tone::panel, 16);
+  w.begin_own_part(name, w.ui.px(area.width), w.ui.px(area.height), 16);
   const auto panels = w.console.list().panels;
   for (std::size_t i = first; i < end; ++i)
-    if (panels[i].place == place && w.wanted(panels[i]))
+    if (stands_in(side, panels[i].place) && w.wanted(panels[i]))
       w.draw(i, {area.x + 16, area.y, area.width - 32, area.height});
-  end_part();
+  Work::end_own_part();
 }
 
 /// A side column as a tab. Its last panel stands beside the others where there is room for both.
-void draw_side_tab(const Work& w, Place place, const Box& area) {
+void draw_side_tab(const Work& w, Place side, const Box& area) {
   constexpr float column_at_least = 264;
   const auto panels = w.console.list().panels;
   std::size_t first = panels.size(), last = 0;
   for (std::size_t i = 0; i < panels.size(); ++i)
-    if (panels[i].place == place && w.wanted(panels[i])) first = std::min(first, i), last = i;
+    if (stands_in(side, panels[i].place) && w.wanted(panels[i])) first = std::min(first, i), last = i;
   if (area.width < 2 * column_at_least || first >= last)
-    return draw_tab_column(w, "all", place, area, 0, panels.size());
+    return draw_tab_column(w, "all", side, area, 0, panels.size());
   const float half = std::floor(area.width / 2);
-  draw_tab_column(w, "first", place, {area.x, area.y, half, area.height}, 0, last);
-  draw_tab_column(w, "last", place, {area.x + half, area.y, area.width - half, area.height}, last, last + 1);
+  draw_tab_column(w, "first", side, {area.x, area.y, half, area.height}, 0, last);
+  draw_tab_column(w, "last", side, {area.x + half, area.y, area.width - half, area.height}, last, last + 1);
 }
 
 /// A panel that has less than it needs is drawn in comfort and moves with the scroll bar.
@@ -132,14 +151,16 @@ void draw_chosen(const Work& w, const TabItem& chosen, const Box& area) {
   const auto panel = static_cast<std::size_t>(std::max(chosen.panel, 0));
   const float needs = chosen.panel >= 0 ? w.console.list().panels[panel].least_height : 0;
   const bool scrolls = needs > area.height;
-  begin_part(w.ui, "work", 0, w.ui.px(area.height), Tone::panel, 0, scrolls);
+  ImGui::PushID(chosen.panel);
+  w.begin_own_part("work", 0, w.ui.px(area.height), 0, scrolls);
   if (scrolls)
     draw_scrolled(w, panel, area);
   else if (chosen.panel >= 0)
     w.draw(panel, area);
   else
     draw_side_tab(w, chosen.panel == -1 ? Place::left : Place::right, area);
-  end_part();
+  Work::end_own_part();
+  ImGui::PopID();
 }
 
 void draw_centre(const Work& w) {
@@ -194,13 +215,50 @@ void draw_left(const Work& w) {
   const float top = ImGui::GetCursorScreenPos().y;
   ImGui::SetCursorScreenPos(ImVec2(ui.px(box.x), top));
   const float left_over = ui.px(box.bottom()) - top;
-  begin_part(ui, "rest", ui.px(box.width) - ui.hair(), left_over, Tone::panel, 16);
+  w.begin_own_part("rest", ui.px(box.width) - ui.hair(), left_over, 16);
   w.draw_all(Place::left, {inner.x, top / ui.scale, inner.width, left_over / ui.scale});
-  end_part();
+  Work::end_own_part();
   if (w.layout.tier == Tier::wide)
     splitter(ui, "splitter/left", in_pixels(ui, {box.right() - 1, box.y, 1, box.height}), true,
              w.console.splitters.left, {264, 400, Splitters().left}, 1);
   end_region();
+}
+
+/// What is pinned shows all it has, unless somebody opened the part below where there is no room for both.
+/// Returns its height, logical.
+float draw_pinned(const Work& w, const Box& box, float left, float width, float below) {
+  Ui& ui = w.ui;
+  const float room = std::max(1.0f, box.height - below);
+  ImGui::SetCursorScreenPos(ImVec2(left, ui.px(box.y)));
+  w.begin_own_part("parts", width, ui.px(room), 16);
+  w.draw_all(Place::right, {box.x + 16, box.y, box.width - 32, box.height});
+  const float end = ImGui::GetCursorScreenPos().y + ImGui::GetScrollY();
+  Work::end_own_part();
+  return std::min(room, std::ceil(end / ui.scale - box.y));
+}
+
+/// The part below takes what is left, scrolls alone, and is folded by itself where that is too little.
+void draw_right_parts(const Work& w, const Box& box, float left, float width) {
+  Ui& ui = w.ui;
+  constexpr float open_from = 160, open_least = 280;
+  if (!w.has(Place::lower_right)) {
+    draw_pinned(w, box, left, width, 0);
+    return;
+  }
+  const Fold fold = w.console.lower_right;
+  const float least =
+      fold == Fold::open ? std::min(open_least, std::floor(box.height / 2)) : lower_right_title;
+  const float pinned = draw_pinned(w, box, left, width, least);
+  const float rest = box.height - pinned;
+  const bool folded = fold == Fold::folded || (fold == Fold::automatic && rest < open_from);
+  const Box area{box.x, box.y + pinned, box.width, folded ? lower_right_title : rest};
+  if (pinned >= box.height - least)  // what is pinned goes on beneath
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left, ui.px(area.y) - ui.hair()),
+                                              ImVec2(left + width, ui.px(area.y)), ui[Tone::line]);
+  ImGui::SetCursorScreenPos(ImVec2(left, ui.px(area.y)));
+  w.begin_own_part("lower", width, ui.px(area.height), 16, false);
+  w.draw_all(Place::lower_right, {box.x + 16, area.y, box.width - 32, area.height});
+  Work::end_own_part();
 }
 
 void draw_right(const Work& w, const Box& box, bool over_centre) {
@@ -211,10 +269,7 @@ void draw_right(const Work& w, const Box& box, bool over_centre) {
   const Rect r = in_pixels(ui, box);
   ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y),
                                             ui[over_centre ? Tone::edge : Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(r.min.x + ui.hair(), r.min.y));
-  begin_part(ui, "parts", r.width() - ui.hair(), r.height(), Tone::panel, 16);
-  w.draw_all(Place::right, {box.x + 16, box.y, box.width - 32, box.height});
-  end_part();
+  draw_right_parts(w, box, r.min.x + ui.hair(), r.width() - ui.hair());
   if (w.layout.tier == Tier::wide)
     splitter(ui, "splitter/right", in_pixels(ui, {box.x, box.y, 1, box.height}), true,
              w.console.splitters.right, {240, 400, Splitters().right}, -1);
@@ -236,7 +291,8 @@ void draw_rail(const Work& w) {
   ImGui::SetCursorScreenPos(ui.px(box.x + 8, box.y));
   if (button(ui, "rail/open", "", o).clicked) w.console.right_open = !w.console.right_open;
   ImGui::SetCursorScreenPos(ui.px(box.x, box.y + 40));
-  w.draw_all(Place::right, {box.x, box.y + 40, box.width, box.height - 40}, true);
+  for (const Place place : {Place::right, Place::lower_right})
+    w.draw_all(place, {box.x, box.y + 40, box.width, box.height - 40}, true);
   end_region();
   if (!w.console.right_open) return;
   const float width = 272;
@@ -259,7 +315,36 @@ void draw_page(Ui& ui, Console& console, const Layout& layout) {
   end_region();
 }
 
+/// Beside the left column, and where there is one also beside what is at the right: limits stay in sight.
+Box place_of_sheet(const Layout& layout, const Console& console, bool controller) {
+  constexpr float wanted = 440;
+  if (controller && layout.tier == Tier::narrow) return layout.centre;
+  Box box{0, layout.stop.bottom(), layout.status.width, layout.status.y - layout.stop.bottom()};
+  float left = box.x, right = box.right();
+  if (controller) {
+    left = layout.left.right();
+    right = layout.right.x;
+    const float over_centre = 272;
+    if (layout.right_is_rail && console.right_open && right - over_centre - left >= wanted)
+      right -= over_centre;
+  }
+  box.width = std::min(wanted, right - left);
+  box.x = right - box.width;
+  return box;
+}
+
 }  // namespace
+
+void draw_sheet(Ui& ui, Console& console, const Layout& layout) {
+  const Box box = place_of_sheet(layout, console, console.active() != nullptr);
+  const Rect r = in_pixels(ui, box);
+  begin_region(ui, "sheet", r, Tone::panel, ImVec2(0, 0));
+  if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  PageFrame frame{ui, console, box, layout.tier, false, console.clock()};
+  console.help_object().draw(frame);
+  ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y), ui[Tone::edge]);
+  end_region();
+}
 
 float strip_height(const Tab& tab) {
   const std::size_t axes = tab.catalog().axes.size();

@@ -1,6 +1,7 @@
 #include "gui/surface/layout.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hw::gui {
 namespace {
@@ -23,9 +24,12 @@ void lay_out_top(Layout& l, const LayoutWishes& w) {
                             : w.width < 560          ? 0.0f
                                                      : 104.0f;
   l.link = {l.stop.x - link_wanted, 0, link_wanted, height};
-  l.tab_width = l.tier == Tier::wide ? 176.0f : 160.0f;
+  // Narrower tabs before a menu: in 120 stand twelve letters, and the state in a shape and a word.
+  const float tab_wanted = l.tier == Tier::wide ? 176.0f : 160.0f, tab_least = 120;
   const float room = l.link.x - brand - 48;
-  l.controller_menu = l.tier == Tier::narrow || l.tab_width * static_cast<float>(w.controllers) > room + 0.5f;
+  const float share = std::floor(room / static_cast<float>(std::max(w.controllers, 1)));
+  l.controller_menu = l.tier == Tier::narrow || share < tab_least;
+  l.tab_width = std::clamp(share, tab_least, tab_wanted);
   const float used = l.controller_menu ? std::min(room, 176.0f)
                                        : l.tab_width * static_cast<float>(std::max(w.controllers, 0));
   l.tabs = {brand, 0, std::max(0.0f, used), height};

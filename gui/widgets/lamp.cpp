@@ -127,4 +127,19 @@ Touch toggle_lamp(Ui& ui, std::string_view id, std::string_view name, const Togg
   return t;
 }
 
+Touch toggle_cell(Ui& ui, std::string_view id, std::string_view name, bool on, float width,
+                  std::string_view tip) {
+  Touch t = touch(ui, {id, Kind::toggle, name, on ? "on" : "off", {}, false, tip}, ui.px(width, 32));
+  const float apart = ui.px(2);
+  t.rect = {ImVec2(t.rect.min.x + apart, t.rect.min.y + apart),
+            ImVec2(t.rect.max.x - apart, t.rect.max.y - apart)};
+  ToggleOptions o;
+  o.state = on ? ToggleState::on : ToggleState::off;
+  draw_toggle_frame(ui, t, o);
+  draw_lamp(ui, ImVec2(std::floor(t.rect.centre().x), std::floor(t.rect.centre().y)), 12, LampShape::round,
+            on ? LampState::on : LampState::off);
+  draw_ring(ui, t);
+  return t;
+}
+
 }  // namespace hw::gui

@@ -83,6 +83,25 @@ Insets insets_of(const Ui& ui, float width, const std::string& text, const Field
   return in;
 }
 
+/// ImGui types into a copy of its own and would write that over what the panel has put in its place: a number
+/// in another unit, or what the controller has now. A copy that was chosen whole stays so.
+void follow_text(const std::string& text) {
+  const ImGuiID item = ImGui::GetID("");
+  auto* const state = ImGui::GetInputTextState(item);
+  if (!state || GImGui->ActiveId != item || !state->TextAIsValid || text == state->TextA.Data) return;
+  const bool all = std::abs(state->Stb.select_end - state->Stb.select_start) == state->CurLenW;
+  state->TextW.resize(std::max(state->TextW.Size, static_cast<int>(text.size()) + 1));
+  state->CurLenA = static_cast<int>(text.size());
+  state->CurLenW =
+      ImTextStrFromUtf8(state->TextW.Data, state->TextW.Size, text.data(), text.data() + text.size());
+  state->SelectAll();
+  if (!all) state->ClearSelection();
+  auto& undo = state->Stb.undostate;  // was done to the text before
+  undo.undo_point = undo.undo_char_point = 0;
+  undo.redo_point = STB_TEXTEDIT_UNDOSTATECOUNT;
+  undo.redo_char_point = STB_TEXTEDIT_UNDOCHARCOUNT;
+}
+
 /// ImGui's InputText without a frame of its own, placed so that its text starts after the left inset.
 bool edit(Ui& ui, const Rect& r, std::string& text, const FieldOptions& o, const Insets& in) {
   Call call{&text, o.help, ImGui::IsKeyPressed(GLFW_KEY_TAB, true) && !ImGui::GetIO().KeyShift};
@@ -145,6 +164,7 @@ Field text_field(Ui& ui, std::string_view id, std::string_view label, std::strin
   draw_frame(ui, r, o, was_typing || ui.pretend == Ui::Pretend::held);
   const Insets in = insets_of(ui, r.width(), text, o);
   if (enabled) {
+    follow_text(text);
     if (ui.focus.take_entry(id)) ImGui::SetKeyboardFocusHere();
     f.edited = edit(ui, r, text, o, in);
     f.typing = GImGui->ActiveId == item;

@@ -1,5 +1,6 @@
 #pragma once
-// A line of text. The panel owns the text; nothing typed is lost when the focus goes.
+// A line of text. The panel owns the text: nothing typed is lost when the focus goes, and what the panel puts
+// in its place holds, whoever has the caret.
 #include <functional>
 #include <string>
 #include <string_view>

@@ -63,6 +63,17 @@ TEST(Layout, TooManyControllersBecomeOneMenu) {
   EXPECT_TRUE(at(720, 450, 1).controller_menu);
 }
 
+TEST(Layout, FourControllersHaveTabsInEveryWindowButANarrowOne) {
+  for (const auto& [w, h] : {std::pair{1366.f, 768.f}, {1366.f, 820.f}, {1280.f, 800.f}, {1024.f, 700.f}}) {
+    const Layout l = at(w, h, 4);
+    EXPECT_FALSE(l.controller_menu) << w << " x " << h;
+    EXPECT_GE(l.tab_width, 120) << w << " x " << h;
+    EXPECT_LE(l.tabs.x + 4 * l.tab_width, l.add.x + 0.5f) << w << " x " << h;
+    EXPECT_LE(l.add.right(), l.link.x + 0.5f) << w << " x " << h;
+  }
+  EXPECT_EQ(at(1440, 900, 4).tab_width, 176) << "as drawn where there is room";
+}
+
 TEST(Layout, SplittersStayWithinTheirLimits) {
   LayoutWishes w;
   w.splitters.left = 10;

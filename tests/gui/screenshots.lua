@@ -10,7 +10,7 @@ ui.type("connect/address", "vxm@serial\n")
 pictures("connect-refused")
 ui.click("help")
 pictures("help", nil, nil, with_200)
-ui.click("help/back")
+ui.click("help/close")
 
 -- ---- a controller as the factory sends it
 local c = assert(hw.open("vxm@emulator,wire=real"))

@@ -240,6 +240,43 @@ TEST(NumberField, OutOfRangeIsNotReportedAndStaysTyped) {
   EXPECT_TRUE(one.field.sentence.empty());
 }
 
+TEST(NumberField, WhatTheControllerHasNowIsNotTakenForTyped) {
+  OneNumber one;
+  Stage stage(in_window([&](Ui& ui) { one.draw(ui); }));
+  ASSERT_TRUE(stage.hand.click("setup/S"));
+  one.value = 20;
+  stage.frames(2);
+  EXPECT_EQ(*stage.hand.value("setup/S"), "20.0");
+  ASSERT_TRUE(stage.hand.click("other"));
+  EXPECT_EQ(one.commits, 0) << "nobody has typed";
+  EXPECT_EQ(one.value, 20);
+}
+
+TEST(NumberField, WhatIsPutInPlaceOfATypedNumberHolds) {
+  OneNumber one;
+  Stage stage(in_window([&](Ui& ui) { one.draw(ui); }));
+  ASSERT_TRUE(stage.hand.type("setup/S", "2.5"));
+  one.field.set(1000, 0);  // the same in steps
+  stage.frames(2);
+  EXPECT_EQ(*stage.hand.value("setup/S"), "1000");
+  ASSERT_TRUE(stage.hand.key("Ctrl+Z"));
+  EXPECT_EQ(*stage.hand.value("setup/S"), "1000") << "what was typed was meant otherwise";
+  stage.push(InputEvent::text('5', stage.now_s));
+  stage.frames(2);
+  EXPECT_EQ(*stage.hand.value("setup/S"), "10005");
+}
+
+TEST(NumberField, ANumberThatIsChosenWholeStaysSoWhenItChanges) {
+  OneNumber one;
+  Stage stage(in_window([&](Ui& ui) { one.draw(ui); }));
+  ASSERT_TRUE(stage.hand.click("setup/S"));
+  ASSERT_TRUE(stage.hand.key("Ctrl+A"));
+  one.value = 2000;
+  stage.push(InputEvent::text('5', stage.now_s));  // in the same frame
+  stage.frames(2);
+  EXPECT_EQ(*stage.hand.value("setup/S"), "5");
+}
+
 TEST(NumberField, WheelChangesNothing) {
   OneNumber one;
   Stage stage(in_window([&](Ui& ui) { one.draw(ui); }));

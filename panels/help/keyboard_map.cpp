@@ -1,13 +1,10 @@
-#include "panels/help.h"
+#include "panels/help/keyboard_map.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "gui/input/keyboard.h"
-#include "gui/shell/console.h"
-#include "gui/widgets/area.h"
-#include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
+#include "gui/widgets/touch.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -63,8 +60,8 @@ void draw_row(Ui& ui, const Key& key, float width, int number) {
   ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.px(width), at.y + ui.hair()),
                                             ui[Tone::line]);
   draw_key(ui, at, key.keys);
-  draw_text_line(ui, at.x + ui.px(136), at.x + ui.px(width), at.y + ui.px(16), Face::body, ui[Tone::ink],
-                 key.does);
+  draw_text_in_two_lines(ui, at.x + ui.px(136), at.x + ui.px(width), at.y + ui.px(16), Face::body,
+                         ui[Tone::ink], key.does);
   show(ui, {Path("help/{}", number), Kind::text, key.keys, key.does, {}, false, {}},
        {at, ImVec2(at.x + ui.px(width), at.y + ui.px(32))});
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(32)));
@@ -72,23 +69,12 @@ void draw_row(Ui& ui, const Key& key, float width, int number) {
 
 }  // namespace
 
-void Help::draw(PageFrame& f) {
+void draw_keyboard_map(PageFrame& f, float width) {
   Ui& ui = f.ui;
-  ImGui::SetCursorScreenPos(ui.px(f.area.x, f.area.y));
-  begin_part(ui, "map", ui.px(f.area.width), ui.px(f.area.height), Tone::panel, 24);
-  const bool two = f.area.width >= 900;
-  const float between = 48, room = f.area.width - 48;
-  const float width = two ? std::min(std::floor((room - between) / 2), 520.0f) : std::min(room, 620.0f);
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
   int number = 0;
-  ImGui::BeginGroup();
-  section_title(ui, "Everywhere", {}, 48);
+  section_title(ui, "Everywhere");
   for (const Shortcut& shortcut : shortcuts())
     if (!shortcut.keys.empty()) draw_row(ui, {shortcut.keys, shortcut.does}, width, ++number);
-  ImGui::EndGroup();
-  const float left_end = ImGui::GetCursorScreenPos().y;
-  if (two) ImGui::SetCursorScreenPos(ImVec2(corner.x + ui.px(width + between), corner.y));
-  ImGui::BeginGroup();
   section_title(ui, "In the program", {}, 48);
   for (const Key& key : in_editor) draw_row(ui, key, width, ++number);
   section_title(ui, "In the terminal", {}, 48);
@@ -98,14 +84,7 @@ void Help::draw(PageFrame& f) {
     wrapped(ui, Face::body, Tone::ink2, rule, width);
     gap(ui, 8);
   }
-  gap(ui, 8);
-  if (button(ui, "help/back", "Back").clicked) f.console.toggle_map();
-  gap(ui, 24);
-  ImGui::EndGroup();
-  ImGui::SetCursorScreenPos(ImVec2(corner.x, std::max(left_end, ImGui::GetCursorScreenPos().y)));
-  end_part();
+  gap(ui, 16);
 }
-
-StatusSentence Help::status(Console&) { return {Mood::plain, "Press ? again to go back."}; }
 
 }  // namespace hw::panels

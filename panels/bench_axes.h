@@ -1,0 +1,10 @@
+#pragma once
+#include "gui/shell/frame.h"
+
+namespace hw::panels {
+
+/// A row for each axis, of a bus for each of its devices: what a hand can do to it. `bench/jam/X`,
+/// `bench/limit/X/-`, `bench/home/X`, `bench/alarm/X`, `bench/slip/X`.
+void draw_bench_axes(gui::Frame& frame);
+
+}  // namespace hw::panels
