@@ -243,9 +243,12 @@ Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_
   const TransportInfo* transport = find_transport(address.transport);
   if (transport) {
     if (auto fits = check_kind(*transport, *type); !fits) co_return fail(fits.error());
-    for (const auto& [name, open] : openers)
-      if (name == address.transport)
-        co_return co_await open(scheduler, *type, std::move(address), std::move(again), *options);
+    for (const auto& [name, open] : openers) {
+      if (name != address.transport) continue;
+      auto wire = co_await open(scheduler, *type, std::move(address), std::move(again), *options);
+      if (wire) wire->keeper = options->keeper;
+      co_return wire;
+    }
   }
   co_return bad(fmt::format("The {} cannot be reached by \"{}\".", type->model, address.transport),
                 "Look at the name of the way in its address.");

@@ -13,6 +13,8 @@ namespace hw {
 struct OpenOptions {
   /// Failures beside the wire (a state file that cannot be written).
   Trouble trouble;
+  /// Who ends a held jog when this program dies; null: nobody.
+  std::shared_ptr<WillKeeper> keeper;
 };
 
 WireOpener make_wire_opener(OpenOptions options = {});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/log.h"
 #include "core/link/station.h"
 
 namespace hw {
@@ -17,6 +18,11 @@ struct Link::Pending {
   Pending(Station& s, Transaction t) : station(s), transaction(std::move(t)) {}
   [[nodiscard]] bool is_question() const { return transaction.reply.kind != ReplyShape::Kind::none; }
 };
+
+static log::Subject& link_log() {
+  static log::Subject& one = log::subject("link");
+  return one;
+}
 
 Fault stop_came_first() { return Fault(FaultKind::stopped, "A stop came first.", "This was not sent."); }
 
@@ -117,6 +123,10 @@ bool Link::nothing_waits() const {
 
 void Link::start_next() {
   if (in_flight_ || !is_open() || nothing_waits()) return;
+  if (a_will_may_be_carried_out())
+    return give_up_soon(Fault(FaultKind::lost,
+                              "This program stood still for about a second while a jog was held.",
+                              "The watchdog has stopped the jog."));
   const Instant now = scheduler_.now();
   const bool settling = stream_ && now < settle_until_;
   for (auto& queue : waiting_) {
@@ -216,6 +226,9 @@ void Link::on_deadline() {
   }
   if (in_flight_->transaction.may_be_silent && received_.empty())
     return finish(fail(FaultKind::no_answer, "The controller did not answer."));
+  link_log().debug("no answer to \"{}\" in {:.0f} ms; came: \"{}\"",
+                   log::Bytes{in_flight_->transaction.bytes}, 1e3 * seconds(scheduler_.now() - sent_at_),
+                   log::Bytes{received_});
   StationStatistics& statistics = in_flight_->station.statistics_;
   ++statistics.timeouts;
   ++statistics.misses_in_a_row;
@@ -236,6 +249,7 @@ void Link::drop_waiting(const Station& station, const Fault& why) {
   for (auto& queue : waiting_)
     std::erase_if(queue, [&](Pending* p) {
       if (&p->station != &station) return false;
+      link_log().debug("\"{}\" dropped before it was sent: {}", log::Bytes{p->transaction.bytes}, why.what);
       end(*p, fail(why));
       return true;
     });
@@ -362,6 +376,7 @@ void Link::give_up_on(std::string_view bytes) {
   if (stations_.empty()) return;
   Station& station = spoke_last_ ? *spoke_last_ : *stations_.front();
   station.statistics_.unparsed_bytes += bytes.size();
+  link_log().debug("bytes that mean nothing: \"{}\"", log::Bytes{bytes});
   station.record(scheduler_.now(), Way::received, TrafficKind::unparsed, bytes);
 }
 
@@ -405,7 +420,44 @@ void Link::interrupted(std::uint8_t vector) {
     if (stations_[i]->interrupted) stations_[i]->interrupted(vector);
 }
 
+// ---- what is left with the watchdog
+
+WireShare Link::share() const {
+  return stream_ ? stream_->share() : window_ ? window_->share() : WireShare();
+}
+
+std::shared_ptr<WillKeeper::Will> Link::leave_will(const LastWill& will) {
+  const WireShare wire = share();
+  if (!keeper_ || wire.how == WireShare::How::none) return nullptr;
+  auto left = keeper_->leave(scheduler_, wire, will);
+  if (left) wills_.push_back(left);
+  return left;
+}
+
+JogEnds Link::jog_ends() const {
+  if (emulated_here_) return JogEnds::with_program;
+  const bool reached = keeper_ && share().how != WireShare::How::none && keeper_->is_there();
+  return reached ? JogEnds::by_watchdog : JogEnds::by_nobody;
+}
+
+bool Link::a_will_may_be_carried_out() {
+  std::erase_if(wills_, [](const auto& will) { return will.expired(); });
+  return std::any_of(wills_.begin(), wills_.end(), [](const auto& will) {
+    const auto left = will.lock();
+    return left && left->may_be_carried_out();
+  });
+}
+
+// As if the other side had closed it: whoever wants the wire next opens it anew.
+void Link::give_up_soon(Fault why) {
+  asio::post(scheduler_.executor(), [self = shared_from_this(), why = std::move(why)] {
+    if (self->stream_) self->stream_closed(why);
+    if (self->window_) self->window_closed(why);
+  });
+}
+
 void Link::close_all(const Fault& why) {
+  link_log().debug("closed: {}", why.what);
   while (!stations_.empty()) {
     Station* station = stations_.back();
     station->give_up(why);

@@ -1,5 +1,7 @@
 #include "core/link/station.h"
 
+#include "core/base/log.h"
+
 namespace hw {
 namespace {
 
@@ -143,6 +145,7 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
                    "program talks on this line.");
   }
   owed_.clear();
+  log::subject("link").debug("answers have their questions again: cleaned {} times", times_cleaned_ + 1);
   ++times_cleaned_;
   learn_lateness(statistics_.last_round_trip);
   co_return Result<>();

@@ -7,6 +7,8 @@
 
 #include "core/base/ring.h"
 #include "core/time/scheduler.h"
+#include "gui/app/emulator_serving.h"
+#include "gui/app/port_examination.h"
 #include "gui/shell/port_finder.h"
 #include "transports/scan.h"
 
@@ -15,13 +17,15 @@ namespace hw::app {
 class PortWatch final : public gui::PortFinder {
  public:
   PortWatch(Scheduler& scheduler, std::function<void()> wake)
-      : scheduler_(scheduler), wake_(std::move(wake)) {}
+      : scheduler_(scheduler), wake_(wake), examination_(wake), serving_(scheduler, wake) {}
 
   const std::vector<gui::FoundPort>& ports() override;
   void look() override;
   void watch(bool on) override;
   void ask(const std::string& path) override;
   [[nodiscard]] bool busy() const override { return asking_ > 0; }
+  [[nodiscard]] gui::PortExaminer* examiner() override { return &examination_; }
+  [[nodiscard]] gui::EmulatorServer* server() override { return &serving_; }
 
   static constexpr Duration look_every = std::chrono::seconds(2);
 
@@ -42,6 +46,8 @@ class PortWatch final : public gui::PortFinder {
       std::make_shared<std::atomic<bool>>(false);  // set on the io thread
   std::shared_ptr<int> page_;                      // gone: nobody watches
   Instant listed_at_{};
+  PortExamination examination_;
+  EmulatorServing serving_;
 };
 
 }  // namespace hw::app

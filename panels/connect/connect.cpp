@@ -9,34 +9,14 @@
 #include "gui/widgets/icons.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
+#include "panels/connect/place_row.h"
+#include "panels/connect/points.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
 
 using namespace gui;
 
-namespace {
-
-struct PortLook {
-  Icon icon;
-  Tone tone;
-  std::string_view title;
-};
-
-PortLook look_of(const FoundPort& port) {
-  switch (port.state) {
-    case FoundPort::State::not_asked: return {Icon::ring, Tone::ink2, "Not asked yet"};
-    case FoundPort::State::asking: return {Icon::clock, Tone::ink2, "Being asked"};
-    case FoundPort::State::answers: return {Icon::check, Tone::ok, port.title};
-    case FoundPort::State::busy: return {Icon::pause, Tone::warn, "In use"};
-    case FoundPort::State::forbidden: return {Icon::warning, Tone::warn, "No permission"};
-    case FoundPort::State::silent: return {Icon::cross, Tone::fault, "No answer"};
-    case FoundPort::State::failed: break;
-  }
-  return {Icon::cross, Tone::fault, "Could not be opened"};
-}
-
-/// A numbered sentence.
 void draw_point(Ui& ui, int number, std::string_view words, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text(ui, at, Face::body_bold, ui[Tone::ink2], Path("{}", number));
@@ -46,27 +26,19 @@ void draw_point(Ui& ui, int number, std::string_view words, float width) {
   gap(ui, 4);
 }
 
-bool has_real_connection(Console& console) {
-  return std::any_of(console.recent().list().begin(), console.recent().list().end(),
-                     [](const RecentConnection& r) {
-                       const auto address = Address::parse(r.address);
-                       return address && !address->emulated();
-                     });
-}
-
-}  // namespace
-
 void Connect::draw(PageFrame& f) {
   Ui& ui = f.ui;
   const Box& a = f.area;
+  look_at_recent(f.console);
   if (f.tier == Tier::narrow) {
     begin_part(ui, "all", ui.px(a.width), ui.px(a.height), Tone::panel, 16);
     const float width = a.width - 32;
-    draw_left(f, width);
-    group_line(ui, 0);
-    draw_ports(f, width);
+    draw_found_title(f, width);
+    draw_rows(f, width);
     gap(ui, 16);
     draw_address(f, width);
+    group_line(ui, 0);
+    draw_left(f, width);
     group_line(ui);
     draw_emulators(f, width);
     end_part();
@@ -110,64 +82,133 @@ void Connect::open(PageFrame& f, const std::string& address) {
   if (auto opened = f.console.open(address); !opened) refused_ = opened.error().sentence();
 }
 
+/// What is open already stays as it is. The first of them comes to the front.
+void Connect::open_last_time(PageFrame& f) {
+  std::vector<std::string> all;
+  for (const Recent& r : recent_)
+    if (r.last_time) all.push_back(r.entry.address);
+  refused_.clear();
+  Tab* front = nullptr;
+  for (auto address = all.rbegin(); address != all.rend(); ++address) {
+    if (find_open(f.console, *address)) continue;
+    auto opened = f.console.open(*address);
+    if (!opened) refused_ += (refused_.empty() ? "" : " ") + opened.error().sentence();
+    if (opened && !front) front = *opened;
+  }
+  if (front) f.console.activate(*front);
+}
+
+/// Only when the list has changed.
+void Connect::look_at_recent(Console& console) {
+  const auto& list = console.recent().list();
+  const auto same = [](const Recent& r, const RecentConnection& c) { return r.entry == c; };
+  if (recent_.size() == list.size() && std::equal(recent_.begin(), recent_.end(), list.begin(), same)) return;
+  recent_.clear();
+  for (const RecentConnection& entry : list) {
+    Recent r;
+    r.entry = entry;
+    if (auto address = Address::parse(entry.address)) r.address = std::move(*address), r.understood = true;
+    r.last_time = console.recent().is_of_last_time(entry.address);
+    r.name = !entry.name.empty() ? entry.name : r.understood ? r.address.model : entry.address;
+    for (const Catalog& catalog : catalogs_.all())
+      if (entry.name.empty() && r.understood && catalog.model == r.address.model) r.name = catalog.short_name;
+    r.place = r.address.emulated() ? std::string("emulator")
+              : r.understood && !r.address.where.empty()
+                  ? fmt::format("{} {}", r.address.transport, short_place(r.address.where))
+                  : entry.address;
+    for (const char* key : {"baud", "id"})
+      if (const auto option = r.address.options.find(key); option != r.address.options.end())
+        r.place += fmt::format(", {} {}", key, option->second);
+    recent_.push_back(std::move(r));
+  }
+}
+
 // ---- left: what was used before
 
 void Connect::draw_left(PageFrame& f, float width) {
-  const bool newcomer = !has_real_connection(f.console);
-  if (!f.console.recent().list().empty()) draw_recent(f, width);
+  Ui& ui = f.ui;
+  const bool newcomer = std::none_of(recent_.begin(), recent_.end(),
+                                     [](const Recent& r) { return r.understood && !r.address.emulated(); });
+  float title_height = 56;  // of the first as of the other columns
+  for (const bool last_time : {true, false}) {
+    const auto belongs = [&](const Recent& r) { return r.last_time == last_time; };
+    if (std::none_of(recent_.begin(), recent_.end(), belongs)) continue;
+    section_title(ui, last_time ? "As last time" : "Used before", {}, title_height);
+    title_height = 48;
+    for (std::size_t i = 0; i < recent_.size(); ++i)
+      if (belongs(recent_[i])) draw_recent(f, i, width);
+    group_line(ui, 0);
+    if (!last_time) continue;
+    gap(ui, 8);
+    wrapped(ui, Face::small, Tone::ink2,
+            "Opening all brings tabs, units, names and limits back. What does not answer yet opens when it "
+            "does. Nothing moves by opening.",
+            width);
+    gap(ui, 8);
+  }
   if (newcomer) draw_newcomer(f, width);
 }
 
-void Connect::draw_recent(PageFrame& f, float width) {
+void Connect::draw_recent(PageFrame& f, std::size_t i, float width) {
+  if (i >= recent_.size()) return;
   Ui& ui = f.ui;
-  section_title(ui, "Recent", {}, 56);
-  const std::vector<RecentConnection> list = f.console.recent().list();  // opening one changes it
-  const auto& ports = f.console.ports().ports();
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    group_line(ui, 0);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const auto address = Address::parse(list[i].address);
-    const bool serial = address && address->transport == "serial";
-    const bool here = serial && std::any_of(ports.begin(), ports.end(),
-                                            [&](const FoundPort& p) { return p.path == address->where; });
-    const bool gone = serial && !f.console.ports().busy() && !here && !ports.empty();
-    const std::string name = !list[i].name.empty() ? list[i].name
-                             : address             ? address->model
-                                                   : list[i].address;
-    const float right = at.x + ui.px(width - 104);
-    draw_text_line(ui, at.x, right, at.y + ui.px(18), Face::body_bold, ui[Tone::ink], name);
-    const float used = std::ceil(text_width(ui, Face::body_bold, name)) + ui.px(8);
-    if (here || gone)
-      draw_text_line(ui, at.x + used, right, at.y + ui.px(18), Face::small, ui[here ? Tone::ok : Tone::ink2],
-                     here ? "here now" : "not plugged in");
-    draw_text_line(ui, at.x, right, at.y + ui.px(37), Face::small, ui[Tone::ink2], list[i].address);
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - 64), at.y + ui.px(12)));
-    ButtonOptions o;
-    o.width = 64;
-    if (button(ui, Path("connect/recent/{}", i), "Open", o).clicked) open(f, list[i].address);
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - 100), at.y + ui.px(12)));
-    o = ButtonOptions();
-    o.style = ButtonStyle::quiet;
-    o.icon = Icon::cross;
-    o.width = 32;
-    o.tip = "Forget this connection";
-    if (button(ui, Path("connect/recent/{}/forget", i), "", o).clicked)
-      if (auto forgotten = f.console.recent().remove(list[i].address); !forgotten)
-        f.toast(Mood::fault, forgotten.error().sentence());
-    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(56)));
-  }
+  const Recent& r = recent_[i];
+  constexpr float open_width = 60, cross_width = 28;
   group_line(ui, 0);
-  gap(ui, 16);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  Tab* tab = find_open(f.console, r.entry.address);
+  const auto& ports = f.console.ports().ports();
+  const bool serial = r.understood && r.address.transport == "serial";
+  const bool here = serial && std::any_of(ports.begin(), ports.end(),
+                                          [&](const FoundPort& p) { return p.path == r.address.where; });
+  const bool gone = serial && !f.console.ports().busy() && !here && !ports.empty();
+  const bool answers = tab && tab->now().link.connected();
+  const std::string_view state = tab    ? (answers ? "open" : "no answer")
+                                 : here ? "here now"
+                                 : gone ? "not plugged in"
+                                        : "";
+  const Icon mark = tab ? (answers ? Icon::check : Icon::warning) : gone ? Icon::plug : Icon::ring;
+  const Tone tone = tab ? (answers ? Tone::ok : Tone::warn) : Tone::ink2;
+  draw_icon(ImGui::GetWindowDrawList(), mark, ImVec2(at.x + ui.px(6), at.y + ui.px(18)), ui.px(12), ui[tone]);
+  const float left = at.x + ui.px(24), right = at.x + ui.px(width - open_width - cross_width - 8);
+  draw_text_line(ui, left, right, at.y + ui.px(18), Face::body_bold, ui[Tone::ink], r.name);
+  const float used = std::ceil(text_width(ui, Face::body_bold, r.name)) + ui.px(8);
+  if (left + used + ui.px(40) < right)
+    draw_text_line(ui, left + used, right, at.y + ui.px(18), Face::small, ui[tone], state);
+  draw_text_line(ui, left, right, at.y + ui.px(37), Face::small, ui[Tone::ink2], r.place);
+  show(ui, {Path("connect/recent/{}/state", i), Kind::text, r.name, state, {}, false, r.entry.address},
+       {at, ImVec2(right, at.y + ui.px(52))});
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - open_width), at.y + ui.px(12)));
+  ButtonOptions o;
+  o.width = open_width;
+  o.tip = r.entry.address;
+  const std::string address = r.entry.address;  // opening one changes the list
+  const bool opens = button(ui, Path("connect/recent/{}", i), tab ? "Show" : "Open", o).clicked;
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - open_width - cross_width - 4), at.y + ui.px(12)));
+  o = ButtonOptions();
+  o.style = ButtonStyle::quiet;
+  o.icon = Icon::cross;
+  o.width = cross_width;
+  o.tip = "Forget this connection";
+  const bool forgets = button(ui, Path("connect/recent/{}/forget", i), "", o).clicked;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(56)));
+  if (opens && tab) f.console.activate(*tab);
+  if (opens && !tab) open(f, address);
+  if (!forgets) return;
+  if (auto forgotten = f.console.recent().remove(address); !forgotten)
+    f.toast(Mood::fault, forgotten.error().sentence());
 }
 
 void Connect::draw_newcomer(PageFrame& f, float width) {
   Ui& ui = f.ui;
-  section_title(ui, "New here?", {}, f.console.recent().list().empty() ? 56 : 40);
+  section_title(ui, "New here?", {}, recent_.empty() ? 56 : 40);
   wrapped(ui, Face::body, Tone::ink2,
           "Start emulated controllers. They behave like the real ones, and nothing can break.", width);
   gap(ui, 12);
+  const bool other_is_primary =
+      std::any_of(recent_.begin(), recent_.end(), [](const Recent& r) { return r.last_time; });
   ButtonOptions o;
-  o.style = ButtonStyle::primary;
+  o.style = other_is_primary ? ButtonStyle::normal : ButtonStyle::primary;
   o.width = width;
   o.height = 40;
   if (button(ui, "connect/demo", "Start the demo", o).clicked) f.console.start_demo();
@@ -177,132 +218,7 @@ void Connect::draw_newcomer(PageFrame& f, float width) {
   draw_point(ui, 3, "Esc stops everything, at any time.", width);
 }
 
-// ---- centre: what is plugged in
-
-void Connect::draw_found(PageFrame& f, const Box& area) {
-  Ui& ui = f.ui;
-  const float width = area.width - 32;
-  const float refused =
-      refused_.empty() ? 0 : 8 + wrapped_height(ui, Face::body, refused_, ui.px(width)) / ui.scale;
-  const float below = 64 + form_.height(f, width) + refused;
-  ImGui::SetCursorScreenPos(ui.px(area.x, area.y));
-  begin_part(ui, "ports", ui.px(area.width) - ui.hair(), ui.px(area.height - below), Tone::panel, 16);
-  draw_ports(f, width);
-  end_part();
-  ImGui::SetCursorScreenPos(ui.px(area.x + 16, area.bottom() - below));
-  group_line(ui, 0);
-  gap(ui, 12);
-  draw_address(f, width);
-}
-
-void Connect::draw_ports(PageFrame& f, float width) {
-  Ui& ui = f.ui;
-  PortFinder& finder = f.console.ports();
-  const auto& ports = finder.ports();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  section_title(ui, "Found on this computer", {}, 56);
-  const ImVec2 after = ImGui::GetCursorScreenPos();
-  ButtonOptions look;
-  look.disabled = finder.busy() ? "It is looking already." : "";
-  const float look_width = button_width(ui, "Look again", look);
-  const Path caption("{} {}. New cables appear by themselves.", ports.size(),
-                     ports.size() == 1 ? "port" : "ports");
-  if (width > 560)
-    draw_text_right(ui, ImVec2(at.x + ui.px(width - look_width - 12), at.y + ui.px(20)), Face::small,
-                    ui[Tone::ink2], finder.busy() ? std::string_view("Looking ...") : caption.view());
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - look_width), at.y + ui.px(12)));
-  if (button(ui, "connect/look", "Look again", look).clicked) finder.look();
-  ImGui::SetCursorScreenPos(after);
-  group_line(ui, 0);
-  for (std::size_t i = 0; i < ports.size(); ++i) draw_port(f, i, ports[i], width);
-  if (!ports.empty()) return;
-  gap(ui, 16);
-  wrapped(ui, Face::body, Tone::ink2,
-          "No port found. Plug the cable in: this list fills by itself. Or start an emulator.", width);
-}
-
-void Connect::draw_port(PageFrame& f, std::size_t index, const FoundPort& port, float width) {
-  Ui& ui = f.ui;
-  const PortLook look = look_of(port);
-  const Tab* open_here = f.console.open_at(port.path);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float right = at.x + ui.px(width);
-  const bool answers = port.state == FoundPort::State::answers;
-  draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(at.x + ui.px(6), at.y + ui.px(36)), ui.px(12),
-            ui[look.tone]);
-  const float left = at.x + ui.px(28), text_right = right - ui.px(204);
-  const std::string title =
-      open_here ? fmt::format("Open here, as {}", open_here->name()) : std::string(look.title);
-  draw_text_line(ui, left, text_right, at.y + ui.px(25), Face::title_bold, ui[Tone::ink], title);
-  std::string facts = port.path;
-  if (!port.hardware.empty()) facts += ", " + port.hardware;
-  if (!open_here && !port.sentence.empty()) facts += (answers ? ", " : ". ") + port.sentence;
-  // Where it says what to do it may need a second line.
-  const float facts_px = text_right - left;
-  const float words = wrapped_height(ui, Face::body, facts, facts_px);
-  ImGui::SetCursorScreenPos(ImVec2(left, at.y + ui.px(37)));
-  wrapped(ui, Face::body, Tone::ink2, facts, facts_px / ui.scale);
-  const float height = std::max(ui.px(72), ui.px(50) + words);
-  const bool asking = port.state == FoundPort::State::asking;
-  ButtonOptions action;
-  action.width = 112;
-  action.height = 40;
-  action.disabled = asking ? "It is being asked." : "";
-  ImGui::SetCursorScreenPos(ImVec2(right - ui.px(112), at.y + ui.px(16)));
-  const std::string_view label = open_here ? "Show it" : answers ? "Connect" : "Ask again";
-  const bool acted = button(ui, Path("connect/port/{}", index), label, action).clicked;
-  ButtonOptions test;
-  test.style = ButtonStyle::quiet;
-  test.width = 76;
-  test.height = 40;
-  test.disabled = open_here ? "It is open here." : action.disabled;
-  ImGui::SetCursorScreenPos(ImVec2(right - ui.px(196), at.y + ui.px(16)));
-  const bool tested = button(ui, Path("connect/port/{}/test", index), "Test", test).clicked;
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
-  if (opened_path_ == port.path && !port.checks.empty()) draw_checks(f, index, port, 28, width);
-  group_line(ui, 0);
-  if (acted && answers && !open_here) return open(f, std::string(port.address));
-  if (acted && open_here) return f.console.activate(const_cast<Tab&>(*open_here));
-  if (acted || tested) {
-    opened_path_ = port.path;
-    f.console.ports().ask(std::string(port.path));
-  }
-}
-
-void Connect::draw_checks(PageFrame& f, std::size_t index, const FoundPort& port, float left, float width) {
-  Ui& ui = f.ui;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float cell = (width - left) / static_cast<float>(std::max<std::size_t>(1, port.checks.size()));
-  for (std::size_t i = 0; i < port.checks.size(); ++i) {
-    const FoundPort::Check& check = port.checks[i];
-    using R = FoundPort::Check::Result;
-    const Tone tone = check.result == R::good ? Tone::ok : check.result == R::bad ? Tone::fault : Tone::ink3;
-    const Icon icon = check.result == R::good  ? Icon::check
-                      : check.result == R::bad ? Icon::cross
-                                               : Icon::ring_dot;
-    const float x = at.x + ui.px(left + cell * static_cast<float>(i)), end = x + ui.px(cell - 8);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddCircle(ImVec2(x + ui.px(15), at.y + ui.px(24)), ui.px(15), ui[tone], 0, ui.px(2));
-    draw_icon(list, icon, ImVec2(x + ui.px(15), at.y + ui.px(24)), ui.px(12), ui[tone]);
-    draw_text_line(ui, x + ui.px(40), end, at.y + ui.px(16), Face::body_bold,
-                   ui[check.result == R::bad ? Tone::fault : Tone::ink], check.what);
-    draw_text_line(ui, x + ui.px(40), end, at.y + ui.px(34), Face::small, ui[Tone::ink2], check.found);
-    const Path said("{}: {}",
-                    check.result == R::good  ? "good"
-                    : check.result == R::bad ? "bad"
-                                             : "not reached",
-                    check.found);
-    show(ui, {Path("connect/port/{}/check/{}", index, i + 1), Kind::text, check.what, said, {}, false, {}},
-         {ImVec2(x, at.y + ui.px(8)), ImVec2(end, at.y + ui.px(44))});
-  }
-  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(left), at.y + ui.px(56)));
-  int number = 1;
-  for (const std::string& advice : port.advice) {
-    draw_point(ui, number++, advice, width - left);
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(left), ImGui::GetCursorScreenPos().y));
-  }
-  ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + ui.px(8)));
-}
+// ---- below: what nobody has found
 
 void Connect::draw_address(PageFrame& f, float width) {
   Ui& ui = f.ui;
@@ -333,6 +249,14 @@ void Connect::draw_address(PageFrame& f, float width) {
   }
   if ((field.entered || clicked) && !address_.empty()) open(f, address_);
   gap(ui, 4);
+  if (card_.is_open(f) && !form_shown_) {
+    ButtonOptions shows;
+    shows.style = ButtonStyle::quiet;
+    shows.icon_after = Icon::chevron_up;
+    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), ImGui::GetCursorScreenPos().y));
+    if (button(ui, "connect/form/show", "By its parts, or search", shows).clicked) form_shown_ = true;
+    return;
+  }
   if (const std::string made = form_.draw(f, width); !made.empty()) open(f, made);
 }
 

@@ -2,38 +2,64 @@
 #include <string>
 #include <vector>
 
+#include "core/session/recent.h"
 #include "gui/shell/panel_entry.h"
 #include "gui/shell/port_finder.h"
 #include "panels/connect/connect_form.h"
+#include "panels/connect/link_card.h"
+#include "panels/connect/usual_catalogs.h"
 
 namespace hw::panels {
 
-/// Where a controller is found, remembered or started.
+/// Where a controller is found, remembered or started. In the centre stands what is here: controllers that
+/// are open, ports of this computer, places that were used before.
 class Connect final : public gui::Page {
  public:
   void draw(gui::PageFrame& frame) override;
   gui::StatusSentence status(gui::Console& console) override;
 
  private:
+  // connect.cpp
   void draw_left(gui::PageFrame& frame, float width);
-  void draw_recent(gui::PageFrame& frame, float width);
+  void draw_recent(gui::PageFrame& frame, std::size_t index, float width);
   void draw_newcomer(gui::PageFrame& frame, float width);
+  void draw_address(gui::PageFrame& frame, float width);
+  void open(gui::PageFrame& frame, const std::string& address);
+  void open_last_time(gui::PageFrame& frame);
+  void look_at_recent(gui::Console& console);
+  // connect_found.cpp
   void draw_found(gui::PageFrame& frame, const gui::Box& area);
-  void draw_ports(gui::PageFrame& frame, float width);
+  void draw_found_title(gui::PageFrame& frame, float width);
+  void draw_rows(gui::PageFrame& frame, float width);
+  void draw_open(gui::PageFrame& frame, std::size_t index, gui::Tab& tab, float width);
+  void draw_place(gui::PageFrame& frame, std::size_t index, float width);
   void draw_port(gui::PageFrame& frame, std::size_t index, const gui::FoundPort& port, float width);
   void draw_checks(gui::PageFrame& frame, std::size_t index, const gui::FoundPort& port, float left,
                    float width);
-  void draw_address(gui::PageFrame& frame, float width);
+  // connect_emulators.cpp
   void draw_emulators(gui::PageFrame& frame, float width);
-  void open(gui::PageFrame& frame, const std::string& address);
+  void draw_emulator(gui::PageFrame& frame, const Catalog& catalog, float width);
+  std::string draw_options(gui::PageFrame& frame, const Catalog& catalog, float width);
 
-  ConnectForm form_;
-  std::string address_, refused_;
-  std::string opened_path_;  ///< the port whose test is unfolded
+  /// A connection that was used before, understood once and not in each frame.
+  struct Recent {
+    RecentConnection entry;
+    std::string name, place;  ///< as they are shown
+    Address address;
+    bool understood = false, last_time = false;
+  };
   struct Choice {
     std::string model, key;
     int chosen = 0;
   };
+
+  UsualCatalogs catalogs_;
+  ConnectForm form_{catalogs_};
+  LinkCard card_;
+  std::vector<Recent> recent_;
+  std::string address_, refused_;
+  std::string opened_path_;  ///< the port whose test is unfolded
+  bool form_shown_ = false;  ///< also while a card needs the room
   std::vector<Choice> choices_;
 };
 

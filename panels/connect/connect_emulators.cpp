@@ -1,16 +1,17 @@
-// The right column of the connection page: emulators to start.
+// The right column of the connection page: emulators to start, and to serve to other programs.
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include "core/device/registry.h"
 #include "gui/shell/console.h"
+#include "gui/shell/emulator_server.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/badge.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
 #include "panels/connect/connect.h"
+#include "panels/connect/served_lines.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -19,7 +20,7 @@ using namespace gui;
 
 namespace {
 
-constexpr float option_row = 40;
+constexpr float option_row = 36, start_width = 64;
 
 /// Without the maker. Of a board its options say which one it is.
 std::string_view title_of(const Catalog& c) {
@@ -31,61 +32,89 @@ std::string_view title_of(const Catalog& c) {
 
 void Connect::draw_emulators(PageFrame& f, float width) {
   Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
   section_title(ui, "Emulators", {}, 56);
-  for (const DeviceType& type : device_types()) {
-    const auto made = type.make_catalog({});
-    if (!made) continue;
-    const Catalog& catalog = *made;
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(
+      ImVec2(at.x + ui.px(width) - badge_width(ui, Icon::emulated, "EMULATED"), at.y + ui.px(18)));
+  emulated_badge(ui, "connect/emulator/badge");
+  ImGui::SetCursorScreenPos(after);
+  for (const Catalog& catalog : catalogs_.all()) {
     group_line(ui, 0);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(24), Face::title_bold, ui[Tone::ink],
-                   title_of(catalog));
-    ImGui::SetCursorScreenPos(
-        ImVec2(at.x + ui.px(width) - badge_width(ui, Icon::emulated, "EMULATED"), at.y + ui.px(14)));
-    emulated_badge(ui, Path("connect/emulator/{}/badge", type.model));
-    draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(48), Face::small, ui[Tone::ink2],
-                   catalog.summary);
-    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(64)));
-    std::string address = fmt::format("{}@emulator", type.model);
-    float below = 64;  // each option in a line of its own
-    for (const OptionInfo& option : catalog.options) {
-      ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(below)));
-      below += option_row;
-      auto choice = std::find_if(choices_.begin(), choices_.end(), [&](const Choice& c) {
-        return c.model == type.model && c.key == option.key;
-      });
-      if (choice == choices_.end()) {
-        choices_.push_back({std::string(type.model), option.key, 0});
-        choice = choices_.end() - 1;
-      }
-      std::vector<std::string_view> names;
-      for (const auto& [value, label] : option.choices) names.push_back(label);
-      DropdownOptions o;
-      if (catalog.options.size() > 1)  // one under the other, the first beside Start
-        o.width = below > 64 + option_row ? width : width - 72;
-      const int picked = dropdown(ui, Path("connect/emulator/{}/{}", type.model, option.key), option.key,
-                                  names, choice->chosen, o);
-      if (picked >= 0) choice->chosen = picked;
-      if (choice->chosen > 0)
-        address +=
-            fmt::format(",{}={}", option.key, option.choices[static_cast<std::size_t>(choice->chosen)].first);
-    }
-    ButtonOptions start;
-    start.width = 64;
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - 64), at.y + ui.px(64)));
-    if (button(ui, Path("connect/emulator/{}", type.model), "Start", start).clicked) open(f, address);
-    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(std::max(64 + option_row, below) + 8)));
+    draw_emulator(f, catalog, width);
   }
   group_line(ui, 0);
-  gap(ui, 16);
+  gap(ui, 12);
   text(ui, Face::body_bold, Tone::ink, "For your own programs");
   gap(ui, 4);
   wrapped(ui, Face::small, Tone::ink2,
-          "Each emulator can also serve a port, so that EPICS, Python or LabVIEW talk to it:", width);
-  gap(ui, 4);
-  if (!device_types().empty())
-    wrapped(ui, Face::code_time, Tone::ink,
-            fmt::format("handwheel emulate {}\n  --tcp 127.0.0.1:4001", device_types()[0].model), width);
+          "A served emulator answers EPICS, Python or LabVIEW as the real one would. It ends with Handwheel; "
+          "for one that goes on, use \"handwheel emulate\".",
+          width);
+  gap(ui, 12);
+}
+
+void Connect::draw_emulator(PageFrame& f, const Catalog& catalog, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(20), Face::title_bold, ui[Tone::ink],
+                 title_of(catalog));
+  draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(40), Face::small, ui[Tone::ink2],
+                 catalog.summary);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(52)));
+  const std::string address = draw_options(f, catalog, width);
+  const float below = ImGui::GetCursorScreenPos().y;
+  EmulatorServer* server = f.console.ports().server();
+  const ServedEmulator* served = server ? server->find(catalog.model) : nullptr;
+  const bool is_served = served && !served->tcp.empty();
+  ButtonOptions start;
+  start.width = start_width;
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - start_width), at.y + ui.px(52)));
+  const bool starts =
+      button(ui, Path("connect/emulator/{}", catalog.model), is_served ? "Open" : "Start", start).clicked;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, below));
+  if (server) {
+    const Address own = Address::parse(address).value_or(Address());
+    served = serve_switch(ui, Path("connect/emulator/{}/serve", catalog.model), "Serve to other programs",
+                          *server, catalog.model, own, nullptr, width);
+    ImGui::SetCursorScreenPos(ImVec2(at.x, below + ui.px(36)));
+    if (served) draw_served(ui, Path("connect/emulator/{}", catalog.model), *served, width, false);
+  }
+  gap(ui, 8);
+  if (!starts) return;
+  open(f, is_served ? fmt::format("{}@{}:{}", catalog.model, catalog.can.window ? "bus" : "tcp", served->tcp)
+                    : address);
+}
+
+/// Its options as they are chosen, one under the other, the first beside Start. The address that they make.
+std::string Connect::draw_options(PageFrame& f, const Catalog& catalog, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  std::string address = fmt::format("{}@emulator", catalog.model);
+  float below = 0;
+  for (const OptionInfo& option : catalog.options) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(below)));
+    auto choice = std::find_if(choices_.begin(), choices_.end(), [&](const Choice& c) {
+      return c.model == catalog.model && c.key == option.key;
+    });
+    if (choice == choices_.end()) {
+      choices_.push_back({catalog.model, option.key, 0});
+      choice = choices_.end() - 1;
+    }
+    std::vector<std::string_view> names;
+    for (const auto& [value, label] : option.choices) names.push_back(label);
+    DropdownOptions o;
+    o.width = below > 0 ? width : width - start_width - 8;
+    const int picked = dropdown(ui, Path("connect/emulator/{}/{}", catalog.model, option.key), option.key,
+                                names, choice->chosen, o);
+    if (picked >= 0) choice->chosen = picked;
+    if (choice->chosen > 0)
+      address +=
+          fmt::format(",{}={}", option.key, option.choices[static_cast<std::size_t>(choice->chosen)].first);
+    below += option_row;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(std::max(option_row, below))));
+  return address;
 }
 
 }  // namespace hw::panels

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "core/device/registry.h"
 #include "gui/shell/console.h"
 #include "gui/shell/device_finder.h"
 #include "gui/widgets/button.h"
@@ -39,10 +38,8 @@ int number_of(const std::string& text, int fallback) {
 
 void ConnectForm::make() {
   if (std::exchange(made_, true)) return;
-  for (const DeviceType& type : device_types())
-    if (auto catalog = type.make_catalog({})) catalogs_.push_back(std::move(*catalog));
   std::set<int> rates;
-  for (const Catalog& c : catalogs_)
+  for (const Catalog& c : catalogs_.all())
     if (c.addressed()) rates.insert(c.can.bauds.begin(), c.can.bauds.end());
   rates_.assign(rates.begin(), rates.end());
 }
@@ -70,7 +67,7 @@ std::string ConnectForm::address() const {
 
 std::string ConnectForm::draw(PageFrame& f, float width) {
   make();
-  if (catalogs_.empty()) return {};
+  if (catalogs_.all().empty()) return {};
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text_line(ui, at.x, at.x + ui.px(100), at.y + ui.px(16), Face::body_bold, ui[Tone::ink],
@@ -95,7 +92,7 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   std::vector<std::string_view> names;
-  for (const Catalog& c : catalogs_) names.push_back(c.short_name);
+  for (const Catalog& c : catalogs_.all()) names.push_back(c.short_name);
   const int model = dropdown(ui, "connect/form/model", "Model", names, model_);
   if (model >= 0) {
     const TransportInfo* before = &way();
@@ -218,7 +215,7 @@ void ConnectForm::draw_guide(PageFrame& f, float width) {
 
 float ConnectForm::height(PageFrame& f, float width) {
   make();
-  if (catalogs_.empty()) return 0;
+  if (catalogs_.all().empty()) return 0;
   const DeviceSearchState& state = f.console.devices().state();
   const std::string words = guide();
   const float guide_height =

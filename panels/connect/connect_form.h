@@ -11,11 +11,13 @@
 #include "gui/shell/device_finder.h"
 #include "gui/shell/frame.h"
 #include "gui/surface/ui.h"
+#include "panels/connect/usual_catalogs.h"
 
 namespace hw::panels {
 
 class ConnectForm {
  public:
+  explicit ConnectForm(const UsualCatalogs& catalogs) : catalogs_(catalogs) {}
   /// At ImGui's cursor. The address to open, when Open was pressed or a found device chosen; else empty.
   std::string draw(gui::PageFrame& frame, float width);
   /// What the parts say now: "MODEL@serial:/dev/ttyUSB0,baud=9600,id=01".
@@ -27,7 +29,7 @@ class ConnectForm {
   void make();
   void choose(int picked);
   [[nodiscard]] const TransportInfo& way() const;
-  [[nodiscard]] const Catalog& catalog() const { return catalogs_[static_cast<std::size_t>(model_)]; }
+  [[nodiscard]] const Catalog& catalog() const { return catalogs_.all()[static_cast<std::size_t>(model_)]; }
   [[nodiscard]] bool has_ids() const;
   bool draw_parts(gui::PageFrame& frame, float width);
   void draw_rate_or_base(gui::Ui& ui);
@@ -41,7 +43,7 @@ class ConnectForm {
   [[nodiscard]] std::string words_of(const gui::DeviceSearchState& state) const;
 
   bool made_ = false;
-  std::vector<Catalog> catalogs_;
+  const UsualCatalogs& catalogs_;
   int model_ = 0, baud_ = 0;
   std::map<std::string, int> chosen_;  ///< of Catalog::options, by key
   int way_ = 0;                        ///< of those that the controller has

@@ -83,6 +83,14 @@ void console_frame_at_rest(benchmark::State& state) {
 }
 BENCHMARK(console_frame_at_rest)->UseManualTime()->Unit(benchmark::kMicrosecond);
 
+void connection_page_at_rest(benchmark::State& state) {
+  Screenful screen;
+  screen.console.show_page("connect");
+  screen.run(60);
+  time_frames(state, screen);
+}
+BENCHMARK(connection_page_at_rest)->UseManualTime()->Unit(benchmark::kMicrosecond);
+
 /// Blocks as they are looked at: the first move is chosen and its fields are open.
 struct BlocksShown : Screenful {
   explicit BlocksShown(int count) : Screenful("pmx-4ex-sa@emulator", 1) {

@@ -1,0 +1,193 @@
+#include "core/link/doctor.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+namespace hw {
+namespace {
+
+using Finding = LinkFinding;
+using Kind = LinkFinding::Kind;
+using State = LinkFinding::State;
+using Fix = LinkFinding::Fix;
+
+constexpr Duration shortest_timer = Millis(1);
+constexpr int enough_questions = 16;  ///< before anything is said about times
+
+Duration on_wire(int bytes, int baud) {
+  return baud > 0 ? Duration(static_cast<Duration::rep>(bytes) * 10'000'000'000LL / baud) : Duration::zero();
+}
+
+int best_rate(const LinkFacts& f) {
+  if (f.rate == 0 || f.rates.empty()) return f.rate;
+  return std::max(f.rate, *std::max_element(f.rates.begin(), f.rates.end()));
+}
+
+bool timer_is_long(const LinkFacts& f) { return f.adapter_waits && *f.adapter_waits > shortest_timer; }
+
+std::string in_baud(int rate) {
+  std::string digits = std::to_string(rate);
+  if (digits.size() > 4) digits.insert(digits.size() - 3, "\u2009");
+  return digits + " baud";
+}
+
+std::string per_second(Duration time) {
+  return fmt::format("{:.0f}", time > Duration::zero() ? 1 / seconds(time) : 0.0);
+}
+
+// ---- what comes back makes no sense, or nothing comes
+
+Finding silence(const LinkFacts& f) {
+  if (f.talk.received == 0)
+    return {Kind::silence, State::wrong, "Nothing comes back",
+            "Look at these in turn: the controller's supply; the cable, also with RX and TX swapped; the "
+            "address, which says where it is looked for."};
+  return {Kind::silence, State::wrong, "What comes back makes no sense",
+          f.rate > 0 ? fmt::format("Most likely the controller speaks at another rate than {}. Give the rate "
+                                   "that it is set to.",
+                                   in_baud(f.rate))
+                     : std::string("Most likely another kind of controller is there, or the converter at its "
+                                   "end has another rate. Look at its set-up."),
+          Fix::change_address};
+}
+
+std::vector<Finding> strange_bytes(const LinkFacts& f) {
+  std::vector<Finding> found;
+  const TalkMeasure& t = f.talk;
+  // One may be chance; a wire that echoes does it each time.
+  if (t.echoes > 2)
+    found.push_back({Kind::bytes, State::wrong, "The console hears its own bytes",
+                     fmt::format("{} answers began with the question. Switch the converter's echo off, or "
+                                 "look for RX and TX that touch.",
+                                 t.echoes)});
+  if (t.second_answers > 0)
+    found.push_back(
+        {Kind::bytes, State::wrong, "Two answers came to one question",
+         fmt::format("{} times. Two controllers with one address, or another program that asks on "
+                     "the same wire. Give each controller an address of its own.",
+                     t.second_answers)});
+  if (t.wrong > 0 && f.answers)
+    found.push_back({Kind::bytes, State::wrong,
+                     fmt::format("{} of {} bytes make no sense", t.wrong, t.received),
+                     "Something disturbs the wire. Look at its ground and its shield, and at the termination "
+                     "of a long one."});
+  if (found.empty() && f.answers && t.received > 0)
+    found.push_back({Kind::bytes, State::good, "No echo, no second answer, no wrong bytes",
+                     fmt::format("{} bytes were looked at.", t.received)});
+  return found;
+}
+
+// ---- time
+
+Finding adapter(const LinkFacts& f) {
+  const Duration now = *f.adapter_waits;
+  const auto ms = [](Duration d) { return std::chrono::duration_cast<Millis>(d).count(); };
+  if (!timer_is_long(f))
+    return {Kind::adapter, State::good, "The USB adapter hands bytes on at once",
+            fmt::format("Its latency timer stands at {} ms.", ms(now))};
+  const Duration saved = link_budget(f).adapter - std::min(link_budget(f).adapter, shortest_timer);
+  std::string why = fmt::format("Its latency timer stands at {} ms.", ms(now));
+  if (saved > Duration::zero()) why += fmt::format(" 1 ms saves {} a question.", in_millis(saved));
+  why += f.adapter_timer_can_be_set ? " No controller is touched."
+                                    : fmt::format(" Type: echo 1 | sudo tee {}", f.adapter_timer);
+  return {Kind::adapter, State::could_be_better,
+          fmt::format("The USB adapter waits up to {} ms before it hands bytes on", ms(now)), std::move(why),
+          f.adapter_timer_can_be_set ? Fix::set_adapter_timer : Fix::none};
+}
+
+Finding rate(const LinkFacts& f) {
+  const int best = best_rate(f);
+  if (best == f.rate)
+    return {Kind::rate, State::good, fmt::format("The wire runs at {}", in_baud(f.rate)),
+            "This controller can be set to no higher rate."};
+  const int bytes = f.talk.bytes_out + f.talk.bytes_in;
+  const Duration saved = on_wire(bytes, f.rate) - on_wire(bytes, best);
+  std::string why = saved > Duration::zero() ? fmt::format("It saves {} a question. ", in_millis(saved)) : "";
+  why += f.rate_is_set_by.empty() ? "The controller has no parameter for it: look for its switches."
+                                  : "Each step is read back; if one fails, the old rate comes back.";
+  return {Kind::rate,
+          State::could_be_better,
+          fmt::format("The wire runs at {}, the controller can do {}", in_baud(f.rate), in_baud(best)),
+          std::move(why),
+          f.rate_is_set_by.empty() ? Fix::none : Fix::raise_rate,
+          best};
+}
+
+std::vector<Finding> answers_in_time(const LinkFacts& f) {
+  std::vector<Finding> found;
+  const TalkMeasure& t = f.talk;
+  if (f.answers && t.unanswered > 0 && t.unanswered * 100 > t.questions)
+    found.push_back(
+        {Kind::losses, State::wrong,
+         fmt::format("{} of {} questions got no answer", t.unanswered, t.questions + t.unanswered),
+         "Look at the plug and at the cable. Where several controllers share a wire, look which "
+         "one is switched off."});
+  constexpr Duration worth_saying = Millis(20);
+  if (t.questions >= enough_questions && t.slowest_of_hundred > 3 * t.median &&
+      t.slowest_of_hundred > t.median + worth_saying)
+    found.push_back(
+        {Kind::scatter, State::could_be_better,
+         fmt::format("One answer in a hundred takes {} or longer", in_millis(t.slowest_of_hundred)),
+         "The usual one comes sooner. Look whether the computer or a network on the way is busy."});
+  return found;
+}
+
+Finding holder(const LinkFacts& f) {
+  if (f.holder.empty())
+    return {Kind::holder, State::good, "No other program has the port open",
+            "Looked at every program that this user may see."};
+  return {Kind::holder, State::wrong, fmt::format("{} has the port open too", f.holder),
+          "Two programs on one port take each other's answers. Close it there."};
+}
+
+}  // namespace
+
+std::string in_millis(Duration time) {
+  const double ms = seconds(time) * 1e3;
+  return fmt::format("{:.{}f} ms", ms, ms < 100 ? 1 : 0);
+}
+
+LinkBudget link_budget(const LinkFacts& f) {
+  LinkBudget b;
+  b.question = std::min(on_wire(f.talk.bytes_out, f.rate), f.talk.median);
+  b.answer = std::min(on_wire(f.talk.bytes_in, f.rate), f.talk.median - b.question);
+  b.rest = f.talk.median - b.question - b.answer;
+  if (f.adapter_waits) b.adapter = std::min(*f.adapter_waits, b.rest);
+  b.rest -= b.adapter;
+  return b;
+}
+
+LinkBudget best_link_budget(const LinkFacts& f) {
+  LinkBudget b = link_budget(f);
+  const int best = f.rate_is_set_by.empty() ? f.rate : best_rate(f);
+  if (best > f.rate && f.rate > 0) {
+    b.question = on_wire(f.talk.bytes_out, best);
+    b.answer = on_wire(f.talk.bytes_in, best);
+  }
+  b.adapter = std::min(b.adapter, shortest_timer);
+  return b;
+}
+
+std::string link_summary(const LinkFacts& f) {
+  if (f.talk.questions == 0) return {};
+  const Duration now = link_budget(f).whole(), then = best_link_budget(f).whole();
+  std::string words = fmt::format("One question takes {}: {} a second.", in_millis(now), per_second(now));
+  if (then < now) words += fmt::format(" {} are possible: {} a second.", in_millis(then), per_second(then));
+  return words;
+}
+
+std::vector<LinkFinding> examine_link(const LinkFacts& f) {
+  std::vector<Finding> found;
+  if (!f.answers) found.push_back(silence(f));
+  for (Finding& finding : strange_bytes(f)) found.push_back(std::move(finding));
+  for (Finding& finding : answers_in_time(f)) found.push_back(std::move(finding));
+  if (f.port_looked_at) found.push_back(holder(f));
+  if (f.adapter_waits) found.push_back(adapter(f));
+  if (f.is_line && f.rate > 0 && f.answers && f.rates.size() > 1) found.push_back(rate(f));
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Finding& a, const Finding& b) { return a.state > b.state; });
+  return found;
+}
+
+}  // namespace hw

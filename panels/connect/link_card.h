@@ -1,0 +1,48 @@
+#pragma once
+// The link doctor's card under a controller of the connection page: where the time of a question goes, what
+// was found on the link, what mends it, and, where nobody answers, its address to be changed. Ids:
+// `connect/doctor/...`.
+#include <string>
+#include <vector>
+
+#include "core/link/doctor.h"
+#include "gui/shell/frame.h"
+#include "gui/surface/ui.h"
+#include "panels/connect/rate_raise.h"
+
+namespace hw::panels {
+
+class LinkCard {
+ public:
+  /// Unfolds the card of this controller, or folds it. `address`: with its address to be changed.
+  void toggle(gui::PageFrame& frame, const gui::Tab& tab, bool address = false);
+  void fold() { *this = LinkCard(); }
+  [[nodiscard]] bool is_of(const gui::Tab& tab) const;
+  /// Of a controller that is open still; what it has begun goes on while it is not looked at.
+  [[nodiscard]] bool is_open(gui::PageFrame& frame);
+  void draw(gui::PageFrame& frame, gui::Tab& tab, float width);
+
+ private:
+  void look(gui::PageFrame& frame, gui::Tab& tab);
+  void draw_summary(gui::Ui& ui, const gui::Tab& tab, float width);
+  void draw_budget(gui::Ui& ui, float width);
+  void draw_finding(gui::PageFrame& frame, gui::Tab& tab, std::size_t index, float width);
+  void mend(gui::PageFrame& frame, gui::Tab& tab, const LinkFinding& finding);
+  void draw_steps(gui::PageFrame& frame, float width);
+  void draw_address(gui::PageFrame& frame, gui::Tab& tab, float width);
+  void follow_raise(gui::PageFrame& frame);
+
+  std::string of_;  ///< address of the controller; empty: folded
+  LinkFacts facts_;
+  LinkBudget now_, then_;
+  std::string summary_;
+  std::vector<LinkFinding> findings_;
+  double looked_at_s_ = -1;
+  float height_ = 0;  ///< pixels that it took in the last frame
+  bool changes_address_ = false;
+  std::string address_, refused_;
+  RateRaise raise_;
+  bool wants_back_ = false;  ///< asked for while the controller is drawn, which the way back closes
+};
+
+}  // namespace hw::panels

@@ -1,0 +1,18 @@
+#pragma once
+#include <string_view>
+
+#include "gui/surface/ui.h"
+
+namespace hw::gui {
+class Console;
+class Tab;
+}  // namespace hw::gui
+
+namespace hw::panels {
+
+/// A numbered sentence.
+void draw_point(gui::Ui& ui, int number, std::string_view words, float width);
+/// The tab of what was opened by this address, of a bus the chosen one's; null: it is not open.
+gui::Tab* find_open(const gui::Console& console, std::string_view address);
+
+}  // namespace hw::panels
