@@ -3,11 +3,11 @@
 
 build_packages=(g++ cmake ninja-build pkg-config python3 mold
   libglfw3-dev libimgui-dev libgl-dev libopengl-dev libegl-dev libboost-dev libspdlog-dev libfmt-dev libcli11-dev
-  libtomlplusplus-dev libdxflib-dev nlohmann-json3-dev liblua5.4-dev libusb-1.0-0-dev libstb-dev libexpected-dev fonts-inter
+  libtomlplusplus-dev libdxflib-dev nlohmann-json3-dev liblua5.4-dev libusb-1.0-0-dev libsystemd-dev libstb-dev libexpected-dev fonts-inter
   fonts-jetbrains-mono
   libgl1-mesa-dri)
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xdotool x11-utils openbox i3lock ser2net
-  universal-ctags libumockdev-dev umockdev)
+test_packages=(dbus libgtest-dev libgmock-dev libbenchmark-dev xvfb xdotool x11-utils openbox i3lock ser2net
+  universal-ctags libumockdev-dev umockdev dpkg-dev man-db desktop-file-utils appstream)
 
 say() { printf '\n== %s\n' "$*"; }
 

@@ -1,20 +1,57 @@
 #include "core/base/log.h"
 
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
 namespace hw::log {
 namespace {
 
-spdlog::logger& logger() {
-  static const std::shared_ptr<spdlog::logger> one = [] {
-    auto made =
-        std::make_shared<spdlog::logger>("handwheel", std::make_shared<spdlog::sinks::stderr_sink_mt>());
-    made->set_pattern("%H:%M:%S.%e %l %v");
-    made->set_level(spdlog::level::warn);
-    return made;
-  }();
-  return *one;
+constexpr std::string_view subjects_there_are[] = {"link", "pump", "driver", "gui", "emulate"};
+constexpr std::pair<std::string_view, Level> level_words[] = {{"off", Level::quiet},
+                                                              {"error", Level::error},
+                                                              {"warning", Level::warning},
+                                                              {"info", Level::info},
+                                                              {"debug", Level::debug}};
+constexpr std::size_t largest_file = 1'000'000;
+constexpr std::size_t older_files = 3;
+
+// What all threads share. It is never taken down: a thread may log while the process ends.
+struct Desk {
+  std::mutex mutex;
+  std::map<std::string, std::unique_ptr<Subject>, std::less<>> subjects;
+  std::map<std::string, Level, std::less<>> chosen;  // by path
+  Level usual = Level::warning;
+  spdlog::logger to_screen{"handwheel", std::make_shared<spdlog::sinks::stderr_sink_st>()};
+  std::unique_ptr<spdlog::logger> to_file;
+
+  Desk() {
+    to_screen.set_pattern("%H:%M:%S.%e %l %v");
+    to_screen.set_level(spdlog::level::trace);
+  }
+
+  [[nodiscard]] Level level_of(std::string_view name) const {
+    for (std::string_view path = name; !path.empty();) {
+      if (const auto rule = chosen.find(path); rule != chosen.end()) return rule->second;
+      const auto dot = path.rfind('.');
+      path = path.substr(0, dot == path.npos ? 0 : dot);
+    }
+    return usual;
+  }
+  void apply() {
+    for (auto& [name, subject] : subjects) subject->set_level(level_of(name));
+  }
+};
+
+Desk& desk() {
+  static Desk& one = *new Desk();
+  return one;
 }
 
 spdlog::level::level_enum of(Level level) {
@@ -28,16 +65,109 @@ spdlog::level::level_enum of(Level level) {
   return spdlog::level::warn;
 }
 
-void write(Level level, std::string_view where, std::string_view sentence) {
-  logger().log(of(level), "{}: {}", where, sentence);
+std::optional<Level> level_named(std::string_view word) {
+  for (const auto& [name, level] : level_words)
+    if (name == word) return level;
+  return std::nullopt;
+}
+
+bool is_subject(std::string_view path) {
+  return std::find(std::begin(subjects_there_are), std::end(subjects_there_are),
+                   path.substr(0, path.find('.'))) != std::end(subjects_there_are);
+}
+
+Result<> choose_one(std::string_view choice) {
+  const auto equals = choice.find('=');
+  const std::string_view path = equals == choice.npos ? "" : choice.substr(0, equals);
+  const auto level = level_named(equals == choice.npos ? choice : choice.substr(equals + 1));
+  if (!level || (equals != choice.npos && !is_subject(path)))
+    return fail(
+        FaultKind::text, fmt::format("There is nothing to log as \"{}\".", choice), {},
+        "Give SUBJECT=LEVEL: link, pump, driver, driver.MODEL, gui or emulate, and off, error, warning, "
+        "info or debug.");
+  const std::lock_guard lock(desk().mutex);
+  if (path.empty())
+    desk().usual = *level;
+  else
+    desk().chosen.insert_or_assign(std::string(path), *level);
+  desk().apply();
+  return {};
 }
 
 }  // namespace
 
-void set_level(Level level) { logger().set_level(of(level)); }
-void error(std::string_view where, std::string_view sentence) { write(Level::error, where, sentence); }
-void warning(std::string_view where, std::string_view sentence) { write(Level::warning, where, sentence); }
-void info(std::string_view where, std::string_view sentence) { write(Level::info, where, sentence); }
-void debug(std::string_view where, std::string_view sentence) { write(Level::debug, where, sentence); }
+void Subject::write(Level level, std::string_view sentence) const {
+  const std::lock_guard lock(desk().mutex);
+  desk().to_screen.log(of(level), "{}: {}", name_, sentence);
+  if (desk().to_file) desk().to_file->log(of(level), "{}: {}", name_, sentence);
+}
+
+std::string written(Bytes bytes) {
+  constexpr std::size_t most = 200;
+  std::string out;
+  for (const char c : bytes.bytes.substr(0, most)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\r')
+      out += "\\r";
+    else if (c == '\n')
+      out += "\\n";
+    else if (c == '\\')
+      out += "\\\\";
+    else if (byte < 0x20 || byte > 0x7E)
+      out += fmt::format("\\x{:02x}", byte);
+    else
+      out += c;
+  }
+  if (bytes.bytes.size() > most) out += fmt::format(" and {} bytes", bytes.bytes.size() - most);
+  return out;
+}
+
+Subject& subject(std::string_view name) {
+  const std::lock_guard lock(desk().mutex);
+  auto& subjects = desk().subjects;
+  auto found = subjects.find(name);
+  if (found == subjects.end())
+    found = subjects.emplace(name, std::make_unique<Subject>(std::string(name), desk().level_of(name))).first;
+  return *found->second;
+}
+
+void set_level(Level level) {
+  const std::lock_guard lock(desk().mutex);
+  desk().usual = level;
+  desk().apply();
+}
+
+Result<> choose(std::string_view choices) {
+  for (std::size_t from = 0; from <= choices.size();) {
+    const std::size_t comma = std::min(choices.find(',', from), choices.size());
+    if (auto understood = choose_one(choices.substr(from, comma - from)); !understood) return understood;
+    from = comma + 1;
+  }
+  return {};
+}
+
+Result<> keep_in(const std::filesystem::path& file) {
+  try {
+    auto sink =
+        std::make_shared<spdlog::sinks::rotating_file_sink_st>(file.string(), largest_file, older_files);
+    auto made = std::make_unique<spdlog::logger>("file", std::move(sink));
+    made->set_pattern("%Y-%m-%d %H:%M:%S.%e %l %v");
+    made->set_level(spdlog::level::trace);
+    made->flush_on(
+        spdlog::level::trace);  // its last lines are wanted most when the program does not end well
+    const std::lock_guard lock(desk().mutex);
+    desk().to_file = std::move(made);
+    return {};
+  } catch (const spdlog::spdlog_ex& why) {
+    return fail(FaultKind::port, fmt::format("The log cannot be kept in {}: {}.", file.string(), why.what()));
+  }
+}
+
+void error(std::string_view where, std::string_view sentence) { subject(where).say(Level::error, sentence); }
+void warning(std::string_view where, std::string_view sentence) {
+  subject(where).say(Level::warning, sentence);
+}
+void info(std::string_view where, std::string_view sentence) { subject(where).say(Level::info, sentence); }
+void debug(std::string_view where, std::string_view sentence) { subject(where).say(Level::debug, sentence); }
 
 }  // namespace hw::log

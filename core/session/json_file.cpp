@@ -14,6 +14,8 @@ namespace {
 
 constexpr int deepest_json = 32;
 constexpr std::size_t longest_json_name = 200;
+constexpr const char* version_key = "version";
+constexpr std::int64_t newest_version = 1;
 
 /// No file of ours is nested deep. Whoever copies a value goes down into it, so one without end is not kept.
 json parse_small(const std::string& bytes) {
@@ -26,6 +28,22 @@ json parse_small(const std::string& bytes) {
   };
   json object = json::parse(bytes, look, false);
   return fits ? object : json(json::value_t::discarded);
+}
+
+bool is_newer(const json& object) {
+  const auto version = object.find(version_key);
+  return version != object.end() && version->is_number_integer() &&
+         version->get<std::int64_t>() > newest_version;
+}
+
+/// What we wrote over it would be lost to the program that can read it.
+Fault newer(const std::filesystem::path& path, std::string_view what_it_is) {
+  const auto aside = set_aside(path, ".newer");
+  return Fault(FaultKind::text,
+               fmt::format("A newer version of Handwheel has written {} ({}).", what_it_is, path.string()),
+               aside.empty()
+                   ? "It was left as it is and is not used."
+                   : fmt::format("It was renamed to {}, and a new one begins.", aside.filename().string()));
 }
 
 }  // namespace
@@ -46,12 +64,15 @@ Result<json> read_json(const std::filesystem::path& path, std::string_view what_
   if (!bytes) return fail(bytes.error());
   json object = parse_small(*bytes);
   if (object.is_discarded() || !object.is_object()) return fail(damaged(path, what_it_is));
+  if (is_newer(object)) return fail(newer(path, what_it_is));
   return object;
 }
 
 Result<> write_json(const std::filesystem::path& path, const json& object) {
   make_private_folder(path.parent_path());
-  return write_private_file(path, object.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  json written = object;
+  written[version_key] = newest_version;
+  return write_private_file(path, written.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace hw

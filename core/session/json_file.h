@@ -1,6 +1,10 @@
 #pragma once
 // Small JSON files of our own (profiles, recents, unsaved texts). A damaged one never blocks the start: it is
 // put aside with a sentence and the user goes on without it.
+//
+// Each carries "version": 1 (until October 2026 most had none, and are read alike). Whoever changes what a
+// field means raises it, and reads the older ones; new fields do not need it. A file of a newer version is
+// put aside whole.
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>

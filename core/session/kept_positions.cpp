@@ -102,7 +102,7 @@ Result<> KeptPositions::save(std::string_view key, const std::vector<KeptPositio
   if (!folders_.enabled) return {};
   json list = json::array();
   for (const KeptPosition& axis : axes) list.push_back(json_of(axis, now));
-  return write_json(file_of(key), {{"version", 1}, {"key", key}, {"axes", list}});
+  return write_json(file_of(key), {{"key", key}, {"axes", list}});
 }
 
 }  // namespace hw

@@ -23,6 +23,10 @@ class RecentConnections {
   Result<> renamed(std::string_view address, std::string name);
   Result<> remove(std::string_view address);
   [[nodiscard]] const std::vector<RecentConnection>& list() const { return list_; }
+  /// What the last run of the console that opened anything has opened, newest first: it can all be opened
+  /// again at once. What was removed since is not among it.
+  [[nodiscard]] const std::vector<std::string>& last_time() const { return last_time_; }
+  [[nodiscard]] bool is_of_last_time(std::string_view address) const;
 
   static constexpr std::size_t capacity = 12;
 
@@ -30,6 +34,7 @@ class RecentConnections {
   [[nodiscard]] Result<> save() const;
   UserFolders folders_;
   std::vector<RecentConnection> list_;
+  std::vector<std::string> last_time_, this_time_;  ///< addresses
 };
 
 }  // namespace hw

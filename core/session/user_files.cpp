@@ -182,11 +182,11 @@ void make_private_folder(const fs::path& folder) {
   ::chmod(folder.c_str(), 0700);
 }
 
-fs::path set_aside(const fs::path& path) {
+fs::path set_aside(const fs::path& path, std::string_view ending) {
   std::error_code error;
   for (int n = 0; n < 100; ++n) {
     fs::path aside = path;
-    aside += n == 0 ? ".damaged" : fmt::format(".damaged-{}", n);
+    aside += n == 0 ? std::string(ending) : fmt::format("{}-{}", ending, n);
     if (fs::exists(aside, error)) continue;
     fs::rename(path, aside, error);
     return error ? fs::path() : aside;

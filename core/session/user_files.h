@@ -35,8 +35,9 @@ Result<> write_private_file(const std::filesystem::path& path, std::string_view 
 /// Makes it and what is missing above it, for its owner only; one that is there is closed to others.
 void make_private_folder(const std::filesystem::path& folder);
 
-/// Moves a file that cannot be understood out of the way and returns its new name (empty: it would not move).
-std::filesystem::path set_aside(const std::filesystem::path& path);
+/// Moves a file that cannot be understood out of the way and returns its new name, with `ending` (empty: it
+/// would not move).
+std::filesystem::path set_aside(const std::filesystem::path& path, std::string_view ending = ".damaged");
 
 /// A file name for any key: "/dev/ttyUSB0" -> "dev-ttyUSB0-5f3a09c2". Different keys give different names.
 std::string file_name_for(std::string_view key);

@@ -9,15 +9,23 @@
 
 #include "core/base/log.h"
 #include "core/session/address.h"
+#include "core/session/assets.h"
 #include "gui/app/output.h"
+#include "gui/app/version.h"
 
 namespace hw::app {
 namespace {
 
-const Subcommand* const subcommands[] = {
-    &open_subcommand,   &demo_subcommand,    &run_subcommand,      &emulate_subcommand, &send_subcommand,
-    &check_subcommand,  &compile_subcommand, &simulate_subcommand, &convert_subcommand, &scan_subcommand,
-    &backup_subcommand, &restore_subcommand, &params_subcommand,
+const Subcommand* const all_subcommands[] = {
+    &open_subcommand,   &demo_subcommand,    &run_subcommand,      &emulate_subcommand,   &send_subcommand,
+    &check_subcommand,  &compile_subcommand, &simulate_subcommand, &convert_subcommand,   &scan_subcommand,
+    &backup_subcommand, &restore_subcommand, &params_subcommand,   &reference_subcommand,
+};
+
+constexpr OptionSpec for_all[] = {
+    {"verbose", "", "more log lines on stderr"},
+    {"log", "SUBJECT=LEVEL", "log a subject (link, pump, driver.vxm, gui) from a level up (debug, info, ...)",
+     true},
 };
 
 /// Where a model is asked for, those that there are.
@@ -131,6 +139,18 @@ constexpr const char* footer =
     "  vxm@tcp:HOST:PORT       vxm@rfc2217:HOST:PORT,baud=9600\n"
     "Exit status: 0 done, 1 the job failed (with a sentence), 2 wrong usage.";
 
+std::string where_to_read_on() {
+  const auto manual = find_asset("manual");
+  return manual.empty() ? "" : fmt::format("\nManual and examples: {}.", manual.parent_path().string());
+}
+
+Result<> choose_logs(const Given& given) {
+  if (given.has("verbose")) log::set_level(log::Level::debug);
+  for (const std::string& choice : given.all("log"))
+    if (auto understood = log::choose(choice); !understood) return understood;
+  return {};
+}
+
 /// --help, --version.
 int fulfil(const CLI::App& app, const CLI::Success& wish) {
   std::ostringstream told;
@@ -165,6 +185,9 @@ Result<double> Given::number(const std::string& name, double fallback, double lo
               fmt::format("Give a number from {} to {}.", low, high));
 }
 
+std::span<const Subcommand* const> subcommands() { return all_subcommands; }
+std::span<const OptionSpec> general_options() { return for_all; }
+
 int complain(std::string_view sentence, Exit status) {
   write_aside(fmt::format("handwheel: {}", sentence));
   return status;
@@ -173,15 +196,16 @@ int complain(const Fault& fault, Exit status) { return complain(fault.sentence()
 
 int run_command_line(int argc, char** argv) {
   CLI::App app("Handwheel: a console for motion controllers, real or emulated.", "handwheel");
-  app.set_version_flag("--version", "handwheel " HW_VERSION);
-  app.footer(footer);
+  app.set_version_flag("--version", "handwheel " + version());
+  app.footer(fmt::format("{}{}", footer, where_to_read_on()));
   app.require_subcommand(0, 1);
-  bool verbose = false;
-  app.add_flag("--verbose", verbose, "more log lines on stderr");
+  Subcommand general{"", "", {}, {std::begin(for_all), std::end(for_all)}, nullptr};
+  Parsed of_all{&general, &app, {}, {}, {}};
+  add_options(of_all);
 
   std::vector<Parsed> parsed;
-  parsed.reserve(std::size(subcommands));
-  for (const Subcommand* command : subcommands) {
+  parsed.reserve(std::size(all_subcommands));
+  for (const Subcommand* command : all_subcommands) {
     Parsed& one = parsed.emplace_back();
     one.command = command;
     one.app = app.add_subcommand(command->name, command->summary);
@@ -199,7 +223,7 @@ int run_command_line(int argc, char** argv) {
         fmt::format("{}. `{} --help` tells what there is.", why_not(app, error, argv[1]), asked_for(app)),
         usage);
   }
-  if (verbose) log::set_level(log::Level::debug);
+  if (auto chosen = choose_logs(collect(of_all)); !chosen) return complain(chosen.error(), usage);
   for (Parsed& one : parsed)
     if (one.app->parsed()) return status_with_output(one.command->run(collect(one)));
   return open_subcommand.run({});

@@ -51,6 +51,11 @@ struct Subcommand {
   int (*run)(const Given& given);
 };
 
+/// In the order of the help.
+std::span<const Subcommand* const> subcommands();
+/// Those that stand before or behind any subcommand.
+std::span<const OptionSpec> general_options();
+
 /// Parses, runs the subcommand, answers the exit status.
 int run_command_line(int argc, char** argv);
 
@@ -67,6 +72,6 @@ inline constexpr OptionSpec bench_option{"bench", "FILE.toml", "what surrounds t
 // Each in its own cmd_*.cpp.
 extern const Subcommand open_subcommand, demo_subcommand, run_subcommand, emulate_subcommand, send_subcommand,
     check_subcommand, compile_subcommand, simulate_subcommand, convert_subcommand, scan_subcommand,
-    backup_subcommand, restore_subcommand, params_subcommand;
+    backup_subcommand, restore_subcommand, params_subcommand, reference_subcommand;
 
 }  // namespace hw::app

@@ -4,11 +4,14 @@
 #include <cstdlib>
 
 #include "core/base/log.h"
+#include "core/session/assets.h"
+#include "core/session/user_files.h"
 #include "gui/app/cli.h"
 #include "gui/app/demo.h"
 #include "gui/app/device_search.h"
 #include "gui/app/output.h"
 #include "gui/app/port_watch.h"
+#include "gui/app/sleep_manners.h"
 #include "gui/app/wiring.h"
 #include "gui/model/worker.h"
 #include "gui/shell/console.h"
@@ -30,8 +33,9 @@ std::string_view name_of_signal(int number) {
 // Everything a console hangs on, in the order in which it must end.
 class ConsoleHouse {
  public:
-  explicit ConsoleHouse(bool keeps_files)
-      : worker_([this] { wake(); }, true),
+  ConsoleHouse(bool keeps_files, std::shared_ptr<WillKeeper> watchdog)
+      : watchdog_(std::move(watchdog)),
+        worker_([this] { wake(); }, true),
         ports_(io_.scheduler(), [this] { wake(); }),
         devices_(io_.scheduler(), [this] { wake(); }),
         console_(panels::panel_list(), outside(keeps_files)) {}
@@ -60,6 +64,7 @@ class ConsoleHouse {
   Scheduler& scheduler() { return io_.scheduler(); }
   void draw(gui::Ui& ui) {
     worker_.deliver();
+    sleep_.follow(console_);
     console_.draw(ui);
   }
   void show_in(gui::Window& window) { window_ = &window; }
@@ -69,7 +74,7 @@ class ConsoleHouse {
     if (gui::Window* window = window_) window->wake();
   }
   gui::Outside outside(bool keeps_files) {
-    gui::Outside o(io_.scheduler(), wire_opener(), [this] { wake(); });
+    gui::Outside o(io_.scheduler(), wire_opener(watchdog_), [this] { wake(); });
     o.ports = &ports_;
     o.devices = &devices_;
     o.worker = &worker_;
@@ -84,18 +89,36 @@ class ConsoleHouse {
   }
 
   std::atomic<gui::Window*> window_{nullptr};
+  std::shared_ptr<WillKeeper> watchdog_;
   IoThread io_;
+  SleepManners sleep_{io_.scheduler(), [this] { wake(); }};
   gui::Worker worker_;
   PortWatch ports_;
   DeviceSearcher devices_;
   gui::Console console_;
 };
 
+void keep_log() {
+  const UserFolders folders = UserFolders::standard();
+  if (!folders.enabled) return;
+  make_private_folder(folders.state);
+  if (const auto kept = log::keep_in(folders.state / "handwheel.log"); !kept)
+    log::warning("gui", kept.error().sentence());
+}
+
+/// Beside a program that was built here. An installed one leaves them where its user is.
+std::string folder_for_pictures() {
+  const std::string folder = folder_of_program();
+  return is_installed(folder) ? "handwheel-demo" : folder + "/demo";
+}
+
 int run_window(const std::vector<std::string>& addresses, bool demo) {
+  auto watchdog = start_jog_watchdog();
   gui::WindowOptions options;
   auto window = gui::Window::open(options);
   if (!window) return complain(window.error());
-  ConsoleHouse house(true);
+  keep_log();
+  ConsoleHouse house(true, std::move(watchdog));
   gui::Console& console = house.console();
   gui::Window& w = **window;
   house.show_in(w);
@@ -104,7 +127,7 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
   w.set_user_scale(size);
   console.attach(w.screen().keyboard());
   w.on_drop = [&](const std::vector<std::string>& paths) { console.drop(paths); };
-  w.on_first_frame = [] { log::debug("window", "first frame"); };
+  w.on_first_frame = [] { log::debug("gui", "first frame"); };
   w.on_close = [&] {
     console.let_go();
     return console.dialogs.may_end(console);
@@ -155,7 +178,7 @@ static int demo(const Given& given) {
   if (has_display() && !given.has("headless")) return run_window({}, true);
   if (!has_display())
     print_result("There is no display: emulated controllers do a job in words and pictures.\n");
-  return headless_demo(given.one("pictures", folder_of_program() + "/demo"));
+  return headless_demo(given.one("pictures", folder_for_pictures()));
 }
 
 const Subcommand open_subcommand{
@@ -171,7 +194,9 @@ const Subcommand demo_subcommand{
     "the console with emulated controllers; without a display a headless demonstration",
     {},
     {{"pictures", "FOLDER",
-      "where the headless demonstration leaves its pictures (default: demo beside the program)"},
+      "where the headless demonstration leaves its pictures (default: demo beside the program that was "
+      "built, or "
+      "handwheel-demo)"},
      {"headless", "", "no window even where there is a display"}},
     demo,
 };

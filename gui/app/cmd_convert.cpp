@@ -131,7 +131,7 @@ void print_words(const Made& m) {
   print_result("{} chain{}, {:.3f} {} drawn, {:.3f} {} between them ({:.3f} as drawn)\n", c.chains.size(),
                c.chains.size() == 1 ? "" : "s", c.drawn, c.sequence.unit, c.way, c.sequence.unit,
                c.way_as_drawn);
-  if (c.way_as_drawn > c.way) {
+  if (c.way_as_drawn - c.way >= 0.0005) {
     print_result("the order saves {:.3f} {}", c.way_as_drawn - c.way, c.sequence.unit);
     if (m.saved_s) print_result(", {:.1f} s", *m.saved_s);
     print_result("\n");
@@ -189,12 +189,13 @@ static void try_together(Made& made, const Given& given) {
       Address::parse(fmt::format("{}@emulator,id={},wire=real", given.one("for"), given.one("id")));
   if (!bus) return;
   const auto done = rehearse_together(made.conversion.sequence, *bus, {}, wire_opener(), at_most);
-  if (done) {
+  if (done && done->finished) {
     made.rehearsal.finished = true;
     made.rehearsal.duration_s = done->duration_s;
     return;
   }
-  made.written.remarks.push_back("It was not rehearsed: " + done.error().sentence());
+  made.written.remarks.push_back(done ? "It takes more than ten hours."
+                                      : "It was not rehearsed: " + done.error().sentence());
   write_aside(made.written.remarks.back());
 }
 

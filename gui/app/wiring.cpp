@@ -7,14 +7,25 @@
 #include <unistd.h>
 
 #include "core/base/log.h"
+#include "gui/app/demo.h"
 #include "transports/open.h"
+#include "transports/watchdog/jog_watchdog.h"
 
 namespace hw::app {
 
-WireOpener wire_opener() {
+WireOpener wire_opener(std::shared_ptr<WillKeeper> keeper) {
   OpenOptions options;
-  options.trouble = [](const Fault& fault) { log::error("wire", fault.sentence()); };
+  options.keeper = std::move(keeper);
+  options.trouble = [](const Fault& fault) { log::error("link", fault.sentence()); };
   return make_wire_opener(std::move(options));
+}
+
+std::shared_ptr<WillKeeper> start_jog_watchdog() {
+  const std::string here = folder_of_program();
+  auto watchdog =
+      JogWatchdog::start({here + "/handwheel-watchdog", here + "/../libexec/handwheel/handwheel-watchdog"});
+  if (watchdog) watchdog->tell_fatal_signals();
+  return watchdog;
 }
 
 IoThread::IoThread() : thread_([this] { io_.run(); }) {}

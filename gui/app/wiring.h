@@ -10,8 +10,11 @@
 
 namespace hw::app {
 
-/// Every transport of the house.
-WireOpener wire_opener();
+/// Every transport of the house. `keeper`: of the last wills of held jogs; null: nobody.
+WireOpener wire_opener(std::shared_ptr<WillKeeper> keeper = nullptr);
+
+/// Starts the watchdog of held jogs: before any thread.
+std::shared_ptr<WillKeeper> start_jog_watchdog();
 
 /// Wall-clock time with a thread of its own, for the console.
 class IoThread {
