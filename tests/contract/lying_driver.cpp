@@ -75,6 +75,7 @@ class LyingDriver final : public Driver {
     if (bent.is_sent) done = co_await honest_->stop(bent.order);
     co_return replied(std::move(done));
   }
+  [[nodiscard]] LastWill last_will(unsigned axes) const override { return honest_->last_will(axes); }
   StopProgress stop_progress(const StopOrder& order) override {
     const BentStop bent = bend(order);
     if (!bent.is_sent) return StopProgress::stands();

@@ -203,17 +203,17 @@ TEST_P(Screens, BeforeTheFirstMoveTheMotorTypeIsAskedFor) {
   keep_picture(s, picture("unset"));
 }
 
-TEST_P(Screens, KeyboardMap) {
+TEST_P(Screens, Help) {
   s.add();
   s.run(0.1);
   const auto pressed = s.hand.key("?");
   ASSERT_TRUE(pressed.has_value());
   s.run(0.1);
-  expect({"help/1", "help/back"});
+  expect({"help/1", "help/close", "dro/1/position", "stop_all"});
   keep_picture(s, picture("help"));
   ASSERT_TRUE(s.hand.key("?").has_value());
   s.run(0.1);
-  EXPECT_FALSE(s.hand.exists("help/back"));
+  EXPECT_FALSE(s.hand.exists("help/close"));
 }
 
 TEST(ScreensOnce, StopAllAndStatusNeverLeaveTheWindow) {

@@ -106,6 +106,20 @@ TEST_F(TravelTest, GoHasASpeedInTheUnitOfTheAxis) {
   EXPECT_EQ(a.last<intent::MoveTo>()->speed, Pps(0)) << "as the controller is set";
 }
 
+TEST_F(TravelTest, WhatIsTypedForGoStaysWhereItIsInAnotherUnit) {
+  MUST(s.hand.type("goto/speed", "5"));
+  MUST(s.hand.type("goto/1", "20"));
+  a.tab->profile.unit.clear();
+  a.tab->profile_edited();
+  s.run(0.1);
+  EXPECT_EQ(s.value("goto/1"), "8000");
+  EXPECT_EQ(s.value("goto/speed"), "2000");
+  MUST(s.hand.click("goto/1/go"));
+  ASSERT_TRUE(a.last<intent::MoveTo>());
+  EXPECT_EQ(a.last<intent::MoveTo>()->targets.at(0).value, Steps(8000));
+  EXPECT_EQ(a.last<intent::MoveTo>()->speed, Pps(2000));
+}
+
 TEST_F(TravelTest, APlaceIsSavedGoneToChangedAndForgotten) {
   a.now.axes[1].position = Steps(-50);
   s.run(0.1);

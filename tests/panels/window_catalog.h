@@ -5,8 +5,8 @@
 
 #include "core/device/language.h"
 #include "core/device/servo_tuning.h"
-#include "core/device/staircase_plan.h"
 #include "core/drawing/contour_path.h"
+#include "core/sequence/speed_stairs.h"
 #include "tests/gui/model/toy_language.h"
 
 namespace hw::test {
@@ -51,7 +51,7 @@ inline Catalog window_catalog() {
 }
 
 /// Writes plans as words that a test can read.
-class WindowLanguage final : public Language, public StaircaseWriter {
+class WindowLanguage final : public Language {
  public:
   [[nodiscard]] ProgramReport analyse(std::string_view, int) const override { return {}; }
   [[nodiscard]] Result<Rehearsal> rehearse(std::string_view, const RehearseOptions&) const override {
@@ -59,7 +59,9 @@ class WindowLanguage final : public Language, public StaircaseWriter {
   }
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& s,
                                            const Catalog& catalog) const override {
-    const auto& c = std::get<sequence::Contour>(s.steps.front().body);
+    const sequence::Step::Body& body = s.steps.front().body;
+    if (const auto* stairs = std::get_if<sequence::SpeedStairs>(&body)) return write(*stairs, s.axes[0].name);
+    const auto& c = std::get<sequence::Contour>(body);
     if (drawing::contour_path(c, {1, 1}).runs.empty())
       return fail(FaultKind::text, "Step 1 (contour): the contour has no line and no arc.");
     SequenceText made;
@@ -84,13 +86,15 @@ class WindowLanguage final : public Language, public StaircaseWriter {
                                           const Catalog&) const override {
     return fail(FaultKind::text, "Line 1: no block can hold this.");
   }
-  [[nodiscard]] Result<std::string> write_staircase(const StaircasePlan& plan,
-                                                    const Catalog& catalog) const override {
-    if (auto fine = check_staircase(plan, catalog); !fine) return fail(fine.error());
-    std::string text = "stairs of " + catalog.axes[plan.axis.index].name;
-    for (const StaircaseStep& s : plan.steps)
-      text += fmt::format(" {} at {:.0f}", s.until.value, s.speed.value);
-    return text + fmt::format(" stop {}\n", plan.stop_at.value);
+
+ private:
+  static Result<SequenceText> write(const sequence::SpeedStairs& stairs, const std::string& axis) {
+    if (const std::string why = why_no_way(stairs, {}); !why.empty()) return fail(FaultKind::text, why);
+    SequenceText made;
+    made.text = "stairs of " + axis;
+    for (const auto& [until, speed] : stairs.stairs) made.text += fmt::format(" {} at {:.0f}", until, speed);
+    made.text += fmt::format(" stop {}\n", stairs.stop_at);
+    return made;
   }
 };
 

@@ -56,12 +56,16 @@ def commands(text):
     yield from re.findall(r"`(build/handwheel [a-z][^`]*)`", re.sub(r"\s*\n\s*", " ", without_blocks(text)))
 
 
-def options_of(command):
-    run = subprocess.run([HANDWHEEL, command, "--help"], capture_output=True, text=True, timeout=60, check=False)
+def options_of(command=None):
+    """None: those that every command takes."""
+    words = [command] if command else []
+    run = subprocess.run([HANDWHEEL, *words, "--help"], capture_output=True, text=True, timeout=60, check=False)
     return set(re.findall(r"--[a-z-]+", run.stdout)) if run.returncode == 0 else None
 
 
 def check_commands(page, text, known):
+    if None not in known:
+        known[None] = options_of()
     for line in commands(text):
         words = shlex.split(re.split(r"\s{2,}", line)[0])
         command = words[1]
@@ -71,7 +75,7 @@ def check_commands(page, text, known):
             problems.append(f"{page}: there is no command {command}: {line}")
             continue
         for word in words[2:]:
-            if word.startswith("--") and word not in known[command]:
+            if word.startswith("--") and word not in known[command] | known[None]:
                 problems.append(f"{page}: {command} takes no {word}: {line}")
 
 

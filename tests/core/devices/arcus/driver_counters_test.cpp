@@ -131,6 +131,17 @@ TEST_F(Counters, AxesOnAStraightLineEndTogether) {
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::nothing) << "not at its target, and nobody else has stopped it";
 }
 
+TEST_F(Counters, AMoveToZeroThatIsOverBeforeAnybodyLooksIsNoPowerCycle) {
+  for (const std::string_view model : {four_axes, closed_loop}) {
+    start(model);
+    for (const std::int64_t from : {13, -7, 100}) {
+      move_to(from);
+      move_to(0);
+      EXPECT_FALSE(said_switched_off()) << model << " from " << from;
+    }
+  }
+}
+
 TEST_F(Counters, AMoveThatComesToItsTargetIsSaidToHave) {
   for (const std::string_view model : {four_axes, closed_loop}) {
     start(model);

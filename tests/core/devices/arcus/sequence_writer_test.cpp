@@ -63,6 +63,15 @@ TEST_F(ArcusSequence, ArcsTellTheAngleOfTheirEnd) {
             "ABS\nX0Y0\nCIRN0:2000\nCIRP0:2000\nEND\n");
 }
 
+TEST_F(ArcusSequence, XAndYMayBeAnyTwoOfTheBlocksAxes) {
+  s.axes = {{"Z"}, {"X"}, {"Y"}};
+  seq::Move begin;
+  begin.to[1] = 0, begin.to[2] = 1000;
+  EXPECT_EQ(write({{begin}, {seq::Arc{0, 0, -90, {}, {1, 2}}}}), "ABS\nX0Y1000\nARCP0:0:180000:90000\nEND\n");
+  EXPECT_EQ(write({{begin}, {seq::Arc{0, 0, 90, {}, {2, 1}}}}), "ABS\nX0Y1000\nARCP0:0:180000:90000\nEND\n")
+      << "Y to the right and X up is the same, seen from behind";
+}
+
 TEST_F(ArcusSequence, ALargeArcEndsWhereItShould) {
   EXPECT_EQ(write({{to(1'000'000, 0)}, {seq::Arc{0, 0, 30.0005}}}),
             "ABS\nX1000000Y0\nARCN0:0:150000:30001\nX866021Y500008\nEND\n")
@@ -81,8 +90,9 @@ TEST_F(ArcusSequence, AnArcNeedsToKnowWhereItBegins) {
       << "the second time it begins elsewhere";
   s.axes[1].per_unit = 2;
   EXPECT_THAT(write({{to(10, 0)}, {seq::Arc{0, 0, 90}}}), HasSubstr("ellipse"));
-  s.axes = {{"Y"}, {"X"}};
-  EXPECT_THAT(write({{to(10, 0)}, {seq::Arc{0, 0, 90}}}), HasSubstr("arcs are drawn by X and Y"));
+  s.axes = {{"X"}, {"Y"}, {"Z"}};
+  EXPECT_THAT(write({{to(10, 0)}, {seq::Arc{0, 0, 90, {}, {0, 2}}}}),
+              HasSubstr("Step 2 (arc): a PMX draws arcs with X and Y only, and this one lies in X and Z."));
   s.axes = {{"X", 1e5}, {"Y", 1e5}};
   EXPECT_THAT(write({{to(1342, 0)}, {seq::Arc{-1, 0, 90}}}),
               HasSubstr("its radius is 134300000 pulses; 134216773"));

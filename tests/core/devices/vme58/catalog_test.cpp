@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/device/servo_tuning.h"
 #include "core/devices/vme58/emulator.h"
 
 namespace hw::vme58 {
@@ -84,6 +85,35 @@ TEST(Vme58Catalog, NoActionIsOfferedThatNoAxisCanDo) {
         for (const ActionField& field : action.fields)
           EXPECT_FALSE(field.id == "axis" && field.choices.empty()) << value << " " << action.id;
     }
+}
+
+// A cell is empty only where the axis lacks what it would show.
+TEST(Vme58Catalog, TablesNameNothingThatIsNotThere) {
+  const auto catalog = make_catalog({});
+  ASSERT_TRUE(catalog);
+  using Shows = AxisColumn::Shows;
+  for (const AxisTable& table : catalog->axis_tables)
+    for (const AxisColumn& column : table.columns)
+      for (const AxisInfo& axis : catalog->axes) {
+        const auto of_axis = [&](std::string id) {
+          if (const auto star = id.find('*'); star != id.npos) id.replace(star, 1, axis.name);
+          return id;
+        };
+        const std::string id = of_axis(column.id);
+        const bool is_readout = column.shows == Shows::readout, is_motion = column.shows == Shows::motion;
+        EXPECT_TRUE(is_motion || (is_readout ? catalog->find_readout(id) : catalog->find_action(id)) >= 0)
+            << id;
+        EXPECT_TRUE(column.state.empty() || catalog->find_readout(of_axis(column.state)) >= 0)
+            << column.state;
+      }
+}
+
+TEST(Vme58Catalog, GainsStandUnderTheHeadingThatTheTuningPanelLooksFor) {
+  const auto catalog = make_catalog({});
+  ASSERT_TRUE(catalog);
+  const int kp = catalog->find_param("KPX");
+  ASSERT_GE(kp, 0);
+  EXPECT_EQ(catalog->params[static_cast<std::size_t>(kp)].group, servo_loop_group);
 }
 
 TEST(Vme58Catalog, WhatTheDataSheetLeavesOpenIsShownAsItIsSaid) {

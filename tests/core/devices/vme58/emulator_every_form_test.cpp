@@ -1,7 +1,5 @@
-// Every row of the table of the data sheet has a test of its own: axis, sys, unit in
-// emulator_forms_mode_test.cpp, loop and sync in ..._loop_, io in ..._io_, query and contour.RQ in
-// ..._query_, enc in ..._encoder_, dpram in ..._memory_, reg and the mailbox in ..._register_; what moves
-// (move, exec, stop, home, contour, pid, enc.ET, stair) in ..._motion_.
+// Every row of the table of the data sheet has a case of its own: in vme58.forms, or in
+// emulator_forms_*_test.cpp.
 #include "tests/core/devices/vme58/form_case.h"
 
 namespace hw::vme58::proof {

@@ -1,4 +1,5 @@
 // Rows of the contours.
+// Those that neither loop nor compute stand in vme58.forms.
 #include <cmath>
 #include <numbers>
 
@@ -20,30 +21,6 @@ double from_centre(Rig& rig, char first, char second) {
 
 }  // namespace
 
-VME58_FORM("vme58.contour.CD") {
-  Rig rig = contouring();
-  rig.send("CD,,100,200; MT100,1200 CK CX ID ");
-  rig.run_until_quiet();
-  EXPECT_EQ(rig.value("RP"), "0,0,100,1200,0,0,0,0") << "to its start, then along it; X and Y take no part";
-  EXPECT_FALSE(rig.command_error());
-  rig.send("AX CD0 ");
-  EXPECT_TRUE(rig.command_error()) << "decision M75";
-}
-
-VME58_FORM("vme58.contour.MT") {
-  Rig rig = contouring();
-  rig.send("CD0,0,0; MT300,0,400 MT300,600,1200 CK CX ");
-  rig.run_for(250ms);
-  EXPECT_NEAR(static_cast<double>(rig.velocity('X')), 600, 2);
-  EXPECT_NEAR(static_cast<double>(rig.velocity('Z')), 800, 2);
-  rig.run_for(500ms);
-  EXPECT_NEAR(static_cast<double>(rig.velocity('Y')), 600, 2) << "round the corner at path speed";
-  rig.run_until_quiet();
-  EXPECT_EQ(rig.value("AA RP"), "300,600,1200,0,0,0,0,0");
-  rig.send("CD0,0,0; MT1,2; ");
-  EXPECT_TRUE(rig.command_error()) << "one for each axis of the contour (decision M68)";
-}
-
 VME58_FORM("vme58.contour.CR") {
   Rig rig = contouring();
   rig.send("CD1000,0; CR0,0,3.1415926535898 CK LP1000,0; CX ");
@@ -64,15 +41,6 @@ VME58_FORM("vme58.contour.CR") {
   rig.send("CE CD0,0; CR0,5,99999999999999999999 CE CX ");
   EXPECT_TRUE(rig.command_error()) << "without end";
   EXPECT_FALSE(rig.moving('X'));
-}
-
-VME58_FORM("vme58.contour.CE") {
-  Rig rig = contouring();
-  rig.send("CD0; MT1000 CE CX ");
-  rig.run_for(900ms);
-  EXPECT_EQ(rig.velocity('X'), 1000);
-  rig.run_until_quiet();
-  EXPECT_EQ(rig.position('X'), 1050) << "the ramp is behind the end (decision M73)";
 }
 
 VME58_FORM("vme58.contour.CK") {
@@ -97,43 +65,6 @@ VME58_FORM("vme58.contour.CV") {
   EXPECT_TRUE(fresh.command_error()) << "needed before CX (decision M71)";
   fresh.send("CV1044001 ");
   EXPECT_TRUE(fresh.command_error());
-}
-
-VME58_FORM("vme58.contour.CX") {
-  Rig rig = contouring();
-  rig.send("CX ");
-  EXPECT_TRUE(rig.command_error()) << "nothing recorded";
-  rig.send("CD0,0; MT500,0 CK LP-1000,0; CX CX ID ");
-  rig.run_for(500ms);
-  EXPECT_EQ(rig.position('Y'), 0);
-  EXPECT_NEAR(static_cast<double>(rig.position('X')), -550, 1) << "the lead-in ramps (decision M72)";
-  rig.run_until_done("X");
-  EXPECT_EQ(rig.value("AA RP"), "500,0,0,0,0,0,0,0") << "and once more from there";
-}
-
-VME58_FORM("vme58.contour.AN") {
-  Rig rig = contouring();
-  rig.send("AX AF AT AF AA ");
-  EXPECT_FALSE(rig.aux_high('X'));
-  rig.send("CD0; MT1000 AN0,3; MT2000 CK CX ");
-  rig.run_for(990ms);
-  EXPECT_FALSE(rig.aux_high('X'));
-  rig.run_for(20ms);
-  EXPECT_TRUE(rig.aux_high('X')) << "when the path gets there";
-  EXPECT_TRUE(rig.aux_high('T')) << "ports by number (decision M69)";
-  rig.send("CD0; AN8; ");
-  EXPECT_TRUE(rig.command_error());
-}
-
-VME58_FORM("vme58.contour.AF") {
-  Rig rig = contouring();
-  EXPECT_TRUE(rig.aux_high('Y')) << "decision M37";
-  rig.send("CD0; AF1; MT1000 AN1; CK CX ");
-  rig.run_for(1ms);
-  EXPECT_FALSE(rig.aux_high('Y'));
-  EXPECT_TRUE(rig.aux_high('X'));
-  rig.run_until_quiet();
-  EXPECT_TRUE(rig.aux_high('Y'));
 }
 
 }  // namespace hw::vme58::proof

@@ -1,4 +1,5 @@
 // Rows of axis selection, system control and user units.
+// Those that neither loop nor compute stand in vme58.forms.
 #include "tests/core/devices/vme58/form_case.h"
 
 namespace hw::vme58::proof {
@@ -49,67 +50,7 @@ VME58_FORM("vme58.axis.AA") {
   EXPECT_TRUE(rig.moving('Y'));
 }
 
-VME58_FORM("vme58.axis.AM") {
-  Rig rig;
-  rig.send("AM LP10,20; ");
-  EXPECT_EQ(rig.value("RP"), "10,20,0,0,0,0,0,0");
-  // Groups of axes side by side, each with its own flags (decision M50).
-  rig.send("VL1000,1000,1000; MR1000,1000; GO ID MR,,300; GO ID ");
-  rig.run_for(100ms);
-  EXPECT_TRUE(rig.moving('X'));
-  EXPECT_TRUE(rig.moving('Y'));
-  EXPECT_TRUE(rig.moving('Z'));
-  rig.run_for(300ms);
-  EXPECT_FALSE(rig.moving('Z'));
-  EXPECT_EQ(rig.done(), bit_of('Z'));
-  rig.run_for(1s);
-  EXPECT_EQ(rig.done(), bit_of('X') | bit_of('Y'));
-  // A move of an axis that is still under way waits.
-  rig.send("AM MR1000; GO MR1000; GO ID ");
-  rig.run_for(1500ms);
-  EXPECT_TRUE(rig.moving('X'));
-  EXPECT_EQ(rig.done(), 0);
-  rig.run_for(1s);
-  EXPECT_EQ(rig.position('X'), 10 + 3000);
-  EXPECT_EQ(rig.done(), bit_of('X'));
-}
-
 // --- system ------------------------------------------------------------------------------------------------
-
-VME58_FORM("vme58.sys.EN") {
-  Rig rig;
-  EXPECT_EQ(rig.ask("AX LP5 "), "") << "off after a reset (decision M14)";
-  rig.send("EN");
-  EXPECT_EQ(rig.ask("AX,LP5;"), "AX,LP5;");
-  EXPECT_EQ(visible(rig.ask("RP")), "RP<lf><cr>5<lf><cr>") << "the echo stands before the reply";
-}
-
-VME58_FORM("vme58.sys.EF") {
-  Rig rig;
-  rig.send("EN");
-  rig.output();
-  EXPECT_EQ(rig.ask("EF"), "EF") << "itself still comes back";
-  EXPECT_EQ(rig.ask("AX LP5 "), "");
-}
-
-VME58_FORM("vme58.sys.HH") {
-  Rig rig;
-  rig.send("AX HH ");
-  EXPECT_EQ(rig.read8(reg::home), bit_of('X')) << "an open switch is high, that is active";
-  rig.home_switch('X', true);
-  EXPECT_EQ(rig.read8(reg::home), 0);
-  EXPECT_EQ(rig.value("QA"), "PNNN");
-}
-
-VME58_FORM("vme58.sys.HL") {
-  Rig rig;
-  EXPECT_EQ(rig.read8(reg::home), 0) << "low is active after a reset (decision M42)";
-  rig.send("AX HH HL ");
-  EXPECT_EQ(rig.read8(reg::home), 0);
-  rig.home_switch('X', true);
-  EXPECT_EQ(rig.read8(reg::home), bit_of('X'));
-  EXPECT_EQ(rig.value("QA"), "PNNH");
-}
 
 VME58_FORM("vme58.sys.LF") {
   Rig rig;
@@ -118,40 +59,6 @@ VME58_FORM("vme58.sys.LF") {
   rig.run_until_done("X");
   EXPECT_EQ(rig.position('X'), 1000) << "past the switch";
   EXPECT_NE(rig.read8(reg::limit), 0) << "the switch can still be seen";
-}
-
-VME58_FORM("vme58.sys.LN") {
-  Rig rig;
-  rig.send("AX LF LN VL1000 MR5000 GO ID ");
-  rig.run_for(1s);
-  rig.limit('X', '+', true);
-  rig.run_for(10s);
-  EXPECT_FALSE(rig.moving('X'));
-  EXPECT_NEAR(static_cast<double>(rig.position('X')), 1000, 2) << "ended abruptly";
-  EXPECT_EQ(rig.done(), 0) << "the queue was emptied: no ID";
-}
-
-VME58_FORM("vme58.sys.SL") {
-  Rig rig;
-  rig.send("AX SL AC1000 VL1000 MR50000 GO ID ");
-  rig.run_for(5s);
-  rig.limit('X', '+', true);
-  rig.run_for(500ms);
-  EXPECT_TRUE(rig.moving('X')) << "it ramps down";
-  rig.run_for(2s);
-  EXPECT_FALSE(rig.moving('X'));
-  EXPECT_NEAR(static_cast<double>(rig.position('X')), 500 + 4000 + 500, 3);
-  EXPECT_EQ(rig.done(), bit_of('X')) << "only the move is dropped: the rest of the queue goes on";
-}
-
-VME58_FORM("vme58.sys.SF") {
-  Rig rig;
-  rig.send("AX SL SF AC1000 VL1000 MR50000 GO ID ");
-  rig.run_for(5s);
-  rig.limit('X', '+', true);
-  EXPECT_FALSE(rig.moving('X')) << "abruptly again";
-  EXPECT_EQ(rig.room('X'), queue_entries);
-  EXPECT_EQ(rig.done(), 0);
 }
 
 VME58_FORM("vme58.sys.CN") {
@@ -188,34 +95,6 @@ VME58_FORM("vme58.sys.PF") {
   EXPECT_NEAR(seconds_of_move(rig, "PF"), linear, 1e-3);
 }
 
-VME58_FORM("vme58.sys.PI") {
-  Rig rig;
-  rig.send("AX PI1 MR100 GO ID ");
-  EXPECT_FALSE(rig.command_error());
-  rig.run_until_done("X");
-  EXPECT_EQ(rig.position('X'), 100) << "kept, without effect on motion (decision M46)";
-  rig.send("PI ");
-  EXPECT_FALSE(rig.command_error()) << "its number may still come";
-  rig.send("\r");
-  EXPECT_TRUE(rig.command_error());
-}
-
-VME58_FORM("vme58.sys.BI") {
-  Rig rig;
-  rig.send("AX UN BI MR-100 GO ID ");
-  EXPECT_FALSE(rig.command_error());
-  rig.run_until_done("X");
-  EXPECT_EQ(rig.position('X'), -100);
-}
-
-VME58_FORM("vme58.sys.UN") {
-  Rig rig;
-  rig.send("AX UN MR-100 GO ID ");
-  EXPECT_FALSE(rig.command_error());
-  rig.run_until_done("X");
-  EXPECT_EQ(rig.position('X'), -100) << "no analog model: nothing else changes";
-}
-
 VME58_FORM("vme58.sys.RS") {
   Rig rig;
   rig.write16(at::reserved1, 0x4711);
@@ -244,40 +123,6 @@ VME58_FORM("vme58.sys.RS") {
   EXPECT_TRUE(rig.aux_high('Y'));
   rig.send("LP3 ");
   EXPECT_EQ(rig.value("RU"), "3.0") << "user units are off";
-}
-
-// --- user units --------------------------------------------------------------------------------------------
-
-VME58_FORM("vme58.unit.UU") {
-  Rig rig;
-  rig.send("AX UU1000; VL2.5 AC10 LP1.2345 ");
-  EXPECT_EQ(rig.axis_value('X', AxisValue::maximum_velocity), 2500);
-  EXPECT_EQ(rig.axis_value('X', AxisValue::acceleration), 10'000);
-  EXPECT_EQ(rig.value("RP"), "1235") << "rounded to counts; RP is always in counts";
-  EXPECT_EQ(rig.value("RU"), "1.235");
-  rig.send("MR-0.5 GO ID ");
-  rig.run_until_done("X");
-  EXPECT_EQ(rig.position('X'), 735);
-  // Per axis; a list has one for each.
-  rig.send("AA UU,10,100; LP1,1,1; ");
-  EXPECT_EQ(rig.value("RP"), "1000,10,100,0,0,0,0,0");
-  rig.send("UU0; ");
-  EXPECT_TRUE(rig.command_error()) << "decision M90";
-  // Ranges are those of counts.
-  rig.send("AX VL1045 ");
-  EXPECT_TRUE(rig.command_error());
-  // The contour velocity too.
-  rig.send("AX CV9999 ");
-  EXPECT_TRUE(rig.command_error());
-}
-
-VME58_FORM("vme58.unit.UF") {
-  Rig rig;
-  rig.send("AX UU1000 UF LP1.9 ");
-  EXPECT_EQ(rig.value("RP"), "1") << "counts again: fractions are cut";
-  EXPECT_EQ(rig.value("RU"), "1.0");
-  rig.send("AA UU2,3; UF LP7,7; ");
-  EXPECT_EQ(rig.value("RP"), "7,7,0,0,0,0,0,0") << "of all axes";
 }
 
 }  // namespace hw::vme58::proof

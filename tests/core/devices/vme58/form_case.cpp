@@ -139,7 +139,7 @@ void check_table(const Form& f) {
 
 class FormCaseTest : public ::testing::Test {
  public:
-  FormCaseTest(std::string id, FormBody body) : id_(std::move(id)), body_(body) {}
+  FormCaseTest(std::string id, FormBody body) : id_(std::move(id)), body_(std::move(body)) {}
   void TestBody() override {
     const auto& table = form_table();
     const auto row = std::find_if(table.begin(), table.end(), [&](const Form& f) { return f.id == id_; });

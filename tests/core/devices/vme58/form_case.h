@@ -1,12 +1,14 @@
 #pragma once
 // One case for each row of vme58.tsv: the 139 command forms with the part of the data sheet that they stand
-// in, and the places of the window and the bits of its registers.
+// in, and the places of the window and the bits of its registers. It is text in vme58.forms (see
+// form_session.h) or, where it loops and computes,
 //
-//   VME58_FORM("vme58.move.MR") { ... }
+//   VME58_FORM("vme58.sync.SW") { ... }
 //
-// registers a test for that id. Before the body runs, what the table says of a command is checked: the modes
-// in which it is taken, the room that it needs in a queue, whether it is answered. The body asserts one
+// Both register a test for that id. Before the case runs, what the table says of a command is checked: the
+// modes in which it is taken, the room that it needs in a queue, whether it is answered. The case asserts one
 // effect: reply, register or memory contents, motion.
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +32,7 @@ struct Form {
 /// All rows of vme58.tsv.
 const std::vector<Form>& form_table();
 
-using FormBody = void (*)(const Form&);
+using FormBody = std::function<void(const Form&)>;
 bool register_form(const std::string& id, FormBody body, const char* file, int line);
 bool has_case(std::string_view id);
 /// Ids that have a case but no row.

@@ -59,6 +59,24 @@ TEST(Vme58Rehearsal, AHoleOfTenThousandCounts) {
   EXPECT_GE(r.duration_s, 78);
 }
 
+TEST(Vme58Rehearsal, SpeedStairsAreGoneUpBeforeWhatStandsBehindThem) {
+  sequence::Sequence s;
+  s.axes = {{"X"}, {"Z"}};
+  sequence::Move behind;
+  behind.to[0] = 100, behind.to[1] = 0;
+  s.steps = {
+      {sequence::Speed{{5000}}}, {sequence::SpeedStairs{1, {{2000, 1000}, {6000, 4000}}, 8000}}, {behind}};
+  const auto text = program_language().write(s, *make_catalog({}));
+  ASSERT_TRUE(text) << text.error().sentence();
+  const Rehearsal r = rehearse(text->text);
+  EXPECT_TRUE(r.finished) << r.error;
+  EXPECT_EQ(r.axes[0].position, 100);
+  EXPECT_EQ(r.axes[2].maximum, 8000) << "it rests there";
+  EXPECT_EQ(r.axes[2].position, 0);
+  EXPECT_GE(r.duration_s, 2 + 6000 / 4000.0 + 8000 / 5000.0) << "at its speeds";
+  EXPECT_LT(r.duration_s, 7.5);
+}
+
 TEST(Vme58Rehearsal, WhatTheBoardRejectsIsNamedByItsLine) {
   const Rehearsal r = rehearse("AX HF\nMA1000 GO ID\n");
   EXPECT_FALSE(r.finished);

@@ -90,12 +90,52 @@ TEST_F(Vme58Sequence, AxesTheOtherWayRoundAreMirrored) {
   EXPECT_EQ(write({{c}}), "AA\nCV500;\nCD20,10;\nMT20,110;\nCR70,110,-1.570796327;\nCK\nMT20,10; GO\nCX\n");
 }
 
+TEST_F(Vme58Sequence, AnArcLiesInAnyTwoAxes) {
+  s.axes = {{"X"}, {"Y"}, {"Z"}};
+  seq::Move begin;
+  begin.to[0] = 0, begin.to[2] = 100;
+  EXPECT_EQ(write({{seq::Speed{{1000}}}, {begin}, {seq::Arc{0, 0, -90, {}, {0, 2}}}, {begin}}),
+            "AA\nVL1000,1000,1000;\nMT0,,100; GO\nCV1000;\nCD0,,100;\nCR0,0,-1.570796327;\nCK\n"
+            "MT0,,100; GO\nCX\nMT0,,100; GO\n");
+  seq::Contour c;
+  c.plane = {2, 1}, c.own = seq::Speeds{500}, c.ends_ramped = false;
+  c.steps = {{seq::Arc{0, 50, 90, {}, {2, 1}}}};
+  EXPECT_EQ(write({{c}}), "AA\nCV500;\nCD,0,0;\nCR50,0,-1.570796327;\nCK\nMT,0,0; GO\nCX\n");
+  c.steps = {{seq::Arc{0, 50, 90}}};
+  EXPECT_THAT(write({{c}}), HasSubstr("Step 1.1 (arc): the contour lies in Z and Y, and so do its arcs."));
+  c.steps = {{begin}};
+  EXPECT_THAT(write({{c}}), HasSubstr("Step 1.1 (move): the contour lies in Z and Y: nothing else moves"));
+}
+
 TEST_F(Vme58Sequence, AnArcByItselfIsAContourAndTheNextOneWaitsForIt) {
   EXPECT_EQ(write({{seq::Speed{{1000}}}, {to(0, 0)}, {seq::Arc{100, 0, 360}}, {seq::Arc{0, 100, 90}}}),
             "AA\nVL1000,,1000;\nMT0,,0; GO\nCV1000;\nCD0,,0;\nCR100,0,6.283185307;\nCK\nMT0,,0; GO\nCX\n"
             "WA\nWQ\nCV1000;\nCD0,,0;\nCR0,100,1.570796327;\nCK\nMT0,,0; GO\nCX\n");
   EXPECT_THAT(remarks, ElementsAre("Step 3 (arc): it begins and ends at its full speed, without a ramp.",
                                    HasSubstr("Step 4 (arc): ")));
+}
+
+TEST_F(Vme58Sequence, SpeedStairsStandInTheQueueOfTheirAxis) {
+  seq::SpeedStairs up{1, {{1000, 500}, {5000, 2000}}, 6000};
+  EXPECT_EQ(write({{to(1, 2)}, {up}, {to(3, 4)}}),
+            "AA\nMT1,,2; GO\nWA\nWQ\nAZ MP\nMV1000,500;\nMV5000,2000;\nSP6000;\nWQ AA WA\nMT3,,4; GO\n");
+  const seq::SpeedStairs down{1, {{8000, 500}}, 6000};
+  EXPECT_EQ(write({{down}}), "AA\nWA\nWQ\nAZ MM\nMV8000,500;\nSP6000;\nWQ AA WA\n");
+  EXPECT_EQ(blocks_of(program_language(), write({{up}}), s, *make_catalog({})),
+            "Speed stairs Z, to 1000 at 500, to 5000 at 2000, rest at 6000\n");
+}
+
+TEST_F(Vme58Sequence, SpeedStairsGoOneWay) {
+  EXPECT_THAT(write({{seq::SpeedStairs{0, {{1000, 500}, {900, 500}}, 2000}}}),
+              HasSubstr("Step 1 (speed_stairs): stair 2: 900 does not lie on the way from 1000 to 2000."));
+  EXPECT_THAT(write({{to(5000, 0)}, {seq::SpeedStairs{0, {{6000, 500}}, 4000}}}),
+              HasSubstr("stair 1: 6000 does not lie on the way from 5000 to 4000."));
+  EXPECT_THAT(write({{seq::SpeedStairs{0, {{1000, 0}}, 2000}}}), HasSubstr("stair 1 needs a speed"));
+  EXPECT_THAT(write({{seq::SpeedStairs{0, {{1000, 5e9}}, 2000}}}),
+              HasSubstr("a speed of 5000000000 steps/s"));
+  seq::Repeat loop;
+  loop.steps = {{seq::SpeedStairs{0, {{1000, 500}}, 2000}}};
+  EXPECT_THAT(write({{loop}}), HasSubstr("Step 1.1 (speed_stairs): speed stairs stand in the queue"));
 }
 
 TEST_F(Vme58Sequence, WhatItCannotDoIsRefused) {

@@ -1,4 +1,5 @@
-// Program management (p.19, App. G) and operation commands (p.23, App. A, E, O).
+// Forms of programs, operation and set-up that loop and compute (p.19, 23, 25; App. A, E, G, O); the others:
+// vxm.forms.
 #include "tests/core/devices/vxm/form_case.h"
 
 namespace hw::vxm::proof {
@@ -15,148 +16,6 @@ VXM_FORM("vxm.syntax.comment") {
   rig.send("FCP1,R;KV\r");
   EXPECT_EQ(rig.output().substr(0, 1), "^")
       << "behind R its letters are commands to the running program (V05)";
-}
-
-VXM_FORM("vxm.pm.select") {
-  Rig rig = Rig::online();
-  rig.send("I1M1,PM1,");
-  EXPECT_EQ(rig.ask("PM,"), "1\r");
-  rig.send("I1M5,I1M6,");
-  EXPECT_EQ(visible(rig.ask("lst")), "PM1 M248<cr>I1M5<cr>I1M6<cr>");
-  rig.send("PM0,");
-  EXPECT_EQ(rig.ask("M"), "252\r") << "selecting clears nothing";
-  rig.send("PM4,");
-  EXPECT_EQ(rig.ask("PM,"), "4\r");
-  EXPECT_EQ(rig.ask("PM5,"), "");
-  EXPECT_EQ(rig.ask("PM,"), "4\r") << "5 is out of range";
-  rig.send("Q");
-  EXPECT_EQ(rig.ask("PM1,"), "");
-  rig.send("F");
-  EXPECT_EQ(rig.ask("PM,"), "4\r") << "not in local mode";
-  rig.send("P1,RPM1,");
-  rig.run_for(1s);
-  rig.output();
-  EXPECT_EQ(rig.ask("PM,"), "4\r") << "not while a program runs";
-}
-
-VXM_FORM("vxm.pm.clear") {
-  Rig rig = Rig::online();
-  rig.send("I1M1,PM2,I1M2,");
-  EXPECT_EQ(rig.ask("PM-0,"), "");
-  EXPECT_EQ(rig.ask("PM,"), "0\r");
-  EXPECT_EQ(rig.ask("M"), "256\r");
-  rig.send("PM2,");
-  EXPECT_EQ(rig.ask("M"), "252\r") << "only the program named";
-  rig.send("PM-2,");
-  EXPECT_EQ(rig.ask("M"), "256\r");
-  EXPECT_EQ(rig.ask("PM-5,"), "");
-  EXPECT_EQ(rig.ask("PM,"), "2\r");
-  rig.send("I1M1,Q");
-  rig.send("PM-2,F");
-  EXPECT_EQ(rig.used_bytes(), 4) << "not in local mode";
-  rig.send("P1,RPM-2,");
-  rig.run_for(1s);
-  EXPECT_EQ(rig.used_bytes(), 7) << "not while a program runs";
-}
-
-VXM_FORM("vxm.pm.query") {
-  Rig rig = Rig::online();
-  EXPECT_EQ(rig.ask("PM"), "") << "could still grow into PM1 (V04)";
-  EXPECT_EQ(rig.ask("\r"), "0\r");
-  EXPECT_EQ(rig.ask("PM3\r"), "");
-  EXPECT_EQ(rig.ask("PM\r"), "3\r") << "the manual's sample";
-  rig.send("G");
-  EXPECT_EQ(rig.ask("PM."), "3\r");
-}
-
-VXM_FORM("vxm.pma.set") {
-  Rig rig = Rig::online_with_slave();
-  rig.send("[PM-1,I1M500,]PM-1,I1M800,");
-  EXPECT_EQ(rig.ask("PMA1,"), "");
-  EXPECT_EQ(rig.ask("PMA,"), "1\r");
-  EXPECT_EQ(rig.used_bytes(), 4);
-  EXPECT_TRUE(same_time(rig.run_program(), index_time(800))) << "both at once";
-  EXPECT_EQ(rig.position(1), 800);
-  EXPECT_EQ(rig.position(3), 500);
-  rig.send("PM-2,I1M10,");
-  rig.run_program();
-  EXPECT_EQ(rig.position(3), 500) << "program 2 is not coupled";
-  rig.send("PMA5,");
-  EXPECT_EQ(rig.ask("PMA,"), "1\r");
-  rig.send("Q");
-  rig.send("PMA0,F");
-  EXPECT_EQ(rig.ask("PMA,"), "1\r") << "not in local mode";
-  rig.send("PM-0,P1,RPMA0,");
-  rig.run_for(1s);
-  EXPECT_EQ(rig.ask("PMA,"), "1\r") << "not while a program runs";
-}
-
-VXM_FORM("vxm.pma.except") {
-  Rig rig = Rig::online_with_slave();
-  rig.send("[PM-1,I1M500,]PM-1,I1M800,");
-  EXPECT_EQ(rig.ask("PMA-0,"), "");
-  EXPECT_EQ(rig.ask("PMA,"), "-0\r");
-  rig.run_program();
-  EXPECT_EQ(rig.position(3), 500) << "every program but 0";
-  rig.send("PMA-1,");
-  EXPECT_EQ(rig.ask("PMA,"), "-1\r") << "replaces the earlier (V96)";
-  rig.run_program();
-  EXPECT_EQ(rig.position(1), 1600);
-  EXPECT_EQ(rig.position(3), 500);
-}
-
-VXM_FORM("vxm.pma.off") {
-  Rig rig = Rig::online_with_slave();
-  rig.send("[PM-1,I1M500,]PM-1,I1M800,PMA1,");
-  EXPECT_EQ(rig.ask("PMA255,"), "");
-  EXPECT_EQ(rig.ask("PMA,"), "255\r");
-  rig.run_program();
-  EXPECT_EQ(rig.position(3), 0);
-}
-
-VXM_FORM("vxm.pma.query") {
-  Rig rig = Rig::online_with_slave();
-  EXPECT_EQ(rig.ask("PMA,"), "255\r");
-}
-
-VXM_FORM("vxm.op.quit") {
-  Rig rig = Rig::online();
-  rig.send("I1M400,");
-  EXPECT_TRUE(rig.online_lamp());
-  EXPECT_EQ(rig.ask("Q"), "");
-  EXPECT_FALSE(rig.online_lamp());
-  EXPECT_EQ(rig.ask("V"), "J");
-  EXPECT_EQ(rig.ask("Q"), "") << "no effect in local mode";
-  rig.send("F");
-  EXPECT_EQ(rig.ask("M"), "252\r") << "the program is kept";
-  rig.send("P1,R");
-  rig.send("Q");
-  EXPECT_TRUE(rig.online_lamp()) << "dropped while a program runs (V13)";
-}
-
-VXM_FORM("vxm.op.run") {
-  Rig rig = Rig::online();
-  EXPECT_EQ(rig.ask("R"), "^") << "an empty program ends at once";
-  rig.send("S1M100,");
-  EXPECT_EQ(rig.ask("R"), "^");
-  rig.send("CI1M400,");
-  EXPECT_EQ(rig.ask("R"), "") << "no ender needed, the reply comes when it ends";
-  EXPECT_EQ(rig.ask("V"), "B");
-  EXPECT_EQ(rig.ask("R"), "") << "dropped while it runs";
-  EXPECT_TRUE(rig.run_until_output("^"));
-  EXPECT_EQ(rig.output(), "^");
-  rig.run_for(10s);
-  EXPECT_EQ(rig.output(), "") << "once";
-  EXPECT_EQ(rig.ask("M"), "252\r") << "the program is kept";
-  rig.send("GR");
-  EXPECT_TRUE(rig.run_until_output("^"));
-  rig.run_for(1s);
-  EXPECT_EQ(rig.output(), "^\r");
-  rig.send("Q");
-  EXPECT_EQ(rig.ask("R"), "");
-  rig.run_for(10s);
-  rig.send("F");
-  EXPECT_EQ(rig.position(1), 800) << "R is dropped in local mode";
 }
 
 VXM_FORM("vxm.op.null") {
@@ -197,24 +56,6 @@ VXM_FORM("vxm.op.kill") {
   EXPECT_EQ(rig.ask("K"), "") << "dropped in local mode (V12)";
 }
 
-VXM_FORM("vxm.op.clear") {
-  Rig rig = Rig::online();
-  rig.send("S1M500,I1M400,PM1,I2M4,PM0,setj1M77,");
-  rig.run_program();
-  EXPECT_EQ(rig.ask("C"), "");
-  EXPECT_EQ(rig.ask("M"), "256\r");
-  EXPECT_EQ(rig.position(1), 400) << "positions kept";
-  EXPECT_EQ(rig.ask("getj1M"), "77\r") << "settings kept";
-  EXPECT_TRUE(same_time(rig.run("I1M400,"), index_time(400, 500))) << "speeds kept (V57)";
-  rig.send("PM1,");
-  EXPECT_EQ(rig.ask("M"), "252\r") << "the selected program only";
-  rig.send("QCF");
-  EXPECT_EQ(rig.ask("M"), "252\r") << "dropped in local mode";
-  rig.send("RC");
-  rig.run_until_output("^");
-  EXPECT_EQ(rig.ask("M"), "252\r") << "dropped while a program runs";
-}
-
 VXM_FORM("vxm.op.decel") {
   Rig rig = Rig::online();
   rig.send("I1M100000,I2M5,R");
@@ -245,91 +86,6 @@ VXM_FORM("vxm.op.echo.on") {
   EXPECT_EQ(rig.ask("V"), "R");
 }
 
-VXM_FORM("vxm.op.echo.off") {
-  Rig rig;
-  EXPECT_EQ(rig.ask("F"), "");
-  EXPECT_TRUE(rig.online_lamp());
-  EXPECT_EQ(rig.ask("I1M400\r"), "");
-  EXPECT_EQ(rig.ask("V"), "R") << "still answers";
-  rig.send("G");
-  EXPECT_EQ(rig.ask("V"), "R\r");
-  EXPECT_EQ(rig.ask("F"), "");
-  EXPECT_EQ(rig.ask("V"), "R") << "takes the <cr> of G away (V19)";
-  rig.send("P1,R");
-  EXPECT_EQ(rig.ask("F"), "");
-  EXPECT_EQ(rig.ask("V"), "B");
-}
-
-VXM_FORM("vxm.op.group") {
-  Rig rig;
-  EXPECT_EQ(rig.ask("G"), "");
-  EXPECT_TRUE(rig.online_lamp());
-  EXPECT_EQ(rig.ask("V"), "R\r");
-  EXPECT_EQ(rig.ask("I1M400\r"), "") << "no echo";
-  EXPECT_EQ(rig.ask("R"), "");
-  EXPECT_EQ(rig.ask("V"), "B") << "no <cr> (App. O)";
-  rig.run_until_output("^");
-  rig.run_for(1ms);
-  EXPECT_EQ(rig.output(), "^\r");
-  rig.send("C");
-  EXPECT_EQ(rig.ask("U6,R"), "W\r");
-  EXPECT_EQ(rig.ask("G"), "^\r");
-  EXPECT_EQ(visible(rig.ask("rsm")), "^<cr>");
-  rig.send("Q");
-  EXPECT_EQ(rig.ask("V"), "J") << "no <cr> (App. O)";
-}
-
-VXM_FORM("vxm.op.go") {
-  Rig rig = Rig::online();
-  rig.send("I1M7,U6,I1M10,R");
-  EXPECT_TRUE(rig.run_until_output("W"));
-  EXPECT_EQ(rig.output(), "W");
-  rig.run_for(1h);
-  EXPECT_EQ(rig.ask("V"), "B");
-  EXPECT_EQ(rig.ask("G"), "");
-  EXPECT_TRUE(rig.run_until_output("^"));
-  EXPECT_EQ(rig.output(), "^") << "G while running does not switch to G mode (V15)";
-  EXPECT_EQ(rig.position(1), 17);
-  rig.send("C");
-  EXPECT_EQ(visible(rig.ask("I1M5,HR")), ":I1M5<cr>");
-  rig.send("G");
-  EXPECT_TRUE(rig.run_until_output("^"));
-  EXPECT_EQ(rig.position(1), 22) << "releases a hold";
-}
-
-VXM_FORM("vxm.op.hold") {
-  Rig rig = Rig::online();
-  rig.send("I1M400,I2M-30,");
-  EXPECT_EQ(rig.ask("H"), "");
-  EXPECT_EQ(visible(rig.ask("R")), ":I1M400<cr>");
-  rig.run_for(1h);
-  EXPECT_EQ(rig.position(1), 0) << "before the command";
-  rig.send("G");
-  EXPECT_TRUE(rig.run_until_output("\r"));
-  EXPECT_EQ(visible(rig.output()), ":I2M-30<cr>");
-  EXPECT_EQ(rig.position(1), 400);
-  EXPECT_EQ(rig.ask("H"), "") << "toggles the flag off and goes on";
-  EXPECT_TRUE(rig.run_until_output("^"));
-  EXPECT_EQ(rig.output(), "^");
-  EXPECT_EQ(rig.position(2), -30);
-
-  rig.send("R");
-  EXPECT_EQ(rig.ask("H"), "") << "during a run";
-  EXPECT_TRUE(rig.run_until_output("\r"));
-  EXPECT_EQ(visible(rig.output()), ":I2M-30<cr>");
-  EXPECT_EQ(rig.ask("K"), "^");
-  EXPECT_EQ(rig.ask("R"), "") << "K cleared the flag";
-  EXPECT_TRUE(rig.run_until_output("^"));
-  EXPECT_EQ(rig.output(), "^");
-  EXPECT_EQ(rig.position(2), -60);
-  rig.send("G");
-  rig.send("H");
-  EXPECT_EQ(visible(rig.ask("R")), ":I1M400<cr>") << "one <cr> in G mode too (V26)";
-  rig.send("K");
-  rig.send("QHF");
-  EXPECT_EQ(rig.ask("R"), "") << "H is dropped in local mode";
-}
-
 VXM_FORM("vxm.op.record") {
   Rig rig = Rig::online();
   rig.send("I1M521,U6,R");
@@ -345,48 +101,6 @@ VXM_FORM("vxm.op.record") {
       << "zeroed at each run";
   rig.send("Q!F");
   EXPECT_EQ(visible(rig.ask("x")).substr(0, 12), "+0000000<cr>") << "dropped in local mode";
-}
-
-VXM_FORM("vxm.op.reset") {
-  Rig rig = Rig::online();
-  rig.send("setj1M77,rsm");
-  rig.run_until_output("^");
-  rig.send("setj1M99,PM2,I2M5,I1M400,");
-  rig.run_program();
-  rig.send("S1M10,I1M400,R");
-  rig.run_for(1s);
-  EXPECT_EQ(rig.ask("res"), "") << "while a program runs";
-  EXPECT_EQ(rig.ask("V"), "J") << "local mode, taken from the first byte on (V18)";
-  rig.send("F");
-  EXPECT_EQ(rig.ask("V"), "R");
-  EXPECT_EQ(rig.ask("PM,"), "0\r");
-  EXPECT_EQ(rig.ask("#"), "1\r");
-  EXPECT_EQ(rig.ask("X"), "+0000000\r");
-  EXPECT_EQ(rig.ask("getj1M"), "77\r") << "as saved";
-  rig.send("PM2,");
-  EXPECT_EQ(rig.ask("M"), "256\r") << "not saved";
-  EXPECT_EQ(rig.ask("res"), "") << "on-line";
-  EXPECT_EQ(rig.ask("V"), "J");
-}
-
-VXM_FORM("vxm.op.delete") {
-  Rig rig = Rig::online();
-  rig.send("I1M400,P10,");
-  EXPECT_EQ(rig.ask("del"), "");
-  EXPECT_EQ(visible(rig.ask("lst")), "PM0 M252<cr>I1M400<cr>");
-  rig.send("Q");
-  rig.send("del");
-  rig.send("F");
-  EXPECT_EQ(rig.used_bytes(), 4) << "not in local mode";
-  rig.send("R");
-  rig.send("del");
-  rig.run_until_output("^");
-  EXPECT_EQ(rig.used_bytes(), 4) << "not while a program runs";
-  rig.send("deldel");
-  EXPECT_EQ(rig.used_bytes(), 0) << "nothing more to delete (V36)";
-  rig.send("P1,PM1,del");
-  rig.send("PM0,");
-  EXPECT_EQ(rig.used_bytes(), 3) << "the selected program only";
 }
 
 VXM_FORM("vxm.op.save") {
@@ -410,6 +124,67 @@ VXM_FORM("vxm.op.save") {
   EXPECT_EQ(rig.ask("rsm"), "") << "dropped in local mode";
   rig.run_for(5s);
   EXPECT_EQ(rig.output(), "");
+}
+
+VXM_FORM("vxm.set.factory") {
+  Rig rig = Rig::online();
+  rig.send("setj1M77,setM1M4,setDM3,I1M400,PM2,I1M5,rsm");
+  rig.run_until_output("^");
+  rig.send("P1,RsetD0,");
+  rig.run_for(1s);
+  rig.output();
+  EXPECT_EQ(rig.ask("getM1M"), "4\r") << "dropped while a program runs";
+  EXPECT_EQ(rig.ask("setD0"), "") << "has a value, so it waits for its ender";
+  EXPECT_EQ(rig.ask(","), "EN");
+  EXPECT_EQ(rig.ask("V"), "J") << "afterwards as after res (V88)";
+  rig.send("F");
+  EXPECT_EQ(rig.ask("getj1M"), "2000\r");
+  EXPECT_EQ(rig.ask("getM1M"), "0\r");
+  EXPECT_EQ(rig.ask("getDM"), "1\r");
+  EXPECT_EQ(rig.ask("M"), "256\r");
+  rig.power_cycle();
+  rig.send("FPM2,");
+  EXPECT_EQ(rig.ask("M"), "256\r") << "saved memory is erased too";
+  EXPECT_EQ(rig.ask("getM1M"), "0\r");
+  rig.send("QsetD0,F");
+  EXPECT_EQ(rig.output().find("EN"), std::string::npos) << "dropped in local mode";
+}
+
+VXM_FORM("vxm.set.joy1") {
+  expect_setting(form, "getjA1M", "0", "1");
+  Rig rig = Rig::online();
+  expect_kept(rig, "getjA1M", {"setjA1M25", "setjA1M", "setjA1M-1"});
+  rig.send("setjA1M4,Q");
+  rig.analog(1, 1024);
+  rig.run_for(1s);  // past its ramp
+  const auto start = rig.load(1);
+  rig.run_for(10s);
+  EXPECT_NEAR(static_cast<double>(std::llabs(rig.load(1) - start)), 10000, 100) << "250 steps/s times 4";
+}
+
+VXM_FORM("vxm.set.joy2") {
+  expect_setting(form, "getJA1M", "0", "10");
+  Rig rig = Rig::online();
+  expect_kept(rig, "getJA1M", {"setJA1M25", "setJA1M"});
+  rig.send("setJA1M0,");
+  EXPECT_EQ(rig.ask("getJA1M"), "0\r") << "V93";
+  rig.send("setjA1M4,setJA1M2,Q");
+  rig.input(2, true);
+  rig.analog(1, 0);
+  rig.run_for(1s);
+  const auto start = rig.load(1);
+  rig.run_for(10s);
+  EXPECT_NEAR(static_cast<double>(std::llabs(rig.load(1) - start)), 5000, 50) << "while input 2 is low";
+}
+
+VXM_FORM("vxm.set.pulsewidth") {
+  expect_setting(form, "getPA", "1", "4");
+  Rig rig = Rig::online();
+  expect_kept(rig, "getPA", {"setPA0", "setPA256", "setPA"});
+  rig.send("setP1M10,setPA200,");
+  rig.run("I1M12,");
+  ASSERT_EQ(rig.pulses().size(), 1u);
+  EXPECT_EQ(rig.pulses()[0].width, 2ms) << "the manual's second example, p.42";
 }
 
 }  // namespace hw::vxm::proof

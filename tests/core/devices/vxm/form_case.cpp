@@ -135,7 +135,7 @@ void check_states(const Form& f) {
 
 class FormTest : public ::testing::Test {
  public:
-  FormTest(std::string id, FormBody body) : id_(std::move(id)), body_(body) {}
+  FormTest(std::string id, FormBody body) : id_(std::move(id)), body_(std::move(body)) {}
   void TestBody() override {
     const auto& table = form_table();
     const auto row = std::find_if(table.begin(), table.end(), [&](const Form& f) { return f.id == id_; });
@@ -168,10 +168,10 @@ const std::vector<Form>& form_table() {
   return table;
 }
 
-bool register_form(const char* id, FormBody body, const char* file, int line) {
+bool register_form(const std::string& id, FormBody body, const char* file, int line) {
   std::string name = id;
   std::replace(name.begin(), name.end(), '.', '_');
-  cases()[id] = body;
+  EXPECT_TRUE(cases().emplace(id, body).second) << id << " has two cases";
   ::testing::RegisterTest("VxmForm", name.c_str(), nullptr, nullptr, file, line,
                           [id, body]() -> ::testing::Test* { return new FormTest(id, body); });
   return true;
@@ -193,6 +193,12 @@ Rig rig_for(const Form& form) {
   return rig;
 }
 
+Rig running(const std::string& program) {
+  Rig rig = Rig::online();
+  rig.send(program + "R");
+  return rig;
+}
+
 void expect_setting(const Form& form, const std::string& query, const std::string& before,
                     const std::string& after) {
   const std::string set = form.example + ",";
@@ -209,6 +215,24 @@ void expect_setting(const Form& form, const std::string& query, const std::strin
   EXPECT_EQ(visible(rig.ask(query)), visible(before + "\r")) << "sent while a program ran";
   EXPECT_EQ(visible(rig.ask(set)), "");
   EXPECT_EQ(visible(rig.ask(query)), visible(after + "\r")) << "sent on-line";
+}
+
+void expect_kept(Rig& rig, const std::string& query, const std::vector<std::string>& commands) {
+  const std::string before = rig.ask(query);
+  for (const std::string& c : commands) {
+    EXPECT_EQ(rig.ask(c + ","), "") << c;
+    EXPECT_EQ(visible(rig.ask(query)), visible(before)) << c;
+  }
+}
+
+void expect_bus_error(const Form& form) {
+  Rig lone = Rig::online();
+  EXPECT_EQ(lone.ask(form.example + ","), "");
+  EXPECT_EQ(lone.used_bytes(), form.bytes());
+  lone.send("R");
+  lone.run_for(1s);
+  EXPECT_EQ(lone.output(), "EB");
+  EXPECT_EQ(lone.ask("V"), "J") << "it resets";
 }
 
 void expect_dropped(Rig& rig, const std::string& command) {

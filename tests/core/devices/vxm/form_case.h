@@ -1,12 +1,13 @@
 #pragma once
 // One case for each command form of vxm.tsv (a table of every form in the manual, with the page it stands
-// on).
+// on): text in vxm.forms (see form_session.h) or, where it loops and computes,
 //
-//   VXM_FORM("vxm.index.inc.pos") { ... }
+//   VXM_FORM("vxm.u.13") { ... }
 //
-// registers a test for that id. Before the body runs, what the table says of the form is checked in each
+// Both register a test for that id. Before the case runs, what the table says of the form is checked in each
 // state of the controller: the bytes of program memory that it takes, whether anything is answered, and that
-// it is dropped where it is not accepted (decisions V12, V13). The body asserts reply bytes and one effect.
+// it is dropped where it is not accepted (decisions V12, V13). The case asserts reply bytes and one effect.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,19 +28,25 @@ struct Form {
 /// All rows of vxm.tsv.
 const std::vector<Form>& form_table();
 
-using FormBody = void (*)(const Form&);
-bool register_form(const char* id, FormBody body, const char* file, int line);
+using FormBody = std::function<void(const Form&)>;
+bool register_form(const std::string& id, FormBody body, const char* file, int line);
 bool has_case(std::string_view id);
 /// Ids that have a case but no row.
 std::vector<std::string> cases_without_row();
 
 /// A Rig on which the form can work: with a Slave or in NF90 mode where it needs them.
 Rig rig_for(const Form& form);
+/// On-line, with a program that has just been started.
+Rig running(const std::string& program);
 
 /// A parameter: default before, `after` once the form's example was sent on-line; untouched by it in local
 /// mode and during a run.
 void expect_setting(const Form& form, const std::string& query, const std::string& before,
                     const std::string& after);
+/// Out of range or without a number: what `query` answers stays (V09, V10).
+void expect_kept(Rig& rig, const std::string& query, const std::vector<std::string>& commands);
+/// Alone on the bus it is entered without a complaint, the error comes when it is run (V95).
+void expect_bus_error(const Form& form);
 /// Dropped at its ender: no reply, nothing stored, nothing changed.
 void expect_dropped(Rig& rig, const std::string& command);
 
