@@ -40,6 +40,7 @@ float places_width(const Frame& f) { return medium(f) ? 58 : 62; }
 }  // namespace
 
 void GotoHome::draw(Frame& f) {
+  follow_units(f);
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) follow(f, AxisId{static_cast<std::uint8_t>(i)});
   if (many(f) && !all_)
     draw_chosen(f);
@@ -187,6 +188,30 @@ void GotoHome::draw_row(Frame& f, AxisId axis) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(column_of(f).go_row)));
 }
 
+/// What is typed stays where it is when another unit is chosen: nobody goes to a place that he has not typed.
+void GotoHome::follow_units(const Frame& f) {
+  for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
+    Row& row = rows_[i];
+    const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+    if (row.unit == unit) continue;
+    const auto typed = parse_position(row.field.text, row.unit);
+    if (typed)
+      row.field.set(from_steps(*typed, unit), unit.real ? unit.decimals : 0);
+    else
+      row.field.reset();
+    row.unit = unit;
+    row.refused.clear(), row.offers = false;
+  }
+}
+
+void GotoHome::follow_unit_of_speed(const DisplayUnit& unit) {
+  if (speed_unit_ == unit) return;
+  const auto per_step = [](const DisplayUnit& u) { return u.real ? std::abs(u.per_step) : 1; };
+  if (const auto typed = speed_.value())
+    speed_.set(*typed / per_step(speed_unit_) * per_step(unit), unit.real ? unit.decimals : 0);
+  speed_unit_ = unit;
+}
+
 /// Where to, perhaps how fast, and Go, in a line of that width from the cursor on.
 void GotoHome::draw_target(Frame& f, AxisId axis, float width, float speed_width) {
   Ui& ui = f.ui;
@@ -229,6 +254,7 @@ void GotoHome::draw_speed(Frame& f, AxisId axis, float width) {
   const DisplayUnit& unit = f.tab.unit(axis);
   draw_text_line(ui, at.x + ui.px(4), at.x + ui.px(20), at.y + ui.px(column_of(f).go_control / 2),
                  Face::small, ui[Tone::ink2], "at");
+  follow_unit_of_speed(unit);
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(20), at.y));
   NumberOptions o;
   o.range.decimals = unit.real ? unit.decimals : 0;

@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "gui/model/units_format.h"
 #include "gui/shell/panel_entry.h"
 #include "gui/widgets/number_field.h"
 #include "panels/doubt_ways.h"
@@ -26,13 +27,16 @@ class GotoHome final : public gui::Panel {
  private:
   struct Row {
     gui::NumberField field;
-    IntentId asked = 0;   ///< the move that was sent last
-    std::string refused;  ///< why the last one was not done
-    Steps nearest{};      ///< offered instead, when `offers`
+    gui::DisplayUnit unit;  ///< in which its number is typed
+    IntentId asked = 0;     ///< the move that was sent last
+    std::string refused;    ///< why the last one was not done
+    Steps nearest{};        ///< offered instead, when `offers`
     bool offers = false;
     RefusalCard card;
     DoubtWays doubt;  ///< of the last one, if it was refused for that
   };
+  void follow_units(const gui::Frame& frame);
+  void follow_unit_of_speed(const gui::DisplayUnit& unit);
   void draw_rows(gui::Frame& frame);
   void draw_chosen(gui::Frame& frame);
   void draw_by(gui::Frame& frame);
@@ -63,6 +67,7 @@ class GotoHome final : public gui::Panel {
 
   std::array<Row, max_axes> rows_;
   gui::NumberField speed_;  ///< of moves to and by; empty: as the controller is set
+  gui::DisplayUnit speed_unit_;
   PlacesMenu places_;
   int mode_ = 0;
   bool by_ = false;                      ///< distances instead of targets

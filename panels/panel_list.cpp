@@ -8,7 +8,7 @@
 #include "panels/control/control.h"
 #include "panels/drawing/drawing_tab.h"
 #include "panels/goto_home.h"
-#include "panels/help.h"
+#include "panels/help/help.h"
 #include "panels/inputs_outputs.h"
 #include "panels/jog/jog.h"
 #include "panels/limits.h"
@@ -38,6 +38,8 @@ std::unique_ptr<gui::Page> make_page() {
   return std::make_unique<T>();
 }
 
+std::unique_ptr<gui::Sheet> make_help() { return std::make_unique<Help>(); }
+
 bool has_signals(const Tab& t) {
   return !t.catalog().inputs.empty() || !t.catalog().outputs.empty() || !t.catalog().analog.empty();
 }
@@ -62,7 +64,7 @@ constexpr gui::PanelEntry panels[] = {
     {"goto_home", "Go to, home", Place::left, make<GotoHome>, nullptr},
     {"program", "Program", Place::centre, make<Program>, has_programs, 240},
     {"blocks", "Blocks", Place::centre, make<Blocks>, has_programs, 240, ".toml", 560},
-    {"drawing", "Drawing", Place::centre, make<DrawingTab>, cuts_drawings, 240, ".dxf", 560},
+    {"drawing", "Drawing", Place::centre, make<DrawingTab>, cuts_drawings, 240, ".dxf", 560, true},
     {"path", "Path", Place::centre, make<ToolPath>, nullptr, 240, "", 560, true},
     {"control", "Control", Place::centre, make<Control>, controls},
     {"variables", "Variables", Place::centre, make<Variables>, has_variables},
@@ -74,15 +76,14 @@ constexpr gui::PanelEntry panels[] = {
     {"terminal", "Terminal", Place::below, make<Terminal>, nullptr},
     {"limits", "Limits", Place::right, make<Limits>, nullptr},
     {"inputs_outputs", "Inputs and outputs", Place::right, make<InputsOutputs>, has_signals},
-    {"bench", "Bench", Place::right, make<Bench>, has_bench},
+    {"bench", "Bench", Place::lower_right, make<Bench>, has_bench},
 };
 constexpr gui::PageEntry pages[] = {
     {"connect", "Connect", make_page<Connect>},
-    {"help", "Keyboard map", make_page<Help>},
 };
 
 }  // namespace
 
-gui::PanelList panel_list() { return {panels, pages}; }
+gui::PanelList panel_list() { return {panels, pages, make_help}; }
 
 }  // namespace hw::panels

@@ -13,6 +13,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -284,16 +285,28 @@ void Terminal::draw_list(Frame& f, float bottom) {
   if (outside) offered_.clear();
 }
 
+/// "all 4 motors"; of a wire whose devices are not all open: "all devices of the wire".
+static Path whom_all_means(const Frame& f) {
+  if (f.tab.bus) return Path("all {} motors", f.tab.bus->members.size());
+  return Path("all devices of the wire");
+}
+
+void Terminal::make_hint(const Frame& f) {
+  if (hint_of_ == command_ && hint_to_all_ == to_all_) return;
+  hint_of_ = command_;
+  hint_to_all_ = to_all_;
+  hint_ = f.tab.desk().help.hint(command_);
+  if (to_all_ && !command_.empty())
+    hint_.sentence = fmt::format("to {}: {}", whom_all_means(f).view(), hint_.sentence);
+}
+
 void Terminal::draw_command(Frame& f) {
   Ui& ui = f.ui;
   const float top = ui.px(f.area.bottom() - 40);
   ImGui::GetWindowDrawList()->AddRectFilled(
       ImVec2(ui.px(f.area.x), ui.px(f.area.bottom() - 48)),
       ImVec2(ui.px(f.area.right()), ui.px(f.area.bottom() - 48) + ui.hair()), ui[Tone::line]);
-  if (hint_of_ != command_) {
-    hint_of_ = command_;
-    hint_ = f.tab.desk().help.hint(command_);
-  }
+  make_hint(f);
   ButtonOptions send_look;
   send_look.icon_after = Icon::enter;
   send_look.disabled = f.connected() ? "" : "There is no link. What you type stays here.";
@@ -362,7 +375,9 @@ void Terminal::send(Frame& f) {
   if (!f.connected())
     return f.toast(Mood::warn, "There is no link. Nothing was sent; what you typed stays here.", &f.tab);
   f.send(intent::SendText(command_, to_all_));
-  if (to_all_) f.toast(Mood::plain, "Sent to all devices of the wire. None of them replies to that.");
+  if (to_all_)
+    f.toast(Mood::plain, fmt::format("Sent to {}. None of them replies to that.", whom_all_means(f).view()));
+  to_all_ = false;  // it is chosen for one line: the next one is not meant for all by oversight
   auto& history = f.tab.desk().history;
   if (history.empty() || history.back() != command_) history.push_back(command_);
   constexpr std::size_t remembered = 200;

@@ -26,6 +26,7 @@ class Terminal final : public gui::Panel {
   void act(gui::Frame& frame, gui::TrafficLog& log, std::string_view id);
   void draw_list(gui::Frame& frame, float bottom_px);
   void draw_command(gui::Frame& frame);
+  void make_hint(const gui::Frame& frame);
   float draw_to(gui::Frame& frame, float top);
   void send(gui::Frame& frame);
   bool older_or_newer(std::string& text, int direction);
@@ -35,10 +36,11 @@ class Terminal final : public gui::Panel {
   Happened happened_;
   bool shows_events_ = false;
   std::string command_, filter_;
-  bool to_all_ = false;  ///< the line goes to all devices of the wire
+  bool to_all_ = false;  ///< the next line goes to all devices of the wire
   std::vector<std::string_view> to_names_;
   gui::CommandHelp::Hint hint_;  ///< help ...
-  std::string hint_of_;          ///< ... for the text that it was made of
+  std::string hint_of_;          ///< ... for the text that it was made of ...
+  bool hint_to_all_ = false;     ///< ... and whom it is for
   gui::LineHelp line_help_;
   bool with_head_ = true;
   gui::Desk* desk_ = nullptr;  ///< while drawing: for the two helpers of the line

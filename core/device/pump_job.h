@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/decision_log.h"
 #include "core/device/pump.h"
 
 namespace hw {

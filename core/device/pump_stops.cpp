@@ -42,7 +42,7 @@ StopOrder& Pump::ask(StopOrder order) {
   using What = StopOrder::What;
   const bool leaves_tool =
       order.what == What::jog || (order.what == What::words && !order.meaning.stops_here());
-  endings_.stop_asked(order, draft_, scheduler_.now());
+  endings_.stop_asked(order, draft_, order.asked_at == Instant{} ? scheduler_.now() : order.asked_at);
   StopOrder& asked = desk_.ask(std::move(order));
   if (!leaves_tool) pieces_.end();
   if (leaves_tool || !tool_.may_be_on(draft_)) return asked;
@@ -78,6 +78,7 @@ Task<> Pump::send_stop(StopOrder& order) {
   order.sent_at = scheduler_.now();
   if (order.times_sent == 1) order.first_sent_at = order.sent_at;
   endings_.stop_goes_out(order, order.sent_at);
+  pump_log().debug("{}: {} goes out, time {}", Whose{catalog_}, order, order.times_sent);
   if (order.what == StopOrder::What::words)
     count_program_change(Intent(order.intent, intent::SendText(order.words)));
   order.in_haste = desk_.another_waits(order);
@@ -164,6 +165,7 @@ void Pump::look_at_stop(StopOrder& order) {
     case StopProgress::Now::wait: return;
     case StopProgress::Now::at_once: order.at_once = true; [[fallthrough]];
     case StopProgress::Now::again:
+      pump_log().debug("{}: {} shows no effect", Whose{catalog_}, order);
       order.sent = order.confirmed = false;
       if (order.what == StopOrder::What::words)
         order.what = StopOrder::What::everything;  // words go out once
@@ -181,11 +183,13 @@ void Pump::look_at_stop(StopOrder& order) {
 }
 
 void Pump::stop_failed(StopOrder& order, const Fault& why) {
+  pump_log().debug("{}: {} failed: {}", Whose{catalog_}, order, why.what);
   if (order.answer) std::exchange(order.answer, nullptr)(fail(why));
   if (!std::exchange(order.told, true)) set_fate(order.intent, Fate::failed, why.sentence());
 }
 
 void Pump::close_stop(StopOrder& order) {
+  pump_log().debug("{}: {} is over", Whose{catalog_}, order);
   desk_.close(order);
   rounds_.look_often(scheduler_.now());
   wake_.notify();

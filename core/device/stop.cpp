@@ -85,6 +85,7 @@ void StopDesk::close(const StopOrder& order) {
 std::optional<StopOrder> stop_order_of(const Intent& intent) {
   StopOrder order;
   order.intent = intent.id;
+  order.asked_at = intent.asked_at;
   if (const auto* s = std::get_if<intent::Stop>(&intent.body)) {
     order.axis = s->axis;
     order.by = s->by;

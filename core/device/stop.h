@@ -36,6 +36,7 @@ struct StopOrder {
   std::function<void(Result<std::string>)> answer;  ///< called once, with that answer or why there is none
   IntentId intent = 0;                              ///< 0: the console's own
   StoppedBy by = StoppedBy::console;
+  Instant asked_at{};        ///< see Intent; 0: when it comes here
   std::uint64_t number = 0;  ///< by which the desk finds it
 
   int times_sent = 0;

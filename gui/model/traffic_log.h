@@ -85,6 +85,17 @@ class TrafficLog {
 
   [[nodiscard]] std::uint64_t records() const { return next_ - first_; }
   [[nodiscard]] std::uint64_t first_record() const { return first_; }
+  /// As it was on the wire. `n` from first_record() on, records() of them; valid until the next drain().
+  struct Entry {
+    Instant at{};
+    Way way = Way::sent;
+    TrafficKind kind = TrafficKind::intent;
+    std::string_view bytes;
+  };
+  [[nodiscard]] Entry entry(std::uint64_t n) const {
+    const Record& r = record(n);
+    return {r.at, r.way, r.kind, bytes_of(r)};
+  }
   [[nodiscard]] std::uint64_t received_bytes() const { return total_bytes_; }
   /// Entries that came faster than they could be taken: not in the log.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }

@@ -1,0 +1,45 @@
+#pragma once
+// What a pump and its driver decide, a line each: --log pump=debug, --log driver.vxm=debug. Why something was
+// refused, dropped, sent again or given up. Io thread.
+#include <fmt/core.h>
+
+#include "core/base/log.h"
+#include "core/device/catalog.h"
+#include "core/device/stop.h"
+
+namespace hw {
+
+/// Of which controller: "vxm", "dmx-k-sa 03".
+struct Whose {
+  const Catalog& catalog;
+};
+
+log::Subject& pump_log();
+/// Looked up by name: only for what seldom happens.
+log::Subject& driver_log(const Catalog& catalog);
+
+}  // namespace hw
+
+template <>
+struct fmt::formatter<hw::Whose> : fmt::formatter<std::string> {
+  auto format(hw::Whose whose, fmt::format_context& context) const {
+    const hw::Catalog& c = whose.catalog;
+    return fmt::formatter<std::string>::format(
+        c.address < 0 ? c.model : fmt::format("{} {:02}", c.model, c.address), context);
+  }
+};
+
+/// "stop 7 (axis 2, at once)": what it is for.
+template <>
+struct fmt::formatter<hw::StopOrder> : fmt::formatter<std::string> {
+  auto format(const hw::StopOrder& order, fmt::format_context& context) const {
+    using What = hw::StopOrder::What;
+    constexpr const char* names[] = {"everything",      "a jog",    "a program",
+                                     "all on the wire", "as typed", "the tool"};
+    static_assert(std::size(names) == static_cast<std::size_t>(What::tool) + 1);
+    std::string what = names[static_cast<std::size_t>(order.what)];
+    if (order.axis >= 0) what += fmt::format(", axis {}", order.axis + 1);
+    if (order.at_once) what += ", at once";
+    return fmt::formatter<std::string>::format(fmt::format("stop {} ({})", order.number, what), context);
+  }
+};
