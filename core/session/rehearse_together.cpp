@@ -147,7 +147,8 @@ void Stage::look() {
   if (runs || more) seen_.duration_s = seconds(time_.now() - *began_);
 }
 
-/// As far as whoever is furthest. A round of status tells a step whose motion has begun before.
+/// As far as whoever is furthest. A round of status tells a step whose motion has begun before. Where it
+/// tells of several at once, the motion is of the first.
 void Stage::look_at_steps() {
   RehearsedPieces::Arrival last;
   if (alone_.came_to.empty())
@@ -158,8 +159,11 @@ void Stage::look_at_steps() {
   for (const auto& member : group_->members())
     if (member->known().pieces.total > 0) step = std::max(step, member->known().pieces.step);
   if (step == last.step) return;
-  const double moves_since = track_ ? track_->moves_since() : 0;
-  alone_.came_to.push_back({step, moves_since > last.t ? moves_since : seconds(time_.now() - *began_)});
+  const double moves_since = track_ ? track_->moves_since() : 0, now = seconds(time_.now() - *began_);
+  const bool began_before = moves_since > last.t;
+  if (began_before && step > last.step + 1) alone_.came_to.push_back({last.step + 1, moves_since});
+  const bool of_this = began_before && step == last.step + 1;
+  alone_.came_to.push_back({step, of_this ? moves_since : now});
 }
 
 void Stage::hear_what_is_told() {

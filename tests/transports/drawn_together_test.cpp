@@ -73,14 +73,16 @@ TEST_P(DrawnByTwo, TheWayThatIsShownIsTheOneOfEachChain) {
   ASSERT_FALSE(way.path.points.empty());
   constexpr double step = 1 / per_unit;
   for (const drawing::ToolPath::Run& run : way.path.runs) {
+    if (!run.tool_on) continue;  // the way to the first one is of none
     ASSERT_GE(run.source, 0);
-    if (!run.tool_on) continue;
     const drawing::Box box = drawing::box_of({made.chains[static_cast<std::size_t>(run.source)]});
     for (std::size_t i = run.first; i < run.first + run.size; ++i) {
       const drawing::Point3 p = way.path.points[i];
       ASSERT_TRUE(p.x > box.low.x - step && p.x < box.high.x + step && p.y > box.low.y - step &&
                   p.y < box.high.y + step)
-          << "chain " << run.source << ": " << p.x << ", " << p.y;
+          << "chain " << run.source << ": " << p.x << ", " << p.y << ", point " << i - run.first << " of "
+          << run.size << "; " << box.low.x << " to " << box.high.x << ", " << box.low.y << " to "
+          << box.high.y;
     }
   }
   EXPECT_GE(way.beside, 0);

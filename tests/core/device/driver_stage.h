@@ -30,8 +30,12 @@ class DriverStage : public testing::Test {
     run(0.3);
   }
   void TearDown() override {
+    if (pump && HasFailure()) std::cerr << conversation();
+    close();
+  }
+  /// What is left of the pump's procedures must not outlive it.
+  void close() {
     if (!pump) return;
-    if (HasFailure()) std::cerr << conversation();
     asio::co_spawn(io, pump->shut_down(), asio::detached);
     run(9);  // a stop that is owed
     pump.reset();

@@ -17,6 +17,7 @@ using Options = std::map<std::string, std::string>;
 class DriverTest : public test::DriverStage {
  protected:
   void start(std::string_view model, const Options& options = {}, bool byte_times = false) {
+    close();
     type = find_device_type(model);
     loop = std::make_unique<test::Loopback>(time, type->make_emulator(options).value(), byte_times);
     catalog = type->make_catalog({}).value();
