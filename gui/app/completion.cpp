@@ -101,7 +101,7 @@ std::string zsh_action(std::string_view placeholder) {
 
 std::string zsh_argument(std::string_view head, std::string_view placeholder) {
   return in_quotes(fmt::format("{}:{}:{}", head, with_escapes(placeholder, ":"),
-                            with_escapes(zsh_action(placeholder), ":")));
+                               with_escapes(zsh_action(placeholder), ":")));
 }
 
 std::string zsh_options(std::span<const OptionSpec> options) {
@@ -111,7 +111,8 @@ std::string zsh_options(std::span<const OptionSpec> options) {
     for (const std::string& name : {std::string("--") + option.name, std::string("-") + option.shorter}) {
       if (name == "-") continue;
       const std::string head = (option.repeatable ? "*" : "") + name + help;
-      all += " \\\n        " + (*option.placeholder ? zsh_argument(head, option.placeholder) : in_quotes(head));
+      all +=
+          " \\\n        " + (*option.placeholder ? zsh_argument(head, option.placeholder) : in_quotes(head));
     }
   }
   return all;
@@ -163,8 +164,8 @@ std::string completion_for_bash() {
     if (!command->words.empty())
       script += fmt::format("    {}) {} ;;\n", command->name, bash_action(completed(command->words[0].name)));
   script += "    '') _handwheel_words \"$_handwheel_commands\" ;;\n  esac\n}\n";
-  script +=
-      fmt::format("_handwheel_commands={}\ncomplete -F _handwheel handwheel\n", in_quotes(names_of_commands()));
+  script += fmt::format("_handwheel_commands={}\ncomplete -F _handwheel handwheel\n",
+                        in_quotes(names_of_commands()));
   return script;
 }
 
@@ -173,8 +174,8 @@ std::string completion_for_zsh() {
       "#compdef handwheel\n# Made by `handwheel reference zsh`.\n\n_handwheel() {\n  local state line\n"
       "  local -a commands\n  commands=(\n";
   for (const Subcommand* command : subcommands())
-    script += fmt::format("    {}\n",
-                          in_quotes(fmt::format("{}:{}", command->name, with_escapes(command->summary, ":"))));
+    script += fmt::format(
+        "    {}\n", in_quotes(fmt::format("{}:{}", command->name, with_escapes(command->summary, ":"))));
   script += fmt::format(
       "  )\n  _arguments -C '(-)--help[what there is]' '(-)--version[version and commit]'{} \\\n"
       "        '1: :->command' '*:: :->rest'\n",

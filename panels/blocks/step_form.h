@@ -1,7 +1,8 @@
 #pragma once
 // The fields of one step of a sequence, drawn from the description by which files hold them
 // (core/sequence/fields.h), and beside one of them why the controller cannot do it. Ids: `PATH/KEY`, of a
-// move `PATH/to/AXIS`, `PATH/axes/1`, `PATH/axes/2` and `PATH/way` of an arc, `PATH/stairs/N/until`, `PATH/nearest`, `PATH/refusal`.
+// move `PATH/to/AXIS`, `PATH/axes/1`, `PATH/axes/2` and `PATH/way` of an arc, `PATH/stairs/N/until`,
+// `PATH/nearest`, `PATH/refusal`.
 #include <map>
 #include <optional>
 #include <string>

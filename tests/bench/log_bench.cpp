@@ -1,4 +1,5 @@
-// A log line that nobody wants, in the place where each byte of a wire passes: it must cost as good as nothing.
+// A log line that nobody wants, in the place where each byte of a wire passes: it must cost as good as
+// nothing.
 #include <benchmark/benchmark.h>
 
 #include "core/base/log.h"

@@ -26,8 +26,8 @@ Result<LegPace> checked(const intent::Pace& pace) {
   const std::int64_t code = pace.acceleration.value_or(0);
   if (pace.acceleration && (code < min_accel || code > max_accel))
     return fail(FaultKind::refused,
-                fmt::format("{} is no acceleration: a VXM takes {} to {}, each unit {:.0f} steps/s².",
-                            code, min_accel, max_accel, accel_unit),
+                fmt::format("{} is no acceleration: a VXM takes {} to {}, each unit {:.0f} steps/s².", code,
+                            min_accel, max_accel, accel_unit),
                 "Nothing was sent.");
   return LegPace{static_cast<int>(value), static_cast<int>(code)};
 }

@@ -117,7 +117,8 @@ TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
   const auto line = drawing::Curve::Kind::line;
   EXPECT_THAT(refusal({line, {0, 0}, {reach + 1, 0}, {}, 0}),
               testing::ContainsRegex("(Entity|[Ss]tep) [0-9]+.*goes from"));
-  EXPECT_THAT(refusal({line, {0, 0}, {1e12, 0}, {}, 0}), testing::ContainsRegex("(Entity|[Ss]tep) [0-9]+.*goes from"));
+  EXPECT_THAT(refusal({line, {0, 0}, {1e12, 0}, {}, 0}),
+              testing::ContainsRegex("(Entity|[Ss]tep) [0-9]+.*goes from"));
   for (const double far : {1e30, -1e300}) {
     const std::string said = refusal({line, {0, 0}, {far, 0}, {}, 0});
     EXPECT_THAT(said, HasSubstr(far > 0 ? "Entity 1, line 2 of the file, reaches to 1e+30 mm"
