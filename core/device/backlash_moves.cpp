@@ -34,6 +34,7 @@ intent::RunInPieces in_two(IntentBody first, IntentBody second) {
   piece.does.push_back({std::move(second), {}});
   auto pieces = std::make_shared<Pieces>();
   pieces->all.push_back(std::move(piece));
+  pieces->one_move = true;
   return intent::RunInPieces(std::move(pieces));
 }
 

@@ -42,6 +42,9 @@ Result<> PieceRun::allows(const IntentBody& body) const {
     return fail(FaultKind::refused,
                 "A piece is being drawn, and would go on from elsewhere with its tool on.",
                 "Nothing was sent.", "Stop it first.");
+  if (is_one_move() && (moves || disturbs || std::holds_alternative<Act>(body)))
+    return fail(FaultKind::refused, "A move that takes up its backlash is under way.", "Nothing was sent.",
+                "Wait until it has ended, or stop it.");
   if (!running() || !disturbs) return {};
   return fail(FaultKind::refused, "A sequence is under way in pieces, and this would disturb the next one.",
               "Nothing was sent.", "Stop it first.");

@@ -20,6 +20,8 @@ class PieceRun {
   /// Takes the place of what is left of another one, behind the piece that is at work.
   [[nodiscard]] Result<> begin(const intent::RunInPieces& wish);
   [[nodiscard]] bool running() const { return pieces_ != nullptr; }
+  /// What would be sent behind the user's own words is half of a move that they may have changed.
+  [[nodiscard]] bool is_one_move() const { return pieces_ && pieces_->one_move; }
   /// What would put the next piece elsewhere, or take its place, is refused.
   [[nodiscard]] Result<> allows(const IntentBody& body) const;
   /// What the controller is to do now; null: nothing, or it is not known to be at rest. `rounds`: that have

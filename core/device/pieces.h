@@ -50,6 +50,7 @@ struct Pieces {
   int lifts = 0;                     ///< so often the tool is lifted within what it draws in one go
   ToolOff tool;                      ///< of what they switch act by act; a program's text says it by itself
   std::string remark;                ///< what is to be known before; may be empty
+  bool one_move = false;             ///< a move in two: nothing else moves meanwhile
   /// The program of a piece at that share of the speeds that stand in it, as near as the controller goes.
   /// Null: none says any speed, or moves go through the controller's buffer.
   std::function<Result<std::string>(const Piece& piece, int percent)> text_at;

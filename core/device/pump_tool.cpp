@@ -77,6 +77,7 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
   if (const auto* wish = std::get_if<intent::OverrideSpeed>(&body))
     co_return pieces_.override_speed(wish->percent);
   if (auto may = pieces_.allows(body); !may) co_return may;
+  if (pieces_.is_one_move() && std::holds_alternative<intent::SendText>(body)) pieces_.end();
   const bool holds = std::holds_alternative<intent::Pause>(body);
   if (pieces_.running() && (holds || std::holds_alternative<intent::Resume>(body))) {
     if (!holds && draft_.pieces.draws)

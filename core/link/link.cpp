@@ -436,7 +436,7 @@ std::shared_ptr<WillKeeper::Will> Link::leave_will(const LastWill& will) {
 
 JogEnds Link::jog_ends() const {
   if (emulated_here_) return JogEnds::with_program;
-  const bool reached = keeper_ && share().how != WireShare::How::none && keeper_->is_there();
+  const bool reached = keeper_ && shared_ && keeper_->is_there();
   return reached ? JogEnds::by_watchdog : JogEnds::by_nobody;
 }
 

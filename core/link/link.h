@@ -79,6 +79,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   void entrust_to(std::shared_ptr<WillKeeper> keeper, bool emulated) {
     keeper_ = std::move(keeper);
     emulated_here_ = emulated;
+    shared_ = share().how != WireShare::How::none;
   }
 
   /// A controller was told another rate, and the wire follows it.
@@ -150,7 +151,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   Instant settle_until_{};   ///< after a miss: a late reply must not be taken for the next one's
   OwedAnswers left_owed_;    ///< by stations that have left
   std::shared_ptr<WillKeeper> keeper_;
-  bool emulated_here_ = false;
+  bool emulated_here_ = false, shared_ = false;
   std::vector<std::weak_ptr<WillKeeper::Will>> wills_;
   Timer deadline_;
   Timer settled_;

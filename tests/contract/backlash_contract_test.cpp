@@ -53,6 +53,16 @@ TEST_P(BacklashContract, AStopDropsTheWayBack) {
   EXPECT_NE(axis().commanded(), Steps(300));
 }
 
+TEST_P(BacklashContract, NothingElseMovesInBetween) {
+  lowest_on_the_way(to(800), 800);
+  EXPECT_EQ(perform(to(300)).fate, Fate::done);
+  const IntentFate jog = perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(400)));
+  EXPECT_EQ(jog.fate, Fate::refused) << "its stop would leave the way back to come";
+  EXPECT_EQ(perform(to(900)).fate, Fate::refused);
+  ASSERT_TRUE(run_until([this] { return !now().pieces.running && !now().any_axis_moving(); }, seconds(60)));
+  EXPECT_EQ(axis().commanded(), Steps(300));
+}
+
 TEST_P(BacklashContract, ItsTurnLiesWithinTheLimitsToo) {
   lowest_on_the_way(to(800), 800);
   Travel travel;
