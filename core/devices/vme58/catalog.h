@@ -32,6 +32,8 @@ std::vector<CommandInfo> command_help();
 std::vector<ParamInfo> param_infos(const Variant& variant);
 /// What Control shows, a row per axis; behind the actions and the set-up.
 void add_axis_tables(Catalog& catalog);
+/// Catalog::stopping_way.
+std::optional<double> stopping_way(const Catalog& catalog, const Snapshot& now, AxisId axis);
 void add_memory_map(Catalog& catalog, const Variant& variant);
 
 }  // namespace hw::vme58

@@ -67,7 +67,11 @@ Task<Result<>> Conversation::find_end(Priority priority) {
 
 // ---- commands
 
+// Another host of the same bus may have spoken since, and selected another axis.
 Task<Result<bool>> Conversation::put(std::string text, Priority priority) {
+  const int own_end = put_;
+  if (auto found = co_await find_end(priority); !found) co_return fail(found.error());
+  if (put_ != own_end) selection_.lose();
   const auto get = co_await wire_.read_index(at::output_get_index, priority);
   if (!get) co_return fail(get.error());
   if (room(put_, *get) < static_cast<int>(text.size())) co_return false;
@@ -109,8 +113,8 @@ Task<Result<bool>> Conversation::is_taken(Priority priority) {
   co_return *get == put_;
 }
 
-bool Conversation::is_taken_up_to(int output_get) {
-  if (output_get != put_) return false;
+bool Conversation::is_taken_up_to(int output_get, int output_put) {
+  if (output_get != output_put) return false;
   on_its_way_ = in_wq_ = false;
   return true;
 }

@@ -54,7 +54,7 @@ class Conversation {
   /// All that was put has been taken.
   Task<Result<bool>> is_taken(Priority priority);
   /// The same, by an index that has just been read.
-  bool is_taken_up_to(int output_get);
+  bool is_taken_up_to(int output_get, int output_put);
   /// Whatever stands in the ring, whoever has put it there, does nothing any more.
   Task<Result<>> withdraw_all(Priority priority);
   /// Text was put that the board is not known to have taken.

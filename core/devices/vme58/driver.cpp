@@ -151,7 +151,7 @@ Task<Result<>> Vme58Driver::read_more(Registers registers) {
   }
   // Text that the board has not come to holds questions back too, and is nobody's to take away.
   Result<> asked;
-  if (talk_.conversation.is_taken_up_to(registers.output_get)) {
+  if (talk_.conversation.is_taken_up_to(registers.output_get, registers.output_put)) {
     asked = co_await known_.questions.ask_in_turn();
   } else {
     known_.queues.show_full();

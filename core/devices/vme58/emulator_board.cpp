@@ -77,7 +77,7 @@ std::optional<Instant> Board::next_event() const {
   sooner(update_due_);
   sooner(mail_due_);
   for (const auto& drop : power_drops_at_) sooner(drop);
-  for (const Task& t : tasks_) sooner(t.wait_until);
+  for (const BoardTask& t : tasks_) sooner(t.wait_until);
   return next;
 }
 
@@ -194,7 +194,7 @@ void Board::take_event(const MotionEvent& e) {
 void Board::empty_queues_of(int axis) {
   flush(axis);
   for (const int context : {context_all, context_tasks}) {
-    const Task& t = tasks_[ix(context)];
+    const BoardTask& t = tasks_[ix(context)];
     if (((t.running | t.last_axes) >> axis & 1u) != 0) flush(context);
   }
 }

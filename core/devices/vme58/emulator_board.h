@@ -28,7 +28,7 @@ namespace hw::vme58 {
 inline constexpr int context_all = most_axes, context_tasks = most_axes + 1, contexts = most_axes + 2;
 
 /// A queue and how far the board is with it.
-struct Task {
+struct BoardTask {
   CommandQueue queue;
   Move prepared;           ///< by MA MR MT ML, for the next GO
   unsigned last_axes = 0;  ///< of the last move: whose flags ID sets (decision M53)
@@ -79,7 +79,7 @@ class Board {
   void settle();
   [[nodiscard]] const Variant& variant() const { return *variant_; }
   /// For tests and rehearsals.
-  [[nodiscard]] const Task& task(int context) const { return tasks_[ix(context)]; }
+  [[nodiscard]] const BoardTask& task(int context) const { return tasks_[ix(context)]; }
   /// From now on tells what happens; null: no more.
   void tell(Notes* notes) { notes_ = notes; }
   [[nodiscard]] bool booting() const { return boots_until_.has_value(); }
@@ -147,11 +147,11 @@ class Board {
   [[nodiscard]] bool any_occupied(unsigned axes) const;
   [[nodiscard]] bool all_in_position(unsigned axes) const;
   void look_ahead(int context);
-  void keep_promises(Task& t);
+  void keep_promises(BoardTask& t);
   [[nodiscard]] bool runs_empty(int context) const;
-  Step wait_time(Task& t, const Command& c);
-  Step open_block(Task& t, const Command& c);
-  Step end_block(Task& t, bool again);
+  Step wait_time(BoardTask& t, const Command& c);
+  Step open_block(BoardTask& t, const Command& c);
+  Step end_block(BoardTask& t, bool again);
 
   // What a queued command does (emulator_queued.cpp).
   Step execute(int context, const Command& c);
@@ -221,7 +221,7 @@ class Board {
   UserIo io_;
   Parser parser_;
   Motion motion_;
-  std::array<Task, contexts> tasks_{};
+  std::array<BoardTask, contexts> tasks_{};
   int context_ = 0;
   bool echo_ = false;
   std::string replies_;             ///< that have not found room in the ring

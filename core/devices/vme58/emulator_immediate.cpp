@@ -123,7 +123,7 @@ void Board::force_position(const Command& c) {
 // --- stops and flags ---------------------------------------------------------------------------------------
 
 bool Board::stop_or_clear(Op op) {
-  Task& here = tasks_[ix(context_)];
+  BoardTask& here = tasks_[ix(context_)];
   switch (op) {
     case Op::SA: stop_everything(); return true;
     case Op::SD:
@@ -164,7 +164,7 @@ void Board::stop_everything() {
 }
 
 void Board::flush(int context) {
-  tasks_[ix(context)] = Task();
+  tasks_[ix(context)] = BoardTask();
   if (context == context_) held_.reset();
 }
 

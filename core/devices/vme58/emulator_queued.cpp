@@ -41,7 +41,7 @@ Board::Step Board::execute(int context, const Command& c) {
 
 /// The queue holds still until the axes have arrived; AM's goes on at once.
 Board::Step Board::motion_began(int context, unsigned axes) {
-  Task& t = tasks_[ix(context)];
+  BoardTask& t = tasks_[ix(context)];
   t.last_axes = axes;
   t.driven |= axes;
   if (context == context_tasks) return Step::done;
@@ -77,7 +77,7 @@ Board::Step Board::go(int context, bool clear_done) {
 }
 
 Board::Step Board::jog(int context, const Command& c) {
-  Task& t = tasks_[ix(context)];
+  BoardTask& t = tasks_[ix(context)];
   unsigned axes = 0;
   each(c, context, [&](int a, double velocity) {
     if (motion_.jog(a, velocity))
@@ -133,7 +133,7 @@ Board::Step Board::play_contour(int context) {
 /// single axis that has never moved sets its flag: a host that puts ID behind its set-up and waits for the
 /// flag would else wait for ever. The data sheet does not tell.
 unsigned Board::flagged_axes(int context) const {
-  const Task& t = tasks_[ix(context)];
+  const BoardTask& t = tasks_[ix(context)];
   return context < most_axes || t.last_axes == 0 ? axes_of(context) : t.last_axes;
 }
 
@@ -150,7 +150,7 @@ Board::Step Board::raise_done(int context, bool in_position) {
 }
 
 Board::Step Board::promise_each(int context) {
-  Task& t = tasks_[ix(context)];
+  BoardTask& t = tasks_[ix(context)];
   each_axis(flagged_axes(context), [&](int a) { t.promises.push_back({1u << a, false}); });
   keep_promises(t);
   return Step::done;

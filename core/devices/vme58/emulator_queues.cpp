@@ -35,7 +35,7 @@ void Board::run_queues() {
 
 /// True when something has been done.
 bool Board::run_task(int context) {
-  Task& t = tasks_[ix(context)];
+  BoardTask& t = tasks_[ix(context)];
   keep_promises(t);
   bool progress = false;
   while (const Command* c = t.queue.current()) {
@@ -56,7 +56,7 @@ bool Board::run_task(int context) {
 }
 
 Board::Step Board::step(int context, const Command& c) {
-  Task& t = tasks_[ix(context)];
+  BoardTask& t = tasks_[ix(context)];
   source_ = c.source;
   if (t.waiting) return wait_time(t, c);
   if (t.wait_until) {
@@ -83,7 +83,7 @@ Board::Step Board::step(int context, const Command& c) {
 }
 
 unsigned Board::waits_for(int context, const Command& c) const {
-  const Task& t = tasks_[ix(context)];
+  const BoardTask& t = tasks_[ix(context)];
   if (context < most_axes) return 1u << context;
   switch (c.op()) {
     case Op::GO:
@@ -133,7 +133,7 @@ bool Board::all_in_position(unsigned axes) const {
 }
 
 void Board::look_ahead(int context) {
-  Task& t = tasks_[ix(context)];
+  BoardTask& t = tasks_[ix(context)];
   for (;;) {
     const Command* next = t.queue.at(1 + t.looked_ahead);
     if (next == nullptr || !looks_at_move(next->op())) return;
@@ -142,8 +142,8 @@ void Board::look_ahead(int context) {
   }
 }
 
-void Board::keep_promises(Task& t) {
-  const auto kept = [this](const Task::Promise& p) {
+void Board::keep_promises(BoardTask& t) {
+  const auto kept = [this](const BoardTask::Promise& p) {
     if (any_occupied(p.axes) || (p.in_position && !all_in_position(p.axes))) return false;
     set_done(p.axes);
     return true;
@@ -153,14 +153,14 @@ void Board::keep_promises(Task& t) {
 
 /// What WQ waits for.
 bool Board::runs_empty(int context) const {
-  const Task& t = tasks_[ix(context)];
+  const BoardTask& t = tasks_[ix(context)];
   if (!t.queue.empty() || !t.promises.empty()) return false;
   return context != context_tasks || !any_occupied(t.last_axes);
 }
 
 // --- waits and loops ---------------------------------------------------------------------------------------
 
-Board::Step Board::wait_time(Task& t, const Command& c) {
+Board::Step Board::wait_time(BoardTask& t, const Command& c) {
   if (!t.waiting) {
     t.waiting = true;
     t.wait_until = now() + Millis(static_cast<std::int64_t>(c.first()));
@@ -171,13 +171,13 @@ Board::Step Board::wait_time(Task& t, const Command& c) {
   return Step::done;
 }
 
-Board::Step Board::open_block(Task& t, const Command& c) {
+Board::Step Board::open_block(BoardTask& t, const Command& c) {
   t.turn_began = now();
   t.queue.open_block(static_cast<std::int64_t>(c.first()));
   return Step::moved_on;
 }
 
-Board::Step Board::end_block(Task& t, bool again) {
+Board::Step Board::end_block(BoardTask& t, bool again) {
   t.queue.end_block(again);
   if (again && t.turn_began == now()) t.wait_until = now() + shortest_turn;
   if (again) t.turn_began = t.wait_until.value_or(now());

@@ -59,7 +59,7 @@ void MotionAxis::turn_load(int way, std::int64_t count) {
 bool MotionAxis::index_active() const {
   const auto every = plant.place().index_every;
   if (!every || every->value <= 0) return false;
-  return (has_motor && index_passed) || plant.load().value % every->value == 0;
+  return (has_motor && index_passed) || (plant.load().value - plant.index_shift()) % every->value == 0;
 }
 
 std::optional<std::int64_t> MotionAxis::counts_until_home(Sign way) const {
@@ -71,13 +71,15 @@ std::optional<std::int64_t> MotionAxis::counts_until_index(Sign way) const {
   const AxisPlace& place = plant.place();
   if (!place.index_every || place.index_every->value <= 0) return std::nullopt;
   const std::int64_t every = place.index_every->value, load = plant.load().value;
+  const std::int64_t shift = plant.index_shift(way);
   const auto mark_from = [&](std::int64_t at) {  // the first mark at or behind `at` on the way
-    return way == Sign::plus ? floor_to(at + every - 1, every) : floor_to(at, every);
+    return shift +
+           (way == Sign::plus ? floor_to(at - shift + every - 1, every) : floor_to(at - shift, every));
   };
   std::int64_t mark = mark_from(load + factor(way));
   const bool by_hand = plant.home_by_hand();
-  if (!by_hand && place.home_from && place.home_to) {
-    const std::int64_t from = place.home_from->value, to = place.home_to->value;
+  if (const auto zone_from = plant.home_from(), zone_to = plant.home_to(); !by_hand && zone_from && zone_to) {
+    const std::int64_t from = zone_from->value, to = zone_to->value;
     const std::int64_t entry = way == Sign::plus ? from : to, exit = way == Sign::plus ? to : from;
     const auto behind = [&](std::int64_t at, std::int64_t edge) { return factor(way) * (at - edge) > 0; };
     if (!settings.home_active_high) {

@@ -15,6 +15,14 @@ namespace {
 
 constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it may have ended
 
+/// Somebody has set the count: no motion has brought it so far since it was read last.
+bool is_no_motion(const AxisState& axis, Steps change, Instant when) {
+  constexpr double and_more = 1.5, at_least = 50;
+  if (axis.own_speed.value <= 0) return false;
+  return std::abs(static_cast<double>(change.value)) >
+         at_least + and_more * axis.own_speed.value * seconds(when - axis.seen_at);
+}
+
 }  // namespace
 
 // ---- what is read
@@ -24,7 +32,8 @@ void Motions::show(int i, Instant when) {
   Axis& mind = at(i);
   const Steps command(readings_.value(i, AxisValue::command_position));
   const Steps change = command - axis.command;
-  const bool crept = axis.position_known && readings_.seen() && change.value != 0 && !mind.counted;
+  const bool crept = axis.position_known && readings_.seen() && change.value != 0 && !mind.counted &&
+                     !is_no_motion(axis, change, when);
   if (crept) mind.way = change.value > 0 ? 1 : -1;
   mind.counted = false;
   const double speed = std::abs(static_cast<double>(readings_.value(i, AxisValue::command_velocity)));

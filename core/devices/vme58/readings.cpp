@@ -40,8 +40,8 @@ Task<Result<Registers>> Readings::read_registers(Priority priority, bool ask_for
   for (const std::uint16_t offset :
        {reg::control, reg::status, reg::limit, reg::home, reg::io_low, reg::io_high, reg::vector})
     cycles.push_back(BusCycle::read(1, offset));
-  for (const std::uint16_t offset :
-       {at::reserved1, at::input_put_index, at::input_put_index, at::output_get_index, at::output_get_index})
+  for (const std::uint16_t offset : {at::reserved1, at::input_put_index, at::input_put_index,
+                                     at::output_get_index, at::output_get_index, at::output_put_index})
     cycles.push_back(BusCycle::read(2, offset));
   auto done = co_await wire_.run(cycles, priority);
   if (!done) co_return fail(done.error());
@@ -51,13 +51,15 @@ Task<Result<Registers>> Readings::read_registers(Priority priority, bool ask_for
       std::all_of(cycles.begin() + static_cast<std::ptrdiff_t>(first), cycles.end(),
                   [](const BusCycle& c) { return c.value == (c.width == 1 ? 0xFFu : 0xFFFFu); });
   if (ones) co_return nobody_answers();
-  if (word(1) != word(2) || !is_index(word(1)) || word(3) != word(4) || !is_index(word(3)))
+  if (word(1) != word(2) || !is_index(word(1)) || word(3) != word(4) || !is_index(word(3)) ||
+      !is_index(word(5)))
     co_return fail(FaultKind::garbled, "The indexes of the rings make no sense.", "They are read again.");
   Registers r;
   r.control = byte(0), r.status = byte(1), r.limit = byte(2), r.home = byte(3);
   r.io = static_cast<std::uint16_t>(byte(4) | (byte(5) & 0x3F) << 8);
   r.mark = static_cast<std::uint16_t>(word(0));
   r.input_put = static_cast<int>(word(1)), r.output_get = static_cast<int>(word(3));
+  r.output_put = static_cast<int>(word(5));
   for (std::size_t i = first; i < cycles.size(); ++i)
     draft_.window.put(cycles[i].offset, cycles[i].width, cycles[i].value);
   draft_.window.known = true;

@@ -15,7 +15,7 @@ namespace hw::vme58 {
 struct Registers {
   std::uint8_t control = 0, status = 0, limit = 0, home = 0;
   std::uint16_t io = 0, mark = 0;
-  int input_put = 0, output_get = 0;
+  int input_put = 0, output_get = 0, output_put = 0;
   [[nodiscard]] bool started() const { return (status & status::initialized) != 0; }
 };
 

@@ -1,6 +1,6 @@
 // Input that is wrong, through the whole console: what is said of it, and that the board goes on.
 #include "core/devices/vme58/facts.h"
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {

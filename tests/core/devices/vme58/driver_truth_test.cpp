@@ -1,7 +1,7 @@
 // What the console says of the board is so: when it works, how a motion has ended, on which switch an axis
 // stands, and that flags belong to whoever asks for them.
 #include "core/devices/vme58/facts.h"
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {

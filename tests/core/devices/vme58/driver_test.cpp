@@ -1,6 +1,6 @@
 // The VME58's driver against the emulated board, through the real session, link and window.
 #include "core/devices/vme58/facts.h"
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {

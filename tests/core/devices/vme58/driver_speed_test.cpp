@@ -1,7 +1,7 @@
 // At which speed an axis of the VME58 goes when nobody names one, and that a speed that was chosen for one
 // motion is that one's only.
 #include "core/devices/vme58/facts.h"
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {

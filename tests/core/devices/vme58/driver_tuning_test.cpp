@@ -4,7 +4,7 @@
 
 #include "core/devices/vme58/emulator_vme58.h"
 #include "core/motion/servo.h"
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {

@@ -1,6 +1,6 @@
 // A stop reaches a board that takes no command, or does nothing with its mail.
 #include "core/devices/vme58/facts.h"
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {

@@ -1,6 +1,6 @@
 // Servo axes of a VME58: where they stand is where their encoder stands, a motion has ended when that has
 // come to where the command has, and what would close a large error is asked about first.
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {

@@ -1,6 +1,6 @@
 // Command queues of the board as the console shows them, and text that waits in the ring behind a full one.
 #include "core/devices/vme58/emulator_vme58.h"
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {
@@ -8,7 +8,7 @@ namespace {
 using test::Seconds;
 using testing::HasSubstr;
 
-class Vme58Queues : public test::Vme58Rig {
+class Vme58DriverQueues : public test::Vme58Rig {
  protected:
   void watch_queues() { session->send(intent::Watch(1u << 1)); }
   int truly_free(int i) {
@@ -22,7 +22,7 @@ class Vme58Queues : public test::Vme58Rig {
   }
 };
 
-TEST_F(Vme58Queues, AreFollowedWhileAnAxisWorksOffALongOne) {
+TEST_F(Vme58DriverQueues, AreFollowedWhileAnAxisWorksOffALongOne) {
   watch_queues();
   std::string text = "AX VL1000 AC1000000 ";
   for (int i = 0; i < 60; ++i) text += "MR100 GO ";  // 3 entries and a tenth of a second each
@@ -46,7 +46,7 @@ TEST_F(Vme58Queues, AreFollowedWhileAnAxisWorksOffALongOne) {
   EXPECT_EQ(axis(0).position, Steps(6000));
 }
 
-TEST_F(Vme58Queues, OfAProgramThatIsLongerThanItsQueueIsShownAsFull) {
+TEST_F(Vme58DriverQueues, OfAProgramThatIsLongerThanItsQueueIsShownAsFull) {
   std::string text = "AY VL1000 AC1000000\n";
   for (int i = 0; i < 120; ++i) text += "MR100 GO\n";
   ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
@@ -66,7 +66,7 @@ TEST_F(Vme58Queues, OfAProgramThatIsLongerThanItsQueueIsShownAsFull) {
   EXPECT_EQ(axis(1).position, Steps(12000));
 }
 
-TEST_F(Vme58Queues, AndLoopsAreReadoutsToo) {
+TEST_F(Vme58DriverQueues, AndLoopsAreReadoutsToo) {
   const auto told = [&](const char* id) -> std::optional<std::int64_t> {
     const auto i = static_cast<std::size_t>(session->catalog().find_readout(id));
     return now().readouts_known[i] ? std::optional(now().readouts[i]) : std::nullopt;
@@ -85,7 +85,7 @@ TEST_F(Vme58Queues, AndLoopsAreReadoutsToo) {
   EXPECT_EQ(told("RQX"), vme58::queue_entries);
 }
 
-TEST_F(Vme58Queues, WhatWaitsInTheRingIsLeftThereByTheRoundsOfStatus) {
+TEST_F(Vme58DriverQueues, WhatWaitsInTheRingIsLeftThereByTheRoundsOfStatus) {
   watch_queues();
   std::string text = "AX VL1000 AC1000000 MR3000 GO ";
   for (int i = 0; i < 99; ++i) text += "WT1 ";
@@ -103,7 +103,7 @@ TEST_F(Vme58Queues, WhatWaitsInTheRingIsLeftThereByTheRoundsOfStatus) {
   EXPECT_EQ(axis(0).position, Steps(3077)) << "it was carried out";
 }
 
-TEST_F(Vme58Queues, ACommandOfTheConsoleThatDoesNotFitIsTakenBackAlone) {
+TEST_F(Vme58DriverQueues, ACommandOfTheConsoleThatDoesNotFitIsTakenBackAlone) {
   std::string text = "AX VL1000 AC1000000 MR3000 GO ";
   for (int i = 0; i < 99; ++i) text += "WT1 ";
   ASSERT_TRUE(query(text));
@@ -118,7 +118,7 @@ TEST_F(Vme58Queues, ACommandOfTheConsoleThatDoesNotFitIsTakenBackAlone) {
   EXPECT_EQ(axis(0).position, Steps(3077)) << "what stood before it is still there";
 }
 
-TEST_F(Vme58Queues, WhileTheTextWaitsInWqNoQueueIsCalledFull) {
+TEST_F(Vme58DriverQueues, WhileTheTextWaitsInWqNoQueueIsCalledFull) {
   watch_queues();
   EXPECT_FALSE(query("AX VL1000 AC1000000 MR3000 GO WQ")) << "what stands behind it is not read yet";
   ASSERT_FALSE(query("MR5"));

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "core/devices/vme58/codec.h"
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {

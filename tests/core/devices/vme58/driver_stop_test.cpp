@@ -1,6 +1,6 @@
 // What a stop of the VME58 ends, and what it leaves alone.
 #include "core/devices/vme58/facts.h"
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {

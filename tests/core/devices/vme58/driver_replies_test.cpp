@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "core/devices/vme58/facts.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 #include "tests/talk/talk.h"
-#include "tests/transports/vme58_rig.h"
 
 namespace hw {
 namespace {

@@ -1,6 +1,6 @@
 // What a stop cuts short at any instant is either not put, or told as perhaps carried out; and nothing that
 // it leaves behind is taken for something else.
-#include "tests/transports/vme58_rig.h"
+#include "tests/core/devices/vme58/driver_rig.h"
 
 namespace hw {
 namespace {
