@@ -27,6 +27,9 @@ class PieceRun {
   /// What the controller is to do now; null: nothing, or it is not known to be at rest. `rounds`: that have
   /// ended.
   [[nodiscard]] const IntentBody* due(std::uint64_t rounds, Instant now);
+  /// The next is due as soon as the others who do theirs together with these have nothing on the wire: until
+  /// then no round begins here.
+  [[nodiscard]] bool waits_for_others() const { return seat_ && seat_->waits_ready(); }
   /// The same at the speeds that are wanted now.
   [[nodiscard]] Result<IntentBody> at_speed(const IntentBody& due) const;
   /// It was asked for; what has come of it shows in that round and those behind it.

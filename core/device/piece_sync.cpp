@@ -22,6 +22,10 @@ bool PieceSync::all_have_done(std::size_t acts) const {
                      [acts](const Member& m) { return m.done && *m.done >= acts; });
 }
 
+void PieceSync::none_is_ready() {
+  for (Member& member : members_) member.ready = false;
+}
+
 PieceSeat::~PieceSeat() {
   if (!finished_) sync_->ended_ = true;
 }
@@ -41,11 +45,19 @@ bool PieceSeat::may_begin(std::size_t act) {
   if (sync_->ended_) return false;
   if (act < sync_->begun_) return true;
   if (is_held() || !sync_->all_have_done(act)) return false;
+  me().ready = true;
+  const auto& all = sync_->members_;
+  if (!std::all_of(all.begin(), all.end(), [](const PieceSync::Member& m) { return m.ready; })) return false;
   sync_->begun_ = act + 1;
+  sync_->none_is_ready();
+  sync_->wake_all();
   return true;
 }
 
+bool PieceSeat::waits_ready() const { return sync_->members_[place_].ready && !sync_->ended_; }
+
 void PieceSeat::hold() {
+  sync_->none_is_ready();
   for (PieceSync::Member& member : sync_->members_) member.held = true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Controllers on one wire that do their pieces together: none begins an act before all have ended the one
-// before, a hold holds all, and what ends for one ends for all. Io thread only, but for the destructor.
+// Controllers on one wire that do their pieces together: an act begins when all have ended the one before and
+// none of them has a round of status on the wire, so that their commands follow each other without a question
+// between them. A hold holds all, and what ends for one ends for all. Io thread only, but for the destructor.
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -22,10 +23,12 @@ class PieceSync {
   struct Member {
     std::optional<std::size_t> done;  ///< acts, all pieces counted through; none: it does not take part yet
     bool held = false;
+    bool ready = false;  ///< for the next act: it asks nothing until all are
     Event* wake = nullptr;
   };
   void wake_all() const;
   [[nodiscard]] bool all_have_done(std::size_t acts) const;
+  void none_is_ready();
 
   std::vector<Member> members_;
   std::size_t begun_ = 0;  ///< acts, by whoever was first
@@ -46,8 +49,12 @@ class PieceSeat {
   void leave();
   /// So many acts have ended here.
   void has_done(std::size_t acts);
-  /// It is the turn of that act, counted from 0: all others have begun it, or are as far.
+  /// It is the turn of that act, counted from 0. False: others are not as far, or not ready, see
+  /// waits_ready(). Asked only while this one has nothing on the wire.
   [[nodiscard]] bool may_begin(std::size_t act);
+  /// All have done what comes before, and some of the others have a round on the wire: this one is woken when
+  /// they have ended it, and asks nothing until then.
+  [[nodiscard]] bool waits_ready() const;
   /// All of it has ended here.
   void finish() { finished_ = true; }
   [[nodiscard]] bool has_ended() const { return sync_->ended_; }

@@ -31,7 +31,7 @@ class TogetherWriter final : public ActWriter {
     for (Pieces& part : parts_)
       part.remark =
           "Each controller goes by itself and comes to rest at each corner. Lines are straight but for the "
-          "round of status that may lie between their starts.";
+          "one command on the wire that lies between their starts.";
     return std::move(parts_);
   }
 

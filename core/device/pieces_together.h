@@ -1,7 +1,7 @@
 #pragma once
 // A sequence whose axes are controllers of one axis each on one wire (two DMX on a bus): what each of them
-// does, act by act, all together. They begin a move together, a round of status apart, and each goes at its
-// own pace.
+// does, act by act, all together. They begin a move together, one command on the wire apart, and each goes
+// at its own pace.
 #include <span>
 #include <vector>
 

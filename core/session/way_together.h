@@ -1,6 +1,6 @@
 #pragma once
 // The way that a tool really goes along a drawing where each of its axes is a controller of its own: it is no
-// straight line, as they begin a little apart and each has its own ramps.
+// straight line, as they begin one command on the wire apart and each has its own ramps.
 #include "core/device/catalog.h"
 #include "core/device/language.h"
 #include "core/drawing/tool_path.h"

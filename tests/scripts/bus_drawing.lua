@@ -40,13 +40,13 @@ while runs() do
   local on = x:output(1)
   if on and not last_on then seen_on = seen_on + 1 end
   last_on = on
-  local here_x, here_y = at()
+  local here_x, here_y = x.bench:look().load[1], y.bench:look().load[1] -- both at this instant
   if on and x:status().step == 5 then furthest = math.max(furthest, math.abs(here_y - here_x / 2)) end
   hw.sleep(0.02)
 end
 hw.check(c:wait(60))
 hw.check(seen_on == 2, "the tool was on " .. seen_on .. " times")
-hw.check(furthest > 0 and furthest < 150, "the line was left by " .. furthest .. " pulses")
+hw.check(furthest > 0 and furthest < 30, "the line was left by " .. furthest .. " pulses")
 local end_x, end_y = at()
 hw.check(end_x == 0 and end_y == 3000, "it ends at " .. end_x .. ", " .. end_y)
 hw.check(not x:output(1), "the tool is off")

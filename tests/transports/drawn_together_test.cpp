@@ -86,6 +86,9 @@ TEST_P(DrawnByTwo, TheWayThatIsShownIsTheOneOfEachChain) {
     }
   }
   EXPECT_GE(way.beside, 0);
+  // Their starts are one command apart, with its answer: about 20 ms on a line at 9,600 baud.
+  constexpr double apart_s = 0.03;
+  EXPECT_LT(way.beside, o.cutting.high * apart_s);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, DrawnByTwo, testing::ValuesIn(drawable_files), [](const auto& info) {

@@ -92,7 +92,7 @@ TEST_F(BusAtWork, TakesAsLongAsWasRehearsed) {
   const auto rehearsed = rehearse_together(two_chains(), address, states(), opener, an_hour);
   ASSERT_TRUE(rehearsed) << rehearsed.error().sentence();
   const double took = draw(two_chains());
-  EXPECT_NEAR(rehearsed->duration_s, took, 0.01 * took);
+  EXPECT_NEAR(rehearsed->duration_s, took, 0.02 * took) << "rounds of status fall elsewhere";
   ASSERT_EQ(rehearsed->piece_seconds.size(), 2u);
   EXPECT_NEAR(rehearsed->piece_seconds[0] + rehearsed->piece_seconds[1], took, 0.02 * took);
 }
