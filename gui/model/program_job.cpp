@@ -1,12 +1,28 @@
 #include "gui/model/program_job.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "core/device/refusals.h"
+#include "core/device/transfer_progress.h"
 #include "gui/model/units_format.h"
 
 namespace hw::gui {
+namespace {
+
+std::string say_progress(const TransferState& t) {
+  if (!t.running || (t.done == 0 && t.total == 0)) return {};
+  const bool compares = t.phase == TransferState::Phase::comparing;
+  std::string said = fmt::format(": {}{}", compares ? "comparing, " : "", t.done);
+  said += t.total > 0 ? fmt::format(" of {}", count_of(t.total, "lines")) : t.done == 1 ? " line" : " lines";
+  if (t.left > Duration{})
+    said += fmt::format(", {} left", format_duration(std::ceil(seconds(t.left))).view());
+  return said;
+}
+
+}  // namespace
 
 void ProgramJob::refuse(std::string sentence) {
   stage_ = Stage::idle;
@@ -49,7 +65,8 @@ bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot&
   if (capacity > 0 && texts.controller_has(slot)) return after_load(send), true;
   const int used = now.slot_bytes_used[static_cast<std::size_t>(slot)];
   const HeldProgram& held = texts.held(slot);
-  const bool ours = held.known && held.from_here;
+  const bool torn = (now.slots_torn & torn_bit(catalog, slot)) != 0;  // half of what came from here
+  const bool ours = torn || (held.known && held.from_here);
   if (used == 0 || ours || capacity <= 0) return load(send), true;
   stage_ = Stage::comparing;
   waiting_for_ = send(intent::UploadProgram(slot));
@@ -84,9 +101,7 @@ void ProgramJob::after_load(const Send& send) {
 void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
                         const Send& send) {
   if (stage_ == Stage::idle) return;
-  if (now.link.state == LinkState::lost || now.link.state == LinkState::closed)
-    return refuse(
-        "The link was lost before the program was transferred. Look at it again when the link is back.");
+  if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) return lose_link(now);
   if (stage_ == Stage::asking) return;
   const IntentFate* fate = now.fate_of(waiting_for_);
   if (now.forgotten(waiting_for_)) {
@@ -98,6 +113,17 @@ void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog&
   if (fate->fate == Fate::done) return done(texts, now, catalog, clock, send);
   if (stage_ == Stage::loading || stage_ == Stage::clearing) texts.forget();
   refuse(std::string(fate->sentence.view()));
+}
+
+/// With what stands there now.
+void ProgramJob::lose_link(const Snapshot& now) {
+  const bool writes = stage_ == Stage::loading || stage_ == Stage::clearing;
+  const std::string written = writes && now.slots_torn != 0 ? say_written(now.transfer) : std::string();
+  refuse(written.empty()
+             ? "The link was lost before the program was transferred. Look at it again when the link is back."
+             : fmt::format("The link was lost while the program was transferred: {}. Load it again when the "
+                           "link is back.",
+                           written));
 }
 
 void ProgramJob::give_up() {
@@ -193,8 +219,10 @@ void ProgramJob::answer(Answer answer, ProgramTexts& texts, const Send& send) {
   }
 }
 
-std::string ProgramJob::words(const ProgramFacts& facts) const {
-  const auto about = [&](const char* verb) { return fmt::format("{} {} {}", verb, facts.slot_word, slot_); };
+std::string ProgramJob::words(const ProgramFacts& facts, const TransferState& transfer) const {
+  const auto about = [&](const char* verb) {
+    return fmt::format("{} {} {}{}", verb, facts.slot_word, slot_, say_progress(transfer));
+  };
   switch (stage_) {
     case Stage::comparing: return about("Comparing");
     case Stage::loading: return about("Loading");

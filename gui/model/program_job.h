@@ -50,8 +50,8 @@ class ProgramJob {
   [[nodiscard]] Goal goal() const { return goal_; }
   /// While asking: what would be lost.
   [[nodiscard]] const std::string& question() const { return question_; }
-  /// "Loading program 0": what is under way, for the toolbar; empty when nothing is.
-  [[nodiscard]] std::string words(const ProgramFacts& facts) const;
+  /// "Loading program 0: 41 of 302 lines, 14 s left": what is under way; empty when nothing is.
+  [[nodiscard]] std::string words(const ProgramFacts& facts, const TransferState& transfer) const;
   /// What came of it, told once; empty sentence: nothing new.
   Told take_told() { return std::exchange(told_, Told()); }
 
@@ -63,6 +63,7 @@ class ProgramJob {
             const Send& send);
   void empty_kept(ProgramTexts& texts, const Catalog& catalog, const Send& send);
   void refuse(std::string sentence);
+  void lose_link(const Snapshot& now);
   void end_given_up(ProgramTexts& texts, Instant clock);
   void fetched(ProgramTexts& texts, const Catalog& catalog);
 

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/transfer_progress.h"
 #include "gui/model/units_format.h"
 
 namespace hw::gui {
@@ -226,6 +227,20 @@ ProgramNote note_of_sent(ProgramTexts& texts, int slot, bool runs, const std::st
   return {Mood::plain, "The controller keeps no programs: Run sends this text. Save keeps it in a file."};
 }
 
+/// Of a transfer that was broken off: none of them is a program, and whose it is, is known.
+bool is_torn(const Snapshot& now, int slot, const ProgramFacts& facts) {
+  return (now.slots_torn >> (facts.threads > 0 ? 0 : slot) & 1) != 0;
+}
+
+ProgramNote note_of_torn(const Snapshot& now, int slot, const ProgramFacts& facts, const std::string& mend) {
+  const bool of_this = now.transfer.slot == (facts.threads > 0 ? 0 : slot);
+  const std::string written = of_this ? say_written(now.transfer) : std::string();
+  return {
+      Mood::warn,
+      fmt::format("The controller does not hold this program{}{}. {}", written.empty() ? "" : ": ", written,
+                  mend.empty() ? "Run loads it again." : fmt::format("Mend {} before the next run.", mend))};
+}
+
 }  // namespace
 
 ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, const ProgramFacts& facts,
@@ -236,6 +251,7 @@ ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, con
   const std::string verb = runs ? "runs" : "holds";
   const std::string mend = first_error_line(texts.report(slot));
   if (facts.capacity <= 0) return note_of_sent(texts, slot, runs, mend, loaded_at);
+  if (is_torn(now, slot, facts)) return note_of_torn(now, slot, facts, mend);
   const int used = now.slot_bytes_used[static_cast<std::size_t>(slot)];
   if (held.known && held.from_here) {
     if (texts.controller_has(slot))
@@ -249,9 +265,10 @@ ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, con
     return {Mood::plain, fmt::format("The controller {} the same program as this text.", verb)};
   if (!mend.empty()) return {Mood::warn, fmt::format("Mend {} before the program can run.", mend)};
   if (used > 0 && texts.text(slot).empty())
-    return {Mood::plain, fmt::format("{} {} in the controller holds {}. Load from controller brings {} here.",
-                                     facts.slot_word, slot, count_of(used, facts.capacity_unit),
-                                     used == 1 ? "it" : "them")};
+    return {Mood::plain,
+            fmt::format("{} {} in the controller holds {}. {} brings {} here.", facts.slot_word, slot,
+                        count_of(used, facts.capacity_unit),
+                        facts.compiled ? "Upload" : "Load from controller", used == 1 ? "it" : "them")};
   if (used > 0 && !held.known)
     return {
         Mood::plain,

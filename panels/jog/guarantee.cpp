@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <imgui.h>
+
 #include "gui/model/tab.h"
+#include "gui/widgets/icons.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/touch.h"
 #include "panels/jog/jog_units.h"
@@ -16,7 +19,8 @@ namespace {
 
 constexpr double longest_silence_s = 1.3;  // until the watchdog has spoken for a program that stands still
 
-enum class Who : std::uint8_t { controller, watchdog, program, nobody };
+/// The guard is the controller's too, and only a guess: JogGuardFacts::doubt.
+enum class Who : std::uint8_t { controller, guard, watchdog, program, nobody };
 
 /// The weakest of all axes that the pad jogs.
 struct Guarantee {
@@ -30,9 +34,11 @@ Guarantee of_axis(const Tab& tab, AxisId id) {
   if (axis.travel_holds() && axis.travel.has_minus && axis.travel.has_plus)
     return {Who::controller,
             std::max(axis.travel.plus - axis.commanded(), axis.commanded() - axis.travel.minus)};
+  const double speed = tab.jog_speed().value > 0 ? tab.jog_speed().value : axis.own_speed.value;
+  if (now.jog_guard.state == JogGuard::State::installed)
+    return {Who::guard, Steps(std::llround(speed * seconds(now.jog_guard.silence)))};
   if (now.link.jog_ends == JogEnds::with_program) return {Who::program, {}};
   if (now.link.jog_ends == JogEnds::by_nobody) return {Who::nobody, {}};
-  const double speed = tab.jog_speed().value > 0 ? tab.jog_speed().value : axis.own_speed.value;
   return {Who::watchdog, Steps(std::llround(speed * longest_silence_s))};
 }
 
@@ -60,6 +66,13 @@ Words words_of(Who who) {
               "whatever "
               "becomes of this program.",
               Tone::ok};
+    case Who::guard:
+      return {
+          "controller", "a guess",
+          "The guard in the controller stops a held jog when nobody has spoken to it for a while, and then "
+          "comes the ramp. That is a guess until real hardware has shown it; the watchdog stays on beside "
+          "it.",
+          Tone::ok};
     case Who::watchdog:
       return {
           "watchdog", "stops it",
@@ -78,35 +91,60 @@ Words words_of(Who who) {
       Tone::fault};
 }
 
+/// Of what lies there; ImGui's cursor stays where it is.
+Touch touch_at(Ui& ui, const About& about, const Rect& rect) {
+  const ImVec2 cursor = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(rect.min);
+  const Touch touched = touch(ui, about, ImVec2(rect.width(), rect.height()));
+  ImGui::SetCursorScreenPos(cursor);
+  return touched;
+}
+
 }  // namespace
 
-void draw_guarantee(const Frame& f, const Rect& place) {
+bool draw_guarantee(const Frame& f, const Rect& place) {
   const LinkState link = f.tab.now().link.state;
-  if (link != LinkState::good && link != LinkState::late) return;
+  if (link != LinkState::good && link != LinkState::late) return false;
   Ui& ui = f.ui;
   const Guarantee guarantee = guarantee_of(f);
   const Words words = words_of(guarantee.who);
   const bool known = guarantee.way > Steps(0);
   const NumberText way = format_with_unit(guarantee.way, common_unit(f));
-  const Path whole("{}: {}{}", words.verb, guarantee.who == Who::controller ? "within " : "", way.view()),
-      longest("{} at this speed", whole.view());
+  const std::string_view bound = guarantee.who == Who::controller ? "within " : "";
+  const Path whole = guarantee.who == Who::guard ? Path("{}, {}", way.view(), words.verb)
+                                                 : Path("{}: {}{}", words.verb, bound, way.view()),
+             longest("{} at this speed", whole.view());
+  const bool opens = f.catalog.jog_guard.offered();
+  const float chevron = opens ? ui.px(14) : 0;
   const float who_width = std::ceil(text_width(ui, Face::small_bold, words.who)) + ui.px(20);
   const auto fits = [&](std::string_view rest) {
-    return who_width + text_width(ui, Face::small, rest) <= place.width();
+    return who_width + text_width(ui, Face::small, rest) + chevron <= place.width();
   };
   const bool with_speed = known && guarantee.who == Who::watchdog && fits(longest.view());
   const std::string_view rest = with_speed                    ? longest.view()
                                 : known && fits(whole.view()) ? whole.view()
                                                               : words.verb;
-  const float width = who_width + std::ceil(text_width(ui, Face::small, rest));
+  const float width = who_width + std::ceil(text_width(ui, Face::small, rest)) + chevron;
   const float middle = place.centre().y, half = ui.px(std::min(24.0f, place.height() / ui.px(1)) / 2);
   const Rect badge{ImVec2(place.min.x, std::floor(middle - half)),
                    ImVec2(std::min(place.max.x, place.min.x + width), std::floor(middle + half))};
+  const About about{"jog/guarantee", opens ? Kind::button : Kind::text, words.who, rest, {}, false,
+                    words.tip};
+  const Touch pressed = opens ? touch_at(ui, about, badge) : Touch();
+  if (pressed.hovered || pressed.held) draw_fill(ui, badge, ui[pressed.held ? Tone::sel : Tone::hover]);
   draw_outline(ui, badge, ui[guarantee.who == Who::nobody ? Tone::fault : Tone::edge]);
   const float left = badge.min.x + ui.px(8);
   draw_text_line(ui, left, badge.max.x, middle, Face::small_bold, ui[words.tone], words.who);
-  draw_text_line(ui, left + who_width - ui.px(16), badge.max.x, middle, Face::small, ui[Tone::ink2], rest);
-  show(ui, {"jog/guarantee", Kind::text, words.who, rest, {}, false, words.tip}, badge);
+  draw_text_line(ui, left + who_width - ui.px(16), badge.max.x - chevron, middle, Face::small, ui[Tone::ink2],
+                 rest);
+  if (opens) {
+    draw_icon(ImGui::GetWindowDrawList(), Icon::chevron_down,
+              ImVec2(std::floor(badge.max.x - ui.px(12)), std::floor(middle)), ui.px(12), ui[Tone::ink2]);
+    draw_ring(ui, pressed);
+  } else {
+    show(ui, about, badge);
+  }
+  return pressed.clicked;
 }
 
 }  // namespace hw::panels

@@ -5,7 +5,8 @@
 
 namespace hw::panels {
 
-/// In one line, `place` being at least 16 high; in less room with fewer words.
-void draw_guarantee(const gui::Frame& frame, const gui::Rect& place);
+/// In one line, `place` being at least 16 high; in less room with fewer words. True: it was pressed, where
+/// the controller can do more about it: see GuardOffer.
+bool draw_guarantee(const gui::Frame& frame, const gui::Rect& place);
 
 }  // namespace hw::panels

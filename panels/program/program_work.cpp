@@ -8,6 +8,7 @@
 #include "gui/shell/console.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
+#include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/lines.h"
 #include "panels/program/overwrite_question.h"
@@ -78,7 +79,7 @@ float Program::draw_said(Frame& f, float top, float bottom) {
   const HeldProgram& held = desk.texts.held(slot);
   if (held.known) note_time_ = f.console.time_of_day(held.at);
   note_ = program_note(desk.texts, slot, f.now, f.catalog.program, note_time_);
-  words_ = desk.job.words(f.catalog.program);
+  words_ = desk.job.words(f.catalog.program, f.now.transfer);
   const bool roomy = bottom - top > ui.px(note_height + least_editor);
   if (!roomy || (words_.empty() && note_.sentence.empty())) return bottom;
   draw_note(f, bottom - ui.px(note_height), note_height);
@@ -104,11 +105,36 @@ void Program::draw_note(Frame& f, float top, float height) {
   float right = ui.px(f.area.right() - 16);
   const ProgramReport& report = f.tab.desk().texts.report(f.tab.desk().texts.chosen());
   const float said_end = left + ui.px(20) + std::ceil(text_width(ui, Face::body, said));
-  if (!report.problems.empty() && said_end + ui.px(110) < right)
+  if (busy && f.now.transfer.running)
+    right = draw_transfer(f, said_end + ui.px(16), right, middle);
+  else if (!report.problems.empty() && said_end + ui.px(110) < right)
     right = draw_problem_link(f, report, right, middle);
   draw_text_line(ui, left + ui.px(20), right, middle, Face::body, ui[Tone::ink2], said);
   show(ui, {.id = "program/note", .kind = Kind::text, .label = "State", .value = said},
        {ImVec2(left, top), ImVec2(right, top + ui.px(height))});
+}
+
+/// How far it has come, and the way out; both go before the words do. While a program runs there is none: it
+/// would be stopped too.
+float Program::draw_transfer(Frame& f, float left, float right, float middle) {
+  constexpr std::string_view abort = "Abort";
+  Ui& ui = f.ui;
+  const float abort_width = std::ceil(text_width(ui, Face::small, abort));
+  if (left + abort_width > right || f.now.under_way().program) return right;
+  right -= abort_width;
+  ImGui::SetCursorScreenPos(ImVec2(right, std::floor(middle - ui.line(Face::small) / 2)));
+  if (link(ui, "program/abort", abort)) f.send(intent::HaltProgram());
+  right -= ui.px(16);
+  const TransferState& t = f.now.transfer;
+  const float bar = std::min(ui.px(160), right - left);
+  if (t.total == 0 || bar < ui.px(40)) return right;
+  ImGui::SetCursorScreenPos(ImVec2(right - bar, std::floor(middle - ui.px(4))));
+  MeterOptions o;
+  o.tone = Tone::motion;
+  o.words = words_;
+  o.width = bar / ui.scale;
+  meter(ui, "program/transfer", "Transfer", static_cast<float>(t.done) / static_cast<float>(t.total), o);
+  return right - bar - ui.px(16);
 }
 
 // "2 errors, next": goes from one problem to the next.

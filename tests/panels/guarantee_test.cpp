@@ -61,6 +61,67 @@ TEST_F(GuaranteeTest, NobodyIsSaidAsWhatItIs) {
   EXPECT_EQ(label(), "(absent)") << "nothing is jogged there";
 }
 
+/// Of a controller that can run a guard itself.
+class GuardOfferTest : public testing::Test {
+ protected:
+  static Catalog offering() {
+    Catalog c = example_catalog();
+    c.jog_guard = {"It stops a held jog.", "It is kept as program 3.", "It is a guess."};
+    return c;
+  }
+  ConsoleStage s;
+  Example& a = s.add(offering());
+
+  void SetUp() override {
+    for (AxisState& axis : a.now.axes) axis.own_speed = Pps(1000);
+    a.now.link.jog_ends = JogEnds::by_watchdog;
+    is(JogGuard::State::absent);
+  }
+  void is(JogGuard::State state) {
+    a.now.jog_guard = {state, std::chrono::milliseconds(600)};
+    s.run(0.1);
+  }
+};
+
+TEST_F(GuardOfferTest, IsInstalledOnlyWhenItsUserSaysSo) {
+  MUST(s.hand.click("jog/guarantee"));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/guard/state"), "It is not installed. The program memory is empty.");
+  EXPECT_EQ(a.count<intent::GuardJogs>(), 0);
+  MUST(s.hand.click("jog/guard/close"));
+  s.run(0.1);
+  EXPECT_EQ(s.stage.find("jog/guard/state"), nullptr);
+  EXPECT_EQ(a.count<intent::GuardJogs>(), 0);
+  MUST(s.hand.click("jog/guarantee"));
+  MUST(s.hand.click("jog/guard/install"));
+  ASSERT_TRUE(a.last<intent::GuardJogs>());
+  EXPECT_TRUE(a.last<intent::GuardJogs>()->on);
+}
+
+TEST_F(GuardOfferTest, TheBadgeNamesTheControllerAndTheSheetTakesItAway) {
+  is(JogGuard::State::installed);
+  ASSERT_TRUE(s.stage.find("jog/guarantee"));
+  EXPECT_EQ(s.stage.find("jog/guarantee")->label, "controller");
+  EXPECT_EQ(s.value("jog/guarantee"), "600 steps, a guess");
+  MUST(s.hand.click("jog/guarantee"));
+  MUST(s.hand.click("jog/guard/remove"));
+  ASSERT_TRUE(a.last<intent::GuardJogs>());
+  EXPECT_FALSE(a.last<intent::GuardJogs>()->on);
+}
+
+TEST_F(GuardOfferTest, NeedsAnEmptyProgramMemoryAndAxesThatStand) {
+  is(JogGuard::State::no_room);
+  MUST(s.hand.click("jog/guarantee"));
+  s.run(0.1);
+  ASSERT_TRUE(s.stage.find("jog/guard/install"));
+  EXPECT_NE(s.stage.find("jog/guard/install")->reason, "");
+  is(JogGuard::State::absent);
+  EXPECT_EQ(s.stage.find("jog/guard/install")->reason, "");
+  a.now.axes[0].activity = Activity::moving;
+  s.run(0.1);
+  EXPECT_EQ(s.stage.find("jog/guard/install")->reason, "Stop the axes first.");
+}
+
 TEST_F(GuaranteeTest, BacklashIsTypedAtTheNumberAndKept) {
   MUST(s.hand.click("dro/1/position"));
   MUST(s.hand.type("dro/1/backlash", "60\n"));

@@ -31,7 +31,6 @@ Task<Result<>> Actions::act(intent::Act wish) {
   const std::string& id = info.id;
 
   if (id == "clear") co_return co_await clear_errors(console_.forms.clear, axis);
-  if (id == "clear_loop") co_return co_await clear_errors(console_.forms.clear_loop, axis);
   if (id == "change_speed") co_return co_await change_speed(axis, value("speed"), value("accel"));
   if (id == "arc") co_return co_await draw_arc(value("centre_x"), value("centre_y"), value("sweep"));
   if (id == "joystick") co_return co_await joystick(axis, on);
@@ -40,8 +39,6 @@ Task<Result<>> Actions::act(intent::Act wish) {
   std::string text;
   if (id == "absolute") text = "ABS";
   if (id == "incremental") text = "INC";
-  if (id == "speed_window")
-    text = set_command(fill(console_.forms, console_.forms.speed_window, axis), value("window"));
   if (id == "latch") text = set_command(fill(console_.forms, console_.forms.latch, axis), on);
   if (id == "sync") text = fill(console_.forms, on ? console_.forms.sync_on : console_.forms.sync_off, axis);
   if (id == "subroutine") text = fmt::format("GS{}", value("number"));
@@ -57,7 +54,6 @@ Task<Result<>> Actions::act(intent::Act wish) {
     co_return done;
   }
   if (id == "absolute" || id == "incremental") readouts_.put("MM", id == "incremental");
-  if (id == "speed_window") setup_.forget("SSPDM");
   if (id == "buffer_off") list_.end();
   co_return Result<>();
 }

@@ -4,6 +4,9 @@
 
 #include <fmt/core.h>
 
+#include "core/devices/arcus/guard_text.h"
+#include "core/devices/arcus/stopping_way.h"
+
 namespace hw::arcus {
 namespace {
 
@@ -73,6 +76,8 @@ Catalog common_catalog(const Model& model, const Wording& wording) {
   c.outputs = output_infos(model);
   for (int n = 1; n <= model.analog_inputs; ++n) c.analog.push_back({fmt::format("AI{}", n), "mV", 0, 5000});
   c.params = params(model, wording);
+  c.jog_guard = guard_facts(model);
+  c.stopping_way = stopping_way;
   c.readout_groups = {"Motion", "StepNLoop", "Latches", "Sync outputs", "Variables"};
   c.variables.count = variables;
   c.variables.stored_from = first_stored_variable;
@@ -258,8 +263,6 @@ struct CommonActions {
                     "Clears limit, alarm and StepNLoop errors. A switch that is still active acts "
                     "again at the next move.",
                     "Motion", with_axis(true, {}), where("Limits")));
-    actions.push_back(make_action("clear_loop", "Clear StepNLoop errors", "Clears StepNLoop errors only.",
-                                  "StepNLoop", with_axis(true, {}), where("StepNLoop Closed Loop Control")));
     actions.push_back(make_action("absolute", "To a place",
                                   "Plain move commands of the terminal give the target from now on.",
                                   "Motion", {}, where("Moves")));
@@ -281,20 +284,14 @@ struct CommonActions {
   void add_changes_under_way() {
     actions.push_back(make_action(
         "change_speed", "Change speed now",
-        "Changes the speed of an axis that moves. Choose the window for speed changes before the motion; the "
-        "ramp must be straight.",
+        "Changes the speed of an axis that moves. Choose its window for speed changes (SSPDM in Setup) "
+        "before "
+        "the motion; the ramp must be straight.",
         "Change under way",
         with_axis(false, {followed(number_field("speed", "New speed", "pulses/s", 1, max_speed, 1000)),
                           accel_field()}),
         where("On-The-Fly Speed Change")));
     actions.back().while_busy = actions.back().moves = true;
-    ActionField window = number_field("window", "Window", "", 0, model.speeds.back().window);
-    for (const ParamInfo& p : catalog.params)
-      if (p.mnemonic.starts_with("SSPDM") && window.choices.empty()) window.choices = p.choices;
-    actions.push_back(make_action("speed_window", "Choose window",
-                                  "The window of speeds within which the next motion may change its speed.",
-                                  "Change under way", with_axis(false, {window}),
-                                  where("On-The-Fly Speed Change")));
     actions.push_back(make_action(
         "change_target", "Change target now",
         "Gives a running move of one axis another target; it turns round if it has passed "
@@ -374,6 +371,8 @@ void add_axis_tables(Catalog& catalog, const Model& model) {
         {Shows::readout, "LT*P", "place"},
         {Shows::readout, "LT*E", "encoder"},
         arm}});
+  AxisColumn pulse{Shows::param, "SYN*T", "for, ms"};
+  pulse.state = "SYN*C", pulse.state_for = 1, pulse.otherwise = "while so";  // 1: when equal
   const auto output = [&](int axis) { return model.sync_outputs[static_cast<std::size_t>(axis)]; };
   catalog.axis_tables.push_back(
       {"Sync output",
@@ -382,7 +381,7 @@ void add_axis_tables(Catalog& catalog, const Model& model) {
        {{Shows::readout, "SYN*S", "state"},
         {Shows::param, "SYN*C", "on when"},
         {Shows::param, "SYN*P", "position"},
-        {Shows::param, "SYN*T", "for, ms"},
+        pulse,
         watch}});
 }
 

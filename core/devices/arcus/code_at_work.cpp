@@ -17,6 +17,7 @@ constexpr Duration longest_rest = std::chrono::seconds(5);  // that is waited fo
 }  // namespace
 
 void CodeAtWork::goes_out(std::string_view command) {
+  lines_.goes_out(command);
   if (!command.starts_with("GS")) return;
   called_before_ = called_;
   const auto number = decode_number(command.substr(2));
@@ -66,6 +67,7 @@ void CodeAtWork::was_refused(std::string_view command) {
 
 void CodeAtWork::restarted() {
   code_.reset();
+  lines_.forget();
   called_.reset();
 }
 

@@ -8,6 +8,7 @@
 #include "core/device/stop.h"
 #include "core/devices/arcus/console.h"
 #include "core/devices/arcus/facts.h"
+#include "core/devices/arcus/held_lines.h"
 #include "core/devices/arcus/stored_code.h"
 
 namespace hw::arcus {
@@ -20,6 +21,7 @@ class CodeAtWork {
   void know(StoredCode code) { code_ = code; }
   /// Nobody has looked, or it is another compiler's.
   void forget() { code_.reset(); }
+  [[nodiscard]] HeldLines& lines() { return lines_; }
   [[nodiscard]] const std::optional<StoredCode>& known() const { return code_; }
   [[nodiscard]] bool leaves_param(std::size_t index) const { return code_ && !code_->sets.test(index); }
   [[nodiscard]] bool switches_motors() const { return !code_ || code_->switches_motors; }
@@ -56,6 +58,7 @@ class CodeAtWork {
 
   const Console& console_;
   std::optional<StoredCode> code_;
+  HeldLines lines_;
   Instant runs_until_{};
   std::optional<Called> called_, called_before_;
   Instant moved_at_{};

@@ -226,6 +226,7 @@ Task<Result<Reply>> Conversation::exchange_question(std::string question, Priori
 Task<Result<std::string>> Conversation::ask_for(std::string question,
                                                 std::function<bool(std::string_view)> makes_sense,
                                                 Priority priority) {
+  if (priority == Priority::poll && urgent.is_due && urgent.is_due()) co_await urgent.ask();
   std::string text;
   for (const bool again : {false, true}) {
     auto reply = co_await ask(question, priority, again);

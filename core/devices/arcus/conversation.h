@@ -54,6 +54,14 @@ class Conversation {
   /// Told of each command of this device just before it goes out; and when it was refused, or did not go out.
   std::function<void(std::string_view command)> goes_out, not_done;
 
+  /// What somebody waits for more than for a round of status: where it is due it is asked in front of the
+  /// next question of the round.
+  struct Urgent {
+    std::function<bool()> is_due;
+    std::function<Task<>()> ask;
+  };
+  Urgent urgent;
+
   // ---- questions: asked twice where nothing or nonsense comes
   Task<Result<std::string>> ask(std::string question, Priority priority, bool again = false);
   Task<Result<std::string>> ask_for(std::string question, std::function<bool(std::string_view)> makes_sense,

@@ -30,12 +30,12 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   using namespace intent;
   if (!talk_.is_open()) co_return talk_.no_connection();
   if (auto looked = co_await silence_.look(); !looked) co_return looked;
-  if (auto returned = co_await known_.borrowed.give_back_first(); !returned) co_return returned;
+  if (auto returned = co_await put_back_what_is_out(body); !returned) co_return returned;
   if (const auto* i = std::get_if<MoveTo>(&body))
     co_return co_await work_.moves.move(i->targets, pace_of(*i), false);
   if (const auto* i = std::get_if<MoveBy>(&body))
     co_return co_await work_.moves.move(i->distances, pace_of(*i), true);
-  if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await work_.moves.jog(*i);
+  if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await jog(*i);
   if (const auto* i = std::get_if<Home>(&body)) co_return co_await work_.moves.home(*i);
   if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await work_.moves.set_position(*i);
   if (const auto* i = std::get_if<SetEncoder>(&body)) co_return co_await work_.moves.set_encoder(*i);
@@ -43,6 +43,8 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   if (const auto* i = std::get_if<SetOutput>(&body)) co_return co_await known_.lines.set_output(*i);
   if (const auto* i = std::get_if<SetParam>(&body)) co_return co_await set_param(*i);
   if (const auto* i = std::get_if<Act>(&body)) co_return co_await work_.actions.act(*i);
+  if (const auto* i = std::get_if<GuardJogs>(&body); i && i->on) co_return co_await work_.guard.install();
+  if (std::holds_alternative<GuardJogs>(body)) co_return co_await work_.guard.remove();
   if (const auto* i = std::get_if<SetVariable>(&body)) co_return co_await set_variable(*i);
   if (const auto* i = std::get_if<FeedMoves>(&body)) co_return co_await work_.feed.start(*i);
   if (const auto* i = std::get_if<SendText>(&body)) co_return co_await texts_.send(*i);
@@ -81,10 +83,16 @@ LastWill ArcusDriver::last_will(unsigned axes) const { return stops_.last_will(a
 StopProgress ArcusDriver::stop_progress(const StopOrder& order) { return stops_.progress(order); }
 
 Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
-  return texts_.query(std::move(text), patience);
+  if (talk_.is_open())
+    if (auto let = co_await work_.guard.let_go(); !let) co_return fail(let.error());
+  if (auto may = guard_allows(text); !may) co_return fail(may.error());
+  co_return co_await texts_.query(std::move(text), patience);
 }
 
-void ArcusDriver::overhear(const std::string& text) { texts_.overhear(text); }
+void ArcusDriver::overhear(const std::string& text) {
+  texts_.overhear(text);
+  work_.guard.goes_out(command_in(text));
+}
 
 TextMeaning ArcusDriver::meaning_of(const intent::SendText& text) const {
   return arcus::meaning_of(console_.forms, text,
@@ -102,6 +110,36 @@ Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
   if (!exactly) co_return fail(exactly.error());
   if (!*exactly) co_return Result<>();
   co_return co_await known_.status.read_loops(Priority::intent);
+}
+
+Task<Result<>> ArcusDriver::put_back_what_is_out(const IntentBody& before) {
+  auto returned = co_await known_.borrowed.give_back_first();
+  if (returned) returned = co_await work_.guard.let_go();
+  const bool rewrites = std::holds_alternative<intent::LoadProgram>(before) ||
+                        std::holds_alternative<intent::ClearProgram>(before);
+  if (returned && rewrites && work_.guard.at_work())
+    co_return fail(FaultKind::refused, "The guard in the program memory watches a jog.",
+                   "Nothing was written.", "Let go of the jog first.");
+  if (!returned) co_return returned;
+  if (const auto* i = std::get_if<intent::SendText>(&before)) co_return guard_allows(i->text);
+  if (std::holds_alternative<intent::Store>(before)) co_return work_.guard.allows("STORE");
+  if (const auto* i = std::get_if<intent::SetParam>(&before))
+    co_return work_.guard.allows(fmt::format("{}=", i->mnemonic));
+  co_return returned;
+}
+
+// To this one, be it among all.
+Result<> ArcusDriver::guard_allows(const std::string& text) const {
+  const int to = address_of(text);
+  const bool anothers = to >= 0 && to != console_.catalog.address && to != console_.model().broadcast;
+  return anothers ? Result<>() : work_.guard.allows(command_in(text));
+}
+
+// A script's is not left to anybody: see Pump::keep_will().
+Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
+  if (wish.dead_man)
+    if (auto watched = co_await work_.guard.watch(wish.axis.index); !watched) co_return watched;
+  co_return co_await work_.moves.jog(std::move(wish));
 }
 
 Task<Result<>> ArcusDriver::set_variable(const intent::SetVariable& wish) {

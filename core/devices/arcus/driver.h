@@ -19,6 +19,7 @@
 //   live_status           status in the middle of a long procedure
 //   stored_lines, programs
 //                         the stored code; load, read, run, pause
+//   guard_thread          the guard of held jogs that the controller runs
 //   after_silence         what is looked at where an answer was missing
 //   stops                 stops (decision AMB-128)
 //   texts                 the user's own text
@@ -40,11 +41,12 @@ class ArcusDriver final : public Driver {
   void attach(Station& station) override;
   Task<Result<>> connect() override;
   Task<Result<>> poll(Round round) override;
+  void watch_inputs(Instant until) override { known_.lines.watch_inputs(until); }
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<std::string>> stop(const StopOrder& order) override;
   [[nodiscard]] LastWill last_will(unsigned axes) const override;
   StopProgress stop_progress(const StopOrder& order) override;
-  [[nodiscard]] bool clears_up() const override { return known_.borrowed.is_out(); }
+  [[nodiscard]] bool clears_up() const override { return known_.borrowed.is_out() || work_.guard.at_work(); }
   [[nodiscard]] std::string leaves_behind() const override;
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
@@ -55,6 +57,9 @@ class ArcusDriver final : public Driver {
 
  private:
   // ---- driver.cpp
+  Task<Result<>> jog(intent::JogStart wish);
+  Task<Result<>> put_back_what_is_out(const IntentBody& before);
+  [[nodiscard]] Result<> guard_allows(const std::string& text) const;
   Task<Result<>> set_param(intent::SetParam wish);
   Task<Result<>> set_variable(const intent::SetVariable& wish);
   Task<Result<>> read_params(std::string only);

@@ -49,6 +49,7 @@ void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
   console_.draft.variables_known.reset();
   console_.draft.readouts_known.reset();
   known_.borrowed.forget();
+  work_.guard.forget();
   known_.code.restarted();
   if (known_.code.program_may_run()) console_.draft.program.ended_by = EndedBy::lost;
   known_.list.end();
@@ -67,9 +68,10 @@ void ArcusDriver::wire_lost() {
   talk_.wire_lost();
   finding_.wire_lost();
   known_.borrowed.leave_alone();
+  work_.guard.forget();
   known_.list.end();
   known_.motions.wire_lost();
-  console_.draft.transfer = TransferState();
+  known_.code.lines().forget();
   nothing_is_known(console_.draft);  // of the threads: those that ran are stopped first
   for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].own_speed = Pps{};
 }

@@ -24,6 +24,7 @@ Known::Known(const Console& console, Conversation& talk,
     threads.are_told(command);
     code.goes_out(command);
   };
+  talk.urgent = {[this] { return lines.glance_is_due(); }, [this] { return lines.glance(); }};
   talk.not_done = [this](std::string_view command) { code.was_refused(command); };
 }
 
@@ -33,6 +34,12 @@ Work::Work(const Console& console, Conversation& talk, Known& k, const language:
       actions(console, talk, k.setup, k.borrowed, k.list, k.readouts, k.motions, k.status, moves),
       live(console, talk, k.status, k.threads),
       stored(console, talk, k.code, live),
-      programs(console, dialect, talk, k.code, k.status, k.threads, stored) {}
+      guard(console, dialect, talk, k.code, k.borrowed, k.setup, k.threads, stored),
+      programs(console, dialect, talk, k.code, k.status, k.threads, stored) {
+  talk.goes_out = [this, first = std::move(talk.goes_out)](std::string_view command) {
+    first(command);
+    guard.goes_out(command);
+  };
+}
 
 }  // namespace hw::arcus

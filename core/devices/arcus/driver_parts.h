@@ -6,6 +6,7 @@
 
 #include "core/devices/arcus/actions.h"
 #include "core/devices/arcus/feed.h"
+#include "core/devices/arcus/guard_thread.h"
 #include "core/devices/arcus/lines.h"
 #include "core/devices/arcus/programs.h"
 
@@ -38,6 +39,7 @@ struct Work {
   Actions actions;
   LiveStatus live;
   StoredLines stored;
+  GuardThread guard;
   Programs programs;
 };
 

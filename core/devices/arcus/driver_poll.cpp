@@ -23,6 +23,7 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   auto motion = co_await known_.status.read(Priority::poll);
   if (!motion) co_return motion;
   auto returned = co_await known_.borrowed.give_back();
+  if (returned) returned = co_await work_.guard.let_go();
   if (!returned) co_return returned;
   auto fed = co_await work_.feed.go_on();
   if (!fed) co_return fed;
@@ -56,6 +57,7 @@ bool ArcusDriver::is_at_work() const {
 Task<Result<>> ArcusDriver::read_at_rest() {
   auto read = co_await known_.readouts.read_in_turn();
   if (read && round_ % kept_every == 0) read = co_await known_.setup.read_what_power_keeps();
+  if (read) read = co_await work_.guard.look();
   if (!read) co_return read;
   co_return co_await known_.setup.read_in_turn();
 }

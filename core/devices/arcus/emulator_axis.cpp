@@ -12,7 +12,7 @@ std::int64_t Axis::encoder_at(Steps load) const {
 }
 
 bool Axis::index_operated() const {
-  return index_every > 0 && (plant.load().value - index_first) % index_every == 0;
+  return index_every > 0 && (plant.load().value - index_first - plant.index_shift()) % index_every == 0;
 }
 
 void Axis::turn(int way, Sign physical, std::int64_t count) {
@@ -24,7 +24,7 @@ void Axis::turn(int way, Sign physical, std::int64_t count) {
 
 std::optional<std::int64_t> Axis::turns_until_index(Sign physical) const {
   if (index_every <= 0) return std::nullopt;
-  const std::int64_t here = plant.load().value - index_first;
+  const std::int64_t here = plant.load().value - index_first - plant.index_shift(physical);
   const std::int64_t behind = ((here % index_every) + index_every) % index_every;  // from the mark below
   const std::int64_t gap =
       physical == Sign::plus ? index_every - behind : (behind == 0 ? index_every : behind);

@@ -1,5 +1,7 @@
 #include "core/devices/arcus/finding.h"
 
+#include <optional>
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
@@ -133,15 +135,44 @@ tl::unexpected<Fault> Finding::silent() const {
                 fmt::format("Check its supply ({}) and the cable, and close other programs that use it.",
                             console_.forms.supply));
   const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
+  const std::string elsewhere = where_it_went(rate);
   return fail(
       FaultKind::no_answer,
       fmt::format("No {} answers at address {:02}{}.", console_.model().title, console_.catalog.address,
                   rate > 0 ? fmt::format(", at {} baud", rate) : ""),
       "Nothing was sent but the question for its name.",
-      fmt::format(
-          "Check its supply ({}), {}, the line rate (9600 from the factory), and its device name: the "
-          "last two digits are its address ({}{:02} from the factory).",
-          console_.forms.supply, console_.forms.wires, console_.model().name_prefix, factory_id()));
+      !elsewhere.empty()
+          ? elsewhere
+          : fmt::format(
+                "Check its supply ({}), {}, the line rate (9600 from the factory), and its device name: the "
+                "last two digits are its address ({}{:02} from the factory).",
+                console_.forms.supply, console_.forms.wires, console_.model().name_prefix, factory_id()));
+}
+
+// What it was told here and has stored holds when its power has been switched off and on. Empty: it is where
+// it was opened, as far as is known.
+std::string Finding::where_it_went(int rate) const {
+  const auto stored = [this](std::string_view mnemonic) -> std::optional<std::int64_t> {
+    const int index = console_.catalog.find_param(mnemonic);
+    if (index < 0) return std::nullopt;
+    const ParamState& state = console_.draft.params[ix(index)];
+    return state.known && state.stored ? std::optional(state.value) : std::nullopt;
+  };
+  std::string words, options;
+  if (const auto name = stored("DN"); name && *name != console_.catalog.address) {
+    words = fmt::format("address {:02}", *name);
+    options = fmt::format("id={:02}", *name);
+  }
+  const auto code = stored("DB");
+  for (const Baud& b : bauds)
+    if (rate > 0 && code == b.code && b.rate != rate) {
+      words += fmt::format("{}{} baud", words.empty() ? "" : " and ", b.rate);
+      options += fmt::format("{}baud={}", options.empty() ? "" : ",", b.rate);
+    }
+  if (words.empty()) return {};
+  return fmt::format(
+      "Follow it: it was given {}, which holds once its power has been switched off and on. Open it with {}.",
+      words, options);
 }
 
 tl::unexpected<Fault> Finding::garbled(std::string_view bytes) const {

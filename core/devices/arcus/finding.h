@@ -28,6 +28,7 @@ class Finding {
   tl::unexpected<Fault> echoed() const;
   tl::unexpected<Fault> line_feeds_come() const;
   [[nodiscard]] int factory_id() const;
+  [[nodiscard]] std::string where_it_went(int rate) const;
 
   const Console& console_;
   Conversation& talk_;

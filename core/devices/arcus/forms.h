@@ -17,10 +17,10 @@ struct Forms {
 
   std::string_view position, encoder;  ///< of one axis, with a set form
   std::string_view mode;               ///< asks for ABS or INC; empty: it stands in the status
-  std::string_view jog, stop, abort, clear, clear_loop;
+  std::string_view jog, stop, abort, clear;
   std::array<std::string_view, 5> homes;  ///< by HomeMode
   std::string_view power;                 ///< with a set form
-  std::string_view change_speed, speed_window, change_target;
+  std::string_view change_speed, change_target;
   std::string_view latch, sync_on, sync_off;
   std::string_view loop_state;
   std::string_view high_speed, accel;

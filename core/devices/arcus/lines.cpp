@@ -6,10 +6,33 @@
 
 namespace hw::arcus {
 
+bool Lines::glance_is_due() const {
+  constexpr Duration glance_every = Millis(10);
+  const Instant now = console_.scheduler.now();
+  return now < watched_until_ && now - glanced_at_ >= glance_every;
+}
+
+// What goes wrong here goes wrong with the question behind it too.
+Task<> Lines::glance() {
+  glanced_at_ = console_.scheduler.now();
+  auto inputs = co_await talk_.ask_number("DI", Priority::poll);
+  if (!inputs || !glance_look_.agrees(static_cast<std::uint64_t>(*inputs), talk_.times_cleaned())) co_return;
+  show_inputs(*inputs, talk_.asked_at());
+  console_.changed();
+}
+
+void Lines::show_inputs(std::int64_t inputs, Instant asked_at) {
+  console_.draft.inputs = static_cast<std::uint32_t>(inputs);
+  console_.draft.inputs_known = (1u << console_.model().inputs) - 1;
+  console_.draft.inputs_asked_at = asked_at;
+}
+
 Task<Result<>> Lines::read(Priority priority) {
   for (const bool again : {false, true}) {
+    glanced_at_ = console_.scheduler.now();  // not twice, one behind the other
     auto inputs = co_await talk_.ask_number("DI", priority);
     if (!inputs) co_return fail(inputs.error());
+    const Instant inputs_asked_at = talk_.asked_at();
     auto outputs = co_await talk_.ask_number("DO", priority);
     if (!outputs) co_return fail(outputs.error());
     auto enables = co_await talk_.ask_number("EO", priority);
@@ -21,8 +44,7 @@ Task<Result<>> Lines::read(Priority priority) {
       if (!again) continue;
       break;  // what was shown keeps its age
     }
-    console_.draft.inputs = static_cast<std::uint32_t>(*inputs);
-    console_.draft.inputs_known = (1u << console_.model().inputs) - 1;
+    if (inputs_asked_at >= console_.draft.inputs_asked_at) show_inputs(*inputs, inputs_asked_at);
     console_.draft.outputs = static_cast<std::uint32_t>(*outputs);
     console_.draft.outputs_known = (1u << console_.model().outputs) - 1;
     console_.draft.io_seen_at = console_.scheduler.now();

@@ -14,6 +14,10 @@ class Lines {
       : console_(console), talk_(talk), setup_(setup) {}
 
   Task<Result<>> read(Priority priority);
+  /// The inputs, once more between the questions of a round, and told at once.
+  void watch_inputs(Instant until) { watched_until_ = until; }
+  [[nodiscard]] bool glance_is_due() const;
+  Task<> glance();
   Task<Result<>> set_output(intent::SetOutput wish);
   Task<Result<>> set_power(intent::SetPower wish);
   /// Each, whatever comes of the others. What they are then, the next round tells.
@@ -26,12 +30,14 @@ class Lines {
 
  private:
   [[nodiscard]] std::string who_has(int output) const;
+  void show_inputs(std::int64_t inputs, Instant asked_at);
 
   const Console& console_;
   Conversation& talk_;
   const SetUp& setup_;
-  SecondLook look_;
+  SecondLook look_, glance_look_;
   bool due_ = false;
+  Instant watched_until_{}, glanced_at_{};
 };
 
 }  // namespace hw::arcus

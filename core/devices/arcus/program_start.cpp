@@ -94,6 +94,26 @@ std::optional<std::int64_t> told(const ControllerState& state, const Catalog& ca
   return std::nullopt;
 }
 
+/// Outputs (bits) that show what the controller does with them: In Position, Alarm, sync. What was written to
+/// them stays behind it, and DO does not tell it.
+std::int64_t hidden_outputs(const Controller& controller, const ControllerState& state,
+                            const Catalog& catalog) {
+  const Model& model = controller.model();
+  const auto bit = [](int output) { return output > 0 ? std::int64_t{1} << (output - 1) : 0; };
+  std::int64_t hidden = 0;
+  if (controller.loop_has_outputs()) hidden |= bit(model.in_position_output) | bit(model.alarm_output);
+  for (int i = 0; i < controller.axes(); ++i)
+    if (told(state, catalog, sync_outputs, i, 'S').value_or(0) != 0) hidden |= bit(model.sync_outputs[ix(i)]);
+  return hidden;
+}
+
+/// What is hidden is taken as power-up leaves it.
+void put_outputs(Controller& controller, const ControllerState& state, const Catalog& catalog) {
+  const std::int64_t hidden = hidden_outputs(controller, state, catalog);
+  const std::int64_t shown = state.now.outputs & state.now.outputs_known;
+  controller.set_outputs((shown & ~hidden) | (controller.settings().get(Setting::boot_outputs) & hidden));
+}
+
 /// When the inputs stand: no edge of theirs is to be caught.
 void arm(Controller& controller, const ControllerState& state, const Catalog& catalog) {
   for (int i = 0; i < controller.axes(); ++i) {
@@ -144,6 +164,31 @@ void name_unarmed(std::vector<RehearsedAssumption>& all, const ControllerState& 
   }
 }
 
+bool on_duty(const OutputDuty& duty, const ControllerState& state, const Catalog& catalog) {
+  return !duty.name.empty() &&
+         std::all_of(duty.while_not_zero.begin(), duty.while_not_zero.end(), [&](const std::string& name) {
+           const int param = catalog.find_param(name);
+           if (param >= 0) return state.param(ix(param)).value_or(catalog.params[ix(param)].fallback) != 0;
+           const int place = catalog.find_readout(name);
+           return place >= 0 && state.now.readouts_known.test(ix(place)) &&
+                  state.now.readouts[ix(place)] != 0;
+         });
+}
+
+/// A program that ends the duty of an output brings out what was written to it before.
+void name_hidden(std::vector<RehearsedAssumption>& all, const ControllerState& state, const Catalog& catalog,
+                 const language::Program& program) {
+  const bool ends_duties =
+      std::any_of(program.code.begin(), program.code.end(), [](const language::Instruction& i) {
+        const bool sets = i.op == language::Opcode::set && i.target.kind == language::Operand::Kind::quantity;
+        return i.op == language::Opcode::sync_off ||
+               (sets && i.target.quantity == language::Quantity::loop_enable);
+      });
+  for (const OutputInfo& output : catalog.outputs)
+    if (ends_duties && on_duty(output.duty, state, catalog))
+      all.push_back({output.name + " behind its duty", "as at power-up"});
+}
+
 /// Variables whose first mention is that they are looked at.
 std::bitset<language::variables> read_first(const language::Program& program) {
   std::bitset<language::variables> looked_at, written;
@@ -180,7 +225,7 @@ void begin_like(ArcusEmulator& emulator, const ControllerState& state, const Cat
   }
   if (now.outputs_known != 0) {  // both are read together
     controller.set_enables(enables);
-    controller.set_outputs(now.outputs & now.outputs_known);
+    put_outputs(controller, state, catalog);
   }
   hold_inputs(controller, now);
   arm(controller, state, catalog);
@@ -197,6 +242,7 @@ std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const
     if (looked_at.test(ix(n)) && !state.now.variables_known.test(ix(n)))
       all.push_back({"V" + std::to_string(n), "0"});
   name_unarmed(all, state, catalog, program);
+  name_hidden(all, state, catalog, program);
   if (state.now.feed.running)
     all.push_back({"moves that wait in the buffer", "none, since the controller tells their number only"});
   return all;

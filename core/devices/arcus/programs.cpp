@@ -1,8 +1,11 @@
 #include "core/devices/arcus/programs.h"
 
+#include <utility>
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/devices/arcus/guard_text.h"
 #include "core/devices/arcus/language/compiler.h"
 #include "core/devices/arcus/language/decompiler.h"
 
@@ -22,6 +25,14 @@ std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::
       one ? "It stands" : "They stand", one ? "a comment" : "comments", one ? "it" : "them");
 }
 
+std::string stored_lines(int count, int written) {
+  const std::string what = written == 0   ? "nothing had to be written"
+                           : written == 1 ? "1 was written and compared"
+                                          : fmt::format("{} were written and compared", written);
+  return fmt::format("{} of {} lines {} stored: {}. {} when the power goes.", count, program_lines,
+                     count == 1 ? "is" : "are", what, count == 1 ? "It stays" : "They stay");
+}
+
 }  // namespace
 
 Task<Result<>> Programs::perform(IntentBody body) {
@@ -32,11 +43,11 @@ Task<Result<>> Programs::perform(IntentBody body) {
     auto read = co_await threads_.read(true, Priority::intent);
     if (!read) co_return read;
     if (auto may = threads_.none_runs(); !may) co_return may;
-    auto cleared = co_await stored_.clear_from(0);
-    console_.draft.transfer.running = false;
+    code_.forget();
+    auto cleared = co_await stored_.write({});
     if (!cleared) co_return stored_.broken_off(std::move(cleared.error()));
     console_.draft.slots_torn = 0;
-    co_return cleared;
+    co_return Result<>();
   }
   if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();
   if (const auto* i = std::get_if<RunProgram>(&body)) co_return co_await run(i->slot);
@@ -65,12 +76,22 @@ Task<Result<>> Programs::control(int thread, int what) {
   auto read = co_await threads_.read(false, Priority::intent);
   if (!read) co_return read;
   const RunState now = console_.draft.threads[ix(thread)].run;
-  if (what == thread_run && now == RunState::error)
+  if (what == thread_run && now == RunState::error) {
+    has_run(thread);
     co_return fail(FaultKind::controller,
                    fmt::format("Program {} stopped in error at line {} of its stored code.", thread,
                                console_.draft.threads[ix(thread)].line),
                    {}, "Look at the program, and whether an axis has an error.");
+  }
   co_return Result<>();
+}
+
+// It was over before its state could be asked: whoever tells of ends has to see that it ran.
+void Programs::has_run(int thread) {
+  ThreadState& state = console_.draft.threads[ix(thread)];
+  const RunState over = std::exchange(state.run, RunState::running);
+  console_.changed();
+  state.run = over;
 }
 
 // SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
@@ -78,12 +99,17 @@ Task<Result<>> Programs::control(int thread, int what) {
 Task<Result<>> Programs::run(int program) {
   auto started = co_await control(program, thread_run);
   if (!started || console_.draft.threads[ix(program)].run != RunState::idle) co_return started;
-  if (code_.known() && code_.known()->programs[ix(program)]) co_return started;
+  if (code_.known() && code_.known()->programs[ix(program)]) {
+    has_run(program);
+    co_return started;
+  }
   auto there = co_await stored_.read();
-  console_.draft.transfer.running = false;
   if (!there) co_return fail(there.error());
   note_stored(*there);
-  if (!code_.known() || code_.known()->programs[ix(program)]) co_return started;
+  if (!code_.known() || code_.known()->programs[ix(program)]) {
+    has_run(program);
+    co_return started;
+  }
   co_return fail(FaultKind::refused, fmt::format("There is no program {0} in the stored code.", program),
                  "Nothing was started.",
                  program == 0 ? "Load one first." : fmt::format("Its text begins with PRG {}.", program));
@@ -130,10 +156,10 @@ Task<Result<>> Programs::may_be_program(int program, const language::Program& co
                                code.programs[0] ? "program 0" : "another program", program),
                    "Nothing was written.");
   auto there = co_await stored_.read();
-  console_.draft.transfer.running = false;
   if (!there) co_return fail(there.error());
   note_stored(*there);
-  for (int n = 0; code_.known() && n < console_.model().programs; ++n)
+  const bool guard = read_guard(*there, dialect_, console_.model()).has_value();  // it gives way to any text
+  for (int n = 0; code_.known() && !guard && n < console_.model().programs; ++n)
     if (code_.known()->programs[ix(n)] && !code.programs[ix(n)])
       co_return fail(FaultKind::refused,
                      fmt::format("The controller holds program {} too, and a text replaces all programs.", n),
@@ -158,18 +184,10 @@ Task<Result<>> Programs::load(int program, std::string text) {
   const std::vector<std::string> lines = made.lines;
   code_.forget();
   auto written = co_await stored_.write(lines);
-  console_.draft.transfer.running = false;
   if (!written) co_return stored_.broken_off(std::move(written.error()));
   console_.draft.slots_torn = 0;
   note_stored(lines);
-  console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(lines.size());
-  console_.tell(
-      Notice::Kind::info,
-      lines.size() == 1
-          ? fmt::format("1 of {} lines is stored and was compared. It stays when the power goes.",
-                        program_lines)
-          : fmt::format("{} of {} lines are stored and were compared. They stay when the power goes.",
-                        lines.size(), program_lines));
+  console_.tell(Notice::Kind::info, stored_lines(static_cast<int>(lines.size()), *written));
   co_return Result<>();
 }
 
@@ -178,7 +196,6 @@ Task<Result<>> Programs::upload(int program) {
   if (program >= console_.model().programs)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}.", program), "Nothing was sent.");
   auto lines = co_await stored_.read();
-  console_.draft.transfer.running = false;
   if (!lines) co_return fail(lines.error());
   note_stored(*lines);
   console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(lines->size());

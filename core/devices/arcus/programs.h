@@ -31,6 +31,7 @@ class Programs {
   Task<Result<>> upload(int program);
   Task<Result<>> run(int program);
   Task<Result<>> control(int thread, int what);
+  void has_run(int thread);
   Task<Result<>> control_all(int thread, int what);
 
   const Console& console_;

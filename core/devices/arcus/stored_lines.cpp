@@ -1,5 +1,8 @@
 #include "core/devices/arcus/stored_lines.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/core.h>
 
 #include "core/base/index.h"
@@ -10,112 +13,208 @@ namespace {
 constexpr int empty_lines_end_it = 4;    // in a row
 constexpr std::uint8_t stored_code = 1;  // one text for all programs: see Snapshot::slots_torn
 
-constexpr const char* torn = "What is stored now is neither the old program nor the new one.";
+constexpr const char* torn = "What is stored now is neither the old program nor the new one";
 constexpr const char* mend_it = "Download it again before anything runs it.";
+
+// A line that nobody knows is read before it is written: a question costs as little time as the answer to a
+// write, and flash wears by each write; the manuals print no number of cycles. Where so many in a row are
+// other lines another program is stored, and asking on would only cost time.
+constexpr int other_lines_are_another_program = 4;
+
+bool reads_first(int others_in_a_row) { return others_in_a_row < other_lines_are_another_program; }
 
 }  // namespace
 
 // ---- one line
 
-Task<Result<std::string>> StoredLines::read_line(int line, Priority priority) {
-  co_return co_await talk_.ask(fmt::format("SA{}", line), priority);
+Task<Result<std::string>> StoredLines::read_line(int line) {
+  auto text = co_await talk_.ask(fmt::format("SA{}", line), Priority::transfer);
+  progress_.worked(console_.scheduler.now());
+  if (text) code_.lines().was_read(line, *text);
+  if (text && ix(line) < read_.size()) read_[ix(line)] = true;
+  co_return text;
 }
 
 // An unused line is empty.
-Task<Result<>> StoredLines::write_line(int line, std::string text) {
-  std::string sent = fmt::format("SA{}={}", line, text);
+Task<Result<>> StoredLines::write_line(int line) {
+  std::string sent = fmt::format("SA{}={}", line, wanted(line));
+  read_[ix(line)] = false;
   const std::uint8_t before =
       std::exchange(console_.draft.slots_torn, stored_code);  // should the console be closed now
   auto written = co_await talk_.command(std::move(sent), Priority::transfer, Millis(500));
+  progress_.worked(console_.scheduler.now());
   // A stop that came first, or a refusal: this line is not stored.
   if (!written && was_kept_back(written.error())) console_.draft.slots_torn = before;
+  // Whether an answer was lost, or the line itself garbled on its way, reading it tells.
+  if (!written && worth_another_try(written.error())) co_return Result<>();
   co_return written;
 }
 
-// A line may be written twice: whether an answer was lost, or the line itself garbled on its way or back,
-// reading it tells. `there` is what it was when it was read last.
-Task<Result<>> StoredLines::store_line(int line, std::string text, std::string there) {
-  constexpr int most_writes = 3;
-  for (int writes = 0; there != text; ++writes) {
-    if (writes == most_writes)
-      co_return fail(FaultKind::controller,
-                     fmt::format("Line {} reads back as \"{}\" instead of \"{}\".", line, there, text));
-    auto written = co_await write_line(line, text);
-    if (!written && !worth_another_try(written.error())) co_return written;
-    auto back = co_await read_line(line, Priority::transfer);
-    if (!back) co_return fail(back.error());
-    there = std::move(*back);
-  }
-  co_return Result<>();
+const std::string& StoredLines::wanted(int line) const {
+  static const std::string nothing;
+  return ix(line) < wanted_.size() ? wanted_[ix(line)] : nothing;
 }
 
-// ---- all of them
-
-void StoredLines::show_transfer(int done, int total) {
-  console_.draft.transfer.running = done < total;
-  console_.draft.transfer.done = done;
-  console_.draft.transfer.total = total;
+bool StoredLines::is_there(int line) const {
+  const std::string* held = code_.lines().known(line);
+  return held && *held == wanted(line);
 }
+
+// ---- reading
 
 Task<Result<std::vector<std::string>>> StoredLines::read() {
+  doubt_what_is_held();
+  progress_.begin(0, console_.scheduler.now());
+  auto lines = co_await read_all();
+  progress_.end();
+  heard_ = now_heard();
+  co_return lines;
+}
+
+Task<Result<std::vector<std::string>>> StoredLines::read_all() {
+  const int used = std::max<int>(console_.draft.slot_bytes_used[0], 0);
+  progress_.enter(TransferState::Phase::reading, used);
+  if (used > 0) progress_.expect(used + empty_lines_end_it);
   std::vector<std::string> lines;
   int empty = 0;
   for (int n = 0; n < program_lines && empty < empty_lines_end_it; ++n) {
-    auto text = co_await read_line(n, Priority::transfer);
+    auto text = co_await read_line(n);
     if (!text) co_return fail(text.error());
     empty = text->empty() ? empty + 1 : 0;
     lines.push_back(std::move(*text));
-    show_transfer(n, program_lines);
+    if (used == 0 || n < used) progress_.line_done();
     co_await live_.read();
   }
   while (!lines.empty() && lines.back().empty()) lines.pop_back();
   co_return lines;
 }
 
-// Each line is read back at once; a line that is equal already is not written.
-Task<Result<>> StoredLines::write(std::vector<std::string> lines) {
-  const int total = static_cast<int>(lines.size());
-  for (int n = 0; n < total; ++n) {
-    auto there = co_await read_line(n, Priority::transfer);
-    if (!there) co_return fail(there.error());
-    auto stored = co_await store_line(n, lines[ix(n)], std::move(*there));
-    if (!stored) co_return stored;
-    show_transfer(n + 1, total);
-    co_await live_.read();
-  }
-  co_return co_await clear_from(total);
+// ---- writing
+
+Task<Result<int>> StoredLines::write(std::vector<std::string> lines) {
+  wanted_ = std::move(lines);
+  read_.assign(static_cast<std::size_t>(program_lines), false);
+  differs_ = false;
+  doubt_what_is_held();
+  progress_.begin(0, console_.scheduler.now());
+  auto written = co_await write_all();
+  progress_.end();
+  if (written) console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(wanted_.size());
+  heard_ = now_heard();
+  co_return written;
 }
 
-// What a longer program has left behind.
-Task<Result<>> StoredLines::clear_from(int line) {
-  int empty = 0;
-  code_.forget();
-  for (int n = line; n < program_lines && empty < empty_lines_end_it; ++n) {
-    auto there = co_await read_line(n, Priority::transfer);
-    if (!there) co_return fail(there.error());
-    if (there->empty()) {
-      ++empty;
-      continue;
+/// A controller that was silent for a moment, or answers that nobody here has asked for: others may be at it.
+void StoredLines::doubt_what_is_held() {
+  if (heard_ != now_heard()) code_.lines().forget();
+}
+
+void StoredLines::forget_what_is_held() {
+  code_.lines().forget();
+  read_.assign(read_.size(), false);
+}
+
+Task<Result<int>> StoredLines::write_all() {
+  constexpr int most_passes = 3;
+  int count = 0;
+  for (int pass = 1;; ++pass) {
+    auto sent = co_await write_what_differs();
+    if (!sent) co_return fail(sent.error());
+    count += written_;
+    auto other = co_await compare_what_was_not_read();
+    if (!other) co_return fail(other.error());
+    if (!*other) co_return count;
+    const OtherLine& found = **other;
+    if (pass == most_passes)
+      co_return fail(FaultKind::controller, fmt::format("Line {} reads back as \"{}\" instead of \"{}\".",
+                                                        found.line, found.text, wanted(found.line)));
+    if (written_ > 0) forget_what_is_held();  // what was garbled on its way may have become another line
+  }
+}
+
+// Behind its end as far as a longer program may have left something.
+Task<Result<>> StoredLines::write_what_differs() {
+  const int total = static_cast<int>(wanted_.size());
+  seen_ = written_ = 0;
+  progress_.enter(TransferState::Phase::writing, total);
+  progress_.expect(work_from(0, true));
+  int others = 0, empty = 0;
+  for (int n = 0; n < program_lines && (n < total || empty < empty_lines_end_it); ++n) {
+    const bool behind = n >= total, asks = reads_first(others);
+    if (!code_.lines().known(n) && (behind || asks)) {
+      auto read = co_await read_line(n);
+      if (!read) co_return fail(read.error());
+      if (!is_there(n)) progress_.expect_more(2);
     }
-    empty = 0;
-    auto cleared = co_await store_line(n, {}, std::move(*there));
-    if (!cleared) co_return cleared;
+    const bool there = is_there(n);
+    if (behind) empty = there ? empty + 1 : 0;
+    others = there ? 0 : others + 1;
+    if (!there) {
+      auto sent = co_await write_line(n);
+      if (!sent) co_return sent;
+      ++written_;
+    }
+    seen_ = n + 1;
+    if (!behind || total == 0) progress_.line_done();
+    if (!behind && reads_first(others) != asks) progress_.expect(not_read(n + 1) + work_from(n + 1, !asks));
     co_await live_.read();
   }
-  console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(line);
   co_return Result<>();
+}
+
+/// Of the first so many.
+int StoredLines::not_read(int lines) const {
+  return static_cast<int>(std::count(read_.begin(), read_.begin() + lines, false));
+}
+
+/// Questions and commands, to the end of it all.
+int StoredLines::work_from(int line, bool reads_unknown_first) const {
+  int work = 0;
+  for (int n = line; n < static_cast<int>(wanted_.size()); ++n) {
+    const bool one_question = is_there(n) || (reads_unknown_first && !code_.lines().known(n));
+    work += !one_question ? 2 : read_[ix(n)] ? 0 : 1;
+  }
+  return work;
+}
+
+/// The first line that is another than it is to be.
+Task<Result<std::optional<StoredLines::OtherLine>>> StoredLines::compare_what_was_not_read() {
+  std::optional<OtherLine> other;
+  progress_.enter(TransferState::Phase::comparing, not_read(seen_));
+  progress_.expect(not_read(seen_));
+  for (int n = 0; n < seen_; ++n) {
+    if (read_[ix(n)]) continue;
+    auto read = co_await read_line(n);
+    if (!read) co_return fail(read.error());
+    if (!other && *read != wanted(n)) other = OtherLine{n, std::move(*read)};
+    differs_ = other.has_value();
+    progress_.line_done();
+    co_await live_.read();
+  }
+  co_return other;
+}
+
+// ---- what an end before the end leaves
+
+std::string StoredLines::what_stands() const {
+  const TransferState& t = console_.draft.transfer;
+  const std::string written = say_written(t);
+  if (written.empty() || differs_) return fmt::format("{}.", torn);
+  if (t.phase == TransferState::Phase::comparing)
+    return fmt::format("What is stored now may not be the new program: {}.", written);
+  return fmt::format("{}: {}, and the rest is what was there before.", torn, written);
 }
 
 tl::unexpected<Fault> StoredLines::broken_off(Fault why) {
   if (console_.draft.slots_torn == 0) return fail(std::move(why));
   console_.draft.slot_bytes_used[0] = -1;
-  why.done = torn;
+  why.done = what_stands();
   why.advice = mend_it;
   return fail(std::move(why));
 }
 
 std::string StoredLines::leaves_behind() const {
-  return console_.draft.slots_torn != 0 ? fmt::format("{} {}", torn, mend_it) : std::string();
+  return console_.draft.slots_torn != 0 ? fmt::format("{} {}", what_stands(), mend_it) : std::string();
 }
 
 }  // namespace hw::arcus

@@ -1,8 +1,10 @@
 #pragma once
-// The lines of the stored code: one text for all programs, written line by line, read back and compared.
+// The lines of the stored code: one text for all programs, written line by line, then read back and compared.
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/device/transfer_progress.h"
 #include "core/devices/arcus/live_status.h"
 
 namespace hw::arcus {
@@ -10,27 +12,56 @@ namespace hw::arcus {
 class StoredLines {
  public:
   StoredLines(const Console& console, Conversation& talk, CodeAtWork& code, LiveStatus& live)
-      : console_(console), talk_(talk), code_(code), live_(live) {}
+      : console_(console),
+        talk_(talk),
+        code_(code),
+        live_(live),
+        progress_(console.draft.transfer, console.catalog) {}
 
   Task<Result<std::vector<std::string>>> read();
-  /// These, and nothing behind them.
-  Task<Result<>> write(std::vector<std::string> lines);
-  Task<Result<>> clear_from(int line);
+  /// These, and nothing behind them: each line is read before it is said to stand, because another host may
+  /// have written it unheard. How many had to be written: those that are not known to be there.
+  Task<Result<int>> write(std::vector<std::string> lines);
   /// By a stop, a lost link or a line that is not taken: what is stored then may run, and is no program.
   tl::unexpected<Fault> broken_off(Fault why);
   /// The next console to open it does not know.
   [[nodiscard]] std::string leaves_behind() const;
 
  private:
-  Task<Result<std::string>> read_line(int line, Priority priority);
-  Task<Result<>> write_line(int line, std::string text);
-  Task<Result<>> store_line(int line, std::string text, std::string there);
-  void show_transfer(int done, int total);
+  Task<Result<std::string>> read_line(int line);
+  Task<Result<>> write_line(int line);
+  Task<Result<std::vector<std::string>>> read_all();
+  Task<Result<int>> write_all();
+  Task<Result<>> write_what_differs();
+  struct OtherLine {
+    int line;
+    std::string text;
+  };
+  Task<Result<std::optional<OtherLine>>> compare_what_was_not_read();
+  [[nodiscard]] const std::string& wanted(int line) const;
+  [[nodiscard]] bool is_there(int line) const;
+  [[nodiscard]] int not_read(int lines) const;
+  [[nodiscard]] int work_from(int line, bool reads_first) const;
+  void forget_what_is_held();
+  void doubt_what_is_held();
+  [[nodiscard]] std::string what_stands() const;
+  struct Heard {
+    std::uint64_t misses = 0;
+    int strays = 0;
+    bool operator==(const Heard&) const = default;
+  };
+  [[nodiscard]] Heard now_heard() const { return {talk_.misses(), talk_.strays()}; }
 
   const Console& console_;
   Conversation& talk_;
   CodeAtWork& code_;
   LiveStatus& live_;
+  TransferProgress progress_;
+  std::vector<std::string> wanted_;  ///< what is to stand there
+  std::vector<bool> read_;           ///< a line: in this call, and not written since
+  int seen_ = 0, written_ = 0;       ///< lines, in one pass
+  bool differs_ = false;             ///< what was compared last
+  Heard heard_;                      ///< when its lines were last known
 };
 
 }  // namespace hw::arcus

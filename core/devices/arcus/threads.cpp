@@ -50,6 +50,10 @@ void Threads::show_program() const {
 }
 
 Task<Result<>> Threads::read_one(int thread, Priority priority) {
+  if (is_apart(thread)) {
+    console_.draft.threads[ix(thread)] = ThreadState{RunState::idle, true};
+    co_return Result<>();
+  }
   auto state = co_await talk_.ask_number(fmt::format("SASTAT{}", thread), priority);
   if (!state) co_return fail(state.error());
   const RunState run = run_state(*state);
@@ -78,13 +82,14 @@ Task<Result<>> Threads::read_one(int thread, Priority priority) {
 // ---- what is told to them
 
 void Threads::may_start(std::string_view command) {
+  if (is_apart(thread_named_in(command).value_or(-1))) return;
   if (command.starts_with("SR") && !ends_program(command)) program_runs();
   if (command.starts_with("GS")) program_runs(code_.longest_run(command));
 }
 
 void Threads::are_told(std::string_view command) {
   const auto n = thread_named_in(command);
-  if (!n || *n < 0 || *n >= console_.model().programs) return;
+  if (!n || *n < 0 || *n >= console_.model().programs || is_apart(*n)) return;
   console_.draft.threads[ix(*n)].known = false;
   if (!ends_program(command)) console_.draft.threads[ix(*n)].run = RunState::running;  // a stop ends it first
 }

@@ -23,6 +23,9 @@ class Threads {
   /// Whether it still runs shows in the next second.
   void program_runs(Duration at_most = std::chrono::seconds(1));
 
+  /// Until then it is the console's own, which is no program of the user's and is shown as none.
+  void keep_apart(int thread, Instant until) { apart_ = thread, apart_until_ = until; }
+
   /// As far as is known.
   [[nodiscard]] bool may_run(int thread) const;
   [[nodiscard]] bool any_may_run() const;
@@ -32,6 +35,9 @@ class Threads {
  private:
   Task<Result<>> read_one(int thread, Priority priority);
   void show_program() const;
+  [[nodiscard]] bool is_apart(int thread) const {
+    return thread == apart_ && console_.scheduler.now() < apart_until_;
+  }
 
   const Console& console_;
   Conversation& talk_;
@@ -39,6 +45,8 @@ class Threads {
   SetUp& setup_;
   RestartWatch& watch_;
   InTurn first_;
+  int apart_ = -1;
+  Instant apart_until_{};
 };
 
 }  // namespace hw::arcus

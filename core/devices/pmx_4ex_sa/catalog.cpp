@@ -80,9 +80,10 @@ void add_actions(Catalog& c) {
   c.actions.back().while_busy = true;
   c.actions.back().sets = "BUF";
   for (std::size_t i = buffer_begin; i < c.actions.size(); ++i) c.actions[i].of_move_buffer = true;
-  c.actions.push_back(make_action("timer", "Start timer", "Lets the timer count down from here.", "Motion",
+  c.actions.push_back(make_action("timer", "Start", "Lets the timer count down from here.", "Motion",
                                   {number_field("time", "Time", "ms", 0, arcus::max_number, 1000)},
                                   "PMX manual ch. 6 Timer Register"));
+  c.actions.back().sets = "TR";
   c.actions.push_back(make_action(
       "joystick", "Joystick",
       "On: the axis follows the voltage of its analog input from now on, and StepNLoop of it goes off.",

@@ -264,5 +264,45 @@ TEST_F(ProgramJobTest, TextTypedDuringTheTransferIsNotTakenForLoaded) {
   EXPECT_FALSE(texts.controller_has(0));
 }
 
+TEST_F(ProgramJobTest, LinesAndTheTimeThatIsLeftAreSaidAsFarAsTheyAreKnown) {
+  texts.set_text(0, "I1M400");
+  begin(ProgramJob::Goal::load);
+  const auto words = [&] { return job.words(catalog.program, now.transfer); };
+  EXPECT_EQ(words(), "Loading Program 0");
+  now.transfer.running = true;
+  now.transfer.phase = TransferState::Phase::writing;
+  now.transfer.done = 41, now.transfer.total = 302;
+  EXPECT_EQ(words(), "Loading Program 0: 41 of 302 lines");
+  now.transfer.left = from_seconds(13.2);
+  EXPECT_EQ(words(), "Loading Program 0: 41 of 302 lines, 14 s left");
+  now.transfer.phase = TransferState::Phase::comparing;
+  EXPECT_EQ(words(), "Loading Program 0: comparing, 41 of 302 lines, 14 s left");
+  now.transfer = TransferState();
+  now.transfer.running = true, now.transfer.done = 7;
+  EXPECT_EQ(words(), "Loading Program 0: 7 lines");
+}
+
+TEST_F(ProgramJobTest, ALinkThatIsLostInTheMiddleLeavesWhatIsSaid) {
+  texts.set_text(0, "I1M400");
+  begin(ProgramJob::Goal::load);
+  now.transfer.phase = TransferState::Phase::writing;
+  now.transfer.done = 41, now.transfer.total = 302;
+  now.slots_torn = 1;
+  now.link.state = LinkState::lost;
+  settle(Fate::pending);
+  EXPECT_FALSE(job.busy());
+  EXPECT_EQ(job.take_told().sentence,
+            "The link was lost while the program was transferred: the first 41 of its 302 lines are written. "
+            "Load it again when the link is back.");
+}
+
+TEST_F(ProgramJobTest, HalfOfATransferIsLoadedOverWithoutAQuestion) {
+  now.slot_bytes_used[0] = -1;
+  now.slots_torn = 1;
+  texts.set_text(0, "I1M400");
+  ASSERT_TRUE(begin(ProgramJob::Goal::run));
+  EXPECT_TRUE(last<intent::LoadProgram>());
+}
+
 }  // namespace
 }  // namespace hw::gui

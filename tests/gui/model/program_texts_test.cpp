@@ -186,5 +186,21 @@ TEST(LineOf, IsOneLineWithoutItsIndent) {
   EXPECT_EQ(line_of("   ", 0), "");
 }
 
+TEST_F(ProgramTextsTest, WhatABrokenTransferHasLeftIsSaidUntilItIsLoadedAgain) {
+  texts.set_text(0, "I1M400");
+  now.slots_torn = 1;
+  EXPECT_EQ(note(), "The controller does not hold this program. Run loads it again.");
+  now.transfer.slot = 0;
+  now.transfer.phase = TransferState::Phase::writing;
+  now.transfer.done = 41, now.transfer.total = 302;
+  EXPECT_EQ(note(),
+            "The controller does not hold this program: the first 41 of its 302 lines are written. Run loads "
+            "it again.");
+  now.transfer.slot = 1;
+  EXPECT_EQ(note(), "The controller does not hold this program. Run loads it again.") << "of another one";
+  now.slots_torn = 2;
+  EXPECT_EQ(note(), "");
+}
+
 }  // namespace
 }  // namespace hw::gui

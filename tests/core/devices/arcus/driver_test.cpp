@@ -670,7 +670,7 @@ TEST_F(DriverTest, ALimitErrorIsShownAndCleared) {
 
 TEST_F(DriverTest, TheTargetAndTheSpeedChangeUnderWay) {
   start(dmx);
-  ASSERT_EQ(act("speed_window", {1}), "");
+  ASSERT_EQ(perform(intent::SetParam("SSPDM", 1, true)), "");
   perform(intent::MoveTo(targets({50000})));
   run(1);
   sent();
@@ -768,6 +768,25 @@ TEST_F(DriverTest, ARunningProgramIsNotOverwritten) {
   EXPECT_EQ(latest.threads[0].run, RunState::running);
   EXPECT_EQ(perform(intent::HaltProgram(0)), "");
   EXPECT_EQ(latest.threads[0].run, RunState::idle);
+}
+
+// ---- one that answers elsewhere
+
+TEST_F(DriverTest, ARenamedDeviceThatIsGoneIsFollowedWithItsNewAddress) {
+  start(dmx);
+  ASSERT_EQ(perform(intent::SetParam("DN", 7, true)), "");
+  loop->operate(bench::PowerCycle());
+  run(5);
+  EXPECT_EQ(latest.link.state, LinkState::good) << "it was not stored";
+  ASSERT_EQ(perform(intent::SetParam("DN", 7, true)), "");
+  ASSERT_EQ(perform(intent::Store()), "");
+  loop->operate(bench::PowerCycle());
+  ASSERT_TRUE(run_until([&] { return latest.link.attempts > 0; }, 30));
+  run(5);
+  EXPECT_THAT(
+      std::string(latest.link.sentence.view()),
+      HasSubstr("Follow it: it was given address 07, which holds once its power has been switched off and "
+                "on. Open it with id=07."));
 }
 
 // ---- the wire

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/device/controller_state.h"
@@ -353,6 +355,26 @@ TEST(PmxRehearsal, EachLoopWithoutEndIsTold) {
       options);
   ASSERT_TRUE(one) << one.error().sentence();
   EXPECT_TRUE(one->endless) << "program 1 is";
+}
+
+// DO1 shows In Position and DO3 shows no alarm: what was written to them is behind that until SL=0.
+TEST(DmxRehearsal, OutputsOffDutyBringOutWhatPowerUpHasWritten) {
+  const DeviceType& dmx = *find_device_type("dmx-k-sa");
+  const Catalog catalog = *dmx.make_catalog({});
+  auto state = std::make_shared<ControllerState>();
+  state->now.axis_count = 1;
+  state->now.outputs_known = 7, state->now.outputs = 1;
+  const RehearseOptions options = rehearse_from(state, BenchView(), catalog);
+  const auto r = dmx.language().rehearse("SL=0\nDELAY=10\nEND\n", options);
+  ASSERT_TRUE(r) << r.error().sentence();
+  EXPECT_EQ(r->outputs_at_first.at("3"), 0);
+  EXPECT_EQ(r->outputs.at("1"), 1);
+  EXPECT_EQ(r->outputs.at("2"), 0) << "it shows what was written";
+  EXPECT_EQ(r->outputs.at("3"), 1);
+  const auto named = [](const RehearsedAssumption& a) {
+    return a.name.find("behind its duty") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(r->assumptions.begin(), r->assumptions.end(), named), 2);
 }
 
 }  // namespace
