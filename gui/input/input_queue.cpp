@@ -27,6 +27,11 @@ InputEvent event_of(InputKind kind, bool down, int code, float x, float y, doubl
   return e;
 }
 
+bool stops(const InputEvent& e) {
+  return e.down && ((e.kind == InputKind::key && e.code == GLFW_KEY_ESCAPE) ||
+                    (e.kind == InputKind::pad_button && e.code == GLFW_GAMEPAD_BUTTON_B));
+}
+
 }  // namespace
 
 void Modifiers::follow(const InputEvent& event) {
@@ -63,10 +68,17 @@ InputEvent InputEvent::text(unsigned code_point, double at_s) {
 InputEvent InputEvent::focus_lost(double at_s) {
   return event_of(InputKind::focus_lost, false, 0, 0, 0, at_s);
 }
+InputEvent InputEvent::pad_stick(int glfw_axis, float place, double at_s) {
+  return event_of(InputKind::pad_stick, false, glfw_axis, place, 0, at_s);
+}
+InputEvent InputEvent::pad_button(int glfw_button, bool down, double at_s) {
+  return event_of(InputKind::pad_button, down, glfw_button, 0, 0, at_s);
+}
+InputEvent InputEvent::pad_heard(double at_s) { return event_of(InputKind::pad_heard, false, 0, 0, 0, at_s); }
+InputEvent InputEvent::pad_gone(double at_s) { return event_of(InputKind::pad_gone, false, 0, 0, 0, at_s); }
 
 void InputQueue::push(const InputEvent& event) {
-  const bool esc = event.kind == InputKind::key && event.code == GLFW_KEY_ESCAPE && event.down;
-  if (esc || event.kind == InputKind::focus_lost) drop_presses();
+  if (stops(event) || event.kind == InputKind::focus_lost) drop_presses();
   if (event.kind == InputKind::mouse_move || event.kind == InputKind::mouse_button)
     pointer_ = ImVec2(event.x, event.y);
   if (on_arrival_ && on_arrival_(event)) return;
@@ -98,6 +110,10 @@ bool InputQueue::fits(const InputEvent& event, const Fed& fed) const {
       return untouched && !fed.text;
     case InputKind::text: return untouched;
     case InputKind::focus_lost: return untouched && !fed.text;
+    case InputKind::pad_stick:
+    case InputKind::pad_button:
+    case InputKind::pad_heard:
+    case InputKind::pad_gone: return true;
   }
   return true;
 }
@@ -133,6 +149,10 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
       released_at_s_ = event.at_s;
       fed.button = true;
       break;
+    case InputKind::pad_stick:  // the gamepad is nothing of ImGui's
+    case InputKind::pad_button:
+    case InputKind::pad_heard:
+    case InputKind::pad_gone: break;
   }
 }
 

@@ -20,6 +20,10 @@ enum class InputKind : std::uint8_t {
   key,           ///< code: a GLFW key; down. Auto-repeat is not an event
   text,          ///< code: a Unicode code point
   focus_lost,    ///< all that is held is let go
+  pad_stick,     ///< code: a GLFW gamepad axis; x: where it stands, -1 to 1
+  pad_button,    ///< code: a GLFW gamepad button; down
+  pad_heard,     ///< the end of what one look at the gamepad has told: it is there, and it answers
+  pad_gone,      ///< it was unplugged
 };
 
 struct InputEvent;
@@ -48,6 +52,10 @@ struct InputEvent {
   static InputEvent key(int glfw_key, bool down, double at_s);
   static InputEvent text(unsigned code_point, double at_s);
   static InputEvent focus_lost(double at_s);
+  static InputEvent pad_stick(int glfw_axis, float place, double at_s);
+  static InputEvent pad_button(int glfw_button, bool down, double at_s);
+  static InputEvent pad_heard(double at_s);
+  static InputEvent pad_gone(double at_s);
 };
 
 class InputQueue {
@@ -61,8 +69,8 @@ class InputQueue {
     in_turn_ = std::move(in_turn);
   }
 
-  /// Esc and the loss of the keyboard overtake: presses that still wait are dropped, so that nothing begins
-  /// after a stop that came later. Typed text stays.
+  /// Esc, the gamepad's B and the loss of the keyboard overtake: presses that still wait are dropped, so that
+  /// nothing begins after a stop that came later. Typed text stays.
   void push(const InputEvent& event);
   /// Moves one frame's worth into ImGui, in order. True: more is waiting, so another frame should follow at
   /// once. `keys_wait`: the keyboard is on its way to a field; keys and text stay until it is there.

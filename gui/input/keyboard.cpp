@@ -12,7 +12,7 @@ constexpr Shortcut table[] = {
     {Command::stop_all, GLFW_KEY_ESCAPE, plain, plain, Reach::always, false, "Esc",
      "Stop all controllers; again: at once"},
     {Command::stop_at_once, GLFW_KEY_ESCAPE, plain, shift, Reach::always, false, "Shift Esc",
-     "Stop all controllers at once, without a ramp"},
+     "Stop all at once, without a ramp"},
     {Command::jog_left, GLFW_KEY_LEFT, plain, plain, Reach::outside_text, true, "Left",
      "Jog axis 1 \u2212 while held"},
     {Command::jog_right, GLFW_KEY_RIGHT, plain, plain, Reach::outside_text, true, "Right",
@@ -44,9 +44,9 @@ constexpr Shortcut table[] = {
     {Command::smaller, GLFW_KEY_KP_SUBTRACT, ctrl, plain, Reach::always, false, "", ""},
     {Command::normal_size, GLFW_KEY_0, ctrl, plain, Reach::always, false, "Ctrl 0", "The usual size"},
     {Command::normal_size, GLFW_KEY_KP_0, ctrl, plain, Reach::always, false, "", ""},
-    {Command::show_map, by_letter, plain, plain, Reach::outside_text, false, "?", "This map"},
+    {Command::show_map, by_letter, plain, plain, Reach::outside_text, false, "?", "Keys and the manual"},
     {Command::show_map, GLFW_KEY_F1, plain, plain, Reach::also_typing, false, "F1",
-     "This map, also while typing"},
+     "Keys and the manual, also while typing"},
 };
 
 }  // namespace

@@ -33,6 +33,10 @@ enum class Command : std::uint8_t {
   jog_down,
   jog_page_up,
   jog_page_down,
+  jog_fourth_minus,  // these have no key: the gamepad's
+  jog_fourth_plus,
+  jog_chosen_minus,  ///< the axis that is chosen
+  jog_chosen_plus,
   count
 };
 
@@ -59,6 +63,10 @@ struct CommandEdge {
   Command command;
   bool down;    ///< commands that are not held have a down edge only
   double at_s;  ///< when the key moved
+  /// By the gamepad, whose sticks jog and have no taps.
+  bool by_pad = false;
+  /// Up: the hand was taken away. It has not let go, so what was a tap until now moves nothing.
+  bool cut_off = false;
 };
 
 class Keyboard {
@@ -84,6 +92,7 @@ class Keyboard {
   [[nodiscard]] bool typing() const { return typing_; }
   /// Said by the frame: a dialog, a menu or a list lies over what most shortcuts act on.
   void set_covered(bool covered);
+  [[nodiscard]] bool covered() const { return covered_; }
   /// Lets go of all held keys, as when the window loses its focus.
   void release_all(double at_s);
   /// Frame border: what arrived since becomes what pressed() and released() tell.

@@ -21,8 +21,8 @@ namespace hw::gui {
 class JogHold {
  public:
   using Send = std::function<IntentId(IntentBody)>;
-  /// Which hand: mouse and keyboard may press the same control; each lets go of its own press only.
-  enum class Hand : std::uint8_t { mouse, keyboard };
+  /// Which hand: several may press the same control; each lets go of its own press only.
+  enum class Hand : std::uint8_t { mouse, keyboard, gamepad };
   struct Control {
     Hand hand = Hand::mouse;
     AxisId axis;
@@ -30,7 +30,7 @@ class JogHold {
     bool operator==(const Control&) const = default;
   };
   struct Want {
-    Steps step;  ///< one tap, always positive
+    Steps step;  ///< one tap, always positive; 0: a tap moves nothing
     Pps speed;   ///< while held; 0: the controller's own
   };
 
@@ -41,6 +41,10 @@ class JogHold {
   void release(const Control& control, double at_s);
   /// Takes the hand away: a jog is stopped, a tap that has not ended yet is forgotten.
   void let_go();
+  /// The same for what this hand holds.
+  void take_away(Hand hand) {
+    if (held_ && held_->control.hand == hand) let_go();
+  }
   /// As let_go(), when a Stop has gone out already (a second one would mean "at once, without ramp").
   void forget() { held_.reset(); }
   /// Once a frame while its control is drawn (its key is known) and pressed. A hold that a frame does not

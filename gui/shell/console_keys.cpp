@@ -13,15 +13,23 @@ void Console::attach(Keyboard& keyboard) {
 
 namespace {
 
+constexpr std::uint8_t the_chosen = 255;
 struct JogKey {
   Command command;
   std::uint8_t axis;
   Sign sign;
 };
 constexpr JogKey jog_keys[] = {
-    {Command::jog_left, 0, Sign::minus},      {Command::jog_right, 0, Sign::plus},
-    {Command::jog_down, 1, Sign::minus},      {Command::jog_up, 1, Sign::plus},
-    {Command::jog_page_down, 2, Sign::minus}, {Command::jog_page_up, 2, Sign::plus},
+    {Command::jog_left, 0, Sign::minus},
+    {Command::jog_right, 0, Sign::plus},
+    {Command::jog_down, 1, Sign::minus},
+    {Command::jog_up, 1, Sign::plus},
+    {Command::jog_page_down, 2, Sign::minus},
+    {Command::jog_page_up, 2, Sign::plus},
+    {Command::jog_fourth_minus, 3, Sign::minus},
+    {Command::jog_fourth_plus, 3, Sign::plus},
+    {Command::jog_chosen_minus, the_chosen, Sign::minus},
+    {Command::jog_chosen_plus, the_chosen, Sign::plus},
 };
 
 }  // namespace
@@ -29,7 +37,7 @@ constexpr JogKey jog_keys[] = {
 void Console::on_edge(const CommandEdge& edge) {
   if (edge.command == Command::stop_all) {
     if (!edge.down) return;
-    stop_all(StoppedBy::key);
+    stop_all(edge.by_pad ? StoppedBy::button : StoppedBy::key);
     if (list_open_ && !tabs_.empty()) toast(Mood::plain, words_of_esc(tabs_));
   } else if (edge.command == Command::stop_at_once) {
     if (edge.down) stop_all(StoppedBy::key);  // the second one in a row
@@ -44,26 +52,36 @@ void Console::on_edge(const CommandEdge& edge) {
   } else if (edge.command == Command::normal_size) {
     if (edge.down) step_size(0);
   } else if (Tab* tab = active()) {
-    jog_key(*tab, edge.command, edge.down, edge.at_s);
+    jog_key(*tab, edge);
   }
 }
 
-void Console::jog_key(Tab& tab, Command command, bool down, double at_s) {
+void Console::jog_key(Tab& tab, const CommandEdge& edge) {
   for (const JogKey& key : jog_keys) {
-    if (key.command != command || key.axis >= tab.catalog().axes.size()) continue;
-    const AxisId axis{key.axis};
-    const JogHold::Control control{JogHold::Hand::keyboard, axis, key.sign};
-    if (!down) return tab.jog.release(control, at_s);
+    if (key.command != edge.command) continue;
+    const AxisId axis = key.axis == the_chosen ? tab.chosen_axis : AxisId{key.axis};
+    if (axis.index >= tab.catalog().axes.size()) continue;
+    const JogHold::Control control{edge.by_pad ? JogHold::Hand::gamepad : JogHold::Hand::keyboard, axis,
+                                   key.sign};
+    if (!edge.down && edge.cut_off) return tab.jog.take_away(control.hand);
+    if (!edge.down) return tab.jog.release(control, edge.at_s);
     if (const std::string_view why = tab.why_not_move(axis); !why.empty())
       return toast(Mood::warn, std::string(why));
-    tab.jog.press(control, {tab.jog_step(), tab.jog_speed()}, at_s);
+    // A stick that snaps back swings past its middle: that is no tap.
+    const bool taps = !edge.by_pad || key.axis == the_chosen;
+    tab.jog.press(control, {taps ? tab.jog_step() : Steps(), tab.jog_speed()}, edge.at_s);
   }
 }
 
 void Console::confirm_held_key(Ui& ui) {
+  if (std::string why = ui.gamepad.take_words(); !why.empty()) toast(Mood::warn, std::move(why));
   Tab* tab = active();
-  if (!tab) return;
-  const auto held = tab->jog.control();
+  auto held = tab ? tab->jog.control() : std::nullopt;
+  // A dialog or a list has opened: nothing begins behind it, so nothing goes on there.
+  if (held && held->hand != JogHold::Hand::mouse && ui.registry.top_layer() > 0) held.reset();
+  const bool by_pad = held && held->hand == JogHold::Hand::gamepad;
+  if (by_pad && ui.gamepad.holds()) tab->jog.confirm(*held);
+  if (!by_pad && ui.gamepad.holds()) ui.gamepad.rest_first();  // something else has ended what it held
   if (!held || held->hand != JogHold::Hand::keyboard) return;
   for (const JogKey& key : jog_keys)
     if (key.axis == held->axis.index && key.sign == held->sign && ui.keyboard.held(key.command))

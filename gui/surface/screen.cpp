@@ -15,8 +15,12 @@ Screen::Screen(Fonts fonts, bool dark)
   io.ConfigInputTextCursorBlink = false;      // a console at rest draws no frame
   io.ConfigFlags = ImGuiConfigFlags_None;     // navigation stays off: it takes Ctrl+Tab and the arrows
   map_keys(io);
-  input_.set_listeners([this](const InputEvent& event) { return keyboard_.on_arrival(event); },
-                       [this](const InputEvent& event) { return keyboard_.in_turn(event); });
+  input_.set_listeners(
+      [this](const InputEvent& event) {
+        const bool taken = keyboard_.on_arrival(event);  // Esc stops before anything else is thought of
+        return gamepad_.on_arrival(event) || taken;
+      },
+      [this](const InputEvent& event) { return gamepad_.in_turn(event) || keyboard_.in_turn(event); });
 }
 
 Screen::~Screen() { ImGui::DestroyContext(context_); }
@@ -46,11 +50,13 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   prepare(now_s, size_px);
   input_.feed(ImGui::GetIO(), focus_.entering());
   keyboard_.begin_frame();
+  gamepad_.begin_frame(now_s);
   ImGui::NewFrame();
   focus_.begin_frame(registry_, now_s, typing_, tab_taken_);
   registry_.begin_frame();
   pictures_.begin_frame();
-  Ui ui(*theme_, fonts_, registry_, focus_, standing_, keyboard_, input_, pictures_, now_s, size_px);
+  Ui ui(*theme_, fonts_, registry_, focus_, standing_, keyboard_, gamepad_, input_, pictures_, now_s,
+        size_px);
   draw(ui);
   ImGui::Render();
   registry_.end_frame();

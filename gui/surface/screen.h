@@ -41,6 +41,7 @@ class Screen {
 
   InputQueue& input() { return input_; }
   Keyboard& keyboard() { return keyboard_; }
+  Gamepad& gamepad() { return gamepad_; }
   Registry& registry() { return registry_; }
   Focus& focus() { return focus_; }
   /// Of the frame in draw_data().
@@ -55,6 +56,7 @@ class Screen {
   ImGuiContext* context_;
   InputQueue input_;
   Keyboard keyboard_;
+  Gamepad gamepad_{keyboard_};
   Registry registry_;
   Focus focus_;
   Standing standing_;

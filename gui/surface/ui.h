@@ -38,6 +38,7 @@
 
 #include "core/base/fixed_text.h"
 #include "gui/input/focus.h"
+#include "gui/input/gamepad.h"
 #include "gui/input/input_queue.h"
 #include "gui/input/keyboard.h"
 #include "gui/input/registry.h"
@@ -53,14 +54,15 @@ inline constexpr float fill = -1;
 
 class Ui {
  public:
-  Ui(const Theme& t, const Fonts& f, Registry& r, Focus& fo, Standing& st, Keyboard& k, InputQueue& in,
-     Pictures& p, double now, ImVec2 size)
+  Ui(const Theme& t, const Fonts& f, Registry& r, Focus& fo, Standing& st, Keyboard& k, Gamepad& pad,
+     InputQueue& in, Pictures& p, double now, ImVec2 size)
       : theme(t),
         fonts(f),
         registry(r),
         focus(fo),
         standing(st),
         keyboard(k),
+        gamepad(pad),
         input(in),
         pictures(p),
         scale(f.scale()),
@@ -73,6 +75,7 @@ class Ui {
   Focus& focus;
   Standing& standing;
   Keyboard& keyboard;
+  Gamepad& gamepad;
   InputQueue& input;
   Pictures& pictures;
   const float scale;     ///< physical over logical pixels

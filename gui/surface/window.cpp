@@ -143,6 +143,7 @@ Result<> Window::create(std::future<Fonts> unscaled) {
   connect_callbacks();
   connect_clipboard();
   grabs_.watch(window_);
+  gamepads_.watch();
   return {};
 }
 
@@ -222,6 +223,17 @@ void Window::let_go_of_lost_keys() {
   for (const int key : keys_.lost()) push(InputEvent::key(key, false, now_s()));
 }
 
+void Window::follow_gamepad() {
+  const auto push = [this](const InputEvent& event) { screen_->input().push(event); };
+  Gamepad& hand = screen_->gamepad();
+  if (gamepads_.has_news(now_s(), push)) {
+    hand.came(gamepads_.name());
+    touched(frames_after_input);
+  }
+  hand.armed() ? gamepads_.look_if_due(now_s(), push) : gamepads_.rest();
+  if (screen_->more_input()) touched(frames_after_input);
+}
+
 void Window::find_pointer() {
   double x = 0, y = 0;
   glfwGetCursorPos(window_, &x, &y);
@@ -257,6 +269,7 @@ FramePacer::Wishes Window::wishes() const { return {screen_->more_input(), scree
 void Window::wait() {
   double until = pacer_.wait_s(now_s(), wishes());
   if (keys_.any()) until = std::min(until, look_at_keys_every_s);
+  if (screen_->gamepad().armed()) until = std::min(until, gamepads_.due_in_s(now_s()));
   if (until <= 0)
     glfwPollEvents();
   else
@@ -268,6 +281,7 @@ void Window::run(const Draw& draw) {
     wait();
     follow_grabs();
     let_go_of_lost_keys();
+    follow_gamepad();
     if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) {
       glfwWaitEventsTimeout(0.5);
       touched(1);

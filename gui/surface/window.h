@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "gui/input/gamepad_source.h"
 #include "gui/input/keyboard_grabs.h"
 #include "gui/input/physical_keys.h"
 #include "gui/surface/frame_pacer.h"
@@ -66,6 +67,7 @@ class Window : public Surface {
   void regain_keyboard();
   void follow_grabs();
   void let_go_of_lost_keys();
+  void follow_gamepad();
   void find_pointer();
   void look_for_pointer();
   void touched(int frames) { pacer_.touched(frames); }
@@ -84,6 +86,7 @@ class Window : public Surface {
   GlTextures textures_;
   PhysicalKeys keys_;
   KeyboardGrabs grabs_;
+  GamepadSource gamepads_;
   std::optional<ImVec2> pointer_;  ///< where the events have brought it; none: they have not told
   FramePacer pacer_;
   std::atomic<bool> closing_{false};

@@ -69,7 +69,7 @@ void Help::draw_head(PageFrame& f) {
     ImGui::SetCursorScreenPos(ui.px(end, y));
     if (button(ui, "help/back", "Back", o).clicked) manual_.go_back();
   }
-  const std::string_view title = shows_manual_ ? manual_.title() : "Keyboard map";
+  const std::string_view title = shows_manual_ ? manual_.title() : "Keys and gamepad";
   show(ui, {"help/title", Kind::text, title, title}, {ui.px(f.area.x, f.area.y), ui.px(end, y)});
   ImGui::GetWindowDrawList()->AddRectFilled(
       ui.px(f.area.x, f.area.y + sheet_head - 1),

@@ -1,7 +1,9 @@
 #include "panels/help/keyboard_map.h"
 
 #include <cmath>
+#include <span>
 
+#include "gui/input/gamepad.h"
 #include "gui/input/keyboard.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/touch.h"
@@ -54,6 +56,14 @@ constexpr std::string_view rules[] = {
     "switch that cuts the motor power.",
 };
 
+constexpr std::string_view pad_rules[] = {
+    "A gamepad acts while it is armed, by the switch beside the jog buttons. Hold LB first, then push: what "
+    "is pushed already when LB goes down moves nothing.",
+    "One axis at a time, the one that is pushed most, at the jog speed: a stick is on or off.",
+    "What ends a held jog ends the gamepad's too. It is disarmed when the window loses the keyboard, when it "
+    "is pulled out, when it does not answer, and when nothing on it has changed for 5 s while it jogs.",
+};
+
 /// A row of 32: the key in its frame, what it does, a hairline above.
 void draw_row(Ui& ui, const Key& key, float width, int number) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -65,6 +75,15 @@ void draw_row(Ui& ui, const Key& key, float width, int number) {
   show(ui, {Path("help/{}", number), Kind::text, key.keys, key.does, {}, false, {}},
        {at, ImVec2(at.x + ui.px(width), at.y + ui.px(32))});
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(32)));
+}
+
+void draw_rules(Ui& ui, std::span<const std::string_view> all, float width) {
+  gap(ui, 8);
+  for (const std::string_view rule : all) {
+    wrapped(ui, Face::body, Tone::ink2, rule, width);
+    gap(ui, 8);
+  }
+  gap(ui, 8);
 }
 
 }  // namespace
@@ -79,12 +98,11 @@ void draw_keyboard_map(PageFrame& f, float width) {
   for (const Key& key : in_editor) draw_row(ui, key, width, ++number);
   section_title(ui, "In the terminal", {}, 48);
   for (const Key& key : in_terminal) draw_row(ui, key, width, ++number);
-  gap(ui, 16);
-  for (const std::string_view rule : rules) {
-    wrapped(ui, Face::body, Tone::ink2, rule, width);
-    gap(ui, 8);
-  }
-  gap(ui, 16);
+  section_title(ui, "On a gamepad", {}, 48);
+  for (const PadControl& pad : gamepad_map()) draw_row(ui, {pad.control, pad.does}, width, ++number);
+  draw_rules(ui, pad_rules, width);
+  section_title(ui, "For every hand", {}, 48);
+  draw_rules(ui, rules, width);
 }
 
 }  // namespace hw::panels

@@ -8,6 +8,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/hold_button.h"
 #include "gui/widgets/text.h"
+#include "panels/jog/gamepad_switch.h"
 #include "panels/jog/guarantee.h"
 #include "panels/jog/jog_button.h"
 #include "panels/jog/jog_units.h"
@@ -72,11 +73,14 @@ void Jog::draw(Frame& f) {
   ImGui::SetCursorScreenPos(ImVec2(origin_.x, origin_.y + f.ui.px(height)));
   if (!column.speed_in_title) speed_.draw(f, column.speed_over_slider);
   if (!narrow) group_line(f.ui, 0);
+  guard_.draw(f);
 }
 
 /// Each device or axis has its jog buttons in its own row: what is left is for all of them.
 float Jog::draw_stop_and_steps(Frame& f, const Column& column) {
-  draw_stop(f, 0, 0, ImVec2(f.area.width, stop_height));
+  const float for_pad = f.ui.gamepad.present() ? stop_height + close_between : 0;
+  draw_stop(f, 0, 0, ImVec2(f.area.width - for_pad, stop_height));
+  draw_gamepad_switch(f, ImVec2(origin_.x + f.ui.px(f.area.width - stop_height), origin_.y), stop_height);
   const float steps = stop_height + column.between_steps;
   draw_steps_row(f, 0, steps, f.area.width);
   return steps + steps_height + column.below_steps;
@@ -99,8 +103,8 @@ void Jog::draw_title(Frame& f, const Column& column) {
     ImGui::SetCursorScreenPos(ImVec2(right, at.y + ui.px(4)));
     chooser_.draw(f);
   } else {
-    draw_guarantee(f, {ImVec2(at.x + ui.px(title), at.y),
-                       ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(column.title))});
+    draw_guarantee_here(f, {ImVec2(at.x + ui.px(title), at.y),
+                            ImVec2(at.x + ui.px(f.area.width), at.y + ui.px(column.title))});
   }
 }
 
@@ -112,7 +116,7 @@ void Jog::draw_reason(Frame& f, const Rect& place) {
   const std::string_view why = !flaw.empty() ? flaw
                                : off != 0    ? powerless_words(f, off)
                                              : f.tab.why_not_move();
-  if (why.empty() && f.tier == Tier::narrow) return draw_guarantee(f, place);
+  if (why.empty() && f.tier == Tier::narrow) return draw_guarantee_here(f, place);
   if (why.empty() && column_of(f).speed_in_title) return draw_hint_over_guarantee(f, place);
   const bool unit_said = steps_unit_.name.empty();
   const Path hint("Hold a button to move. A tap moves the chosen step{}{}.", unit_said ? "" : ", in ",
@@ -122,20 +126,30 @@ void Jog::draw_reason(Frame& f, const Rect& place) {
   const float top = f.tier == Tier::narrow
                         ? std::floor(place.centre().y - line * static_cast<float>(lines) / 2)
                         : place.min.y;
+  const bool by_pad = why.empty() && f.ui.gamepad.armed();
   draw_icon(ImGui::GetWindowDrawList(), Icon::info, ImVec2(place.min.x + ui.px(6), top + ui.px(8)), ui.px(12),
             ui[why.empty() ? Tone::ink3 : Tone::ink2]);
   const Rect left = draw_power_switches(f, place, off);
   const Rect words{ImVec2(place.min.x + ui.px(20), top), left.max};
   const Tone tone = !flaw.empty() ? Tone::fault : why.empty() ? Tone::ink3 : Tone::ink2;
-  draw_text_in_lines(ui, words, Face::small, ui[tone], why.empty() ? hint.view() : why, lines);
+  draw_text_in_lines(ui, words, Face::small, ui[tone],
+                     by_pad        ? gamepad_hint(f).view()
+                     : why.empty() ? hint.view()
+                                   : why,
+                     lines);
+}
+
+void Jog::draw_guarantee_here(Frame& f, const Rect& place) {
+  if (draw_guarantee(f, place)) guard_.open();
 }
 
 /// Where the title is the speed's.
 void Jog::draw_hint_over_guarantee(Frame& f, const Rect& place) {
   const float line = f.ui.line(Face::small), badge = place.min.y + line + f.ui.px(3);
-  draw_text_line(f.ui, place.min.x, place.max.x, place.min.y + line / 2, Face::small, f.ui[Tone::ink3],
-                 "Hold to move. A tap moves one step.");
-  draw_guarantee(f, {ImVec2(place.min.x, badge), ImVec2(place.max.x, badge + f.ui.px(18))});
+  draw_text_line(
+      f.ui, place.min.x, place.max.x, place.min.y + line / 2, Face::small, f.ui[Tone::ink3],
+      f.ui.gamepad.armed() ? "Hold LB, push a stick. B stops." : "Hold to move. A tap moves one step.");
+  draw_guarantee_here(f, {ImVec2(place.min.x, badge), ImVec2(place.max.x, badge + f.ui.px(18))});
 }
 
 /// The most words with which every step has room in its button.
@@ -166,6 +180,8 @@ float Jog::draw_cross(Frame& f, const Column& column) {
       draw_button(f, axis, sign, x, (flat ? 0 : place.row) * pitch, ImVec2(cell, cell));
     }
   draw_stop(f, pitch, flat ? 0 : pitch, ImVec2(cell, cell));
+  const ImVec2 corner(f.ui.px(flat ? 3 * pitch + 8 : 0), f.ui.px(flat ? 0 : 2 * pitch));
+  draw_gamepad_switch(f, ImVec2(origin_.x + corner.x, origin_.y + corner.y), cell);
   const float aside = 3 * pitch + apart;
   if (axes > 2) draw_stop_again(f, aside, pitch, ImVec2(f.area.width - aside, cell));
   const float height = flat ? cell : 3 * cell + 2 * close_between, below = height + column.between_steps;
@@ -194,7 +210,9 @@ float Jog::draw_pairs(Frame& f) {
     draw_button(f, axis, Sign::minus, at.x, at.y, size);
     draw_button(f, axis, Sign::plus, at.x + size.x + close_between, at.y, size);
   }
-  const float below = place(axes).y + row;
+  const ImVec2 free = place(axes + 1);
+  draw_gamepad_switch(f, ImVec2(origin_.x + f.ui.px(free.x), origin_.y + f.ui.px(free.y)), size.y);
+  const float below = place(axes + (f.ui.gamepad.present() ? 1 : 0)).y + row;
   draw_steps_row(f, 0, below, std::min(f.area.width, 304.0f));
   return below + steps_height + 8;
 }

@@ -6,6 +6,7 @@
 #include "gui/model/units_format.h"
 #include "gui/shell/panel_entry.h"
 #include "panels/column.h"
+#include "panels/jog/guard_offer.h"
 #include "panels/jog/jog_speed.h"
 #include "panels/position/unit_chooser.h"
 
@@ -20,6 +21,7 @@ class Jog final : public gui::Panel {
  private:
   void draw_title(gui::Frame& frame, const Column& column);
   void draw_reason(gui::Frame& frame, const gui::Rect& place);
+  void draw_guarantee_here(gui::Frame& frame, const gui::Rect& place);
   void draw_hint_over_guarantee(gui::Frame& frame, const gui::Rect& place);
   // Each leaves how high it is.
   [[nodiscard]] float draw_cross(gui::Frame& frame, const Column& column);
@@ -38,6 +40,7 @@ class Jog final : public gui::Panel {
   void follow_unit(gui::Frame& frame);
 
   JogSpeed speed_;
+  GuardOffer guard_;
   UnitChooser chooser_;
   std::vector<gui::JogStep> steps_;
   gui::DisplayUnit steps_unit_;

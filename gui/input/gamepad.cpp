@@ -1,0 +1,196 @@
+#include "gui/input/gamepad.h"
+
+#define GLFW_INCLUDE_NONE
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+namespace hw::gui {
+namespace {
+
+constexpr int dead_man = GLFW_GAMEPAD_BUTTON_LEFT_BUMPER;
+
+struct StickCommand {
+  Command minus, plus;
+};
+/// By GLFW's numbers. Its sticks count downwards; up is plus, as on the pad of the screen.
+constexpr StickCommand stick_commands[] = {{Command::jog_left, Command::jog_right},
+                                           {Command::jog_up, Command::jog_down},
+                                           {Command::jog_page_down, Command::jog_page_up},
+                                           {Command::jog_fourth_plus, Command::jog_fourth_minus}};
+struct PadButton {
+  int button;
+  Command command;
+};
+constexpr PadButton d_pad[] = {{GLFW_GAMEPAD_BUTTON_DPAD_LEFT, Command::jog_chosen_minus},
+                               {GLFW_GAMEPAD_BUTTON_DPAD_DOWN, Command::jog_chosen_minus},
+                               {GLFW_GAMEPAD_BUTTON_DPAD_RIGHT, Command::jog_chosen_plus},
+                               {GLFW_GAMEPAD_BUTTON_DPAD_UP, Command::jog_chosen_plus}};
+
+constexpr PadControl controls[] = {
+    {"LB", "Held: it may jog. Let go: it stops"},
+    {"Left stick", "Across jogs axis 1, up and down axis 2"},
+    {"Right stick", "Across jogs axis 3, up and down axis 4"},
+    {"D-pad", "Jogs the chosen axis; a tap moves one step"},
+    {"B", "Stop all controllers; again: at once"},
+};
+
+}  // namespace
+
+std::span<const PadControl> gamepad_map() { return controls; }
+
+void Gamepad::arm(double now_s) {
+  if (!present()) return;
+  armed_ = must_rest_ = true;
+  sticks_.fill(0);
+  buttons_.fill(false);
+  heard_at_s_ = changed_at_s_ = now_s;
+}
+
+void Gamepad::disarm(std::string_view why, double now_s) {
+  if (!armed_) return;
+  armed_ = false;
+  words_ = why;
+  end(now_s, true);
+}
+
+void Gamepad::rest_first() {
+  must_rest_ = true;
+  held_.reset();
+}
+
+std::string Gamepad::take_words() { return std::exchange(words_, {}); }
+
+// ---- what is pushed
+
+/// The one that is pushed most. The one that is held stays until it is let go, or another is clearly more.
+std::optional<Command> Gamepad::of_sticks() const {
+  std::optional<Command> best;
+  float most = 0;
+  for (std::size_t i = 0; i < sticks_.size(); ++i) {
+    const float way = std::fabs(sticks_[i]);
+    const Command command = sticks_[i] < 0 ? stick_commands[i].minus : stick_commands[i].plus;
+    const bool is_held = held_ == command;
+    const float counts = way + (is_held ? stronger_by : 0);
+    if (way < (is_held ? ends_at : begins_at) || counts <= most) continue;
+    most = counts;
+    best = command;
+  }
+  return best;
+}
+
+std::optional<Command> Gamepad::pushed() const {
+  for (const PadButton& pad : d_pad)
+    if (buttons_[static_cast<std::size_t>(pad.button)]) return pad.command;
+  return of_sticks();
+}
+
+// ---- what it does
+
+void Gamepad::end(double at_s, bool cut_off) {
+  if (!held_) return;
+  const Command command = *std::exchange(held_, std::nullopt);
+  if (keyboard_.on_edge) keyboard_.on_edge({command, false, at_s, true, cut_off});
+}
+
+void Gamepad::stop(double at_s) {
+  if (keyboard_.on_edge) keyboard_.on_edge({Command::stop_all, true, at_s, true});
+  must_rest_ = true;
+  end(at_s, true);
+}
+
+/// Nothing of it is even half way to a jog, or a trembling hand would begin one.
+bool Gamepad::let_go() const {
+  return std::none_of(
+             std::begin(d_pad), std::end(d_pad),
+             [this](const PadButton& pad) { return buttons_[static_cast<std::size_t>(pad.button)]; }) &&
+         std::none_of(sticks_.begin(), sticks_.end(), [](float way) { return std::fabs(way) >= ends_at; });
+}
+
+double Gamepad::may_stay_same_s() const {
+  const bool half_way = std::any_of(sticks_.begin(), sticks_.end(), [](float way) {
+    return std::fabs(way) >= ends_at && std::fabs(way) < at_end;
+  });
+  return half_way ? same_for_s : same_at_end_for_s;
+}
+
+/// True: nothing is to begin.
+bool Gamepad::hear(double at_s) {
+  if (held_ && at_s - heard_at_s_ > silent_after_s) begin_frame(at_s);
+  heard_at_s_ = at_s;
+  const std::optional<Command> now = pushed();
+  const bool may = armed_ && buttons_[dead_man];
+  if (held_ && (!may || now != held_)) end(at_s, !may);
+  if (const double longest = may_stay_same_s(); held_ && at_s - changed_at_s_ > longest) {
+    disarm(fmt::format(
+               "Nothing on the gamepad has changed for {:.0f} s, so nobody may be holding it: what it jogged "
+               "was stopped. Arm it again to go on.",
+               longest),
+           at_s);
+    return true;
+  }
+  if (let_go())
+    must_rest_ = false;
+  else if (!may)
+    must_rest_ = true;  // or it would begin by the dead-man button alone
+  return !may || !now || must_rest_ || held_;
+}
+
+bool Gamepad::on_arrival(const InputEvent& event) {
+  switch (event.kind) {
+    case InputKind::focus_lost:
+      disarm("The gamepad was disarmed: the window has lost the keyboard.", event.at_s);
+      return false;
+    case InputKind::key:
+      if (event.code == GLFW_KEY_ESCAPE && event.down) rest_first();
+      return false;
+    case InputKind::pad_stick:  // many in a second, none of which is worth a frame
+      if (armed_ && event.code >= 0 && event.code < static_cast<int>(sticks_.size()))
+        sticks_[static_cast<std::size_t>(event.code)] = event.x;
+      changed_at_s_ = event.at_s;
+      return true;
+    case InputKind::pad_button:
+      changed_at_s_ = event.at_s;
+      if (!armed_ || event.code < 0 || event.code >= static_cast<int>(buttons_.size())) return true;
+      if (std::exchange(buttons_[static_cast<std::size_t>(event.code)], event.down) == event.down)
+        return true;
+      if (event.code == GLFW_GAMEPAD_BUTTON_B && event.down) stop(event.at_s);
+      if (event.code == dead_man && !event.down) end(event.at_s, true);
+      return false;
+    case InputKind::pad_heard: {
+      const bool was_armed = armed_;
+      return hear(event.at_s) && armed_ == was_armed;  // a frame shows that it is not any more
+    }
+    case InputKind::pad_gone:
+      name_.clear();
+      disarm(held_ ? "The gamepad is gone: what it jogged was stopped. Plug it in and arm it again to go on."
+                   : "The gamepad is gone. Plug it in and arm it again to go on.",
+             event.at_s);
+      return false;  // a frame shows it
+    default: return false;
+  }
+}
+
+bool Gamepad::in_turn(const InputEvent& event) {
+  if (event.kind < InputKind::pad_stick) return false;
+  const std::optional<Command> now = pushed();
+  if (event.kind != InputKind::pad_heard || !armed_ || !buttons_[dead_man] || !now || must_rest_ || held_)
+    return true;
+  must_rest_ = keyboard_.covered();  // a dialog or a list is answered first
+  if (must_rest_) return true;
+  held_ = now;
+  changed_at_s_ = event.at_s;
+  if (keyboard_.on_edge) keyboard_.on_edge({*now, true, event.at_s, true});
+  return true;
+}
+
+void Gamepad::begin_frame(double now_s) {
+  if (held_ && now_s - heard_at_s_ > silent_after_s)
+    disarm("The gamepad has not answered for 0.2 s: what it jogged was stopped. Arm it again to go on.",
+           now_s);
+}
+
+}  // namespace hw::gui
