@@ -10,6 +10,7 @@
 #include "core/base/index.h"
 #include "core/device/act_writer.h"
 #include "core/device/language.h"
+#include "core/device/sequence_travel.h"
 #include "core/device/snapshot.h"
 #include "core/device/told_speeds.h"
 #include "core/sequence/arc_shape.h"
@@ -222,6 +223,11 @@ class Cutter {
         into.push_back({AxisId{static_cast<std::uint8_t>(axis)},
                         Steps(std::llround(*places[a] * sequence_.axes[a].per_unit))});
   }
+  void put_endless(std::vector<AxisTarget>& into, const std::array<bool, max_axes>& goes, Steps end) const {
+    for (std::size_t a = 0; a < sequence_.axes.size(); ++a)
+      if (const int axis = catalog_.find_axis(sequence_.axes[a].name); goes[a] && axis >= 0)
+        into.push_back({AxisId{static_cast<std::uint8_t>(axis)}, end});
+  }
   void find_reaches() {
     std::vector<std::size_t> bounds;
     for (const Piece& piece : pieces_.all) bounds.push_back(ix(piece.first_step));
@@ -230,6 +236,8 @@ class Cutter {
     for (std::size_t i = 0; i < reaches.size(); ++i) {
       put(pieces_.all[i].reaches, reaches[i].least);
       put(pieces_.all[i].reaches, reaches[i].greatest);
+      put_endless(pieces_.all[i].reaches, reaches[i].endless_minus, Steps(0) - without_end);
+      put_endless(pieces_.all[i].reaches, reaches[i].endless_plus, without_end);
     }
   }
 

@@ -52,4 +52,37 @@ std::optional<std::pair<double, double>> sets_off(const Contour& contour) {
   return std::nullopt;
 }
 
+std::optional<ContourEnd> end_of(const Contour& contour) {
+  ContourEnd end{contour.x, contour.y};
+  bool any = false;
+  const auto go = [&](double x, double y, double way_x, double way_y) {
+    const double way = std::hypot(way_x, way_y);
+    if (way > 0) end.dx = way_x / way, end.dy = way_y / way, any = true;
+    end.x = x, end.y = y;
+  };
+  for (const Step& step : contour.steps) {
+    if (step.skipped) continue;
+    if (const auto* move = std::get_if<Move>(&step.body)) {
+      const double x = move->to[ix(contour.plane.right)].value_or(end.x);
+      const double y = move->to[ix(contour.plane.up)].value_or(end.y);
+      go(x, y, x - end.x, y - end.y);
+    }
+    if (const auto* arc = std::get_if<Arc>(&step.body); arc && arc->degrees != 0) {
+      const auto [x, y] = end_of(*arc, end.x, end.y);
+      const double sense = arc->degrees > 0 ? 1 : -1;
+      go(x, y, -sense * (y - arc->y), sense * (x - arc->x));
+    }
+  }
+  return any ? std::optional(end) : std::nullopt;
+}
+
+std::optional<double> runs_on_by(const Contour& contour, const Speeds& held) {
+  if (!contour.ends_ramped) return 0;
+  const double speed = contour.own && contour.own->high > 0 ? contour.own->high : held.high;
+  if (speed <= 0 || held.ramp_ms <= 0 || held.high <= held.low) return std::nullopt;
+  const double acceleration = (held.high - held.low) / (held.ramp_ms / 1000);
+  const double base = std::min(held.low, speed);
+  return (speed * speed - base * base) / (2 * acceleration);
+}
+
 }  // namespace hw::sequence

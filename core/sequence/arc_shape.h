@@ -18,4 +18,14 @@ ArcReach reach_of(const Arc& arc, double x, double y);
 /// The direction, of length 1, in which a contour begins; none: none of its steps has a length.
 std::optional<std::pair<double, double>> sets_off(const Contour& contour);
 
+/// Where the shape of a contour ends, and the direction, of length 1, in which it does.
+struct ContourEnd {
+  double x = 0, y = 0, dx = 0, dy = 0;
+};
+/// None: none of its steps has a length.
+std::optional<ContourEnd> end_of(const Contour& contour);
+/// How far on it comes to rest behind that. `held`: what speed steps before it have said. None: they do not
+/// say how its axes ramp.
+std::optional<double> runs_on_by(const Contour& contour, const Speeds& held);
+
 }  // namespace hw::sequence

@@ -9,6 +9,7 @@
 
 #include "core/base/index.h"
 #include "core/sequence/arc_shape.h"
+#include "core/sequence/places_before.h"
 #include "core/sequence/steps_in.h"
 #include "core/sequence/words.h"
 
@@ -42,7 +43,13 @@ Speeds over(Speeds below, const Speeds& above) {
 /// Goes through steps and keeps how things stand.
 class Pass {
  public:
-  explicit Pass(const Sequence& sequence) : of_(sequence) {}
+  /// What the tool moves is not sent down to where it was at the beginning.
+  explicit Pass(const Sequence& sequence, const Places& begin = {}, Rehearsed rehearsed = Rehearsed::no)
+      : of_(sequence), rehearsed_(rehearsed) {
+    for (int a = 0; a < max_axes; ++a)
+      if (begin[ix(a)] && !is_moved_by_tool(sequence, a))
+        standing.axes[ix(a)].moved = true, standing.axes[ix(a)].at = begin[ix(a)];
+  }
 
   void list(const StepList& steps) {
     for (const Step& step : steps)
@@ -83,7 +90,11 @@ class Pass {
       if (const auto* arc = std::get_if<Arc>(&step.body)) take(*arc);
       if (const auto* output = std::get_if<Output>(&step.body)) take(*output);
     }
-    if (c.ends_ramped) lose(c.plane.right), lose(c.plane.up);  // it runs on along its last direction
+    if (!c.ends_ramped) return;
+    const auto end = end_of(c);
+    const auto by = rehearsed_ == Rehearsed::yes ? runs_on_by(c, standing.speeds) : std::nullopt;
+    set(c.plane.right, end && by ? std::optional(end->x + end->dx * *by) : std::nullopt);
+    set(c.plane.up, end && by ? std::optional(end->y + end->dy * *by) : std::nullopt);
   }
   void take(const SpeedStairs& s) { set(s.axis, s.stop_at); }
   void take(const Jog& j) { lose(j.axis); }
@@ -130,6 +141,7 @@ class Pass {
   void lose(int a) { set(a, std::nullopt); }
 
   const Sequence& of_;
+  const Rehearsed rehearsed_;
   bool in_routine_ = false;
   int place_ = -1;
 };
@@ -142,17 +154,19 @@ bool has(const StepList& steps) {
   });
 }
 
+bool switches_on(const Output& o) { return o.output < 0 ? o.value != 0 : o.on; }
+
 /// Numbers of all outputs that its steps switch on; -1: all of them at once.
 void collect_outputs(const StepList& steps, std::set<int>& found) {
   for (const Step& step : steps) {
     const auto* output = std::get_if<Output>(&step.body);
-    if (output && !step.skipped && (output->output < 0 ? output->value != 0 : output->on))
-      found.insert(output->output < 0 ? -1 : output->output);
+    if (output && !step.skipped && switches_on(*output)) found.insert(std::max(output->output, -1));
     if (const StepList* inner = steps_in(step)) collect_outputs(*inner, found);
   }
 }
 
-/// Writes the steps that lead there.
+/// Writes the steps that lead there: what may burn, turn or hold is switched off, the motors have power, the
+/// tool is lifted, and only there is all of it as it is to be.
 class Leading {
  public:
   Leading(const Sequence& whole, const Standing& wanted, Sequence& into)
@@ -160,24 +174,49 @@ class Leading {
 
   void write(std::size_t step) {
     add(Comment{fmt::format("From step {} on.", step + 1)});
+    switch_outputs_off();
+    for (const auto& [axis, on] : wanted_.power)
+      if (on || goes(axis)) add(Enable{axis, true});
     if (has_tool_) add(Pen{false});
-    // Where no step speaks of a tool, it may be any of the outputs.
-    std::set<int> outputs;
-    if (!has_tool_) collect_outputs(whole_.steps, outputs);
-    for (const int output : outputs) add(Output{output, false, 0});
-    if (has_tool_) switch_outputs();
-    for (const auto& [axis, on] : wanted_.power) add(Enable{axis, on});
     if (wanted_.speeds != Speeds{}) add(Speed{wanted_.speeds});
     go();
-    if (!has_tool_) switch_outputs();
+    switch_outputs_on();
     if (wanted_.tool_down) add(Pen{true});
     set_what_the_tool_moves();
+    for (const auto& [axis, on] : wanted_.power)
+      if (!on) add(Enable{axis, false});
   }
 
  private:
   void add(Step::Body body) { into_.steps.push_back({std::move(body)}); }
-  void switch_outputs() {
-    for (const Output& output : wanted_.outputs) add(output);
+  /// The tool is what its routines switch; where they switch nothing, any output may be one. What else is on
+  /// may hold the workpiece, and stays on.
+  void switch_outputs_off() {
+    std::set<int> off;
+    if (has_tool_) collect_outputs(whole_.pen_down, off);
+    if (off.empty()) collect_outputs(whole_.steps, off);
+    for (const Output& output : wanted_.outputs)
+      if (!switches_on(output)) off.insert(std::max(output.output, -1));
+    if (off.contains(-1)) off = {-1};
+    for (const int output : off)
+      if (!goes_off_with_the_tool(output)) add(Output{output, false, 0});
+  }
+  void switch_outputs_on() {
+    bool all_set = false;
+    for (const Output& output : wanted_.outputs) {
+      if (all_set || switches_on(output)) add(output);
+      all_set = all_set || output.output < 0;
+    }
+  }
+  [[nodiscard]] bool goes_off_with_the_tool(int output) const {
+    return has_tool_ && std::any_of(whole_.pen_up.begin(), whole_.pen_up.end(), [output](const Step& step) {
+             const auto* o = std::get_if<Output>(&step.body);
+             return o && !step.skipped && (o->output < 0 ? o->value == 0 : o->output == output && !o->on);
+           });
+  }
+  /// What leads there sends it somewhere.
+  [[nodiscard]] bool goes(int axis) const {
+    return wanted_.axes[ix(axis)].at || (has_tool_ && is_moved_by_tool(whole_, axis));
   }
   void go() {
     Move move;
@@ -225,10 +264,10 @@ std::string_view why_no_lift(const Sequence& sequence) {
 
 }  // namespace
 
-Result<Rest> rest_from(const Sequence& sequence, std::size_t step) {
+Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places& begin, Rehearsed rehearsed) {
   if (const std::string_view why = why_no_lift(sequence); !why.empty())
     return cannot(std::string(why), "Let it be moved to a place, up and down.");
-  Pass before(sequence);
+  Pass before(sequence, begin, rehearsed);
   for (std::size_t i = 0; i < step; ++i) {
     const Step& passed = sequence.steps[i];
     const auto* loop = std::get_if<Repeat>(&passed.body);
@@ -257,8 +296,8 @@ Result<Rest> rest_from(const Sequence& sequence, std::size_t step) {
   rest.sequence = frame_of(sequence);
   Leading(sequence, standing, rest.sequence).write(step);
   rest.leading = rest.sequence.steps.size();
-  const auto begin = sequence.steps.begin(), from = begin + static_cast<std::ptrdiff_t>(step);
-  rest.leaves_homing_out = has<Home>(StepList(begin, from));
+  const auto first = sequence.steps.begin(), from = first + static_cast<std::ptrdiff_t>(step);
+  rest.leaves_homing_out = has<Home>(StepList(first, from));
   rest.sequence.steps.insert(rest.sequence.steps.end(), from, sequence.steps.end());
   return rest;
 }

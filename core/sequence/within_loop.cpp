@@ -73,14 +73,15 @@ std::optional<Within> loops_around(const Sequence& sequence, int counted) {
   return Within{found->step, times_in(sequence.steps, counted)};
 }
 
-Result<RestOfLoop> rest_within(const Sequence& sequence, int counted, std::int64_t pass) {
+Result<RestOfLoop> rest_within(const Sequence& sequence, int counted, std::int64_t pass, const Places& begin,
+                               Rehearsed rehearsed) {
   const auto within = loops_around(sequence, counted);
   if (!within || pass < 0 || (within->times && pass >= *within->times))
     return fail(FaultKind::refused, "There is no such pass of a loop.", "Nothing was begun.");
   Opened opened = open(sequence.steps, counted, pass);
   Sequence whole = frame_of(sequence);
   whole.steps = std::move(opened.steps);
-  auto rest = rest_from(whole, opened.begin);
+  auto rest = rest_from(whole, opened.begin, begin, rehearsed);
   if (!rest) {
     Fault fault = rest.error();
     fault.advice += fault.advice.empty() ? "" : " ";

@@ -21,7 +21,8 @@ struct RestOfLoop {
   Rest rest;
   std::string begins;  ///< "pass 2 of 3 of the loop of step 5, Move to X 3", for people
 };
-/// `pass`: from 0, how often that step was done before. The fault as of rest_from().
-Result<RestOfLoop> rest_within(const Sequence& sequence, int counted, std::int64_t pass);
+/// `pass`: from 0, how often that step was done before. `begin`, `rehearsed` and the fault as of rest_from().
+Result<RestOfLoop> rest_within(const Sequence& sequence, int counted, std::int64_t pass,
+                               const Places& begin = {}, Rehearsed rehearsed = Rehearsed::no);
 
 }  // namespace hw::sequence

@@ -8,6 +8,7 @@
 #include "core/device/travel_check.h"
 #include "core/session/session.h"
 #include "gui/model/ending_words.h"
+#include "gui/model/run_places.h"
 #include "gui/model/status_sentence.h"
 
 namespace hw::gui {
@@ -31,7 +32,10 @@ DisplayUnit display_unit(const Catalog& catalog, const Profile& profile, AxisId 
 }
 
 static Tab::Door door_of(Session& session) {
-  return {[&session](IntentBody body) { return session.send(std::move(body)); },
+  return {[&session](IntentBody body, std::optional<double> ago_s) {
+            const auto asked_at = ago_s ? std::optional(session.now() - from_seconds(*ago_s)) : std::nullopt;
+            return session.send(std::move(body), asked_at);
+          },
           [&session](BenchCommand command) { session.operate_bench(std::move(command)); }};
 }
 
@@ -115,11 +119,15 @@ void Tab::take(Notice& notice) {
 
 IntentId Tab::send(IntentBody body) {
   desk_.sent(body);
+  if (auto* run = std::get_if<intent::RunProgram>(&body); run && run->places.empty()) {
+    const bool first = catalog_.program.threads == 0 || run->slot == 0;  // threads share one text
+    if (first) run->places = places_of_held(desk_, run->slot, catalog_, *now_);
+  }
   if (const auto* text = std::get_if<intent::SendText>(&body))
     note(fmt::format("{} was sent{}", text->text, text->broadcast ? " to all devices" : ""));
-  if (!closing_of(body)) return door_.send(std::move(body));
+  if (!closing_of(body)) return door_.send(std::move(body), hand_acted_s_ago_);
   IntentBody again = body;
-  const IntentId id = door_.send(std::move(body));
+  const IntentId id = door_.send(std::move(body), hand_acted_s_ago_);
   may_ask_.emplace_back(id, std::move(again));
   return id;
 }

@@ -27,7 +27,7 @@ class Tab {
  public:
   /// The two ways down. Tests of panels give their own and look at what comes out.
   struct Door {
-    std::function<IntentId(IntentBody)> send;
+    std::function<IntentId(IntentBody, std::optional<double> hand_acted_s_ago)> send;
     std::function<void(BenchCommand)> operate_bench;
   };
 
@@ -52,6 +52,9 @@ class Tab {
   [[nodiscard]] const DeviceType* type() const;
   [[nodiscard]] const std::shared_ptr<Session>& session() const { return session_; }
 
+  /// A hand did so long ago what is drawn now; none: nothing that ImGui hears in this frame. Where stops are
+  /// timed, they count from there.
+  void hand_acted(std::optional<double> ago_s) { hand_acted_s_ago_ = ago_s; }
   IntentId send(IntentBody body);
   /// As send(), and a refusal or failure is told: see take_complaint().
   IntentId send_followed(IntentBody body);
@@ -138,6 +141,7 @@ class Tab {
   const Catalog catalog_;
   const std::string id_;
   Door door_;
+  std::optional<double> hand_acted_s_ago_;
   Desk desk_;
   static const Snapshot nothing_known;
   static const BenchView no_bench;

@@ -5,6 +5,7 @@
 
 #include "core/base/index.h"
 #include "gui/input/keyboard.h"
+#include "gui/model/run_places.h"
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
@@ -61,6 +62,9 @@ void BlockRun::follow(Frame& f, const SequenceText& text) {
 
 void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted) {
   const ProgramTexts& texts = f.tab.desk().texts;
+  if (wanted != Wanted::to_program)  // then the program is not replaced either
+    if (std::string why = why_not_run_there(f.tab, text.text); !why.empty())
+      return f.toast(Mood::warn, std::move(why), &texts);
   wanted_ = wanted;
   go_ahead_ = f.tab.desk().until_stopped();
   asking_ = texts.edited(texts.chosen()) && texts.text(texts.chosen()) != text.text;
@@ -89,6 +93,7 @@ void BlockRun::run(Frame& f, RunWish wish) {
 }
 
 void BlockRun::draw_dialog(Frame& f, const SequenceText& text) {
+  run_from_.draw_dialog(f, "blocks");
   if (!asking_) return;
   const Dialog what{.title = "Replace the text?",
                     .sentences =

@@ -163,9 +163,9 @@ void Blocks::draw_tools(Frame& f, const seq::Step& step) {
   Ui& ui = f.ui;
   const float left = ImGui::GetCursorScreenPos().x, edge = left + ImGui::GetContentRegionAvail().x;
   const auto tool = [&](const char* id, const char* label, Icon icon = Icon::none,
-                        std::string_view why_not = {}) {
+                        std::string_view why_not = {}, std::string_view tip = {}) {
     ButtonOptions look;
-    look.disabled = why_not;
+    look.disabled = why_not, look.tip = tip;
     look.style = ButtonStyle::outlined;
     look.icon = icon;
     const float width = ui.px(button_width(ui, label, look));
@@ -194,6 +194,14 @@ void Blocks::draw_tools(Frame& f, const seq::Step& step) {
     if (tool("blocks/unloop", "Take out of loop")) return choose(editor_->take_out_of_loop(at));
   } else if (tool("blocks/loop", "Into a loop")) {
     return put_into_loop();
+  }
+  if (!several) {
+    std::string_view why = form_.problem();
+    if (why.empty()) why = work_.why_none(*editor_);
+    if (why.empty()) why = why_not_run_from(f);
+    if (tool("blocks/run_here", "Run from here", Icon::play_outline, why,
+             "Tells the way to where this block begins, and asks first."))
+      run_.ask_from(f, editor_->sequence(), chosen_.row());
   }
   ImGui::NewLine();
   if (several)

@@ -142,7 +142,7 @@ class FieldLines {
       tell_refusal(at, o.width, FixedText<64>(of_.axes[a].name), refused);
       if (event.field.edited) {
         const auto typed = state.value();
-        if (typed || state.text.empty()) {
+        if (state.text.empty() || (typed && range_sentence(state.text, o.range).empty())) {
           const auto now = typed ? std::optional(scale.kept(*typed)) : std::nullopt;
           changed_ = changed_ || now != value[a];
           value[a] = now;
@@ -328,7 +328,7 @@ class FieldLines {
     tell_refusal(at, width, label(key), refused);
     if (!event.field.edited) return false;
     const auto typed = state.value();
-    if (!typed || *typed < range.min || *typed > range.max) return false;
+    if (!typed || !range_sentence(state.text, range).empty()) return false;
     const auto now = static_cast<Value>(*typed);
     const bool other = now != value;
     changed_ = changed_ || other;
@@ -413,7 +413,7 @@ sequence::Step::Body without_steps(const sequence::Step::Body& body) {
   if (!contour) return body;
   sequence::Contour frame;
   frame.x = contour->x, frame.y = contour->y, frame.lead_in = contour->lead_in;
-  frame.ends_ramped = contour->ends_ramped, frame.own = contour->own;
+  frame.ends_ramped = contour->ends_ramped, frame.own = contour->own, frame.plane = contour->plane;
   return frame;
 }
 

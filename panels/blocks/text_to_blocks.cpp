@@ -22,7 +22,8 @@ std::string what_came(const SequenceRead& read) {
                                  count == 1 ? "block" : "blocks");
   constexpr std::size_t most = 2;
   for (std::size_t i = 0; i < std::min(read.remarks.size(), most); ++i) said += " " + read.remarks[i];
-  if (read.remarks.size() > most) said += fmt::format(" And {} more remarks.", read.remarks.size() - most);
+  const std::size_t more = read.remarks.size() - std::min(read.remarks.size(), most);
+  if (more > 0) said += fmt::format(" And {} more remark{}.", more, more == 1 ? "" : "s");
   return said;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/index.h"
 #include "core/device/pieces_together.h"
+#include "core/sequence/steps_in.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/widgets/area.h"
@@ -24,6 +25,19 @@ namespace hw::panels {
 
 using namespace gui;
 namespace {
+
+/// The steps of a contour begin with it.
+std::pair<int, int> counted_as_one(const sequence::Sequence& of, int step) {
+  int first = 0;
+  for (const sequence::Step& each : of.steps) {
+    const sequence::StepList* inner = sequence::steps_in(each);
+    const int behind = first + 1 + (inner ? sequence::count_steps(*inner) : 0);
+    if (step < behind && std::holds_alternative<sequence::Contour>(each.body)) return {first, behind};
+    if (step < behind) break;
+    first = behind;
+  }
+  return {step, step + 1};
+}
 
 constexpr float hit_height = 36, legend_width = 248;
 constexpr std::string_view changed_since = "The text has been changed since. Simulate draws it anew.";
@@ -260,18 +274,34 @@ void ToolPath::draw_hit_links(Frame& f, float& right, float y) {
     ask_to_run_from_hit(f);
 }
 
+/// The source that was clicked, or an earlier one of the same step that moves before it does.
+int ToolPath::first_to_move(const WrittenSequence& written, int step) const {
+  const auto [first, behind] = counted_as_one(*written.sequence, step);
+  const std::vector<int>& steps = written.written.step_of_line;
+  if (!program_.path()) return hit_.source;
+  for (const drawing::ToolPath::Run& run : program_.path()->runs) {
+    const int line = program_.places().line_of(run.source);
+    if (line < 0 || ix(line) >= steps.size() || (hit_.pass && run.pass != *hit_.pass)) continue;
+    if (steps[ix(line)] >= first && steps[ix(line)] < behind) return run.source;
+  }
+  return hit_.source;
+}
+
 /// Of blocks or a drawing their step is known; of another text it is found out.
 void ToolPath::ask_to_run_from_hit(Frame& f) {
   Desk& desk = f.tab.desk();
   const std::string* text = program_.text();
   if (!text || !program_.rehearsal()) return;
   const SourcePlace& place = program_.places().all[ix(hit_.source)];
+  const Rehearsal& rehearsal = *program_.rehearsal();
   if (const WrittenSequence* source = desk.source.of(*text, desk.blocks, desk.language(), f.catalog)) {
     const std::vector<int>& steps = source->written.step_of_line;
-    return run_from_.ask(f, *source->sequence, ix(place.line) < steps.size() ? steps[ix(place.line)] : -1,
-                         hit_.pass);
+    const int step = ix(place.line) < steps.size() ? steps[ix(place.line)] : -1;
+    return run_from_.ask(
+        f, *source->sequence,
+        {step, hit_.pass, rehearsal.axes,
+         begun_between(rehearsal, program_.places().of_command, first_to_move(*source, step), hit_.pass)});
   }
-  const Rehearsal& rehearsal = *program_.rehearsal();
   run_from_.ask(f, {*text, place.line, place.byte, hit_.pass, rehearsal.axes,
                     begun_between(rehearsal, program_.places().of_command, hit_.source, hit_.pass)});
 }

@@ -40,6 +40,7 @@ class ToolPath final : public gui::Panel {
   void draw_hit(gui::Frame& frame, float width);
   void draw_hit_links(gui::Frame& frame, float& right_px, float y_px);
   void ask_to_run_from_hit(gui::Frame& frame);
+  [[nodiscard]] int first_to_move(const gui::WrittenSequence& written, int step) const;
 
   std::optional<Catalog> together_;  ///< of all on the bus; none: of this controller
   PathChoice choice_;

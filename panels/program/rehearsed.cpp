@@ -11,9 +11,11 @@ namespace {
 /// What it has found in the way of the program; empty: nothing.
 std::string_view found(const Rehearsals::Outcome& o) {
   if (!o.result) return "Rehearsed: it cannot run.";
-  if (!o.result->error.empty()) return "Rehearsed: it ends with an error.";
-  if (o.result->limit_touched) return "Rehearsed: a limit switch is hit.";
-  if (!o.result->finished) return "Rehearsed: no end was found.";
+  const Rehearsal& r = *o.result;
+  const bool out_of_time = !r.finished && r.duration_s >= RehearseOptions().for_seconds;
+  if (!r.error.empty() && !out_of_time) return "Rehearsed: it ends with an error.";
+  if (r.limit_touched) return "Rehearsed: a limit switch is hit.";
+  if (!r.finished) return "Rehearsed: no end was found. It loops, or waits for somebody.";
   return {};
 }
 

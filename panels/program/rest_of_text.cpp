@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/sequence/places_before.h"
 #include "core/sequence/steps_in.h"
 #include "core/sequence/within_loop.h"
 #include "core/sequence/words.h"
@@ -164,51 +165,14 @@ tl::unexpected<Fault> why_not_known(const StepOfPlace& step, const PlaceToBegin&
   return not_from(fault.what, fault.advice);
 }
 
-/// Where the rehearsal began is where the text is counted from.
-void begin_where_the_rehearsal_did(StepOfPlace& step, const PlaceToBegin& place) {
-  seq::Move move;
-  for (std::size_t a = 0; a < step.sequence.axes.size(); ++a) {
-    const seq::Axis& own = step.sequence.axes[a];
-    for (const RehearsedAxis& axis : place.axes)
-      if (axis.name == own.name && axis.travel > 0)
-        move.to[a] = static_cast<double>(axis.begin) / own.per_unit;
-  }
-  step.sequence.steps.insert(step.sequence.steps.begin(), seq::Step{move});
-  ++step.counted;
-}
-
-Result<seq::Rest> rest_there(const StepOfPlace& step, const std::optional<std::int64_t>& pass_in_loop) {
+Result<seq::Rest> rest_there(const StepOfPlace& step, const std::optional<std::int64_t>& pass_in_loop,
+                             const seq::Places& begin, seq::Rehearsed rehearsed) {
   if (pass_in_loop) {
-    auto found = seq::rest_within(step.sequence, step.counted, *pass_in_loop);
+    auto found = seq::rest_within(step.sequence, step.counted, *pass_in_loop, begin, rehearsed);
     return found ? Result<seq::Rest>(std::move(found->rest)) : tl::unexpected(found.error());
   }
-  const auto begin = seq::step_to_begin_at(step.sequence, step.counted);
-  return begin ? seq::rest_from(step.sequence, *begin) : tl::unexpected(begin.error());
-}
-
-/// Nothing: the rehearsal has seen the axes where the rest would begin.
-std::optional<Fault> otherwise_rehearsed(const seq::Rest& rest, const PlaceToBegin& place,
-                                         const Catalog& catalog) {
-  if (!place.begun)
-    return not_from(fmt::format("The rehearsal does not tell where the axes were when line {} began.",
-                                place.line + 1),
-                    "Begin at a line that moves an axis.")
-        .value();
-  for (std::size_t a = 0; a < rest.sequence.axes.size(); ++a) {
-    const seq::Axis& axis = rest.sequence.axes[a];
-    const int i = catalog.find_axis(axis.name);
-    if (!rest.start[a] || i < 0) continue;
-    const std::int64_t start = std::llround(*rest.start[a] * axis.per_unit);
-    const auto [low, high] =
-        std::minmax((*place.begun)[0].position[ix(i)], (*place.begun)[1].position[ix(i)]);
-    if (start >= low - 1 && start <= high + 1) continue;
-    return not_from(fmt::format("In the rehearsal {} did not stand at {} {} when line {} began, where the "
-                                "commands above it send it.",
-                                axis.name, start, catalog.step_word, place.line + 1),
-                    "Begin at a line that begins when all axes stand.")
-        .value();
-  }
-  return std::nullopt;
+  const auto at = seq::step_to_begin_at(step.sequence, step.counted);
+  return at ? seq::rest_from(step.sequence, *at, begin, rehearsed) : tl::unexpected(at.error());
 }
 
 }  // namespace
@@ -232,6 +196,37 @@ std::optional<std::array<RehearsedPlace, 2>> begun_between(const Rehearsal& rehe
   return std::array{next == rehearsal.track.begin() ? behind : *(next - 1), behind};
 }
 
+seq::Places begin_of(std::span<const RehearsedAxis> axes, const seq::Sequence& sequence) {
+  seq::Places begin;
+  for (std::size_t a = 0; a < sequence.axes.size(); ++a) {
+    const seq::Axis& own = sequence.axes[a];
+    for (const RehearsedAxis& axis : axes)
+      if (axis.name == own.name && (axis.travel > 0 || is_moved(sequence, static_cast<int>(a))))
+        begin[a] = static_cast<double>(axis.begin) / own.per_unit;
+  }
+  return begin;
+}
+
+std::optional<Fault> otherwise_rehearsed(const seq::Rest& rest, const std::array<RehearsedPlace, 2>& begun,
+                                         std::string_view what, std::string_view above,
+                                         const Catalog& catalog) {
+  for (std::size_t a = 0; a < rest.sequence.axes.size(); ++a) {
+    const seq::Axis& axis = rest.sequence.axes[a];
+    const int i = catalog.find_axis(axis.name);
+    if (!rest.start[a] || i < 0) continue;
+    const std::int64_t start = std::llround(*rest.start[a] * axis.per_unit);
+    const auto [low, high] = std::minmax(begun[0].position[ix(i)], begun[1].position[ix(i)]);
+    if (start >= low - 1 && start <= high + 1) continue;
+    return not_from(
+               fmt::format("In the rehearsal {} did not stand at {} {} when {} began, where the {} "
+                           "above it send it.",
+                           axis.name, start, catalog.step_word, what, above),
+               fmt::format("Begin at a {} that begins when all axes stand.", what.substr(0, what.find(' '))))
+        .value();
+  }
+  return std::nullopt;
+}
+
 Result<RestOfText> rest_of_text(const Language& language, const PlaceToBegin& place,
                                 const seq::Sequence& frame, const Catalog& catalog) {
   auto step = Finder(language, place, frame, catalog).find();
@@ -246,11 +241,15 @@ Result<RestOfText> rest_of_text(const Language& language, const PlaceToBegin& pl
                       "in front of the loop or behind it.");
     pass_in_loop = place.pass.value_or(0);
   }
-  StepOfPlace from_begin = *step;
-  begin_where_the_rehearsal_did(from_begin, place);
-  auto rest = rest_there(from_begin, pass_in_loop);
+  auto rest = rest_there(*step, pass_in_loop, begin_of(place.axes, step->sequence),
+                         place.begun ? seq::Rehearsed::yes : seq::Rehearsed::no);
   if (!rest) return why_not_known(*step, place, rest.error());
-  if (auto fault = otherwise_rehearsed(*rest, place, catalog)) return fail(std::move(*fault));
+  const std::string line = fmt::format("line {}", place.line + 1);
+  if (!place.begun)
+    return not_from(fmt::format("The rehearsal does not tell where the axes were when {} began.", line),
+                    "Begin at a line that moves an axis.");
+  if (auto fault = otherwise_rehearsed(*rest, *place.begun, line, "commands", catalog))
+    return fail(std::move(*fault));
   const std::string pass = pass_in_loop ? fmt::format(", pass {}", *pass_in_loop + 1) : std::string();
   std::string_view command = gui::line_of(place.text, place.line);
   command = command.substr(std::min(command.size(), ix(place.byte)));

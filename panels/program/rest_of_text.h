@@ -26,6 +26,15 @@ std::optional<std::array<RehearsedPlace, 2>> begun_between(const Rehearsal& rehe
                                                            std::span<const int> source_of_command, int source,
                                                            std::optional<int> pass);
 
+/// Where the rehearsal began, which is where the steps are counted from: of the axes that it or a step has
+/// moved.
+sequence::Places begin_of(std::span<const RehearsedAxis> axes, const sequence::Sequence& sequence);
+/// None: the rehearsal has seen the axes where the rest would begin. `what`: "line 3" or "step 3";
+/// `above`: what stands above it.
+std::optional<Fault> otherwise_rehearsed(const sequence::Rest& rest,
+                                         const std::array<RehearsedPlace, 2>& begun, std::string_view what,
+                                         std::string_view above, const Catalog& catalog);
+
 struct RestOfText {
   sequence::Rest rest;
   std::string begins;  ///< "line 7, I2M400"

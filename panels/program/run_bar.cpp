@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "gui/model/run_places.h"
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "panels/widget_path.h"
@@ -123,6 +124,8 @@ void begin_run(Frame& f, RunWish wish) {
   if (wish == RunWish::none) return;
   Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
+  if (std::string why = why_not_run_there(f.tab, desk.texts.text(slot)); !why.empty())
+    return f.toast(Mood::warn, std::move(why), &desk.texts);
   const auto goal = wish == RunWish::run_stepping ? ProgramJob::Goal::run_stepping : ProgramJob::Goal::run;
   desk.job.begin(goal, slot, desk.texts, f.now, f.catalog,
                  [&](IntentBody body) { return f.send_and_watch(std::move(body)); });

@@ -5,8 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "core/base/index.h"
+#include "core/device/refusals.h"
+#include "core/sequence/places_before.h"
 #include "core/sequence/within_loop.h"
 #include "core/sequence/words.h"
+#include "gui/model/run_places.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/widgets/message.h"
@@ -33,6 +37,37 @@ std::string standing_at(const Frame& f, const sequence::Rest& rest) {
   return all;
 }
 
+/// Where a sequence would be begun if it were run now.
+sequence::Places standing_now(const Frame& f, const sequence::Sequence& of) {
+  sequence::Places places;
+  for (std::size_t a = 0; a < of.axes.size(); ++a) {
+    const int axis = f.catalog.find_axis(of.axes[a].name);
+    if (axis < 0 || !f.now.axes[ix(axis)].position_known || !is_moved(of, static_cast<int>(a))) continue;
+    places[a] = static_cast<double>(f.now.axes[ix(axis)].commanded().value) / of.axes[a].per_unit;
+  }
+  return places;
+}
+
+/// Why its axes cannot be sent to where the rest begins; empty: they can.
+std::string why_not_sent_there(const Frame& f, const sequence::Rest& rest,
+                               std::span<const RehearsedAxis> rehearsed) {
+  for (std::size_t a = 0; a < rest.sequence.axes.size(); ++a) {
+    const std::string& name = rest.sequence.axes[a].name;
+    const int axis = f.catalog.find_axis(name);
+    if (axis < 0 || (!rest.start[a] && !is_moved(rest.sequence, static_cast<int>(a)))) continue;
+    const AxisState& now = f.now.axes[ix(axis)];
+    if (!now.position_known)
+      return fmt::format(
+          "Nobody knows where {} stands. Nothing was begun. Home it, or say where it stands, then ask again.",
+          spoken_name(f.catalog, axis));
+    for (const RehearsedAxis& then : rehearsed)
+      if (then.name == name && then.in_counts != now.in_counts)
+        return fmt::format(
+            "{} counts in other units than in the rehearsal. Nothing was begun. Simulate it again.", name);
+  }
+  return why_not_run_there(f.tab, rest.sequence);
+}
+
 bool speaks_of_a_tool(const sequence::Rest& rest) {
   for (std::size_t i = 0; i < rest.leading; ++i)
     if (std::holds_alternative<sequence::Pen>(rest.sequence.steps[i].body)) return true;
@@ -47,9 +82,13 @@ std::string_view why_not_run_from(const Frame& f) {
   return is_under_way(f.now.program) ? "A program waits. Stop it first." : "";
 }
 
-Result<RunFrom::Wanted> RunFrom::wanted_of(const sequence::Sequence& of, int step, std::optional<int> pass) {
-  if (const auto within = sequence::loops_around(of, step)) {
+Result<RunFrom::Wanted> RunFrom::wanted_of(const sequence::Sequence& of, const Place& place,
+                                           const sequence::Places& begin) {
+  const auto rehearsed = place.begun ? sequence::Rehearsed::yes : sequence::Rehearsed::no;
+  if (const auto within = sequence::loops_around(of, place.step)) {
+    auto pass = place.pass;
     if (!pass && within->times == 1) pass = 0;
+    if (!pass && place.axes.empty()) return fail(sequence::step_to_begin_at(of, place.step).error());
     if (!pass)
       return fail(
           FaultKind::refused,
@@ -59,22 +98,32 @@ Result<RunFrom::Wanted> RunFrom::wanted_of(const sequence::Sequence& of, int ste
           "Nothing was begun.",
           "Click the pass that you mean in the picture. Where its passes lie in one line, begin in front of "
           "the loop or behind it.");
-    auto found = sequence::rest_within(of, step, *pass);
+    auto found = sequence::rest_within(of, place.step, *pass, begin, rehearsed);
     if (!found) return fail(found.error());
     return Wanted{std::move(found->rest), std::move(found->begins)};
   }
-  const auto begin = sequence::step_to_begin_at(of, step);
-  if (!begin) return fail(begin.error());
-  auto rest = sequence::rest_from(of, *begin);
+  const auto at = sequence::step_to_begin_at(of, place.step);
+  if (!at) return fail(at.error());
+  auto rest = sequence::rest_from(of, *at, begin, rehearsed);
   if (!rest) return fail(rest.error());
-  const sequence::Step::Body& first = of.steps[*begin].body;
-  return Wanted{std::move(*rest), fmt::format("step {}, {} {}", *begin + 1, sequence::title_of(first),
+  const sequence::Step::Body& first = of.steps[*at].body;
+  return Wanted{std::move(*rest), fmt::format("step {}, {} {}", *at + 1, sequence::title_of(first),
                                               sequence::summary_of(first, of))};
 }
 
-void RunFrom::ask(Frame& f, const sequence::Sequence& of, int step, std::optional<int> pass) {
+void RunFrom::ask(Frame& f, const sequence::Sequence& of, const Place& place) {
   go_ahead_ = f.tab.desk().until_stopped();
-  ask(f, wanted_of(of, step, pass));
+  auto wanted = wanted_of(of, place, place.axes.empty() ? standing_now(f, of) : begin_of(place.axes, of));
+  if (wanted && place.begun) {
+    const std::string step = wanted->begins.substr(0, wanted->begins.find(','));
+    if (auto fault = otherwise_rehearsed(wanted->rest, *place.begun, step, "steps", f.catalog))
+      wanted = tl::unexpected(std::move(*fault));
+  }
+  if (wanted) {
+    wanted->axes.assign(place.axes.begin(), place.axes.end());
+    wanted->counts_from_now = place.axes.empty() && !wanted_of(of, place, {});
+  }
+  ask(f, std::move(wanted));
 }
 
 void RunFrom::ask(Frame& f, PlaceToBegin place) {
@@ -88,7 +137,8 @@ void RunFrom::ask(Frame& f, PlaceToBegin place) {
        catalog = std::make_shared<const Catalog>(f.catalog)] {
         auto found = rest_of_text(*language, place, frame, *catalog);
         if (!found) return Result<Wanted>(tl::unexpected(found.error()));
-        return Result<Wanted>(Wanted{std::move(found->rest), std::move(found->begins), place.text});
+        return Result<Wanted>(
+            Wanted{std::move(found->rest), std::move(found->begins), place.text, place.axes});
       },
       [this](Result<Wanted> wanted) { read_ = std::move(wanted), reading_ = false; }, alive_);
   f.ui.wake_in(0);
@@ -98,6 +148,8 @@ void RunFrom::ask(Frame& f, Result<Wanted> wanted) {
   const Language* language = f.tab.desk().language();
   if (!language) return;
   if (!wanted) return f.toast(Mood::warn, wanted.error().sentence());
+  if (std::string why = why_not_sent_there(f, wanted->rest, wanted->axes); !why.empty())
+    return f.toast(Mood::warn, std::move(why));
   auto written = language->write(wanted->rest.sequence, f.catalog);
   if (!written) return f.toast(Mood::warn, written.error().sentence());
   const ProgramTexts& texts = f.tab.desk().texts;
@@ -106,14 +158,15 @@ void RunFrom::ask(Frame& f, Result<Wanted> wanted) {
   rest_ = std::move(wanted->rest), written_ = std::move(*written);
   replaces_ = texts.edited(texts.chosen());
   asking_ = true;
-  say(f, wanted->begins);
+  say(f, *wanted);
 }
 
-void RunFrom::say(const Frame& f, std::string_view begins) {
+void RunFrom::say(const Frame& f, const Wanted& wanted) {
   const std::string at = standing_at(f, rest_);
   question_ = at.empty() ? std::string() : fmt::format("The axes stand at {}.\n", at);
   question_ += fmt::format("First: {}\n", words_of_leading(rest_));
-  question_ += fmt::format("Then {}, and all behind it.", begins);
+  question_ += fmt::format("Then {}, and all behind it.", wanted.begins);
+  if (wanted.counts_from_now) question_ += "\nDistances above it are counted from where the axes stand now.";
   if (rest_.leaves_homing_out) question_ += "\nHoming is left out: the counts are taken for true.";
   if (!speaks_of_a_tool(rest_))
     question_ += "\nNo step speaks of a tool: see to it that nothing is in its way.";

@@ -15,9 +15,17 @@ namespace hw::panels {
 
 class RunFrom {
  public:
-  /// `step`: as SequenceText counts them. `pass`: how often it was done before, which matters within a loop;
-  /// none: that is not known. Where the rest cannot be run it is told why.
-  void ask(gui::Frame& frame, const sequence::Sequence& of, int step, std::optional<int> pass);
+  /// Where it is to begin. `step`: as SequenceText counts them. `pass`: how often it was done before, which
+  /// matters within a loop; none: that is not known.
+  struct Place {
+    int step = 0;
+    std::optional<int> pass = {};
+    /// Of its rehearsal. No axes: there was none, and the steps are counted from where the axes stand.
+    std::span<const RehearsedAxis> axes = {};
+    std::optional<std::array<RehearsedPlace, 2>> begun = {};  ///< none: it does not tell
+  };
+  /// Where the rest cannot be run it is told why.
+  void ask(gui::Frame& frame, const sequence::Sequence& of, const Place& place);
   /// The same of a text that somebody has typed, once it has been read.
   void ask(gui::Frame& frame, PlaceToBegin place);
   void draw_dialog(gui::Frame& frame, std::string_view where);
@@ -29,10 +37,13 @@ class RunFrom {
     sequence::Rest rest;
     std::string begins;  ///< "step 6, Move to 2 400"
     std::string text{};  ///< that was read; empty: it is of blocks or a drawing
+    std::vector<RehearsedAxis> axes{};
+    bool counts_from_now = false;  ///< elsewhere it would begin elsewhere
   };
   void ask(gui::Frame& frame, Result<Wanted> wanted);
-  static Result<Wanted> wanted_of(const sequence::Sequence& of, int step, std::optional<int> pass);
-  void say(const gui::Frame& frame, std::string_view begins);
+  static Result<Wanted> wanted_of(const sequence::Sequence& of, const Place& place,
+                                  const sequence::Places& begin);
+  void say(const gui::Frame& frame, const Wanted& wanted);
   void run(gui::Frame& frame) const;
 
   bool asking_ = false, reading_ = false;

@@ -37,5 +37,90 @@ TEST_F(LiveBlocks, OfABoardTheOneAtWorkIsLit) {
   EXPECT_EQ(value("blocks/4/time"), "runs, worked out");
 }
 
+/// Blocks on a controller whose axis X may go as far as 1000.
+struct BoundBlocks : test_blocks::BlocksStage {
+  BoundBlocks() {
+    s.now.slot_bytes_used[0] = 0;
+    s.now.axes[0].travel = {true, true, Steps(-1000), Steps(1000)};
+  }
+  static sequence::Step by(double x) {
+    sequence::Move m;
+    m.relative = true, m.to[0] = x;
+    return {m};
+  }
+  static sequence::Step to(std::optional<double> x, std::optional<double> y = {}) {
+    sequence::Move m;
+    m.to[0] = x, m.to[1] = y;
+    return {m};
+  }
+};
+
+TEST_F(BoundBlocks, WhatLeavesALimitIsRefusedWithHowFarBeforeAnythingIsSent) {
+  load({{sequence::Repeat{12, {by(100)}}}});
+  s.click("blocks/run");
+  EXPECT_THAT(s.toast(), ::testing::HasSubstr("1200 pulses lies 200 pulses past the + limit of axis X"));
+  load({{sequence::Repeat{0, {by(1)}}}});
+  s.click("blocks/run");
+  EXPECT_THAT(s.toast(), ::testing::HasSubstr("A loop that has no end moves axis X on"));
+  EXPECT_TRUE(s.sent.empty());
+}
+
+TEST_F(BoundBlocks, WhatRunsIsToldWhereItGoesForWhateverComesMeanwhile) {
+  load({{sequence::Repeat{9, {by(100)}}}});
+  s.click("blocks/run");
+  ASSERT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
+  s.settle(Fate::done);
+  const auto* run = s.last<intent::RunProgram>();
+  ASSERT_TRUE(run);
+  ASSERT_EQ(run->places.size(), 2u);
+  EXPECT_EQ(run->places[1].value, Steps(900));
+}
+
+TEST_F(BoundBlocks, TheRestFromTheChosenBlockOnIsAskedForWithTheWayThere) {
+  s.now.axes[0].position = Steps(50);
+  load({by(100), to({}, 300), by(7)});
+  s.click("blocks/2");
+  s.click("blocks/run_here");
+  const std::string asked = value("blocks/run_from/says");
+  EXPECT_THAT(asked, ::testing::HasSubstr("Move to X 150, Y 0 pulses.")) << s.toast();
+  EXPECT_THAT(asked,
+              ::testing::HasSubstr("Then step 2, Move to Y 300, and all behind it.\nDistances above it are "
+                                   "counted from where the axes stand now."));
+  EXPECT_TRUE(s.sent.empty());
+  s.click("blocks/run_from/yes");
+  EXPECT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
+}
+
+TEST_F(BoundBlocks, WhereNoDistanceCountsFromWhereTheAxesStandThatIsNotSaid) {
+  s.now.axes[0].position = Steps(50);
+  load({to(100), by(100), to({}, 300)});
+  s.click("blocks/3");
+  s.click("blocks/run_here");
+  const std::string asked = value("blocks/run_from/says");
+  EXPECT_THAT(asked, ::testing::HasSubstr("Move to X 200, Y 0 pulses.")) << s.toast();
+  EXPECT_THAT(asked, ::testing::Not(::testing::HasSubstr("Distances")));
+}
+
+TEST_F(LiveBlocks, BehindAContourThatRampsOutNoRehearsalHasShownWhereTheAxesStand) {
+  sequence::Move right, on;
+  right.to[0] = 2000, on.to[1] = 500;
+  sequence::Contour c;
+  c.lead_in = 1000, c.own = sequence::Speeds{1000};
+  c.steps = {{right}};
+  load({{sequence::Speed{{1000, 0, 500}}}, {c}, {on}});
+  s.click("blocks/4");
+  s.click("blocks/run_here");
+  EXPECT_THAT(s.toast(), ::testing::HasSubstr("Nobody knows where X stands before step 3"));
+  EXPECT_FALSE(s.stage.find("blocks/run_from/yes"));
+}
+
+TEST_F(BoundBlocks, WithinALoopNobodyKnowsWhichRoundIsMeant) {
+  load({to(0), {sequence::Repeat{3, {by(10), to({}, 5)}}}});
+  s.click("blocks/3");
+  s.click("blocks/run_here");
+  EXPECT_THAT(s.toast(), ::testing::HasSubstr("nobody knows how many of its rounds have been made"));
+  EXPECT_FALSE(s.stage.find("blocks/run_from/yes"));
+}
+
 }  // namespace
 }  // namespace hw::panels

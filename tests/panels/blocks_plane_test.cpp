@@ -25,5 +25,30 @@ TEST_F(BlocksInAPlane, AnArcIsPutIntoTwoOtherAxes) {
   EXPECT_EQ(value("blocks/3"), "about Z 100, X 0, 90deg") << "both stay two different axes";
 }
 
+TEST_F(BlocksInAPlane, AContourStaysInItsPlaneWhenItsFieldsAreEdited) {
+  sequence::Contour c;
+  c.plane = {0, 2}, c.own = sequence::Speeds{1000};
+  sequence::Move along;
+  along.to[2] = 500;
+  c.steps = {{along}};
+  load({{c}});
+  s.click("blocks/1");
+  s.type("blocks/1/x", "40\n");
+  const auto& now = std::get<sequence::Contour>(editor().sequence().steps[0].body);
+  EXPECT_EQ(now.x, 40);
+  EXPECT_EQ(now.plane, c.plane);
+}
+
+TEST_F(BlocksInAPlane, WhatIsNoNumberOfThatFieldChangesNothing) {
+  load({{sequence::Repeat{3, {{sequence::Delay{5}}}}}});
+  s.click("blocks/1");
+  for (const char* bad : {"2.5", "-3", "nan", "1e300", "inf", "", "7000000", "two"}) {
+    s.type("blocks/1/times", bad);
+    EXPECT_EQ(std::get<sequence::Repeat>(editor().sequence().steps[0].body).times, 3) << bad;
+    EXPECT_NE(s.reason("blocks/run"), "") << bad;
+    EXPECT_NE(s.reason("blocks/run_here"), "") << bad;
+  }
+}
+
 }  // namespace
 }  // namespace hw::panels

@@ -70,7 +70,7 @@ TEST_F(RunFromTest, TellsTheWayThereAndDoesNothingBeforeItIsAgreedTo) {
   s.click("path/run_here");
   const std::string asked = s.value("path/run_from/says");
   EXPECT_THAT(asked, HasSubstr("The axes stand at 1 250 steps"));
-  EXPECT_THAT(asked, HasSubstr("First: Tool up. Speed 2000 steps/s. Move to 1 400. Tool down."));
+  EXPECT_THAT(asked, HasSubstr("First: Tool up. Speed 2000 steps/s. Move to 1 400, 2 0. Tool down."));
   EXPECT_THAT(asked, HasSubstr("Then step 6, Move to 2 400, and all behind it."));
   EXPECT_THAT(asked, Not(HasSubstr("No step speaks of a tool")));
   EXPECT_TRUE(s.sent.empty());
@@ -101,6 +101,47 @@ TEST_F(RunFromTest, RunsTheRestBehindTheWayThere) {
   s.stage.frames(2);
   click_on_second_side();
   EXPECT_THAT(s.reason("path/run_here"), Not(HasSubstr("of no blocks")));
+}
+
+TEST_F(RunFromTest, WhereNobodyKnowsWhereAnAxisStandsNothingIsBegun) {
+  rehearse(of_blocks());
+  s.now.axes[1].position_known = false;
+  s.stage.frames(2);
+  click_on_second_side();
+  s.click("path/run_here");
+  EXPECT_THAT(s.toast(), HasSubstr("Nobody knows where motor 2 stands. Nothing was begun."));
+  EXPECT_FALSE(s.stage.find("path/run_from/yes"));
+  s.now.axes[1].position_known = true;
+  s.now.axes[0].trust.doubt(Doubt::power_cut, {});
+  s.stage.frames(2);
+  s.click("path/run_here");
+  EXPECT_THAT(s.toast(), HasSubstr("The position of motor 1 is not to be trusted: its power was cut."));
+  EXPECT_FALSE(s.stage.find("path/run_from/yes"));
+  EXPECT_TRUE(s.sent.empty());
+}
+
+TEST_F(RunFromTest, AnAxisThatNoStepBeforeHasMovedComesToWhereTheRehearsalBegan) {
+  sequence::Sequence only_second = s.tab.desk().blocks.editor.sequence();
+  only_second.steps = {{sequence::Pen{true}}, {to(0, 400)}, {to(1, 400)}};
+  s.tab.desk().blocks.editor.load(only_second);
+  rehearse(of_blocks());
+  s.now.axes[1].position = s.now.axes[1].command = Steps(70);
+  s.stage.frames(2);
+  click_on_second_side();
+  s.click("path/run_here");
+  const std::string asked = s.value("path/run_from/says");
+  EXPECT_THAT(asked, HasSubstr("The axes stand at 1 0 steps, 2 70 steps")) << s.toast();
+  EXPECT_THAT(asked, HasSubstr("Move to 1 400, 2 0. Tool down.")) << "the line that is drawn begins there";
+}
+
+TEST_F(RunFromTest, WhatWouldLeaveALimitIsRefusedWithHowFar) {
+  rehearse(of_blocks());
+  s.now.axes[1].travel = {false, true, {}, Steps(300)};
+  s.stage.frames(2);
+  click_on_second_side();
+  s.click("path/run_here");
+  EXPECT_THAT(s.toast(), HasSubstr("400 steps lies 100 steps past the + limit of motor 2, 300 steps"));
+  EXPECT_FALSE(s.stage.find("path/run_from/yes"));
 }
 
 TEST_F(RunFromTest, ATypedTextIsBegunWhereItsRehearsalCameTo) {

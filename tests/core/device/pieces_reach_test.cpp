@@ -56,5 +56,16 @@ TEST_F(PiecesReach, SoIsACornerInTheMiddleOfAProgram) {
   EXPECT_EQ(found->place, Steps(-700));
 }
 
+TEST_F(PiecesReach, AndALoopThatMovesOnInEachOfItsRounds) {
+  bound(0, Steps(-500), Steps(500));
+  seq::Move by;
+  by.to[0] = 100, by.relative = true;
+  EXPECT_FALSE(past({{to(0, 0)}, {seq::Repeat{5, {{by}}}}}));
+  const auto found = past({{to(0, 0)}, {seq::Repeat{6, {{by}}}}});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->place, Steps(600));
+  EXPECT_TRUE(past({{to(0, 0)}, {seq::Repeat{0, {{by}}}}})) << "it has no end";
+}
+
 }  // namespace
 }  // namespace hw

@@ -84,6 +84,67 @@ TEST(Rest, WhereNoToolIsSpokenOfOutputsAreOffOnTheWay) {
   EXPECT_EQ(*leading<Output>(*rest, 1), (Output{2, true}));
 }
 
+TEST(Rest, WhatSwitchesTheToolIsOffOnTheWayWhoeverHasSwitchedIt) {
+  // Its routine to lift it has been forgotten, and a step switches it by itself.
+  Sequence s = drawn();
+  s.pen_up.clear();
+  EXPECT_EQ(words_of_leading(*rest_from(s, 5)),
+            "Output 3 off. Tool up. Speed 20 from 1 mm/s, 100 ms. Move to X 20, Y 10 mm. Tool down.");
+  s = drawn();
+  s.steps[3] = {Output{3, true}};
+  s.steps.insert(s.steps.begin(), {Output{4, true}});
+  EXPECT_EQ(words_of_leading(*rest_from(s, 6)),
+            "Tool up. Speed 20 from 1 mm/s, 100 ms. Move to X 20, Y 10 mm. Output 4 on. Output 3 on.")
+      << "output 4 may hold the workpiece";
+}
+
+TEST(Rest, ALaserThatStepsSwitchIsOffOnTheWayAlsoWhereTheToolIsAnAxis) {
+  Sequence s = of({{Pen{false}}, {to(10, 0)}, {Pen{true}}, {Output{2, true}}, {to(20, 0)}, {to(30, 0)}});
+  s.pen_up = {{to({}, {}, 5)}};
+  s.pen_down = {{to({}, {}, 0)}};
+  EXPECT_EQ(words_of_leading(*rest_from(s, 5)),
+            "Output 2 off. Tool up. Move to X 20, Y 0 mm. Output 2 on. Tool down.");
+  s.steps[3] = {Output{-1, false, 6}};
+  s.steps.insert(s.steps.begin() + 4, {Output{1, false}});
+  EXPECT_EQ(words_of_leading(*rest_from(s, 6)),
+            "Output all: 0. Tool up. Move to X 20, Y 0 mm. Output all: 6. Output 1 off. "
+            "Tool down.");
+}
+
+TEST(Rest, MotorsHavePowerBeforeTheToolIsLiftedAndLoseItBehindTheWay) {
+  Sequence s = of({{Enable{2, true}}, {Pen{false}}, {to(10, 0)}, {Enable{0, false}}, {to({}, 5)}});
+  s.pen_up = {{to({}, {}, 5)}};
+  EXPECT_EQ(words_of_leading(*rest_from(s, 4)),
+            "Motor power X on. Motor power Z on. Tool up. Move to X 10, Y 0 mm. Motor power X off.");
+  s = of({{to(10, 0)}, {Enable{2, false}}, {to({}, 5)}});
+  EXPECT_EQ(words_of_leading(*rest_from(s, 2)), "Move to X 10, Y 0 mm. Motor power Z off.")
+      << "nothing moves it";
+}
+
+TEST(Rest, AxesComeToWhereTheSequenceIsBegunTooWhatTheToolMovesExcepted) {
+  Sequence s = of({{to(5, {})}, {by(5)}, {to({}, 7)}});
+  EXPECT_EQ(words_of_leading(*rest_from(s, 1, {1.0, 2.0})), "Move to X 5, Y 2 mm.");
+  EXPECT_EQ(words_of_leading(*rest_from(of({{by(5)}, {to(1, 1)}}), 1, {3.0})), "Move to X 8 mm.")
+      << "a distance counts from there";
+  s.steps.push_back({Pen{true}});
+  s.pen_up = {{to({}, {}, 5)}};
+  EXPECT_EQ(words_of_leading(*rest_from(s, 1, {1.0, 2.0, 0.0})), "Tool up. Move to X 5, Y 2 mm.");
+}
+
+TEST(Rest, BehindAContourThatEndsRampedItIsKnownWhereARehearsalShowsItAndNothingElseIsLeftOpen) {
+  Contour c;
+  c.steps = {{to(10, 0)}};
+  const Sequence s = of({{Speed{{10, 0, 500}}}, {c}, {to({}, 0)}, {to(0, 0)}});
+  const auto from = rest_from(s, 2, {}, Rehearsed::yes);
+  ASSERT_TRUE(from) << from.error().sentence();
+  EXPECT_NEAR(*from->start[0], 12.5, 1e-9);
+  EXPECT_FALSE(rest_from(of({{c}, {to(0, 0)}}), 1, {}, Rehearsed::yes)) << "nobody has said how it ramps";
+  const auto unseen = rest_from(s, 3);
+  ASSERT_FALSE(unseen);
+  EXPECT_THAT(unseen.error().sentence(), HasSubstr("where X stands before step 4: step 2 (Contour"));
+  EXPECT_TRUE(rest_from(of({{c}, {to(0, 0)}, {to(5, 5)}}), 2)) << "it was sent to a place since";
+}
+
 TEST(Rest, AnAxisOfTheToolIsLiftedBeforeTheWayAndComesDownBehindIt) {
   Sequence s = of({{Pen{false}}, {to(10, 10)}, {Pen{true}}, {to({}, {}, -3)}, {to(30, 10)}});
   s.pen_up = {{to({}, {}, 5)}};

@@ -25,7 +25,7 @@ class TabTest : public testing::Test {
   BenchView bench;
   Tab tab{Address(),
           two_axes(),
-          {[this](IntentBody body) {
+          {[this](IntentBody body, std::optional<double>) {
              sent.push_back(std::move(body));
              return static_cast<IntentId>(sent.size());
            },

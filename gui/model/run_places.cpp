@@ -1,0 +1,44 @@
+#include "gui/model/run_places.h"
+
+#include <bit>
+
+#include <fmt/format.h>
+
+#include "core/base/index.h"
+#include "core/device/refusals.h"
+#include "core/device/sequence_travel.h"
+#include "core/device/travel_check.h"
+#include "gui/model/tab.h"
+
+namespace hw::gui {
+
+std::vector<AxisTarget> places_of_held(Desk& desk, int slot, const Catalog& catalog, const Snapshot& now) {
+  if (slot < 0 || slot >= desk.texts.count() || !desk.texts.held(slot).known) return {};
+  const WrittenSequence* source =
+      desk.source.of(desk.texts.held(slot).text, desk.blocks, desk.language(), catalog);
+  return source ? places_of_run(*source->sequence, catalog, now) : std::vector<AxisTarget>();
+}
+
+std::string why_not_run_there(const Tab& tab, const sequence::Sequence& sequence) {
+  const Catalog& catalog = tab.catalog();
+  const intent::RunProgram run(0, places_of_run(sequence, catalog, tab.now()));
+  if (const auto past = past_travel(catalog, tab.now(), run))
+    return say_past(catalog, *past, [&tab](AxisId axis, Steps place) {
+      return std::string(format_with_unit(place, tab.unit(axis)).view());
+    });
+  const std::uint32_t doubtful = doubtful_axes(catalog, tab.now(), run);
+  if (doubtful == 0) return {};
+  const int axis = std::countr_zero(doubtful);
+  return fmt::format(
+      "The position of {} is not to be trusted: {}. Nothing was sent. Home it, or say where it stands, then "
+      "run this again.",
+      spoken_name(catalog, axis), words_of(tab.now().axes[ix(axis)].trust.cause));
+}
+
+std::string why_not_run_there(Tab& tab, const std::string& text) {
+  Desk& desk = tab.desk();
+  const WrittenSequence* source = desk.source.of(text, desk.blocks, desk.language(), tab.catalog());
+  return source ? why_not_run_there(tab, *source->sequence) : std::string();
+}
+
+}  // namespace hw::gui
