@@ -44,6 +44,30 @@ TEST_F(ProgramTest, RunLoadsThenRuns) {
   EXPECT_THAT(s.value("program/note"), HasSubstr("The controller holds this text, loaded at"));
 }
 
+TEST_F(ProgramTest, ATransferShowsItsLinesAndTheTimeThatIsLeftAndCanBeAborted) {
+  write("I1M400");
+  s.click("program/run");
+  EXPECT_FALSE(s.stage.find("program/abort"));
+  TransferState& transfer = s.now.transfer;
+  transfer.running = true, transfer.slot = 0;
+  transfer.phase = TransferState::Phase::writing;
+  transfer.done = 41, transfer.total = 302, transfer.left = from_seconds(14);
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("program/note"), "Loading Program 0: 41 of 302 lines, 14 s left");
+  EXPECT_THAT(s.value("program/transfer"), HasSubstr("41 of 302 lines"));
+  s.click("program/abort");
+  EXPECT_TRUE(s.last<intent::HaltProgram>());
+  IntentFate fate;
+  fate.id = 1, fate.fate = Fate::failed;
+  fate.sentence = "A stop came first. What is stored now is neither the old program nor the new one.";
+  s.now.fates[0] = fate;
+  transfer.running = false, s.now.slots_torn = 1;
+  s.stage.frames(2);
+  EXPECT_THAT(s.toast(), HasSubstr("neither the old program nor the new one"));
+  EXPECT_FALSE(s.stage.find("program/transfer"));
+  EXPECT_THAT(s.value("program/note"), HasSubstr("the first 41 of its 302 lines are written."));
+}
+
 TEST_F(ProgramTest, KeysDoTheSame) {
   write("I1M400");
   ASSERT_TRUE(s.stage.hand.key("Ctrl+Enter"));

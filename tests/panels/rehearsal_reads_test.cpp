@@ -63,6 +63,15 @@ TEST_F(RehearsalReads, NothingWhereNoOtherProgramIsMet) {
   EXPECT_EQ(rehearsal().axes[0].position, 400);
 }
 
+TEST_F(RehearsalReads, RunTellsWhatHasNoEndFromWhatIsRefused) {
+  rehearse("U0,I1M400");
+  EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("no end was found")) << "nobody operates the input";
+  rehearse("I1M400,I1M-400,L0");
+  EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("no end was found"));
+  rehearse("U7,I1M400,I2M400,U9");
+  EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("it cannot run"));
+}
+
 TEST_F(RehearsalReads, NothingWhileAnAxisMoves) {
   s.now.axes[0].activity = Activity::moving;
   rehearse("I1M400,JM2");

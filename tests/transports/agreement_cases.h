@@ -1,5 +1,6 @@
 #pragma once
-// The example programs of the manuals, and the states from which they are run.
+// Programs whose rehearsal is compared with their run: the manuals' own (manual_examples.h), and others from
+// states that the examples do not begin with.
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -10,15 +11,16 @@
 namespace hw::test {
 
 struct AgreementCase {
-  const char* name;
+  std::string name;
   std::string text;                     ///< of the program, or @FILE below tests/
   int slot = 0;                         ///< that is started
   double seconds = 120;                 ///< at most, or of a program without end
-  const char* bench = "";               ///< what hands do later, counted from the start of the program
-  const char* keys = "";                ///< of the address
+  std::string bench = {};               ///< what hands do later, counted from the start of the program
+  std::string keys = {};                ///< of the address
   std::vector<IntentBody> before = {};  ///< done first, each to its end
   std::vector<BenchCommand> bench_before = {};             ///< and this, last
   std::vector<std::pair<int, std::string>> programs = {};  ///< that the controller holds in other slots
+  std::string stands = {};                                 ///< a bench file: how all stands before, as well
 };
 
 std::vector<AgreementCase> vxm_cases(), pmx_cases(), dmx_cases(), vme58_cases();

@@ -103,11 +103,16 @@ class RehearsalAgreement : public testing::TestWithParam<AgreementCase> {
     for (const IntentBody& body : c.before) {
       must(body);
       ASSERT_FALSE(HasFatalFailure());
-      ASSERT_TRUE(time.run_until(time.now() + 60s, [this] { return !known().any_axis_moving(); }));
-      time.run_for(1s);
+      do {  // what is not done together comes one after the other
+        ASSERT_TRUE(time.run_until(time.now() + 60s, [this] { return !known().any_axis_moving(); }));
+        time.run_for(1s);
+      } while (known().any_axis_moving());
     }
     for (const auto& [slot, text] : c.programs) must(intent::LoadProgram(slot, text));
-    for (const BenchCommand& hand : c.bench_before) ASSERT_TRUE(session->bench()->operate(hand));
+    const auto stands = parse_bench_file(c.stands, session->catalog());
+    ASSERT_TRUE(stands) << stands.error().sentence();
+    for (const auto* hands : {&c.bench_before, &stands->at_start})
+      for (const BenchCommand& hand : *hands) ASSERT_TRUE(session->bench()->operate(hand));
     must(intent::ReadParams());
     time.run_for(2s);
   }
