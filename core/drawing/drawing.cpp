@@ -45,13 +45,25 @@ void Box::add(const Curve& curve) {
   if (curve.kind == Curve::Kind::arc) add_quarters(*this, curve);
 }
 
-std::vector<HiddenLayer> hidden_layers(const Drawing& drawing) {
+bool is_same_name(std::string_view a, std::string_view b) {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return small(x) == small(y); });
+}
+
+std::vector<int> entities_by_layer(const Drawing& drawing) {
   std::vector<std::set<int>> entities(drawing.layers.size());  // one may draw more than one path
   for (const Path& path : drawing.paths) entities[ix(path.layer)].insert(path.entity);
+  std::vector<int> counts;
+  for (const std::set<int>& on_it : entities) counts.push_back(static_cast<int>(on_it.size()));
+  return counts;
+}
+
+std::vector<HiddenLayer> hidden_layers(const Drawing& drawing) {
+  const std::vector<int> entities = entities_by_layer(drawing);
   std::vector<HiddenLayer> hidden;
   for (std::size_t i = 0; i < entities.size(); ++i)
-    if (!drawing.layers[i].shown && !entities[i].empty())
-      hidden.push_back({drawing.layers[i].name, static_cast<int>(entities[i].size())});
+    if (!drawing.layers[i].shown && entities[i] > 0) hidden.push_back({drawing.layers[i].name, entities[i]});
   return hidden;
 }
 

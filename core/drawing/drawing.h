@@ -3,6 +3,7 @@
 // order of the file; and what it shows that cannot be drawn by two axes.
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hw::drawing {
@@ -33,8 +34,11 @@ struct Path {
 
 struct Layer {
   std::string name;
-  bool shown = true;  ///< neither frozen nor off
+  bool shown = true;    ///< neither frozen nor off
+  bool frozen = false;  ///< else it is off, where it is not shown
 };
+/// Of layers and blocks: the same in capitals and in small letters.
+bool is_same_name(std::string_view a, std::string_view b);
 
 /// What was not taken, and why.
 struct LeftOut {
@@ -64,6 +68,8 @@ struct HiddenLayer {
   std::string name;
   int entities = 0;
 };
+/// How many entities lie on each layer.
+std::vector<int> entities_by_layer(const Drawing& drawing);
 /// Those that have any.
 std::vector<HiddenLayer> hidden_layers(const Drawing& drawing);
 /// Of the curves themselves, not only of their ends.

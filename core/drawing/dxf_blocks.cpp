@@ -37,10 +37,10 @@ class Collector : public DL_CreationAdapter {
 
   // ---- tables and blocks
   void addLayer(const DL_LayerData& layer) override {
-    constexpr int frozen = 1;
+    const bool frozen = (layer.flags & 1) != 0;
     const bool off = layer.off || getAttributes().getColor() < 0;
-    if ((layer.flags & frozen) != 0) file_.frozen.insert(layer.name);
-    file_.layers.push_back({layer.name, (layer.flags & frozen) == 0 && !off});
+    if (frozen) file_.frozen.insert(layer.name);
+    file_.layers.push_back({layer.name, !frozen && !off, frozen});
   }
   void addBlock(const DL_BlockData& block) override {
     end_of_pieces();

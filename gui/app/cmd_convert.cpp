@@ -1,4 +1,6 @@
 // A drawing becomes a program, or a sequence, without a window.
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
@@ -100,6 +102,7 @@ void print_json(const Made& m, const Catalog& catalog) {
   const Conversion& c = m.conversion;
   out["model"] = catalog.model;
   out["unit"] = c.sequence.unit;
+  out["file"] = {{"version", m.drawing.version}, {"unit", m.drawing.unit}};
   out["chains"] = c.chains.size();
   out["drawn"] = c.drawn;
   out["travel"] = {{"as_drawn", c.way_as_drawn},
@@ -136,8 +139,9 @@ void print_words(const Made& m) {
     if (m.saved_s) print_result(", {:.1f} s", *m.saved_s);
     print_result("\n");
   }
-  print_result("from {:.3f}, {:.3f} to {:.3f}, {:.3f} {}\n", c.box.low.x, c.box.low.y, c.box.high.x,
-               c.box.high.y, c.sequence.unit);
+  const auto place = [](double v) { return std::fabs(v) < 0.0005 ? 0.0 : v; };  // no "-0.000"
+  print_result("from {:.3f}, {:.3f} to {:.3f}, {:.3f} {}\n", place(c.box.low.x), place(c.box.low.y),
+               place(c.box.high.x), place(c.box.high.y), c.sequence.unit);
   print_result("{} steps, {} lines", count_steps(c.sequence.steps), m.written.step_of_line.size());
   if (m.rehearsal.finished) print_result(", {:.3f} s", m.rehearsal.duration_s);
   print_result("\n");
@@ -213,6 +217,24 @@ static void tell_left_out(const std::string& path, const drawing::Drawing& drawi
                     path, l.name, l.entities, l.entities == 1 ? "y" : "ies", l.name));
 }
 
+/// Each chain may have one of its own: some tell what all say, the report has the rest.
+static void tell_remarks(const std::vector<std::string>& remarks) {
+  constexpr std::size_t most = 6;
+  for (std::size_t i = 0; i < std::min(most, remarks.size()); ++i) write_aside(remarks[i]);
+  if (const std::size_t more = remarks.size() - std::min(most, remarks.size()); more > 0)
+    write_aside(fmt::format("And {} more remark{}; --json tells all.", more, more == 1 ? "" : "s"));
+}
+
+/// What was taken where nothing was said, or passed over because the file says it.
+static void tell_taken(const Given& given, const drawing::Drawing& drawing, const Catalog& catalog) {
+  if (!given.has("per-unit"))
+    write_aside(fmt::format("Nothing says how many {} a {} is: 1 is taken. Say it with --per-unit.",
+                            catalog.step_word, given.has("inch") ? "in" : "mm"));
+  if (given.has("unit") && !drawing.unit.empty() && drawing.unit != given.one("unit"))
+    write_aside(fmt::format("The file says that it is in {}: --unit {} is passed over.", drawing.unit,
+                            given.one("unit")));
+}
+
 /// What would not run is not written: a program that the controller cannot hold.
 static int keep(const Made& made, const std::string& out) {
   const bool as_sequence = out.ends_with(".toml");
@@ -235,13 +257,14 @@ static int convert_drawing(const Given& given) {
   if (!drawing) return complain(drawing.error());
   const auto hidden = layers_left_out(*drawing, *options);
   tell_left_out(path, *drawing, hidden);
+  tell_taken(given, *drawing, meant->catalog);
   if (auto found = leave_out(*drawing, given, *options); !found) return complain(found.error());
   auto converted = convert(*drawing, meant->catalog, *options);
   if (!converted) return complain(converted.error());
   if (given.has("frame")) converted->sequence = converted->frame;
   auto written = write(converted->sequence, *meant);
   if (!written) return complain(written.error());
-  for (const std::string& remark : written->remarks) write_aside(remark);
+  tell_remarks(written->remarks);
   if (!written->tool.empty()) write_aside(written->tool);
   if (!converted->off_the_table.empty())
     write_aside(fmt::format("{} of {} chains leave the table.", converted->off_the_table.size(),
@@ -268,10 +291,10 @@ const Subcommand convert_subcommand{
      {"output", "OUT", "the program; OUT.toml: the sequence", false, "o"},
      {"unit", "UNIT", "of the drawing, where it does not say: mm, in, cm ..."},
      {"inch", "", "lengths of these options are inches, not mm"},
-     {"layer", "NAME", "only this layer", true},
+     {"layer", "NAME", "only this layer, also where it is frozen or off", true},
      {"without", "N", "not entity N of the file (1, 2 ...), as a margin", true},
      {"axes", "X,Y", "the axes that draw"},
-     {"per-unit", "N[,N]", "steps of them in a mm"},
+     {"per-unit", "N[,N]", "steps of them in a mm (1)"},
      {"origin", "WHERE", "as-drawn, lower-left, or X,Y of the drawing"},
      {"swap", "", "the drawing's X goes along the second axis"},
      {"mirror", "x|y|xy", "which ways it is turned round"},
@@ -282,7 +305,7 @@ const Subcommand convert_subcommand{
      {"keep-order", "", "draw in the order of the file"},
      {"cut-speed", "V", "with the tool down, a second"},
      {"travel-speed", "V", "with the tool up"},
-     {"low-speed", "V", "at which ramps begin"},
+     {"low-speed", "V", "at which ramps of these speeds begin"},
      {"ramp", "MS", "how long a ramp takes"},
      {"pen-output", "N", "is on while the tool is down"},
      {"pen-axis", "A:DOWN:UP", "moves the tool down and up"},

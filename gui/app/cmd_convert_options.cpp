@@ -46,6 +46,13 @@ Result<std::vector<double>> numbers(const Given& given, const char* option, char
   return all;
 }
 
+/// Also where the file says its own: what is mistyped is not passed over.
+Result<> read_unit(const Given& given, ConversionOptions& o) {
+  o.drawing_unit = given.one("unit");
+  if (o.drawing_unit.empty() || millimetres(o.drawing_unit)) return {};
+  return wrong("unit", given, "mm, in, cm, m, ft or another unit of length");
+}
+
 Result<> read_axes(const Given& given, const Catalog& catalog, ConversionOptions& o) {
   std::vector<double> per_unit{1};
   if (given.has("per-unit")) {
@@ -82,6 +89,8 @@ Result<> read_placing(const Given& given, ConversionOptions& o) {
   if (given.has("table")) {
     const auto table = numbers(given, "table", ',', 4, 4, "X0,Y0,X1,Y1");
     if (!table) return fail(table.error());
+    if ((*table)[0] == (*table)[2] || (*table)[1] == (*table)[3])
+      return wrong("table", given, "X0,Y0,X1,Y1 of two corners that lie across from each other");
     drawing::Box box;
     box.add({(*table)[0], (*table)[1]});
     box.add({(*table)[2], (*table)[3]});
@@ -104,6 +113,10 @@ Result<> read_speeds(const Given& given, ConversionOptions& o) {
   }
   for (sequence::Speeds* s : {&o.cutting, &o.travel})
     if (s->high != 0) s->low = low, s->ramp_ms = ramp;
+  for (const char* option : {"low-speed", "ramp"})
+    if (given.has(option) && o.cutting.high == 0 && o.travel.high == 0)
+      return fail(FaultKind::text, fmt::format("--{} is of the speeds that you give.", option), {},
+                  "Add --cut-speed or --travel-speed.");
   return {};
 }
 
@@ -178,7 +191,7 @@ Result<> read_pen(const Given& given, const Catalog& catalog, ConversionOptions&
 Result<ConversionOptions> read_conversion(const Given& given, const Catalog& catalog) {
   ConversionOptions o;
   o.unit = given.has("inch") ? "in" : "mm";
-  o.drawing_unit = given.one("unit");
+  if (auto read = read_unit(given, o); !read) return fail(read.error());
   o.layers = given.all("layer");
   o.keep_order = given.has("keep-order");
   if (auto read = read_axes(given, catalog, o); !read) return fail(read.error());

@@ -56,7 +56,7 @@ DrawingChains::Wish DrawingChains::draw_bar(Frame& f, const Shown& s, float widt
   const int out = may_be_left_out(s.made);
   const Path said = out < 0          ? Path("Choose a chain with a click.")
                     : out == chosen_ ? Path("Chain {} is chosen.", out + 1)
-                                     : Path("Chain {} is a box around all: a margin?", out + 1);
+                                     : Path("Chain {} is around all: a margin?", out + 1);
   Wish wish = Wish::nothing;
   ButtonOptions leave{.height = 28};
   if (s.busy) leave.disabled = "It is being worked out.";

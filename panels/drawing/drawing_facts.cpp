@@ -10,6 +10,7 @@
 #include "gui/widgets/area.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -35,6 +36,9 @@ std::vector<std::string> in_words(const std::vector<drawing::LeftOut>& entities)
     const drawing::LeftOut& l = entities[i];
     all.push_back(fmt::format("{} {}, line {}: {}", l.what, l.entity, l.line, l.why));
   }
+  if (entities.size() > most_left_out)
+    all.push_back(
+        fmt::format("And {} more, which handwheel convert --json tells.", entities.size() - most_left_out));
   return all;
 }
 
@@ -46,7 +50,8 @@ void DrawingFacts::follow(const DrawingJob& job, const ConversionOptions& wanted
   if (std::exchange(said_, job.version()) == job.version()) return;
   time_.clear(), beside_.clear(), drawn_.clear(), travel_.clear(), saved_.clear(), size_.clear(),
       chains_.clear(), moves_.clear();
-  left_out_.clear(), left_out_title_.clear(), off_.clear(), understood_.clear();
+  left_out_.clear(), left_out_title_.clear(), off_.clear(), understood_.clear(), problem_ = job.fault(),
+                                                                                 can_be_cut_ = false;
   if (const drawing::Drawing* d = job.drawing()) {
     left_out_ = in_words(d->left_out), understood_ = in_words(d->understood);
     if (!left_out_.empty()) left_out_title_ = fmt::format("{} in the file", d->left_out.size());
@@ -54,6 +59,12 @@ void DrawingFacts::follow(const DrawingJob& job, const ConversionOptions& wanted
   const DrawingJob::Made* made = job.made();
   if (!made) return;
   const Conversion& c = made->conversion;
+  problem_ = made->problem;
+  can_be_cut_ = !problem_.empty() && !made->parts.empty();
+  if (can_be_cut_) {
+    const std::size_t pieces = made->parts.front()->all.size();
+    problem_ += fmt::format(" Cut draws it all the same, in {} piece{}.", pieces, pieces == 1 ? "" : "s");
+  }
   if (made->duration_s)
     time_ = format_duration(*made->duration_s).view();
   else if (made->at_least_s)
@@ -85,6 +96,8 @@ void DrawingFacts::draw_remarks(Frame& f, const std::vector<std::string>& remark
   const ImVec2 from = ImGui::GetCursorScreenPos();
   for (std::size_t i = 0; i < std::min(most_remarks, remarks.size()); ++i)
     wrapped(ui, Face::small, Tone::ink2, remarks[i]);
+  if (const std::size_t more = remarks.size() - std::min(most_remarks, remarks.size()); more > 0)
+    wrapped(ui, Face::small, Tone::ink2, Path("And {} more remark{}.", more, more == 1 ? "" : "s"));
   show(ui, {"drawing/remarks", Kind::text, "Remarks", remarks.front()}, {from, ImGui::GetCursorScreenPos()});
 }
 
@@ -97,11 +110,10 @@ void DrawingFacts::draw(Frame& f, const DrawingJob& job) {
         {.tone = job.busy() ? Tone::motion : Tone::ink2, .words = job.busy_with()});
   gap(ui, 8);
   const DrawingJob::Made* made = job.made();
-  const std::string& wrong = made ? made->problem : job.fault();
-  if (!wrong.empty()) {
+  if (!problem_.empty()) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    wrapped(ui, Face::body, Tone::fault, wrong);
-    show(ui, {"drawing/problem", Kind::text, "Problem", wrong}, {from, ImGui::GetCursorScreenPos()});
+    wrapped(ui, Face::body, can_be_cut_ ? Tone::warn : Tone::fault, problem_);
+    show(ui, {"drawing/problem", Kind::text, "Problem", problem_}, {from, ImGui::GetCursorScreenPos()});
     gap(ui, 8);
   }
   if (!off_.empty()) {

@@ -30,7 +30,9 @@ class DrawingFacts {
 
   std::uint64_t said_ = ~std::uint64_t{0};  ///< DrawingJob::version() that the words are of
   std::size_t count_ = 0;
-  std::string time_, moves_, drawn_, travel_, saved_, beside_, size_, chains_, off_, left_out_title_;
+  std::string time_, moves_, drawn_, travel_, saved_, beside_, size_, chains_, off_, left_out_title_,
+      problem_;
+  bool can_be_cut_ = false;  ///< all the same, where problem_ says that no program holds it
   std::vector<std::string> left_out_, understood_;
 };
 

@@ -267,9 +267,17 @@ void StepClock::follow(const PiecesState& now, Instant clock) {
 }
 
 void DrawingJob::open(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted) {
-  if (reading_)
+  const bool opening = reading_ && anew_;        // else the one of before is read again, for nobody any more
+  if (opening && file == reading_file_) return;  // let fall twice
+  if (opening)
     return f.toast(Mood::plain, "Another drawing is being read. Open this one again when it is there.");
-  reading_ = true;
+  read(f, file, wanted, true);
+}
+
+void DrawingJob::read(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted,
+                      bool anew) {
+  reading_ = true, anew_ = anew;
+  reading_file_ = file;
   read_as_ = as(f, wanted);
   f.tab.desk().worker().run(
       [file, catalog = f.catalog, wanted]() -> Result<Drawing> {
@@ -277,16 +285,23 @@ void DrawingJob::open(Frame& f, const std::filesystem::path& file, const Convers
           return std::make_shared<const drawing::Drawing>(std::move(d));
         });
       },
-      [this, file, &console = f.console](Result<Drawing> read) { take(std::move(read), file, console); },
+      [this, number = ++reads_, &console = f.console](Result<Drawing> read) {
+        if (number == reads_) take(std::move(read), console);
+      },
       alive_);
   f.ui.wake_in(0);
 }
 
-void DrawingJob::take(Result<Drawing> read, const std::filesystem::path& file, Console& console) {
+void DrawingJob::take(Result<Drawing> read, Console& console) {
   reading_ = false;
-  if (!read) return console.toast(Mood::fault, read.error().sentence());
+  if (!read) {
+    if (anew_) read_as_ = flattened_as_;  // the one of before stays, as it is
+    return console.toast(Mood::fault, read.error().sentence());
+  }
   drawing_ = std::move(*read);
-  file_ = file;
+  file_ = reading_file_;
+  flattened_as_ = read_as_;
+  opened_ += anew_ ? 1 : 0;
   made_.reset(), fault_.clear();
   old_ = true;
   ++version_;
@@ -305,7 +320,7 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
   if (busy()) f.ui.wake_in(0.1);  // the bar moves
   if (std::exchange(scale_, scale) != scale) old_ = true;
   // What was flattened otherwise than is wanted now is read again.
-  if (drawing_ && !reading_ && as(f, wanted) != read_as_) return open(f, file_, wanted);
+  if (drawing_ && !reading_ && as(f, wanted) != read_as_) return read(f, file_, wanted, false);
   if (!drawing_ || !language || converting_ || (wanted_ == version && !old_)) return;
   wanted_ = version;
   old_ = false;

@@ -62,8 +62,10 @@ class DrawingJob {
   [[nodiscard]] static std::optional<double> seconds_left(const Made& made, int step, int percent,
                                                           double at_it_s = 0);
 
-  /// The file is read, and converted as is wanted then.
+  /// The file is read, and converted as is wanted then. One that cannot be read leaves the drawing of before.
   void open(gui::Frame& frame, const std::filesystem::path& file, const ConversionOptions& wanted);
+  /// How many files have been opened: what was wanted of the one before is not meant for the next.
+  [[nodiscard]] int opened() const { return opened_; }
   /// Once a frame; `version` changes with `wanted`. `scale`: units of the axes in a mm.
   void follow(gui::Frame& frame, const ConversionOptions& wanted, std::uint64_t version,
               drawing::Point scale);
@@ -88,19 +90,23 @@ class DrawingJob {
  private:
   void show_on_bus(gui::Bus& bus) const;
   using Drawing = std::shared_ptr<const drawing::Drawing>;
-  void take(Result<Drawing> read, const std::filesystem::path& file, gui::Console& console);
+  void read(gui::Frame& frame, const std::filesystem::path& file, const ConversionOptions& wanted, bool anew);
+  void take(Result<Drawing> read, gui::Console& console);
 
-  std::filesystem::path file_;
+  std::filesystem::path file_, reading_file_;
+  int opened_ = 0;
   Drawing drawing_;
   std::shared_ptr<const Made> made_;
   std::string fault_;
-  bool reading_ = false, converting_ = false, old_ = false;  ///< old: what was converted is of another file
+  bool reading_ = false, anew_ = false;    ///< anew: somebody has opened what is being read
+  bool converting_ = false, old_ = false;  ///< old: what was converted is of another file
+  int reads_ = 0;                          ///< the last one counts
   drawing::Point scale_;
   struct ReadAs {
     double chord = 0;       ///< finest_chord()
     std::string file_unit;  ///< where the file does not say it
     bool operator==(const ReadAs&) const = default;
-  } read_as_;  ///< as which the file was flattened
+  } flattened_as_, read_as_;  ///< the drawing; what was read last, which may have failed
   static ReadAs as(const gui::Frame& frame, const ConversionOptions& wanted) {
     return {finest_chord(frame.catalog, wanted), wanted.drawing_unit};
   }

@@ -1,8 +1,12 @@
 #include "panels/drawing/drawing_options.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
+#include "gui/model/bus.h"
+#include "gui/model/tab.h"
+#include "gui/shell/console.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/text.h"
@@ -12,10 +16,51 @@ namespace hw::panels {
 
 using namespace gui;
 
+/// Of a bus: of its first, whichever of them is in front.
+static const std::string& key_of(const Frame& f) {
+  return f.tab.bus ? f.tab.bus->members.front()->profile_key : f.tab.profile_key;
+}
+
 void DrawingOptions::begin(const Frame& f) {
   if (std::exchange(begun_, true)) return;
   place_.begin(f);
   tool_.begin(f);
+  auto kept = KeptOptionsOfDrawings(f.console.folders()).load(key_of(f));
+  if (!kept) return f.toast(Mood::warn, kept.error().sentence());
+  kept_ = std::move(*kept);
+  place_.take(f, kept_);
+  tool_.take(f, kept_);
+  if (const double* keep_order = kept_.number("drawing/keep_order")) keep_order_ = *keep_order != 0;
+}
+
+void DrawingOptions::keep(const Frame& f) {
+  KeptOptions now;
+  place_.keep(f, now);
+  tool_.keep(f, now);
+  now.numbers["drawing/keep_order"] = keep_order_ ? 1 : 0;
+  if (now == kept_) return;
+  const bool first = kept_.numbers.empty();
+  kept_ = std::move(now);
+  if (first || !f.console.folders().enabled) return;  // nobody has chosen anything yet
+  f.tab.desk().worker().run([store = KeptOptionsOfDrawings(f.console.folders()), key = key_of(f),
+                             kept = kept_] { return store.save(key, kept); },
+                            [&console = f.console](const Result<>& saved) {
+                              if (!saved) console.toast(Mood::warn, saved.error().sentence());
+                            },
+                            alive_);
+}
+
+bool DrawingOptions::is_drawn(const drawing::Layer& layer) const {
+  const bool other = std::find(other_layers_.begin(), other_layers_.end(), layer.name) != other_layers_.end();
+  return layer.shown != other;
+}
+
+void DrawingOptions::choose_layers(const drawing::Drawing& drawing, ConversionOptions& o) const {
+  for (const drawing::Layer& layer : drawing.layers)
+    if (is_drawn(layer)) o.layers.push_back(layer.name);
+  if (!o.layers.empty()) return;  // else nothing of it: no name would mean all that the file shows
+  o.without.resize(drawing.paths.size());
+  std::iota(o.without.begin(), o.without.end(), 0);
 }
 
 void DrawingOptions::settle(const Frame& f, const drawing::Drawing* drawing) {
@@ -24,12 +69,12 @@ void DrawingOptions::settle(const Frame& f, const drawing::Drawing* drawing) {
   place_.put(f, o);
   tool_.put(f, o);
   o.keep_order = keep_order_, o.without = without_;
-  if (drawing && !left_out_.empty())
-    for (const drawing::Layer& layer : drawing->layers)
-      if (layer.shown && std::find(left_out_.begin(), left_out_.end(), layer.name) == left_out_.end())
-        o.layers.push_back(layer.name);
+  if (drawing && !other_layers_.empty()) choose_layers(*drawing, o);
+  wrong_ = place_.wrong();
+  if (wrong_.empty()) wrong_ = tool_.wrong();
   wanted_ = std::move(o);
   ++version_;
+  keep(f);
 }
 
 void DrawingOptions::draw(Frame& f, const drawing::Drawing* drawing) {
@@ -41,20 +86,27 @@ void DrawingOptions::draw(Frame& f, const drawing::Drawing* drawing) {
 }
 
 void DrawingOptions::draw_layers(Frame& f, const drawing::Drawing& drawing) {
+  if (std::exchange(counted_of_, &drawing) != &drawing) on_layer_ = drawing::entities_by_layer(drawing);
   section_title(f.ui, "Layers");
-  for (const drawing::Layer& layer : drawing.layers) {
-    const auto found = std::find(left_out_.begin(), left_out_.end(), layer.name);
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    const drawing::Layer& layer = drawing.layers[i];
+    if (on_layer_[i] == 0) continue;
+    const bool drawn = is_drawn(layer);
+    const std::string_view hidden = layer.frozen ? "frozen" : "off";
+    const Path word("{}, {}", on_layer_[i], drawn ? "drawn" : layer.shown ? "left out" : hidden);
+    const Path tip("It is {} in the file, and so left out unless you want it.", hidden);
     ToggleOptions o;
-    o.state = layer.shown && found == left_out_.end() ? ToggleState::on : ToggleState::off;
-    o.word = o.state == ToggleState::on ? "drawn" : "left out";
-    if (!layer.shown) o.disabled = "It is frozen or off in the file.";
+    o.state = drawn ? ToggleState::on : ToggleState::off;
+    o.word = word;
+    if (!layer.shown) o.tip = tip;
     const Path id("drawing/layer/{}", layer.name);
     if (toggle_lamp(f.ui, id, layer.name.empty() ? std::string_view("without a name") : layer.name, o)
             .clicked) {
-      if (found == left_out_.end())
-        left_out_.push_back(layer.name);
+      const auto other = std::find(other_layers_.begin(), other_layers_.end(), layer.name);
+      if (other == other_layers_.end())
+        other_layers_.push_back(layer.name);
       else
-        left_out_.erase(found);
+        other_layers_.erase(other);
       changed_ = true;
     }
     gap(f.ui, 4);

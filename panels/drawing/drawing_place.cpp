@@ -1,6 +1,7 @@
 #include "panels/drawing/drawing_place.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/index.h"
 #include "gui/widgets/area.h"
@@ -15,21 +16,33 @@ using namespace gui;
 
 static constexpr std::array<std::string_view, 5> file_units{"mm", "in", "cm", "m", "ft"};
 
-double steps_in_mm(const Frame& f, int axis) {
+bool counts_in_mm(const Frame& f, int axis) {
   const DisplayUnit& unit = unit_of_axis(f, axis);
-  const bool known = unit.real && unit.name == "mm" && unit.per_step > 0;
-  return known ? 1 / unit.per_step : 100;
+  return unit.real && unit.name == "mm" && unit.per_step > 0;
 }
+
+double steps_in_mm(const Frame& f, int axis) {
+  return counts_in_mm(f, axis) ? 1 / unit_of_axis(f, axis).per_step : 100;
+}
+
+/// In the file.
+static std::string scale_id(const AxisInfo& axis) { return "drawing/per_unit/" + axis.name; }
+
+static constexpr std::array<const char*, 2> along_ids{"drawing/along_x", "drawing/along_y"};
+static constexpr std::array<const char*, 4> table_ids{"drawing/table/left", "drawing/table/right",
+                                                      "drawing/table/bottom", "drawing/table/top"};
 
 void DrawingPlace::begin(const Frame& f) {
   for (const AxisInfo& axis : f.catalog.axes) axis_names_.push_back(axis.name);
+  scales_.resize(f.catalog.axes.size());
   for (const std::size_t d : {0, 1}) take_axis(f, d, axes_[d]);
   join_.set(ConversionOptions().touching, 3);
 }
 
 void DrawingPlace::take_axis(const Frame& f, std::size_t direction, int axis) {
   axes_[direction] = axis;
-  per_unit_[direction].set(steps_in_mm(f, axis), 3);
+  const double typed = ix(axis) < scales_.size() && !counts_in_mm(f, axis) ? scales_[ix(axis)] : 0;
+  per_unit_[direction].set(typed > 0 ? typed : steps_in_mm(f, axis), 3);
 }
 
 void DrawingPlace::put(const Frame& f, ConversionOptions& o) const {
@@ -49,6 +62,55 @@ void DrawingPlace::put(const Frame& f, ConversionOptions& o) const {
   o.table->add({right.value(), top.value()});
 }
 
+std::string DrawingPlace::wrong() const {
+  return first_wrong(
+      {&per_unit_[0], &per_unit_[1], &tolerance_, &join_, &table_[0], &table_[1], &table_[2], &table_[3]});
+}
+
+/// Where not all of it was said: else nobody would see that it is not checked.
+std::string_view DrawingPlace::said_of_table() const {
+  const auto& [left, right, bottom, top] = table_;
+  const bool none = left.value() == 0 && right.value() == 0 && bottom.value() == 0 && top.value() == 0;
+  if (!none && right.value() <= left.value())
+    return "Not checked yet: \"to X\" has to be more than \"from X\".";
+  if (!none && top.value() <= bottom.value())
+    return "Not checked yet: \"to Y\" has to be more than \"from Y\".";
+  return "What leaves the table is named above.\nEmpty: not checked.";
+}
+
+// ---- kept
+
+void DrawingPlace::keep(const Frame& f, KeptOptions& kept) const {
+  for (std::size_t i = 0; i < scales_.size(); ++i)
+    if (scales_[i] > 0) kept.numbers[scale_id(f.catalog.axes[i])] = scales_[i];
+  for (std::size_t d = 0; d < std::min(along_ids.size(), f.catalog.axes.size()); ++d) {
+    const AxisInfo& axis = f.catalog.axes[ix(axes_[d])];
+    kept.words[along_ids[d]] = axis.name;
+    kept.numbers[scale_id(axis)] = per_unit_[d].value();
+  }
+  kept.numbers["drawing/swap"] = swap_ ? 1 : 0;
+  kept.numbers["drawing/flip_x"] = flip_x_ ? 1 : 0, kept.numbers["drawing/flip_y"] = flip_y_ ? 1 : 0;
+  kept.numbers["drawing/join"] = join_.value();
+  for (std::size_t i = 0; i < table_.size(); ++i) kept.numbers[table_ids[i]] = table_[i].value();
+}
+
+void DrawingPlace::take(const Frame& f, const KeptOptions& kept) {
+  for (std::size_t i = 0; i < scales_.size(); ++i)
+    if (const double* scale = kept.number(scale_id(f.catalog.axes[i]))) scales_[i] = *scale;
+  std::array<int, 2> axes = axes_;
+  for (const std::size_t d : {0, 1})
+    if (const std::string* name = kept.word(along_ids[d]))
+      if (const int axis = f.catalog.find_axis(*name); axis >= 0) axes[d] = axis;
+  for (std::size_t d = 0; axes[0] != axes[1] && d < std::min<std::size_t>(2, f.catalog.axes.size()); ++d)
+    take_axis(f, d, axes[d]);
+  for (auto [id, option] : {std::pair{"drawing/swap", &swap_}, std::pair{"drawing/flip_x", &flip_x_},
+                            std::pair{"drawing/flip_y", &flip_y_}})
+    if (const double* on = kept.number(id)) *option = *on != 0;
+  if (const double* join = kept.number("drawing/join"); join && *join >= 0) join_.set(*join, 3);
+  for (std::size_t i = 0; i < table_.size(); ++i)
+    if (const double* side = kept.number(table_ids[i]); side && *side != 0) table_[i].set(*side, 3);
+}
+
 // ---- drawing
 
 bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
@@ -66,7 +128,7 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
   changed |= toggle_option(f, "drawing/flip_y", "Flip up and down", flip_y_);
   changed |= tolerance_.draw(f, "drawing/tolerance", "Tolerance", 0, "mm");
   const bool stairs = going_of(f.catalog) == drawing::Going::stairs;
-  wrapped(ui, Face::small, Tone::ink3,
+  wrapped(ui, Face::small, stairs && !(tolerance_.value() > 0) ? Tone::warn : Tone::ink3,
           stairs ? "One axis moves at a time: say how far the corners of the stairs may lie beside the line."
                  : "Of chords and curves; empty: half a step.");
   changed |= join_.draw(f, "drawing/join", "Join ends within", 0, "mm");
@@ -93,12 +155,11 @@ bool DrawingPlace::draw_unit(Frame& f, const drawing::Drawing* drawing) {
 }
 
 bool DrawingPlace::draw_axes(Frame& f) {
-  static constexpr std::array<const char*, 2> ids{"drawing/along_x", "drawing/along_y"};
   static constexpr std::array<const char*, 2> labels{"Its X goes along", "Its Y goes along"};
   bool changed = false;
-  for (std::size_t d = 0; d < std::min(ids.size(), f.catalog.axes.size()); ++d) {
+  for (std::size_t d = 0; d < std::min(along_ids.size(), f.catalog.axes.size()); ++d) {
     const ImVec2 at = begin_option(f.ui, labels[d]);
-    const int picked = dropdown(f.ui, ids[d], labels[d], axis_names_, axes_[d], {.width = fill});
+    const int picked = dropdown(f.ui, along_ids[d], labels[d], axis_names_, axes_[d], {.width = fill});
     end_option(f.ui, at);
     if (picked >= 0 && picked != axes_[d]) {
       if (picked == axes_[1 - d]) take_axis(f, 1 - d, axes_[d]);
@@ -106,25 +167,26 @@ bool DrawingPlace::draw_axes(Frame& f) {
       changed = true;
     }
     const std::string_view name = f.catalog.axes[ix(axes_[d])].name;
-    changed |= per_unit_[d].draw(f, Path("drawing/per_unit/{}", name),
-                                 Path("{}/mm, {}", f.catalog.step_word, name), 1e-6, {});
+    const bool typed = per_unit_[d].draw(f, Path("drawing/per_unit/{}", name),
+                                         Path("{}/mm, {}", f.catalog.step_word, name), 1e-6, {});
+    if (typed) scales_[ix(axes_[d])] = per_unit_[d].value();
+    changed |= typed;
   }
   return changed;
 }
 
 bool DrawingPlace::draw_table(Frame& f) {
   constexpr double furthest = -1e6;
-  struct Side {
-    const char *id, *label;
-  };
-  static constexpr std::array<Side, 4> sides{{{"drawing/table/left", "Table from X"},
-                                              {"drawing/table/right", "to X"},
-                                              {"drawing/table/bottom", "from Y"},
-                                              {"drawing/table/top", "to Y"}}};
+  static constexpr std::array<const char*, 4> labels{"Table from X", "to X", "from Y", "to Y"};
   bool changed = false;
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    changed |= table_[i].draw(f, sides[i].id, sides[i].label, furthest, "mm");
-  wrapped(f.ui, Face::small, Tone::ink3, "What leaves the table is named above. Empty: not checked.");
+  for (std::size_t i = 0; i < table_ids.size(); ++i)
+    changed |= table_[i].draw(f, table_ids[i], labels[i], furthest, "mm");
+  const std::string_view why = said_of_table();  // as long as the other: nothing below moves
+  const bool begun = why.starts_with("Not");
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  wrapped(f.ui, Face::small, begun ? Tone::warn : Tone::ink3, why);
+  if (begun)
+    show(f.ui, {"drawing/table/unchecked", Kind::text, "Table", why}, {from, ImGui::GetCursorScreenPos()});
   return changed;
 }
 

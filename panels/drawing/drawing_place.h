@@ -8,12 +8,15 @@
 #include <vector>
 
 #include "core/session/conversion.h"
+#include "core/session/kept_options.h"
 #include "panels/drawing/option_fields.h"
 
 namespace hw::panels {
 
 /// Steps in a mm of an axis, as the units of the console have it; 100 where they are others.
 double steps_in_mm(const gui::Frame& frame, int axis);
+/// Its unit says how long a step is, and knows it better than a scale that was typed once.
+bool counts_in_mm(const gui::Frame& frame, int axis);
 
 class DrawingPlace {
  public:
@@ -21,6 +24,11 @@ class DrawingPlace {
   /// `drawing` null: there is none yet. True: something of it is another now.
   bool draw(gui::Frame& frame, const drawing::Drawing* drawing);
   void put(const gui::Frame& frame, ConversionOptions& options) const;
+  /// What belongs to the machine and not to the drawing. The tolerance of stairs is told anew for each.
+  void keep(const gui::Frame& frame, KeptOptions& kept) const;
+  void take(const gui::Frame& frame, const KeptOptions& kept);
+  /// The first field that holds no number, as a sentence; empty: none.
+  [[nodiscard]] std::string wrong() const;
 
   /// Another one may be in another unit.
   void forget_file() { unit_ = -1, set_origin({}); }
@@ -36,11 +44,14 @@ class DrawingPlace {
   bool draw_unit(gui::Frame& frame, const drawing::Drawing* drawing);
   bool draw_axes(gui::Frame& frame);
   bool draw_table(gui::Frame& frame);
+  [[nodiscard]] std::string_view said_of_table() const;
 
   int unit_ = -1;  ///< of a file that does not say it; -1: nobody has
   int origin_ = 0;
   std::array<int, 2> axes_{0, 1};
   std::array<NumberOption, 2> per_unit_;
+  std::vector<double>
+      scales_;  ///< as they were typed, of each axis, also while it does not draw; 0: none was
   std::vector<std::string_view> axis_names_;
   drawing::Point point_;  ///< of the drawing, at 0, 0
   bool swap_ = false, flip_x_ = false, flip_y_ = false;

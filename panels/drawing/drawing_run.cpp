@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "core/base/index.h"
 #include "core/device/piece_sync.h"
+#include "core/sequence/places_before.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/shell/console.h"
@@ -32,14 +34,48 @@ std::string_view why_not(Tab& tab) {
   return tab.why_not_move();
 }
 
+/// Of an axis of the frame's catalog.
+const AxisState& state_of(const Frame& f, int axis) {
+  return owner_of(f, axis).now().axes[draws_together(f) ? 0 : ix(axis)];
+}
+
 /// Of each whose axis draws it.
 std::string_view why_not_at_all(const Frame& f, const DrawingJob::Made* made) {
-  if (!draws_together(f) || !made) return why_not(f.tab);
+  if (!made) return why_not(f.tab);
   for (const sequence::Axis& axis : made->conversion.sequence.axes) {
-    const std::string_view why = why_not(owner_of(f, f.catalog.find_axis(axis.name)));
-    if (!why.empty()) return why;
+    const int place = f.catalog.find_axis(axis.name);
+    if (place < 0) continue;
+    if (const std::string_view why = why_not(owner_of(f, place)); !why.empty()) return why;
+    if (!state_of(f, place).position_known)
+      return "Nobody knows where one of its axes stands. Home it, or say where it stands.";
   }
   return {};
+}
+
+/// "X 12.500 mm, Y 3.000 mm"; of axes whose place is not known nothing.
+std::string said_places(const Frame& f, const sequence::Sequence& of, const sequence::Places& places) {
+  std::string all;
+  for (std::size_t a = 0; a < of.axes.size(); ++a) {
+    const int axis = f.catalog.find_axis(of.axes[a].name);
+    if (!places[a] || axis < 0) continue;
+    const Steps steps(std::llround(*places[a] * of.axes[a].per_unit));
+    all += fmt::format("{}{} {}", all.empty() ? "" : ", ", of.axes[a].name,
+                       format_with_unit(steps, unit_of_axis(f, axis)).view());
+  }
+  return all;
+}
+
+/// Where it stands, and the way from there to where the rest begins.
+std::string said_way(const Frame& f, const sequence::Sequence& of, int first_step) {
+  const sequence::Places to = places_before(of, {ix(first_step)});
+  sequence::Places from;
+  for (std::size_t a = 0; a < of.axes.size(); ++a)
+    if (const int axis = f.catalog.find_axis(of.axes[a].name); axis >= 0 && to[a])
+      from[a] = static_cast<double>(state_of(f, axis).commanded().value) / of.axes[a].per_unit;
+  const std::string there = said_places(f, of, to);
+  return there.empty()
+             ? there
+             : fmt::format("\nFirst, with the tool off: from {} to {}.", said_places(f, of, from), there);
 }
 
 bool was_stopped(const PiecesState& p) { return !p.running && p.step >= 0 && p.done < p.total; }
@@ -257,6 +293,7 @@ void DrawingRun::draw_dialog(Frame& f) {
     std::string question =
         fmt::format("The tool goes to the start of what was being drawn, off, and draws the rest {}.",
                     in_pieces(parts.front()->all.size()));
+    question += said_way(f, made->conversion.sequence, parts.front()->all.front().first_step);
     ask(f, what, std::move(made), std::move(parts), std::move(question));
   }
   if (!asked_.open) return;
@@ -293,7 +330,7 @@ void DrawingRun::say_what_came(Frame& f) {
   std::erase_if(begun_, [&f](const Begun& begun) {
     const IntentFate* fate = begun.by->now().fate_of(begun.id);
     if (!fate || fate->fate == Fate::pending) return false;
-    if (fate->fate != Fate::done) f.toast(Mood::fault, std::string(fate->sentence.view()));
+    if (fate->fate != Fate::done) f.toast(Mood::fault, begun.by->words_of(*fate));
     return true;
   });
 }

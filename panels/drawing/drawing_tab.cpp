@@ -17,6 +17,7 @@
 #include "panels/drawing/drawn_together.h"
 #include "panels/lines.h"
 #include "panels/measures.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -43,6 +44,7 @@ void DrawingTab::draw(Frame& own) {
 void DrawingTab::draw_all(Frame& f) {
   options_.begin(f);
   take_dropped(f);
+  if (std::exchange(opened_, job_.opened()) != job_.opened()) options_.forget_file();
   options_.settle(f, job_.drawing());
   job_.follow(f, options_.wanted(), options_.version(), scale_of(f));
   facts_.follow(job_, options_.wanted());
@@ -122,6 +124,7 @@ void DrawingTab::draw_picture(Frame& f, float width, float height) {
   if (chains > 0) subject.lit = chains_table_.chosen();
   const ImVec2 top = ImGui::GetCursorScreenPos();
   canvas_.draw(f, "drawing/view", subject, width, height - chains);
+  draw_pointer(f, {top, ImVec2(top.x + f.ui.px(width), top.y + f.ui.px(height - chains))});
   take_click();
   if (chains == 0) return;
   ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + f.ui.px(height - chains)));
@@ -137,10 +140,25 @@ void DrawingTab::draw_picture(Frame& f, float width, float height) {
     options_.draw_all();
 }
 
+/// Where it points to on the table, in mm.
+void DrawingTab::draw_pointer(Frame& f, const Rect& view) const {
+  const auto& at = canvas_.measured().pointer;
+  const drawing::Point scale = job_.scale();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const bool over =
+      mouse.x >= view.min.x && mouse.x < view.max.x && mouse.y >= view.min.y && mouse.y < view.max.y;
+  if (!job_.drawing() || !at || !over || scale.x == 0 || scale.y == 0) return;
+  const Path words("{:.2f}, {:.2f} mm", at->x / scale.x, at->y / scale.y);
+  const ImVec2 right(view.max.x - f.ui.px(16), view.min.y + f.ui.px(10));
+  draw_text_right(f.ui, right, Face::small, f.ui[Tone::ink2], words);
+  show(f.ui, {"drawing/pointer", Kind::text, "Pointer", words},
+       {ImVec2(right.x - f.ui.px(120), right.y), ImVec2(right.x, right.y + f.ui.px(16))});
+}
+
 void DrawingTab::open(Frame& f, const std::filesystem::path& path) {
-  options_.forget_file();
-  options_.settle(f, nullptr);
-  job_.open(f, path, options_.wanted());
+  ConversionOptions wanted = options_.wanted();
+  wanted.drawing_unit.clear();  // it was that of another file
+  job_.open(f, path, wanted);
 }
 
 std::string_view DrawingTab::why_not() const {

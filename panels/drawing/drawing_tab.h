@@ -1,8 +1,8 @@
 #pragma once
 // A drawing file: what it shows, where it comes to lie, what the tool does along it, and the program that
 // comes of it. Ids: `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/frame`,
-// `drawing/fit`, `drawing/settings`, `drawing/view`; what is said of it: see DrawingFacts; the settings: see
-// DrawingOptions; cutting it: see DrawingRun.
+// `drawing/fit`, `drawing/settings`, `drawing/view`, `drawing/pointer`; what is said of it: see DrawingFacts;
+// the settings: see DrawingOptions; cutting it: see DrawingRun.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -31,6 +31,7 @@ class DrawingTab final : public gui::Panel {
   void take_dropped(gui::Frame& frame);
   void draw_toolbar(gui::Frame& frame);
   void draw_picture(gui::Frame& frame, float width, float height);
+  void draw_pointer(gui::Frame& frame, const gui::Rect& view) const;
   void draw_side(gui::Frame& frame, float height);
   void draw_run(gui::Frame& frame);
   void draw_dialogs(gui::Frame& frame);
@@ -55,6 +56,7 @@ class DrawingTab final : public gui::Panel {
   DrawingChains chains_table_;
   gui::FileDialog open_;
   std::string to_put_, here_;
+  int opened_ = 0;  ///< DrawingJob::opened() that the options are of
   Use wanted_ = Use::nothing;
   bool asking_blocks_ = false, asking_program_ = false;
   bool settings_ = false;  ///< without room for both: they take the picture's place

@@ -15,6 +15,18 @@ namespace hw::panels {
 
 using namespace gui;
 
+const std::array<DrawingTool::Named, 9> DrawingTool::numbers{
+    {{"drawing/tool_axis/per_unit", &DrawingTool::per_unit_},
+     {"drawing/tool_axis/down", &DrawingTool::down_},
+     {"drawing/tool_axis/up", &DrawingTool::up_},
+     {"drawing/wait_on", &DrawingTool::wait_on_},
+     {"drawing/wait_off", &DrawingTool::wait_off_},
+     {"drawing/cut_speed", &DrawingTool::cut_speed_},
+     {"drawing/travel_speed", &DrawingTool::travel_speed_},
+     {"drawing/low_speed", &DrawingTool::low_speed_},
+     {"drawing/ramp", &DrawingTool::ramp_}}};
+static constexpr std::array<const char*, 2> routine_ids{"drawing/routine/on", "drawing/routine/off"};
+
 void DrawingTool::begin(const Frame& f) {
   output_names_.push_back("none");
   for (const OutputInfo& output : f.catalog.outputs) output_names_.push_back(output.name);
@@ -24,7 +36,11 @@ void DrawingTool::begin(const Frame& f) {
 }
 
 void DrawingTool::put(const Frame& f, ConversionOptions& o) {
-  o.cutting.high = cut_speed_.value(), o.travel.high = travel_speed_.value();
+  const auto speeds = [&](const NumberOption& high) {
+    return high.value() > 0 ? sequence::Speeds{high.value(), low_speed_.value(), ramp_.value()}
+                            : sequence::Speeds();
+  };
+  o.cutting = speeds(cut_speed_), o.travel = speeds(travel_speed_);
   wrong_.clear();
   if (own_)
     put_routines(f, o);
@@ -69,6 +85,40 @@ void DrawingTool::put_choices(const Frame& f, ConversionOptions& o) const {
   if (wait_off_.value() > 0) o.pen_up.push_back({sequence::Delay{wait_off_.value()}});
 }
 
+std::string DrawingTool::wrong() const {
+  if (own_ && !wrong_.empty()) return wrong_;
+  std::string why = first_wrong({&cut_speed_, &travel_speed_, &low_speed_, &ramp_});
+  if (own_ || !why.empty()) return why;
+  if (axis_ >= 0) why = first_wrong({&per_unit_, &down_, &up_});
+  return why.empty() && (output_ > 0 || axis_ >= 0) ? first_wrong({&wait_on_, &wait_off_}) : why;
+}
+
+// ---- kept
+
+void DrawingTool::keep(const Frame& f, KeptOptions& kept) const {
+  for (const Named& n : numbers) kept.numbers[n.id] = (this->*n.option).value();
+  kept.words["drawing/tool"] = output_names_[ix(output_)];
+  kept.words["drawing/tool_axis"] = axis_ < 0 ? "none" : f.catalog.axes[ix(axis_)].name;
+  kept.numbers["drawing/own_routines"] = own_ ? 1 : 0;
+  for (const std::size_t i : {0, 1}) kept.words[routine_ids[i]] = routines_[i];
+}
+
+void DrawingTool::take(const Frame& f, const KeptOptions& kept) {
+  for (const Named& n : numbers)
+    if (const double* number = kept.number(n.id))
+      if (*number != 0 || (this->*n.option).value() != 0) (this->*n.option).set(*number, 3);
+  if (const std::string* output = kept.word("drawing/tool")) {
+    const auto found = std::find(output_names_.begin(), output_names_.end(), *output);
+    if (found != output_names_.end()) output_ = static_cast<int>(found - output_names_.begin());
+  }
+  if (const std::string* axis = kept.word("drawing/tool_axis")) axis_ = f.catalog.find_axis(*axis);
+  if (axis_ >= 0 && (counts_in_mm(f, axis_) || !(per_unit_.value() > 0)))
+    per_unit_.set(steps_in_mm(f, axis_), 3);
+  if (const double* own = kept.number("drawing/own_routines")) own_ = *own != 0;
+  for (const std::size_t i : {0, 1})
+    if (const std::string* routine = kept.word(routine_ids[i])) routines_[i] = *routine;
+}
+
 // ---- drawing
 
 bool DrawingTool::draw(Frame& f, const std::array<int, 2>& drawing_axes) {
@@ -83,8 +133,17 @@ bool DrawingTool::draw(Frame& f, const std::array<int, 2>& drawing_axes) {
     changed = true;
   }
   changed |= own_ ? draw_routines(f) : draw_choices(f);
-  changed |= cut_speed_.draw(f, "drawing/cut_speed", "Tool on", 0, "mm/s");
-  changed |= travel_speed_.draw(f, "drawing/travel_speed", "Tool off", 0, "mm/s");
+  changed |= draw_speeds(f);
+  return changed;
+}
+
+bool DrawingTool::draw_speeds(Frame& f) {
+  bool changed = cut_speed_.draw(f, "drawing/cut_speed", "Speed, tool on", 0, "mm/s");
+  changed |= travel_speed_.draw(f, "drawing/travel_speed", "Speed, tool off", 0, "mm/s");
+  changed |= low_speed_.draw(f, "drawing/low_speed", "Ramps begin at", 0, "mm/s");
+  changed |= ramp_.draw(f, "drawing/ramp", "A ramp takes", 0, "ms");
+  wrapped(f.ui, Face::small, Tone::ink3, "Empty: as the controller is set up.");
+  gap(f.ui, 4);
   return changed;
 }
 
@@ -117,16 +176,15 @@ void DrawingTool::begin_routines(const Frame& f, const std::array<int, 2>& drawi
 
 bool DrawingTool::draw_routines(Frame& f) {
   Ui& ui = f.ui;
-  static constexpr std::array<const char*, 2> ids{"drawing/routine/on", "drawing/routine/off"};
   static constexpr std::array<const char*, 2> labels{"To switch the tool on", "To switch it off"};
   bool changed = false;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
+  for (std::size_t i = 0; i < routine_ids.size(); ++i) {
     text(ui, Face::body, Tone::ink2, labels[i]);
     FieldOptions o;
     o.face = Face::code_field;
     o.placeholder = "nothing";
     o.tip = "Steps in their order: an axis to a place (mm), an output on or off, wait a time (ms).";
-    const Field field = text_field(ui, ids[i], labels[i], routines_[i], o);
+    const Field field = text_field(ui, routine_ids[i], labels[i], routines_[i], o);
     changed |= field.entered || field.left;
     gap(ui, 4);
   }

@@ -3,12 +3,13 @@
 // speeds with it on and off; or routines of the user's own. Ids: `drawing/tool`, `drawing/wait_on`,
 // `drawing/wait_off`, `drawing/tool_axis`, `drawing/tool_axis/per_unit`, `drawing/tool_axis/down`,
 // `drawing/tool_axis/up`, `drawing/own_routines`, `drawing/routine/on`, `drawing/routine/off`,
-// `drawing/routine/wrong`, `drawing/cut_speed`, `drawing/travel_speed`.
+// `drawing/routine/wrong`, `drawing/cut_speed`, `drawing/travel_speed`, `drawing/low_speed`, `drawing/ramp`.
 #include <array>
 #include <string>
 #include <vector>
 
 #include "core/session/conversion.h"
+#include "core/session/kept_options.h"
 #include "panels/drawing/option_fields.h"
 
 namespace hw::panels {
@@ -20,13 +21,22 @@ class DrawingTool {
   bool draw(gui::Frame& frame, const std::array<int, 2>& drawing_axes);
   /// Behind the axes that draw.
   void put(const gui::Frame& frame, ConversionOptions& options);
-  /// Why a routine of the user's own is not understood; empty: they are.
-  [[nodiscard]] const std::string& wrong() const { return wrong_; }
+  void keep(const gui::Frame& frame, KeptOptions& kept) const;
+  void take(const gui::Frame& frame, const KeptOptions& kept);
+  /// Why a routine of the user's own is not understood, or a field holds no number; empty: all is.
+  [[nodiscard]] std::string wrong() const;
 
  private:
   void put_choices(const gui::Frame& frame, ConversionOptions& options) const;
   void put_routines(const gui::Frame& frame, ConversionOptions& options);
   bool draw_choices(gui::Frame& frame);
+  bool draw_speeds(gui::Frame& frame);
+  /// Of all numbers that are kept.
+  struct Named {
+    const char* id;
+    NumberOption DrawingTool::*option;
+  };
+  static const std::array<Named, 9> numbers;
   bool draw_routines(gui::Frame& frame);
   void begin_routines(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
   void list_axes(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
@@ -38,10 +48,10 @@ class DrawingTool {
   std::vector<int> axes_;  ///< those that can be it, behind "none"
   std::vector<std::string_view> axis_names_;
   NumberOption per_unit_, down_, up_;
-  NumberOption wait_on_, wait_off_, cut_speed_, travel_speed_;
+  NumberOption wait_on_, wait_off_, cut_speed_, travel_speed_, low_speed_, ramp_;
   bool own_ = false;
   std::array<std::string, 2> routines_;  ///< on, off: see read_routine()
-  std::string wrong_;
+  std::string wrong_;                    ///< of the routines
 };
 
 }  // namespace hw::panels

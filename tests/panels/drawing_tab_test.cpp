@@ -138,8 +138,12 @@ TEST_F(DrawingTabTest, WhatIsNoNumberIsNoScale) {
   s.type("drawing/per_unit/X", "-3");
   s.click("drawing/origin/Corner");
   s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm") << "the last that was one still counts";
+  EXPECT_THAT(s.reason("drawing/to_program"), HasSubstr("pulses/mm, X: 0.000001 to"));
+  s.type("drawing/per_unit/X", "200\n");
+  s.stage.frames(6);
   s.click("drawing/to_program");
-  EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("X4000Y0")) << "the last that was one";
+  EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("X4000Y0"));
 }
 
 TEST_F(DrawingTabTest, ItBecomesBlocks) {
@@ -259,13 +263,26 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   EXPECT_TRUE(s.last<intent::Stop>());
   s.now.pieces.running = s.now.pieces.held = false;
   s.stage.frames(3);
+  s.now.axes[0].position = Steps(4000);
+  s.stage.frames(2);
   s.click("drawing/cut_on");
   s.stage.frames(6);
+  EXPECT_THAT(s.value("drawing/ask_cut/says"), HasSubstr("First, with the tool off: from X 4000 pulses"))
+      << "the way there is shown";
   s.click("drawing/ask_cut/yes");
   const auto* asked = s.last<intent::RunInPieces>();
   ASSERT_TRUE(asked);
   EXPECT_GT(asked->pieces->all.front().first_step, 0);
   EXPECT_LE(asked->pieces->all.front().first_step, 6);
+}
+
+TEST_F(DrawingTabTest, WhereNobodyKnowsWhereAnAxisStandsNothingIsCut) {
+  drop();
+  two_hundred_pulses_in_a_mm();
+  s.stage.frames(6);
+  s.now.axes[1].position_known = false;
+  s.stage.frames(3);
+  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("Nobody knows where one of its axes stands."));
 }
 
 TEST_F(DrawingTabTest, HowLongItStillTakesIsTold) {
