@@ -11,6 +11,7 @@
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/bench_axes.h"
+#include "panels/bench_scatter.h"
 #include "panels/cells.h"
 #include "panels/widget_path.h"
 
@@ -63,6 +64,7 @@ void Bench::draw_rail(Frame& f) {
 void Bench::draw_parts(Frame& f) {
   front_panels_.draw(f);
   draw_bench_axes(f);
+  draw_switch_scatter(f);
   gap(f.ui, 8);
   draw_trouble(f);
   draw_inputs(f);

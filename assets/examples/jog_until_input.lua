@@ -1,9 +1,14 @@
 -- Jogs until an input is operated, then stops.
-local c = hw.check(hw.open(hw.args[1] or "dmx-k-sa@emulator"))
+local a = hw.arguments{about = "Jogs until an input is operated.",
+  {name = "address", default = "dmx-k-sa@emulator", help = "the controller"},
+  {name = "speed", kind = "number", default = 1000, help = "steps/s"},
+  {name = "patience", kind = "number", default = 30, help = "s; then it gives up"},
+}
+local c = hw.check(hw.open(a.address))
 c:send("EO=1")
 if c.bench then c.bench:at(hw.now() + 3, function() c.bench:input(1, true) end) end
-hw.check(c:jog("X", "+", {speed = 1000}))
-local found, why = c:wait_until(function() return c:input(1) end, 30)
+hw.check(c:jog("X", "+", {speed = a.speed}))
+local found, why = c:wait_until(function() return c:input(1) end, a.patience)
 hw.check(c:stop() and c:wait(10))
 hw.check(found, why)
 print("found at " .. c:position("X"))

@@ -1,5 +1,8 @@
 -- Lists the parameters that differ from the factory's.
-local c = hw.check(hw.open(hw.args[1] or "vxm@emulator"))
+local a = hw.arguments{about = "Lists the parameters that differ from the factory's.",
+  {name = "address", default = "vxm@emulator", help = "the controller"},
+}
+local c = hw.check(hw.open(a.address))
 c:set("j1M", 1200)
 for name, p in pairs(hw.check(c:parameters())) do
   if p.value ~= nil and p.value ~= p.default then

@@ -1,5 +1,8 @@
 -- Stops everything when a door is opened (input 2), whatever the script is doing at that moment.
-local c = hw.check(hw.open(hw.args[1] or "pmx-4ex-sa@emulator"))
+local a = hw.arguments{about = "Stops everything when input 2 is operated.",
+  {name = "address", default = "pmx-4ex-sa@emulator", help = "the controller"},
+}
+local c = hw.check(hw.open(a.address))
 c:send("EO=15")
 local opened
 c:on("input", function(n, on)

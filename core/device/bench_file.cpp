@@ -133,14 +133,20 @@ class Reader {
     if (key == "plus") return steps(place.plus);
     if (key == "index_every") return steps(place.index_every);
     if (key == "backlash") return steps(place.backlash);
+    if (key == "scatter") return steps(place.scatter);
+    if (key == "seed") {
+      place.seed = whole(node, key);
+      return;
+    }
     if (key == "counts_per_step") {
       place.counts_per_step = number(node, key, -1e6, 1e6);
       return;
     }
     if (key == "motor") return motor(node, place);
     if (key != "home")
-      return wrong(node, fmt::format("an axis has no \"{}\"", key),
-                   "Known here: minus, plus, home, index_every, counts_per_step, backlash, motor.");
+      return wrong(
+          node, fmt::format("an axis has no \"{}\"", key),
+          "Known here: minus, plus, home, index_every, counts_per_step, backlash, scatter, seed, motor.");
     const auto* zone = node.as_array();
     if (!zone || zone->size() != 2) return wrong(node, "home must be [from, to]");
     const auto from = whole(*zone->get(0), "home"), to = whole(*zone->get(1), "home");
@@ -289,14 +295,15 @@ class Reader {
 }  // namespace
 
 std::string_view problem_of(const AxisPlace& place) {
-  for (const auto& steps :
-       {place.minus, place.plus, place.home_from, place.home_to, place.index_every, place.backlash})
+  for (const auto& steps : {place.minus, place.plus, place.home_from, place.home_to, place.index_every,
+                            place.backlash, place.scatter})
     if (steps && (steps->value > furthest || steps->value < -furthest)) return "a distance is too far";
   if (place.minus && place.plus && *place.minus >= *place.plus) return "minus must be below plus";
   if (place.home_from && place.home_to && *place.home_from > *place.home_to)
     return "home must be [from, to], the lower first";
   if (place.index_every && place.index_every->value <= 0) return "index_every must be above 0";
   if (place.backlash && place.backlash->value < 0) return "backlash must not be negative";
+  if (place.scatter && place.scatter->value < 0) return "scatter must not be negative";
   if (place.counts_per_step && (!std::isfinite(*place.counts_per_step) || *place.counts_per_step == 0))
     return "counts_per_step must be a number other than 0";
   for (const MotorKey& key : motor_keys)

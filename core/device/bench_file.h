@@ -7,9 +7,13 @@
 //   minus = -1000
 //   plus = 90000
 //   home = [2000, 2400]
-//   motor = {friction = 0.01}     # a servo axis gets a motor (true: as it stands in core/motion/motor.h;
-//                                 # false: none): inertia kg m², viscous Nm s/rad, friction Nm,
-//                                 # torque_per_volt Nm/V, torque_limit Nm, counts_per_turn
+//   scatter = 3                   # a switch acts up to 3 steps before or behind
+//                                 # its place, elsewhere each time
+//   seed = 7                      # of that (else 1): the same seed, the same series
+//   motor = {friction = 0.01}     # a servo axis gets a motor (true: as it stands in
+//                                 # core/motion/motor.h; false: none): inertia kg m²,
+//                                 # viscous Nm s/rad, friction Nm, torque_per_volt Nm/V,
+//                                 # torque_limit Nm, counts_per_turn
 //   [input]
 //   1 = true                      # operated from the start
 //   [analog]

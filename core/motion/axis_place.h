@@ -10,6 +10,7 @@ namespace hw {
 struct SwitchPlaces {
   std::optional<Steps> minus, plus;  ///< travel limits
   std::optional<Steps> home_from, home_to;
+  Steps scatter = Steps(0);  ///< how far before or behind its place each may act
   bool operator==(const SwitchPlaces&) const = default;
 };
 
@@ -22,9 +23,14 @@ struct AxisPlace {
   std::optional<Steps> index_every;         ///< encoder index marks
   std::optional<double> counts_per_step;    ///< encoder
   std::optional<Steps> backlash;
-  std::optional<Motor> motor;  ///< of a servo axis
+  std::optional<Motor> motor;        ///< of a servo axis
+  std::optional<Steps> scatter;      ///< each switch and index acts up to so far before or behind its place,
+                                     ///< elsewhere at each approach
+  std::optional<std::int64_t> seed;  ///< of that: the same seed, the same series
 
-  [[nodiscard]] SwitchPlaces switches() const { return {minus, plus, home_from, home_to}; }
+  [[nodiscard]] SwitchPlaces switches() const {
+    return {minus, plus, home_from, home_to, scatter.value_or(Steps(0))};
+  }
 };
 
 }  // namespace hw

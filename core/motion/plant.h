@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "core/motion/axis_place.h"
+#include "core/motion/switch_scatter.h"
 
 namespace hw::motion {
 
@@ -30,6 +31,14 @@ class Plant {
   [[nodiscard]] bool home_by_hand() const { return home_by_hand_; }
   [[nodiscard]] bool limit_operated(Sign side) const;
   [[nodiscard]] bool home_operated() const;
+  /// The zone in which the home switch acts at this approach.
+  [[nodiscard]] std::optional<Steps> home_from() const {
+    return at_this_approach(place_.home_from, Of::home);
+  }
+  [[nodiscard]] std::optional<Steps> home_to() const { return at_this_approach(place_.home_to, Of::home); }
+  /// How far from their places the index marks are found by a load that last turned, or will turn, so.
+  [[nodiscard]] std::int64_t index_shift() const { return scatter_.shift(Of::index); }
+  [[nodiscard]] std::int64_t index_shift(Sign way) const { return scatter_.shift(Of::index, way != turned_); }
 
   /// Turns towards `way` until the travel limit switch on that side acts: 0 when it does already.
   [[nodiscard]] std::optional<std::int64_t> turns_until_limit(Sign way) const;
@@ -46,10 +55,16 @@ class Plant {
   [[nodiscard]] Steps load_after(Sign way, std::int64_t turns) const;
 
  private:
+  using Of = SwitchScatter::Of;
+  [[nodiscard]] std::optional<Steps> at_this_approach(std::optional<Steps> place, Of which) const;
+  [[nodiscard]] std::optional<Steps> limit_at(Sign side) const;
+  void load_moved(std::int64_t from);
   [[nodiscard]] std::int64_t play(Sign way) const;
   [[nodiscard]] std::optional<std::int64_t> turns_until(Sign way, std::optional<Steps> mark) const;
 
   AxisPlace place_;
+  SwitchScatter scatter_;
+  Sign turned_ = Sign::plus;  ///< last
   std::int64_t load_ = 0;
   std::int64_t play_used_ = 0;  ///< 0: next turn to minus moves the load; backlash: next turn to plus does
   bool jammed_ = false, minus_by_hand_ = false, plus_by_hand_ = false, home_by_hand_ = false;

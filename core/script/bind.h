@@ -49,8 +49,14 @@ OneAxis one_axis_at(const Call& call, int place, const char* function);
 /// Whether what a method was called on is a bus, or one of its devices.
 bool is_on_bus(const Call& call);
 
+/// Where it names no device yet: by what the method that is under way on `L` was called on, the controller, or
+/// the device of a bus that its first argument names.
+void name_device(lua_State* L, Refusal& refusal);
+
 /// With what the fault itself does not say. On a bus the sentence begins with the id of the device.
 Refusal refusal_of(const Fault& fault, const Session& session, std::string axis, bool on_bus);
+/// What became of what all devices of a bus were asked.
+Answer answer_of_bus(const Result<>& result, const SessionGroup& bus);
 /// Sends an intent, waits for its outcome: true, or nil and the reason.
 int perform(Call& call, SessionPtr session, IntentBody body);
 int perform(Call& call, IntentBody body);

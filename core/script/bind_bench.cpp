@@ -152,8 +152,8 @@ void read_motor(lua_State* L, int table, AxisPlace& place) {
 }
 
 void refuse_unknown_keys(lua_State* L, int table) {
-  static constexpr std::string_view known[] = {"minus",           "plus",     "home", "index_every",
-                                               "counts_per_step", "backlash", "motor"};
+  static constexpr std::string_view known[] = {
+      "minus", "plus", "home", "index_every", "counts_per_step", "backlash", "scatter", "seed", "motor"};
   lua_pushnil(L);
   while (lua_next(L, table)) {
     lua_pop(L, 1);
@@ -161,7 +161,7 @@ void refuse_unknown_keys(lua_State* L, int table) {
     if (std::find(std::begin(known), std::end(known), key) == std::end(known))
       throw Misuse(
           fmt::format("bench:place: a place has no \"{}\"; known are minus, plus, home, index_every, "
-                      "counts_per_step, backlash, motor",
+                      "counts_per_step, backlash, scatter, seed, motor",
                       key));
   }
 }
@@ -175,6 +175,8 @@ int place(Call& call) {
   place.plus = steps(call.L, table, "plus");
   place.index_every = steps(call.L, table, "index_every");
   place.backlash = steps(call.L, table, "backlash");
+  place.scatter = steps(call.L, table, "scatter");
+  if (const auto seed = steps(call.L, table, "seed")) place.seed = seed->value;
   read_home(call.L, table, place);
   read_motor(call.L, table, place);
   if (raw_field(call.L, table, "counts_per_step") != LUA_TNIL) {

@@ -18,19 +18,20 @@ Task<Answer> open_and_wait(Runner& runner, std::shared_ptr<SessionGroup> group) 
       return 1;
     };
   }
+  Answer why = answer_of_bus(connected, *group);
   co_await group->close();
   runner.remove(group);
-  co_return answer_refused(connected.error().sentence());
+  co_return why;
 }
 
 int open(Call& call) {
   auto address = Address::parse(call.text(1, "address"));
-  if (!address) return call.refuse(address.error().sentence());
+  if (!address) return call.refuse(address.error());
   Runner& runner = call.runner();
   if (!address->emulated()) runner.go_real();
   std::function<void()> wake = [] {};
   auto group = SessionGroup::open(runner.scheduler(), *address, runner.options().opener, wake);
-  if (!group) return call.refuse(group.error().sentence());
+  if (!group) return call.refuse(group.error());
   return call.wait(open_and_wait(runner, std::move(*group)));
 }
 

@@ -164,7 +164,7 @@ int home(Call& call) {
 
 Task<Answer> stop_bus(std::shared_ptr<SessionGroup> bus, bool at_once) {
   const auto stopped = co_await bus->perform_stop(at_once);
-  co_return answer_of(stopped);
+  co_return answer_of_bus(stopped, *bus);
 }
 
 template <class How>
@@ -185,7 +185,7 @@ Task<Answer> wait_idle(SessionPtr session, Duration patience, bool on_bus) {
 }
 Task<Answer> wait_bus_idle(std::shared_ptr<SessionGroup> bus, Duration patience) {
   const auto idle = co_await bus->wait_until_idle(patience);
-  co_return answer_of(idle);
+  co_return answer_of_bus(idle, *bus);
 }
 int wait(Call& call) {
   const Duration patience = call.patience(1, 3600);

@@ -111,7 +111,7 @@ std::string read_place(const Call& call, int argument, const Counting& counting,
 Task<Answer> save_here(SessionPtr session, std::string name) {
   co_await session->pump().refresh();
   auto at = standing_place(session->catalog(), session->known());
-  if (!at) co_return answer_refused(at.error().sentence());
+  if (!at) co_return answer_refused(at.error());
   put_place(session->places(), {std::move(name), std::move(*at)});
   co_return answer_yes();
 }

@@ -41,7 +41,7 @@ int load(Call& call) {
   const int slot = slot_of(call, 2);
   if (slot < 0) return call.refuse(no_slot(session->catalog()));
   auto text = program_of(call.text(1, "text"), *session);
-  if (!text) return call.refuse(text.error().sentence());
+  if (!text) return call.refuse(text.error());
   return perform(call, intent::LoadProgram(slot, std::move(*text)));
 }
 int run(Call& call) {
@@ -56,25 +56,27 @@ int run(Call& call) {
 }
 
 Task<Answer> run_together(std::shared_ptr<SessionGroup> bus, sequence::Sequence sequence, int from) {
-  co_return answer_of(co_await bus->run_together(std::move(sequence), from));
+  const auto begun = co_await bus->run_together(std::move(sequence), from);
+  co_return answer_of_bus(begun, *bus);
 }
 
 /// A sequence of any length. Returns when the first piece is to begin; wait() tells of the end.
 int run_in_pieces(Call& call) {
   auto sequence = sequence::read_sequence(call.text(1, "sequence"), "The sequence");
-  if (!sequence) return call.refuse(sequence.error().sentence());
+  if (!sequence) return call.refuse(sequence.error());
   const std::int64_t step = call.has(2) ? call.whole(2, "step") : 1;
   const int from = static_cast<int>(std::clamp<std::int64_t>(step - 1, -1, 1'000'000'000));
   if (const auto bus = bus_of(call)) return call.wait(run_together(bus, std::move(*sequence), from));
   const SessionPtr& session = session_of(call);
   if (!session->type().language) return call.refuse("This controller has no language for programs.");
   auto pieces = session->type().language().in_pieces(*sequence, session->catalog(), from);
-  if (!pieces) return call.refuse(pieces.error().sentence());
+  if (!pieces) return call.refuse(pieces.error());
   return perform(call, intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
 }
 
 Task<Answer> tell_together(std::shared_ptr<SessionGroup> bus, IntentBody wish) {
-  co_return answer_of(co_await bus->tell_together(std::move(wish)));
+  const auto told = co_await bus->tell_together(std::move(wish));
+  co_return answer_of_bus(told, *bus);
 }
 
 int override_speed(Call& call) {
@@ -102,7 +104,7 @@ int of_thread(Call& call) {
 
 Task<Answer> upload(SessionPtr session, int slot) {
   auto listing = co_await session->listing(slot);
-  if (!listing) co_return answer_refused(listing.error().sentence());
+  if (!listing) co_return answer_refused(listing.error());
   co_return answer_text(std::move(*listing));
 }
 int program(Call& call) {
@@ -117,7 +119,7 @@ int rehearse(Call& call) {
   const int slot = slot_of(call, 2);
   if (slot < 0) return call.refuse(no_slot(session->catalog()));
   auto text = program_of(call.text(1, "text"), *session);
-  if (!text) return call.refuse(text.error().sentence());
+  if (!text) return call.refuse(text.error());
   return call.wait(rehearse_here(session, std::move(*text), slot));
 }
 

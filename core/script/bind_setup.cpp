@@ -58,7 +58,7 @@ Task<Answer> get_param(SessionPtr session, int index) {
   if (info.readable) {
     IntentBody ask = intent::ReadParams(info.mnemonic);
     const auto read = co_await session->perform(std::move(ask));
-    if (!read) co_return answer_refused(read.error().sentence());
+    if (!read) co_return answer_refused(read.error());
   }
   const ParamState state = session->known().params[index];
   if (!state.known)
@@ -117,7 +117,7 @@ void push_parameter(lua_State* L, const ParamInfo& info, const ParamState& state
 Task<Answer> read_parameters(SessionPtr session) {
   IntentBody ask = intent::ReadParams();
   const auto read = co_await session->perform(std::move(ask));
-  if (!read) co_return answer_refused(read.error().sentence());
+  if (!read) co_return answer_refused(read.error());
   co_return [session](lua_State* L) {
     const auto& params = session->catalog().params;
     lua_createtable(L, 0, static_cast<int>(params.size()));

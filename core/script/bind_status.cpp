@@ -314,7 +314,7 @@ Task<Answer> fresh_analog(SessionPtr session, Instant asked_at, int place) {
   if (!is_gone(known.link) && known.analog_seen_at[at] <= asked_at) {
     IntentBody ask_it = intent::ReadAnalog(place + 1);
     const auto read = co_await session->perform(std::move(ask_it));
-    if (!read && known.analog_seen_at[at] < asked_at) co_return answer_refused(read.error().sentence());
+    if (!read && known.analog_seen_at[at] < asked_at) co_return answer_refused(read.error());
   }
   if (is_gone(known.link)) co_return answer_refused(why_gone(known.link));
   if (known.analog_seen_at[at] < asked_at)
@@ -326,11 +326,34 @@ Task<Answer> fresh_analog(SessionPtr session, Instant asked_at, int place) {
   };
 }
 
+/// Until a round that begins now is over, or the inputs have been asked for by then.
+Task<> refresh_inputs(SessionPtr session, Instant asked_at) {
+  const std::uint64_t round = session->pump().want_round();
+  const Snapshot& known = session->known();
+  while (known.link.connected() && known.inputs_asked_at <= asked_at &&
+         session->pump().rounds_ended() < round)
+    co_await session->pump().published().wait();
+}
+
+Task<Answer> read_input(SessionPtr session, Instant asked_at, int place) {
+  co_await refresh_inputs(session, asked_at);
+  co_return [session, asked_at, place](lua_State* L) {
+    const Snapshot& known = session->known();
+    if (is_gone(known.link)) return push_unknown(L, why_gone(known.link), FaultKind::lost);
+    if (known.inputs_asked_at <= asked_at && known.io_seen_at < asked_at)
+      return push_unknown(L, fmt::format("The input {} cannot be read now. {}",
+                                         session->catalog().input_number(place), why_unread(known.link)));
+    return push_input(L, known, session->catalog(), place);
+  };
+}
+
 int input(Call& call) {
-  const Catalog& c = session_of(call)->catalog();
+  const SessionPtr& session = session_of(call);
+  const Catalog& c = session->catalog();
   const std::int64_t n = call.whole(1, "input");
-  return of_number(call, "input", n, numbered(c.inputs, c.find_input(n), c, &Catalog::input_number),
-                   push_input);
+  const Numbered there = numbered(c.inputs, c.find_input(n), c, &Catalog::input_number);
+  if (there.place < 0) return call.refuse(no_such(c, "input", n, there));
+  return call.wait(read_input(session, call.runner().scheduler().now(), there.place));
 }
 int output(Call& call) {
   const Catalog& c = session_of(call)->catalog();

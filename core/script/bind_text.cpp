@@ -35,7 +35,7 @@ int send(Call& call) {
 
 Task<Answer> query_text(SessionPtr session, std::string text, Duration patience) {
   auto reply = co_await session->pump().query(std::move(text), patience);
-  if (!reply) co_return answer_refused(reply.error().sentence());
+  if (!reply) co_return answer_refused(reply.error());
   co_return answer_text(std::move(*reply));
 }
 int query(Call& call) {

@@ -52,32 +52,32 @@ Result<std::string> backup_file(const Call& call) {
 
 Task<Answer> back_up(Runner& runner, SessionPtr session, std::string path) {
   const auto taken = co_await take_backup(session);
-  if (!taken) co_return answer_refused(taken.error().sentence());
+  if (!taken) co_return answer_refused(taken.error());
   const auto saved = save_backup(path, *taken, session->catalog());
-  if (!saved) co_return answer_refused(saved.error().sentence());
+  if (!saved) co_return answer_refused(saved.error());
   runner.notes().written.note(path, fmt::format("{} parameters", taken->parameters.size()));
   co_return answer_yes();
 }
 
 int backup(Call& call) {
   auto path = backup_file(call);
-  if (!path) return call.refuse(path.error().sentence());
+  if (!path) return call.refuse(path.error());
   return call.wait(back_up(call.runner(), session_of(call), std::move(*path)));
 }
 
 /// A script says what it means: parameters that carry a warning are written too, as by c:set.
 Task<Answer> bring_back(SessionPtr session, Backup kept, std::string path) {
   const auto report = co_await restore_backup(session, std::move(kept), std::move(path), Warned::write);
-  if (!report) co_return answer_refused(report.error().sentence());
+  if (!report) co_return answer_refused(report.error());
   if (!report->left_out.empty()) co_return answer_refused(report->left_out.front());
   co_return answer_yes();
 }
 
 int restore(Call& call) {
   auto path = backup_file(call);
-  if (!path) return call.refuse(path.error().sentence());
+  if (!path) return call.refuse(path.error());
   auto kept = load_backup(*path);
-  if (!kept) return call.refuse(kept.error().sentence());
+  if (!kept) return call.refuse(kept.error());
   return call.wait(bring_back(session_of(call), std::move(*kept), std::move(*path)));
 }
 

@@ -59,81 +59,104 @@ void push_axis_name(lua_State* L, const std::string& name) {
     lua_pushlstring(L, name.data(), name.size());
 }
 
+/// The device that news are of, in the words of a script: on a bus its id stands in front of everything, in
+/// place of its only axis.
+struct Whom {
+  SessionPtr session;
+  bool on_bus;
+
+  [[nodiscard]] const std::string& axis(std::size_t i) const { return session->catalog().axes[i].name; }
+  /// How many words it was.
+  int push_axis(lua_State* L, std::size_t i) const {
+    if (on_bus) return push_id(L);
+    push_axis_name(L, axis(i));
+    return 1;
+  }
+  int push_id(lua_State* L) const {
+    const std::string id = session->catalog().id();
+    if (on_bus) lua_pushlstring(L, id.data(), id.size());
+    return on_bus ? 1 : 0;
+  }
+};
+
 /// What a script's function is to be told.
 class Watch {
  public:
-  Watch(SessionPtr session, About about)
-      : session_(std::move(session)), about_(about), seen_(look_at(session_->known())) {}
+  Watch(const std::vector<SessionPtr>& sessions, bool on_bus, About about) : about_(about) {
+    for (const SessionPtr& session : sessions)
+      watched_.push_back({Whom{session, on_bus}, look_at(session->known())});
+  }
 
-  [[nodiscard]] const SessionPtr& session() const { return session_; }
+  [[nodiscard]] std::size_t size() const { return watched_.size(); }
+  [[nodiscard]] const SessionPtr& session(std::size_t which) const { return watched_[which].whom.session; }
   [[nodiscard]] About about() const { return about_; }
   /// What a person or a machine does from outside shows only in a round of status.
   [[nodiscard]] bool is_urgent() const { return about_ == About::limit || about_ == About::input; }
-  /// True: there is something to tell.
-  bool look();
+  /// At one of them. True: there is something to tell.
+  bool look(std::size_t which);
   std::deque<Answer> news;
+  Instant returned_at{};  ///< its loop was given news, or none
 
  private:
-  void tell_limits(std::uint32_t hit, const char* sign);
-  void tell_inputs(const Seen& now);
-  void tell_stopped(std::uint32_t axes);
-  void tell_lost();
+  void tell_limits(const Whom& whom, std::uint32_t hit, const char* sign);
+  void tell_inputs(const Whom& whom, const Seen& before, const Seen& now);
+  void tell_stopped(const Whom& whom, std::uint32_t axes);
+  void tell_lost(const Whom& whom);
 
-  const SessionPtr session_;
+  struct Watched {
+    Whom whom;
+    Seen seen;
+  };
   const About about_;
-  Seen seen_;
+  std::vector<Watched> watched_;
 };
 
-bool Watch::look() {
-  const Seen now = look_at(session_->known());
-  if (about_ == About::limit) tell_limits(now.minus & ~seen_.minus, "-");
-  if (about_ == About::limit) tell_limits(now.plus & ~seen_.plus, "+");
-  if (about_ == About::input) tell_inputs(now);
-  if (about_ == About::stopped) tell_stopped(seen_.moving & ~now.moving);
-  if (about_ == About::lost && now.lost && !seen_.lost) tell_lost();
-  seen_ = now;
+bool Watch::look(std::size_t which) {
+  auto& [whom, seen] = watched_[which];
+  const Seen now = look_at(whom.session->known()), before = std::exchange(seen, now);
+  if (about_ == About::limit) tell_limits(whom, now.minus & ~before.minus, "-");
+  if (about_ == About::limit) tell_limits(whom, now.plus & ~before.plus, "+");
+  if (about_ == About::input) tell_inputs(whom, before, now);
+  if (about_ == About::stopped) tell_stopped(whom, before.moving & ~now.moving);
+  if (about_ == About::lost && now.lost && !before.lost) tell_lost(whom);
   return !news.empty();
 }
 
-void Watch::tell_limits(std::uint32_t hit, const char* sign) {
-  const auto& axes = session_->catalog().axes;
-  for (std::size_t i = 0; i < axes.size(); ++i)
+void Watch::tell_limits(const Whom& whom, std::uint32_t hit, const char* sign) {
+  for (std::size_t i = 0; i < whom.session->catalog().axes.size(); ++i)
     if ((hit >> i & 1) != 0)
-      news.emplace_back([name = axes[i].name, sign](lua_State* L) {
-        push_axis_name(L, name);
+      news.emplace_back([whom, i, sign](lua_State* L) {
+        const int words = whom.push_axis(L, i);
         lua_pushstring(L, sign);
-        return 2;
+        return words + 1;
       });
 }
 
-void Watch::tell_inputs(const Seen& now) {
-  const Catalog& catalog = session_->catalog();
-  const std::uint32_t changed = (now.inputs ^ seen_.inputs) & now.inputs_known & seen_.inputs_known;
+void Watch::tell_inputs(const Whom& whom, const Seen& before, const Seen& now) {
+  const Catalog& catalog = whom.session->catalog();
+  const std::uint32_t changed = (now.inputs ^ before.inputs) & now.inputs_known & before.inputs_known;
   for (std::size_t i = 0; i < catalog.inputs.size(); ++i)
     if ((changed >> i & 1) != 0) {
       const bool operated = ((now.inputs >> i & 1) != 0) != catalog.inputs[i].active_low;
-      news.emplace_back([number = catalog.input_number(i), operated](lua_State* L) {
+      news.emplace_back([whom, number = catalog.input_number(i), operated](lua_State* L) {
+        const int words = whom.push_id(L);
         lua_pushinteger(L, number);
         lua_pushboolean(L, operated);
-        return 2;
+        return words + 2;
       });
     }
 }
 
-void Watch::tell_stopped(std::uint32_t stopped) {
-  const auto& axes = session_->catalog().axes;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if ((stopped >> i & 1) != 0)
-      news.emplace_back([name = axes[i].name](lua_State* L) {
-        push_axis_name(L, name);
-        return 1;
-      });
+void Watch::tell_stopped(const Whom& whom, std::uint32_t stopped) {
+  for (std::size_t i = 0; i < whom.session->catalog().axes.size(); ++i)
+    if ((stopped >> i & 1) != 0) news.emplace_back([whom, i](lua_State* L) { return whom.push_axis(L, i); });
 }
 
-void Watch::tell_lost() {
-  news.emplace_back([why = std::string(session_->known().link.sentence.view())](lua_State* L) {
+void Watch::tell_lost(const Whom& whom) {
+  news.emplace_back([whom, why = std::string(whom.session->known().link.sentence.view())](lua_State* L) {
+    const int words = whom.push_id(L);
     lua_pushlstring(L, why.data(), why.size());
-    return 1;
+    return words + 1;
   });
 }
 
@@ -141,16 +164,24 @@ using WatchPtr = std::shared_ptr<Watch>;
 
 constexpr Duration look_again = Millis(10);
 
+/// A round of status is long on a slow wire.
+void watch_inputs_closely(Session& session) {
+  constexpr Duration from_look_to_look = std::chrono::seconds(1);
+  session.pump().watch_inputs(session.now() + from_look_to_look);
+}
+
 /// Beside the script, so that nothing is missed while its function runs.
-Task<> keep_watch(Runner& runner, std::weak_ptr<Watch> watched, SessionPtr session, bool urgent) {
-  const Duration pace = urgent ? look_again : Duration(Millis(1000));
+Task<> keep_watch(Runner& runner, std::weak_ptr<Watch> watched, std::size_t which, SessionPtr session,
+                  bool urgent) {
+  const Duration pace = urgent ? Millis(5) : Millis(1000);
   for (;;) {
     const Instant deadline = runner.scheduler().now() + pace;
+    if (urgent) watch_inputs_closely(*session);
     const bool news = co_await session->pump().published().wait_until(deadline);
     const WatchPtr watch = watched.lock();
     if (!watch || runner.over() || session->known().link.state == LinkState::closed) co_return;
     if (urgent && !news && session->known().link.connected()) session->pump().want_round();
-    if (watch->look()) runner.happened().notify();
+    if (watch->look(which) || watch->about() == About::anything) runner.happened().notify();
   }
 }
 
@@ -164,17 +195,23 @@ Task<Answer> next_news(Runner& runner, WatchPtr watch) {
   co_return next;
 }
 
-/// News of the very instant may be what the script's own reading has brought: time has to pass.
-Task<Answer> pause_until_news(Runner& runner, SessionPtr session) {
+/// News of the very instant may be what the script's own reading has brought: time has to pass. Where that
+/// reading has taken its time already, what has come meanwhile may be news.
+Task<Answer> pause_until_news(Runner& runner, WatchPtr watch) {
+  constexpr Duration a_reading = Millis(1);
   const Instant began = runner.scheduler().now(), deadline = began + look_again;
-  for (bool news = true; news && runner.scheduler().now() == began && !runner.over();)
-    news = co_await session->pump().published().wait_until(deadline);
+  const bool has_read = began - watch->returned_at >= a_reading;
+  for (std::size_t i = 0; i < watch->size(); ++i) watch_inputs_closely(*watch->session(i));
+  for (bool news = !has_read; news && runner.scheduler().now() == began && !runner.over();)
+    news = watch->size() == 1 ? co_await watch->session(0)->pump().published().wait_until(deadline)
+                              : co_await runner.happened().wait_until(deadline);
+  watch->returned_at = runner.scheduler().now();
   co_return [](lua_State*) { return 0; };
 }
 
 int watch_next(Call& call) {
   const auto& watch = *static_cast<WatchPtr*>(luaL_checkudata(call.L, 1, watch_type));
-  if (watch->about() == About::anything) return call.wait(pause_until_news(call.runner(), watch->session()));
+  if (watch->about() == About::anything) return call.wait(pause_until_news(call.runner(), watch));
   return call.wait(next_news(call.runner(), watch));
 }
 
@@ -206,22 +243,35 @@ About about_of(const std::string& word) {
                            did_you_mean(word, words)));
 }
 
+/// What a method was called on, or all devices of the bus.
+WatchPtr watch_on(const Call& call, About about) {
+  if (const auto bus = bus_of(call)) return std::make_shared<Watch>(bus->members(), true, about);
+  return std::make_shared<Watch>(std::vector<SessionPtr>{session_of(call)}, false, about);
+}
+
+void begin_to_watch(const Call& call, const WatchPtr& watch) {
+  for (std::size_t i = 0; i < watch->size(); ++i)
+    asio::co_spawn(call.runner().scheduler().executor(),
+                   keep_watch(call.runner(), watch, i, watch->session(i), watch->is_urgent()),
+                   asio::detached);
+}
+
 int on(Call& call) {
-  const SessionPtr& session = session_of(call);
   const About about = about_of(call.text(1, "what"));
   want_function(call, 2, "on");
-  const auto watch = std::make_shared<Watch>(session, about);
-  asio::co_spawn(call.runner().scheduler().executor(),
-                 keep_watch(call.runner(), watch, session, watch->is_urgent()), asio::detached);
+  const WatchPtr watch = watch_on(call, about);
+  begin_to_watch(call, watch);
   push_task(call.L, begin_loop(call, react_key, watch, call.place(2)));
   return 1;
 }
 
 int wait_until(Call& call) {
-  const SessionPtr& session = session_of(call);
   want_function(call, 1, "wait_until");
   const Duration patience = call.patience(2, 3600);
-  const auto watch = std::make_shared<Watch>(session, About::anything);
+  const WatchPtr watch = watch_on(call, About::anything);
+  watch->returned_at = call.runner().scheduler().now();
+  for (std::size_t i = 0; i < watch->size(); ++i) watch_inputs_closely(*watch->session(i));
+  if (watch->size() > 1) begin_to_watch(call, watch);  // their news, as one
   std::vector<Racer> racers{{begin_loop(call, hold_key, watch, call.place(1)), true}};
   return call.wait(
       wait_for_first(call.runner(), std::move(racers), false, patience,

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "core/script/bind.h"
+
 namespace hw::script {
 
 void Call::wrong(int argument, const char* what, const char* wanted) const {
@@ -79,7 +81,8 @@ static int refusal_as_text(lua_State* L) {
   return 1;
 }
 
-int push_refusal(lua_State* L, const Refusal& refusal) {
+int push_refusal(lua_State* L, Refusal refusal) {
+  name_device(L, refusal);
   lua_pushnil(L);
   lua_pushlstring(L, refusal.reason.data(), refusal.reason.size());
   lua_createtable(L, 0, 4);
@@ -179,6 +182,7 @@ Answer answer_refused(std::string reason) { return answer_refused(Refusal{std::m
 Answer answer_refused(Refusal refusal) {
   return [refusal = std::move(refusal)](lua_State* L) { return push_refusal(L, refusal); };
 }
+Answer answer_refused(const Fault& fault) { return answer_refused(refusal_of(fault)); }
 Answer answer_text(std::string text) {
   return [text = std::move(text)](lua_State* L) {
     lua_pushlstring(L, text.data(), text.size());
@@ -194,7 +198,7 @@ Answer answer_error(std::string sentence) {
   };
 }
 Answer answer_of(const Result<>& result) {
-  return result ? answer_yes() : answer_refused(refusal_of(result.error()));
+  return result ? answer_yes() : answer_refused(result.error());
 }
 
 }  // namespace hw::script

@@ -22,8 +22,8 @@ struct Refusal {
   std::string axis = {}, device = {}, what_to_do = {};
 };
 Refusal refusal_of(const Fault& fault);
-/// nil, reason, table.
-int push_refusal(lua_State* L, const Refusal& refusal);
+/// nil, reason, table. Of a method that was called on one controller the device is known by that.
+int push_refusal(lua_State* L, Refusal refusal);
 
 /// The script called something the wrong way: an error at its line.
 class Misuse : public std::runtime_error {
@@ -53,6 +53,7 @@ class Call {
   int nothing() { return 0; }
   int yes();
   int refuse(std::string_view reason);  ///< see Refusal
+  int refuse(const Fault& fault) { return push_refusal(L, refusal_of(fault)); }
   /// Suspends the script until `work` is over. The last thing that a body does.
   int wait(Task<Answer> work);
 
@@ -82,6 +83,7 @@ void push_functions(lua_State* L, const Function* first, const Function* last, i
 Answer answer_yes();
 Answer answer_refused(std::string reason);
 Answer answer_refused(Refusal refusal);
+Answer answer_refused(const Fault& fault);
 Answer answer_text(std::string text);
 Answer answer_error(std::string sentence);  ///< an error at the script's line
 /// true, or nil and the reason.

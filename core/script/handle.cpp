@@ -118,6 +118,24 @@ void close_handle_type(lua_State* L) {
   lua_pop(L, 1);
 }
 
+static std::shared_ptr<Session> device_meant(lua_State* L, const Handle& handle) {
+  const auto& members = handle.group->members();
+  int device = handle.device;
+  if (device < 0 && lua_type(L, 2) == LUA_TSTRING) device = handle.group->find(lua_tostring(L, 2));
+  return device < 0 ? nullptr : members[static_cast<std::size_t>(device)];
+}
+
+// A call that has waited still has its arguments where they were.
+void name_device(lua_State* L, Refusal& refusal) {
+  const void* self = luaL_testudata(L, 1, controller_type);
+  if (!self || !refusal.device.empty()) return;
+  const Handle& handle = *static_cast<const Handle*>(self);
+  const auto device = device_meant(L, handle);
+  if (!device) return;
+  refusal.device = device->address().text();
+  if (handle.group->is_bus()) refusal.reason = fmt::format("{}: {}", device->catalog().id(), refusal.reason);
+}
+
 /// The axis that a wish is for; empty: for none, or several.
 static std::string axis_of_wish(const IntentBody& body, const Catalog& catalog) {
   const int axis = std::visit(
@@ -140,6 +158,14 @@ Refusal refusal_of(const Fault& fault, const Session& session, std::string axis,
   refusal.axis = std::move(axis);
   refusal.device = session.address().text();
   return refusal;
+}
+
+// The sentence names the device already.
+Answer answer_of_bus(const Result<>& result, const SessionGroup& bus) {
+  if (result) return answer_yes();
+  const auto origin = bus.origin_of(result.error());
+  if (!origin) return answer_of(result);
+  return answer_refused(refusal_of(result.error(), *origin, {}, false));
 }
 
 static Task<Answer> perform_body(SessionPtr session, IntentBody body, bool on_bus) {

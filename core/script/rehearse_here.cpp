@@ -114,7 +114,7 @@ Task<Answer> rehearse_here(SessionPtr session, std::string text, int slot) {
   RehearseOptions options = rehearse_from(std::move(state), bench, session->catalog());
   options.slot = slot;
   auto done = session->type().language().rehearse(text, options);
-  if (!done) co_return answer_refused(done.error().sentence());
+  if (!done) co_return answer_refused(done.error());
   co_return [result = std::make_shared<Rehearsal>(std::move(*done))](lua_State* L) {
     return push_rehearsal(L, *result);
   };

@@ -36,6 +36,20 @@ int SessionGroup::find(std::string_view id) const {
   return -1;
 }
 
+static std::string beginning_with(const Session& member) { return member.catalog().id() + ": "; }
+
+tl::unexpected<Fault> SessionGroup::fault_of(std::size_t member, Fault fault) const {
+  if (is_bus()) fault.what = beginning_with(*members_[member]) + fault.what;
+  return fail(std::move(fault));
+}
+
+std::shared_ptr<Session> SessionGroup::origin_of(const Fault& fault) const {
+  if (!is_bus()) return members_.front();
+  for (const auto& member : members_)
+    if (fault.what.starts_with(beginning_with(*member))) return member;
+  return nullptr;
+}
+
 static IntentBody stop_intent(bool at_once, StoppedBy by) {
   if (at_once) return intent::Abort(-1, by);
   return intent::Stop(-1, by);
@@ -65,7 +79,7 @@ Task<Result<>> SessionGroup::outcomes(std::vector<Asked> all) {
   Result<> first;
   for (const Asked& asked : all) {
     auto one = co_await members_[asked.member]->outcome(asked.id);
-    if (first && !one) first = std::move(one);
+    if (first && !one) first = fault_of(asked.member, std::move(one.error()));
   }
   co_return first;
 }
@@ -145,15 +159,15 @@ Task<Result<>> SessionGroup::wait_until_idle(Duration patience) {
   for (std::size_t i = 0; i < members_.size(); ++i)
     waits.push_back(wait_for_one(members_[i], patience, results, i));
   co_await all_together(scheduler_, std::move(waits));
-  for (Result<>& result : *results)
-    if (!result) co_return std::move(result);
+  for (std::size_t i = 0; i < results->size(); ++i)
+    if (Result<>& result = (*results)[i]; !result) co_return fault_of(i, std::move(result.error()));
   co_return Result<>();
 }
 
 Task<Result<>> SessionGroup::wait_until_connected() {
-  for (const auto& member : members_) {
-    auto connected = co_await member->wait_until_connected();
-    if (!connected) co_return connected;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    auto connected = co_await members_[i]->wait_until_connected();
+    if (!connected) co_return fault_of(i, std::move(connected.error()));
   }
   co_return Result<>();
 }

@@ -26,7 +26,9 @@ class SessionGroup : public std::enable_shared_from_this<SessionGroup> {
   /// ids, in the order of the members.
   std::vector<IntentId> stop(bool at_once = false, StoppedBy by = StoppedBy::button);
 
-  // ---- io thread
+  // ---- io thread. On a bus, what went wrong with one of them begins with its id: "03: ...".
+  /// The one that it went wrong with; null: with no single one.
+  [[nodiscard]] std::shared_ptr<Session> origin_of(const Fault& fault) const;
   /// The same as stop(), for scripts, before anything else happens on this thread.
   std::vector<IntentId> post_stop(bool at_once);
   /// And resumes with the first thing that went wrong.
@@ -44,6 +46,7 @@ class SessionGroup : public std::enable_shared_from_this<SessionGroup> {
 
  private:
   void stop_wire(bool at_once) const;
+  [[nodiscard]] tl::unexpected<Fault> fault_of(std::size_t member, Fault fault) const;
   /// The first thing that went wrong with any of them, once all have come to their end.
   struct Asked {
     std::size_t member;

@@ -66,7 +66,7 @@ void Admission::warn_of_motor_type(int axis) {
       Notice::Kind::warning,
       fmt::format("Motor {0} is set to type 0, the factory value for the smallest motors: a larger one only "
                   "buzzes. The "
-                  "move was sent. If motor {0} does not turn, choose its type in Parameters, Motors.",
+                  "move was sent. If motor {0} does not turn, choose its type in Setup, Motors.",
                   axis + 1));
 }
 

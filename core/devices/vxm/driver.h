@@ -44,6 +44,7 @@ class VxmDriver final : public Driver {
   void attach(Station& station) override;
   Task<Result<>> connect() override;
   Task<Result<>> poll(Round round) override;
+  void watch_inputs(Instant until) override { known_.signals.watch_inputs(until); }
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<std::string>> stop(const StopOrder& order) override;
   [[nodiscard]] LastWill last_will(unsigned axes) const override;

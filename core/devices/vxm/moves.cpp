@@ -139,7 +139,7 @@ Task<Result<>> Moves::home(const intent::Home& wish) {
     co_return fail(FaultKind::refused,
                    fmt::format("In NF90 emulation I{}M0 runs to zero, not to the + limit switch.", axis + 1),
                    "Nothing was sent.",
-                   "Switch NF90 emulation off in Parameters (DM), or home to the - limit switch.");
+                   "Switch NF90 emulation off in Setup (DM), or home to the - limit switch.");
   auto pace = checked(wish.pace);
   if (!pace) co_return fail(pace.error());
   if (pace->speed > homing_speed)

@@ -15,6 +15,8 @@ Task<Result<>> Positions::read(Priority priority, bool at_rest, bool and_a_signa
     auto position = co_await talk_.position(i + 1, priority);
     if (!position) co_return fail(position.error());
     show(i, *position);
+    auto inputs = co_await signals_.glance(priority);
+    if (!inputs) co_return inputs;
   }
   if (and_a_signal) (void)signals_.confirm();
   co_return Result<>();

@@ -57,6 +57,14 @@ Task<Result<>> Signals::read(char which, Priority priority) {
   co_return Result<>();
 }
 
+Task<Result<>> Signals::glance(Priority priority) {
+  const bool watched = scheduler_.now() < watched_until_;
+  if (!watched || priority != Priority::poll || talk_.echoes()) co_return Result<>();
+  auto inputs = co_await read('~', priority);
+  if (inputs) changed_();
+  co_return inputs;
+}
+
 Task<Result<>> Signals::ask_next(Priority priority) {
   asked_at_ = scheduler_.now();
   const auto turn = static_cast<std::size_t>(turn_.next(static_cast<int>(all.size()) + 1));
@@ -74,6 +82,7 @@ Task<Result<>> Signals::ask(char which, Priority priority) {
     if (which == '$') nameplate_.doubt_outputs();
     co_return fail(byte.error());
   }
+  if (which == '~') inputs_asked_at_ = talk_.asked_at();
   asked_[all.find(which)] = *byte;
   co_return Result<>();
 }
@@ -112,15 +121,16 @@ bool Signals::believe(std::size_t i, unsigned char byte) {
 }
 
 void Signals::show(std::size_t i, unsigned char byte) {
-  draft_.io_seen_at = scheduler_.now();
   switch (all[i]) {
     case '~':
       draft_.inputs = inputs_of(byte);
       draft_.inputs_known = 0xFF;
+      draft_.inputs_asked_at = inputs_asked_at_;
       break;
     case '$':
       draft_.outputs = byte & 0x0Fu;
       draft_.outputs_known = 0x0F;
+      draft_.io_seen_at = scheduler_.now();
       break;
     default:
       limits_at_ = scheduler_.now();

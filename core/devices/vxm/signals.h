@@ -4,6 +4,7 @@
 // strayed in between; after the line was dirty two such readings must agree.
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -17,7 +18,11 @@ namespace hw::vxm {
 class Signals {
  public:
   Signals(const Console& console, Conversation& talk, Nameplate& nameplate)
-      : scheduler_(console.scheduler), draft_(console.draft), talk_(talk), nameplate_(nameplate) {}
+      : scheduler_(console.scheduler),
+        draft_(console.draft),
+        changed_(console.changed),
+        talk_(talk),
+        nameplate_(nameplate) {}
 
   /// A new wire.
   void begin();
@@ -28,6 +33,10 @@ class Signals {
   Task<Result<>> read_all(Priority priority);
   /// ?, ~ or $, until it is shown as it is now; nothing where it tells none.
   Task<Result<>> read(char which, Priority priority);
+  /// See Driver::watch_inputs().
+  void watch_inputs(Instant until) { watched_until_ = until; }
+  /// Between two other questions of a round: the inputs, told at once. Nothing while nobody watches them.
+  Task<Result<>> glance(Priority priority);
   /// The next of all in turn; to be followed by another question, and that by confirm().
   Task<Result<>> ask_next(Priority priority);
   /// ?, ~ or $, followed in the same way.
@@ -46,6 +55,7 @@ class Signals {
 
   Scheduler& scheduler_;
   Snapshot& draft_;
+  std::function<void()> changed_;
   Conversation& talk_;
   Nameplate& nameplate_;
   std::array<std::optional<unsigned char>, 3> asked_{};  ///< answered, to be confirmed
@@ -55,6 +65,7 @@ class Signals {
   InTurn turn_;
   Instant asked_at_{};
   Instant limits_at_{};  ///< read last
+  Instant watched_until_{}, inputs_asked_at_{};
 };
 
 }  // namespace hw::vxm

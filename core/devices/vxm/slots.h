@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/device/transfer_progress.h"
 #include "core/devices/vxm/codec_text.h"
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
@@ -20,7 +21,11 @@ class Slots {
   /// `may_touch`: the controller takes such commands now.
   Slots(const Console& console, Conversation& talk, const Parameters& setup,
         std::function<Result<>()> may_touch)
-      : console_(console), talk_(talk), parameters_(setup), may_touch_(std::move(may_touch)) {}
+      : console_(console),
+        talk_(talk),
+        parameters_(setup),
+        may_touch_(std::move(may_touch)),
+        progress_(console.draft.transfer, console.catalog) {}
 
   // ---- which
   /// The user's choice; -1: not known.
@@ -65,6 +70,8 @@ class Slots {
   void ask_for_room(std::string sentence) const;
   Task<Result<>> load_slot(int slot, const Lines& lines, const Lines& expected);
   Task<Result<>> write_slot(int slot, const Lines& lines, const Lines& expected);
+  Task<Result<>> send_lines(const Lines& lines);
+  [[nodiscard]] std::string incomplete(int slot) const;
   Task<Result<>> verify_slot(int slot, const Lines& expected);
   void holds(int slot, const Listing& listing);
   void doubt(int slot);
@@ -73,6 +80,7 @@ class Slots {
   Conversation& talk_;
   const Parameters& parameters_;
   std::function<Result<>()> may_touch_;
+  TransferProgress progress_;
   int selected_ = -1;
   int chosen_ = -1;  ///< what the controller has selected: for a while, another one; -1: not known
   Set may_be_selected_ = 0, may_have_grown_ = 0;

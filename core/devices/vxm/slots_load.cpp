@@ -207,28 +207,51 @@ Task<Result<>> Slots::load_slot(int slot, const Lines& lines, const Lines& expec
   console_.draft.slots_torn |= mark;
   doubt(slot);
   console_.draft.unsaved_programs = true;
+  progress_.begin(slot, console_.scheduler.now());
   auto loaded = co_await write_slot(slot, lines, expected);
   if (!loaded && loaded.error().kind == FaultKind::garbled && !talk_.listens().halted) {
     chosen = co_await choose(slot, Priority::transfer);
     if (chosen) loaded = co_await write_slot(slot, lines, expected);
   }
+  progress_.end();
   if (loaded) console_.draft.slots_torn = static_cast<std::uint8_t>(console_.draft.slots_torn & ~mark);
   co_return loaded;
 }
 
 Task<Result<>> Slots::write_slot(int slot, const Lines& lines, const Lines& expected) {
-  auto sent = co_await talk_.say("C", Priority::transfer);
-  for (std::size_t i = 0; i < lines.size() && sent && !talk_.listens().halted; ++i)
-    sent = co_await talk_.say(lines[i], Priority::transfer);
+  auto sent = co_await send_lines(lines);
   const auto may = may_touch_();
   if (talk_.listens().halted && !may)
-    co_return fail(FaultKind::controller, may.error().what,
-                   fmt::format("Program {} is incomplete in the controller.", slot), may.error().advice);
+    co_return fail(FaultKind::controller, may.error().what, incomplete(slot), may.error().advice);
   if (!sent)
-    co_return fail(sent.error().kind, sent.error().what,
-                   fmt::format("Program {} is incomplete in the controller.", slot),
-                   "Load it again before it is run.");
+    co_return fail(sent.error().kind, sent.error().what, incomplete(slot), "Load it again before it is run.");
+  progress_.enter(TransferState::Phase::comparing, 0);
   co_return co_await verify_slot(slot, expected);
+}
+
+// What is listed afterwards takes about as long as what is sent.
+Task<Result<>> Slots::send_lines(const Lines& lines) {
+  const int count = static_cast<int>(lines.size());
+  progress_.enter(TransferState::Phase::writing, count);
+  progress_.expect(2 * count);
+  auto sent = co_await talk_.say("C", Priority::transfer);
+  for (std::size_t i = 0; i < lines.size() && sent && !talk_.listens().halted; ++i) {
+    sent = co_await talk_.say(lines[i], Priority::transfer);
+    if (!sent) break;
+    const Instant now = console_.scheduler.now();
+    progress_.line_done();
+    progress_.worked(now);
+    if (progress_.is_news(now)) console_.changed();
+  }
+  co_return sent;
+}
+
+std::string Slots::incomplete(int slot) const {
+  const TransferState& t = console_.draft.transfer;
+  const std::string written = say_written(t);
+  const bool all = t.phase == TransferState::Phase::writing && t.total > 0 && t.done >= t.total;
+  return fmt::format("Program {} {} in the controller{}{}.", slot,
+                     all ? "may be incomplete" : "is incomplete", written.empty() ? "" : ": ", written);
 }
 
 Task<Result<>> Slots::verify_slot(int slot, const Lines& expected) {
@@ -272,7 +295,10 @@ Task<Result<>> Slots::upload(int slot) {
   if (auto may = may_touch_(); !may) co_return may;
   auto chosen = co_await choose(slot, Priority::transfer);
   if (!chosen) co_return chosen;
+  progress_.begin(slot, console_.scheduler.now());
+  console_.changed();
   auto listing = co_await talk_.listing(Priority::transfer);
+  progress_.end();
   if (!listing) co_return fail(listing.error());
   if (listing->slot != slot)
     co_return fail(

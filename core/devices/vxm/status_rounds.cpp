@@ -57,6 +57,8 @@ Task<Result<>> StatusRounds::poll_on_line(Round round) {
   if (!state) co_return fail(state.error());
   auto taken = co_await status_.take(*state);
   if (!taken || presence_.stays_local() || talk_.echoes()) co_return taken;
+  auto inputs = co_await signals_.glance(Priority::poll);
+  if (!inputs) co_return inputs;
   const bool is_turn = round_ % io_every == 0 || round_began_ - signals_.asked_at() >= io_at_least_every;
   const bool one_signal = under_way_.busy() && round != Round::everything && is_turn;
   auto read = co_await positions_.read(Priority::poll, !under_way_.busy(), one_signal);
@@ -64,6 +66,7 @@ Task<Result<>> StatusRounds::poll_on_line(Round round) {
   if (under_way_.busy() && round != Round::everything) co_return Result<>();
   if (under_way_.busy()) co_return co_await signals_.read_all(Priority::poll);
   auto io = co_await signals_.read_all(Priority::poll);
+  if (io) io = co_await signals_.glance(Priority::poll);
   if (!io) co_return io;
   co_return co_await knowledge_.catch_up();
 }

@@ -40,6 +40,17 @@ TEST(BenchFile, DescribesWhatHangsOnAnAxis) {
   EXPECT_FALSE(x.place.minus);
 }
 
+TEST(BenchFile, SaysHowWellTheSwitchesRepeat) {
+  const auto file = parse_bench_file("[axis.1]\nplus = 500\nscatter = 3\nseed = 7\n", two_axes());
+  ASSERT_TRUE(file) << file.error().sentence();
+  const AxisPlace& place = std::get<bench::Place>(file->at_start[0]).place;
+  EXPECT_EQ(place.scatter, Steps(3));
+  EXPECT_EQ(place.seed, 7);
+  EXPECT_EQ(place.switches().scatter, Steps(3));
+  EXPECT_NE(complaint("[axis.1]\nscatter = -1\n").find("scatter must not be negative"), std::string::npos);
+  EXPECT_NE(complaint("[axis.1]\nscatter = 0.5\n").find("scatter must be a whole number"), std::string::npos);
+}
+
 TEST(BenchFile, GivesAServoAxisAMotor) {
   const auto file = parse_bench_file(
       "[axis.1]\nmotor = true\n[axis.X]\nmotor = {friction = 0.01, inertia = 1}\n", two_axes());
@@ -102,7 +113,7 @@ TEST(BenchFile, SaysWhereAndWhatIsWrong) {
   EXPECT_EQ(
       complaint("[axis.1]\nplsu = 1\n"),
       "b.toml:2:8: an axis has no \"plsu\". Nothing of the file was used. Known here: minus, plus, home, "
-      "index_every, counts_per_step, backlash, motor.");
+      "index_every, counts_per_step, backlash, scatter, seed, motor.");
   EXPECT_EQ(complaint("[axis.1]\nminus = 5\nplus = 5\n"),
             "b.toml:1:1: minus must be below plus. Nothing of the file was used.");
   EXPECT_EQ(

@@ -1,0 +1,9 @@
+#pragma once
+#include "gui/shell/frame.h"
+
+namespace hw::panels {
+
+/// How well the switches repeat, of all axes of a controller or a bus: `bench/scatter`.
+void draw_switch_scatter(gui::Frame& frame);
+
+}  // namespace hw::panels
