@@ -9,7 +9,7 @@
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
-#include "panels/control/readouts.h"
+#include "panels/control/action_choice.h"
 #include "panels/lines.h"
 #include "panels/measures.h"
 #include "panels/widget_path.h"
@@ -31,7 +31,11 @@ float cell_width(const Catalog& c, float width) {
 void Moves::draw(Frame& f) {
   if (!std::exchange(made_, true))
     for (std::size_t i = 0; i < f.catalog.actions.size(); ++i)
-      if (f.catalog.actions[i].of_move_buffer) actions_.emplace_back(f.catalog, static_cast<int>(i));
+      if (f.catalog.actions[i].of_move_buffer) {
+        actions_.emplace_back(f.catalog, static_cast<int>(i));
+        if (const int set = f.catalog.find_readout(f.catalog.actions[i].sets); set >= 0)
+          beside_switch_.set(static_cast<std::size_t>(set));
+      }
   follow(f);
   draw_toolbar(f);
   draw_file_line(f);
@@ -270,10 +274,14 @@ void Moves::draw_side(Frame& f, float width) {
   Ui& ui = f.ui;
   const int group = f.catalog.move_list.readout_group;
   section_title(ui, group >= 0 ? f.catalog.readout_groups[static_cast<std::size_t>(group)] : "Buffer");
-  draw_readouts(f, group, width);
+  draw_readouts(f, group, width, beside_switch_);
   gap(ui, 8);
-  for (ActionForm& a : actions_) {
-    if (a.only_a_button()) {
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    ActionForm& a = actions_[i];
+    if (is_of_choice(f.catalog, a)) {
+      draw_action_choice(f, actions_, i, width);
+      i = end_of_choice(f.catalog, actions_, i) - 1;
+    } else if (a.only_a_button()) {
       a.draw_button(f, width);
       gap(ui, 4);
       a.draw_refusal(f, width);

@@ -10,6 +10,7 @@
 #include "gui/widgets/file_dialog.h"
 #include "gui/widgets/number_field.h"
 #include "panels/control/action_form.h"
+#include "panels/control/readouts.h"
 #include "panels/doubt_ways.h"
 
 namespace hw::panels {
@@ -46,6 +47,7 @@ class Moves final : public gui::Panel {
 
   std::vector<Row> rows_;
   std::vector<ActionForm> actions_;
+  ReadoutSet beside_switch_;  ///< what a switch shows
   bool made_ = false, edited_ = false, to_end_ = false;
   std::filesystem::path file_;
   gui::FileDialog open_, save_;

@@ -53,6 +53,11 @@ Result<> RecentConnections::opened(std::string address, std::string name) {
   return save();
 }
 
+Result<> RecentConnections::closed(std::string_view address) {
+  const auto gone = std::erase(last_time_, address) + std::erase(this_time_, address);
+  return gone > 0 ? save() : Result<>();
+}
+
 Result<> RecentConnections::renamed(std::string_view address, std::string name) {
   for (RecentConnection& c : list_)
     if (c.address == address) c.name = name;

@@ -20,11 +20,13 @@ class RecentConnections {
   Result<> load();
   /// To the front; an older entry of the same address goes. An empty name keeps the older entry's.
   Result<> opened(std::string address, std::string name);
+  /// By hand, while the console goes on: it is not among what is opened again at once.
+  Result<> closed(std::string_view address);
   Result<> renamed(std::string_view address, std::string name);
   Result<> remove(std::string_view address);
   [[nodiscard]] const std::vector<RecentConnection>& list() const { return list_; }
   /// What the last run of the console that opened anything has opened, newest first: it can all be opened
-  /// again at once. What was removed since is not among it.
+  /// again at once. What was removed or closed since is not among it.
   [[nodiscard]] const std::vector<std::string>& last_time() const { return last_time_; }
   [[nodiscard]] bool is_of_last_time(std::string_view address) const;
 

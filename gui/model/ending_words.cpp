@@ -36,6 +36,20 @@ std::string_view words_of(AxisError error) {
   return "";
 }
 
+std::string_view what_failed(AxisError error) {
+  switch (error) {
+    case AxisError::limit_minus: return "hit its \u2212 limit";
+    case AxisError::limit_plus: return "hit its + limit";
+    case AxisError::limit: return "hit a limit";
+    case AxisError::alarm: return "was stopped by an alarm of its driver";
+    case AxisError::stalled: return "stalled";
+    case AxisError::too_far: return "stood further off than is allowed";
+    case AxisError::not_corrected: return "could not be corrected";
+    case AxisError::none: break;
+  }
+  return "failed";
+}
+
 std::string_view limit_of(const Ending& e) {
   if (e.limit_minus == e.limit_plus) return "a";
   return e.limit_minus ? "its \u2212" : "its +";
@@ -97,7 +111,15 @@ std::string axis_words(const Ending& e, const std::string& at, const ShowPositio
                      position(AxisId{static_cast<std::uint8_t>(e.axis)}, off), at);
 }
 
-std::string run_words(const Ending& e) {
+/// " at line 12 of its stored code: X hit its + limit", as far as it is known.
+std::string cause_words(const Ending& e, const Catalog& catalog) {
+  std::string said = e.line < 0 ? "" : fmt::format(" at line {} of its stored code", e.line);
+  if (e.failed_axis >= 0)
+    said += fmt::format(": {} {}", catalog.axes[ix(e.failed_axis)].name, what_failed(e.error));
+  return said;
+}
+
+std::string run_words(const Ending& e, const Catalog& catalog) {
   const std::string of = e.total > 0 ? fmt::format(" after {} of {}", e.done, e.total) : std::string();
   switch (e.by) {
     case EndedBy::target:
@@ -107,7 +129,7 @@ std::string run_words(const Ending& e) {
     case EndedBy::stop: return fmt::format("stopped {}{}", by_whom(e.who), of);
     case EndedBy::abort: return fmt::format("stopped at once, without a ramp, {}{}", by_whom(e.who), of);
     case EndedBy::elsewhere: return fmt::format("was cut short{}", of);
-    case EndedBy::error: return fmt::format("stopped in error{}", of);
+    case EndedBy::error: return fmt::format("stopped in error{}{}", of, cause_words(e, catalog));
     case EndedBy::not_in_place: return fmt::format("ended, and an axis is not in place{}", of);
     case EndedBy::lost: break;
   }
@@ -131,7 +153,7 @@ Happening event_of(const Ending& e, const Catalog& catalog, const ShowPosition& 
   event.took_s = seconds(e.at - e.began);
   if (e.axis < 0) {
     event.who = name_of_run(e, catalog);
-    event.words = run_words(e);
+    event.words = run_words(e, catalog);
     return event;
   }
   const std::string place =

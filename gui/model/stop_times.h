@@ -1,6 +1,7 @@
 #pragma once
 // How long the console's stops took with this controller and what hangs on it, as its core has seen them:
-// from when it was told, to the first byte on the wire, and to rest. GUI thread.
+// from the press or release of the hand (see Tab::hand_acted), to the first byte on the wire, and to
+// rest. GUI thread.
 #include <cstddef>
 #include <deque>
 #include <string>

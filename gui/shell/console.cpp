@@ -46,6 +46,19 @@ void Console::show_page(std::string_view id) {
   ports().watch(!list_.pages.empty() && page_ == list_.pages[0].id);
 }
 
+void Console::examine_link(const Tab& tab) {
+  if (list_.pages.empty()) return;
+  examined_ = &tab;
+  show_page(list_.pages[0].id);
+}
+
+Tab* Console::take_link_to_examine() {
+  const Tab* wanted = std::exchange(examined_, nullptr);
+  for (const auto& tab : tabs_)
+    if (wanted && tab.get() == wanted) return tab.get();
+  return nullptr;
+}
+
 Sheet& Console::help_object() {
   if (!help_) help_ = list_.make_help();
   return *help_;
@@ -143,9 +156,18 @@ void Console::drop(const std::vector<std::string>& paths) {
 
 // ---- frame
 
+/// The press or release that this frame is for.
+static std::optional<double> hand_acted_s_ago(const Ui& ui) {
+  if (ImGui::IsMouseReleased(0)) return std::max(0.0, ui.now_s - ui.input.released_at_s());
+  if (ImGui::IsMouseClicked(0)) return std::max(0.0, ui.now_s - ui.input.pressed_at_s());
+  return {};
+}
+
 void Console::refresh(Ui& ui) {
+  const auto ago_s = hand_acted_s_ago(ui);
   for (const auto& tab : tabs_) {
     tab->refresh();
+    tab->hand_acted(ago_s);
     if (const auto turns = tab->desk().text_turns(); std::exchange(tab->text_turns, turns) != turns)
       toasts_.withdraw(&tab->desk().texts);
     tell_news(*tab);
@@ -221,6 +243,7 @@ void Console::draw(Ui& ui) {
   confirm_held_key(ui);
   list_open_ = ui.takes_arrows();
   for (const auto& tab : tabs_) {
+    tab->hand_acted({});
     tab->jog.tick(ui.now_s);
     ui.wake_in(tab->jog.due_in_s(ui.now_s));
   }

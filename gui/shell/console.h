@@ -57,7 +57,7 @@ class Console {
   /// Puts tabs that were added before onto one bus.
   void join(std::vector<Tab*> members, std::string name, std::shared_ptr<SessionGroup> group = nullptr);
   void close(Tab& tab);  ///< and all others of its bus
-  void close_all();
+  void close_all();      ///< as the console ends: what was open is that of last time
   /// What controllers had to say while they were closed, one sentence each; told once.
   std::vector<std::string> take_last_words();
   /// Sessions that were told to close and are not done yet. The scheduler must run until it is 0.
@@ -75,6 +75,10 @@ class Console {
 
   // ---- what is shown
   void show_page(std::string_view id);
+  /// The first page, with this controller's link looked into.
+  void examine_link(const Tab& tab);
+  /// The controller whose link is to be looked into; once. Null: none, or it was closed.
+  [[nodiscard]] Tab* take_link_to_examine();
   void toggle_help() { help_open_ = !help_open_ && list_.make_help; }
   [[nodiscard]] bool help_open() const { return help_open_; }
   [[nodiscard]] std::string_view page() const { return page_; }  ///< empty: a controller is in front
@@ -155,12 +159,13 @@ class Console {
   [[nodiscard]] std::string free_name(const std::string& wanted) const;
   [[nodiscard]] std::string free_key(const std::string& wanted) const;
   Tab& make_tab(std::shared_ptr<Session> session, bool on_bus);
+  void close_with_bus(Tab& tab);
   void close_one(Tab& tab);
   void close_as_asked();
   void tell_last_ends();
   void tell_news(Tab& tab);
   void tell(const Result<>& outcome);
-  void jog_key(Tab& tab, Command key, bool down, double at_s);
+  void jog_key(Tab& tab, const CommandEdge& edge);
   void confirm_held_key(Ui& ui);
   void load_choices();
   void save_choices();
@@ -183,6 +188,7 @@ class Console {
   bool kept_dark_ = true;
   float kept_size_ = 1;
   Fold kept_fold_ = Fold::automatic;
+  const Tab* examined_ = nullptr;  ///< its link is asked about; only compared
   bool ended_ = false, covered_ = false, close_asked_ = false, list_open_ = false;
   std::string asked_;  ///< by a dialog, of which no toast need tell
   std::shared_ptr<std::atomic<int>> closing_ = std::make_shared<std::atomic<int>>(0);

@@ -131,7 +131,17 @@ Tab& Console::add(std::unique_ptr<Tab> tab) {
   return *tabs_.back();
 }
 
+static std::string opened_as(const Tab& tab) {
+  return (tab.bus && tab.bus->group ? tab.bus->group->address() : tab.address()).text();
+}
+
+/// By hand: it is not opened again with all the others.
 void Console::close(Tab& tab) {
+  tell(recent_.closed(opened_as(tab)));
+  close_with_bus(tab);
+}
+
+void Console::close_with_bus(Tab& tab) {
   if (!tab.bus) return close_one(tab);
   const std::shared_ptr<Bus> bus = tab.bus;
   for (Tab* member : bus->members) member->bus.reset();
@@ -187,7 +197,7 @@ std::vector<std::string> Console::take_last_words() {
 }
 
 void Console::close_all() {
-  while (!tabs_.empty()) close(*tabs_.back());
+  while (!tabs_.empty()) close_with_bus(*tabs_.back());
 }
 
 void Console::rename(Tab& tab, std::string name) {
@@ -197,8 +207,7 @@ void Console::rename(Tab& tab, std::string name) {
     tab.profile.name = std::move(name);
     tab.profile_edited();
   }
-  const Address& opened = tab.bus && tab.bus->group ? tab.bus->group->address() : tab.address();
-  tell(recent_.renamed(opened.text(), users_name(tab)));
+  tell(recent_.renamed(opened_as(tab), users_name(tab)));
 }
 
 void Console::reconnect(Tab& tab) { tab.send_followed(intent::Reconnect()); }

@@ -227,6 +227,8 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
     words.word = "Controllers";
     *fmt::format_to_n(second, sizeof second - 1, "{} open", console.faces()).out = 0;
   }
+  if (tab && ImGui::IsMouseHoveringRect(r.min, r.max))
+    ImGui::GetWindowDrawList()->AddRectFilled(r.min, r.max, ui[Tone::hover]);
   const bool bars = tab && layout.tier == Tier::wide;
   const float right = r.max.x - ui.px(bars ? 48 : 16);
   draw_text_right(ui, ImVec2(right, ui.px(12)), Face::small_bold, ui[words.tone], words.word);
@@ -236,8 +238,14 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
                 ui[words.tone], ui[Tone::line]);
   char value[96];
   *fmt::format_to_n(value, sizeof value - 1, "{}, {}", words.word, second).out = 0;
-  const std::string_view why = tab ? tab->now().link.sentence.view() : std::string_view();
-  show(ui, {"link/health", Kind::text, words.word, value, {}, false, why}, r);
+  if (!tab) return show(ui, {"link/health", Kind::text, words.word, value, {}, false, {}}, r);
+  std::string_view why = tab->now().link.sentence.view();
+  if (why.empty()) why = "Where the time of a question goes, and what makes it shorter.";
+  stand_at(ui, layout.link.x, layout.link.y);
+  const Touch t = touch(ui, {"link/health", Kind::button, words.word, value, {}, false, why},
+                        ImVec2(r.max.x - r.min.x, r.max.y - r.min.y));
+  if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 0, ui.px(2));
+  if (t.clicked) console.examine_link(*tab);
 }
 
 }  // namespace

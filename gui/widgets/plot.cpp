@@ -133,12 +133,16 @@ void words_on_well(Ui& ui, const PlotField& f, ImVec2 at, ImU32 colour, std::str
 
 void draw_names(Ui& ui, const PlotField& f, std::span<const PlotTrace> traces) {
   const float line = ui.line(Face::small);
+  float before = -2 * line;  // top of the name before: the next one gives way to it
   for (const PlotTrace& t : traces) {
     if (t.name.empty() || t.y.empty()) continue;
     const float width = std::ceil(text_width(ui, Face::small, t.name)), y = f.py(t.y.back());
-    words_on_well(
-        ui, f, ImVec2(f.inside.max.x - width - ui.px(8), t.name_above ? y - line - ui.px(4) : y + ui.px(4)),
-        ui[t.tone], t.name);
+    float top = std::clamp(t.name_above ? y - line - ui.px(4) : y + ui.px(4), f.inside.min.y,
+                           std::max(f.inside.min.y, f.inside.max.y - line));
+    if (std::abs(top - before) < line)
+      top = before + (top < before && before - line >= f.inside.min.y ? -line : line);
+    words_on_well(ui, f, ImVec2(f.inside.max.x - width - ui.px(8), top), ui[t.tone], t.name);
+    before = top;
   }
 }
 

@@ -50,13 +50,19 @@ int panel_tabs(Ui& ui, std::span<const PanelTab> tabs, int active) {
     return std::ceil(text_width(ui, i == active ? Face::body_bold : Face::body_medium,
                                 tabs[static_cast<std::size_t>(i)].name));
   };
-  // In less room than they need the chosen one stands in the middle, so that all can be reached.
+  // In less room than they need they move closer. Where that is not enough the chosen one stands in the
+  // middle, so that all can be reached.
+  const float room = window->InnerRect.Max.x - at.x;
+  float bare = 0;
+  for (int i = 0; i < static_cast<int>(tabs.size()); ++i) bare += words_of(i);
+  const float apart =
+      std::clamp(std::floor((room - bare) / static_cast<float>(std::max<std::size_t>(1, tabs.size()))),
+                 ui.px(8), ui.px(24));
   float all = 0, before = 0;
   for (int i = 0; i < static_cast<int>(tabs.size()); ++i) {
-    if (i == active) before = all + (words_of(i) + ui.px(24)) / 2;
-    all += words_of(i) + ui.px(24);
+    if (i == active) before = all + (words_of(i) + apart) / 2;
+    all += words_of(i) + apart;
   }
-  const float room = window->InnerRect.Max.x - at.x;
   const float past = std::clamp(before - room / 2, 0.0f, std::max(0.0f, all - room));
   int picked = -1;
   float x = at.x - std::floor(past);
@@ -66,7 +72,7 @@ int panel_tabs(Ui& ui, std::span<const PanelTab> tabs, int active) {
     const float words = words_of(i);
     ImGui::SetCursorScreenPos(ImVec2(x, at.y));
     const Touch t = touch(ui, {tab.id, Kind::tab, tab.name, on ? "on" : "", tab.disabled, false, {}},
-                          ImVec2(words + ui.px(24), h));
+                          ImVec2(words + apart, h));
     const float text_left = t.rect.min.x + ui.px(4);
     draw_text_line(ui, text_left, t.rect.max.x, t.rect.centre().y, on ? Face::body_bold : Face::body_medium,
                    ui[!t.enabled        ? Tone::ink3

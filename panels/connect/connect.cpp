@@ -30,6 +30,7 @@ void Connect::draw(PageFrame& f) {
   Ui& ui = f.ui;
   const Box& a = f.area;
   look_at_recent(f.console);
+  if (const Tab* tab = f.console.take_link_to_examine()) card_.unfold(f, *tab);
   if (f.tier == Tier::narrow) {
     begin_part(ui, "all", ui.px(a.width), ui.px(a.height), Tone::panel, 16);
     const float width = a.width - 32;
@@ -101,7 +102,9 @@ void Connect::open_last_time(PageFrame& f) {
 /// Only when the list has changed.
 void Connect::look_at_recent(Console& console) {
   const auto& list = console.recent().list();
-  const auto same = [](const Recent& r, const RecentConnection& c) { return r.entry == c; };
+  const auto same = [&](const Recent& r, const RecentConnection& c) {
+    return r.entry == c && r.last_time == console.recent().is_of_last_time(c.address);
+  };
   if (recent_.size() == list.size() && std::equal(recent_.begin(), recent_.end(), list.begin(), same)) return;
   recent_.clear();
   for (const RecentConnection& entry : list) {

@@ -16,6 +16,10 @@ class LinkCard {
  public:
   /// Unfolds the card of this controller, or folds it. `address`: with its address to be changed.
   void toggle(gui::PageFrame& frame, const gui::Tab& tab, bool address = false);
+  /// Unfolds it, as it stands if it is unfolded.
+  void unfold(gui::PageFrame& frame, const gui::Tab& tab) {
+    if (!is_of(tab)) toggle(frame, tab);
+  }
   void fold() { *this = LinkCard(); }
   [[nodiscard]] bool is_of(const gui::Tab& tab) const;
   /// Of a controller that is open still; what it has begun goes on while it is not looked at.

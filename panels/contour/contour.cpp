@@ -176,7 +176,7 @@ void Contour::work_out(Frame& f) {
   if (!language_) return problem_.assign("The language of this controller cannot write contours."), void();
   const auto plan = stairs_shown_ ? staircase() : contour();
   const auto written = plan.and_then([&](const sequence::Sequence& of) {
-    return draw_step(of.steps.front()).and_then([&] { return language_->write(of, f.catalog); });
+    return draw_step(of.steps.front()).and_then([&] { return write(of, f.catalog); });
   });
   if (!written) return problem_.assign(in_rows(written.error().what)), void();
   add_places(*plan, f.catalog);
@@ -186,11 +186,24 @@ void Contour::work_out(Frame& f) {
     if (p.error) return problem_.assign(fmt::format("Line {}: {}", p.line + 1, p.sentence)), void();
 }
 
+/// What is refused is refused in the unit that it was typed in.
+Result<SequenceText> Contour::write(const sequence::Sequence& plan, const Catalog& catalog) const {
+  auto written = language_->write(plan, catalog);
+  const double per_step = (stairs_shown_ ? stairs_unit_ : unit_).per_step;
+  if (written || per_step <= 0 || per_step == 1) return written;
+  const auto shown = shown_list();
+  auto refused = shown ? language_->write(*shown, catalog) : std::move(written);
+  return refused ? std::move(written) : std::move(refused);
+}
+
 Result<> Contour::draw_step(const sequence::Step& step) {
   if (const auto* stairs = std::get_if<sequence::SpeedStairs>(&step.body)) {
     const auto from = static_cast<double>(worked_out_from_.value);
     draw_staircase_line(*stairs, from);
-    const std::string why = why_no_way(*stairs, from);
+    sequence::SpeedStairs shown = *stairs;
+    for (sequence::SpeedStairs::Stair& stair : shown.stairs) stair.until = stairs_unit_.typed(stair.until);
+    shown.stop_at = stairs_unit_.typed(shown.stop_at);
+    const std::string why = why_no_way(shown, stairs_unit_.typed(from));
     return why.empty() ? Result<>() : fail(FaultKind::text, "Step 1 (speed_stairs): " + why);
   }
   const auto& drawn = std::get<sequence::Contour>(step.body);

@@ -47,6 +47,7 @@ class Contour final : public gui::Panel {
   void draw_staircase_line(const sequence::SpeedStairs& stairs, double from);
   /// Why it cannot be drawn; else `path_` or the plot are those of the step.
   Result<> draw_step(const sequence::Step& step);
+  Result<SequenceText> write(const sequence::Sequence& plan, const Catalog& catalog) const;
   void add_places(const sequence::Sequence& plan, const Catalog& catalog);
   /// What is shown, in its unit, for a file.
   Result<sequence::Sequence> shown_list() const;

@@ -8,6 +8,11 @@ namespace hw::panels {
 
 using namespace gui;
 
+double ContourUnit::typed(double steps) const {
+  const double ten = std::pow(10.0, decimals);
+  return std::round(shown(steps) * ten) / ten;
+}
+
 std::optional<double> ContourUnit::steps(const NumberField& field) const {
   const auto typed = field.value();
   return typed ? std::optional(std::round(*typed / per_step)) : std::nullopt;

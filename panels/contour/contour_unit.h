@@ -19,6 +19,8 @@ struct ContourUnit {
 
   [[nodiscard]] double shown(double steps) const { return steps * per_step; }
   [[nodiscard]] double shown_length(double steps) const { return steps * std::abs(per_step); }
+  /// As somebody would type it: rounded to the unit's decimals.
+  [[nodiscard]] double typed(double steps) const;
   /// What stands in a field, in whole steps; nothing while it is no number.
   [[nodiscard]] std::optional<double> steps(const gui::NumberField& field) const;
   [[nodiscard]] std::optional<double> steps_long(const gui::NumberField& field) const;

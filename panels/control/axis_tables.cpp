@@ -151,6 +151,11 @@ void AxisTables::fill_state(const Catalog& catalog, const std::string& form, std
     cell.state_bits = std::int64_t{1} << axis;
 }
 
+bool AxisTables::has_title(std::string_view title) const {
+  return std::any_of(tables_.begin(), tables_.end(),
+                     [&](const Table& table) { return table.info->title == title; });
+}
+
 // What is of the whole controller is in a row only at times, and has its place elsewhere.
 bool AxisTables::has_action(const Catalog& catalog, int action) const {
   if (catalog.axes.size() > 1 && !is_of_axis(catalog.actions[static_cast<std::size_t>(action)])) return false;
@@ -425,6 +430,14 @@ void AxisTables::draw_param(Frame& f, Column& column, Cell& cell, const Rect& in
   const ParamInfo& p = f.catalog.params[i];
   const ParamState& has = f.now.params[i];
   const Path id("control/{}", p.mnemonic);
+  if (const AxisColumn& info = *column.info; cell.state >= 0 && !info.otherwise.empty()) {
+    const ParamState& rules = f.now.params[static_cast<std::size_t>(cell.state)];
+    if (rules.known && rules.value != info.state_for) {
+      draw_text_line(f.ui, in.min.x, in.max.x + f.ui.px(between), std::floor(in.centre().y), Face::body,
+                     f.ui[Tone::ink3], info.otherwise);
+      return show(f.ui, {id, Kind::text, p.label, info.otherwise, {}, false, p.explanation}, in);
+    }
+  }
   const float width = (in.max.x - in.min.x) / f.ui.scale;
   if (!p.choices.empty()) {
     int chosen = -1;

@@ -21,6 +21,7 @@ class AxisTables {
   void draw(gui::Frame& frame, float width);
   /// What stands in them, and so nowhere else.
   [[nodiscard]] const ReadoutSet& readouts() const { return readouts_; }
+  [[nodiscard]] bool has_title(std::string_view title) const;
   [[nodiscard]] bool has_action(const Catalog& catalog, int action) const;
 
  private:

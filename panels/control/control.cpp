@@ -5,6 +5,7 @@
 #include "gui/model/tab.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/text.h"
+#include "panels/control/action_choice.h"
 #include "panels/control/analog_bar.h"
 #include "panels/control/readouts.h"
 #include "panels/measures.h"
@@ -53,6 +54,7 @@ Control::Section& Control::section(const std::string& title) {
     if (s.title == title) return s;
   sections_.emplace_back();
   sections_.back().title = title;
+  sections_.back().titled = !tables_->has_title(title);
   return sections_.back();
 }
 
@@ -114,20 +116,23 @@ std::size_t Control::first_column(const Frame& f, float width) const {
 }
 
 float Control::height_of(const Frame& f, const Section& s, float width) const {
-  float height = title_height + below_section;
+  float height = (s.titled ? title_height : between) + below_section;
   if (s.readouts >= 0) height += readouts_height(f.catalog, s.readouts, elsewhere_);
   height += analog_bar_height * static_cast<float>(s.analog);
   for (const ActionForm& a : s.actions)
-    height += f.catalog.actions[static_cast<std::size_t>(a.action())].is_arc ? arc_height : a.height(width);
+    height += f.catalog.actions[static_cast<std::size_t>(a.action())].is_arc ? arc_height
+              : is_setter(f.catalog, a)                                      ? setter_height
+                                                                             : a.height(width);
   return height;
 }
 
 void Control::draw_section(Frame& f, Section& s, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(title_height / 2), Face::body_bold,
-                 ui[Tone::ink], s.title);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(title_height)));
+  if (s.titled)
+    draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(title_height / 2), Face::body_bold,
+                   ui[Tone::ink], s.title);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(s.titled ? title_height : between)));
   if (s.readouts >= 0) draw_readouts(f, s.readouts, width, elsewhere_);
   for (int n = 1; n <= s.analog; ++n) draw_analog_bar(f, Path("control/analog/{}", n), n, width);
   if (s.readouts >= 0 && !s.actions.empty()) gap(ui, 8);
@@ -152,20 +157,20 @@ void Control::draw_actions(Frame& f, Section& s, float width) {
   };
   for (std::size_t i = 0; i < s.actions.size(); ++i) {
     ActionForm& a = s.actions[i];
-    const ActionInfo& info = f.catalog.actions[static_cast<std::size_t>(a.action())];
-    if (!a.only_a_button()) {
+    if (is_of_choice(f.catalog, a)) {
       end_line();
-      if (info.is_arc)
-        arc_.draw(f, a, width);
-      else
-        a.draw(f, width);
+      draw_action_choice(f, s.actions, i, width);
+      i = end_of_choice(f.catalog, s.actions, i) - 1;
       continue;
     }
-    if (f.catalog.find_readout(info.sets) >= 0) {
-      const bool first =
-          i == 0 || f.catalog.actions[static_cast<std::size_t>(s.actions[i - 1].action())].sets != info.sets;
+    if (!a.only_a_button()) {
       end_line();
-      if (first) draw_choice(f, s, i, width);
+      if (f.catalog.actions[static_cast<std::size_t>(a.action())].is_arc)
+        arc_.draw(f, a, width);
+      else if (is_setter(f.catalog, a))
+        draw_setter(f, a, width);
+      else
+        a.draw(f, width);
       continue;
     }
     const float wide = ui.px(a.button_width(ui));
@@ -179,38 +184,7 @@ void Control::draw_actions(Frame& f, Section& s, float width) {
   }
   end_line();
   for (ActionForm& a : s.actions)
-    if (a.only_a_button()) a.draw_refusal(f, width);
-}
-
-/// Actions of which each sets a readout to another value: a choice that shows the present one, or a lamp
-/// where they switch on and off.
-void Control::draw_choice(Frame& f, Section& s, std::size_t first, float width) {
-  Ui& ui = f.ui;
-  const auto info_of = [&](std::size_t i) -> const ActionInfo& {
-    return f.catalog.actions[static_cast<std::size_t>(s.actions[i].action())];
-  };
-  const auto readout = static_cast<std::size_t>(f.catalog.find_readout(info_of(first).sets));
-  const ReadoutInfo& shown = f.catalog.readouts[readout];
-  const ReadoutText now(f, readout);
-  f.tab.look_at_group(shown.group);
-  const bool lamp = !shown.words.empty() && shown.words.front().label == "off";
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float middle = std::floor(at.y + ui.px(16));
-  draw_text_line(ui, at.x, at.x + ui.px(width), middle, Face::body, ui[Tone::ink2], shown.label);
-  show(ui, {Path("readout/{}", shown.id), Kind::text, shown.label, now.view(), {}, false, shown.help},
-       {at, ImVec2(at.x + ui.px(120), at.y + ui.px(32))});
-  float x = at.x + ui.px(128);
-  for (std::size_t i = first; i < s.actions.size() && info_of(i).sets == info_of(first).sets; ++i) {
-    const bool is = now.known() && f.now.readouts[readout] == info_of(i).sets_to;
-    if (lamp && is) continue;  // the lamp's press is the other one
-    ImGui::SetCursorScreenPos(ImVec2(x, at.y));
-    s.actions[i].draw_choice(f, lamp ? now.view() : std::string_view(info_of(i).label), lamp, is);
-    x = ImGui::GetItemRectMax().x + ui.px(lamp ? between : 0);
-    if (lamp && now.known()) break;
-  }
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(32 + between)));
-  for (std::size_t i = first; i < s.actions.size() && info_of(i).sets == info_of(first).sets; ++i)
-    s.actions[i].draw_refusal(f, width);
+    if (a.only_a_button() && !is_of_choice(f.catalog, a)) a.draw_refusal(f, width);
 }
 
 void Control::draw_about(Frame& f, float width) {

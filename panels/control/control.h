@@ -19,8 +19,9 @@ class Control final : public gui::Panel {
  private:
   struct Section {
     std::string title;
-    int readouts = -1;  ///< index into Catalog::readout_groups
-    int analog = 0;     ///< so many bars
+    bool titled = true;  ///< false: a table has that title already
+    int readouts = -1;   ///< index into Catalog::readout_groups
+    int analog = 0;      ///< so many bars
     std::vector<ActionForm> actions;
   };
   void make_sections(const Catalog& catalog);
@@ -30,7 +31,6 @@ class Control final : public gui::Panel {
   [[nodiscard]] std::size_t first_column(const gui::Frame& frame, float width) const;
   void draw_section(gui::Frame& frame, Section& section, float width);
   void draw_actions(gui::Frame& frame, Section& section, float width);
-  static void draw_choice(gui::Frame& frame, Section& section, std::size_t first, float width);
   static void draw_about(gui::Frame& frame, float width);
 
   bool made_ = false;

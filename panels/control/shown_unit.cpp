@@ -5,7 +5,9 @@
 #include <cstring>
 #include <optional>
 
+#include "gui/model/setup_edits.h"
 #include "gui/model/tab.h"
+#include "gui/model/units_format.h"
 
 namespace hw::panels {
 
@@ -67,6 +69,18 @@ ShownUnit shown_unit(const Frame& f, const ReadoutInfo& r) {
 
 ShownUnit shown_unit(const Frame& f, const ActionField& field, int axis) {
   return shown_as(f, {field.unit, axis, field.decimals, field.follows_loop, field.minimum < 0});
+}
+
+std::string text_in(const ShownUnit& unit, const ParamInfo& p, std::int64_t value) {
+  if (unit.per == 1 || !p.prefix.empty() || p.digits > 0) return value_text(p, value);
+  return std::string(format_number(unit.shown(value), unit.decimals).view());
+}
+
+std::string range_in(const ShownUnit& unit, const ParamInfo& p) {
+  if (unit.per == 1 || !p.choices.empty()) return range_in_words(p);
+  const std::string a = text_in(unit, p, p.minimum), b = text_in(unit, p, p.maximum);
+  const bool turned = unit.per < 0;
+  return (p.also_zero && p.minimum > 0 ? "0 or " : "") + (turned ? b : a) + " to " + (turned ? a : b);
 }
 
 bool UnitsOfRows::has(std::string_view name) const {

@@ -23,6 +23,10 @@ struct ShownUnit {
 
 ShownUnit shown_unit(const gui::Frame& frame, const ParamInfo& param);
 ShownUnit shown_unit(const gui::Frame& frame, const ReadoutInfo& readout);
+/// "2.5000", without its unit; what is no number of steps as the controller writes it: "4EX07".
+std::string text_in(const ShownUnit& unit, const ParamInfo& param, std::int64_t value);
+/// "0 or 0.0025 to 15", without its unit.
+std::string range_in(const ShownUnit& unit, const ParamInfo& param);
 /// `axis` -1: of no axis, so as the catalog has it.
 ShownUnit shown_unit(const gui::Frame& frame, const ActionField& field, int axis);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "gui/model/axis_look.h"
 #include "gui/model/tab.h"
@@ -62,6 +63,26 @@ void draw_triangle(Ui& ui, float x, float top, ImU32 colour) {
                                                 ImVec2(x - w, top + h), colour);
 }
 
+/// Where it would stand if it was stopped now, with its ramp; nothing while nobody knows its ramp.
+std::optional<Steps> would_stop_at(const Frame& f, AxisId axis) {
+  const AxisState& a = f.now.axes[axis.index];
+  if (!f.catalog.stopping_way || !a.position_known || a.direction == 0 || !f.now.axis_moves(axis.index))
+    return {};
+  const auto way = f.catalog.stopping_way(f.catalog, f.now, axis);
+  if (!way) return {};
+  return Steps(a.position.value + std::llround(*way * a.direction));
+}
+
+/// A tick of two halves, so that it is told from the target: past an end it turns red.
+void draw_stop_mark(Ui& ui, float x, float middle, ImU32 colour) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  for (const float side : {-1.0f, 1.0f})
+    draw.AddRectFilled(ImVec2(x - ui.hair(), middle + side * ui.px(side < 0 ? 6 : 2)),
+                       ImVec2(x + ui.hair(), middle + side * ui.px(side < 0 ? 2 : 6)), colour);
+  draw.AddRectFilled(ImVec2(x - ui.px(3), middle - ui.px(7)), ImVec2(x + ui.px(3), middle - ui.px(6)),
+                     colour);
+}
+
 }  // namespace
 
 NumberText travel_words(const Frame& f, AxisId axis) {
@@ -118,7 +139,17 @@ void draw_travel_bar(Frame& f, AxisId axis, ImVec2 at, float width) {
   if (a.position_known)
     draw_triangle(ui, scale.x(from_steps(a.position, unit)), middle + ui.px(2),
                   ui[is_motion(state_of(f.now, axis.index, f.clock)) ? Tone::motion : Tone::ink2]);
-  const Path id("dro/{}/travel", f.catalog.axes[axis.index].name);
+  const std::string_view name = f.catalog.axes[axis.index].name;
+  if (const auto stop = would_stop_at(f, axis)) {
+    const double at_stop = from_steps(*stop, unit);
+    const bool past = a.travel.past(a.direction > 0 ? Sign::plus : Sign::minus, *stop).value > 0;
+    const float x = scale.x(at_stop);
+    draw_stop_mark(ui, x, middle, ui[past && holds ? Tone::fault : Tone::ink]);
+    const NumberText words = format_with_unit(*stop, unit);
+    show(ui, {Path("dro/{}/stop", name), Kind::text, "Would stop at", words.view(), {}, false, {}},
+         {ImVec2(x - ui.px(4), at.y), ImVec2(x + ui.px(4), at.y + ui.px(height))});
+  }
+  const Path id("dro/{}/travel", name);
   show(ui, {id, Kind::text, "Limits", travel_words(f, axis), {}, false, why_travel_does_not_hold(f, axis)},
        {at, ImVec2(at.x + width, at.y + ui.px(height))});
 }

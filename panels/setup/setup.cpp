@@ -292,18 +292,19 @@ void Setup::draw_facts(Frame& f, float left) {
   const auto fact = [&](const char* id, const char* key, const std::string& value, Tone tone = Tone::ink) {
     key_value(ui, id, key, value, tone);
   };
-  if (p.choices.empty() && p.bits.empty()) {
-    const std::string unit = unit_of(p, f.catalog, f.now);
+  const ShownUnit unit = shown_unit(f, p);
+  if (p.choices.empty() && p.bits.empty())
     fact("setup/facts/range", "Range",
-         range_in_words(p) + (unit.empty() || unit.starts_with('/') ? "" : " ") + unit);
-  }
-  fact("setup/facts/factory", "Factory value", value_text(p, p.fallback));
+         range_in(unit, p) + (unit.name.empty() || unit.name.starts_with('/') ? "" : " ") + unit.name);
+  fact("setup/facts/factory", "Factory value", text_in(unit, p, p.fallback));
   fact("setup/facts/controller", "Controller has",
-       has.known    ? value_text(p, has.value)
+       has.known    ? text_in(unit, p, has.value)
        : p.readable ? "not read"
                     : "cannot be read");
   if (const auto edited = f.tab.desk().setup.edited(chosen_))
-    fact("setup/facts/here", "Here", value_text(p, *edited), Tone::warn);
+    fact("setup/facts/here", "Here", text_in(unit, p, *edited), Tone::warn);
+  if (unit.per != 1 && has.known)
+    fact("setup/facts/own", "On the wire", fmt::format("{} {}", has.value, p.unit));
   fact("setup/facts/kept", "After power-off",
        !p.stored                  ? "gone"
        : !has.known || has.stored ? "kept"

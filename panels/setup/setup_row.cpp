@@ -49,7 +49,8 @@ SetupRow::SetupRow(Frame& frame, SetupEdits& edits, std::size_t i, SetupRowState
       state_(state),
       left_(place.left),
       right_(place.right),
-      field_(place.field) {
+      field_(place.field),
+      unit_(shown_unit(frame, p_)) {
   const auto end = fmt::format_to_n(id_, sizeof id_, "setup/{}", p_.mnemonic);
   id_size_ = std::min(end.size, sizeof id_);
 }
@@ -99,13 +100,13 @@ void SetupRow::draw_words(float right, float y) {
 /// What the controller has instead, or what the factory had, or that it goes with the power.
 Path SetupRow::note(Tone& tone) const {
   const bool changed = edits_.changed(i_, f_.now);
-  if (changed && has_.known) return Path("was {}", value_text(p_, has_.value));
+  if (changed && has_.known) return Path("was {}", text_in(unit_, p_, has_.value));
   if (changed) return Path("edited");
   if (has_.known && !has_.stored) {
     tone = Tone::warn;
     return Path("not stored");
   }
-  if (edits_.off_factory(i_, f_.now)) return Path("factory {}", value_text(p_, p_.fallback));
+  if (edits_.off_factory(i_, f_.now)) return Path("factory {}", text_in(unit_, p_, p_.fallback));
   if (!p_.stored && f_.catalog.can.store) return Path("not kept by Store");  // else it is so with all of them
   return Path("");
 }
@@ -171,26 +172,23 @@ void SetupRow::draw_name(float y) {
 void SetupRow::draw_number(float y) {
   if (!p_.prefix.empty()) return draw_name(y);
   const auto shown = edits_.shown(i_, f_.now);
+  if (unit_ != state_.unit) state_.number.reset(), state_.unit = unit_;  // what was typed was meant otherwise
   NumberOptions options;
-  const double scale = std::pow(10.0, p_.decimals);
-  options.range.min =
-      static_cast<double>(p_.also_zero ? std::min<std::int64_t>(0, p_.minimum) : p_.minimum) / scale;
-  options.range.max = static_cast<double>(p_.maximum) / scale;
-  options.range.decimals = p_.decimals;
-  const std::string unit = unit_of(p_, f_.catalog, f_.now);
-  options.range.unit = unit;
+  const double a = unit_.shown(p_.also_zero ? std::min<std::int64_t>(0, p_.minimum) : p_.minimum);
+  const double b = unit_.shown(p_.maximum);
+  options.range = {std::min(a, b), std::max(a, b), unit_.decimals, unit_.name};
   options.disabled = why_not();
   options.width = field_;
   options.changed = edits_.changed(i_, f_.now);
-  const NumberEvent e = number_field(
-      ui_, id(), p_.label, shown ? std::optional<double>(static_cast<double>(*shown) / scale) : std::nullopt,
-      state_.number, options);
+  const NumberEvent e =
+      number_field(ui_, id(), p_.label, shown ? std::optional<double>(unit_.shown(*shown)) : std::nullopt,
+                   state_.number, options);
   const float below = ImGui::GetCursorScreenPos().y;
   if (e.committed || (e.entered && state_.number.dirty())) {
-    if (edits_.set(i_, static_cast<std::int64_t>(std::llround(e.value * scale))))
+    if (edits_.set(i_, unit_.value(e.value)))
       state_.number.reset();
     else
-      state_.number.sentence = range_in_words(p_) + " only";
+      state_.number.sentence = range_in(unit_, p_) + " only";
   }
   ImGui::SetCursorScreenPos(ImVec2(left_, std::max(below, y + ui_.px(setup_row_height))));
 }

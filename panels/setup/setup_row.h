@@ -8,6 +8,7 @@
 #include "gui/shell/frame.h"
 #include "gui/surface/ui.h"
 #include "gui/widgets/number_field.h"
+#include "panels/control/shown_unit.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -15,6 +16,7 @@ namespace hw::panels {
 /// View state of one row.
 struct SetupRowState {
   gui::NumberField number;
+  ShownUnit unit;                       ///< of what stands in `number`
   bool typing_name = false;             ///< a name is being typed into number.text
   std::vector<std::string> names;       ///< of the choices
   std::vector<std::string_view> views;  ///< into `names`
@@ -54,6 +56,7 @@ class SetupRow {
   SetupRowState& state_;
   const float left_, right_;  // pixels
   const float field_;         ///< width, logical
+  const ShownUnit unit_;
   char id_[96];
   std::size_t id_size_ = 0;
   [[nodiscard]] std::string_view id() const { return {id_, id_size_}; }

@@ -119,7 +119,7 @@ class ConsoleStage {
     address.transport = "emulator";
     auto tab = std::make_unique<gui::Tab>(
         std::move(address), std::move(catalog),
-        gui::Tab::Door{[&e](IntentBody body) {
+        gui::Tab::Door{[&e](IntentBody body, std::optional<double>) {
                          e.sent.push_back(std::move(body));
                          return static_cast<IntentId>(e.sent.size());
                        },

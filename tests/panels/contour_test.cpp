@@ -164,6 +164,16 @@ TEST_F(ContourUnitsTest, AStaircaseIsTypedInTheUnitOfItsAxis) {
   EXPECT_EQ(s.value("contour/text"), "stairs of X 2000 at 500 stop 10000\n");
 }
 
+TEST_F(ContourUnitsTest, WhatIsWrongWithAStaircaseIsSaidInThatUnit) {
+  s.click("contour/kind/Staircase");
+  s.type("stairs/stop", "25");
+  s.click("stairs/add");
+  s.type("stairs/1/until", "5");
+  s.click("stairs/add");
+  s.type("stairs/2/until", "3.75");
+  EXPECT_THAT(s.value("contour/problem"), HasSubstr("Stair 2: 3.75 does not lie on the way from 5 to 25"));
+}
+
 TEST_F(ContourUnitsTest, AFileIsASequenceInTheSameUnitAndComesBackAsItWas) {
   s.click("contour/add/line");
   s.type("contour/1/x", "2.5");

@@ -1,6 +1,7 @@
 // Readouts and actions, drawn from a catalog: what is shown, what is sent, what is watched.
 #include "panels/control/control.h"
 
+#include "core/devices/pmx_4ex_sa/catalog.h"
 #include "tests/panels/full_catalog.h"
 #include "tests/panels/panel_stage.h"
 
@@ -261,6 +262,25 @@ TEST_F(ControlUnitsTest, WhatDoesAwayWithAStateIsOfferedOnlyWhileItIsThere) {
   s.click("action/clear/Y/go");
   ASSERT_TRUE(s.last<intent::Act>());
   EXPECT_THAT(s.last<intent::Act>()->values, ElementsAre(1));
+}
+
+TEST(ControlOfPmx, WhatMeansNothingNowIsAWordAndNothingStandsTwice) {
+  Control panel;
+  test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, pmx_4ex_sa::make_catalog({}).value()};
+  s.now.axis_count = 4;
+  const auto rules = static_cast<std::size_t>(s.catalog.find_param("SYNXC"));
+  s.now.params[rules].known = true;
+  s.now.params[rules].value = 1;
+  s.stage.frames(4);
+  EXPECT_NE(s.value("control/SYNXT"), "while so") << "when equal its length counts";
+  s.now.params[rules].value = 3;
+  s.stage.frames(4);
+  EXPECT_EQ(s.value("control/SYNXT"), "while so");
+  EXPECT_FALSE(s.stage.find("action/clear_loop/go")) << "Clear in the row of the axis does it";
+  s.type("action/timer/time", "250");
+  s.click("action/timer/go");
+  ASSERT_TRUE(s.last<intent::Act>());
+  EXPECT_THAT(s.last<intent::Act>()->values, ElementsAre(250));
 }
 
 TEST_F(ControlTest, WhatTheControllerSaysOfItself) {

@@ -3,6 +3,7 @@
 // time.
 #include <filesystem>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -239,6 +240,18 @@ TEST(LinkDoctorCard, GoesBackToTheOldRateWhenNobodyAnswers) {
   d.switch_power();
   d.run(15);
   EXPECT_TRUE(d.tab().now().link.connected()) << "the stored rate is the old one again";
+}
+
+TEST(LinkDoctorCard, OpensFromTheLinkSignOfAController) {
+  Desk d("vxm");
+  d.open("vxm@serial:/dev/ttyS9,baud=9600");
+  d.console.activate(d.tab());
+  d.run(0.5);
+  EXPECT_EQ(d.console.page(), "");
+  d.click("link/health");
+  d.run(0.5);
+  EXPECT_EQ(d.console.page(), "connect");
+  EXPECT_TRUE(d.stage.find("connect/doctor"));
 }
 
 TEST(ChangeAddress, TriesAnotherPlaceWithoutGoingBack) {

@@ -33,7 +33,7 @@ struct PanelStage {
         tier(t),
         catalog(std::move(of)),
         tab(toy_address(), catalog,
-            gui::Tab::Door{[this](IntentBody body) {
+            gui::Tab::Door{[this](IntentBody body, std::optional<double>) {
                              sent.push_back(std::move(body));
                              return static_cast<IntentId>(sent.size());
                            },

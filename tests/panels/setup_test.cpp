@@ -34,6 +34,32 @@ TEST_F(SetupTest, EditedValueGoesOutWithWriteOnly) {
   EXPECT_THAT(s.reason("setup/write"), HasSubstr("Nothing here differs"));
 }
 
+TEST_F(SetupTest, WhatCountsStepsIsTypedInTheUnitOfItsAxis) {
+  Catalog catalog;
+  {
+    auto made = pmx_4ex_sa::make_catalog({});
+    ASSERT_TRUE(made);
+    catalog = std::move(*made);
+  }
+  catalog.units = {{"screw", "mm", 0.0025, 4}};
+  panels::Setup fresh;
+  test::PanelStage other(fresh, 864, 700, 1, gui::Tier::wide, true, catalog);
+  const auto i = static_cast<std::size_t>(catalog.find_param("HSX"));
+  other.now.params[i].known = true;
+  other.now.params[i].value = 1000;
+  other.tab.profile.unit = "real";
+  other.tab.profile.axes[0].unit_choice = "screw";
+  other.tab.profile_edited();
+  other.type("setup/filter", "HSX");
+  other.stage.frames(4);
+  EXPECT_EQ(other.value("setup/HSX"), "2.5000");
+  other.type("setup/HSX", "5\n");
+  EXPECT_EQ(other.stage.find("setup/HSX/was")->label, "was 2.5000");
+  other.click("setup/write");
+  ASSERT_TRUE(other.last<intent::SetParam>());
+  EXPECT_EQ(other.last<intent::SetParam>()->value, 2000) << "the controller is told pulses";
+}
+
 TEST_F(SetupTest, OutOfRangeIsSaidAndNotTaken) {
   s.type("setup/j1M", "9000\n");
   EXPECT_THAT(s.reason("setup/write"), HasSubstr("Nothing here differs"));

@@ -1,4 +1,5 @@
 // Limits and places of the user's own: set at the number of an axis, drawn under it, kept in the profile.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/panels/console_stage.h"
@@ -49,6 +50,21 @@ TEST_F(TravelTest, AreTypedInTheUnitOfTheAxisAndKept) {
   EXPECT_EQ(a.tab->profile.axes[0].travel, from_to(4000, 120'000)) << "it would lie past the other one";
   MUST(s.hand.click("dro/1/limit/+/none"));
   EXPECT_FALSE(a.last<intent::SetTravel>()->travel.has_plus);
+}
+
+TEST_F(TravelTest, WhereItWouldStopNowIsMarkedWhileItMoves) {
+  Catalog catalog = example_catalog();
+  catalog.stopping_way = [](const Catalog&, const Snapshot& now, AxisId axis) {
+    return std::optional(now.axes[axis.index].speed.value / 2);
+  };
+  Example& b = s.add(std::move(catalog));
+  AxisState& axis = b.now.axes[0];
+  axis.position = Steps(4000), axis.travel = from_to(-8000, 120'000);
+  s.run(0.2);
+  EXPECT_FALSE(s.hand.exists("dro/1/stop")) << "it stands";
+  axis.activity = Activity::moving, axis.direction = -1, axis.speed = Pps{4000};
+  s.run(0.1);
+  EXPECT_THAT(std::string(s.value("dro/1/stop")), testing::HasSubstr("2000"));
 }
 
 TEST_F(TravelTest, AreSeenUnderTheNumber) {

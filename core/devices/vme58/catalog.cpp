@@ -295,6 +295,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.actions = actions(variant);
   add_readouts(c, variant);
   add_axis_tables(c);
+  c.stopping_way = stopping_way;
   add_memory_map(c, variant);
   c.queue_depth = queue_entries;
   c.contour_size = board->contour_size;

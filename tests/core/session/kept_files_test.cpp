@@ -155,6 +155,21 @@ TEST(Recent, KeepsTheLastTwelve) {
   EXPECT_EQ(recent.list().front().address, "vxm@tcp:h:19");
 }
 
+TEST(Recent, WhatWasClosedByHandIsNotOpenedAgainWithTheOthers) {
+  test::Folder folder;
+  const UserFolders folders = UserFolders::below(folder.path());
+  {
+    RecentConnections first(folders);
+    ASSERT_TRUE(first.opened("vxm@tcp:h:1", ""));
+    ASSERT_TRUE(first.opened("vxm@tcp:h:2", ""));
+    ASSERT_TRUE(first.closed("vxm@tcp:h:1"));
+  }
+  RecentConnections now(folders);
+  ASSERT_TRUE(now.load());
+  EXPECT_EQ(now.last_time(), std::vector<std::string>{"vxm@tcp:h:2"});
+  EXPECT_EQ(now.list().size(), 2u) << "it stays among what was used before";
+}
+
 TEST(Recent, KnowsWhatTheLastRunHasOpened) {
   test::Folder folder;
   const UserFolders folders = UserFolders::below(folder.path());
