@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/device/jog_guard.h"
 #include "core/time/clock.h"
 
 namespace hw {
@@ -181,6 +182,10 @@ struct AxisColumn {
       {};  ///< id of what is not 0 while it is on: a readout, a param, or bit n of a param of all
   std::string verb_on = {}, verb_off = {};  ///< on the button of an action; empty: its label
   bool while_moving = false;                ///< only an axis that moves can be told so
+  /// Of a param: it means something only while the param `state` is `state_for`; else `otherwise` stands
+  /// there.
+  std::int64_t state_for = 0;
+  std::string otherwise = {};
 };
 /// A table of the Control panel with a row per axis. What stands in one stands nowhere else there.
 struct AxisTable {
@@ -335,6 +340,10 @@ struct Catalog {
   std::vector<CommandInfo> commands;
   std::string command_separators;  ///< characters between the commands of one line; empty: one command a line
   ProgramFacts program;
+  /// How far an axis that moves still goes if it is stopped now, with its ramp, as far as its set-up is
+  /// known.
+  std::optional<double> (*stopping_way)(const Catalog& catalog, const Snapshot& now, AxisId axis) = nullptr;
+  JogGuardFacts jog_guard;
   BenchFacts bench;
   Capabilities can;
   Pps jog_speed{2000}, jog_speed_min{1}, jog_speed_max{6000};

@@ -143,6 +143,7 @@ void EndingWatch::look_at_program(const Snapshot& now) {
   if (!program_.under_way || !now.link.connected()) return;
   if (p.ended_by == EndedBy::nothing && p.run != RunState::error) return;
   program_.told.by = p.run == RunState::error ? EndedBy::error : p.ended_by;
+  if (program_.told.by == EndedBy::error) find_cause(program_.told, now, -1);
   finish(program_, now.at);
 }
 
@@ -163,8 +164,16 @@ void EndingWatch::look_at_threads(const Snapshot& now) {
                   : stopped(now.program.ended_by)            ? EndedBy::elsewhere
                   : now.program.ended_by == EndedBy::nothing ? EndedBy::target
                                                              : now.program.ended_by;
+    if (run.told.by == EndedBy::error) find_cause(run.told, now, thread.line);
     finish(run, now.at);
   }
+}
+
+/// An axis that is in error keeps a program from going on.
+void EndingWatch::find_cause(Ending& told, const Snapshot& now, int line) {
+  told.line = line;
+  for (int i = 0; i < now.axis_count && told.failed_axis < 0; ++i)
+    if (now.axes[ix(i)].error != AxisError::none) told.failed_axis = i, told.error = now.axes[ix(i)].error;
 }
 
 void EndingWatch::look_at_list(const Snapshot& now) {

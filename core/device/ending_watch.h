@@ -35,6 +35,7 @@ class EndingWatch {
   void look_at_axis(const Snapshot& now, int axis);
   void look_at_program(const Snapshot& now);
   void look_at_threads(const Snapshot& now);
+  static void find_cause(Ending& told, const Snapshot& now, int line);
   void look_at_list(const Snapshot& now);
   void look_at_pieces(const Snapshot& now);
   static void begin(Run& run, Ending::What what, Instant now);

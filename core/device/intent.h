@@ -233,6 +233,11 @@ struct Act {
   bool despite_doubt = false;
   Act(int a, std::vector<std::int64_t> v) : action(a), values(std::move(v)) {}
 };
+/// Catalog::jog_guard is installed, as its user has agreed to, or taken away again.
+struct GuardJogs {
+  bool on;
+  explicit GuardJogs(bool o) : on(o) {}
+};
 struct SetVariable {
   int number;
   std::int64_t value;
@@ -287,16 +292,15 @@ struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
 
 }  // namespace intent
 
-using IntentBody =
-    std::variant<intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop,
-                 intent::Home, intent::Stop, intent::Abort, intent::SetPosition, intent::TrustPosition,
-                 intent::RecallPositions, intent::SetTravel, intent::SetBacklash, intent::SetEncoder,
-                 intent::SetPower, intent::SetOutput, intent::SetParam, intent::ReadParams,
-                 intent::ReadAnalog, intent::Store, intent::SelectProgram, intent::LoadProgram,
-                 intent::UploadProgram, intent::ClearProgram, intent::RunProgram, intent::Pause,
-                 intent::Resume, intent::SingleStep, intent::HaltProgram, intent::Act, intent::SetVariable,
-                 intent::Watch, intent::Sample, intent::FeedMoves, intent::RunInPieces, intent::OverrideSpeed,
-                 intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
+using IntentBody = std::variant<
+    intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop, intent::Home,
+    intent::Stop, intent::Abort, intent::SetPosition, intent::TrustPosition, intent::RecallPositions,
+    intent::SetTravel, intent::SetBacklash, intent::SetEncoder, intent::SetPower, intent::SetOutput,
+    intent::SetParam, intent::ReadParams, intent::ReadAnalog, intent::Store, intent::SelectProgram,
+    intent::LoadProgram, intent::UploadProgram, intent::ClearProgram, intent::RunProgram, intent::Pause,
+    intent::Resume, intent::SingleStep, intent::HaltProgram, intent::Act, intent::GuardJogs,
+    intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves, intent::RunInPieces,
+    intent::OverrideSpeed, intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
 /// Of an intent that may close a servo loop; null: of no other.
 inline intent::Closing* closing_of(IntentBody& body) {

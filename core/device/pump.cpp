@@ -11,6 +11,7 @@ namespace {
 
 constexpr Duration longest_clearing = std::chrono::seconds(8);  // the longest ramp, and a little
 constexpr int times_blind = 3;  // a stop goes out to a controller that has not been seen
+constexpr Duration others_take = std::chrono::seconds(1);  // to end the round that they are in
 constexpr Duration longest_end_of_a_command = std::chrono::seconds(1), longest_last_look = Millis(500);
 
 }  // namespace
@@ -24,6 +25,7 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
       pieces_(catalog, draft_, wake_),
       endings_(catalog, ways_.ended),
       travel_(catalog),
+      counts_(catalog),
       wake_(scheduler),
       published_(scheduler),
       ended_(scheduler),
@@ -273,15 +275,21 @@ Task<> Pump::serve() {
   while (!closes() && station_->is_open()) {
     station_->begin_procedure();
     if (StopOrder* stop = desk_.due()) {
+      counts_.disturbed();
       co_await send_stop(*stop);
       rounds_.due_at(scheduler_.now() + driver_->moving_period());
     } else if (!desk_.any() && !jobs_.empty() && !tool_is_seen_first()) {
+      counts_.disturbed();
       co_await perform_next();
       rounds_.look_often(scheduler_.now());
     } else if (const IntentBody* piece = pieces_.due(rounds_.ended(), scheduler_.now());
                piece && !desk_.any() && !leaves()) {
+      counts_.disturbed();
       co_await perform_piece(*piece);
       rounds_.look_often(scheduler_.now());
+    } else if (pieces_.waits_for_others() && !desk_.any() && jobs_.empty() && !leaves() &&
+               scheduler_.now() < rounds_.next() + others_take) {
+      co_await wake_.wait_until(rounds_.next() + others_take);
     } else if (scheduler_.now() < rounds_.next()) {
       co_await wake_.wait_until(rounds_.next());
     } else {
@@ -312,6 +320,7 @@ Task<> Pump::run_round() {
   if (round != Round::stopping) rounds_.end();
   poll_finished(polled);
   if (!polled || !station_->is_open()) co_return;
+  if (round != Round::stopping) watch_counts();
   watch_tool();
   if (std::string why = pieces_.watch(rounds_.ended()); !why.empty()) pieces_end(std::move(why));
 }
@@ -363,6 +372,16 @@ void Pump::poll_finished(const Result<>& result) {
 void Pump::tell_what_came_of_the_loss() {
   std::string told = outage_.told_when_back(catalog_, draft_, something_runs(), scheduler_.now());
   if (!told.empty()) ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(told)));
+}
+
+void Pump::watch_counts() {
+  const std::uint32_t set = counts_.look(draft_);
+  for (int axis = 0; set != 0 && axis < draft_.axis_count; ++axis) {
+    if ((set >> axis & 1u) == 0) continue;
+    draft_.axes[axis].trust.doubt(Doubt::another, scheduler_.now());
+    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), say_count_was_set(catalog_, axis)));
+  }
+  if (set != 0) publish();
 }
 
 std::uint64_t Pump::want_round() {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/device/count_watch.h"
 #include "core/device/driver.h"
 #include "core/device/ending_watch.h"
 #include "core/device/held_jogs.h"
@@ -70,6 +71,8 @@ class Pump {
     return rounds_.ended() >= round && draft_.link.state == LinkState::good;
   }
   [[nodiscard]] std::uint64_t rounds_ended() const { return rounds_.ended(); }
+  /// See Driver::watch_inputs().
+  void watch_inputs(Instant until) { driver_->watch_inputs(until); }
 
   /// What the controller itself cannot tell, and its emulator can.
   void know_store_count(std::int32_t writes_used);
@@ -104,6 +107,7 @@ class Pump {
   Task<> run_round();
   [[nodiscard]] Round next_round() const;
   void tell_what_came_of_the_loss();
+  void watch_counts();
   Task<> wait_for_retry();
   void poll_finished(const Result<>& result);
   void nothing_comes_back();
@@ -190,6 +194,7 @@ class Pump {
   Outage outage_;
   EndingWatch endings_;
   TravelWatch travel_;
+  CountWatch counts_;
   std::unique_ptr<Driver> driver_;
   std::unique_ptr<Station> station_;
   std::unique_ptr<JogWill> will_;

@@ -247,6 +247,7 @@ void Pump::count_program_change(const Intent& intent) {
   const bool changes = raw ? driver_->meaning_of(*raw).changes_programs
                            : std::holds_alternative<intent::LoadProgram>(body) ||
                                  std::holds_alternative<intent::ClearProgram>(body) ||
+                                 std::holds_alternative<intent::GuardJogs>(body) ||
                                  std::holds_alternative<intent::Reset>(body);
   if (!changes) return;
   ++draft_.program_changes;
@@ -344,7 +345,8 @@ Task<> Pump::perform_next() {
   const std::uint64_t epoch = desk_.epoch();
   const std::uint32_t restarts = draft_.restarts;
   Result<> performed = may_go_to_all(*job);
-  if (performed && jobs_.performs_for_all_on_the_wire() && ways_.line)
+  const bool to_all = performed && jobs_.performs_for_all_on_the_wire() && ways_.line;
+  if (to_all)
     ways_.line->for_each_but(*this, [&](Pump& other) {
       other.hear_text_to_all(std::get<intent::SendText>(job->intent.body).text, job->meaning);
     });
@@ -363,6 +365,7 @@ Task<> Pump::perform_next() {
   } else if (performed) {
     performed = co_await perform_beside_pieces(job->intent.body);
   }
+  if (to_all) ways_.line->for_each_but(*this, [](Pump& other) { other.counts_.disturbed(); });
   jobs_.end();
   if (!performed) driver_log(catalog_).debug("{}: {}", Whose{catalog_}, performed.error().sentence());
   if (performed && draft_.restarts != restarts && restarts_it(*job)) jobs_.restart_was_asked(draft_.restarts);

@@ -249,6 +249,7 @@ void Pump::hear_text_to_all(const std::string& text, const TextMeaning& meaning)
     refuse_queued(stopped_first);
     if (station_) station_->preempt();
   }
+  counts_.disturbed();
   driver_->overhear(text);
   if (meaning.runs_program) tool_.program_may_run(draft_);
   if (meaning.changes_programs) {

@@ -97,6 +97,9 @@ std::string_view words_of(Doubt cause, bool several) {
     case Doubt::zero_since:
       return several ? "they read zero, and stood elsewhere in the last session"
                      : "it reads zero, and stood elsewhere in the last session";
+    case Doubt::another:
+      return several ? "their counts were changed by another program or at the controller"
+                     : "its count was changed by another program or at the controller";
     case Doubt::none: break;
   }
   return "steps may be lost";
@@ -111,6 +114,7 @@ std::string_view brief_words_of(Doubt cause) {
     case Doubt::killed: return "killed at speed";
     case Doubt::slipped: return "has slipped";
     case Doubt::zero_since: return "zero since the last session";
+    case Doubt::another: return "count was changed";
     case Doubt::none: break;
   }
   return "steps may be lost";

@@ -26,17 +26,21 @@ struct AccelerationUnit {
   std::int64_t minimum = 0, maximum = 0;
 };
 
+/// All of it is constant. What may be null or empty says so; all of the house takes it so.
 struct DeviceType {
   std::string_view model;
   Result<Catalog> (*make_catalog)(const DeviceOptions&);
   std::unique_ptr<Driver> (*make_driver)(DriverContext);
+  /// Null: there is no emulator. Its address is refused, programs are not rehearsed, and there is no bench.
   Result<std::unique_ptr<Emulator>> (*make_emulator)(const DeviceOptions&);
   const Language& (*language)();
   /// What bytes on the wire mean, for the terminal. Pure; any thread. Appends to nothing, returns a sentence.
   std::string (*explain)(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
   /// A harmless question and whether the answer is this model's (`scan`): sent at each rate of the catalog.
   /// Where several devices can share a line, NN in it stands for the two digits of the one that is asked.
+  /// Empty: it is never looked for.
   std::string_view probe;
+  /// Null if `probe` is empty.
   bool (*recognises)(std::string_view reply);
   AccelerationUnit acceleration = {};
   /// Whether an answer is the controller's own "no" to what was sent. Null: it has no such answers.

@@ -12,6 +12,7 @@
 #include "core/base/result.h"
 #include "core/base/units.h"
 #include "core/device/intent.h"
+#include "core/device/jog_guard.h"
 #include "core/device/travel.h"
 #include "core/device/trust.h"
 #include "core/link/wire_share.h"
@@ -142,10 +143,15 @@ struct PiecesState {
   bool operator==(const PiecesState&) const = default;
 };
 
-/// A stored program on its way to or from the controller, in the catalog's capacity unit.
+/// A stored program on its way to or from the controller.
 struct TransferState {
+  enum class Phase : std::uint8_t { reading, writing, comparing };  ///< comparing: what was written is read
   bool running = false;
-  std::int32_t done = 0, total = 0;
+  Phase phase = Phase::reading;
+  std::int8_t slot = -1;   ///< of it; where programs run in threads, 0 for all
+  std::int32_t done = 0;   ///< lines in this phase; it stays when the transfer is broken off
+  std::int32_t total = 0;  ///< 0: not known
+  Duration left{};         ///< of the whole, by the rate so far; 0: not known
   bool operator==(const TransferState&) const = default;
 };
 
@@ -271,6 +277,7 @@ struct Snapshot {
   std::uint32_t inputs = 0, inputs_known = 0;    ///< bit n-1 = the catalog's input n; 1 = electrically high
   std::uint32_t outputs = 0, outputs_known = 0;  ///< bit n-1 = output n; 1 = on
   Instant io_seen_at{};
+  Instant inputs_asked_at{};  ///< of the answer in `inputs`: they may be newer than the outputs
   std::array<std::int32_t, max_analog> analog{};
   std::uint32_t analog_known = 0;
   std::array<Instant, max_analog> analog_seen_at{};
@@ -282,6 +289,7 @@ struct Snapshot {
   FeedState feed;
   PiecesState pieces;
   TransferState transfer;
+  JogGuard jog_guard;
   std::array<std::int64_t, max_readouts> readouts{};  ///< by index in Catalog::readouts
   std::bitset<max_readouts> readouts_known;
   std::array<Instant, max_readouts> readouts_seen_at{};
@@ -371,8 +379,10 @@ struct Ending {
   /// Of a motion that the console has stopped, from when its core was told: to the first byte, and to rest.
   bool timed = false;
   Duration to_wire{}, to_rest{};
-  Steps ran_on{};  ///< meanwhile, worked out from where it was seen last and its speed
-  AxisError error = AxisError::none;
+  Steps ran_on{};                     ///< meanwhile, worked out from where it was seen last and its speed
+  AxisError error = AxisError::none;  ///< of the axis; of a program that stopped in error: of `failed_axis`
+  int failed_axis = -1;               ///< -1: none is in error
+  int line = -1;                      ///< of the stored code, from 0: where a program stopped in error
   bool limit_minus = false, limit_plus = false;  ///< are hit
   bool at_travel_end = false;                    ///< of a jog: it went to the end of the user's travel
   bool place_known = false;
@@ -384,7 +394,7 @@ struct Ending {
 
 /// Things that must not be lost: they travel in a ring beside the snapshots.
 struct Notice {
-  enum class Kind : std::uint8_t { info, warning, error, program, report, question };
+  enum class Kind : std::uint8_t { info, warning, error, program, question };
   Kind kind = Kind::info;
   Instant at{};
   IntentId intent = 0;

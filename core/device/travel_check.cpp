@@ -8,6 +8,7 @@
 
 #include "core/base/index.h"
 #include "core/device/pieces.h"
+#include "core/device/sequence_travel.h"
 
 namespace hw {
 namespace {
@@ -92,6 +93,12 @@ std::optional<PastTravel> past_travel(const Catalog& catalog, const Snapshot& no
 }
 
 std::string say_past(const Catalog& catalog, const PastTravel& past, const PlaceWords& place) {
+  if (past.place == without_end || past.place == Steps(0) - without_end)
+    return fmt::format(
+        "A loop that has no end moves {} on in each of its rounds, and so past its {} limit, {}. Nothing was "
+        "sent.",
+        spoken_name(catalog, past.axis.index), past.side == Sign::plus ? "+" : "\u2212",
+        place(past.axis, past.nearest));
   const Steps beyond = past.side == Sign::plus ? past.place - past.nearest : past.nearest - past.place;
   const std::string where = past.row < 0 ? std::string() : fmt::format("Row {}: ", past.row + 1);
   return fmt::format("{}{} lies {} past the {} limit of {}, {}. Nothing was sent.", where,

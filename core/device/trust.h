@@ -17,13 +17,14 @@ enum class Trust : std::uint8_t {
 /// What has made a count doubtful.
 enum class Doubt : std::uint8_t {
   none,
-  power_cut,  ///< it was switched off and on
-  restarted,  ///< that, or somebody else's reset: it does not show which
-  unheard,    ///< it did not answer, and then it read zero: that, or what was sent has set it
-  reset,      ///< by a command
-  killed,     ///< stopped without a ramp from a speed at which a motor overshoots
-  slipped,    ///< a step motor whose encoder lay elsewhere than its count
-  zero_since  ///< it reads zero, and stood elsewhere when an earlier session left it
+  power_cut,   ///< it was switched off and on
+  restarted,   ///< that, or somebody else's reset: it does not show which
+  unheard,     ///< it did not answer, and then it read zero: that, or what was sent has set it
+  reset,       ///< by a command
+  killed,      ///< stopped without a ramp from a speed at which a motor overshoots
+  slipped,     ///< a step motor whose encoder lay elsewhere than its count
+  zero_since,  ///< it reads zero, and stood elsewhere when an earlier session left it
+  another      ///< its count has changed otherwise than by a motion, and not by this program
 };
 
 struct PositionTrust {

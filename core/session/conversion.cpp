@@ -32,17 +32,30 @@ Result<double> scale_of(const drawing::Drawing& drawing, const ConversionOptions
   return *its / *ours;
 }
 
+/// "CUT, HOLES and 12 more"
+std::string layers_of(const drawing::Drawing& drawing) {
+  constexpr std::size_t most = 8;
+  std::string all;
+  for (std::size_t i = 0; i < std::min(most, drawing.layers.size()); ++i)
+    all += fmt::format("{}\"{}\"", i > 0 ? ", " : "", drawing.layers[i].name);
+  if (drawing.layers.size() > most) all += fmt::format(" and {} more", drawing.layers.size() - most);
+  return all;
+}
+
 /// Only the layers that are meant.
 Result<drawing::Drawing> choose_layers(const drawing::Drawing& whole,
                                        const std::vector<std::string>& wanted) {
   drawing::Drawing chosen = whole;
   if (wanted.empty()) return chosen;
   for (drawing::Layer& layer : chosen.layers)
-    layer.shown = std::find(wanted.begin(), wanted.end(), layer.name) != wanted.end();
+    layer.shown = std::any_of(wanted.begin(), wanted.end(), [&](const std::string& name) {
+      return drawing::is_same_name(layer.name, name);
+    });
   for (const std::string& name : wanted)
     if (std::none_of(whole.layers.begin(), whole.layers.end(),
-                     [&](const drawing::Layer& layer) { return layer.name == name; }))
-      return refuse(fmt::format("The drawing has no layer \"{}\".", name));
+                     [&](const drawing::Layer& layer) { return drawing::is_same_name(layer.name, name); }))
+      return refuse(fmt::format("The drawing has no layer \"{}\".", name),
+                    whole.layers.empty() ? "" : fmt::format("It has {}.", layers_of(whole)));
   return chosen;
 }
 
@@ -100,6 +113,40 @@ Result<> can_be_counted(const std::vector<drawing::Chain>& chains, const Catalog
       }
   }
   return {};
+}
+
+/// Two that draw, and perhaps others that lower the tool; each of them once.
+Result<> are_axes_that_draw(const Catalog& catalog, const ConversionOptions& o) {
+  if (o.axes.size() < 2)
+    return refuse(fmt::format("A drawing needs two axes; {} {} given.", o.axes.size(),
+                              o.axes.size() == 1 ? "is" : "are"),
+                  catalog.axes.size() == 1 ? "Two controllers of one axis each on a bus draw together." : "");
+  for (std::size_t i = 0; i < o.axes.size(); ++i)
+    for (std::size_t before = 0; before < i; ++before)
+      if (o.axes[i].name == o.axes[before].name)
+        return refuse(i == 1 ? fmt::format("Axis {} would draw in both directions.", o.axes[i].name)
+                             : fmt::format("Axis {} draws, and so cannot lower the tool.", o.axes[i].name),
+                      "Choose another axis.");
+  return {};
+}
+
+/// What is far smaller than a step or than the tolerance has no shape any more.
+Result<> keeps_its_shape(const Conversion& made, const Catalog& catalog, const ConversionOptions& o) {
+  const double width = made.box.high.x - made.box.low.x, height = made.box.high.y - made.box.low.y;
+  const double longer = std::max(width, height);
+  if (!(longer > 0)) return {};  // dots
+  if (width * o.axes[0].per_unit < 1 && height * o.axes[1].per_unit < 1)
+    return refuse(
+        fmt::format("All of the drawing lies within one of the {}: {:g} x {:g} {}, with {:g} and {:g} "
+                    "{} in a {}.",
+                    catalog.step_word, width, height, o.unit, o.axes[0].per_unit, o.axes[1].per_unit,
+                    catalog.step_word, o.unit),
+        "Look at its unit and at its scale.");
+  if (made.tolerance <= longer) return {};
+  return refuse(
+      fmt::format("A tolerance of {:g} {} is more than all of the drawing, which has {:g} x {:g} {}.",
+                  made.tolerance, o.unit, width, height, o.unit),
+      "Make it smaller.");
 }
 
 /// Stairs of what is large against their tolerance.
@@ -200,11 +247,12 @@ Going going_of(const Catalog& catalog, const ConversionOptions& o) {
 
 Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog, const ConversionOptions& o,
                            const drawing::Progress& progress) {
-  if (o.axes.size() < 2)
-    return refuse(fmt::format("A drawing needs two axes; {} {} given.", o.axes.size(),
-                              o.axes.size() == 1 ? "is" : "are"));
+  if (auto axes = are_axes_that_draw(catalog, o); !axes) return fail(axes.error());
   Conversion made;
   made.going = going_of(catalog, o);
+  if (made.going == Going::contours && !(o.cutting.high > 0))
+    return refuse(fmt::format("A {} draws contours at one speed, which nobody has said.", catalog.short_name),
+                  "Say how fast it goes with the tool on.");
   const auto scale = scale_of(whole, o);
   if (!scale) return fail(scale.error());
   const auto tolerance = tolerance_of(made.going, o);
@@ -214,13 +262,16 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
 
   made.tolerance = *tolerance;
   made.chains = drawing::join(*chosen, o.touching / *scale, o.without);
-  if (made.chains.empty()) return refuse("There is nothing in the drawing that could be drawn.");
+  if (made.chains.empty())
+    return refuse("There is nothing in the drawing that could be drawn.",
+                  whole.paths.empty() ? "" : "Choose a layer with something on it, or leave less out.");
   drawing::Placing placing = o.placing;
   placing.scale = *scale;
   made.placed = drawing::place(made.chains, placing);
   if (auto counted = can_be_counted(made.chains, catalog, o); !counted) return fail(counted.error());
   if (auto few = are_few_enough(made.chains, made, o); !few) return fail(few.error());
   made.box = drawing::box_of(made.chains);
+  if (auto seen = keeps_its_shape(made, catalog, o); !seen) return fail(seen.error());
   made.way_as_drawn = made.way = drawing::way_between(made.chains, {});
   if (!o.keep_order) {
     drawing::order(made.chains, {}, progress);

@@ -22,14 +22,15 @@ constexpr Words<Trust, 4> trust_words{{{Trust::counted, "counted"},
                                        {Trust::homed, "homed"},
                                        {Trust::set, "set"},
                                        {Trust::untrusted, "untrusted"}}};
-constexpr Words<Doubt, 8> doubt_words{{{Doubt::none, "none"},
+constexpr Words<Doubt, 9> doubt_words{{{Doubt::none, "none"},
                                        {Doubt::power_cut, "power cut"},
                                        {Doubt::restarted, "restarted"},
                                        {Doubt::unheard, "unheard"},
                                        {Doubt::reset, "reset"},
                                        {Doubt::killed, "killed"},
                                        {Doubt::slipped, "slipped"},
-                                       {Doubt::zero_since, "zero since"}}};
+                                       {Doubt::zero_since, "zero since"},
+                                       {Doubt::another, "another"}}};
 
 template <class Table, class Enum>
 const char* word_of(const Table& table, Enum value) {

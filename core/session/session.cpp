@@ -61,13 +61,14 @@ Session::~Session() {
   if (bench_) bench_->changed = nullptr;
 }
 
-IntentId Session::send(IntentBody body) {
+IntentId Session::send(IntentBody body, std::optional<Instant> asked_at) {
   const IntentId id = ++last_intent_;
-  asio::post(scheduler_.executor(),
-             [self = shared_from_this(), intent = Intent(id, std::move(body), now())]() mutable {
-               self->posted_ = intent.id;
-               self->take(std::move(intent));
-             });
+  asio::post(
+      scheduler_.executor(),
+      [self = shared_from_this(), intent = Intent(id, std::move(body), asked_at.value_or(now()))]() mutable {
+        self->posted_ = intent.id;
+        self->take(std::move(intent));
+      });
   return id;
 }
 
@@ -241,27 +242,42 @@ static bool same_rate(const LinkHealth& a, const LinkHealth& b) {
   return std::abs(x - y) <= 0.15f * std::max(x, y);
 }
 
-// What a person would see differently: everything but times and counters. What is said on the wire is in the
-// record, which wakes by itself.
-static bool looks_same(const Snapshot& a, const Snapshot& b) {
+static bool same_link(const LinkHealth& a, const LinkHealth& b) {
+  return a.state == b.state && a.sentence == b.sentence && a.next_attempt == b.next_attempt &&
+         a.jog_ends == b.jog_ends && same_rate(a, b);
+}
+
+static bool same_axes(const Snapshot& a, const Snapshot& b) {
   for (int i = 0; i < a.axis_count; ++i) {
     AxisState x = a.axes[i], y = b.axes[i];
     x.seen_at = y.seen_at = Instant{};
     if (!(x == y)) return false;
   }
-  return a.axis_count == b.axis_count && a.link.state == b.link.state && a.link.sentence == b.link.sentence &&
-         a.link.next_attempt == b.link.next_attempt && same_rate(a.link, b.link) &&
-         a.identity == b.identity && a.inputs == b.inputs && a.inputs_known == b.inputs_known &&
-         a.outputs == b.outputs && a.outputs_known == b.outputs_known && a.analog == b.analog &&
-         a.analog_known == b.analog_known && a.program == b.program && a.threads == b.threads &&
-         a.queue_free == b.queue_free && a.queue_known == b.queue_known &&
-         (!(a.window.rings_known || b.window.rings_known) || a.window == b.window) && a.feed == b.feed &&
-         a.pieces == b.pieces && a.readouts == b.readouts && a.readouts_known == b.readouts_known &&
-         a.variables == b.variables && a.variables_known == b.variables_known &&
-         a.slot_bytes_used == b.slot_bytes_used && a.slots_torn == b.slots_torn && a.params == b.params &&
-         a.unsaved_setup == b.unsaved_setup && a.unsaved_programs == b.unsaved_programs &&
-         a.store_count == b.store_count && a.program_changes == b.program_changes && a.fates == b.fates &&
-         a.notice == b.notice;
+  return a.axis_count == b.axis_count;
+}
+
+// What a person would see differently: everything but times and counters. What is said on the wire is in the
+// record, which wakes by itself. All fields are named here, so that a new one does not compile before
+// somebody has decided.
+static bool looks_same(const Snapshot& a, const Snapshot& b) {
+  const auto& [sequence, at, link, identity, axis_count, axes, inputs, inputs_known, outputs, outputs_known,
+               io_seen_at, inputs_asked_at, analog, analog_known, analog_seen_at, program, threads,
+               queue_free, queue_known, window, feed, pieces, transfer, jog_guard, readouts, readouts_known,
+               readouts_seen_at, variables, variables_known, slot_bytes_used, slots_torn, params,
+               unsaved_setup, unsaved_programs, working, restarts, store_count, program_changes,
+               program_changed_by, poll_period, fates, notice] = a;
+  const bool no_rings = !window.rings_known && !b.window.rings_known;
+  return same_axes(a, b) && same_link(link, b.link) && identity == b.identity && inputs == b.inputs &&
+         inputs_known == b.inputs_known && outputs == b.outputs && outputs_known == b.outputs_known &&
+         analog == b.analog && analog_known == b.analog_known && program == b.program &&
+         threads == b.threads && queue_free == b.queue_free && queue_known == b.queue_known &&
+         (no_rings || window == b.window) && feed == b.feed && pieces == b.pieces && transfer == b.transfer &&
+         jog_guard == b.jog_guard && readouts == b.readouts && readouts_known == b.readouts_known &&
+         variables == b.variables && variables_known == b.variables_known &&
+         slot_bytes_used == b.slot_bytes_used && slots_torn == b.slots_torn && params == b.params &&
+         unsaved_setup == b.unsaved_setup && unsaved_programs == b.unsaved_programs && working == b.working &&
+         restarts == b.restarts && store_count == b.store_count && program_changes == b.program_changes &&
+         fates == b.fates && notice == b.notice;
 }
 
 void Session::show(const Snapshot& snapshot) {

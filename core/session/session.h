@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "core/base/latest.h"
 #include "core/device/pump.h"
@@ -30,7 +31,8 @@ class Session : public std::enable_shared_from_this<Session> {
   ~Session();
 
   // ---- any thread
-  IntentId send(IntentBody body);
+  /// `asked_at`: when a hand asked for it, from where the times of stops count. None: now.
+  IntentId send(IntentBody body, std::optional<Instant> asked_at = {});
   void operate_bench(BenchCommand command);
   [[nodiscard]] const Catalog& catalog() const { return catalog_; }
   [[nodiscard]] const DeviceType& type() const { return type_; }

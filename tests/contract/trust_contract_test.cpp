@@ -1,5 +1,8 @@
 // What every controller does with an axis of which it is known that it may stand elsewhere than it counts.
+#include <map>
+
 #include "tests/contract/rig.h"
+#include "transports/serve.h"
 
 namespace hw {
 namespace {
@@ -36,6 +39,46 @@ class TrustContract : public ContractTest {
     EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, speed, false)).fate, Fate::done);
     run(time_to_run);
     ASSERT_GT(axis().position, Steps(100));
+  }
+  /// As another program does, by another end of the same wire.
+  void another_says(const std::string& words) {
+    const auto host = EmulatorHost::of(session->bench());
+    ASSERT_NE(host, nullptr);
+    if (!host->is_board()) {
+      const auto stream = std::move(*host->plug_in());
+      stream->send(words);
+      return run(Millis(100));
+    }
+    constexpr std::uint16_t put_index = 0x800, buffer = 0x804, cells = 256;
+    const auto window = std::move(*host->plug_in_window());
+    const auto on_the_bus = [&](std::vector<BusCycle>& cycles) {
+      asio::co_spawn(
+          io, [](Window& w, std::span<BusCycle> c) -> Task<> { (void)co_await w.run(c); }(*window, cycles),
+          asio::detached);
+      run(Millis(1));
+    };
+    std::vector<BusCycle> cycles(1, BusCycle::read(2, put_index));
+    on_the_bus(cycles);
+    std::uint32_t put = cycles[0].value;
+    cycles.clear();
+    for (const char c : words) {
+      cycles.push_back(
+          BusCycle::store(2, static_cast<std::uint16_t>(buffer + 2 * put), static_cast<std::uint8_t>(c)));
+      put = (put + 1) % cells;
+    }
+    cycles.push_back(BusCycle::store(2, put_index, put));
+    on_the_bus(cycles);
+    run(Millis(100));
+  }
+  /// Where no motion of a fifth of a second reaches; its encoder counts nothing there.
+  void stand_far_out() {
+    switch_motor_on();
+    if (session->catalog().find_param("SL") >= 0) perform(intent::SetParam("SL", 0));
+    const bool fast = session->catalog().can.window;
+    ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(fast ? 90'000 : 4'000)}})).fate, Fate::done);
+    ASSERT_TRUE(becomes_idle(seconds(120)));
+    run(seconds(3));
+    ASSERT_FALSE(axis().trust.doubtful());
   }
   IntentFate go_to(std::int64_t place, bool despite_doubt = false) {
     intent::MoveTo go({{AxisId{0}, Steps(place)}});
@@ -183,6 +226,46 @@ TEST_P(TrustContract, ItsHomeMakesItTrustedWhereThatSetsTheCount) {
   EXPECT_TRUE(run_until([this] { return axis().trust.kind == Trust::homed; }, seconds(60)));
   ASSERT_TRUE(becomes_idle(seconds(60)));
   EXPECT_EQ(go_to(240).fate, Fate::done);
+}
+
+TEST_P(TrustContract, ACountThatAnotherProgramHasSetIsNotTrusted) {
+  const std::map<std::string_view, std::string> zero{
+      {"vxm", "N"}, {"pmx-4ex-sa", "@00PX=0\r"}, {"dmx-k-sa", "@00PX=0\r"}, {"vme58", "AX;LP0;"}};
+  ASSERT_NO_FATAL_FAILURE(stand_far_out());
+  another_says(zero.at(GetParam()->model));
+  run(seconds(4));
+  ASSERT_EQ(axis().position, Steps(0));
+  EXPECT_EQ(axis().trust.kind, Trust::untrusted);
+  const IntentFate refused = go_to(240);
+  EXPECT_EQ(refused.fate, Fate::refused);
+  EXPECT_EQ(axis().position, Steps(0));
+  EXPECT_EQ(now().restarts, 0u);
+  EXPECT_THAT(std::string(refused.sentence.view()),
+              HasSubstr("its count was changed by another program or at the controller"));
+  EXPECT_EQ(perform(intent::TrustPosition(AxisId{0})).fate, Fate::done);
+  EXPECT_EQ(go_to(240).fate, Fate::done);
+  EXPECT_FALSE(axis().trust.doubtful());
+}
+
+TEST_P(TrustContract, AMoveOfAnotherProgramLeavesItsCountTrue) {
+  const std::map<std::string_view, std::string> short_move{{"vxm", "I1M100,R"},
+                                                           {"pmx-4ex-sa", "@00X4100\r"},
+                                                           {"dmx-k-sa", "@00X4100\r"},
+                                                           {"vme58", "AX;MR100;GO;"}};
+  ASSERT_NO_FATAL_FAILURE(stand_far_out());
+  const Steps before = axis().position;
+  another_says(short_move.at(GetParam()->model));
+  run(seconds(4));
+  EXPECT_EQ(axis().position, before + Steps(100));
+  EXPECT_FALSE(axis().trust.doubtful());
+}
+
+TEST_P(TrustContract, NorDoesItsOwnCommandThatSetsIt) {
+  ASSERT_NO_FATAL_FAILURE(stand_far_out());
+  EXPECT_EQ(perform(intent::SetPosition(0)).fate, Fate::done);
+  run(seconds(4));
+  EXPECT_EQ(axis().position, Steps(0));
+  EXPECT_EQ(axis().trust.kind, Trust::set);
 }
 
 // From a speed at which a step motor overshoots.

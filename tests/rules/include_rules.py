@@ -13,7 +13,9 @@ FORBIDDEN_FOLDERS = {
 }
 CORE_ORDER = ["base", "time", "motion", "sequence", "drawing", "link", "device", "devices", "session", "script"]
 GUI_ORDER = ["model", "input", "surface", "widgets", "shell", "app"]
-DEVICE_NAME = re.compile(r"\b(vxm|arcus|pmx|dmx|vme58|velmex)", re.IGNORECASE)
+MAKERS = ["velmex"]  # those that no folder is named after
+FAMILIES = [d.name.split("_")[0] for d in (ROOT / "core/devices").iterdir() if d.is_dir()]
+DEVICE_NAME = re.compile(rf"\b({'|'.join(MAKERS + FAMILIES)})", re.IGNORECASE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 OUTPUT = re.compile(r"\bfmt::print\(|\bstd::(cout|cerr|printf|puts)\b|\b(stdout|stderr)\b")
 WORDS = re.compile(r'"(\\.|[^"\\])*"')

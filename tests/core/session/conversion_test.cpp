@@ -102,6 +102,43 @@ TEST_P(ConversionTest, WhatIsMissingIsAskedFor) {
   EXPECT_THAT(refusal(), HasSubstr("A drawing needs two axes; 1 is given."));
 }
 
+TEST_P(ConversionTest, AnAxisDrawsInOneDirectionAndDoesNotLowerTheToolToo) {
+  const auto refusal = [&] {
+    const auto converted = convert(read(), catalog, o);
+    return converted ? std::string("converted") : converted.error().sentence();
+  };
+  o.axes.push_back(o.axes[0]);
+  EXPECT_THAT(refusal(), HasSubstr("draws, and so cannot lower the tool"));
+  o.axes = {o.axes[0], o.axes[0]};
+  EXPECT_THAT(refusal(), HasSubstr("would draw in both directions"));
+}
+
+TEST_P(ConversionTest, WhatWouldLoseItsShapeIsRefused) {
+  const auto refusal = [&] {
+    const auto converted = convert(read(), catalog, o);
+    return converted ? std::string("converted") : converted.error().sentence();
+  };
+  o.tolerance = 1000;
+  EXPECT_THAT(refusal(), HasSubstr("A tolerance of 1000 mm is more than all of the drawing"));
+  o.tolerance = 0.1;
+  for (sequence::Axis& axis : o.axes) axis.per_unit = 1e-9;
+  EXPECT_THAT(refusal(), HasSubstr("All of the drawing lies within one of the"));
+}
+
+TEST_P(ConversionTest, ALayerIsTheSameInCapitalsAndAnotherIsToldWhichThereAre) {
+  o.layers = {"CUT"};
+  EXPECT_TRUE(convert(read(), catalog, o));
+  o.layers = {"engrave"};
+  EXPECT_THAT(convert(read(), catalog, o).error().sentence(), HasSubstr("It has \"cut\""));
+}
+
+TEST(Conversion, ContoursNeedASpeedThatSomebodyHasSaid) {
+  EmulatorDrawing vme("vme58");
+  vme.o.cutting = {};
+  EXPECT_THAT(convert(read(), vme.catalog, vme.o).error().sentence(),
+              HasSubstr("Say how fast it goes with the tool on."));
+}
+
 TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
   const auto refusal = [&](drawing::Curve curve) {
     drawing::Drawing far;

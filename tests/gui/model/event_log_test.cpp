@@ -74,6 +74,16 @@ TEST(EndingWords, TellAJogAHomingAndARunApart) {
   EXPECT_EQ(words(run), "List stopped by its button after 4 of 12");
 }
 
+TEST(EndingWords, OfAProgramInErrorTellTheLineAndTheAxisAsFarAsTheyAreKnown) {
+  Ending run;
+  run.what = Ending::What::program, run.slot = 1, run.by = EndedBy::error;
+  EXPECT_EQ(words(run), "Program 1 stopped in error");
+  run.line = 12;
+  EXPECT_EQ(words(run), "Program 1 stopped in error at line 12 of its stored code");
+  run.failed_axis = 0, run.error = AxisError::limit_plus;
+  EXPECT_EQ(words(run), "Program 1 stopped in error at line 12 of its stored code: X hit its + limit");
+}
+
 class EventLogTest : public testing::Test {
  protected:
   Snapshot now;

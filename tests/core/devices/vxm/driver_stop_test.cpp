@@ -4,6 +4,7 @@ namespace hw::vxm {
 namespace {
 
 using testing::HasSubstr;
+using testing::MatchesRegex;
 
 class VxmDriverStop : public DriverTest {};
 
@@ -226,8 +227,11 @@ TEST_F(VxmDriverStop, StopOvertakesADownload) {
   EXPECT_EQ(perform(intent::Stop()), "");
   run(0.5);
   EXPECT_EQ(fate(load), Fate::failed);
-  EXPECT_THAT(std::string(pump->known().fate_of(load)->sentence.view()),
-              HasSubstr("Program 1 is incomplete in the controller. Load it again before it is run."));
+  EXPECT_THAT(
+      std::string(pump->known().fate_of(load)->sentence.view()),
+      MatchesRegex(".*Program 1 is incomplete in the controller: the first [0-9]+ of its 60 lines are "
+                   "written. Load it again before it is run."));
+  EXPECT_FALSE(latest.transfer.running);
   EXPECT_EQ(query("V"), "R");
 }
 

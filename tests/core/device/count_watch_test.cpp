@@ -1,0 +1,92 @@
+// A count that somebody else has set, told from motions, lost digits, slow rounds and restarts.
+#include "core/device/count_watch.h"
+
+#include <gtest/gtest.h>
+
+namespace hw {
+namespace {
+
+class CountWatchTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    catalog.axes.push_back({"X", "axis X"});
+    catalog.jog_speed = Pps(1000);
+    now.axis_count = 1;
+    axis.position_known = true;
+    axis.activity = Activity::idle;
+    axis.own_speed = Pps(1000);
+    reads(5000);
+    reads(5000);
+  }
+  /// Rounds of so long; what they have told in all.
+  std::uint32_t reads(std::int64_t place, int rounds = 1, Duration each = Millis(200)) {
+    std::uint32_t told = 0;
+    for (int n = 0; n < rounds; ++n) {
+      axis.seen_at += each;
+      axis.position = Steps(place);
+      told |= watch.look(now);
+    }
+    return told;
+  }
+  Catalog catalog;
+  Snapshot now;
+  AxisState& axis = now.axes[0];
+  CountWatch watch{catalog};
+};
+
+TEST_F(CountWatchTest, TellsOnceThatItWasSet) {
+  EXPECT_EQ(reads(0, 3), 0u) << "what explains it may show yet";
+  EXPECT_EQ(reads(0, 10), 1u);
+  EXPECT_EQ(reads(0, 10), 0u);
+}
+
+TEST_F(CountWatchTest, ADigitLostOnTheWayIsNoCount) {
+  EXPECT_EQ(reads(500), 0u);
+  EXPECT_EQ(reads(5000, 20), 0u);
+  EXPECT_EQ(reads(500, 2), 0u);
+  EXPECT_EQ(reads(5000, 20), 0u);
+}
+
+TEST_F(CountWatchTest, AMotionThatNobodySawBringsItNoFartherThanItGoes) {
+  EXPECT_EQ(reads(5200, 20), 0u);
+  EXPECT_EQ(reads(5400), 0u);
+  EXPECT_EQ(reads(5600), 0u);
+  EXPECT_EQ(reads(5800, 20), 0u) << "three short ones in a row";
+}
+
+TEST_F(CountWatchTest, ASlowRoundLeavesTimeForALongMotion) {
+  EXPECT_EQ(reads(9000, 1, std::chrono::seconds(4)), 0u);
+  EXPECT_EQ(reads(9000, 20), 0u);
+}
+
+TEST_F(CountWatchTest, WhatGoesOutExplainsIt) {
+  watch.disturbed();
+  EXPECT_EQ(reads(0, 20), 0u);
+}
+
+TEST_F(CountWatchTest, SoDoMotionsProgramsRestartsAndMissingAnswers) {
+  const auto explained = [&](auto change, auto back) {
+    watch.disturbed();
+    reads(5000, 5);
+    change();
+    reads(5000);
+    back();
+    return reads(0, 20) == 0;
+  };
+  EXPECT_TRUE(explained([&] { axis.activity = Activity::jogging; }, [&] { axis.activity = Activity::idle; }));
+  EXPECT_TRUE(
+      explained([&] { now.program.run = RunState::running; }, [&] { now.program.run = RunState::idle; }));
+  EXPECT_TRUE(explained([&] { ++now.restarts; }, [] {}));
+  EXPECT_TRUE(explained([&] { ++now.link.timeouts; }, [] {}));
+}
+
+TEST_F(CountWatchTest, WhatAnEncoderCountsMayBeTurnedByHand) {
+  axis.in_counts = true;
+  EXPECT_EQ(reads(0, 20), 0u);
+  axis.in_counts = false;
+  axis.loop = Loop::open;
+  EXPECT_EQ(reads(5000, 20), 0u);
+}
+
+}  // namespace
+}  // namespace hw
