@@ -122,6 +122,7 @@ Task<Result<>> Moves::home(intent::Home wish) {
                    "Nothing was sent.");
   auto borrowed = co_await borrow_pace(wish.pace, axis);
   if (!borrowed) co_return borrowed;
+  watch_.counters_may_be_set();  // also where its answer is lost, and the state is read afresh
   std::vector<int> axes{axis};
   auto started = co_await start(fill(console_.forms, console_.forms.homes[ix(wish.mode)], axis, wish.sign),
                                 std::move(axes), Activity::homing);
