@@ -59,7 +59,10 @@ void Console::on_edge(const CommandEdge& edge) {
 void Console::jog_key(Tab& tab, const CommandEdge& edge) {
   for (const JogKey& key : jog_keys) {
     if (key.command != edge.command) continue;
-    const AxisId axis = key.axis == the_chosen ? tab.chosen_axis : AxisId{key.axis};
+    const auto held = tab.jog.control();
+    const bool lets_go = !edge.down && held && held->hand == JogHold::Hand::gamepad && held->sign == key.sign;
+    const AxisId chosen = lets_go ? held->axis : tab.chosen_axis;  // another may have been chosen since
+    const AxisId axis = key.axis == the_chosen ? chosen : AxisId{key.axis};
     if (axis.index >= tab.catalog().axes.size()) continue;
     const JogHold::Control control{edge.by_pad ? JogHold::Hand::gamepad : JogHold::Hand::keyboard, axis,
                                    key.sign};

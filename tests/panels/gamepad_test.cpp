@@ -92,6 +92,22 @@ TEST_F(GamepadSwitch, HasAPlaceOfItsOwnInEveryWindow) {
     }
 }
 
+TEST_F(GamepadSwitch, LettingGoStopsAlsoWhereAnotherAxisHasBeenChosenSince) {
+  constexpr int up = GLFW_GAMEPAD_BUTTON_DPAD_UP;
+  hand.plug_in();
+  MUST(s.hand.click("jog/gamepad"));
+  hand.run(0.1);
+  hand.button(lb, true);
+  hand.run(0.1);
+  hand.button(up, true);
+  hand.run(0.5);
+  ASSERT_EQ(a.count<intent::JogStart>(), 1);
+  a.tab->chosen_axis = AxisId{1};
+  hand.button(up, false);
+  hand.run(0.03);
+  EXPECT_EQ(a.count<intent::JogStop>(), 1);
+}
+
 TEST_F(GamepadSwitch, AnythingElseThatEndsItsJogKeepsItFromGoingOn) {
   hand.plug_in();
   MUST(s.hand.click("jog/gamepad"));
