@@ -1,6 +1,6 @@
 #pragma once
-// The one door to Boost.Asio for the core: coroutines and the executor. Sockets and serial ports are the
-// business of transports/. (<utility> first: Boost 1.74's awaitable.hpp uses std::exchange without it.)
+// The core's only access to Boost.Asio: coroutines and the executor. Sockets and serial ports belong to
+// transports/. (<utility> first: Boost 1.74's awaitable.hpp uses std::exchange without it.)
 // clang-format off
 #include <optional>
 #include <utility>
@@ -25,7 +25,7 @@ namespace asio = boost::asio;
 using IoContext = asio::io_context;
 using Executor = IoContext::executor_type;
 
-/// What an asynchronous procedure returns. Rule for g++ 12: no braces and no capturing lambda inside a
+/// The return type of an asynchronous procedure. For g++ 12: no braces and no capturing lambda inside a
 /// co_await expression; build the value on the line before.
 template <class T = void>
 using Task = asio::awaitable<T, Executor>;
@@ -33,7 +33,7 @@ using Task = asio::awaitable<T, Executor>;
 /// Completion token for Task: `co_await async_something(..., use_task)`.
 inline constexpr asio::use_awaitable_t<Executor> use_task{};
 
-/// A suspended Task, kept by whoever will resume it. Resuming goes through the executor, never inline.
+/// A suspended Task, kept by its resumer. Resuming goes through the executor, never inline.
 class Suspended {
  public:
   [[nodiscard]] bool waiting() const { return handler_.has_value(); }

@@ -1,5 +1,5 @@
 #pragma once
-// Text of bounded length that lives inside a snapshot: copying it never allocates, and costs what it is long.
+// Text of bounded length, for snapshots: copying never allocates, and costs as much as the text is long.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -22,8 +22,8 @@ class FixedText {
   FixedText(const char* text) { assign(text); }         // NOLINT
   FixedText(const std::string& text) { assign(text); }  // NOLINT
 
-  /// Of what does not fit it keeps the whole words that do, and an ellipsis; of one long word as many
-  /// characters (UTF-8) as fit.
+  /// A text that is too long is cut behind a whole word, with an ellipsis; a single long word behind a whole
+  /// UTF-8 character.
   void assign(std::string_view text) {
     if (text.size() <= N) return take(text);
     constexpr std::string_view ellipsis = "\xE2\x80\xA6";

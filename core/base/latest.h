@@ -1,6 +1,7 @@
 #pragma once
-// Newest value from one writer thread to one reader thread. No lock, no allocation; the reader never waits
-// and keeps a steady view until it asks again. (A triple buffer: one slot each for writer, reader, exchange.)
+// The newest value from one writer thread to one reader thread. No lock, no allocation; the reader never
+// waits and keeps its view until it asks again. (A triple buffer: one slot each for writer, reader,
+// exchange.)
 #include <array>
 #include <atomic>
 #include <cstdint>

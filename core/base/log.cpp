@@ -22,7 +22,7 @@ constexpr std::pair<std::string_view, Level> level_words[] = {{"off", Level::qui
 constexpr std::size_t largest_file = 1'000'000;
 constexpr std::size_t older_files = 3;
 
-// What all threads share. It is never taken down: a thread may log while the process ends.
+// Shared by all threads. Never destroyed, as a thread may log while the process ends.
 struct Desk {
   std::mutex mutex;
   std::map<std::string, std::unique_ptr<Subject>, std::less<>> subjects;
@@ -153,8 +153,7 @@ Result<> keep_in(const std::filesystem::path& file) {
     auto made = std::make_unique<spdlog::logger>("file", std::move(sink));
     made->set_pattern("%Y-%m-%d %H:%M:%S.%e %l %v");
     made->set_level(spdlog::level::trace);
-    made->flush_on(
-        spdlog::level::trace);  // its last lines are wanted most when the program does not end well
+    made->flush_on(spdlog::level::trace);  // the last lines matter most when the program crashes
     const std::lock_guard lock(desk().mutex);
     desk().to_file = std::move(made);
     return {};

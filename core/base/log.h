@@ -1,12 +1,12 @@
 #pragma once
-// Log lines for a person or a service manager, to stderr and, in the console, to a file. Any thread. Results
-// never go this way.
+// Log lines for a person or a service manager, to stderr and, in the console, to a file. Any thread. Never
+// used for results.
 //
-// Each line has a subject, a path: link, pump, driver.vxm, gui. Whoever decides something (drops, refuses,
-// gives up) keeps the subject that it asked for once, and says why at debug:
+// Each line has a subject, a path: link, pump, driver.vxm, gui. Code that decides something (drops, refuses,
+// gives up) looks its subject up once and logs the reason at debug:
 //     log_.debug("{} dropped: {}", text, why);
-// While nobody wants such lines, that costs one read of a number: nothing is formatted. What is costly to say
-// at all (a sentence put together) stands behind log_.wants(log::Level::debug).
+// While the level is off, a line costs one read of a number: nothing is formatted. Put a line that is costly
+// to build behind log_.wants(log::Level::debug).
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
@@ -40,7 +40,7 @@ class Subject {
   void warning(fmt::format_string<T...> format, T&&... values) const {
     if (wants(Level::warning)) write(Level::warning, fmt::format(format, std::forward<T>(values)...));
   }
-  /// A sentence as it stands, if this level is wanted.
+  /// Logs a finished sentence, if this level is wanted.
   void say(Level level, std::string_view sentence) const {
     if (wants(level)) write(level, sentence);
   }
@@ -58,20 +58,20 @@ struct Bytes {
 };
 std::string written(Bytes bytes);
 
-/// The one of that name; it lives as long as the process. Look it up once: this takes a lock.
+/// The subject of that name; it lives as long as the process. Look it up once: this takes a lock.
 Subject& subject(std::string_view name);
 
-/// Of all subjects that nobody chose a level for. Starts at `warning`.
+/// The level of all subjects without one of their own. Initially `warning`.
 void set_level(Level level);
 
 /// "link=debug", "driver=info,pump=debug" (driver: driver.vxm and all others), or "debug" for everything. The
-/// longest path that fits a subject counts. A fault says what there is.
+/// longest path that fits a subject counts. The fault lists the subjects and levels.
 Result<> choose(std::string_view choices);
 
-/// From now on every line goes into this file too. It is turned over at 1 MB; three older ones are kept.
+/// Logs to this file too, from now on. Rotated at 1 MB; three older files are kept.
 Result<> keep_in(const std::filesystem::path& file);
 
-// Lines of whoever has no subject of its own.
+// For code without a subject of its own.
 void error(std::string_view where, std::string_view sentence);
 void warning(std::string_view where, std::string_view sentence);
 void info(std::string_view where, std::string_view sentence);

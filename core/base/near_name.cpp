@@ -8,8 +8,7 @@ namespace {
 
 char plain(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Letters to change, add, drop or swap with their neighbour until one name is the other, whatever their
-/// case.
+/// The number of letters to change, add, drop or swap to turn one name into the other, ignoring case.
 std::size_t changes_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
@@ -31,14 +30,14 @@ std::size_t changes_between(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string_view near_name(std::string_view wanted, const std::vector<std::string>& names) {
-  constexpr std::size_t longest = 64;  // longer ones are no slip of a finger
+  constexpr std::size_t longest = 64;  // longer names are not typing errors
   if (wanted.empty() || wanted.size() > longest) return {};
   std::string_view best;
   std::size_t closer_than = wanted.size() < 4 ? 2 : 3;
   for (const std::string& name : names) {
     if (name.size() > longest) continue;
     const std::size_t changes = changes_between(wanted, name);
-    if (changes >= closer_than || changes >= wanted.size()) continue;  // nothing of it would be left
+    if (changes >= closer_than || changes >= wanted.size()) continue;  // nothing of the name would be left
     closer_than = changes;
     best = name;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers as protocols write them: digits of ASCII, nothing of the locale.
+// Numbers as protocols write them: ASCII digits, independent of the locale.
 #include <charconv>
 #include <optional>
 #include <string_view>
@@ -8,7 +8,7 @@ namespace hw {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The number that the whole text is; nothing when there is anything else in it or it does not fit.
+/// The number that the whole text is; none if it has anything else or does not fit.
 template <class Number>
 std::optional<Number> whole_number(std::string_view text) {
   Number n{};

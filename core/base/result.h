@@ -10,7 +10,7 @@ enum class FaultKind {
   refused,     ///< not sent: out of range, not possible in this state, or needs a confirmation
   asks,        ///< not sent: the user has to choose first, see intent::Closing
   no_answer,   ///< sent, and the deadline passed
-  garbled,     ///< an answer came that means nothing
+  garbled,     ///< a reply came that makes no sense
   controller,  ///< the controller itself reported an error
   stopped,     ///< given up because a stop came first
   lost,        ///< the wire is gone

@@ -1,7 +1,7 @@
 #pragma once
-// Bounded queue from one writer thread to one reader thread for what must not be lost silently: traffic,
-// events. When it is full the newest item is refused and counted, so that the reader can say how many are
-// missing; nothing blocks.
+// A bounded queue from one writer thread to one reader thread for items that must not be lost silently:
+// traffic, events. When it is full the newest item is dropped and counted, so that the reader knows how many
+// are missing; nothing blocks.
 #include <atomic>
 #include <bit>
 #include <cstdint>
@@ -26,8 +26,8 @@ class Ring {
     tail_.store(tail + 1, std::memory_order_release);
     return true;
   }
-  /// The same without a copy: `fill` writes into the slot, where the memory of an earlier item is used again.
-  /// `left_for_others`: so many places are not for this one.
+  /// The same without a copy: `fill` writes into the slot and reuses its memory. `left_for_others`: how many
+  /// places this item must leave free.
   template <class Fill>
   bool push_in_place(Fill&& fill, std::size_t left_for_others = 0) {
     const auto tail = tail_.load(std::memory_order_relaxed);

@@ -1,6 +1,6 @@
 #pragma once
-// The one door to toml++: declarations only. What it is made of is compiled once, in toml.cpp (two files that
-// each carried the whole parser took 20 s of every build).
+// The only access to toml++: declarations only. The parser is compiled once, in toml.cpp (two files that each
+// had it took 20 s of every build).
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 0
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace hw {
 
-/// toml++, as everybody in the house names it; but what a file nests without end, writes in a line of
-/// megabytes or names with what is no text is refused as a fault of that line (toml_guard.cpp).
+/// toml++ under its usual name, except that endless nesting, lines of megabytes and names that are not text
+/// are refused as a fault of that line (toml_guard.cpp).
 namespace toml {
 using namespace ::toml;
 ::toml::parse_result parse(std::string_view text);

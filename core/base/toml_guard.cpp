@@ -1,5 +1,5 @@
-// What a file may do to its reader: toml++ follows every part of a name into a table of its own, and each of
-// them is taken down within the one above. So what is nested without end is refused before it is read.
+// toml++ makes a table for every part of a name and destroys them recursively. So endless nesting is refused
+// before a file is read.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -18,7 +18,7 @@ constexpr std::size_t longest_line = 1'000'000, longest_toml_name = 200;
 class NestingScan {
  public:
   explicit NestingScan(std::string_view text) : text_(text) {}
-  /// Empty: it may be read. Else why not, at at().
+  /// Empty: the file may be read. Else the reason; its place is at().
   std::string_view problem() {
     while (at_ < text_.size()) {
       const char c = text_[at_];
@@ -80,7 +80,7 @@ class NestingScan {
   return {static_cast<::toml::source_index>(lines + 1), 1};
 }
 
-/// Where a line begins that is too long; npos: nowhere.
+/// Where a line that is too long begins; npos: none.
 std::size_t too_long_a_line(std::string_view text) {
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t end = std::min(text.find('\n', from), text.size());
@@ -96,7 +96,7 @@ bool is_a_name(std::string_view name) {
          });
 }
 
-/// The first name in there that is none: it would stand in a sentence or on a screen.
+/// The first name that cannot be shown in a sentence or on a screen.
 std::optional<::toml::source_position> bad_name(const ::toml::node& node) {
   if (const ::toml::array* array = node.as_array())
     for (const ::toml::node& part : *array)

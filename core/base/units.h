@@ -1,5 +1,5 @@
 #pragma once
-// Numbers that know what they count. Kinds do not mix; a value leaves its kind only by `.value`.
+// Numbers that know what they count. Kinds do not mix; `.value` gives the bare number.
 #include <compare>
 #include <cstdint>
 

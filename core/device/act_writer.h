@@ -1,12 +1,12 @@
 #pragma once
-// A sequence that is done act by act, without a program in the controller: what all who make such pieces of
-// it share. A piece is what the tool draws in one go; it begins and ends with the tool up.
+// Base of the writers that turn a sequence into pieces which the console runs act by act, without a program
+// in the controller. A piece is one chain of the tool; it begins and ends with the tool up.
 #include "core/device/pieces.h"
 #include "core/device/sequence_draft.h"
 
 namespace hw {
 
-/// The last place, `from` or one before it, to which the steps come with the tool up.
+/// The last place, at or before `from`, that the steps reach with the tool up.
 [[nodiscard]] std::size_t last_tool_up(const sequence::StepList& steps, std::size_t from);
 
 class ActWriter {
@@ -16,29 +16,29 @@ class ActWriter {
   virtual ~ActWriter() = default;
 
  protected:
-  /// Of all steps; what stands before `from` is followed and not done.
+  /// The acts of all steps; those before `from` are followed but not carried out.
   [[nodiscard]] Result<> write_all();
 
-  // ---- what a list is made of, in this order
-  /// All axes go to where the draft has them now.
+  // ---- parts of a list, in this order
+  /// All axes move to their places in the draft.
   virtual Result<> go(const sequence::OwnSpeeds& own) = 0;
   virtual void act(IntentBody what) = 0;
-  /// Passes behind the act before.
+  /// A pause after the previous act.
   virtual Result<> pause(Duration time) = 0;
   virtual Result<> speeds(const sequence::Speeds& said) = 0;
-  /// The tool is up, and was down.
+  /// The tool goes up.
   virtual void end_piece() = 0;
-  /// It cannot be done so.
+  /// It cannot be done in this way.
   virtual Result<> unfit() = 0;
   [[nodiscard]] virtual bool can_move(int place) const = 0;
-  /// Whatever went before stands in the list.
+  /// Everything so far is in the list.
   virtual void flush() {}
 
   [[nodiscard]] bool emits() const { return ix(place_) >= from_; }
   [[nodiscard]] bool cuts() const { return tool_down_ && !draft_.in_routine(); }
-  /// Of the step at hand, in the sequence's own list.
+  /// Index of the present step in the sequence's list.
   [[nodiscard]] int place() const { return place_; }
-  /// Where they are known.
+  /// The places, as far as known.
   [[nodiscard]] std::vector<AxisTarget> stands() const;
 
   SequenceDraft draft_;
@@ -50,7 +50,9 @@ class ActWriter {
     return unfit();
   }
   Result<> write(const sequence::Comment&) { return {}; }
-  Result<> write(const sequence::WaitMotion&) { return {}; }  // each act waits, and the moves of one go on
+  Result<> write(const sequence::WaitMotion&) {
+    return {};
+  }  // each act waits until the moves of the one before have ended
   Result<> write(const sequence::Speed& step);
   Result<> write(const sequence::Move& step);
   Result<> write(const sequence::Arc& step);

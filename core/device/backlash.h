@@ -1,5 +1,5 @@
 #pragma once
-// Play between motor and table, taken up by coming to every target from the same side.
+// Backlash between motor and table, taken up by approaching every target from the same side.
 #include <optional>
 
 #include "core/base/units.h"
@@ -7,8 +7,8 @@
 namespace hw {
 
 struct Backlash {
-  Steps by{};  ///< how far past its target a move goes that would end the other way; 0: not taken up
-  Sign last = Sign::plus;  ///< the way in which every move ends
+  Steps by{};              ///< how far a move that would end the other way goes past its target; 0: off
+  Sign last = Sign::plus;  ///< the direction in which every move ends
   bool operator==(const Backlash&) const = default;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// A move of the console that takes up the play of its axes.
+// Moves of the console that take up backlash.
 #include <optional>
 
 #include "core/device/intent.h"
@@ -7,11 +7,11 @@
 
 namespace hw {
 
-/// The same move in two, the second of which ends the way that the user has chosen: as pieces, so that a stop
-/// drops the second. None: it is no move, or ends that way by itself.
+/// The move as two pieces, of which the second ends in the user's direction, so that a stop drops the second.
+/// None: not a move, or it ends that way anyway.
 std::optional<intent::RunInPieces> with_backlash_taken_up(const Snapshot& now, const IntentBody& body);
 
-/// Why the user's wish cannot be; empty: it can.
+/// Why these values are not possible; empty: they are.
 std::string say_no_backlash(const intent::SetBacklash& wish, std::size_t axes);
 
 }  // namespace hw

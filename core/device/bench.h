@@ -1,6 +1,6 @@
 #pragma once
-// The bench: what surrounds an emulated controller (switches, loads, hands on its front panel) and what can
-// be seen of it. Reached from scripts, from bench files and from the bench panel.
+// The bench around an emulated controller: switches, loads, hands on its front panel, and what can be seen
+// there. Used by scripts, bench files and the bench panel.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -18,14 +18,14 @@ namespace hw {
 
 namespace bench {
 struct Input {
-  int number;   ///< its place in the catalog, from 1
-  bool active;  ///< true: operated (an active-low input is pulled to 0 V)
+  int number;   ///< its number, as in the catalog
+  bool active;  ///< true: operated (an active-low input is at 0 V)
   Input(int n, bool a) : number(n), active(a) {}
 };
 struct Limit {
   AxisId axis;
   Sign sign;
-  bool operated;  ///< by hand, beside what the travel does
+  bool operated;  ///< operated by hand, besides by travel
   Limit(AxisId a, Sign s, bool o) : axis(a), sign(s), operated(o) {}
 };
 struct HomeSwitch {
@@ -48,13 +48,12 @@ struct Jam {
   bool on;
   Jam(AxisId a, bool o) : axis(a), on(o) {}
 };
-struct Alarm {  ///< the alarm input of an axis, where it has one
+struct Alarm {  ///< the alarm input of an axis, if it has one
   AxisId axis;
   bool on;
   Alarm(AxisId a, bool o) : axis(a), on(o) {}
 };
-struct Slip {  ///< the load jumps without the controller knowing: by steps, or by counts where it has an
-               ///< encoder
+struct Slip {  ///< the load jumps unseen by the controller, by steps or by encoder counts
   AxisId axis;
   Steps by;
   Slip(AxisId a, Steps b) : axis(a), by(b) {}
@@ -70,18 +69,18 @@ struct Power {
   explicit Power(bool o, int s = -1) : on(o), supply(s) {}
 };
 struct PowerCycle {};
-/// The circuit breaker of a supply: it pops out when too much flows, a hand pushes it in again.
+/// The circuit breaker of a supply: trips by too much current, is reset by hand.
 struct Breaker {
   int supply;
   bool out;
   Breaker(int s, bool o) : supply(s), out(o) {}
 };
-// Faults of the wire, done by the transport in front of the emulator.
+// Faults of the wire, made by the transport in front of the emulator.
 struct Unplug {
   bool on;
   explicit Unplug(bool o) : on(o) {}
 };
-struct Garble {  ///< flips bits in the next `bytes` that leave the controller
+struct Garble {  ///< flips bits in the next `bytes` from the controller
   int bytes;
   explicit Garble(int n) : bytes(n) {}
 };
@@ -98,12 +97,12 @@ using BenchCommand =
 
 enum class Lamp : std::uint8_t { off, on };
 
-/// What can be seen on the bench at one instant. Fixed size, copied without allocation.
+/// All that can be seen on the bench at one instant. Fixed size, copied without allocation.
 struct BenchView {
   bool present = false;  ///< false: a real controller, nothing to see
   bool powered = true, unplugged = false;
   std::uint32_t switches_on = ~0u;  ///< bit n = the power switch of BenchFacts::supplies[n]
-  std::uint32_t breakers_out = 0;   ///< bit n = its circuit breaker has popped out
+  std::uint32_t breakers_out = 0;   ///< bit n = its circuit breaker has tripped
   std::uint32_t lamps = 0;          ///< bit n = BenchFacts::lamps[n] lit
   std::uint32_t buttons = 0;        ///< bit n = BenchFacts::buttons[n] pressed
   std::uint32_t inputs_operated = 0;
@@ -111,17 +110,17 @@ struct BenchView {
   std::array<std::int32_t, 8> analog{};
   std::array<Steps, max_axes> load_position{};
   std::array<SwitchPlaces, max_axes> switches{};    ///< by axis
-  std::uint32_t limits_minus = 0, limits_plus = 0;  ///< bit per axis: switch operated, by travel or hand
+  std::uint32_t limits_minus = 0, limits_plus = 0;  ///< bit per axis: switch operated, by travel or by hand
   std::uint32_t limits_minus_by_hand = 0, limits_plus_by_hand = 0;
   std::uint32_t homes_by_hand = 0;
-  std::uint32_t homes = 0, alarms = 0;  ///< bit per axis, operated, where they are inputs of their own
+  std::uint32_t homes = 0, alarms = 0;  ///< bit per axis: operated, if it is an input of its own
   std::uint32_t jammed = 0;
-  std::int64_t stores = -1;       ///< writes used of the non-volatile memory; -1: it has none
-  std::uint32_t lamps_blink = 0;  ///< bit n: the lamp changes by itself now
+  std::int64_t stores = -1;       ///< writes to the non-volatile memory so far; -1: it has none
+  std::uint32_t lamps_blink = 0;  ///< bit n: the lamp is blinking
   bool operator==(const BenchView&) const = default;
 };
 
-/// A pulse on an output that is tied to a position, with the moment it began.
+/// A position-triggered output pulse, and when it began.
 struct TriggerPulse {
   Instant at{};
   int output = 0;

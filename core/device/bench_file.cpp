@@ -52,7 +52,7 @@ class Reader {
   template <class Each>
   void each(const toml::node& node, std::string_view what, Each&& take) {
     const auto* table = node.as_table();
-    if (!table) return wrong(node, fmt::format("{} is no table", what));
+    if (!table) return wrong(node, fmt::format("{} is not a table", what));
     for (auto&& [key, inner] : *table) take(key.str(), inner);
   }
 
@@ -156,7 +156,7 @@ class Reader {
   void motor(const toml::node& node, AxisPlace& place) {
     place.motor.emplace();
     if (!node.is_table()) {
-      place.motor->present = on_off(node, "motor, where it is no table,").value_or(false);
+      place.motor->present = on_off(node, "motor, unless it is a table,").value_or(false);
       return;
     }
     each(node, "motor", [&](std::string_view key, const toml::node& n) {

@@ -1,6 +1,5 @@
 #pragma once
-// A bench described in a TOML file: what hangs on the axes, how inputs stand at the start, what happens
-// later.
+// A bench described in a TOML file: the axes' switches and loads, the inputs at the start, and later events.
 //
 //   quirks = ["overrun"]
 //   [axis.1]                      # keys of AxisPlace, the same as in a script's bench:place()
@@ -42,11 +41,11 @@ struct BenchFile {
   std::vector<TimedBenchCommand> later;  ///< earliest first
 };
 
-/// Names axes by `catalog`. A fault begins `name:LINE:COLUMN: `.
+/// Axis names are those of `catalog`. A fault begins `name:LINE:COLUMN: `.
 Result<BenchFile> parse_bench_file(std::string_view text, const Catalog& catalog,
                                    std::string_view name = "bench file");
 
-/// What is wrong with such a place ("minus must be below plus"); empty: nothing.
+/// What is wrong with a place ("minus must be below plus"); empty: nothing.
 std::string_view problem_of(const AxisPlace& place);
 
 }  // namespace hw

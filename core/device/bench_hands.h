@@ -1,13 +1,12 @@
 #pragma once
-// For emulators: sorts what a hand on the bench does to the controller from what happens to its wire.
+// For emulators: separates bench commands to the controller from faults of its wire.
 #include <type_traits>
 
 #include "core/device/bench.h"
 
 namespace hw {
 
-/// Gives `act` what a hand does to the controller itself. Faults of the wire are refused: whoever carries the
-/// wire makes them.
+/// Passes commands to the controller on to `act`. Refuses faults of the wire, which the transport makes.
 template <class Act>
 Result<> by_hand(const BenchCommand& command, const Act& act) {
   const auto do_it = [&]<class Hand>(const Hand& hand) -> Result<> {

@@ -17,9 +17,9 @@ class CommandForm {
   CommandForm(const CommandInfo& command, const std::vector<AxisInfo>& axes);
 
   enum class Match { none, begins, whole };
-  /// `text` is one command without address and end.
+  /// `text` is one command without address and terminator.
   [[nodiscard]] Match match(std::string_view text) const;
-  /// What every text of this form begins with.
+  /// The prefix of every text of this form.
   [[nodiscard]] const std::string& head() const { return head_; }
 
  private:
@@ -30,7 +30,7 @@ class CommandForm {
   };
   void read_letters(const std::string& form, const std::string& example);
   void read_brackets(std::string_view form);
-  /// How much of `text` this part takes; npos: it does not fit.
+  /// How much of `text` this part matches; npos: it does not.
   [[nodiscard]] std::size_t taken(const Part& part, std::string_view text) const;
 
   std::vector<Part> parts_;

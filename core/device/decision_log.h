@@ -1,6 +1,6 @@
 #pragma once
-// What a pump and its driver decide, a line each: --log pump=debug, --log driver.vxm=debug. Why something was
-// refused, dropped, sent again or given up. Io thread.
+// Log of the decisions of a pump and its driver: why something was refused, dropped, sent again or given up.
+// --log pump=debug, --log driver.vxm=debug. Io thread.
 #include <fmt/core.h>
 
 #include "core/base/log.h"
@@ -9,13 +9,13 @@
 
 namespace hw {
 
-/// Of which controller: "vxm", "dmx-k-sa 03".
+/// Formats the controller's name: "vxm", "dmx-k-sa 03".
 struct Whose {
   const Catalog& catalog;
 };
 
 log::Subject& pump_log();
-/// Looked up by name: only for what seldom happens.
+/// Looked up by name: only for rare events.
 log::Subject& driver_log(const Catalog& catalog);
 
 }  // namespace hw
@@ -29,7 +29,7 @@ struct fmt::formatter<hw::Whose> : fmt::formatter<std::string> {
   }
 };
 
-/// "stop 7 (axis 2, at once)": what it is for.
+/// "stop 7 (axis 2, at once)".
 template <>
 struct fmt::formatter<hw::StopOrder> : fmt::formatter<std::string> {
   auto format(const hw::StopOrder& order, fmt::format_context& context) const {

@@ -3,24 +3,24 @@
 // coroutines that read like the manual's procedures. The pump runs one of them at a time; a stop ends it
 // (Station::preempt) and takes its place. Io thread only.
 //
-// What a driver owes, so that the rest of the house can rely on it:
+// What the other parts of the program expect of a driver:
 //
 // - Intents. MoveTo, MoveBy, JogStart, Home, SetPosition, SetParam, ReadParams, SendText, Reset and ReadAgain
-//   are taken by every driver, as far as its catalog offers them. What the controller cannot do is refused,
-//   with FaultKind::refused and a sentence, before a byte is sent. Stop, Abort, JogStop, JogKeepAlive,
-//   Reconnect, TrustPosition, RecallPositions, SetTravel, SetBacklash, RunInPieces and OverrideSpeed never
-//   come here: the pump does them.
-// - Faults. refused: nothing was sent. controller: it said no. no_answer, garbled: it may have been done.
-//   stopped: a stop took the wire. lost: the wire is gone. The pump repeats nothing.
+//   are handled by every driver, as far as its catalog offers them. A driver refuses what its controller
+//   cannot do with FaultKind::refused and a sentence, before a byte is sent. Stop, Abort, JogStop,
+//   JogKeepAlive, Reconnect, TrustPosition, RecallPositions, SetTravel, SetBacklash, RunInPieces and
+//   OverrideSpeed never come here: the pump handles them.
+// - Faults. refused: nothing was sent. controller: it refused. no_answer, garbled: the command may have been
+//   carried out. stopped: a stop took the wire. lost: the wire is gone. The pump repeats nothing.
 // - Stops: see stop(). A second stop of the same scope comes with StopOrder::at_once. stop_progress() says
-//   `stands` only of what was read since the stop was sent.
+//   `stands` only from values read since the stop was sent.
 // - Snapshot. The driver writes the axes (but travel and backlash), programs, threads, the feed, transfers,
 //   parameters, readouts, lines and its identity. The pump writes link, pieces, fates and poll_period. A
-//   value that is not known any more is marked so; it is never left as it was.
-// - Restarts. Snapshot::restarts goes up whenever the controller has been switched on or reset, and each axis
-//   that may have lost its zero is doubted (PositionTrust::doubt) in the same round.
-// - Notices. info, warning, error: a sentence that somebody must read. program: the listing of a slot for
-//   which the editor waits. question: a move is possible when these slots have been emptied.
+//   value that is no longer known is marked as unknown, never left as it was.
+// - Restarts. The driver increments Snapshot::restarts when the controller was switched on or reset, and in
+//   the same round marks each axis that may have lost its zero (PositionTrust::doubt).
+// - Notices. info, warning, error: a sentence for the user. program: the listing of a slot for which the
+//   editor waits. question: a move needs one of these slots to be emptied first.
 #include <functional>
 #include <string>
 
@@ -34,67 +34,69 @@
 
 namespace hw {
 
-/// What a driver is given. All outlive it.
+/// What a driver is given. All of it outlives the driver.
 struct DriverContext {
   Scheduler& scheduler;
   const Catalog& catalog;
   Snapshot& draft;                     ///< the driver writes it; the pump publishes it
-  ScriptTexts& texts;                  ///< what came unasked, for scripts
-  std::function<void(Notice)> notify;  ///< what must not be lost
-  std::function<void()> changed;       ///< something came unasked: publish soon, poll soon
-  std::function<void(const AxisSample&)> sample = nullptr;  ///< of a recording: intent::Sample
+  ScriptTexts& texts;                  ///< unsolicited messages, for scripts
+  std::function<void(Notice)> notify;  ///< messages that must not be lost
+  std::function<void()> changed;       ///< an unsolicited message came: publish and poll soon
+  std::function<void(const AxisSample&)> sample = nullptr;  ///< samples of a recording: intent::Sample
 };
 
-/// How much a round of status asks.
+/// How much a status round asks for.
 enum class Round : std::uint8_t {
-  stopping,  ///< what shows whether the controller stands, and nothing else
+  stopping,  ///< only what shows whether the controller is at rest
   usual,
-  everything  ///< somebody waits for what it reads: also what is otherwise asked in turn
+  everything  ///< somebody waits for it: also what is usually asked in turn
 };
 
 class Driver {
  public:
   virtual ~Driver() = default;
 
-  /// A wire is open, and stops may be sent. Nothing is known of the controller yet. Sends nothing.
+  /// A wire is open, and stops may be sent. Nothing is known of the controller yet. Must send nothing.
   virtual void attach(Station& station) = 0;
-  /// Get the controller to listen, find out what it is, read its state. Moves nothing.
+  /// Make the controller listen, identify it, and read its state. Moves nothing.
   virtual Task<Result<>> connect() = 0;
-  /// One round of status.
+  /// Run one status round.
   virtual Task<Result<>> poll(Round round) = 0;
-  /// Somebody reacts to inputs until then: a long round asks for them again between its other questions, and
+  /// A script reacts to inputs until then: a long round asks for them again between its other questions, and
   /// shows them at once.
   virtual void watch_inputs(Instant /*until*/) {}
-  /// Everything but stops. Returns when the intent is under way (moves) or finished (the rest).
+  /// The same of limit switches.
+  virtual void watch_limits(Instant /*until*/) {}
+  /// Perform any intent but a stop. Returns when a motion is under way, or anything else is finished.
   virtual Task<Result<>> perform(const IntentBody& intent) = 0;
-  /// Sends a stop, all of it, and does not wait for its effect: it returns when the controller has
-  /// acknowledged the last byte, or has been given the time to. Also before connect(), and whatever is known
-  /// of the state. Called again for the same order until stop_progress() says that it stands. Returns the
-  /// answer to the user's words, if they have one.
+  /// Send a stop completely, without waiting for its effect: returns when the controller has acknowledged the
+  /// last byte, or has had the time to. Must work before connect(), and in any state. Called again for the
+  /// same order until stop_progress() says that it stands. Returns the answer to a stop that the user typed,
+  /// if any.
   virtual Task<Result<std::string>> stop(const StopOrder& order) = 0;
-  /// What stops a jog of these axes (a bit each) when nobody can ask the controller anything any more: the
-  /// exact bytes for the wire that is attached, with the end of a message that was cut short in front. It may
-  /// stop more than these axes where the controller knows no less.
+  /// The exact bytes that stop a jog of these axes (a bit each) when the console is dead, for the attached
+  /// wire. They begin with the line end that closes a torn message. They may stop more axes where the
+  /// controller has no smaller stop.
   [[nodiscard]] virtual LastWill last_will(unsigned axes) const = 0;
-  /// What the round of status that has just ended shows of it. The user's own words are followed by the
-  /// console's stop where this asks for them again.
+  /// How far the stop has come, by the status round that has just ended. If this asks for a stop that the
+  /// user typed to be repeated, the console's own stop is sent.
   virtual StopProgress stop_progress(const StopOrder& order) = 0;
-  /// The wire is gone: what was under way, waited for or half said is forgotten, positions are not known any
-  /// more, and nothing is sent. What was read of the set-up may stay to be shown; connect() reads it again.
-  /// The station is invalid afterwards.
+  /// The wire is gone: forget what was under way, awaited or half sent, mark positions as unknown, send
+  /// nothing. The set-up may be left as it was read; connect() reads it again. The station is invalid
+  /// afterwards.
   virtual void wire_lost() = 0;
 
-  /// Raw text and its reply without terminator (scripts, `send`). No stop.
+  /// Send raw text and return its reply without terminator (scripts, `send`). Never a stop.
   virtual Task<Result<std::string>> query(std::string text, Duration patience) = 0;
   [[nodiscard]] virtual TextMeaning meaning_of(const intent::SendText& text) const = 0;
-  /// Another session of this wire sends this text to all its controllers, and so to this one.
+  /// Another session on this wire sends this text to all its controllers, and so to this one.
   virtual void overhear(const std::string& /*text*/) {}
 
-  /// What the console has put into the controller for its own use is still there, and the next rounds of
-  /// status take it away: a wire that is given up stays open for that.
+  /// Something that the console put into the controller for its own use is still there, and the next status
+  /// rounds remove it: the wire stays open for that.
   [[nodiscard]] virtual bool clears_up() const { return false; }
-  /// What stays in the controller, as far as is known, when the connection is closed now, and nobody expects
-  /// there; empty: nothing. Also while the wire is lost.
+  /// A sentence on anything unexpected that stays in the controller if the connection is closed now; empty:
+  /// nothing. Also while the wire is lost.
   [[nodiscard]] virtual std::string leaves_behind() const { return {}; }
 
   /// The poll law: how long to wait between rounds.

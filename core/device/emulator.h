@@ -1,7 +1,7 @@
 #pragma once
-// A controller's firmware in miniature: a passive value without clock, thread or I/O. Whoever owns it brings
-// bytes in, carries output away and moves its time. The same object runs in real time behind a pty, ten
-// thousand times faster in a test, and under a fuzzer.
+// A controller's firmware in miniature: a passive object without clock, thread or I/O. Its owner feeds it
+// bytes, takes its output and advances its time. The same object runs in real time behind a pty, ten thousand
+// times faster in a test, and under a fuzzer.
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,30 +25,30 @@ class Emulator {
 
   /// Bytes from the host, at the time of the last advance_to().
   virtual void receive(std::string_view bytes) = 0;
-  /// Moves the output that has come up since the last call to the end of `sink`.
+  /// Appends the output since the last call to `sink`.
   virtual void take_output(std::string& sink) = 0;
-  /// Of a board in a memory window: its side of the bus. Then receive() and take_output() do nothing.
+  /// For a board in a memory window: its side of the bus; receive() and take_output() do nothing then.
   virtual BusTarget* bus() { return nullptr; }
-  /// When something happens next by itself (a step that matters, a pause, a lamp). None: nothing will.
+  /// When something next happens by itself (a step, the end of a pause, a lamp). None: nothing will.
   [[nodiscard]] virtual std::optional<Instant> next_event() const = 0;
-  /// Time goes on; everything due up to and including `now` happens in order. Never goes backwards.
+  /// Advances time; everything due up to and including `now` happens in order. Never backwards.
   virtual void advance_to(Instant now) = 0;
 
-  /// The hand on the bench. Refuses what this device does not have, with a sentence.
+  /// Performs a bench command. Refuses with a sentence what this device does not have.
   virtual Result<> operate(const BenchCommand& command) = 0;
   virtual void look(BenchView& view) const = 0;
-  /// What its axes really do at the time of the last advance_to(). axis_count 0: it does not tell.
+  /// The true state of its axes at the last advance_to(). axis_count 0: not available.
   virtual void tell_truth(MachineTruth&) const {}
   /// Trigger pulses so far, oldest first (kept to the last 100,000).
   [[nodiscard]] virtual const std::vector<TriggerPulse>& pulses() const = 0;
 
-  /// The line rate that it listens at now; 0: no rate.
+  /// Its present line rate; 0: none.
   [[nodiscard]] virtual int rate() const = 0;
-  /// Non-volatile memory as text, to be kept in a file; and back. `store_count` of it goes up at each store.
+  /// Its non-volatile memory as text for a file, and back. `store_count` in it increases with each store.
   [[nodiscard]] virtual std::string save_memory() const = 0;
   virtual Result<> load_memory(std::string_view text) = 0;
-  /// Freshly switched on, it stands from here on as is known of a controller like it; what `state` does not
-  /// tell stays. Only of devices that share a wire: the others are rehearsed by their language.
+  /// Puts a freshly started emulator into the known state of a controller; what `state` does not tell is
+  /// left. Only for devices that share a wire: others are rehearsed by their language.
   virtual void begin_like(const ControllerState&, const Catalog&) {}
   /// Changes at each write to non-volatile memory.
   [[nodiscard]] virtual std::uint64_t memory_version() const = 0;

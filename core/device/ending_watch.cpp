@@ -55,6 +55,7 @@ void EndingWatch::stop_asked(const StopOrder& order, const Snapshot& now, Instan
     const double since_seen = seconds(at - axis.seen_at) * axis.speed.value * axis.direction;
     run.asked_at = at;
     run.asked_place = axis.position + Steps(std::llround(since_seen));
+    run.asked_speed = axis.speed;
   }
   if (order.what == What::jog) return;
   const bool one_axis = order.what == What::everything && order.axis >= 0 && catalog_.program.threads > 0;
@@ -71,11 +72,20 @@ void EndingWatch::stop_goes_out(const StopOrder& order, Instant at) {
     if (Run& run = axes_[ix(i)]; run.sent_at == Instant{} && stops_axis(order, i)) run.sent_at = at;
 }
 
+// By the status, or by the speed, of controllers that tell one of them.
+void EndingWatch::see_slowing(Run& run, const AxisState& axis) {
+  constexpr double plainly = 0.98;
+  if (run.sent_at == Instant{} || run.slow_at != Instant{} || axis.seen_at < run.sent_at) return;
+  const bool slower = axis.speed.value > 0 && axis.speed.value < plainly * run.asked_speed.value;
+  if (axis.phase == Phase::decelerating || slower) run.slow_at = axis.seen_at;
+}
+
 void EndingWatch::time_the_stop(Run& run, Instant at) {
   if (run.asked_at == Instant{} || run.sent_at == Instant{} || !run.told.place_known) return;
   run.told.timed = true;
   run.told.to_wire = run.sent_at - run.asked_at;
   run.told.to_rest = at - run.asked_at;
+  if (run.slow_at != Instant{}) run.told.to_slowing = run.slow_at - run.asked_at;
   run.told.ran_on = Steps(std::abs((run.told.place - run.asked_place).value));
 }
 
@@ -113,6 +123,7 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
     if (state.activity != Activity::stopping) run.told.what = what_moves(state.activity);
     run.told.at_travel_end = goes_to_travel_end(state);
     run.quiet = something_tells(now);
+    see_slowing(run, state);
     return;
   }
   if (!run.under_way) return;

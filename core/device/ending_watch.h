@@ -1,5 +1,5 @@
 #pragma once
-// Sees motions and programs begin and end in what the driver knows, and tells each end once. Io thread.
+// Watches the snapshot for motions and programs that begin and end, and reports each end once. Io thread.
 #include <array>
 #include <functional>
 
@@ -12,25 +12,27 @@ namespace hw {
 class EndingWatch {
  public:
   using Tell = std::function<void(const Ending&)>;
-  /// The catalog outlives it. `tell` null: nobody wants to know.
+  /// The catalog must outlive it. `tell` null: ends are not reported.
   EndingWatch(const Catalog& catalog, Tell tell) : catalog_(catalog), tell_(std::move(tell)) {}
 
-  /// A stop is asked for: what ends by one from now on, ends by this.
+  /// A stop was requested: from now on, ends by a stop are attributed to it.
   void stop_asked(const StopOrder& order, const Snapshot& now, Instant at);
-  /// Its first byte goes out.
+  /// Its first byte was sent.
   void stop_goes_out(const StopOrder& order, Instant at);
-  /// After each change of what is known.
+  /// To be called after each change of the snapshot.
   void look(const Snapshot& now);
 
  private:
   /// A motion, or a run of programs or lists.
   struct Run {
     bool under_way = false;
-    bool quiet = false;  ///< of a motion: a program or a list tells of it
+    bool quiet = false;  ///< of a motion: reported with its program or list
     Ending told;
     StoppedBy who = StoppedBy::nobody;
     Instant asked_at{}, sent_at{};  ///< of the first stop
+    Instant slow_at{};              ///< it was first seen to slow down behind that
     Steps asked_place{};
+    Pps asked_speed{};
   };
   void look_at_axis(const Snapshot& now, int axis);
   void look_at_program(const Snapshot& now);
@@ -40,6 +42,7 @@ class EndingWatch {
   void look_at_pieces(const Snapshot& now);
   static void begin(Run& run, Ending::What what, Instant now);
   void finish(Run& run, Instant at);
+  static void see_slowing(Run& run, const AxisState& axis);
   static void time_the_stop(Run& run, Instant at);
   static bool stops_axis(const StopOrder& order, int axis);
 

@@ -1,7 +1,7 @@
 #pragma once
-// The jogs that were asked for and not let go yet, and the dead-man that lets go of a hand's when the console
-// does not hold it any more. Which of them ends is decided by name: what becomes of another command, or a
-// stop of another axis, leaves a held jog guarded. Io thread.
+// The jogs that are held, and the dead-man timer that releases a hand's jog when the console no longer holds
+// it. Jogs are identified by intent: the outcome of another command, or a stop of another axis, leaves a held
+// jog guarded. Io thread.
 #include <algorithm>
 #include <functional>
 #include <vector>
@@ -18,7 +18,7 @@ class HeldJogs {
   HeldJogs(Scheduler& scheduler, std::function<void()> not_held_any_more)
       : scheduler_(scheduler), dead_man_(scheduler, std::move(not_held_any_more)) {}
 
-  /// `guarded`: held by a hand, which must keep it alive.
+  /// `guarded`: held by a hand, and must be kept alive.
   void begin(IntentId id, int axis, bool guarded) {
     jogs_.push_back({id, axis, guarded});
     if (guarded) dead_man_.arm(scheduler_.now() + patience);
@@ -26,7 +26,7 @@ class HeldJogs {
   void keep_alive() {
     if (any() && dead_man_.armed()) dead_man_.arm(scheduler_.now() + patience);
   }
-  /// It has not begun after all.
+  /// The jog did not begin.
   void end(IntentId id) {
     std::erase_if(jogs_, [id](const Jog& jog) { return jog.id == id; });
     disarm_if_none_is_guarded();
@@ -36,7 +36,7 @@ class HeldJogs {
     std::erase_if(jogs_, [axis](const Jog& jog) { return axis < 0 || jog.axis == axis; });
     disarm_if_none_is_guarded();
   }
-  /// Those of scripts that `over(id, axis)` says have ended by themselves: at a limit.
+  /// Forgets a script's jogs that have ended by themselves, at a limit, as `over(id, axis)` tells.
   template <class Over>
   void forget_if(Over over) {
     std::erase_if(jogs_, [&](const Jog& jog) { return !jog.guarded && over(jog.id, jog.axis); });
@@ -45,7 +45,7 @@ class HeldJogs {
   void for_each_axis(Each each) const {
     for (const Jog& jog : jogs_) each(jog.axis);
   }
-  /// Of those that `has_begun(id)`.
+  /// The axes of jogs that `has_begun(id)`.
   template <class Begun>
   [[nodiscard]] std::vector<int> axes_if(Begun has_begun) const {
     std::vector<int> axes;
@@ -57,7 +57,7 @@ class HeldJogs {
   [[nodiscard]] bool has(IntentId id) const {
     return std::any_of(jogs_.begin(), jogs_.end(), [id](const Jog& jog) { return jog.id == id; });
   }
-  /// A bit for each axis that a hand jogs, of those that `has_begun(id)`.
+  /// A bit for each axis that a hand jogs and whose jog `has_begun(id)`.
   template <class Begun>
   [[nodiscard]] unsigned guarded_axes_if(Begun has_begun) const {
     unsigned axes = 0;
@@ -74,7 +74,7 @@ class HeldJogs {
     int axis = -1;
     bool guarded = false;
   };
-  /// The one that ends when a hand lets go: its own, whatever a script has begun meanwhile.
+  /// The jog that ends when a hand lets go: the hand's own, whatever a script has begun.
   [[nodiscard]] Jog in_hand() const {
     const auto own = std::find_if(jogs_.rbegin(), jogs_.rend(), [](const Jog& jog) { return jog.guarded; });
     return own != jogs_.rend() ? *own : Jog();

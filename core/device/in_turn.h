@@ -1,11 +1,11 @@
 #pragma once
-// Of many values of which a round of status asks a few: whose turn it is.
+// Takes turns among many values of which a status round reads only a few.
 
 namespace hw {
 
 class InTurn {
  public:
-  /// The next of `count` that is `wanted(i)`; each comes once before the first comes again. -1: none is.
+  /// The next of `count` for which `wanted(i)`; each comes once before the first comes again. -1: none.
   template <class Wanted>
   int next(int count, Wanted wanted) {
     for (int tried = 0; tried < count; ++tried) {
@@ -18,9 +18,9 @@ class InTurn {
   int next(int count) {
     return next(count, [](int) { return true; });
   }
-  /// Whose turn comes, if it is wanted; it does not pass by this.
+  /// The next in turn; does not advance.
   [[nodiscard]] int peek(int count) const { return next_ < count ? next_ : 0; }
-  /// It comes at once.
+  /// Makes `place` the next in turn.
   void jump_to(int place) { next_ = place; }
 
  private:

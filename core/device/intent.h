@@ -1,6 +1,6 @@
 #pragma once
-// What the user wants, as a value. A few verbs serve every controller; what a controller cannot do its driver
-// refuses with a sentence.
+// A request of the user, as a value. A few verbs serve every controller; a driver refuses with a sentence
+// what its controller cannot do.
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -30,42 +30,42 @@ struct AxisTarget {
   bool operator==(const AxisTarget&) const = default;
 };
 
-/// Who has asked for a stop.
+/// Who requested a stop.
 enum class StoppedBy : std::uint8_t {
-  button,  ///< of the console, under the mouse
+  button,  ///< the console's Stop button
   key,     ///< Esc
   script,
-  text,     ///< the maker's own words
-  let_go,   ///< a jog's hand
-  console,  ///< the console itself: nobody held the jog any more, a link that was lost, its end
-  nobody    ///< that is known
+  text,     ///< a command that the user typed
+  let_go,   ///< the hand that held a jog
+  console,  ///< the console itself: the jog was no longer held, the link was lost, the program ends
+  nobody    ///< not known
 };
 
 namespace intent {
 
-/// What becomes of a servo axis whose loop is about to close, or to drive harder, while it stands far from
-/// its command.
+/// What to do with a servo axis whose loop is about to close, or to drive harder, while it is far from its
+/// command.
 enum class Closing : std::uint8_t {
-  ask,    ///< nothing: the intent is refused, and IntentFate::asks is set
-  drive,  ///< it is driven there at once
-  stay    ///< it stays: the place where it stands becomes its command first
+  ask,    ///< refuse the intent and set IntentFate::asks
+  drive,  ///< let it be driven there at once
+  stay    ///< keep it where it is: its position becomes its command first
 };
 
-/// Of one motion, in the controller's own unit: see DeviceType::acceleration. None: as the controller is set.
+/// Of one motion, in the controller's own unit (DeviceType::acceleration). None: as the controller is set up.
 using Acceleration = std::optional<std::int64_t>;
 
-/// How fast a motion goes, and how it comes there. What it sets is given back behind it.
+/// Speed and ramp of one motion. The controller's own settings are restored after it.
 struct Pace {
-  Pps speed;  ///< 0: as the controller is set
+  Pps speed;  ///< 0: as the controller is set up
   Acceleration acceleration = {};
 };
 
 struct MoveTo {
   std::vector<AxisTarget>
-      targets;  ///< absolute; several axes: together where the controller can, else in order
-  Pps speed;    ///< 0: as the controller is set
+      targets;  ///< absolute; several axes move together where the controller can, else in order
+  Pps speed;    ///< 0: as the controller is set up
   Acceleration acceleration = {};  ///< see Pace
-  bool despite_doubt = false;      ///< this once, although a position is not to be trusted; see PositionTrust
+  bool despite_doubt = false;      ///< just this once, although a position is doubtful; see PositionTrust
   explicit MoveTo(std::vector<AxisTarget> t, Pps s = {}) : targets(std::move(t)), speed(s) {}
 };
 struct MoveBy {
@@ -78,23 +78,23 @@ template <class Motion>
 [[nodiscard]] Pace pace_of(const Motion& motion) {
   return {motion.speed, motion.acceleration};
 }
-/// Continuous jog. Whoever holds it sends JogKeepAlive at least every 250 ms, else the pump stops the axis.
+/// Continuous jog. The holder sends JogKeepAlive at least every 250 ms, or the pump stops the axis.
 struct JogStart {
   AxisId axis;
   Sign sign;
   Pps speed;      ///< 0: the controller's own jog or high speed
-  bool dead_man;  ///< false for scripts, which stop it themselves
-  /// The end of the user's travel that way, which the pump fills in: the jog is sent as a move there, so that
-  /// the controller ends it whatever becomes of the console.
+  bool dead_man;  ///< false for scripts, which stop the jog themselves
+  /// The user's limit in that direction, filled in by the pump: the jog is sent as a move to it, so that the
+  /// controller ends the jog whatever happens to the console.
   std::optional<Steps> up_to;
   Acceleration acceleration = {};
   JogStart(AxisId a, Sign s, Pps v = {}, bool guarded = true)
       : axis(a), sign(s), speed(v), dead_man(guarded) {}
 };
 struct JogKeepAlive {};
-/// The hand lets go of its jog; a jog that a script holds goes on.
+/// The hand releases its jog; a jog that a script holds continues.
 struct JogStop {
-  int axis = -1;  ///< filled in on the way: that of the jog which ends; -1: not known, so all
+  int axis = -1;  ///< filled in by the pump: the axis whose jog ends; -1: not known, so all
 };
 struct Home {
   AxisId axis;
@@ -103,55 +103,55 @@ struct Home {
   Pace pace = {};
   Home(AxisId a, Sign s, int m = 0) : axis(a), sign(s), mode(m) {}
 };
-/// Ramp down. Always goes out first. On an axis that is already stopping, or asked twice: at once, without
-/// ramp. The first one of all axes ramps also beside that of a single axis.
+/// Ramp down. Always sent first. Requested twice, or for an axis that is stopping already: at once, without a
+/// ramp. The first stop of all axes ramps even if a single axis is stopping.
 struct Stop {
   int axis;  ///< -1: all
   StoppedBy by;
   explicit Stop(int a = -1, StoppedBy who = StoppedBy::button) : axis(a), by(who) {}
 };
-/// At once, without ramp; positions may be lost.
+/// Stop at once, without a ramp; positions may be lost.
 struct Abort {
   int axis;
   StoppedBy by;
   explicit Abort(int a = -1, StoppedBy who = StoppedBy::button) : axis(a), by(who) {}
 };
-/// Makes the present position read `value` (0: zero here). axis -1: all axes to 0.
+/// Make the present position read `value` (0: zero here). axis -1: all axes to 0.
 struct SetPosition {
   int axis;
   Steps value;
   explicit SetPosition(int a, Steps v = {}) : axis(a), value(v) {}
 };
-/// Takes the present position for true as it reads, on the user's word. Nothing is sent.
+/// Trust the present position, on the user's word. Nothing is sent.
 struct TrustPosition {
   AxisId axis;
   explicit TrustPosition(AxisId a) : axis(a) {}
 };
-/// What an earlier session has kept of all axes, by AxisId: taken for axes of which nothing better is known.
+/// The positions kept by an earlier session, by AxisId: used for axes of which nothing better is known.
 /// Nothing is sent.
 struct RecallPositions {
   std::vector<KeptPosition> kept;
   explicit RecallPositions(std::vector<KeptPosition> k) : kept(std::move(k)) {}
 };
-/// How far the user lets an axis go. Nothing is sent; also without a connection.
+/// Set the user's limits of an axis. Nothing is sent; works without a connection.
 struct SetTravel {
   AxisId axis;
   Travel travel;
   SetTravel(AxisId a, Travel t) : axis(a), travel(t) {}
 };
-/// How the play of an axis is taken up by moves from now on. Nothing is sent.
+/// Set how moves take up the backlash of an axis. Nothing is sent.
 struct SetBacklash {
   AxisId axis;
   Backlash backlash;
   SetBacklash(AxisId a, Backlash b) : axis(a), backlash(b) {}
 };
-/// Makes the present encoder count read `value`.
+/// Make the present encoder count read `value`.
 struct SetEncoder {
   int axis;
   Steps value;
   explicit SetEncoder(int a, Steps v = {}) : axis(a), value(v) {}
 };
-/// Motor current of one axis (-1: all) on or off.
+/// Switch the motor current of one axis (-1: all).
 struct SetPower {
   int axis;
   bool on;
@@ -166,17 +166,17 @@ struct SetOutput {
 struct SetParam {
   std::string mnemonic;
   std::int64_t value;
-  bool confirmed;  ///< the user has read the parameter's warning
+  bool confirmed;  ///< the user has confirmed the parameter's warning
   Closing closing = Closing::ask;
   SetParam(std::string m, std::int64_t v, bool c = false) : mnemonic(std::move(m)), value(v), confirmed(c) {}
 };
-/// Into Snapshot::params. All of them, and the variables that are stored; or only one, where the controller
+/// Read parameters and stored variables into Snapshot::params; or a single parameter, where the controller
 /// can be asked for one.
 struct ReadParams {
   std::string only;  ///< mnemonic; empty: all
   explicit ReadParams(std::string mnemonic = {}) : only(std::move(mnemonic)) {}
 };
-/// One analog input, now: where there are many, a round of status reads one of them.
+/// Read one analog input now: where there are many, a status round reads only one of them.
 struct ReadAnalog {
   int number;  ///< from 1
   explicit ReadAnalog(int n) : number(n) {}
@@ -187,7 +187,7 @@ struct SelectProgram {
   int slot;
   explicit SelectProgram(int s) : slot(s) {}
 };
-/// Clear the slot, write the text, read it back and compare. Texts with own program headings: slot -1.
+/// Clear the slot, write the text, read it back and compare. A text with program headings: slot -1.
 struct LoadProgram {
   int slot;
   std::string text;
@@ -204,10 +204,11 @@ struct ClearProgram {
 /// `slot`: where the catalog has threads, the thread to run.
 struct RunProgram {
   int slot;
-  /// Where a text that the console itself has written goes; a text of the user's is his own word.
+  /// The targets of a text that the console has written; a text of the user's is the user's own
+  /// responsibility.
   std::vector<AxisTarget> places;
   bool despite_doubt = false;
-  bool as_it_is = false;  ///< this once, although it is not what was sent last; see Snapshot::slots_torn
+  bool as_it_is = false;  ///< just this once, although it is not what was sent last; see Snapshot::slots_torn
   explicit RunProgram(int s, std::vector<AxisTarget> p = {}) : slot(s), places(std::move(p)) {}
 };
 struct Pause {  ///< hold before the next command
@@ -219,7 +220,7 @@ struct Resume {  ///< go on from a hold or a wait for the host
   explicit Resume(int t = -1) : thread(t) {}
 };
 struct SingleStep {};  ///< from a hold: one command
-/// Goes out like a stop. Where the catalog has threads the motion that one has begun goes on.
+/// Sent like a stop. Where the catalog has threads, a motion that the thread began continues.
 struct HaltProgram {
   int thread;
   StoppedBy by;
@@ -233,7 +234,7 @@ struct Act {
   bool despite_doubt = false;
   Act(int a, std::vector<std::int64_t> v) : action(a), values(std::move(v)) {}
 };
-/// Catalog::jog_guard is installed, as its user has agreed to, or taken away again.
+/// Install Catalog::jog_guard, with the user's consent, or remove it.
 struct GuardJogs {
   bool on;
   explicit GuardJogs(bool o) : on(o) {}
@@ -243,52 +244,51 @@ struct SetVariable {
   std::int64_t value;
   SetVariable(int n, std::int64_t v) : number(n), value(v) {}
 };
-/// Somebody looks at these readout groups: their values are polled in each round. Bit n = group n of
-/// Catalog::readout_groups. The rest is read in turn, one a round.
+/// These readout groups are on screen: their values are polled in each round. Bit n = group n of
+/// Catalog::readout_groups. The other groups are read in turn, one a round.
 struct Watch {
   std::uint32_t groups;
   explicit Watch(std::uint32_t g) : groups(g) {}
 };
-/// Records one axis as fast as its controller can be read, for `length`, into the ring of AxisSample. A new
-/// one ends the one before; length 0 only ends it.
+/// Record one axis for `length`, as fast as its controller can be read, into the ring of AxisSample. A new
+/// recording ends the one before; length 0 only ends it.
 struct Sample {
   AxisId axis;
   std::chrono::milliseconds length;
   Sample(AxisId a, std::chrono::milliseconds l) : axis(a), length(l) {}
 };
-/// Feeds a list of moves into the controller's buffer as places become free; see MoveListFacts. A stop ends
+/// Feed a list of moves into the controller's buffer as places become free; see MoveListFacts. A stop ends
 /// it.
 struct FeedMoves {
-  /// In a row: where that axis stands when the list begins; its own speed.
+  /// In a row: the position of the axis when the list begins, or its own speed.
   static constexpr std::int64_t as_it_is = std::numeric_limits<std::int64_t>::min();
   std::vector<std::vector<std::int64_t>> rows;
   bool despite_doubt = false;
   explicit FeedMoves(std::vector<std::vector<std::int64_t>> r) : rows(std::move(r)) {}
 };
-/// A sequence in pieces; see Pieces. A stop ends it, a hold keeps the next piece back, and another one takes
-/// the place of what is left.
+/// Run a sequence in pieces; see Pieces. A stop ends it, a hold keeps the next piece back, and a new one
+/// replaces what is left.
 struct RunInPieces {
   std::shared_ptr<const Pieces> pieces;
-  std::shared_ptr<PieceSeat> seat;  ///< among those that do theirs together with it; null: it is alone
+  std::shared_ptr<PieceSeat> seat;  ///< among the controllers that run it together; null: it runs alone
   bool despite_doubt = false;
   explicit RunInPieces(std::shared_ptr<const Pieces> p, std::shared_ptr<PieceSeat> s = {})
       : pieces(std::move(p)), seat(std::move(s)) {}
 };
-/// Of what is done in pieces: from the next move on that goes into the controller's buffer, or the next
-/// piece.
+/// Change the speed of a sequence in pieces, from the next buffered move or the next piece on.
 struct OverrideSpeed {
-  int percent;  ///< of the speeds that were asked for, 10 to 200
+  int percent;  ///< of the requested speeds, 10 to 200
   explicit OverrideSpeed(int p) : percent(p) {}
 };
-/// The maker's own text, framing added by the driver, no waiting.
+/// Send the maker's own text; the driver adds the framing. Does not wait for what it begins.
 struct SendText {
   std::string text;
-  bool broadcast;  ///< to all devices of the wire; no reply is expected
+  bool broadcast;  ///< to all devices on the wire; no reply is expected
   explicit SendText(std::string t, bool to_all = false) : text(std::move(t)), broadcast(to_all) {}
 };
 struct Reset {};      ///< as if power had been switched off and on
-struct Reconnect {};  ///< try now
-struct ReadAgain {};  ///< read the whole state afresh (after a doubt)
+struct Reconnect {};  ///< try to connect now
+struct ReadAgain {};  ///< read the whole state again
 
 }  // namespace intent
 
@@ -302,7 +302,7 @@ using IntentBody = std::variant<
     intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves, intent::RunInPieces,
     intent::OverrideSpeed, intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
-/// Of an intent that may close a servo loop; null: of no other.
+/// The answer in an intent that may close a servo loop; null for any other intent.
 inline intent::Closing* closing_of(IntentBody& body) {
   if (auto* i = std::get_if<intent::SetPower>(&body)) return &i->closing;
   if (auto* i = std::get_if<intent::SetParam>(&body)) return &i->closing;
@@ -310,7 +310,7 @@ inline intent::Closing* closing_of(IntentBody& body) {
   return nullptr;
 }
 
-/// Of a stop; of nothing else.
+/// Notes who requested a stop; does nothing to any other intent.
 inline void asked_by(IntentBody& body, StoppedBy who) {
   std::visit(
       [who](auto& wish) {
@@ -322,7 +322,7 @@ inline void asked_by(IntentBody& body, StoppedBy who) {
 struct Intent {
   IntentId id = 0;
   IntentBody body;
-  Instant asked_at{};  ///< by a hand or a script, on its own thread; 0: not told
+  Instant asked_at{};  ///< when the hand or script requested it, on its own thread; 0: not told
   Intent(IntentId i, IntentBody b, Instant at = {}) : id(i), body(std::move(b)), asked_at(at) {}
 };
 

@@ -1,6 +1,5 @@
 #pragma once
-// Commands and questions that wait for their turn at an open controller, and the one whose turn it is. Io
-// thread.
+// Commands and queries that wait for an open controller, and the one that is being performed. Io thread.
 #include <algorithm>
 #include <deque>
 #include <memory>
@@ -14,18 +13,18 @@
 
 namespace hw {
 
-/// An intent, or a question with its waiting coroutine.
+/// An intent, or a query with its waiting coroutine.
 struct Job {
   Intent intent;
-  TextMeaning meaning;                ///< of a text
-  std::uint64_t line_epoch = 0;       ///< Line::epoch() when it was asked for, of a text to all of them
-  std::uint32_t restarts_before = 0;  ///< of the controller, as far as was known
-  std::uint64_t first_round = 0;      ///< that it waits for; see Pump::tool_is_seen_first()
+  TextMeaning meaning;                ///< meaning of a text
+  std::uint64_t line_epoch = 0;       ///< of a broadcast: Line::epoch() when it was queued
+  std::uint32_t restarts_before = 0;  ///< restarts of the controller when it was queued
+  std::uint64_t first_round = 0;      ///< the status round it waits for; see Pump::tool_is_seen_first()
   bool is_query = false;
   std::string text;
   Duration patience{};
   Result<std::string> reply{std::string()};
-  std::uint64_t since = 0;  ///< what comes unasked from here on may answer it
+  std::uint64_t since = 0;  ///< unsolicited texts from this number on may answer it
   Suspended asker;
   bool answered = false;
   explicit Job(Intent i) : intent(std::move(i)) {}
@@ -52,12 +51,12 @@ class JobQueue {
     waiting_.erase(found);
     return job;
   }
-  /// All that wait, for whoever refuses them.
+  /// Removes and returns all that wait.
   [[nodiscard]] std::deque<std::unique_ptr<Job>> take_all() { return std::exchange(waiting_, {}); }
 
-  /// Not of an empty queue.
+  /// The queue must not be empty.
   [[nodiscard]] const Job& next() const { return *waiting_.front(); }
-  /// The next one's turn; it lasts until end().
+  /// Begins the next job, which is performed until end().
   std::unique_ptr<Job> begin() {
     auto job = std::move(waiting_.front());
     waiting_.pop_front();
@@ -65,7 +64,7 @@ class JobQueue {
     return job;
   }
   void end() { performed_ = nullptr; }
-  /// What has just been performed restarts it, perhaps: what waits behind it was meant for that.
+  /// A restart was requested: the jobs that wait were meant for the controller after it.
   void restart_was_asked(std::uint32_t restarts) {
     for (const auto& job : waiting_) job->restarts_before = restarts;
   }

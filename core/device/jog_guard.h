@@ -1,29 +1,29 @@
 #pragma once
-// A guard of the held jogs that runs in the controller itself: it stops them when nobody has spoken to the
-// controller for a while.
+// A guard program in the controller itself, which stops held jogs when the controller has not been addressed
+// for a while.
 #include <chrono>
 #include <cstdint>
 #include <string>
 
 namespace hw {
 
-/// As it is offered: each a sentence or two.
+/// The texts of the offer: a sentence or two each.
 struct JogGuardFacts {
-  std::string what;   ///< it does; empty: the controller can run none
-  std::string where;  ///< it is kept, and what installing it costs
-  std::string doubt;  ///< what only real hardware can show
+  std::string what;   ///< what it does; empty: the controller cannot run one
+  std::string where;  ///< where it is kept, and the cost of installing it
+  std::string doubt;  ///< what only real hardware can confirm
   [[nodiscard]] bool offered() const { return !what.empty(); }
 };
 
 struct JogGuard {
   enum class State : std::uint8_t {
     unknown,
-    absent,   ///< there is room for it
-    no_room,  ///< the program memory holds something else
+    absent,   ///< it is not installed, and there is room
+    no_room,  ///< the program memory holds another program
     installed
   };
   State state = State::unknown;
-  std::chrono::milliseconds silence{};  ///< after which it stops a held jog; of one that is installed
+  std::chrono::milliseconds silence{};  ///< silence after which it stops a held jog, if installed
   bool operator==(const JogGuard&) const = default;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// The last will of the held jogs of one controller. It is left before the first of them goes out, and stays
-// until every stop behind them is over. Io thread.
+// The last will of the held jogs of one controller: left with the watchdog before the first jog is sent, and
+// taken back when every stop after them is over. Io thread.
 #include "core/device/driver.h"
 
 namespace hw {

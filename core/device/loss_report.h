@@ -1,6 +1,6 @@
 #pragma once
-// What is told when a link that was lost at work is back. Nothing that was on its way is sent again, and
-// whether it was carried out no transport can know: where the axes stand shows it.
+// The report when a link that was lost at work is back. Nothing is sent again, and no transport can know
+// whether a command on its way was carried out: the positions of the axes show it.
 #include <array>
 #include <string>
 
@@ -11,11 +11,11 @@ namespace hw {
 
 class LossReport {
  public:
-  /// The link was lost just now. `at_work`: something moved or ran; `on_the_way`: something was being asked
-  /// of the controller.
+  /// The link was just lost. `at_work`: something moved or ran; `on_the_way`: a command or question was on
+  /// its way.
   void lost(const Snapshot& last_known, bool at_work, bool on_the_way, Instant at);
-  /// After a round of status that went well: what is to be told, once; empty: nothing, or not yet. `at_work`:
-  /// something moves or runs still.
+  /// After a good status round: the report, once; empty: nothing, or not yet. `at_work`: something still
+  /// moves or runs.
   std::string back(const Catalog& catalog, const Snapshot& known, bool at_work, Instant at);
 
  private:

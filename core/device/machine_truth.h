@@ -1,6 +1,6 @@
 #pragma once
-// What an emulated machine really does at one instant, for whoever judges what is shown of it
-// (tests/simulation). Nothing of the console may look here: a real controller has no such window.
+// What an emulated machine really does at one instant, so that tests/simulation can judge what the console
+// shows. The console itself must not use it: a real controller has no such window.
 #include <array>
 #include <cstdint>
 
@@ -10,15 +10,15 @@
 namespace hw {
 
 struct AxisTruth {
-  Steps position{};     ///< in its counter: what the controller would tell if it were asked now
-  bool moving = false;  ///< makes steps by a motion of its own, a ramp down included
-  Duration ramp{};      ///< that coming to rest takes from the present speed, by the axis' set-up
+  Steps position{};     ///< its counter: what the controller would answer now
+  bool moving = false;  ///< steps are being made, a ramp down included
+  Duration ramp{};      ///< time to come to rest from the present speed
   bool operator==(const AxisTruth&) const = default;
 };
 
 struct MachineTruth {
   bool powered = true;
-  bool program = false;  ///< commands of a stored program or of a queue are at work or wait
+  bool program = false;  ///< commands of a stored program or a queue run or wait
   int axis_count = 0;
   std::array<AxisTruth, max_axes> axes{};
   [[nodiscard]] std::uint32_t moving() const {

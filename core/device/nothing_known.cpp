@@ -11,6 +11,7 @@ void nothing_is_known(Snapshot& known) {
     axis.position_known = axis.limits_known = false;
     axis.direction = 0;
     axis.speed = Pps{};
+    axis.ramp = 0;
   }
   for (ThreadState& thread : known.threads) thread.known = false;
   known.inputs_known = known.outputs_known = known.analog_known = 0;

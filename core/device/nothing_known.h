@@ -1,14 +1,14 @@
 #pragma once
-// What no reading vouches for any more. Each driver adds what it alone keeps.
+// Marks as unknown what no reading supports any more. Each driver adds its own state.
 #include "core/device/snapshot.h"
 
 namespace hw {
 
-/// The wire is gone: what moved may have ended in any way, and nothing is as it was read. What is kept in the
-/// controller (the set-up, its stored programs) is left as it is known.
+/// The wire is gone: motions may have ended in any way, and no reading is valid. The set-up and the stored
+/// programs stay as known.
 void nothing_is_known(Snapshot& known);
 
-/// The controller has begun anew, and its set-up with it.
+/// The controller has restarted, so its set-up is unknown too.
 void set_up_is_unknown(Snapshot& known);
 
 }  // namespace hw

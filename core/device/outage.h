@@ -1,6 +1,6 @@
 #pragma once
-// The time without a connection: from the loss of the wire, through all attempts, to the next connection, and
-// what is told of it then. Io thread.
+// The time without a connection: from the loss of the wire, through all attempts, to the next connection and
+// its report. Io thread.
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -14,10 +14,10 @@ class Outage {
  public:
   struct Loss {
     bool at_work = false;     ///< something moved or ran
-    bool on_the_way = false;  ///< something was being asked of the controller
-    bool may_run = false;     ///< something may still run that somebody has stopped, or holds
+    bool on_the_way = false;  ///< a command or question was on its way
+    bool may_run = false;     ///< something that was stopped or held may still run
   };
-  /// False: the wire has been lost before; attempts in between do not count.
+  /// False: the wire was lost already; attempts in between do not count.
   bool begin(const Snapshot& last_known, const Loss& loss, Instant now) {
     if (std::exchange(on_, true)) return false;
     may_run_ = loss.may_run;
@@ -25,7 +25,7 @@ class Outage {
     report_.lost(last_known, loss.at_work, loss.on_the_way, now);
     return true;
   }
-  /// There is a connection. Whether the controller was switched off and on meanwhile.
+  /// Connected again. Returns whether the controller was switched off and on meanwhile.
   bool end(const Snapshot& known) {
     on_ = may_run_ = at_once_ = false;
     may_take_ = first_attempt;
@@ -39,26 +39,26 @@ class Outage {
   }
 
   // ---- attempts to connect
-  /// Another one begins; its number.
+  /// Begins another attempt; returns its number.
   int try_again(Instant now) {
     at_once_ = false;
     tried_at(now);
     return ++attempts_;
   }
-  /// The same once more, on the same wire.
+  /// Begins one on the same wire.
   void tried_at(Instant now) { attempt_at_ = now; }
   [[nodiscard]] Instant attempt_at() const { return attempt_at_; }
-  /// While a stop is owed it is sent again when an attempt takes so long. Each may take twice as long as the
-  /// one before: a slow controller connects, too.
+  /// An unconfirmed stop is sent again when an attempt takes this long. Each may take twice as long as the
+  /// one before, so that a slow controller can connect.
   [[nodiscard]] Instant latest() const { return attempt_at_ + may_take_; }
   bool takes_too_long(Instant now) {
     if (now < latest()) return false;
     may_take_ *= 2;
     return true;
   }
-  /// The next one is not waited for.
+  /// The next attempt begins at once.
   void hurry() { at_once_ = on_; }
-  /// The same for a stop that is asked for now. Nobody knows what has begun to run since the loss.
+  /// The same for a stop requested now: it is not known what runs since the loss.
   void hurry_with_a_stop() {
     hurry();
     may_run_ = may_run_ || on_;

@@ -1,6 +1,6 @@
 #pragma once
-// What is asked of every wish to set a parameter, on any controller, before anything is sent: is it known, in
-// its range, possible now, and confirmed where the catalog warns.
+// Checks a request to set a parameter, on any controller, before anything is sent: the parameter is known,
+// the value in range and possible now, and confirmed if the catalog warns.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -13,12 +13,13 @@
 namespace hw {
 
 struct ParamRules {
-  std::string_view who;                                            ///< "A VXM"
-  std::string (*write)(const ParamInfo&, std::int64_t) = nullptr;  ///< a value in a sentence; null: plain
-  std::function<Result<>(const ParamInfo&)> may_now = nullptr;     ///< whatever else forbids it now
+  std::string_view who;  ///< "A VXM"
+  std::string (*write)(const ParamInfo&,
+                       std::int64_t) = nullptr;  ///< formats a value for a sentence; null: plain
+  std::function<Result<>(const ParamInfo&)> may_now = nullptr;  ///< any other reason against it now
 };
 
-/// Its place in the catalog; or why not, and that nothing was sent.
+/// The parameter's place in the catalog, or why it was refused.
 Result<std::size_t> check_param(const Catalog& catalog, const intent::SetParam& wish,
                                 const ParamRules& rules);
 

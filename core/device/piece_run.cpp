@@ -13,7 +13,8 @@ Result<> PieceRun::begin(const intent::RunInPieces& wish) {
   if (!wish.pieces || wish.pieces->all.empty())
     return fail(FaultKind::refused, "There are no pieces.", "Nothing was sent.");
   if (!running() && !at_rest())
-    return fail(FaultKind::refused, "Something runs or moves.", "Nothing was sent.", "Stop it first.");
+    return fail(FaultKind::refused, "A program is running or an axis is moving.", "Nothing was sent.",
+                "Stop it first.");
   if (std::string why = why_not_begun(*wish.pieces, catalog_, draft_); !why.empty())
     return fail(FaultKind::refused, std::move(why), "Nothing was sent.", "Switch it off first.");
   end();  // what is left of another one
@@ -40,10 +41,10 @@ Result<> PieceRun::allows(const IntentBody& body) const {
                      std::holds_alternative<JogStart>(body) || std::holds_alternative<Home>(body);
   if (running() && moves && draft_.pieces.draws && step_ > 0)
     return fail(FaultKind::refused,
-                "A piece is being drawn, and would go on from elsewhere with its tool on.",
+                "A piece is being drawn, and would continue from another place with its tool on.",
                 "Nothing was sent.", "Stop it first.");
   if (is_one_move() && (moves || disturbs || std::holds_alternative<Act>(body)))
-    return fail(FaultKind::refused, "A move that takes up its backlash is under way.", "Nothing was sent.",
+    return fail(FaultKind::refused, "A move that takes up backlash is under way.", "Nothing was sent.",
                 "Wait until it has ended, or stop it.");
   if (!running() || !disturbs) return {};
   return fail(FaultKind::refused, "A sequence is under way in pieces, and this would disturb the next one.",
@@ -57,13 +58,13 @@ Result<> PieceRun::override_speed(int percent) {
                 "Nothing was changed.");
   if (!draft_.pieces.speed_can_change)
     return fail(FaultKind::refused,
-                "Nothing is under way in pieces whose speed could be changed: a program runs at the speeds "
-                "that stand in it.",
+                "Nothing is running in pieces, so there is no speed to change: a program runs at the speeds "
+                "written in it.",
                 "Nothing was changed.");
   if (!draft_.pieces.draws) {
     const std::size_t next = step_ == 0 ? piece_ : piece_ + 1;
     if (next == pieces_->all.size())
-      return fail(FaultKind::refused, "The last piece is at work, at the speeds that stand in it.",
+      return fail(FaultKind::refused, "The last piece is running, at the speeds written in it.",
                   "Nothing was changed.");
     if (auto text = pieces_->text_at(pieces_->all[next], percent); !text) return fail(text.error());
   }
@@ -180,7 +181,7 @@ std::string PieceRun::end_because(std::string_view what) {
 }
 
 std::string PieceRun::why_not_whole(const Piece& piece) const {
-  if (draft_.program.run == RunState::error) return "ended in an error.";
+  if (draft_.program.run == RunState::error) return "ended with an error.";
   for (const AxisTarget& end : piece.ends_at)
     if (std::string why = why_not_there(end); !why.empty()) return why;
   return {};
@@ -193,8 +194,7 @@ std::string PieceRun::why_not_done(const Piece& piece) const {
   if (!move) return {};
   for (const AxisTarget& end : move->targets) {
     const EndedBy by = draft_.axes[end.axis.index].ended_by;
-    if (by == EndedBy::limit)
-      return fmt::format("has met a limit of {}.", catalog_.axes[end.axis.index].name);
+    if (by == EndedBy::limit) return fmt::format("hit a limit of {}.", catalog_.axes[end.axis.index].name);
     if (std::string why = why_not_there(end); !why.empty()) return why;
   }
   return {};
@@ -204,10 +204,11 @@ std::string PieceRun::why_not_there(const AxisTarget& end) const {
   const AxisState& axis = draft_.axes[end.axis.index];
   const std::string& name = catalog_.axes[end.axis.index].name;
   if (axis.error != AxisError::none) return fmt::format("ended with an error of {}.", name);
-  if (axis.trust.doubtful()) return fmt::format("has left {} where its position is not to be trusted.", name);
+  if (axis.trust.doubtful()) return fmt::format("left {} at a position that cannot be trusted.", name);
   const bool counts_as_written = !axis.in_counts && axis.loop == Loop::none && axis.position_known;
   if (counts_as_written && axis.position != end.value)
-    return fmt::format("has left {} at {}, and it ends at {}.", name, axis.position.value, end.value.value);
+    return fmt::format("left {} at {}; it should have ended at {}.", name, axis.position.value,
+                       end.value.value);
   return {};
 }
 

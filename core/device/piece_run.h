@@ -1,5 +1,5 @@
 #pragma once
-// Pieces at work, one after the other: which is due, and why none is. Io thread only.
+// Runs the pieces of a sequence one after the other: which is due, and why none is. Io thread only.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -12,37 +12,40 @@ namespace hw {
 
 class PieceRun {
  public:
-  /// `draft`: shows how far it has come. `wake` is notified when something may be due.
+  /// `draft` shows the progress. `wake` is notified when something may be due.
   PieceRun(const Catalog& catalog, Snapshot& draft, Event& wake)
       : catalog_(catalog), draft_(draft), wake_(wake) {}
   ~PieceRun() { end(); }
 
-  /// Takes the place of what is left of another one, behind the piece that is at work.
+  /// Replaces what is left of a sequence that runs, after its present piece.
   [[nodiscard]] Result<> begin(const intent::RunInPieces& wish);
   [[nodiscard]] bool running() const { return pieces_ != nullptr; }
-  /// What would be sent behind the user's own words is half of a move that they may have changed.
+  /// The pieces are two halves of one move, which a typed command may have changed.
   [[nodiscard]] bool is_one_move() const { return pieces_ && pieces_->one_move; }
-  /// What would put the next piece elsewhere, or take its place, is refused.
+  /// Refuses an intent that would move the start of the next piece, or take its place.
   [[nodiscard]] Result<> allows(const IntentBody& body) const;
-  /// What the controller is to do now; null: nothing, or it is not known to be at rest. `rounds`: that have
-  /// ended.
+  /// The next thing to do; null: nothing, or the controller is not known to be at rest. `rounds`: status
+  /// rounds so far.
   [[nodiscard]] const IntentBody* due(std::uint64_t rounds, Instant now);
-  /// The next is due as soon as the others who do theirs together with these have nothing on the wire: until
-  /// then no round begins here.
+  /// The next act is due as soon as the other controllers have nothing on the wire; no status round may begin
+  /// until then.
   [[nodiscard]] bool waits_for_others() const { return seat_ && seat_->waits_ready(); }
-  /// The same at the speeds that are wanted now.
+  [[nodiscard]] bool runs_together() const { return running() && seat_; }
+  /// Another controller that runs it together with this one has ended it.
+  [[nodiscard]] bool others_have_ended() const { return runs_together() && seat_->has_ended(); }
+  /// `due` at the present speed override.
   [[nodiscard]] Result<IntentBody> at_speed(const IntentBody& due) const;
-  /// It was asked for; what has come of it shows in that round and those behind it.
+  /// It was performed; its outcome shows from that status round on.
   void done(std::uint64_t shows_in, Instant now);
-  /// After a round: a piece that has not come to its own end is followed by nothing. The sentence that says
-  /// so; empty: all is well.
+  /// After a status round: breaks off if a piece did not end as it should, and returns a sentence that says
+  /// why; empty: all is well.
   [[nodiscard]] std::string watch(std::uint64_t rounds);
 
-  /// Of the moves that are sent from now on, or of the next piece.
+  /// Applies to the moves sent from now on, or to the next piece.
   [[nodiscard]] Result<> override_speed(int percent);
-  /// The next piece waits.
+  /// Keeps the next piece back.
   void hold(bool on);
-  /// Nothing follows any more.
+  /// Drops all that is left.
   void end();
 
  private:
@@ -59,13 +62,15 @@ class PieceRun {
   Snapshot& draft_;
   Event& wake_;
   std::shared_ptr<const Pieces> pieces_;
-  std::shared_ptr<PieceSeat> seat_;        ///< null: nobody else does his together with these
-  std::size_t piece_ = 0, step_ = 0;       ///< of its `does`
-  std::size_t acts_before_ = 0;            ///< of the pieces that are done
-  std::uint64_t shows_in_ = 0, seen_ = 0;  ///< rounds: that shows what was asked for; that was watched last
+  std::shared_ptr<PieceSeat> seat_;   ///< null: no other controller takes part
+  std::size_t piece_ = 0, step_ = 0;  ///< index into Piece::does
+  std::size_t acts_before_ = 0;       ///< acts in the pieces that are done
+  std::uint64_t shows_in_ = 0,
+                seen_ =
+                    0;  ///< status rounds: the first that shows the present act; the last that was watched
   Instant not_before_{};
-  bool doubts_ = false;         ///< something seems not to have come to its own end: the next round tells
-  std::uint32_t restarts_ = 0;  ///< of the controller, when they were begun
+  bool doubts_ = false;         ///< a piece may have failed: the next round tells
+  std::uint32_t restarts_ = 0;  ///< restarts of the controller when the run began
 };
 
 }  // namespace hw

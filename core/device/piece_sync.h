@@ -1,7 +1,7 @@
 #pragma once
-// Controllers on one wire that do their pieces together: an act begins when all have ended the one before and
-// none of them has a round of status on the wire, so that their commands follow each other without a question
-// between them. A hold holds all, and what ends for one ends for all. Io thread only, but for the destructor.
+// Keeps controllers on one wire in step while they run their pieces together: an act begins when all have
+// ended the one before and no status round is on the wire, so that no question comes between their commands.
+// A hold holds all, and an end for one is the end for all. Io thread only, except the destructor.
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -21,9 +21,9 @@ class PieceSync {
  private:
   friend class PieceSeat;
   struct Member {
-    std::optional<std::size_t> done;  ///< acts, all pieces counted through; none: it does not take part yet
+    std::optional<std::size_t> done;  ///< acts done, counted over all pieces; none: it does not take part yet
     bool held = false;
-    bool ready = false;  ///< for the next act: it asks nothing until all are
+    bool ready = false;  ///< ready for the next act: it sends no question until all are
     Event* wake = nullptr;
   };
   void wake_all() const;
@@ -31,12 +31,12 @@ class PieceSync {
   void none_is_ready();
 
   std::vector<Member> members_;
-  std::size_t begun_ = 0;  ///< acts, by whoever was first
+  std::size_t begun_ = 0;  ///< acts begun by the first member
   std::atomic<bool> ended_ = false;
 };
 
-/// The place of one of them. Left or dropped before finish(), it ends all: whether its intent was refused, a
-/// stop came before it, or its run has ended early.
+/// The seat of one controller. If it is left or dropped before finish(), all end: its intent was refused, a
+/// stop came first, or its run ended early.
 class PieceSeat {
  public:
   PieceSeat(std::shared_ptr<PieceSync> sync, std::size_t place) : sync_(std::move(sync)), place_(place) {}
@@ -44,26 +44,26 @@ class PieceSeat {
   PieceSeat(const PieceSeat&) = delete;
   PieceSeat& operator=(const PieceSeat&) = delete;
 
-  /// `wake` is notified when others have come so far that there may be something to do.
+  /// `wake` is notified when the others may have made something due.
   void take(Event& wake) { me().wake = &wake; }
   void leave();
-  /// So many acts have ended here.
+  /// This controller has ended that many acts.
   void has_done(std::size_t acts);
-  /// It is the turn of that act, counted from 0. False: others are not as far, or not ready, see
-  /// waits_ready(). Asked only while this one has nothing on the wire.
+  /// Whether this act (from 0) may begin. False: others are not as far, or not ready, see waits_ready(). To
+  /// be called only while this controller has nothing on the wire.
   [[nodiscard]] bool may_begin(std::size_t act);
-  /// All have done what comes before, and some of the others have a round on the wire: this one is woken when
-  /// they have ended it, and asks nothing until then.
+  /// All have ended the act before, but some have a status round on the wire: this one is woken when they are
+  /// ready, and sends nothing until then.
   [[nodiscard]] bool waits_ready() const;
-  /// All of it has ended here.
+  /// This controller has ended all of its acts.
   void finish() { finished_ = true; }
   [[nodiscard]] bool has_ended() const { return sync_->ended_; }
 
   void hold();
-  /// The last one that says so lets all go on.
+  /// All continue when the last one has called this.
   void go_on();
   [[nodiscard]] bool is_held() const;
-  /// Held, and nobody is at anything.
+  /// Held, and no controller is busy.
   [[nodiscard]] bool rests() const;
 
  private:

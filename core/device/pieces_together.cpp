@@ -25,19 +25,20 @@ class TogetherWriter final : public ActWriter {
     parts_.resize(members), open_.resize(members), stood_.resize(members);
     if (auto written = write_all(); !written) return fail(written.error());
     if (parts_.front().all.empty())
-      return fail(FaultKind::text, "There is nothing in it that could be done.", "Nothing was written.");
+      return fail(FaultKind::text, "It has no step that can be carried out.", "Nothing was written.");
     // The output that switches it is the first one's.
     parts_.front().tool = tool_off_of(draft_.sequence, static_cast<int>(draft_.catalog.outputs.size()));
     for (Pieces& part : parts_)
       part.remark =
-          "Each controller goes by itself and comes to rest at each corner. Lines are straight but for the "
-          "one command on the wire that lies between their starts.";
+          "Each controller moves by itself and comes to rest at each corner. Lines are straight but for the "
+          "time of one command on the wire between their starts.";
     return std::move(parts_);
   }
 
  private:
   Result<> unfit() override {
-    return draft_.refuse("controllers on a bus do together only moves, arcs as chords, outputs and delays.");
+    return draft_.refuse(
+        "controllers on a bus can do only moves, arcs as chords, outputs and delays together.");
   }
   [[nodiscard]] bool can_move(int) const override { return true; }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The hands of a bench file at work on one emulator, by its own time.
+// Carries out the events of a bench file on one emulator, in its own time.
 #include <deque>
 #include <optional>
 
@@ -10,27 +10,27 @@ namespace hw {
 
 class PlannedHands {
  public:
-  /// In order, as far as none is refused.
+  /// In order, until one is refused.
   static Result<> act(const std::vector<BenchCommand>& commands, Emulator& emulator) {
     for (const BenchCommand& command : commands)
       if (auto done = emulator.operate(command); !done) return done;
     return {};
   }
-  /// Does what stands at the start, and remembers what comes later.
+  /// Carries out the start of the file, and keeps the later events.
   Result<> begin(const BenchFile& bench, Emulator& emulator) {
     if (auto done = act(bench.at_start, emulator); !done) return done;
     later_.assign(bench.later.begin(), bench.later.end());
     return {};
   }
-  /// What comes later counts from here; else from the beginning of time.
+  /// Later events count from here; else from the beginning of time.
   void count_from(Instant began) { began_ = began.time_since_epoch(); }
 
-  /// When a hand comes next; none: no more.
+  /// Time of the next event; none: no more.
   [[nodiscard]] std::optional<Instant> next() const {
     if (later_.empty()) return std::nullopt;
     return Instant(later_.front().at + began_);
   }
-  /// Everything that is due.
+  /// Carries out everything that is due.
   void act_until(Instant now, Emulator& emulator) {
     while (next() && *next() <= now) {
       (void)emulator.operate(later_.front().command);

@@ -16,14 +16,14 @@ constexpr Duration longest_end_of_a_command = std::chrono::seconds(1), longest_l
 
 }  // namespace
 
-Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Ways ways)
+Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Callbacks callbacks)
     : scheduler_(scheduler),
       catalog_(catalog),
-      ways_(std::move(ways)),
+      callbacks_(std::move(callbacks)),
       tool_(catalog),
       jogs_(scheduler, [this] { jog_let_go(); }),
       pieces_(catalog, draft_, wake_),
-      endings_(catalog, ways_.ended),
+      endings_(catalog, callbacks_.ended),
       travel_(catalog),
       counts_(catalog),
       wake_(scheduler),
@@ -45,13 +45,13 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
     wake_.notify();
   };
   driver_ = type.make_driver(
-      DriverContext{scheduler, catalog_, draft_, texts_, ways_.notify, changed, ways_.sample});
+      DriverContext{scheduler, catalog_, draft_, texts_, callbacks_.notify, changed, callbacks_.sample});
   will_ = std::make_unique<JogWill>(*driver_);
-  if (ways_.line) ways_.line->join(*this, catalog_.address);
+  if (callbacks_.line) callbacks_.line->join(*this, catalog_.address);
 }
 
 Pump::~Pump() {
-  if (ways_.line) ways_.line->leave(*this);
+  if (callbacks_.line) callbacks_.line->leave(*this);
 }
 
 void Pump::start() {
@@ -67,9 +67,9 @@ Task<> Pump::shut_down() {
   co_await let_end();
   for (std::string left : {driver_->leaves_behind(), say_torn_is_left(catalog_, draft_)})
     if (!left.empty())  // a lost link takes nothing away
-      ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
+      callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   life_ = Life::closes;
-  if (ways_.line) ways_.line->leave(*this);
+  if (callbacks_.line) callbacks_.line->leave(*this);
   if (station_) station_->close(Fault(FaultKind::lost, "The controller was closed."));
   wake_.notify();
   published_.notify();
@@ -122,7 +122,8 @@ Task<> Pump::live() {
       made = co_await open_and_connect();
       if (made) co_await serve();
     } catch (const std::exception& defect) {  // from a library; nothing above may see it
-      lose_wire(Fault(FaultKind::internal, fmt::format("The connection failed inside: {}.", defect.what())));
+      lose_wire(Fault(FaultKind::internal,
+                      fmt::format("The connection failed by an internal error: {}.", defect.what())));
     }
     if (!closes()) co_await wait_for_retry();
   }
@@ -139,16 +140,16 @@ Task<bool> Pump::open_and_connect() {
   publish();
   const Station::Manner manner = station_ ? station_->manner() : Station::Manner();
   station_.reset();
-  auto opened = co_await ways_.open_wire();
+  auto opened = co_await callbacks_.open_wire();
   if (closes()) co_return false;
   if (!opened) {
     lose_wire(opened.error());
     co_return false;
   }
-  station_ = std::make_unique<Station>(std::move(*opened), ways_.traffic);
+  station_ = std::make_unique<Station>(std::move(*opened), callbacks_.traffic);
   station_->address = catalog_.address;
   station_->take_over(manner);
-  station_->recorded = ways_.recorded;
+  station_->recorded = callbacks_.recorded;
   station_->stops = [this] { return desk_.uses_the_wire(); };
   station_->closed = [this](const Fault& why) {
     lose_wire(why);
@@ -202,7 +203,7 @@ void Pump::nothing_comes_back() {
   draft_.link.state = LinkState::lost;
   if (rounds_.ended() > 0)  // else it says already why nobody has answered yet
     draft_.link.sentence =
-        "The controller was told to stop, and does not answer. It is told again until it does.";
+        "The controller was told to stop but does not answer. The stop is sent again until it does.";
   stops_did_not_arrive();
   refuse_queued("The controller does not answer. Nothing was sent.");
   publish();
@@ -224,10 +225,9 @@ void Pump::connection_made() {
   const auto& stops = desk_.orders();
   if (something_runs() &&
       std::any_of(stops.begin(), stops.end(), [](const auto& order) { return order.told; }))
-    ways_.notify(
-        Notice(Notice::Kind::warning, scheduler_.now(),
-               "When the link was lost a jog was held, or a stop was on its way, and it still ran. It is "
-               "stopped now."));
+    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                             "When the link was lost a jog was held or a stop was being sent, and the axis "
+                             "still moved. It is being stopped now."));
   publish();
 }
 
@@ -262,9 +262,10 @@ void Pump::lose_wire(const Fault& why) {
   draft_.link.sentence = why.sentence();
   pump_log().debug("{}: lost: {}", Whose{catalog_}, draft_.link.sentence.view());
   if (will_->may_be_carried_out())  // the wire may be back before anybody has read why it was given up
-    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), why.sentence()));
+    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), why.sentence()));
+  const bool together = pieces_.runs_together();
   pieces_.end();
-  owe_stops_at_loss(why);
+  owe_stops_at_loss(why, together);
   jogs_.stop(-1);
   if (station_) station_->give_up(why);
   driver_->wire_lost();
@@ -322,6 +323,8 @@ Task<> Pump::run_round() {
   if (!polled || !station_->is_open()) co_return;
   if (round != Round::stopping) watch_counts();
   watch_tool();
+  // This one would drive on to the end of its line, alone. A pending stop of all axes does it already.
+  if (pieces_.others_have_ended() && draft_.any_axis_moving() && !desk_.stops_all()) post_stop(StopOrder());
   if (std::string why = pieces_.watch(rounds_.ended()); !why.empty()) pieces_end(std::move(why));
 }
 
@@ -332,9 +335,9 @@ bool Pump::nobody_answers() const {
 Fault Pump::not_answering() const {
   return Fault(
       FaultKind::lost,
-      fmt::format("The controller has not answered {} times.", station_->statistics().misses_in_a_row),
+      fmt::format("The controller has failed to answer {} times.", station_->statistics().misses_in_a_row),
       "No command was repeated and no motion will resume by itself.",
-      "Look at its power, the cable and the baud rate.");
+      "Check its power, the cable and the baud rate.");
 }
 
 void Pump::poll_finished(const Result<>& result) {
@@ -371,7 +374,7 @@ void Pump::poll_finished(const Result<>& result) {
 
 void Pump::tell_what_came_of_the_loss() {
   std::string told = outage_.told_when_back(catalog_, draft_, something_runs(), scheduler_.now());
-  if (!told.empty()) ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(told)));
+  if (!told.empty()) callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(told)));
 }
 
 void Pump::watch_counts() {
@@ -379,7 +382,7 @@ void Pump::watch_counts() {
   for (int axis = 0; set != 0 && axis < draft_.axis_count; ++axis) {
     if ((set >> axis & 1u) == 0) continue;
     draft_.axes[axis].trust.doubt(Doubt::another, scheduler_.now());
-    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), say_count_was_set(catalog_, axis)));
+    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), say_count_was_set(catalog_, axis)));
   }
   if (set != 0) publish();
 }
@@ -442,8 +445,8 @@ void Pump::publish() {
   draft_.link.jog_ends = station_ ? station_->jog_ends() : JogEnds::by_nobody;
   endings_.look(draft_);
   if (std::string passed = travel_.look(draft_); !passed.empty())
-    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(passed)));
-  ways_.publish(draft_);
+    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(passed)));
+  callbacks_.publish(draft_);
   published_.notify();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// The life of one open controller: connect, perform intents in order, poll in between, publish what is known;
-// when the wire is lost say so, and come back. Exactly one procedure of the driver runs at a time; a stop
-// ends it and takes its place. Io thread only.
+// The life of one open controller: connect, perform intents in order, poll in between, publish snapshots, and
+// reconnect when the wire is lost. Exactly one procedure of the driver runs at a time; a stop ends it and
+// takes its place. Io thread only.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -27,69 +27,70 @@ namespace hw {
 
 class Pump {
  public:
-  struct Ways {
-    std::function<Task<Result<std::shared_ptr<Link>>>()> open_wire;  ///< an open one, shared or new
+  struct Callbacks {
+    std::function<Task<Result<std::shared_ptr<Link>>>()> open_wire;  ///< returns an open wire, shared or new
     std::function<void(const Snapshot&)> publish;
     std::function<void(Notice)> notify;
     TrafficRing* traffic = nullptr;
     std::function<void(const AxisSample&)> sample = nullptr;
-    /// The others on its wire; null: it shares it with nobody.
+    /// The other controllers on its wire; null: the wire is not shared.
     std::shared_ptr<Line> line = nullptr;
-    /// Something that is no poll stands in `traffic` now.
+    /// An entry that is not a poll was added to `traffic`.
     std::function<void()> recorded = nullptr;
-    /// A motion or a program has come to its end.
+    /// A motion or a program has ended.
     std::function<void(const Ending&)> ended = nullptr;
   };
 
-  Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Ways ways);
+  Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Callbacks callbacks);
   ~Pump();
 
   void start();
-  /// Stops what the console holds, lets every stop under way reach the controller and the driver clear up,
-  /// closes the wire. The pump may be destroyed when it resumes.
+  /// Stops held jogs, lets pending stops reach the controller and the driver clear up, and closes the wire.
+  /// The pump may be destroyed when this resumes.
   Task<> shut_down();
 
   void post(Intent intent);
-  /// Before the stops of all devices on this wire: the maker's one message to all, if there is one. False:
-  /// there is no connection.
+  /// Sends the maker's broadcast stop, if there is one, before the stops of the single devices on this wire.
+  /// False: there is no connection.
   bool stop_wire(bool at_once);
-  /// Raw text and its reply, in the order of intents; a stop goes first.
+  /// Sends raw text and returns its reply, in the order of intents; a stop is sent first.
   Task<Result<std::string>> query(std::string text, Duration patience);
   [[nodiscard]] TextMeaning meaning_of(const std::string& text) const;
-  /// The next text that came unasked, for scripts. False: there is none.
+  /// The next unsolicited text, for scripts. False: there is none.
   bool take_unsolicited(std::string& text) { return texts_.take(text); }
 
   /// See Driver::leaves_behind().
   [[nodiscard]] std::string leaves_behind() const { return driver_->leaves_behind(); }
 
-  /// Resumes after a round of status that began after this call, or at once when there is no connection.
+  /// Resumes after a status round that began after this call, or at once when there is no connection.
   Task<> refresh();
-  /// Hurries the next round of status; its number, which rounds_ended() reaches when it is over.
+  /// Requests a status round soon; returns the number that rounds_ended() reaches when it is over.
   std::uint64_t want_round();
-  /// It is over, or a later one, and what that asked for was told.
+  /// This round, or a later one, is over, and the controller answered it.
   [[nodiscard]] bool has_seen(std::uint64_t round) const {
     return rounds_.ended() >= round && draft_.link.state == LinkState::good;
   }
   [[nodiscard]] std::uint64_t rounds_ended() const { return rounds_.ended(); }
   /// See Driver::watch_inputs().
   void watch_inputs(Instant until) { driver_->watch_inputs(until); }
+  void watch_limits(Instant until) { driver_->watch_limits(until); }
 
-  /// What the controller itself cannot tell, and its emulator can.
+  /// The number of writes that only an emulator can tell.
   void know_store_count(std::int32_t writes_used);
   [[nodiscard]] const Snapshot& known() const { return draft_; }
-  /// A stop of all axes is under way: another one would mean "at once, without a ramp".
+  /// A stop of all axes is under way: a second one means "at once, without a ramp".
   [[nodiscard]] bool stops_all() const { return desk_.stops_all(); }
   [[nodiscard]] bool busy() const { return jobs_.performs() || !jobs_.empty() || desk_.any(); }
-  /// Notified after each publication.
+  /// Notified after each published snapshot.
   [[nodiscard]] Event& published() { return published_; }
 
   static constexpr Duration dead_man = HeldJogs::patience;
   static constexpr int misses_until_lost = 3;
-  static constexpr int misses_until_a_jog_ends = 2;  ///< the third may take seconds to show
+  static constexpr int misses_until_a_jog_ends = 2;  ///< a third miss may take seconds
 
  private:
   class Asking;
-  /// In this order; what asks for one asks for it or a later one.
+  /// The states of the pump, in this order.
   enum class Life : std::uint8_t {
     made,
     runs,
@@ -143,7 +144,7 @@ class Pump {
   void stop_failed(StopOrder& order, const Fault& why);
   void close_stop(StopOrder& order);
   void stops_did_not_arrive(const Fault* why = nullptr);
-  void owe_stops_at_loss(const Fault& why);
+  void owe_stops_at_loss(const Fault& why, bool drew_together);
   void hear_text_to_all(const std::string& text, const TextMeaning& meaning);
   Task<Result<std::string>> query_stop(std::string text, TextMeaning meaning, Duration patience);
 
@@ -157,6 +158,8 @@ class Pump {
   Task<> perform_piece(const IntentBody& body);
   void tell_hold_behind_piece();
   void pieces_end(std::string why);
+  void words_come_between(const TextMeaning& words);
+  void words_were_sent(const Job& job, const Result<>& performed);
   Result<> trust_position(AxisId axis);
   void recall_positions(const std::vector<KeptPosition>& kept);
   void set_travel(IntentId id, const intent::SetTravel& wish);
@@ -182,7 +185,7 @@ class Pump {
 
   Scheduler& scheduler_;
   const Catalog& catalog_;
-  Ways ways_;
+  Callbacks callbacks_;
   Snapshot draft_;
   ScriptTexts texts_;
   StopDesk desk_;
@@ -199,8 +202,8 @@ class Pump {
   std::unique_ptr<Station> station_;
   std::unique_ptr<JogWill> will_;
   Event wake_, published_, ended_;
-  Timer silence_;   ///< while a stop is owed: a controller from which nothing comes is told again
-  int asking_ = 0;  ///< coroutines that wait here for an answer
+  Timer silence_;   ///< repeats an unconfirmed stop to a silent controller
+  int asking_ = 0;  ///< coroutines that wait for an answer from this pump
   Life life_ = Life::made;
 };
 

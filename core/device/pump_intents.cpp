@@ -71,15 +71,15 @@ void Pump::post_text(Intent intent) {
   const auto& text = std::get<intent::SendText>(intent.body);
   const TextMeaning meaning = driver_->meaning_of(text);
   set_fate(intent.id, Fate::pending);
-  if (meaning.whom == TextMeaning::For::another && ways_.line) {
-    if (Pump* other = ways_.line->at(meaning.address)) {
+  if (meaning.whom == TextMeaning::For::another && callbacks_.line) {
+    if (Pump* other = callbacks_.line->at(meaning.address)) {
       asio::co_spawn(scheduler_.executor(), pass_on(std::move(intent), *other), asio::detached);
       return;
     }
   }
   if (meaning.is_stop()) {
-    if (meaning.whom == TextMeaning::For::everybody && ways_.line)
-      ways_.line->for_each_but(*this, [&](Pump& other) { other.hear_text_to_all(text.text, meaning); });
+    if (meaning.whom == TextMeaning::For::everybody && callbacks_.line)
+      callbacks_.line->for_each_but(*this, [&](Pump& other) { other.hear_text_to_all(text.text, meaning); });
     StopOrder order;
     order.what = StopOrder::What::words;
     order.words = text.text;
@@ -108,14 +108,14 @@ Task<> Pump::pass_on(Intent intent, Pump& other) {
   const Asking asking(*this);
   const std::string text = std::get<intent::SendText>(intent.body).text;
   const auto record = [this](Way way, const std::string& bytes) {
-    if (!ways_.traffic) return;
-    ways_.traffic->push_in_place([&](TrafficEntry& entry) {
+    if (!callbacks_.traffic) return;
+    callbacks_.traffic->push_in_place([&](TrafficEntry& entry) {
       entry.at = scheduler_.now();
       entry.way = way;
       entry.kind = TrafficKind::intent;
       entry.bytes = bytes;
     });
-    if (ways_.recorded) ways_.recorded();
+    if (callbacks_.recorded) callbacks_.recorded();
   };
   record(Way::sent, text);
   auto reply = co_await other.query(text, usual_patience);
@@ -131,7 +131,7 @@ Task<> Pump::pass_on(Intent intent, Pump& other) {
 }
 
 void Pump::enqueue(std::unique_ptr<Job> job) {
-  if (ways_.line) job->line_epoch = ways_.line->epoch();
+  if (callbacks_.line) job->line_epoch = callbacks_.line->epoch();
   job->restarts_before = draft_.restarts;
   job->first_round = tool_.is_seen_before(job->intent.body) ? rounds_.want(scheduler_.now()) : 0;
   jobs_.push(std::move(job));
@@ -169,7 +169,7 @@ bool Pump::withdraw_waiting_jog() {
   const auto jog = jogs_.any_guarded() ? jobs_.withdraw(jogs_.in_hand().id) : nullptr;
   if (!jog) return false;
   jog_not_begun(jog->intent);
-  set_fate(jog->intent.id, Fate::refused, "It was let go before its turn came. Nothing was sent.");
+  set_fate(jog->intent.id, Fate::refused, "The button was released before its turn came. Nothing was sent.");
   return true;
 }
 
@@ -193,8 +193,8 @@ void Pump::jog_failed(const Intent& intent, FaultKind kind) {
   const bool rejected =
       kind == FaultKind::refused || kind == FaultKind::stopped || kind == FaultKind::controller;
   if (rejected) return jog_not_begun(intent);
-  ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                      "Whether the jog has begun is not known, so the axis was told to stop."));
+  callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                           "It is not known whether the jog began, so the axis was told to stop."));
   StopOrder lets_go;
   lets_go.what = StopOrder::What::jog;
   lets_go.axis = jog->axis.index;
@@ -204,8 +204,8 @@ void Pump::jog_failed(const Intent& intent, FaultKind kind) {
 void Pump::jog_let_go() {
   pump_log().debug("{}: nobody has kept the jog alive for {} ms", Whose{catalog_},
                    dead_man.count() / 1'000'000);
-  ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                      "The console did not hold the jog any more, so the axis was stopped."));
+  callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                           "The console no longer held the jog, so the axis was stopped."));
   StopOrder lets_go;
   lets_go.what = StopOrder::What::jog;
   post_stop(std::move(lets_go));
@@ -214,8 +214,8 @@ void Pump::jog_let_go() {
 // Nobody sees where a held jog goes. One that still waits for its turn moves nothing.
 void Pump::stop_jogs_out_of_sight() {
   for (const int axis : jogs_.axes_if([this](IntentId id) { return !jobs_.has(id); })) {
-    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                        "The controller does not answer, so the jog was stopped."));
+    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                             "The controller does not answer, so the jog was stopped."));
     StopOrder lets_go;
     lets_go.what = StopOrder::What::jog;
     lets_go.axis = axis;
@@ -260,7 +260,7 @@ Result<> Pump::trust_position(AxisId axis) {
   AxisState& state = draft_.axes[axis.index];
   if (!state.position_known)
     return fail(FaultKind::refused,
-                fmt::format("The position of {} is not known, so it cannot be taken for true.",
+                fmt::format("The position of {} is not known, so it cannot be confirmed.",
                             spoken_name(catalog_, axis.index)),
                 {}, "Home it, or set its position.");
   state.trust.settle(Trust::set, scheduler_.now());
@@ -298,7 +298,7 @@ Result<> Pump::take_up_backlash(IntentBody& body, IntentFate& told) const {
   told.past = past_travel(catalog_, draft_, *in_two->pieces->all[0].does[0].what);
   if (told.past)
     return fail(FaultKind::refused,
-                fmt::format("To take its backlash up the move begins at a place that cannot be reached. {}",
+                fmt::format("To take up backlash the move would pass a place that cannot be reached. {}",
                             say_past(catalog_, *told.past, words_in_steps(catalog_, draft_).position)));
   body = std::move(*in_two);
   return {};
@@ -310,8 +310,8 @@ Result<> Pump::admit(Job& job, IntentFate& told) const {
   IntentBody& body = job.intent.body;
   const auto steps = words_in_steps(catalog_, draft_);
   if (says_where_it_stands(body) && job.restarts_before != draft_.restarts)
-    return fail(FaultKind::refused, "The controller was switched off and on after this was asked for.",
-                "Nothing was sent.", "Look where it stands, and ask again.");
+    return fail(FaultKind::refused, "The controller was switched off and on after this command was given.",
+                "Nothing was sent.", "Check where it stands, then give the command again.");
   told.doubtful = doubtful_axes(catalog_, draft_, body);
   if (told.doubtful != 0)
     return fail(FaultKind::refused, say_doubtful(catalog_, draft_, body, told.doubtful, steps));
@@ -328,13 +328,23 @@ Result<> Pump::admit(Job& job, IntentFate& told) const {
 /// A text to all controllers of a wire that was asked for before a stop of one of them, or while one is being
 /// stopped.
 Result<> Pump::may_go_to_all(const Job& job) const {
-  if (job.meaning.whom != TextMeaning::For::everybody || !ways_.line) return {};
-  if (ways_.line->epoch() != job.line_epoch) return fail(stop_came_first());
+  if (job.meaning.whom != TextMeaning::For::everybody || !callbacks_.line) return {};
+  if (callbacks_.line->epoch() != job.line_epoch) return fail(stop_came_first());
   bool one_is_stopped = false;
-  ways_.line->for_each_but(*this, [&](Pump& other) { one_is_stopped |= other.desk_.any(); });
+  callbacks_.line->for_each_but(*this, [&](Pump& other) { one_is_stopped |= other.desk_.any(); });
   if (!one_is_stopped) return {};
-  return fail(FaultKind::refused, "A device that this is for is being stopped.", "This was not sent.",
-              "Send it again when that device stands.");
+  return fail(FaultKind::refused, "One of the devices addressed is being stopped.", "This was not sent.",
+              "Send it again when that device has stopped.");
+}
+
+/// Not of a text that was refused: nothing of it reached the controller.
+void Pump::words_were_sent(const Job& job, const Result<>& performed) {
+  const bool words = job.is_query || std::holds_alternative<intent::SendText>(job.intent.body);
+  const Fault* fault = nullptr;
+  if (!performed) fault = &performed.error();
+  if (job.is_query && !job.reply) fault = &job.reply.error();
+  const bool sent = !fault || fault->kind != FaultKind::refused;
+  if (words && sent && job.meaning.whom != TextMeaning::For::another) words_come_between(job.meaning);
 }
 
 Task<> Pump::perform_next() {
@@ -345,9 +355,9 @@ Task<> Pump::perform_next() {
   const std::uint64_t epoch = desk_.epoch();
   const std::uint32_t restarts = draft_.restarts;
   Result<> performed = may_go_to_all(*job);
-  const bool to_all = performed && jobs_.performs_for_all_on_the_wire() && ways_.line;
+  const bool to_all = performed && jobs_.performs_for_all_on_the_wire() && callbacks_.line;
   if (to_all)
-    ways_.line->for_each_but(*this, [&](Pump& other) {
+    callbacks_.line->for_each_but(*this, [&](Pump& other) {
       other.hear_text_to_all(std::get<intent::SendText>(job->intent.body).text, job->meaning);
     });
   if (performed && job->meaning.runs_program) tool_.program_may_run(draft_);
@@ -365,7 +375,8 @@ Task<> Pump::perform_next() {
   } else if (performed) {
     performed = co_await perform_beside_pieces(job->intent.body);
   }
-  if (to_all) ways_.line->for_each_but(*this, [](Pump& other) { other.counts_.disturbed(); });
+  words_were_sent(*job, performed);
+  if (to_all) callbacks_.line->for_each_but(*this, [](Pump& other) { other.counts_.disturbed(); });
   jobs_.end();
   if (!performed) driver_log(catalog_).debug("{}: {}", Whose{catalog_}, performed.error().sentence());
   if (performed && draft_.restarts != restarts && restarts_it(*job)) jobs_.restart_was_asked(draft_.restarts);
@@ -378,8 +389,8 @@ Task<> Pump::perform_next() {
   if (const auto* read = std::get_if<intent::UploadProgram>(&job->intent.body); read && performed)
     draft_.slots_torn = static_cast<std::uint8_t>(draft_.slots_torn & ~torn_bit(catalog_, read->slot));
   if (performed && desk_.epoch() != epoch && leads_to_a_start(job->intent.body))
-    performed = fail(FaultKind::stopped, "A stop came while this was under way.", "It is whole.",
-                     "Nothing follows it: ask again for what should.");
+    performed = fail(FaultKind::stopped, "A stop came while this was under way.", "It was completed.",
+                     "What should have followed was dropped: ask for it again.");
   if (performed)
     set_fate(job->intent.id, Fate::done);
   else
@@ -395,12 +406,12 @@ TextMeaning Pump::meaning_of(const std::string& text) const {
 Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   const Asking asking(*this);
   const TextMeaning meaning = meaning_of(text);
-  if (meaning.whom == TextMeaning::For::another && ways_.line)
-    if (Pump* other = ways_.line->at(meaning.address))
+  if (meaning.whom == TextMeaning::For::another && callbacks_.line)
+    if (Pump* other = callbacks_.line->at(meaning.address))
       co_return co_await other->query(std::move(text), patience);
   if (meaning.is_stop()) {
-    if (meaning.whom == TextMeaning::For::everybody && ways_.line)
-      ways_.line->for_each_but(*this, [&](Pump& other) { other.hear_text_to_all(text, meaning); });
+    if (meaning.whom == TextMeaning::For::everybody && callbacks_.line)
+      callbacks_.line->for_each_but(*this, [&](Pump& other) { other.hear_text_to_all(text, meaning); });
     co_return co_await query_stop(std::move(text), meaning, patience);
   }
   if (leaves()) co_return fail(FaultKind::refused, "The controller was closed.", "Nothing was sent.");
@@ -434,7 +445,7 @@ Task<Result<std::string>> Pump::wait_for_text(std::uint64_t since, std::uint64_t
   const Instant deadline = scheduler_.now() + patience;
   for (bool in_time = true;;) {
     if (desk_.epoch() != epoch)
-      co_return fail(FaultKind::stopped, "A stop has ended what the answer was waited for.", "It was sent.");
+      co_return fail(FaultKind::stopped, "A stop ended the wait for the answer.", "It was sent.");
     if (auto text = texts_.answer_since(since)) co_return std::move(*text);
     if (!connected() || closes())
       co_return fail(FaultKind::lost, "The connection was lost before an answer came.");

@@ -1,5 +1,5 @@
 #pragma once
-// What the parts of the pump share, and nobody else sees.
+// Internal to the pump: shared by its source files.
 #include <exception>
 #include <string>
 
@@ -12,15 +12,16 @@ namespace hw {
 
 constexpr std::string_view stopped_first = "A stop came first. This was not sent.";
 
-/// While a stop is owed, the wire is tried so often.
+/// How often to reconnect while a stop is unconfirmed.
 constexpr Duration retry_with_a_stop = Millis(250);
 
 inline Fault failed_inside(const char* what, const std::exception& defect) {
-  return Fault(FaultKind::internal, fmt::format("The {} failed inside: {}.", what, defect.what()),
-               "What the controller did with it is not known.", "Look at its state before the next command.");
+  return Fault(
+      FaultKind::internal, fmt::format("The {} failed by an internal error: {}.", what, defect.what()),
+      "It is not known what the controller did with it.", "Check its state before the next command.");
 }
 
-/// What a driver's procedure returns, or why it could not.
+/// Runs a driver's procedure; an exception becomes a fault.
 template <class T>
 Task<Result<T>> guarded(const char* what, Task<Result<T>> procedure) {
   Result<T> result = fail(FaultKind::internal, std::string());
@@ -32,7 +33,7 @@ Task<Result<T>> guarded(const char* what, Task<Result<T>> procedure) {
   co_return result;
 }
 
-/// The pump is not destroyed while somebody waits for an answer here.
+/// Keeps the pump alive while somebody waits for an answer from it.
 class Pump::Asking {
  public:
   explicit Asking(Pump& pump) : pump_(pump) { ++pump_.asking_; }

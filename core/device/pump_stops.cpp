@@ -13,8 +13,8 @@ constexpr std::string_view no_way =
     "Stop does not reach the controller: there is no connection. Use its power switch.";
 
 Fault not_answered() {
-  return Fault(FaultKind::no_answer, "The controller was told to stop, and does not answer.",
-               "It is told again until it does.", "Use its power switch if it moves.");
+  return Fault(FaultKind::no_answer, "The controller was told to stop but does not answer.",
+               "The stop is sent again until it does.", "Use its power switch if it moves.");
 }
 
 }  // namespace
@@ -54,9 +54,9 @@ StopOrder& Pump::ask(StopOrder order) {
 /// Nothing that was asked for before a stop goes out behind it, here or to all controllers of the wire.
 void Pump::drop_what_waits() {
   refuse_queued(stopped_first);
-  if (!ways_.line) return;
-  ways_.line->begin_epoch();
-  ways_.line->for_each_but(*this, [](Pump& other) {
+  if (!callbacks_.line) return;
+  callbacks_.line->begin_epoch();
+  callbacks_.line->for_each_but(*this, [](Pump& other) {
     if (other.jobs_.performs_for_all_on_the_wire() && other.station_) other.station_->preempt();
   });
 }
@@ -96,7 +96,8 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
   using What = StopOrder::What;
   const bool cut = !sent && sent.error().kind == FaultKind::stopped;
   if (order.what == What::broadcast) {
-    if (!sent && !cut) ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), sent.error().sentence()));
+    if (!sent && !cut)
+      callbacks_.notify(Notice(Notice::Kind::error, scheduler_.now(), sent.error().sentence()));
     return close_stop(order);
   }
   if (order.what == What::words) {  // as typed, once
@@ -173,7 +174,7 @@ void Pump::look_at_stop(StopOrder& order) {
     case StopProgress::Now::failed:
       if (progress.why) stop_failed(order, *progress.why);
       if (progress.why && tool)
-        ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), progress.why->sentence()));
+        callbacks_.notify(Notice(Notice::Kind::error, scheduler_.now(), progress.why->sentence()));
       if (tool) tool_.give_up();
       return close_stop(order);
     case StopProgress::Now::stands:
@@ -206,7 +207,7 @@ void Pump::stops_did_not_arrive(const Fault* why) {
   publish();
 }
 
-void Pump::owe_stops_at_loss(const Fault& why) {
+void Pump::owe_stops_at_loss(const Fault& why, bool drew_together) {
   using What = StopOrder::What;
   stops_did_not_arrive(outage_.may_run() ? nullptr : &why);
   desk_.orders().remove_if([this](const StopOrder& order) {
@@ -214,13 +215,16 @@ void Pump::owe_stops_at_loss(const Fault& why) {
         order.what == What::broadcast || (order.what == What::words && !order.meaning.stops_here());
     return !outage_.may_run() || other;
   });
-  if (tool_.at_work() && !desk_.stops_all()) {
+  const bool tool = tool_.at_work();
+  if ((tool || drew_together) && !desk_.stops_all()) {  // the others do not go on either
     StopOrder ends;
     ends.told = true;
     ask(std::move(ends)).at_once = false;
-    ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                        "The link was lost with a program of the tool at work. When it is back, everything "
-                        "is stopped and the tool switched off; until then nothing can be done."));
+    if (tool)
+      callbacks_.notify(Notice(
+          Notice::Kind::warning, scheduler_.now(),
+          "The link was lost while a program with a tool was running. When the link is back, everything "
+          "is stopped and the tool is switched off; until then nothing can be done."));
   }
   jogs_.for_each_axis([this](int axis) {
     StopOrder lets_go;
@@ -235,6 +239,7 @@ void Pump::owe_stops_at_loss(const Fault& why) {
 
 /// Another session of the wire says it to all.
 void Pump::hear_text_to_all(const std::string& text, const TextMeaning& meaning) {
+  words_come_between(meaning);
   if (meaning.is_stop()) {
     if (meaning.stops == TextMeaning::Stops::all) {  // whether it has come here, the next rounds show
       StopOrder order;

@@ -23,9 +23,9 @@ void Pump::watch_tool() {
     case ToolGuard::Wish::look: return tool_.looks_by(rounds_.want(scheduler_.now()), scheduler_.now());
     case ToolGuard::Wish::switch_off: return switch_tool_off();
     case ToolGuard::Wish::stop:
-      ways_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                          "A limit switch was met with the tool on, so everything was stopped and the tool "
-                          "switched off."));
+      callbacks_.notify(Notice(
+          Notice::Kind::warning, scheduler_.now(),
+          "A limit switch was hit with the tool on, so everything was stopped and the tool switched off."));
       return post_stop(StopOrder());
   }
 }
@@ -33,11 +33,11 @@ void Pump::watch_tool() {
 void Pump::switch_tool_off() {
   const bool held = draft_.program.run == RunState::held || draft_.pieces.draws;
   if (held) tool_.note_hold(draft_);
-  ways_.notify(Notice(
+  callbacks_.notify(Notice(
       Notice::Kind::warning, scheduler_.now(),
       fmt::format("{} with the tool on: {} was switched off.{}",
                   held ? "The program is held" : "The program has ended", tool_outputs_words(tool_.outputs()),
-                  held ? " It comes on again when it goes on." : "")));
+                  held ? " It comes on again when the program continues." : "")));
   desk_.ask_tool(tool_.outputs());
   wake_.notify();
 }
@@ -77,7 +77,6 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
   if (const auto* wish = std::get_if<intent::OverrideSpeed>(&body))
     co_return pieces_.override_speed(wish->percent);
   if (auto may = pieces_.allows(body); !may) co_return may;
-  if (pieces_.is_one_move() && std::holds_alternative<intent::SendText>(body)) pieces_.end();
   const bool holds = std::holds_alternative<intent::Pause>(body);
   if (pieces_.running() && (holds || std::holds_alternative<intent::Resume>(body))) {
     if (!holds && draft_.pieces.draws)
@@ -94,13 +93,19 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
   co_return co_await perform_guarding_tool(body);
 }
 
+/// The way back of a move in two relies on what the controller was told before it.
+void Pump::words_come_between(const TextMeaning& words) {
+  if (words.only_asks || !pieces_.is_one_move()) return;
+  pieces_end(
+      "Move there again: a text was sent while the move took up backlash, so its last part was not done.");
+}
+
 /// Where a program cannot be held within itself, or its tool would stay on.
 void Pump::tell_hold_behind_piece() {
-  ways_.notify(
-      Notice(Notice::Kind::warning, scheduler_.now(),
-             fmt::format("It is held behind piece {}, which goes on until then with its tool. Stop ends "
-                         "it now, and switches the tool off.",
-                         draft_.pieces.done + 1)));
+  callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                           fmt::format("It will be held after piece {}, which is finished first with its "
+                                       "tool. Stop ends it now and switches the tool off.",
+                                       draft_.pieces.done + 1)));
 }
 
 /// A stop that comes meanwhile has ended them.
@@ -120,7 +125,7 @@ Task<> Pump::perform_piece(const IntentBody& body) {
 void Pump::pieces_end(std::string why) {
   pieces_.end();
   draft_.pieces.ended_because = why;
-  ways_.notify(Notice(Notice::Kind::error, scheduler_.now(), std::move(why)));
+  callbacks_.notify(Notice(Notice::Kind::error, scheduler_.now(), std::move(why)));
   publish();
 }
 

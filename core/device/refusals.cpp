@@ -127,7 +127,7 @@ constexpr std::string_view may_lie_elsewhere = "may lie elsewhere than before. N
 std::string say_of_one(const Catalog& catalog, const PositionTrust& trust, const AxisTarget& place,
                        const DoubtWords& words) {
   return fmt::format(
-      "The position of {} is not to be trusted: {}{}. {} {} Home it, say where it stands, or go on for this "
+      "The position of {} cannot be trusted: {}{}. {} {} Home it, say where it stands, or go on for this "
       "once.",
       spoken_name(catalog, place.axis.index), words_of(trust.cause), words.when(trust.since),
       words.position(place.axis, place.value), may_lie_elsewhere);
@@ -148,8 +148,8 @@ std::string say_of_several(const Catalog& catalog, const Snapshot& now, const st
   const std::string why =
       one_cause ? fmt::format(": {}{}", words_of(first.cause, true), words.when(first.since)) : "";
   return fmt::format(
-      "The positions of {} are not to be trusted{}. Where they are sent {} Home them, say where they stand, "
-      "or go on for this once.",
+      "The positions of {} cannot be trusted{}. Where they are sent {} Home them, say where they stand, or "
+      "go on for this once.",
       listed(names), why, may_lie_elsewhere);
 }
 
@@ -163,6 +163,10 @@ std::string say_doubtful(const Catalog& catalog, const Snapshot& now, const Inte
                          std::uint32_t doubtful, const DoubtWords& words) {
   std::vector<AxisTarget> places = places_of(catalog, body);
   std::erase_if(places, [&](const AxisTarget& p) { return (doubtful >> p.axis.index & 1u) == 0; });
+  const auto same_axis = [](const AxisTarget& a, const AxisTarget& b) { return a.axis == b.axis; };
+  std::stable_sort(places.begin(), places.end(),
+                   [](const AxisTarget& a, const AxisTarget& b) { return a.axis.index < b.axis.index; });
+  places.erase(std::unique(places.begin(), places.end(), same_axis), places.end());
   if (places.empty()) return {};
   return places.size() == 1 ? say_of_one(catalog, now.axes[places[0].axis.index].trust, places[0], words)
                             : say_of_several(catalog, now, places, words);
@@ -201,7 +205,7 @@ int torn_program(const Catalog& catalog, const Snapshot& now, const IntentBody& 
 std::string say_torn(const Catalog& catalog, int slot) {
   return fmt::format(
       "{} {} in the controller is not what was sent last: its transfer was broken off, or it reads back "
-      "otherwise. Nothing was started. Load it again, read it, or run it as it is for this once.",
+      "differently. Nothing was started. Load it again, read it, or run it as it is for this once.",
       catalog.program.slot_word, slot);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// A sequence as text even where some of its steps cannot be written: whoever edits it sees all of those at
-// once, and the rest as it is. A Language is such a writer, too.
+// Writes a sequence as text although some of its steps are refused, so that an editor shows all refusals at
+// once, and the rest. A Language can do this too.
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,18 +12,18 @@
 namespace hw {
 
 struct RefusedStep {
-  int step = -1;                    ///< as SequenceText counts them
-  std::string field;                ///< what of it: its key in files, of a move "to/X"; empty: all of it
-  std::string what;                 ///< "Step 3.2 (arc): a VXM draws no arcs."
-  std::string why;                  ///< the same without the step
-  std::optional<double> nearest{};  ///< what the field could be, in the unit of the sequence
+  int step = -1;      ///< as SequenceText counts them
+  std::string field;  ///< the refused field by its key in files, of a move "to/X"; empty: the whole step
+  std::string what;   ///< "Step 3.2 (arc): a VXM draws no arcs."
+  std::string why;    ///< the sentence without the step
+  std::optional<double> nearest{};  ///< the nearest possible value, in the unit of the sequence
 };
 
 class PartialWriter {
  public:
   virtual ~PartialWriter() = default;
-  /// As Language::write, with a comment in the place of each step that is refused. The fault: nothing can be
-  /// written. Not for running.
+  /// As Language::write, with a comment in place of each refused step. A fault: nothing can be written. Not
+  /// to be run.
   [[nodiscard]] virtual Result<SequenceText> write_what_can_be(const sequence::Sequence& sequence,
                                                                const Catalog& catalog,
                                                                std::vector<RefusedStep>& refused) const = 0;

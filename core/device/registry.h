@@ -12,38 +12,38 @@
 
 namespace hw {
 
-class Driver;  // kept out of here: whoever only lists or draws controllers need not compile coroutines
+class Driver;  // declared only, so that code which lists or draws controllers need not compile coroutines
 struct DriverContext;
 class Emulator;
 
 /// key=value options of an address ("motors" -> "4"). Keys are known to the device type or to the transport.
 using DeviceOptions = std::map<std::string, std::string>;
 
-/// What intent::Acceleration counts, as the maker has it.
+/// The maker's unit of intent::Acceleration.
 struct AccelerationUnit {
   std::string_view unit;     ///< "ms"
-  std::string_view meaning;  ///< what the number says, and of what; a sentence
+  std::string_view meaning;  ///< what the number means, as a sentence
   std::int64_t minimum = 0, maximum = 0;
 };
 
-/// All of it is constant. What may be null or empty says so; all of the house takes it so.
+/// All of it is constant. Members that may be null or empty say so, and all callers handle that.
 struct DeviceType {
   std::string_view model;
   Result<Catalog> (*make_catalog)(const DeviceOptions&);
   std::unique_ptr<Driver> (*make_driver)(DriverContext);
-  /// Null: there is no emulator. Its address is refused, programs are not rehearsed, and there is no bench.
+  /// Null: there is no emulator, so its address is refused, programs are not rehearsed, and there is no
+  /// bench.
   Result<std::unique_ptr<Emulator>> (*make_emulator)(const DeviceOptions&);
   const Language& (*language)();
-  /// What bytes on the wire mean, for the terminal. Pure; any thread. Appends to nothing, returns a sentence.
+  /// Explains bytes on the wire in a sentence, for the terminal. Pure; any thread.
   std::string (*explain)(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
-  /// A harmless question and whether the answer is this model's (`scan`): sent at each rate of the catalog.
-  /// Where several devices can share a line, NN in it stands for the two digits of the one that is asked.
-  /// Empty: it is never looked for.
+  /// A harmless question for `scan`, sent at each rate of the catalog. NN stands for the two digits of a
+  /// device on a shared line. Empty: the model is not searched for.
   std::string_view probe;
-  /// Null if `probe` is empty.
+  /// Whether the reply to `probe` is this model's. Null if `probe` is empty.
   bool (*recognises)(std::string_view reply);
   AccelerationUnit acceleration = {};
-  /// Whether an answer is the controller's own "no" to what was sent. Null: it has no such answers.
+  /// Whether a reply is a refusal by the controller. Null: it has no such replies.
   bool (*refuses)(std::string_view reply) = nullptr;
 };
 

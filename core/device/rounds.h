@@ -1,6 +1,6 @@
 #pragma once
-// Rounds of status: when the next one is due, how often they come, and which of them somebody waits for. What
-// a stop asks while it is under way is no round: see Round::stopping. Io thread.
+// Status rounds: when the next one is due, how often they come, and which ones are waited for. The questions
+// of a pending stop are not a round: see Round::stopping. Io thread.
 #include <algorithm>
 #include <cstdint>
 
@@ -12,7 +12,7 @@ class Rounds {
  public:
   [[nodiscard]] Instant next() const { return next_; }
   void due_at(Instant when) { next_ = when; }
-  /// Something was sent. A controller's status may lag behind the command by a round or two.
+  /// A command was sent. A controller's status may lag behind it by a round or two.
   void look_often(Instant now) {
     constexpr int rounds_after_a_command = 3;
     next_ = now;
@@ -23,14 +23,13 @@ class Rounds {
   void begin() { ++begun_; }
   void cut() { --begun_; }
   void end() { ended_ = begun_; }
-  /// The next one is due a `period` from now, or at once when somebody waits for it.
+  /// The next round is due after `period`, or at once if it is waited for.
   void schedule(Instant now, Duration period) {
     if (often_ > 0) --often_;
     next_ = ended_ < wanted_ ? now : now + period;
   }
 
-  /// Somebody waits for the first one that begins after this; its number, which ended() reaches when it is
-  /// over.
+  /// Requests a round that begins after this call; returns the number that ended() reaches when it is over.
   std::uint64_t want(Instant now) {
     wanted_ = std::max(wanted_, begun_ + 1);
     next_ = now;
@@ -42,7 +41,7 @@ class Rounds {
  private:
   Instant next_{};
   std::uint64_t begun_ = 0, ended_ = 0, wanted_ = 0;
-  int often_ = 0;  ///< so many of the next rounds
+  int often_ = 0;  ///< how many of the next rounds follow each other quickly
 };
 
 }  // namespace hw

@@ -1,6 +1,6 @@
 #pragma once
-// What a controller says unasked, and the replies to texts whose senders do not wait: kept until a script
-// reads them. Io thread only.
+// Unsolicited texts, and replies to texts whose senders do not wait: kept until a script reads them. Io
+// thread only.
 #include <algorithm>
 #include <cstdint>
 #include <deque>
@@ -22,9 +22,9 @@ class ScriptTexts {
     texts_.pop_front();
     return true;
   }
-  /// The number of the next one: what is older belongs to somebody else's reading.
+  /// The number of the next text.
   [[nodiscard]] std::uint64_t next() const { return next_; }
-  /// The same as an answer to what was sent at `number`: one that another asker has taken answers this too.
+  /// The same as the answer to a text sent at `number`: an answer that another sender has taken counts too.
   std::optional<std::string> answer_since(std::uint64_t number) {
     const std::uint64_t before = next_;
     if (auto text = take_since(number)) {
@@ -34,7 +34,7 @@ class ScriptTexts {
     }
     return answered_ > number ? std::optional(answer_) : std::nullopt;
   }
-  /// The oldest that came at `number` or later, and begins with `first` (0: with anything).
+  /// The oldest text from `number` on that begins with `first` (0: any).
   std::optional<std::string> take_since(std::uint64_t number, char first = 0) {
     const auto found = std::find_if(texts_.begin(), texts_.end(), [&](const Text& t) {
       return t.number >= number && (first == 0 || t.text.starts_with(first));

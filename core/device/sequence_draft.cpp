@@ -184,7 +184,7 @@ Result<> SequenceDraft::tool_line(std::string_view mark, std::string_view aside)
     if (o.on && catalog.can.stop_clears_outputs)
       return fail(FaultKind::text,
                   fmt::format("The tool is off while output {} is on: a {} switches its outputs off when it "
-                              "is stopped, and the tool on with that.",
+                              "is stopped, which switches the tool on.",
                               o.number, catalog.short_name),
                   "Nothing was written.", "Wire it so that it is off while the output is off.");
   if (!tool.empty()) {
@@ -219,11 +219,13 @@ Result<std::int64_t> SequenceDraft::steps_of(int place, double units, double low
   const double per_unit = sequence.axes[ix(place)].per_unit, steps = std::round(units * per_unit);
   if (!(steps >= low && steps <= high)) {
     const double nearest = steps > high ? high : low;
-    return refuse_field(
-        place_field(place),
-        fmt::format("{} {} of {} are {:.15g} {}; a {} goes from {:.0f} to {:.0f}.", units, sequence.unit,
-                    name(place), steps, catalog.step_word, catalog.short_name, low, high),
-        std::isnan(steps) ? std::nullopt : std::optional(nearest / per_unit));
+    const bool plain = per_unit == 1 && sequence.unit == catalog.step_word;  // then they are said once
+    const std::string are =
+        plain ? " is too far:" : fmt::format(" are {:.15g} {};", steps, catalog.step_word);
+    return refuse_field(place_field(place),
+                        fmt::format("{} {} of {}{} a {} goes from {:.0f} to {:.0f}.", units, sequence.unit,
+                                    name(place), are, catalog.short_name, low, high),
+                        std::isnan(steps) ? std::nullopt : std::optional(nearest / per_unit));
   }
   return static_cast<std::int64_t>(steps);
 }

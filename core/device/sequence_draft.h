@@ -1,6 +1,6 @@
 #pragma once
-// What the writers of all languages share while they make text of a sequence: which step is at hand, which
-// axis of the controller is meant and how many of its steps, and where its axes stand by then.
+// Shared state of all language writers: the present step, the controller's axis and steps that are meant, and
+// where the axes are by then.
 //
 // A writer has a function write(const X&) for each kind of step; write_steps() calls them in turn.
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace hw {
 
-/// In steps of one axis. 0: as the controller has it.
+/// In steps of one axis. 0: as the controller is set up.
 struct StepSpeeds {
   std::int64_t high = 0, low = 0;
   double ramp_ms = 0;
@@ -43,63 +43,63 @@ class SequenceDraft {
  public:
   SequenceDraft(const sequence::Sequence& sequence, const Catalog& catalog)
       : sequence(sequence), catalog(catalog) {}
-  /// Before anything else. The fault names an axis that the controller does not have.
+  /// To be called first. The fault names an axis that the controller does not have.
   [[nodiscard]] Result<> find_axes();
 
   const sequence::Sequence& sequence;
   const Catalog& catalog;
 
-  // ---- the step at hand
+  // ---- the present step
   void enter(const sequence::Step& step, std::size_t place);
   void leave();
-  /// From here on the steps of a routine ("Pen up") are entered; its lines are of the step at hand. Refused
-  /// within a routine: the tool is no part of its own routines.
+  /// Enters a routine ("Pen up"); its lines belong to the present step. Refused within a routine: the tool
+  /// cannot be part of its own routines.
   [[nodiscard]] Result<> begin_routine(std::string_view name);
   void end_routine();
   [[nodiscard]] bool in_routine() const { return !routine_.empty(); }
   [[nodiscard]] tl::unexpected<Fault> refuse_tool() const {
-    return refuse("the tool is no part of its own routines.");
+    return refuse("the tool cannot be part of its own routines.");
   }
   /// "Step 3.2 (arc): a VXM draws no arcs."
   [[nodiscard]] tl::unexpected<Fault> refuse(std::string_view why) const;
-  /// Of a field: its key in files. `nearest`: what it could be.
+  /// Refuses a field by its key in files. `nearest`: the nearest possible value.
   [[nodiscard]] tl::unexpected<Fault> refuse_field(std::string field, std::string_view why,
                                                    std::optional<double> nearest = {}) const;
-  /// A motion that goes at the controller's own speed, behind one that has changed it.
+  /// Refuses a motion at the controller's own speed after one that has changed it.
   [[nodiscard]] tl::unexpected<Fault> refuse_own_speed() const;
   void remark(std::string_view what);
 
   // ---- steps that are refused
-  /// From here on they are collected, with a comment behind `mark` in the place of each.
+  /// Collects refused steps from here on, with a comment behind `mark` in place of each.
   void collect_refused(std::vector<RefusedStep>* refused, std::string_view mark) {
     refused_ = refused, comment_mark_ = mark;
   }
-  /// How things stand before a step is entered.
+  /// The state before a step is entered.
   struct Before {
     std::size_t depth, lines;
     int indent, part;
     std::array<std::optional<std::int64_t>, max_axes> at;
   };
   [[nodiscard]] Before before() const { return {path_.size(), lines_.size(), indent_, part_, at_}; }
-  /// Leaves the step at hand out, whose writer has answered with `fault`, and goes on as if it had been done.
-  /// False: refused steps are not collected.
+  /// Leaves out the present step, refused with `fault`, and continues as if it had been done. False: refused
+  /// steps are not collected.
   bool pass_over(const sequence::Step& step, const Fault& fault, const Before& before);
 
   // ---- the text
   void line(std::string_view text);
   /// Each line of it, behind `mark`.
   void lines(std::string_view text, std::string_view mark = {});
-  /// Ahead of all: a comment behind `mark` that names the outputs which switch its tool off, where it has
-  /// any. Refused where a stop would switch it on.
-  /// `aside`: what else is to be known of a tool on this controller.
+  /// Puts a comment behind `mark` in front that names the outputs which switch the tool off, if any. Refused
+  /// if a stop would switch it on.
+  /// `aside`: a further remark about tools on this controller.
   [[nodiscard]] Result<> tool_line(std::string_view mark, std::string_view aside = {});
   void indent(int by) { indent_ += by; }
-  /// Lines go into this part from now on; parts stand one behind the other. Returns the part so far.
+  /// Lines go into this part from now on; parts follow each other in the text. Returns the previous part.
   int change_part(int part) { return std::exchange(part_, part); }
   [[nodiscard]] int part() const { return part_; }
   [[nodiscard]] SequenceText finish() &&;
 
-  // ---- axes, from a place in Sequence::axes
+  // ---- axes, by their place in Sequence::axes
   [[nodiscard]] AxisId axis(int place) const { return axes_[ix(place)]; }
   [[nodiscard]] const std::string& name(int place) const { return catalog.axes[axis(place).index].name; }
   [[nodiscard]] int axis_count() const { return static_cast<int>(sequence.axes.size()); }
@@ -107,33 +107,32 @@ class SequenceDraft {
   [[nodiscard]] Result<std::int64_t> position(int place, double units) const;
   [[nodiscard]] Result<std::int64_t> distance(int place, double units) const;
   [[nodiscard]] Result<StepSpeeds> speeds(int place, const sequence::Speeds& units) const;
-  /// Of a motion of this axis: what is its own, else what speed steps have said.
+  /// Speeds of a motion of this axis: its own, else those of the speed steps.
   [[nodiscard]] Result<StepSpeeds> speeds_of(int place, const sequence::OwnSpeeds& own) const;
-  /// Checked: they go one way, from where the axis stands by then if that is known.
+  /// Checks that they go one way, from the axis' place by then if it is known.
   [[nodiscard]] Result<StepStairs> stairs(const sequence::SpeedStairs& stairs) const;
   void say_speeds(const sequence::Speeds& units) { speeds_now_ = over(speeds_now_, units); }
-  /// Where steps are written that are carried out elsewhere: nothing is said there that they do not say
-  /// themselves. Returns those so far.
+  /// For steps that are carried out elsewhere: they may rely on no earlier speeds. Returns the speeds so far.
   sequence::Speeds change_speeds(const sequence::Speeds& units) { return std::exchange(speeds_now_, units); }
-  /// Whether all axes have equally many steps in a unit.
+  /// Whether all axes have the same steps per unit.
   [[nodiscard]] bool all_alike() const;
   /// Both axes of it.
   [[nodiscard]] bool has(const sequence::Plane& plane) const {
     return std::max(plane.right, plane.up) < axis_count();
   }
-  /// Whether its axes have equally many: otherwise its circles are ellipses.
+  /// Whether its axes have the same steps per unit: otherwise circles are ellipses.
   [[nodiscard]] bool alike(const sequence::Plane& plane) const {
     return sequence.axes[ix(plane.right)].per_unit == sequence.axes[ix(plane.up)].per_unit;
   }
 
-  // ---- where the axes stand, in steps, once the motions so far have ended
+  // ---- where the axes are, in steps, after the motions so far
   [[nodiscard]] std::optional<std::int64_t> at(int place) const { return at_[ix(place)]; }
   void stands(int place, std::optional<std::int64_t> position) { at_[ix(place)] = position; }
   void nothing_known() { at_ = {}; }
-  /// What the steps of a loop move stands elsewhere when it begins anew.
+  /// Axes that the steps of a loop move are elsewhere in its next pass.
   void forget_what_moves(const sequence::StepList& steps);
 
-  /// Of the maker's number: its place in the catalog.
+  /// The place in the catalog of the maker's number.
   [[nodiscard]] Result<int> input(int number) const;
   [[nodiscard]] Result<int> output(int number) const;
 
@@ -141,7 +140,7 @@ class SequenceDraft {
   [[nodiscard]] Result<std::int64_t> steps_of(int place, double units, double low, double high) const;
   /// The key of the field that says where an axis goes.
   [[nodiscard]] std::string place_field(int place) const;
-  [[nodiscard]] std::string numbers() const;  ///< of the step at hand: "3.2"
+  [[nodiscard]] std::string numbers() const;  ///< of the present step: "3.2"
   void as_if_moved(const sequence::Move& move);
 
   [[nodiscard]] int index() const;
@@ -167,20 +166,20 @@ class SequenceDraft {
   std::vector<Line> lines_;
   std::vector<std::string> remarks_;
   std::string tool_;
-  std::vector<RefusedStep>* refused_ = nullptr;  ///< null: the first one is the end
+  std::vector<RefusedStep>* refused_ = nullptr;  ///< null: parts_ has only the first
   std::string_view comment_mark_;
-  mutable RefusedStep latest_;  ///< what refuse_field() knows beside its sentence
+  mutable RefusedStep latest_;  ///< details of refuse_field()
 };
 
-/// What texts call them, too, so that they are known again.
+/// Also used in texts, so that readers recognise them.
 constexpr std::string_view routine_name(bool down) { return down ? "Pen down" : "Pen up"; }
 
 /// "arc", as files call it.
 std::string_view kind_of(const sequence::Step& step);
-/// What refuse_own_speed() says.
+/// The sentence of refuse_own_speed().
 inline constexpr std::string_view no_own_speed =
-    "a step before it has changed the speed, and none says what it is otherwise.";
-/// Whose refusal it is, by the places of the lists that it stands in; none: that of no step of the list.
+    "an earlier step has changed the speed, and no step says what it is otherwise.";
+/// The step of a refusal, by its places in the nested lists; none: not of a step.
 std::optional<std::vector<std::size_t>> refused_step(std::string_view what);
 
 /// `writer` writes each step that is not skipped.

@@ -116,8 +116,9 @@ class Proof {
     if (!has_block(read_.steps)) {
       for (const ReadStep& step : read_.steps)
         if (is_own(step))
-          return no_block_for(text_, step.at.begin,
-                              std::get<sequence::Custom>(step.body).about + ". The rest is no block either.");
+          return no_block_for(
+              text_, step.at.begin,
+              std::get<sequence::Custom>(step.body).about + ". The rest is not a block either.");
       return fail(FaultKind::text, "The text commands nothing.", "The blocks are as they were.");
     }
     return SequenceRead{std::move(made), std::move(read_.remarks)};
@@ -194,7 +195,7 @@ class Proof {
     return leave(spot, why);
   }
   bool leave_what_differs(const Deed* our, const Deed* their, const SequenceText& written) {
-    constexpr std::string_view why = "blocks would write it otherwise";
+    constexpr std::string_view why = "blocks would write it differently";
     if (((our && our->speed) || (their && their->speed)) && leave_speeds()) return true;
     if (our) {
       const Spot spot = spot_of(our->at.begin);

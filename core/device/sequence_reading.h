@@ -1,10 +1,10 @@
 #pragma once
-// What the readers of all languages share while they make steps of a text: the stretch of the text that each
-// step has come from, and the proof that the steps are that text.
+// Shared by all language readers, which turn a text into steps: the stretch of text of each step, and the
+// proof that the steps are that text.
 //
-// A reader takes its text apart as well as it can. prove() has the steps written by the language's own
-// writer, compares what both texts command, and leaves to the controller's own text what would come out
-// otherwise. So a reader may be bold: what it shows is never another program.
+// A reader interprets its text as well as it can. prove() writes the steps with the language's own writer,
+// compares what both texts command, and leaves differing parts as the controller's own text. So a reader may
+// be bold: it never shows another program.
 #include <functional>
 #include <map>
 #include <string>
@@ -18,22 +18,22 @@
 
 namespace hw {
 
-/// Of a text, in bytes.
+/// A stretch of text, in bytes.
 struct Stretch {
   std::size_t begin = 0, end = 0;
   [[nodiscard]] bool covers(std::size_t at) const { return begin <= at && at < end; }
 };
 
-/// A Custom has its words only: its text is the stretch.
+/// A Custom has only its words: its text is the stretch.
 struct ReadStep {
   sequence::Step::Body body;
   Stretch at;
   std::vector<ReadStep> inner{};  ///< of a loop, in the order of the text
-  Stretch inside{};               ///< where they stand
+  Stretch inside{};               ///< their stretches
 };
 using ReadSteps = std::vector<ReadStep>;
 
-/// `why` as a name for it: "no block sets a variable".
+/// `why` describes it: "no block sets a variable".
 inline ReadStep own_text(std::string why, Stretch at) { return {sequence::Custom{std::move(why), {}}, at}; }
 
 struct ReadText {
@@ -44,48 +44,48 @@ struct ReadText {
   std::vector<sequence::Axis> axes;
   ReadSteps steps{}, pen_up{}, pen_down{};
   std::vector<std::string> remarks{};
-  /// Of what the text uses before it sets it; there is a remark about it.
+  /// Something that the text uses before it sets it; there is a remark about it.
   std::map<std::string, std::string> assumed{};
 
-  /// Of an axis of the catalog, its place in `axes`; -1: it is not among them.
+  /// The place in `axes` of an axis of the catalog; -1: not among them.
   [[nodiscard]] int place_of(const Catalog& catalog, int axis) const;
   [[nodiscard]] double units(int place, std::int64_t steps) const {
     return static_cast<double>(steps) / axes[static_cast<std::size_t>(place)].per_unit;
   }
 };
 
-/// A command as far as it decides whether two texts are the same program.
+/// The essence of a command: decides whether two texts are the same program.
 struct Deed {
   enum class Flow : std::uint8_t {
     on,
     begins_block,  ///< of a branch or a loop
     next_branch,   ///< of the same block
     ends_block,
-    changes_all,  ///< begins a program, or calls one: whatever was set may be set otherwise
+    changes_all,  ///< begins or calls a program: settings may change
   };
-  std::string text;  ///< in one spelling
+  std::string text;  ///< in one normal spelling
   Stretch at;
-  std::string sets{};    ///< not empty: it sets this to `text`, and does nothing where it is so already
+  std::string sets{};    ///< not empty: it sets this to `text`, and has no effect if it is so already
   bool constant = true;  ///< false: it may set another value each time
   bool speed = false;
   Flow flow = Flow::on;
-  std::string uses{};  ///< not empty: what it does depends on how this is set
-  Stretch set_at{};    ///< by what; essentials() finds it out
+  std::string uses{};  ///< not empty: its effect depends on this setting
+  Stretch set_at{};    ///< the value that it depends on; found by essentials()
 };
 using Deeds = std::vector<Deed>;
 
-/// Those that do something, each that uses what is set with its value in front ("?": nobody knows it). Where
-/// all of those are known, what has set them counts for nothing more. `assumed`: is set at the begin.
+/// The commands with an effect, each with the settings that it uses in front ("?": unknown). If all are
+/// known, the commands that set them are dropped. `assumed`: set at the beginning.
 [[nodiscard]] Deeds essentials(const Deeds& deeds, const std::map<std::string, std::string>& assumed);
 
 /// What prove() asks of a language.
 struct ReadingLanguage {
   std::function<Result<SequenceText>(const sequence::Sequence&)> write;
   std::function<Deeds(std::string_view text)> deeds;
-  char comment_mark = ';';  ///< from it to the end of a line nothing is commanded
+  char comment_mark = ';';  ///< begins a comment to the end of the line
 };
 
-/// The fault names the line that no block can hold.
+/// The fault names a line that no block can hold.
 [[nodiscard]] Result<SequenceRead> prove(ReadText read, std::string_view text,
                                          const ReadingLanguage& language);
 

@@ -1,6 +1,5 @@
 #pragma once
-// A sequence as the program text of one controller: what Language::write makes of it, and Language::read of
-// the text.
+// A sequence as the program text of one controller: the results of Language::write and Language::read.
 #include <string>
 #include <vector>
 
@@ -10,18 +9,17 @@ namespace hw {
 
 struct SequenceText {
   std::string text;
-  /// Which step each line of the text is of, counted through the whole list, loops entered, from 0; -1: of
-  /// none.
+  /// The step of each line, counted from 0 through the whole list, loops included; -1: none.
   std::vector<int> step_of_line;
-  /// What the controller does in another way than the sequence says, each with its step.
+  /// Remarks, with their steps, on what the controller does differently from the sequence.
   std::vector<std::string> remarks;
-  /// What is to be known before it is run of the tool that it switches; empty: it has none.
+  /// A remark on the tool that it switches, to be told before it is run; empty: no tool.
   std::string tool;
 };
 
 struct SequenceRead {
   sequence::Sequence sequence;
-  /// What the text has that the steps do not show, in sentences.
+  /// Remarks on what the text has and the steps do not show.
   std::vector<std::string> remarks;
 };
 

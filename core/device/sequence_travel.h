@@ -1,6 +1,6 @@
 #pragma once
-// Where the program that is made of a sequence takes the axes of its controller: what intent::RunProgram is
-// told, so that it is bound by the user's travel as a move is.
+// The places to which the program of a sequence takes the axes, for intent::RunProgram, so that the user's
+// limits apply to it as to a move.
 #include <vector>
 
 #include "core/device/catalog.h"
@@ -10,13 +10,13 @@
 
 namespace hw {
 
-/// The least and the greatest place of each axis that it moves, from where they stand now; without_end, plus
-/// or minus, where a loop takes it on and on. Of an axis whose count is not to be trusted only where it is
-/// sent by that count: by no distance, nor once its home is looked for.
+/// The least and the greatest place of each axis that it moves, from the present positions; without_end, plus
+/// or minus, if a loop takes it on without end. For an axis whose count is doubtful only the places that rely
+/// on that count: not distances, nor places after its homing.
 std::vector<AxisTarget> places_of_run(const sequence::Sequence& sequence, const Catalog& catalog,
                                       const Snapshot& now);
 
-/// So far no axis goes: it goes on and on.
+/// Further than any axis goes: it moves on without end.
 inline constexpr Steps without_end{std::int64_t{1} << 61};
 
 }  // namespace hw

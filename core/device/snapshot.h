@@ -1,6 +1,7 @@
 #pragma once
 // One instant of one controller, as its driver knows it. A plain value of fixed size: published by the
-// driver, copied without allocation, drawn by every panel. What is not known is marked so, never guessed.
+// pump, copied without allocation, drawn by every panel. An unknown value is marked as unknown, never
+// guessed.
 #include <algorithm>
 #include <array>
 #include <bitset>
@@ -20,21 +21,27 @@
 
 namespace hw {
 
-enum class LinkState : std::uint8_t { connecting, good, late, lost, closed };  ///< late: missed, or garbled
+enum class LinkState : std::uint8_t {
+  connecting,
+  good,
+  late,
+  lost,
+  closed
+};  ///< late: an answer was missed or garbled
 
 enum class Activity : std::uint8_t { unknown, idle, moving, jogging, homing, stopping, error };
 
-/// How the latest motion of an axis, or run of a program, came to its end.
+/// How the latest motion of an axis, or the latest run of a program, ended.
 enum class EndedBy : std::uint8_t {
   nothing,
   target,
   limit,
-  stop,       ///< the console's own, with the ramp
-  abort,      ///< the console's own, at once
-  elsewhere,  ///< cut short by somebody else: the controller's Stop input, another program on the wire
+  stop,       ///< by the console, with the ramp
+  abort,      ///< by the console, without a ramp
+  elsewhere,  ///< cut short by the controller's Stop input, or by another program on the wire
   error,
   lost,
-  not_in_place  ///< of a servo axis: its command has ended, and its encoder did not come there
+  not_in_place  ///< servo axis: the command has ended, and the encoder did not reach the target
 };
 /// Where on its profile a motion is, if the controller tells.
 enum class Phase : std::uint8_t { unknown, accelerating, constant, decelerating };
@@ -44,58 +51,60 @@ enum class AxisError : std::uint8_t {
   none,
   limit_minus,
   limit_plus,
-  limit,  ///< one of the two
+  limit,  ///< one of the two; the controller does not tell which
   alarm,
   stalled,
-  too_far,       ///< closed loop: the load stands further off than is allowed
-  not_corrected  ///< closed loop: given up after so many attempts
+  too_far,       ///< closed loop: the position error is larger than allowed
+  not_corrected  ///< closed loop: given up after the allowed number of attempts
 };
 
-/// How a servo axis (AxisInfo::servo) stands to its command.
+/// How a servo axis (AxisInfo::servo) follows its command.
 enum class Loop : std::uint8_t {
-  none,       ///< no servo axis: its position is what the controller counts
-  unknown,    ///< nobody has told yet whether its loop is closed
-  open,       ///< its motor is free: nothing holds it where its command stands
-  following,  ///< on its way behind its command, or settling
-  in_place,   ///< its error has lain within the deadband for a while
-  off_place   ///< its command has long ended, and it does not come there
+  none,       ///< not a servo axis: its position is what the controller counts
+  unknown,    ///< it is not known yet whether its loop is closed
+  open,       ///< its motor is free: nothing holds it at its command
+  following,  ///< following its command, or settling
+  in_place,   ///< its error has been within the deadband for a while
+  off_place   ///< its command ended some time ago, and it has not arrived
 };
 
 struct AxisState {
-  Steps position{};             ///< of a servo axis: its encoder's
+  Steps position{};             ///< servo axis: of the encoder
   Instant seen_at{};            ///< when the position was read
-  bool position_known = false;  ///< false: never read, or not true any more since a loss or reset
-  PositionTrust trust;          ///< of what is known
-  Travel travel;                ///< the user's; see travel_holds()
-  Backlash backlash;            ///< the user's
+  bool position_known = false;  ///< false: never read, or no longer valid since a loss or reset
+  PositionTrust trust;          ///< of `position`
+  Travel travel;                ///< set by the user; see travel_holds()
+  Backlash backlash;            ///< set by the user
   Activity activity = Activity::unknown;
   Phase phase = Phase::unknown;
   AxisError error = AxisError::none;
   EndedBy ended_by = EndedBy::nothing;
   std::int8_t direction = 0;  ///< -1, 0, +1 of the present motion
-  Pps speed{};                ///< of the present motion, told or asked; 0 when unknown or at rest
-  Pps own_speed{};            ///< of a motion for which none is asked (intent::JogStart); 0: not known yet
+  Pps speed{};                ///< of the present motion, reported or commanded; 0: unknown or at rest
+  double ramp = 0;   ///< steps/s² at which the present motion speeds up and slows down; 0: not known
+  Steps began_at{};  ///< where it did, while its ramp is known
+  Pps own_speed{};   ///< of a motion that names no speed (intent::JogStart); 0: not known yet
   bool has_target = false;
   Steps target{};
   bool in_counts = false;  ///< closed loop: position, speed and target count in Catalog::loop_word
   bool has_encoder = false;
   Steps encoder{};
   Loop loop = Loop::none;
-  Steps command{};       ///< of a servo axis: where it is sent at this instant
-  bool far_off = false;  ///< its error is so large that closing its loop is asked about: intent::Closing
+  Steps command{};       ///< servo axis: the commanded position at this instant
+  bool far_off = false;  ///< its error is so large that closing its loop needs an answer: intent::Closing
   bool limit_minus = false, limit_plus = false, home = false, alarm = false;
   bool limits_known = false;
   bool enabled = true;   ///< motor current; see AxisInfo::switchable
-  bool slipped = false;  ///< its encoder has lain further off than is allowed, and nobody has cleared that
+  bool slipped = false;  ///< its encoder was further off than allowed, and the flag has not been cleared
   bool operator==(const AxisState&) const = default;
 
-  /// Where its moves begin, and what relative ones add to.
+  /// Where a move begins, and the base of a relative one.
   [[nodiscard]] Steps commanded() const { return loop == Loop::none ? position : command; }
-  /// Its count tells where it stands within its travel: a limit by a doubtful count would be none.
+  /// The limits apply: a limit checked against a doubtful count would be worth nothing.
   [[nodiscard]] bool travel_holds() const {
     return travel.any() && position_known && !trust.doubtful() && travel.in_counts == in_counts;
   }
-  /// Where it is sent now, or stands.
+  /// Its present target; at rest, its position.
   [[nodiscard]] Steps goal() const { return has_target ? target : commanded(); }
   [[nodiscard]] Steps following_error() const { return commanded() - position; }
 };
@@ -104,10 +113,10 @@ enum class RunState : std::uint8_t { idle, running, waiting, held, error };
 
 struct ProgramState {
   RunState run = RunState::idle;
-  bool owned = false;                   ///< a stored program of the user's, not a move of the console
+  bool owned = false;                   ///< the user's stored program, not a move of the console
   std::int8_t slot = -1;                ///< the program that runs, or the selected one
   std::int16_t command = -1;            ///< index of the live command in the slot's listing; -1 unknown
-  bool command_told = false;            ///< true: the controller said so; false: worked out
+  bool command_told = false;            ///< true: reported by the controller; false: worked out
   bool stepping = false;                ///< stops before each command
   EndedBy ended_by = EndedBy::nothing;  ///< of the latest run of the user's programs
   Instant started_at{};
@@ -129,44 +138,48 @@ struct FeedState {
   bool operator==(const FeedState&) const = default;
 };
 
-/// What is done in pieces (intent::RunInPieces), as far as it has come.
+/// The progress of a sequence that runs in pieces (intent::RunInPieces).
 struct PiecesState {
   bool running = false;
   bool held = false;                 ///< the next piece waits until it is resumed
-  bool draws = false;                ///< act by act, without a program: its tool may be on between them
-  bool rests = false;                ///< held, and nothing of it is under way here or elsewhere
+  bool draws = false;                ///< act by act, without a program: its tool may be on between acts
+  bool rests = false;                ///< held, and nothing of it is under way on any controller
   bool speed_can_change = false;     ///< intent::OverrideSpeed is taken
   std::int32_t done = 0, total = 0;  ///< pieces
-  std::int32_t step = -1;            ///< of the sequence's own list: that is at work, or was last; -1: none
-  std::int32_t percent = 100;        ///< of the speeds that were asked for; see intent::OverrideSpeed
-  FixedText<240> ended_because;      ///< what has broken it off, as a sentence; empty: nothing
+  std::int32_t step = -1;            ///< place in the sequence's list of the present or latest step; -1: none
+  std::int32_t percent = 100;        ///< of the requested speeds; see intent::OverrideSpeed
+  FixedText<240> ended_because;      ///< why it was broken off, as a sentence; empty: it was not
   bool operator==(const PiecesState&) const = default;
 };
 
 /// A stored program on its way to or from the controller.
 struct TransferState {
-  enum class Phase : std::uint8_t { reading, writing, comparing };  ///< comparing: what was written is read
+  enum class Phase : std::uint8_t {
+    reading,
+    writing,
+    comparing
+  };  ///< comparing: reading back what was written
   bool running = false;
   Phase phase = Phase::reading;
-  std::int8_t slot = -1;   ///< of it; where programs run in threads, 0 for all
-  std::int32_t done = 0;   ///< lines in this phase; it stays when the transfer is broken off
+  std::int8_t slot = -1;   ///< of the program; 0 for all where programs run in threads
+  std::int32_t done = 0;   ///< lines in this phase; kept when the transfer is broken off
   std::int32_t total = 0;  ///< 0: not known
-  Duration left{};         ///< of the whole, by the rate so far; 0: not known
+  Duration left{};         ///< for all phases, by the rate so far; 0: not known
   bool operator==(const TransferState&) const = default;
 };
 
-/// What became of the newest intents; a panel finds its own by id.
+/// The outcome of the newest intents; a panel finds its own by id.
 enum class Fate : std::uint8_t { pending, done, refused, failed };
 struct IntentFate {
   static constexpr std::size_t sentence_room = 320;
   IntentId id = 0;
   Fate fate = Fate::pending;
-  FaultKind kind = FaultKind::refused;  ///< refused or failed: of the fault
-  FixedText<sentence_room> sentence;    ///< the same: Fault::sentence()
+  FaultKind kind = FaultKind::refused;  ///< of the fault, if refused or failed
+  FixedText<sentence_room> sentence;    ///< Fault::sentence(), if refused or failed
   std::uint16_t advice_at = 0;          ///< where in the sentence Fault::advice begins; 0: there is none
-  bool asks = false;                    ///< refused until intent::Closing says what is to be done
-  std::uint32_t doubtful = 0;           ///< refused for it: bit per axis whose position is not to be trusted
-  std::optional<PastTravel> past = {};  ///< refused for it
+  bool asks = false;                    ///< refused until intent::Closing says what to do
+  std::uint32_t doubtful = 0;  ///< why it was refused: a bit per axis whose position cannot be trusted
+  std::optional<PastTravel> past = {};  ///< why it was refused
 
   void tell(const Fault& fault) {
     const std::string whole = fault.sentence();
@@ -176,7 +189,7 @@ struct IntentFate {
     sentence = whole;
     advice_at = static_cast<std::uint16_t>(apart ? at : 0);
   }
-  /// What was told, as far as it is known; its sentence is the same.
+  /// The fault that was told, as far as it is kept; its sentence is the same.
   [[nodiscard]] Fault fault() const {
     if (advice_at == 0) return {kind, std::string(sentence.view())};
     return {kind,
@@ -195,12 +208,12 @@ struct ParamState {
 };
 
 /// The memory window of a controller as the console has last read it (Catalog::memory says what lies where).
-/// A register that reading clears shows what the last reading brought. A copy of what is not known is
-/// empty: nothing of before is there when something is known again.
+/// A register that is cleared by reading shows its last value. Copying an unknown image empties the copy, so
+/// that no old value is left when something is known again.
 struct WindowImage {
   static constexpr std::size_t bytes = 4096;
   bool known = false;
-  bool rings_known = false;  ///< somebody looks: the rings are read too
+  bool rings_known = false;  ///< the rings are on screen, and so read too
   std::array<std::uint8_t, bytes> memory{};
 
   WindowImage() = default;
@@ -228,20 +241,20 @@ struct WindowImage {
   }
 };
 
-/// What the controller has said of itself.
+/// What the controller reports about itself.
 struct Identity {
-  FixedText<32> model;     ///< as the controller or catalog names it
+  FixedText<32> model;     ///< as the controller, else the catalog, names it
   FixedText<24> firmware;  ///< empty: not known
   FixedText<24> serial;
   bool operator==(const Identity&) const = default;
 };
 
-/// What a controller does by itself, and goes on doing when nobody watches it.
+/// What a controller does by itself, and continues to do when nobody watches it.
 struct UnderWay {
   std::uint32_t axes = 0;  ///< bit per axis that moves
-  bool program = false;    ///< a stored one of the user's runs, waits or is held
-  bool held = false;       ///< it, and at present
-  std::int8_t slot = -1;   ///< of it
+  bool program = false;    ///< the user's stored program runs, waits or is held
+  bool held = false;       ///< the program is held now
+  std::int8_t slot = -1;   ///< of the program
   bool queued = false;     ///< commands wait in its queues
   [[nodiscard]] bool moves() const { return axes != 0 || queued; }
   [[nodiscard]] bool any() const { return program || moves(); }
@@ -256,10 +269,10 @@ struct LinkHealth {
   Instant lost_at{};
   Instant next_attempt{};
   int attempts = 0;
-  FixedText<640> sentence;  ///< why it is late, lost or closed; what is being done
-  /// When the link was lost; nothing any more when it is good again.
+  FixedText<640> sentence;  ///< why it is late, lost or closed, and what is being done
+  /// What was under way when the link was lost; empty once it is good again.
   UnderWay when_lost;
-  JogEnds jog_ends = JogEnds::by_nobody;  ///< a held one, when this program dies
+  JogEnds jog_ends = JogEnds::by_nobody;  ///< who ends a held jog when this program dies
 
   [[nodiscard]] bool connected() const { return state == LinkState::good || state == LinkState::late; }
 };
@@ -277,7 +290,7 @@ struct Snapshot {
   std::uint32_t inputs = 0, inputs_known = 0;    ///< bit n-1 = the catalog's input n; 1 = electrically high
   std::uint32_t outputs = 0, outputs_known = 0;  ///< bit n-1 = output n; 1 = on
   Instant io_seen_at{};
-  Instant inputs_asked_at{};  ///< of the answer in `inputs`: they may be newer than the outputs
+  Instant inputs_asked_at{};  ///< when `inputs` were asked for: they may be newer than the outputs
   std::array<std::int32_t, max_analog> analog{};
   std::uint32_t analog_known = 0;
   std::array<Instant, max_analog> analog_seen_at{};
@@ -296,28 +309,27 @@ struct Snapshot {
   std::array<std::int32_t, max_variables> variables{};  ///< by number
   std::bitset<max_variables> variables_known;
   std::array<std::int16_t, max_slots> slot_bytes_used{};  ///< -1 unknown
-  /// Bit per slot (where programs run in threads, 0 for all): what it holds is not what was sent last,
-  /// because the transfer was broken off or it reads back otherwise. Until it is loaded again, or read.
+  /// Bit per slot (bit 0 for all where programs run in threads): it does not hold what was sent last, because
+  /// the transfer was broken off or it reads back differently. Cleared when it is loaded or read again.
   std::uint8_t slots_torn = 0;
   std::array<ParamState, max_params> params{};           ///< by index in Catalog::params
-  bool unsaved_setup = false, unsaved_programs = false;  ///< in RAM and not stored
-  bool working = false;           ///< at commands that wait in its queues, though no axis may move
-  std::uint32_t restarts = 0;     ///< of the controller, as its answers showed while it was connected
-  std::int32_t store_count = -1;  ///< writes used of the non-volatile memory; an emulator knows
-  /// Commands that may have changed what the controller's programs are, and the last of them (0: a raw
-  /// question).
+  bool unsaved_setup = false, unsaved_programs = false;  ///< changed in RAM and not stored
+  bool working = false;                                  ///< on queued commands, even if no axis moves
+  std::uint32_t restarts = 0;                            ///< of the controller, as seen while connected
+  std::int32_t store_count = -1;  ///< writes to the non-volatile memory so far; only an emulator knows
+  /// How many commands may have changed the stored programs, and the last of them (0: a raw query).
   std::uint32_t program_changes = 0;
   IntentId program_changed_by = 0;
-  Duration poll_period{};             ///< what the poll law asks for now
-  std::array<IntentFate, 8> fates{};  ///< newest first; what is settled makes room
-  FixedText<320> notice;  ///< the worst thing that is true now and is not in the fields above; empty: nothing
+  Duration poll_period{};             ///< as the poll law wants it now
+  std::array<IntentFate, 8> fates{};  ///< newest first; settled ones are dropped to make room
+  FixedText<320> notice;  ///< the worst present condition that the fields above do not show; empty: none
 
   [[nodiscard]] const IntentFate* fate_of(IntentId id) const {
     for (const IntentFate& f : fates)
       if (f.id == id && id != 0) return &f;
     return nullptr;
   }
-  /// It was taken up, and so many others have been since that what became of it stands here no more.
+  /// It was performed so long ago that its outcome is no longer here.
   [[nodiscard]] bool forgotten(IntentId id) const {
     if (id == 0 || fate_of(id)) return false;
     return std::any_of(fates.begin(), fates.end(), [id](const IntentFate& f) { return f.id > id; });
@@ -342,64 +354,66 @@ struct Snapshot {
     shown.queued = working || feed.running;
     return shown;
   }
-  /// Without a link what was under way is taken to go on: nobody has seen that it has stopped.
+  /// While the link is lost: what was under way when it went, as nobody has seen it stop.
   [[nodiscard]] UnderWay under_way() const { return link.connected() ? shows_under_way() : link.when_lost; }
 };
 
-/// Older than three poll periods (and at least 0.6 s): shown dimmed and marked.
+/// Older than three poll periods, and than 0.6 s: shown dimmed and marked.
 inline bool is_stale(Instant seen_at, Instant now, Duration poll_period) {
   const Duration limit = std::max<Duration>(3 * poll_period, Millis(600));
   return now - seen_at > limit;
 }
 
-/// One instant of one axis, of a recording that intent::Sample asks for. They travel in a ring, as notices
-/// do.
+/// One sample of one axis, recorded for intent::Sample. Samples travel in a ring, like notices.
 struct AxisSample {
   Instant at{};
   std::uint8_t axis = 0;
   bool moving = false;
-  Steps command{}, encoder{};  ///< where it is sent, where it is
-  Pps velocity{};              ///< commanded, without sign
-  /// Of what the drive output can give, -100 to 100. Worked out by the console from error, speed and gains:
-  /// no controller of ours tells it. Known while all gains are.
+  Steps command{}, encoder{};  ///< commanded and measured position
+  Pps velocity{};              ///< commanded, unsigned
+  /// Drive output, -100 to 100 % of its range. Calculated by the console from error, speed and gains, as no
+  /// controller reports it. Known while all gains are known.
   float output_percent = 0;
   bool output_known = false;
 };
 
-/// How a motion or a program came to its end: told once for each. What a program or a list moves is told with
-/// it, unless it ended badly.
+/// How a motion or a program ended: told once for each. The motions of a program or a list are told with it,
+/// unless one ended badly.
 struct Ending {
   enum class What : std::uint8_t { motion, jog, homing, program, list, pieces };
   What what = What::motion;
   int axis = -1;          ///< of a motion, jog or homing
-  int slot = -1;          ///< of a program: where the catalog has threads, which of them; -1: not known
-  Instant began{}, at{};  ///< as they were first seen
+  int slot = -1;          ///< of a program, or its thread where the catalog has threads; -1: not known
+  Instant began{}, at{};  ///< when each was first seen
   EndedBy by = EndedBy::nothing;
-  StoppedBy who = StoppedBy::nobody;  ///< where it was stopped
-  /// Of a motion that the console has stopped, from when its core was told: to the first byte, and to rest.
+  StoppedBy who = StoppedBy::nobody;  ///< if it was stopped
+  /// Of a motion that the console stopped: from the request to the first byte, and to rest.
   bool timed = false;
   Duration to_wire{}, to_rest{};
-  Steps ran_on{};                     ///< meanwhile, worked out from where it was seen last and its speed
-  AxisError error = AxisError::none;  ///< of the axis; of a program that stopped in error: of `failed_axis`
-  int failed_axis = -1;               ///< -1: none is in error
-  int line = -1;                      ///< of the stored code, from 0: where a program stopped in error
-  bool limit_minus = false, limit_plus = false;  ///< are hit
-  bool at_travel_end = false;                    ///< of a jog: it went to the end of the user's travel
+  /// To the first answer behind it in which the axis slowed down; none: the controller does not tell.
+  std::optional<Duration> to_slowing;
+  Steps ran_on{};  ///< distance in that time, from its last seen position and speed
+  AxisError error =
+      AxisError::none;   ///< of the axis, or of `failed_axis` of a program that stopped with an error
+  int failed_axis = -1;  ///< -1: no axis is in error
+  int line = -1;         ///< of the stored code, from 0, where a program stopped with an error
+  bool limit_minus = false, limit_plus = false;  ///< active at the end
+  bool at_travel_end = false;                    ///< of a jog: it reached the user's limit
   bool place_known = false;
   Steps place{};                     ///< where it came to rest
-  Steps off{};                       ///< of a servo axis: from its command
+  Steps off{};                       ///< servo axis: distance from its command
   std::int32_t done = 0, total = 0;  ///< of a list or pieces
   bool operator==(const Ending&) const = default;
 };
 
-/// Things that must not be lost: they travel in a ring beside the snapshots.
+/// A message that must not be lost: notices travel in a ring beside the snapshots.
 struct Notice {
   enum class Kind : std::uint8_t { info, warning, error, program, question };
   Kind kind = Kind::info;
   Instant at{};
   IntentId intent = 0;
   int slot = -1;           ///< program: which slot `text` is the listing of ...
-  bool whole = true;       ///< ... and false: `text` leaves out code that means nothing here
+  bool whole = true;       ///< ... and false: `text` leaves out code that could not be read
   std::string text;        ///< a sentence, or the listing
   std::vector<int> slots;  ///< question: one of these must be emptied before a move is possible
 

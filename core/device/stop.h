@@ -1,6 +1,6 @@
 #pragma once
-// Stops of one controller: what each is for, whether it ramps, which have not taken effect yet. The pump asks
-// the desk what to send; nobody else counts stops. Io thread only.
+// The stops of one controller: what each one stops, whether it ramps, and which have not taken effect yet.
+// The pump asks the desk what to send; nothing else counts stops. Io thread only.
 #include <cstdint>
 #include <functional>
 #include <list>
@@ -15,47 +15,47 @@
 
 namespace hw {
 
-/// One stop. The driver sends it as a whole, as often as it is asked to.
+/// One stop. The driver sends all of it, as often as it is asked to.
 struct StopOrder {
   enum class What : std::uint8_t {
     everything,  ///< motion, and the programs that cause it
-    jog,         ///< what a held jog moves; programs, and axes that they move, go on
-    program,     ///< a program; what it has begun to move goes on where the catalog has threads
-    broadcast,   ///< the maker's one message to all controllers of the wire
-    words,       ///< the user's own text
-    tool         ///< outputs that switch a tool off: behind whatever stops what it cuts, and at its end
+    jog,         ///< a held jog; programs and the axes that they move continue
+    program,     ///< a program; where the catalog has threads, its motion continues
+    broadcast,   ///< the maker's message to all controllers on the wire
+    words,       ///< a text that the user typed
+    tool         ///< the outputs of a tool, after the stop of the motion that uses it
   };
   What what = What::everything;
   int axis = -1;         ///< -1: all
   int thread = -1;       ///< of `program`; -1: all
   bool at_once = false;  ///< without a ramp
-  ToolOff tool;          ///< what is switched, of `tool`
+  ToolOff tool;          ///< of `tool`: what to switch
   std::string words;
-  TextMeaning meaning;                              ///< of `words`
-  Duration patience{};                              ///< with an answer to `words`
-  std::function<void(Result<std::string>)> answer;  ///< called once, with that answer or why there is none
-  IntentId intent = 0;                              ///< 0: the console's own
+  TextMeaning meaning;                              ///< meaning of `words`
+  Duration patience{};                              ///< time allowed for an answer to `words`
+  std::function<void(Result<std::string>)> answer;  ///< called once, with the answer or the fault
+  IntentId intent = 0;                              ///< 0: requested by the console itself
   StoppedBy by = StoppedBy::console;
-  Instant asked_at{};        ///< see Intent; 0: when it comes here
-  std::uint64_t number = 0;  ///< by which the desk finds it
+  Instant asked_at{};        ///< see Intent; 0: now
+  std::uint64_t number = 0;  ///< its number at the desk
 
   int times_sent = 0;
   Instant sent_at{}, first_sent_at{};
-  bool sent = false;       ///< since it was last due
+  bool sent = false;       ///< sent since it was last due
   bool confirmed = false;  ///< the controller has acknowledged it, or acknowledges none
-  bool told = false;       ///< what became of it is known to whoever asked
-  bool in_haste = false;   ///< another one that goes first waits behind it
+  bool told = false;       ///< the requester knows the outcome
+  bool in_haste = false;   ///< a more urgent stop waits for the wire
 
   [[nodiscard]] bool same_scope(const StopOrder& other) const {
     return what == other.what && axis == other.axis && thread == other.thread;
   }
-  /// Sent first, it does all that `other` is for, and nothing harsher is asked of that.
+  /// If sent first, it does all that `other` would do, no less abruptly.
   [[nodiscard]] bool covers(const StopOrder& other) const {
     if (what == What::tool || other.what == What::tool) return false;
     return what == What::broadcast || (what == What::everything && axis < 0 && other.what != What::words &&
                                        other.what != What::broadcast && (at_once || !other.at_once));
   }
-  /// `other` waits until it is sent as a whole: it would leave alone what this one stops.
+  /// `other` must wait until this one is sent completely, as it does not stop all that this one stops.
   [[nodiscard]] bool outlasts(const StopOrder& other) const {
     if (other.what == What::tool) return what != What::tool;
     if (what == What::tool) return false;
@@ -67,14 +67,14 @@ struct StopOrder {
   }
 };
 
-/// What a round of status shows of a stop.
+/// The progress of a stop, as a status round shows it.
 struct StopProgress {
   enum class Now : std::uint8_t {
-    stands,   ///< what it was for is at rest
-    wait,     ///< it takes effect
-    again,    ///< its effect does not show: send it again, in the same form
-    at_once,  ///< its ramp does not end
-    failed    ///< it was sent as often as makes sense; `why` says what goes on
+    stands,   ///< what it was to stop is at rest
+    wait,     ///< it is taking effect
+    again,    ///< no effect seen: send it again, in the same form
+    at_once,  ///< its ramp does not end: stop at once
+    failed    ///< sent as often as is useful; `why` says what still runs
   };
   Now now = Now::stands;
   std::optional<Fault> why;
@@ -86,45 +86,44 @@ struct StopProgress {
   static StopProgress failed(Fault fault) { return {Now::failed, std::move(fault)}; }
 };
 
-/// The stops that were asked for and have not been seen to take effect.
+/// The stops that were requested and have not been seen to take effect.
 class StopDesk {
  public:
-  /// The same scope, asked again while its stop is under way, means: at once. Another scope, or the first of
-  /// all axes, ramps beside it. Letting go of a jog is never the second stop.
+  /// A second stop of the same scope, while the first is under way, stops at once. A stop of another scope,
+  /// and the first of all axes, ramps. Releasing a jog never counts as a second stop.
   StopOrder& ask(StopOrder order);
-  /// Switches the tool off, once more if that is under way already. Nothing that waits to be started is
-  /// dropped for it.
+  /// Switches the tool off; repeated if that is under way already. Drops nothing that waits to be started.
   StopOrder& ask_tool(const ToolOff& tool);
-  /// How many have been asked for; what was asked for under an older number must not start anything.
+  /// The number of stops requested so far; an intent from an older epoch must not start anything.
   [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
-  /// A stop that somebody else sends on the same wire: nothing from before may start anything.
+  /// Another session on this wire sends a stop: begins a new epoch.
   void heard_another() { ++epoch_; }
 
   [[nodiscard]] bool any() const { return !orders_.empty(); }
-  /// Whatever was to stop stands: a tool is being switched off.
+  /// Everything is at rest, and only a tool is still being switched off.
   [[nodiscard]] bool only_tool() const;
   [[nodiscard]] bool has_tool() const;
-  /// A stop of all axes is under way: another one would mean at once.
+  /// A stop of all axes is under way: a second one means at once.
   [[nodiscard]] bool stops_all() const;
-  /// The next to be sent: of those that were sent least often the latest, unless an older one outlasts it.
-  /// Null: all have been.
+  /// The next stop to send: the latest of those sent least often, unless an older one outlasts it. Null: all
+  /// are sent.
   [[nodiscard]] StopOrder* due();
-  /// One of the others has not gone out at all, or goes first as often as it is sent again. Never so of two
-  /// for each other.
+  /// Another stop has not been sent at all, or must be sent before each repetition of this one. Never true of
+  /// two stops for each other.
   [[nodiscard]] bool another_waits(const StopOrder& order) const;
   [[nodiscard]] bool all_were_sent(int times) const;
-  /// One is being sent, or is about to be for the first time.
+  /// A stop is being sent, or is about to be sent for the first time.
   [[nodiscard]] bool uses_the_wire() const;
-  /// Each is sent again: nothing shows that any has arrived.
+  /// Sends all again, as nothing shows that any has arrived.
   void send_all_again();
-  /// By its number; null: it is closed.
+  /// The stop of that number; null: it is closed.
   [[nodiscard]] StopOrder* find(std::uint64_t number);
   void close(const StopOrder& order);
   void clear() { orders_.clear(); }
-  // ---- the one whose words are on their way
+  // ---- the typed stop that is being sent
   void begin_sending(const StopOrder& order) { sending_ = order.number; }
   void end_sending() { sending_ = 0; }
-  /// Null: none is, or it has been withdrawn.
+  /// Null: none, or it has been withdrawn.
   [[nodiscard]] const StopOrder* sending() { return sending_ == 0 ? nullptr : find(sending_); }
 
   [[nodiscard]] std::list<StopOrder>& orders() { return orders_; }
@@ -135,7 +134,7 @@ class StopDesk {
   std::uint64_t epoch_ = 0, asked_ = 0, sending_ = 0;
 };
 
-/// The order that an intent asks for; none: it is no stop.
+/// The stop that an intent requests; none: it is not a stop.
 std::optional<StopOrder> stop_order_of(const Intent& intent);
 
 }  // namespace hw

@@ -1,6 +1,6 @@
 #pragma once
-// What the pump must know of a raw text before it is sent. Each family reads its own texts, once, by a pure
-// function.
+// What the pump must know about a raw text before it is sent. Each family interprets its own texts, once, by
+// a pure function.
 #include <cstdint>
 
 namespace hw {
@@ -9,10 +9,10 @@ struct TextMeaning {
   enum class Stops : std::uint8_t { nothing, some, all };
   enum class Answered : std::uint8_t {
     at_once,
-    later,  ///< by a prompt, when what it began is over
+    later,  ///< answered by a prompt when what it began is over
     never
   };
-  /// Whom it is for, on a wire that several controllers share.
+  /// The addressee, on a shared wire.
   enum class For : std::uint8_t {
     this_one,
     another,  ///< the device at `address`
@@ -20,13 +20,14 @@ struct TextMeaning {
   };
 
   Stops stops = Stops::nothing;
-  int axis = -1;           ///< that it stops; -1: several, or none
-  std::uint32_t axes = 0;  ///< bit per axis that it may stop, where it does not stop all; of a program none
+  int axis = -1;           ///< the axis that it stops; -1: several, or none
+  std::uint32_t axes = 0;  ///< bit per axis that it may stop, if not all; none for a program
   Answered answered = Answered::at_once;
-  bool end_is_told = false;  ///< the controller tells by itself when what it began is over
+  bool end_is_told = false;  ///< the controller reports the end of what it began
   bool changes_programs = false;
-  bool runs_program = false;  ///< starts a stored one, or lets one go on
-  bool restarts = false;      ///< the controller begins anew
+  bool runs_program = false;  ///< starts a stored program, or continues one
+  bool restarts = false;      ///< the controller restarts
+  bool only_asks = false;     ///< it changes nothing in the controller and moves nothing
   For whom = For::this_one;
   int address = -1;
 

@@ -45,9 +45,8 @@ void TextRemarks::finish(ReadText& read) {
   from_ = 0;
   read_before(text_.size() + 1, read.steps);
   if (unshown_ > 0)
-    read.remarks.push_back(unshown_ == 1
-                               ? "A remark behind a command is not shown."
-                               : fmt::format("{} remarks behind commands are not shown.", unshown_));
+    read.remarks.push_back(unshown_ == 1 ? "A remark after a command is not shown."
+                                         : fmt::format("{} remarks after commands are not shown.", unshown_));
 }
 
 }  // namespace hw

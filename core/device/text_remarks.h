@@ -1,6 +1,6 @@
 #pragma once
-// The remarks of a text on their way into blocks: those with a line of their own become comments, those
-// behind commands are counted.
+// Turns the remarks of a text into blocks: remarks on lines of their own become comments, remarks behind
+// commands are only counted.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,16 +12,16 @@ namespace hw {
 class TextRemarks {
  public:
   explicit TextRemarks(std::string_view text) : text_(text) {}
-  /// In the order of the text, its mark included. `behind` a command of its line.
+  /// In the order of the text, comment mark included. `behind`: after a command on its line.
   void add(Stretch at, bool behind) { all_.push_back({at, behind}); }
 
-  /// Where to go on; returns where it was.
+  /// Sets where to continue; returns the place before.
   std::size_t go_to(std::size_t place);
-  /// Those from there on in front of a place. Lines that follow each other are one comment.
+  /// The remarks from there up to a place. Consecutive lines are one comment.
   void read_before(std::size_t place, ReadSteps& list);
-  /// Those within a step: what stays the controller's own text shows them there.
+  /// Skips the remarks within a step, which its own text shows.
   void pass(const ReadStep& step);
-  /// Behind everything else: those that are left.
+  /// The remaining ones, behind everything else.
   void finish(ReadText& read);
 
  private:
@@ -30,7 +30,7 @@ class TextRemarks {
     bool behind;
     bool seen = false;
   };
-  /// That have not been seen yet.
+  /// Remarks not handled yet.
   template <class Take>
   void each_before(std::size_t place, Take take);
 

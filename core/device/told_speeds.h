@@ -1,6 +1,5 @@
 #pragma once
-// What a program text has said of one set of speeds so far, so that each motion finds those that it is to
-// have.
+// The speeds that a program text has set so far, so that each motion gets its own.
 #include <optional>
 
 #include "core/device/sequence_draft.h"
@@ -9,8 +8,8 @@ namespace hw {
 
 class ToldSpeeds {
  public:
-  /// What has to be said so that a motion has the speeds that are wanted; 0: nothing. None: one is to be as
-  /// the controller has it, and the text has changed that.
+  /// The speeds that must be written so that a motion has the wanted ones; 0: nothing to write. None: one
+  /// must be the controller's own, and the text has changed it.
   std::optional<StepSpeeds> towards(const StepSpeeds& wanted) {
     StepSpeeds say;
     if (!high_.towards(wanted.high, say.high) || !low_.towards(wanted.low, say.low) ||
@@ -18,15 +17,15 @@ class ToldSpeeds {
       return std::nullopt;
     return say;
   }
-  /// Behind text of somebody else's, which may have said others.
+  /// After foreign text, which may have set other speeds.
   void doubt() { high_.doubt(false), low_.doubt(false), ramp_.doubt(false); }
-  /// At the begin of steps that are repeated and say speeds themselves.
+  /// At the beginning of repeated steps that set speeds themselves.
   void begin_repeated() { high_.doubt(true), low_.doubt(true), ramp_.doubt(true); }
 
  private:
   template <class Value>
   struct Told {
-    Value value{};  ///< 0: another than the controller's own, nobody knows which
+    Value value{};  ///< 0: not the controller's own, and unknown
     bool changed = false;
     bool towards(Value wanted, Value& say) {
       if (wanted == Value{}) return !changed;
@@ -42,7 +41,7 @@ class ToldSpeeds {
   Told<double> ramp_;
 };
 
-/// Whether any step says speeds, loops entered.
+/// Whether any step sets speeds, loops included.
 bool says_speeds(const sequence::StepList& steps);
 
 }  // namespace hw

@@ -166,11 +166,11 @@ StopProgress ToolGuard::progress(const StopOrder& order, const Snapshot& now) co
     const auto on = is_on(o.number, now);
     if (on == o.on || (!on && order.confirmed)) continue;  // not every controller tells what its outputs are
     if (order.times_sent < attempts) return StopProgress::again();
-    return StopProgress::failed(Fault(
-        FaultKind::controller,
-        fmt::format("The tool is not off: output {} {}.", o.number,
-                    on ? fmt::format("still reads {}", *on ? "on" : "off") : "does not tell what it is"),
-        fmt::format("It was switched {} times.", order.times_sent), "Switch the tool off by hand."));
+    return StopProgress::failed(
+        Fault(FaultKind::controller,
+              fmt::format("The tool is not off: output {} {}.", o.number,
+                          on ? fmt::format("still reads {}", *on ? "on" : "off") : "cannot be read"),
+              fmt::format("It was switched {} times.", order.times_sent), "Switch the tool off by hand."));
   }
   return StopProgress::stands();
 }

@@ -1,7 +1,6 @@
 #pragma once
-// The tool of the programs that the console has put into a controller: it may be on while a program runs, and
-// at no other time. Every stop takes it along; what ends in another way is seen by the rounds of status. Io
-// thread only.
+// Switches a tool (pen, laser) off whenever no program that the console has loaded runs. Every stop switches
+// it off too; other ends are seen in the status rounds. Io thread only.
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -18,52 +17,53 @@ class ToolGuard {
  public:
   explicit ToolGuard(const Catalog& catalog) : catalog_(catalog) {}
 
-  /// Before a driver is asked for it. Refused: a text whose tool is not understood, and a hold where the tool
-  /// would stay on in it.
+  /// Before the driver performs `intent`. Refuses a text whose tool is not understood, and a hold during
+  /// which the tool would stay on.
   [[nodiscard]] Result<> begin(const IntentBody& intent, const Snapshot& now);
-  /// By a text of the user's.
+  /// A text that the user typed may have started a program.
   void program_may_run(const Snapshot& now);
-  /// It has been done.
+  /// `intent` was performed.
   void done(const IntentBody& intent);
-  /// It was refused, and the programs in the controller are what they were.
+  /// `intent` was refused; the programs in the controller are unchanged.
   void refused(const IntentBody& intent);
 
-  /// Of all programs that may be in the controller.
+  /// The tool outputs of all programs that may be in the controller.
   [[nodiscard]] const ToolOff& outputs() const { return all_; }
   [[nodiscard]] bool is_off(const Snapshot& now) const;
-  /// A program may have switched it on.
+  /// A program may have switched the tool on.
   [[nodiscard]] bool may_be_on(const Snapshot& now) const {
     return !all_.empty() && (at_work_ || !is_off(now));
   }
   [[nodiscard]] bool at_work() const { return at_work_; }
-  /// It keeps the wire for seconds, in which nobody would see that a program has ended with its tool on.
+  /// `intent` uses the wire for seconds, so a status round must show first that no tool is on.
   [[nodiscard]] bool is_seen_before(const IntentBody& intent) const;
 
   enum class Wish : std::uint8_t {
     nothing,
-    look,        ///< a whole round of status has to show what it is: see looks_by()
-    switch_off,  ///< nothing runs that could do so
-    stop         ///< a limit has ended a motion while it is on, and the program goes on
+    look,        ///< a whole status round must show its state: see looks_by()
+    switch_off,  ///< no program runs that could switch it off
+    stop         ///< a limit ended a motion with the tool on, and the program continues
   };
-  /// By a round of status that has just ended; `rounds` of them have.
+  /// What to do after a status round; `rounds`: ended so far.
   [[nodiscard]] Wish watch(const Snapshot& now, std::uint64_t rounds);
   void looks_by(std::uint64_t round, Instant asked_at) { look_ = round, asked_at_ = asked_at; }
-  /// Somebody waits for that round.
+  /// The guard waits for that round.
   [[nodiscard]] bool looks() const { return look_ != 0; }
 
-  /// Of the order that switches it off, by a whole round behind everything else that was to stop.
+  /// Progress of the stop that switches the tool off, judged by a whole round after all other stops.
   [[nodiscard]] StopProgress progress(const StopOrder& order, const Snapshot& now) const;
-  /// It could not be switched off, and that was said: nothing more is tried until a program is at work again.
+  /// The tool could not be switched off, and the user was told: nothing more is tried until a program runs
+  /// again.
   void give_up();
 
-  /// Acts one by one that switch it (Snapshot::pieces).
+  /// Pieces that switch the tool act by act begin (Snapshot::pieces).
   void pieces_begin(const ToolOff& tool, const Snapshot& now);
 
-  // ---- a hold: what was cut goes on where it was held
-  /// It is being switched off in one; what is on now comes on again with the program.
+  // ---- a hold: the cut continues where it was held
+  /// A hold switches the tool off; what is on now is switched on again when the program continues.
   void note_hold(const Snapshot& now);
   void forget_hold() { held_.clear(); }
-  /// To be switched before the program goes on.
+  /// To be switched on before the program continues.
   [[nodiscard]] const ToolOff& of_hold() const { return held_; }
 
  private:
@@ -79,8 +79,8 @@ class ToolGuard {
   std::optional<ToolOff> loading_;
   ToolOff all_, held_;
   bool at_work_ = false;
-  std::uint32_t limits_ = 0;  ///< that showed in the latest round, or when it went to work
-  std::uint64_t look_ = 0;    ///< the round that shows what `cause_` has to be judged by; 0: none
+  std::uint32_t limits_ = 0;  ///< limits that showed in the latest round, or at the start
+  std::uint64_t look_ = 0;    ///< the round that decides about `cause_`; 0: none
   Instant asked_at_{};
   Cause cause_ = Cause::none;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Where the axes of a rehearsal are: at each event, and every so often while something moves.
+// Records the positions of a rehearsal: at each event, and at intervals while something moves.
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,17 +10,17 @@
 
 namespace hw {
 
-/// How often a path that people look at is.
+/// The interval of a path for display.
 constexpr double track_seen_every_s = 0.02;
 
-/// In the order of time. Of a rest its begin and its end are kept; what becomes longer is thinned.
+/// In order of time. The beginning and the end of a rest are kept; a long track is thinned.
 class Track {
  public:
   static constexpr std::size_t most_places = 300'000;  // 24 MB
   void add(const RehearsedPlace& place);
   /// As at the last place.
   [[nodiscard]] bool rests(const RehearsedPlace& place) const;
-  /// Of the places to come every so manieth is enough: 1, 2, 4 ...
+  /// Keep one in so many: 1, 2, 4 ...
   [[nodiscard]] int every() const { return every_; }
   [[nodiscard]] std::vector<RehearsedPlace> take() { return std::move(places_); }
 
@@ -36,7 +36,7 @@ class TrackKeeper {
   TrackKeeper(const Emulator& emulator, const RehearseOptions& options)
       : emulator_(emulator), every_(from_seconds(options.track_every_s)) {}
 
-  /// When it wants to look next. None: not before the next event.
+  /// When the next sample is due. None: at the next event.
   [[nodiscard]] std::optional<Instant> next() const { return due_; }
   /// The emulator has come to this time.
   void look(Instant now);
@@ -49,7 +49,7 @@ class TrackKeeper {
   Track track_;
 };
 
-/// It has every so manieth of the places that were looked at every `every_s`; 1: all of them.
+/// Keeps one in so many of the samples taken every `every_s`; 1: all.
 [[nodiscard]] int thinned_to(std::span<const RehearsedPlace> track, double every_s);
 
 }  // namespace hw

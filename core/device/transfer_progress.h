@@ -1,7 +1,7 @@
 #pragma once
-// How far a program has come on its way to or from the controller, and how long the rest takes by the rate so
-// far: fills Snapshot::transfer, and without a window the log tells it (driver=info). Lines are what a person
-// counts; work is what takes about the same time each, a question or a command.
+// Progress and remaining time of a program transfer: fills Snapshot::transfer, and the log (driver=info).
+// Lines are what a person counts; a unit of work is one question or command, which takes about the same time
+// each.
 #include <string>
 
 #include "core/device/catalog.h"
@@ -16,16 +16,16 @@ class TransferProgress {
   TransferProgress(TransferState& shown, const Catalog& catalog) : shown_(shown), catalog_(catalog) {}
 
   void begin(int slot, Instant now);
-  /// `lines` 0: nobody knows how many.
+  /// `lines` 0: not known.
   void enter(Phase phase, int lines);
-  /// So much is to be done from here to the end, in all phases; 0: nobody knows.
+  /// The work from here to the end, in all phases; 0: not known.
   void expect(int work) { work_left_ = work; }
   void expect_more(int work) { work_left_ += work; }
   void worked(Instant now);
   void line_done() { ++shown_.done; }
-  /// Not for each line of a quick wire.
+  /// Whether to publish now: not for each line on a fast wire.
   [[nodiscard]] bool is_news(Instant now);
-  /// Well or not: how far it has come stays to be told.
+  /// Ends well or not; the progress stays visible.
   void end();
 
  private:
@@ -37,8 +37,8 @@ class TransferProgress {
   int work_done_ = 0, work_left_ = 0;
 };
 
-/// "the first 41 of its 302 lines are written": of a program that was on its way to the controller; empty:
-/// none was, or it is not known.
+/// "the first 41 of its 302 lines are written", for a broken transfer to the controller; empty: there was
+/// none, or it is not known.
 std::string say_written(const TransferState& transfer);
 
 }  // namespace hw

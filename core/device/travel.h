@@ -1,21 +1,22 @@
 #pragma once
-// Where the user lets an axis go: soft limits of the console's own, whatever the controller has.
+// How far the user lets an axis go: soft limits of the console's own, with or without limits of the
+// controller.
 #include <optional>
 
 #include "core/base/units.h"
 
 namespace hw {
 
-/// Absolute, in what the axis counts. An end that is not set bounds nothing.
+/// Absolute, in the unit that the axis counts. An end that is not set limits nothing.
 struct Travel {
   bool has_minus = false, has_plus = false;
   Steps minus{}, plus{};
-  bool in_counts = false;  ///< set while its loop was closed: they are no pulses
+  bool in_counts = false;  ///< set while its loop was closed: in encoder counts, not in pulses
 
   [[nodiscard]] bool any() const { return has_minus || has_plus; }
   [[nodiscard]] bool has(Sign side) const { return side == Sign::minus ? has_minus : has_plus; }
   [[nodiscard]] Steps end(Sign side) const { return side == Sign::minus ? minus : plus; }
-  /// How far `place` lies outside on that side; 0 or less: it does not, or that side has no end.
+  /// How far `place` lies past the limit on that side; 0 or less: inside, or no limit there.
   [[nodiscard]] Steps past(Sign side, Steps place) const {
     if (!has(side)) return Steps(0);
     return side == Sign::minus ? minus - place : place - plus;
@@ -23,13 +24,13 @@ struct Travel {
   bool operator==(const Travel&) const = default;
 };
 
-/// A place that lies outside the travel of its axis.
+/// A place outside the limits of its axis.
 struct PastTravel {
   AxisId axis;
-  Sign side = Sign::plus;  ///< past which end
+  Sign side = Sign::plus;  ///< which limit it is past
   Steps place{};
-  Steps nearest{};  ///< that end
-  int row = -1;     ///< of a list, from 0
+  Steps nearest{};  ///< the limit
+  int row = -1;     ///< row of a list, from 0; -1: not in a list
   bool operator==(const PastTravel&) const = default;
 };
 

@@ -95,8 +95,7 @@ std::optional<PastTravel> past_travel(const Catalog& catalog, const Snapshot& no
 std::string say_past(const Catalog& catalog, const PastTravel& past, const PlaceWords& place) {
   if (past.place == without_end || past.place == Steps(0) - without_end)
     return fmt::format(
-        "A loop that has no end moves {} on in each of its rounds, and so past its {} limit, {}. Nothing was "
-        "sent.",
+        "An endless loop moves {} further in each pass, and so past its {} limit, {}. Nothing was sent.",
         spoken_name(catalog, past.axis.index), past.side == Sign::plus ? "+" : "\u2212",
         place(past.axis, past.nearest));
   const Steps beyond = past.side == Sign::plus ? past.place - past.nearest : past.nearest - past.place;

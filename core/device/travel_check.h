@@ -1,7 +1,6 @@
 #pragma once
-// What the pump refuses because the user's travel ends before it, and how far a jog may go. Homing is let
-// through, as it looks for the place that the limits count from, and so is a text of the user's own: of that
-// TravelWatch tells.
+// Refuses intents that go past the user's limits, and limits jogs. Homing is allowed, as it finds the zero of
+// the limits, and so is the user's own text, on which TravelWatch reports.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,18 +12,18 @@
 
 namespace hw {
 
-/// The first place outside to which it would send an axis. On the way back, from further out, no place is.
+/// The first place past a limit to which it would send an axis. On the way back, from further out, none is.
 std::optional<PastTravel> past_travel(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
 /// "168.000 mm lies 18.000 mm past the + limit of axis X, 150.000 mm. Nothing was sent."
 std::string say_past(const Catalog& catalog, const PastTravel& past, const PlaceWords& place);
 
-/// Fills in JogStart::up_to. Not empty: the axis stands at the end of its travel, or outside.
+/// Fills in JogStart::up_to. Not empty: the refusal of an axis at its limit, or past it.
 std::string bound_by_travel(const Catalog& catalog, const Snapshot& now, intent::JogStart& jog);
 
-/// Both ends, if they can be ends. Not empty: why they cannot.
+/// Checks limits to be set. Not empty: why they are not possible.
 std::string say_no_travel(const Catalog& catalog, const intent::SetTravel& wish);
 
-/// Tells once when an axis has passed an end of its travel, whoever has sent it there.
+/// Reports once when an axis has passed a limit, whoever sent it there.
 class TravelWatch {
  public:
   explicit TravelWatch(const Catalog& catalog) : catalog_(catalog) {}

@@ -1,5 +1,5 @@
 #pragma once
-// How far the count of an axis can be taken for the place where it stands.
+// How far the count of an axis can be trusted as its position.
 #include <cstdint>
 
 #include "core/base/units.h"
@@ -8,30 +8,30 @@
 namespace hw {
 
 enum class Trust : std::uint8_t {
-  counted,   ///< the controller counts; nobody has said from where
-  homed,     ///< its home has set the count
-  set,       ///< somebody has said where it stands
-  untrusted  ///< it counts, and may stand elsewhere: see Doubt
+  counted,   ///< counted from an unknown zero
+  homed,     ///< the count was set by homing
+  set,       ///< the count was set by hand
+  untrusted  ///< the axis may stand elsewhere than it counts: see Doubt
 };
 
 /// What has made a count doubtful.
 enum class Doubt : std::uint8_t {
   none,
-  power_cut,   ///< it was switched off and on
-  restarted,   ///< that, or somebody else's reset: it does not show which
-  unheard,     ///< it did not answer, and then it read zero: that, or what was sent has set it
-  reset,       ///< by a command
+  power_cut,   ///< the controller was switched off and on
+  restarted,   ///< switched off and on, or reset by somebody else: it does not show which
+  unheard,     ///< it read zero after a silence: switched off and on, or set by what was sent
+  reset,       ///< reset by a command
   killed,      ///< stopped without a ramp from a speed at which a motor overshoots
-  slipped,     ///< a step motor whose encoder lay elsewhere than its count
-  zero_since,  ///< it reads zero, and stood elsewhere when an earlier session left it
-  another      ///< its count has changed otherwise than by a motion, and not by this program
+  slipped,     ///< the encoder of a step motor differed from its count
+  zero_since,  ///< it reads zero, and an earlier session left it elsewhere
+  another      ///< its count was changed without a motion, and not by this program
 };
 
 struct PositionTrust {
   Trust kind = Trust::counted;
   Doubt cause = Doubt::none;
   Instant since{};
-  bool restored = false;  ///< learned in an earlier session, which left it at the same count: KeptPosition
+  bool restored = false;  ///< from an earlier session that left it at the same count: KeptPosition
 
   void doubt(Doubt why, Instant when) { *this = {Trust::untrusted, why, when}; }
   void settle(Trust how, Instant when) { *this = {how, Doubt::none, when}; }
@@ -39,7 +39,7 @@ struct PositionTrust {
   bool operator==(const PositionTrust&) const = default;
 };
 
-/// Where an earlier session left an axis, and how far that was to be trusted.
+/// The position at which an earlier session left an axis, and its trust.
 struct KeptPosition {
   bool known = false;
   Steps position{};
@@ -47,9 +47,9 @@ struct KeptPosition {
   bool operator==(const KeptPosition&) const = default;
 };
 
-/// What is to be thought of an axis that counts `now`, of which nothing else is known. The same count, but
-/// for zero, proves that the controller has not been switched off; zero where it was elsewhere, that it has
-/// been, or that somebody has set it. Any other count proves nothing. Doubt is not healed by a move.
+/// The trust of an axis that counts `now`, if nothing else is known of it. The same count, unless it is zero,
+/// proves that the controller was not switched off; zero instead of another count proves that it was, or that
+/// somebody set the count. Any other count proves nothing. A move does not remove a doubt.
 inline PositionTrust recalled(const KeptPosition& kept, Steps now, Instant at) {
   PositionTrust trust;
   if (!kept.known || kept.trust.kind == Trust::counted) return trust;

@@ -13,7 +13,7 @@ using State = LinkFinding::State;
 using Fix = LinkFinding::Fix;
 
 constexpr Duration shortest_timer = Millis(1);
-constexpr int enough_questions = 16;  ///< before anything is said about times
+constexpr int enough_questions = 16;  ///< needed before times are judged
 
 Duration on_wire(int bytes, int baud) {
   return baud > 0 ? Duration(static_cast<Duration::rep>(bytes) * 10'000'000'000LL / baud) : Duration::zero();
@@ -36,7 +36,7 @@ std::string per_second(Duration time) {
   return fmt::format("{:.0f}", time > Duration::zero() ? 1 / seconds(time) : 0.0);
 }
 
-// ---- what comes back makes no sense, or nothing comes
+// ---- wrong replies, or none
 
 Finding silence(const LinkFacts& f) {
   if (f.talk.received == 0)
@@ -48,16 +48,16 @@ Finding silence(const LinkFacts& f) {
                                    "that it is set to.",
                                    in_baud(f.rate))
                      : std::string("Most likely another kind of controller is there, or the converter at its "
-                                   "end has another rate. Look at its set-up."),
+                                   "end has another rate. Check its set-up."),
           Fix::change_address};
 }
 
 std::vector<Finding> strange_bytes(const LinkFacts& f) {
   std::vector<Finding> found;
   const TalkMeasure& t = f.talk;
-  // One may be chance; a wire that echoes does it each time.
+  // One echo may be chance; a wire that echoes does so each time.
   if (t.echoes > 2)
-    found.push_back({Kind::bytes, State::wrong, "The console hears its own bytes",
+    found.push_back({Kind::bytes, State::wrong, "The console receives its own bytes",
                      fmt::format("{} answers began with the question. Switch the converter's echo off, or "
                                  "look for RX and TX that touch.",
                                  t.echoes)});
@@ -68,10 +68,9 @@ std::vector<Finding> strange_bytes(const LinkFacts& f) {
                      "the same wire. Give each controller an address of its own.",
                      t.second_answers)});
   if (t.wrong > 0 && f.answers)
-    found.push_back({Kind::bytes, State::wrong,
-                     fmt::format("{} of {} bytes make no sense", t.wrong, t.received),
-                     "Something disturbs the wire. Look at its ground and its shield, and at the termination "
-                     "of a long one."});
+    found.push_back(
+        {Kind::bytes, State::wrong, fmt::format("{} of {} bytes make no sense", t.wrong, t.received),
+         "Something disturbs the wire. Check its ground and its shield, and the termination of a long one."});
   if (found.empty() && f.answers && t.received > 0)
     found.push_back({Kind::bytes, State::good, "No echo, no second answer, no wrong bytes",
                      fmt::format("{} bytes were looked at.", t.received)});
@@ -121,15 +120,15 @@ std::vector<Finding> answers_in_time(const LinkFacts& f) {
     found.push_back(
         {Kind::losses, State::wrong,
          fmt::format("{} of {} questions got no answer", t.unanswered, t.questions + t.unanswered),
-         "Look at the plug and at the cable. Where several controllers share a wire, look which "
-         "one is switched off."});
+         "Check the plug and the cable. Where several controllers share a wire, check which one is switched "
+         "off."});
   constexpr Duration worth_saying = Millis(20);
   if (t.questions >= enough_questions && t.slowest_of_hundred > 3 * t.median &&
       t.slowest_of_hundred > t.median + worth_saying)
     found.push_back(
         {Kind::scatter, State::could_be_better,
          fmt::format("One answer in a hundred takes {} or longer", in_millis(t.slowest_of_hundred)),
-         "The usual one comes sooner. Look whether the computer or a network on the way is busy."});
+         "The usual one comes sooner. Check whether the computer or a network on the way is busy."});
   return found;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The link doctor: from what was measured on a link, and what this computer tells of its port, to sentences
-// that say what is wrong or slow, and what to do about it. Pure.
+// The link doctor: turns measurements of a link, and facts about its port, into sentences that say what is
+// wrong or slow and what to do about it. Pure.
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,24 +11,24 @@ namespace hw {
 
 struct LinkFacts {
   bool answers = true;  ///< the controller answers now
-  bool is_line = true;  ///< spoken to in bytes; false: a board in a memory window
+  bool is_line = true;  ///< a line of bytes; false: a board in a memory window
   TalkMeasure talk;
-  int rate = 0;                ///< baud; 0: the wire has none, or nobody knows
-  std::vector<int> rates;      ///< that the controller can be set to; empty: to no other
+  int rate = 0;                ///< baud; 0: the wire has none, or it is not known
+  std::vector<int> rates;      ///< rates that the controller can be set to; empty: no other
   std::string rate_is_set_by;  ///< mnemonic of its parameter; empty: the console cannot change it
-  // ---- of a port of this computer
-  bool port_looked_at = false;            ///< the next three are known
+  // ---- about a port of this computer
+  bool port_looked_at = false;            ///< the next three were read
   std::string holder;                     ///< another program that has it open: "minicom (process 4182)"
   std::optional<Duration> adapter_waits;  ///< latency timer of a USB adapter
   std::string adapter_timer;              ///< the file that sets it
-  bool adapter_timer_can_be_set = false;  ///< by this user
+  bool adapter_timer_can_be_set = false;  ///< this user may write that file
 };
 
-/// Where the time of one question goes, as it is or as it could be.
+/// How the time of one question is spent, now or at best.
 struct LinkBudget {
   Duration question{}, answer{};  ///< the bytes on the wire
-  Duration adapter{};             ///< a USB adapter holds bytes back
-  Duration rest{};                ///< the controller, the computer and what is between them
+  Duration adapter{};             ///< delay of a USB adapter
+  Duration rest{};                ///< the controller, the computer and the path between them
   [[nodiscard]] Duration whole() const { return question + answer + adapter + rest; }
 };
 
@@ -40,15 +40,15 @@ struct LinkFinding {
   State state;
   std::string what, why;  ///< `why`: the reason, what is saved, and what to do where there is no button
   Fix fix = Fix::none;
-  int rate = 0;  ///< raise_rate: to this one
+  int rate = 0;  ///< raise_rate: the new rate
 };
 
 LinkBudget link_budget(const LinkFacts& facts);
-/// With every fix that the findings offer.
+/// With all fixes that the findings offer.
 LinkBudget best_link_budget(const LinkFacts& facts);
 /// "One question takes 31.0 ms: 32 a second. 3.8 ms are possible: 263 a second." Empty: nothing was measured.
 std::string link_summary(const LinkFacts& facts);
-/// What is wrong comes first, then what could be better, then what is good.
+/// Faults first, then possible improvements, then what is good.
 std::vector<LinkFinding> examine_link(const LinkFacts& facts);
 
 /// "31.0 ms"; from 100 ms on without decimals.

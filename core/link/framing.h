@@ -1,5 +1,5 @@
 #pragma once
-// How a reply ends.
+// The shape of a reply: how its end is recognised.
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -8,7 +8,7 @@ namespace hw {
 
 struct ReplyShape {
   enum class Kind : std::uint8_t {
-    none,       ///< nothing comes back
+    none,       ///< no reply
     fixed,      ///< exactly `count` bytes
     lines,      ///< `count` lines, each ended by `terminator`
     text,       ///< one text, ended by CR or by NUL, whichever the device uses
@@ -29,7 +29,8 @@ struct ReplyShape {
   static ReplyShape text() { return of(Kind::text, 1, '\r', 0); }
   static ReplyShape message() { return of(Kind::message, 1, '\0', 0); }
 
-  /// Length of the reply at the start of `received`, once it is whole. quiet_end never is by itself.
+  /// Length of the reply at the start of `received`, once it is complete. quiet_end is never complete by its
+  /// bytes.
   [[nodiscard]] std::optional<std::size_t> complete(std::string_view received) const;
 
  private:

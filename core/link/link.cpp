@@ -7,14 +7,14 @@
 
 namespace hw {
 
-// One transaction, waiting or in flight. It lives in the frame of the coroutine that waits for it.
+// One transaction, waiting or in flight. Lives in the frame of the coroutine that waits for it.
 struct Link::Pending {
   Station& station;
   Transaction transaction;
   Result<std::string> result{std::string()};
   Suspended suspended;
   bool finished = false;
-  bool its_turn = false;  ///< a burst on a window: run by the one who waits for it
+  bool its_turn = false;  ///< a burst on a window, run by its own coroutine
   Pending(Station& s, Transaction t) : station(s), transaction(std::move(t)) {}
   [[nodiscard]] bool is_question() const { return transaction.reply.kind != ReplyShape::Kind::none; }
 };
@@ -81,8 +81,8 @@ Task<Result<std::string>> Link::transact(Station& station, Transaction transacti
   co_return std::move(pending.result);
 }
 
-// However long the asker of the question on the wire would wait: a stop waits no longer than for a usual
-// answer. One that is coming in is heard to its end.
+// A stop waits no longer than for a usual reply, whatever the patience of the question in flight. A reply
+// that is coming in is received to its end.
 void Link::hurry_for_a_stop() {
   constexpr std::size_t usual_answer = 16;
   if (!in_flight_ || !stream_ || !in_flight_->is_question()) return;
@@ -93,7 +93,7 @@ void Link::hurry_for_a_stop() {
   if (latest_end_ < deadline_at_) deadline_.arm(deadline_at_ = latest_end_);
 }
 
-// A window has its own deadline, so that a burst that is under way always ends.
+// A window has a deadline of its own, so that a burst under way always ends.
 Task<Result<>> Link::run(Station& station, std::span<BusCycle> cycles, Priority priority) {
   const auto keep = shared_from_this();
   Pending pending(station, Transaction({}, ReplyShape::nothing(), priority));
@@ -110,7 +110,7 @@ Task<Result<>> Link::run(Station& station, std::span<BusCycle> cycles, Priority 
   co_return Result<>();
 }
 
-/// While a station stops its device, what the others ask waits; their stops do not.
+/// While a station stops its device, the others' questions wait; their stops do not.
 bool Link::may_go_out(const Pending& pending) const {
   const auto stops = [](const Station* s) { return s->stops && s->stops(); };
   return pending.transaction.priority == Priority::stop || stops(&pending.station) ||
@@ -154,8 +154,8 @@ void Link::start_next() {
   spoke_last_->record(sent_at_, Way::sent, kind_of(t), t.bytes);
   if (!in_flight_->is_question()) {
     stream_->send(t.bytes);
-    // It stays in flight while it is on the wire: what comes next, a stop perhaps, must not stand in a queue
-    // of the port's, where nothing overtakes.
+    // It stays in flight while its bytes are on the wire: the next text, perhaps a stop, must not wait in the
+    // port's own queue, where nothing overtakes.
     const Duration on_wire = wire_time(t.bytes.size());
     if (on_wire == Duration::zero()) return finish(std::string());
     deadline_.arm(sent_at_ + on_wire);
@@ -169,10 +169,11 @@ void Link::start_next() {
 }
 
 Duration Link::patience_for(const Station& station, const Transaction& t) const {
-  const bool is_stop = t.priority == Priority::stop && !t.own_question;  // said again rather than waited for
+  const bool is_stop = t.priority == Priority::stop && !t.own_question;  // repeated rather than waited for
   const Duration most = t.impatient ? Duration::zero() : is_stop ? longest_wait_of_a_stop : Duration::max();
   const Duration late = std::min(station.lateness(), most);
-  const bool all_silent = silent_in_a_row_ > 2 * static_cast<int>(station_count());  // it is slow, or dead
+  const bool all_silent =
+      silent_in_a_row_ > 2 * static_cast<int>(station_count());  // the wire is slow, or dead
   if (!t.prompt || station_count() < 2 || prompt_answers_ < prompt_answers_needed || all_silent)
     return t.patience + late;
   return std::min(t.patience, std::max(least_patience, 3 * slowest_prompt_)) + late;
@@ -239,7 +240,7 @@ void Link::on_deadline() {
   Fault fault(FaultKind::no_answer, "The controller did not answer in time.");
   if (!received_.empty()) {
     fault = Fault(FaultKind::garbled, "The controller's answer stopped in the middle.",
-                  "What came of it was not used.", "Look at the cable.");
+                  "The part that came was not used.", "Check the cable.");
     give_up_on(std::exchange(received_, {}));
   }
   finish(fail(std::move(fault)));
@@ -270,36 +271,37 @@ void Link::bytes_arrived(std::string_view bytes) {
   }
 }
 
-/// No answer is that long: what came is dealt with as it is, like one that came to no end.
+/// No reply is that long: handled like one that never ended.
 void Link::end_babble() {
   if (in_flight_ && in_flight_->is_question()) return on_deadline();
   give_up_on(std::exchange(received_, {}));
 }
 
-// False: what came in cannot be told from a reply yet.
-bool Link::strip_strangers() {
-  const auto& stranger = in_flight_->transaction.stranger;
-  if (!stranger) return true;
+// False: the received bytes cannot be told from a reply yet.
+bool Link::take_unsolicited() {
+  const auto& unsolicited_length = in_flight_->transaction.unsolicited_length;
+  if (!unsolicited_length) return true;
   std::size_t length = 0, next = 0;
-  while (length < received_.size() && (next = stranger(std::string_view(received_).substr(length))) > 0) {
+  while (length < received_.size() &&
+         (next = unsolicited_length(std::string_view(received_).substr(length))) > 0) {
     if (next == std::string_view::npos) break;
     length += next;
   }
   if (length > 0) {
-    const std::string strangers = received_.substr(0, length);
+    const std::string taken = received_.substr(0, length);
     received_.erase(0, length);
-    if (const std::size_t given = give_unsolicited(strangers); given < strangers.size())
-      give_up_on(std::string_view(strangers).substr(given));
+    if (const std::size_t given = give_unsolicited(taken); given < taken.size())
+      give_up_on(std::string_view(taken).substr(given));
   }
   return next != std::string_view::npos;
 }
 
-// Bytes may come with gaps: an answer that is coming in is waited for, unless a stop waits. What babbles goes
-// on for ever.
+// Bytes may come with gaps: a reply that is coming in is waited for, unless a stop waits. A babbling device
+// must not hold the wire for ever.
 void Link::hear_it_out() {
   constexpr Duration longest_gap = Millis(60), longest_answer = std::chrono::seconds(1);
   const Transaction& t = in_flight_->transaction;
-  const bool is_stop = t.priority == Priority::stop && !t.own_question;  // it is to be said again
+  const bool is_stop = t.priority == Priority::stop && !t.own_question;  // a stop is repeated
   if (is_stop || !waiting_[static_cast<std::size_t>(Priority::stop)].empty()) return;
   const Instant latest = std::min({scheduler_.now() + longest_gap, sent_at_ + longest_answer, latest_end_});
   if (latest > deadline_at_) deadline_.arm(deadline_at_ = latest);
@@ -313,7 +315,7 @@ void Link::take_received() {
       if (!received_.empty()) unfinished_.arm(scheduler_.now() + settle_time);
       return;
     }
-    if (!strip_strangers()) return;
+    if (!take_unsolicited()) return;
     if (!in_flight_ || received_.empty()) continue;
     const Transaction& t = in_flight_->transaction;
     if (t.reply.kind == ReplyShape::Kind::quiet_end) {
@@ -332,8 +334,8 @@ void Link::take_received() {
   }
 }
 
-// What `stations` make of bytes nobody asked for; 0: nothing, npos: one of them waits for the rest. Whoever
-// has just taken some has taken all that it could.
+// Offers unsolicited bytes to the stations; returns how many were used. 0: none, npos: a station needs more.
+// A station that has just used some has used all that it could.
 std::size_t Link::offer(std::string_view bytes, const Station*& took) {
   std::size_t answer = 0;
   for (std::size_t i = 0; i < stations_.size(); ++i) {
@@ -350,7 +352,7 @@ std::size_t Link::offer(std::string_view bytes, const Station*& took) {
   return answer;
 }
 
-// How many have been dealt with; the rest is the beginning of something.
+// Returns how many bytes were used; the rest may be the beginning of a message.
 std::size_t Link::give_unsolicited(std::string_view bytes) {
   std::size_t given = 0;
   const Station* took = nullptr;
@@ -367,11 +369,11 @@ std::size_t Link::give_unsolicited(std::string_view bytes) {
 }
 
 void Link::give_up_waiting() {
-  if (in_flight_ && in_flight_->is_question()) return;  // its deadline sees to it
+  if (in_flight_ && in_flight_->is_question()) return;  // handled at its deadline
   if (!received_.empty()) give_up_on(std::exchange(received_, {}));
 }
 
-// It is told to the station that spoke last: most likely it is what came of that.
+// Counted at the station that sent last: most likely they answer that.
 void Link::give_up_on(std::string_view bytes) {
   if (stations_.empty()) return;
   Station& station = spoke_last_ ? *spoke_last_ : *stations_.front();
@@ -392,7 +394,7 @@ void Link::leave(Station& station, const Fault& why, Leaving leaving) {
   if (!in_flight_ || &in_flight_->station != &station) return start_next();
   deadline_.disarm();
   if (window_) window_->abandon();
-  left_owed_.add(in_flight_->transaction.look, scheduler_.now());  // its answer may still come
+  left_owed_.add(in_flight_->transaction.look, scheduler_.now());  // its reply may still come
   end(*std::exchange(in_flight_, nullptr), fail(lost));
   settle_until_ = scheduler_.now() + settle_time;
   start_next();
@@ -420,7 +422,7 @@ void Link::interrupted(std::uint8_t vector) {
     if (stations_[i]->interrupted) stations_[i]->interrupted(vector);
 }
 
-// ---- what is left with the watchdog
+// ---- last wills
 
 WireShare Link::share() const {
   return stream_ ? stream_->share() : window_ ? window_->share() : WireShare();
@@ -448,7 +450,7 @@ bool Link::a_will_may_be_carried_out() {
   });
 }
 
-// As if the other side had closed it: whoever wants the wire next opens it anew.
+// As if the peer had closed it: the next user opens the wire again.
 void Link::give_up_soon(Fault why) {
   asio::post(scheduler_.executor(), [self = shared_from_this(), why = std::move(why)] {
     if (self->stream_) self->stream_closed(why);

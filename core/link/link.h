@@ -1,8 +1,8 @@
 #pragma once
-// One wire and its order: transactions of all its stations wait in four queues, stop before intent before
-// program transfer before poll, first come first served in each; one is in flight at a time; each has a
-// deadline. Bytes nobody asked for go to the station that understands them. A wire is a stream of bytes or a
-// window onto a bus, where a transaction is a burst of cycles. Io thread only.
+// One wire. The transactions of all its stations wait in four queues: stop before intent before program
+// transfer before poll, first come first served in each. One is in flight at a time, and each has a deadline.
+// Unsolicited bytes go to the station that understands them. A wire is a stream of bytes, or a window onto a
+// bus, where a transaction is a burst of cycles. Io thread only.
 #include <array>
 #include <functional>
 #include <memory>
@@ -28,32 +28,32 @@ struct Transaction {
   std::string bytes;
   ReplyShape reply;
   Priority priority = Priority::intent;
-  /// Time allowed from the first byte sent to the end of the reply, beyond what the wire itself needs at its
-  /// rate for `bytes` and an answer of usual length.
+  /// Time allowed from the first byte sent to the end of the reply, in addition to the time on the wire of
+  /// `bytes` and a reply of usual length.
   Duration patience = Millis(200);
-  /// A question that is answered at once or not at all. On a wire that several share, silence is taken for
-  /// the answer as soon as it has lasted three times as long as the slowest such answer of late, so that one
-  /// that is switched off does not hold up the others; never before 50 ms, never after `patience`.
+  /// A question that is answered at once or not at all. On a shared wire the deadline is then three times the
+  /// slowest recent answer of this kind, so that a device that is switched off does not delay the others;
+  /// never below 50 ms, never above `patience`.
   bool prompt = false;
-  /// What its answer looks like: one that comes too late is taken for no other's that looks different.
+  /// The look of its reply: a late reply is never taken for one with a different look.
   Look look = Look::any;
-  /// Goes out while the line is dirty too: whoever asks sees to late answers, or cleans with it.
+  /// Sent even while the line is dirty: the sender handles late replies, or cleans the line with this one.
   bool on_dirty_line = false;
-  /// Silence says nothing against the link: the controller is in a state in which it does not answer.
+  /// Silence does not count as a miss: the controller may be in a state in which it does not answer.
   bool may_be_silent = false;
-  /// The next text is more urgent than its answer: not waited for longer where answers are late.
+  /// The next text is more urgent than this reply: no longer wait where replies are late.
   bool impatient = false;
-  /// What the console asks for itself about the state: recorded as a poll, however urgent it is.
+  /// A status question of the console's own: recorded as a poll, whatever its priority.
   bool own_question = false;
-  /// How many bytes at the front of what came in are messages of their own and no part of the reply (a prompt
-  /// that crossed the question): they are given to `unsolicited`. npos: more must come to tell. Null: none.
-  std::function<std::size_t(std::string_view received)> stranger;
+  /// Returns how many bytes at the front of the received ones are not part of the reply (a prompt that
+  /// crossed the question); they go to `unsolicited`. npos: more bytes are needed to tell. Null: none.
+  std::function<std::size_t(std::string_view received)> unsolicited_length;
 
   Transaction() = default;
   Transaction(std::string b, ReplyShape r, Priority p) : bytes(std::move(b)), reply(r), priority(p) {}
 };
 
-/// What a procedure is told that a stop has ended.
+/// The fault of a procedure that a stop has ended.
 Fault stop_came_first();
 
 class Link final : public std::enable_shared_from_this<Link>,
@@ -65,7 +65,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   ~Link() override;
 
   [[nodiscard]] bool is_open() const { return stream_ || window_; }
-  /// It is a window: spoken to by bus cycles, not by bytes.
+  /// The wire is a window: bus cycles, not bytes.
   [[nodiscard]] bool is_window() const { return window_ != nullptr; }
   [[nodiscard]] bool tells_interrupts() const { return window_ && window_->tells_interrupts(); }
   /// Line rate in baud; 0: the wire has none, or is gone.
@@ -75,25 +75,27 @@ class Link final : public std::enable_shared_from_this<Link>,
   [[nodiscard]] Duration wire_time(std::size_t bytes) const;
   [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
 
-  /// Who carries out last wills; null: nobody. `emulated`: what is at the other end ends with this program.
+  /// `keeper` carries out last wills; null: no watchdog runs. `emulated`: the controller ends with this
+  /// program.
   void entrust_to(std::shared_ptr<WillKeeper> keeper, bool emulated) {
     keeper_ = std::move(keeper);
     emulated_here_ = emulated;
     shared_ = share().how != WireShare::How::none;
   }
 
-  /// A controller was told another rate, and the wire follows it.
+  /// Called when the wire has followed a controller to another rate.
   std::function<void(int baud)> rate_set;
 
  private:
   friend class Station;
   struct Pending;
   static constexpr Duration settle_time = Millis(50);
-  static constexpr Duration least_patience = Millis(50);           ///< adapters hand bytes over in pieces
-  static constexpr Duration longest_wait_of_a_stop = Millis(200);  ///< for an answer beyond its bytes
-  static constexpr int prompt_answers_needed = 16;                 ///< before the wire is known
+  static constexpr Duration least_patience = Millis(50);  ///< as adapters deliver bytes in pieces
+  static constexpr Duration longest_wait_of_a_stop =
+      Millis(200);                                  ///< wait for a reply, beyond its time on the wire
+  static constexpr int prompt_answers_needed = 16;  ///< prompt replies needed to know the wire
 
-  // for stations
+  // called by stations
   void join(Station& station);
   enum class Leaving : bool { in_order, given_up };
   void leave(Station& station, const Fault& why, Leaving leaving);
@@ -123,33 +125,33 @@ class Link final : public std::enable_shared_from_this<Link>,
   void on_deadline();
   void take_received();
   void hear_it_out();
-  bool strip_strangers();
+  bool take_unsolicited();
   std::size_t give_unsolicited(std::string_view bytes);
   std::size_t offer(std::string_view bytes, const Station*& took);
   void give_up_on(std::string_view bytes);
   void give_up_waiting();
   void end_babble();
 
-  /// Of what has come in and is no whole message yet. The longest answer of all, a listing, has some 4,000.
+  /// Bytes kept of an unfinished message. The longest reply, a listing, has some 4,000.
   static constexpr std::size_t longest_unfinished = 1 << 16;
 
   Scheduler& scheduler_;
-  std::unique_ptr<Stream> stream_;  ///< this or the window; both null: the wire is gone
-  std::shared_ptr<Window> window_;  ///< also held by the burst that is under way
+  std::unique_ptr<Stream> stream_;  ///< this or `window_`; both null: the wire is gone
+  std::shared_ptr<Window> window_;  ///< shared with the burst under way
   std::vector<Station*> stations_;
   Station* spoke_last_ =
-      nullptr;  ///< whose transaction was last on the wire; what makes no sense is told to it
-  std::array<std::vector<Pending*>, 4> waiting_;  ///< by priority; few, and they keep their memory
+      nullptr;  ///< station of the latest transaction; unintelligible bytes are counted there
+  std::array<std::vector<Pending*>, 4> waiting_;  ///< by priority; short, and their memory is reused
   Pending* in_flight_ = nullptr;
   std::string received_;
   Instant sent_at_{}, deadline_at_{};
-  Instant latest_end_ = Instant::max();  ///< of what is in flight: a stop has come
-  /// From the end of the question to the answer, beyond its bytes; forgets slowly.
+  Instant latest_end_ = Instant::max();  ///< latest end of the transaction in flight, once a stop waits
+  /// Slowest recent delay of a prompt reply, beyond its time on the wire; decays slowly.
   Duration slowest_prompt_{};
   int prompt_answers_ = 0;
-  int silent_in_a_row_ = 0;  ///< questions that nobody on the wire has answered
-  Instant settle_until_{};   ///< after a miss: a late reply must not be taken for the next one's
-  OwedAnswers left_owed_;    ///< by stations that have left
+  int silent_in_a_row_ = 0;  ///< questions in a row that no station answered
+  Instant settle_until_{};   ///< after a miss: a late reply must not be taken for the next one
+  OwedAnswers left_owed_;    ///< replies owed to stations that have left
   std::shared_ptr<WillKeeper> keeper_;
   bool emulated_here_ = false, shared_ = false;
   std::vector<std::weak_ptr<WillKeeper::Will>> wills_;

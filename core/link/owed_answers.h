@@ -1,8 +1,7 @@
 #pragma once
-// Answers that nobody waits for any more and that may still come: the questions were given up at their
-// deadlines. While a device owes some its line is dirty, and what comes may be one of them. A device answers
-// in the order in which it was asked: once it has given an answer that cannot be mistaken for one of those,
-// they have all come, or never will.
+// Replies that may still come although their questions were given up at their deadlines. While a device owes
+// replies its line is dirty: a received reply may be an old one. A device answers in order, so once it has
+// given a reply that cannot be mistaken for an owed one, all owed replies have come or never will.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -11,23 +10,22 @@
 
 namespace hw {
 
-/// What an answer looks like: those of different looks are never taken for each other. The numbers are the
-/// driver's own, below `look_count`; `any` may look like each.
+/// The look of a reply: replies of different looks are never mistaken for each other. The numbers are the
+/// driver's own, below `look_count`; `any` may look like every other.
 enum class Look : std::uint8_t { any };
 inline constexpr std::size_t look_count = 8;
 
 class OwedAnswers {
  public:
-  /// Later than this no answer comes.
+  /// No reply comes later than this.
   static constexpr Duration longest_delay = std::chrono::seconds(3);
 
   void add(Look look, Instant now) { until_[static_cast<std::size_t>(look)] = now + longest_delay; }
-  /// One of this look was taken for the answer that was waited for. It may be one of those that are owed, and
-  /// its own still come.
+  /// A reply of this look was accepted. It may have been an owed one, so that the right one still comes.
   void take(Look look, Instant now) {
     if (now < until_[0] || now < until_[static_cast<std::size_t>(look)]) add(look, now);
   }
-  /// The beginning of one has come: its end does not look like it.
+  /// Only the beginning of a reply was received; its end will not have its look.
   void tear(Instant now) { torn_until_ = now + longest_delay; }
   void add(const OwedAnswers& more) {
     for (std::size_t i = 0; i < look_count; ++i) until_[i] = std::max(until_[i], more.until_[i]);
@@ -37,12 +35,12 @@ class OwedAnswers {
     until_.fill({});
     torn_until_ = {};
   }
-  /// Since the last time that everything had been answered or outwaited, none was ever owed.
+  /// No reply has been owed since the line was last clean.
   [[nodiscard]] bool never() const {
     return std::all_of(until_.begin(), until_.end(), [](Instant until) { return until == Instant{}; });
   }
   [[nodiscard]] bool torn(Instant now) const { return now < torn_until_; }
-  /// That one is owed, and was given up after the other: it comes behind it.
+  /// A reply of `look` is owed and comes after the owed one of `other`.
   [[nodiscard]] bool comes_behind(Look look, Look other, Instant now) const {
     const Instant until = until_[static_cast<std::size_t>(look)];
     return now < until && until > until_[static_cast<std::size_t>(other)];
@@ -50,12 +48,12 @@ class OwedAnswers {
   [[nodiscard]] bool any(Instant now) const {
     return std::any_of(until_.begin(), until_.end(), [now](Instant until) { return now < until; });
   }
-  /// One of them may look like this.
+  /// An owed reply may have this look.
   [[nodiscard]] bool may_look(Look look, Instant now) const {
     if (look == Look::any) return any(now);
     return now < until_[0] || now < until_[static_cast<std::size_t>(look)];
   }
-  /// When the next of them can be owed no more; `now`: none is owed.
+  /// When the next owed reply expires; `now`: none is owed.
   [[nodiscard]] Instant next_end(Instant now) const {
     Instant next = Instant::max();
     for (const Instant until : until_)

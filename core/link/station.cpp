@@ -29,7 +29,7 @@ Task<Result<std::string>> Station::transact(Transaction transaction) {
   return transact_when_clean(std::move(transaction));
 }
 
-// Whatever was waited for before: a stop, or the end of the wire, may have come since.
+// A stop, or the end of the wire, may have come since.
 Task<Result<std::string>> Station::send(Transaction transaction) {
   if (!link_) return not_sent(no_connection());
   if (preempted_) return not_sent(stop_came_first());
@@ -92,7 +92,7 @@ Task<Result<std::string>> Station::transact_when_clean(Transaction transaction) 
   co_return co_await send(std::move(transaction));
 }
 
-// Nothing is asked twice on a dirty line: each attempt asks something else, and waits longer for it.
+// No question is repeated on a dirty line: each attempt asks another one and waits longer.
 Task<Result<>> Station::clean(Priority priority) {
   while (is_dirty()) {
     auto asked = unmistakable(owed_, link_->scheduler_.now());
@@ -106,7 +106,7 @@ Task<Result<>> Station::clean(Priority priority) {
   co_return Result<>();
 }
 
-/// Until one of the owed answers cannot come any more. A stop is said again before anything else is known.
+/// Waits until one of the owed replies can no longer come. A stop is repeated meanwhile.
 Task<Result<>> Station::outwait(Priority priority) {
   if (priority == Priority::stop) {
     count_miss();
@@ -117,7 +117,7 @@ Task<Result<>> Station::outwait(Priority priority) {
 
 Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   constexpr Duration first_patience = Millis(600);
-  constexpr Duration patience_of_a_stop = Millis(250);  // then it is said again
+  constexpr Duration patience_of_a_stop = Millis(250);  // then the stop is repeated
   auto silent = co_await wait_for_silence();
   if (!silent) co_return silent;
   Transaction question = std::move(asked.question);
@@ -137,11 +137,10 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
     co_return Result<>();
   }
   if (!answer) co_return fail(answer.error());
-  if (!asked.is_answer(*answer)) {  // no miss: somebody is there
+  if (!asked.is_answer(*answer)) {  // not a miss: a device answered
     doubt(look);
-    co_return fail(FaultKind::garbled, "What the controller answers means nothing.",
-                   "Nothing of it was used.",
-                   "Look at the cable and the line rate, and whether two devices have one address or another "
+    co_return fail(FaultKind::garbled, "The controller's answer makes no sense.", "It was not used.",
+                   "Check the cable and the line rate, and whether two devices have one address or another "
                    "program talks on this line.");
   }
   owed_.clear();
@@ -163,13 +162,12 @@ Task<Result<>> Station::wait_for_silence() {
     if (left <= Duration::zero() || now - began < at_most) continue;
     count_miss();
     co_return fail(FaultKind::garbled, "The line is never silent.", "Nothing was asked.",
-                   "Look at the cable, the baud rate, and whether another program talks to the controller.");
+                   "Check the cable, the baud rate, and whether another program talks to the controller.");
   }
   co_return Result<>();
 }
 
-// An answer that came after the usual patience shows how long it takes here. It is forgotten as the answers
-// come faster.
+// A reply after the usual patience shows how slow this device is. Decays as replies come faster.
 void Station::learn_lateness(Duration round_trip) {
   constexpr Duration usual = Millis(100);
   if (round_trip >= lateness_)
@@ -200,7 +198,7 @@ void Station::leave(const Fault& why, Link::Leaving how) {
 
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
   if (!traffic_) return;
-  // Whatever a controller babbles, a stop and what somebody has asked for have their places.
+  // However much a controller babbles, stops and intents keep their places in the record.
   const bool of_somebody = way == Way::sent && (kind == TrafficKind::stop || kind == TrafficKind::intent);
   const std::size_t left_for_others = of_somebody ? 0 : traffic_->capacity() / 4;
   do {  // a slot of the ring keeps its memory: no piece is longer than this
@@ -247,7 +245,7 @@ void Station::count_miss() {
 }
 
 void Station::count_polls(Instant now) {
-  constexpr auto long_enough = std::chrono::seconds(2);  // that a round more or less makes little difference
+  constexpr auto long_enough = std::chrono::seconds(2);  // so that one round more or less matters little
   if (now - count_began_ >= long_enough) {
     statistics_.polls_per_second = polls_counted_ / seconds(now - count_began_);
     polls_counted_ = 0;

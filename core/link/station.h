@@ -1,7 +1,7 @@
 #pragma once
-// One device's place on a wire: what its driver talks through. A wire with a single controller is a link with
-// one station; on a multi-drop line (RS-485) each device has its own, with its own record of how well it
-// answers, and a stop of one does not touch what the others have waiting. Io thread only.
+// One device on a wire, as its driver uses it. A wire with a single controller is a link with one station; on
+// a multi-drop line (RS-485) each device has its own station and statistics, and a stop of one leaves the
+// queues of the others alone. Io thread only.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -27,31 +27,30 @@ class Station {
   Station& operator=(const Station&) = delete;
 
   /// Resumes with the reply (terminator included), or with a fault: no_answer, garbled, lost, stopped. On a
-  /// dirty line it goes out only once the line is clean again; a stop goes out at once.
+  /// dirty line the transaction waits until the line is clean; a stop is sent at once.
   Task<Result<std::string>> transact(Transaction transaction);
-  /// On a window: runs the cycles in their order, as one transaction. The span belongs to the caller and
-  /// outlives the call.
+  /// On a window: runs the cycles in order, as one transaction. The caller's span must outlive the call.
   Task<Result<>> bus(std::span<BusCycle> cycles, Priority priority);
-  /// On a window cycles say nothing by themselves: whoever speaks by them records what it said and heard, ...
+  /// On a window the driver itself records the texts that its cycles carry, ...
   void record(Instant at, Way way, TrafficKind kind, std::string_view bytes);
-  /// ... and whether what it waited for came in time.
+  /// ... and whether the awaited reply came in time.
   void count_answer(Duration round_trip, bool poll, Instant now);
   void count_miss();
   // ---- one procedure at a time: see Pump
-  /// A stop has come. The procedure under way ends: what it has waiting, its pauses, and whatever it asks for
-  /// from now on end at once with Fault{stopped}. The transaction in flight is heard to its end, which comes
-  /// soon (Link::hurry_for_a_stop).
+  /// Ends the procedure under way for a stop: its waiting transactions, its pauses and all later requests end
+  /// at once with Fault{stopped}. The transaction in flight is received to its end, which comes soon
+  /// (Link::hurry_for_a_stop).
   void preempt();
-  /// It has ended; the next one may use the wire.
+  /// The preempted procedure has ended; the next one may use the wire.
   void begin_procedure() { preempted_ = false; }
   [[nodiscard]] bool preempted() const { return preempted_; }
-  /// The others may use the wire again.
+  /// Releases the wire for the other stations.
   void stop_was_sent();
   /// Waits, unless a stop comes or the wire is lost.
   Task<Result<>> pause(Duration time);
 
-  /// Steps that must not be cut apart: a stop waits for them. Each use is bounded in time; they are
-  ///   VXM, PMX, DMX: a change of the line rate, until the console's end has followed.
+  /// Guards steps that a stop must not interrupt; the stop waits. Each use is bounded in time: a change of
+  /// the line rate of VXM, PMX and DMX, until the console has followed.
   class Uncut {
    public:
     explicit Uncut(Station& station) : station_(station) { ++station_.uncut_; }
@@ -65,52 +64,51 @@ class Station {
     Station& station_;
   };
 
-  /// Of this device on a wire of several; -1: it has none.
+  /// Address of this device on a shared wire; -1: it has none.
   int address = -1;
-  /// When any byte came in for this device last.
+  /// When a byte for this device was last received.
   [[nodiscard]] Instant heard_at() const { return heard_at_; }
   [[nodiscard]] bool was_heard() const { return heard_at_ > Instant{}; }
-  /// What has just come tells nothing of this device: whoever listens has said it.
+  /// The bytes just received were not from this device: takes back heard_at().
   void has_not_heard_it() { heard_at_ = answered_at_; }
-  /// The procedure under way is ended, by a stop or with the wire: whoever waits for something else looks
-  /// again.
+  /// Called when a stop, or the loss of the wire, ends the procedure under way, so that other waits can be
+  /// checked.
   std::function<void()> procedure_ended;
-  /// Its device is being stopped: what the others on the wire ask waits meanwhile. stop_was_sent() when it is
-  /// over.
+  /// Returns whether this device is being stopped; the other stations' questions wait until stop_was_sent().
   std::function<bool()> stops;
-  /// Bytes that no transaction claimed, at least one. The handler returns how many at the front are its own
-  /// and done with; npos: they may be, more must come to tell (they are offered again with what follows).
-  /// What no station on the wire understands counts as unparsed.
+  /// Handles bytes that no transaction claimed (at least one). Returns how many at the front it has used;
+  /// npos: more bytes are needed to tell, and they are offered again with those. Bytes that no station
+  /// understands count as unparsed.
   std::function<std::size_t(std::string_view)> unsolicited;
-  /// On a window: the controller has interrupted its host.
+  /// On a window: called when the controller interrupts its host.
   std::function<void(std::uint8_t vector)> interrupted;
-  /// Something that is no poll stands in the record now.
+  /// Called when an entry that is not a poll was recorded.
   std::function<void()> recorded;
-  /// The wire is gone for everybody on it.
+  /// Called when the wire is gone for all its stations.
   std::function<void(const Fault&)> closed;
 
   [[nodiscard]] const StationStatistics& statistics() const { return statistics_; }
   [[nodiscard]] bool is_open() const { return link_ != nullptr; }
   // ---- the dirty line: see OwedAnswers
-  /// A question, and whether what came is its answer.
+  /// A question, and a test whether a reply is its own.
   struct Unmistakable {
     Transaction question;
     std::function<bool(std::string_view answer)> is_answer;
   };
-  /// The driver's: one whose answer cannot be mistaken for any of those (where it may be silent, the next one
-  /// follows); none: only time helps. Null: the driver sees to late answers by itself.
+  /// Set by the driver: returns a question whose reply cannot be mistaken for an owed one (another follows if
+  /// it may stay silent); none: only time helps. Null: the driver handles late replies itself.
   std::function<std::optional<Unmistakable>(const OwedAnswers& owed, Instant now)> unmistakable;
-  /// This device was asked and has not answered in time: what comes from it now is not believed.
+  /// This device owes a late reply, so that its next reply cannot be trusted.
   [[nodiscard]] bool is_dirty() const;
-  /// What was answered means nothing. What was asked may still be answered, or be answered with what is next.
+  /// The reply made no sense. The reply to this question may still come, or come in place of the next one.
   void doubt(Look look);
-  /// What a greeting has shown: whatever was owed has come before.
+  /// A greeting has shown that all owed replies have come.
   void has_caught_up() { owed_.clear(); }
-  /// Asks the unmistakable question now, if the line is dirty: for one whose next text must not be taken for
-  /// sent when it was not.
+  /// Cleans the line now, if it is dirty, by the unmistakable question: before a text whose sending must be
+  /// certain.
   Task<Result<>> come_clean(Priority priority);
   [[nodiscard]] const OwedAnswers& owed() const { return owed_; }
-  /// What is known of this device's answers, for the station that takes this one's place on the same wire.
+  /// How this device answers, for the station that replaces this one on the same wire.
   struct Manner {
     OwedAnswers owed;
     Duration lateness{};
@@ -120,26 +118,24 @@ class Station {
     owed_.add(manner.owed);
     lateness_ = manner.lateness;
   }
-  /// How often the line has become clean again: what was read before and what is read now may differ for
-  /// another reason than that it has changed.
+  /// How often the line was cleaned: a reading from before may have been mistaken.
   [[nodiscard]] std::uint32_t times_cleaned() const { return times_cleaned_; }
-  /// What the answers of this device are late by, as far as more patience is needed for it; 0: it is not
-  /// slow.
+  /// The extra patience that this device needs because it answers late; 0: it does not.
   [[nodiscard]] Duration lateness() const { return lateness_; }
-  /// Another device on this wire owes an answer that may look like this: what is heard may be that.
+  /// Another device on this wire owes a reply that may look like this, so that a received one may be its.
   [[nodiscard]] bool others_owe(Look look = Look::any) const;
   /// Line rate in baud; 0: the wire has none, or is gone.
   [[nodiscard]] int rate() const { return link_ ? link_->rate() : 0; }
-  /// The wire carries whole messages to this one device (Stream::carries_messages).
+  /// The wire carries whole messages to this device alone (Stream::carries_messages).
   [[nodiscard]] bool carries_messages() const { return link_ && link_->carries_messages(); }
   [[nodiscard]] bool is_window() const { return link_ && link_->is_window(); }
   [[nodiscard]] bool tells_interrupts() const { return link_ && link_->tells_interrupts(); }
-  /// What must reach the wire when this program cannot say it any more; null: nobody keeps it.
+  /// Leaves a last will with the watchdog; null: no watchdog runs.
   [[nodiscard]] std::shared_ptr<WillKeeper::Will> leave_will(const LastWill& will) {
     return link_ ? link_->leave_will(will) : nullptr;
   }
   [[nodiscard]] JogEnds jog_ends() const { return link_ ? link_->jog_ends() : JogEnds::by_nobody; }
-  /// For everybody on the wire.
+  /// Sets the rate for all stations of the wire.
   Result<> set_rate(int baud);
   /// Time that `bytes` characters take on this wire (0 when it has no rate).
   [[nodiscard]] Duration wire_time(std::size_t bytes) const {
@@ -147,7 +143,7 @@ class Station {
   }
   /// Leaves the wire; waiting transactions end with Fault{lost}. `closed` is not called.
   void close(const Fault& why);
-  /// The same of a wire that carries nothing any more: what waits in it must not arrive later.
+  /// Leaves a dead wire: bytes that still wait in it must not arrive later.
   void give_up(const Fault& why);
 
  private:
@@ -173,7 +169,7 @@ class Station {
   Instant count_began_{};
   int polls_counted_ = 0;
   Instant heard_at_{}, answered_at_{};
-  Event ended_;  ///< notified when a stop, or the end of the wire, ends what waits here
+  Event ended_;  ///< notified when a stop, or the end of the wire, ends the waits of this station
   bool preempted_ = false, preempt_due_ = false;
   int uncut_ = 0;
 };

@@ -6,7 +6,7 @@
 namespace hw {
 namespace {
 
-// A question of one letter may well be answered by the same letter.
+// A question of one letter may be answered by the same letter.
 constexpr std::size_t shortest_echo = 3;
 
 bool begins_with_question(std::string_view answer, std::string_view question) {
@@ -35,7 +35,7 @@ void TalkRecorder::hear(Instant at, Way way, TrafficKind kind, std::string_view 
   counts_.received += bytes.size();
   if (kind == TrafficKind::unsolicited) return;
   if (kind != TrafficKind::unparsed) return answered(at, kind, bytes);
-  // The same end, and nothing strange in it: another one has answered as well.
+  // The same end and no wrong bytes: a second device has answered.
   if (answer_.size() > 1 && bytes.ends_with(answer_.back()) && is_plain(bytes))
     ++counts_.second_answers;
   else
@@ -43,7 +43,7 @@ void TalkRecorder::hear(Instant at, Way way, TrafficKind kind, std::string_view 
 }
 
 void TalkRecorder::answered(Instant at, TrafficKind kind, std::string_view bytes) {
-  if (!answer_.empty()) return;  // a long one comes in pieces
+  if (!answer_.empty()) return;  // a long reply comes in pieces
   answer_ = bytes;
   if (begins_with_question(bytes, asked_)) ++counts_.echoes;
   if (kind != TrafficKind::poll || !std::exchange(poll_waits_, false)) return;

@@ -1,6 +1,6 @@
 #pragma once
-// What the record of a wire tells about the wire itself: how long a question takes, how many bytes it costs,
-// and what came that nobody had asked for. Fed with the entries of the record in their order; any thread.
+// Measures a wire from its traffic record: how long a question takes, how many bytes it costs, and which
+// bytes were unsolicited. Takes the entries of the record in order; any thread.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -11,14 +11,14 @@
 namespace hw {
 
 struct TalkMeasure {
-  int questions = 0;  ///< of the console's own, that were answered: of these are the times
-  Duration least{}, median{}, slowest_of_hundred{};  ///< from the first byte out to the last one back
-  int bytes_out = 0, bytes_in = 0;                   ///< of the median question, and of its answer
+  int questions = 0;  ///< the console's own questions that were answered, and timed
+  Duration least{}, median{}, slowest_of_hundred{};  ///< from the first byte sent to the last received
+  int bytes_out = 0, bytes_in = 0;                   ///< of the median question and its reply
   int unanswered = 0;
   std::uint64_t received = 0;  ///< bytes
-  std::uint64_t wrong = 0;     ///< of them: nothing on this wire says such a thing
-  int echoes = 0;              ///< answers that begin with the question itself
-  int second_answers = 0;      ///< whole answers behind the one that was waited for
+  std::uint64_t wrong = 0;     ///< bytes that no device on this wire sends
+  int echoes = 0;              ///< replies that begin with the question itself
+  int second_answers = 0;      ///< complete replies after the awaited one
 };
 
 class TalkRecorder {
@@ -26,7 +26,7 @@ class TalkRecorder {
   void hear(Instant at, Way way, TrafficKind kind, std::string_view bytes);
   [[nodiscard]] TalkMeasure measure() const;
 
-  static constexpr std::size_t most_questions = 512;  ///< the latest
+  static constexpr std::size_t most_questions = 512;  ///< only the latest are kept
 
  private:
   struct Question {
@@ -37,10 +37,10 @@ class TalkRecorder {
 
   TalkMeasure counts_;
   std::vector<Question> questions_;
-  std::size_t next_ = 0;  ///< where the next one goes, once there are most_questions
+  std::size_t next_ = 0;  ///< place of the next, once there are most_questions
   std::string asked_, answer_;
   Instant asked_at_{};
-  bool poll_waits_ = false;  ///< the latest that went out was a question, and nothing has come yet
+  bool poll_waits_ = false;  ///< the latest text sent was a question, not answered yet
 };
 
 }  // namespace hw

@@ -9,7 +9,7 @@
 namespace hw {
 
 enum class Way : std::uint8_t { sent, received };
-/// Why bytes went out, or what they were taken for when they came in.
+/// Why bytes were sent, or how received ones were understood.
 enum class TrafficKind : std::uint8_t { stop, intent, transfer, poll, unsolicited, unparsed };
 
 struct TrafficEntry {
@@ -19,7 +19,7 @@ struct TrafficEntry {
   std::string bytes;  ///< as on the wire; a slot of the ring keeps its memory
 };
 
-/// Longer ones are recorded in pieces, so that a ring of them has bounds in bytes too.
+/// Longer entries are recorded in pieces, so that the ring is bounded in bytes too.
 inline constexpr std::size_t longest_traffic_entry = 1024;
 
 using TrafficRing = Ring<TrafficEntry>;

@@ -1,5 +1,5 @@
 #pragma once
-// A wire that this program has open, as the watchdog reaches it when this program is gone.
+// How the watchdog reaches a wire of this program when the program is gone.
 #include <cstdint>
 #include <string>
 
@@ -9,12 +9,12 @@ struct WireShare {
   enum class How : std::uint8_t {
     none,
     bytes,     ///< written to `fd`
-    messages,  ///< each in a transfer of its own, by the USB device that is open as `fd`
-    dial,      ///< on a connection of its own to `place`
+    messages,  ///< one transfer each, to the USB device that is open as `fd`
+    dial,      ///< by a connection of its own to `place`
     memory     ///< cycles in the window that `fd` maps at `base`
   };
   How how = How::none;
-  int fd = -1;  ///< borrowed
+  int fd = -1;  ///< not owned
   std::string place;
   std::uint32_t base = 0;
 };
@@ -23,7 +23,7 @@ struct WireShare {
 enum class JogEnds : std::uint8_t {
   by_nobody,
   by_watchdog,
-  with_program  ///< the controller is emulated within it
+  with_program  ///< the controller is emulated in this program
 };
 
 }  // namespace hw

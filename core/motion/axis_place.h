@@ -6,7 +6,7 @@
 
 namespace hw {
 
-/// Where the switches of an axis act on the way of its load; what is absent is not there.
+/// Load positions at which the switches of an axis act; absent: no such switch.
 struct SwitchPlaces {
   std::optional<Steps> minus, plus;  ///< travel limits
   std::optional<Steps> home_from, home_to;
@@ -14,9 +14,9 @@ struct SwitchPlaces {
   bool operator==(const SwitchPlaces&) const = default;
 };
 
-/// What hangs on one axis, in steps of the controller. Positions are those of the load, counted from where it
-/// stood when the bench was built. In a change of place what is absent stays as it is; a switch that the
-/// bench was never given never acts.
+/// The mechanics of one axis, in steps of the controller. Positions are those of the load, counted from where
+/// it was when the bench was built. In a change, absent values stay unchanged; a switch that was never set
+/// never acts.
 struct AxisPlace {
   std::optional<Steps> minus, plus;         ///< where the travel limit switches act
   std::optional<Steps> home_from, home_to;  ///< zone in which the home switch acts

@@ -1,14 +1,13 @@
 #pragma once
-// A chain of lines and arcs that is run along at one speed, through its corners as well. It is cut into fine
-// steps of equal length (as a Path is into pulses), so a Profile of those steps says when each is made, and
-// each axis stands on the count nearest to the true curve.
+// A chain of lines and arcs, run at one speed, through its corners too. It is divided into fine steps of
+// equal length (as a Path into pulses), so that a Profile of those steps gives the time of each, and each
+// axis is on the count nearest to the true curve.
 //
 //   start o-----line-----o.
 //                          `.  arc, about a centre in the plane of two axes
 //                            o - - - ray, straight on from the last piece without end
 //
-// Offsets count from the start. The pieces are kept exactly: what is rounded at one end does not bend the
-// next.
+// Offsets count from the start. Pieces are kept exactly: rounding at one end does not bend the next.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -26,20 +25,21 @@ class Contour {
   explicit Contour(const Offsets& start);
 
   void line_to(const Point& to);
-  /// About `centre` in the plane of two axes, counter-clockwise as x points right and y up when positive.
+  /// Around `centre` in the plane of two axes; `sweep` positive: counter-clockwise with x to the right and y
+  /// up.
   void arc(std::size_t x_axis, std::size_t y_axis, double centre_x, double centre_y, double sweep);
-  /// The last piece that has a length goes straight on. Nothing can follow.
+  /// Extends the last piece that has a length straight on. Must be the last call.
   void ray();
 
-  /// Where the last piece ends.
+  /// End of the last piece.
   [[nodiscard]] const Point& end() const { return end_; }
   [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
   /// In counts.
   [[nodiscard]] double length() const { return length_; }
-  /// The first step at or behind the end of a piece.
+  /// The first step at or after the end of a piece.
   [[nodiscard]] std::int64_t end_of(std::size_t piece) const;
 
-  // What a Path answers.
+  // As in Path.
   [[nodiscard]] std::int64_t steps() const;
   [[nodiscard]] std::int64_t offset(std::size_t axis, std::int64_t step) const;
   [[nodiscard]] double exact(std::size_t axis, double step) const;
@@ -48,7 +48,7 @@ class Contour {
   [[nodiscard]] std::int64_t next_turn(std::int64_t step) const;
   [[nodiscard]] std::optional<std::int64_t> first_at(std::size_t axis, std::int64_t step,
                                                      std::int64_t offset) const;
-  /// Share of the path's speed that the axis has at a step: -1 to 1.
+  /// The axis' share of the path's speed at a step: -1 to 1.
   [[nodiscard]] double share(std::size_t axis, double step) const;
 
  private:

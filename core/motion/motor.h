@@ -4,10 +4,10 @@
 
 namespace hw {
 
-/// A servo motor with its amplifier and its load, as the bench describes it. The amplifier makes a torque of
-/// the board's +-10 V. These values fit the example gains of the data sheet (core/motion/servo.h).
+/// The bench's servo motor with amplifier and load. The amplifier turns the board's +-10 V into torque. The
+/// defaults fit the example gains of the data sheet (core/motion/servo.h).
 struct Motor {
-  bool present = true;            ///< false: an ideal plant, which stands where it is commanded
+  bool present = true;            ///< false: an ideal plant, always at the commanded position
   double inertia = 5e-5;          ///< kg m², load included
   double viscous = 5e-4;          ///< Nm s/rad
   double friction = 0.002;        ///< Nm, dry
@@ -17,7 +17,7 @@ struct Motor {
   bool operator==(const Motor&) const = default;
 };
 
-/// What a bench file and a script's bench:place() call its values, and how far these go.
+/// Names and ranges of its values in a bench file and a script's bench:place().
 struct MotorKey {
   std::string_view name;
   double Motor::*value;

@@ -1,6 +1,6 @@
 #pragma once
-// A path through the space of the axes, cut into steps of one pulse at most: a line after the rule of the
-// leading axis, or an arc. Offsets count from where the path begins. A Profile says when each step is made.
+// A path of several axes, divided into steps of at most one pulse: a line by the rule of the leading axis, or
+// an arc. Offsets count from the start of the path. A Profile gives the time of each step.
 //
 //   line:  the leading axis makes a pulse at each step, the others theirs as evenly as whole pulses can be
 //   arc:   steps of equal angle; each axis stands on the pulse nearest to the true circle
@@ -22,25 +22,25 @@ class Path {
   Path() = default;
   static Path along(std::size_t axis, Sign way, std::int64_t length);
   static Path line(const Offsets& to);
-  /// About a centre that lies (-from_x, -from_y) away, turning by `sweep` radians, counter-clockwise as x
-  /// and y are drawn on paper when positive.
+  /// Around a centre at (-from_x, -from_y) from the start, by `sweep` radians; positive: counter-clockwise
+  /// with x to the right and y up.
   static Path arc(std::size_t x_axis, std::size_t y_axis, double from_x, double from_y, double sweep);
 
   [[nodiscard]] std::int64_t steps() const { return steps_; }
-  /// How far the tool goes with each step, in pulses.
+  /// Distance of the tool per step, in pulses.
   [[nodiscard]] double pulses_per_step() const { return pulses_per_step_; }
   [[nodiscard]] std::int64_t offset(std::size_t axis, std::int64_t step) const;
-  /// Where the axis would stand if pulses could be cut.
+  /// Position of the axis in fractions of pulses.
   [[nodiscard]] double exact(std::size_t axis, double step) const;
   [[nodiscard]] bool moves(std::size_t axis) const;
   /// Direction of `axis` between `step` and the next turn: -1, 0, 1.
   [[nodiscard]] int direction(std::size_t axis, std::int64_t step) const;
-  /// The first step behind `step` where an axis may turn round; the last one if none does.
+  /// The first step after `step` where an axis may reverse; the last step if none does.
   [[nodiscard]] std::int64_t next_turn(std::int64_t step) const;
-  /// The first step behind `step`, and before the next turn, at which `axis` stands at or beyond `offset`.
+  /// The first step after `step`, before the next turn, at which `axis` is at or beyond `offset`.
   [[nodiscard]] std::optional<std::int64_t> first_at(std::size_t axis, std::int64_t step,
                                                      std::int64_t offset) const;
-  /// Share of the tool's speed that the axis has at a step: -1 to 1.
+  /// The axis' share of the tool's speed at a step: -1 to 1.
   [[nodiscard]] double share(std::size_t axis, double step) const;
 
  private:

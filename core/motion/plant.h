@@ -1,6 +1,7 @@
 #pragma once
-// What hangs on an axis: a load with play, travel limit switches, a home zone, hands that operate a switch,
-// jam it or let it slip. The controller counts steps; the plant knows where the load really is.
+// The mechanics of an axis: a load with play, travel limit switches, a home zone, and hands that operate a
+// switch, jam the load or let it slip. The controller counts steps; the plant knows the real position of the
+// load.
 #include <cstdint>
 #include <optional>
 
@@ -12,7 +13,7 @@ namespace hw::motion {
 
 class Plant {
  public:
-  /// What `place` does not say stays as it is; one that says nothing takes everything away.
+  /// Values absent in `place` stay unchanged; an empty `place` removes all.
   void set_place(const AxisPlace& place);
   [[nodiscard]] const AxisPlace& place() const { return place_; }
   [[nodiscard]] Steps load() const { return Steps(load_); }
@@ -36,22 +37,22 @@ class Plant {
     return at_this_approach(place_.home_from, Of::home);
   }
   [[nodiscard]] std::optional<Steps> home_to() const { return at_this_approach(place_.home_to, Of::home); }
-  /// How far from their places the index marks are found by a load that last turned, or will turn, so.
+  /// Offset of the index marks from their places in the present approach; `way`: when turning that way next.
   [[nodiscard]] std::int64_t index_shift() const { return scatter_.shift(Of::index); }
   [[nodiscard]] std::int64_t index_shift(Sign way) const { return scatter_.shift(Of::index, way != turned_); }
 
-  /// Turns towards `way` until the travel limit switch on that side acts: 0 when it does already.
+  /// Turns towards `way` until the travel limit switch on that side acts; 0: it acts already.
   [[nodiscard]] std::optional<std::int64_t> turns_until_limit(Sign way) const;
   /// Likewise for entering the home zone from outside.
   [[nodiscard]] std::optional<std::int64_t> turns_until_home(Sign way) const;
-  /// Turns towards `way` until the switch on `side` lets go: 0 when it has, none when a hand holds it.
+  /// Turns towards `way` until the switch on `side` releases; 0: released already, none: held by hand.
   [[nodiscard]] std::optional<std::int64_t> turns_until_limit_released(Sign side, Sign way) const;
   [[nodiscard]] std::optional<std::int64_t> turns_until_home_released(Sign way) const;
-  /// Turns towards `way` until the load stands at `mark`; none when that lies behind it, or here.
+  /// Turns towards `way` until the load is at `mark`; none: `mark` lies behind it, or here.
   [[nodiscard]] std::optional<std::int64_t> turns_until_load(Sign way, Steps mark) const {
     return turns_until(way, mark);
   }
-  /// Where the load stands after so many turns.
+  /// Position of the load after `turns`.
   [[nodiscard]] Steps load_after(Sign way, std::int64_t turns) const;
 
  private:
@@ -64,7 +65,7 @@ class Plant {
 
   AxisPlace place_;
   SwitchScatter scatter_;
-  Sign turned_ = Sign::plus;  ///< last
+  Sign turned_ = Sign::plus;  ///< latest direction
   std::int64_t load_ = 0;
   std::int64_t play_used_ = 0;  ///< 0: next turn to minus moves the load; backlash: next turn to plus does
   bool jammed_ = false, minus_by_hand_ = false, plus_by_hand_ = false, home_by_hand_ = false;

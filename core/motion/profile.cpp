@@ -8,23 +8,23 @@ namespace hw::motion {
 namespace {
 
 constexpr double slowest = 1e-6;     // steps/s; keeps divisions finite
-constexpr double longest_s = 3.0e9;  // 95 years: what still fits beside a start in nanoseconds
+constexpr double longest_s = 3.0e9;  // 95 years: fits in nanoseconds together with a start
 
 double at_least_slow(double v) { return std::max(v, slowest); }
 
-/// The first nanosecond that is not before `s`.
+/// `s` rounded up to a nanosecond.
 Duration round_up(double s) {
   return Duration(static_cast<Duration::rep>(std::ceil(std::clamp(s, 0.0, longest_s) * 1e9 - 1e-3)));
 }
 
-/// The way of an exponential ramp within `u` of its slow end.
+/// Distance of an exponential ramp within `u` seconds of its slow end.
 double exponential_way(double v, double a0, double bend, double u) {
   return v * u + a0 / bend * (u + std::expm1(-bend * u) / bend);
 }
 
 }  // namespace
 
-/// How speed may change: the acceleration at a speed v is rate * (1 - fall * (v - base)).
+/// Law of acceleration: at speed v it is rate * (1 - fall * (v - base)).
 struct Profile::Law {
   double rate = 1, base = 0, fall = 0;
   RampShape shape = RampShape::linear;
@@ -39,7 +39,7 @@ struct Profile::Law {
       shape = RampShape::linear;
   }
   [[nodiscard]] double rate_at(double v) const { return rate * (1 - fall * (v - base)); }
-  /// Between two speeds, negative when the second is the lower one.
+  /// Distance between two speeds; negative if the second is lower.
   [[nodiscard]] double way(double v0, double v1) const {
     if (fall == 0) return (v1 * v1 - v0 * v0) / (2 * rate);
     const auto integral = [&](double v) {
@@ -56,7 +56,7 @@ struct Profile::Law {
 
 namespace {
 
-/// The highest speed up to `most` from which `way` is left for the way up and down. Straight ramps know it.
+/// The highest speed up to `most` whose ramps up and down fit into `way`. Linear ramps have a closed form.
 template <class Way>
 double peak_within(double way, double least, double most, const Way& up_and_down) {
   if (up_and_down(most) <= way) return most;
@@ -103,7 +103,7 @@ void Profile::hold(double to) { ramp(to, v_); }
 
 void Profile::ramp(double to, double v1) { ramp(to, v1, Law(Ramp(1, 1), 1, 0)); }
 
-/// From the speed here to `v1` at `to`: the shape is stretched in time until it fits.
+/// Ramps from the present speed to `v1` at `to`; the shape is stretched in time to fit.
 void Profile::ramp(double to, double v1, const Law& law) {
   if (to <= distance_) return;
   const double v0 = v_, from = distance_;
@@ -118,7 +118,8 @@ void Profile::ramp(double to, double v1, const Law& law) {
     const double fits = longer * law.time(low, high);
     return add_stretch(fits, to, v1, law.shape, law.rate_at(low) / longer, law.rate * law.fall / longer);
   }
-  // An S: twice the mean acceleration half way, none at both ends. It covers the way of the straight ramp.
+  // An S: twice the mean acceleration half way, none at both ends. It covers the same distance as the linear
+  // ramp.
   const double half = lasts / 2, jerk = 4 * rate / lasts;
   add_stretch(half, from + v0 * half + (v1 - v0) * lasts / 12, (v0 + v1) / 2, law.shape, 0, jerk);
   add_stretch(half, to, v1, law.shape, 2 * rate, -jerk);
@@ -172,7 +173,7 @@ Profile Profile::stop(Instant start, double from, Pps now, double decel) {
   const std::int64_t end = std::llround(from + now.value * now.value / (2 * decel));
   Profile p;
   p.start_ = start, p.from_ = p.distance_ = from, p.v_ = now.value;
-  // Less than half a step to go: the step under way is not made.
+  // Less than half a step left: the step under way is not made.
   const bool here = static_cast<double>(end) <= from;
   if (!here) p.ramp(static_cast<double>(end), 0);
   p.finish(here ? static_cast<std::int64_t>(std::floor(from)) : end);
@@ -212,7 +213,7 @@ Profile Profile::approach(Instant start, double from, Pps now, Pps wanted, doubl
     if (slowing + way_down(v1) <= way)
       p.ramp(from + slowing, v1, slow);
     else
-      v1 = v0;  // no room for it: straight down to the end
+      v1 = v0;  // no room: slows straight down to the end
   }
   if (to - way_down(v1) > p.distance_) p.ramp(to - way_down(v1), v1);
   p.ramp(to, std::min(base, p.v_), down);
@@ -276,11 +277,11 @@ Pps Profile::speed(Instant t) const {
 
 Pps Profile::final_speed() const { return Pps(v_); }
 
-/// Time within the stretch at which the distance is `d`.
+/// Time within the stretch at distance `d`.
 double Profile::Stretch::time_at(double d) const {
   if (shape == RampShape::linear) {
     const double rate = (v1 - v0) / lasts_s;
-    if (rate >= 0) {  // from its beginning, and from its end while slowing: neither loses digits near rest
+    if (rate >= 0) {  // from the beginning, or from the end while slowing: keeps precision near rest
       const double way = d - from;
       return 2 * way / (v0 + std::sqrt(v0 * v0 + 2 * rate * way));
     }
@@ -288,7 +289,7 @@ double Profile::Stretch::time_at(double d) const {
     return lasts_s - (rest > 0 ? 2 * rest / (v1 + std::sqrt(v1 * v1 - 2 * rate * rest)) : 0.0);
   }
   double low = 0, high = lasts_s, u = lasts_s * std::clamp((d - from) / (to - from), 0.0, 1.0);
-  for (int i = 0; i < 60 && high - low > 1e-13; ++i) {  // Newton, kept between bounds
+  for (int i = 0; i < 60 && high - low > 1e-13; ++i) {  // bounded Newton
     const double off = distance(u) - d;
     (off > 0 ? high : low) = u;
     const double v = speed(u), next = v > slowest ? u - off / v : low;
@@ -316,7 +317,7 @@ std::int64_t Profile::steps(Instant t) const {
   if (t < start_) return static_cast<std::int64_t>(std::floor(from_));
   auto k = static_cast<std::int64_t>(std::floor(distance(t)));
   const auto first = static_cast<std::int64_t>(std::floor(from_));
-  while (k > first && time_at(k) > t) --k;  // one step at most: makes steps() and time_at() agree
+  while (k > first && time_at(k) > t) --k;  // at most one step: keeps steps() and time_at() consistent
   while (k < length_ && time_at(k + 1) <= t) ++k;
   return k;
 }

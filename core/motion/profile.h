@@ -1,7 +1,6 @@
 #pragma once
-// A profile is a closed form of distance over time: stretches one after the other, each with the speed of its
-// ramp's shape.
-// Distance counts steps travelled, whatever the direction; the step `k` happens at one exact moment.
+// A profile is a closed form of distance over time: consecutive stretches, each with the speed curve of its
+// ramp. Distance counts steps travelled, whatever the direction; step `k` occurs at one exact time.
 //
 //   speed     slew
 //     |    ________
@@ -34,52 +33,52 @@ struct Ramp {
   double accel = 1, decel = 1;  ///< steps/s², the mean of an S-curve
   Pps start_speed;              ///< speed that needs no ramp
   RampShape shape = RampShape::linear;
-  double truncation = 0;  ///< parabolic: share of the acceleration that is gone at `top`, 0 to below 1
-  Pps top;                ///< parabolic: where that is; the profile's highest speed if that is higher
+  double truncation = 0;  ///< parabolic: share of the acceleration lost at `top`, 0 to below 1
+  Pps top;                ///< parabolic: speed of that; the profile's highest speed if higher
   Ramp(double up, double down, Pps start = Pps(0), RampShape form = RampShape::linear)
       : accel(up), decel(down), start_speed(start), shape(form) {}
 };
 
 class Profile {
  public:
-  /// Ends at once, having gone nowhere.
+  /// Ends at once, at distance 0.
   Profile() = default;
   /// From rest over `length` steps to rest.
   static Profile index(Instant start, std::int64_t length, Pps slew, const Ramp& ramp);
-  /// At `start` the distance is `from` and the speed `now`; goes to `wanted` and keeps it up to `end`.
+  /// At `start` the distance is `from` and the speed `now`; changes to `wanted` and keeps it up to `end`.
   static Profile change(Instant start, double from, Pps now, Pps wanted, const Ramp& ramp, std::int64_t end);
-  /// Down to rest on the whole step nearest to the natural stopping point.
+  /// Slows to rest on the whole step nearest to the natural stopping point.
   static Profile stop(Instant start, double from, Pps now, double decel);
-  /// Down to rest after exactly `length` more steps, at whatever constant rate that takes.
+  /// Slows to rest after exactly `length` more steps, at the constant rate needed.
   static Profile stop_within(Instant start, double from, Pps now, std::int64_t length);
 
   [[nodiscard]] Instant start() const { return start_; }
   [[nodiscard]] Instant end() const { return end_; }
-  /// Steps in all when it has ended.
+  /// Total steps at the end.
   [[nodiscard]] std::int64_t length() const { return length_; }
   [[nodiscard]] double distance(Instant t) const;
   [[nodiscard]] Pps speed(Instant t) const;
   [[nodiscard]] Pps final_speed() const;
   /// Whole steps made up to and including `t`.
   [[nodiscard]] std::int64_t steps(Instant t) const;
-  /// When step `k` is made: at the start for what lies behind it, at the end for all beyond the end.
+  /// Time of step `k`: the start for steps before it, the end for steps beyond it.
   [[nodiscard]] Instant time_at(std::int64_t k) const;
-  /// When the way down to rest begins, if it ends at rest.
+  /// Begin of the last slowing down; none: it does not end at rest.
   [[nodiscard]] std::optional<Instant> slows_at() const;
 
-  /// At `start` the distance is `from` and the speed `now`; goes to `wanted` at `ramp.accel` or, when that is
-  /// slower, `change_down`, keeps it, and comes down to `ramp.start_speed` at `end`. Where the way is too
-  /// short the peak is lower, or the way down as steep as it must be.
+  /// At `start` the distance is `from` and the speed `now`; changes to `wanted` at `ramp.accel` or, if that
+  /// is slower, `change_down`, keeps it, and slows to `ramp.start_speed` at `end`. If the distance is too
+  /// short, the peak is lower or the deceleration as steep as needed.
   static Profile approach(Instant start, double from, Pps now, Pps wanted, double change_down,
                           const Ramp& ramp, std::int64_t end);
-  /// Down to `ramp.start_speed`, then at rest at once, on the whole step nearest to where that is.
+  /// Slows to `ramp.start_speed`, then rests at once, on the nearest whole step.
   static Profile ramp_down(Instant start, double from, Pps now, const Ramp& ramp);
   /// `length` steps at one speed from the first to the last.
   static Profile constant(Instant start, double from, Pps speed, std::int64_t end);
 
   [[nodiscard]] Phase phase(Instant t) const;
 
-  /// A distance that no motion reaches: for moves without an end of their own.
+  /// A distance that no motion reaches: for moves without an end.
   static constexpr std::int64_t endless = std::int64_t{1} << 50;
 
  private:
@@ -102,7 +101,7 @@ class Profile {
 
   Instant start_{}, end_{};
   std::int64_t length_ = 0;
-  double from_ = 0, v_ = 0, distance_ = 0, time_ = 0;  ///< where it begins; where the next stretch begins
+  double from_ = 0, v_ = 0, distance_ = 0, time_ = 0;  ///< begin of the profile; begin of the next stretch
   std::array<Stretch, 5> stretches_{};
   int count_ = 0;
 };

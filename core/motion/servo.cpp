@@ -8,8 +8,8 @@
 namespace hw::motion {
 namespace {
 
-constexpr double furthest = 1e15;  // counts; keeps the whole part defined
-constexpr double slow = 1e-9;      // counts/s; below that it stands
+constexpr double furthest = 1e15;  // counts; keeps conversion to integer defined
+constexpr double slow = 1e-9;      // counts/s; below: at rest
 
 constexpr double derivative_scale = 8, acceleration_scale = 64, integral_scale = 1.0 / 256;
 
@@ -44,7 +44,7 @@ bool MotorModel::still_at(double volts) const {
   return jammed_ || (speed_ == 0 && std::abs(torque) <= motor_.friction);
 }
 
-/// v' = accel - decay v, over `s` seconds in which the direction does not change.
+/// v' = accel - decay v, over `s` seconds without a change of direction.
 void MotorModel::coast(double accel, double s) {
   if (decay_ * s < 1e-9) {
     place_ += s * (speed_ + accel * s / 2);
@@ -60,7 +60,7 @@ void MotorModel::turn(double volts, double s) {
   torque_ = std::clamp(volts * motor_.torque_per_volt, -motor_.torque_limit, motor_.torque_limit);
   if (jammed_) return;
   const double push = torque_ * accel_per_nm_;
-  // Twice at most: up to where it stands, and on from there.
+  // At most two parts: until it stands, and on from there.
   for (int part = 0; part < 2 && s > 0; ++part) {
     if (speed_ == 0 && std::abs(push) <= drag_) return;
     const double way = speed_ != 0 ? std::copysign(1.0, speed_) : std::copysign(1.0, push);
@@ -108,7 +108,7 @@ void ServoLoop::tick(double command, double period_s) {
   fresh_ = false;
   command_ = command, command_speed_ = speed, error_ = error;
   double wanted = closed_ ? filtered(change, speed, accel) : 0;
-  if (std::isnan(wanted)) wanted = 0;  // endless gains against each other
+  if (std::isnan(wanted)) wanted = 0;  // infinite gains of opposite sign
   const int before = output_;
   output_ = static_cast<int>(std::lround(std::clamp<double>(wanted, -output_limit, output_limit)));
   const bool summing = closed_ && gains.ki != 0 && error != 0;

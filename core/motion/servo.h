@@ -1,19 +1,19 @@
 #pragma once
-// A servo axis in fixed ticks: a sampled PID that drives a motor through an analog output. The only thing in
-// the house that steps in time; between two ticks the output is held and the motor moves in closed form.
+// A servo axis in fixed ticks: a sampled PID that drives a motor through an analog output. It is the only
+// simulation with time steps; between two ticks the output is held and the motor moves in closed form.
 //
 //   error  = command - encoder                                      counts
 //   sum   += error, once in 2^KN updates, as long as the output can follow
 //   output = KP error + 8 KD change(error) + KI sum / 256           steps of the converter, 0x800 = 10 V
 //          + 8 KV speed + 64 KA acceleration + KO                   counts/update, counts/update²
 //
-// servo_output() is this law, for whoever needs it: the loop here, and the console's guess at the output of a
-// board that does not tell it (servo_watch.h).
+// servo_output() is this law, for the loop here and for the console's estimate of the output of a board that
+// does not report it (servo_watch.h).
 //
-// The scale makes the data sheet's example (KP2 KD6, first example) a quiet loop for the motor that `Motor()`
-// describes, with an update each millisecond. That motor gains 6,200 counts/s² for each step of the
-// converter, loses its speed in 0.1 s when left alone, and sticks below 4 steps. What a jump of the command
-// by 200 or 1000 counts does with it (tests/core/motion/servo_test.cpp):
+// The scale makes the data sheet's example (KP2 KD6, first example) a quiet loop for the motor of `Motor()`,
+// with an update each millisecond. That motor gains 6,200 counts/s² for each step of the converter, loses its
+// speed in 0.1 s when left alone, and sticks below 4 steps. Response to a jump of the command by 200 or 1000
+// counts (tests/core/motion/servo_test.cpp):
 //
 //   KP2 KD6       no overshoot, within 2% after 0.1 s, stands up to 2 counts off: dry friction holds it
 //   KP4 KD6 KI4   under 5% overshoot, crossed once, and the sum pulls in the last counts within seconds
@@ -38,14 +38,14 @@ struct ServoGains {
 inline constexpr double output_steps_per_volt = 204.8;  ///< 12 bits over +-10 V
 inline constexpr int output_limit = 2047;
 
-/// What one update of the loop works with, in counts and updates.
+/// Inputs of one update of the loop, in counts and updates.
 struct ServoTerms {
   double error = 0, change = 0, sum = 0;
   double speed = 0, acceleration = 0;  ///< of the command
 };
-/// Steps of the converter, before they are rounded and cut at output_limit.
+/// Steps of the converter, before rounding and clamping to output_limit.
 double servo_output(const ServoGains& gains, const ServoTerms& terms);
-/// The sum goes no further than the output can follow.
+/// The sum, limited to what the output can follow.
 double bounded_sum(const ServoGains& gains, double sum);
 
 /// A motor with its load and amplifier, turning freely. State in counts of its encoder.
@@ -54,11 +54,11 @@ class MotorModel {
   MotorModel() { set(Motor()); }
   explicit MotorModel(const Motor& motor) { set(motor); }
 
-  /// Takes effect at once; where it stands and how fast it turns stays.
+  /// Takes effect at once; position and speed are kept.
   void set(const Motor& motor);
   [[nodiscard]] const Motor& motor() const { return motor_; }
 
-  /// What the shaft does in `s` seconds at so many volts. A jammed one does nothing.
+  /// Turns the shaft for `s` seconds at `volts`. A jammed shaft does not move.
   void turn(double volts, double s);
   [[nodiscard]] std::int64_t counts() const;
   [[nodiscard]] double speed() const { return speed_; }    ///< counts/s, signed
@@ -88,18 +88,17 @@ class ServoLoop {
   /// Closed: the error decides; open: the output is 0 and the shaft is free.
   void close(bool on);
   [[nodiscard]] bool closed() const { return closed_; }
-  /// One update: the motor has turned by the output of the last one; samples encoder and command, and sets
-  /// the output anew.
+  /// One update: turns the motor by the last output, samples encoder and command, and sets the new output.
   void tick(double command, double period_s);
-  /// More updates with the same command would change nothing, so none needs to be made.
+  /// Further updates with the same command change nothing and may be skipped.
   [[nodiscard]] bool at_rest() const { return at_rest_; }
-  /// Command and shaft have been renumbered together.
+  /// Shifts the counts of command and shaft together.
   void shift(double counts);
-  /// Something has changed that a loop at rest must look at.
+  /// Call when something has changed that ends at_rest().
   void wake() { at_rest_ = false; }
 
   [[nodiscard]] std::int64_t error() const { return error_; }
-  /// Of the command, counts between the latest two updates.
+  /// Of the command, in counts between the latest two updates.
   [[nodiscard]] double command_speed() const { return command_speed_; }
   [[nodiscard]] int output() const { return output_; }  ///< steps of the converter
   [[nodiscard]] double volts() const { return output_ / output_steps_per_volt; }

@@ -1,8 +1,8 @@
 #pragma once
-// The output of a servo loop worked out from outside, for a controller that does not tell it: looks at
-// command and encoder, and puts what they say through the law of servo.h. It is no measurement. Between two
-// looks the loop has been updated some times and only the mean change is seen; a KI sum from before the first
-// look, and fractions of gains that the controller hides, are not in it.
+// Estimates the output of a servo loop for a controller that does not report it, from command and encoder by
+// the law of servo.h. Not a measurement: the loop is updated several times between two looks, of which only
+// the mean change is seen. A KI sum from before the first look, and fractions of gains that the controller
+// hides, are missing.
 #include <cstdint>
 
 #include "core/motion/servo.h"
@@ -12,9 +12,9 @@ namespace hw::motion {
 
 class ServoWatch {
  public:
-  /// The next look() is the first one.
+  /// Resets: the next look() is the first.
   void start() { *this = ServoWatch(); }
-  /// `speed`: commanded, counts/s, without sign. Gives steps of the converter, within +-output_limit.
+  /// `speed`: commanded, counts/s, without sign. Returns steps of the converter, within +-output_limit.
   double look(const ServoGains& gains, Duration update_period, Instant at, std::int64_t command,
               std::int64_t encoder, double speed);
 

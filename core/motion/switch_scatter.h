@@ -1,6 +1,6 @@
 #pragma once
-// How well the switches of an axis repeat: each acts a little before or behind its place, elsewhere at each
-// approach. The same seed gives the same series.
+// Repeatability of an axis' switches: at each approach a switch acts at another offset from its place. The
+// same seed gives the same series.
 #include <array>
 #include <cstdint>
 
@@ -10,7 +10,7 @@ class SwitchScatter {
  public:
   enum class Of : std::uint8_t { minus, plus, home, index };
 
-  /// From the first number of the series on. Reach 0: all act where they stand.
+  /// Restarts the series. Reach 0: all switches act at their places.
   void begin(std::int64_t reach, std::int64_t seed) {
     *this = SwitchScatter();
     reach_ = reach;
@@ -18,7 +18,7 @@ class SwitchScatter {
   }
   [[nodiscard]] std::int64_t reach() const { return reach_; }
 
-  /// How far from its place it acts at this approach, or at the next.
+  /// Offset from its place at this approach, or at the next.
   [[nodiscard]] std::int64_t shift(Of which, bool next = false) const {
     if (reach_ <= 0) return 0;
     const Approach& a = approaches_[static_cast<std::size_t>(which)];
@@ -26,8 +26,8 @@ class SwitchScatter {
     const auto values = static_cast<std::uint64_t>(2 * reach_ + 1);
     return static_cast<std::int64_t>(mixed(mixed(seed_) + turn) % values) - reach_;
   }
-  /// The load has moved. An approach is over when the switch has acted and the load has left the whole band
-  /// in which it might have: until then nothing changes, so that it never chatters.
+  /// Call when the load has moved. An approach ends when the switch has acted and the load has left the whole
+  /// band in which it may act. Until then the offset stays, so that the switch never chatters.
   void moved(Of which, bool acts, bool clear_of_band) {
     Approach& a = approaches_[static_cast<std::size_t>(which)];
     a.acted = a.acted || acts;
@@ -45,7 +45,7 @@ class SwitchScatter {
     bool acted = false;
   };
 
-  /// SplitMix64: each number of the series comes from its place alone, in every build.
+  /// SplitMix64: each number depends only on its index in the series, in every build.
   static constexpr std::uint64_t mixed(std::uint64_t x) {
     x += 0x9E3779B97F4A7C15u;
     x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;

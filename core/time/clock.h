@@ -1,5 +1,5 @@
 #pragma once
-// Time as the whole house counts it: nanoseconds since the scheduler's start, real or virtual.
+// Time as the whole program counts it: nanoseconds since the scheduler's start, real or virtual.
 #include <chrono>
 #include <cstdint>
 

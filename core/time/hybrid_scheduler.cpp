@@ -28,7 +28,7 @@ void HybridScheduler::settle() {
 HybridScheduler::Turn HybridScheduler::run_until(Instant until, const std::function<bool()>& done) {
   if (!real_) {
     const Turn turn = virtual_turns(until, done);
-    if (!real_) return turn;  // else time became real on the way
+    if (!real_) return turn;  // else time became real meanwhile
   }
   return real_turns(until, done);
 }
@@ -47,7 +47,7 @@ HybridScheduler::Turn HybridScheduler::virtual_turns(Instant until, const std::f
   return Turn::time;
 }
 
-/// What is ready, until an alarm is due: a device that babbles always has something ready.
+/// Runs ready work until an alarm is due, as a babbling device always has some.
 void HybridScheduler::work_until_alarm(Instant until) {
   while (io().poll_one() > 0) {
     const Instant due = has_alarms() ? std::min(until, first_alarm()) : until;

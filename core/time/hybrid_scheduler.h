@@ -13,19 +13,19 @@ class HybridScheduler final : public Scheduler {
 
   [[nodiscard]] Instant now() const override;
   [[nodiscard]] bool is_real() const { return real_; }
-  /// From here on now() follows the wall clock. There is no way back.
+  /// From here on now() follows the wall clock. It cannot be undone.
   void go_real();
 
   enum class Turn {
-    done,   ///< `done` answered true
+    done,   ///< `done` returned true
     time,   ///< `until` is reached
-    stuck,  ///< virtual time, and nothing will ever happen again
+    stuck,  ///< virtual time, and nothing is left to happen
   };
   /// Runs work and alarms. Virtual time stands still while work runs; wall-clock time waits for bytes too.
   Turn run_until(Instant until, const std::function<bool()>& done);
 
  private:
-  void first_alarm_moved() override {}  // looked at in every turn
+  void first_alarm_moved() override {}  // checked in every turn
   void settle();
   void work_until_alarm(Instant until);
   Turn virtual_turns(Instant until, const std::function<bool()>& done);

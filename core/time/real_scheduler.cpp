@@ -9,8 +9,8 @@ Instant RealScheduler::now() const {
   return Instant(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - start_));
 }
 
-// The kernel timer is only ever moved earlier; a disarmed alarm is left to fire for nothing. Most alarms are
-// deadlines that never come, so this saves two system calls per transaction.
+// The kernel timer is only moved earlier; a disarmed alarm fires without effect. Most alarms are deadlines
+// that never come, so this saves two system calls per transaction.
 void RealScheduler::first_alarm_moved() {
   if (first_alarm() >= waiting_for_) return;
   wait();

@@ -1,6 +1,6 @@
 #pragma once
-// Everything that waits (links, drivers, emulators, scripts) waits on a Scheduler, whose time is real or
-// virtual. One thread, the io thread, runs it and all that hangs on it.
+// Links, drivers, emulators and scripts wait on a Scheduler, whose time is real or virtual. One thread, the
+// io thread, runs it and all of them.
 #include <functional>
 #include <vector>
 
@@ -72,13 +72,13 @@ class Scheduler {
 class Event {
  public:
   explicit Event(Scheduler& scheduler) : scheduler_(scheduler) {}
-  ~Event();  ///< wakes whoever still waits; they must not touch the event again
+  ~Event();  ///< wakes all waiters; they must not touch the event again
   Event(const Event&) = delete;
   Event& operator=(const Event&) = delete;
   /// True: notify() came. False: the deadline passed first.
   Task<bool> wait_until(Instant deadline);
   Task<> wait();
-  /// Wakes all that wait now. Nobody waiting: nothing is remembered.
+  /// Wakes all present waiters. Not remembered if there is none.
   void notify();
 
  private:

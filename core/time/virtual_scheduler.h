@@ -3,8 +3,8 @@
 
 namespace hw {
 
-/// Time that stands still until it is moved. Everything posted runs to its end before time goes on, so a
-/// whole session replays in the same order every time.
+/// Time that stands still until it is moved. Posted work runs to its end before time goes on, so that a
+/// session replays in the same order every time.
 class VirtualScheduler final : public Scheduler {
  public:
   explicit VirtualScheduler(IoContext& io) : Scheduler(io) {}
@@ -13,7 +13,7 @@ class VirtualScheduler final : public Scheduler {
   /// Runs all work and alarms up to `until`; afterwards now() == until.
   void run_until(Instant until);
   void run_for(Duration d) { run_until(now_ + d); }
-  /// Runs until `done` answers true or `until` is reached; true if done.
+  /// Runs until `done` returns true or `until` is reached; true if done.
   bool run_until(Instant until, const std::function<bool()>& done);
 
  private:

@@ -68,7 +68,7 @@ TEST(BenchFile, GivesAServoAxisAMotor) {
   EXPECT_EQ(complaint("[axis.1]\nmotor = {inertia = 0}\n").substr(0, 45),
             "b.toml:2:20: inertia must be a number from 1e");
   EXPECT_EQ(complaint("[axis.1]\nmotor = 3\n").substr(0, 54),
-            "b.toml:2:9: motor, where it is no table, must be true ");
+            "b.toml:2:9: motor, unless it is a table, must be true ");
 }
 
 TEST(BenchFile, SetsInputsAnalogAndQuirks) {

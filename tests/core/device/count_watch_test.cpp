@@ -80,6 +80,69 @@ TEST_F(CountWatchTest, SoDoMotionsProgramsRestartsAndMissingAnswers) {
   EXPECT_TRUE(explained([&] { ++now.link.timeouts; }, [] {}));
 }
 
+/// A move from 5000 to 9000 at 1000 a second, looked at five times a second.
+class CountWatchInFlight : public CountWatchTest {
+ protected:
+  void SetUp() override {
+    CountWatchTest::SetUp();
+    axis.activity = Activity::moving;
+    axis.has_target = true;
+    axis.target = Steps(9000);
+    axis.speed = Pps(1000);
+    for (; at < 6000; at += 200) EXPECT_EQ(reads(at), 0u);
+  }
+  std::int64_t at = 5000;
+};
+
+TEST_F(CountWatchInFlight, ACountThatIsSetDuringAMoveIsTold) {
+  std::uint32_t told = 0;
+  for (std::int64_t place = 0; place < 2000; place += 200) told |= reads(place);
+  EXPECT_EQ(told, 1u);
+}
+
+TEST_F(CountWatchInFlight, ASmallLeapIsToldEitherWay) {
+  for (const int leap : {-300, -700, 400, 700}) {
+    watch.disturbed();
+    for (at = 5000; at < 6000; at += 200) EXPECT_EQ(reads(at), 0u);
+    EXPECT_EQ(reads(at + leap, 1), 0u) << "it may be spoilt";
+    std::uint32_t told = 0;
+    for (at += 200; at < 7400; at += 200) told |= reads(at + leap);
+    EXPECT_EQ(told, 1u) << leap;
+  }
+}
+
+TEST_F(CountWatchInFlight, AMoveThatIsTurnedRoundIsNone) {
+  for (; at > 2000; at -= 200) EXPECT_EQ(reads(at), 0u) << "by another program";
+  EXPECT_EQ(reads(at, 3), 0u);
+}
+
+TEST_F(CountWatchInFlight, OneSpoiltReadingAsItSlowsDownIsNone) {
+  const std::int64_t places[] = {6000, 5700, 6340, 6480, 6600, 6700, 6780, 6840, 6880, 6900, 6900, 6900};
+  for (const std::int64_t place : places) EXPECT_EQ(reads(place), 0u) << place;
+}
+
+TEST_F(CountWatchInFlight, TheMoveItselfIsNone) {
+  for (; at < 9000; at += 200) EXPECT_EQ(reads(at), 0u);
+  EXPECT_EQ(reads(9000, 5), 0u);
+  axis.activity = Activity::idle, axis.has_target = false;
+  EXPECT_EQ(reads(9000, 20), 0u);
+}
+
+TEST_F(CountWatchInFlight, SpoiltReadingsAreNone) {
+  for (; at < 9000; at += 400) {
+    EXPECT_EQ(reads(at % 1000), 0u) << "its first digit was lost";
+    EXPECT_EQ(reads(at + 200), 0u);
+  }
+}
+
+TEST_F(CountWatchInFlight, AHomeSearchOrAProgramMaySetIt) {
+  axis.activity = Activity::homing;
+  EXPECT_EQ(reads(0, 20), 0u);
+  axis.activity = Activity::moving;
+  now.program.run = RunState::running, now.program.owned = true;
+  EXPECT_EQ(reads(5000, 20), 0u);
+}
+
 TEST_F(CountWatchTest, WhatAnEncoderCountsMayBeTurnedByHand) {
   axis.in_counts = true;
   EXPECT_EQ(reads(0, 20), 0u);

@@ -19,12 +19,12 @@ class DriverStage : public testing::Test {
  protected:
   /// With `catalog` and `loop` in place; `type` outlives the stage.
   void open(const DeviceType& type) {
-    Pump::Ways ways;
-    ways.open_wire = [this]() -> Task<Result<std::shared_ptr<Link>>> { return open_wire(); };
-    ways.publish = [this](const Snapshot& s) { latest = s; };
-    ways.notify = [this](Notice n) { notices.push_back(std::move(n)); };
-    ways.traffic = &traffic;
-    pump = std::make_unique<Pump>(time, type, catalog, std::move(ways));
+    Pump::Callbacks callbacks;
+    callbacks.open_wire = [this]() -> Task<Result<std::shared_ptr<Link>>> { return open_wire(); };
+    callbacks.publish = [this](const Snapshot& s) { latest = s; };
+    callbacks.notify = [this](Notice n) { notices.push_back(std::move(n)); };
+    callbacks.traffic = &traffic;
+    pump = std::make_unique<Pump>(time, type, catalog, std::move(callbacks));
     pump->start();
     run_until([&] { return latest.link.state != LinkState::connecting; }, 5);
     run(0.3);

@@ -150,13 +150,13 @@ struct PumpTest : testing::Test {
 
   void SetUp() override {
     type.make_driver = &make_toy;
-    Pump::Ways ways;
-    ways.open_wire = [this] { return open(); };
-    ways.publish = [this](const Snapshot& s) { latest = s; };
-    ways.notify = [this](Notice n) { notices.push_back(std::move(n.text)); };
-    ways.traffic = &traffic;
-    ways.recorded = [this] { ++recorded; };
-    pump = std::make_unique<Pump>(time, type, catalog, std::move(ways));
+    Pump::Callbacks callbacks;
+    callbacks.open_wire = [this] { return open(); };
+    callbacks.publish = [this](const Snapshot& s) { latest = s; };
+    callbacks.notify = [this](Notice n) { notices.push_back(std::move(n.text)); };
+    callbacks.traffic = &traffic;
+    callbacks.recorded = [this] { ++recorded; };
+    pump = std::make_unique<Pump>(time, type, catalog, std::move(callbacks));
     pump->start();
     time.run_for(Millis(1));
   }
@@ -282,7 +282,7 @@ TEST_F(PumpTest, AJogThatNobodyHoldsIsStopped) {
   EXPECT_THAT(commands(), ElementsAre("hello", "jog"));
   time.run_for(Millis(2));
   EXPECT_THAT(commands(), ElementsAre("hello", "jog", "stop"));
-  EXPECT_THAT(notices, ElementsAre(HasSubstr("did not hold the jog")));
+  EXPECT_THAT(notices, ElementsAre(HasSubstr("no longer held the jog")));
 }
 
 struct PumpClosing : PumpTest {
@@ -425,7 +425,7 @@ TEST_F(PumpTest, WhatStillRunsWhenAnOwedStopComesThroughIsTold) {
   time.run_for(std::chrono::seconds(2));
   silent = false;
   time.run_for(Millis(400));
-  EXPECT_THAT(notices, testing::Contains(HasSubstr("a stop was on its way")));
+  EXPECT_THAT(notices, testing::Contains(HasSubstr("a stop was being sent")));
   machine.deaf_to_stops = false;
   time.run_for(Millis(100));
   EXPECT_FALSE(machine.moves);

@@ -161,7 +161,7 @@ TEST(LinkDoctor, NamesEchoSecondAnswersLossesAndTheOtherProgram) {
   std::string all;
   for (const LinkFinding& finding : examine_link(f))
     if (finding.state == State::wrong) all += finding.what + "\n";
-  EXPECT_THAT(all, HasSubstr("The console hears its own bytes"));
+  EXPECT_THAT(all, HasSubstr("The console receives its own bytes"));
   EXPECT_THAT(all, HasSubstr("Two answers came to one question"));
   EXPECT_THAT(all, HasSubstr("8 of 40 questions got no answer"));
   EXPECT_THAT(all, HasSubstr("minicom (process 4182) has the port open too"));

@@ -129,7 +129,7 @@ TEST_F(LinkTest, WhatComesBeforeTheReplyIsHandedOver) {
   station.unsolicited = [&](std::string_view bytes) { return unsolicited += bytes, bytes.size(); };
   Answer answer;
   Transaction t("X", ReplyShape::line(), Priority::poll);
-  t.stranger = [](std::string_view received) -> std::size_t {
+  t.unsolicited_length = [](std::string_view received) -> std::size_t {
     if (received.front() != ':') return received.front() == '+' ? 0 : 1;
     const auto end = received.find('.');
     return end == received.npos ? end : end + 1;
