@@ -58,7 +58,7 @@ Task<Result<>> Actions::act(intent::Act wish) {
   co_return Result<>();
 }
 
-// Positions stay as they are; the target of StepNLoop becomes the place where the axis stands.
+// Positions stay as they are; the target of StepNLoop becomes the present place of the axis.
 Task<Result<>> Actions::clear_errors(std::string_view form, int axis) {
   const bool all = axis < 0 || console_.axes() == 1;
   std::string text = all ? std::string(form.substr(0, form.find('a'))) : fill(console_.forms, form, axis);
@@ -71,7 +71,7 @@ Task<Result<>> Actions::clear_errors(std::string_view form, int axis) {
   co_return co_await status_.read_loops(Priority::intent);
 }
 
-// The ramp takes the acceleration time: one that is given is written for this change and put back.
+// The ramp takes the acceleration time: a given one is written for this change and restored.
 Task<Result<>> Actions::change_speed(int axis, std::int64_t speed, std::int64_t accel_ms) {
   if (accel_ms > 0) {
     std::string name(console_.forms.accel);
@@ -105,10 +105,11 @@ Task<Result<>> Actions::change_target(int axis, std::int64_t target) {
   co_return Result<>();
 }
 
-// The controller wants to be told where the arc ends, as an angle from its - side of X on and with the clock;
-// it follows from where the axes stand.
+// The controller needs the end of the arc as an angle, clockwise from the minus side of X; it follows from
+// the present positions.
 Task<Result<>> Actions::draw_arc(std::int64_t centre_x, std::int64_t centre_y, std::int64_t sweep) {
-  if (sweep == 0) co_return fail(FaultKind::refused, "An arc of 0 degrees is none.", "Nothing was sent.");
+  if (sweep == 0)
+    co_return fail(FaultKind::refused, "An arc must sweep more than 0 degrees.", "Nothing was sent.");
   auto incremental = co_await moves_.ask_incremental();
   if (!incremental) co_return fail(incremental.error());
   if (*incremental)

@@ -1,5 +1,5 @@
 #pragma once
-// The catalog's actions: what these controllers can be told beside the verbs of all controllers.
+// The catalog's actions: commands of these controllers beyond those that all controllers share.
 #include <cstdint>
 #include <string_view>
 #include <vector>

@@ -22,7 +22,7 @@ Result<int> id_option(const DeviceOptions& options, const Model& model) {
                 fmt::format("id={} speaks to every {} on the line, and none answers.", text, model.title),
                 "Nothing was opened.", "Give the two digits of one device's name, 01 to 99.");
   }
-  return fail(FaultKind::text, fmt::format("id={} is no device address.", text), "Nothing was opened.",
+  return fail(FaultKind::text, fmt::format("id={} is not a device address.", text), "Nothing was opened.",
               fmt::format("Give the last two digits of the device name: id={:02} for {}{:02}.",
                           factory_id(model), model.name_prefix, factory_id(model)));
 }

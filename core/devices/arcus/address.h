@@ -1,5 +1,5 @@
 #pragma once
-// The two digits by which a device on a line is spoken to.
+// The two-digit address of a device on a line.
 #include <string>
 
 #include "core/device/registry.h"

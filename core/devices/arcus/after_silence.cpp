@@ -15,14 +15,14 @@ Task<Result<>> AfterSilence::look() {
     seen.error().done = "Nothing was sent.";
   }
   if (!seen) co_return seen;
-  co_return fail(FaultKind::refused, "The controller was switched off and on, and stands otherwise now.",
-                 "Nothing was sent.", "Look at its positions before you ask again.");
+  co_return fail(FaultKind::refused, "The controller was switched off and on, and is in another state now.",
+                 "Nothing was sent.", "Check its positions before you try again.");
 }
 
-// A stop that nobody answered when the wire was lost explains no zero; motor power that was to be switched
-// may have been.
+// An unanswered stop when the wire was lost explains no zero; an unanswered switching of motor power may have
+// been done.
 Task<Result<>> AfterSilence::look_back_over_the_loss() {
-  if (watch_.program_ran()) threads_.program_runs();  // until a moment ago, perhaps
+  if (watch_.program_ran()) threads_.program_runs();  // perhaps until just now
   watch_.settle();
   const RestartWatch::Look look = watch_.begin_look();
   watch_.look_at_counters(look, true);

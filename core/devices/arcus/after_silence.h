@@ -1,6 +1,6 @@
 #pragma once
-// Where an answer was missing since the last look, whatever goes out next might hide a restart: an axis that
-// moves does not stand at zero. So it is looked at first.
+// After a missed reply the next command could hide a restart, because an axis that moves no longer reads
+// zero. So the state is read first.
 #include "core/devices/arcus/lines.h"
 #include "core/devices/arcus/motion_status.h"
 #include "core/devices/arcus/threads.h"
@@ -13,9 +13,9 @@ class AfterSilence {
                Lines& lines)
       : console_(console), watch_(watch), status_(status), threads_(threads), lines_(lines) {}
 
-  /// Before anything goes out. What was asked for meant the controller as it was before.
+  /// Call before anything is sent. A fault after a restart: the command was meant for the earlier state.
   Task<Result<>> look();
-  /// When the wire has come back and the state was read.
+  /// Call once the wire is back and the state was read.
   Task<Result<>> look_back_over_the_loss();
 
  private:

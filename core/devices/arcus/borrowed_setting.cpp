@@ -48,7 +48,7 @@ Task<Result<>> BorrowedSetting::give_back_last() {
   co_return set;
 }
 
-// A digit that is doubled on its way is no less a number, and nobody looks at this one before the next
+// A digit doubled on the line still leaves a number, and this setting is not read again before the next
 // motion.
 Task<Result<>> BorrowedSetting::put_back(Borrowed setting) {
   constexpr int attempts = 3;
@@ -63,7 +63,7 @@ Task<Result<>> BorrowedSetting::put_back(Borrowed setting) {
   }
   co_return fail(FaultKind::garbled,
                  fmt::format("{} does not become {} again.", setting.name, setting.before),
-                 fmt::format("It was set {} times.", attempts), "Look at the cable.");
+                 fmt::format("It was set {} times.", attempts), "Check the cable.");
 }
 
 Task<Result<>> BorrowedSetting::give_back_first() {
@@ -71,7 +71,7 @@ Task<Result<>> BorrowedSetting::give_back_first() {
   if (returned || !worth_another_try(returned.error())) co_return returned;
   Fault why = std::move(returned.error());
   why.kind = FaultKind::refused;
-  why.done = "The setting of the last motion is not put back yet; nothing else was sent.";
+  why.done = "The setting of the last motion has not been put back yet; nothing else was sent.";
   co_return fail(std::move(why));
 }
 

@@ -1,6 +1,5 @@
 #pragma once
-// Settings that are written for one motion, and put back behind it: at once, or as soon as a stop or a lost
-// wire lets it.
+// Settings written for one motion and restored after it: at once, or as soon as a stop or a lost wire allows.
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -13,23 +12,23 @@ namespace hw::arcus {
 
 class BorrowedSetting {
  public:
-  /// `given_back` is told the name: it was read with the borrowed value, perhaps.
+  /// `given_back` gets the name: the last reading may be the borrowed value.
   BorrowedSetting(Conversation& talk, std::function<void(std::string_view name)> given_back)
       : talk_(talk), given_back_(std::move(given_back)) {}
 
-  /// `shown`: what it is, as far as is known. What it is read as is what is put back.
+  /// `shown`: the value last known. The value read now is the one restored later.
   Task<Result<>> borrow(std::string name, std::int64_t value, std::optional<std::int64_t> shown);
   Task<Result<>> give_back();
-  /// Before anything that it would act on, or store.
+  /// Call before anything that a borrowed setting would affect, or that would store it.
   Task<Result<>> give_back_first();
   [[nodiscard]] bool is_out() const { return !borrowed_.empty(); }
-  /// Whoever has set it since the wire was lost is right.
+  /// After a lost wire: a value set by another host since then stays.
   void leave_alone() {
     for (Borrowed& one : borrowed_) one.left_alone = true;
   }
-  /// The controller has forgotten it.
+  /// The controller has restarted and lost the setting.
   void forget() { borrowed_.clear(); }
-  /// What somebody must do when the console goes now; empty: nothing.
+  /// What the user must do if the console exits now; empty: nothing.
   [[nodiscard]] std::string leaves_behind() const;
 
  private:
@@ -38,7 +37,7 @@ class BorrowedSetting {
     std::int64_t before, for_now;
     bool left_alone = false;
   };
-  /// A stop that comes first leaves it among the borrowed.
+  /// If a stop comes first, the setting stays borrowed.
   Task<Result<>> give_back_last();
   Task<Result<>> put_back(Borrowed setting);
   Conversation& talk_;

@@ -229,9 +229,9 @@ void add_common_readouts(Catalog& catalog, const Model& model) {
   add_readouts(catalog, model, latches, "LTaS",
                state_words("Latch", {{0, "off"}, {1, "waiting"}, {2, "captured"}},
                            "An edge at its input captures both positions once."));
-  add_readouts(catalog, model, latches, "LTaP",
-               value_readout("Captured pulses", "pulses",
-                             "Position at the edge. Means nothing while StepNLoop is on."));
+  add_readouts(
+      catalog, model, latches, "LTaP",
+      value_readout("Captured pulses", "pulses", "Position at the edge. Meaningless while StepNLoop is on."));
   add_readouts(catalog, model, latches, "LTaE",
                value_readout("Captured counts", "counts", "Position of the encoder at the edge."));
   add_readouts(catalog, model, sync_outputs, "SYNaS",
@@ -274,7 +274,7 @@ struct CommonActions {
     actions.back().sets_to = 1;
   }
 
-  /// One for the changes of all axes: it is seldom another than the ramp that is set.
+  /// One field for the changes of all axes: the ramp seldom differs from the one set.
   [[nodiscard]] ActionField accel_field() const {
     ActionField f = number_field("accel", "Ramp of a change, 0: as set", "ms", 0, longest_ramp_ms(model));
     f.for_all_rows = true;

@@ -1,5 +1,5 @@
 #pragma once
-// What the catalogs of both models have in common. Each model's catalog.cpp adds what is its own.
+// The common part of both models' catalogs. Each model's catalog.cpp adds its own.
 #include "core/device/registry.h"
 #include "core/devices/arcus/catalog_params.h"
 
@@ -18,18 +18,18 @@ ActionField switch_field();
 ActionField number_field(std::string id, std::string label, std::string unit, std::int64_t minimum,
                          std::int64_t maximum, std::int64_t fallback = 0);
 ActionField position_field(std::string id, std::string label, std::string unit);
-/// The same in pulses, or in counts where StepNLoop of that axis is on.
+/// The field in pulses, or in counts while StepNLoop of that axis is on.
 ActionField followed(ActionField field, int axis = -1);
 ActionInfo make_action(std::string id, std::string label, std::string help, std::string group,
                        std::vector<ActionField> fields, std::string manual);
-/// A readout that is a number.
+/// A numeric readout.
 ReadoutInfo value_readout(std::string label, std::string unit, std::string help);
 /// "LTaS" -> one readout per axis.
 void add_readouts(Catalog& catalog, const Model& model, Group group, std::string_view form,
                   const ReadoutInfo& pattern);
 void add_readout(Catalog& catalog, Group group, std::string id, ReadoutInfo info);
 
-/// Actions that both have under the same form but for the axis: clear, modes, speed and target under way,
+/// Actions with the same form on both models except for the axis: clear, modes, speed and target under way,
 /// latch, sync, subroutines.
 void add_common_actions(Catalog& catalog, const Model& model, std::string_view chapter);
 /// The tables of Control: a row per axis.

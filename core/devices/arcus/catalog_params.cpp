@@ -65,7 +65,7 @@ constexpr Words all_words[] = {
      "Whether an input counts as on while current flows through it, or while none flows. For all inputs together.",
      "", "Digital Inputs/Outputs", "0: on while current flows", "1: on while no current flows"},
     {Setting::output_polarity, "Polarity", "Polarity of the digital outputs",
-     "Whether an output that is on conducts or blocks. For all outputs together. Look at what hangs on them before you change it: they switch at once.",
+     "Whether an output that is on conducts or blocks. For all outputs together. Check what is connected to them before you change it: they switch at once.",
      "", "Digital Inputs/Outputs", "0: on conducts", "1: on blocks"},
     {Setting::enable_polarity, "Polarity", "Polarity of the enable outputs",
      "Which level switches a motor driver on. Wrong for your drivers, motors have power when the console shows them off.",
@@ -157,10 +157,10 @@ constexpr Words all_words[] = {
     {Setting::status_outputs, "StepNLoop", "Outputs that tell the state",
      "While StepNLoop is on, DO1 can tell that the axis is in position and DO3 that there is an error. They cannot be switched by hand then.",
      "", "StepNLoop Closed Loop Control", "0: all outputs are for general use", "1: DO1 in position, DO3 alarm"},
-    {Setting::home_correction, "Homing", "Way beyond the home switch",
+    {Setting::home_correction, "Homing", "Distance past the home switch",
      "Homing with high and low speed goes back so far beyond the edge of the switch before it looks for the edge at low speed.",
      "", "Homing"},
-    {Setting::limit_correction, "Homing", "Way off the limit switch",
+    {Setting::limit_correction, "Homing", "Distance off the limit switch",
      "Homing to the limit switch backs off by so much; zero is there.",
      "", "Homing"},
     {Setting::return_to_zero, "Homing", "Return to zero after homing",
@@ -300,6 +300,8 @@ std::vector<ParamInfo> params(const Model& model, const Wording& wording) {
       p.of_move_buffer = fact.id == Setting::buffer_accel;
       if (fact.notation == Notation::thousandths) p.decimals = 3;
       if (fact.notation == Notation::name) p.prefix = model.name_prefix, p.digits = 2;
+      if (fact.id == Setting::device_name) p.address_option = "id";
+      if (fact.id == Setting::baud_code) p.address_option = "baud";
       if (fact.id == Setting::modbus)
         p.warning =
             "With Modbus on, the controller no longer understands this console after Store and switching "

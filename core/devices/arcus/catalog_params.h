@@ -1,6 +1,6 @@
 #pragma once
-// Every setting in words. The numbers (ranges, factory values, forms) are in each model's facts.h; what a
-// setting is for is the same for both models and stands here once.
+// The texts of every setting. Ranges, factory values and forms are in each model's facts.h; the purpose of a
+// setting is the same for both models and is described here once.
 #include <string>
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace hw::arcus {
 
-/// What the words of one model have of their own.
+/// The wording that differs between the models.
 struct Wording {
   std::string_view feature_chapter;  ///< of its manual: "ch. 6"
   std::vector<ParamBit> polarity_bits;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr Duration between_stops = Millis(100);
 constexpr Duration longest_watch = std::chrono::seconds(10);
-constexpr Duration usual_rest = std::chrono::seconds(2);    // where nobody can tell when it is over
-constexpr Duration longest_rest = std::chrono::seconds(5);  // that is waited for
+constexpr Duration usual_rest = std::chrono::seconds(2);    // if its end cannot be known
+constexpr Duration longest_rest = std::chrono::seconds(5);  // longest rest waited for
 
 }  // namespace
 
@@ -57,7 +57,7 @@ StopProgress CodeAtWork::outlast(const StopOrder& order, bool turns) {
               "Switch the power off to end it.");
   if (turns || !std::exchange(called_->told, true)) return StopProgress::failed(std::move(fault));
   console_.tell(Notice::Kind::warning,
-                fault.sentence());  // it stood through two stops: they are not failed for ever
+                fault.sentence());  // all stood through two stops: later ones need not fail
   return StopProgress::stands();
 }
 

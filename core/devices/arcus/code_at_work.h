@@ -1,7 +1,7 @@
 #pragma once
-// What of the stored code may be under way, and what it may do: programs that were seen or started, and
-// subroutines that the host has called (GS, decision AMB-046). No SR ends the thread that those run in and no
-// SASTAT shows it: STOP ends only the move that one has begun, and its next line may begin another.
+// Which stored code may be running, and what it may do: programs that were seen or started, and subroutines
+// that the host has called (GS, decision AMB-046). No SR ends the thread of a subroutine and no SASTAT shows
+// it: STOP ends only its present move, and its next line may begin another.
 #include <optional>
 #include <string_view>
 
@@ -19,7 +19,7 @@ class CodeAtWork {
 
   // ---- the stored code
   void know(StoredCode code) { code_ = code; }
-  /// Nobody has looked, or it is another compiler's.
+  /// The code was not read, or another compiler made it.
   void forget() { code_.reset(); }
   [[nodiscard]] HeldLines& lines() { return lines_; }
   [[nodiscard]] const std::optional<StoredCode>& known() const { return code_; }
@@ -27,24 +27,24 @@ class CodeAtWork {
   [[nodiscard]] bool switches_motors() const { return !code_ || code_->switches_motors; }
 
   // ---- programs
-  /// Whether it still runs shows in that time.
+  /// A program may run; within this time the status shows whether it still does.
   void program_runs(Duration at_most) {
     runs_until_ = std::max(runs_until_, console_.scheduler.now() + at_most);
   }
   [[nodiscard]] bool program_may_run() const { return console_.scheduler.now() <= runs_until_; }
 
   // ---- subroutines
-  /// Before it is sent: whether or not it is confirmed.
+  /// Call before the command is sent: it may act unconfirmed.
   void goes_out(std::string_view command);
   void was_refused(std::string_view command);
-  /// Of what moves nothing, too: no status shows it.
+  /// Also for a subroutine that moves nothing: no status shows it.
   [[nodiscard]] Duration longest_run(std::string_view call) const;
   [[nodiscard]] bool was_called() const { return called_.has_value(); }
-  /// The one that was called may still be under way.
+  /// The subroutine called last may still be running.
   [[nodiscard]] bool subroutine_may_run();
   /// An axis was seen to move, or may have.
   void axis_moves() { moved_at_ = console_.scheduler.now(); }
-  /// Each move that it begins is stopped, until it is over or nobody can tell.
+  /// Stops each move that the subroutine begins, until it has ended or its end cannot be known.
   StopProgress outlast(const StopOrder& order, bool turns);
 
   void restarted();
@@ -52,7 +52,7 @@ class CodeAtWork {
  private:
   struct Called {
     int number;
-    std::optional<Duration> rests;  ///< it is over when nothing has moved for so long
+    std::optional<Duration> rests;  ///< ended once nothing has moved for this long
     bool told = false;
   };
 

@@ -49,7 +49,7 @@ Reply decode_reply(std::string_view bytes) {
 
 namespace {
 
-// How many bytes at the front fit: as many as the pattern has, npos when more must come to tell, or 0. In the
+// How many bytes at the front match: the whole pattern, npos if more bytes are needed to tell, or 0. In the
 // pattern d is a digit, | the end of a text.
 std::size_t fit_at_front(std::string_view bytes, std::string_view pattern) {
   const std::size_t length = std::min(bytes.size(), pattern.size());

@@ -35,29 +35,29 @@ struct Reply {
 };
 Reply decode_reply(std::string_view bytes);
 
-/// Ends whatever was left half said on the line, as no command: by a CR alone the beginning of one would be
-/// carried out, X38 of X3822.
+/// Ends an incomplete command on the line without executing it: a CR alone would execute its beginning, X38
+/// of X3822.
 inline constexpr std::string_view cut_off = "~\r";
 
-/// How many bytes at the front are a message that nobody asked for ($NNP CR). npos: they may be one, more
-/// must come. 0: they are none.
+/// Length of the unsolicited message ($NNP CR) at the front. npos: more bytes are needed to tell. 0: there is
+/// none.
 std::size_t unasked_at_front(std::string_view bytes);
-/// The same of the refusal of what was cut off so.
+/// The same for the refusal of a command that `cut_off` ended.
 std::size_t refusal_of_cut_at_front(std::string_view bytes);
-/// The same of such a message, or of a whole device name, which answers no other question than DN.
+/// The same for an unsolicited message or a complete device name, which answers only DN.
 std::size_t unasked_or_name_at_front(const Model& model, std::string_view bytes);
-/// The same of whatever is whole and no device name: no answer to DN.
+/// The same for any complete text that is no device name, hence no reply to DN.
 std::size_t no_name_at_front(const Model& model, std::string_view bytes);
 /// The number in a device name: "DMK07" -> 7.
 std::optional<int> number_in_name(const Model& model, std::string_view name);
-/// The device that tells that it is in position.
+/// The number of the device that reports in position.
 std::optional<int> in_position(std::string_view message);
 
 // ---- values
 std::optional<std::int64_t> decode_number(std::string_view text);
-/// "1:-2:3" -> three numbers; none when any of them is no number or there are not `count` at least.
+/// "1:-2:3" -> three numbers; none if one is no number or there are fewer than `count`.
 std::optional<std::vector<std::int64_t>> decode_numbers(std::string_view text, std::size_t count);
-/// As a parameter of the catalog counts it: "0.800" -> 800, "4EX07" -> 7.
+/// In the unit of the catalog's parameter: "0.800" -> 800, "4EX07" -> 7.
 std::optional<std::int64_t> decode_value(const ParamInfo& info, std::string_view text);
 std::string encode_value(const ParamInfo& info, std::int64_t value);
 
@@ -77,16 +77,16 @@ std::string move_command(const Forms& forms, const std::vector<AxisValue>& targe
 /// Commands that may move something: they are never repeated.
 bool may_move(const Forms& forms, std::string_view text);
 
-/// A text that sets a position or encoder counter to zero, or may.
+/// The text sets, or may set, a position or encoder counter to zero.
 bool may_set_counter(std::string_view text);
-/// One that puts the position where the encoder stands, or may: clearing an error, switching StepNLoop.
+/// The text sets, or may set, the position to the encoder's: clearing an error, switching StepNLoop.
 bool may_set_target(std::string_view text);
 /// Motor power, by EO; not EOBOOT, which acts at power-up.
 bool may_switch_motor(std::string_view text);
 
 /// As the controllers read it: without blanks at its ends and around '='.
 std::string bare_text(std::string_view text);
-/// The same of what stands in a framed text.
+/// The same for the command in a framed text.
 std::string command_in(std::string_view bytes);
 
 /// The thread of SR0=1.
@@ -94,15 +94,15 @@ std::optional<int> thread_named_in(std::string_view text);
 /// Commands that end motion (STOP, ABORT), or a program (SR0=0).
 bool ends_motion(std::string_view text);
 bool ends_program(std::string_view text);
-/// Starts one (SR0=1, GS0), or lets one go on.
+/// Starts stored code (SR0=1, GS0), or continues it.
 bool runs_program(std::string_view text);
 
 /// Bits of a status word.
 bool has_bit(std::int64_t word, int bit);
-/// Running, by the bits that both tables have in their lowest places.
+/// In motion, by the lowest three bits, which both tables use for it.
 bool says_moving(std::int64_t word);
 
-/// What a reply that begins with ? means, as a sentence with what to do.
+/// The meaning of a reply that begins with ?, as a sentence with a remedy.
 std::string explain_refusal(const Model& model, std::string_view reply);
 
 }  // namespace hw::arcus

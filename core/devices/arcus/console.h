@@ -1,5 +1,5 @@
 #pragma once
-// What every part of the driver shows, tells and counts in (see DriverContext), and how its model spells it.
+// The driver context that all parts share (see DriverContext), and the forms of the model.
 #include <string>
 #include <utility>
 

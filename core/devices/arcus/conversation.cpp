@@ -17,10 +17,10 @@ constexpr Quiet quiet_of_a_slow_one{Millis(45), Millis(800)};  // bytes come up 
 
 tl::unexpected<Fault> means_nothing(std::string_view question, std::string_view reply) {
   return fail(FaultKind::garbled,
-              fmt::format("The controller answered {} to {}, which means nothing.",
+              fmt::format("The controller answered {} to {}, which makes no sense.",
                           reply.empty() ? "with an empty text" : printable(reply), question),
               "It was asked twice.",
-              "Look at the cable and the line rate, and whether two devices have one address or another "
+              "Check the cable and the line rate, and whether two devices have one address or another "
               "program talks on this line.");
 }
 
@@ -43,8 +43,8 @@ Framing Conversation::framing() const {
   return station_ && station_->carries_messages() ? Framing::message : Framing::addressed;
 }
 
-// What was not answered may have lost its end on the way, and would swallow what follows: it is ended first.
-// So may be what went out before the wire was opened, and a stop is not asked for twice.
+// An unanswered text may have lost its end and would swallow the next one, so it is ended first. So may a
+// text sent before the wire was opened, and a stop is not repeated like a question.
 std::string Conversation::framed(std::string_view text, Priority priority, int address) const {
   std::string bytes = frame(framing(), address, text);
   if (framing() == Framing::message || !station_) return bytes;
@@ -55,7 +55,7 @@ std::string Conversation::framed(std::string_view text, Priority priority, int a
 
 // ---- one text and its reply
 
-// A stop waits for nothing, and nothing that follows makes it surer.
+// A stop waits for nothing, and its reply is not confirmed by a name.
 Task<Result<Reply>> Conversation::exchange(std::string text, Priority priority, Duration patience,
                                            bool own_question) {
   const bool must_be_sure = own_question || priority != Priority::stop;
@@ -89,7 +89,7 @@ Task<bool> Conversation::come_clean(Priority priority) {
   co_return clean.has_value();
 }
 
-// What may move or change something is known to have gone out, or not to have.
+// For a command that may move or change something, it must be certain whether it was sent.
 Task<Result<>> Conversation::may_go_out(std::string_view text, Priority priority) {
   if (!station_) co_return no_connection();
   const std::string kept(text);
@@ -113,12 +113,12 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
   t.look = own_question ? looks::of_question(console_.forms, text)
                         : looks::of_text(console_.forms, command_in(text));
   if (t.look == looks::name && station_->others_owe(looks::name))
-    t.stranger = [this](std::string_view received) {
+    t.unsolicited_length = [this](std::string_view received) {
       return looks::others_at_front(received, [this](std::string_view name) { return is_its_name(name); });
     };
   else if (!usb)
-    t.stranger = [this, names = t.look != looks::name,
-                  its_own = text.ends_with(cut_off.front())](std::string_view received) {
+    t.unsolicited_length = [this, names = t.look != looks::name,
+                            its_own = text.ends_with(cut_off.front())](std::string_view received) {
       const std::size_t refusal = its_own ? 0 : refusal_of_cut_at_front(received);
       if (refusal != 0) return refusal;
       return names ? unasked_or_name_at_front(console_.model(), received) : unasked_at_front(received);
@@ -126,7 +126,7 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
   auto bytes = co_await station_->transact(std::move(t));
   if (!bytes) co_return fail(bytes.error());
   if (station_) asked_at_ = console_.scheduler.now() - station_->statistics().last_round_trip;
-  if (!usb && bytes->starts_with('\n')) ++line_feeds_;  // it stood behind the answer before
+  if (!usb && bytes->starts_with('\n')) ++line_feeds_;  // it followed the previous reply
   Reply reply = decode_reply(*bytes);
   const int asked = std::max(address_of(text), console_.catalog.address);
   if (reply.id && address_of(text) < 0 && *reply.id != asked)
@@ -143,7 +143,7 @@ Task<Result<Reply>> Conversation::greet(Duration patience) {
   co_return co_await say("DN", Priority::intent, patience, true, true);
 }
 
-// ---- whose answer it is
+// ---- whose reply it is
 
 bool Conversation::others_may_say(Look look) const {
   if (!station_) return false;
@@ -151,7 +151,7 @@ bool Conversation::others_may_say(Look look) const {
                              : station_->others_owe(look) || station_->others_owe(looks::text);
 }
 
-// What comes before its name is a late answer, whoever it is from: it is left to hear().
+// Any text before its name is a late reply, whoever sent it, and is left to hear().
 Task<Result<>> Conversation::hear_its_name(Priority priority) {
   if (!station_) co_return no_connection();
   Transaction t = asks_who("DN", [this](std::string_view text) { return is_its_name(text); }).question;
@@ -163,7 +163,8 @@ Task<Result<>> Conversation::hear_its_name(Priority priority) {
   co_return Result<>();
 }
 
-// Its name, where it has one. On a line of several the others' late answers to ID and VER look like its own.
+// Asks for its name, if it has one. On a shared line the others' late replies to ID and VER look like its
+// own.
 std::optional<Station::Unmistakable> Conversation::unmistakable(const OwedAnswers& owed, Instant now) const {
   const auto may_ask = [&](Look look) { return !owed.may_look(look, now); };
   if (named_ && may_ask(looks::name))
@@ -181,12 +182,12 @@ Station::Unmistakable Conversation::asks_who(std::string_view question,
                 framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(), Priority::poll);
   t.look = looks::of_question(console_.forms, question);
   t.prompt = true;
-  t.stranger = [is_it](std::string_view bytes) { return looks::others_at_front(bytes, is_it); };
+  t.unsolicited_length = [is_it](std::string_view bytes) { return looks::others_at_front(bytes, is_it); };
   const auto is_answer = [is_it](std::string_view answer) { return is_it(decode_reply(answer).text); };
   return {std::move(t), is_answer};
 }
 
-// Until it is switched off and on it answers at its old address and tells its new name. On USB it is alone.
+// Until a power cycle a renamed device answers at its old address with its new name. On USB it is alone.
 bool Conversation::is_its_name(std::string_view text) const {
   const auto number = number_in_name(console_.model(), text);
   return number &&
@@ -200,8 +201,8 @@ void Conversation::know_name(std::string_view name) {
 
 // ---- questions
 
-// A question may be asked once more when its answer was garbled or did not come. The second answer is
-// believed only if nothing comes behind it: two that speak at once can sound like one.
+// A question is asked once more if its reply was garbled or missing. The second reply is accepted only if
+// nothing follows it: two devices that reply at once can look like one.
 Task<Result<std::string>> Conversation::ask(std::string question, Priority priority, bool again) {
   auto reply = co_await exchange_question(question, priority, again);
   if (!reply && !again && worth_another_try(reply.error())) {
@@ -215,11 +216,11 @@ Task<Result<std::string>> Conversation::ask(std::string question, Priority prior
 }
 
 Task<Result<Reply>> Conversation::exchange_question(std::string question, Priority priority, bool again) {
-  const int strays_before = strays_;
+  const int unexpected_before = unexpected_;
   auto reply = co_await exchange(std::move(question), priority, usual_patience, true);
   if (!again || !reply) co_return reply;
   co_await wait_for_quiet();
-  if (strays_ != strays_before) co_return two_answer();
+  if (unexpected_ != unexpected_before) co_return two_answer();
   co_return reply;
 }
 
@@ -236,7 +237,7 @@ Task<Result<std::string>> Conversation::ask_for(std::string question,
       text = *reply;
       if (station_) station_->doubt(looks::of_question(console_.forms, question));
     } else {
-      co_await wait_for_quiet();  // the question itself may have been garbled on its way
+      co_await wait_for_quiet();  // the question itself may have been garbled
     }
   }
   co_return means_nothing(question, text);
@@ -262,7 +263,7 @@ Task<Result<std::int64_t>> Conversation::ask_number(std::string question, Priori
 Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode decode,
                                                     std::optional<std::int64_t> expected, Priority priority) {
   constexpr int attempts = 4;
-  int strays_before = strays_;  // where more comes than an answer, each may be doubled in the same way
+  int unexpected_before = unexpected_;  // with unexpected texts, each reply may be doubled in the same way
   std::function<bool(std::string_view)> makes_sense = [&decode](std::string_view text) {
     return decode(text).has_value();
   };
@@ -270,18 +271,18 @@ Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode
     auto text = co_await ask_for(question, makes_sense, priority);
     if (!text) co_return fail(text.error());
     const std::int64_t value = *decode(*text);
-    const int strays_now = std::exchange(strays_before, strays_);
-    if (value == expected && (attempt == 0 || strays_now == strays_)) co_return value;
+    const int unexpected_now = std::exchange(unexpected_before, unexpected_);
+    if (value == expected && (attempt == 0 || unexpected_now == unexpected_)) co_return value;
     expected = value;
   }
   co_return fail(FaultKind::garbled, fmt::format("The answers to {} differ each time.", question),
                  fmt::format("It was asked {} times.", attempts),
-                 "Look at the cable, and whether something changes it all the time.");
+                 "Check the cable, and whether something changes it all the time.");
 }
 
 // ---- commands
 
-// A stop goes out on a dirty line too: then an OK may be an older one's.
+// A stop is sent on a dirty line too: its OK may then belong to an older command.
 Task<Result<>> Conversation::command(std::string text, Priority priority, Duration patience) {
   const Instant now = console_.scheduler.now();
   const bool may_be_older =
@@ -290,14 +291,15 @@ Task<Result<>> Conversation::command(std::string text, Priority priority, Durati
   auto reply = co_await exchange(text, priority, patience);
   if (!reply) co_return fail(reply.error());
   if (may_be_older && (reply->text == "OK" || reply->refused()))
-    co_return fail(FaultKind::no_answer,
-                   fmt::format("Whether {} was the answer to {} is not known.", printable(reply->text), text),
-                   "It was sent.");
+    co_return fail(
+        FaultKind::no_answer,
+        fmt::format("It is not known whether {} was the answer to {}.", printable(reply->text), text),
+        "It was sent.");
   if (reply->refused()) co_return refusal(text, reply->text);
   if (reply->text == "OK") co_return Result<>();
   co_return fail(FaultKind::garbled,
                  fmt::format("The controller answered {} to {} instead of OK.", printable(reply->text), text),
-                 "It was sent once and is not repeated.", "Look whether it was done before you try again.");
+                 "It was sent once and is not repeated.", "Check whether it was done before you try again.");
 }
 
 Task<Result<>> Conversation::broadcast(std::string text, Priority priority) {
@@ -309,15 +311,15 @@ Task<Result<>> Conversation::broadcast(std::string text, Priority priority) {
                    "Nothing was sent.");
   if (goes_out) goes_out(bare_text(text));
   Transaction t(framed(text, priority, model.broadcast), ReplyShape::nothing(), priority);
-  t.on_dirty_line = true;  // nothing comes back
+  t.on_dirty_line = true;  // no reply is due
   auto sent = co_await station_->transact(std::move(t));
   if (!sent) co_return fail(sent.error());
   co_return Result<>();
 }
 
-// ---- what comes unasked
+// ---- unsolicited texts
 
-// Where another program talks all the time it never is quiet.
+// Gives up on a line that another program keeps busy.
 Task<> Conversation::wait_for_quiet() {
   const bool slow = station_ && station_->lateness() > Duration::zero();
   const auto [quiet_time, longest_noise] = slow ? quiet_of_a_slow_one : usual_quiet;
@@ -330,7 +332,8 @@ Task<> Conversation::wait_for_quiet() {
   }
 }
 
-// $NNP of this device; or a whole text that no question waits for. What is late tells nothing.
+// $NNP of this device, or a complete text that no question waits for. Late replies do not count as
+// unexpected.
 std::size_t Conversation::hear(std::string_view bytes) {
   heard_at_ = console_.scheduler.now();
   if (bytes.find_first_not_of('\n') == bytes.npos) return ++line_feeds_, 0;
@@ -347,11 +350,11 @@ std::size_t Conversation::hear(std::string_view bytes) {
   }
   if (is_anothers_name(bytes)) return 0;
   ++texts_heard_;
-  if (station_ && !station_->is_dirty() && !station_->others_owe()) ++strays_;
+  if (station_ && !station_->is_dirty() && !station_->others_owe()) ++unexpected_;
   return 0;
 }
 
-// Late, and taken for no answer of ours.
+// A late reply to another, never taken for ours.
 bool Conversation::is_anothers_name(std::string_view bytes) const {
   const bool whole = bytes.find_first_of(std::string_view("\r\0", 2)) == bytes.size() - 1;
   const auto number = number_in_name(console_.model(), decode_reply(bytes).text);
@@ -375,7 +378,7 @@ tl::unexpected<Fault> Conversation::two_answer() const {
       FaultKind::garbled,
       fmt::format("More than one device answers at address {:02}, or another program talks on this line.",
                   console_.catalog.address),
-      "What came was not used.",
+      "The answer was not used.",
       fmt::format("Connect one of them alone, give it another device name ({}01 to {}99), Store, switch "
                   "its power off and on.",
                   prefix, prefix));

@@ -1,9 +1,9 @@
 #pragma once
-// What is said to one device and what it answers: questions, commands, texts for all, what comes unasked.
-// Only here bytes become texts. Late answers: the station owes them by their looks, and asks for the device's
-// name, product or version before anything else goes out. Replies carry no address (but with RT=1), so while
-// another device of the line owes one that looks alike, an answer is believed only with this device's own
-// name behind it.
+// The traffic with one device: questions, commands, broadcasts, unsolicited messages. Bytes become texts only
+// here. Late replies: the station records those owed by their looks, and asks for the device's name, product
+// or version before anything else is sent. Replies carry no address (except with RT=1), so while another
+// device on the line owes one of the same look, a reply is accepted only if this device's own name follows
+// it.
 #include <functional>
 #include <optional>
 #include <string>
@@ -17,20 +17,21 @@
 
 namespace hw::arcus {
 
-/// It never went out.
+/// The text was never sent.
 inline bool was_kept_back(const Fault& fault) {
   return fault.kind == FaultKind::stopped || fault.kind == FaultKind::refused;
 }
 
-/// A question may be asked again.
+/// After such a fault a question may be asked again.
 inline bool worth_another_try(const Fault& fault) {
   return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
 }
 
-/// Of each text of a stop: then the next goes out, whether or not the answers of this controller are late.
+/// Wait for the reply to each text of a stop; then the next is sent, even if this controller's replies are
+/// late.
 inline constexpr Duration until_next_of_stop = Millis(60);
 
-/// Bytes as a sentence can show them.
+/// Bytes in printable form, for sentences.
 std::string printable(std::string_view bytes);
 
 class Conversation {
@@ -40,59 +41,59 @@ class Conversation {
   void attach(Station& station);
   void wire_lost() { station_ = nullptr; }
   [[nodiscard]] bool is_open() const { return station_ != nullptr; }
-  /// Null: the wire is gone.
+  /// Null: the wire is lost.
   [[nodiscard]] Station* station() const { return station_; }
   [[nodiscard]] Framing framing() const;
-  /// Answers that have not come in time, ever.
+  /// Replies not received in time, in total.
   [[nodiscard]] std::uint64_t misses() const { return station_ ? station_->statistics().timeouts : 0; }
 
-  /// When the question that was answered last had gone out: what it told may be as old.
+  /// When the question answered last was sent: its value may be that old.
   [[nodiscard]] Instant asked_at() const { return asked_at_; }
   /// How often the line has become clean again.
   [[nodiscard]] std::uint32_t times_cleaned() const { return station_ ? station_->times_cleaned() : 0; }
 
-  /// Told of each command of this device just before it goes out; and when it was refused, or did not go out.
+  /// `goes_out` is called with each command of this device just before it is sent; `not_done` if it was
+  /// refused or not sent.
   std::function<void(std::string_view command)> goes_out, not_done;
 
-  /// What somebody waits for more than for a round of status: where it is due it is asked in front of the
-  /// next question of the round.
+  /// A question more urgent than a status round: when due, it is asked before the next question of the round.
   struct Urgent {
     std::function<bool()> is_due;
     std::function<Task<>()> ask;
   };
   Urgent urgent;
 
-  // ---- questions: asked twice where nothing or nonsense comes
+  // ---- questions: asked twice if the reply is missing or makes no sense
   Task<Result<std::string>> ask(std::string question, Priority priority, bool again = false);
   Task<Result<std::string>> ask_for(std::string question, std::function<bool(std::string_view)> makes_sense,
                                     Priority priority);
   Task<Result<std::int64_t>> ask_number(std::string question, Priority priority);
   Task<Result<std::vector<std::int64_t>>> ask_numbers(std::string question, std::size_t count,
                                                       Priority priority);
-  /// A digit that is lost or doubled on the way leaves another number that looks right: what differs from
-  /// `expected` is asked for until two answers agree.
+  /// A digit lost or doubled on the line leaves another plausible number: a value other than `expected` is
+  /// asked for until two replies agree.
   using Decode = std::function<std::optional<std::int64_t>(std::string_view)>;
   Task<Result<std::int64_t>> ask_surely(std::string question, Decode decode,
                                         std::optional<std::int64_t> expected, Priority priority);
   // ---- commands: sent once
   Task<Result<>> command(std::string text, Priority priority, Duration patience = Millis(200));
-  /// One command or question and its reply, whatever it says.
+  /// One command or question and its reply, refusals included.
   Task<Result<Reply>> exchange(std::string text, Priority priority, Duration patience,
                                bool own_question = false);
-  /// Asks who it is, if an answer is owed: what comes then is the answer to what is sent then.
+  /// If a reply is owed, asks the device who it is, so that the next reply belongs to the next text.
   Task<bool> come_clean(Priority priority);
-  /// To every device of the line; none answers.
+  /// Sent to every device of the line; none replies.
   Task<Result<>> broadcast(std::string text, Priority priority);
 
   // ---- finding out who is there
-  /// Also on a dirty line, and whoever answers.
+  /// Sent on a dirty line too; the name in the reply is not checked.
   Task<Result<Reply>> greet(Duration patience);
   Task<> wait_for_quiet();
-  void forget_strays() { strays_ = line_feeds_ = 0; }
-  /// Texts that nobody asked for, and whatever something on the way has made of the ends of answers (CR LF).
-  [[nodiscard]] int strays() const { return strays_; }
+  void forget_unexpected() { unexpected_ = line_feeds_ = 0; }
+  /// Unsolicited texts, and line feeds that something on the line adds to replies (CR LF).
+  [[nodiscard]] int unexpected() const { return unexpected_; }
   [[nodiscard]] int line_feeds() const { return line_feeds_; }
-  /// What it calls itself; empty: it does not know the question.
+  /// The device's name; empty: it does not know the question.
   void know_name(std::string_view name);
   void know_product(bool known) { product_known_ = known; }
 
@@ -118,10 +119,10 @@ class Conversation {
   const Console& console_;
   Station* station_ = nullptr;
   Instant heard_at_{}, asked_at_{};
-  int texts_heard_ = 0;  ///< that nobody waited for, be they late
-  int strays_ = 0;       ///< of those, what no late answer explains
+  int texts_heard_ = 0;  ///< unsolicited texts, late replies included
+  int unexpected_ = 0;   ///< those that no late reply explains
   int line_feeds_ = 0;
-  std::optional<int> also_called_;  ///< beside its address: until it is switched off and on
+  std::optional<int> also_called_;  ///< another number for its name, until a power cycle
   bool named_ = true;               ///< its name has a number
   bool product_known_ = true;       ///< it answers ID as it should
 };

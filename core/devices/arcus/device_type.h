@@ -1,5 +1,5 @@
 #pragma once
-// What the rows of both models in the list of controllers share. The rest of a row each model fills in.
+// The common part of both models' rows in the list of controllers. Each model fills in the rest.
 #include "core/device/registry.h"
 #include "core/devices/arcus/catalog_params.h"
 #include "core/devices/arcus/codec.h"

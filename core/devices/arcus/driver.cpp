@@ -1,4 +1,4 @@
-// What is asked of the driver, and which part does it; the set-up as far as it concerns several.
+// Passes intents to the parts; the set-up as far as it concerns several parts.
 #include "core/devices/arcus/driver.h"
 
 #include <fmt/core.h>
@@ -104,7 +104,7 @@ std::string ArcusDriver::leaves_behind() const {
   return left.empty() || borrowed.empty() ? left + borrowed : left + ' ' + borrowed;
 }
 
-// What follows from it: whether StepNLoop is on.
+// Then reads what may follow from it: whether StepNLoop is on.
 Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
   auto exactly = co_await known_.setup.set(std::move(wish));
   if (!exactly) co_return fail(exactly.error());
@@ -119,7 +119,7 @@ Task<Result<>> ArcusDriver::put_back_what_is_out(const IntentBody& before) {
                         std::holds_alternative<intent::ClearProgram>(before);
   if (returned && rewrites && work_.guard.at_work())
     co_return fail(FaultKind::refused, "The guard in the program memory watches a jog.",
-                   "Nothing was written.", "Let go of the jog first.");
+                   "Nothing was written.", "Release the jog button first.");
   if (!returned) co_return returned;
   if (const auto* i = std::get_if<intent::SendText>(&before)) co_return guard_allows(i->text);
   if (std::holds_alternative<intent::Store>(before)) co_return work_.guard.allows("STORE");
@@ -128,14 +128,14 @@ Task<Result<>> ArcusDriver::put_back_what_is_out(const IntentBody& before) {
   co_return returned;
 }
 
-// To this one, be it among all.
+// Checks texts to this device, alone or among all.
 Result<> ArcusDriver::guard_allows(const std::string& text) const {
   const int to = address_of(text);
   const bool anothers = to >= 0 && to != console_.catalog.address && to != console_.model().broadcast;
   return anothers ? Result<>() : work_.guard.allows(command_in(text));
 }
 
-// A script's is not left to anybody: see Pump::keep_will().
+// A script's jog gets no guard: see Pump::keep_will().
 Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
   if (wish.dead_man)
     if (auto watched = co_await work_.guard.watch(wish.axis.index); !watched) co_return watched;

@@ -1,29 +1,30 @@
 #pragma once
-// Both Arcus controllers from the console's side: what differs is in the Forms. The parts, and what the pump
-// asks of them all. Each part has state of its own and a file of its name; what it needs of others is given
-// to it when it is made (driver_parts.h), and nothing more.
+// The driver of both Arcus controllers; their differences are in the Forms. It owns the parts and serves the
+// pump. Each part has its own state and a file of its name, and is constructed with the other parts it needs,
+// no more (driver_parts.h).
 //
 //   console, conversation
-//                         what is shown and told; questions, commands, what comes unasked
-//   code_at_work          programs and subroutines that may be under way, and what they may do
-//   borrowed_setting      a setting that is written for one motion
-//   set_up                parameters, storing, what a power-up takes back
+//                         context; questions, commands, unsolicited messages
+//   code_at_work          programs and subroutines that may be running, and what they may do
+//   borrowed_setting      a setting written for one motion
+//   set_up                parameters, storing, what a power-up resets
 //   move_list             a list of moves, fed as places become free
 //   readouts              readouts, variables, analog inputs
-//   restart_watch         noticing that it was switched off and on
-//   motions               what is under way on each axis, and what its status means
-//   motion_status         asking where the axes are and what they do
+//   restart_watch         detecting a power cycle
+//   motions               the motion of each axis, and what its status means
+//   motion_status         reading positions and motion of the axes
+//   limit_switches        limit switches, also between the questions of a round
 //   threads               the threads that run the stored programs
 //   lines                 inputs, outputs, motor power
-//   moves, feed, actions  what the console is asked to do
-//   live_status           status in the middle of a long procedure
+//   moves, feed, actions  carrying out the console's commands
+//   live_status           status during a long procedure
 //   stored_lines, programs
 //                         the stored code; load, read, run, pause
 //   guard_thread          the guard of held jogs that the controller runs
-//   after_silence         what is looked at where an answer was missing
+//   after_silence         reading the state after a missed reply
 //   stops                 stops (decision AMB-128)
 //   texts                 the user's own text
-//   finding               which controller it is, and why not
+//   finding               identifying the controller, or why it fails
 #include <string>
 #include <string_view>
 
@@ -42,6 +43,7 @@ class ArcusDriver final : public Driver {
   Task<Result<>> connect() override;
   Task<Result<>> poll(Round round) override;
   void watch_inputs(Instant until) override { known_.lines.watch_inputs(until); }
+  void watch_limits(Instant until) override { known_.limits.watch(until); }
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<std::string>> stop(const StopOrder& order) override;
   [[nodiscard]] LastWill last_will(unsigned axes) const override;

@@ -1,4 +1,4 @@
-// Finding it, losing it, and what is left when it was switched off and on.
+// Connecting, losing the wire, and what remains after a power cycle.
 #include <fmt/core.h>
 
 #include "core/device/nothing_known.h"
@@ -7,17 +7,18 @@
 namespace hw::arcus {
 
 Task<Result<>> ArcusDriver::connect() {
-  talk_.forget_strays();
+  talk_.forget_unexpected();
   const Instant began = console_.scheduler.now();
   known_.code.axis_moves();  // unseen
   auto found = co_await find();
-  // Somebody is there, and what it was asked or answered was lost or garbled: what is wrong stays wrong.
+  // A device is there, but a question or reply was lost or garbled: tries once more, since a real fault
+  // persists.
   const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
   const bool soon = console_.scheduler.now() - began < Finding::long_asked;
   if (!found && heard && soon &&
       (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
     co_await talk_.wait_for_quiet();
-    talk_.forget_strays();
+    talk_.forget_unexpected();
     found = co_await find();
   }
   if (!found) co_return found;
@@ -57,10 +58,9 @@ void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
   known_.motions.restarted(moved);
   console_.tell(
       Notice::Kind::warning,
-      fmt::format(
-          "{}: the controller was switched off and on, or another program did it. What was not stored is "
-          "gone; it is read afresh. Find home before the next absolute move.",
-          how_it_shows));
+      fmt::format("{}: the controller was switched off and on, or another program did it. What was not "
+                  "stored is gone; it is read afresh. Home the axes before the next absolute move.",
+                  how_it_shows));
 }
 
 void ArcusDriver::wire_lost() {
@@ -72,7 +72,7 @@ void ArcusDriver::wire_lost() {
   known_.list.end();
   known_.motions.wire_lost();
   known_.code.lines().forget();
-  nothing_is_known(console_.draft);  // of the threads: those that ran are stopped first
+  nothing_is_known(console_.draft);  // keeps thread states: those that ran are stopped first
   for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].own_speed = Pps{};
 }
 

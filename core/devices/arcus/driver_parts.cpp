@@ -13,18 +13,25 @@ Known::Known(const Console& console, Conversation& talk,
       readouts(console, talk, [this](int axis, std::int64_t state) { motions.loop_is(axis, state); }),
       watch(console, talk, code, setup, {[this](int axis) { return motions.now(axis); }, restarted}),
       motions(console, setup),
-      status(console, talk, code, list, readouts, watch, motions),
+      limits(console, talk),
+      status(console, talk, code, list, readouts, watch, motions, limits),
       threads(console, talk, code, setup, watch),
       lines(console, talk, setup) {
-  // Before it does: a change that it explains is no power-cycle, and what it starts or ends is not known any
-  // more, whether or not it is confirmed.
+  // Before the command is sent: a change that it explains is no power cycle, and what it starts or ends is
+  // unknown from then on, confirmed or not.
   talk.goes_out = [this](std::string_view command) {
     watch.goes_out(command);
     threads.may_start(command);
     threads.are_told(command);
     code.goes_out(command);
   };
-  talk.urgent = {[this] { return lines.glance_is_due(); }, [this] { return lines.glance(); }};
+  // A glance is itself a poll question, so the other glance may come before it. None on a dirty line, where
+  // every question waits for its deadline.
+  talk.urgent = {[this, &talk] {
+                   const bool clean = talk.station() && !talk.station()->is_dirty();
+                   return clean && (lines.glance_is_due() || limits.glance_is_due());
+                 },
+                 [this] { return lines.glance_is_due() ? lines.glance() : limits.glance(); }};
   talk.not_done = [this](std::string_view command) { code.was_refused(command); };
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The parts of the driver in two groups, the second made of the first. A part names what it needs of others
-// where it is made: driver_parts.cpp.
+// The parts of the driver in two groups; the second uses the first. driver_parts.cpp constructs them and so
+// shows which part uses which.
 #include <functional>
 #include <string_view>
 
@@ -12,9 +12,9 @@
 
 namespace hw::arcus {
 
-/// What is known of the controller, and what is asked for it in rounds of status.
+/// What is known of the controller, and the status rounds that read it.
 struct Known {
-  /// `restarted`: how it shows, and a bit for each axis that was on its way.
+  /// `restarted`: how it shows, and a bit for each axis that was moving.
   Known(const Console& console, Conversation& talk,
         std::function<void(std::string_view how_it_shows, unsigned moved)> restarted);
 
@@ -25,12 +25,13 @@ struct Known {
   Readouts readouts;
   RestartWatch watch;
   Motions motions;
+  LimitSwitches limits;
   MotionStatus status;
   Threads threads;
   Lines lines;
 };
 
-/// What the console is asked to do by its controls.
+/// What the console's controls ask for.
 struct Work {
   Work(const Console& console, Conversation& talk, Known& known, const language::Dialect& dialect);
 

@@ -1,5 +1,5 @@
-// One round of status. While something moves: where it is, as often as the wire bears; at rest everything,
-// five times a second.
+// One status round. While something moves: positions, as often as the wire allows; at rest everything, five
+// times a second.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -11,7 +11,7 @@ namespace hw::arcus {
 namespace {
 
 constexpr int kept_every = 5;  // rounds at rest: about a second
-constexpr int io_every = 4;    // rounds in motion between two looks at inputs, outputs and threads
+constexpr int io_every = 4;    // rounds in motion per reading of inputs, outputs and threads
 
 }  // namespace
 
@@ -47,13 +47,13 @@ Task<Result<>> ArcusDriver::poll(Round round) {
   co_return Result<>();
 }
 
-/// Between two acts of a drawing the next one waits for no more than where all stand.
+/// Between two acts of a drawing the next one waits only for the positions.
 bool ArcusDriver::is_at_work() const {
   const PiecesState& pieces = console_.draft.pieces;
   return console_.draft.any_axis_moving() || (pieces.running && pieces.draws && !pieces.held);
 }
 
-// A little of each a round: readouts nobody looks at, one analog input, some parameters.
+// A few values each round: an unwatched readout, an analog input, some parameters.
 Task<Result<>> ArcusDriver::read_at_rest() {
   auto read = co_await known_.readouts.read_in_turn();
   if (read && round_ % kept_every == 0) read = co_await known_.setup.read_what_power_keeps();
@@ -62,7 +62,7 @@ Task<Result<>> ArcusDriver::read_at_rest() {
   co_return co_await known_.setup.read_in_turn();
 }
 
-// As often as the wire bears; where bytes take no time (TCP, USB, in process) a hundred rounds a second.
+// As often as the wire allows; where bytes take no time (TCP, USB, in process) a hundred rounds a second.
 Duration ArcusDriver::moving_period() const {
   constexpr std::size_t bytes_of_a_round = 60;
   constexpr Duration without_wire = Millis(10);
@@ -101,8 +101,8 @@ void ArcusDriver::show_worst() {
   }
   for (int i = 0; i < console_.model().programs; ++i)
     if (console_.draft.threads[ix(i)].known && console_.draft.threads[ix(i)].run == RunState::error) {
-      console_.draft.notice = fmt::format("Program {} has stopped in error at line {} of its stored code.", i,
-                                          console_.draft.threads[ix(i)].line);
+      console_.draft.notice = fmt::format("Program {} stopped with an error at line {} of its stored code.",
+                                          i, console_.draft.threads[ix(i)].line);
       return;
     }
 }

@@ -42,7 +42,7 @@ void ArcusEmulator::receive(std::string_view bytes) {
   }
 }
 
-/// USB: the text up to the first zero; what stands behind it is left over from earlier transfers.
+/// USB: the text up to the first zero; the rest is left over from earlier transfers.
 void ArcusEmulator::receive_transfer(std::string_view bytes) {
   const std::string_view text = bytes.substr(0, bytes.find('\0'));
   if (!text.empty()) obey(text.substr(0, text.find_first_of("\r\n")), true);
@@ -63,7 +63,7 @@ void ArcusEmulator::obey_line(std::string_view line) {
 void ArcusEmulator::obey(std::string_view command, bool answers) {
   if (command.empty()) return;
   const bool timed_out = controller_.timed_out();
-  // Of a text that is too long only the beginning is kept: it is refused, whatever it would mean.
+  // Only the beginning of an overlong text is kept: it is refused in any case.
   const std::string reply = overlong_ ? "?" + std::string(command) : answer(controller_, commands_, command);
   controller_.heard_from_host(timed_out);
   if (answers && options_.usb) {
@@ -104,7 +104,7 @@ void ArcusEmulator::advance_to(Instant now) {
   gather();
 }
 
-/// What a command or a hand has brought about at this very instant.
+/// Events that a command or a hand has caused at this instant.
 void ArcusEmulator::after() { advance_to(controller_.now()); }
 
 void ArcusEmulator::gather() {

@@ -22,8 +22,8 @@ enum class HomeStep : std::uint8_t {
   seek_switch,  ///< towards home or limit at high speed
   slow_down,    ///< behind the home switch
   seek_index,   ///< at low speed
-  back_out,     ///< backwards over the home switch until it lets go
-  past,         ///< so much further (HCA)
+  back_out,     ///< backwards over the home switch until it releases
+  past,         ///< further by HCA
   approach,     ///< forwards to the switch at low speed
   back_off,     ///< from the limit (LCA)
   return_zero,  ///< RZ
@@ -43,8 +43,8 @@ struct Latch {
 
 struct SyncOutput {
   int state = 0;          ///< 0 off, 1 waiting, 2 has occurred
-  bool holds = false;     ///< the condition, at the last look
-  std::int64_t seen = 0;  ///< encoder at the last look
+  bool holds = false;     ///< the condition, when last checked
+  std::int64_t seen = 0;  ///< encoder when last checked
   Instant pulse_until{};
   bool open = false;  ///< the newest trigger pulse of this output has not ended
 };
@@ -58,13 +58,13 @@ class Axis {
   /// Pulse counter, not wrapped.
   std::int64_t pulses = 0;
   std::int64_t turned = 0;  ///< pulses made since power-up, in both directions
-  /// What the encoder counter was set to, less what the encoder showed then.
+  /// Value that the encoder counter was set to, minus the encoder's then.
   std::int64_t encoder_offset = 0;
   bool plus_error = false, minus_error = false, alarm_error = false;
   bool alarm_operated = false, jammed_by_hand = false;
 
   // StepNLoop.
-  std::int64_t target = 0;                            ///< in counts, while nothing follows
+  std::int64_t target = 0;                            ///< in counts, unless it follows
   bool follows = false;                               ///< the target runs with the pulses:
   std::int64_t anchor_target = 0, anchor_offset = 0;  ///< target at that offset of the path
   std::optional<LoopState> loop_error;
@@ -72,21 +72,21 @@ class Axis {
   bool extra_done = false;  ///< the extra correction at idle current (SLM)
   Instant aborted_until{};
 
-  int slot = -1;                            ///< motion that it takes part in
-  unsigned moved_with = 0;                  ///< a bit for each axis of its last motion that has had no other
+  int slot = -1;                            ///< index of its motion; -1: none
+  unsigned moved_with = 0;                  ///< a bit for each axis of its last motion without a later one
   int arrived_by = 0;                       ///< direction of the last pulse of that motion
   bool announces = false;                   ///< its arrival is to be reported (AR)
   std::optional<std::int64_t> then_target;  ///< after coming to rest: T behind the stopping point
   Homing homing;
   Latch latch;
   SyncOutput sync;
-  Instant rested_at{Duration(-std::chrono::hours(1))};  ///< since when it has been still
+  Instant rested_at{Duration(-std::chrono::hours(1))};  ///< at rest since
 
   [[nodiscard]] std::int64_t encoder() const { return encoder_at(plant.load()); }
   [[nodiscard]] std::int64_t encoder_at(Steps load) const;
   void set_encoder(std::int64_t value) {
     encoder_offset += value - encoder();
-    sync.seen = value;  // nothing has been passed on the way there (decision AMB-086)
+    sync.seen = value;  // no position in between was passed (decision AMB-086)
   }
   [[nodiscard]] bool index_operated() const;
   /// Makes `count` pulses; `physical` is the direction of the load.

@@ -42,7 +42,7 @@ Result<> ArcusEmulator::act(const bench::Analog& c) {
     return nothing_changed("There is no analog input " + std::to_string(c.number) + ".",
                            spelled("analog inputs", count));
   if (c.value < 0 || c.value > full_scale_mv)
-    return nothing_changed(std::to_string(c.value) + " mV is no voltage of an analog input.",
+    return nothing_changed(std::to_string(c.value) + " mV is not a voltage of an analog input.",
                            "It takes 0 to 5000 mV.");
   controller_.operate_analog(c.number, c.value);
   return {};
@@ -97,7 +97,7 @@ Result<> ArcusEmulator::act(const bench::Alarm& c) {
   return {};
 }
 
-/// What the place does not say stays as the bench was built: encoder and index.
+/// Values that the place does not give stay as the bench was built: encoder and index.
 template <>
 Result<> ArcusEmulator::act(const bench::Place& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;

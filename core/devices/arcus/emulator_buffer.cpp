@@ -22,13 +22,13 @@ bool Controller::buffer_has_loop() const { return closed(0) || closed(1) || clos
 
 Refusal Controller::buffer_on() {
   if (buffer_has_loop()) return Refusal::unknown;
-  // A segment that still runs since BF has the first place.
+  // A segment still running since BF has the first place.
   if (!buffer_.on) buffer_.start = buffer_.end = 0, buffer_.used = !buffer_.queue.empty();
   buffer_.on = true;
   return Refusal::none;
 }
 
-/// The running segment ends as the last one does; the rest is forgotten.
+/// The running segment ends like a last one; the rest is dropped.
 void Controller::buffer_off() {
   buffer_.on = false;
   if (buffer_.queue.size() <= 1) return;
@@ -62,7 +62,7 @@ Refusal Controller::buffer_move(const Segment& segment) {
     return Refusal::none;
   }
   if (!was_last || !settings_.on(Setting::buffer_accel)) return Refusal::none;
-  for (Motion& m : motions_)  // the running one need not slow down any more
+  for (Motion& m : motions_)  // the running segment need no longer slow down
     if (m.active && m.kind == MotionKind::buffered && !m.stopping &&
         m.profile.phase(now_) != motion::Phase::decelerating) {
       const Pps now(m.profile.speed(now_).value * m.path.pulses_per_step());

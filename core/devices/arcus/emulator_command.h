@@ -3,8 +3,8 @@
 //
 //   a  an axis letter      n  digits (an index)      s  + or -      v  all that follows, the value
 //
-// Everything else stands for itself: "LTaE", "DOn=v", "Hasn". The value may be empty: whether it means
-// something is the handler's business.
+// Everything else is literal: "LTaE", "DOn=v", "Hasn". The value may be empty; the handler decides whether
+// that is valid.
 #include <optional>
 #include <span>
 #include <string>
@@ -22,7 +22,7 @@ struct Arguments {
   std::string_view value;
 };
 
-/// A reply, or why there is none but the refusal's.
+/// A reply, or the reason of a refusal.
 struct Answer {
   Refusal refusal = Refusal::none;
   std::string text = "OK";
@@ -44,7 +44,7 @@ std::optional<Arguments> match(std::string_view form, std::string_view text, std
 /// Without the blanks that may stand around '='.
 std::string without_blanks(std::string_view text);
 
-/// What a controller answers, without address and terminator. `own` are the commands of its model alone.
+/// The controller's reply, without address and terminator. `own`: commands that only its model has.
 std::string answer(Controller& controller, std::span<const Command> own, std::string_view text);
 
 /// Commands that both models have.

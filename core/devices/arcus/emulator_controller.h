@@ -1,7 +1,7 @@
 #pragma once
 // The firmware of an Arcus controller in miniature: axes, motions, StepNLoop, inputs and outputs, settings
-// and flash. It knows no wire: commands, programs and the bench call what stands here. Time comes from
-// outside; pulses are counted from closed forms, so nothing ticks.
+// and flash. It knows no wire: commands, programs and the bench call it. Time comes from outside; pulses are
+// counted from closed forms, so nothing ticks.
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -23,17 +23,17 @@ namespace hw::arcus {
 
 enum class MotionKind : std::uint8_t { target, jog, homing, correction, interpolated, buffered, joystick };
 
-/// One or more axes on their way.
+/// A motion of one or more axes.
 struct Motion {
   bool active = false, stopping = false;
   MotionKind kind = MotionKind::target;
   unsigned axes = 0;     ///< a bit for each
-  bool by_hand = false;  ///< STOP or ABORT: where it comes to rest is where it is to be
+  bool by_hand = false;  ///< STOP or ABORT: the resting place becomes the target
   SpeedOrder order;      ///< as it began, or as SSPD left it (decision AMB-047)
   motion::Path path;
   motion::Profile profile;
   std::int64_t applied = 0;    ///< steps of the path made
-  std::int64_t next_mark = 0;  ///< step at which something has to be looked at
+  std::int64_t next_mark = 0;  ///< step of the next check
 };
 
 using Targets = std::array<std::optional<std::int64_t>, most_axes>;
@@ -68,7 +68,7 @@ class Controller {
   // Time.
   [[nodiscard]] Instant now() const { return now_; }
   [[nodiscard]] std::optional<Instant> next_event() const;
-  /// Goes to `now`, which must not lie behind next_event(), and does what is due then.
+  /// Advances to `now`, which must not be later than next_event(), and does what is due.
   void advance(Instant now);
 
   // Power and flash (emulator_memory.cpp).
@@ -77,7 +77,7 @@ class Controller {
   [[nodiscard]] bool powered() const { return powered_; }
   void store();
   [[nodiscard]] std::string saved_text() const;
-  /// Empty, or what is wrong with the line.
+  /// What is wrong with the line; empty: nothing.
   std::string load_line(std::string_view line);
   Flash& flash() { return flash_; }
   [[nodiscard]] const Flash& flash() const { return flash_; }
@@ -97,7 +97,7 @@ class Controller {
   void set_incremental(bool on) { incremental_ = on; }
   [[nodiscard]] std::int64_t timer_ms() const;
   void set_timer(std::int64_t ms);
-  /// A command for this unit has come and been answered.
+  /// Call after a command for this unit was answered.
   void heard_from_host(bool timeout_was_shown);
   [[nodiscard]] bool timed_out() const { return timed_out_; }
 
@@ -115,7 +115,7 @@ class Controller {
   void abort_all();
   void clear_errors(int axis);
   void clear_loop_error(int axis);
-  /// Why these axes would refuse a motion; none when they would not.
+  /// Why these axes would refuse a motion; none: they would not.
   [[nodiscard]] Refusal refuses_motion(unsigned axes) const;
 
   // Buffered moves (emulator_buffer.cpp).
@@ -125,7 +125,7 @@ class Controller {
   [[nodiscard]] const MoveBuffer& buffer() const { return buffer_; }
   [[nodiscard]] int buffer_free() const;
 
-  // What can be read.
+  // Readings.
   [[nodiscard]] std::int64_t status(int axis) const;
   [[nodiscard]] std::int64_t position(int axis) const;
   [[nodiscard]] std::int64_t encoder(int axis) const { return wrap_position(axes_[ix(axis)].encoder()); }
@@ -135,11 +135,11 @@ class Controller {
   [[nodiscard]] std::int64_t current_ma() const;
   [[nodiscard]] bool moving(int axis) const { return axes_[ix(axis)].slot >= 0; }
   [[nodiscard]] Duration ramp_to_rest(int axis) const;
-  /// A bit for each axis of its last motion, itself too.
+  /// A bit for each axis of its last motion, itself included.
   [[nodiscard]] unsigned moved_with(int axis) const { return axes_[ix(axis)].moved_with; }
   /// Limit, alarm or StepNLoop error latched.
   [[nodiscard]] bool in_error(int axis) const;
-  /// 1, or with StepNLoop the pulses of an encoder count.
+  /// With StepNLoop the pulses of an encoder count, else 1.
   [[nodiscard]] double pulses_per_unit(int axis) const { return ratio(axis); }
   Refusal set_position(int axis, std::int64_t value);
   Refusal set_encoder(int axis, std::int64_t value);
@@ -179,7 +179,7 @@ class Controller {
   void jam(int axis, bool on);
   /// The bench of decision AMB-093: a load stands still while its motor has no power.
   void load_needs_power();
-  /// A switch, the load or the place of an axis has been changed.
+  /// Call after a switch, the load or the place of an axis was changed.
   void bench_changed(int axis);
   Axis& axis(int n) { return axes_[ix(n)]; }
   [[nodiscard]] const Axis& axis(int n) const { return axes_[ix(n)]; }
@@ -191,24 +191,26 @@ class Controller {
   [[nodiscard]] bool loop_has_outputs() const { return settings_.on(Setting::status_outputs) && closed(0); }
 
   std::vector<TriggerPulse> trigger_pulses;  ///< of sync outputs, oldest first
-  std::vector<int> arrivals;                 ///< axes that have come to their target (AR), to be taken away
-  /// Not null: what happens is told here, for a rehearsal.
+  std::vector<int> arrivals;                 ///< axes at their target (AR); the reader removes them
+  /// An event for a rehearsal; recorded while `trace` is not null.
   struct Trace {
     Instant at;
     std::string what;
-    int line;            ///< of the stored program, whose statement it comes of; -1: of none
-    unsigned axes = 0;   ///< that it sends on their way, or that ran into a switch: a bit for each
-    int limit = 0;       ///< a limit switch, to -1 or +1
-    bool reads = false;  ///< a statement looked at an input
+    int line;             ///< of the stored program that caused it; -1: none
+    unsigned axes = 0;    ///< started by it, or run into a switch: a bit for each
+    int limit = 0;        ///< limit switch hit, -1 or +1; 0: none
+    bool reads = false;   ///< a statement read an input
+    std::string io = {};  ///< the output switched or the input read ...
+    int level = 0;        ///< ... and its level from then on
   };
   std::vector<Trace>* trace = nullptr;
-  /// While there is a trace: positions that stood in a counter until it was written, with their axis.
+  /// While there is a trace: counter positions before each write, with their axis.
   std::vector<std::pair<int, std::int64_t>> overwritten;
   int moves_begun = 0;
-  /// A host talks to it all the time: no time-out ever comes.
+  /// A host talks to it all the time: it never times out.
   bool host_talks = false;
-  /// Told while there is a trace.
-  void note_read(std::string what);
+  /// Recorded while there is a trace.
+  void note_read(const std::string& input, int value);
 
  private:
   void tell(std::string what, unsigned axes = 0, int limit = 0);
@@ -220,7 +222,7 @@ class Controller {
   // Motions (emulator_motion.cpp).
   void begin(MotionKind kind, unsigned axes, const motion::Path& path, const motion::Profile& profile,
              const SpeedOrder& order);
-  /// The same motion goes on by another profile from where it is.
+  /// Continues the same motion by another profile from its present place.
   void continue_by(Motion& m, const motion::Profile& profile);
   void bring_up_to_date();
   void apply(Motion& m, std::int64_t step);
@@ -297,7 +299,7 @@ class Controller {
   [[nodiscard]] Sign load_way(int axis, Sign way) const;
   [[nodiscard]] bool home_active(int axis) const;
   [[nodiscard]] bool limit_active(int axis, Sign side) const;
-  /// X's bit counts for all axes (decision AMB-089).
+  /// The bit of X applies to all axes (decision AMB-089).
   [[nodiscard]] bool limits_inverted() const { return inverted(model_->polarity.limit, 0); }
   [[nodiscard]] bool alarm_active(int axis) const;
   [[nodiscard]] bool latch_input_active(int axis) const;

@@ -22,7 +22,7 @@ Refusal Controller::home(int a, HomeMode mode, Sign way) {
   return Refusal::none;
 }
 
-/// Both counters, and the target with them; the motion goes on counting from here.
+/// Zeroes both counters and the target; the motion goes on counting from here.
 void Controller::zero(int a) {
   Axis& axis = axes_[ix(a)];
   counter_is_written(a);

@@ -1,6 +1,6 @@
 // Joystick control of the PMX (manual ch. 6; decisions AMB-080 to AMB-082): the voltage of AI1 to AI4 sets
-// speed and direction of X to U. The controller looks every 10 ms while the speed changes: by the stick, or
-// by the place between two soft limits; else never.
+// speed and direction of X to U. The stick is read every 10 ms while the speed changes, by the stick or by
+// the place between two soft limits; else never.
 //
 //   speed |  max
 //         |     \____          between the inner and the outer soft limit the speed allowed falls to nothing
@@ -55,7 +55,7 @@ double Controller::joystick_wish(int a) const {
   return off > 0 ? speed : -speed;
 }
 
-/// Between its inner and outer soft limit, on its way out: the speed falls with each look.
+/// Between its inner and outer soft limit, on its way out: the speed falls with each reading.
 bool Controller::joystick_slows(int a) const {
   const auto jl = [&](int n) { return settings_.get(Setting::joystick_limits, 4 * a + n); };
   if (motion_of(a) == nullptr || !(jl(0) < jl(1) && jl(1) < jl(2) && jl(2) < jl(3))) return false;
@@ -76,7 +76,7 @@ void Controller::joystick_tick() {
     if (joystick_on(a) || joystick_speed_[ix(a)] != 0) joystick_turn(a);
 }
 
-/// One look at the stick: the speed goes towards the wish by the largest change at most.
+/// One reading of the stick: the speed approaches the wish by at most the largest change.
 void Controller::joystick_turn(int a) {
   const double wish = joystick_wish(a), now = joystick_speed_[ix(a)];
   const auto change = static_cast<double>(settings_.get(Setting::joystick_values, 4 + a));

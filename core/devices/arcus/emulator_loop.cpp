@@ -89,7 +89,7 @@ void Controller::settle_loop(int a) {
     if (in_position) return arrived();
     return loop_fails(a, LoopState::attempt_error);
   }
-  // With IERR=1 a switch in the way ends it without an error: then nothing more is tried.
+  // With IERR=1 a switch in the way ends the correction without an error: no other is tried.
   const Sign way = delta < 0 ? Sign::minus : Sign::plus;
   if (settings_.on(Setting::ignore_errors) && (limit_active(a, way) || alarm_active(a))) return;
   ++axis.attempts;
@@ -121,7 +121,7 @@ void Controller::clear_loop_error(int a) {
   if (!axis.loop_error) return;
   axis.loop_error.reset();
   axis.attempts = 0;
-  axis.target = wrap_position(axis.encoder());  // else the range error would come back at once (AMB-040)
+  axis.target = wrap_position(axis.encoder());  // otherwise the range error would return at once (AMB-040)
 }
 
 void Controller::clear_errors(int a) {

@@ -106,7 +106,7 @@ std::string Controller::load_line(std::string_view line) {
     return {};
   }
   if (flash_.settings.load_line(line)) return {};
-  return "means nothing here: " + std::string(line.substr(0, 40));
+  return "is not known here: " + std::string(line.substr(0, 40));
 }
 
 }  // namespace hw::arcus

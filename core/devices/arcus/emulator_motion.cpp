@@ -1,5 +1,5 @@
-// How motions run: from mark to mark. A mark is a step of the path at which something has to be looked at
-// (a switch, an index, a sync position, a lost load, a turn of the path); between marks nothing is computed.
+// Motions run from mark to mark. A mark is a step of the path at which something must be checked (a switch,
+// an index, a sync position, a lost load, a turn of the path); between marks nothing is computed.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -107,8 +107,7 @@ void Controller::advance(Instant now) {
   run_programs();
 }
 
-/// What is to be done where the motion stands now. A motion that is begun is looked at before its first
-/// pulse.
+/// Does what is due at the motion's present step. A new motion is checked before its first pulse.
 void Controller::look(Motion& m) {
   for (int a = 0; a < axes(); ++a) {
     if (!takes_part(m, a)) continue;
@@ -270,7 +269,7 @@ void Controller::stop_motion(Motion& m) {
   const double from = m.profile.distance(now_);
   const Pps speed = m.profile.speed(now_);
   Profile down = Profile::ramp_down(now_, from, speed, ramp);
-  if (down.length() > m.path.steps())  // the way is shorter: steeper
+  if (down.length() > m.path.steps())  // the way is shorter: a steeper ramp
     down = Profile::approach(now_, from, speed, speed, ramp.decel, ramp, m.path.steps());
   continue_by(m, down);
 }

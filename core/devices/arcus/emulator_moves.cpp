@@ -57,7 +57,7 @@ RampOrder Controller::ramps_of(const Motion& m) const {
   return scaled(ramps(*model_, m.order), m.path.pulses_per_step());
 }
 
-/// From full speed, or from the present one while that is still above it, STOP takes ACC (or DEC).
+/// STOP takes ACC (or DEC) from full speed, or from the present speed if that is higher.
 RampOrder Controller::stop_ramps(const Motion& m) const {
   SpeedOrder o = m.order;
   const double now = m.profile.speed(now_).value * m.path.pulses_per_step() / o.ratio;
@@ -192,7 +192,7 @@ Refusal Controller::arc(std::int64_t centre_x, std::int64_t centre_y, bool clock
     const double start = std::atan2(from_y, -from_x);
     turn = std::fmod(clockwise ? end - start : start - end, full);
     if (turn < 0) turn += full;
-    const double one_pulse = 1 / (radius * k);  // less than that is where it stands
+    const double one_pulse = 1 / (radius * k);  // a smaller angle is the present place
     if (turn < one_pulse || full - turn < one_pulse) turn = end_and_sweep->second >= 360'000 ? full : 0;
   }
   tell("draws an arc about " + std::to_string(centre_x) + ", " + std::to_string(centre_y), 0b11);
@@ -220,7 +220,7 @@ Refusal Controller::change_target(int a, std::int64_t wanted) {
   if (m == nullptr || m->kind != MotionKind::target || (m->stopping && !axis.then_target))
     return Refusal::not_targeted;
   tell("goes on to " + letter(a) + " " + std::to_string(wanted), 1u << a);
-  if (axis.then_target) {  // on its way to rest, to turn round
+  if (axis.then_target) {  // slowing down to turn round
     axis.then_target = wanted;
     return Refusal::none;
   }
@@ -230,7 +230,7 @@ Refusal Controller::change_target(int a, std::int64_t wanted) {
   const std::int64_t steps =
       m->path.steps() + std::llround(static_cast<double>(way * (wanted - old)) * ratio(a));
   const RampOrder r = ramps_of(*m);
-  const motion::Ramp slowing = stop_ramps(*m).ramp;  // SSPD may be slowing it down still
+  const motion::Ramp slowing = stop_ramps(*m).ramp;  // SSPD may still be slowing it down
   const double from = m->profile.distance(now_);
   const Pps speed = m->profile.speed(now_);
   const Profile down = Profile::ramp_down(now_, from, speed, slowing);
@@ -268,7 +268,7 @@ Refusal Controller::change_speed(int a, std::int64_t wanted) {
   const motion::Ramp ramp(rate, after.decel, after.start_speed);
   const double from = m->profile.distance(now_);
   tell("goes on with " + letter(a) + " at " + std::to_string(wanted));
-  if (turns) return Refusal::none;  // the way back is made by it
+  if (turns) return Refusal::none;  // the way back uses it
   if (m->kind == MotionKind::jog)
     continue_by(*m,
                 Profile::change(now_, from, Pps(now), Pps(to), motion::Ramp(rate, rate), Profile::endless));

@@ -9,13 +9,13 @@ using language::Quantity;
 
 namespace {
 
-/// Of a motion: it waits for its axis (decision AMB-113).
+/// For a motion: it waits for its axis (decision AMB-113).
 Outcome outcome_of(Refusal refusal) {
   if (refusal == Refusal::none) return Outcome::done;
   return refusal == Refusal::moving ? Outcome::busy : Outcome::error;
 }
 
-/// Of a value: what would be refused to a host is an error of the program (decisions AMB-113, AMB-118).
+/// For a value: what a host would be refused is a program error (decisions AMB-113, AMB-118).
 Outcome outcome_of_value(Refusal refusal) {
   return refusal == Refusal::none ? Outcome::done : Outcome::error;
 }
@@ -95,10 +95,9 @@ std::int32_t ProgramHost::read(Quantity quantity, int index) const {
   }
 }
 
-std::int32_t ProgramHost::noted(std::string input, std::int32_t value) const {
+std::int32_t ProgramHost::noted(const std::string& input, std::int32_t value) const {
   const bool statement_reads = seen_.trace != nullptr && seen_.vm().line_at_work() >= 0;
-  if (statement_reads && controller_ != nullptr)
-    controller_->note_read("reads " + std::move(input) + ": " + std::to_string(value));
+  if (statement_reads && controller_ != nullptr) controller_->note_read(input, value);
   return value;
 }
 
@@ -115,7 +114,7 @@ Outcome ProgramHost::write(Quantity quantity, int index, std::int32_t value) {
     if (!seen_.settings().on(Setting::s_curve, index)) (void)controller_->change_speed(index, value);
     return Outcome::done;
   }
-  // A register takes from a program what it takes from a host (decisions AMB-062, AMB-118).
+  // A register accepts the same values from a program as from a host (decisions AMB-062, AMB-118).
   if (!can_hold(dialect_of(seen_.model()), quantity, value)) return Outcome::error;
   constexpr int ms_per_idle_unit = 10;  // decision AMB-096
   switch (quantity) {

@@ -1,5 +1,5 @@
 #pragma once
-// The controller as its stored programs see it: what a statement of the language means here.
+// The controller as its stored programs see it; carries out their statements.
 #include <string>
 
 #include "core/devices/arcus/emulator_controller.h"
@@ -10,7 +10,7 @@ namespace hw::arcus {
 class ProgramHost final : public language::VmHost {
  public:
   explicit ProgramHost(Controller& controller) : seen_(controller), controller_(&controller) {}
-  /// To be asked only.
+  /// For reading only.
   explicit ProgramHost(const Controller& controller) : seen_(controller) {}
 
   [[nodiscard]] std::int32_t read(language::Quantity quantity, int index) const override;
@@ -31,8 +31,8 @@ class ProgramHost final : public language::VmHost {
   [[nodiscard]] bool error_returns_to_start() const override { return seen_.error_returns_to_start(); }
 
  private:
-  /// An input that a statement looks at is told to whoever follows the program.
-  [[nodiscard]] std::int32_t noted(std::string input, std::int32_t value) const;
+  /// Records the read of an input in the rehearsal's trace.
+  [[nodiscard]] std::int32_t noted(const std::string& input, std::int32_t value) const;
 
   const Controller& seen_;
   Controller* controller_ = nullptr;

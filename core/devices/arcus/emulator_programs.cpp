@@ -7,7 +7,7 @@
 
 namespace hw::arcus {
 
-/// Written through to flash (decision AMB-120). What runs goes on as it was until something is started.
+/// Written through to flash (decision AMB-120). Running programs are unchanged until one is started.
 Refusal Controller::set_program_line(int line, std::string_view text) {
   const bool printable = std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
   if (!printable) return Refusal::unknown;

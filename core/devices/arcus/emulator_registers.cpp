@@ -1,4 +1,4 @@
-// What can be read and written: settings with their side effects, status words, counters, timers.
+// Registers: settings with their side effects, status words, counters, timers.
 #include <algorithm>
 #include <cmath>
 
@@ -136,7 +136,7 @@ Refusal Controller::set_position(int a, std::int64_t value) {
   return Refusal::none;
 }
 
-/// With StepNLoop the target goes along, so that no correction follows.
+/// With StepNLoop the target is set too, so that no correction follows.
 Refusal Controller::set_encoder(int a, std::int64_t value) {
   bring_up_to_date();
   if (moving(a)) return Refusal::moving;
@@ -150,8 +150,8 @@ Refusal Controller::set_encoder(int a, std::int64_t value) {
   return Refusal::none;
 }
 
-/// Run current while it moves and CURT behind; then idle current. A correction for the sake of SLM is made
-/// with idle current.
+/// Run current during a move and for CURT after it, then idle current. A correction for SLM uses idle
+/// current.
 std::int64_t Controller::current_ma() const {
   if (enables_ == 0) return 0;  // DMX manual, ch. 7: EO switches the motor's power
   const Axis& axis = axes_[0];
@@ -179,9 +179,12 @@ void Controller::tell(std::string what, unsigned axes, int limit) {
   if (trace != nullptr) trace->push_back({now_, std::move(what), vm_.line_at_work(), axes, limit});
 }
 
-void Controller::note_read(std::string what) {
-  tell(std::move(what));
-  if (trace != nullptr) trace->back().reads = true;
+void Controller::note_read(const std::string& input, int value) {
+  tell("reads " + input + ": " + std::to_string(value));
+  if (trace == nullptr) return;
+  trace->back().reads = true;
+  const bool one_line = input.starts_with("DI") && input.size() > 2;  // a number is neither on nor off
+  trace->back().io = input, trace->back().level = one_line ? value : 0;
 }
 
 }  // namespace hw::arcus

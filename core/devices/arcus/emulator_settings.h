@@ -27,11 +27,11 @@ class Settings {
   /// None: malformed or out of range.
   [[nodiscard]] std::optional<std::int64_t> parse(const SettingFact& fact, std::string_view text) const;
 
-  /// Factory values of all, or of those that no STORE keeps.
+  /// Factory values for all settings, or only for those that STORE does not keep.
   void reset(bool stored_too);
-  /// Takes the stored ones of another.
+  /// Copies the stored settings of `from`.
   void take_stored(const Settings& from);
-  /// Lines `FORM=value` of what STORE keeps ("SCVX=0"), and back: false when the line is none.
+  /// Writes what STORE keeps as lines `FORM=value` ("SCVX=0"), and reads one back. False: no such line.
   void append_stored(std::string& lines) const;
   bool load_line(std::string_view line);
 

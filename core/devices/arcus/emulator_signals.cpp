@@ -16,7 +16,7 @@ bool Controller::inverted(const PolarityBit& polarity, int axis) const {
   return ((word >> polarity.bit & 1) != 0) == polarity.inverts;
 }
 
-/// Where the load goes when the axis is sent that way.
+/// The load's direction when the axis is sent that way.
 Sign Controller::load_way(int axis, Sign way) const {
   return inverted(model_->polarity.direction, axis) ? -way : way;
 }
@@ -25,7 +25,7 @@ bool Controller::home_active(int a) const {
   return axes_[ix(a)].plant.home_operated() != inverted(model_->polarity.home, a);
 }
 
-/// The limit bit of the first axis rules them all (table 6.2).
+/// The limit bit of the first axis applies to all (table 6.2).
 bool Controller::limit_active(int a, Sign side) const {
   return axes_[ix(a)].plant.limit_operated(side) != limits_inverted();
 }
@@ -54,7 +54,7 @@ bool Controller::sync_output_on(int a) const {
   return s.holds;
 }
 
-/// The real states: of what sync owns, and of In Position and Alarm where the model has them.
+/// The real states, also of outputs that sync drives, and of In Position and Alarm where the model has them.
 std::int64_t Controller::outputs() const {
   std::int64_t seen = outputs_;
   const auto show = [&seen](int number, bool on) {
@@ -90,9 +90,13 @@ std::uint32_t Controller::output_levels() const {
 
 void Controller::set_outputs(std::int64_t value) {
   const std::int64_t changed = std::exchange(outputs_, value) ^ value;
-  for (int n = 1; trace != nullptr && n <= model_->outputs; ++n)
-    if ((changed >> (n - 1) & 1) != 0)
-      tell("output " + std::to_string(n) + ((value >> (n - 1) & 1) != 0 ? " on" : " off"));
+  for (int n = 1; trace != nullptr && n <= model_->outputs; ++n) {
+    if ((changed >> (n - 1) & 1) == 0) continue;
+    const std::string name = "output " + std::to_string(n);
+    const bool on = (value >> (n - 1) & 1) != 0;
+    tell(name + (on ? " on" : " off"));
+    trace->back().io = name, trace->back().level = on ? 1 : 0;
+  }
 }
 
 void Controller::set_output(int number, bool on) {
@@ -116,7 +120,7 @@ void Controller::jam(int a, bool on) {
   hold_loads();
 }
 
-/// A load that cannot move: jammed, or its motor has no power and the bench minds.
+/// Holds a load that cannot move: jammed, or without motor power on a bench that needs it.
 void Controller::hold_loads() {
   for (int a = 0; a < axes(); ++a) {
     Axis& axis = axes_[ix(a)];
@@ -207,7 +211,7 @@ void Controller::update_sync(int a) {
   const bool held = std::exchange(s.holds, sync_condition(a, s.seen));
   const bool equal = settings_.get(Setting::sync_condition, a) == 1;
   const std::int64_t at = settings_.get(Setting::sync_position, a);
-  // A step of several counts over the position meets it too.
+  // A step of several counts over the position counts too.
   const bool stepped_over =
       equal && !s.holds && !held && ((seen < at && s.seen > at) || (seen > at && s.seen < at));
   const Duration width = std::chrono::milliseconds(equal ? settings_.get(Setting::sync_width, a) : 0);
@@ -245,7 +249,7 @@ void Controller::watch_sync(Motion& m, int a, int way, Sign load) {
   const std::int64_t at = settings_.get(Setting::sync_position, a), here = axis.encoder();
   const std::int64_t most =
       std::abs(m.path.offset(ix(a), m.path.next_turn(m.applied)) - m.path.offset(ix(a), m.applied));
-  // The condition changes where the counter comes to the position, and where it leaves it.
+  // The condition changes where the counter reaches the position, and where it leaves it.
   const std::int64_t threshold = rising ? (here < at ? at : at + 1) : (here > at ? at : at - 1);
   if (rising ? here >= threshold : here <= threshold) return;
   mark(m, a, way, axis.first_turn(most, [&](std::int64_t turns) {

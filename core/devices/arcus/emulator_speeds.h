@@ -8,7 +8,7 @@
 
 namespace hw::arcus {
 
-/// What a move is to go by, in the unit of the commands (pulses or counts per second).
+/// Speeds and ramps ordered for a move, in the unit of the commands (pulses or counts per second).
 struct SpeedOrder {
   std::int64_t high = 1, low = 1, accel_ms = 1, decel_ms = 1;  ///< as written
   double ratio = 1;  ///< pulses per unit: the ratio of StepNLoop, or 1
@@ -17,7 +17,7 @@ struct SpeedOrder {
 
 const SpeedRow& speed_row(const Model& model, double pulses_per_second);
 
-/// `written` as the controller adjusts it: read back so, and used so.
+/// `written` as the controller adjusts it, reads it back and uses it.
 std::int64_t adjusted_ms(const Model& model, const SpeedOrder& order, std::int64_t written);
 
 /// Speeds and slopes in pulses.
@@ -25,7 +25,7 @@ struct RampOrder {
   Pps top;
   motion::Ramp ramp;
 };
-/// For moves without an end of their own.
+/// For moves without a fixed end.
 RampOrder ramps(const Model& model, const SpeedOrder& order);
 /// For a positional move over `pulses`: the three rules of figure A.1.
 RampOrder ramps_over(const Model& model, const SpeedOrder& order, double pulses);

@@ -10,7 +10,7 @@
 
 namespace hw::arcus {
 
-/// `asked`: what was sent last before a received entry. Empty when there is nothing to say.
+/// `asked`: the text last sent before a received entry. Result empty: nothing to explain.
 std::string explain(const Model& model, std::span<const CommandInfo> known, std::string_view bytes, Way way,
                     TrafficKind kind, std::string_view asked);
 /// Bits of a status word: "accelerating, + limit switch"; "at rest" when none is set.

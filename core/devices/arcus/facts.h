@@ -1,7 +1,7 @@
 #pragma once
-// What the PMX-4EX-SA and the DMX-K-SA have in common on the wire and in the tables of their manuals, and the
-// shape of what differs: each device fills in a `Model` in its own facts.h. Facts only, shared by emulator
-// and driver: nothing here writes or reads the wire.
+// Facts that the PMX-4EX-SA and the DMX-K-SA share on the wire and in the tables of their manuals, and the
+// structure of their differences: each device fills in a `Model` in its own facts.h. Shared by emulator and
+// driver; nothing here writes or reads the wire.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -64,7 +64,7 @@ struct SpeedRow {
 };
 
 // --- settings -------------------------------------------------------------------------------------------
-/// Everything with a get and a set form, under the names of no particular model.
+/// Every setting with a get and a set form, under model-independent names.
 enum class Setting : std::uint8_t {
   device_name,
   baud_code,
@@ -126,14 +126,14 @@ enum class Notation : std::uint8_t {
 };
 
 /// One row of a model's table of settings. `form` is the get form; `a` stands for the axis letter, `n` for an
-/// index from 1. The set form is the same with `=value` behind it.
+/// index from 1. The set form appends `=value`.
 struct SettingFact {
   Setting id;
   std::string_view form;
   int count;  ///< axes or indexes; 1 when there is neither
   std::int64_t min, max, factory;
   bool stored;             ///< by STORE
-  bool also_zero = false;  ///< 0 is allowed beside min..max
+  bool also_zero = false;  ///< 0 is allowed as well as min..max
   Notation notation = Notation::integer;
 };
 
@@ -156,7 +156,7 @@ struct PolarityBits {
 inline constexpr PolarityBit no_polarity{no_bit, true};
 
 // --- refusals -------------------------------------------------------------------------------------------
-/// Why a command was not done. The text of each is the model's.
+/// Why a command was refused. The model has a text for each.
 enum class Refusal : std::uint8_t {
   none,
   unknown,  ///< "?" and the command as it came
@@ -177,7 +177,7 @@ enum class Refusal : std::uint8_t {
 };
 inline constexpr std::size_t refusal_count = static_cast<std::size_t>(Refusal::needs_rs485) + 1;
 
-/// Everything in which the two products differ, as data.
+/// All differences between the two products, as data.
 struct Model {
   std::string_view name;              ///< "pmx-4ex-sa"
   std::string_view title;             ///< "PMX-4EX-SA"

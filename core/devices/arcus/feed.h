@@ -1,5 +1,5 @@
 #pragma once
-// A list of moves that runs: the axes move by it, and each round of status feeds it.
+// Runs a list of moves: the axes follow it, and each status round feeds it.
 #include "core/devices/arcus/motion_status.h"
 
 namespace hw::arcus {
@@ -10,7 +10,7 @@ class Feed {
       : console_(console), list_(list), motions_(motions), status_(status) {}
 
   Task<Result<>> start(intent::FeedMoves wish);
-  /// As many as there are places for.
+  /// Sends as many moves as the buffer has places for.
   Task<Result<>> go_on();
 
  private:

@@ -22,9 +22,8 @@ constexpr Duration slow_from = Millis(150);
 
 }  // namespace
 
-// ID tells the product; where a firmware does not know it, VER shows at least the family. One that was lost
-// is greeted by its name first, so that its answer, if it comes too late, is taken for none of the others on
-// its line.
+// ID gives the product; if a firmware does not know ID, VER shows at least the family. A lost device is asked
+// for its name first, so that a late reply is not taken for one of the others on its line.
 Task<Result<>> Finding::identify() {
   if (was_lost_) {
     const Instant began = console_.scheduler.now();
@@ -51,7 +50,7 @@ Task<Result<>> Finding::identify() {
   if (talk_.line_feeds() > 0) co_return line_feeds_come();
   if (!looks::is_version(version->text)) co_return garbled(known ? version->text : reply->text);
   co_await talk_.wait_for_quiet();  // a second device with this address would have spoken by now
-  if (talk_.strays() > 0) co_return talk_.two_answer();
+  if (talk_.unexpected() > 0) co_return talk_.two_answer();
   talk_.know_product(known);
   console_.draft.identity.model = known ? reply->text : hex_of(reply->text);
   console_.draft.identity.firmware = version->text;
@@ -63,8 +62,8 @@ Task<Result<>> Finding::identify() {
   co_return Result<>();
 }
 
-// What comes first may be the answer to whoever had the line before, or half an answer; what comes late is of
-// a slow controller. Asked again it says the same, or is silent again: then that is what it is.
+// The first reply may belong to the line's previous user or be incomplete; a late one is of a slow
+// controller. A reply or a silence that repeats is taken as it is.
 Task<Result<Reply>> Finding::ask_who_it_is(std::string question,
                                            std::function<bool(std::string_view)> is_it) {
   Result<Reply> reply = fail(FaultKind::no_answer, "");
@@ -80,13 +79,13 @@ Task<Result<Reply>> Finding::ask_who_it_is(std::string question,
     if ((silences > 1 && !heard) || console_.scheduler.now() - began > long_asked) break;
     if (reply) before = reply->text;
     co_await talk_.wait_for_quiet();
-    talk_.forget_strays();
+    talk_.forget_unexpected();
   }
   if (reply) note_how_slow();
   co_return reply;
 }
 
-// How long it took to answer, beyond the bytes.
+// Time to reply, beyond the time on the wire.
 void Finding::note_how_slow() {
   if (!talk_.is_open()) return;
   constexpr std::size_t usual_bytes = 24;  // of ID and its answer
@@ -96,9 +95,9 @@ void Finding::note_how_slow() {
   if (waited <= slow_from || std::exchange(slow_told_, true)) return;
   console_.tell(
       Notice::Kind::warning,
-      fmt::format("It takes {:.1f} s to answer. It is waited for; what is shown of it is as old, and a stop "
-                  "is confirmed as late.",
-                  seconds(waited)));
+      fmt::format(
+          "It takes {:.1f} s to answer. The values shown are that old, and a stop is confirmed that late.",
+          seconds(waited)));
 }
 
 Task<Result<>> Finding::read_name() {
@@ -126,7 +125,7 @@ Task<Result<>> Finding::read_name() {
   co_return Result<>();
 }
 
-// ---- why not
+// ---- why none was found
 
 tl::unexpected<Fault> Finding::silent() const {
   if (talk_.framing() == Framing::message)
@@ -149,8 +148,8 @@ tl::unexpected<Fault> Finding::silent() const {
                 console_.forms.supply, console_.forms.wires, console_.model().name_prefix, factory_id()));
 }
 
-// What it was told here and has stored holds when its power has been switched off and on. Empty: it is where
-// it was opened, as far as is known.
+// An address or rate set here and stored takes effect at a power cycle. Empty: it is where it was opened, as
+// far as is known.
 std::string Finding::where_it_went(int rate) const {
   const auto stored = [this](std::string_view mnemonic) -> std::optional<std::int64_t> {
     const int index = console_.catalog.find_param(mnemonic);
@@ -179,7 +178,7 @@ tl::unexpected<Fault> Finding::garbled(std::string_view bytes) const {
   const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
   return fail(
       FaultKind::garbled,
-      fmt::format("What answers at address {:02} is no {}: {} came back.", console_.catalog.address,
+      fmt::format("The device at address {:02} is not a {}: {} came back.", console_.catalog.address,
                   console_.model().title, hex_of(bytes)),
       "Nothing more was sent.",
       fmt::format("Another device, another rate{}, or two devices with one address. Connect one alone "
@@ -197,7 +196,7 @@ tl::unexpected<Fault> Finding::line_feeds_come() const {
   return fail(FaultKind::garbled,
               fmt::format("The answers at address {:02} end in CR LF; those of a {} have no LF.",
                           console_.catalog.address, console_.model().title),
-              "What came was not used.",
+              "The answer was not used.",
               "Something on the way adds it: switch the conversion of line ends off in the serial server or "
               "adapter.");
 }

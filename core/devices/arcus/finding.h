@@ -1,5 +1,5 @@
 #pragma once
-// Which controller answers, and what it calls itself; or why none does.
+// Identifies the controller that answers, and its name; or tells why none does.
 #include <chrono>
 #include <functional>
 #include <string>
@@ -17,7 +17,7 @@ class Finding {
   Task<Result<>> read_name();
   void wire_lost() { was_lost_ = true; }
 
-  /// It was asked for so long, and goes on making no sense.
+  /// After this long, replies that make no sense are final.
   static constexpr Duration long_asked = std::chrono::seconds(3);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// How each model spells what the driver says and asks, as data that the codec fills in. In a form `a` stands
-// for the axis letter, `s` for the sign, `n` for a number.
+// How each model spells the driver's commands and questions, as data that the codec fills in. In a form `a`
+// stands for the axis letter, `s` for the sign, `n` for a number.
 #include <array>
 #include <string_view>
 
@@ -13,10 +13,10 @@ struct Forms {
 
   // One round of status: each question is answered by one value per axis, joined by colons.
   std::string_view status, positions, encoders, speeds;
-  std::array<std::string_view, 5> behind_status;  ///< what follows the words of `status`: ids of readouts
+  std::array<std::string_view, 5> behind_status;  ///< readout ids of the fields after the words of `status`
 
   std::string_view position, encoder;  ///< of one axis, with a set form
-  std::string_view mode;               ///< asks for ABS or INC; empty: it stands in the status
+  std::string_view mode;               ///< asks for ABS or INC; empty: the status contains it
   std::string_view jog, stop, abort, clear;
   std::array<std::string_view, 5> homes;  ///< by HomeMode
   std::string_view power;                 ///< with a set form
@@ -30,7 +30,7 @@ struct Forms {
 
   // For a person.
   std::string_view supply;         ///< "12 to 24 V"
-  std::string_view wires;          ///< what to look at
+  std::string_view wires;          ///< what to check
   std::string_view other_product;  ///< reply to ID of the other model of the family
 };
 

@@ -22,7 +22,7 @@ std::string variable(int number) { return fmt::format("V{}", number); }
 
 void GuardThread::is(JogGuard::State state) { console_.draft.jog_guard.state = state; }
 
-// Its own thread is nobody's program until it has ended; at any other time another host's may run there.
+// The guard's thread is no user's program until it has ended; at any other time another host's may run there.
 void GuardThread::watches(unsigned axes) {
   constexpr Duration until_it_has_ended = std::chrono::seconds(1);
   const bool begins_or_ends = (axes != 0) != at_work();
@@ -57,10 +57,10 @@ Result<> GuardThread::allows(std::string_view command) const {
   const bool takes = command == "STORE" || (sets && (name == "TOC" || name.starts_with("SA")));
   if (!takes || !at_work()) return {};
   return fail(FaultKind::refused, "The guard in the controller watches a jog, and uses TOC and its program.",
-              "Nothing was sent.", "Let go of the jog first.");
+              "Nothing was sent.", "Release the jog button first.");
 }
 
-// At least so long, by the rounds of status as they come on this wire.
+// The time-out, by the rate of status rounds on this wire.
 std::chrono::milliseconds GuardThread::silence() const {
   const double rounds = console_.draft.link.polls_per_second;
   const auto known =
@@ -96,8 +96,8 @@ Task<Result<>> GuardThread::may_install() {
                  "Nothing was written.", time_out ? "" : "Save that program and clear it first.");
 }
 
-/// Whether the controller takes it; and what it was, which a round of status puts back where a stop or a
-/// missing answer ends this.
+/// Tests whether the controller accepts the time-out, and returns the former one, which a status round
+/// restores if a stop or a missed reply ends the test.
 Task<Result<std::int64_t>> GuardThread::try_time_out() {
   Conversation::Decode decode = decode_number;
   auto before = co_await talk_.ask_surely("TOC", std::move(decode), setup_.param("TOC"), Priority::intent);
@@ -138,7 +138,7 @@ Task<Result<>> GuardThread::remove() {
   if (auto let = co_await let_go(); !let) co_return let;
   if (at_work())
     co_return fail(FaultKind::refused, "The guard watches a jog.", "Nothing was written.",
-                   "Let go of the jog first.");
+                   "Release the jog button first.");
   auto there = co_await stored_.read();
   if (!there) co_return fail(there.error());
   if (!read_guard(*there, dialect_, console_.model())) {
@@ -158,7 +158,7 @@ Task<Result<>> GuardThread::remove() {
 
 // ---- what it does
 
-// A stop that comes in between leaves it at work until the next round.
+// After a stop in between the guard stays at work until the next round.
 Task<Result<>> GuardThread::watch(int axis) {
   if (console_.draft.jog_guard.state != JogGuard::State::installed) co_return Result<>();
   if (auto has = console_.has_axis(axis); !has) co_return has;
@@ -170,13 +170,13 @@ Task<Result<>> GuardThread::watch(int axis) {
   auto started = co_await start(watched_);
   if (started || was_kept_back(started.error())) co_return started;
   Fault why = std::move(started.error());
-  why.kind = FaultKind::refused;  // nothing that moves went out
+  why.kind = FaultKind::refused;  // no motion command was sent
   why.done = "The guard in the controller did not start, so the jog was not sent.";
   why.advice = "Try again, or take the guard away.";
   co_return fail(std::move(why));
 }
 
-/// Else another program would be started in its place: one that another host has written since.
+/// Otherwise a program that another host has written since would be started instead.
 Task<Result<>> GuardThread::still_there() {
   const auto stops = std::find_if(lines_.begin(), lines_.end(),
                                   [](const std::string& line) { return line.starts_with("STOP"); });
@@ -192,7 +192,7 @@ Task<Result<>> GuardThread::still_there() {
                  "The jog was not sent.", "See beside the jog pad who stops it now, and jog again.");
 }
 
-/// Else the program, which ends by itself, would put another value in its place.
+/// Otherwise the program, which ends by itself, would replace the present value.
 Task<Result<>> GuardThread::time_out_is_as_it_was() {
   Conversation::Decode decode = decode_number;
   auto now = co_await talk_.ask_surely("TOC", std::move(decode), time_out_, Priority::intent);
@@ -209,8 +209,8 @@ Task<Result<>> GuardThread::time_out_is_as_it_was() {
   co_return fail(FaultKind::refused, what, "The jog was not sent.", how);
 }
 
-// The axes first, which do nothing alone: whoever finds them knows that TOC is to be put back. TOC before the
-// program: the silence counts from there, and whatever has been silent before is over.
+// The axes come first, which have no effect alone: a console that finds them knows that TOC must be restored.
+// TOC comes before the program: the silence counts from then, and earlier silence no longer matters.
 Task<Result<>> GuardThread::start(unsigned axes) {
   const int program = guard_program(console_.model());
   if (auto told = co_await set(variable(guard_axes_variable), axes); !told) co_return told;
@@ -222,7 +222,7 @@ Task<Result<>> GuardThread::start(unsigned axes) {
   co_return fail(FaultKind::controller, fmt::format("Program {} does not run.", program));
 }
 
-// The program ends by itself when no axis is left, and puts TOC back; a stop may have ended it before.
+// The program ends by itself when no axis is left, and restores TOC; a stop may have ended it before.
 Task<Result<>> GuardThread::let_go() {
   unsigned still = 0;
   for (unsigned left = watched_; left != 0; left &= left - 1)
@@ -238,7 +238,7 @@ Task<Result<>> GuardThread::let_go() {
   co_return told;
 }
 
-// ---- what there is
+// ---- looking for it
 
 Task<Result<>> GuardThread::look() {
   using State = JogGuard::State;
@@ -250,7 +250,7 @@ Task<Result<>> GuardThread::look() {
                                               : std::vector<std::string>();
   for (int n = 0; guard.state == State::unknown && n < lines_a_round; ++n) {
     std::function<bool(std::string_view)> whatever = [](std::string_view) { return true; };
-    auto line =  // a refusal counts when it comes twice: the question may have been spoilt
+    auto line =  // only a second refusal counts: the question may have been garbled
         co_await talk_.ask_for(fmt::format("SA{}", lines_.size()), std::move(whatever), Priority::poll);
     if (!line && line.error().kind != FaultKind::refused) co_return fail(line.error());
     if (!line) is(State::no_room);  // it has no program memory
@@ -275,7 +275,7 @@ Task<Result<>> GuardThread::look() {
   co_return Result<>();
 }
 
-/// From a console that died with a jog in its hand: the next round puts V49 and TOC back where all stand.
+/// From a console that died during a held jog: the next round restores V49 and TOC if all axes stand.
 Task<Result<>> GuardThread::take_over() {
   auto axes = co_await talk_.ask_number(variable(guard_axes_variable), Priority::poll);
   if (!axes) co_return fail(axes.error());

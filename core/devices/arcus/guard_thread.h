@@ -1,7 +1,7 @@
 #pragma once
-// The guard of held jogs that the controller runs in a thread of its own (decision AMB-142): installed and
-// taken away when its user says so; at work only while a hand holds a jog. Between jogs no thread runs and
-// TOC is as it was.
+// The guard of held jogs, which the controller runs in its own thread (decision AMB-142): installed and
+// removed at the user's request, at work only while a jog is held. Between jogs no thread runs and TOC has
+// its former value.
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,18 +27,19 @@ class GuardThread {
   Task<Result<>> install();
   Task<Result<>> remove();
 
-  /// Before the first byte of a jog that a hand holds. Where none is installed nothing is sent.
+  /// Call before the first byte of a held jog. Sends nothing if no guard is installed.
   Task<Result<>> watch(int axis);
-  /// Axes that stand are watched no more: each round, and before anything else that may move one.
+  /// Stops watching axes that stand. Call each round, and before anything else that may move an axis.
   Task<Result<>> let_go();
-  /// At rest: a few lines a round, until it is known what the program memory holds.
+  /// At rest: reads a few lines a round, until the content of program memory is known.
   Task<Result<>> look();
 
-  /// Before a command of the user's: none may take from it what it works with, or store that.
+  /// Call before a user's command: refuses one that would change or store what the guard uses.
   [[nodiscard]] Result<> allows(std::string_view command) const;
-  /// Before a command goes out: the stored code is another then. What it owes it owes all the same.
+  /// Call before a command is sent: it may change the stored code. Watched axes and TOC still have to be put
+  /// back.
   void goes_out(std::string_view command);
-  /// What it is doing shows when it is looked at again.
+  /// The guard's state is unknown until look() has read it.
   void forget();
   [[nodiscard]] bool at_work() const { return watched_ != 0; }
 
@@ -63,7 +64,7 @@ class GuardThread {
   SetUp& setup_;
   Threads& threads_;
   StoredLines& stored_;
-  std::vector<std::string> lines_;  ///< of the guard; while it is looked for: those that were read
+  std::vector<std::string> lines_;  ///< of the guard; during the search those read so far
   std::int64_t time_out_ = 0;       ///< TOC while no jog is held
   unsigned watched_ = 0;            ///< a bit per axis
 };

@@ -1,7 +1,7 @@
 #pragma once
-// What each line of the stored code is known to be: as it was read last, and nothing has gone out since that
-// may have changed it. The controller writes each line to its flash at once (PMX ch. 6, DMX ch. 7), which
-// wears; what is known to be there is not written again.
+// The known lines of the stored code: as last read, with nothing sent since that may have changed them. The
+// controller writes each line to its flash at once (PMX ch. 6, DMX ch. 7), which wears; a line known to be
+// there is not written again.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,12 +12,12 @@ namespace hw::arcus {
 class HeldLines {
  public:
   HeldLines();
-  /// Null: it is not known.
+  /// Null: not known.
   [[nodiscard]] const std::string* known(int line) const;
   void was_read(int line, std::string text);
-  /// Before it does, and whether or not it is confirmed.
+  /// Call before the command is sent: it may act unconfirmed.
   void goes_out(std::string_view command);
-  /// Somebody else may have written.
+  /// Another host may have written.
   void forget();
 
  private:

@@ -12,12 +12,18 @@ bool Lines::glance_is_due() const {
   return now < watched_until_ && now - glanced_at_ >= glance_every;
 }
 
-// What goes wrong here goes wrong with the question behind it too.
+// A fault here also shows on the question that follows.
 Task<> Lines::glance() {
   glanced_at_ = console_.scheduler.now();
   auto inputs = co_await talk_.ask_number("DI", Priority::poll);
-  if (!inputs || !glance_look_.agrees(static_cast<std::uint64_t>(*inputs), talk_.times_cleaned())) co_return;
-  show_inputs(*inputs, talk_.asked_at());
+  if (inputs) tell_who_watches(*inputs);
+}
+
+// Inputs are shown without waiting for the outputs that are read next.
+void Lines::tell_who_watches(std::int64_t inputs) {
+  const bool watched = console_.scheduler.now() < watched_until_;
+  if (!watched || !glance_look_.agrees(static_cast<std::uint64_t>(inputs), talk_.times_cleaned())) return;
+  show_inputs(inputs, talk_.asked_at());
   console_.changed();
 }
 
@@ -29,10 +35,11 @@ void Lines::show_inputs(std::int64_t inputs, Instant asked_at) {
 
 Task<Result<>> Lines::read(Priority priority) {
   for (const bool again : {false, true}) {
-    glanced_at_ = console_.scheduler.now();  // not twice, one behind the other
+    glanced_at_ = console_.scheduler.now();  // no glance right after this reading
     auto inputs = co_await talk_.ask_number("DI", priority);
     if (!inputs) co_return fail(inputs.error());
     const Instant inputs_asked_at = talk_.asked_at();
+    tell_who_watches(*inputs);
     auto outputs = co_await talk_.ask_number("DO", priority);
     if (!outputs) co_return fail(outputs.error());
     auto enables = co_await talk_.ask_number("EO", priority);

@@ -14,22 +14,23 @@ class Lines {
       : console_(console), talk_(talk), setup_(setup) {}
 
   Task<Result<>> read(Priority priority);
-  /// The inputs, once more between the questions of a round, and told at once.
+  /// Until `until` the inputs are also read between the questions of a round, and told at once.
   void watch_inputs(Instant until) { watched_until_ = until; }
   [[nodiscard]] bool glance_is_due() const;
   Task<> glance();
   Task<Result<>> set_output(intent::SetOutput wish);
   Task<Result<>> set_power(intent::SetPower wish);
-  /// Each, whatever comes of the others. What they are then, the next round tells.
+  /// Sends each command even if another fails. The next round reads the outputs.
   Task<Result<>> switch_tool_off(ToolOff tool);
 
-  /// The user's own text may have switched a motor: the next round looks.
+  /// The user's own text may have switched a motor: the next round reads.
   void look_soon() { due_ = true; }
-  /// Once.
+  /// True once.
   [[nodiscard]] bool are_due() { return std::exchange(due_, false); }
 
  private:
   [[nodiscard]] std::string who_has(int output) const;
+  void tell_who_watches(std::int64_t inputs);
   void show_inputs(std::int64_t inputs, Instant asked_at);
 
   const Console& console_;

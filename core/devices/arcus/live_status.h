@@ -1,11 +1,11 @@
 #pragma once
-// Status in the middle of a long procedure: what is shown must not grow stale meanwhile.
+// Status during a long procedure, so that the display does not go stale.
 #include "core/devices/arcus/motion_status.h"
 #include "core/devices/arcus/threads.h"
 
 namespace hw::arcus {
 
-/// From one round of status to the next.
+/// Time between status rounds.
 inline constexpr Duration period_at_rest = Millis(200);
 
 class LiveStatus {
@@ -13,7 +13,7 @@ class LiveStatus {
   LiveStatus(const Console& console, Conversation& talk, MotionStatus& status, Threads& threads)
       : console_(console), talk_(talk), status_(status), threads_(threads) {}
 
-  /// If it is time.
+  /// Only if a round is due.
   Task<> read();
 
  private:

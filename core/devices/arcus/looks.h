@@ -1,6 +1,6 @@
 #pragma once
-// What the answers of these controllers look like: a late one is taken for no answer that looks different.
-// Nothing but DN is answered with a device name, nothing but ID with the product. Pure functions.
+// The looks of these controllers' replies: a late reply is never taken for one with a different look. Only DN
+// is answered with a device name, only ID with the product. Pure functions.
 #include <functional>
 #include <string_view>
 
@@ -14,15 +14,14 @@ inline constexpr Look number{4}, numbers{5};
 inline constexpr Look done{6};  ///< OK, or ? and why not
 inline constexpr Look text{7};  ///< a stored line, or the answer to the user's own text: anything but a name
 
-/// Of the answer to that text, which asks for a number unless it says otherwise; the user's own text may ask
-/// for anything.
+/// The look of the reply to this text. The driver's questions ask for a number, with few exceptions; the
+/// user's own text may ask for anything.
 Look of_question(const Forms& forms, std::string_view question);
 Look of_text(const Forms& forms, std::string_view command);
 
 bool is_version(std::string_view text);
 
-/// How many bytes at the front are whole texts other than the one that is waited for. npos, 0: see
-/// unasked_at_front().
+/// Length of the complete texts at the front that are not the awaited one. npos, 0: see unasked_at_front().
 std::size_t others_at_front(std::string_view bytes, const std::function<bool(std::string_view)>& is_it);
 
 }  // namespace hw::arcus::looks

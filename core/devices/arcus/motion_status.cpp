@@ -15,8 +15,7 @@ Task<Result<>> MotionStatus::read(Priority priority) {
   co_return read;
 }
 
-// Where an answer was missing in between, what was read before and behind it may be of two controllers: one
-// before its restart, and one behind it.
+// If a reply was missed, values read before and after it may be from before and after a restart.
 Task<Result<>> MotionStatus::read_whole(Priority priority) {
   for (const bool again : {false, true}) {
     auto read = co_await read_counters(priority);
@@ -31,15 +30,15 @@ Task<Result<>> MotionStatus::read_whole(Priority priority) {
 Task<Result<>> MotionStatus::read_counters(Priority priority) {
   round_began_ = console_.scheduler.now();
   const auto axes = ix(console_.axes());
-  std::size_t fields = axes;
-  for (const std::string_view id : console_.forms.behind_status) fields += id.empty() ? 0 : 1;
   const Instant asked_at = console_.scheduler.now();
-  auto status = co_await talk_.ask_numbers(std::string(console_.forms.status), fields, priority);
+  auto status =
+      co_await talk_.ask_numbers(std::string(console_.forms.status), fields_of_status(console_), priority);
   if (!status) co_return fail(status.error());
+  limits_.take(*status, talk_.asked_at());
   watch_.first_answer_came();
   auto positions = co_await talk_.ask_numbers(std::string(console_.forms.positions), axes, priority);
   if (!positions) co_return fail(positions.error());
-  const Instant seen_at = talk_.asked_at();  // the answer, or what is asked behind it, may have come late
+  const Instant seen_at = talk_.asked_at();  // this reply or a later one may have come late
   auto encoders = co_await talk_.ask_numbers(std::string(console_.forms.encoders), axes, priority);
   if (!encoders) co_return fail(encoders.error());
   auto speeds = co_await talk_.ask_numbers(std::string(console_.forms.speeds), axes, priority);
@@ -66,20 +65,12 @@ Task<Result<>> MotionStatus::read_counters(Priority priority) {
 
 void MotionStatus::take_status(const std::vector<std::int64_t>& words) {
   const StatusBits& bits = console_.model().status;
-  std::uint64_t limits = 0;
-  for (int i = 0; i < console_.axes(); ++i)
-    limits = limits << 2 | std::uint64_t{has_bit(words[ix(i)], bits.minus_limit)} << 1 |
-             std::uint64_t{has_bit(words[ix(i)], bits.plus_limit)};
-  const bool limits_agree = limits_look_.agrees(limits, talk_.times_cleaned());
   for (int i = 0; i < console_.axes(); ++i) {
     const std::int64_t word = words[ix(i)];
     motions_.status_is(i, word);
     AxisState& axis = console_.draft.axes[i];
-    axis.limit_minus = has_bit(word, bits.minus_limit);
-    axis.limit_plus = has_bit(word, bits.plus_limit);
     axis.home = has_bit(word, bits.home);
     axis.alarm = has_bit(word, bits.alarm);
-    axis.limits_known = limits_agree;
     axis.phase = has_bit(word, bits.accelerating)   ? Phase::accelerating
                  : has_bit(word, bits.decelerating) ? Phase::decelerating
                  : has_bit(word, bits.constant)     ? Phase::constant
@@ -98,8 +89,8 @@ void MotionStatus::take_status(const std::vector<std::int64_t>& words) {
   }
 }
 
-// The state of StepNLoop, of axes that have it on, or where that is not known. Whether one has come to rest
-// is told by the whole round: where it stands must be of the same.
+// Reads the StepNLoop state of axes that have it on, or where that is unknown. Only a whole round tells
+// whether an axis is at rest: its position must be of the same round.
 Task<Result<>> MotionStatus::read_loops(Priority priority) {
   for (int i = 0; i < console_.axes(); ++i) {
     if (motions_.loop_is_off(i)) continue;
@@ -114,8 +105,7 @@ Task<Result<>> MotionStatus::read_loops(Priority priority) {
   co_return Result<>();
 }
 
-// What may have gone wrong when no answer came to something that moves: the state is read, nothing is sent
-// again.
+// After a command that moves had no clear reply: the state is read, nothing is sent again.
 Task<Fault> MotionStatus::after_doubt(Fault why, std::string_view sent) {
   Fault fault = std::move(why);
   if (fault.kind != FaultKind::no_answer && fault.kind != FaultKind::garbled) co_return fault;
@@ -127,7 +117,7 @@ Task<Fault> MotionStatus::after_doubt(Fault why, std::string_view sent) {
   fault.what = fmt::format("No clear answer came to {}.", sent);
   fault.done = "It was sent once and is not repeated.";
   fault.advice = seen ? fmt::format("The state was read afresh: {}.", where)
-                      : "The state could not be read either. Look at the axis before you go on.";
+                      : "The state could not be read either. Check the axis before you go on.";
   co_return fault;
 }
 

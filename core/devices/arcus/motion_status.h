@@ -1,34 +1,35 @@
 #pragma once
-// Asking where the axes are and what they do: four questions, each answered for all axes, and StepNLoop of
-// those that have it on.
+// Reads positions and motion of the axes: four questions, each answered for all axes, and StepNLoop of those
+// that have it on.
 #include <string_view>
 #include <vector>
 
+#include "core/devices/arcus/limit_switches.h"
 #include "core/devices/arcus/motions.h"
 #include "core/devices/arcus/move_list.h"
 #include "core/devices/arcus/readouts.h"
-#include "core/devices/arcus/second_look.h"
 
 namespace hw::arcus {
 
 class MotionStatus {
  public:
   MotionStatus(const Console& console, Conversation& talk, CodeAtWork& code, MoveList& list,
-               Readouts& readouts, RestartWatch& watch, Motions& motions)
+               Readouts& readouts, RestartWatch& watch, Motions& motions, LimitSwitches& limits)
       : console_(console),
         talk_(talk),
         code_(code),
         list_(list),
         readouts_(readouts),
         watch_(watch),
-        motions_(motions) {}
+        motions_(motions),
+        limits_(limits) {}
 
-  /// Each is looked at for a restart: one that was not would hide it from the next.
+  /// Each reading is checked for a restart: an unchecked one would hide it from the next.
   Task<Result<>> read(Priority priority);
-  /// Without that look.
+  /// Without that check.
   Task<Result<>> read_whole(Priority priority);
   Task<Result<>> read_loops(Priority priority);
-  /// What is said when no clear answer came to something that moves.
+  /// The fault to report when a command that moves had no clear reply.
   Task<Fault> after_doubt(Fault why, std::string_view sent);
   [[nodiscard]] Instant round_began() const { return round_began_; }
 
@@ -43,9 +44,9 @@ class MotionStatus {
   Readouts& readouts_;
   RestartWatch& watch_;
   Motions& motions_;
-  SecondLook limits_look_;
+  LimitSwitches& limits_;
   Instant round_began_{};
-  Instant asked_at_{};  ///< the oldest question of the newest round that has been applied
+  Instant asked_at_{};  ///< the oldest question of the newest round applied
 };
 
 }  // namespace hw::arcus

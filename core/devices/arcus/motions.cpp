@@ -23,7 +23,7 @@ bool loop_stops(int state) {
   return state == static_cast<int>(LoopState::stopping) || state == static_cast<int>(LoopState::aborting);
 }
 
-/// Neither slows down nor corrects: seen behind a stop it is the next motion.
+/// Neither slowing down nor correcting: after a stop this is the next motion.
 bool loop_sets_out(int state) {
   return loop_works(state) && !loop_stops(state) && state != static_cast<int>(LoopState::correcting);
 }
@@ -45,13 +45,13 @@ Activity activity_of(int loop_state) {
 // ---- what the console does
 
 void Motions::begun(int index, Activity activity, Instant when) {
-  AxisMind& mind = minds_[ix(index)];
-  mind.wanted = activity;
-  mind.ours = true;
-  mind.stopping = false;
-  mind.ended_by = EndedBy::nothing;
-  mind.begun_at = when;
-  mind.top_speed = {};
+  AxisTracking& tracking = tracked_[ix(index)];
+  tracking.wanted = activity;
+  tracking.ours = true;
+  tracking.stopping = false;
+  tracking.ended_by = EndedBy::nothing;
+  tracking.begun_at = when;
+  tracking.top_speed = {};
   AxisState& axis = console_.draft.axes[index];
   axis.activity = activity;
   axis.ended_by = EndedBy::nothing;
@@ -63,7 +63,7 @@ void Motions::begun_together(const std::vector<int>& axes, Activity activity) {
   for (const int axis : axes) together |= 1u << axis;
   for (const int axis : axes) {
     begun(axis, activity, console_.scheduler.now());
-    minds_[ix(axis)].with = together;
+    tracked_[ix(axis)].with = together;
   }
 }
 
@@ -71,21 +71,21 @@ void Motions::goes_to(int index, Steps target, Pps speed) {
   AxisState& axis = console_.draft.axes[index];
   axis.has_target = true;
   axis.target = target;
-  minds_[ix(index)].top_speed = speed.value > 0 ? speed : axis.own_speed;
+  tracked_[ix(index)].top_speed = speed.value > 0 ? speed : axis.own_speed;
 }
 
 void Motions::goes_elsewhere(int axis, Steps target) {
   console_.draft.axes[axis].target = target;
   console_.draft.axes[axis].has_target = true;
-  minds_[ix(axis)].ours = true;
-  minds_[ix(axis)].wanted = Activity::moving;
+  tracked_[ix(axis)].ours = true;
+  tracked_[ix(axis)].wanted = Activity::moving;
 }
 
 void Motions::another_begins(int axis) {
-  AxisMind& mind = minds_[ix(axis)];
-  mind.ours = false;
-  mind.with = 0;
-  mind.wanted = Activity::idle;
+  AxisTracking& tracking = tracked_[ix(axis)];
+  tracking.ours = false;
+  tracking.with = 0;
+  tracking.wanted = Activity::idle;
   console_.draft.axes[axis].has_target = false;
 }
 
@@ -94,20 +94,20 @@ void Motions::stopping(int axis, bool at_once) {
     if ((axis >= 0 && i != axis) || !console_.draft.axis_moves(i)) continue;
     ended_by_us(i, at_once ? EndedBy::abort : EndedBy::stop);
     console_.draft.axes[i].activity = Activity::stopping;
-    minds_[ix(i)].stopping = true;
+    tracked_[ix(i)].stopping = true;
   }
 }
 
 void Motions::ended_by_us(int axis, EndedBy why) {
   for (int i = 0; i < console_.axes(); ++i) {
-    if (!console_.draft.axis_moves(i) || (i != axis && (minds_[ix(axis)].with >> i & 1u) == 0)) continue;
-    minds_[ix(i)].ended_by = why;
+    if (!console_.draft.axis_moves(i) || (i != axis && (tracked_[ix(axis)].with >> i & 1u) == 0)) continue;
+    tracked_[ix(i)].ended_by = why;
     if (why == EndedBy::abort) doubt_killed_position(i);
   }
 }
 
-// Its pulses end with ABORT, not its mass: a step motor stays in step only up to the speed at which it starts
-// without a ramp too. With StepNLoop the encoder counts what it did.
+// ABORT ends the pulses, not the motion of the mass: a step motor stays in step only up to the speed at which
+// it also starts without a ramp. With StepNLoop the encoder counts the real motion.
 void Motions::doubt_killed_position(int index) {
   AxisState& axis = console_.draft.axes[index];
   const std::int64_t safe = setup_.start_speed(index);
@@ -123,7 +123,7 @@ void Motions::doubt_killed_position(int index) {
 void Motions::stands(int axis) {
   for (int i = 0; i < console_.axes(); ++i) {
     if (axis >= 0 && i != axis) continue;
-    minds_[ix(i)].stopping = false;
+    tracked_[ix(i)].stopping = false;
     show(i, console_.scheduler.now());
   }
 }
@@ -131,58 +131,58 @@ void Motions::stands(int axis) {
 // ---- what the controller says
 
 void Motions::turned(int axis, Steps way) {
-  AxisMind& mind = minds_[ix(axis)];
-  mind.turned_back = false;
+  AxisTracking& tracking = tracked_[ix(axis)];
+  tracking.turned_back = false;
   if (way == Steps(0)) return;
-  const auto before = std::exchange(mind.turned, static_cast<std::int8_t>(way > Steps(0) ? 1 : -1));
-  mind.turned_back = before == -mind.turned;
+  const auto before = std::exchange(tracking.turned, static_cast<std::int8_t>(way > Steps(0) ? 1 : -1));
+  tracking.turned_back = before == -tracking.turned;
 }
 
 void Motions::loop_is(int axis, std::int64_t state) {
-  AxisMind& mind = minds_[ix(axis)];
-  const int before = std::exchange(mind.loop_state, static_cast<int>(state));
-  if (loop_stops(before) && loop_sets_out(mind.loop_state)) mind.ended_by = EndedBy::nothing;
+  AxisTracking& tracking = tracked_[ix(axis)];
+  const int before = std::exchange(tracking.loop_state, static_cast<int>(state));
+  if (loop_stops(before) && loop_sets_out(tracking.loop_state)) tracking.ended_by = EndedBy::nothing;
   console_.draft.axes[axis].in_counts = state != static_cast<std::int64_t>(LoopState::off);
 }
 
 bool Motions::take_loop(int axis, std::int64_t state, Instant asked_at) {
-  if (asked_at < minds_[ix(axis)].loop_asked_at) return false;
-  minds_[ix(axis)].loop_asked_at = asked_at;
+  if (asked_at < tracked_[ix(axis)].loop_asked_at) return false;
+  tracked_[ix(axis)].loop_asked_at = asked_at;
   loop_is(axis, state);
   return true;
 }
 
 void Motions::loops_are_unknown() {
-  for (AxisMind& mind : minds_) mind.loop_state = -1;
+  for (AxisTracking& tracking : tracked_) tracking.loop_state = -1;
 }
 
 void Motions::loop_is_unknown(int axis) {
-  if (!loop_is_off(axis)) minds_[ix(axis)].loop_state = -1;
+  if (!loop_is_off(axis)) tracked_[ix(axis)].loop_state = -1;
 }
 
-// What the axis does, from its status word, StepNLoop and what the console began. A command that was sent
-// after the question was asked is not judged by the answer.
+// Shows the activity of the axis, from its status word, StepNLoop and the console's command. A command sent
+// after the question is not judged by its reply.
 void Motions::show(int index, Instant asked_at) {
-  AxisMind& mind = minds_[ix(index)];
+  AxisTracking& tracking = tracked_[ix(index)];
   AxisState& axis = console_.draft.axes[index];
-  if (mind.begun_at > asked_at) return;
-  if (mind.stopping) {  // until whoever stops it has seen it stand
+  if (tracking.begun_at > asked_at) return;
+  if (tracking.stopping) {  // until the stop has seen it stand
     axis.activity = Activity::stopping;
     return;
   }
-  // What a stop slows down does not turn round, unless StepNLoop corrects it: that is the next move of a
-  // program.
-  if (mind.turned_back && (!axis.in_counts || loop_sets_out(mind.loop_state)))
-    mind.ended_by = EndedBy::nothing;
+  // An axis that a stop slows down does not reverse, unless StepNLoop corrects it: a reversal is the next
+  // move of a program.
+  if (tracking.turned_back && (!axis.in_counts || loop_sets_out(tracking.loop_state)))
+    tracking.ended_by = EndedBy::nothing;
   if (runs(index)) {
-    if (mind.ours && mind.wanted != Activity::idle)
-      axis.activity = mind.wanted;
+    if (tracking.ours && tracking.wanted != Activity::idle)
+      axis.activity = tracking.wanted;
     else
-      axis.activity = activity_of(mind.loop_state);
-    if (axis.has_target && mind.ours)
+      axis.activity = activity_of(tracking.loop_state);
+    if (axis.has_target && tracking.ours)
       axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
-    else if (!mind.ours || mind.wanted != Activity::jogging)
-      axis.direction = mind.turned;
+    else if (!tracking.ours || tracking.wanted != Activity::jogging)
+      axis.direction = tracking.turned;
     axis.ended_by = EndedBy::nothing;
     axis.error = AxisError::none;
     return;
@@ -195,53 +195,53 @@ void Motions::show(int index, Instant asked_at) {
 }
 
 void Motions::show_ended(int index) {
-  AxisMind& mind = minds_[ix(index)];
+  AxisTracking& tracking = tracked_[ix(index)];
   AxisState& axis = console_.draft.axes[index];
   const bool was_moving = console_.draft.axis_moves(index);
   if (was_moving) axis.ended_by = how_it_ended(index);
-  if (was_moving && mind.wanted == Activity::homing && axis.ended_by == EndedBy::target)
+  if (was_moving && tracking.wanted == Activity::homing && axis.ended_by == EndedBy::target)
     axis.trust.settle(Trust::homed, console_.scheduler.now());
   another_begins(index);
-  mind.ended_by = EndedBy::nothing;
+  tracking.ended_by = EndedBy::nothing;
 }
 
 void Motions::restarted(unsigned moved) {
   for (int i = 0; i < console_.axes(); ++i) {
     AxisState& axis = console_.draft.axes[i];
     if ((moved >> i & 1u) != 0) axis.ended_by = EndedBy::lost;
-    minds_[ix(i)] = AxisMind();
+    tracked_[ix(i)] = AxisTracking();
     axis.has_target = false;
     axis.trust.doubt(Doubt::power_cut, console_.scheduler.now());
   }
 }
 
 void Motions::wire_lost() {
-  for (AxisMind& mind : minds_) mind.stopping = false;
+  for (AxisTracking& tracking : tracked_) tracking.stopping = false;
 }
 
 // ---- what it means
 
 bool Motions::runs(int axis) const {
-  const AxisMind& mind = minds_[ix(axis)];
-  return arcus::says_moving(mind.status) || loop_works(mind.loop_state);
+  const AxisTracking& tracking = tracked_[ix(axis)];
+  return arcus::says_moving(tracking.status) || loop_works(tracking.loop_state);
 }
 
-bool Motions::says_moving(int axis) const { return arcus::says_moving(minds_[ix(axis)].status); }
+bool Motions::says_moving(int axis) const { return arcus::says_moving(tracked_[ix(axis)].status); }
 
 bool Motions::loop_is_off(int axis) const {
-  return minds_[ix(axis)].loop_state == static_cast<int>(LoopState::off);
+  return tracked_[ix(axis)].loop_state == static_cast<int>(LoopState::off);
 }
 
 bool Motions::loop_error(int axis) const {
-  const int state = minds_[ix(axis)].loop_state;
+  const int state = tracked_[ix(axis)].loop_state;
   return state >= static_cast<int>(LoopState::range_error) &&
          state <= static_cast<int>(LoopState::limit_error);
 }
 
 AxisError Motions::error_of(int axis) const {
   const StatusBits& bits = console_.model().status;
-  const std::int64_t word = minds_[ix(axis)].status;
-  switch (static_cast<LoopState>(minds_[ix(axis)].loop_state)) {
+  const std::int64_t word = tracked_[ix(axis)].status;
+  switch (static_cast<LoopState>(tracked_[ix(axis)].loop_state)) {
     case LoopState::stall_error: return AxisError::stalled;
     case LoopState::range_error: return AxisError::too_far;
     case LoopState::attempt_error: return AxisError::not_corrected;
@@ -255,18 +255,18 @@ AxisError Motions::error_of(int axis) const {
 
 EndedBy Motions::how_it_ended(int axis) const {
   const StatusBits& bits = console_.model().status;
-  const std::int64_t word = minds_[ix(axis)].status;
+  const std::int64_t word = tracked_[ix(axis)].status;
   if (has_bit(word, bits.plus_error) || has_bit(word, bits.minus_error)) return EndedBy::limit;
   if (has_bit(word, bits.alarm_error) || loop_error(axis)) return EndedBy::error;
-  if (minds_[ix(axis)].ended_by != EndedBy::nothing) return minds_[ix(axis)].ended_by;
+  if (tracked_[ix(axis)].ended_by != EndedBy::nothing) return tracked_[ix(axis)].ended_by;
   if (!misses_its_target(axis)) return EndedBy::target;
-  const unsigned with = minds_[ix(axis)].with;
-  for (int i = 0; i < console_.axes(); ++i)  // on a straight line all end with the one that cannot go on
+  const unsigned with = tracked_[ix(axis)].with;
+  for (int i = 0; i < console_.axes(); ++i)  // on a straight line all end with the blocked one
     if (i != axis && (with >> i & 1u) != 0 && error_of(i) != AxisError::none) return EndedBy::nothing;
   return EndedBy::elsewhere;
 }
 
-// With StepNLoop it may stand a little beside it (SLT).
+// With StepNLoop the axis may miss its target by up to SLT.
 bool Motions::misses_its_target(int index) const {
   const AxisState& axis = console_.draft.axes[index];
   if (!axis.has_target) return false;
@@ -280,20 +280,20 @@ std::int64_t Motions::loop_tolerance(int axis) const {
   return room;
 }
 
-// How fast a counter may come to zero by itself. An axis on its way elsewhere, or away from there, does not
-// rest at zero.
+// How fast a counter may come to zero by its own motion. An axis moving elsewhere, or away from zero, does
+// not come to rest there.
 Pps Motions::fastest_way_to_zero(int index) const {
   constexpr Pps at_once{std::numeric_limits<double>::infinity()};
   const AxisState& axis = console_.draft.axes[index];
-  const AxisMind& mind = minds_[ix(index)];
+  const AxisTracking& tracking = tracked_[ix(index)];
   if (!console_.draft.axis_moves(index)) return Pps{};
-  if (!mind.ours || mind.wanted == Activity::homing) return at_once;
+  if (!tracking.ours || tracking.wanted == Activity::homing) return at_once;
   const bool away = axis.position.value * axis.direction > 0;
-  if (mind.wanted == Activity::jogging) return away ? Pps{} : std::max(axis.speed, mind.top_speed);
-  if (mind.stopping) return away ? Pps{} : axis.speed;
+  if (tracking.wanted == Activity::jogging) return away ? Pps{} : std::max(axis.speed, tracking.top_speed);
+  if (tracking.stopping) return away ? Pps{} : axis.speed;
   if (!axis.has_target) return at_once;
   if (axis.target != Steps(0)) return Pps{};
-  return mind.top_speed.value > 0 ? std::max(axis.speed, mind.top_speed) : at_once;
+  return tracking.top_speed.value > 0 ? std::max(axis.speed, tracking.top_speed) : at_once;
 }
 
 RestartWatch::AxisNow Motions::now(int axis) const {
@@ -302,7 +302,8 @@ RestartWatch::AxisNow Motions::now(int axis) const {
   RestartWatch::AxisNow now;
   now.runs = runs(axis);
   now.moving = console_.draft.axis_moves(axis);
-  now.to_encoder = state.in_counts && (minds_[ix(axis)].stopping || loop_stops(minds_[ix(axis)].loop_state));
+  now.to_encoder =
+      state.in_counts && (tracked_[ix(axis)].stopping || loop_stops(tracked_[ix(axis)].loop_state));
   now.towards_zero = fastest_way_to_zero(axis);
   now.room = room;
   now.leaves_zero = leaves_zero(axis);
@@ -311,9 +312,9 @@ RestartWatch::AxisNow Motions::now(int axis) const {
 
 bool Motions::leaves_zero(int index) const {
   const AxisState& axis = console_.draft.axes[index];
-  const AxisMind& mind = minds_[ix(index)];
-  if (!runs(index) || !mind.ours || mind.stopping) return false;
-  if (mind.wanted == Activity::jogging) return axis.position.value * axis.direction > 0;
+  const AxisTracking& tracking = tracked_[ix(index)];
+  if (!runs(index) || !tracking.ours || tracking.stopping) return false;
+  if (tracking.wanted == Activity::jogging) return axis.position.value * axis.direction > 0;
   return axis.has_target && std::abs(axis.target.value) > loop_tolerance(index);
 }
 

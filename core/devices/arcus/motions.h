@@ -1,6 +1,6 @@
 #pragma once
-// What is under way on each axis: what the console has begun and stopped there, what the status words and
-// StepNLoop say, and what that means.
+// The motion of each axis: what the console has begun and stopped, what the status words and StepNLoop say,
+// and what that means.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -17,32 +17,32 @@ class Motions {
   void begun(int axis, Activity activity, Instant at);
   /// One command moves all of these.
   void begun_together(const std::vector<int>& axes, Activity activity);
-  /// The motion that has begun ends there; no speed: it has the axis's own.
+  /// The motion just begun ends at `target`; speed 0: the axis's own.
   void goes_to(int axis, Steps target, Pps speed);
-  /// The target was changed on the way.
+  /// The target was changed during the motion.
   void goes_elsewhere(int axis, Steps target);
-  /// Somebody else's motion of that axis: whatever the console had begun there has ended.
+  /// Another motion of that axis: the console's own has ended.
   void another_begins(int axis);
-  /// Those that move are being stopped; -1: all axes.
+  /// Marks the axis as being stopped, if it moves; -1: all axes.
   void stopping(int axis, bool at_once);
   /// Axes that move together end together.
   void ended_by_us(int axis, EndedBy why);
-  /// What was being stopped is shown as it is again; -1: all axes.
+  /// The stop is over: the axis is shown as it is; -1: all axes.
   void stands(int axis);
 
   // ---- what the controller says
-  void status_is(int axis, std::int64_t word) { minds_[static_cast<std::size_t>(axis)].status = word; }
-  /// Its position has changed by so much.
+  void status_is(int axis, std::int64_t word) { tracked_[static_cast<std::size_t>(axis)].status = word; }
+  /// Its position has changed by `way`.
   void turned(int axis, Steps way);
   void loop_is(int axis, std::int64_t state);
-  /// False: a newer question has told it already.
+  /// False: a newer reply is already known.
   bool take_loop(int axis, std::int64_t state, Instant asked_at);
   void loops_are_unknown();
   /// Unless it is off.
   void loop_is_unknown(int axis);
-  /// By what was answered to questions of that time or later.
+  /// Shows the axis by replies to questions asked at `asked_at` or later.
   void show(int axis, Instant asked_at);
-  /// `moved`: a bit for each axis that was on its way.
+  /// `moved`: a bit for each axis that was moving.
   void restarted(unsigned moved);
   void wire_lost();
 
@@ -54,18 +54,18 @@ class Motions {
   [[nodiscard]] RestartWatch::AxisNow now(int axis) const;
 
  private:
-  /// What the console knows of an axis beside the snapshot.
-  struct AxisMind {
+  /// What the console knows of an axis beyond the snapshot.
+  struct AxisTracking {
     Activity wanted = Activity::idle;     ///< what our last command began
     EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did
     std::int64_t status = 0;
     int loop_state = -1;       ///< -1: not read yet
-    Instant loop_asked_at{};   ///< the question that told it
+    Instant loop_asked_at{};   ///< when it was asked for
     bool ours = false;         ///< a motion of the console is under way
     bool stopping = false;     ///< a stop was sent
     unsigned with = 0;         ///< a bit for each axis of the same motion
     std::int8_t turned = 0;    ///< direction of the latest change of position
-    bool turned_back = false;  ///< it was another one than before
+    bool turned_back = false;  ///< it differs from the one before
     Instant begun_at{};        ///< when our last command was sent
     Pps top_speed{};           ///< of the motion that it began; 0: not known
   };
@@ -80,7 +80,7 @@ class Motions {
 
   const Console& console_;
   const SetUp& setup_;
-  std::array<AxisMind, max_axes> minds_{};
+  std::array<AxisTracking, max_axes> tracked_{};
 };
 
 }  // namespace hw::arcus

@@ -9,7 +9,7 @@
 namespace hw::arcus {
 namespace {
 
-constexpr int most_per_round = 8;  // so that the round of status is not kept waiting
+constexpr int most_per_round = 8;  // so that status rounds are not delayed
 constexpr double status_takes_part = 1.3;
 
 }  // namespace
@@ -62,11 +62,11 @@ void MoveList::begin(std::vector<std::vector<std::int64_t>> rows) {
   console_.draft.feed.total = static_cast<std::int32_t>(to_feed_.size());
 }
 
-// A move is taken from the list before it is sent: whatever comes back, it is not sent twice. Only a buffer
-// that was full has not taken it.
+// A move is taken from the list before it is sent, so it is never sent twice, whatever the reply. Only a full
+// buffer has certainly not taken it.
 Task<Result<>> MoveList::feed(std::function<void()> moves) {
   if (console_.draft.pieces.held) co_return Result<>();
-  // A round of status takes as long as a few moves: that is made good before the buffer runs dry.
+  // A status round takes as long as a few moves: more are sent before the buffer runs dry.
   const bool runs_dry = 2 * buffer_free_ > console_.catalog.move_list.depth;
   const int most = runs_dry ? 2 * most_per_round : most_per_round;
   for (int n = 0; n < most && !to_feed_.empty() && buffer_free_ > 0; ++n) {

@@ -14,22 +14,22 @@ class MoveList {
  public:
   MoveList(const Console& console, Conversation& talk) : console_(console), talk_(talk) {}
 
-  // ---- as the status tells
+  // ---- from the status
   void buffer_is(bool on) { buffer_on_ = on; }
   void places_are(int free) { buffer_free_ = free; }
 
   [[nodiscard]] Result<> accepts(const intent::FeedMoves& wish) const;
   [[nodiscard]] bool buffer_is_on() const { return buffer_on_; }
   Task<Result<>> switch_buffer_on();
-  /// From where the axes stand.
+  /// The list begins where the axes stand.
   void begin(std::vector<std::vector<std::int64_t>> rows);
-  /// As many as there are places for; `moves` is told of each.
+  /// Sends as many moves as the buffer has places for; calls `moves` after each.
   Task<Result<>> feed(std::function<void()> moves);
   void end();
 
  private:
   void broken_off(Fault why);
-  /// Of pieces: no faster than the next moves can be sent.
+  /// For pieces: no faster than the next moves can be sent.
   [[nodiscard]] std::int64_t speed_of(const std::vector<std::int64_t>& row);
   void row_took(Duration time);
 
@@ -38,8 +38,8 @@ class MoveList {
   std::deque<std::vector<std::int64_t>> to_feed_;
   int buffer_free_ = 0;
   bool buffer_on_ = false;
-  std::array<std::int64_t, 3> behind_{};  ///< where the latest row ends
-  Duration row_takes_{};                  ///< with its answer, on this wire
+  std::array<std::int64_t, 3> behind_{};  ///< end of the latest row
+  Duration row_takes_{};                  ///< its reply included, on this wire
   bool slow_is_told_ = false;
 };
 

@@ -11,7 +11,7 @@
 namespace hw::arcus {
 namespace {
 
-namespace seq = sequence;  // its names are those of commands too
+namespace seq = sequence;  // its names are also command names
 
 constexpr int buffer_axes = 3;
 
@@ -52,7 +52,7 @@ class Streamer final : public ActWriter {
     if (steps->ramp_ms != 0) set("ACC", std::max<std::int64_t>(std::llround(steps->ramp_ms), 1));
     return {};
   }
-  /// One that nobody has moved stays.
+  /// An axis that was not moved stays.
   Result<> go(const seq::OwnSpeeds& own) override {
     const auto speeds = draft_.speeds_of(0, own);
     if (!speeds) return fail(speeds.error());

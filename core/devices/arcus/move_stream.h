@@ -1,6 +1,6 @@
 #pragma once
-// A sequence as moves for the controller's buffer, one piece for each way that the tool draws in one go (PMX
-// manual ch. 6): straight lines of X, Y and Z, arcs as chords, the tool switched in between.
+// A sequence as moves for the controller's buffer, one piece for each stretch that the tool draws without a
+// break (PMX manual ch. 6): straight lines of X, Y and Z, arcs as chords, the tool switched in between.
 #include <optional>
 
 #include "core/base/result.h"
@@ -10,7 +10,7 @@
 
 namespace hw::arcus {
 
-/// None: it has steps that the buffer cannot do.
+/// None: the buffer cannot do some of the steps.
 [[nodiscard]] Result<std::optional<Pieces>> stream_moves(const sequence::Sequence& sequence,
                                                          const Catalog& catalog, int from_step);
 

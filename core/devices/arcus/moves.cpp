@@ -32,8 +32,7 @@ Task<Result<bool>> Moves::ask_incremental() {
   co_return readouts_.incremental();
 }
 
-// Where the axis stands, or its target with StepNLoop. A digit that was lost on the wire would become a wrong
-// move.
+// The position of the axis, or its target with StepNLoop. A digit lost on the wire would cause a wrong move.
 Task<Result<std::int64_t>> Moves::ask_position(int axis) {
   std::string question = fill(console_.forms, console_.forms.position, axis);
   Conversation::Decode decode = decode_number;
@@ -59,7 +58,7 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> wish, intent::Pace pace, bool
     const int axis = t.axis.index;
     if (auto may = console_.has_axis(axis); !may) co_return may;
     std::int64_t here = console_.draft.axes[axis].position.value;
-    // Else the mode takes the number as it is, and where it was seen to rest is where it begins.
+    // Otherwise the mode takes the number as it is, and the move begins where the axis was seen at rest.
     if (relative != *incremental || console_.draft.axis_moves(axis)) {
       auto read = co_await ask_position(axis);
       if (!read) co_return fail(read.error());
@@ -68,7 +67,7 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> wish, intent::Pace pace, bool
     const std::int64_t target = relative ? here + t.value.value : t.value.value;
     if (target < position_min || target > position_max)
       co_return fail(FaultKind::refused,
-                     fmt::format("{} is no position for axis {}: positions go from {} to {}.", target,
+                     fmt::format("{} is not a position for axis {}: positions go from {} to {}.", target,
                                  console_.axis_name(axis), position_min, position_max),
                      "Nothing was sent.");
     values.push_back({axis, *incremental ? target - here : target});
@@ -97,7 +96,7 @@ Task<Result<>> Moves::jog(intent::JogStart wish) {
   if (!borrowed) {
     Fault why = borrowed.error();
     if (why.kind == FaultKind::no_answer || why.kind == FaultKind::garbled) {
-      why.kind = FaultKind::refused;  // nothing that moves went out
+      why.kind = FaultKind::refused;  // no motion command was sent
       why.done = "The jog was not sent.";
     }
     co_return fail(std::move(why));
@@ -118,11 +117,11 @@ Task<Result<>> Moves::home(intent::Home wish) {
   const int axis = wish.axis.index;
   if (auto may = console_.has_axis(axis); !may) co_return may;
   if (wish.mode < 0 || wish.mode >= static_cast<int>(console_.forms.homes.size()))
-    co_return fail(FaultKind::refused, fmt::format("There is no way of homing {}.", wish.mode),
+    co_return fail(FaultKind::refused, fmt::format("There is no homing mode {}.", wish.mode),
                    "Nothing was sent.");
   auto borrowed = co_await borrow_pace(wish.pace, axis);
   if (!borrowed) co_return borrowed;
-  watch_.counters_may_be_set();  // also where its answer is lost, and the state is read afresh
+  watch_.counters_may_be_set();  // also if the reply is lost and the state is read afresh
   std::vector<int> axes{axis};
   auto started = co_await start(fill(console_.forms, console_.forms.homes[ix(wish.mode)], axis, wish.sign),
                                 std::move(axes), Activity::homing);
@@ -138,12 +137,12 @@ Task<Result<>> Moves::home(intent::Home wish) {
 Result<> Moves::checked(const intent::Pace& pace) const {
   const auto speed = static_cast<std::int64_t>(std::llround(pace.speed.value));
   if (speed > max_speed)
-    return fail(FaultKind::refused, fmt::format("{} is no speed: it goes from 1 to {}.", speed, max_speed),
+    return fail(FaultKind::refused, fmt::format("{} is not a speed: it goes from 1 to {}.", speed, max_speed),
                 "Nothing was sent.");
   const std::int64_t longest = longest_ramp_ms(console_.model());
   if (pace.acceleration && (*pace.acceleration < 1 || *pace.acceleration > longest))
     return fail(FaultKind::refused,
-                fmt::format("{} is no acceleration: it is the time of the ramp, from 1 to {} ms.",
+                fmt::format("{} is not an acceleration: it is the time of the ramp, from 1 to {} ms.",
                             *pace.acceleration, longest),
                 "Nothing was sent.");
   return {};
@@ -204,7 +203,7 @@ Task<Result<>> Moves::set_position(intent::SetPosition wish) {
     }
     watch_.position_was_set(axis, wish.value);
     console_.draft.axes[axis].trust.settle(Trust::set, console_.scheduler.now());
-    console_.draft.axes[axis].has_target = false;  // it counts from elsewhere now
+    console_.draft.axes[axis].has_target = false;  // the count has another origin now
   }
   co_return co_await status_.read(Priority::intent);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Moves, jogs, homing, positions. The user's move mode (ABS, INC) is never changed: what is wanted is put the
-// way the present mode takes it.
+// Moves, jogs, homing, positions. The user's move mode (ABS, INC) is never changed: targets are sent as the
+// present mode takes them.
 #include <string>
 #include <vector>
 
@@ -30,18 +30,18 @@ class Moves {
 
   /// One command that moves these axes.
   Task<Result<>> start(std::string text, std::vector<int> axes, Activity activity);
-  /// The mode as it is now: a program or another terminal may have changed it since the last round.
+  /// Reads the present mode: a program or another terminal may have changed it since the last round.
   Task<Result<bool>> ask_incremental();
-  /// The same of where an axis stands, or is sent with StepNLoop.
+  /// Reads the present position of an axis, or its target with StepNLoop.
   Task<Result<std::int64_t>> ask_position(int axis);
 
  private:
-  /// The controller takes its speeds and ramps when a motion begins. `axis`: -1: of several together.
+  /// The controller takes its speeds and ramps when a motion begins. `axis` -1: several axes together.
   Task<Result<>> borrow_pace(intent::Pace pace, int axis);
-  /// Whether the speeds of this axis are its own, and not those for all axes.
+  /// Whether this axis has its own speeds, not those for all axes.
   Task<Result<bool>> has_own_speeds(int axis);
   Result<> checked(const intent::Pace& pace) const;
-  /// Behind a motion that runs all the same, whatever becomes of it.
+  /// Call after the motion command; a failure does not stop the motion.
   Task<> give_back_pace();
 
   const Console& console_;

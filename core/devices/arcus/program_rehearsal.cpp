@@ -74,7 +74,7 @@ class Rehearsing {
     return false;
   }
 
-  /// The low-level line of the started program; -1: it has ended, or it waits for what an earlier one moves.
+  /// The low-level line of the started program; -1: it has ended, or waits for a motion of an earlier line.
   [[nodiscard]] int command_at_work() const {
     if (controller_.program_state(program_) != static_cast<int>(language::ThreadState::running)) return -1;
     const int line = controller_.program_place(program_);
@@ -82,8 +82,8 @@ class Rehearsing {
     return made_.program.code[ix(line)].op == language::Opcode::wait ? -1 : line;
   }
 
-  /// The statement behind a DELAY is carried out in the turn in which its time has passed: nobody sees it
-  /// come up as the next one.
+  /// The statement after a DELAY runs in the turn in which the delay ends, so it is never seen as the next
+  /// one.
   [[nodiscard]] bool ends_delay(int before) const {
     const auto& code = made_.program.code;
     return before >= 0 && code[ix(before)].op == language::Opcode::delay && ix(before + 1) < code.size() &&
@@ -92,7 +92,7 @@ class Rehearsing {
            controller_.program_place(program_) != before;
   }
 
-  /// What stands from its beginning to that of the next program, its subroutines included.
+  /// Lines from its beginning to that of the next program, its subroutines included.
   [[nodiscard]] bool is_of_started(int line) const {
     const auto& begins = made_.program.programs;
     const auto own = begins[ix(program_)];
@@ -101,7 +101,7 @@ class Rehearsing {
                         [&](const auto& other) { return other && *other > *own && line >= *other; });
   }
 
-  /// Until no program runs and nothing moves, or the time is over.
+  /// Runs until no program runs and nothing moves, or the time is over.
   void go_through(std::vector<Controller::Trace>& trace) {
     const Instant last = Instant(from_seconds(std::clamp(options_.for_seconds, 0.0, 1e9)));
     while (any_program_runs() || moves()) {
@@ -162,7 +162,11 @@ class Rehearsing {
     axis.maximum = std::max(axis.maximum, position);
   }
 
-  void event(Controller::Trace& t) { result_.add({seconds(t.at), std::move(t.what), 0, t.line}); }
+  void event(Controller::Trace& t) {
+    using Line = RehearsedEvent::Line;
+    const Line line = t.io.empty() ? Line::none : t.reads ? Line::looked_at : Line::switched;
+    result_.add({seconds(t.at), std::move(t.what), 0, t.line, line, std::move(t.io), t.level});
+  }
 
   Rehearsal finish() {
     result_.duration_s = seconds(now_);
@@ -210,7 +214,7 @@ Result<> without_errors(const language::Compilation& made, const char* done) {
   return {};
 }
 
-/// A text without the program that is started would seem to go well. An empty text has nothing to start.
+/// A text without the program to start would seem to go well. An empty text has nothing to start.
 Result<> with_program(const language::Compilation& made, int wanted) {
   const auto& programs = made.program.programs;
   const auto start = ix(std::clamp(wanted, 0, static_cast<int>(programs.size()) - 1));

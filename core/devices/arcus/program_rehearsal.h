@@ -1,5 +1,5 @@
 #pragma once
-// A dry run of a program on an emulator, in virtual time. Pure and long: for a worker thread.
+// A dry run of a program on an emulator, in virtual time. Pure and slow: call it on a worker thread.
 #include "core/device/catalog.h"
 #include "core/device/language.h"
 #include "core/device/refused_steps.h"
@@ -9,7 +9,7 @@
 
 namespace hw::arcus {
 
-/// `emulator`: fresh from power-up. Program 0 is started, and what it starts itself.
+/// `emulator`: just powered up. Runs program 0 and the programs that it starts.
 Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions& options, Emulator& emulator,
                                    const Catalog& catalog, const language::Dialect& dialect);
 
@@ -29,7 +29,8 @@ class ProgramLanguage final : public Language, public PartialWriter {
   [[nodiscard]] Result<SequenceText> write_what_can_be(const sequence::Sequence& sequence,
                                                        const Catalog& catalog,
                                                        std::vector<RefusedStep>& refused) const override;
-  /// What fits into program memory is a program; of what does not, straight lines go through the buffer.
+  /// A sequence that fits into program memory becomes a program; straight lines of a longer one go through
+  /// the buffer.
   [[nodiscard]] Result<Pieces> in_pieces(const sequence::Sequence& sequence, const Catalog& catalog,
                                          int from_step) const override;
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,

@@ -10,7 +10,7 @@
 namespace hw::arcus {
 namespace {
 
-/// How it is talked to changes no program.
+/// Communication settings affect no program.
 bool acts_on_programs(const ParamInfo& info) {
   return info.group != "Communication" || info.mnemonic == "TOC";
 }
@@ -23,7 +23,7 @@ void each_setting(const Model& model, Visit visit) {
     for (int place = 0; place < fact.count; ++place) visit(fact.id, place, param++);
 }
 
-/// Loops last: what they count in is set up by then.
+/// Loops last, when the units they count in are set up.
 void set_up(Controller& controller, const ControllerState& state, const Catalog& catalog) {
   for (const bool loops : {false, true})
     each_setting(controller.model(), [&](Setting id, int place, std::size_t param) {
@@ -65,7 +65,7 @@ void stand(Controller& controller, int i, const AxisState& now) {
     controller.operate_alarm(i, !axis.alarm_operated);
 }
 
-/// DI tells levels behind the polarity that is set up.
+/// DI gives levels after the polarity that is set up.
 void hold_inputs(Controller& controller, const Snapshot& now) {
   for (int n = 1; n <= controller.model().inputs; ++n) {
     const std::uint32_t bit = 1u << (n - 1);
@@ -82,7 +82,7 @@ bool incremental(const ControllerState& state, const Catalog& catalog) {
   return mode >= 0 && state.now.readouts_known.test(ix(mode)) && state.now.readouts[ix(mode)] != 0;
 }
 
-/// What a readout of one axis has told, by the last letter of its name: S its state, P and E what it holds.
+/// The value of one axis's readout, by the last letter of its name: S its state, P and E its positions.
 std::optional<std::int64_t> told(const ControllerState& state, const Catalog& catalog, Group group, int axis,
                                  char what) {
   for (std::size_t i = 0; i < catalog.readouts.size(); ++i) {
@@ -94,8 +94,8 @@ std::optional<std::int64_t> told(const ControllerState& state, const Catalog& ca
   return std::nullopt;
 }
 
-/// Outputs (bits) that show what the controller does with them: In Position, Alarm, sync. What was written to
-/// them stays behind it, and DO does not tell it.
+/// Outputs (bits) that the controller itself drives: In Position, Alarm, sync. DO does not show the value
+/// written to them.
 std::int64_t hidden_outputs(const Controller& controller, const ControllerState& state,
                             const Catalog& catalog) {
   const Model& model = controller.model();
@@ -107,14 +107,14 @@ std::int64_t hidden_outputs(const Controller& controller, const ControllerState&
   return hidden;
 }
 
-/// What is hidden is taken as power-up leaves it.
+/// Hidden outputs are taken as power-up leaves them.
 void put_outputs(Controller& controller, const ControllerState& state, const Catalog& catalog) {
   const std::int64_t hidden = hidden_outputs(controller, state, catalog);
   const std::int64_t shown = state.now.outputs & state.now.outputs_known;
   controller.set_outputs((shown & ~hidden) | (controller.settings().get(Setting::boot_outputs) & hidden));
 }
 
-/// When the inputs stand: no edge of theirs is to be caught.
+/// Call when the inputs are set: none of their edges must be caught.
 void arm(Controller& controller, const ControllerState& state, const Catalog& catalog) {
   for (int i = 0; i < controller.axes(); ++i) {
     if (const auto latch = told(state, catalog, latches, i, 'S'))
@@ -131,7 +131,7 @@ bool looks_at_latch(language::Quantity q) {
   return q == latch_state || q == latch_pulse || q == latch_encoder;
 }
 
-/// Axes (bits) whose latch, or sync output, is looked at before the program has armed it or put it off.
+/// Axes (bits) whose latch or sync output is read before the program has armed it or switched it off.
 struct LooksFirst {
   std::uint32_t at_latch = 0, at_sync = 0;
 };
@@ -175,7 +175,7 @@ bool on_duty(const OutputDuty& duty, const ControllerState& state, const Catalog
          });
 }
 
-/// A program that ends the duty of an output brings out what was written to it before.
+/// A program that ends the duty of an output exposes the value written to it before.
 void name_hidden(std::vector<RehearsedAssumption>& all, const ControllerState& state, const Catalog& catalog,
                  const language::Program& program) {
   const bool ends_duties =
@@ -189,7 +189,7 @@ void name_hidden(std::vector<RehearsedAssumption>& all, const ControllerState& s
       all.push_back({output.name + " behind its duty", "as at power-up"});
 }
 
-/// Variables whose first mention is that they are looked at.
+/// Variables whose first use is a read.
 std::bitset<language::variables> read_first(const language::Program& program) {
   std::bitset<language::variables> looked_at, written;
   const auto look = [&](const language::Operand& o) {

@@ -66,7 +66,7 @@ std::string ProgramWatch::place_of(int program) const {
   return line < 0 ? name : name + ", line " + std::to_string(line + 1) + ",";
 }
 
-/// Why the statement that the program stopped at cannot be done.
+/// Why the statement that stopped the program cannot be executed.
 std::string ProgramWatch::reason_of(int program) const {
   const auto line = ix(controller_.program_place(program));
   if (line >= made_.program.code.size()) return "the code ends here.";
@@ -83,7 +83,7 @@ bool ProgramWatch::has_mixed_loops(const language::Instruction& i) const {
   return with > 0 && without > 0;
 }
 
-/// What holds one of the axes that the statement needs.
+/// The error that holds one of the axes the statement needs.
 Refusal ProgramWatch::error_among(const language::Instruction& i) const {
   const bool arc = shape_of(i.op) == language::Shape::centre || shape_of(i.op) == language::Shape::arc;
   for (int axis = 0; axis < controller_.axes(); ++axis) {
@@ -128,7 +128,7 @@ void ProgramWatch::look_at_programs() {
   for (int n = 0; n < controller_.model().programs; ++n) {
     const bool failed = is_in(n, language::ThreadState::error);
     if (failed && !failed_[ix(n)])
-      stopped(controller_.program_place(n), place_of(n) + " stopped in error: " + reason_of(n));
+      stopped(controller_.program_place(n), place_of(n) + " stopped with an error: " + reason_of(n));
     failed_[ix(n)] = failed;
   }
 }
@@ -141,7 +141,7 @@ std::string ProgramWatch::errors() const {
                                                                                          : std::string();
 }
 
-/// The innermost WHILE around a line; of a subroutine, around a GOSUB to it.
+/// The innermost WHILE around a line; in a subroutine, around a GOSUB to it.
 ProgramWatch::Loop ProgramWatch::loop_around(int line) const {
   const auto& code = made_.program.code;
   for (int level = 0; level <= language::max_call_depth && line >= 0; ++level) {
@@ -179,7 +179,7 @@ ProgramWatch::Unfinished ProgramWatch::still_running(int program, bool nothing_c
   return result;
 }
 
-/// The first axis that moves, though no program runs any more.
+/// The first axis that still moves after all programs have ended.
 ProgramWatch::Unfinished ProgramWatch::still_moving(bool nothing_comes) {
   Unfinished result{"An axis was still moving when the rehearsal ended.", nothing_comes};
   int line = -1;

@@ -1,6 +1,6 @@
 #pragma once
-// What a rehearsal finds out while programs run: why each of them stopped, which switches were run into,
-// which loop nothing leaves.
+// Findings of a rehearsal while programs run: why each stopped, which switches were hit, which loop never
+// ends.
 #include <array>
 #include <map>
 #include <string>
@@ -19,20 +19,20 @@ class ProgramWatch {
                const language::Dialect& dialect)
       : controller_(controller), made_(made), dialect_(dialect) {}
 
-  /// In the order of time. False: a look at an input that showed what it had shown there before.
+  /// Call in order of time. False: an input was read and was the same as at the last read there.
   bool hear(const Controller::Trace& trace);
-  /// After each event: programs that have stopped in error since.
+  /// Call after each event: notes programs that have stopped in error since.
   void look_at_programs();
   [[nodiscard]] const std::vector<RehearsedStop>& stops() const { return stops_; }
-  /// Of all programs that have stopped in error; empty: none has.
+  /// The errors of all programs stopped by one; empty: none.
   [[nodiscard]] std::string errors() const;
 
   struct Unfinished {
     std::string sentence;
     bool endless = false;
   };
-  /// What went on until the time was over: each program that did. `nothing_comes`: nor would anything have
-  /// happened any more.
+  /// Programs and motions still running at the end of the time. `nothing_comes`: nothing more would have
+  /// happened.
   [[nodiscard]] Unfinished unfinished(bool nothing_comes);
 
  private:

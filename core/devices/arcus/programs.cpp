@@ -18,10 +18,10 @@ std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::
   const bool one = bad.size() == 1;
   const int first = bad.front().line;
   return fmt::format(
-      "{} line{} of the stored code mean{} nothing here: {}line {} ({}). {} in the text as {}. The "
+      "{} line{} of the stored code cannot be read here: {}line {} ({}). {} in the text as {}. The "
       "code may come from another program than this console. Sent back as it is, the text leaves "
       "{} out.",
-      bad.size(), one ? "" : "s", one ? "s" : "", one ? "" : "the first is ", first, lines[ix(first)],
+      bad.size(), one ? "" : "s", one ? "" : "the first is ", first, lines[ix(first)],
       one ? "It stands" : "They stand", one ? "a comment" : "comments", one ? "it" : "them");
 }
 
@@ -79,14 +79,14 @@ Task<Result<>> Programs::control(int thread, int what) {
   if (what == thread_run && now == RunState::error) {
     has_run(thread);
     co_return fail(FaultKind::controller,
-                   fmt::format("Program {} stopped in error at line {} of its stored code.", thread,
+                   fmt::format("Program {} stopped with an error at line {} of its stored code.", thread,
                                console_.draft.threads[ix(thread)].line),
-                   {}, "Look at the program, and whether an axis has an error.");
+                   {}, "Check the program, and whether an axis has an error.");
   }
   co_return Result<>();
 }
 
-// It was over before its state could be asked: whoever tells of ends has to see that it ran.
+// The program ended before its state was read: notices of ends need to see that it ran.
 void Programs::has_run(int thread) {
   ThreadState& state = console_.draft.threads[ix(thread)];
   const RunState over = std::exchange(state.run, RunState::running);
@@ -94,8 +94,8 @@ void Programs::has_run(int thread) {
   state.run = over;
 }
 
-// SR is answered with OK whether the program is there or not (decision AMB-115). One that runs is; one that
-// does not may have ended already, so the stored code is looked at.
+// SR is answered with OK whether or not the program exists (decision AMB-115). A running program exists; one
+// that does not run may have ended already, so the stored code is checked.
 Task<Result<>> Programs::run(int program) {
   auto started = co_await control(program, thread_run);
   if (!started || console_.draft.threads[ix(program)].run != RunState::idle) co_return started;
@@ -115,14 +115,14 @@ Task<Result<>> Programs::run(int program) {
                  program == 0 ? "Load one first." : fmt::format("Its text begins with PRG {}.", program));
 }
 
-// Which programs the stored code has; not known of code that another compiler has made.
+// Notes which programs the stored code has; unknown for code of another compiler.
 void Programs::note_stored(const std::vector<std::string>& lines) {
   code_.forget();
   const language::Program code = language::decode(lines, dialect_);
   if (code.bad_lines.empty()) code_.know(read_stored_code(code, console_.model()));
 }
 
-// All that run, or all that are held; or the one, if it does.
+// All running or all held programs; or only `thread`, if it is one of them.
 Task<Result<>> Programs::control_all(int thread, int what) {
   if (thread >= console_.model().programs) co_return co_await control(thread, what);  // which refuses
   auto read = co_await threads_.read(true, Priority::intent);
@@ -142,8 +142,8 @@ Task<Result<>> Programs::control_all(int thread, int what) {
   co_return fail(FaultKind::refused, fmt::format("{} {}.", which, not_so), "Nothing was sent.");
 }
 
-// The stored code is one text for all programs, and a new one replaces all of it. Sent as one of the further
-// programs it must be that one, and must not take others away.
+// The stored code is one text for all programs, and a new one replaces all of it. A text sent as a further
+// program must be that program, and must not remove others.
 Task<Result<>> Programs::may_be_program(int program, const language::Program& code) {
   if (program >= console_.model().programs)
     co_return fail(
@@ -191,7 +191,7 @@ Task<Result<>> Programs::load(int program, std::string text) {
   co_return Result<>();
 }
 
-// As number 0 the whole text goes to the console, as a further one that program alone.
+// Number 0 reads the whole text, a further number that program alone.
 Task<Result<>> Programs::upload(int program) {
   if (program >= console_.model().programs)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}.", program), "Nothing was sent.");

@@ -21,7 +21,7 @@ class Programs {
         threads_(threads),
         stored_(stored) {}
 
-  /// What concerns programs; the rest is refused.
+  /// Carries out program intents; refuses all others.
   Task<Result<>> perform(IntentBody body);
 
  private:

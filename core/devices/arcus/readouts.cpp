@@ -12,7 +12,7 @@ constexpr int variables_per_round = 10;
 
 }  // namespace
 
-// Those of the status are no questions: their values stand in it.
+// Readouts contained in the status need no questions.
 Readouts::Readouts(const Console& console, Conversation& talk,
                    std::function<void(int axis, std::int64_t state)> loop_is)
     : console_(console), talk_(talk), loop_is_(std::move(loop_is)) {

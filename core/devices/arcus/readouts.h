@@ -1,5 +1,5 @@
 #pragma once
-// Readouts, variables and analog inputs: what somebody looks at is asked each round, the rest in turn.
+// Readouts, variables and analog inputs: those being watched are read each round, the rest in turn.
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -12,18 +12,18 @@ namespace hw::arcus {
 
 class Readouts {
  public:
-  /// `loop_is`: what StepNLoop of an axis says.
+  /// `loop_is` gets the StepNLoop state of an axis.
   Readouts(const Console& console, Conversation& talk,
            std::function<void(int axis, std::int64_t state)> loop_is);
 
   void watch(std::uint32_t groups) { watched_ = groups; }
-  /// What was told beside another answer.
+  /// Takes a value that came with another reply.
   void put(std::string_view id, std::int64_t value);
-  /// The move mode, as it was told last.
+  /// The move mode as last read.
   [[nodiscard]] bool incremental() const { return incremental_; }
 
   Task<Result<>> read_watched();
-  /// One readout that nobody looks at, one analog input.
+  /// One readout that is not watched, one analog input.
   Task<Result<>> read_in_turn();
   Task<Result<>> read_variable(int number, Priority priority);
   Task<Result<>> read_analog(int number, Priority priority);
@@ -34,7 +34,7 @@ class Readouts {
   const Console& console_;
   Conversation& talk_;
   std::function<void(int, std::int64_t)> loop_is_;
-  std::vector<bool> by_status_;  ///< readouts that the status tells
+  std::vector<bool> by_status_;  ///< readouts contained in the status
   std::uint32_t watched_ = 0;
   InTurn readouts_, variables_, analog_;
   bool incremental_ = false;

@@ -21,7 +21,7 @@ RestartWatch::Stood RestartWatch::where_all_stand() const {
   stood.misses = talk_.misses();
   stood.program_ran = console_.draft.program.run == RunState::running;
   for (int i = 0; i < console_.draft.axis_count; ++i) {
-    const AxisNow now = ways_.axis_now(i);
+    const AxisNow now = callbacks_.axis_now(i);
     stood.axes[ix(i)] = {console_.draft.axes[i].position, console_.draft.axes[i].encoder, now,
                          now.leaves_zero, false};
   }
@@ -38,12 +38,12 @@ void RestartWatch::goes_out(std::string_view command) {
     if (moves || (stops && std::exchange(axis.sent_away, false))) axis.may_have_left = true;
 }
 
-// No reading shows it yet, and the power may go before the next; or it has come there by then.
+// No reading shows the motion yet, and the power may fail before the next; or the axis has arrived by then.
 void RestartWatch::was_sent_to(int axis, Steps target) {
   if (!stood_) return;
   Stood::Axis& stood = stood_->axes[ix(axis)];
   stood.sent_away = target != Steps(0);
-  stood.then.towards_zero = std::max(stood.then.towards_zero, ways_.axis_now(axis).towards_zero);
+  stood.then.towards_zero = std::max(stood.then.towards_zero, callbacks_.axis_now(axis).towards_zero);
 }
 void RestartWatch::jogs(int axis, Sign way) {
   if (stood_ && stood_->axes[ix(axis)].position.value * factor(way) >= 0)
@@ -63,11 +63,11 @@ void RestartWatch::forget() {
 }
 
 // After power-up every counter reads zero wherever the motors stand. Texts that may set a counter, homing and
-// programs do that too, and a motion may end there; what puts a position where the encoder stands explains no
-// more than that. Where the controller was silent in between, that is not taken for granted: look_at_motors()
-// finds out. See also SetUp::read_what_power_keeps(), for one that stood at zero.
+// programs cause that too, and a motion may end there; a command that sets a position to the encoder's
+// explains no more than that. If the controller was silent in between, nothing is taken for granted:
+// look_at_motors() finds out. See also SetUp::read_what_power_keeps(), for a controller that stood at zero.
 void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
-  if (!motion_is_whole() && !was_silent) return;  // some is of before, some of after, perhaps
+  if (!motion_is_whole() && !was_silent) return;  // readings may be from before and after a restart
   const bool unexplained = counters_.answered(look.counters);
   const bool targets_stay = targets_.answered(look.targets);
   const auto before = std::exchange(stood_, where_all_stand());
@@ -89,7 +89,7 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
     others_came_there = others_came_there || (!sent_away && change.nearer);
     all.add(change);
   }
-  // A program that has come to zero and to its end, all unseen, is less likely than the other.
+  // A program that reached zero and its end, all unseen, is less likely than a restart.
   all.nearer = all.nearer || (all.may_be_nearer && before->program_ran);
   const bool a_program_did = was_silent && before->program_ran;
   const bool unseen_at_zero = silent && stands_at_zero;
@@ -98,7 +98,8 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   if (came_there || others_did || (unseen_at_zero && before->program_ran))
     be_in_doubt(InDoubt{*before, stands_at_zero || others_did, !unexplained || !all.nearer});
   if (unexplained && stands_at_zero && all.jumped && !a_program_may)
-    return ways_.restarted("All positions read zero, and nothing that was sent does that", before->moved());
+    return callbacks_.restarted("All positions read zero, and nothing that was sent does that",
+                                before->moved());
 }
 
 RestartWatch::Change RestartWatch::change_of(const AxisState& now, const Stood::Axis& before,
@@ -114,14 +115,14 @@ RestartWatch::Change RestartWatch::change_of(const AxisState& now, const Stood::
   const bool by_itself = speed > 0 && static_cast<double>(way) <= reach;
   Change change;
   change.nearer = never_left || (nearer && !by_itself && (!by_encoder || encoder > here));
-  // The load of one that follows its encoder may be jammed.
+  // The load of an axis that follows its encoder may be jammed.
   change.may_be_nearer = nearer || ((before.sent_away || before.may_have_left) && unmoved);
   change.jumped = static_cast<double>(way) > reach;
   return change;
 }
 
-// The motors have power, or none, as after power-up (EOBOOT), and nobody has switched them. Power that is not
-// as then shows that it was never cut.
+// Motor power has become as after power-up (EOBOOT), and no command switched it: a restart. Motor power that
+// differs from EOBOOT shows that the supply was never cut.
 Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   std::int64_t on = 0;
   for (int i = 0; i < console_.draft.axis_count; ++i) on |= std::int64_t{console_.draft.axes[i].enabled} << i;
@@ -140,9 +141,9 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   motors_on_ = on;
   const bool as_after_power_up = after_power_up.value_or(0) == on;
   if (changed && as_after_power_up) {
-    ways_.restarted(fmt::format("Motor power {}, and nothing that was sent does that",
-                                on < *before ? "went off" : "came on"),
-                    zero_in_doubt_ ? zero_in_doubt_->before.moved() : 0);
+    callbacks_.restarted(fmt::format("Motor power {}, and nothing that was sent does that",
+                                     on < *before ? "went off" : "came on"),
+                         zero_in_doubt_ ? zero_in_doubt_->before.moved() : 0);
     co_return Result<>();
   }
   if (!zero_in_doubt_) co_return Result<>();
@@ -154,7 +155,7 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   co_return Result<>();
 }
 
-/// Nobody who waits is told that all is well meanwhile.
+/// While in doubt, nobody who waits is told that all is well.
 void RestartWatch::be_in_doubt(std::optional<InDoubt> doubt) {
   zero_in_doubt_ = std::move(doubt);
   console_.draft.working = zero_in_doubt_.has_value();
@@ -177,12 +178,12 @@ Task<Result<>> RestartWatch::decide(InDoubt in_doubt) {
   if (in_doubt.may_be_so)
     tell_of_doubt(in_doubt.before);
   else
-    ways_.restarted("It did not answer for a while, and then it counted from zero", in_doubt.before.moved());
+    callbacks_.restarted("It did not answer for a while, and then it counted from zero",
+                         in_doubt.before.moved());
   co_return Result<>();
 }
 
-// It was switched off and on, or what was sent has set the counters: nobody can tell, nor how what was under
-// way has ended.
+// Either a power cycle or a sent command has set the counters; which, and how motions ended, cannot be known.
 void RestartWatch::tell_of_doubt(const Stood& before) {
   for (int i = 0; i < console_.axes(); ++i) {
     AxisState& axis = console_.draft.axes[i];
@@ -190,11 +191,10 @@ void RestartWatch::tell_of_doubt(const Stood& before) {
     if (axis.position == Steps(0)) axis.trust.doubt(Doubt::unheard, console_.scheduler.now());
   }
   if (before.program_ran) console_.draft.program.ended_by = EndedBy::lost;
-  console_.tell(
-      Notice::Kind::warning,
-      "Answers were missing, and then all positions read zero: what was sent has done that, or the "
-      "controller was switched off and on. Look where the axes stand, and find home before the next "
-      "absolute move.");
+  console_.tell(Notice::Kind::warning,
+                "Answers were missing, and then all positions read zero: what was sent has done that, or the "
+                "controller was switched off and on. Check where the axes stand, and home them before the "
+                "next absolute move.");
 }
 
 Task<Result<bool>> RestartWatch::a_program_runs() {
@@ -212,14 +212,14 @@ Task<Result<bool>> RestartWatch::power_up_starts_a_program() {
   co_return started.value_or(0) != 0;
 }
 
-// A program that nobody has started, and that power-up starts.
+// A program that no command has started, and that power-up starts.
 Task<Result<>> RestartWatch::look_at_start(int thread, Priority priority) {
   auto starts_at_power_up = co_await talk_.ask_number("SLOAD", priority);
   if (!starts_at_power_up && starts_at_power_up.error().kind != FaultKind::refused)
     co_return fail(starts_at_power_up.error());
   if ((starts_at_power_up.value_or(0) >> thread & 1) != 0)
-    ways_.restarted(fmt::format("Program {} runs, which power-up starts and nothing that was sent", thread),
-                    0);
+    callbacks_.restarted(
+        fmt::format("Program {} runs, which power-up starts and nothing that was sent", thread), 0);
   co_return Result<>();
 }
 

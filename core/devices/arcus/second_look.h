@@ -1,11 +1,11 @@
 #pragma once
-// What is read first after the line was dirty is shown when two readings agree: of the first nobody knows yet
-// whether all that was late has come.
+// After the line was dirty, a value is shown only once two readings agree: the first may still be a late
+// reply.
 #include <cstdint>
 
 namespace hw::arcus {
 
-/// Of one value, whatever it is made of.
+/// For one value of any kind.
 class SecondLook {
  public:
   /// Whether this reading may be shown. `times_cleaned`: of the line.

@@ -18,7 +18,7 @@
 namespace hw::arcus {
 namespace {
 
-namespace seq = sequence;  // its names are those of commands too
+namespace seq = sequence;  // its names are also command names
 using language::Instruction;
 using language::Opcode;
 using language::Operand;
@@ -39,7 +39,7 @@ class BlockReader {
     const bool alike = std::all_of(out_.axes.begin(), out_.axes.end(), [this](const seq::Axis& axis) {
       return axis.per_unit == out_.axes[0].per_unit;
     });
-    if (!alike) {  // the speeds of the language are those of all axes
+    if (!alike) {  // the speeds of the language apply to all axes
       out_.unit = catalog.step_word;
       for (seq::Axis& axis : out_.axes) axis.per_unit = 1;
       out_.remarks.push_back(
@@ -65,7 +65,7 @@ class BlockReader {
  private:
   enum class Mode : std::uint8_t { as_it_is, abs, inc, unclear };
 
-  /// But the names of the tool's routines.
+  /// Except the names of the tool's routines.
   void find_remarks(const language::Compilation& compiled) {
     std::vector<Opcode> ops(text_.lines.size(), Opcode::empty);
     for (const language::Statement& s : text_.statements) ops[ix(s.line)] = s.instruction.op;
@@ -75,7 +75,7 @@ class BlockReader {
           remarks_.add({text_.lines[line].begin + ix(token.begin), text_.lines[line].end},
                        ops[line] != Opcode::empty);
   }
-  /// Those of the tool are named behind their heads; others are no blocks.
+  /// The tool's routines are named behind their heads; others are no blocks.
   Result<> find_routines() {
     for (std::size_t i = 0; i < text_.statements.size(); ++i) {
       if (text_.at(i).op == Opcode::prg && (i > 0 || text_.at(i).values[0].number != 0))
@@ -106,7 +106,7 @@ class BlockReader {
     }
     if (to < text_.statements.size()) remarks_.read_before(text_.stretch(to).begin, list);
   }
-  /// Where the next one begins.
+  /// Returns where the next step begins.
   std::size_t put(seq::Step::Body body, std::size_t from, std::size_t behind, ReadSteps& list) {
     list.push_back({std::move(body), {text_.stretch(from).begin, text_.stretch(behind - 1).end}});
     remarks_.pass(list.back());
@@ -146,7 +146,7 @@ class BlockReader {
       }
       case Opcode::if_: return read_condition(i, list);
       case Opcode::while_: return read_loop(i, list);
-      case Opcode::gosub: {  // whatever is called is of the tool
+      case Opcode::gosub: {  // every call is to a routine of the tool
         const bool down = s.values[0].number == pen_down_sub;
         mode_ = mode_behind(routines_[down].first, routines_[down].second);
         at_ = {};
@@ -180,7 +180,7 @@ class BlockReader {
       default: return leave("no block sets this", i, i + 1, list);
     }
   }
-  /// HSPD, LSPD and ACC in this order are one.
+  /// HSPD, LSPD and ACC in this order are one step.
   std::size_t read_speed(std::size_t i, ReadSteps& list) {
     const Instruction& s = text_.at(i);
     const double value = s.values[0].number;
@@ -200,7 +200,7 @@ class BlockReader {
     remarks_.pass(list.back());
     return i + 1;
   }
-  /// Of all axes in their order: until all stand still.
+  /// WAITs of all axes in their order: until all stand still.
   std::size_t read_wait(std::size_t i, ReadSteps& list) {
     std::size_t behind = i;
     for (std::size_t a = 0; a < out_.axes.size() && behind < text_.statements.size(); ++a, ++behind)
@@ -216,7 +216,7 @@ class BlockReader {
   // ---- motion
 
   void forget(int place) { at_[ix(place)] = std::nullopt; }
-  /// False: nobody knows whether a move goes to a place or by a distance.
+  /// False: unknown whether a move goes to a place or by a distance.
   bool choose_mode(std::size_t i) {
     if (mode_ == Mode::as_it_is) {
       out_.remarks.push_back(
@@ -263,7 +263,7 @@ class BlockReader {
     if (!circle && behind == i + 1) forget(plane.right), forget(plane.up);
     return put(arc, i, behind, list);
   }
-  /// A large arc is followed by a short move to where it has to end.
+  /// A large arc is followed by a short move to its exact end.
   bool correct(seq::Arc& arc, std::size_t i, bool back) {
     const auto [right, up] = arc.plane;
     auto &at_x = at_[ix(right)], &at_y = at_[ix(up)];
@@ -277,7 +277,7 @@ class BlockReader {
     double degrees = (back ? from - to : to - from) / std::numbers::pi * 180;
     if (degrees <= 0) degrees += 360;
     if (std::fabs(degrees - arc.degrees) > 0.001) return false;
-    // As few digits as are the same arc.
+    // The fewest digits that give the same arc.
     arc.degrees = std::round(degrees * 1e6) / 1e6;
     at_x = x, at_y = y;
     return true;
@@ -285,7 +285,7 @@ class BlockReader {
 
   // ---- blocks
 
-  /// Once any of these statements may have been carried out.
+  /// The mode once any of these statements may have been executed.
   [[nodiscard]] Mode mode_behind(std::size_t from, std::size_t to) const {
     Mode mode = mode_;
     for (std::size_t i = from; i < to; ++i) {

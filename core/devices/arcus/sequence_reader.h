@@ -1,5 +1,5 @@
 #pragma once
-// Standalone programs as sequences: what the writer beside it would write, and whatever else says the same.
+// Reads standalone programs as sequences: texts of sequence_writer, and others with the same meaning.
 #include "core/base/result.h"
 #include "core/device/catalog.h"
 #include "core/device/sequence_text.h"

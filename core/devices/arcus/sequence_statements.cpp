@@ -38,7 +38,7 @@ bool is_variable(const Operand& o, int n) { return o.kind == Operand::Kind::vari
 bool opens(Opcode op) { return op == Opcode::if_ || op == Opcode::while_; }
 bool closes(Opcode op) { return op == Opcode::endif || op == Opcode::endwhile; }
 
-/// What speed steps set; empty: another.
+/// The quantity, if speed steps set it; empty: another.
 std::string_view speed_of(const Operand& target) {
   if (target.kind != Operand::Kind::quantity) return {};
   switch (target.quantity) {
@@ -49,7 +49,7 @@ std::string_view speed_of(const Operand& target) {
   }
 }
 
-/// How often the statements have to do with each variable.
+/// How often the statements use each variable.
 std::array<int, language::variables> uses_of(const Statements& statements, std::size_t from, std::size_t to) {
   std::array<int, language::variables> uses{};
   const auto use = [&uses](const Operand& o) {

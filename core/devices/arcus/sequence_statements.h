@@ -1,5 +1,5 @@
 #pragma once
-// Program texts as statements, for what goes from steps to texts and back.
+// Program texts as statements, for conversion between steps and texts.
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -15,12 +15,12 @@ using Statements = std::vector<language::Statement>;
 inline bool is_number(const language::Operand& o) { return o.kind == language::Operand::Kind::number; }
 inline bool is_number(const language::Operand& o, std::int32_t n) { return is_number(o) && o.number == n; }
 
-/// ABS or INC decides where it goes.
+/// ABS or INC decides its target.
 inline bool goes_by_mode(language::Opcode op) {
   return op >= language::Opcode::move && op <= language::Opcode::circle_counterclockwise;
 }
 
-/// V1=0, WHILE V1<10, ..., V1=V1+1, ENDWHILE, where nothing else of the text has to do with that variable.
+/// V1=0, WHILE V1<10, ..., V1=V1+1, ENDWHILE, where nothing else in the text uses that variable.
 struct CountedLoop {
   int times = 1, variable = 0;
   std::size_t set = 0, head = 0, count = 0, end = 0;  ///< places of its statements
@@ -29,7 +29,8 @@ struct CountedLoop {
 /// A text without mistakes.
 struct StatementText {
   Statements statements;
-  /// By statement; of a head of a block (WHILE, IF, ELSEIF, ELSE) the one that ends its block, else itself.
+  /// By statement: for the head of a block (WHILE, IF, ELSEIF, ELSE) the one that ends the block, else
+  /// itself.
   std::vector<std::size_t> end_of;
   std::vector<std::optional<CountedLoop>> counted;  ///< by statement, where one of it is
   std::vector<Stretch> lines;                       ///< of the text, without their ends
@@ -42,7 +43,7 @@ struct StatementText {
 
 [[nodiscard]] Deeds deeds_of(std::string_view text, const language::Dialect& dialect);
 
-/// What lines in the middle of a program may leave otherwise.
+/// What lines within a program may leave changed.
 struct TextEffects {
   bool moves = false, speeds = false, mode = false;
 };

@@ -13,12 +13,12 @@
 namespace hw::arcus {
 namespace {
 
-namespace seq = sequence;  // its names are those of commands too
+namespace seq = sequence;  // its names are also command names
 
 constexpr double largest_radius = 134'216'773;  // PMX manual ch. 5, DXF converter
 constexpr int indent = 2;
 
-/// Whether ABS or INC may be said in them.
+/// Whether these steps may contain ABS or INC.
 bool chooses_mode(const seq::StepList& steps) {
   return std::any_of(steps.begin(), steps.end(), [](const seq::Step& step) {
     const seq::StepList* inner = steps_in(step);
@@ -167,7 +167,7 @@ class Writer {
     if (say->ramp_ms != 0) draft_.line(fmt::format("ACC={}", std::max(std::llround(say->ramp_ms), 1LL)));
     return {};
   }
-  /// Steps that are written elsewhere, or more than once, have been carried out.
+  /// Call after steps that are written elsewhere or run more than once.
   void behind_foreign(const seq::StepList& steps) {
     draft_.forget_what_moves(steps);
     if (says_speeds(steps)) told_.begin_repeated();
@@ -196,8 +196,8 @@ class Writer {
   bool calls_up_ = false, calls_down_ = false;
 };
 
-// 0 degrees lies on the minus side of X and angles grow clockwise (decision AMB-063); the angle of the end
-// decides where it ends (AMB-066).
+// 0 degrees lies on the minus side of X and angles grow clockwise (decision AMB-063); the end angle decides
+// where the arc ends (AMB-066).
 Result<> Writer::write(const seq::Arc& a) {
   if (!dialect_.arcs) return draft_.refuse(fmt::format("a {} draws no arcs.", draft_.catalog.short_name));
   const auto [right, up] = a.plane;
@@ -238,7 +238,7 @@ Result<> Writer::write(const seq::Arc& a) {
   const std::int64_t angle = (thousandths(std::atan2(std::sin(end), -std::cos(end))) + 360'000) % 360'000;
   draft_.line(
       fmt::format("ARC{}{}:{}:{}:{}", way, *cx, *cy, angle, std::llround(std::fabs(a.degrees) * 1000)));
-  // A thousandth of a degree is more than a pulse on a large arc.
+  // On a large arc a thousandth of a degree exceeds a pulse.
   const double told = static_cast<double>(angle) / 180'000 * std::numbers::pi;
   if (*cx + std::llround(-radius * std::cos(told)) != end_x ||
       *cy + std::llround(radius * std::sin(told)) != end_y)

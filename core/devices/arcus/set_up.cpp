@@ -17,8 +17,8 @@ constexpr Duration store_patience = std::chrono::seconds(3);
 }  // namespace
 
 SetUp::SetUp(const Console& console, Conversation& talk, const CodeAtWork& code,
-             const BorrowedSetting& borrowed, Ways ways)
-    : console_(console), talk_(talk), code_(code), borrowed_(borrowed), ways_(std::move(ways)) {
+             const BorrowedSetting& borrowed, Callbacks callbacks)
+    : console_(console), talk_(talk), code_(code), borrowed_(borrowed), callbacks_(std::move(callbacks)) {
   for (std::size_t i = 0; i < console_.catalog.params.size(); ++i)  // of what is not stored: decision AMB-034
     after_power_up_[i] = console_.catalog.params[i].fallback;
 }
@@ -48,8 +48,8 @@ std::optional<std::int64_t> SetUp::setting(Setting id, int axis) const {
   return std::nullopt;
 }
 
-// An axis has speeds of its own where all three of them are set, else it has the common one (PMX manual,
-// HS[axis]). None: they are not read yet.
+// An axis has its own speeds only if all three are set, else the common ones (PMX manual, HS[axis]). None:
+// not read yet.
 std::optional<bool> SetUp::has_own_speeds(int axis) const {
   bool own = console_.forms.axis_speeds;
   for (const Setting id : {Setting::axis_high_speed, Setting::axis_low_speed, Setting::axis_accel}) {
@@ -61,7 +61,7 @@ std::optional<bool> SetUp::has_own_speeds(int axis) const {
   return own;
 }
 
-/// At which it starts and ends without a ramp; 0: not read yet.
+/// Speed at which the axis starts and ends without a ramp; 0: not read yet.
 std::int64_t SetUp::start_speed(int axis) const {
   const auto own = has_own_speeds(axis);
   if (!own) return 0;
@@ -94,9 +94,10 @@ Task<Result<>> SetUp::read(int index, Priority priority) {
   const bool taken_back = before.known && before.value != value && nobody_sets_.test(ix(index)) &&
                           in_ram_only(index) && value == after_power_up_[ix(index)];
   if (taken_back)
-    ways_.restarted(fmt::format("{} read {} and now reads {}, and nothing that was sent does that",
-                                info.mnemonic, encode_value(info, before.value), encode_value(info, value)));
-  const bool read_twice = before.known && before.value == value;  // not only spoilt twice in the same way
+    callbacks_.restarted(fmt::format("{} read {} and now reads {}, and nothing that was sent does that",
+                                     info.mnemonic, encode_value(info, before.value),
+                                     encode_value(info, value)));
+  const bool read_twice = before.known && before.value == value;  // not just garbled twice in the same way
   nobody_sets_.set(ix(index), read_twice && (code_.leaves_param(ix(index)) || !code_.program_may_run()));
   console_.draft.params[ix(index)].value = value;
   console_.draft.params[ix(index)].known = true;
@@ -104,7 +105,7 @@ Task<Result<>> SetUp::read(int index, Priority priority) {
   co_return Result<>();
 }
 
-// What reads as it is stored needs no Store: it was set back, or the power was off.
+// A value that reads as stored needs no Store: it was set back, or the power was off.
 void SetUp::compare_with_stored(int index) {
   ParamState& read = console_.draft.params[ix(index)];
   if (read.stored) {
@@ -119,7 +120,7 @@ void SetUp::compare_with_stored(int index) {
                                         [](const ParamState& p) { return !p.stored; });
 }
 
-// One that is not known may set anything.
+// Unknown code may set anything.
 void SetUp::code_may_set() {
   if (code_.known())
     nobody_sets_ &= ~code_.known()->sets;
@@ -127,14 +128,14 @@ void SetUp::code_may_set() {
     nobody_sets_.reset();
 }
 
-// Not in the memory that stays.
+// Not in non-volatile memory.
 bool SetUp::in_ram_only(int index) const {
   return (!console_.catalog.params[ix(index)].stored || !console_.draft.params[ix(index)].stored) &&
          !borrowed_.is_out();
 }
 
-// A controller that stood at zero shows by its positions nothing of having been switched off and on. What it
-// then has lost shows it: one value a second of those that a power-up takes back.
+// The positions of a controller that stood at zero do not reveal a power cycle. Lost values do: reads one
+// value a second of those that a power-up resets.
 Task<Result<>> SetUp::read_what_power_keeps() {
   const int index = next_that_would_show();
   if (index < 0) co_return Result<>();
@@ -151,7 +152,7 @@ int SetUp::next_that_would_show() {
   });
 }
 
-// A value that a power-cut would have taken back still stands; or it does not, and that has been told.
+// True: a value that a power cut would have reset is kept; or it is not, and read() has reported the restart.
 Task<Result<bool>> SetUp::something_is_kept() {
   const int index = next_that_would_show();
   if (index < 0 || !nobody_sets_.test(ix(index))) co_return co_await code_has_left_something();
@@ -160,7 +161,7 @@ Task<Result<bool>> SetUp::something_is_kept() {
   co_return true;
 }
 
-// What a program has set it can have set before a power-cut only, if power-up starts none.
+// A value set by a program shows that no power cut followed, if power-up starts no program.
 Task<Result<bool>> SetUp::code_has_left_something() {
   if (!code_.known()) co_return false;
   const auto sets = code_.known()->sets;
@@ -175,7 +176,7 @@ Task<Result<bool>> SetUp::code_has_left_something() {
   co_return false;
 }
 
-// First those that are not known, then all again, because programs and terminals change them.
+// First the unknown ones, then all again, because programs and terminals change them.
 Task<Result<>> SetUp::read_in_turn() {
   const int params = static_cast<int>(console_.catalog.params.size());
   int read_now = 0;
@@ -192,7 +193,7 @@ Task<Result<>> SetUp::read_in_turn() {
   co_return done;
 }
 
-// What depends on what: times are adjusted to the speeds, the joystick switches StepNLoop off.
+// Dependencies: ramp times are adjusted to the speeds, the joystick switches StepNLoop off.
 void SetUp::changed(int index) {
   const ParamInfo& info = console_.catalog.params[ix(index)];
   ParamState& state = console_.draft.params[ix(index)];
@@ -211,7 +212,7 @@ void SetUp::changed(int index) {
       break;
     case Setting::loop:
     case Setting::joystick:
-      ways_.loops_unknown();
+      callbacks_.loops_unknown();
       forget("SL");
       break;
     default: break;
@@ -236,7 +237,7 @@ Task<Result<bool>> SetUp::set(intent::SetParam wish) {
     co_return fail(FaultKind::controller,
                    fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic,
                                encode_value(info, wish.value), encode_value(info, kept)),
-                   "It was sent once.", "The number that the controller says is the one that holds.");
+                   "It was sent once.", "The controller's number is in force.");
   console_.tell(
       Notice::Kind::info,
       fmt::format("{} was set to {} ms; with the present speeds the controller uses {} ms (table A.0).",
@@ -258,9 +259,10 @@ void SetUp::is_stored() {
 Task<Result<>> SetUp::store() {
   auto done = co_await talk_.command("STORE", Priority::intent, store_patience);
   if (!done && done.error().kind == FaultKind::no_answer)
-    co_return fail(FaultKind::no_answer, "The controller did not confirm in time that it has stored.",
-                   "STORE was sent once and is not repeated: the memory bears a limited number of writes.",
-                   "Do not switch the controller off now. Compare the set-up before you store again.");
+    co_return fail(
+        FaultKind::no_answer, "The controller did not confirm in time that it has stored.",
+        "STORE was sent once and is not repeated: the memory is rated for a limited number of writes.",
+        "Do not switch the controller off now. Compare the set-up before you store again.");
   if (!done) co_return done;
   is_stored();
   console_.tell(

@@ -1,6 +1,6 @@
 #pragma once
-// The set-up: every parameter by the maker's mnemonic; what is stored of it, and what a power-up takes back,
-// which shows that there has been one.
+// The set-up: every parameter by the maker's mnemonic; which of them are stored, and which a power-up resets,
+// by which it is detected.
 #include <bitset>
 #include <functional>
 #include <optional>
@@ -15,19 +15,19 @@ namespace hw::arcus {
 
 class SetUp {
  public:
-  struct Ways {
-    std::function<void()> loops_unknown;                      ///< StepNLoop was switched, perhaps
+  struct Callbacks {
+    std::function<void()> loops_unknown;                      ///< StepNLoop may have been switched
     std::function<void(std::string how_it_shows)> restarted;  ///< a value is as power-up makes it
   };
   SetUp(const Console& console, Conversation& talk, const CodeAtWork& code, const BorrowedSetting& borrowed,
-        Ways ways);
+        Callbacks callbacks);
 
   // ---- what is known
   [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
   [[nodiscard]] std::optional<std::int64_t> setting(Setting id, int axis = 0) const;
-  /// None: they are not read yet.
+  /// None: not read yet.
   [[nodiscard]] std::optional<bool> has_own_speeds(int axis) const;
-  /// At which it starts and ends without a ramp; 0: not read yet.
+  /// Speed at which the axis starts and ends without a ramp; 0: not read yet.
   [[nodiscard]] std::int64_t start_speed(int axis) const;
   void show_own_speeds();
 
@@ -35,12 +35,13 @@ class SetUp {
   Task<Result<>> read(int index, Priority priority);
   /// A few each round at rest.
   Task<Result<>> read_in_turn();
-  /// One of those that a power-up would take back. False: there is none, or programs may have set it.
+  /// Reads one that a power-up would reset. something_is_kept(): false: there is none, or programs may have
+  /// set it.
   Task<Result<>> read_what_power_keeps();
   Task<Result<bool>> something_is_kept();
 
   // ---- setting
-  /// True: the controller has it exactly so.
+  /// True: the controller holds exactly this value.
   Task<Result<bool>> set(intent::SetParam wish);
   Task<Result<>> store();
   void is_stored();
@@ -48,9 +49,9 @@ class SetUp {
   void changed(int index);
   void forget(std::string_view head);
   void forget_all();
-  /// Code runs that may set what it may set.
+  /// Code runs that may set its parameters.
   void code_may_set();
-  /// It was read while it was borrowed, perhaps.
+  /// The setting may have been read while borrowed.
   void was_borrowed(std::string_view name);
   void restarted();
 
@@ -66,8 +67,8 @@ class SetUp {
   Conversation& talk_;
   const CodeAtWork& code_;
   const BorrowedSetting& borrowed_;
-  Ways ways_;
-  std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: as it was then
+  Callbacks callbacks_;
+  std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: the stored value
   std::bitset<max_params> stored_known_;                   ///< of what is stored: after_power_up_ was read
   std::bitset<max_params> nobody_sets_;  ///< read twice, and nothing has run since that may have set them
   bool unsaved_variables_ = false;       ///< some were set and not stored

@@ -1,5 +1,7 @@
 #include "core/devices/arcus/stopping_way.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <initializer_list>
 #include <string>
 
@@ -8,7 +10,7 @@
 namespace hw::arcus {
 namespace {
 
-/// Of the first of these settings that the controller has; nothing while it has not been read.
+/// The value of the first of these settings that the controller has; none until read.
 std::optional<double> setting(const Catalog& catalog, const Snapshot& now,
                               std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) {
@@ -22,7 +24,7 @@ std::optional<double> setting(const Catalog& catalog, const Snapshot& now,
 
 struct Ramp {
   std::optional<double> high, low, up_ms, down_ms;
-  /// An axis goes by speeds of its own only where it has all of them.
+  /// An axis uses its own speeds only if it has all of them.
   [[nodiscard]] bool is_set() const {
     return high.value_or(0) > 0 && low.value_or(0) > 0 && up_ms.value_or(0) > 0;
   }
@@ -30,8 +32,8 @@ struct Ramp {
 
 }  // namespace
 
-// A ramp takes its time between low and high speed, and from another speed as much less: straight or as an S,
-// it is on average halfway between its ends.
+// A ramp takes its time between low and high speed, and proportionally less from another speed. Straight or
+// S-shaped, its mean speed is halfway between its ends.
 std::optional<double> stopping_way(const Catalog& c, const Snapshot& now, AxisId axis) {
   const double speed = now.axes[axis.index].speed.value;
   if (speed <= 0) return {};
@@ -49,7 +51,10 @@ std::optional<double> stopping_way(const Catalog& c, const Snapshot& now, AxisId
   if (!ramp.high || !ramp.low || !ms) return {};
   if (speed <= *ramp.low || *ramp.high <= *ramp.low) return 0;
   const double time = *ms / 1000 * (speed - *ramp.low) / (*ramp.high - *ramp.low);
-  return (speed + *ramp.low) / 2 * time;
+  const double way = (speed + *ramp.low) / 2 * time;
+  const AxisState& a = now.axes[axis.index];  // speed and position are not of the same moment
+  if (!a.has_target) return way;
+  return std::min(way, static_cast<double>(std::llabs((a.target - a.commanded()).value)));
 }
 
 }  // namespace hw::arcus

@@ -1,5 +1,5 @@
 #pragma once
-// How far an axis still goes when it is stopped with its ramp: Catalog::stopping_way.
+// How far an axis still moves when stopped with its ramp: Catalog::stopping_way.
 #include <optional>
 
 #include "core/device/catalog.h"

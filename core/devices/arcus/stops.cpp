@@ -10,7 +10,7 @@
 namespace hw::arcus {
 namespace {
 
-constexpr Duration longest_stop = std::chrono::seconds(30);  // of a ramp that the user made long
+constexpr Duration longest_stop = std::chrono::seconds(30);  // for a long ramp set by the user
 constexpr Duration next_move_of_a_program = std::chrono::seconds(1);
 constexpr int stop_attempts = 3;
 constexpr Duration until_confirmed = Millis(200);
@@ -29,7 +29,8 @@ Task<Result<>> Stops::stop(const StopOrder& order) {
   auto sent = co_await send(order, until_next_of_stop);
   const bool heard = talk_.is_open() && talk_.station()->heard_at() >= began;
   const bool may_ask = heard && !order.in_haste;
-  if (!sent && may_ask && worth_another_try(sent.error())) {  // on a clean line its answers are its own
+  if (!sent && may_ask &&
+      worth_another_try(sent.error())) {  // on a clean line the replies belong to the stop
     const bool clean = co_await talk_.come_clean(Priority::stop);
     if (clean) sent = co_await send(order, until_confirmed);
   }
@@ -43,7 +44,7 @@ Task<Result<>> Stops::send(const StopOrder& order, Duration patience) {
   co_return co_await stop_axes(order, patience);
 }
 
-// A stop for all devices of the line, by the same words as the stop of each, which follows: on a line that
+// A stop for all devices of the line, in the same words as the stop of each, which follows: on a line where
 // nobody answers those wait for one another.
 Task<Result<>> Stops::stop_line(bool at_once) {
   if (console_.model().broadcast < 0) co_return Result<>();
@@ -55,8 +56,8 @@ Task<Result<>> Stops::stop_line(bool at_once) {
   co_return all;
 }
 
-// What a jog moves stops alone: programs, and axes that they move, go on. The joystick is asked for when all
-// that is to stop was told so: next time, where that was not understood, or another stop waits.
+// The stop of a jog stops only what the jog moves: programs, and axes that they move, go on. The joystick is
+// checked after all stops were sent; if they were not understood or another stop waits, next time.
 Task<Result<>> Stops::stop_axes(const StopOrder& order, Duration patience) {
   list_.end();
   const std::string_view form = order.at_once ? console_.forms.abort : console_.forms.stop;
@@ -73,19 +74,19 @@ Task<Result<>> Stops::stop_axes(const StopOrder& order, Duration patience) {
   const bool understood = said || said.error().kind == FaultKind::refused;
   if (motion_only || !understood) co_return said;
   if (order.in_haste)
-    co_return fail(FaultKind::stopped, "Another stop waits.", "The joystick was not asked for.");
+    co_return fail(FaultKind::stopped, "Another stop waits.", "The joystick was not checked.");
   auto released = co_await release_joystick(axis, word);
   co_return said ? released : said;
 }
 
-// The programs that run end first, and what they have begun in between right behind them; then those that
-// were idle when last asked, which a program, another host or the power-up may have started. Whatever is not
-// confirmed, the next is sent.
+// Running programs are stopped first, then the motion they began meanwhile; then programs that were idle when
+// last read, which a program, another host or a power-up may have started. An unconfirmed command does not
+// hold up the next.
 Task<Result<>> Stops::stop_all(std::string word, Duration patience) {
   halting_ = true;
   std::bitset<max_threads> running;
   for (int n = 0; n < console_.model().programs; ++n) {
-    const RunState last = console_.draft.threads[ix(n)].run;  // also where it is not known any more
+    const RunState last = console_.draft.threads[ix(n)].run;  // even if no longer known
     running.set(ix(n), last == RunState::running || last == RunState::held);
   }
   Result<> all = co_await talk_.command(word, Priority::stop, patience);
@@ -126,8 +127,7 @@ Task<Result<>> Stops::halt_program(int thread, Duration patience) {
   co_return all;
 }
 
-// Its axes would go on by the stick. It is asked each time: programs, other hosts and a power-up switch it
-// on.
+// Its axes would go on by the stick. JE is read each time: programs, other hosts and a power-up switch it on.
 Task<Result<>> Stops::release_joystick(int axis, std::string stop) {
   if (!console_.forms.joystick) co_return Result<>();
   const int index = console_.catalog.find_param("JE");
@@ -151,8 +151,9 @@ Task<Result<>> Stops::release_joystick(int axis, std::string stop) {
   co_return said;
 }
 
-// The answers to what was cut short, and to what was asked last, may still be on the line: the stop waits for
-// them, and comes twice. Of several axes all stop, as each command would meet the answer to the one before.
+// Replies to the command cut short and to the last question may still be on the line: the stop waits for them
+// and is sent twice. For several axes all are stopped, since each command would collide with the reply to the
+// one before.
 LastWill Stops::last_will(unsigned axes) const {
   const std::string_view form = console_.forms.stop;
   const bool one = console_.axes() > 1 && std::has_single_bit(axes);
@@ -163,7 +164,7 @@ LastWill Stops::last_will(unsigned axes) const {
   return {{Millis(0), std::string(cut_off)}, {Millis(50), stop}, {Millis(150), stop}};
 }
 
-// ---- what has become of it
+// ---- progress
 
 Task<Result<>> Stops::look() {
   auto seen = co_await status_.read(Priority::stop);
@@ -173,7 +174,7 @@ Task<Result<>> Stops::look() {
 }
 
 StopProgress Stops::progress(const StopOrder& order) {
-  if (order.what == StopOrder::What::words) return StopProgress::stands();  // the wire has carried them
+  if (order.what == StopOrder::What::words) return StopProgress::stands();  // the words were sent
   const bool all = order.axis < 0 || console_.axes() == 1;
   if (order.what != StopOrder::What::jog && all) {
     if (auto programs = programs_end(order); programs.now != StopProgress::Now::stands) return programs;
@@ -204,7 +205,7 @@ StopProgress Stops::progress(const StopOrder& order) {
                                     "Stop again: it then stops at once, without a ramp."));
 }
 
-// One that was halted is started again by another that is not yet.
+// A halted program may be restarted by one that is not halted yet.
 StopProgress Stops::programs_end(const StopOrder& order) const {
   for (int n = 0; n < console_.model().programs; ++n) {
     const RunState run = console_.draft.threads[ix(n)].run;

@@ -1,6 +1,6 @@
 #pragma once
-// Stopping, by decision AMB-128: STOP (or ABORT), every program stopped, STOP again because one may have
-// begun a move in between, the joystick off where it is on. Then the status, until all stand.
+// Stopping, by decision AMB-128: STOP (or ABORT), a stop of every program, STOP again because one may have
+// begun a move in between, the joystick off if it is on. Then the status, until all axes stand.
 #include <string>
 
 #include "core/devices/arcus/motion_status.h"
@@ -21,9 +21,9 @@ class Stops {
         status_(status),
         threads_(threads) {}
 
-  /// All but the user's own words.
+  /// All stops except the user's own texts.
   Task<Result<>> stop(const StopOrder& order);
-  /// What shows whether the controller stands.
+  /// Reads whether the controller stands.
   Task<Result<>> look();
   [[nodiscard]] LastWill last_will(unsigned axes) const;
   StopProgress progress(const StopOrder& order);
@@ -46,7 +46,7 @@ class Stops {
   Motions& motions_;
   MotionStatus& status_;
   Threads& threads_;
-  bool halting_ = false;  ///< programs were told to end: whether they have is asked while axes stop
+  bool halting_ = false;  ///< programs were told to end: their state is read while axes stop
 };
 
 }  // namespace hw::arcus

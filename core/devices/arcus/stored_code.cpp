@@ -13,7 +13,7 @@ using language::Quantity;
 class SetParams {
  public:
   explicit SetParams(const Model& model) : model_(model) {}
-  /// Of one axis where there is one for each of them; `axis` -1: of all.
+  /// For one axis, if each axis has its own; `axis` -1: for all.
   void add(Setting id, int axis = -1) {
     std::size_t first = 0;
     for (const SettingFact& fact : model_.settings) {
@@ -71,8 +71,8 @@ void SetParams::add_written(Quantity quantity, int axis) {
   }
 }
 
-/// What a subroutine does from its head to its end, with those that it calls. Without a loop it is over when
-/// it has had time for each of its statements.
+/// What a subroutine does from its head to its end, with those that it calls. Without a loop it has ended
+/// after the time for each of its statements.
 class SubroutineWalk {
  public:
   explicit SubroutineWalk(const language::Program& code) : code_(code) {}
@@ -89,7 +89,8 @@ class SubroutineWalk {
   void count(const Instruction& statement, int depth);
   void give_up() { moves_ = true, ends_ = false; }
 
-  static constexpr Duration between_two = Millis(500);    // looks at an axis, that a short move may fall into
+  static constexpr Duration between_two =
+      Millis(500);  // readings of an axis: a short move may fall in between
   static constexpr Duration of_a_statement = Millis(10);  // ten times AMB-127
   static constexpr int most_statements = 10'000;
   const language::Program& code_;

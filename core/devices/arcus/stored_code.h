@@ -1,5 +1,5 @@
 #pragma once
-// What the driver keeps of the code that the controller holds.
+// What the driver remembers of the controller's stored code.
 #include <array>
 #include <bitset>
 #include <optional>
@@ -14,13 +14,13 @@ namespace hw::arcus {
 /// A subroutine that the host may call.
 struct StoredSubroutine {
   bool moves = true;              ///< or starts a program, or hands an axis to the joystick
-  std::optional<Duration> rests;  ///< it is over when nothing has moved for so long; none: nobody can tell
+  std::optional<Duration> rests;  ///< ended once nothing has moved for this long; none: unknown
 };
 
 struct StoredCode {
-  std::bitset<max_threads> programs;  ///< that are there
-  std::bitset<max_params> sets;       ///< parameters that it may change when it runs
-  bool switches_motors = false;       ///< EO: when it runs
+  std::bitset<max_threads> programs;  ///< present
+  std::bitset<max_params> sets;       ///< parameters that it may change
+  bool switches_motors = false;       ///< by EO
   std::array<std::optional<StoredSubroutine>, subroutines> subs;
 };
 

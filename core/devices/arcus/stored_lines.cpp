@@ -16,9 +16,9 @@ constexpr std::uint8_t stored_code = 1;  // one text for all programs: see Snaps
 constexpr const char* torn = "What is stored now is neither the old program nor the new one";
 constexpr const char* mend_it = "Download it again before anything runs it.";
 
-// A line that nobody knows is read before it is written: a question costs as little time as the answer to a
-// write, and flash wears by each write; the manuals print no number of cycles. Where so many in a row are
-// other lines another program is stored, and asking on would only cost time.
+// An unknown line is read before it is written: a question takes as little time as the reply to a write, and
+// each write wears the flash; the manuals give no number of cycles. If this many lines in a row differ,
+// another program is stored, and more questions would only cost time.
 constexpr int other_lines_are_another_program = 4;
 
 bool reads_first(int others_in_a_row) { return others_in_a_row < other_lines_are_another_program; }
@@ -40,12 +40,12 @@ Task<Result<>> StoredLines::write_line(int line) {
   std::string sent = fmt::format("SA{}={}", line, wanted(line));
   read_[ix(line)] = false;
   const std::uint8_t before =
-      std::exchange(console_.draft.slots_torn, stored_code);  // should the console be closed now
+      std::exchange(console_.draft.slots_torn, stored_code);  // in case the console closes now
   auto written = co_await talk_.command(std::move(sent), Priority::transfer, Millis(500));
   progress_.worked(console_.scheduler.now());
-  // A stop that came first, or a refusal: this line is not stored.
+  // After an earlier stop or a refusal this line is not stored.
   if (!written && was_kept_back(written.error())) console_.draft.slots_torn = before;
-  // Whether an answer was lost, or the line itself garbled on its way, reading it tells.
+  // Reading the line tells whether the reply was lost or the line itself garbled.
   if (!written && worth_another_try(written.error())) co_return Result<>();
   co_return written;
 }
@@ -104,7 +104,7 @@ Task<Result<int>> StoredLines::write(std::vector<std::string> lines) {
   co_return written;
 }
 
-/// A controller that was silent for a moment, or answers that nobody here has asked for: others may be at it.
+/// After a missed reply or unsolicited ones, other hosts may have written.
 void StoredLines::doubt_what_is_held() {
   if (heard_ != now_heard()) code_.lines().forget();
 }
@@ -128,11 +128,11 @@ Task<Result<int>> StoredLines::write_all() {
     if (pass == most_passes)
       co_return fail(FaultKind::controller, fmt::format("Line {} reads back as \"{}\" instead of \"{}\".",
                                                         found.line, found.text, wanted(found.line)));
-    if (written_ > 0) forget_what_is_held();  // what was garbled on its way may have become another line
+    if (written_ > 0) forget_what_is_held();  // a garbled command may have written another line
   }
 }
 
-// Behind its end as far as a longer program may have left something.
+// Continues behind the end as far as a longer program may have left lines.
 Task<Result<>> StoredLines::write_what_differs() {
   const int total = static_cast<int>(wanted_.size());
   seen_ = written_ = 0;
@@ -162,12 +162,12 @@ Task<Result<>> StoredLines::write_what_differs() {
   co_return Result<>();
 }
 
-/// Of the first so many.
+/// Among the first `lines` lines.
 int StoredLines::not_read(int lines) const {
   return static_cast<int>(std::count(read_.begin(), read_.begin() + lines, false));
 }
 
-/// Questions and commands, to the end of it all.
+/// Questions and commands from `line` to the end.
 int StoredLines::work_from(int line, bool reads_unknown_first) const {
   int work = 0;
   for (int n = line; n < static_cast<int>(wanted_.size()); ++n) {
@@ -177,7 +177,7 @@ int StoredLines::work_from(int line, bool reads_unknown_first) const {
   return work;
 }
 
-/// The first line that is another than it is to be.
+/// The first line that differs from the wanted one.
 Task<Result<std::optional<StoredLines::OtherLine>>> StoredLines::compare_what_was_not_read() {
   std::optional<OtherLine> other;
   progress_.enter(TransferState::Phase::comparing, not_read(seen_));
@@ -194,7 +194,7 @@ Task<Result<std::optional<StoredLines::OtherLine>>> StoredLines::compare_what_wa
   co_return other;
 }
 
-// ---- what an end before the end leaves
+// ---- what a broken transfer leaves
 
 std::string StoredLines::what_stands() const {
   const TransferState& t = console_.draft.transfer;

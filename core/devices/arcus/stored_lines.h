@@ -19,12 +19,13 @@ class StoredLines {
         progress_(console.draft.transfer, console.catalog) {}
 
   Task<Result<std::vector<std::string>>> read();
-  /// These, and nothing behind them: each line is read before it is said to stand, because another host may
-  /// have written it unheard. How many had to be written: those that are not known to be there.
+  /// Stores these lines and nothing behind them. Each line is read before it is reported as stored, because
+  /// another host may have written it unheard. Returns how many had to be written: those not known to be
+  /// there.
   Task<Result<int>> write(std::vector<std::string> lines);
-  /// By a stop, a lost link or a line that is not taken: what is stored then may run, and is no program.
+  /// The fault after a stop, a lost link or a refused line: the stored lines may run, but are no program.
   tl::unexpected<Fault> broken_off(Fault why);
-  /// The next console to open it does not know.
+  /// What the user must know if the console exits now; the next console does not.
   [[nodiscard]] std::string leaves_behind() const;
 
  private:
@@ -47,20 +48,20 @@ class StoredLines {
   [[nodiscard]] std::string what_stands() const;
   struct Heard {
     std::uint64_t misses = 0;
-    int strays = 0;
+    int unexpected = 0;
     bool operator==(const Heard&) const = default;
   };
-  [[nodiscard]] Heard now_heard() const { return {talk_.misses(), talk_.strays()}; }
+  [[nodiscard]] Heard now_heard() const { return {talk_.misses(), talk_.unexpected()}; }
 
   const Console& console_;
   Conversation& talk_;
   CodeAtWork& code_;
   LiveStatus& live_;
   TransferProgress progress_;
-  std::vector<std::string> wanted_;  ///< what is to stand there
-  std::vector<bool> read_;           ///< a line: in this call, and not written since
+  std::vector<std::string> wanted_;  ///< the lines to store
+  std::vector<bool> read_;           ///< by line: read in this call, and not written since
   int seen_ = 0, written_ = 0;       ///< lines, in one pass
-  bool differs_ = false;             ///< what was compared last
+  bool differs_ = false;             ///< found by the latest comparison
   Heard heard_;                      ///< when its lines were last known
 };
 

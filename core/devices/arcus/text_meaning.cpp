@@ -1,6 +1,40 @@
 #include "core/devices/arcus/text_meaning.h"
 
+#include <algorithm>
+
+#include "core/devices/arcus/catalog_params.h"
+
 namespace hw::arcus {
+namespace {
+
+/// The bare name of a setting is a question.
+bool is_setting(const Model& model, std::string_view command) {
+  return std::any_of(model.settings.begin(), model.settings.end(), [&](const SettingFact& fact) {
+    for (int place = 0; place < fact.count; ++place)
+      if (mnemonic_of(model, fact, place) == command) return true;
+    return false;
+  });
+}
+
+/// It asks for a state: of all, or of an axis or a number.
+bool is_reading(const Model& model, std::string_view command) {
+  constexpr std::string_view heads[] = {"MST", "PP", "PE", "PS", "P",   "E",  "DX",  "AI",  "DI",
+                                        "DO",  "EO", "V",  "ID", "VER", "TR", "SPC", "SLS", "SASTAT"};
+  const auto place = [&model](char c) {
+    return (c >= '0' && c <= '9') || model.axis_letters.find(c) != std::string_view::npos;
+  };
+  return std::any_of(std::begin(heads), std::end(heads), [&](std::string_view head) {
+    return command.starts_with(head) &&
+           std::all_of(command.begin() + static_cast<std::ptrdiff_t>(head.size()), command.end(), place);
+  });
+}
+
+/// Any other text without '=' has an effect: STORE, CLR, SYNXF.
+bool only_asks(const Model& model, std::string_view command) {
+  return command.find('=') == command.npos && (is_reading(model, command) || is_setting(model, command));
+}
+
+}  // namespace
 
 int axis_named_in(const Forms& forms, std::string_view text) {
   if (forms.model->axes() == 1) return 0;
@@ -33,6 +67,7 @@ TextMeaning meaning_of(const Forms& forms, const intent::SendText& wish, Address
   // A line of the program memory: SA[line]=[code].
   meaning.changes_programs = word.starts_with("SA") && word.find('=') != word.npos;
   meaning.runs_program = runs_program(text);
+  meaning.only_asks = only_asks(model, word);
   return meaning;
 }
 

@@ -6,10 +6,10 @@
 
 namespace hw::arcus {
 
-/// What the meaning of a text depends on beside the text.
+/// What else the meaning of a text depends on.
 struct Addressing {
   int own = -1;            ///< address of the device that it is typed to; -1: it has none
-  bool tells_end = false;  ///< AR=1: it says by itself that a move has ended (DMX manual, AR)
+  bool tells_end = false;  ///< AR=1: it reports the end of a move itself (DMX manual, AR)
 };
 
 TextMeaning meaning_of(const Forms& forms, const intent::SendText& text, Addressing addressing);

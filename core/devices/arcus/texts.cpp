@@ -11,15 +11,15 @@ namespace {
 
 constexpr Duration typed_patience = Millis(200);
 
-/// After it, where the axis was sent is not where it is to come to rest.
+/// After this text the axis no longer comes to rest at its target.
 bool takes_target_away(std::string_view text) {
   if (text.starts_with('T')) return text.find('=') == text.npos;
   const bool counter = text.size() > 3 && text[2] == '=' && (text[0] == 'P' || text[0] == 'E');
   return counter && text[1] != 'O';
 }
 
-/// Each of several is answered by itself: the second answer would be taken for that to the next question.
-/// True: there is something behind the first, which alone is left.
+/// Each of several commands has its own reply: the second reply would be taken for that to the next question.
+/// True: more followed the first, which alone is left.
 bool cut_to_one_command(std::string& text) {
   constexpr std::string_view ends("\r\n\0", 3), nothing(" \r\n\0", 4);
   text.erase(0, std::min(text.find_first_not_of(ends), text.size()));
@@ -56,17 +56,16 @@ Task<Result<std::string>> Texts::stop(const StopOrder& order) {
     note_sent(text);
     co_return std::string();
   }
-  // However long its asker would wait: where one that has answered before does not, the console says it
-  // again.
+  // Limits the asker's patience: if a device that has answered before does not, the console repeats the stop.
   const bool was_heard = talk_.is_open() && talk_.station()->was_heard();
   const Duration asked = order.patience > Duration::zero() ? order.patience : typed_patience;
   const Duration patience = was_heard ? std::min(asked, typed_patience) : asked;
   auto stopped = co_await say(text, Priority::stop, patience);
-  if (stopped && stopped->starts_with('?'))  // it has heard something else
+  if (stopped && stopped->starts_with('?'))  // it received something else
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
   const bool its_own = address_of(text) < 0 || address_of(text) == console_.catalog.address;
   if (stopped && its_own && ends_motion(command_in(text)) &&
-      *stopped != "OK")  // the answer to what was before
+      *stopped != "OK")  // the reply to an earlier text
     co_return fail(FaultKind::garbled, fmt::format("The controller answered {} to {}.", *stopped, text),
                    "It was sent, and the console's own stop behind it.");
   if (!stopped || !more) co_return stopped;
@@ -99,7 +98,7 @@ Task<Result<std::string>> Texts::say(std::string text, Priority priority, Durati
   co_return std::move(reply->text);
 }
 
-// To all, unless it says itself to whom: then that one answers, or it is the address of all.
+// Sent to all, unless the text has an address: then that device answers, or it is the address of all.
 Task<Result<>> Texts::send(const intent::SendText& wish) {
   std::string text = wish.text;
   if (wish.broadcast && address_of(text) < 0) {
@@ -113,7 +112,7 @@ Task<Result<>> Texts::send(const intent::SendText& wish) {
   co_return Result<>();
 }
 
-// What it may change is read afresh: intents go before polls.
+// State that the text may change is read afresh: intents go before polls.
 void Texts::overhear(const std::string& text) {
   const std::string command = command_in(text);
   watch_.goes_out(command);
@@ -123,16 +122,16 @@ void Texts::overhear(const std::string& text) {
   note_done(command);
 }
 
-// What is true only when the controller has taken it.
+// Effects that hold only if the controller has accepted the text.
 void Texts::note_done(std::string_view command) {
   if (command == "STORE") setup_.is_stored();
-  // It takes a move only of an axis that stands: whatever the console had begun there is over.
+  // It accepts a move only of an axis that stands: the console's own motion there is over.
   if (!arcus::may_move(console_.forms, command) || takes_target_away(command)) return;
   const int named = console_.axes() == 1 ? 0 : axis_named_in(console_.forms, command);
   if (named >= 0) motions_.another_begins(named);
 }
 
-// What the user's own text changes is read afresh, not guessed.
+// State that the user's own text changes is read afresh, not guessed.
 void Texts::note_sent(std::string_view as_typed) {
   const std::string clean = bare_text(as_typed);
   const std::string_view text = clean;
@@ -153,12 +152,12 @@ void Texts::note_sent(std::string_view as_typed) {
     console_.draft.axes[axis].has_target = false;
   if (ends_motion(text)) note_stop(text);
   if (!arcus::may_move(console_.forms, text)) return;
-  // Homing sets them; a short move to zero ends before anybody has seen it move.
+  // Homing sets the counters; a short move to zero may end before it is seen moving.
   watch_.counters_may_be_set();
   console_.changed();
 }
 
-// The user's own stop: what it has ended did not end by itself.
+// The user's own stop: motions that it ended did not end by themselves.
 void Texts::note_stop(std::string_view text) {
   list_.end();
   const int only = console_.axes() > 1 ? axis_named_in(console_.forms, text) : -1;

@@ -1,5 +1,6 @@
 #pragma once
-// The user's own text: sent, asked, stopped by, and heard from a neighbour's terminal on the same line.
+// The user's own text: commands, questions, stops, and texts from another session's terminal on the same
+// line.
 #include <string>
 #include <string_view>
 
@@ -28,7 +29,7 @@ class Texts {
   Task<Result<std::string>> query(std::string text, Duration patience);
   Task<Result<>> send(const intent::SendText& wish);
   Task<Result<std::string>> stop(const StopOrder& order);
-  /// Another session of this line has said it to all.
+  /// Another session of this line has broadcast the text.
   void overhear(const std::string& text);
 
  private:

@@ -20,17 +20,21 @@ RunState run_state(std::int64_t number) {
 
 Task<Result<>> Threads::read(bool all, Priority priority) {
   const int first = first_.peek(console_.model().programs);
-  bool one_idle_read = false;
+  bool one_idle_read = false, one_ended = false;
   for (int n = 0; n < console_.model().programs; ++n) {
     const int thread = (first + n) % console_.model().programs;
     const ThreadState& known = console_.draft.threads[ix(thread)];
-    const bool quiet = known.known && known.run != RunState::running;
+    const bool ran = known.known && known.run == RunState::running;
+    const bool quiet = known.known && !ran;
     if (quiet && one_idle_read && !all) continue;
     one_idle_read = one_idle_read || quiet;
     auto read = co_await read_one(thread, priority);
     if (!read) co_return read;
+    one_ended = one_ended || (ran && known.run == RunState::idle);
   }
   first_.next(console_.model().programs);
+  // Its last statement may have started another thread, read before it: nothing would seem to run.
+  if (one_ended && !all) co_return co_await this->read(true, priority);
   show_program();
   co_return Result<>();
 }
@@ -79,7 +83,7 @@ Task<Result<>> Threads::read_one(int thread, Priority priority) {
   co_return Result<>();
 }
 
-// ---- what is told to them
+// ---- commands to threads
 
 void Threads::may_start(std::string_view command) {
   if (is_apart(thread_named_in(command).value_or(-1))) return;

@@ -1,5 +1,5 @@
 #pragma once
-// The threads that run the stored programs: what each does, as it was read, and what may be running.
+// The threads that run the stored programs: the state of each as last read, and which may be running.
 #include <chrono>
 #include <string_view>
 
@@ -13,17 +13,17 @@ class Threads {
   Threads(const Console& console, Conversation& talk, CodeAtWork& code, SetUp& setup, RestartWatch& watch)
       : console_(console), talk_(talk), code_(code), setup_(setup), watch_(watch) {}
 
-  /// All, or those that run and one of the others in turn.
+  /// Reads all, or those that run and one of the others in turn.
   Task<Result<>> read(bool all, Priority priority);
 
-  /// Before it goes out: code runs then, whether or not it is confirmed.
+  /// Call before the command is sent: it may start code unconfirmed.
   void may_start(std::string_view command);
-  /// What is told to a thread (SR0=1) may change what it does.
+  /// A command to a thread (SR0=1) may change its state.
   void are_told(std::string_view command);
-  /// Whether it still runs shows in the next second.
+  /// A program may run; within a second the status shows whether it still does.
   void program_runs(Duration at_most = std::chrono::seconds(1));
 
-  /// Until then it is the console's own, which is no program of the user's and is shown as none.
+  /// Until `until` the thread is the console's own: no program of the user's, and shown as none.
   void keep_apart(int thread, Instant until) { apart_ = thread, apart_until_ = until; }
 
   /// As far as is known.

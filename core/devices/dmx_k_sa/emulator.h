@@ -5,7 +5,7 @@
 // and is only checked.
 //
 // The bench as it is built: the motor turns freely, its encoder gives 4,000 counts for 3,200 pulses and an
-// index mark each turn, the first half a turn away. Limits, home and inputs are let go.
+// index mark each turn, the first half a turn away. Limits, home and inputs are released.
 #include <map>
 #include <memory>
 #include <string>

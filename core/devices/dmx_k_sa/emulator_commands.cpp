@@ -63,7 +63,7 @@ Answer change_speed(Controller& c, const Args& a) {
 
 Answer unknown(Controller&, const Args&) { return Refusal::unknown; }
 
-/// Beside what it does on both models, it clears a StepNLoop error (chapter 9).
+/// Beyond its effect on both models, it clears a StepNLoop error (chapter 9).
 Answer abort(Controller& c, const Args&) {
   c.abort_all();
   c.clear_loop_error(0);

@@ -1,5 +1,5 @@
 #pragma once
-// The commands of the DMX-K-SA that the PMX-4EX-SA has not, or writes otherwise (DMX manual, ch. 9).
+// The commands of the DMX-K-SA that the PMX-4EX-SA lacks or spells differently (DMX manual, ch. 9).
 #include <span>
 
 #include "core/devices/arcus/emulator_command.h"

@@ -4,9 +4,9 @@
 // is one transfer, each reply 64 bytes), quirk=motor-power (a load stands still while its motor is off);
 // baud= is the line's and is only checked.
 //
-// The bench as it is built: four axes without travel limits and without home zones, no play, encoders that
-// count one for each pulse, an index mark every 4,000 pulses beginning 2,000 away. Inputs and alarms are let
-// go, analog inputs stand at 2,500 mV.
+// The bench as it is built: four axes without travel limits and without home zones, no play, encoders with
+// one count per pulse, an index mark every 4,000 pulses, the first 2,000 away. Inputs and alarms are
+// released, analog inputs stand at 2,500 mV.
 #include <map>
 #include <memory>
 #include <string>

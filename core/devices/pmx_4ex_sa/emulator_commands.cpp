@@ -38,7 +38,7 @@ Answer on_axis(Controller& c, const Args& a) {
   return {};
 }
 
-/// "1000:-5:3", so many numbers; none when it is otherwise.
+/// "1000:-5:3": exactly `count` numbers, or none.
 std::optional<std::vector<std::int64_t>> numbers(std::string_view text, std::size_t count) {
   std::vector<std::int64_t> found;
   for (;;) {

@@ -1,5 +1,5 @@
 #pragma once
-// The commands of the PMX-4EX-SA that the DMX-K-SA has not, or writes otherwise (PMX manual, ch. 9).
+// The commands of the PMX-4EX-SA that the DMX-K-SA lacks or spells differently (PMX manual, ch. 9).
 #include <span>
 
 #include "core/devices/arcus/emulator_command.h"

@@ -1,6 +1,6 @@
 #pragma once
-// Stops of all axes: SA, SD and KL. They go through the mailbox, which they may only seem to: whether one was
-// obeyed shows by the axes, and by what waits in the queues behind it.
+// Stops of all axes: SA, SD and KL, sent through the mailbox. An acknowledged stop may still have no effect:
+// only the axes, and then the queues, show whether the board obeyed.
 #include "core/devices/vme58/mailbox.h"
 #include "core/devices/vme58/queues.h"
 #include "core/devices/vme58/stop_effect.h"
@@ -21,22 +21,23 @@ class AllStop {
         catalog_(catalog),
         draft_(draft) {}
 
-  /// Through the ring too where the mailbox does nothing, or where it would not show that it does nothing: no
-  /// axis turns fast enough to be seen slowing down, and one may creep all the same.
+  /// Also sends the stop through the ring if the mailbox has no effect, or if its effect could not be seen:
+  /// no axis is seen turning, yet one may creep.
   Task<Result<>> send(std::string_view word);
-  /// A stop of all empties the queues, and one that was not obeyed leaves what waits there: between two of
-  /// its motions an axis rests for a moment. Asked as soon as none turns.
+  /// Reads the queues as soon as no axis turns. A stop of all axes empties them; commands still waiting show
+  /// that it was not obeyed, though an axis may rest for a moment between two motions.
   Task<Result<>> look_at_queues();
   enum class Behind : std::uint8_t { nothing, not_known, waits };
-  /// It. Queues that do not answer are not waited for longer than an axis may rest between two motions.
+  /// What waits in the queues behind the stop. Queues that do not answer count as empty after the longest
+  /// rest between two motions.
   [[nodiscard]] Behind behind() const;
-  /// It went out before the ring was known, or another stop hides what comes of it: nothing has shown that
-  /// the mail was acted on.
+  /// The stop must still be sent through the ring: it was mailed before the ring was known, or another stop
+  /// hides its effect, so nothing shows that the board acted on the mail.
   [[nodiscard]] bool owes_ring() const;
-  /// ST of one axis: what slows down now may do so by that.
+  /// ST of one axis was sent: an axis that slows down now may do so because of it.
   void another_was_sent();
   void in_vain();
-  /// The connection is gone, or the board was reset.
+  /// The connection was lost, or the board was reset.
   void forget() { behind_ = Behind::nothing; }
 
  private:
@@ -52,10 +53,10 @@ class AllStop {
   const StopEffect& effect_;
   const Catalog& catalog_;
   Snapshot& draft_;
-  bool mailbox_deaf_ = false;  ///< it was acknowledged and nothing was done
+  bool mailbox_deaf_ = false;  ///< mail was acknowledged without effect
   bool by_mail_alone_ = false;
   Behind behind_ = Behind::nothing;
-  Instant rests_since_{};  ///< no axis was seen turning since then, or since that stop
+  Instant rests_since_{};  ///< since then, or since the stop, no axis was seen turning
 };
 
 }  // namespace hw::vme58

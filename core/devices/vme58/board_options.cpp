@@ -19,11 +19,11 @@ Result<> read_variant(const std::string& value, BoardOptions& board) {
   if (board.variant) return {};
   std::string known;
   for (const Variant& v : variants) known += fmt::format("{}{}", known.empty() ? "" : ", ", v.name);
-  return wrong_option(fmt::format("variant={} is no model of the VME58.", value),
+  return wrong_option(fmt::format("variant={} is not a model of the VME58.", value),
                       fmt::format("Known, in any case: {}.", known));
 }
 
-/// IIO: one letter for each group of four lines; the last two lines are outputs for good.
+/// IIO: one letter for each group of four lines; the last two lines are always outputs.
 Result<> read_jumpers(const std::string& value, BoardOptions& board) {
   constexpr std::size_t groups = first_fixed_output / lines_of_a_group;
   unsigned outputs = ((1u << io_lines) - 1) & ~((1u << first_fixed_output) - 1);
@@ -46,7 +46,8 @@ Result<> read_firmware(const std::string& value, BoardOptions& board) {
   if (!value.empty() && value.size() <= longest &&
       value.find_first_not_of("0123456789.") == std::string::npos)
     return {};
-  return wrong_option(fmt::format("firmware={} is no revision.", value), "A revision is a number like 2.24.");
+  return wrong_option(fmt::format("firmware={} is not a revision.", value),
+                      "A revision is a number like 2.24.");
 }
 
 constexpr struct {

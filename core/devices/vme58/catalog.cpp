@@ -53,7 +53,7 @@ std::vector<AxisInfo> axes(const Variant& variant) {
 
 bool is_output(std::uint16_t outputs, int line) { return (outputs >> line & 1) != 0; }
 
-/// Of a line and its neighbours that go the same way.
+/// Direction of a line and its neighbours of the same direction.
 std::string direction_of(std::uint16_t outputs, int line) {
   const bool out = is_output(outputs, line);
   int first = line, last = line;
@@ -62,7 +62,7 @@ std::string direction_of(std::uint16_t outputs, int line) {
   return fmt::format("Lines {} to {}: {}", first, last, out ? "outputs" : "inputs");
 }
 
-/// Why a line goes the way it does.
+/// Why a line has its direction.
 std::string reason_of_direction(std::uint16_t outputs, int line) {
   const std::string_view way = is_output(outputs, line) ? "an output" : "an input";
   if (line >= first_fixed_output) return "always an output";
@@ -163,7 +163,8 @@ ActionInfo action(std::string id, std::string label, std::string help, std::stri
   return a;
 }
 
-// In the order of enum Action. A board without encoders has none that needs one: those stand last.
+// In the order of enum Action. Actions that need an encoder come last: a board without encoders has none of
+// them.
 std::vector<ActionInfo> actions(const Variant& variant) {
   const auto any = [](const AxisFitting&) { return true; };
   const auto encoder = [](const AxisFitting& f) { return f.encoder; };
@@ -232,7 +233,7 @@ ReadoutInfo readout(std::string_view letters, std::string_view label, int axis, 
   return r;
 }
 
-// Those of one kind stand together: a table draws them as a column.
+// Readouts of one kind stand together: a table shows them as a column.
 void add_readouts(Catalog& c, const Variant& variant) {
   c.readout_groups = {"Flags", "Queues", "Memory map", "Loops"};
   c.memory_readout_group = memory_group;
@@ -259,7 +260,7 @@ void add_readouts(Catalog& c, const Variant& variant) {
   }
 }
 
-/// What the data sheet leaves open (decision M47).
+/// Sets the values that the data sheet leaves open (decision M47).
 void set_factory_values(std::vector<ParamInfo>& params, const BoardOptions& board) {
   for (ParamInfo& p : params) {
     const std::string_view letters = std::string_view(p.mnemonic).substr(0, 2);
@@ -303,7 +304,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.command_separators = " ;";
   c.program.slots = 1;
   c.program.slot_word = "Program";
-  c.program.capacity = 0;  // it keeps none: a run feeds the text into its ring
+  c.program.capacity = 0;  // the board keeps none: a run feeds the text into its ring
   c.program.capacity_unit = "characters";
   c.program.file_suffix = ".vme";
   c.program.comment = '#';

@@ -7,7 +7,7 @@ namespace hw::vme58 {
 
 /// Readout groups, in their order.
 enum Group : std::uint8_t { flag_group, queue_group, memory_group, loop_group };
-/// Auxiliary outputs are numbered behind the general lines: 14 is X.
+/// Auxiliary outputs are numbered after the general lines: 14 is X.
 inline constexpr int first_auxiliary = io_lines;
 /// Ways of homing, in the catalog's order.
 enum class HomeMode : std::uint8_t { edge, back_to_edge, stop_dead };
@@ -30,7 +30,7 @@ bool recognises(std::string_view reply);
 
 std::vector<CommandInfo> command_help();
 std::vector<ParamInfo> param_infos(const Variant& variant);
-/// What Control shows, a row per axis; behind the actions and the set-up.
+/// Adds the tables of Control, a row per axis, after the actions and the set-up.
 void add_axis_tables(Catalog& catalog);
 /// Catalog::stopping_way.
 std::optional<double> stopping_way(const Catalog& catalog, const Snapshot& now, AxisId axis);

@@ -1,4 +1,4 @@
-// The board's window, cell by cell, for whoever looks at it.
+// The board's window, cell by cell, for the memory map.
 #include <fmt/core.h>
 
 #include "core/devices/vme58/catalog.h"

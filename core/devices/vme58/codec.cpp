@@ -54,7 +54,7 @@ void append_mail(std::vector<BusCycle>& cycles, std::string_view letters, std::u
   cycles.push_back(BusCycle::store(1, reg::control, control | control::interrupt_board));
 }
 
-// The CR that some frames have more than others stands before the next reply and is skipped with its head.
+// The extra CR of some frames stands before the next reply and is skipped with its head.
 std::optional<std::string> take_reply(std::string& received, bool echo) {
   if (echo) {
     const auto frame = received.find("\n\r");
@@ -75,7 +75,7 @@ std::optional<std::string> take_reply(std::string& received, bool echo) {
 
 namespace {
 
-/// What a scanner of the field skips before the digits: blanks and a plus sign (decision M99).
+/// Skips what other hosts skip before the digits: blanks and a plus sign (decision M99).
 std::string_view from_its_number(std::string_view text) {
   const auto digits = text.find_first_not_of(' ');
   text.remove_prefix(std::min(digits, text.size()));

@@ -1,7 +1,7 @@
 #pragma once
-// Every command of the data sheet: its two letters, where it is understood, what follows it. Facts only, for
-// both sides. A queue of the board holds the queued ones: one entry each and one more for each operand
-// (decision M18).
+// Every command of the data sheet: its two letters, the modes that accept it, its operands. Facts only,
+// shared by driver and emulator. Queued commands take one entry of a board queue, and one more for each
+// operand (decision M18).
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -33,7 +33,7 @@ enum class Shape : std::uint8_t {
   ports,   ///< inside a contour: one or more numbers of auxiliary outputs
 };
 
-/// What a number is: whether user units multiply it (decision M90) and whether its fraction counts (M15).
+/// Kind of a number: whether user units multiply it (decision M90) and whether its fraction counts (M15).
 enum class Number : std::uint8_t {
   whole,   ///< never multiplied, fraction cut
   counts,  ///< positions, distances, speeds, rates: multiplied; fraction cut, rounded with user units
@@ -66,7 +66,7 @@ struct CommandFact {
   Shape shape = Shape::none;
   Number number = Number::whole;
   double min = 0,
-         max = 0;  ///< of each number, in counts; those of a pair or triple differ and stand in `second`
+         max = 0;  ///< of each number, in counts; see `second` for pair and triple
   double second_min = 0, second_max = 0;
   bool needs_encoder = false;  ///< refused on an axis without one (decision M83)
   bool needs_servo = false;
@@ -77,7 +77,7 @@ inline constexpr double p = position_max, d = distance_max, v = velocity_max, a 
 inline constexpr double ms = wait_max_ms, big = 2'147'483'647, huge = std::numeric_limits<double>::max();
 }  // namespace command_limits
 
-/// A mnemonic with two meanings stands here twice, the one of the contour behind the other.
+/// A mnemonic with two meanings is listed twice, the contour command last.
 inline constexpr auto command_facts = [] {
   using namespace command_limits;
   using enum Op;
@@ -166,14 +166,14 @@ inline constexpr auto command_facts = [] {
   });
 }();
 
-/// Not in the data sheet. Drivers of the field send KK2 to find out whether an axis has a servo loop; boards
-/// with the quirk `oms-kk` take it (decision M98).
+/// Not in the data sheet. Existing drivers send KK2 to find out whether an axis has a servo loop; boards with
+/// the quirk `oms-kk` accept it (decision M98).
 inline constexpr CommandFact oms_kk{
     "KK", Op::KK, where::single, When::at_once, Shape::one, Number::real, 0, command_limits::huge,
     0,    0,      false,         true};
 
-/// The command of these two letters that is understood in one of the modes of `modes`; else one that is not,
-/// else null.
+/// The command with these two letters that one of `modes` accepts; else one that other modes accept, else
+/// null.
 constexpr const CommandFact* find_command(char first, char second, unsigned modes) {
   const CommandFact* found = nullptr;
   for (const CommandFact& f : command_facts) {

@@ -96,7 +96,7 @@ class Reader {
     const std::string_view junk = text_.substr(begin, at_ - begin);
     flaw(command, begin, at_ - begin,
          lone ? fmt::format("{} is half a command: each has two capital letters.", junk)
-              : fmt::format("\"{}\" is no command: each begins with two capital letters.", junk));
+              : fmt::format("\"{}\" is not a command: each begins with two capital letters.", junk));
   }
   void skip_operands() {
     while (at_ < text_.size() && !ends_list(text_[at_])) ++at_;
@@ -159,7 +159,7 @@ class Reader {
       while (end < text_.size() && !is_separator(text_[end]) && !is_letter(text_[end])) ++end;
       end = std::max(end, digits);
       flaw(command, begin, end - begin,
-           fmt::format("\"{}\" is no number.", text_.substr(begin, end - begin)));
+           fmt::format("\"{}\" is not a number.", text_.substr(begin, end - begin)));
       at_ = std::max(end, begin + 1);
       return std::nullopt;
     }

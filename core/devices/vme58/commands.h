@@ -1,6 +1,6 @@
 #pragma once
-// What the console says for its own ends, and what the board rejects: at once, or when its turn in a queue
-// comes (decision M17). One bit of the status register tells both, and which command it was has to be worked
+// Commands of the console's own, and rejections by the board: at once, or when a command's turn in a queue
+// comes (decision M17). One bit of the status register reports both, so the rejected command must be worked
 // out.
 #include <functional>
 #include <string>
@@ -20,24 +20,27 @@ class Commands {
         catalog_(catalog),
         draft_(draft) {}
 
-  /// It has been taken, and was no command error.
+  /// Sends `text`. Succeeds once the board has taken it without a command error.
   Task<Result<>> say(std::string text, Priority priority);
-  /// What waits in a queue may be rejected at any time: not to be taken for the fault of what is sent next.
+  /// Call before sending: reports the rejection of a queued command, so that the next text is not blamed for
+  /// it.
   Task<Result<>> settle_late(Priority priority);
-  /// An error came to light by itself: what had waited in a queue was rejected when its turn came.
+  /// Reports a command error that no sent text explains: a queued command was rejected when its turn came.
   void show_late();
-  /// Said once of an error that nobody has asked about.
+  /// Reports a pending command error once.
   void show_late_if_any() {
     if (readings_.take_command_error()) show_late();
   }
 
   [[nodiscard]] tl::unexpected<Fault> rejected(std::string_view text) const;
-  /// Whose servo loop is open takes no motion; said only when the text would move it.
+  /// Words saying that an axis whose servo loop is open takes no motion; empty unless `text` would move such
+  /// an axis.
   [[nodiscard]] std::string open_loop_words(std::string_view text, Context context) const;
-  /// Text of the console's own would be recorded with the user's contour.
+  /// Fails without a connection, or while a contour is recorded: the console's own text would become part of
+  /// it.
   [[nodiscard]] Result<> may_talk() const;
 
-  /// Somebody may have waited for what was rejected; he may add to the words.
+  /// Called when a queued command was rejected; may add to the words.
   std::function<void(std::string& words)> rejected_late;
 
  private:

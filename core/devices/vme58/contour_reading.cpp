@@ -12,7 +12,7 @@
 namespace hw::vme58 {
 namespace {
 
-namespace seq = sequence;  // its names are those of commands too
+namespace seq = sequence;  // its names are also those of commands
 using Place = std::array<double, 2>;
 
 class ContourReader {
@@ -48,9 +48,9 @@ class ContourReader {
   bool next(Op op) {
     return at_ < commands_.size() && commands_[at_].is(op) && commands_[at_++].flaw.empty();
   }
-  /// The two that it gives a place, in the order of the blocks' axes.
+  /// Finds the two axes that `command` gives a place, in the order of the blocks' axes.
   bool find_plane(const TextCommand& command) {
-    std::vector<std::pair<int, int>> found;  // by place among the blocks' axes, on the board
+    std::vector<std::pair<int, int>> found;  // place among the blocks' axes, place on the board
     for (std::size_t n = 0; n < command.numbers.size(); ++n)
       if (command.numbers[n])
         found.emplace_back(frame_.place_of(catalog_, static_cast<int>(n)), static_cast<int>(n));
@@ -63,7 +63,7 @@ class ContourReader {
   [[nodiscard]] double per_unit(std::size_t i) const {
     return frame_.axes[ix(i == 0 ? plane_.right : plane_.up)].per_unit;
   }
-  /// Of the two axes, and no others.
+  /// The places of the two axes; none: others are given, or one is missing.
   [[nodiscard]] std::optional<Place> places(const TextCommand& command) const {
     Place p{};
     for (const std::size_t a : {0u, 1u}) {
@@ -74,7 +74,7 @@ class ContourReader {
     }
     return p;
   }
-  /// Inside of it the numbers are of the two axes in their order.
+  /// Inside a contour the numbers belong to the two axes in their order.
   [[nodiscard]] std::optional<Place> pair(const TextCommand& command) const {
     if (command.numbers.size() < 2 || !command.numbers[0] || !command.numbers[1]) return std::nullopt;
     const std::size_t first = turned() ? 1 : 0;
@@ -105,7 +105,7 @@ class ContourReader {
       default: return std::nullopt;
     }
   }
-  /// As few digits as are the same command.
+  /// The angle with as few digits as give the same command.
   static double degrees(double radians) {
     const double exact = radians / std::numbers::pi * 180, round = std::round(exact * 1e5) / 1e5;
     return fmt::format("{:.9f}", round / 180 * std::numbers::pi) == fmt::format("{:.9f}", radians) ? round
@@ -116,7 +116,7 @@ class ContourReader {
   const ReadText& frame_;
   const Catalog& catalog_;
   seq::Plane plane_;
-  std::array<int, 2> axes_{-1, -1};  ///< its two on the board
+  std::array<int, 2> axes_{-1, -1};  ///< its two axes on the board
   std::size_t at_ = 0;
 };
 

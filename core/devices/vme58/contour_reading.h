@@ -1,5 +1,5 @@
 #pragma once
-// A contour from its recording, as contour_recording.h has written it.
+// Reads a contour back from a recording written by contour_recording.h.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -13,7 +13,7 @@ struct ContourRead {
   sequence::Contour contour;
   std::size_t length = 0;  ///< commands
 };
-/// CV, CD to CE or CK, the way there, CX at the begin of `commands`; none: something else.
+/// Reads CV, CD to CE or CK, the way there and CX at the start of `commands`; none: they are something else.
 [[nodiscard]] std::optional<ContourRead> read_contour(std::span<const TextCommand> commands,
                                                       const ReadText& frame, const Catalog& catalog);
 

@@ -10,12 +10,11 @@
 namespace hw::vme58 {
 namespace {
 
-namespace seq = sequence;  // its names are those of commands too
+namespace seq = sequence;  // its names are also those of commands
 using Point = std::array<double, 2>;
 
-// Inside a contour the operands belong to its axes in their order (decision M68), outside to places. The
-// first axis of the contour is the one with the lower letter, so one that turns them round is written
-// mirrored.
+// Inside a contour operands belong to its axes in order (decision M68), outside to places. The first axis of
+// a contour is the first in board order, so a contour with swapped axes is written mirrored.
 class Recorder {
  public:
   Recorder(SequenceDraft& draft, const seq::Contour& contour)
@@ -109,12 +108,12 @@ class Recorder {
     return {};
   }
 
-  /// It takes an entry, and one more for each operand (decision M18).
+  /// A command takes one entry, and one more for each operand (decision M18).
   void put(std::string_view letters, std::string_view operands, int count) {
     draft_.line(fmt::format("{}{};", letters, operands));
     entries_ += 1 + count;
   }
-  /// Where it is, in one of its axes.
+  /// The present place on one of its axes, in units.
   [[nodiscard]] double unit(std::size_t i) const {
     return here_[i] / draft_.sequence.axes[ix(axes_[i])].per_unit;
   }
@@ -135,7 +134,7 @@ class Recorder {
 
   SequenceDraft& draft_;
   const seq::Contour& contour_;
-  const std::array<int, 2> axes_;  ///< of its plane
+  const std::array<int, 2> axes_;  ///< axes of its plane
   ContourRecording made_;
   Point here_{};
   std::optional<Point> direction_;

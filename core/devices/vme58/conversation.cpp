@@ -13,9 +13,9 @@ namespace {
 
 constexpr Duration ring_look = std::chrono::microseconds(500);
 constexpr Duration taking_patience = Millis(250);  // the board takes text at once unless a queue is full
-constexpr Duration stop_patience = Millis(20);     // then the mailbox stops all
+constexpr Duration stop_patience = Millis(20);     // then the mailbox stops all axes
 constexpr Duration greeting_patience =
-    std::chrono::seconds(3);  // then it may have been lost, and is asked anew
+    std::chrono::seconds(3);  // then it may be lost, and is requested again
 constexpr std::string_view greeting_question = "WY";
 
 bool is_greeting(std::string_view reply) { return decode_greeting(reply).has_value(); }
@@ -23,13 +23,13 @@ bool is_greeting(std::string_view reply) { return decode_greeting(reply).has_val
 Fault not_understood(std::string_view reply, std::string_view question) {
   return Fault(
       FaultKind::garbled,
-      fmt::format("The board answered \"{}\" to {}, which means nothing.", reply, without_end(question)),
+      fmt::format("The board answered \"{}\" to {}, which makes no sense.", reply, without_end(question)),
       "It is asked again.");
 }
 
 }  // namespace
 
-// ---- whose rings they are
+// ---- ownership of the rings
 
 Task<Result<>> Conversation::take_over() {
   auto found = co_await find_end(Priority::intent);
@@ -67,7 +67,7 @@ Task<Result<>> Conversation::find_end(Priority priority) {
 
 // ---- commands
 
-// Another host of the same bus may have spoken since, and selected another axis.
+// Another host on the bus may have put text since, and selected another axis.
 Task<Result<bool>> Conversation::put(std::string text, Priority priority) {
   const int own_end = put_;
   if (auto found = co_await find_end(priority); !found) co_return fail(found.error());
@@ -79,7 +79,7 @@ Task<Result<bool>> Conversation::put(std::string text, Priority priority) {
   if (!stands) co_return fail(stands.error());
   std::vector<BusCycle>& cycles = wire_.burst();
   const int end = advanced(put_, static_cast<int>(text.size()));
-  // Where a stranger has spoiled the host's other index the board takes nothing.
+  // The board takes nothing while the host's other index is invalid: another program may have spoiled it.
   cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
   cycles.push_back(BusCycle::store(2, at::output_put_index, static_cast<std::uint32_t>(end)));
   auto published = co_await wire_.run(cycles, priority);
@@ -93,17 +93,16 @@ Task<Result<bool>> Conversation::put(std::string text, Priority priority) {
   co_return true;
 }
 
-// A silent bus swallows what is stored and says nothing. Half a text is another command ("AR MR-44024"
-// without its AR moves the axis that was selected before), so the board is told of a text only when all of it
-// stands.
+// A silent bus loses stored bytes without an error. Half a text is another command ("AR MR-44024" without its
+// AR moves the previously selected axis), so the index is advanced only when the whole text is in the ring.
 Task<Result<>> Conversation::fill(std::string_view text, int from, Priority priority) {
   std::vector<BusCycle>& cycles = wire_.burst();
   append_text(cycles, text, from);
   auto done = co_await wire_.run(cycles, priority);
   if (!done) co_return done;
   if (reply_text(std::span(cycles).subspan(text.size())) == text) co_return Result<>();
-  co_return fail(FaultKind::garbled, "What was put into the command ring does not stand there.",
-                 "The bus has lost it.", "Look at the bus, and say it again.");
+  co_return fail(FaultKind::garbled, "The text put into the command ring is not there.",
+                 "The bus has lost it.", "Check the bus, and send it again.");
 }
 
 Task<Result<bool>> Conversation::is_taken(Priority priority) {
@@ -119,8 +118,8 @@ bool Conversation::is_taken_up_to(int output_get, int output_put) {
   return true;
 }
 
-// Text from `from` on that the board has not come to is made blank: it does nothing then, wherever the board
-// stands in it. True: it had come to none of it.
+// Blanks the text from `from` on that the board has not read: it then has no effect, wherever the board is in
+// it. True: the board had read none of it.
 Task<Result<bool>> Conversation::withdraw(Priority priority, int from) {
   const auto get = co_await wire_.read_index(at::output_get_index, priority);
   if (!get) co_return fail(get.error());
@@ -128,7 +127,7 @@ Task<Result<bool>> Conversation::withdraw(Priority priority, int from) {
   const std::string blanks(static_cast<std::size_t>(waiting(put_, begin)), ' ');
   if (blanks.empty()) co_return false;
   selection_.lose();
-  if (owed_) owed_->greeting_asked.reset();  // it may have stood there
+  if (owed_) owed_->greeting_asked.reset();  // its WY may have been blanked
   auto filled = co_await fill(blanks, begin, priority);
   if (!filled) co_return fail(filled.error());
   const auto stands = co_await wire_.read_index(at::output_get_index, priority);
@@ -159,7 +158,7 @@ Task<Result<>> Conversation::write(std::string text, Priority priority, WhenStuc
     is_put = co_await put(text, priority);
   }
   if (!is_put) co_return fail(is_put.error());
-  const int begin = advanced(put_, -static_cast<int>(text.size()));  // of what was put
+  const int begin = advanced(put_, -static_cast<int>(text.size()));  // of the text just put
   bool taken = false;
   while (*is_put && !taken) {
     const auto looked = co_await is_taken(priority);
@@ -198,7 +197,7 @@ Task<Result<std::vector<std::string>>> Conversation::ask_several(std::string tex
   co_return co_await converse(std::move(closed), count, priority, form, Millis(200), true);
 }
 
-/// `closes`: behind the replies comes a greeting.
+/// `closes`: a greeting follows the replies.
 Task<Result<std::vector<std::string>>> Conversation::converse(std::string text, std::size_t count,
                                                               Priority priority, ReplyForm form,
                                                               Duration patience, bool closes) {
@@ -208,7 +207,7 @@ Task<Result<std::vector<std::string>>> Conversation::converse(std::string text, 
   const int put_before = put_;
   std::vector<std::string> replies;
   auto asked = co_await write(text, priority);
-  if (put_ != put_before) owed_ = Owed{};  // whatever ends this before the answer has come
+  if (put_ != put_before) owed_ = Owed{};  // in case this ends before the reply has come
   if (asked) asked = co_await collect(replies, count, priority, asked_at + patience, text, closes);
   if (!asked) co_return fail(asked.error());
   for (const std::string& reply : replies)
@@ -229,7 +228,7 @@ Task<Result<>> Conversation::collect(std::vector<std::string>& replies, std::siz
       std::string reply = std::move(replies_.front());
       replies_.pop_front();
       closed = closes && is_greeting(reply);
-      if (!greets && is_greeting(reply)) continue;  // that of an earlier question, late
+      if (!greets && is_greeting(reply)) continue;  // late, of an earlier question
       wire_.record(Way::received, priority, reply);
       if (!closed) replies.push_back(std::move(reply));
     }
@@ -254,7 +253,7 @@ Task<Result<>> Conversation::collect(std::vector<std::string>& replies, std::siz
                  fmt::format("The board did not answer to {} in time.", without_end(question)));
 }
 
-/// What is asked next must not be answered by a reply to a question that was given up.
+/// Waits for owed replies, so that none of them is taken for the reply to the next question.
 Task<Result<>> Conversation::let_owed_go(Priority priority) {
   auto fetched = co_await fetch_all(priority);
   if (!fetched) co_return fetched;
@@ -276,13 +275,13 @@ Task<Result<>> Conversation::let_owed_go(Priority priority) {
     if (!paused) co_return paused;
     fetched = co_await fetch_all(priority);
     if (!fetched) co_return fetched;
-    if (owed_ && !owed_->greeting_asked) break;  // it was taken back with the ring
+    if (owed_ && !owed_->greeting_asked) break;  // its WY was taken back with the ring
   }
   give_unasked();
   co_return Result<>();
 }
 
-/// The greeting that was asked for behind what is owed has come: all of that has come before.
+/// Whether the greeting requested behind the owed replies has come: these have then all come before it.
 bool Conversation::take_greeting() {
   while (!replies_.empty()) {
     const bool came = owed_->greeting_asked && is_greeting(replies_.front());
@@ -322,8 +321,7 @@ Task<Result<>> Conversation::fetch(int input_put, Priority priority) {
   co_return Result<>();
 }
 
-/// Replies to raw text that nobody waits for are for scripts; those to questions that were given up are
-/// nobody's.
+/// Unclaimed replies to raw text go to scripts; replies to abandoned questions are dropped.
 void Conversation::give_unasked() {
   for (; !replies_.empty(); replies_.pop_front()) {
     if (owed_) continue;

@@ -1,11 +1,11 @@
 #pragma once
-// The rings: commands in, replies out. Here alone bytes become messages, and here alone it is decided whose a
-// reply is.
+// The rings: commands in, replies out. Only this class turns bytes into messages and assigns replies to
+// questions.
 //
-// The board answers in the order of its ring. A question that was given up (a stop came, or its time) leaves
-// a reply behind that may come at any time, and looks like the next one's. Whether it has come shows by a
-// question whose answer cannot be mistaken: WY. Until its greeting comes nothing is asked, and nothing that
-// comes is believed. Several questions in one text end with a WY too: one reply more or less is seen then.
+// The board answers in the order of its ring. The reply to an abandoned question (after a stop or a timeout)
+// may still come at any time, and may look like the reply to the next one. WY follows such a question, as its
+// reply cannot be mistaken. Until that greeting comes no question is asked and no reply is trusted. A text of
+// several questions also ends with WY, which exposes a missing or extra reply.
 #include <deque>
 #include <optional>
 #include <string>
@@ -27,60 +27,61 @@ class Conversation {
   Conversation(Wire& wire, Readings& readings, Selection& selection, ScriptTexts& texts)
       : wire_(wire), readings_(readings), selection_(selection), texts_(texts) {}
 
-  // ---- whose rings they are
-  /// The host's two indexes stand in the window, as whoever spoke last has left them. Replies that nobody has
-  /// read are let go.
+  // ---- ownership of the rings
+  /// Adopts the host's two indexes from the window, as the previous host left them. Unread replies are
+  /// discarded.
   Task<Result<>> take_over();
-  /// Until that nothing may be put.
+  /// Whether take_over() has succeeded. Before that nothing may be put.
   [[nodiscard]] bool is_known() const { return known_; }
-  /// The wire is gone, or a new one is there.
+  /// The wire was lost or replaced.
   void lose();
-  /// Only where the ring ends: enough to take back what stands in it.
+  /// Reads only the end of the command ring: enough to take back text waiting in it.
   Task<Result<>> find_end(Priority priority);
 
-  /// What was said so far answers nothing.
+  /// Discards the replies waiting in the ring.
   Task<Result<>> let_go();
 
   // ---- commands
-  /// One burst, whole or not at all: nobody else's text gets in between. False: it does not fit now.
+  /// Puts the text into the ring whole or not at all, so that no other text gets in between. False: no room
+  /// now.
   Task<Result<bool>> put(std::string text, Priority priority);
-  /// Returns when the board has taken it. Text that would wait behind a full queue and act at an unexpected
-  /// time is taken back, unless it may wait.
+  /// Puts the text and returns once the board has taken it. A text stuck behind a full queue would act at an
+  /// unexpected time: it is taken back, unless `when_stuck` is `leave`.
   Task<Result<>> write(std::string text, Priority priority, WhenStuck when_stuck = WhenStuck::withdraw);
-  /// What write() gave up was taken back before the board came to any of it.
+  /// The text that write() gave up was taken back before the board read any of it.
   [[nodiscard]] bool took_back() const { return taken_back_; }
-  /// The board stands at the axis that the user's text has selected, also after text was taken back.
+  /// Restores the axis selected by the user's text, if text taken back has left it in doubt.
   Task<Result<>> select_again(Priority priority);
-  /// All that was put has been taken.
+  /// Whether the board has taken all text.
   Task<Result<bool>> is_taken(Priority priority);
-  /// The same, by an index that has just been read.
+  /// The same, by indexes that have just been read.
   bool is_taken_up_to(int output_get, int output_put);
-  /// Whatever stands in the ring, whoever has put it there, does nothing any more.
+  /// Blanks all text waiting in the ring, whoever put it there.
   Task<Result<>> withdraw_all(Priority priority);
-  /// Text was put that the board is not known to have taken.
+  /// Whether text was put that the board is not known to have taken.
   [[nodiscard]] bool is_under_way() const { return on_its_way_; }
   [[nodiscard]] bool waits_in_wq() const { return in_wq_; }
-  /// Moves with each text that was put: whether one was.
+  /// End of the command ring. Changes with each text put, so it tells whether one was.
   [[nodiscard]] int end() const { return put_; }
   [[nodiscard]] const std::string& last_sent() const { return last_sent_; }
-  /// By the user or for him: no question of a poll.
+  /// The latest text that was no poll: the user's, or sent on the user's behalf.
   [[nodiscard]] const std::string& last_said() const { return last_said_; }
 
   // ---- replies
   Task<Result<std::string>> ask(std::string question, Priority priority, ReplyForm form = {},
                                 Duration patience = Millis(200));
-  /// A reply for each, in their order. They are ended by a WY of our own: `text` has none.
+  /// Returns the replies in the order of the questions. Appends a WY of its own: `text` must contain none.
   Task<Result<std::vector<std::string>>> ask_several(std::string text, std::size_t count, Priority priority,
                                                      ReplyForm form);
-  /// What the board has said so far, as its index tells; nobody waits for it.
+  /// Fetches unsolicited replies up to `input_put`.
   Task<Result<>> hear(int input_put, Priority priority);
-  /// EN was sent: between the frames stands what the board was sent.
+  /// Echo is on (EN): sent text comes back between the reply frames.
   void echoes(bool on) { echo_ = on; }
 
  private:
-  /// A reply that nobody waits for may still come.
+  /// The reply to an abandoned question may still come.
   struct Owed {
-    std::optional<Instant> greeting_asked;  ///< WY was put behind it then
+    std::optional<Instant> greeting_asked;  ///< when WY was put behind the question
   };
   Task<Result<>> fill(std::string_view text, int from, Priority priority);
   Task<Result<bool>> withdraw(Priority priority, int from);
@@ -100,11 +101,11 @@ class Conversation {
   ScriptTexts& texts_;
   int put_ = 0, get_ = 0;  ///< the host's two indexes
   bool known_ = false, on_its_way_ = false;
-  bool in_wq_ = false;  ///< WQ was put, and the board was not seen to read on
+  bool in_wq_ = false;  ///< WQ was put, and the board has not been seen reading on
   bool taken_back_ = false;
   bool echo_ = false;
-  std::string received_;             ///< characters that are no whole reply yet
-  std::deque<std::string> replies_;  ///< whole ones that nobody has taken
+  std::string received_;             ///< characters of an incomplete reply
+  std::deque<std::string> replies_;  ///< complete replies not yet taken
   std::optional<Owed> owed_;
   std::string last_sent_, last_said_;
 };

@@ -9,7 +9,7 @@
 
 namespace hw::vme58 {
 
-// It stands on no serial line, so a search asks for nothing.
+// The board is on no serial line, so a search sends no question.
 DeviceType device_type() {
   DeviceType t{};
   t.model = "vme58";

@@ -1,4 +1,4 @@
-// Rounds of status, intents, stops and texts. Connecting and resets: driver_connect.cpp.
+// Status rounds, intents, stops and texts. Connecting and resets: driver_connect.cpp.
 #include "core/devices/vme58/driver.h"
 
 #include <iterator>
@@ -36,7 +36,7 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
   if (const auto* i = std::get_if<LoadProgram>(&body)) co_return strings_.programs.load(i->text);
   if (std::holds_alternative<ClearProgram>(body)) co_return strings_.programs.load({});
   if (std::holds_alternative<RunProgram>(body)) co_return co_await strings_.programs.run();
-  if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();  // there is one
+  if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();  // there is only one
   if (std::holds_alternative<UploadProgram>(body)) {
     strings_.programs.show();
     co_return Result<>();
@@ -101,7 +101,7 @@ StopProgress Vme58Driver::stop_progress(const StopOrder& order) { return strings
 
 // ---- rounds of status
 
-// A recording wants each copy that the board makes: one a millisecond.
+// A recording needs every copy that the board makes: one per millisecond.
 Duration Vme58Driver::moving_period() const {
   return samples_.are_taken() ? sample_pause : Duration(Millis(20));
 }
@@ -135,7 +135,7 @@ Task<Result<>> Vme58Driver::poll(Round round) {
   co_return co_await read_more(*registers);
 }
 
-/// What else a round tells: replies that nobody waits for, and what the board answers to.
+/// The rest of a round: unsolicited replies, and questions by command.
 Task<Result<>> Vme58Driver::read_more(Registers registers) {
   known_.questions.begins();
   auto heard = co_await talk_.conversation.hear(registers.input_put, Priority::poll);
@@ -149,7 +149,7 @@ Task<Result<>> Vme58Driver::read_more(Registers registers) {
     auto rings = co_await talk_.readings.read_rings(Priority::poll);
     if (!rings) co_return rings;
   }
-  // Text that the board has not come to holds questions back too, and is nobody's to take away.
+  // Text that the board has not read holds questions back too, and must not be taken back.
   Result<> asked;
   if (talk_.conversation.is_taken_up_to(registers.output_get, registers.output_put)) {
     asked = co_await known_.questions.ask_in_turn();

@@ -1,6 +1,6 @@
 #pragma once
-// The VME58 from the console's side: the parts, and what the pump asks of them all. Each part has state of
-// its own and a file of its name; what it needs of others is given to it when it is made, and nothing more.
+// The VME58 driver: its parts, and the pump's requests to them. Each part has its own state and a file of its
+// name; its constructor receives exactly the other parts that it needs.
 //
 //   wire, readings        bursts of bus cycles; registers and data area
 //   selection             whom a text speaks to
@@ -86,7 +86,7 @@ class Vme58Driver final : public Driver, private Readings::Listener {
   Finding finding_;
 
   bool connected_before_ = false;
-  std::string round_text_;  ///< keeps its memory
+  std::string round_text_;  ///< kept so that its memory is reused
 };
 
 }  // namespace hw::vme58

@@ -1,4 +1,4 @@
-// The parts put together; connecting; what is left after a reset or a lost window.
+// Assembly of the parts; connecting; the state after a reset or a lost window.
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +12,7 @@ namespace hw::vme58 {
 namespace {
 
 constexpr Duration start_patience = std::chrono::seconds(3);
-constexpr Duration reset_patience = Millis(250);  // as of other text
+constexpr Duration reset_patience = Millis(250);  // as for other text
 constexpr Duration reset_look = Millis(1);
 
 const Variant& variant_of(const Catalog& catalog) {
@@ -47,7 +47,7 @@ Vme58Driver::Vme58Driver(DriverContext context)
   forget();
 }
 
-// ---- what is not known any more
+// ---- loss of knowledge
 
 void Vme58Driver::forget() {
   talk_.readings.forget();
@@ -57,14 +57,14 @@ void Vme58Driver::forget() {
   strings_.forget();
 }
 
-/// Nobody has seen how they ended, or they will not.
+/// Marks motions and program as lost: nobody sees how they end.
 void Vme58Driver::lose_motions() {
   known_.motions.lose(strings_.programs.is_running());
   strings_.programs.lose();
 }
 
 void Vme58Driver::wire_lost() {
-  // Whoever connects anew selects an axis, which ends a recording on the board too.
+  // The next connection selects an axis, which ends a recording on the board too.
   if (talk_.selection.end_recording())
     talk_.wire.tell(
         Notice::Kind::warning,
@@ -107,14 +107,14 @@ Task<Result<>> Vme58Driver::connect() {
     known = co_await finding_.forget_others_units();
   if (!known) co_return known;
   connected_before_ = true;
-  if (*marked) known_.motions.others_may_move_all();  // by whoever spoke before
+  if (*marked) known_.motions.others_may_move_all();  // begun by an earlier session or program
   co_return co_await read_state();
 }
 
 Task<Result<>> Vme58Driver::read_state() {
   known_.next.asks_flags();
   known_.next.asks_loops();
-  known_.next.awaits_queues();  // another program may have left something there
+  known_.next.awaits_queues();  // another program may have left commands there
   auto all = co_await talk_.readings.read_all(Priority::intent);
   if (!all) co_return all;
   co_return co_await poll(Round::usual);
@@ -122,8 +122,8 @@ Task<Result<>> Vme58Driver::read_state() {
 
 // ---- resets
 
-// Everything that was set is as from the factory again. The mark is left before this is told, and not far
-// behind: a stop in between finds the board unmarked as before, or all told.
+// All settings are back at factory values. The mark is left immediately before the reset is reported: a stop
+// finds the board still unmarked, or everything reported.
 Task<Result<>> Vme58Driver::found_reset(Doubt why) {
   auto taken = co_await talk_.conversation.take_over();
   if (!taken) co_return taken;
@@ -139,7 +139,7 @@ Task<Result<>> Vme58Driver::found_reset(Doubt why) {
   known_.speeds.forget();
   forget();
   talk_.selection.forget();
-  talk_.selection.lose();  // connecting anew has selected what the user's text had, before this was known
+  talk_.selection.lose();  // connecting selected the user's old axis, before the reset was known
   known_.values.as_from_factory();
   known_.lines.as_from_factory();
   for (int i = 0; i < axes(); ++i) draft_.axes[i].trust.doubt(why, talk_.wire.now());
@@ -149,8 +149,8 @@ Task<Result<>> Vme58Driver::found_reset(Doubt why) {
   co_return quiet;
 }
 
-/// RS among a text: it is over when the board has started again, and takes what comes next. It leaves no ring
-/// that could tell whether it was taken.
+/// RS within a text: complete once the board has started again and takes commands. RS also resets the ring,
+/// which cannot show whether it was taken.
 Task<Result<>> Vme58Driver::reset_by_text(std::string text) {
   const auto put = co_await talk_.conversation.put(std::move(text), Priority::intent);
   if (!put) co_return fail(put.error());
@@ -159,7 +159,7 @@ Task<Result<>> Vme58Driver::reset_by_text(std::string text) {
                  "The console's own reset goes past the ring.");
 }
 
-/// The console's own.
+/// The console's own reset.
 Task<Result<>> Vme58Driver::reset() {
   if (auto may = talk_.commands.may_talk(); !may) co_return may;
   auto mailed = co_await talk_.mailbox.mail("RS");
@@ -168,7 +168,7 @@ Task<Result<>> Vme58Driver::reset() {
   co_return mailed;
 }
 
-/// `how` it was told to.
+/// `how`: words for how RS was sent.
 Task<Result<>> Vme58Driver::starts_again(std::string_view how) {
   const Instant put_at = talk_.wire.now();
   bool seen = false;

@@ -1,6 +1,6 @@
 #pragma once
-// The parts of the driver in four groups, each made of those before it. A part names what it needs of others
-// where it is made: driver_parts.cpp.
+// The parts of the driver in four groups, each built on the groups before it. driver_parts.cpp shows which
+// other parts each one needs.
 #include "core/device/driver.h"
 #include "core/devices/vme58/actions.h"
 #include "core/devices/vme58/board_options.h"
@@ -10,7 +10,7 @@
 
 namespace hw::vme58 {
 
-/// How the board is spoken to: its bus, its rings, its mailbox.
+/// Communication with the board: bus, rings, mailbox.
 struct Talk {
   Talk(DriverContext& context, Readings::Listener& listener);
 
@@ -22,7 +22,7 @@ struct Talk {
   Commands commands;
 };
 
-/// What is known of the board, and what is asked for it in rounds of status.
+/// Knowledge of the board, and the questions of the status rounds.
 struct Known {
   Known(Talk& talk, const Variant& variant, DriverContext& context);
   void forget();
@@ -38,7 +38,7 @@ struct Known {
   Lines lines;
 };
 
-/// What the console is asked to do by its controls.
+/// Requests from the console's controls.
 struct Work {
   Work(Talk& talk, Known& known, DriverContext& context);
 
@@ -48,7 +48,7 @@ struct Work {
   Setup setup;
 };
 
-/// Command strings and stops: a string may stop axes, and a stop ends strings and programs.
+/// Command strings and stops: a string can stop axes, and a stop ends strings and programs.
 struct Strings {
   Strings(Talk& talk, Known& known, DriverContext& context);
   void forget();

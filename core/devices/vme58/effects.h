@@ -1,6 +1,6 @@
 #pragma once
-// What a command of the user's text or program does to what is known of the board, beside the axis that it
-// selects.
+// Updates the knowledge of the board after a command of the user's text or program, except for the axis that
+// it selects.
 #include "core/devices/vme58/lines.h"
 #include "core/devices/vme58/speeds.h"
 

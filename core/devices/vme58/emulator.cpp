@@ -10,7 +10,7 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr int most_events_at_one_time = 100'000;  // then time has to go on
+constexpr int most_events_at_one_time = 100'000;  // then time must advance
 constexpr std::string_view memory_text = "# A VME58 keeps nothing without power.\n";
 
 }  // namespace

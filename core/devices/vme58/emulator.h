@@ -6,8 +6,8 @@
 //   firmware=2.24  the revision that WY tells; hosts go by it
 //   quirk=padded|oms-kk|deaf-mailbox   several joined by +: board_options.h
 //
-// The bench as it is built: axes without travel limits, home zones or a motor of their own; inputs open, that
-// is high. Inputs are numbered from 1 as everywhere in this program: number n is the maker's line n-1.
+// The bench starts with axes that have no travel limits, home zones or motors, and with inputs open, that is
+// high. Inputs are numbered from 1 as everywhere in this program: number n is the maker's line n-1.
 #include <map>
 #include <memory>
 #include <string>

@@ -1,7 +1,6 @@
 #pragma once
-// What the commands of an axis have set, and what the board as a whole has been told. The firmware writes it
-// at the moment a command takes effect; the motion (emulator_motion.h) reads it when a motion begins, a
-// switch is met, a servo is sampled.
+// Settings of an axis, and of the board as a whole. The firmware writes them when a command takes effect; the
+// motion (emulator_motion.h) reads them when a motion begins, a switch is met or a servo is sampled.
 #include <array>
 #include <cstdint>
 
@@ -10,7 +9,7 @@
 
 namespace hw::vme58 {
 
-/// KP KI KD KV KA KO KN. Any number that is not negative (decision M77); KO may be negative.
+/// KP KI KD KV KA KO KN. Not negative (decision M77), except KO.
 struct Gains {
   double proportional = 0, integral = 0, differential = 0;
   double velocity_feed_forward = 0, acceleration_feed_forward = 0, offset = 0;
@@ -28,8 +27,8 @@ struct AxisSettings {
   bool soft_limits = false;
 
   // Encoder: HN HF, ER, HV, HG, HD, ES, TN TF, IS, ET.
-  /// Servo: the loop is closed, and so it is when power comes on, because software that never tunes must
-  /// still move (decision M77). Step axis: position maintenance is on.
+  /// Servo: the loop is closed. It is closed at power-up, so that software that never tunes can still move
+  /// (decision M77). Step axis: position maintenance is on.
   bool holding = false;
   double encoder_counts_per_ratio = 1, motor_counts_per_ratio = 1;
   double hold_velocity = 0, hold_gain = 0;
@@ -46,17 +45,17 @@ struct AxisSettings {
   double pwm_period = 0;
   bool bipolar = true;
 
-  /// UU: counts of a user unit; 0: off. The firmware has multiplied operands before anybody sees them.
+  /// UU: counts of a user unit; 0: off. The firmware multiplies operands before anything else uses them.
   double user_unit = 0;
 };
 
 enum class RampForm : std::uint8_t { linear, cosine, parabolic };
 
-/// CN PN PF: the last one of them counts, for all axes (decision M45).
+/// CN PN PF: the latest of them applies, to all axes (decision M45).
 struct BoardSettings {
   RampForm ramp = RampForm::linear;
   int truncation = 0;                                    ///< PN's operand, 1..10
-  double contour_velocity = 0;                           ///< CV; 0: not given yet
+  double contour_velocity = 0;                           ///< CV; 0: not set yet
   Duration servo_period = std::chrono::milliseconds(1);  ///< decision M96
 };
 

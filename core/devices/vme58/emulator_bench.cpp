@@ -1,4 +1,4 @@
-// Hands on the bench of a VME58, and what can be seen there.
+// Actions on the bench of a VME58, and its view.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -108,20 +108,20 @@ Result<> Vme58Emulator::operate(const BenchCommand& command) {
   return result;
 }
 
-/// Outputs: the output lines in their order, then the auxiliary outputs. A line is on while it is low, an
-/// auxiliary output while it is high.
+/// Outputs: the output lines in order, then the auxiliary outputs. A line is on while low, an auxiliary
+/// output while high.
 void Vme58Emulator::tell_truth(MachineTruth& truth) const {
   const Motion& motion = board_.motion();
   truth = MachineTruth();
   truth.powered = board_.powered() && !board_.booting();
   truth.program = !board_.idle();
   truth.axis_count = board_.variant().axes();
-  Duration longest{};  // on a common way all axes take as long as the longest
+  Duration longest{};  // axes of one move all take as long as the slowest
   for (int a = 0; a < truth.axis_count; ++a) {
     const double speed = motion.velocity(a);
     truth.axes[ix(a)] = {Steps(motion.position(a)), motion.moving(a), Duration{}};
-    // A curved ramp is steepest in its middle: over all it takes up to twice as long. It ends on a whole
-    // count; slower than one a second there is no ramp.
+    // A curved ramp is steepest in its middle, so it takes up to twice as long in total. It ends on a whole
+    // count; below one count per second there is no ramp.
     if (speed >= 1)
       longest = std::max(longest, from_seconds(2 * speed / motion.settings(a).acceleration + 1 / speed));
   }

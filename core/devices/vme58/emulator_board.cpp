@@ -20,7 +20,7 @@ Board::Board(const BoardOptions& make)
   set_factory_values();
 }
 
-/// What the data sheet leaves open (decisions M47, M96).
+/// Sets the values that the data sheet leaves open (decisions M47, M96).
 void Board::set_factory_values() {
   motion_.board().servo_period = make_.servo_update;
   each_axis(fitted_, [this](int a) {
@@ -41,7 +41,7 @@ void Board::power(bool on) {
   if (!on) boots_until_.reset();
 }
 
-/// RS, and the begin of power: all is as from the factory, and nothing is heard until the board is up again.
+/// RS and power-up: everything returns to factory state, and nothing is received until the board is up again.
 void Board::reset() {
   note(Note::What::restarts);
   window_ = Window();
@@ -112,8 +112,8 @@ unsigned Board::modes() const {
   return context_ == context_tasks ? where::tasks : where::single;
 }
 
-/// Takes characters as long as the board can do something with them: not while a reply finds no room, not
-/// while the last command finds none in its queue (decision M19), not while WQ waits.
+/// Takes characters as long as the board can process them: not while a reply or the last command waits for
+/// room in its ring or queue (decision M19), and not while WQ waits.
 void Board::pump() {
   while (powered_ && !boots_until_) {
     flush_replies();
@@ -148,13 +148,13 @@ void Board::flush_replies() {
   replies_.erase(0, sent);
 }
 
-/// A piece that is missing would make another contour.
+/// Also spoils a recording: without the missing piece it would be another contour.
 void Board::text_error() {
   command_error();
   if (recording_) spoil_recording();
 }
 
-// --- what the motion tells ---------------------------------------------------------------------------------
+// --- events of the motion ----------------------------------------------------------------------------------
 
 void Board::take_events() {
   motion_.take_events(events_);
@@ -190,7 +190,7 @@ void Board::take_event(const MotionEvent& e) {
   }
 }
 
-/// The axis' own queue, and those of AA and AM if the motion of this axis is theirs.
+/// Empties the axis' own queue, and those of AA and AM if they drive this axis.
 void Board::empty_queues_of(int axis) {
   flush(axis);
   for (const int context : {context_all, context_tasks}) {

@@ -1,6 +1,6 @@
 #pragma once
 // The firmware of the board: characters from the ring to commands, commands to queues, queues to motion; and
-// what the host reads in the registers.
+// the registers that the host reads.
 //
 //   ring -> Parser -> obey() -> at once: set, stop, answer
 //                        '----> CommandQueue (X..S, AA, AM) -> run_queues() -> Motion
@@ -24,38 +24,38 @@
 
 namespace hw::vme58 {
 
-/// Whom commands address. The first eight are the axes.
+/// Contexts that commands address. The first eight are the axes.
 inline constexpr int context_all = most_axes, context_tasks = most_axes + 1, contexts = most_axes + 2;
 
-/// A queue and how far the board is with it.
+/// A queue and the board's progress in it.
 struct BoardTask {
   CommandQueue queue;
-  Move prepared;           ///< by MA MR MT ML, for the next GO
-  unsigned last_axes = 0;  ///< of the last move: whose flags ID sets (decision M53)
-  unsigned driven = 0;     ///< axes that its commands have moved since it was last emptied: what ST stops
-  unsigned running = 0;    ///< axes that the current command moves; 0: it is not under way
-  std::size_t looked_ahead = 0;       ///< II and IN behind the current command that are done already
-  std::optional<Instant> wait_until;  ///< nothing goes on before
-  bool waiting = false;               ///< because of WT, which is the current command
-  bool leave_while = false;           ///< CW has come
-  Instant turn_began{};               ///< of the innermost loop
-  /// Done flags to be set once these axes rest: II, and ID and IP in the AM queue, which goes on meanwhile.
+  Move prepared;                      ///< by MA MR MT ML, for the next GO
+  unsigned last_axes = 0;             ///< of the last move: ID sets their flags (decision M53)
+  unsigned driven = 0;                ///< moved by it since it was last emptied: ST stops them
+  unsigned running = 0;               ///< moved by the current command; 0: not under way
+  std::size_t looked_ahead = 0;       ///< II and IN behind the current command, done already
+  std::optional<Instant> wait_until;  ///< the queue pauses until then
+  bool waiting = false;               ///< for WT, the current command
+  bool leave_while = false;           ///< CW was received
+  Instant turn_began{};               ///< start of the present turn of the innermost loop
+  /// Sets done flags once these axes rest: II, and ID and IP in the AM queue, which goes on meanwhile.
   struct Promise {
     unsigned axes;
-    bool in_position;  ///< IP: once they lie within HD, too
+    bool in_position;  ///< IP: they must also be within HD
   };
   std::vector<Promise> promises;
 };
 
 class Board {
  public:
-  /// `make` is the same after each reset.
+  /// `make` also applies after each reset.
   explicit Board(const BoardOptions& make);
 
   // Time.
   [[nodiscard]] Instant now() const { return motion_.now(); }
   [[nodiscard]] std::optional<Instant> next_event() const;
-  /// Goes to `to`, which must not lie behind next_event(), and does what is due then.
+  /// Advances to `to`, which must not be later than next_event(), and handles all that is due then.
   void advance(Instant to);
 
   // Power.
@@ -65,7 +65,7 @@ class Board {
   // The bus (emulator_registers.cpp).
   std::uint8_t read(std::uint16_t offset);
   void write(std::uint16_t offset, std::uint8_t value);
-  /// To be called behind the last byte of a cycle that has written.
+  /// Must be called after the last byte of a write cycle.
   void written(std::uint16_t offset);
   [[nodiscard]] std::optional<std::uint8_t> interrupt() const { return flags_.interrupt(); }
   void acknowledge() { flags_.acknowledge(); }
@@ -75,15 +75,15 @@ class Board {
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] const UserIo& io() const { return io_; }
   void pull_line(int line, bool low);
-  /// Something on the bench has changed: do what follows.
+  /// Call after a change on the bench: handles its consequences.
   void settle();
   [[nodiscard]] const Variant& variant() const { return *variant_; }
   /// For tests and rehearsals.
   [[nodiscard]] const BoardTask& task(int context) const { return tasks_[ix(context)]; }
-  /// From now on tells what happens; null: no more.
+  /// Records events in `notes` from now on; null: stops recording.
   void tell(Notes* notes) { notes_ = notes; }
   [[nodiscard]] bool booting() const { return boots_until_.has_value(); }
-  /// No text waits, no command waits or is under way, nothing moves.
+  /// No text or command waits, no command is under way, no axis moves.
   [[nodiscard]] bool idle() const;
 
  private:
@@ -93,7 +93,7 @@ class Board {
   [[nodiscard]] unsigned modes() const;
   void flush_replies();
   void command_error();
-  /// A wrong text, which spoils a contour that is being recorded too.
+  /// A command error that also spoils the contour being recorded.
   void text_error();
 
   // Operands (emulator_operands.cpp).
@@ -103,7 +103,7 @@ class Board {
   [[nodiscard]] bool axes_fit(const Command& command) const;
   [[nodiscard]] double unit_of(const Command& command, int place) const;
   [[nodiscard]] int contour_axis(int place) const;
-  /// Axes that a command of a list or of the present mode speaks of.
+  /// Axes that the command addresses, by its list or by the present mode.
   [[nodiscard]] unsigned addressed(const Command& command) const;
   [[nodiscard]] unsigned context_axes() const { return axes_of(context_); }
   [[nodiscard]] unsigned axes_of(int context) const { return context < most_axes ? 1u << context : fitted_; }
@@ -139,10 +139,10 @@ class Board {
   void put_in_queue(const Command& c);
   void run_queues();
   bool run_task(int context);
-  /// What became of the current command of a queue.
+  /// Outcome of the current command of a queue.
   enum class Step : std::uint8_t { done, waits, runs, moved_on };
   Step step(int context, const Command& c);
-  /// The motions that the command has to wait for.
+  /// Axes whose motions the command must wait for.
   [[nodiscard]] unsigned waits_for(int context, const Command& c) const;
   [[nodiscard]] bool any_occupied(unsigned axes) const;
   [[nodiscard]] bool all_in_position(unsigned axes) const;
@@ -156,7 +156,7 @@ class Board {
   // What a queued command does (emulator_queued.cpp).
   Step execute(int context, const Command& c);
   Step motion_began(int context, unsigned axes);
-  /// Drops the command: the motion would not have it.
+  /// Drops the command: the motion refused it.
   Step refused() {
     command_error();
     return Step::done;
@@ -185,9 +185,9 @@ class Board {
   [[nodiscard]] std::string encoder_status(int axis) const;
   [[nodiscard]] std::string user_position(int axis) const;
 
-  // What is told (emulator_notes.h).
+  // Notes (emulator_notes.h).
   void note(Note::What what, int number = 0, bool on = false);
-  /// For a command that waits or goes on by it.
+  /// For a command that depends on the line; notes the look.
   [[nodiscard]] bool line_is_true(int line) {
     note(Note::What::looks, line, io_.is_true(line));
     return io_.is_true(line);
@@ -195,10 +195,10 @@ class Board {
   void set_done(unsigned axes);
   void switch_aux(unsigned axes, bool high);
   void drive_line(int line, bool low);
-  /// Of outputs that are no longer as they were.
+  /// Notes outputs that have changed.
   void note_outputs(unsigned lines_before, unsigned aux_before);
 
-  // What the motion tells, and what time brings.
+  // Events of the motion, and timed events.
   void take_events();
   void take_event(const MotionEvent& e);
   void empty_queues_of(int axis);
@@ -224,9 +224,9 @@ class Board {
   std::array<BoardTask, contexts> tasks_{};
   int context_ = 0;
   bool echo_ = false;
-  std::string replies_;             ///< that have not found room in the ring
+  std::string replies_;             ///< waiting for room in the ring
   std::optional<Command> held_;     ///< read, but its queue is full
-  std::optional<int> waits_empty_;  ///< WQ: whose queue has to run empty
+  std::optional<int> waits_empty_;  ///< WQ: context whose queue must run empty
 
   Contour contour_;
   bool recording_ = false, spoiled_ = false;
@@ -236,7 +236,7 @@ class Board {
   std::array<std::optional<Instant>, most_axes> power_drops_at_{};
   std::vector<MotionEvent> events_;
   Notes* notes_ = nullptr;
-  int source_ = 0;  ///< of the command that is being done
+  int source_ = 0;  ///< source of the current command
 };
 
 }  // namespace hw::vme58

@@ -13,21 +13,22 @@ struct RecordedPiece {
   Kind kind = Kind::line;
   /// line: where to, one absolute position for each axis of the contour, in axis order (decision M68).
   std::array<std::int64_t, most_axes> to{};
-  /// arc: absolute centre on the first and the second axis, angle in radians, counter-clockwise when positive
-  /// with the first axis to the right and the second up (decision M70).
+  /// arc: absolute centre on the first and second axis; angle in radians, positive counter-clockwise with the
+  /// first axis to the right and the second up (decision M70).
   std::int64_t centre_first = 0, centre_second = 0;
   double angle = 0;
-  /// outputs: these auxiliary outputs (bit = axis) go high or low when the path gets here (decision M69).
+  /// outputs: these auxiliary outputs (bit = axis) go high or low when the path reaches this piece (decision
+  /// M69).
   unsigned outputs = 0;
   bool high = false;
 };
 
 struct Contour {
-  unsigned axes = 0;                            ///< that take part, bit per axis
-  std::array<std::int64_t, most_axes> start{};  ///< by the axis' place
+  unsigned axes = 0;                            ///< axes of the contour, bit per axis
+  std::array<std::int64_t, most_axes> start{};  ///< by axis index
   std::vector<RecordedPiece> pieces;
   bool kill = false;  ///< CK: stop dead at the end; CE: ramp down from there (decisions M73, M74)
-  /// Closed by CE or CK and without a fault: CX may play it.
+  /// Closed by CE or CK without an error: CX may play it.
   bool complete = false;
 
   [[nodiscard]] bool has(int axis) const { return (axes >> axis & 1u) != 0; }

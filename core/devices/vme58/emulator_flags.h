@@ -1,6 +1,5 @@
 #pragma once
-// The registers that tell the host what has happened, and the interrupt that goes with them (decisions M30 to
-// M33).
+// The event registers of the host, and their interrupt (decisions M30 to M33).
 #include <cstdint>
 #include <optional>
 
@@ -12,32 +11,33 @@ class Flags {
  public:
   // What happens on the board. Axes as bits.
   void command_error() { command_error_ = true; }
-  /// Each time interrupts the host, be it that it has not read the flag of the time before.
+  /// Interrupts the host each time, even if it has not read the previous flag.
   void set_done(unsigned axes);
   void clear_done(unsigned axes) { done_ &= ~axes, done_letters_ &= ~axes; }
-  /// `interrupts`: the axes among them for which IS is in force (decision M93).
+  /// `interrupts`: those of the axes with IS in force (decision M93).
   void set_slip(unsigned axes, unsigned interrupts);
   void hit_limit(unsigned axes);
-  /// The limit switches that are operated now.
+  /// The limit switches now operated.
   void set_limit_switches(unsigned axes) { limits_live_ = axes; }
   /// User input 0 or 1 went low.
   void input_fell();
   void clear_all();  ///< IC: done, slip and command error
-  /// The `D` of RA, RI, QA and QI: a latch of its own, which reading the done register leaves (decision M97).
+  /// The `D` of RA, RI, QA and QI: a latch of its own, not cleared by reading the done register (decision
+  /// M97).
   [[nodiscard]] unsigned done_letters() const { return done_letters_; }
   [[nodiscard]] unsigned slip() const { return slip_; }
 
   // The control register.
   [[nodiscard]] std::uint8_t control() const { return control_; }
-  /// A source that is already pending interrupts when it is let through.
+  /// Enabling a source that is already pending interrupts the host.
   void set_control(std::uint8_t value);
   void clear_control(std::uint8_t bits) { control_ = static_cast<std::uint8_t>(control_ & ~bits); }
 
-  // Reading as the host does: with its effects.
+  // Reads by the host, with their side effects.
   std::uint8_t read_status(bool initialized);
   std::uint8_t read_slip();
   std::uint8_t read_done();
-  /// Bits of switches that are free again go.
+  /// Clears the bits of switches that are free again.
   std::uint8_t read_limit();
 
   [[nodiscard]] std::optional<std::uint8_t> interrupt() const;
@@ -45,7 +45,7 @@ class Flags {
   std::uint8_t vector = 0;
 
  private:
-  /// Requests an interrupt if the sources of `enable` are let through.
+  /// Requests an interrupt if the sources of `enable` are enabled.
   void request(std::uint8_t enable);
   [[nodiscard]] std::uint8_t limits() const { return static_cast<std::uint8_t>(limits_live_ | limits_hit_); }
 

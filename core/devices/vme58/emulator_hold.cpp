@@ -1,4 +1,4 @@
-// What an encoder is watched for: slip and stall (ES, TN), position maintenance of step axes (HN, HV, HG,
+// Functions that watch an encoder: slip and stall (ES, TN), position maintenance of step axes (HN, HV, HG,
 // HD), tracking (ET).
 #include <algorithm>
 #include <cmath>
@@ -38,8 +38,8 @@ void Motion::slipped(int a) {
   schedule_updates();
 }
 
-/// The error times HG is the speed of a correction, HV at most. Its pulses count for the load alone: the
-/// command register stays. They come one by one, or as many as a millisecond has.
+/// The speed of a correction is the error times HG, at most HV. Its pulses move only the load: the command
+/// register stays. They come one by one, or in groups of one millisecond.
 void Motion::schedule_correction(int a) {
   MotionAxis& x = axes_[ix(a)];
   const AxisSettings& s = x.settings;

@@ -1,5 +1,5 @@
-// HM HR KM KR: on to the edge at which home acts, by the switch alone (HS) or where switch, index and
-// quadrant meet (HE). Home that acts already is found where the axis stands (decisions M40, M41).
+// HM HR KM KR: run to the edge at which home acts, by the switch alone (HS) or where switch, index and
+// quadrant meet (HE). If home acts already, it is found where the axis stands (decisions M40, M41).
 #include "core/devices/vme58/emulator_motion.h"
 
 namespace hw::vme58 {
@@ -13,7 +13,7 @@ bool Motion::home(int a, const HomeOrder& order) {
   return true;
 }
 
-/// True when that was the edge: the run ramps down from it, or is cut.
+/// True: this is the home edge, and the run ramps down from it or is cut.
 bool Motion::found_home(Run& r, int a) {
   MotionAxis& x = axes_[ix(a)];
   if (!x.homing) return false;
@@ -24,7 +24,7 @@ bool Motion::found_home(Run& r, int a) {
     finish(r, End::cut);
     return true;
   }
-  // The edge gets the position; a motor may trail its command, and goes on doing so.
+  // The edge gets the position; a motor that trails its command keeps its error.
   const std::int64_t edge = x.has_motor ? x.encoder() : x.position;
   const std::int64_t by = order.position - edge;
   x.set_position(x.position + by);

@@ -45,7 +45,7 @@ void Board::set_mode(const Command& c) {
   }
 }
 
-/// A contour that is being recorded ends with the mode that it was begun in, and without its end is none.
+/// A selector ends the recording of a contour; without its CE or CK it is not complete.
 void Board::select(int context) {
   if (context < most_axes && (fitted_ >> context & 1u) == 0) return text_error();
   recording_ = false;
@@ -131,7 +131,7 @@ bool Board::stop_or_clear(Op op) {
       flags_.clear_done(~0u);
       return true;
     case Op::ST: {
-      // In AA and AM: what that queue has moved; if that is nothing, all axes (decision M58).
+      // In AA and AM: the axes that the queue has moved; if none, all axes (decision M58).
       const unsigned axes = context_ < most_axes || here.driven == 0 ? context_axes() : here.driven;
       flush(context_);
       stop_axes(axes);

@@ -1,6 +1,6 @@
 #pragma once
-// General purpose lines and auxiliary outputs. A line is low when a hand on the bench or the board pulls it
-// down; an auxiliary output is high while its transistor is off.
+// General purpose lines and auxiliary outputs. A line is low while the bench (inputs) or the board (outputs)
+// pulls it down; an auxiliary output is high while its transistor is off.
 #include <cstdint>
 
 #include "core/devices/vme58/facts.h"
@@ -9,7 +9,7 @@ namespace hw::vme58 {
 
 class UserIo {
  public:
-  /// `outputs`: bit n says that line n is one (jumpers).
+  /// `outputs`: bit n is set if line n is an output (jumpers).
   explicit UserIo(std::uint16_t outputs) : outputs_(outputs) {}
 
   void reset() { low_ = 0, aux_high_ = 0xFF; }
@@ -27,12 +27,12 @@ class UserIo {
     const unsigned low = (outputs_ & low_) | (~unsigned{outputs_} & pulled_);
     return static_cast<std::uint16_t>(all & ~low);
   }
-  /// What WS and SW call true (decision M36).
+  /// True in the sense of WS and SW (decision M36).
   [[nodiscard]] bool is_true(int line) const { return (levels() >> line & 1u) == 0; }
 
   void set_aux(unsigned axes, bool high) { aux_high_ = high ? aux_high_ | axes : aux_high_ & ~axes; }
   [[nodiscard]] unsigned aux_high() const { return aux_high_; }
-  /// Bit n: output line n is on, which is low.
+  /// Bit n: output line n is on (low).
   [[nodiscard]] unsigned lines_on() const { return unsigned{outputs_} & low_; }
 
  private:

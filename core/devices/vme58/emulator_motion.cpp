@@ -1,6 +1,5 @@
-// How runs go: from mark to mark. A mark is a step of the track at which something has to be looked at (a
-// switch, an index, a place of a contour, a lost load, a turn of the track); between marks nothing is
-// computed.
+// Runs go from mark to mark. A mark is a step of the track that needs a check (a switch, an index, a place of
+// a contour, a lost load, a turn of the track); between marks nothing is computed.
 #include "core/devices/vme58/emulator_motion.h"
 
 #include <algorithm>
@@ -132,7 +131,7 @@ void Motion::continue_by(Run& r, const Profile& profile) {
   if (profile.end() <= now_) finish(r, End::reached);
 }
 
-/// What is to be done where the run stands now. One that begins is looked at before its first count.
+/// Handles what is due at the present step of the run. A new run is checked before its first count.
 void Motion::look(Run& r) {
   if (r.score && !follow_cues(r)) return;
   for (int a = 0; a < most_axes; ++a) {
@@ -150,7 +149,7 @@ void Motion::look(Run& r) {
   }
 }
 
-/// True when the run has been cut or ramps down because of it.
+/// True: the run was cut or ramps down because of the limit.
 bool Motion::met_limit(Run& r, int a) {
   MotionAxis& x = axes_[ix(a)];
   if (!x.settings.limits_on || (r.over_limit >> a & 1u) != 0) return false;
@@ -158,7 +157,7 @@ bool Motion::met_limit(Run& r, int a) {
     if (way == 0 || !x.plant.limit_operated(side_of(way))) continue;
     r.over_limit |= 1u << a;
     tell(What::limit_hit, a, way > 0);
-    const bool moves = r.applied > 0;  // one that begins at the switch does not begin
+    const bool moves = r.applied > 0;  // a run that begins at the switch does not start
     if (x.settings.soft_limits && moves) {
       for (MotionAxis& each : axes_)
         if (each.run == x.run) each.then_jog.reset(), each.then_to.reset(), each.homing.reset();
@@ -219,12 +218,12 @@ void Motion::plan_axis(Run& r, int a) {
   if (x.passes) mark(r, a, way, way * (*x.passes - x.position));
   if (x.notify && r.kind == RunKind::move)
     if (const auto left = counts_left(r, a)) mark(r, a, way, *left - *x.notify);
-  if (x.has_motor) return;  // its load is looked at in each update of the loop
+  if (x.has_motor) return;  // each update of the loop checks its load
   const Sign side = side_of(way);
   if (x.settings.limits_on && (r.over_limit >> a & 1u) == 0) mark(r, a, way, x.plant.turns_until_limit(side));
   if (x.homing) mark(r, a, way, x.counts_until_home(side));
   if (!x.watches_slip() || x.slipped) return;
-  // The error grows once it grows at all, so the first count beyond the tolerance is found by halving.
+  // Once the error grows it keeps growing, so the first count beyond the tolerance is found by bisection.
   const std::int64_t ahead = r.track.offset(a, r.track.next_turn(r.applied)) - r.track.offset(a, r.applied);
   std::int64_t low = 0, high = std::min(std::abs(ahead), furthest_look);
   const auto beyond = [&](std::int64_t counts) {
@@ -260,7 +259,7 @@ void Motion::finish(Run& r, End end) {
     if ((axes >> a & 1u) != 0) rest(a);
 }
 
-/// The run of the axis has ended: what comes behind it, or rest.
+/// The run of the axis has ended: starts what follows, or reports rest.
 void Motion::rest(int a) {
   MotionAxis& x = axes_[ix(a)];
   if (const auto back = std::exchange(x.then_to, std::nullopt); back && back->position != x.position)
@@ -272,7 +271,7 @@ void Motion::rest(int a) {
   watch_error(a);
 }
 
-// --- what can be read --------------------------------------------------------------------------------------
+// --- readings ----------------------------------------------------------------------------------------------
 
 std::int64_t Motion::position(int a) const { return axes_[ix(a)].position; }
 

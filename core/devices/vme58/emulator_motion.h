@@ -1,21 +1,19 @@
 #pragma once
 // The motion of the board: counters, ramps, moves, homing, limits, contours, staircases, servo loops, slip,
-// and what hangs on the axes. The firmware (text, queues, registers, flags) calls it and hears of what
-// happens through events.
+// and the loads of the axes. The firmware (text, queues, registers, flags) calls it and receives events.
 //
-// Rules between the two:
-//  - All positions, distances, speeds and rates are counts, counts/s, counts/s². User units are gone by then.
-//  - The firmware checks operands and that an axis is fitted. What only the motion can know (a servo that is
-//  switched
-//    off, a target out of range once a relative distance is added, MV against its direction) it refuses:
-//    `false`. The firmware then sets the command error bit and drops the command; nothing has changed.
-//  - Commands from a queue come only when their axes are not occupied(), save those said to change a motion
-//  on the fly.
-//    Stops, FL, FP, LP and settings come at any time.
-//  - Time: the firmware never goes beyond next_event() in one step, so every event is handled at its own
-//  time, and
-//    takes the events after each call that is not const.
-//  - A value: copyable, no pointers to the firmware.
+// Rules between firmware and motion:
+// - All positions, distances, speeds and rates are counts, counts/s, counts/s². User units are already
+// converted.
+// - The firmware checks operands and that an axis is fitted. The motion returns `false` for errors that only
+// it can know (a servo that is switched off, a target out of range once a relative distance is added, MV
+// against its direction). Nothing has changed then; the firmware sets the command error bit and drops the
+// command.
+// - Commands from a queue come only while their axes are not occupied(), except those documented to change a
+// motion on the fly. Stops, FL, FP, LP and settings come at any time.
+// - Time: the firmware never advances beyond next_event() in one step, so every event is handled at its own
+// time. It takes the events after each non-const call.
+// - Motion is a value: copyable, without pointers to the firmware.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -36,11 +34,11 @@ namespace hw::vme58 {
 struct AxisGoal {
   std::int64_t counts = 0;
   bool relative =
-      false;  ///< to where the axis is when the move starts; LP shifts such a target along (decision M92)
+      false;  ///< to the position at the start of the move; LP shifts such a target (decision M92)
 };
 
-/// MA MR MT ML as prepared, started by GO or GD. More than one axis: a straight line, the longest axis keeps
-/// its VL and AC (decision M48).
+/// A move prepared by MA MR MT ML and started by GO or GD. Several axes move on a straight line; the longest
+/// axis keeps its VL and AC (decision M48).
 struct Move {
   std::array<std::optional<AxisGoal>, most_axes> goal{};
   [[nodiscard]] unsigned axes() const {
@@ -53,14 +51,14 @@ struct Move {
 
 struct MotionEvent {
   enum class What : std::uint8_t {
-    began,      ///< the axis leaves rest for a move of any kind (PA switches power on)
-    rested,     ///< it has come to rest after a move of any kind (PA counts the settling time)
+    began,      ///< the axis leaves rest for any move (PA switches power on)
+    rested,     ///< the axis rests after any move (PA counts the settling time)
     limit_hit,  ///< a limit switch, `on`: the plus one, ended or ends its move. The motion ramps or cuts as
                 ///< SL says; the firmware latches the limit bit and, unless SL is in force, empties the
                 ///< queues that drive the axis
     slipped,    ///< the error went beyond ES. With TN the motion has stopped the axis and ended holding; the
                 ///< firmware sets the slip flag and, with TN, empties the queues
-    nearly_done,  ///< so many counts are left as notify_at() asked for
+    nearly_done,  ///< the counts left have come down to those of notify_at()
     output,       ///< an auxiliary output inside a contour: `on` = high (the transistor is off)
     ready,        ///< something that a queue may wait for has changed (occupied, in_position): look again
   };
@@ -76,87 +74,87 @@ class Motion {
   // Time.
   [[nodiscard]] Instant now() const { return now_; }
   [[nodiscard]] std::optional<Instant> next_event() const;
-  /// `to` is not behind now() and not beyond next_event().
+  /// `to` must not be before now() or after next_event().
   void advance_to(Instant to);
-  /// What has happened since the last call, oldest first, goes to the end of `sink`.
+  /// Appends the events since the last call to `sink`, oldest first.
   void take_events(std::vector<MotionEvent>& sink);
-  /// RS and power on: counters, settings and motions as from the factory. Loads and switches stay where they
+  /// RS and power-on: counters, settings and motions return to factory state. Loads and switches stay as they
   /// are.
   void reset();
 
-  // Settings. After a change call changed(): gains, HN, HF, ET, HH take effect at once, speeds with the next
+  // Settings. Call changed() after a change: gains, HN, HF, ET, HH take effect at once, speeds with the next
   // motion.
   [[nodiscard]] const AxisSettings& settings(int axis) const { return axes_[ix(axis)].settings; }
   AxisSettings& settings(int axis) { return axes_[ix(axis)].settings; }
   [[nodiscard]] const BoardSettings& board() const { return board_; }
   BoardSettings& board() { return board_; }
-  /// HF on a moving servo axis ends its motion; ET and HN begin to watch the encoder.
+  /// HF on a moving servo axis ends its motion; ET and HN start watching the encoder.
   void changed(int axis);
 
   // Commands from the queues.
   bool start(const Move& move);
-  /// Signed speed, endless; 0 ramps to rest. On an axis that jogs already: on the fly. Does not occupy the
-  /// axis.
+  /// Jogs endlessly at a signed speed; 0 ramps to rest. Changes a jog under way on the fly. Does not occupy
+  /// the axis.
   bool jog(int axis, double velocity);
   bool home(int axis, const HomeOrder& order);
   /// RM: both counters become their remainders (decision M65). `divisor` is not 0.
   void remainder(int axis, std::int64_t divisor);
   /// MP, MM.
   void set_direction(int axis, Sign way);
-  /// MV: runs to p at v and on from there; occupies the axis until p is passed. May come while the one before
-  /// runs on.
+  /// MV: runs to `position` at `velocity` and continues from there; occupies the axis until `position` is
+  /// passed. May follow while the previous MV runs on.
   bool move_velocity(int axis, std::int64_t position, double velocity);
-  /// SP: rest exactly at p, on the way there at the speed of MV or JG; where p lies behind, by a ramp to rest
-  /// and back. May come while MV or JG runs on. Occupies the axis until it rests.
+  /// SP: comes to rest exactly at `position`, running at the speed of MV or JG; if it lies behind, ramps to
+  /// rest and goes back. May follow while MV or JG runs on. Occupies the axis until it rests.
   bool stop_at(int axis, std::int64_t position);
-  /// CX. `contour.complete` is true and CV was given.
+  /// CX. Requires `contour.complete` and a CV.
   bool play(const Contour& contour);
-  /// IN: a nearly_done event, once, when so many counts of the present move are left; without one: of the
-  /// next.
+  /// IN: raises nearly_done once, when `counts_left` counts of the present move remain; without a move, of
+  /// the next.
   void notify_at(int axis, std::int64_t counts_left);
 
   // At once.
-  void stop(int axis);                                   ///< ST SA SD: ramp to rest
+  void stop(int axis);                                   ///< ST SA SD: ramps to rest
   void kill(int axis);                                   ///< KL: no ramp
-  void keep_velocity(int axis);                          ///< FL: present speed without end (decision M60)
+  void keep_velocity(int axis);                          ///< FL: goes on at the present speed (decision M60)
   bool force_position(int axis, std::int64_t position);  ///< FP: as near as the ramp allows, no way back
   void load_position(int axis, std::int64_t position);   ///< LP: both counters, also while moving
 
-  // What can be read, at now().
+  // Readings, at now().
   [[nodiscard]] std::int64_t position(int axis) const;  ///< commanded
-  [[nodiscard]] std::int64_t encoder(int axis) const;   ///< the command position where there is no encoder
+  [[nodiscard]] std::int64_t encoder(int axis) const;   ///< without an encoder, the command position
   [[nodiscard]] double velocity(int axis) const;        ///< commanded, never negative
   [[nodiscard]] Sign direction(int axis) const;         ///< of the last motion
-  [[nodiscard]] bool moving(int axis) const;  ///< commanded motion of any kind, a ramp down included
-  /// The next queued command of this axis has to wait: a move, home search, contour or MV under way, or a
-  /// ramp to rest after a stop, JG0 or a limit. Not while it jogs at speed or runs on after MV.
+  [[nodiscard]] bool moving(int axis) const;            ///< any commanded motion, ramps down included
+  /// The next queued command of this axis must wait: a move, home search, contour or MV is under way, or a
+  /// ramp to rest after a stop, JG0 or a limit. False while the axis jogs at speed or runs on after MV.
   [[nodiscard]] bool occupied(int axis) const;
-  /// IP: the error lies within HD. Always true without an encoder.
+  /// IP: the error is within HD. Always true without an encoder.
   [[nodiscard]] bool in_position(int axis) const;
   [[nodiscard]] bool limit_active(int axis) const;  ///< either switch, whatever LF says
   [[nodiscard]] bool home_active(int axis) const;   ///< the switch alone, by HH and HL
-  /// What HE asks for: switch, index and quadrant together.
+  /// The condition of HE: switch, index and quadrant together.
   [[nodiscard]] bool encoder_home_active(int axis) const;
 
-  // Hands on the bench. Axes are fitted.
+  // Actions on the bench. The axes must be fitted.
   Result<> place(int axis, const AxisPlace& place);
   void operate_limit(int axis, Sign side, bool on);
   void operate_home(int axis, bool on);
   void jam(int axis, bool on);
-  /// The load jumps by encoder counts; tracking follows it.
+  /// Shifts the load by encoder counts; tracking follows.
   void slip(int axis, std::int64_t counts);
-  /// The encoder's count alone; the load stays where it is.
+  /// Sets only the encoder count; the load stays where it is.
   void set_encoder(int axis, std::int64_t count);
-  /// Where the counter has been since measure_from_here(), and the counts that were made.
+  /// Range of the counter since measure_from_here(), and the counts made.
   [[nodiscard]] const Span& span(int axis) const { return axes_[ix(axis)].span; }
   void measure_from_here();
   /// Loads, switches, jams.
   void look(BenchView& view) const;
 
-  /// Of a servo axis with a motor: what stands at its output.
+  /// Output of a servo axis with a motor.
   [[nodiscard]] double output_volts(int axis) const { return axes_[ix(axis)].loop.volts(); }
-  /// Of an axis whose loop is at work: command position and speed as the latest update has seen them, so that
-  /// they and the encoder are of one moment. Else position() and velocity().
+  /// Command position and speed at the latest update of the loop, so that they match the encoder in time.
+  /// Without a working loop: position() and velocity().
   [[nodiscard]] std::int64_t sampled_position(int axis) const;
   [[nodiscard]] double sampled_velocity(int axis) const;
 
@@ -166,7 +164,7 @@ class Motion {
   // Runs (emulator_motion.cpp).
   void begin(RunKind kind, unsigned axes, Track track, const motion::Profile& profile, double wanted,
              std::shared_ptr<const Score> score = nullptr);
-  /// The same run goes on by another profile from where it is.
+  /// Continues the run from where it is with another profile.
   void continue_by(Run& run, const motion::Profile& profile);
   void bring_up_to_date();
   void apply(Run& run, std::int64_t step);
@@ -174,7 +172,8 @@ class Motion {
   void plan(Run& run);
   void plan_axis(Run& run, int axis);
   void mark(Run& run, int axis, int way, std::optional<std::int64_t> counts);
-  /// `reached`: the profile has come to its end; `rests`: no further count comes; `cut`: nor anything behind.
+  /// `reached`: the profile has ended; `rests`: no further count comes; `cut`: nor does anything planned
+  /// behind it.
   enum class End : std::uint8_t { reached, rests, cut };
   void finish(Run& run, End end);
   void rest(int axis);
@@ -195,7 +194,7 @@ class Motion {
   void begin_endless(RunKind kind, int axis, Sign way, double speed);
   void go_to(int axis, const Return& goal);
   void turn_back(Run& run, int axis, const Return& goal);
-  /// It ramps down, and nothing comes behind that.
+  /// The run ramps down, and nothing follows.
   [[nodiscard]] bool ends(const Run& run, int axis) const;
   void stop_run(Run& run);
   void run_to(Run& run, int axis, std::int64_t counts, double speed);
@@ -224,7 +223,7 @@ class Motion {
   std::array<Run, most_axes> runs_;
   BoardSettings board_;
   std::vector<MotionEvent> events_;
-  std::optional<Instant> update_at_;  ///< next update of the servo loops, while one of them is awake
+  std::optional<Instant> update_at_;  ///< next update of the servo loops; none while all rest
 };
 
 }  // namespace hw::vme58

@@ -13,7 +13,7 @@ using motion::RampShape;
 
 namespace {
 
-constexpr double least_acceleration = 1e-3;  // AC0 is allowed: it takes ages, but it is a rate
+constexpr double least_acceleration = 1e-3;  // AC0 is allowed: taken as a very low rate
 
 bool in_range(std::int64_t position) { return std::abs(position) <= position_max; }
 
@@ -24,7 +24,7 @@ Path way_along(int axis, Sign way, std::int64_t length) { return Path::along(ix(
 /// CN, PN, PF shape the ramps of all axes (decision M45).
 Ramp shaped(double acceleration, double base, double top, const BoardSettings& board) {
   const double rate = std::max(acceleration, least_acceleration);
-  constexpr double cut = 0.95;  // a parabola all the way to its top would never arrive
+  constexpr double cut = 0.95;  // a full parabola would never reach its top
   RampShape shape = RampShape::linear;
   if (board.ramp == RampForm::cosine) shape = RampShape::half_cosine;
   if (board.ramp == RampForm::parabolic) shape = RampShape::parabolic;
@@ -41,7 +41,8 @@ Ramp Motion::ramp_of(int axis) const {
   return shaped(s.acceleration, s.base_velocity, s.velocity, board_);
 }
 
-/// Of a line: that of its longest axis (decision M48). Of a contour: the gentlest of its axes (decision M76).
+/// The ramp of a line is that of its longest axis (decision M48), of a contour the gentlest of its axes
+/// (decision M76).
 Ramp Motion::ramp_of(const Run& r) const {
   int lead = -1;
   double rate = acceleration_max, base = velocity_max;
@@ -64,7 +65,7 @@ bool Motion::start(const Move& move) {
   for (int a = 0; a < most_axes; ++a) {
     if (!move.goal[ix(a)]) continue;
     const MotionAxis& x = axes_[ix(a)];
-    // A jog ends by ST or JG0 only (decision M61).
+    // A jog ends only by ST or JG0 (decision M61).
     if (x.off() || x.run >= 0) return false;
     const AxisGoal& goal = *move.goal[ix(a)];
     const std::int64_t target = goal.relative ? x.position + goal.counts : goal.counts;
@@ -147,7 +148,7 @@ bool Motion::move_velocity(int a, std::int64_t position, double velocity) {
   return true;
 }
 
-/// The run ends so many counts further on, on the way at `speed` as far as there is room for it.
+/// Lets the run end `counts` counts further on, at `speed` as far as the distance permits.
 void Motion::run_to(Run& r, int a, std::int64_t counts, double speed) {
   const Sign way = r.track.direction(a, r.applied) < 0 ? Sign::minus : Sign::plus;
   const std::int64_t end = r.applied + counts;
@@ -166,7 +167,7 @@ bool Motion::stop_at(int a, std::int64_t position) {
   Run* r = run_of(a);
   if (r == nullptr) return position == x.position;
   if (r->kind != RunKind::jog && r->kind != RunKind::staircase) return false;
-  const bool turns = r->stopping && x.then_jog;  // a jog the other way is to come
+  const bool turns = r->stopping && x.then_jog;  // a jog the other way follows
   if ((r->stopping && !turns) || !in_range(position)) return false;
   x.passes.reset();
   const double speed = turns ? std::abs(*std::exchange(x.then_jog, std::nullopt)) : r->wanted;
@@ -180,7 +181,7 @@ bool Motion::stop_at(int a, std::int64_t position) {
   return true;
 }
 
-/// Comes to rest, and goes there.
+/// Ramps to rest, then goes to `goal`.
 void Motion::turn_back(Run& r, int a, const Return& goal) {
   axes_[ix(a)].then_to = goal;
   stop_run(r);
@@ -225,15 +226,15 @@ void Motion::stop_run(Run& r) {
   const Ramp ramp = ramp_of(r);
   const double from = r.profile.distance(now_);
   const Pps speed = r.profile.speed(now_);
-  // Between two pulses that come more slowly than one a second an axis stands: none follows a stop.
+  // Below one pulse per second an axis stands between two pulses: no further pulse follows a stop.
   if (speed.value < 1) return finish(r, End::rests);
   Profile down = Profile::ramp_down(now_, from, speed, ramp);
-  if (down.length() > r.track.steps() && r.kind != RunKind::contour)  // the way is shorter: steeper
+  if (down.length() > r.track.steps() && r.kind != RunKind::contour)  // too short a way: steeper
     down = Profile::approach(now_, from, speed, speed, ramp.decel, ramp, r.track.steps());
   continue_by(r, down);
 }
 
-/// All axes of a line or a contour ramp down together, on their way.
+/// All axes of a line or a contour ramp down together, along their path.
 void Motion::stop(int a) {
   bring_up_to_date();
   Run* r = run_of(a);
@@ -248,7 +249,7 @@ void Motion::kill(int a) {
   if (Run* r = run_of(a)) finish(*r, End::cut);
 }
 
-/// The axis goes on by itself, endlessly, at the speed that it has.
+/// The axis leaves the run and goes on by itself, endlessly, at its present speed.
 void Motion::leave(Run& r, int a) {
   const double speed = velocity(a);
   const int way = r.track.direction(a, r.applied);
@@ -260,7 +261,7 @@ void Motion::leave(Run& r, int a) {
     x.run = -1;
     return rest(a);
   }
-  // The part of a count that is under way goes along.
+  // Keeps the fraction of a count already made.
   const double part =
       way * (r.track.exact(a, r.profile.distance(now_)) - static_cast<double>(r.track.offset(a, r.applied)));
   r.axes &= ~(1u << a);
@@ -274,7 +275,7 @@ void Motion::leave(Run& r, int a) {
   continue_by(own, Profile::constant(now_, std::clamp(part, 0.0, 0.999), Pps(speed), Profile::endless));
 }
 
-/// A ramp to rest stays one: a stop is not taken back.
+/// A ramp to rest goes on: a stop is not undone.
 void Motion::keep_velocity(int a) {
   bring_up_to_date();
   Run* r = run_of(a);
@@ -291,7 +292,7 @@ void Motion::load_position(int a, std::int64_t position) {
   const std::int64_t by = position - x.position;
   x.set_position(position);
   if (x.servo() && x.settings.holding)
-    x.zero += by;  // the loop's error is none of the counter's business
+    x.zero += by;  // LP leaves the loop's error as it is
   else
     x.set_encoder(x.expected(position));
   Run* r = run_of(a);
@@ -299,7 +300,7 @@ void Motion::load_position(int a, std::int64_t position) {
   replan(a);
 }
 
-/// The target of an absolute move stands, so the way to it has changed (decision M92).
+/// The target of an absolute move is kept, so the distance to it has changed (decision M92).
 void Motion::aim_again(Run& r, int a) {
   MotionAxis& x = axes_[ix(a)];
   if (x.then_to || r.stopping) return;
@@ -318,7 +319,7 @@ void Motion::remainder(int a, std::int64_t divisor) {
   const std::int64_t by = x.position % divisor - x.position;
   const std::int64_t encoder = x.encoder(), wanted = x.expected(x.position + by) - x.expected(x.position);
   x.set_position(x.position + by);
-  // What holds the axis in place must not see an error that is none.
+  // Position holding must not see a false error.
   x.set_encoder(x.settings.holding ? encoder + wanted : encoder % divisor);
   replan(a);
 }

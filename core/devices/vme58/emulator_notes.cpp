@@ -1,4 +1,4 @@
-// What a rehearsal hears of a board.
+// Events of a board for a rehearsal.
 #include <algorithm>
 
 #include "core/devices/vme58/emulator_board.h"

@@ -1,4 +1,4 @@
-// From what was typed to what a command means: user units, ranges, axes that are fitted.
+// From typed operands to their meaning: user units, ranges, fitted axes.
 #include <cmath>
 
 #include "core/devices/vme58/emulator_board.h"
@@ -28,7 +28,7 @@ bool Board::axes_fit(const Command& c) const {
   const unsigned axes = addressed(c);
   if ((axes & ~fitted_) != 0) return false;
   if (!c.fact->needs_encoder && !c.fact->needs_servo) return true;
-  // In AA and AM it is enough that one of them has what the command needs.
+  // In AA and AM one axis with the required fitting is enough.
   bool some = false;
   each_axis(axes, [&](int a) {
     const AxisFitting f = variant_->fitting(a);
@@ -59,15 +59,15 @@ bool Board::resolve(Command& c) const {
   }
 }
 
-/// The axis that an operand inside a contour belongs to: the first operand to its first axis (decision M68).
+/// The axis of an operand inside a contour: the first operand belongs to its first axis (decision M68).
 int Board::contour_axis(int place) const {
   for (int a = 0; a < most_axes; ++a)
     if (contour_.has(a) && place-- == 0) return a;
   return -1;
 }
 
-/// Counts of the user unit that this number is in; 0: user units are off, or do not concern it. The contour
-/// velocity has no axis of its own: in AA and AM it is in the units of X.
+/// Counts per user unit of this number; 0: user units are off, or do not apply. The contour velocity has no
+/// axis of its own: in AA and AM it is in the units of X.
 double Board::unit_of(const Command& c, int place) const {
   if (c.fact->number != Number::counts && c.fact->number != Number::speed) return 0;
   int axis = context_ < most_axes ? context_ : 0;

@@ -42,7 +42,7 @@ Parser::Outcome Parser::push(char c, unsigned modes) {
     case State::numbers: return number(c);
     case State::skipping: break;
   }
-  // Behind something that was no command: its numbers belong to it.
+  // After text that was no command: its numbers are skipped with it.
   if (ends_line(c)) state_ = State::idle;
   if (is_command_letter(c)) return begin(c);
   return {};

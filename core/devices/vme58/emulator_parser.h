@@ -1,7 +1,7 @@
 #pragma once
-// Text to commands, one character at a time: two letters and operands, with or without separators (decisions
-// M12, M15, M16). A command without operands is complete with its second letter, a number with the character
-// behind it.
+// Parses text one character at a time: two letters and operands, with or without separators (decisions M12,
+// M15, M16). A command without operands is complete with its second letter, a number with the character after
+// it.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace hw::vme58 {
 
-/// A command as it was typed: its numbers are neither checked nor multiplied. By place: the axis of a list,
-/// else the order.
+/// A command as typed: its numbers are neither checked nor multiplied. They are indexed by axis in a list,
+/// else by order.
 struct Command {
   const CommandFact* fact = nullptr;
   std::array<std::optional<double>, most_axes> number{};
-  int source = 0;  ///< where it comes from, for who listens (emulator_notes.h)
+  int source = 0;  ///< origin of the text, for notes (emulator_notes.h)
 
   [[nodiscard]] Op op() const { return fact->op; }
   [[nodiscard]] int operands() const {
@@ -24,7 +24,7 @@ struct Command {
     for (const auto& n : number) count += n.has_value();
     return count;
   }
-  /// Entries of a queue that it takes.
+  /// Queue entries that the command takes.
   [[nodiscard]] int entries() const { return 1 + operands(); }
   [[nodiscard]] double first() const { return number[0].value_or(0); }
 };
@@ -37,10 +37,10 @@ class Parser {
     bool error = false;
     std::optional<Command> command;
   };
-  /// `modes`: those of namespace where that are in force. Both an outcome of what came before and the begin
-  /// of something new can lie in one character; never two commands.
+  /// `modes`: those in force, of namespace where. One character can both complete a command or error and
+  /// begin the next command; it never completes two commands.
   Outcome push(char c, unsigned modes);
-  /// Forgets what has been begun.
+  /// Discards an unfinished command.
   void clear() { *this = Parser(knows_kk_); }
 
  private:
@@ -52,7 +52,7 @@ class Parser {
   Outcome junk();
   [[nodiscard]] bool takes_list() const;
   [[nodiscard]] int places() const;
-  /// The number that is being typed goes to its place; false: it is none.
+  /// Stores the typed number at its place; false: it is not a number.
   bool keep_number();
   Outcome next_place();
   Outcome finish();
@@ -63,8 +63,8 @@ class Parser {
   unsigned modes_ = 0;
   Command command_;
   int place_ = 0;
-  std::string text_;     ///< of the number that is being typed
-  bool closed_ = false;  ///< a space stands behind it
+  std::string text_;     ///< of the number being typed
+  bool closed_ = false;  ///< a space followed the number
 };
 
 }  // namespace hw::vme58

@@ -1,4 +1,4 @@
-// Hands on the bench: what hangs on the axes, and what is done to it.
+// Actions on the bench: the loads of the axes, and what is done to them.
 #include <cmath>
 
 #include "core/device/bench_file.h"
@@ -54,7 +54,7 @@ void Motion::jam(int a, bool on) {
   x.plant.jam(on);
   x.loop.plant.jam(on);
   x.loop.wake();
-  // An ideal servo that is let go is where its command is.
+  // An ideal servo that is released goes to its command.
   if (!on && x.servo() && !x.has_motor && x.settings.holding) {
     const std::int64_t back = x.error();
     if (back != 0) x.turn_load(back < 0 ? -1 : 1, std::abs(back));
@@ -63,7 +63,7 @@ void Motion::jam(int a, bool on) {
   schedule_updates();
 }
 
-/// The load jumps. A closed ideal servo is seen to be off, and pulled back.
+/// Shifts the load. A closed ideal servo detects the error and is pulled back.
 void Motion::slip(int a, std::int64_t counts) {
   bring_up_to_date();
   MotionAxis& x = axes_[ix(a)];

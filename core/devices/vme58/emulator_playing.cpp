@@ -1,6 +1,6 @@
-// CX: a recorded contour is made into a track and into cues, and run along. The lead-in goes from where the
-// stage is straight to the start of the contour, to be there at path speed (decision M72); behind the last
-// piece CE ramps down straight on (M73), CK stops dead (M74).
+// CX: turns a recorded contour into a track and cues, and runs along it. The lead-in goes straight from the
+// present place to the start of the contour, arriving at path speed (decision M72); after the last piece CE
+// ramps down straight on (M73), CK stops dead (M74).
 #include <algorithm>
 #include <cmath>
 
@@ -15,11 +15,10 @@ namespace {
 constexpr double longest = 1e12;  // counts: eleven days at full speed
 constexpr auto fine = static_cast<double>(motion::Contour::steps_per_count);
 
-/// Adds the pieces of `contour` to `track` and what is due along it to `score`. False: nobody lives to see
-/// its end.
+/// Adds the pieces of `contour` to `track` and the actions due along it to `score`. False: it is too long.
 bool write_score(const Contour& contour, motion::Contour& track, Score& score) {
   const auto here = [&track] { return track.end_of(track.pieces() - 1); };
-  std::array<std::size_t, most_axes> places{};  // of the contour's axes, in their order
+  std::array<std::size_t, most_axes> places{};  // places of the contour's axes, in order
   std::size_t count = 0;
   for (int a = 0; a < most_axes; ++a)
     if (contour.has(a)) places[count++] = ix(a);
@@ -69,7 +68,7 @@ bool Motion::play(const Contour& contour) {
   auto score = std::make_shared<Score>();
   if (!write_score(contour, *track, *score)) return false;
   const Pps cv(board_.contour_velocity * fine);
-  Run ramps;  // of the axes of a contour, before there is one
+  Run ramps;  // gives the ramp before the run exists
   ramps.kind = RunKind::contour, ramps.axes = contour.axes;
   const Profile lead = Profile::change(now_, 0, Pps(base * fine), cv, ramp_of(ramps), Profile::endless);
   begin(RunKind::contour, contour.axes, Track(std::shared_ptr<const motion::Contour>(std::move(track))), lead,
@@ -77,7 +76,7 @@ bool Motion::play(const Contour& contour) {
   return true;
 }
 
-/// Does what is due at the place where the run is. False: it has ended, or its last ramp has begun.
+/// Carries out the cues due at the present step. False: the run has ended, or its last ramp has begun.
 bool Motion::follow_cues(Run& r) {
   const auto score = r.score;
   while (r.cue < score->cues.size() && score->cues[r.cue].step <= r.applied) {

@@ -1,4 +1,4 @@
-// Replies. Values come in the order of the axes, with commas between them, in AA and AM (decision M02).
+// Replies. In AA and AM values are in the order of the axes, separated by commas (decision M02).
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -11,7 +11,7 @@ namespace {
 // Decision M01.
 constexpr std::string_view frame = "\n\r", status_frame = "\n\r\r";
 
-/// With the quirk `padded`: blanks, sign and leading zeros, which other firmware prints (decision M99).
+/// With the quirk `padded`: blanks, sign and leading zeros, as other firmware prints them (decision M99).
 std::string padded(std::string number) {
   const bool minus = number.front() == '-';
   return (minus ? "  -000" : "  +000") + number.substr(minus ? 1 : 0);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr bool begins_block(Op op) { return op == Op::LS || op == Op::WS || op == Op::WH; }
 
-/// What an end of a block closes.
+/// The command that opens the block closed by `end`.
 constexpr std::optional<Op> begin_of(Op end) {
   switch (end) {
     case Op::LE: return Op::LS;

@@ -1,4 +1,4 @@
-// What the commands of the queues do when their turn comes.
+// Queued commands, carried out when their turn comes.
 #include "core/devices/vme58/emulator_board.h"
 
 namespace hw::vme58 {
@@ -39,7 +39,7 @@ Board::Step Board::execute(int context, const Command& c) {
   }
 }
 
-/// The queue holds still until the axes have arrived; AM's goes on at once.
+/// The queue waits until the axes have arrived; AM's goes on at once.
 Board::Step Board::motion_began(int context, unsigned axes) {
   BoardTask& t = tasks_[ix(context)];
   t.last_axes = axes;
@@ -129,9 +129,9 @@ Board::Step Board::play_contour(int context) {
 
 // --- done flags --------------------------------------------------------------------------------------------
 
-/// Decision M53: the axes of the last move. Before any move it is all that the mode addresses, as ID of a
-/// single axis that has never moved sets its flag: a host that puts ID behind its set-up and waits for the
-/// flag would else wait for ever. The data sheet does not tell.
+/// Decision M53: the axes of the last move. Before any move, all axes that the mode addresses, so that ID of
+/// a single axis that has never moved sets its flag: a host that sends ID after its set-up would otherwise
+/// wait for ever. The data sheet does not say.
 unsigned Board::flagged_axes(int context) const {
   const BoardTask& t = tasks_[ix(context)];
   return context < most_axes || t.last_axes == 0 ? axes_of(context) : t.last_axes;
@@ -156,7 +156,7 @@ Board::Step Board::promise_each(int context) {
   return Step::done;
 }
 
-/// Before GO it is meant for the move to come, behind it for the one under way.
+/// Before GO the command applies to the coming move, after it to the one under way.
 Board::Step Board::notify(int context, const Command& c) {
   each(c, context, [this](int a, double left) { motion_.notify_at(a, static_cast<std::int64_t>(left)); });
   return Step::done;

@@ -1,6 +1,5 @@
-// How the board works off its queues: one for each axis, one for AA, one for AM (decision M20). A command
-// that moves axes stays in its queue until they are there. AM goes on at once with what concerns other axes
-// (decision M50).
+// Processing of the queues: one for each axis, one for AA, one for AM (decision M20). A command that moves
+// axes stays in its queue until they arrive. AM goes on at once with commands for other axes (decision M50).
 #include <algorithm>
 
 #include "core/devices/vme58/emulator_board.h"
@@ -8,9 +7,9 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr Duration shortest_turn = std::chrono::milliseconds(1);  // of a loop in which nothing takes time
+constexpr Duration shortest_turn = std::chrono::milliseconds(1);  // of a loop whose commands take no time
 
-/// May be reached while the move before it is still under way.
+/// Whether the command may take effect while the preceding move is still under way.
 constexpr bool looks_at_move(Op op) { return op == Op::II || op == Op::IN; }
 
 }  // namespace
@@ -33,7 +32,7 @@ void Board::run_queues() {
   }
 }
 
-/// True when something has been done.
+/// True: a command was carried out.
 bool Board::run_task(int context) {
   BoardTask& t = tasks_[ix(context)];
   keep_promises(t);
@@ -151,7 +150,7 @@ void Board::keep_promises(BoardTask& t) {
   t.promises.erase(std::remove_if(t.promises.begin(), t.promises.end(), kept), t.promises.end());
 }
 
-/// What WQ waits for.
+/// The condition that WQ waits for.
 bool Board::runs_empty(int context) const {
   const BoardTask& t = tasks_[ix(context)];
   if (!t.queue.empty() || !t.promises.empty()) return false;

@@ -8,7 +8,7 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr Duration update_time = std::chrono::microseconds(900);  // hosts poll for it
+constexpr Duration update_time = std::chrono::microseconds(900);  // hosts poll for its end
 constexpr Duration mail_time = std::chrono::microseconds(50);     // until the cells are free again
 
 constexpr std::uint8_t nobody_drives_the_bus = 0xFF;
@@ -58,7 +58,7 @@ void Board::written(std::uint16_t offset) {
   constexpr std::uint16_t put_index_low = at::output_put_index + 1, get_index_low = at::input_get_index + 1;
   if (offset != put_index_low && offset != get_index_low) return;
   if (!powered_ || boots_until_) return;
-  // An index that points nowhere is not followed.
+  // An invalid index is not followed.
   if (!window_.indexes_make_sense()) return command_error();
   pump();
 }
@@ -100,14 +100,14 @@ void Board::copy_axis_data() {
   flags_.clear_control(control::update_data);
 }
 
-/// Decision M29. What is asked for happens at once; the host sees later that the mailbox is free again.
+/// Decision M29. The command takes effect at once; the host sees later that the mailbox is free again.
 void Board::take_mail() {
   const std::array letters{static_cast<char>(window_.cell(at::mailbox)),
                            static_cast<char>(window_.cell(at::mailbox + 2))};
   const std::string_view text(letters.data(), letters.size());
   if (std::find(mailbox_commands.begin(), mailbox_commands.end(), text) == mailbox_commands.end())
     return command_error();
-  if (make_.deaf_mailbox) return;  // the host sees its mail acknowledged, and nothing else
+  if (make_.deaf_mailbox) return;  // mail is acknowledged without effect
   Command urgent;
   urgent.fact = find_command(letters[0], letters[1], where::any);
   do_at_once(urgent);

@@ -53,7 +53,7 @@ void MotionAxis::turn_load(int way, std::int64_t count) {
   const std::int64_t before = encoder();
   if (!plant.jammed() && !has_motor) shaft += way * count;
   plant.turn(way < 0 ? Sign::minus : Sign::plus, count);
-  if (settings.tracking) zero += before - encoder();  // its encoder belongs to something else
+  if (settings.tracking) zero += before - encoder();  // the encoder belongs to something else
 }
 
 bool MotionAxis::index_active() const {

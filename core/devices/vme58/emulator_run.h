@@ -1,5 +1,5 @@
 #pragma once
-// What the motion of the board is made of: a run takes one or more axes along a track by a profile, from mark
+// Building blocks of the board's motion. A run takes one or more axes along a track by a profile, from mark
 // to mark; an axis has counters, a load, and perhaps a motor.
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ namespace hw::vme58 {
 struct HomeOrder {
   Sign way = Sign::plus;
   bool kill = false;
-  std::int64_t position = 0;  ///< that the home edge gets; nothing with `kill`
+  std::int64_t position = 0;  ///< assigned to the home edge; unused with `kill`
 };
 
 /// Where a run goes: a line of pulses, or a contour in fine steps.
@@ -51,7 +51,7 @@ class Track {
   [[nodiscard]] std::optional<std::int64_t> first_at(int axis, std::int64_t step, std::int64_t offset) const {
     return contour_ ? contour_->first_at(ix(axis), step, offset) : path_.first_at(ix(axis), step, offset);
   }
-  /// Counts of the axis for each step at that place: -1 to 1.
+  /// Counts of the axis per step at that place: -1 to 1.
   [[nodiscard]] double slope(int axis, double step) const {
     if (contour_) return contour_->share(ix(axis), step) / motion::Contour::steps_per_count;
     return path_.share(ix(axis), step) * path_.pulses_per_step();
@@ -62,7 +62,7 @@ class Track {
   std::shared_ptr<const motion::Contour> contour_;
 };
 
-/// What is due at a step of a contour that is played.
+/// An action due at a step of a contour being played.
 struct Cue {
   enum class What : std::uint8_t { at_speed, output, end };
   What what;
@@ -71,7 +71,7 @@ struct Cue {
   bool high = false;
 };
 
-/// A contour made ready to be played. Runs share it, it never changes.
+/// A contour prepared for playing. Shared by runs and never changed.
 struct Score {
   std::vector<Cue> cues;  ///< in the order of their steps
   bool kill = false;
@@ -84,12 +84,12 @@ struct Run {
   bool stopping = false;  ///< on its last ramp
   RunKind kind = RunKind::move;
   unsigned axes = 0;        ///< a bit for each
-  unsigned over_limit = 0;  ///< those that ramp down beyond their switch (SL)
+  unsigned over_limit = 0;  ///< axes that ramp down beyond their switch (SL)
   Track track;
   motion::Profile profile;
-  double wanted = 0;           ///< speed that it was given, in steps/s, whatever it does now
+  double wanted = 0;           ///< commanded speed in steps/s, whatever the present one
   std::int64_t applied = 0;    ///< steps made
-  std::int64_t next_mark = 0;  ///< step at which something has to be looked at
+  std::int64_t next_mark = 0;  ///< step of the next mark
   std::shared_ptr<const Score> score;
   std::size_t cue = 0;
 
@@ -97,12 +97,12 @@ struct Run {
   [[nodiscard]] bool alone() const { return (axes & (axes - 1)) == 0; }
 };
 
-/// Where a counter has been, and how many counts it has made: for rehearsals.
+/// Range and number of counts of a counter, for rehearsals.
 struct Span {
   std::int64_t lowest = 0, highest = 0, travel = 0;
 };
 
-/// Where an axis goes once it has come to rest.
+/// Where an axis goes after coming to rest.
 struct Return {
   std::int64_t position = 0;
   double speed = 0;
@@ -116,18 +116,18 @@ struct MotionAxis {
   std::int64_t position = 0;  ///< the command register
   Span span;
   std::int64_t shaft = 0;  ///< of an ideal servo: counts turned
-  std::int64_t zero = 0;   ///< what the encoder register shows when the encoder stands at 0
+  std::int64_t zero = 0;   ///< encoder register when the encoder stands at 0
   Sign direction = Sign::plus;
   int arrived_by = 0;      ///< direction of the last count of its run
-  int run = -1;            ///< that it takes part in
-  bool under_way = false;  ///< `began` was told, `rested` was not
+  int run = -1;            ///< index of the axis' run; -1: none
+  bool under_way = false;  ///< between the `began` and `rested` events
   bool was_holding = false, was_tracking = false;
   bool was_in_position = true, slipped = false;
 
   std::optional<HomeOrder> homing;     ///< the edge is still to come
-  std::optional<std::int64_t> goal;    ///< absolute target of its own run; LP does not move it
-  std::optional<std::int64_t> passes;  ///< MV: occupied until it gets there
-  std::optional<Return> then_to;       ///< after coming to rest: goes there
+  std::optional<std::int64_t> goal;    ///< absolute target of its own run; not shifted by LP
+  std::optional<std::int64_t> passes;  ///< MV: occupied until this position is passed
+  std::optional<Return> then_to;       ///< destination after coming to rest
   std::optional<double> then_jog;      ///< after coming to rest: jogs the other way
   std::optional<std::int64_t> notify;  ///< IN
   std::optional<Instant> correct_at;   ///< position maintenance: its next pulses
@@ -138,28 +138,28 @@ struct MotionAxis {
   bool index_passed = false;  ///< between the last two updates of the loop
 
   [[nodiscard]] bool servo() const { return fitting.kind == AxisKind::servo; }
-  /// A servo that is switched off moves nothing.
+  /// A servo that is switched off: it moves nothing.
   [[nodiscard]] bool off() const { return servo() && !settings.holding; }
   [[nodiscard]] double counts_per_step() const {
     return servo() ? 1 : plant.place().counts_per_step.value_or(1);
   }
-  /// What the encoder has counted when the load is there, without `zero`.
+  /// Encoder count for a load position, without `zero`.
   [[nodiscard]] std::int64_t counted(Steps load) const;
   [[nodiscard]] std::int64_t encoder() const;
   void set_encoder(std::int64_t value) { zero += value - encoder(); }
-  /// ER: where the encoder should stand when the motor is there.
+  /// ER: expected encoder position for a motor position.
   [[nodiscard]] std::int64_t expected(std::int64_t at) const;
   [[nodiscard]] std::int64_t error() const { return expected(position) - encoder(); }
-  /// Counts of the error after so many more counts that way, as far as the load lets them come.
+  /// The error in counts after `counts` more counts that way, as far as the load permits.
   [[nodiscard]] std::int64_t error_after(int way, std::int64_t counts) const;
   [[nodiscard]] bool watches_slip() const {
     return settings.slip_tolerance > 0 && fitting.encoder && !settings.tracking && !off();
   }
   [[nodiscard]] bool home_active() const { return plant.home_operated() != settings.home_active_high; }
   [[nodiscard]] bool index_active() const;
-  /// Counts that way until home acts as HS or HE has it; none when it does not lie there.
+  /// Counts that way until home acts by HS or HE; none: it does not lie that way.
   [[nodiscard]] std::optional<std::int64_t> counts_until_home(Sign way) const;
-  /// The command register gets another value without a count being made.
+  /// Sets the command register without making a count.
   void set_position(std::int64_t value) {
     position = value;
     reach();
@@ -170,9 +170,9 @@ struct MotionAxis {
   }
   /// Makes `count` counts: command register, shaft and load.
   void turn(int way, std::int64_t count);
-  /// Motor and load alone.
+  /// Turns only motor and load.
   void turn_load(int way, std::int64_t count);
-  /// The first index mark on the way at which the home input is active as well.
+  /// Counts to the first index mark at which the home input is also active.
   [[nodiscard]] std::optional<std::int64_t> counts_until_index(Sign way) const;
 };
 

@@ -1,6 +1,6 @@
-// Servo axes. Without a motor on the bench the load stands where the command says while the loop is closed
-// (decision M77). With one the sampled loop moves it: an update every servo period, on one grid for all axes,
-// and none while every loop is at rest.
+// Servo axes. Without a motor on the bench the load follows the command exactly while the loop is closed
+// (decision M77). With a motor the sampled loop moves the load: one update per servo period, on one grid for
+// all axes, none while every loop is at rest.
 #include <cmath>
 
 #include "core/devices/vme58/emulator_motion.h"
@@ -31,7 +31,7 @@ void Motion::changed(int a) {
   schedule_updates();
 }
 
-/// HN and HF. A loop that closes takes the place where the shaft stands as its command: nothing jumps.
+/// HN and HF. A closing loop takes the shaft position as its command, so nothing jumps.
 void Motion::switch_servo(int a) {
   MotionAxis& x = axes_[ix(a)];
   if (Run* r = run_of(a); r != nullptr && x.off()) finish(*r, End::cut);

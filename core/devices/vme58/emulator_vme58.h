@@ -1,5 +1,5 @@
 #pragma once
-// A VME58 as its owner sees it: the bus, time, the bench.
+// The emulated VME58 as the program sees it: bus, time, bench.
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,7 +33,7 @@ class Vme58Emulator final : public Emulator, public BusTarget {
   [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override { return pulses_; }
 
   [[nodiscard]] int rate() const override { return 0; }
-  /// A VME58 keeps nothing without power: the text says so.
+  /// Returns a text saying that a VME58 keeps nothing without power.
   [[nodiscard]] std::string save_memory() const override;
   Result<> load_memory(std::string_view text) override;
   [[nodiscard]] std::uint64_t memory_version() const override { return 0; }
@@ -47,7 +47,7 @@ class Vme58Emulator final : public Emulator, public BusTarget {
  private:
   Result<> check_axis(AxisId axis) const;
 
-  /// One for each kind of hand: emulator_bench.cpp.
+  /// One for each kind of bench action: emulator_bench.cpp.
   template <class Hand>
   Result<> act(const Hand& hand);
 

@@ -25,8 +25,8 @@ const std::string* help_of(const TextCommand& command) {
   return found;
 }
 
-// A line of traffic does not tell what mode the lines before it have left. It is read as one of a single
-// axis, and where that makes no sense as one of AA, or as one of a contour.
+// A line of traffic does not show the mode left by the lines before it. It is read as a single-axis line; if
+// that makes no sense, as a line of AA or of a contour.
 std::vector<TextCommand> commands_in_likely_mode(std::string_view bytes) {
   std::vector<TextCommand> best;
   std::ptrdiff_t fewest = 0;

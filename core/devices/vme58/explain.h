@@ -7,7 +7,7 @@
 
 namespace hw::vme58 {
 
-/// `asked`: what was sent last before a received entry. Empty when there is nothing to say.
+/// `asked`: the last text sent before a received entry. Returns an empty string if there is nothing to say.
 std::string explain(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
 
 }  // namespace hw::vme58

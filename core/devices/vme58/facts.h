@@ -36,7 +36,7 @@ inline constexpr std::uint16_t axis_stride = 0x80;
 inline constexpr int ring_cells = 256;  ///< characters; 255 fit, equal indexes mean empty
 inline constexpr std::uint16_t ring_bytes = 512;
 
-/// Values of an axis block, in the order in which they stand there.
+/// Values of an axis block, in memory order.
 enum class AxisValue : std::uint8_t {
   encoder_position,
   command_position,
@@ -65,10 +65,9 @@ inline constexpr std::uint16_t io_high = 0xFEB, limit = 0xFED, home = 0xFEF, vec
 }  // namespace reg
 
 namespace control {
-inline constexpr std::uint8_t update_data =
-    1 << 0;  ///< set by the host, cleared by the board when it has copied
+inline constexpr std::uint8_t update_data = 1 << 0;  ///< set by the host, cleared by the board after copying
 inline constexpr std::uint8_t slip_interrupt = 1 << 2, limit_interrupt = 1 << 3, done_interrupt = 1 << 4;
-inline constexpr std::uint8_t interrupt_board = 1 << 5;  ///< there is mail
+inline constexpr std::uint8_t interrupt_board = 1 << 5;  ///< announces mail
 inline constexpr std::uint8_t io_interrupt = 1 << 6;     ///< user inputs 0 and 1
 inline constexpr std::uint8_t interrupts = 1 << 7;       ///< without it the board never interrupts the host
 }  // namespace control
@@ -83,7 +82,7 @@ inline constexpr std::uint8_t direct_interrupt = 1 << 6;   ///< unused (decision
 inline constexpr std::uint8_t interrupt = 1 << 7;          ///< cleared by reading
 }  // namespace status
 
-/// Commands that the mailbox takes (decision M29): a letter in each of its two cells.
+/// Commands that the mailbox accepts (decision M29): a letter in each of its two cells.
 inline constexpr std::array<std::string_view, 8> mailbox_commands{"SA", "SD", "ST", "KL",
                                                                   "FL", "IC", "CW", "RS"};
 
@@ -119,7 +118,7 @@ struct AxisFitting {
 
 /// Servo axes come first, and each has an encoder.
 struct Variant {
-  std::string_view name;  ///< what stands behind "VME58-"
+  std::string_view name;  ///< suffix of "VME58-"
   int servos = 0, steppers = 0, encoders = 0;
 
   [[nodiscard]] constexpr int axes() const { return servos + steppers; }
@@ -142,7 +141,7 @@ inline constexpr std::array<Variant, 9> variants{{
     {"4", 0, 4, 0},
 }};
 
-/// Names in any case; null when there is no such model.
+/// Matches names in any case; null: no such model.
 constexpr const Variant* find_variant(std::string_view name) {
   const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; };
   for (const Variant& v : variants) {

@@ -32,8 +32,8 @@ void Feed::begin() {
   draft_.feed.total = static_cast<std::int32_t>(to_feed_.size());
 }
 
-/// With the selector that the program means, and back to the user's, where the user's text has selected an
-/// axis meanwhile. Never within a contour: a selector would end it.
+/// If the user's text has selected an axis meanwhile, adds the program's selector before the command and the
+/// user's after it. Never within a contour: a selector would end it.
 std::string Feed::text_for(std::string_view command, const Context& after) const {
   const std::string users = selection_.selector(), own = context_.selector();
   std::string text;
@@ -74,20 +74,21 @@ Task<Result<std::optional<std::string>>> Feed::go_on() {
   co_return std::nullopt;
 }
 
-/// What the board has taken was a command error, or acts from here on.
+/// Handles a command that the board has taken: it was rejected, or takes effect from here on.
 Task<Result<std::optional<std::string>>> Feed::finish() {
   const auto bad = co_await readings_.was_rejected(Priority::transfer);
   if (!bad) co_return fail(bad.error());
   const std::string sent = std::exchange(fed_.text, {});
   ++draft_.feed.sent;
-  // What the board has taken waits in its queues, and nobody tells what it is at; only pieces count by it.
+  // Commands taken by the board wait in its queues, and the one under way is not reported; only pieces need
+  // this count.
   draft_.program.command =
       draft_.pieces.running ? static_cast<std::int16_t>(draft_.feed.sent) : std::int16_t{-1};
   if (*bad) {
-    std::string what = fed_.waits ? rejected_late()  // others had their turn meanwhile
+    std::string what = fed_.waits ? rejected_late()  // other commands may have run meanwhile
                                   : fmt::format("Line {}: the board rejected \"{}\".", fed_.line + 1, sent);
     what += commands_.open_loop_words(sent, fed_.before);
-    selection_.lose();  // it may have been the one that selects
+    selection_.lose();  // it may have been a selector
     if (!apart_) selection_.set(fed_.before);
     co_return what;
   }
@@ -117,7 +118,7 @@ Task<Result<bool>> Feed::put_next() {
 
 void Feed::end() {
   forget();
-  if (selection_.end_recording()) selection_.lose();  // a selector ends it on the board too
+  if (selection_.end_recording()) selection_.lose();  // a selector also ends it on the board
 }
 
 void Feed::forget() {

@@ -1,6 +1,5 @@
 #pragma once
-// A command string on its way to the board, each command by itself, so that the one that is rejected can be
-// named.
+// Feeds a command string to the board one command at a time, so that a rejected command can be named.
 #include <deque>
 #include <optional>
 #include <string>
@@ -22,24 +21,24 @@ class Feed {
         effects_(effects),
         draft_(draft) {}
 
-  /// The text has no comments. False: there is nothing in it.
+  /// `plain` must have no comments. False: it contains no command.
   bool load(const std::string& plain);
   void begin();
-  /// As much as the board takes now. A command that waits for room stays in the ring until the next round.
-  /// Returns what was rejected, in words.
+  /// Sends as much as the board takes now. A command that waits for room stays in the ring until the next
+  /// round. Returns words for a rejected command; none: none was rejected.
   Task<Result<std::optional<std::string>>> go_on();
   void end();
   [[nodiscard]] bool is_under_way() const { return draft_.feed.running; }
-  /// The user's text selects an axis meanwhile: each keeps its own.
+  /// The user's text selects an axis during a feed: user and program each keep their own selection.
   void user_selects() { apart_ = apart_ || is_under_way(); }
   void forget();
 
  private:
   struct Fed {
-    std::string text;  ///< sent, not taken yet
+    std::string text;  ///< sent, not yet taken
     Context before;    ///< in which it is read
     int line = 0;
-    bool waits = false;  ///< the board did not take it at once
+    bool waits = false;  ///< not taken at once by the board
   };
   Task<Result<bool>> put_next();
   Task<Result<std::optional<std::string>>> finish();
@@ -55,8 +54,8 @@ class Feed {
   Snapshot& draft_;
   std::deque<std::pair<int, std::string>> to_feed_;  ///< line and command
   Fed fed_;
-  Context context_;     ///< of the program, as far as it was put
-  bool apart_ = false;  ///< the user's text has selected an axis meanwhile: each keeps its own
+  Context context_;     ///< of the program, after the commands already put
+  bool apart_ = false;  ///< user and program have selections of their own
 };
 
 int line_holding(std::string_view text, std::size_t at);

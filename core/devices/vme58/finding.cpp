@@ -52,7 +52,7 @@ Task<Result<>> Finding::identify() {
   std::string text = "EF\n";
   auto quiet = co_await conversation_.write(std::move(text), Priority::intent);
   if (!quiet) co_return quiet;
-  auto let = co_await conversation_.let_go();  // an echo that another program has left on: no reply
+  auto let = co_await conversation_.let_go();  // echo left on by another program is no reply
   if (!let) co_return let;
   auto asked = co_await ask_variant();
   if (!asked) co_return asked;
@@ -70,7 +70,8 @@ Task<Result<>> Finding::ask_variant() {
   if (!name) co_return fail(name.error());
   const auto greeting = decode_greeting(*name);
   if (!greeting)
-    co_return fail(FaultKind::garbled, fmt::format("What answers to WY is no VME58: \"{}\".", *name),
+    co_return fail(FaultKind::garbled,
+                   fmt::format("The device that answers WY is not a VME58: \"{}\".", *name),
                    "Nothing more was sent.", "Check the address.");
   draft_.identity.model =
       greeting->variant.empty() ? greeting->model : greeting->model + "-" + greeting->variant;
@@ -80,7 +81,7 @@ Task<Result<>> Finding::ask_variant() {
 
 Task<Result<>> Finding::ask_axes(std::string_view told_variant) {
   const ReplyForm numbers{ReplyForm::Of::numbers};
-  std::string text = fmt::format("AA RP {}\n", selection_.selector());  // where the user's text stands
+  std::string text = fmt::format("AA RP {}\n", selection_.selector());  // ends with the user's selection
   auto positions = co_await conversation_.ask(std::move(text), Priority::intent, numbers);
   if (!positions) co_return fail(positions.error());
   const auto fields = decode_numbers(*positions);
@@ -101,7 +102,7 @@ Task<Result<>> Finding::forget_others_units() {
   co_return co_await conversation_.write(std::move(text), Priority::intent);
 }
 
-// Another program's mark serves as well.
+// Another program's mark counts too.
 Task<Result<bool>> Finding::is_marked() {
   std::vector<BusCycle>& cycles = wire_.burst();
   cycles.push_back(BusCycle::read(2, at::reserved1));

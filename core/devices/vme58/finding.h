@@ -1,5 +1,5 @@
 #pragma once
-// Finding the board, and saying why not. Moves nothing.
+// Finds the board, or reports why it was not found. Moves nothing.
 #include "core/devices/vme58/conversation.h"
 #include "core/devices/vme58/lines.h"
 #include "core/devices/vme58/parameter_values.h"
@@ -21,18 +21,18 @@ class Finding {
         variant_(variant),
         draft_(draft) {}
 
-  /// Only reads, and none that a board would answer by doing something but clear its flags.
+  /// Only reads, and no cell whose reading has another effect on a board than clearing its flags.
   Task<Result<>> find();
-  /// Which board it is. Its echo is off then.
+  /// Identifies the board and switches its echo off.
   Task<Result<>> identify();
 
-  /// Stands in a cell that only a reset clears. False: nobody has left one since then, which tells of the
-  /// gains too.
+  /// Whether a program has left its mark since the last reset, in a cell that only a reset clears. The mark,
+  /// or its absence, also tells whether all gains are whole numbers.
   Task<Result<bool>> is_marked();
-  /// A later session reads in it whether the whole numbers that the data area shows of the gains are all of
+  /// Leaves the mark. It tells a later session whether the gains are whole numbers, as the data area shows
   /// them.
   Task<Result<>> leave_mark();
-  /// User units that another program has left on would scale all that this one sends.
+  /// Switches user units off: those left on by another program would scale all numbers sent by this one.
   Task<Result<>> forget_others_units();
 
  private:

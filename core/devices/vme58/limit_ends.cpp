@@ -23,7 +23,7 @@ void LimitEnds::begins(int axis, bool stands) {
   if (stands) rests(axis);
 }
 
-// What has turned on a switch that it stood on has come away from it, whatever the direction letter says.
+// An axis that turns on the switch it stood on is moving away from it, whatever the direction letter says.
 void LimitEnds::crept(int axis, int way) {
   if (!at(axis).from_limit || !on(axis)) return;
   at(axis).end = static_cast<std::int8_t>(-way);

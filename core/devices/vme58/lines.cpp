@@ -18,11 +18,9 @@ void Lines::go_these_ways(unsigned outputs) {
   std::string jumpers;
   for (int line = 0; line < first_fixed_output; line += lines_of_a_group)
     jumpers += bit(directions_, line) ? 'O' : 'I';
-  wire_.tell(
-      Notice::Kind::warning,
-      fmt::format("The general lines of the board do not go the ways that are shown here. Open it with "
-                  "jumpers={} in its address.",
-                  jumpers));
+  wire_.tell(Notice::Kind::warning, fmt::format("The general lines of the board do not have the directions "
+                                                "shown here. Open it with jumpers={} in its address.",
+                                                jumpers));
 }
 
 void Lines::take(std::uint16_t levels) {

@@ -1,6 +1,6 @@
 #pragma once
-// General lines and auxiliary outputs, by the maker's numbers. On is low for a general line (BL), and high
-// for an auxiliary one (AN): the maker's own words.
+// General lines and auxiliary outputs, by the maker's numbers. In the maker's terms, on is low for a general
+// line (BL) and high for an auxiliary output (AN).
 #include "core/device/intent.h"
 #include "core/device/tool_off.h"
 #include "core/devices/vme58/commands.h"
@@ -18,15 +18,15 @@ class Lines {
         catalog_(catalog),
         draft_(draft) {}
 
-  /// What RB tells: bit per line that is an output. They are shown in the directions that the address tells;
-  /// another board says so.
+  /// Takes the directions that RB reports: bit per line that is an output. The lines are shown as the address
+  /// declares them; warns if the board differs.
   void go_these_ways(unsigned outputs);
-  /// Bit per line that is high.
+  /// Takes the levels: bit per line that is high.
   void take(std::uint16_t levels);
   Task<Result<>> set(intent::SetOutput wish);
-  /// Through the queue of an axis that rests: elsewhere it would wait for the end of the motion.
+  /// Uses the queue of an axis at rest: in another the command would wait for the end of the motion.
   Task<Result<>> switch_tool_off(ToolOff tool);
-  /// The auxiliary output of an axis: nothing in the window tells of it.
+  /// Notes the state of an auxiliary output, which the window does not show.
   void know_auxiliary(int axis, bool on);
   void as_from_factory();
 

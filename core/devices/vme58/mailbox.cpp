@@ -12,7 +12,7 @@ constexpr Duration mail_look = std::chrono::microseconds(500);
 
 }  // namespace
 
-/// The board has taken what stood in it (control register, bit 5). False: not in time.
+/// Waits until the board has taken the previous mail (control register, bit 5). False: not in time.
 Task<Result<bool>> Mailbox::is_free() {
   const Instant give_up = wire_.now() + mail_patience;
   for (;;) {
@@ -27,9 +27,9 @@ Task<Result<bool>> Mailbox::is_free() {
   }
 }
 
-// What a silent bus has swallowed looks like mail that was taken, once it answers again: the letters are read
-// back. A word put over one that the board has not taken would be lost with its request, or instead of it.
-// Behind a request that the board never takes back it is put there all the same: it may be a stop.
+// Reads the letters back, as mail lost by a silent bus would look taken once the bus answers again. Mail
+// written over a word not yet taken may be lost, or replace that word. If the board never takes that word,
+// the mail is written all the same: it may be a stop.
 Task<Result<>> Mailbox::mail(std::string_view letters) {
   const std::string word(letters);
   const auto free = co_await is_free();
@@ -43,12 +43,11 @@ Task<Result<>> Mailbox::mail(std::string_view letters) {
   if (!sent) co_return sent;
   const std::string holds = reply_text(std::span(cycles).subspan(letter));
   wire_.record(Way::sent, Priority::stop, fmt::format("mailbox {}", word));
-  const bool clears_all = word == "RS";  // the letters too
+  const bool clears_all = word == "RS";  // including the letters
   if (holds != word && !clears_all)
-    co_return fail(FaultKind::no_answer,
-                   fmt::format("{} was put into the board's mailbox and does not stand there.", word),
-                   "The bus may have lost it.",
-                   "Watch the machine. If it still moves, switch its power off.");
+    co_return fail(
+        FaultKind::no_answer, fmt::format("{} was put into the board's mailbox and is not there.", word),
+        "The bus may have lost it.", "Watch the machine. If it still moves, switch its power off.");
   const auto taken = co_await is_free();
   if (!taken) co_return fail(taken.error());
   if (*taken) co_return Result<>();
@@ -56,7 +55,7 @@ Task<Result<>> Mailbox::mail(std::string_view letters) {
                  "It was put there.", "Watch the machine. If it still moves, switch its power off.");
 }
 
-// What the board took in between may have begun something, hence the second.
+// Text taken by the board in between may have begun a motion, hence the second mail.
 Task<Result<>> Mailbox::mail_past_ring(std::string_view letters) {
   const std::string word(letters);
   const bool known = conversation_.is_known();
@@ -65,7 +64,7 @@ Task<Result<>> Mailbox::mail_past_ring(std::string_view letters) {
   if (!mailed && mailed.error().kind != FaultKind::no_answer) co_return mailed;
   if (!known) {
     const auto found = co_await conversation_.find_end(Priority::stop);
-    if (!found) co_return mailed;  // what is there is no board, or one that has yet to start
+    if (!found) co_return mailed;  // there is no board, or it has yet to start
   }
   const auto taken = co_await conversation_.is_taken(Priority::stop);
   if (!taken) co_return fail(taken.error());

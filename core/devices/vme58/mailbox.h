@@ -1,5 +1,5 @@
 #pragma once
-// Urgent commands go through the mailbox (decision M29): past the ring, past full queues.
+// The mailbox takes urgent commands past the ring and past full queues (decision M29).
 #include <string_view>
 
 #include "core/devices/vme58/conversation.h"
@@ -9,10 +9,10 @@ namespace hw::vme58 {
 class Mailbox {
  public:
   Mailbox(Wire& wire, Conversation& conversation) : wire_(wire), conversation_(conversation) {}
-  /// Two letters. It has been taken out by the board when this returns.
+  /// Mails a command of two letters. Returns once the board has taken it.
   Task<Result<>> mail(std::string_view letters);
-  /// What stands in the ring behind the word is taken back, whoever has put it there: taken from there a
-  /// moment later it would act behind it.
+  /// Mails `letters` and takes back all text waiting in the ring, whoever put it there: the board would
+  /// otherwise carry it out after the mail.
   Task<Result<>> mail_past_ring(std::string_view letters);
 
  private:

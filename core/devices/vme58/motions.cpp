@@ -13,9 +13,9 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr Duration rest_time = Millis(400);  // at rest so long without a done flag: it may have ended
+constexpr Duration rest_time = Millis(400);  // at rest this long without a done flag: may have ended
 
-/// Somebody has set the count: no motion has brought it so far since it was read last.
+/// Whether the count was set: no motion could have changed it this far since the last reading.
 bool is_no_motion(const AxisState& axis, Steps change, Instant when) {
   constexpr double and_more = 1.5, at_least = 50;
   if (axis.own_speed.value <= 0) return false;
@@ -25,7 +25,7 @@ bool is_no_motion(const AxisState& axis, Steps change, Instant when) {
 
 }  // namespace
 
-// ---- what is read
+// ---- readings
 
 void Motions::show(int i, Instant when) {
   AxisState& axis = draft_.axes[i];
@@ -65,7 +65,7 @@ void Motions::show_still(int i, Instant when) {
   AxisState& axis = draft_.axes[i];
   Axis& mind = at(i);
   if (mind.stopping) return end(i, mind.ended_by);
-  if (loops_.settles(i)) {  // its command has ended, the axis has not yet
+  if (loops_.settles(i)) {  // the command has ended, the axis has not arrived yet
     mind.still_since = when;
     axis.activity = mind.ours ? mind.wanted : Activity::moving;
     return;
@@ -78,12 +78,13 @@ void Motions::show_still(int i, Instant when) {
   }
   const bool there = axis.has_target && axis.command == axis.target;
   const bool limited = limits_.met(i);
-  // The board goes on with the ID behind a move that a switch has cut short. And a done flag of a motion
-  // before stays until the move's GD is carried out.
+  // A done flag alone is no proof: the board carries out the ID behind a move that a switch has cut short,
+  // and the flag of an earlier motion stays until the move's GD is carried out.
   const bool believed = limits_.has_turned(i) || there || limited || mind.wanted == Activity::homing;
   if (mind.done && believed && !jogs(i)) return end(i, limited && !there ? EndedBy::limit : EndedBy::target);
   if (limited) return end(i, EndedBy::limit);
-  // On a straight line the shortest way shows nothing for long: the axes of a group rest together.
+  // On a straight line the axis with the shortest way may show no motion for long: the axes of a group rest
+  // together.
   for (int other = 0; other < count(); ++other)
     if ((mind.group >> other & 1) != 0 && moving(other)) mind.still_since = when;
   axis.activity = mind.wanted;
@@ -109,7 +110,7 @@ bool Motions::waits_for_done() const {
   return false;
 }
 
-/// What has waited in a queue has begun by now; of a jog that shows a little later.
+/// Once the queues are empty, a queued motion has begun; a queued jog may show only a little later.
 void Motions::take_queues(unsigned has_room, bool were_empty, bool empty) {
   const unsigned groups = 3u << count();
   for (int i = 0; i < count(); ++i) {
@@ -123,7 +124,7 @@ void Motions::take_queues(unsigned has_room, bool were_empty, bool empty) {
     const unsigned its = mind.group != 0 ? groups : 1u << i;
     const AxisState& axis = draft_.axes[i];
     if ((has_room & its) != its)
-      mind.still_since = wire_.now();  // the move stands in the queue: it is under way, or has yet to begin
+      mind.still_since = wire_.now();  // still queued: under way, or yet to begin
     else
       end(i, axis.has_target && axis.command == axis.target ? EndedBy::target : EndedBy::elsewhere);
   }
@@ -139,7 +140,7 @@ void Motions::all_worked_off() {
   }
 }
 
-// ---- the console's own
+// ---- motions of the console
 
 Motions::Before Motions::begin(const Way& way) {
   Before before{};
@@ -169,7 +170,7 @@ void Motions::did_not_begin(const Way& way, const Before& before, bool may_begin
   for (int i = 0; i < count(); ++i) {
     if ((way.axes >> i & 1) == 0) continue;
     Axis& mind = at(i);
-    const Earlier& earlier = before[ix(i)];  // what still moves is what it was
+    const Earlier& earlier = before[ix(i)];  // an axis still moving does what it did before
     mind.wanted = earlier.wanted;
     mind.group = earlier.group;
     mind.ours = moving(i) && earlier.ours;
@@ -201,7 +202,7 @@ void Motions::end(int i, EndedBy ended_by) {
   next_.asks_flags();
 }
 
-/// Its motion to the home switch has come there. KM and KR stop dead, from VL.
+/// A motion to the home switch has arrived. KM and KR stop dead from VL.
 void Motions::comes_home(int i) {
   const AtHome how = std::exchange(at(i).at_home, AtHome::nothing);
   if (how == AtHome::sets_counter) trust(i, Trust::homed);
@@ -211,7 +212,8 @@ void Motions::comes_home(int i) {
 
 void Motions::trust(int axis, Trust how) { draft_.axes[axis].trust.settle(how, wire_.now()); }
 
-/// It is driven to its command, or that is brought to it: what was told of how it ended is over.
+/// The axis is driven to its command, or its command set to the axis: the reported end of its last motion no
+/// longer holds.
 void Motions::begins_to_settle(int i) {
   if (moving(i)) return;
   loops_.begins_to_settle(i);
@@ -223,7 +225,7 @@ void Motions::stopping(int axis, bool at_once) {
     if (axis >= 0 && i != axis) continue;
     Axis& mind = at(i);
     creeps(i, {});
-    mind.at_home = AtHome::nothing;  // one that waits in a queue goes with it
+    mind.at_home = AtHome::nothing;  // a queued homing is dropped by the stop
     loops_.begins(i, false);
     if (at_rest(i)) continue;
     mind.stopping = true;
@@ -232,7 +234,7 @@ void Motions::stopping(int axis, bool at_once) {
   }
 }
 
-// What was being stopped is shown as it is again.
+// The stop is over: its axes are shown as they are again.
 void Motions::stands(int axis) {
   for (int i = 0; i < count(); ++i) {
     if (axis >= 0 && i != axis) continue;
@@ -251,10 +253,10 @@ void Motions::is_anothers(int axis) {
   mind.wanted = Activity::idle;
 }
 
-// ---- what others begin
+// ---- motions of texts and programs
 
-/// What was told of an axis' end was of another motion. And a jog leaves its queue at once, and may be so
-/// slow that it seems to rest.
+/// Clears the reported end of each axis concerned, which belongs to an earlier motion. A jog leaves its queue
+/// at once, and may be so slow that the axis seems to rest.
 void Motions::note(const TextCommand& command) {
   const Op op = command.fact->op;
   const bool jogs = op == Op::JG || op == Op::JF;
@@ -335,8 +337,8 @@ void Motions::queued_was_rejected() {
 
 // ---- for how long a motion may show nothing
 
-/// For so long an axis that turns may show neither velocity nor count: an axis that is ramped very gently,
-/// which a queue tells of only when it moves by itself.
+/// How long a turning axis may show neither velocity nor count, on a very gentle ramp. The axis' own queue
+/// tells of its motion only when it moves by itself.
 Duration Motions::rest_patience(int i) const {
   const Axis& mind = at(i);
   if (mind.group == 0 && !jogs(i)) return rest_time;

@@ -16,7 +16,7 @@ void forget_rejection(Snapshot& draft) {
   draft.notice.clear();
 }
 
-// ---- may it
+// ---- checks
 
 Result<> Moves::may_move(int axis) const {
   if (auto may = commands_.may_talk(); !may) return may;
@@ -25,7 +25,7 @@ Result<> Moves::may_move(int axis) const {
   if (draft_.program.run == RunState::running)
     return fail(FaultKind::refused, "A program is running.", "Nothing was sent.",
                 "Wait until it ends, or stop it.");
-  // One that only settles may be sent on: a hand that taps is not made to wait for each of its steps.
+  // An axis that only settles may be sent on, so that repeated single steps need not wait for each other.
   if (motions_.ours(axis) && !motions_.jogs(axis) && !loops_.only_settles(axis))
     return fail(FaultKind::refused, fmt::format("Axis {} is still moving.", name(axis)), "Nothing was sent.",
                 "Wait until it ends, or stop it.");
@@ -42,7 +42,7 @@ Result<WholePace> Moves::checked(const intent::Pace& pace) const {
   const std::int64_t acceleration = pace.acceleration.value_or(0);
   if (pace.acceleration && (acceleration < 1 || acceleration > acceleration_max))
     return fail(FaultKind::refused,
-                fmt::format("{} is no acceleration: a VME58 axis takes 1 to {} counts/s².", acceleration,
+                fmt::format("{} is not an acceleration: a VME58 axis takes 1 to {} counts/s².", acceleration,
                             acceleration_max),
                 "Nothing was sent.");
   return WholePace{speed, acceleration};
@@ -70,10 +70,10 @@ Result<Moves::Wish> Moves::checked(const std::vector<AxisTarget>& targets, bool 
 
 // ---- moves
 
-/// The text that starts it, and what is known of it until the board says more.
+/// Sends the text that starts a motion, and shows the motion as begun until the board reports more.
 Task<Result<>> Moves::begin(std::string text, Motions::Way way) {
   forget_rejection(draft_);
-  draft_.program.ended_by = EndedBy::nothing;  // what is told from here on is how this ends
+  draft_.program.ended_by = EndedBy::nothing;  // from here on the end of this motion is reported
   const Motions::Before before = motions_.begin(way);
   auto sent = co_await commands_.say(std::move(text), Priority::intent);
   if (!sent) motions_.did_not_begin(way, before, wire_.perhaps_done(sent.error()));
@@ -99,7 +99,8 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> targets, intent::Pace pace_wi
 
 namespace {
 
-/// VL and AC wait in the queue like the motion, so they can be put back behind it: by whoever sees it end.
+/// VL and AC wait in the queue like the motion, so they can be given back behind it, by the code that sees it
+/// end.
 std::string pace_text(WholePace pace) {
   std::string text;
   if (pace.speed > 0) text += fmt::format("VL{} ", pace.speed);
@@ -159,8 +160,8 @@ Task<Result<>> Moves::jog_slowly(int axis, std::int64_t thousandths) {
   co_return co_await begin_jog(std::move(text), axis);
 }
 
-// Whoever is told that his jog has not begun will not stop it. A command error may be another command's, seen
-// while the jog waited in the ring: the axis is stopped then, by itself, and if it stands nothing happens.
+// A user told that the jog has not begun will not stop it. A command error may belong to another command,
+// seen while the jog waited in the ring: so this axis alone is stopped, which has no effect if it stands.
 Task<Result<>> Moves::begin_jog(std::string text, int axis) {
   Motions::Way way;
   way.axes = 1u << axis;
@@ -169,7 +170,7 @@ Task<Result<>> Moves::begin_jog(std::string text, int axis) {
   if (begun) co_return begun;
   FaultKind& kind = begun.error().kind;
   if (kind == FaultKind::no_answer) {
-    // What the ring did not take was taken back, unless the board was just coming to it.
+    // The text was taken back, unless the board was just reading it.
     const auto read = co_await readings_.read_axes(Priority::intent);
     if (read && !motions_.moving(axis)) kind = FaultKind::refused;
   } else if (kind == FaultKind::controller) {
@@ -182,7 +183,7 @@ Task<Result<>> Moves::begin_jog(std::string text, int axis) {
   co_return begun;
 }
 
-// CA first: a done flag of an earlier motion says nothing of this one.
+// CA first: clears the done flag of an earlier motion.
 Task<Result<>> Moves::home(intent::Home wish) {
   const int axis = wish.axis.index;
   if (auto may = may_move(axis); !may) co_return may;
@@ -193,7 +194,7 @@ Task<Result<>> Moves::home(intent::Home wish) {
     case HomeMode::back_to_edge: text = plus ? "HM0 MA0 GO ID" : "HR0 MA0 GO ID"; break;
     case HomeMode::stop_dead: text = plus ? "KM ID" : "KR ID"; break;
     default:
-      co_return fail(FaultKind::refused, fmt::format("There is no way of homing number {}.", wish.mode),
+      co_return fail(FaultKind::refused, fmt::format("There is no homing mode number {}.", wish.mode),
                      "Nothing was sent.");
   }
   const auto pace = checked(wish.pace);

@@ -1,5 +1,5 @@
 #pragma once
-// Moves, jogs and homing of the console's own.
+// Moves, jogs and homing begun by the console.
 #include <vector>
 
 #include "core/device/intent.h"
@@ -23,11 +23,11 @@ class Moves {
         catalog_(catalog),
         draft_(draft) {}
 
-  /// One axis by itself; several on a straight line, as a group of AM beside which others may run.
+  /// Moves one axis by itself, or several on a straight line as a group of AM, beside which others may run.
   Task<Result<>> move(std::vector<AxisTarget> targets, intent::Pace pace, bool relative,
                       Activity shown_as = Activity::moving);
   Task<Result<>> jog(intent::JogStart wish);
-  /// JF, in thousandths of a count a second; 0 ends it.
+  /// Jogs by JF, in thousandths of a count per second; 0 ends the jog.
   Task<Result<>> jog_slowly(int axis, std::int64_t thousandths);
   Task<Result<>> home(intent::Home wish);
 
@@ -60,7 +60,7 @@ class Moves {
   Snapshot& draft_;
 };
 
-/// How the latest program was rejected stays said until something else is done.
+/// Clears the report on the latest rejected program, which stays until something else is done.
 void forget_rejection(Snapshot& draft);
 
 }  // namespace hw::vme58

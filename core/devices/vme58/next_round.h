@@ -1,5 +1,5 @@
 #pragma once
-// What the next rounds of status are to ask by command, beside what they read.
+// Questions that the next status rounds must ask by command, in addition to their readings.
 #include <utility>
 
 #include "core/device/snapshot.h"
@@ -13,15 +13,15 @@ class NextRound {
   void asks_flags() { flags_ = true; }
   [[nodiscard]] bool wants_flags() const { return flags_; }
   void flags_were_asked() { flags_ = false; }
-  /// A loop may have opened, or closed.
+  /// A loop may have opened or closed.
   void asks_loops() { loops_ = true; }
   [[nodiscard]] bool wants_loops() const { return loops_; }
   void loops_were_asked() { loops_ = false; }
 
-  /// Something was put that may wait in a queue: the board works until a round has seen all queues empty and
-  /// no axis turning.
+  /// A command was put that may wait in a queue: the board counts as working until a round sees all queues
+  /// empty and no axis turning.
   void awaits_queues() { draft_.working = queues_ = true; }
-  /// Asked for as soon as nothing turns, and then in their turn.
+  /// Whether the queues are due: as soon as no axis turns, and then in their turn.
   bool takes_queues(bool turning) {
     const bool due = queues_ && !turning;
     queues_ = turning && (queues_ || draft_.working);

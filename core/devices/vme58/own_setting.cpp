@@ -51,10 +51,10 @@ Task<Result<>> OwnSetting::give_back(int axis, Priority priority) {
   }
   std::string text = selection_.addressed(axis, fmt::format("{}{}", letters_, borrowed.before));
   auto given = co_await commands_.say(std::move(text), priority);
-  if (!given && given.error().kind != FaultKind::controller) co_return given;  // it is still to be done
+  if (!given && given.error().kind != FaultKind::controller) co_return given;  // must be tried again
   at(axis).borrowed.reset();
   if (draft_.working) at(axis).put = Put{borrowed.before};
-  // It is shown as the axis' own before it comes to be read in turn.
+  // Shows the value as the axis' own before its turn to be read.
   readings_.know(axis, cell_, borrowed.before);
   readings_.next_is(axis);
   co_return given;

@@ -1,6 +1,6 @@
 #pragma once
-// A setting of each axis that waits in its queue like a motion, VL or AC: it is the user's, and a motion with
-// a pace of its own borrows it.
+// A setting of each axis that waits in its queue like a motion: VL or AC. It belongs to the user; a motion
+// with a pace of its own borrows it.
 #include <array>
 #include <optional>
 #include <string_view>
@@ -26,50 +26,50 @@ class OwnSetting {
         catalog_(catalog),
         draft_(draft) {}
 
-  /// As the user has it, also while a motion with a pace of its own has another there, or while it waits in a
-  /// queue.
+  /// The user's value, even while a motion with a pace of its own has borrowed the setting or the value waits
+  /// in a queue.
   [[nodiscard]] std::int64_t own(int axis) const;
-  /// In turn it would be read once in a second or two, and a text may just have set it. One that may wait in
-  /// a queue is believed until the queues are empty.
+  /// Reads the setting now: the turn of the axis comes only every second or two, and a text may just have set
+  /// it. A value that may wait in a queue is trusted until the queues are empty.
   Task<Result<>> read(int axis, Priority priority);
   Task<Result<>> borrow(int axis, std::int64_t value);
   Task<Result<>> give_back(int axis, Priority priority);
-  /// Of all axes that no motion of ours moves.
+  /// Gives back the settings of all axes without a motion of the console.
   Task<Result<>> give_all_back(Priority priority);
-  /// What comes behind a motion that is under way, in the same queue, goes at the axis' own. At its end
-  /// that is given back once more: a stop may take this out of the queue. A move of several axes stands in
-  /// the queue of AM, and what is put into theirs may come before it.
+  /// Queues the user's value behind a motion under way, for the commands that follow in the same queue. It is
+  /// given back again at the end of the motion, as a stop may empty the queue. Moves of several axes are left
+  /// out: they wait in the queue of AM, and the value in the axis' own queue may overtake them.
   Task<Result<>> give_back_behind_motions(Priority priority);
 
-  /// Text has set it. What is set while it is borrowed is what is given back.
+  /// A text has set the setting. A value set while it is borrowed is the one given back.
   void note(const TextCommand& command);
-  /// Set-up has; `waits`: what the board shows is another one yet.
+  /// Set-up has set it; `waits`: the board still shows another value.
   void was_set(int axis, std::int64_t value);
   void was_put(int axis, std::int64_t value, bool waits);
-  /// Its queue is emptied: what waits there is never carried out, nor is what was to be put back behind it.
-  /// -1: all.
+  /// The queue of the axis is emptied: neither values waiting there nor those to be given back behind a
+  /// motion are carried out. -1: all axes.
   void forget_put(int axis);
   [[nodiscard]] bool may_wait(int axis) const;
   void take_queues(unsigned all_free);
-  /// Of this axis it has been read.
+  /// The setting of this axis has been read.
   void take(int axis);
-  /// The wire is gone. What is borrowed is still owed.
+  /// The wire is lost. Borrowed settings must still be given back.
   void wire_lost();
-  /// The board was reset: it is as from the factory.
+  /// The board was reset: the setting has its factory value.
   void forget() { axes_ = {}; }
 
  private:
-  /// A setting that is written for one motion, and put back behind it.
+  /// A setting changed for one motion and given back after it.
   struct Borrowed {
     std::int64_t before, for_now;
     bool left_alone = false;    ///< a lost window or an emptied queue came between: what is there is right,
                                 ///< unless it is `for_now`
-    bool waits_behind = false;  ///< `before` was put into the queue behind the motion already
+    bool waits_behind = false;  ///< `before` is already queued behind the motion
   };
-  /// One that text or set-up has put into a queue, where it may still wait.
+  /// A value that text or set-up has put into a queue, where it may still wait.
   struct Put {
     std::int64_t value;
-    bool carried_out = false;  ///< the queues were seen empty since: what is read next is right
+    bool carried_out = false;  ///< queues since seen empty: the next reading is right
   };
   struct Axis {
     std::optional<Borrowed> borrowed;

@@ -97,7 +97,7 @@ void ParameterValues::note(const TextCommand& sent) {
       state.value = letters == "CN" ? ramp_cosine : ramp_linear;
       state.known = true;
     } else if (letters == fact.letters && !sent.numbers.empty() && sent.numbers.front() &&
-               (!fact.shown || fact.decimals > 0)) {  // of a gain the data area has the whole part only
+               (!fact.shown || fact.decimals > 0)) {  // the data area shows only the whole part of a gain
       know(i, in_units(*sent.numbers.front(), fact));
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
-// What is known of the set-up. The board shows speeds and gains in its data area; what it shows nowhere is
-// known while the console has set it itself since the board's start, and unknown otherwise.
+// Known values of the set-up. The board shows speeds and gains in its data area; any other parameter is known
+// only if the console has set it since the board's start.
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -18,25 +18,26 @@ class ParameterValues {
   ParameterValues(const Catalog& catalog, const Variant& variant, const Readings& readings, Snapshot& draft)
       : catalog_(catalog), readings_(readings), draft_(draft), all_(parameters_of(variant)) {}
 
-  /// By its place in the catalog.
+  /// The parameter at this place in the catalog.
   [[nodiscard]] const Parameter& at(std::size_t place) const { return all_[place]; }
   [[nodiscard]] std::optional<std::int64_t> known(int axis, std::string_view letters) const;
-  /// Some gain answers a standing error, as far as is known.
+  /// Whether a gain may act on a standing error: one is unknown or not 0.
   [[nodiscard]] bool drives(int axis) const;
-  /// None: not all of them are known. Where nothing is integrated, its interval does not matter.
+  /// None: not all gains are known. KN may be unknown if KI is 0.
   [[nodiscard]] std::optional<motion::ServoGains> gains(int axis) const;
 
   void know(std::size_t place, std::int64_t value);
-  /// The data area shows integer parts only: from here on it does not tell all of a gain.
+  /// A value with a fraction was set: the data area, which shows integer parts only, no longer shows gains in
+  /// full.
   void note_fraction(const ParameterFact& fact, std::int64_t value);
-  /// From the data area: a fraction that the console has set stays beside it, and one that another session
-  /// has set, or may have, nobody can tell.
+  /// Takes the values of the data area. A fraction set by the console is kept; a gain is unknown if another
+  /// session may have set a fraction.
   void take(int axis);
-  /// What the user's own text has set.
+  /// Notes a parameter set by the user's own text.
   void note(const TextCommand& command);
   void as_from_factory();
 
-  /// No gain with a fraction was set since the board's start. A mark on the board keeps that for others.
+  /// No gain with a fraction was set since the board's start. A mark on the board tells other sessions.
   [[nodiscard]] bool gains_are_whole() const { return gains_are_whole_; }
   void gains_are_whole(bool whole) { gains_are_whole_ = whole; }
   [[nodiscard]] bool mark_is_due() const { return mark_due_; }
@@ -46,7 +47,7 @@ class ParameterValues {
   const Catalog& catalog_;
   const Readings& readings_;
   Snapshot& draft_;
-  const std::vector<Parameter> all_;  ///< in the order of the catalog's
+  const std::vector<Parameter> all_;  ///< in catalog order
   bool gains_are_whole_ = false, mark_due_ = false;
 };
 

@@ -5,8 +5,7 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr std::int64_t most_gain =
-    100'000'000;  // hundredths; the board takes any number that is not negative
+constexpr std::int64_t most_gain = 100'000'000;  // hundredths; the board takes any non-negative number
 constexpr std::int64_t most_whole = 2'147'483'647;
 
 constexpr ParameterFact number(std::string_view letters, Fitting fitting, std::optional<AxisValue> shown,

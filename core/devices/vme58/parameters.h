@@ -1,6 +1,6 @@
 #pragma once
-// What can be set on a VME58, axis by axis: the maker's two letters, range, factory value, and how it is told
-// to the board. For the catalog and the driver.
+// The parameters of a VME58, axis by axis: the maker's two letters, range, factory value, and the command
+// that sets them. For the catalog and the driver.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace hw::vme58 {
 
-/// What an axis must have for a parameter to be one of its.
+/// What an axis must have for a parameter to exist on it.
 enum class Fitting : std::uint8_t { any, servo, encoder, step_with_encoder };
 
-/// One row: of each axis that has the fitting, or of the whole board.
+/// One row: a parameter of each axis with the fitting, or of the whole board.
 struct ParameterFact {
-  std::string_view letters;  ///< what is sent in front of the number; of a switch: its name
+  std::string_view letters;  ///< sent before the number; of a switch: its name
   Fitting fitting = Fitting::any;
   bool whole_board = false;
-  std::optional<AxisValue> shown;  ///< where the data area shows it (its integer part)
+  std::optional<AxisValue> shown;  ///< its place in the data area (integer part only)
   bool drives = false;             ///< as ParamInfo::drives
   int decimals = 0;
   std::int64_t minimum = 0, maximum = 0, factory = 0;
@@ -42,7 +42,7 @@ struct Parameter {
 /// Ramp form of the whole board (PN): besides PN's own 1 to 10.
 inline constexpr std::int64_t ramp_linear = 0, ramp_cosine = 11;
 
-/// Of all axes of this model, in the order of the catalog.
+/// All parameters of this model, in catalog order.
 std::vector<Parameter> parameters_of(const Variant& variant);
 /// The text that sets it, without the axis: "VL1000", "HN", "CN".
 std::string set_text(const ParameterFact& fact, std::int64_t value);

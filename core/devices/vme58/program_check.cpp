@@ -64,7 +64,11 @@ class Check {
       for (const auto& open : queue.loops)
         problem(open.second, 2, "The loop that begins here has no end.", true);
     report_.cost[0] = static_cast<int>(text_.size());
-    for (LineReport& line : report_.lines) line.slot = 0;
+    for (LineReport& line : report_.lines) {
+      line.slot = 0;
+      std::sort(line.tokens.begin(), line.tokens.end(),
+                [](const Token& a, const Token& b) { return a.begin < b.begin; });
+    }
     std::sort(report_.problems.begin(), report_.problems.end(), [](const Problem& a, const Problem& b) {
       return a.line != b.line ? a.line < b.line : a.column < b.column;
     });
@@ -72,9 +76,9 @@ class Check {
   }
 
  private:
-  /// Each axis has one, AA has one, and AM.
+  /// One for each axis, one for AA, one for AM.
   struct Queue {
-    std::vector<std::pair<Op, std::size_t>> loops;  ///< that are open, and where they begin
+    std::vector<std::pair<Op, std::size_t>> loops;  ///< open loops and where they begin
     bool prepared = false;                          ///< a move waits for GO
   };
   Queue& queue_of(const TextCommand& command) {
@@ -115,8 +119,8 @@ class Check {
     problem(command.begin, command.length, std::move(sentence), true);
   }
 
-  /// Where AA or AM is missing that is said once: from there on the text is read as if it stood there.
-  /// Returns what is addressed at the end.
+  /// Reports a missing AA or AM once, and reads the text from there on as if it were present. Returns the
+  /// context at the end.
   Context look_at_all() {
     Context context;
     auto commands = read_commands(plain_, context);
@@ -139,7 +143,7 @@ class Check {
     }
     return context;
   }
-  /// It is meant for lists, and one axis is addressed.
+  /// Whether the command is only for lists, and a single axis is addressed.
   static bool lacks_mode(const TextCommand& command) {
     return command.fact && !command.context.recording && command.context.mode == where::single &&
            (command.fact->where & where::single) == 0 && (command.fact->where & where::lists) != 0;
@@ -168,8 +172,6 @@ class Check {
                      (report_.problems.size() > problems && report_.problems.back().error);
     row.tokens.push_back(
         {column, column + static_cast<int>(command.length), bad ? TokenKind::bad : kind_of(command)});
-    std::sort(row.tokens.begin(), row.tokens.end(),
-              [](const Token& a, const Token& b) { return a.begin < b.begin; });
   }
 
   void look_closer(const TextCommand& command) {
@@ -226,7 +228,7 @@ class Check {
     return std::find(command.numbers.begin(), command.numbers.end(), 0.0) != command.numbers.end();
   }
 
-  // The board's jumpers decide; a text does not know them.
+  // The board's jumpers decide the direction; a text does not know them.
   void check_direction(const TextCommand& command) {
     const std::optional<double> line = command.numbers.empty() ? std::nullopt : command.numbers[0];
     if (!line || *line < 0 || *line >= io_lines || (factory_outputs >> static_cast<int>(*line) & 1) != 0)
@@ -239,7 +241,7 @@ class Check {
         false);
   }
 
-  // A board that is told no user units cuts fractions off (decision M15).
+  // Without user units the board cuts fractions off (decision M15).
   void check_fraction(const TextCommand& command, double value) {
     if (std::trunc(value) == value) return;
     problem(
@@ -277,7 +279,7 @@ class Check {
     }
   }
 
-  // Loops belong to the queue of the mode in which they stand.
+  // Loops belong to the queue of their mode.
   void open_loop(const TextCommand& command) {
     auto& loops = queue_of(command).loops;
     if (loops.size() == loop_levels)
@@ -296,9 +298,9 @@ class Check {
 
   std::string_view text_;
   std::string plain_;
-  std::string read_as_if_;  ///< blank up to where a mode was missing
+  std::string read_as_if_;  ///< blanked up to the missing mode
   bool assumed_ = false, told_already_ = false;
-  static constexpr int most_modes_missed = 20;  ///< each is a reading of the rest; more are told one by one
+  static constexpr int most_modes_missed = 20;  ///< each rereads the rest; more are reported one by one
   int modes_missed_ = 0;
   std::vector<std::size_t> begins_;
   ProgramReport report_;

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a command string before it is sent.
+// Checks a command string before it is sent.
 #include <string_view>
 
 #include "core/device/language.h"

@@ -1,5 +1,5 @@
-// A dry run on the emulated board, in virtual time: the text goes through the command ring as it would from a
-// host, and the board notes what happens, when it happens.
+// A dry run on the emulated board, in virtual time: the text goes through the command ring as from a host,
+// and the board notes each event with its time.
 #include "core/devices/vme58/program_rehearsal.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr int from_nowhere = -1;  ///< source of what the rehearsal itself sends
+constexpr int from_nowhere = -1;  ///< source of text sent by the rehearsal itself
 
 int line_of(std::string_view text, std::size_t at) {
   return static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
@@ -118,8 +118,8 @@ class Rehearsing {
 
   // ---- time and the bus
 
-  /// To the next thing that happens, so that each is heard at its own time. False: there is none before the
-  /// rehearsal ends.
+  /// Advances to the next event, so that each is noted at its own time. False: none before the end of the
+  /// rehearsal.
   bool step() {
     std::optional<Instant> next = emulator_.next_event();
     for (const auto& other : {hands_.next(), track_.next()})
@@ -131,7 +131,7 @@ class Rehearsing {
     emulator_.advance_to(now_);
     hands_.act_until(now_, emulator_);
     track_.look(now_);
-    // A board that finds no end at one moment is taken on by force.
+    // Forces time on if the board has endless events at one moment.
     const auto due = emulator_.next_event();
     if (some && now_ == before && due && *due <= now_) now_ += std::chrono::microseconds(1);
     return some;
@@ -165,7 +165,7 @@ class Rehearsing {
 
   // ---- the host's side
 
-  /// One command at a time, as the board takes them.
+  /// Feeds one command at a time, as the board takes them.
   void feed() {
     while (board_.powered() && !board_.booting()) {
       result_.sent_to_host += take_replies();
@@ -183,7 +183,6 @@ class Rehearsing {
     notes_.list.clear();
   }
   void hear(const Note& note) {
-    const char* state = note.on ? "on" : "off";
     watch_.hear(note);
     switch (note.what) {
       case Note::What::moves:
@@ -199,10 +198,10 @@ class Rehearsing {
                                        note.on ? "plus" : "minus"));
       case Note::What::looks:
         if (watch_.is_repeated(note)) return;
-        return event(note, fmt::format("reads line {}: {}", note.number, note.on ? "low" : "high"));
-      case Note::What::line: return event(note, fmt::format("Out {} {}", note.number, state));
-      case Note::What::aux:
-        return event(note, fmt::format("Aux {} {}", axis_letters[ix(note.number)], state));
+        return event_of(note, fmt::format("line {}", note.number), RehearsedEvent::Line::looked_at,
+                        fmt::format("reads line {}: {}", note.number, note.on ? "low" : "high"));
+      case Note::What::line: return switched(note, fmt::format("Out {}", note.number));
+      case Note::What::aux: return switched(note, fmt::format("Aux {}", axis_letters[ix(note.number)]));
       case Note::What::rejected:
         if (note.source == from_nowhere) return;
         result_.error = fmt::format("Line {}: the board rejects \"{}\".", text_[ix(note.source)].line + 1,
@@ -210,12 +209,20 @@ class Rehearsing {
         watch_.stopped(note.at, note.source, result_.error);
         return event(note, result_.error);
       case Note::What::restarts:
-        put_ = get_ = 0;  // both rings begin anew
+        put_ = get_ = 0;  // both rings start again
         return event(note, "the board starts afresh");
     }
   }
   void event(const Note& note, std::string what) {
     result_.add({seconds(note.at.time_since_epoch()), std::move(what), 0, note.source});
+  }
+
+  void switched(const Note& note, const std::string& output) {
+    event_of(note, output, RehearsedEvent::Line::switched, output + (note.on ? " on" : " off"));
+  }
+  void event_of(const Note& note, std::string name, RehearsedEvent::Line line, std::string what) {
+    result_.add({seconds(note.at.time_since_epoch()), std::move(what), 0, note.source, line, std::move(name),
+                 note.on ? 1 : 0});
   }
 
   Rehearsal finish() {
@@ -258,7 +265,7 @@ class Rehearsing {
   const Catalog& catalog_;
   const Duration last_;
   std::vector<Line> text_;
-  std::size_t next_ = 0;  ///< of the text: what is to be sent
+  std::size_t next_ = 0;  ///< index in text_ of the next command to send
   PlannedHands hands_;
   TrackKeeper track_;
   ProgramWatch watch_;

@@ -11,7 +11,7 @@
 namespace hw::vme58 {
 namespace {
 
-/// Parameters that are set by one of two commands.
+/// Parameters set by one of two commands.
 struct Either {
   std::string_view letters, off, on;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// The emulated board of a rehearsal, made like the one that is known: by the text that sets it up.
+// Sets up the emulated board of a rehearsal like the real one, by command text.
 #include <string>
 
 #include "core/device/controller_state.h"
@@ -7,12 +7,12 @@
 
 namespace hw::vme58 {
 
-/// One short command a line, to be sent to a board fresh from power-up.
+/// One short command per line, for a board fresh from power-up.
 [[nodiscard]] std::vector<std::string> text_to_begin_like(const ControllerState& state,
                                                           const Catalog& catalog, const Variant& variant);
-/// What no text can do: encoders of step axes, and the lines that a hand on the bench has to hold.
+/// Sets what no text can set: encoders of step axes, and lines held by the bench.
 void stand_like(Vme58Emulator& emulator, const ControllerState& state);
-/// What was taken in place of what the state does not tell. `moved`: bit per axis.
+/// Assumptions made where the state is unknown. `moved`: bit per axis.
 [[nodiscard]] std::vector<RehearsedAssumption> assumptions(const ControllerState& state,
                                                            const Catalog& catalog, std::uint32_t moved);
 

@@ -1,6 +1,5 @@
 #pragma once
-// What a rehearsal finds out while a board is at work: which switches were run into, what nothing brings to
-// an end.
+// Findings of a rehearsal while the board works: limit switches met, and commands that nothing ends.
 #include <array>
 #include <string>
 #include <vector>
@@ -12,24 +11,24 @@ namespace hw::vme58 {
 
 class ProgramWatch {
  public:
-  /// `line_of`: of the text, by what Note::source counts.
+  /// `line_of`: line of the text, indexed by Note::source.
   ProgramWatch(const Board& board, std::vector<int> line_of) : board_(board), line_of_(std::move(line_of)) {}
 
   void hear(const Note& note);
-  /// A look at a line that showed what it had shown the same command before.
+  /// Whether a look at a line showed the same command the same level as its look before.
   [[nodiscard]] bool is_repeated(const Note& look);
   void stopped(Instant at, int source, std::string reason, int axis = -1, int direction = 0);
   [[nodiscard]] const std::vector<RehearsedStop>& stops() const { return stops_; }
 
-  /// Note::source of the earliest command that is at work in a queue; -1: none, or what it moves goes on.
+  /// Note::source of the earliest command at work in a queue; -1: none, or the motion it began goes on.
   [[nodiscard]] int at_work() const;
 
   struct Unfinished {
-    int source = -1;  ///< as Note::source; -1: the text has not been taken to its end
-    std::string why;  ///< a part of a sentence; empty: no more is known
+    int source = -1;  ///< as Note::source; -1: the text was not fully taken
+    std::string why;  ///< part of a sentence; empty: no more is known
     bool endless = false;
   };
-  /// What goes on at the end of the time.
+  /// The command or motion still going on when the time is over.
   [[nodiscard]] Unfinished unfinished() const;
 
  private:
@@ -42,7 +41,7 @@ class ProgramWatch {
   const Board& board_;
   const std::vector<int> line_of_;
   std::array<int, most_axes> sent_by_{-1, -1, -1, -1, -1, -1, -1, -1};  ///< source of its latest motion
-  std::vector<signed char> last_look_;                                  ///< by source: -1 none yet
+  std::vector<signed char> last_look_;                                  ///< by source; -1: none yet
   std::vector<RehearsedStop> stops_;
 };
 

@@ -66,7 +66,7 @@ Task<Result<>> Programs::feed() {
   co_return co_await end_rejected(std::move(what));
 }
 
-/// It stays said until something else is done.
+/// The rejection stays shown until something else is done.
 Task<Result<>> Programs::end_rejected(std::string what) {
   auto stopped = co_await all_stop_.send("SA");
   if (!stopped && stopped.error().kind == FaultKind::stopped) {
@@ -121,7 +121,7 @@ void Programs::queued_was_rejected(std::string& words) {
   ends_by_ = EndedBy::error;
 }
 
-/// Nobody has seen how it ended, or it will not.
+/// Marks a running program as lost: nobody sees how it ends.
 void Programs::lose() {
   if (is_running()) draft_.program.ended_by = EndedBy::lost;
 }

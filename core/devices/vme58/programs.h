@@ -26,19 +26,20 @@ class Programs {
         draft_(draft) {}
 
   Result<> load(std::string text);
-  /// Told as a listing.
+  /// Shows the program as a listing.
   void show();
   Task<Result<>> run();
   [[nodiscard]] bool is_running() const { return draft_.program.run == RunState::running; }
-  /// Once a round: it has ended when all of it has been taken, every queue is empty and nothing moves.
+  /// Call once a round. A program has ended when all of it has been taken, every queue is empty and no axis
+  /// moves.
   Task<Result<>> watch();
   void end(EndedBy ended_by);
-  /// A stop of the user's own words: nothing of it is fed behind this. ST empties one queue; the others go
+  /// Notes a stop in the user's own text: no more of the program is fed. ST empties one queue; the others go
   /// on.
   void note_stop(const TextCommand& command);
-  /// What had waited in a queue was rejected; `words` say so.
+  /// A queued command was rejected; `words` report it and may be extended here.
   void queued_was_rejected(std::string& words);
-  /// Why the latest one has ended, if it was that.
+  /// Why the latest program was rejected; empty: it was not.
   [[nodiscard]] const std::string& rejection() const { return rejection_; }
   void lose();
   void forget();
@@ -58,7 +59,7 @@ class Programs {
   Feed& feed_;
   Snapshot& draft_;
   std::string text_;
-  EndedBy ends_by_ = EndedBy::target;  ///< once its queues are empty
+  EndedBy ends_by_ = EndedBy::target;  ///< reason to report once its queues are empty
   std::string rejection_;
 };
 

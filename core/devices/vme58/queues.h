@@ -1,5 +1,5 @@
 #pragma once
-// The board's command queues: of each axis, and those of AA and AM beside them (decision M20).
+// The board's command queues: one for each axis, one for AA and one for AM (decision M20).
 #include <functional>
 
 #include "core/device/catalog.h"
@@ -10,25 +10,24 @@ namespace hw::vme58 {
 class Queues {
  public:
   struct Room {
-    unsigned all_free =
-        0;  ///< bit per queue that holds nothing; AA's and AM's stand behind those of the axes
-    bool were_empty = false, empty = false;  ///< all of them, before this and now
+    unsigned all_free = 0;                   ///< bit per empty queue; AA's and AM's after those of the axes
+    bool were_empty = false, empty = false;  ///< all queues, at the previous reading and now
   };
   Queues(const Catalog& catalog, const Selection& selection, Conversation& conversation, Snapshot& draft)
       : catalog_(catalog), selection_(selection), conversation_(conversation), draft_(draft) {}
 
-  /// A full ring or a WQ holds questions back: nothing is known then, and that is no fault.
+  /// Reads the queues. A full ring or a WQ holds questions back: nothing is known then, and that is no fault.
   Task<Result<>> read(Priority priority);
-  /// All of them, when last asked.
+  /// All queues were empty when last read.
   [[nodiscard]] bool empty() const { return empty_; }
-  /// Something was heard of them then.
+  /// At least one queue is known from the last reading.
   [[nodiscard]] bool known() const { return draft_.queue_known != 0; }
-  /// The board reads no further: no queue can be asked for, and the one that the text is meant for is full
-  /// (what waits does not fit: fewer entries are free than it takes).
+  /// The board reads no further: no queue can be read. Shows as full the queue that the latest text
+  /// addresses, as it has fewer free entries than the text takes.
   void show_full();
   void forget();
 
-  /// Whoever makes something of it.
+  /// Called after each reading.
   std::function<void(const Room&)> were_read;
 
  private:

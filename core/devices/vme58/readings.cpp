@@ -21,7 +21,7 @@ tl::unexpected<Fault> rejected_by_board(std::string_view text) {
               fmt::format("The board rejected \"{}\": its status register reports a command error.",
                           without_end(text)),
               "The rest of what it understood was carried out.",
-              "Look at the axis' fitting (servo, step, encoder), the range of the number, and the mode.");
+              "Check the axis' fitting (servo, step, encoder), the range of the number, and the mode.");
 }
 
 // ---- registers
@@ -29,7 +29,7 @@ tl::unexpected<Fault> rejected_by_board(std::string_view text) {
 tl::unexpected<Fault> Readings::nobody_answers() {
   wire_.count_miss();
   return fail(FaultKind::garbled, "No board answers any more: every byte of the window reads FF.",
-              "Nothing was repeated.", "Look at the crate's power and at the board.");
+              "Nothing was repeated.", "Check the crate's power and the board.");
 }
 
 Task<Result<Registers>> Readings::read_registers(Priority priority, bool ask_for_data) {
@@ -97,7 +97,7 @@ Task<Result<>> Readings::read_axes(Priority priority, Copy copy) {
     cycles.push_back(BusCycle::read(1, reg::control));
     auto asked = co_await wire_.run(cycles, priority);
     if (!asked) co_return asked;
-    if (cycles.back().value == 0xFF) co_return nobody_answers();  // and nobody has heard it
+    if (cycles.back().value == 0xFF) co_return nobody_answers();  // so the request was not received
   }
   const Instant give_up = wire_.now() + update_patience;
   const int whole = whole_.next(axes());
@@ -121,7 +121,7 @@ Task<Result<>> Readings::read_axes(Priority priority, Copy copy) {
     }
   }
   take_values(cycles);
-  listener_.axes_read(whole, looked_at);  // the copy is no newer
+  listener_.axes_read(whole, looked_at);  // the copy is not newer than this
   seen_ = true;
   co_return Result<>();
 }

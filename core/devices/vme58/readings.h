@@ -1,7 +1,7 @@
 #pragma once
-// What is read in the window: the registers, and the board's copy of its axis data. Reading the done and slip
-// registers clears them, for everybody: they are not read here (decisions M31, M32). Reading the limit
-// register clears only a hit that is over, and is remembered.
+// Readings of the window: the registers, and the board's copy of its axis data. Reading the done and slip
+// registers clears them for all hosts, so they are not read here (decisions M31, M32). Reading the limit
+// register clears only a hit that is over, which is remembered.
 #include <array>
 #include <vector>
 
@@ -19,58 +19,58 @@ struct Registers {
   [[nodiscard]] bool started() const { return (status & status::initialized) != 0; }
 };
 
-/// Its status register reports a command error behind `text`.
+/// The fault for a command error reported after `text`.
 tl::unexpected<Fault> rejected_by_board(std::string_view text);
 
 class Readings {
  public:
-  /// Whoever makes something of it.
+  /// Receives the readings.
   class Listener {
    public:
     virtual ~Listener() = default;
     virtual void registers_read(const Registers& registers) = 0;
-    /// Three values of each axis, and all of axis `whole`.
+    /// Three values of each axis were read, and all of axis `whole`.
     virtual void axes_read(int whole, Instant at) = 0;
   };
-  /// When the board is told to copy its axis data: with the reading of the registers, or by itself.
+  /// Whether the board was already asked to copy its axis data, with the registers, or must be asked now.
   enum class Copy : std::uint8_t { is_asked_for, ask };
 
   Readings(Wire& wire, const Catalog& catalog, Snapshot& draft, Listener& listener)
       : wire_(wire), catalog_(catalog), draft_(draft), listener_(listener) {}
 
   // ---- registers
-  /// With `ask_for_data` the board is told to copy the axis data, in the same burst.
+  /// `ask_for_data`: asks the board in the same burst to copy the axis data.
   Task<Result<Registers>> read_registers(Priority priority, bool ask_for_data);
   void take(const Registers& registers);
   Task<Result<>> look_at_registers(Priority priority, bool ask_for_data = false);
   /// The status register, as last read.
   [[nodiscard]] std::uint8_t status() const { return status_; }
-  /// A command error stays until the status register is read, which clears it: it is asked for here, and told
-  /// to one asker.
+  /// Reads the status register, which clears the command error in the board, and returns whether one was
+  /// pending. Each error is reported to one caller only.
   Task<Result<bool>> was_rejected(Priority priority);
   bool take_command_error();
   void put_back_command_error() { command_error_ = true; }
   void forget_command_error() { command_error_ = false; }
 
   // ---- data area
-  /// Waits for the board's copy. Three values of each axis, and all of one axis in turn.
+  /// Waits for the board's copy, then reads three values of each axis and all of one axis in turn.
   Task<Result<>> read_axes(Priority priority, Copy copy = Copy::ask);
   Task<Result<>> read_all(Priority priority);
-  /// All of this axis comes next.
+  /// The next read_axes() reads all values of this axis.
   void next_is(int axis) { whole_.jump_to(axis); }
-  /// How soon a copy is looked for: a recording wants each one.
+  /// Time before the first look for a copy; a recording needs every copy.
   void look_after(Duration time) { first_look_ = time; }
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;
-  /// It is known before it comes to be read in turn.
+  /// Sets a value known before its turn to be read.
   void know(int axis, AxisValue v, std::int64_t value);
-  /// By its velocity, and only where that has been read since the connection.
+  /// By its velocity; false until that has been read since the connection.
   [[nodiscard]] bool moving(int axis) const;
-  /// Before the reading that is being told of.
+  /// Whether the axes had been read since the connection, before the reading now being reported.
   [[nodiscard]] bool seen() const { return seen_; }
-  /// The connection is gone, or the board was reset.
+  /// The connection was lost, or the board was reset.
   void forget();
 
-  /// For whoever looks into the memory: rings, indexes and mailbox.
+  /// Reads rings, indexes and mailbox, for the memory map.
   Task<Result<>> read_rings(Priority priority);
   static constexpr Duration copy_time = std::chrono::microseconds(1000);  ///< decision M26: about 1 ms
 
@@ -84,9 +84,9 @@ class Readings {
   Snapshot& draft_;
   Listener& listener_;
   std::uint8_t status_ = 0;
-  bool command_error_ = false;  ///< seen in the status register and not told yet
+  bool command_error_ = false;  ///< seen in the status register, not yet reported
   std::array<AxisData, max_axes> data_{};
-  bool seen_ = false;  ///< they have been read since the connection
+  bool seen_ = false;  ///< data_ was read since the connection
   InTurn whole_;       ///< the axis that is read whole
   Duration first_look_ = copy_time;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// A recording of one axis, for the tuning view: a sample of each copy of the data area that the board makes.
+// Records one axis for the tuning view: one sample per copy of the data area made by the board.
 #include <functional>
 
 #include "core/device/intent.h"

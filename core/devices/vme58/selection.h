@@ -1,6 +1,6 @@
 #pragma once
-// Whom the next text speaks to. The board has one addressed axis for everybody: what the console sends begins
-// with the axis that it means and ends with the one that the user's own text has selected.
+// The axis that the next text addresses. The board has one selection for all hosts: each text of the console
+// starts by selecting its own axis and ends by restoring the one that the user's text has selected.
 #include <array>
 #include <string>
 #include <string_view>
@@ -18,25 +18,26 @@ class Selection {
   /// As the user's text has left it.
   [[nodiscard]] const Context& context() const { return context_; }
   [[nodiscard]] std::string selector() const { return context_.selector(); }
-  /// Between CD and CE: whatever is put now becomes part of a contour.
+  /// Between CD and CE: text put now becomes part of a contour.
   [[nodiscard]] bool recording() const { return context_.recording; }
   void set(const Context& context) { context_ = context; }
-  /// The user's text has said this.
+  /// Follows a command of the user's text.
   void hear(const TextCommand& command) { follow(command, context_); }
   void set_recording(bool on) { context_.recording = on; }
 
-  /// The board may stand elsewhere than the user's text has left it: text was taken back, perhaps half way
-  /// between two selectors.
+  /// The board's selection may differ from that of the user's text: text was taken back, perhaps between two
+  /// selectors.
   [[nodiscard]] bool is_lost() const { return lost_; }
   void lose() { lost_ = true; }
   void is_said() { lost_ = false; }
-  /// A recording has ended, on the board too: by a selector, or because it ends with the connection.
+  /// A recording has ended, also on the board: by a selector, or with the connection. Returns whether one was
+  /// under way.
   bool end_recording();
   /// The board has been reset.
   void forget();
 
-  /// `selector` and what it is to hear, then back to the user's. The console counts in counts: user units are
-  /// put aside for its own text (they act when a command is read).
+  /// `selector`, then `text`, then the user's selector. The console's numbers are counts, so user units are
+  /// off during its text (they act when a command is read).
   [[nodiscard]] std::string addressed(std::string_view selector, std::string_view text) const;
   [[nodiscard]] std::string addressed(int axis, std::string_view text) const;
   /// UU of one axis; 0: off.

@@ -7,7 +7,7 @@ namespace {
 
 bool sets_speed(Op op) { return op == Op::VL || op == Op::VB || op == Op::AC; }
 
-/// In one spelling, with whom it is for.
+/// A command in normalised spelling, with the axes it addresses.
 std::string spelt(const TextCommand& command) {
   if (!command.fact) return std::string(command.text);
   std::string text = command.context.recording ? "contour" : command.context.selector();
@@ -20,7 +20,7 @@ std::string spelt(const TextCommand& command) {
   return text;
 }
 
-/// One that nothing has been said to.
+/// Drops a trailing selector that no command follows.
 void drop_address(Deeds& deeds) {
   if (!deeds.empty() && !deeds.back().sets.empty()) deeds.pop_back();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Command strings as far as they go from steps to texts and back.
+// Helpers to convert sequence steps to command strings and back.
 #include <string_view>
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace hw::vme58 {
 
 [[nodiscard]] Deeds deeds_of(std::string_view text);
 
-/// What commands in the middle of those for all axes may leave otherwise.
+/// What a user's commands may change for the AA commands that follow.
 struct TextEffects {
   bool addresses = false;  ///< others than all axes
   bool moves = false, speeds = false, records = false;

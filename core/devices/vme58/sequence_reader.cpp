@@ -18,7 +18,7 @@
 namespace hw::vme58 {
 namespace {
 
-namespace seq = sequence;  // its names are those of commands too
+namespace seq = sequence;  // its names are also those of commands
 
 class BlockReader {
  public:
@@ -69,7 +69,7 @@ class BlockReader {
       i = read_one(i, to, list);
     }
   }
-  /// Where the next one begins.
+  /// Adds a step. Returns the index of the next command.
   std::size_t put(seq::Step::Body body, std::size_t from, std::size_t behind, ReadSteps& list) {
     list.push_back({std::move(body), stretch(from, behind)});
     remarks_.pass(list.back());
@@ -111,7 +111,7 @@ class BlockReader {
     }
   }
 
-  /// Its numbers by place of the axes; none: one is of an axis that is not among them.
+  /// The numbers of a command by place of the axes; none: one belongs to an axis not among them.
   [[nodiscard]] std::optional<std::array<std::optional<double>, max_axes>> numbers_of(
       const TextCommand& c) const {
     std::array<std::optional<double>, max_axes> all{};
@@ -157,7 +157,7 @@ class BlockReader {
     if (value != 0) return leave("a block homes to 0", i, i + 1, list);
     return put(seq::Home{place, c.is(Op::HM) ? Sign::plus : Sign::minus, {}}, i, i + 1, list);
   }
-  /// By itself, or in front of what needs the queue empty.
+  /// Reads a WA by itself, or one before commands that need an empty queue.
   std::size_t read_wait(std::size_t i, ReadSteps& list) {
     if (is(i + 1, Op::WQ) && is(i + 2, Op::CV)) return read_recording(i, i + 2, list);
     if (const std::size_t end = end_of_stairs(i)) return read_stairs(i, end, list);
@@ -168,7 +168,7 @@ class BlockReader {
     return put(seq::Output{first_auxiliary + commands_[i + 3].context.axis, is(i + 3, Op::AN), 0}, i, i + 5,
                list);
   }
-  /// Behind "WA WQ AX MP MV... SP WQ AA WA"; 0: it is something else.
+  /// The index after "WA WQ AX MP MV... SP WQ AA WA"; 0: something else stands there.
   [[nodiscard]] std::size_t end_of_stairs(std::size_t i) const {
     std::size_t at = i + 1;
     const auto next = [&](Op op) { return is(at, op) && commands_[at].flaw.empty() && ++at; };
@@ -219,7 +219,7 @@ class BlockReader {
 
   // ---- speeds
 
-  /// One of all axes, in the order of the writer.
+  /// Reads a speed step of all axes, in the writer's order.
   std::size_t read_speeds(std::size_t i, ReadSteps& list) {
     std::size_t behind = i;
     std::array<bool, 3> told{};
@@ -258,7 +258,7 @@ class BlockReader {
     }
     return false;
   }
-  /// As the writer tells it.
+  /// Whether a ramp of `ms` gives the rates as the writer computes them.
   [[nodiscard]] bool has_ramp(double ms) const {
     for (std::size_t a = 0; a < out_.axes.size(); ++a)
       if (std::round((told_[a].high - told_[a].low) / (ms / 1000)) != told_[a].rate) return false;
@@ -266,12 +266,12 @@ class BlockReader {
   }
 
   struct Told {
-    double high = 0, low = 0, rate = 0;  ///< counts; 0: by nobody
+    double high = 0, low = 0, rate = 0;  ///< in counts; 0: not set
   };
   const std::string plain_;  ///< TextCommand::text is of it
   const Catalog& catalog_;
   std::vector<TextCommand> commands_;
-  std::vector<std::size_t> end_of_;  ///< of the head of a loop
+  std::vector<std::size_t> end_of_;  ///< end of the loop with this head
   TextRemarks remarks_;
   ReadText out_;
   std::array<Told, max_axes> told_{};

@@ -1,5 +1,5 @@
 #pragma once
-// Command strings as sequences: what the writer beside it would write, and whatever else says the same.
+// Reads command strings as sequences: the writer's own output, and any other text with the same meaning.
 #include "core/base/result.h"
 #include "core/device/catalog.h"
 #include "core/device/sequence_text.h"

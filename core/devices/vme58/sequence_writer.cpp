@@ -15,7 +15,7 @@
 namespace hw::vme58 {
 namespace {
 
-namespace seq = sequence;  // its names are those of commands too
+namespace seq = sequence;  // its names are also those of commands
 
 constexpr int deepest_levels = 4;  // data sheet, LS
 
@@ -40,7 +40,7 @@ class Writer {
     return say_speeds(all, {});
   }
   Result<> write(const seq::Move& m);
-  /// By itself: a contour of one piece.
+  /// A single arc: a contour of one piece.
   Result<> write(const seq::Arc& a) {
     const auto [right, up] = a.plane;
     if (!draft_.has(a.plane)) return draft_.refuse("an arc needs two axes.");
@@ -157,7 +157,7 @@ Result<> Writer::say_speeds(std::span<const int> axes, const seq::OwnSpeeds& own
     const double per_s2 = static_cast<double>(wanted->high - wanted->low) / (wanted->ramp_ms / 1000);
     rate[place] = std::clamp<std::int64_t>(std::llround(per_s2), 1, acceleration_max);
     if (per_s2 > static_cast<double>(acceleration_max))
-      draft_.remark(fmt::format("a ramp of {} ms cannot be had: {} counts/s² is the steepest.",
+      draft_.remark(fmt::format("a ramp of {} ms is not possible: {} counts/s² is the steepest.",
                                 wanted->ramp_ms, acceleration_max));
     any_rate = true;
   }
@@ -208,8 +208,8 @@ Result<> Writer::write(const seq::Output& o) {
   return {};
 }
 
-// AN and AF are of the queue of one axis, which does not wait for that of all: WA keeps the latter from
-// running empty before its motion has ended, and WQ the board from reading on.
+// AN and AF go into the queue of one axis, which does not wait for that of AA. WA keeps the AA queue from
+// running empty before its motion has ended, and WQ keeps the board from reading on until then.
 Result<> Writer::switch_auxiliary(int axis, bool on) {
   if (depth_ > 0)
     return draft_.refuse(
@@ -235,8 +235,8 @@ Result<> Writer::write(const seq::Repeat& l) {
   return written;
 }
 
-// There is room for one recording. The next one is taken when the one before has been played and what it
-// moved stands: WA keeps the queue from running empty until then, and WQ the board from reading on.
+// The board has room for one recording. The next one must wait until the previous one has been played and its
+// axes stand: WA keeps the queue from running empty until then, and WQ keeps the board from reading on.
 Result<> Writer::write(const seq::Contour& c) {
   if (depth_ > 0)
     return draft_.refuse("a VME58 records a contour as soon as it reads it, so it cannot stand in a loop.");
@@ -256,8 +256,8 @@ Result<> Writer::write(const seq::Contour& c) {
   return {};
 }
 
-// MP and MM say which way, MV runs at a speed up to a position, SP comes to rest (decision M84). They are of
-// the queue of their axis: what stands before and behind them waits as for an auxiliary output.
+// MP and MM set the direction, MV runs at a speed up to a position, SP comes to rest (decision M84). They go
+// into the queue of their axis: commands before and after them wait as for an auxiliary output.
 Result<> Writer::write(const seq::SpeedStairs& s) {
   if (depth_ > 0)
     return draft_.refuse("speed stairs stand in the queue of their axis, which knows no loop of all.");

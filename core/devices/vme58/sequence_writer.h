@@ -1,5 +1,5 @@
 #pragma once
-// Sequences as command strings of the AA mode, where one motion follows the other. Contours and arcs are
+// Writes sequences as command strings in AA mode, where motions follow one another. Contours and arcs are
 // recorded and played (data sheet, "Constant Velocity Contouring").
 #include "core/base/result.h"
 #include "core/device/catalog.h"
@@ -9,7 +9,7 @@
 
 namespace hw::vme58 {
 
-/// `refused`: collects what PartialWriter tells of; null: the first step that is refused is the end.
+/// `refused`: collects the steps that PartialWriter reports; null: the first refused step ends the writing.
 [[nodiscard]] Result<SequenceText> write_sequence(const sequence::Sequence& sequence, const Catalog& catalog,
                                                   std::vector<RefusedStep>* refused = nullptr);
 

@@ -23,8 +23,8 @@ Task<Result<>> ServoDrive::set_position(intent::SetPosition wish) {
   co_return Result<>();
 }
 
-// LP loads both counters (decision M92). Whether with the same number, or so that a closed loop keeps its
-// error, shows in what is read then. It is the encoder that has to read `wanted`.
+// LP loads both counters (decision M92): with the same number, or so that a closed loop keeps its error. The
+// next reading shows which. The encoder must then read `wanted`.
 Task<Result<>> ServoDrive::load_positions(int axis, Steps wanted) {
   for (int attempt = 0; attempt < 2; ++attempt) {
     auto read = co_await readings_.read_axes(Priority::intent);
@@ -71,8 +71,8 @@ Task<Result<>> ServoDrive::may_close(int axis, intent::Closing answer, std::stri
                  "Take the place where it stands as its command first, or let it be driven there.");
 }
 
-// Of an open loop, or one that the board has not told of. What a board does with the error when HN closes it
-// the data sheet does not say.
+// Asks before closing a loop that is open or unknown: the data sheet does not say what a board does with the
+// error when HN closes the loop.
 Task<Result<>> ServoDrive::switch_loop(int axis, bool on, intent::Closing answer) {
   const bool was_far = draft_.axes[axis].far_off;
   if (on && loops_.closed(axis) != true) {
@@ -82,7 +82,7 @@ Task<Result<>> ServoDrive::switch_loop(int axis, bool on, intent::Closing answer
     if (!may) co_return may;
   }
   std::string text = selection_.addressed(axis, on ? "HN" : "HF");
-  motions_.counts(axis);  // the board may take the place of the shaft as its command
+  motions_.counts(axis);  // the board may take the shaft position as its command
   auto sent = co_await commands_.say(std::move(text), Priority::intent);
   if (!sent) next_.asks_loops();
   if (!sent) co_return sent;
@@ -119,15 +119,14 @@ Task<Result<>> ServoDrive::may_drive(const Parameter& parameter, std::int64_t va
   std::string state = fmt::format("The gains KP and KI of {} are 0", name(axis));
   std::string consequence = fmt::format("{} drives the motor there at once.", set);
   if (values_.drives(axis)) {
-    state = fmt::format("{} does not come where it was sent", name(axis));
+    state = fmt::format("{} does not reach its target", name(axis));
     consequence = fmt::format("{} drives it harder: when it comes free it goes there at once.", set);
   }
   co_return co_await may_close(axis, answer, std::move(state), std::move(consequence));
 }
 
-// With the loop open LP loads both counters with the same number on any reading of the data sheet: that of
-// the encoder, which stays true. HN stands in the same text, so the motor is free for no longer than the
-// board takes to read it.
+// With the loop open, LP loads both counters with the same number on any reading of the data sheet: that of
+// the encoder, which stays true. HN is in the same text, so the motor is free only while the board reads it.
 Task<Result<>> ServoDrive::take_place(int axis) {
   if (motions_.moving(axis))
     co_return fail(FaultKind::refused, fmt::format("Axis {} is still moving.", name(axis)),
@@ -137,7 +136,7 @@ Task<Result<>> ServoDrive::take_place(int axis) {
   std::string text =
       selection_.addressed(axis, closed ? fmt::format("HF LP{} HN", here) : fmt::format("LP{}", here));
   motions_.counts(axis);
-  if (motions_.ours(axis)) motions_.end(axis, EndedBy::stop);  // what it was sent to is not wanted any more
+  if (motions_.ours(axis)) motions_.end(axis, EndedBy::stop);  // its target is no longer wanted
   auto sent = co_await commands_.say(std::move(text), Priority::intent);
   if (!sent) next_.asks_loops();
   if (!sent) co_return sent;
@@ -148,7 +147,7 @@ Task<Result<>> ServoDrive::take_place(int axis) {
   co_return fail(FaultKind::controller,
                  fmt::format("The place of {} was to become its command, which stands {} counts from there.",
                              name(axis), std::abs(draft_.axes[axis].following_error().value)),
-                 "Nothing else was sent.", "Look whether it moves.");
+                 "Nothing else was sent.", "Check whether it moves.");
 }
 
 }  // namespace hw::vme58

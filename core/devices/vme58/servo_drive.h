@@ -1,6 +1,6 @@
 #pragma once
-// What closes the loop of a servo axis, or makes it drive harder, is asked about while it stands far off. And
-// what sets its place.
+// Commands that close the loop of a servo axis or make it drive harder, with a question to the user while the
+// axis is far off; and commands that set its position.
 #include "core/device/intent.h"
 #include "core/devices/vme58/commands.h"
 #include "core/devices/vme58/motions.h"
@@ -22,11 +22,11 @@ class ServoDrive {
         catalog_(catalog),
         draft_(draft) {}
 
-  /// HN closes the loop, HF opens it: the motor is free then.
+  /// HN closes the loop; HF opens it and leaves the motor free.
   Task<Result<>> switch_loop(int axis, bool on, intent::Closing answer);
   Task<Result<>> set_power(intent::SetPower wish);
-  /// A gain that makes a closed loop act on its error. One that follows its command, or settles, may be
-  /// tuned.
+  /// Whether a gain may be set that makes a closed loop act on its error. A loop that follows its command, or
+  /// settles, may be tuned.
   Task<Result<>> may_drive(const Parameter& parameter, std::int64_t value, intent::Closing answer);
   Task<Result<>> set_position(intent::SetPosition wish);
 

@@ -11,13 +11,13 @@
 namespace hw::vme58 {
 namespace {
 
-/// Errors up to this are what loops at work have: a few degrees of the usual encoders. A motor that is driven
-/// over more moves its stage visibly, and at full output. A greater deadband says that more is usual here.
+/// Errors up to this many counts are normal for working loops: a few degrees of the usual encoders. Over
+/// more, the motor moves its stage visibly, at full output. A greater deadband raises the limit.
 constexpr std::int64_t large_error = 100;
 
 }  // namespace
 
-/// HD shows nowhere: it is known while the console has set it.
+/// The board does not show HD: it is known only if the console has set it.
 std::int64_t ServoLoops::deadband(int axis) const {
   const auto set = values_.known(axis, "HD");
   return set && *set > 0 ? *set : usual_deadband;
@@ -73,12 +73,12 @@ EndedBy ServoLoops::judged(int i, EndedBy ended_by) {
   next_.asks_loops();
   const AxisState& axis = draft_.axes[i];
   wire_.tell(Notice::Kind::warning,
-             fmt::format(
-                 "{0} has not come where it was sent: 2 s after its command has ended its encoder stands at "
-                 "{1}, {2} counts from there. {3}",
-                 catalog_.axes[ix(i)].name, axis.encoder.value, std::abs((axis.command - axis.encoder).value),
-                 values_.drives(i) ? "Look what holds it, and at its gains."
-                                   : "Nothing drives it: its gains KP and KI read 0."));
+             fmt::format("{0} did not reach its target: 2 s after its command has ended its encoder stands "
+                         "at {1}, {2} counts from there. {3}",
+                         catalog_.axes[ix(i)].name, axis.encoder.value,
+                         std::abs((axis.command - axis.encoder).value),
+                         values_.drives(i) ? "Check what holds it, and its gains."
+                                           : "Nothing drives it: its gains KP and KI read 0."));
   return EndedBy::not_in_place;
 }
 

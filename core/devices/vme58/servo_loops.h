@@ -1,10 +1,10 @@
 #pragma once
-// Servo axes: where they stand is where their encoder stands, so a motion has ended when that has come to
-// where the command has.
+// Servo axes: their position is that of the encoder, so a motion has ended when the encoder has reached the
+// end of the command.
 //
-// A stop and a jog have no place to come to: an axis that the console, or a text, stops rests when its
-// command rests, and shows its following error. Relative moves add to the command, not to the encoder, or
-// each would carry on the error of the one before.
+// A stop or a jog has no target: an axis stopped by the console or a text rests when its command rests, and
+// shows its following error. Relative moves add to the command, not to the encoder, as each would otherwise
+// inherit the error of the previous one.
 #include <array>
 #include <optional>
 
@@ -23,30 +23,30 @@ class ServoLoops {
       : wire_(wire), catalog_(catalog), values_(values), next_(next), draft_(draft) {}
 
   // ---- loops
-  /// As EA, HN or HF have told; none: not known.
+  /// Sets the loop state learned from EA, HN or HF; none: not known.
   void know(int axis, std::optional<bool> closed);
   [[nodiscard]] std::optional<bool> closed(int axis) const { return at(axis).closed; }
   [[nodiscard]] bool is_servo(int axis) const { return catalog_.axes[static_cast<std::size_t>(axis)].servo; }
 
   // ---- places
-  /// One reading of command and encoder, which are shown already. `turns`: its command is on its way.
+  /// Takes a reading of command and encoder, which are already shown. `turns`: the command is moving.
   void look(int axis, Instant at, bool turns);
-  /// Its motion is to end somewhere: it is no jog, and not cut short by a stop.
+  /// Whether the motion has a target: no jog, and not cut short by a stop.
   void goes_to_place(int axis, bool it_does);
-  /// It follows something else than its command.
+  /// The axis follows something other than its command.
   void leaves_its_place(int axis) { at(axis).goes_to_place = false; }
-  /// A new motion: how the one before ended is not asked any more.
+  /// A new motion begins: the end of the previous one is no longer judged.
   void begins(int axis, bool to_a_place);
-  /// Something else than its command sends it on its way.
+  /// Something other than its command makes the axis move.
   void begins_to_settle(int axis);
-  /// Its command has ended, and its encoder has yet to show whether it came there.
+  /// The command has ended, and the encoder has yet to show whether the axis arrives.
   [[nodiscard]] bool settles(int axis) const;
-  /// So it is, and its command has long been there: it may be sent on.
+  /// The axis settles and its command has ended: it may be sent on.
   [[nodiscard]] bool only_settles(int axis) const { return settles(axis) && at(axis).place.settles(); }
-  /// What seems to have come to its target has not while its encoder stands elsewhere. Told once.
+  /// Corrects an apparent arrival if the encoder is elsewhere, and warns. Reported once.
   EndedBy judged(int axis, EndedBy ended_by);
 
-  /// Raw text goes as it is typed; it is said what it did. True: it may drive its axis there.
+  /// Raw text is sent as typed; this warns of its effect. True: it may drive its axis there.
   bool warn_of_closing(const TextCommand& command);
   void forget();
 
@@ -55,7 +55,7 @@ class ServoLoops {
     ServoPlace place;
     std::optional<bool> closed;
     bool goes_to_place = true;
-    bool settling = false;  ///< a motion to a place was seen, and nobody has said yet how it ended
+    bool settling = false;  ///< a motion to a target was seen, its end not yet judged
   };
   [[nodiscard]] Axis& at(int axis) { return axes_[static_cast<std::size_t>(axis)]; }
   [[nodiscard]] const Axis& at(int axis) const { return axes_[static_cast<std::size_t>(axis)]; }

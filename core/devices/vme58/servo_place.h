@@ -1,5 +1,5 @@
 #pragma once
-// Whether a servo axis has come to where it is sent, by what is seen of its command and its encoder.
+// Decides from readings of command and encoder whether a servo axis has reached its target.
 #include <cstdint>
 #include <optional>
 
@@ -8,29 +8,31 @@
 
 namespace hw::vme58 {
 
-/// HD where it is set; else what HD leaves open (decision M80: it starts at 0, which no loop holds).
+/// Deadband in counts where HD is not set (decision M80: HD starts at 0, which no loop holds).
 inline constexpr std::int64_t usual_deadband = 10;
 
 class ServoPlace {
  public:
-  static constexpr Duration to_be_sure = Millis(100);            ///< so long within the band: it is in place
-  static constexpr Duration patience = std::chrono::seconds(2);  ///< and after so long without that it is not
+  static constexpr Duration to_be_sure = Millis(100);  ///< in place after this time in the band
+  static constexpr Duration patience =
+      std::chrono::seconds(2);  ///< off its place after this time without that
 
-  /// One reading. `turns`: its command is on its way. What stands when it is first seen has long stood there.
+  /// Takes a reading. `turns`: the command is moving. An axis at rest when first seen counts as having stood
+  /// there for long.
   void look(Instant at, bool turns, std::int64_t error, std::int64_t band);
-  /// Something else than its command sends it on its way: it has as long to come there as behind a command.
+  /// Something other than its command makes the axis move: it gets as much time to arrive as after a command.
   void begin(Instant at);
-  /// following, in_place or off_place; unknown: nothing has been seen yet.
+  /// following, in_place or off_place; unknown: no reading yet.
   [[nodiscard]] Loop place() const { return place_; }
-  /// Nobody can say yet whether it comes there.
+  /// It is not yet decided whether the axis arrives.
   [[nodiscard]] bool undecided() const { return place_ == Loop::following; }
-  /// So it is, and its command has ended.
+  /// Undecided, and the command has ended.
   [[nodiscard]] bool settles() const { return undecided() && !turns_; }
 
  private:
   Loop place_ = Loop::unknown;
   bool turns_ = false;
-  Instant due_since_{};  ///< its command has stood since then, or it has left its place then
+  Instant due_since_{};  ///< when the command stopped, or the axis left its place
   std::optional<Instant> within_since_;
 };
 

@@ -32,7 +32,7 @@ Task<Result<>> Setup::set(intent::SetParam wish) {
   co_return co_await look_what_came(*place, wish.value);
 }
 
-/// AC, VL and VB wait in the axis' queue: what the board shows may come later.
+/// AC, VL and VB wait in the axis' queue: the board may show the new value later.
 Task<Result<>> Setup::look_what_came(std::size_t place, std::int64_t wanted) {
   const Parameter& parameter = values_.at(place);
   OwnSetting* const own = speeds_.shown_at(parameter.fact->shown);

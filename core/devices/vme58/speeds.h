@@ -1,10 +1,10 @@
 #pragma once
-// At which speed an axis goes, and how it comes there: VL and AC.
+// Speed and acceleration of the axes: VL and AC.
 #include "core/devices/vme58/own_setting.h"
 
 namespace hw::vme58 {
 
-/// Of one motion, in whole counts; 0: as the axis is set.
+/// Pace of one motion, in whole counts; 0: as set for the axis.
 struct WholePace {
   std::int64_t speed = 0, acceleration = 0;
 };
@@ -20,7 +20,7 @@ class Speeds {
 
   OwnSetting velocity, acceleration;
 
-  /// What the pace has of its own is borrowed, the rest is as the user has it.
+  /// Borrows the settings that `pace` gives; the others keep the user's values.
   Task<Result<>> borrow(int axis, WholePace pace);
   Task<Result<>> give_back(int axis, Priority priority);
   Task<Result<>> give_all_back(Priority priority);
@@ -32,7 +32,7 @@ class Speeds {
   void take(int axis) { velocity.take(axis), acceleration.take(axis); }
   void wire_lost() { velocity.wire_lost(), acceleration.wire_lost(); }
   void forget() { velocity.forget(), acceleration.forget(); }
-  /// The one whose cell this is; null: neither.
+  /// The setting shown in `cell`; null: neither.
   OwnSetting* shown_at(std::optional<AxisValue> cell);
 };
 

@@ -37,11 +37,11 @@ Task<Result<>> StatusQuestions::ask_in_turn() {
       motions_.all_worked_off();
     }
   }
-  if (!may_ask && !turning) draft_.working = false;  // nobody can tell
+  if (!may_ask && !turning) draft_.working = false;  // the queues cannot be read
   co_return co_await speeds_.give_all_back(Priority::poll);
 }
 
-// An axis may work at what others have sent; what is not empty is read until it is.
+// An axis may be working at commands of other hosts; a queue that is not empty is read until it is.
 bool StatusQuestions::wants_queues() {
   bool matters = draft_.working || watches(queue_group) || draft_.program.run == RunState::running;
   bool at_once = next_.takes_queues(draft_.any_axis_moving());
@@ -83,7 +83,7 @@ Task<Result<>> StatusQuestions::read_flags() {
   co_return Result<>();
 }
 
-// Or somebody looks at the registers.
+// Also reads the flags for the memory map.
 bool StatusQuestions::wants_done() const {
   if ((readings_.status() & status::done) == 0) return false;
   return motions_.waits_for_done() || (watches(memory_group) && in_turn());
@@ -124,7 +124,7 @@ void StatusQuestions::take_slip_flag(bool any) {
   }
 }
 
-/// In the readout of that axis, where it has one.
+/// Shows a value in the readout of that axis, if it has one.
 void StatusQuestions::show(std::string_view letters, int axis, std::optional<std::int64_t> value) {
   const int place = catalog_.find_readout(fmt::format("{}{}", letters, catalog_.axes[ix(axis)].name));
   if (place < 0) return;
@@ -133,7 +133,7 @@ void StatusQuestions::show(std::string_view letters, int axis, std::optional<std
   draft_.readouts_seen_at[ix(place)] = wire_.now();
 }
 
-// RL leaves the flags as they are. Of a flag that was seen before nothing more is told.
+// RL leaves the flags as they are. A flag that was seen before is not reported again.
 Task<Result<>> StatusQuestions::read_slips() {
   const auto before = slips_;
   const ReplyForm form{ReplyForm::Of::slips, axes()};
@@ -142,11 +142,11 @@ Task<Result<>> StatusQuestions::read_slips() {
   for (int i = 0; i < axes() && ix(i) < reply->size(); ++i)
     if ((*reply)[ix(i)] == 'S' && !bit(slips_, i)) slipped(i);
   draft_.window.put(reg::slip, 1, slips_);
-  if (slips_ != before) co_return co_await read_loops();  // TN opens the loop then
+  if (slips_ != before) co_return co_await read_loops();  // with TN a slip opens the loop
   co_return Result<>();
 }
 
-// A step motor that has slipped is not where its count says; a servo motor is where its encoder is.
+// After a slip the count of a step motor is wrong; a servo motor is where its encoder is.
 void StatusQuestions::slipped(int i) {
   slips_ = static_cast<std::uint8_t>(slips_ | 1u << i);
   draft_.axes[i].slipped = true;

@@ -1,5 +1,6 @@
 #pragma once
-// What a round of status asks by command, while the board takes commands: flags, slips, loops and queues.
+// Questions that a status round asks by command, while the board takes commands: flags, slips, loops and
+// queues.
 #include <optional>
 #include <string_view>
 
@@ -30,12 +31,13 @@ class StatusQuestions {
   [[nodiscard]] bool watches(int group) const { return bit(watched_, group); }
   void begins() { ++number_; }
   Task<Result<>> ask_in_turn();
-  /// No question comes through, and a motion of ours may have ended.
+  /// Reads the done register if a motion of ours may have ended. Also for rounds in which no question gets
+  /// through.
   Task<Result<>> look_at_done();
-  /// Every queue is empty and nothing turns. What AM has begun leaves its queue at once, and a switch may
-  /// just have emptied one: switches and axes are looked at after the queues.
+  /// Whether every queue is empty and no axis turns. Switches and axes are read after the queues: motions of
+  /// AM leave their queue at once, and a switch may just have emptied one.
   Task<Result<bool>> is_worked_off();
-  /// The status register tells whether any axis has slipped.
+  /// `any`: the status register reports that some axis has slipped.
   void take_slip_flag(bool any);
   void forget() { slips_ = 0; }
 

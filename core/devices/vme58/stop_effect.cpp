@@ -9,9 +9,9 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr Duration effect_time = Millis(60);             // so that what is in vain is seen within 100 ms
-constexpr Duration kill_time = std::chrono::seconds(2);  // KL is sent again for so long
-constexpr double longest_shape = 3;  // a ramp of PN10 against a straight one, and a little
+constexpr Duration effect_time = Millis(60);             // so that a stop in vain is seen within 100 ms
+constexpr Duration kill_time = std::chrono::seconds(2);  // KL is repeated for this long
+constexpr double longest_shape = 3;  // a PN10 ramp relative to a straight one, and a margin
 constexpr Duration ramp_margin = std::chrono::seconds(1);
 
 }  // namespace
@@ -54,8 +54,8 @@ double StopEffect::acceleration(int axis) const {
   return static_cast<double>(std::max<std::int64_t>(1, readings_.value(axis, AxisValue::acceleration)));
 }
 
-/// The board shows whole counts/s, and a rounded ramp (PN, CN) begins and ends gently: so long it may show
-/// nothing.
+/// How long a slowing axis may show no loss of speed: the board shows whole counts/s, and a rounded ramp (PN,
+/// CN) begins and ends gently.
 Duration StopEffect::effect_patience(int axis, const SlowDown& seen) const {
   return effect_time +
          from_seconds((20 + 2 * std::sqrt(static_cast<double>(seen.first))) / acceleration(axis));

@@ -1,5 +1,5 @@
 #pragma once
-// What the speeds of the axes show of a stop.
+// The effect of a stop, as the speeds of the axes show it.
 #include <array>
 #include <optional>
 
@@ -12,24 +12,24 @@ class StopEffect {
   StopEffect(const Wire& wire, const Readings& readings, const Motions& motions, const Catalog& catalog)
       : wire_(wire), readings_(readings), motions_(motions), catalog_(catalog) {}
 
-  /// Of one axis, or of all (-1).
+  /// The state of one axis, or of all (-1).
   struct Seen {
     bool turns = false;
     bool slows = false;    ///< some axis has lost speed, or may yet
-    bool overdue = false;  ///< some axis should have stood long ago
+    bool overdue = false;  ///< some axis should long be at rest
   };
   Seen look(int axis, bool at_once);
-  /// It was told, or told again.
+  /// The stop was sent, or sent again.
   void told(int axis);
-  /// It has been seen turning since it was told.
+  /// The axis was seen turning since the stop was sent.
   [[nodiscard]] bool is_watched(int axis) const { return axes_[static_cast<std::size_t>(axis)].has_value(); }
-  /// -1: all.
+  /// -1: all axes.
   void forget(int axis);
 
  private:
   struct SlowDown {
     Instant since{};      ///< first seen turning then
-    Instant slower_at{};  ///< it has lost speed, or was told again
+    Instant slower_at{};  ///< when it last lost speed, or the stop was sent again
     std::int64_t first = 0, least = 0;
   };
   const SlowDown& look_at(int axis);

@@ -9,11 +9,11 @@ namespace hw::vme58 {
 namespace {
 
 constexpr Duration free_look = std::chrono::microseconds(500);
-constexpr Duration ring_patience = Millis(5);  // what a stop has cut short may just have been put there
+constexpr Duration ring_patience = Millis(5);  // a text cut short by the stop may still be there
 
 }  // namespace
 
-// ---- what is sent
+// ---- sending
 
 Task<Result<>> Stops::send(StopOrder order) {
   using What = StopOrder::What;
@@ -25,13 +25,13 @@ Task<Result<>> Stops::send(StopOrder order) {
   co_return co_await stop_motion(order.axis, order.at_once, order.what == What::jog);
 }
 
-/// ST of one axis empties its own queue only: what a program still says, or what waits in those of AA and AM,
+/// ST of one axis empties only its own queue: the rest of a program, or commands in the queues of AA and AM,
 /// would move it again.
 bool Stops::stops_alone(int axis) const {
   return !motions_.in_group(axis) && !programs_.is_running() && !draft_.feed.running;
 }
 
-// What a jog moves stops; the other axes, and what waits for this one, go on.
+// A jog stop concerns only the jogging axis: other axes, and commands waiting for this one, go on.
 Task<Result<>> Stops::stop_motion(int axis, bool at_once, bool jog) {
   const bool recorded = selection_.recording(), known = conversation_.is_known();
   const bool one = axis >= 0 && !at_once && !widened_ && !motions_.in_company(axis) && !recorded;
@@ -60,8 +60,8 @@ Task<Result<>> Stops::stop_motion(int axis, bool at_once, bool jog) {
   co_return stopped;
 }
 
-/// Goes like the console's own stops, and means no more than it says. Which axis it selects is known from
-/// here on; the board hears it with the next text.
+/// Sent like the console's own stops, with exactly the meaning of its words. Its axis selection is noted now;
+/// the board gets it with the next text.
 Task<Result<>> Stops::stop_by_text(std::string text) {
   const bool recorded = selection_.recording();
   Context context = selection_.context();
@@ -92,8 +92,8 @@ Task<Result<>> Stops::stop_by_text(std::string text) {
   co_return all;
 }
 
-// The mailbox has no place for an axis: ST goes through the ring, as long as nothing stands there. In AA and
-// AM it stops what their queue moves. False: all axes were stopped.
+// The mailbox has no place for an axis: ST goes through the ring, if that is free. In AA and AM it stops the
+// axes moved by their queue. False: all axes were stopped.
 Task<Result<bool>> Stops::stop_axis(std::string selector) {
   if (conversation_.is_known()) {
     auto free = co_await conversation_.is_taken(Priority::stop);
@@ -122,7 +122,7 @@ Task<Result<bool>> Stops::stop_axis(std::string selector) {
   co_return false;
 }
 
-// A second one follows for what the board may just have taken out of its ring.
+// The second SA stops motions that the board may just have taken out of its ring.
 LastWill Stops::last_will() const {
   std::vector<BusCycle> cycles;
   append_mail(cycles, "SA", wire_.enabled());
@@ -136,13 +136,13 @@ void Stops::stopping(int axis, bool at_once) {
   motions_.stopping(axis, at_once);
 }
 
-// ---- what shows of it
+// ---- effect
 
-/// A stop is in vain while no axis of it slows down. An axis that its own motion slows down for a moment is
-/// soon as fast as ever again, and one of several on a line may show its share of the ramp late.
+/// A stop is in vain while none of its axes slows down. An axis slowed briefly by its own motion soon regains
+/// its speed, and an axis of a straight-line move may show its share of the ramp late.
 StopProgress Stops::progress(const StopOrder& order) {
   const bool words = order.what == StopOrder::What::words;
-  if (words && !order.stops_all() && !widened_) return StopProgress::stands();  // the ring has carried them
+  if (words && !order.stops_all() && !widened_) return StopProgress::stands();  // sent through the ring
   const int axis = widened_ ? -1 : order.axis;
   if (axis < 0 && all_stop_.owes_ring()) return StopProgress::again();
   StopEffect::Seen seen = effect_.look(axis, order.at_once);
@@ -156,7 +156,7 @@ StopProgress Stops::progress(const StopOrder& order) {
     if (behind == AllStop::Behind::waits) return in_vain(axis);
     if (behind == AllStop::Behind::not_known) return StopProgress::wait();
   }
-  if (!seen.turns && !order.confirmed) return StopProgress::again();  // some motion shows nothing
+  if (!seen.turns && !order.confirmed) return StopProgress::again();  // some motions show nothing
   if (!seen.turns || (seen.overdue && order.at_once)) stands(axis);
   if (!seen.turns) return StopProgress::stands();
   if (seen.overdue && order.at_once)
@@ -181,7 +181,7 @@ StopProgress Stops::in_vain(int axis) {
 
 void Stops::stands(int axis) {
   if (axis < 0) widened_ = false;
-  readings_.forget_command_error();  // of text that was taken back half way
+  readings_.forget_command_error();  // of partly withdrawn text
   effect_.forget(axis);
   motions_.stands(axis);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Stops: what is sent, and what shows that it takes effect. A stop of all axes goes through the mailbox and
-// empties the queues too; one of one axis through the ring, where that is free.
+// Sends stops and checks that they take effect. A stop of all axes goes through the mailbox and also empties
+// the queues; a stop of one axis goes through the ring, if that is free.
 #include "core/device/stop.h"
 #include "core/devices/vme58/programs.h"
 
@@ -26,9 +26,10 @@ class Stops {
         draft_(draft) {}
 
   Task<Result<>> send(StopOrder order);
-  /// SA, all axes: the mailbox has no place for one, and the ring cannot be written without being read.
+  /// SA, all axes: the mailbox has no place for an axis, and the ring cannot be written without reading it
+  /// first.
   [[nodiscard]] LastWill last_will() const;
-  /// By the latest round.
+  /// Progress according to the latest round.
   StopProgress progress(const StopOrder& order);
   void forget();
 
@@ -57,7 +58,7 @@ class Stops {
   NextRound& next_;
   const Catalog& catalog_;
   Snapshot& draft_;
-  bool widened_ = false;  ///< a stop of one axis has become one of all, and they do not stand yet
+  bool widened_ = false;  ///< a stop of one axis became one of all, not yet at rest
 };
 
 }  // namespace hw::vme58

@@ -8,10 +8,10 @@ namespace {
 
 constexpr int several = -1;
 
-/// The commands of a text that consists of stops; none: it does not.
+/// The stops in a text of nothing but stops; none for any other text.
 struct StopsInText {
-  bool all = false;    ///< whatever is selected
-  std::set<int> axes;  ///< that ST names, or `several`
+  bool all = false;    ///< all axes, whatever is selected
+  std::set<int> axes;  ///< stopped by ST, or `several`
 
   [[nodiscard]] bool any() const { return all || !axes.empty(); }
 };
@@ -34,6 +34,15 @@ StopsInText stops_in(const std::vector<TextCommand>& commands, int axes) {
     }
   }
   return stops;
+}
+
+/// RA and RI clear the flags that they report.
+bool only_asks(const std::vector<TextCommand>& commands) {
+  const auto changes = [](const TextCommand& c) {
+    if (!c.fact || !c.flaw.empty()) return true;
+    return !selects(c) && (!is_question(c) || c.fact->op == Op::RA || c.fact->op == Op::RI);
+  };
+  return !commands.empty() && std::none_of(commands.begin(), commands.end(), changes);
 }
 
 }  // namespace
@@ -73,7 +82,7 @@ ReplyForm reply_form(const TextCommand& question, int axes) {
     case Op::RA:
     case Op::QA: return {ReplyForm::Of::flags, 1};
     case Op::EA: return {ReplyForm::Of::loop};
-    default: return {};  // other firmware may know more
+    default: return {};  // other firmware may have more questions
   }
 }
 
@@ -85,6 +94,7 @@ TextMeaning meaning_of(std::string_view text, Context context, int axes) {
   meaning.restarts = std::any_of(commands.begin(), commands.end(), [](const TextCommand& command) {
     return command.fact && command.fact->op == Op::RS && command.flaw.empty();
   });
+  meaning.only_asks = only_asks(commands);
   const StopsInText stops = stops_in(commands, axes);
   if (stops.any()) meaning.stops = stops.all ? TextMeaning::Stops::all : TextMeaning::Stops::some;
   if (stops.all) return meaning;

@@ -1,5 +1,5 @@
 #pragma once
-// What a raw text does, as far as it must be known before it is sent. Pure.
+// The effects of a raw text that must be known before it is sent. Pure.
 #include <string_view>
 
 #include "core/device/text_meaning.h"
@@ -10,15 +10,15 @@ namespace hw::vme58 {
 
 /// ST, SA, SD, KL.
 bool stops_motion(Op op);
-/// With such a command a motion begins that the queue tells of.
+/// The command begins a motion that keeps its queue occupied.
 bool moves_in_queue(Op op);
 bool is_question(const TextCommand& command);
-/// What its reply looks like, on a board with so many axes.
+/// The form of its reply, on a board with `axes` axes.
 ReplyForm reply_form(const TextCommand& question, int axes);
 
-/// `context` is that in which the board reads it, on a board with so many axes. A stop is a text of nothing
-/// but stops. Which axes a bare ST stops is not known while texts may wait that select others: it is none,
-/// and takes its turn behind them.
+/// `context`: in which the board reads the text. `axes`: the number of axes of the board. Only a text of
+/// nothing but stops is a stop. A bare ST is none, as waiting texts may still select other axes: it takes its
+/// turn behind them.
 TextMeaning meaning_of(std::string_view text, Context context, int axes);
 
 }  // namespace hw::vme58

@@ -35,7 +35,7 @@ Task<Result<std::string>> Texts::send(std::string text, Duration patience) {
   co_return answers;
 }
 
-/// The axes have the user's own speeds, and the board stands at the axis that he has selected.
+/// Gives the axes the user's own speeds, and the board the user's selected axis.
 Task<Result<>> Texts::prepare(const std::vector<TextCommand>& commands) {
   auto own = co_await speeds_.give_all_back(Priority::intent);
   if (own && std::any_of(commands.begin(), commands.end(), is_queued))
@@ -44,7 +44,7 @@ Task<Result<>> Texts::prepare(const std::vector<TextCommand>& commands) {
   co_return co_await conversation_.select_again(Priority::intent);
 }
 
-/// Returns its answer, if it has one.
+/// Returns the reply, if there is one.
 Task<Result<std::string>> Texts::say(const TextCommand& command, Duration patience) {
   std::string word(command.text);
   if (word.size() > longest_text)
@@ -64,43 +64,43 @@ Task<Result<std::string>> Texts::say(const TextCommand& command, Duration patien
   co_return std::string();
 }
 
-/// One that is no question.
+/// Sends a command that is no question.
 Task<Result<>> Texts::put(const TextCommand& command, std::string word) {
   auto settled = co_await commands_.settle_late(Priority::intent);
   if (!settled) co_return settled;
   if (!command.fact || command.fact->when == When::queued) next_.awaits_queues();
   programs_.note_stop(command);
-  motions_.note_group(command);  // before a stop can come in between
+  motions_.note_group(command);  // before a stop can intervene
   const int end_before = conversation_.end();
   auto written =
       co_await conversation_.write(std::move(word), Priority::intent, Conversation::WhenStuck::leave);
   if (!written && conversation_.end() == end_before) co_return written;
   if (!written && written.error().kind == FaultKind::stopped) co_return cut_short(command, written.error());
   if (!written) {
-    if (selects(command)) note_sent(command);  // in the ring it acts later: what is sent behind it must know
+    if (selects(command)) note_sent(command);  // it acts later from the ring, on texts sent after it too
     co_return written;
   }
   auto accepted = co_await accepts(command);
   if (!accepted && accepted.error().kind == FaultKind::stopped)
     co_return cut_short(command, accepted.error());
-  if (!accepted && selects(command)) selection_.lose();  // the board may have taken it
+  if (!accepted && selects(command)) selection_.lose();  // the board may have selected it
   co_return accepted;
 }
 
-/// By a stop that may take it back, or find it carried out.
+/// A stop came while the command was under way: it may be taken back or carried out.
 Result<> Texts::cut_short(const TextCommand& command, Fault why) {
   effects_.note(command);
   if (selects(command)) selection_.lose();
   return fail(when_put(std::move(why)));
 }
 
-/// It has been taken from the ring, and was no command error.
+/// Checks that the command, taken from the ring, was no command error.
 Task<Result<>> Texts::accepts(const TextCommand& command) {
   const auto bad = co_await readings_.was_rejected(Priority::intent);
   if (!bad) co_return fail(bad.error());
   if (!*bad) co_return Result<>();
   if (selection_.recording() && (command.is(Op::CE) || command.is(Op::CK))) {
-    selection_.set_recording(false);  // there is no other end
+    selection_.set_recording(false);  // the recording cannot end otherwise
     selection_.lose();
     next_.awaits_queues();
   }
@@ -111,8 +111,8 @@ Task<Result<>> Texts::accepts(const TextCommand& command) {
   co_return commands_.rejected(command.text);
 }
 
-/// Between CD and CE everything becomes part of the contour: of a program's what the user says, and of the
-/// user's what the program says.
+/// Between CD and CE all text becomes part of the contour: the user's text in a program's contour, and the
+/// program's in the user's.
 Result<> Texts::may_say_while_feeding(const std::vector<TextCommand>& commands) const {
   const auto stops = [](const TextCommand& command) {
     return command.fact && stops_motion(command.fact->op);
@@ -135,7 +135,7 @@ void Texts::note_sent(const TextCommand& command) {
   if (selects(command)) feed_.user_selects();
   const bool recorded = selection_.recording();
   selection_.hear(command);
-  if (recorded && !selection_.recording()) next_.awaits_queues();  // meanwhile nobody could ask
+  if (recorded && !selection_.recording()) next_.awaits_queues();  // questions were not possible meanwhile
   effects_.note(command);
 }
 

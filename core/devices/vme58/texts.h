@@ -1,6 +1,6 @@
 #pragma once
-// Raw text of users and scripts: sent command by command, so that the one that the board rejects can be
-// named; and followed, so that the console knows which axis it has selected and what it has set.
+// Raw text of users and scripts. Sent command by command, so that a rejected command can be named, and
+// followed, so that the console knows the selected axis and the settings made.
 #include <functional>
 #include <string>
 #include <vector>
@@ -27,9 +27,9 @@ class Texts {
         catalog_(catalog),
         draft_(draft) {}
 
-  /// The replies of its queries, one on a line.
+  /// Returns the replies to its queries, one per line.
   Task<Result<std::string>> send(std::string text, Duration patience);
-  /// RS among it concerns everybody.
+  /// Called for a text that contains RS, which concerns all parts of the driver.
   std::function<Task<Result<>>(std::string text)> reset;
 
  private:

@@ -24,7 +24,7 @@ TrafficKind kind_of(Priority priority) {
 Fault when_put(Fault why) {
   if (why.kind != FaultKind::stopped) return why;
   return Fault(FaultKind::no_answer, "A stop came while this was under way.",
-               "Whether the board has carried it out is not known.");
+               "It is not known whether the board has carried it out.");
 }
 
 tl::unexpected<Fault> no_connection() {
@@ -59,7 +59,7 @@ Task<Result<>> Wire::pause(Duration time) {
   co_return co_await station_->pause(time);
 }
 
-// Read twice: while the board moves it, or when a byte was garbled, the two differ.
+// Reads the index twice: the values differ if the board changes it, or if a byte was garbled.
 Task<Result<int>> Wire::read_index(std::uint16_t offset, Priority priority) {
   std::vector<BusCycle>& cycles = burst();
   for (int attempt = 0; attempt < index_attempts; ++attempt) {
@@ -72,7 +72,7 @@ Task<Result<int>> Wire::read_index(std::uint16_t offset, Priority priority) {
   co_return fail(FaultKind::garbled,
                  fmt::format("An index of the rings reads {:04X}, which no VME58 shows.", cycles[1].value),
                  "It was read several times.",
-                 "Look whether another program resets the board, and at the bus.");
+                 "Check the bus, and whether another program resets the board.");
 }
 
 bool Wire::perhaps_done(const Fault& why) const {

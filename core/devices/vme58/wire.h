@@ -1,6 +1,6 @@
 #pragma once
-// The board's window as the driver uses it: bursts of bus cycles, the record of what they said and heard, and
-// what is told to whoever watches.
+// The board's window as the driver uses it: bursts of bus cycles, the record of sent and received texts, and
+// notices to the user.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@
 namespace hw::vme58 {
 
 tl::unexpected<Fault> no_connection();
-/// Why a procedure has ended, where its text was put already and may be carried out.
+/// The fault of a procedure whose text was already put and may be carried out.
 Fault when_put(Fault why);
 
 class Wire {
@@ -22,15 +22,15 @@ class Wire {
   void detach() { station_ = nullptr; }
   [[nodiscard]] bool is_open() const { return station_ != nullptr; }
   [[nodiscard]] Instant now() const { return scheduler_.now(); }
-  /// The interrupts that the console has enabled, as they stand in the control register.
+  /// The interrupts enabled by the console, as bits of the control register.
   [[nodiscard]] std::uint8_t enabled() const { return enabled_; }
 
-  /// Empty, in memory that earlier ones have left. It is used up when the next one is begun.
+  /// An empty burst in reused memory; valid until the next call.
   std::vector<BusCycle>& burst();
   Task<Result<>> run(std::vector<BusCycle>& cycles, Priority priority);
   Task<Result<>> pause(Duration time);
   Task<Result<int>> read_index(std::uint16_t offset, Priority priority);
-  /// Something was put, and a stop came before more was known.
+  /// Whether a text was put whose outcome a stop has left unknown.
   [[nodiscard]] bool perhaps_done(const Fault& why) const;
 
   void record(Way way, Priority priority, std::string_view text);

@@ -1,5 +1,5 @@
 #pragma once
-// Whether something may be begun or changed now, and what is warned of before a motor moves.
+// Whether a motion or a change may begin now, and the warnings before a motor moves.
 #include <array>
 
 #include "core/devices/vxm/console.h"
@@ -25,7 +25,7 @@ class Admission {
   [[nodiscard]] Result<> may_move(int axis) const;
   /// Set-up or programs.
   [[nodiscard]] Result<> may_change() const;
-  /// Once for each motor.
+  /// Warns once per motor.
   void warn_of_motor_type(int axis);
 
  private:

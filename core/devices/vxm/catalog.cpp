@@ -7,7 +7,7 @@
 namespace hw::vxm {
 namespace {
 
-// Manual p.11. Decimals: so many that two neighbouring steps never look alike.
+// Manual p.11. Decimals: enough that two neighbouring steps never look alike.
 std::vector<UnitChoice> units() {
   constexpr double mm = 25.4;
   return {
@@ -31,8 +31,8 @@ std::vector<UnitChoice> units() {
   };
 }
 
-// In this order they are inputs 1 to 8 of a script and of the snapshot. The `~` byte carries the jog inputs
-// in its low four bits and In 1 to In 4 in its high four (Appendix A).
+// In the order of inputs 1 to 8 in scripts and in the snapshot. The `~` byte carries the jog inputs in its
+// low four bits and In 1 to In 4 in its high four (Appendix A).
 std::vector<InputInfo> inputs() {
   return {
       {"In 1", "Programs wait for it (U0, U1, U30, U31, U50, U51) and branch on it (U11, U21). Pin 5.", true},
@@ -140,6 +140,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
       "L5\n";
   c.bench = bench(*motors);
   c.can = capabilities();
+  c.stopping_way = stopping_way;
   c.jog_speed = Pps{default_speed};
   c.jog_speed_min = Pps{min_speed};
   c.jog_speed_max = Pps{max_speed};

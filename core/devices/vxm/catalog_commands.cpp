@@ -1,5 +1,5 @@
-// Every form of the manual's command summary with one line of help, for completion and for the hint that says
-// what Enter would do.
+// Every form of the manual's command summary with one line of help, for completion and for the hint on the
+// effect of Enter.
 #include "core/devices/vxm/catalog.h"
 
 namespace hw::vxm {

@@ -1,6 +1,6 @@
-// Every parameter of the VXM: what `set`, `get`, B and O reach. The mnemonic is what stands between set/get
-// and the value; so `B` is the baud rate (setB38). Backlash compensation, which the maker sets by a bare B20,
-// is called Bx, as the manual heads it.
+// Every parameter of the VXM that `set`, `get`, B and O reach. The mnemonic is the text between set/get and
+// the value, so `B` is the baud rate (setB38). Backlash compensation, set by a bare B20, is called Bx, as in
+// the manual's heading.
 #include <fmt/core.h>
 
 #include "core/devices/vxm/catalog.h"
@@ -244,10 +244,11 @@ ParamInfo baud() {
       row("B", "Communication", "Baud rate",
           "Speed of the serial line. The console changes its own side together with the controller and "
           "goes back if it gets no answer. The controller keeps the new rate over power-off only after "
-          "Store. It does not tell its rate, so none is shown.");
+          "Store. It does not tell its rate, so none is shown until one is set here.");
   range(p, 9, 38, 9);
   p.choices = {{9, "9600 baud"}, {19, "19200 baud"}, {38, "38400 baud"}};
   p.readable = false;
+  p.address_option = "baud", p.holds_at_once = true;
   p.manual = "Setup Commands p.25";
   return p;
 }

@@ -67,7 +67,7 @@ std::string set_param(std::string_view mnemonic, std::int64_t value) {
   return fmt::format("{}{}{}\r", bare_mnemonic(mnemonic) ? "" : "set", wire_name(mnemonic), value);
 }
 std::string get_param(std::string_view mnemonic) {
-  // get... acts on its last letter; B, O and PMA could still grow and need their end.
+  // get... acts on its last letter; B, O and PMA could continue and need an ender.
   return bare_mnemonic(mnemonic) ? fmt::format("{}\r", wire_name(mnemonic)) : fmt::format("get{}", mnemonic);
 }
 
@@ -237,8 +237,8 @@ ErrorWords explain_error(char letter) {
           "The controller reports EC: nonstop indexing has no U9, U91, U92 or U99 at its end, or another "
           "motor "
           "stands in it. It accepts nothing until it gets K.",
-          std::string(recover) + " Then mend the part of the program that begins with U7, U77 or U8.", true,
-          false};
+          std::string(recover) + " Then correct the part of the program that begins with U7, U77 or U8.",
+          true, false};
     case error_erased:
       return {
           "The controller reports EN: its memory was erased. Programs, settings and motor types are the "

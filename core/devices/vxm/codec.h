@@ -1,6 +1,6 @@
 #pragma once
-// Bytes of the VXM's wire: what the console says and what comes back. Pure functions; any bytes have a
-// meaning, if only "not understood".
+// Encodes commands and decodes replies of the VXM. Pure functions; any bytes have a meaning, if only "not
+// understood".
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace hw::vxm {
 
-// ---- what is said. With their ender, ready to be sent one after another.
+// ---- commands, ender included, ready to be sent one after another
 
 std::string index_by(int motor, Steps distance);
 std::string index_to(int motor, Steps position);
@@ -30,7 +30,7 @@ std::string ask_position(int motor);
 std::string set_param(std::string_view mnemonic, std::int64_t value);
 std::string get_param(std::string_view mnemonic);
 
-// ---- what comes back. Each takes the whole reply, its end included; nullopt: this is no such reply.
+// ---- replies. Each decoder takes the whole reply, its end included; nullopt: no such reply.
 
 std::optional<Steps> decode_position(std::string_view reply);
 /// Decimal number and carriage return. PMA-0 reads as -5 (a number has no minus zero).
@@ -54,7 +54,7 @@ struct Digitized {  ///< the answer to D in Local mode
 };
 std::optional<Digitized> decode_digitized(std::string_view reply, int motors);
 
-/// Whether an error report is among the answers. Of the Stop input it is none: nothing was refused.
+/// True if a reply is an error report. That of the Stop input does not count: nothing was refused.
 bool reports_error(std::string_view reply);
 
 /// Raw status bytes, by the catalog's numbering.
@@ -62,7 +62,7 @@ bool limit_active(unsigned char byte, int axis, Sign sign);
 /// Bit n-1 = input n of the catalog (In 1 to 4, then the jog inputs); 1 = high.
 std::uint32_t inputs_of(unsigned char byte);
 
-// ---- what comes unasked
+// ---- unsolicited messages
 
 struct Message {
   enum class Kind : std::uint8_t {
@@ -71,34 +71,34 @@ struct Message {
     limit,       ///< O a limit switch was hit
     waits,       ///< W waits for G
     passed,      ///< @ an index of nonstop indexing has ended
-    held,        ///< : and the command before which it holds
+    held,        ///< : and the command before which the controller holds
     error,       ///< E and a letter, or the barred E
     end,         ///< a carriage return alone (G mode)
     unknown,     ///< one byte that means nothing here
   };
   Kind kind = Kind::unfinished;
-  std::size_t length = 0;  ///< bytes of it; 0 when unfinished
+  std::size_t length = 0;  ///< in bytes; 0 when unfinished
   std::string_view text;   ///< held: the command
-  char letter = 0;         ///< error: which
+  char letter = 0;         ///< error: its letter
 };
-/// The first message in bytes that nobody asked for (not empty).
+/// The first message in unsolicited bytes (not empty).
 Message next_message(std::string_view bytes);
 
-// How much at the front of what came in is no part of the reply: Transaction::stranger.
+// Number of bytes at the front that are no part of the reply: Transaction::unsolicited_length.
 std::size_t before_number(std::string_view received);   ///< replies that begin with a digit or sign
 std::size_t before_state(std::string_view received);    ///< V
 std::size_t before_prompt(std::string_view received);   ///< K, rsm
 std::size_t before_listing(std::string_view received);  ///< lst
 
-/// Bytes as a sentence shows them: "<cr>", "<FF>".
+/// Bytes as shown in a sentence: "<cr>", "<FF>".
 std::string printable(std::string_view bytes);
 
-/// Letters that a raw status byte could be mistaken for.
+/// True: a raw status byte of this value could be mistaken for a message.
 bool could_be_message(char byte);
 
 struct ErrorWords {
   std::string what, advice;
-  bool halts = false;   ///< nothing goes on until K
+  bool halts = false;   ///< the controller halts until K
   bool resets = false;  ///< the controller restarts
 };
 /// The manual's explanation of an error report.

@@ -1,4 +1,4 @@
-// Commands as `lst` writes them, and what they cost in program memory.
+// Commands as `lst` writes them, and their cost in program memory.
 #include <fmt/core.h>
 
 #include "core/devices/vxm/codec_text.h"
@@ -50,7 +50,7 @@ std::string canonical(const TextCommand& c) {
   return {};
 }
 
-// What stands before motor and number, as the table of costs names it.
+// The text before motor and number, as in the table of costs.
 static std::string_view head_of(const TextCommand& c) {
   switch (c.verb) {
     case Verb::index_by:

@@ -57,7 +57,7 @@ class TextReader {
 
   // ---- pieces of commands
 
-  /// What is wrong when neither of the characters hoped for came: the character begins something new.
+  /// Sets the flaw when no expected character came: the character begins something new.
   void give_up(TextCommand& c) {
     c.flaw = ended() ? Flaw::open : is_ender(peek()) || peek() == ';' ? Flaw::no_value : Flaw::unknown;
     c.name = std::string(text_.substr(c.begin, std::max<std::size_t>(at_ - c.begin, 1)));
@@ -200,7 +200,7 @@ class TextReader {
     number(c);
     if (c.flaw != Flaw::unknown) c.name = name;
   }
-  /// What stands between set/get and the value.
+  /// The text between set/get and the value.
   bool mnemonic(TextCommand& c) {
     for (const char plain : {'B', 'I'})
       if (take(plain)) return c.name = plain, true;
@@ -248,7 +248,7 @@ std::vector<TextCommand> commands_of(const std::vector<std::string>& lines) {
 
 bool ends_open(std::string_view text) {
   const auto all = read_text(text);
-  // A number without its end, but also a spoilt command: the controller drops what follows up to an ender.
+  // A number without its ender, or a spoilt command: the controller drops the rest up to an ender.
   if (all.empty()) return text.find(';') != std::string_view::npos && !text.ends_with('\r');
   const TextCommand& last = all.back();
   if (last.flaw == Flaw::open) return true;

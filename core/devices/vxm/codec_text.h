@@ -1,6 +1,6 @@
 #pragma once
-// The maker's text, read command by command: what a line means, its canonical form, what it costs, whether it
-// is finished. For the console's side of the wire; pure. Follows the manual p.9, 16 to 25 and the appendices.
+// Reads command text one command at a time: its meaning, canonical form and cost, and whether it is finished.
+// For the console's side of the wire; pure. Follows the manual p.9, 16 to 25 and the appendices.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -47,39 +47,39 @@ enum class Flaw : std::uint8_t {
   none,
   unknown,   ///< no command of the VXM
   no_value,  ///< the number is missing
-  range,     ///< the number is not possible
-  open,      ///< the text ends in the middle of it
+  range,     ///< the number is out of range
+  open,      ///< the text ends inside the command
 };
 
 struct TextCommand {
   Verb verb = Verb::letter;
   Flaw flaw = Flaw::none;
   char letter = 0;          ///< of Verb::letter
-  std::uint8_t motor = 0;   ///< 1 to 4; of a short form: the one addressed last
+  std::uint8_t motor = 0;   ///< 1 to 4; in a short form, the motor addressed last
   bool full_power = false;  ///< SA, setMA
   bool minus = false;       ///< a minus sign stands before the number, also before 0
   std::int64_t value = 0;   ///< magnitude
-  std::string name;  ///< mnemonic of set and get: "j1M"; the word of Verb::word; the text of an unknown one
+  std::string name;         ///< mnemonic of set and get: "j1M"; the word of Verb::word; the text if unknown
   std::size_t begin = 0, end = 0;  ///< place in the text, ender included
 
   [[nodiscard]] std::int64_t signed_value() const { return minus ? -value : value; }
   [[nodiscard]] bool stored() const { return verb <= Verb::pair_ends; }
 };
 
-/// Reads a text as the controller would: a line feed counts for nothing, a remark lasts to the carriage
-/// return. `motor` is the one addressed last before it.
+/// Reads a text as the controller would: a line feed is ignored, a remark lasts to the carriage return.
+/// `motor`: addressed last before the text.
 std::vector<TextCommand> read_text(std::string_view text, int motor = 1);
-/// The same of a listing.
+/// The same for a listing.
 std::vector<TextCommand> commands_of(const std::vector<std::string>& lines);
-/// True if the controller would take the next byte for a part of the last command.
+/// True if the controller would read the next byte as part of the last command.
 bool ends_open(std::string_view text);
 /// As `lst` writes it: motor always shown, no ender.
 std::string canonical(const TextCommand& command);
 /// Bytes of program memory.
 int program_cost(const TextCommand& command);
-/// Its motor and number are among those that the controller takes.
+/// The controller takes its motor and its number.
 bool possible(const TextCommand& command);
-/// "1 to 6000 steps/s" for the value of this command; empty when it has none.
+/// Range of the command's value: "1 to 6000 steps/s". Empty: it has no value.
 std::string allowed_values(const TextCommand& command);
 
 }  // namespace hw::vxm

@@ -1,5 +1,5 @@
 #pragma once
-// What every part of the driver shows, tells and counts in: see DriverContext.
+// The context that all parts of the driver share: see DriverContext.
 #include <string>
 #include <utility>
 

@@ -16,19 +16,19 @@ constexpr Duration late_greeting_patience = std::chrono::seconds(3);
 
 tl::unexpected<Fault> no_such_answer(std::string_view question, std::string_view reply) {
   return fail(FaultKind::garbled,
-              fmt::format("The controller answered {} to {}, which means nothing.", printable(reply),
+              fmt::format("The controller answered {} to {}, which makes no sense.", printable(reply),
                           printable(question)),
               "It was asked again.",
-              "Look at the cable, the baud rate, and whether another program talks to the controller.");
+              "Check the cable, the baud rate, and whether another program talks to the controller.");
 }
 
-using Stranger = std::size_t (*)(std::string_view);
+using Unsolicited = std::size_t (*)(std::string_view);
 
-/// What is asked while a stop is under way is no stop by itself.
-Transaction own_question(std::string text, ReplyShape shape, Priority priority, Stranger stranger,
-                         Look look) {
+/// A question asked during a stop is not itself a stop.
+Transaction own_question(std::string text, ReplyShape shape, Priority priority,
+                         Unsolicited unsolicited_length, Look look) {
   Transaction t(std::move(text), shape, priority);
-  t.stranger = stranger;
+  t.unsolicited_length = unsolicited_length;
   t.look = look;
   t.own_question = priority == Priority::stop;
   return t;
@@ -59,7 +59,7 @@ void Conversation::lost() {
 // ---- questions
 
 Task<Result<std::string>> Conversation::exchange(Transaction t) {
-  // The rest of a message that is coming in would be taken for the answer.
+  // The rest of an incoming message would be taken for the reply.
   while (station_ && !unasked_.empty() && scheduler_.now() - heard_at_ < longest_gap) {
     auto paused = co_await station_->pause(Millis(2));
     if (!paused) co_return fail(paused.error());
@@ -72,8 +72,8 @@ Task<Result<std::string>> Conversation::exchange(Transaction t) {
   co_return reply;
 }
 
-// A question may be asked once more when its answer was garbled or did not come, and more often while the
-// controller is being opened; nothing else is ever repeated. What is owed by then is seen to in between.
+// A question is repeated once when its reply was garbled or missing, more often while the controller is being
+// opened; nothing else is ever repeated. Owed replies are dealt with in between.
 template <class T>
 Task<Result<T>> Conversation::decoded(Transaction question,
                                       std::function<std::optional<T>(std::string_view)> decode) {
@@ -94,7 +94,7 @@ Task<Result<T>> Conversation::decoded(Transaction question,
     auto quiet = co_await wait_for_quiet();
     if (!quiet) co_return fail(quiet.error());
     if (question.bytes.size() == 1 && !patient_) continue;
-    auto ended = co_await say_anyway("\r");  // what was left of it would go before the next
+    auto ended = co_await say_anyway("\r");  // a fragment of it would precede the next
     if (!ended) co_return fail(ended.error());
   }
   if (!reply) co_return fail(reply.error());
@@ -143,8 +143,8 @@ Task<Result<Listing>> Conversation::listing_of(std::size_t commands, Priority pr
   co_return co_await decoded<Listing>(std::move(t), decode_listing);
 }
 
-// It can be any value, also that of a prompt. When it could be one and a second byte follows at once, the two
-// are told apart: the prompt is the one that is a message.
+// The byte may have any value, even that of a prompt. If so, and a second byte follows at once, the byte that
+// is a message is the prompt.
 Task<Result<unsigned char>> Conversation::raw(char question, Priority priority) {
   raw_asked_ = true;
   second_raw_.reset();
@@ -172,8 +172,8 @@ Task<Result<std::string>> Conversation::places(ReplyShape shape, Priority priori
   co_return co_await exchange(std::move(t));
 }
 
-// Where answers are owed it may be that they are merely late. Two that come at once, with silence behind
-// each, are none of those: they were not asked one behind the other.
+// Owed replies may merely be late. Two that come at once, with silence after each, are none of those: they
+// were not asked one behind the other.
 Task<Result<std::string>> Conversation::greet(std::uint16_t quiet_ms) {
   auto t = own_question("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, look::letter);
   t.patience = station_ && station_->is_dirty() ? late_greeting_patience : greeting_patience;
@@ -197,7 +197,7 @@ Task<Result<std::string>> Conversation::whether_it_hears() {
 
 Task<Result<std::string>> Conversation::ask(std::string question, AnswerShape answer, Priority priority) {
   Transaction t(std::move(question), answer.shape, priority);
-  t.stranger = answer.stranger;
+  t.unsolicited_length = answer.unsolicited_length;
   t.patience = answer.patience;
   t.look = answer.look;
   t.may_be_silent = answer.perhaps;
@@ -209,7 +209,7 @@ Task<Result<std::string>> Conversation::kill(Priority priority, Duration patienc
   co_return co_await ask("K", prompt, priority);
 }
 
-// ---- what is not answered
+// ---- commands without a reply
 
 Task<Result<>> Conversation::say(std::string text, Priority priority) {
   auto sent = co_await exchange(Transaction(std::move(text), ReplyShape::nothing(), priority));
@@ -236,7 +236,7 @@ Task<Result<>> Conversation::wait_for_quiet() {
   co_return Result<>();
 }
 
-// ---- what comes unasked
+// ---- unsolicited messages
 
 std::size_t Conversation::hear(std::string_view bytes) {
   if (scheduler_.now() - heard_at_ > longest_gap) unasked_.clear();
@@ -253,7 +253,7 @@ std::size_t Conversation::hear(std::string_view bytes) {
     const Message m = next_message(std::string_view(unasked_).substr(taken));
     if (m.kind == Message::Kind::unfinished) break;
     const bool unknown = m.kind == Message::Kind::unknown || !believes(m);
-    if (unknown) ++strays_;
+    if (unknown) ++unexpected_;
     if (unknown && !first_unknown) first_unknown = taken;
     if (unknown && asked_ == "V" && unasked_[taken] == 'V') echoes_ = true;
     taken += m.length;
@@ -264,7 +264,7 @@ std::size_t Conversation::hear(std::string_view bytes) {
   return *first_unknown > kept ? *first_unknown - kept : 0;
 }
 
-// A byte that is owed may look like a message of one byte, and a listing like many.
+// An owed byte may look like a one-byte message, and a listing like many.
 bool Conversation::believes(const Message& m) const {
   if (!station_ || !station_->is_dirty()) return true;
   const OwedAnswers& owed = station_->owed();

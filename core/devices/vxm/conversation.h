@@ -1,6 +1,6 @@
 #pragma once
-// What is said to the controller and what it says: questions with their answers, and messages that nobody
-// asked for. Nothing else of the driver looks at bytes.
+// Sends questions and commands to the controller, and receives replies and unsolicited messages. No other
+// part of the driver looks at bytes.
 #include <functional>
 #include <optional>
 #include <string>
@@ -12,65 +12,65 @@
 
 namespace hw::vxm {
 
-/// A question may be asked again.
+/// True: the question may be asked again.
 inline bool worth_another_try(const Fault& fault) {
   return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
 }
 
 class Conversation {
  public:
-  /// `listening`: see listens(). `heard`: a message that came unasked.
+  /// `listening`: see listens(). `heard`: receives unsolicited messages.
   Conversation(Scheduler& scheduler, std::function<Listening()> listening,
                std::function<void(const Message&)> heard);
 
   void attach(Station& station);
   void lost();
-  /// Null: there is no wire.
+  /// Null: no wire.
   [[nodiscard]] Station* station() const { return station_; }
-  /// While the controller is being opened its questions are asked more often.
+  /// True while the controller is being opened: questions are repeated more often.
   void be_patient(bool patient) { patient_ = patient; }
 
   // ---- questions
   Task<Result<char>> state(Priority priority);
   Task<Result<Steps>> position(int motor, Priority priority);
   Task<Result<std::int64_t>> number(std::string question, Priority priority);
-  /// What is sent has had its effect when its last question is answered by this number; else it is sent once
-  /// more, and so must do no harm when it comes twice.
+  /// Sends a text whose last question must be answered by `number`. Otherwise the text is sent once more, so
+  /// it must be harmless when received twice.
   Task<Result<>> confirm(std::string text, std::int64_t number, Priority priority);
   Task<Result<std::string>> text(std::string question, Priority priority);
   Task<Result<Listing>> listing(Priority priority);
-  /// One of so many commands, without the silence that ends it else.
+  /// A listing of `commands` commands: ends at its last line, not by a silence.
   Task<Result<Listing>> listing_of(std::size_t commands, Priority priority);
-  /// ?, ~ or $. Its answer may be any byte: it is to be believed when what was asked after it was answered,
-  /// and no stray() has come meanwhile.
+  /// ?, ~ or $. The reply may be any byte: believe it once a later question has been answered, if
+  /// unexpected() has not changed meanwhile.
   Task<Result<unsigned char>> raw(char question, Priority priority);
   /// D, in Local mode only.
   Task<Result<std::string>> places(ReplyShape shape, Priority priority);
-  /// V, also while late answers of others may come: all that comes back until it is quiet.
+  /// V, even while late replies may come. Returns all bytes received until the line is quiet.
   Task<Result<std::string>> greet(std::uint16_t quiet_ms);
-  /// V, of a controller that usually does not answer; no miss.
+  /// V, to a controller that usually does not answer. Silence counts as no miss.
   Task<Result<std::string>> whether_it_hears();
-  /// Anything else that is answered; a look that is not told may be any.
+  /// Any other question. A reply whose look is not given may look like any.
   Task<Result<std::string>> ask(std::string question, AnswerShape answer, Priority priority);
   Task<Result<std::string>> kill(Priority priority, Duration patience);
 
-  // ---- what is not answered
+  // ---- commands without a reply
   Task<Result<>> say(std::string text, Priority priority);
-  /// Whatever the line owes: it begins the conversation anew.
+  /// Sent even while replies are owed: begins the conversation anew.
   Task<Result<>> say_anyway(std::string text);
-  /// After an answer that made no sense: whatever still comes must not be taken for the next one, and nothing
-  /// may be sent while the controller sends (the overrun of the manual's p.30 locks it until power-off). What
-  /// babbles on is no VXM: it is not waited for.
+  /// Call after a reply that made no sense. Bytes still to come must not be taken for the next reply, and
+  /// nothing may be sent while the controller sends (the overrun of the manual's p.30 locks it until
+  /// power-off). Endless noise is not waited for: its sender is no VXM.
   Task<Result<>> wait_for_quiet();
 
-  /// What the controller takes now, as far as is known.
+  /// The state that decides which commands the controller takes now, as far as known.
   [[nodiscard]] Listening listens() const { return listening_(); }
   [[nodiscard]] Instant heard_at() const { return heard_at_; }
-  /// When the question that was answered last had gone out: what it told may be as old.
+  /// When the question answered last was sent: its reply may be that old.
   [[nodiscard]] Instant asked_at() const { return asked_at_; }
-  /// How many bytes have come that belong to no answer and to no message.
-  [[nodiscard]] std::uint32_t strays() const { return strays_; }
-  /// How often a question was asked once more: what went with it may have arrived as something else.
+  /// Number of bytes received that belong to no reply and no message.
+  [[nodiscard]] std::uint32_t unexpected() const { return unexpected_; }
+  /// How often a question was repeated: text sent with it may have been received garbled.
   [[nodiscard]] std::uint32_t repeats() const { return repeats_; }
   /// How often the line was cleaned.
   [[nodiscard]] std::uint32_t times_cleaned() const { return station_ ? station_->times_cleaned() : 0; }
@@ -89,12 +89,12 @@ class Conversation {
   std::function<void(const Message&)> heard_;
   Station* station_ = nullptr;
   bool patient_ = false;
-  int prompt_greetings_ = 0;  ///< one behind the other
-  std::string unasked_;       ///< a message that has not come to its end
+  int prompt_greetings_ = 0;  ///< in a row
+  std::string unasked_;       ///< an unfinished message
   Instant heard_at_{}, asked_at_{};
-  std::string asked_;  ///< last: what comes back of it unchanged is an echo
+  std::string asked_;  ///< sent last; received back unchanged, it is an echo
   bool echoes_ = false;
-  std::uint32_t strays_ = 0, repeats_ = 0;
+  std::uint32_t unexpected_ = 0, repeats_ = 0;
   bool raw_asked_ = false;
   std::optional<char> second_raw_;
 };

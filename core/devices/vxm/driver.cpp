@@ -1,4 +1,4 @@
-// What the driver is made of, and what can be asked of it.
+// The parts of the driver, and its calls.
 #include "core/devices/vxm/driver.h"
 
 #include <fmt/core.h>
@@ -53,6 +53,7 @@ Task<Result<>> VxmDriver::find_out_all() {
   auto greeted = co_await watch_.opening.greet();
   if (!greeted) co_return greeted;
   course_.presence.is_found();
+  if (talk_.station()) known_.parameters.found_at(talk_.station()->rate());
   if (!course_.under_way.busy() && !talk_.echoes()) {
     auto caught_up = co_await known_.knowledge.catch_up();
     if (!caught_up) co_return caught_up;
@@ -110,9 +111,9 @@ TextMeaning VxmDriver::meaning_of(const intent::SendText& text) const {
   return vxm::meaning_of(text.text, listening(), course_.under_way.job().active());
 }
 
-// ---- what the console is asked to do
+// ---- requests
 
-// Whatever comes next, it finds a controller that is known and hears.
+// Ensures that the next request meets a known controller that listens.
 Task<Result<>> VxmDriver::make_ready() {
   auto clean = co_await course_.status.see_to_dirt();
   if (!clean) co_return clean;

@@ -1,6 +1,6 @@
 #pragma once
-// The VXM from the console's side: the parts, and what the pump asks of them all. Each part has state of its
-// own and a file of its name; what it needs of others is given to it when it is made, and nothing more.
+// The VXM driver: its parts, and the calls of the pump. Each part has its own state and a file of its name.
+// On construction it is given the other parts that it needs, and nothing more.
 //
 //   conversation      questions and answers
 //   greeting          what answers at first
@@ -45,6 +45,7 @@ class VxmDriver final : public Driver {
   Task<Result<>> connect() override;
   Task<Result<>> poll(Round round) override;
   void watch_inputs(Instant until) override { known_.signals.watch_inputs(until); }
+  void watch_limits(Instant until) override { known_.signals.watch_limits(until); }
   Task<Result<>> perform(const IntentBody& intent) override;
   Task<Result<std::string>> stop(const StopOrder& order) override;
   [[nodiscard]] LastWill last_will(unsigned axes) const override;

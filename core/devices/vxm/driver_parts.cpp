@@ -16,7 +16,7 @@ Course::Course(const Console& c, Conversation& talk, Known& k)
       ramp(c, k.nameplate, k.sight, k.hold),
       under_way(c, presence, k.slots, k.sight, k.hold, ramp),
       positions(c, talk, k.nameplate, k.signals, k.sight, k.hold, ramp, under_way),
-      headline(c, presence, k.nameplate, k.parameters),
+      headline(c, presence, k.nameplate),
       kills(c, talk, presence, k.nameplate, k.sight, under_way, headline),
       hold_switch(talk, k.hold, kills),
       admission(c, presence, k.nameplate, k.parameters, under_way),

@@ -1,6 +1,6 @@
 #pragma once
-// The parts of the driver in groups, each made of those before it. A part names what it needs of others where
-// it is made: driver_parts.cpp.
+// The parts of the driver in groups, each built on those before it. The dependencies of a part are named
+// where it is made: driver_parts.cpp.
 #include <functional>
 
 #include "core/devices/vxm/admission.h"
@@ -15,9 +15,9 @@
 
 namespace hw::vxm {
 
-/// What is known of the controller.
+/// Knowledge of the controller.
 struct Known {
-  /// `may_change`: it takes changes of its set-up and programs now.
+  /// `may_change`: set-up and programs may be changed now.
   Known(const Console& console, Conversation& talk, const std::function<Result<>()>& may_change);
 
   Nameplate nameplate;
@@ -31,7 +31,7 @@ struct Known {
   Knowledge knowledge;
 };
 
-/// What goes on in it, what it may be asked for, and what ends that.
+/// Tracks motions and runs, admits new ones, and ends them.
 struct Course {
   Course(const Console& console, Conversation& talk, Known& known);
 
@@ -47,7 +47,7 @@ struct Course {
   Status status;
 };
 
-/// What the console is asked to do.
+/// Carries out requests.
 struct Work {
   Work(const Console& console, Conversation& talk, Known& known, Course& course);
 
@@ -58,7 +58,7 @@ struct Work {
   Texts texts;
 };
 
-/// What is heard of it: when it is opened, in rounds, and unasked.
+/// Follows the controller: on opening, in status rounds, and by unsolicited messages.
 struct Watch {
   Watch(const Console& console, Conversation& talk, Known& known, Course& course, Work& work);
 

@@ -33,7 +33,7 @@ Task<Result<>> Echo::end(char state) {
   }
   if (talk_.echoes())
     co_return fail(FaultKind::garbled, "The controller echoes what it is sent although it was told F.", {},
-                   "Look whether another program talks to it, or something on the way sends bytes back.");
+                   "Check whether another program talks to it, or something on the way sends bytes back.");
   told_ = false;
   console_.tell(Notice::Kind::info, "The controller echoed what it was sent. Echo has been switched off.");
   co_return Result<>();

@@ -1,5 +1,5 @@
 #pragma once
-// A controller that echoes what it is sent: ended by F, which it does not take while a program runs.
+// Ends the echo of a controller by F, which it does not take while a program runs.
 #include <utility>
 
 #include "core/devices/vxm/console.h"
@@ -13,10 +13,10 @@ class Echo {
 
   /// A new wire.
   void begin() { told_ = false; }
-  /// `state`: what V has told. While a program runs F is dropped, and nothing tells an echo from a status
-  /// byte: only the state and the positions are believed until F is taken.
+  /// `state`: the reply to V. While a program runs, F is dropped and an echo looks like a status byte: only
+  /// the state and the positions are believed until F is taken.
   Task<Result<>> end(char state);
-  /// Somebody wants something of it: what it would answer could not be told from the echo.
+  /// Call before a request, whose reply could not be told from the echo: ends the echo.
   Task<Result<>> hear_without();
 
  private:

@@ -38,7 +38,7 @@ void VxmEmulator::receive(std::string_view bytes) {
   after();
 }
 
-/// With the quirk `overrun` a reply leaves byte by byte: a host that talks meanwhile blocks it.
+/// With the quirk `overrun` a reply is sent byte by byte: a host that sends meanwhile blocks it.
 void VxmEmulator::pace_replies() {
   constexpr Duration::rep ns_of_a_byte = 10'000'000'000;  // at 1 baud
   const Duration byte_time(std::exchange(box_.replied, 0) > 0 ? ns_of_a_byte / box_.rate() : 0);
@@ -115,7 +115,7 @@ struct LoadedMemory {
   std::string problem;  ///< of the first bad line
 };
 
-/// Takes every line that means something into the saved memories.
+/// Takes every valid line into the saved memories.
 LoadedMemory load_lines(std::string_view text, Box& first) {
   LoadedMemory loaded;
   Box* box = &first;

@@ -1,4 +1,4 @@
-// What hands do to one controller, and what its lamps show (Front p.5, Setup p.7, Troubleshooting p.30).
+// The effect of hands on one controller, and its lamps (Front p.5, Setup p.7, Troubleshooting p.30).
 #include <algorithm>
 
 #include "core/base/index.h"

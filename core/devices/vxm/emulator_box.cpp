@@ -27,11 +27,11 @@ void Box::power(bool on, Instant now) {
     run_ = Run(), jog_ = Jog(), motion_ended_ = false, error_ = 0, outputs_ = 0;
     online_ = echo_ = group_cr_ = bracket_ = false;
     out.clear(), replied = 0;
-    if (Box* s = slave()) s->jog_by_master_ = true;  // nobody forbids it
+    if (Box* s = slave()) s->jog_by_master_ = true;  // no Master forbids it
   }
 }
 
-/// A Master that works through its Slave at that moment finds nobody on the bus (p.10, 30).
+/// A Master working through its Slave at that moment finds no Slave on the bus (p.10, 30).
 void Box::power_slave(bool on, Instant now) {
   Box* s = slave();
   if (s == nullptr) return;
@@ -50,7 +50,7 @@ void Box::reset() {
   update_rules();
 }
 
-/// All that is not in non-volatile memory is forgotten.
+/// Forgets everything not in non-volatile memory.
 void Box::power_up() {
   memory_ = saved_;
   powered_at_ = now_;
@@ -67,7 +67,7 @@ void Box::power_up() {
   note_slowing(never_changed, 0);
   captures_ = 0;
   for (auto& list : captured_) list.fill(0);
-  analog_centre_ = analog_;  // where the joystick stands now is its middle (App. J)
+  analog_centre_ = analog_;  // the joystick's present place is its middle (App. J)
   buttons_blocked_ = any_button_low();
   for (int i = 0; i < motors_per_controller; ++i) {
     Axis& a = axes_[ix(i)];

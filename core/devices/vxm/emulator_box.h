@@ -1,7 +1,6 @@
 #pragma once
-// One VXM: two motors, program memory, inputs and outputs, front panel. A Master holds its Slave, a second
-// one of the same kind. Time comes from outside: set_time() moves counters and loads, settle() does what is
-// due.
+// One VXM: two motors, program memory, inputs and outputs, front panel. A Master holds its Slave, another
+// Box. Time is set from outside: set_time() moves counters and loads, settle() handles due events.
 #include <array>
 #include <optional>
 #include <string>
@@ -16,25 +15,25 @@ namespace hw::vxm {
 class Box {
  public:
   Box();
-  /// As delivered for three or four motors: this one is the Master of `slave`.
+  /// Makes this the Master of `slave`, as delivered for three or four motors.
   void link(Box slave);
 
   // --- power and time: emulator_box.cpp
   void power(bool on, Instant now);        ///< of this controller alone
   void power_slave(bool on, Instant now);  ///< a supply of its own
   [[nodiscard]] bool powered() const { return powered_; }
-  void reset();  ///< res: as power off and on, lines and loads stay
+  void reset();  ///< res: like power off and on, but lines and loads stay
   void set_time(Instant now);
   bool settle();  ///< true: something happened
   [[nodiscard]] std::optional<Instant> next_event() const;
 
   // --- the wire: emulator_wire.cpp
   void receive(char c);
-  std::string out;          ///< sent to the host, to be taken away
-  std::size_t replied = 0;  ///< bytes of `out` that a request has brought since it was last set to 0
+  std::string out;          ///< bytes for the host, taken by the owner
+  std::size_t replied = 0;  ///< bytes added to `out` by requests since last set to 0
   char error_first = error_mark;
   bool mode_while_running = false;  ///< quirk: E and F are taken during a run (decision V103)
-  int firmware = newest_firmware;   ///< hundredths: what came later than it is unknown to it
+  int firmware = newest_firmware;   ///< in hundredths; features of later versions are unknown
   [[nodiscard]] int rate() const;
 
   // --- hands on the bench: emulator_bench.cpp
@@ -59,11 +58,11 @@ class Box {
   [[nodiscard]] std::int32_t counter_at(int axis, Instant t) const;
   [[nodiscard]] bool turning(int axis) const { return motion_.active && motion_.axis == axis; }
   [[nodiscard]] Duration ramp_to_rest(int axis) const;
-  std::vector<Pulse> pulses;  ///< since they were last taken away
+  std::vector<Pulse> pulses;  ///< since last taken
 
   // --- memory: emulator_memory.cpp
   [[nodiscard]] std::string saved_text() const;
-  /// A sentence about the first line that means nothing, or empty.
+  /// Why the line means nothing, as the end of a sentence; empty: it was taken.
   std::string load_line(std::string_view line);
   void forget_saved() { saved_ = Memory(); }
   void take_saved();
@@ -78,7 +77,7 @@ class Box {
   [[nodiscard]] int moves_begun() const { return moves_begun_; }
   [[nodiscard]] const Program& program(int i) const { return memory_.programs[static_cast<std::size_t>(i)]; }
   void go() { go_signal(); }
-  /// Where a rehearsal begins.
+  /// Sets the position where a rehearsal begins.
   void set_counter(int axis, std::int32_t value) {
     Axis& a = axes_[static_cast<std::size_t>(axis)];
     a.counter = value;
@@ -233,10 +232,10 @@ class Box {
   Instant powered_at_{};
   bool buttons_blocked_ = false;  ///< held low at power-up
   bool online_ = false, echo_ = false, group_cr_ = false, first_run_ = true;
-  int reset_letters_ = 0;  ///< of `res` while running
+  int reset_letters_ = 0;  ///< letters of `res` received so far
 
   Memory memory_, saved_;
-  struct Rules {  ///< what this controller's motors obey; a Slave's partly come from its Master
+  struct Rules {  ///< for this controller's motors; a Slave's partly come from its Master
     bool nf90 = false;
     int backlash = 0;
     std::array<bool, 2> inverted{};
@@ -248,7 +247,7 @@ class Box {
   int selected_ = 0, current_motor_ = 1;
   char error_ = 0;
   bool hold_ = false, jog_in_waits_ = false, nf90_pause_out_ = true;
-  bool jog_by_master_ = true;  ///< a Slave's buttons jog when its Master allows it
+  bool jog_by_master_ = true;  ///< the Master allows the Slave's buttons to jog
   int outputs_ = 0;
   Instant pulse_until_ = never_changed;
 
@@ -256,10 +255,10 @@ class Box {
   std::array<Line, line_count> lines_;
   int analog_ = analog_default, analog_centre_ = analog_default;
   Motion motion_;
-  bool motion_ended_ = false;  ///< and nobody has taken note yet
+  bool motion_ended_ = false;  ///< not yet handled
   Jog jog_;
   Run run_;
-  std::int32_t slowed_at_ = 0;  ///< `*`
+  std::int32_t slowed_at_ = 0;  ///< reply to `*`
   Instant slowed_when_ = never_changed;
   std::array<std::array<std::int32_t, 4>, 2> captured_{};
   int captures_ = 0;

@@ -1,4 +1,5 @@
-// What each stored command does: loops, jumps, indexes, pauses, outputs (Looping/Branching, App. G, P, S).
+// The effect of each stored command: loops, jumps, indexes, pauses, outputs (Looping/Branching, App. G, P,
+// S).
 #include <algorithm>
 #include <utility>
 
@@ -30,7 +31,7 @@ bool Box::in_pick() const {
   return std::any_of(run_.stack.begin(), run_.stack.end(), [](const Frame& f) { return f.pick; });
 }
 
-/// Relative moves of motors 1 and 2 turn round in some loops; nested loops combine by exclusive or (V42).
+/// Some loops reverse relative moves of motors 1 and 2; nested loops combine by exclusive or (V42).
 bool Box::reversed(int axis) const {
   if (in_pick()) return false;
   bool turned = false;
@@ -80,7 +81,7 @@ void Box::do_call(int program, bool pick) {
   run_.stack.push_back(frame);
 }
 
-/// Moves back what absolute indexes inside JM-x have moved, motor `but_axis` excepted (App. S, V50).
+/// Undoes the absolute indexes inside JM-x, except those of `but_axis` (App. S, V50).
 void Box::plan_ways_back(int but_axis) {
   for (int axis = 0; axis < motors_per_controller; ++axis) {
     if (axis == but_axis || run_.way_back[ix(axis)] == 0) continue;

@@ -1,4 +1,4 @@
-// Bench commands, sorted to the controller that they concern.
+// Routes bench commands to the controller that they concern.
 #include <algorithm>
 
 #include "core/base/index.h"
@@ -17,7 +17,7 @@ Result<> VxmEmulator::check_axis(AxisId axis) const {
 
 template <>
 Result<> VxmEmulator::act(const bench::Input& c) {
-  const int count = boxes() * inputs_per_controller;
+  const int count = boxes() * lines_per_controller;
   if (c.number < 1 || c.number > count)
     return fail(
         FaultKind::refused,
@@ -25,10 +25,9 @@ Result<> VxmEmulator::act(const bench::Input& c) {
         "Nothing was changed.");
   const std::uint32_t bit = 1u << (c.number - 1);
   inputs_ = c.active ? inputs_ | bit : inputs_ & ~bit;
-  const int box = (c.number - 1) / inputs_per_controller, input = (c.number - 1) % inputs_per_controller;
-  const std::uint32_t stop = box == 0 ? 1u << 5 : 1u << 11;
-  const bool low = c.active || (input == 3 && (buttons_ & stop) != 0);
-  (box == 0 ? box_ : *box_.slave()).set_line(line_in_1 + input, low);
+  const int box = (c.number - 1) / lines_per_controller, input = (c.number - 1) % lines_per_controller;
+  drive_line(box,
+             input < inputs_per_controller ? line_in_1 + input : line_jog + input - inputs_per_controller);
   return {};
 }
 
@@ -50,14 +49,21 @@ Result<> VxmEmulator::act(const bench::Button& c) {
 void VxmEmulator::press(int button, bool on) {
   const std::uint32_t bit = 1u << button;
   buttons_ = on ? buttons_ | bit : buttons_ & ~bit;
-  const bool of_slave = button >= buttons_per_controller;
-  Box& box = of_slave ? *box_.slave() : box_;
   // Master: 1- 1+ 2- 2+ Run Stop; Slave: 3- 3+ 4- 4+ Run Stop. Stop is wired to input 4.
-  const int local = of_slave ? button - buttons_per_controller : button;
-  if (local < 4) return box.set_line(line_jog + local, on);
-  if (local == 4) return box.set_line(line_run, on);
-  const std::uint32_t input_4 = of_slave ? 1u << 7 : 1u << 3;
-  box.set_line(line_in_4, on || (inputs_ & input_4) != 0);
+  const int local = button % buttons_per_controller;
+  const int line = local < line_run ? line_jog + local : local == line_run ? line_run : line_in_4;
+  drive_line(button / buttons_per_controller, line);
+}
+
+/// A line is low while a button of the front panel or its pin of the connector is.
+void VxmEmulator::drive_line(int box, int line) {
+  const int button = line == line_in_4 ? line_run + 1 : line <= line_run ? line : -1;
+  const int input = line >= line_in_1 ? line - line_in_1
+                    : line < line_run ? line - line_jog + inputs_per_controller
+                                      : -1;
+  const bool pressed = button >= 0 && (buttons_ >> (box * buttons_per_controller + button) & 1u) != 0;
+  const bool pulled = input >= 0 && (inputs_ >> (box * lines_per_controller + input) & 1u) != 0;
+  (box == 0 ? box_ : *box_.slave()).set_line(line, pressed || pulled);
 }
 
 template <>
@@ -84,7 +90,7 @@ Result<> VxmEmulator::act(const bench::Analog& c) {
     return fail(FaultKind::refused, "There is no analog input " + std::to_string(c.number) + ".",
                 "Nothing was changed.");
   if (c.value < analog_min || c.value > analog_max)
-    return fail(FaultKind::refused, std::to_string(c.value) + " is no reading of the analog input.",
+    return fail(FaultKind::refused, std::to_string(c.value) + " is not a reading of the analog input.",
                 "Nothing was changed.", "It gives 0 to 1024.");
   (c.number == 1 ? box_ : *box_.slave()).set_analog(c.value);
   return {};

@@ -102,7 +102,7 @@ std::string Box::saved_text() const {
 std::string Box::load_line(std::string_view line) {
   const auto equals = line.find('=');
   const std::string_view name = trim(line.substr(0, equals));
-  if (equals == std::string_view::npos) return "is no setting";
+  if (equals == std::string_view::npos) return "is not a setting";
   std::string_view value = line.substr(equals + 1);
   bool known = false, good = false;
   visit_pairs(saved_.setup, [&](std::string_view n, std::array<int, 2>& v, int min, int max) {
@@ -126,9 +126,9 @@ std::string Box::load_line(std::string_view line) {
   } else if (name.substr(0, 8) == "program-" && name.size() == 9 && name[8] >= '0' && name[8] <= '4') {
     return load_program(value, saved_.programs[static_cast<std::size_t>(name[8] - '0')])
                ? ""
-               : "holds commands that mean nothing; the others are kept";
+               : "holds unknown commands; the others are kept";
   }
-  if (!known) return "is no setting of a VXM";
+  if (!known) return "is not a setting of a VXM";
   if (good && !trim(value).empty()) good = false;
   return good ? "" : "holds a value that is out of range";
 }

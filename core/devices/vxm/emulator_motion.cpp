@@ -22,18 +22,18 @@ Duration Box::ramp_to_rest(int axis) const {
   return turning(axis) ? from_seconds(motion_.profile.speed(now_).value / ramp(axis).decel) : Duration{};
 }
 
-/// Direction of the load; setDM turns a motor round, and its limit switches with it.
+/// Direction of the load; setDM reverses a motor and its limit switches.
 Sign Box::physical(int axis, Sign sign) const { return rules_.inverted[ix(axis)] ? -sign : sign; }
 
-/// A home switch is wired to both limit inputs instead of the switches at the ends (App. N): the bench has
-/// one and setL is told of it.
+/// A home switch is wired to both limit inputs instead of the end switches (App. N): the bench has one, and
+/// setL is set for it.
 bool Box::home_switch_wired(int axis) const {
   const int mode = memory_.setup.limit_mode[ix(axis)];
   const bool for_homing_only = mode == limits_home_closed || mode == limits_home_open;
   return for_homing_only && axes_[ix(axis)].plant.place().home_from.has_value();
 }
 
-/// The switch that is wired to the limit input on that side of the load, operated by the load or by hand.
+/// The switch wired to the limit input on that side of the load is operated, by the load or by hand.
 bool Box::switch_operated(int axis, Sign side) const {
   const motion::Plant& plant = axes_[ix(axis)].plant;
   if (plant.limit_by_hand(side) || plant.home_by_hand()) return true;
@@ -45,7 +45,7 @@ void Box::note_closed(int axis) {
     if (!switch_operated(axis, side)) axes_[ix(axis)].seen_closed[side == Sign::plus] = true;
 }
 
-/// That limit input acts (V30, V69).
+/// The limit input is active (V30, V69).
 bool Box::limit_active(int axis, Sign side) const {
   if (!switch_operated(axis, side)) return false;
   return memory_.setup.limit_mode[ix(axis)] != limits_detect ||
@@ -189,12 +189,12 @@ void Box::cut_motion(MotionEnd end) {
   if (end == MotionEnd::limit) limit_was_hit_ = true;
 }
 
-/// D, Stop: down at the set rate from where it is now.
+/// D, Stop: ramps down at the set rate from the present speed.
 void Box::decelerate() {
   if (!motion_.active || motion_.stopping) return;
   sync();
   const auto slows = motion_.profile.slows_at();
-  if (slows && *slows <= now_) return;  // on its way down already
+  if (slows && *slows <= now_) return;  // already slowing down
   motion_.come_back = 0;
   motion_.stopping = true;
   note_slowing(now_, axes_[ix(motion_.axis)].counter);

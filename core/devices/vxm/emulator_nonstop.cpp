@@ -105,7 +105,7 @@ void Box::end_nonstop(int u, int at) {
     const Command index = program[frame.next++];
     if (!n.moving) return do_index(index);
     const bool minus = (index.value < 0) != reversed(axis);
-    if (minus != (n.sign == Sign::minus)) return raise(error_nonstop);  // no way to stop goes backwards
+    if (minus != (n.sign == Sign::minus)) return raise(error_nonstop);  // no stop goes backwards
     note_slowing(now_, axes_[ix(axis)].counter);
     start_motion(MotionKind::index, axis, n.sign,
                  Profile::stop_within(now_, 0, Pps(n.speed), std::abs(index.value)));
@@ -118,7 +118,7 @@ void Box::end_nonstop(int u, int at) {
   start_motion(MotionKind::index, axis, n.sign, stop);
   run_.doing = Doing::moving;
   if (u != 91) return;
-  // It changes itself into U92 and an index of that length, as it would have to be typed (V35).
+  // U91 rewrites itself as U92 and an index of that length, as they would be typed (V35).
   const std::int64_t way = std::max<std::int64_t>(stop.length(), 1);
   const bool minus = (n.sign == Sign::minus) != reversed(axis);
   Frame& frame = run_.stack.back();

@@ -1,5 +1,5 @@
 #pragma once
-// The small values of which an emulated controller is made.
+// Value types of an emulated controller.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -33,7 +33,7 @@ struct Setup {
   bool pma_except = false;  ///< PMA-x
 };
 
-/// What rsm keeps.
+/// The memory that rsm stores.
 struct Memory {
   Setup setup;
   std::array<Program, program_count> programs;
@@ -43,8 +43,9 @@ struct Memory {
 struct Line {
   bool low = false;
   Instant since = never_changed;
-  bool used = false;  ///< this press has done its work
-  /// When it will have been `level` for `hold`, if it stays so.
+  bool used = false;  ///< this press has taken effect
+  /// When the line will have been at the wanted level for `hold` if it stays so; none: it is not at that
+  /// level.
   [[nodiscard]] std::optional<Instant> stable(bool want_low, Duration hold) const {
     if (low != want_low) return std::nullopt;
     return since + hold;
@@ -74,7 +75,7 @@ struct Axis {
 enum class MotionKind : std::uint8_t { index, home, nonstop, jog, joystick };
 enum class MotionEnd : std::uint8_t { done, limit, stopped };
 
-/// The one motor that turns.
+/// The motion of the one motor that turns.
 struct Motion {
   bool active = false, stopping = false, slowing_noted = false;
   MotionKind kind = MotionKind::index;
@@ -82,7 +83,7 @@ struct Motion {
   int axis = 0;
   Sign sign = Sign::plus;
   std::int32_t from = 0;                 ///< counter at distance 0
-  std::int64_t applied = 0;              ///< steps that the counter and the plant have seen
+  std::int64_t applied = 0;              ///< steps applied to the counter and the plant
   std::optional<std::int64_t> limit_at;  ///< the step at which a switch ends it
   std::int64_t come_back = 0;            ///< backlash: steps to plus that follow
   motion::Profile profile;
@@ -90,7 +91,7 @@ struct Motion {
 
 struct OpenLoop {
   int at = 0;      ///< place of the loop command
-  int passes = 0;  ///< done so far, the present one not counted
+  int passes = 0;  ///< completed so far
 };
 
 struct Frame {
@@ -99,12 +100,12 @@ struct Frame {
   std::vector<OpenLoop> loops;
 };
 
-/// A move that the command under way still has to make.
+/// A move that the current command still has to make.
 struct PlannedMove {
   int motor = 1;
   std::int64_t distance = 0;
   int home = 0;            ///< -1, +1: to that limit
-  bool with_next = false;  ///< starts together with the one after it
+  bool with_next = false;  ///< starts together with the next move
 };
 
 enum class Doing : std::uint8_t { next, moving, pausing, breathing, waiting, for_host, held };
@@ -134,7 +135,7 @@ struct Run {
   bool out_before = false;  ///< level of output 1 before a pause raised it
   bool out_raised = false;
   Wait wait;
-  bool step_allowed = false;  ///< G let one held command go
+  bool step_allowed = false;  ///< G has released one held command
   std::vector<PlannedMove> moves;
   std::size_t next_move = 0;
   bool hit_limit = false;
@@ -156,15 +157,15 @@ struct Jog {
   int speed = 0;
 };
 
-/// What a rehearsal hears.
+/// An event reported to a rehearsal.
 struct Trace {
   Instant at{};
   int program = -1, command = -1;  ///< -1: no command, an event
   std::string what;
-  int motor = 0, limit = 0;  ///< a limit switch stopped this motor on its way to -1 or +1; 0: none did
+  int motor = 0, limit = 0;  ///< motor stopped by its limit switch on the way to -1 or +1; 0: none
 };
 
-/// A pulse before the other controller's positions are known.
+/// A pulse, without the other controller's positions.
 struct Pulse {
   Instant at{};
   int output = 0, axis = 0;
@@ -172,7 +173,7 @@ struct Pulse {
   std::int32_t position = 0;
 };
 
-/// The first of two events, either of which may never come.
+/// The earlier of two events, either of which may never come.
 inline std::optional<Instant> earlier(std::optional<Instant> a, std::optional<Instant> b) {
   if (!a) return b;
   if (!b) return a;

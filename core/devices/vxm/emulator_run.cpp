@@ -9,7 +9,7 @@
 namespace hw::vxm {
 namespace {
 
-// Commands without a duration of their own take none, but an endless loop of them must let time pass.
+// Commands without a duration take no time, but an endless loop of them must let time pass.
 constexpr int commands_at_once = 10'000;
 constexpr Duration breath = Millis(1);
 
@@ -21,13 +21,13 @@ void Box::note(std::string what) {
 
 void Box::start_run(int program) {
   reader_.reset();
-  bracket_ = false, group_.reset();  // the Run button may come in the middle of a text
+  bracket_ = false, group_.reset();  // Run may be pressed in the middle of a text
   for (auto& list : captured_) list.fill(0);
   captures_ = 0;
   limit_was_hit_ = false;
   moves_begun_ = 0;
   const bool stop_held = (memory_.setup.inputs & inputs_stop) != 0 && line(line_in_4).low && !is_slave_;
-  if (stop_held) {  // programs do not run while Stop is held (App. C); the host is told as if it were stopped
+  if (stop_held) {  // no program runs while Stop is held (App. C); the host is told as if one were stopped
     send_error(error_stopped);
     return prompt(vxm::prompt);
   }
@@ -77,7 +77,7 @@ bool Box::go_on() {
   return changed;
 }
 
-/// False: nothing can be done now.
+/// False: no command can run now.
 bool Box::execute_next() {
   if (motion_.active) return false;  // a jog still ramps down
   if (run_.stop_asked) return end_stopped_run(), true;
@@ -112,7 +112,7 @@ bool Box::execute_next() {
     return true;
   }
   const bool for_slave = command.motor > motors_per_controller || command.op == Op::group;
-  // A coupled program has the Slave's motors, or a hand that jogged lets them ramp down.
+  // A coupled program uses the Slave's motors, or they ramp down after a jog.
   if (for_slave && slave() != nullptr && (slave()->run_.on || slave()->motion_.active)) return false;
   run_.step_allowed = false;
   if (trace != nullptr) trace->push_back({now_, frame.program, frame.next, shown(command, analog_)});
@@ -174,7 +174,7 @@ void Box::finish_run() {
   prompt(vxm::prompt);
 }
 
-/// Starts what the command still has to move; when nothing is left, the next command follows.
+/// Starts the moves that the command still has to make; after the last, the next command follows.
 void Box::begin_next_moves() {
   while (run_.on && run_.next_move < run_.moves.size()) {
     bool together = true;
@@ -209,7 +209,7 @@ void Box::begin_moves() {
   begin_next_moves();
 }
 
-/// All motors stand that this command has started.
+/// All motors started by this command stand.
 void Box::moves_done() {
   if (motion_ended_ && motion_.kind == MotionKind::nonstop) nonstop_motion_ended();
   take_motion_end(*this);
@@ -220,8 +220,8 @@ void Box::moves_done() {
   begin_next_moves();
 }
 
-/// Of a pair ( ) the motor that stands first: a switch that it met is told when it meets it, not when the
-/// other has come to its end (App. F).
+/// For the first motor of a pair ( ) to stand: a limit switch hit is reported at once, not at the end of the
+/// other motor (App. F).
 bool Box::tell_first_of_pair() {
   bool told = false;
   for (Box* box : {this, slave()}) {
@@ -233,7 +233,7 @@ bool Box::tell_first_of_pair() {
   return told;
 }
 
-/// A limit hit is told to the host and may end the program (App. F); moves to a limit never end it.
+/// Reports a limit hit to the host. It may end the program (App. F), except in a move to a limit.
 void Box::take_motion_end(Box& box) {
   const MotionKind kind = box.motion_.kind;
   const bool homing = kind == MotionKind::home;
@@ -272,7 +272,7 @@ void Box::kill() {
   prompt(vxm::prompt);
 }
 
-/// Error reports that hold the controller until K (Troubleshooting p.30).
+/// Error reports that halt the controller until K (Troubleshooting p.30).
 void Box::raise(char letter) {
   cut_motion(MotionEnd::stopped);
   motion_ended_ = false;

@@ -202,7 +202,7 @@ void Box::save() {
   prompt(vxm::prompt);
 }
 
-/// setD0: everything as it left the factory, in non-volatile memory too (V88).
+/// setD0: restores the factory state, in non-volatile memory too (V88).
 void Box::erase() {
   saved_ = Memory();
   ++stores;

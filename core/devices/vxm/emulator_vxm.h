@@ -1,5 +1,5 @@
 #pragma once
-// The emulator as its owner sees it: a controller, its Slave, the hands on both, and what left over the wire.
+// The emulator as its owner sees it: a controller, its Slave, the hands on both, and the bytes sent.
 #include <array>
 #include <deque>
 #include <memory>
@@ -11,12 +11,12 @@
 
 namespace hw::vxm {
 
-/// Of the address.
+/// Options of the address.
 struct EmulatorOptions {
   int motors = 2;
   bool overrun = false, barred = false;
   bool mode_while_running = false;  ///< E and F are taken while a program runs (V103)
-  bool old_firmware = false;        ///< 1.19: it knows neither $ nor PA, and lists nothing while it holds
+  bool old_firmware = false;        ///< 1.19: no $, no PA, and no command listed while it holds
 };
 
 class VxmEmulator final : public Emulator {
@@ -57,6 +57,7 @@ class VxmEmulator final : public Emulator {
   template <class Hand>
   Result<> act(const Hand& hand);
   void press(int button, bool on);
+  void drive_line(int box, int line);
   Result<> check_supply(int supply) const;
   void supply_power(int box);
 
@@ -73,7 +74,7 @@ class VxmEmulator final : public Emulator {
     Instant leaves;
     char byte;
   };
-  std::deque<Held> held_back_;  ///< quirk overrun: the reply that is being sent, and what comes behind it
+  std::deque<Held> held_back_;  ///< quirk overrun: the reply being sent and the bytes behind it
   Instant answering_until_{};
   std::uint64_t memory_loads_ = 0;
   mutable std::vector<TriggerPulse> pulses_;

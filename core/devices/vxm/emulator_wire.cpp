@@ -1,4 +1,4 @@
-// What arrives over RS-232 and what is answered at once (Communication Methods, Operation and Status Request
+// Bytes received over RS-232, and immediate replies (Communication Methods, Operation and Status Request
 // Commands, App. A).
 #include <algorithm>
 
@@ -31,7 +31,7 @@ void Box::receive(char c) {
     local_letter(c);
   else
     online_char(c);
-  // All that is received is echoed, the E that turns echo on too; F and G turn it off at once (V06).
+  // All received bytes are echoed, even the E that turns echo on; F and G turn it off at once (V06).
   const bool turned_off = echo_before && !echo_ && (c == 'F' || c == 'G');
   if (echo_ || (echo_before && !turned_off)) out.insert(mark, 1, c);
   settle();
@@ -224,7 +224,7 @@ void Box::zero_all() {
   if (slave_found()) slave()->zero_all();
 }
 
-/// Of all motors, the Slave's among them (V28).
+/// Of all motors, including the Slave's (V28).
 std::int32_t Box::last_slowed_at() const {
   const Box* s = slave_found() ? slave() : nullptr;
   return s != nullptr && s->slowed_when_ > slowed_when_ ? s->slowed_at_ : slowed_at_;

@@ -9,7 +9,7 @@ namespace hw::vxm {
 
 struct TextCommand;
 
-/// `asked`: what was sent last before a received entry. Empty when there is nothing to say.
+/// `asked`: the bytes sent last before a received entry. Returns empty: nothing to explain.
 std::string explain(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
 /// "store: motor 1 moves by +400 steps"
 std::string explain_command(const TextCommand& command);

@@ -1,6 +1,6 @@
 #pragma once
-// What stands on the wire and in the tables of the VXM manual (VXM-UM-E5): limits, bits, mnemonics, costs.
-// Shared by driver and emulator. Facts only: nothing here writes or reads the wire.
+// Facts of the wire and of the tables in the VXM manual (VXM-UM-E5): limits, bits, mnemonics, costs. Shared
+// by driver and emulator. Nothing here writes or reads the wire.
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -13,7 +13,7 @@ inline constexpr std::int32_t max_index = 16'777'215;
 inline constexpr std::int32_t position_min = -8'388'608, position_max = 8'388'607;  ///< 24-bit registers
 inline constexpr int min_speed = 1, max_speed = 6000, default_speed = 2000;         ///< steps/s
 inline constexpr int min_accel = 1, max_accel = 127, default_accel = 2;
-/// Steps/s² for each unit of `A` (the unit stands in Application Note 106 only). NF90 emulation doubles it.
+/// Steps/s² per unit of `A` (given in Application Note 106 only). NF90 emulation doubles it.
 inline constexpr double accel_unit = 1000.0;
 inline constexpr std::int32_t home_give_up_steps = 16'000'000;  ///< "about 16 million"
 inline constexpr int steps_per_turn = 400;
@@ -27,7 +27,7 @@ inline constexpr int min_loop = 2, max_loop = 65'535, max_pause = 65'535;
 inline constexpr int pma_off = 255;
 inline constexpr std::int32_t store_life = 100'000;  ///< erase and write cycles (rsm, p.24)
 
-/// Bytes of program memory, by what stands before motor and number (App. P, each command's own paragraph).
+/// Bytes of program memory, by the text before motor and number (App. P, each command's own paragraph).
 struct StoredForm {
   std::string_view head;
   int bytes;
@@ -49,7 +49,7 @@ inline constexpr std::array<StoredForm, 13> stored_forms{{
 }};
 inline constexpr int endless_loop_bytes = 1;  ///< L0 (and L-0 in NF90 emulation)
 inline constexpr int u91_bytes = 6;           ///< it becomes U92 and an index
-inline constexpr int pair_bytes = 2;          ///< ( ) beside its indexes
+inline constexpr int pair_bytes = 2;          ///< ( ) in addition to its indexes
 
 /// U commands that exist; the Slave's are these plus 100 (App. B p.37).
 inline constexpr std::array<int, 33> u_commands{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  11,
@@ -73,7 +73,7 @@ inline constexpr std::array<AnalogRange, 21> analog_ranges{{
 inline constexpr int analog_min = 0, analog_max = 1024, analog_default = 512;
 
 // --- set-up (set, get; p.25 and appendices) ------------------------------------------------------------
-/// A value of set/get. `mnemonic` is what stands between set/get and the number, `m` for the motor's digit.
+/// A value of set/get. `mnemonic`: the text between set/get and the number, `m` for the motor's digit.
 struct SetupFact {
   std::string_view mnemonic;
   std::int32_t min, max, factory;
@@ -91,7 +91,7 @@ inline constexpr std::array<SetupFact, 13> setup_facts{{
     {"jAmM", 1, 24, 0, true, true},        // first joystick range
     {"JAmM", 1, 24, 0, true, true},        // second joystick range
     {"LmM", -2, 2, 0, false, true},        // limit switch mode
-    {"PmM", 1, 32767, 0, true, true},      // pulse every so many steps
+    {"PmM", 1, 32767, 0, true, true},      // steps from pulse to pulse
     {"PA", 1, 255, 1, false, true},        // pulse width in 10 microseconds
     {"I", 0, 255, 7, false, true},         // input mode bits below
 }};
@@ -138,6 +138,7 @@ constexpr int limit_bit(int motor, bool plus) { return 2 * (motor - 1) + (plus ?
 inline constexpr int first_input_bit = 4;
 /// `$`: bits 0-3 outputs 1-4; 1 = high.
 inline constexpr int inputs_per_controller = 4, outputs_per_controller = 4;
+inline constexpr int lines_per_controller = 8;  ///< its inputs, then its jog inputs
 
 // --- letters --------------------------------------------------------------------------------------------
 inline constexpr char prompt = '^', over_travel = 'O', held = ':', waits_for_go = 'W', index_passed = '@';
@@ -156,12 +157,12 @@ inline constexpr char error_mark = 'E', error_mark_barred = static_cast<char>(0x
 inline constexpr std::string_view accepted_in_local = "EFGNVDQ";
 inline constexpr std::string_view accepted_while_running = "KDHGVXY!*?~$@";  ///< and res; Z, T at standstill
 
-/// What ends a number or a command (p.26): carriage return, comma, period.
+/// Ends a number or a command (p.26): carriage return, comma, period.
 constexpr bool is_ender(char c) { return c == '\r' || c == ',' || c == '.'; }
 
-// Of the firmware, in hundredths.
+// Firmware versions, in hundredths.
 inline constexpr int newest_firmware = 130, old_firmware = 119;
-inline constexpr int firmware_of_listing = 121;  // of the command before which it holds (App. A p.32)
+inline constexpr int firmware_of_listing = 121;  // lists the command before which it holds (App. A p.32)
 inline constexpr int firmware_of_outputs = 122;  // $ (App. A p.33)
 inline constexpr int firmware_of_pulses = 124;   // setPA, getPA (App. D p.43)
 inline constexpr std::string_view firmware_date = "12-29-04";

@@ -12,7 +12,7 @@ namespace hw::vxm {
 
 Greeting read_greeting(std::string_view bytes) {
   Greeting g;
-  // Whatever was echoed before: V and the state behind it are sense enough.
+  // V and the state at the end suffice, whatever was echoed before.
   if (bytes.size() > 2 && bytes[bytes.size() - 2] == 'V') bytes.remove_prefix(bytes.size() - 2);
   while (!bytes.empty()) {
     const char first = bytes.front();
@@ -47,7 +47,8 @@ tl::unexpected<Fault> no_vxm_greets(std::string_view bytes, int rate) {
     hex += fmt::format("{}{:02X}", hex.empty() ? "" : " ", static_cast<unsigned char>(c));
   const bool plain = std::all_of(bytes.begin(), bytes.end(),
                                  [](char c) { return (c >= ' ' && c < 127) || c == '\r' || c == '\n'; });
-  std::string what = fmt::format("What answers to V is no VXM: {} came back instead of R, B, J or b.", hex);
+  std::string what =
+      fmt::format("The device that answers V is not a VXM: {} came back instead of R, B, J or b.", hex);
   if (plain)
     return fail(FaultKind::garbled, std::move(what), "Nothing more was sent.",
                 "Another device is on this port. Choose its model, or another port.");

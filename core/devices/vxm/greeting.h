@@ -1,5 +1,5 @@
 #pragma once
-// What comes back on V when nothing is known of the controller yet. Pure.
+// Reads the reply to V when nothing is known of the controller yet. Pure.
 #include <cstdint>
 #include <string_view>
 
@@ -7,7 +7,7 @@
 
 namespace hw::vxm {
 
-/// So long is waited for more of an answer.
+/// Silence that ends the reply.
 inline constexpr std::uint16_t greeting_quiet_ms = 20;
 inline constexpr std::uint16_t slow_greeting_quiet_ms = 45;  // bytes come up to 40 ms apart
 
@@ -19,9 +19,9 @@ struct Greeting {
 };
 Greeting read_greeting(std::string_view bytes);
 
-/// Nothing came back; at `rate` baud, 0: the wire has none.
+/// No reply at `rate` baud; 0: the wire has no rate.
 tl::unexpected<Fault> nobody_greets(int rate);
-/// What came back is no VXM's.
+/// The reply is not a VXM's.
 tl::unexpected<Fault> no_vxm_greets(std::string_view bytes, int rate);
 
 }  // namespace hw::vxm

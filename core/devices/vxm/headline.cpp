@@ -18,25 +18,6 @@ void Headline::show() const {
     return;
   }
   draft.notice.clear();
-  constexpr std::string_view types[] = {"M1M", "M2M", "M3M", "M4M"};
-  constexpr std::string_view untold[] = {
-      "Motor 1 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
-      "Setup, Motors, "
-      "before the first move.",
-      "Motor 2 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
-      "Setup, Motors, "
-      "before the first move.",
-      "Motor 3 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
-      "Setup, Motors, "
-      "before the first move.",
-      "Motor 4 is set to type 0, the factory value for the smallest motors. Choose the connected motor in "
-      "Setup, Motors, "
-      "before the first move."};
-  for (int i = 0; i < draft.axis_count; ++i)
-    if (parameters_.value(types[i]) == 0) {
-      draft.notice = untold[i];
-      return;
-    }
   if (nameplate_.has_slave() && draft.axis_count <= motors_per_controller) draft.notice = unused_slave;
 }
 

@@ -1,26 +1,23 @@
 #pragma once
-// The one sentence about what needs the user's attention most.
+// One sentence on the most urgent matter for the user.
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/nameplate.h"
-#include "core/devices/vxm/parameters.h"
 #include "core/devices/vxm/presence.h"
 
 namespace hw::vxm {
 
 class Headline {
  public:
-  Headline(const Console& console, const Presence& presence, const Nameplate& nameplate,
-           const Parameters& setup)
-      : console_(console), presence_(presence), nameplate_(nameplate), parameters_(setup) {}
+  Headline(const Console& console, const Presence& presence, const Nameplate& nameplate)
+      : console_(console), presence_(presence), nameplate_(nameplate) {}
 
-  /// Called each round: nothing in it allocates while all is well.
+  /// Called each round: allocates nothing while all is well.
   void show() const;
 
  private:
   const Console& console_;
   const Presence& presence_;
   const Nameplate& nameplate_;
-  const Parameters& parameters_;
 };
 
 }  // namespace hw::vxm

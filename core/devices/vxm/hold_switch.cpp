@@ -6,7 +6,7 @@ Result<> HoldSwitch::may_switch() const {
   if (hold_.is_known()) return {};
   return fail(FaultKind::refused,
               hold_.is_doubtful()
-                  ? "The connection was lost while the hold was switched: whether it is on is not known."
+                  ? "The connection was lost while the hold was switched: it is not known whether it is on."
                   : "Somebody else has begun this program, and whether it is held shows when a motor starts.",
               "Nothing was sent.", "Stop the program.");
 }
@@ -19,15 +19,14 @@ Task<Result<>> HoldSwitch::say(std::string text, bool on, Priority priority) {
   co_return said;
 }
 
-// An H more would switch a hold on that has ended. K ends it in either case, and is answered.
+// Another H would switch on a hold that has ended. K ends it in either case, and is answered.
 Task<Result<>> HoldSwitch::settle() {
   if (!hold_.is_doubtful()) co_return Result<>();
   auto settled = co_await kills_.kill(true, Priority::intent);
   if (settled || settled.error().kind != FaultKind::no_answer) co_return settled;
   co_return fail(
       FaultKind::no_answer,
-      "Whether the hold (H) is on is not known, and the controller does not confirm the K that ends "
-      "it.",
+      "It is not known whether the hold (H) is on, and the controller does not confirm the K that ends it.",
       "Nothing else was sent.", "Try again.");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Switching the hold by H, and getting to know it again by K.
+// Switches the hold by H, and makes its state known again by K.
 #include <string>
 
 #include "core/devices/vxm/conversation.h"
@@ -12,14 +12,13 @@ class HoldSwitch {
  public:
   HoldSwitch(Conversation& talk, Hold& hold, Kills& kills) : talk_(talk), hold_(hold), kills_(kills) {}
 
-  /// An H more might switch it either way.
+  /// Refuses while another H might switch the hold either way.
   [[nodiscard]] Result<> may_switch() const;
-  /// Says this, behind which the hold is on, or off. H is a switch: it is said only when it changes what is
-  /// wanted.
+  /// Sends `text`, after which the hold is on, or off. H toggles: include it only where the hold must change.
   Task<Result<>> say(std::string text, bool on, Priority priority);
-  /// A hold that was left on stands before a command of a move of ours: nothing turns.
+  /// A hold left on keeps a move of the console from beginning: nothing turns.
   [[nodiscard]] bool keeps_our_move() const { return hold_.is_to_be_released(); }
-  /// Before anything is run: whether it is on is known afterwards.
+  /// Call before any run: makes the state of the hold known.
   Task<Result<>> settle();
 
  private:

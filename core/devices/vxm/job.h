@@ -1,5 +1,5 @@
 #pragma once
-// A move of the console: its legs, of which the first is under way, and how that comes to its end.
+// A move of the console: its legs, the first of which is under way, and how that leg ends.
 #include <deque>
 #include <optional>
 #include <string>
@@ -14,14 +14,14 @@ namespace hw::vxm {
 
 /// One run of the console's own: at most one index (or a pair on two controllers), so that D always ends it.
 struct Leg {
-  std::string text;  ///< stored commands, each with its end
+  std::string text;  ///< stored commands, each with its ender
   int axis = -1, second_axis = -1;
   Activity activity = Activity::idle;  ///< idle: switches or sets something, moves nothing
   Sign sign = Sign::plus;
   std::optional<Steps> target;
   std::optional<Steps> up_to;  ///< of a jog: the end of its travel
   LegPace pace;
-  std::optional<Trust> zeroes;  ///< ends with its axis called zero: for this reason
+  std::optional<Trust> zeroes;  ///< the leg zeroes its axis: why the zero is trusted
 
   [[nodiscard]] bool is_of(int an_axis) const { return axis == an_axis || second_axis == an_axis; }
 };
@@ -29,17 +29,17 @@ struct Leg {
 class Job {
  public:
   Job() = default;
-  /// One that starts again at the end of its bounded index.
+  /// A job that starts again at the end of its bounded index.
   static Job jog(Leg leg);
   void add(Leg leg) { legs_.push_back(std::move(leg)); }
-  /// Null: there is none.
+  /// Null: no leg.
   Leg* last() { return legs_.empty() ? nullptr : &legs_.back(); }
 
   [[nodiscard]] bool active() const { return !legs_.empty(); }
-  /// Under way.
+  /// The leg under way.
   [[nodiscard]] const Leg& leg() const { return legs_.front(); }
   [[nodiscard]] bool moves(int axis) const { return active() && leg().is_of(axis); }
-  /// What it moves is in its scope.
+  /// The stop covers the leg under way.
   [[nodiscard]] bool concerns(const StopOrder& order) const;
   [[nodiscard]] bool is_jog() const { return jog_; }
   [[nodiscard]] bool has_more() const { return jog_ || legs_.size() > 1; }
@@ -51,24 +51,24 @@ class Job {
   [[nodiscard]] bool is_leg_over() const { return leg_over_; }
   void report_limit() { limit_reported_ = true; }
   [[nodiscard]] bool limit_was_reported() const { return limit_reported_; }
-  /// Somebody who has stopped it in words of his own waits for its prompt.
+  /// The caller stopped the move by a text and waits for its prompt.
   void ask_for_end(bool asked) { end_is_asked_ = active() && asked; }
   [[nodiscard]] bool end_is_asked() const { return end_is_asked_; }
 
   // ---- why it is cut short
   void ends_by(EndedBy why) { ended_by_ = why; }
   [[nodiscard]] EndedBy ended_by() const { return ended_by_; }
-  /// The leg under way ends, and nothing of the move follows it.
+  /// The leg under way ends, and no later leg follows.
   void note_stop();
-  /// The stop has cut off nothing but this leg.
+  /// The stop has cut off this leg only.
   [[nodiscard]] bool was_cut_whole() const { return cut_whole_; }
 
-  // ---- what follows
-  /// Nothing.
+  // ---- later legs
+  /// Drops them all.
   void drop_rest();
-  /// Nothing of this axis; -1: of any. Gives back what that was.
+  /// Drops those of this axis; -1: of any. Returns them.
   std::vector<Leg> drop_later_legs(int axis);
-  /// The next leg, if this one has arrived: `again` where it is the last.
+  /// Goes on to the next leg if this one has arrived. `again`: appended as the last.
   void go_on(EndedBy ended_by, std::optional<Leg> again);
 
  private:

@@ -28,8 +28,8 @@ Task<Result<>> Kills::kill(bool standing, Priority priority) {
   co_return Result<>();
 }
 
-// K above 1000 steps/s may cost steps that the controller does not know of (p.23). An unknown speed counts as
-// fast, and what was under way when the wire was lost as still turning.
+// K above 1000 steps/s may lose steps unnoticed by the controller (p.23). An unknown speed counts as fast,
+// and a motion under way when the wire was lost as still turning.
 void Kills::doubt_positions() const {
   const bool program_runs = under_way_.program_runs();
   for (int i = 0; i < console_.draft.axis_count; ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// K, which ends everything without a ramp, and what it costs.
+// K, which ends everything without a ramp, and its cost in position.
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/headline.h"
@@ -10,7 +10,7 @@
 
 namespace hw::vxm {
 
-/// The answer to K, or to what is asked in a hurry beside it.
+/// Patience for the reply to K, or to an urgent question beside it.
 inline constexpr Duration kill_patience = Millis(300);
 
 class Kills {
@@ -25,9 +25,9 @@ class Kills {
         under_way_(under_way),
         headline_(headline) {}
 
-  /// `standing`: it costs no steps.
+  /// `standing`: K costs no steps.
   Task<Result<>> kill(bool standing, Priority priority = Priority::stop);
-  /// Of all that a K ends now, as far as is known.
+  /// Doubts the positions of all motors that a K stops now, as far as known.
   void doubt_positions() const;
 
  private:

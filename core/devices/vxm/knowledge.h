@@ -1,5 +1,5 @@
 #pragma once
-// What is read once and holds until it changes: what the controller is, its set-up, its programs.
+// Facts that are read once and hold until they change: identity, set-up, programs.
 #include "core/devices/vxm/nameplate.h"
 #include "core/devices/vxm/parameters.h"
 #include "core/devices/vxm/slots.h"
@@ -14,13 +14,13 @@ class Knowledge {
   [[nodiscard]] bool suffices_for_a_move() const {
     return slots_.knows_sizes() && parameters_.knows_essentials();
   }
-  /// What could not be read while a program ran, or has become uncertain since.
+  /// Reads what was unreadable while a program ran, or has become uncertain since.
   Task<Result<>> catch_up();
-  /// It is read again.
+  /// Has everything read again.
   void doubt();
-  /// It may have restarted: all is read again, but what the console has left in it is still to be taken back.
+  /// It may have restarted: everything is read again, but the console still removes its traces from it.
   void may_be_of_before();
-  /// The controller has restarted: what is not stored is gone.
+  /// The controller has restarted: everything not stored is gone.
   void forget();
 
  private:

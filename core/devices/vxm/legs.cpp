@@ -1,6 +1,5 @@
-// S and A last beyond a run and cannot be read. A move with a speed or an acceleration of its own therefore
-// ends by putting back what the user's last S or A said, or the power-up value, 2000 steps/s and 2, if none
-// was seen.
+// S and A outlast a run and cannot be read. A move with its own speed or acceleration therefore ends by
+// restoring the value of the user's last S or A, or the power-up value, 2000 steps/s and 2, if none was seen.
 #include "core/devices/vxm/legs.h"
 
 #include <algorithm>
@@ -18,7 +17,7 @@ namespace {
 constexpr double longest_jog_s = 30;  // a jog that nobody ends (a pulled cable) stops after this
 constexpr Duration quick_patience = std::chrono::seconds(1);
 
-/// What has to be said before a leg; 0: nothing.
+/// Value to set before a leg; 0: none.
 int to_set(const LastSaid& last, int axis, int of_leg) {
   if (of_leg > 0) return of_leg;
   return last.is_ours(axis) ? last.usual(axis) : 0;
@@ -56,7 +55,7 @@ Task<Result<>> Legs::begin(Job job) {
   co_return co_await start_leg();
 }
 
-// R alone begins a motion: it goes out once, behind what lst has shown.
+// Only R begins a motion: it is sent once, after lst has confirmed the program.
 Task<Result<>> Legs::start_leg() {
   const Leg& leg = under_way_.job().leg();
   auto filled = co_await scratch_.fill(leg_program(leg));
@@ -76,7 +75,7 @@ Task<Result<>> Legs::start_leg() {
   co_return never_begun(sent);
 }
 
-/// A stop came first, or the program did not get there.
+/// The leg did not begin: a stop came first, or the program did not arrive.
 Result<> Legs::never_begun(const Result<>& why) {
   const Job never = std::exchange(under_way_.job(), Job());
   const FaultKind kind = why.error().kind;
@@ -101,12 +100,22 @@ void Legs::show_leg(const Leg& leg) {
         axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
     }
     axis.speed = Pps{static_cast<double>(leg.pace.speed > 0 ? leg.pace.speed : speeds_.speed.known(index))};
+    axis.began_at = axis.position;
+    axis.ramp = axis.position_known ? ramp_of(leg, index) : 0;
   }
+}
+
+/// Steps/s²; 0: not known.
+double Legs::ramp_of(const Leg& leg, int axis) const {
+  const int said = leg.pace.acceleration > 0 ? leg.pace.acceleration : speeds_.acceleration.usual(axis);
+  const ParamState& mode = console_.draft.params[ix(console_.catalog.find_param("DM"))];
+  if (!mode.known) return 0;
+  return said * accel_unit * ((mode.value & mode_nf90) != 0 ? 2 : 1);
 }
 
 Task<Result<>> Legs::settle() {
   if (hold_.is_to_be_released()) {
-    if (ramp_.is_expected()) co_return Result<>();  // its stop ends it before it begins
+    if (ramp_.is_expected()) co_return Result<>();  // the stop ends the move before it begins
     auto released = co_await hold_switch_.say("H", false, Priority::intent);
     if (!released) co_return released;
   }
@@ -128,7 +137,7 @@ Task<Result<>> Legs::end_leg(Priority priority) {
   Result<> read;
   if (moved) read = co_await signals_.ask('?', priority);
   if (read) read = co_await positions_.read(priority, true);
-  if (read && moved && !signals_.confirm()) read = co_await signals_.read('?', priority);
+  if (read && moved && !signals_.confirm()) read = co_await signals_.read("?", priority);
   if (!read) co_return read;
   const EndedBy ended_by = how_it_ended(leg);
   const bool cut_off = ended_by == EndedBy::abort || ended_by == EndedBy::error || ended_by == EndedBy::lost;
@@ -173,6 +182,7 @@ void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {
       axis.direction = 0;
       axis.has_target = false;
       axis.speed = Pps{};
+      axis.ramp = 0;
     }
     if (leg.zeroes && ended_by == EndedBy::target) axis.trust.settle(*leg.zeroes, console_.scheduler.now());
   }
@@ -202,7 +212,7 @@ std::optional<Leg> Legs::next_jog_leg(const Leg& last, EndedBy ended_by) const {
   return leg;
 }
 
-// A move that nobody has stopped keeps its program: it may take as long as it likes.
+// A move that was not stopped keeps its program, however long it takes.
 bool Legs::clears_up() const {
   const bool ends = !under_way_.busy() || ramp_.is_expected() || under_way_.job().is_leg_over() ||
                     under_way_.job().ended_by() != EndedBy::nothing;

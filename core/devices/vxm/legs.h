@@ -1,5 +1,5 @@
 #pragma once
-// How a move of the console is carried out: each leg is a run of the scratch program.
+// Carries out a move of the console: each leg is a run of the scratch program.
 #include <optional>
 #include <string>
 
@@ -42,17 +42,17 @@ class Legs {
         status_(status) {}
 
   Task<Result<>> begin(Job job);
-  /// Something that is over at once: its end is waited for.
+  /// Runs a leg that is over at once, and waits for its end.
   Task<Result<>> run_quickly(Leg leg);
-  /// What is due before anything else: a hold that was left on is taken off, a leg that is over is followed
-  /// by the next one, and what the console has put into the controller goes when nothing of its own runs.
+  /// Does the work that is due before anything else: takes off a hold left on, starts the leg after one that
+  /// is over, and removes the console's program from the controller when nothing runs.
   Task<Result<>> settle();
-  /// Reads where it ended.
+  /// Reads where the leg ended.
   Task<Result<>> end_leg(Priority priority);
   void show_leg(const Leg& leg);
-  /// One that was cut off may have left its own speed behind.
+  /// Restores the speeds left by a leg that was cut off.
   Task<Result<>> restore_speeds();
-  /// `up_to`: not beyond it; none: as far as the register counts.
+  /// `up_to`: end of the travel; none: end of the position register.
   [[nodiscard]] Leg jog_leg(int axis, Sign sign, LegPace pace, std::optional<Steps> up_to) const;
 
   // ---- see Driver
@@ -66,6 +66,7 @@ class Legs {
   [[nodiscard]] std::string leg_program(const Leg& leg) const;
   [[nodiscard]] EndedBy how_it_ended(const Leg& leg) const;
   [[nodiscard]] std::string program_left_behind() const;
+  [[nodiscard]] double ramp_of(const Leg& leg, int axis) const;
   void show_leg_ended(const Leg& leg, EndedBy ended_by);
   [[nodiscard]] std::optional<Leg> next_jog_leg(const Leg& last, EndedBy ended_by) const;
 

@@ -12,14 +12,14 @@ namespace {
 
 bool is_state(std::string_view answer) { return decode_state(answer).has_value(); }
 bool is_position(std::string_view answer) { return decode_position(answer).has_value(); }
-bool is_unsigned(std::string_view answer) {  // what @ answers: a position has a sign, a text a point
+bool is_unsigned(std::string_view answer) {  // reply to @: a position has a sign, a text a point
   return !answer.empty() && is_digit(answer.front()) && decode_number(answer);
 }
 bool is_version(std::string_view answer) {
   return answer.find('.') != std::string_view::npos && decode_text_line(answer);
 }
 
-// What is owed comes before the answer: whole lines of another look, and what is no line at all.
+// Owed replies come before the answer: whole lines of another look, and bytes that are no line.
 template <bool (*fits)(std::string_view)>
 std::size_t before_line(std::string_view received) {
   const std::size_t no_number = before_number(received);
@@ -29,9 +29,9 @@ std::size_t before_line(std::string_view received) {
   return fits(received.substr(0, end + 1)) ? 0 : end + 1;
 }
 
-// V once more, behind a V and others that were not answered. In Local mode only V ever is, and the letter
-// tells that. Else they are answered in their order: the letter behind a line that was asked for after the
-// first V, or behind another letter, is the second one's.
+// A second V, sent while the replies to a first V and to others are owed. In Local mode only V is answered,
+// and the letter tells the mode. Otherwise replies come in order: the letter after a line asked for after the
+// first V, or after another letter, answers the second V.
 class SecondLetter {
  public:
   SecondLetter(const OwedAnswers& owed, Instant now)
@@ -58,11 +58,11 @@ class SecondLetter {
 
 using Fits = bool (*)(std::string_view);
 Station::Unmistakable question(std::string text, ReplyShape shape, Look look, Fits fits,
-                               std::function<std::size_t(std::string_view)> stranger) {
+                               std::function<std::size_t(std::string_view)> unsolicited_length) {
   Station::Unmistakable asked;
   asked.question = Transaction(std::move(text), shape, Priority::poll);
   asked.question.look = look;
-  asked.question.stranger = std::move(stranger);
+  asked.question.unsolicited_length = std::move(unsolicited_length);
   asked.is_answer = fits;
   return asked;
 }
@@ -91,7 +91,7 @@ Look look_of(const TextCommand& c) {
   }
 }
 
-// A raw byte that is owed may be one of the four letters. Then a letter is owed in its place, which the next
+// An owed raw byte may be one of the four letters. Then a letter is owed in its place, which the next
 // position lets pass, and no raw byte is believed over it (Signals).
 std::optional<Station::Unmistakable> unmistakable(const OwedAnswers& owed, Instant now,
                                                   const Listening& listening, bool echoes) {
@@ -105,7 +105,7 @@ std::optional<Station::Unmistakable> unmistakable(const OwedAnswers& owed, Insta
   const bool whole = !owed.torn(now);  // the end of a position looks like a number
   if (free(look::number) && free(look::lines) && whole && !echoes) {  // the echo of @ is a message
     auto asked = question("@", ReplyShape::line(), look::number, is_unsigned, before_line<is_unsigned>);
-    asked.question.may_be_silent = true;  // it is not answered in Local mode; the next question tells
+    asked.question.may_be_silent = true;  // not answered in Local mode; the next question tells
     return asked;
   }
   if (free(look::lines))

@@ -1,6 +1,5 @@
 #pragma once
-// What the VXM's answers look like, and which question may be asked while others are still owed an answer.
-// Pure.
+// The looks of the VXM's replies, and the question that may be asked while replies are owed. Pure.
 #include <optional>
 
 #include "core/devices/vxm/codec_text.h"
@@ -19,10 +18,10 @@ inline constexpr Look prompt{6};    ///< K, rsm
 inline constexpr Look lines{7};     ///< lst
 }  // namespace look
 
-/// Of the answer to this command of a raw text.
+/// Look of the reply to this command of a raw text.
 Look look_of(const TextCommand& command);
 
-/// A question that the controller answers in this state, by what is taken for none of those owed.
+/// A question that the controller answers in this state, by a reply that looks like none owed.
 std::optional<Station::Unmistakable> unmistakable(const OwedAnswers& owed, Instant now,
                                                   const Listening& listening, bool echoes);
 

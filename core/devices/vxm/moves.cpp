@@ -26,8 +26,8 @@ Result<LegPace> checked(const intent::Pace& pace) {
   const std::int64_t code = pace.acceleration.value_or(0);
   if (pace.acceleration && (code < min_accel || code > max_accel))
     return fail(FaultKind::refused,
-                fmt::format("{} is no acceleration: a VXM takes {} to {}, each unit {:.0f} steps/s².", code,
-                            min_accel, max_accel, accel_unit),
+                fmt::format("{} is not an acceleration: a VXM takes {} to {}, each unit {:.0f} steps/s².",
+                            code, min_accel, max_accel, accel_unit),
                 "Nothing was sent.");
   return LegPace{static_cast<int>(value), static_cast<int>(code)};
 }
@@ -37,7 +37,7 @@ Result<LegPace> checked(const intent::Pace& pace) {
 Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, intent::Pace wish, bool relative) {
   auto pace = checked(wish);
   if (!pace) co_return fail(pace.error());
-  // Where the axes stand is read first: the last round may have asked before a program came to its end.
+  // Reads the positions first: the last round may have asked before a program ended.
   if (auto may = may_move_all(targets, relative); !may) co_return may;
   auto read = co_await positions_.read(Priority::intent, true);
   if (!read) co_return read;
@@ -61,7 +61,7 @@ Result<> Moves::may_move_all(const std::vector<AxisTarget>& targets, bool relati
   return {};
 }
 
-/// Where each axis is to go, as far as positions are known. Axes that stay are left out.
+/// The goal of each axis, as far as positions are known. Axes that stay are left out.
 Result<std::vector<AxisTarget>> Moves::checked_goals(const std::vector<AxisTarget>& targets, bool relative) {
   std::vector<AxisTarget> goals;
   for (const AxisTarget& t : targets) {
@@ -81,8 +81,8 @@ Result<std::vector<AxisTarget>> Moves::checked_goals(const std::vector<AxisTarge
   return goals;
 }
 
-/// One leg after the other, but moves on the two controllers can run together; the Slave's must stand first
-/// (App. G p.47).
+/// Legs run one after the other, but moves on the two controllers can be paired; the Slave's must be written
+/// first (App. G p.47).
 void Moves::add_leg(Job& job, const AxisTarget& goal, LegPace pace, bool relative) const {
   const int axis = goal.axis.index;
   const Steps distance = goal.value - console_.draft.axes[axis].position;
@@ -133,7 +133,7 @@ Task<Result<>> Moves::home(const intent::Home& wish) {
   const int axis = wish.axis.index;
   if (auto may = admission_.may_move(axis); !may) co_return may;
   if (wish.mode < 0 || wish.mode >= static_cast<int>(console_.catalog.homing_modes.size()))
-    co_return fail(FaultKind::refused, fmt::format("There is no way of homing number {}.", wish.mode),
+    co_return fail(FaultKind::refused, fmt::format("There is no homing mode number {}.", wish.mode),
                    "Nothing was sent.");
   if (parameters_.value("DM").value_or(0) & mode_nf90 && wish.sign == Sign::plus)
     co_return fail(FaultKind::refused,
@@ -199,11 +199,11 @@ Task<Result<>> Moves::set_position(const intent::SetPosition& wish) {
       co_return fail(FaultKind::controller,
                      fmt::format("Motor {} was to read zero, but the controller says {}.", i + 1,
                                  console_.draft.axes[i].position.value),
-                     "Its position is as before.", "Try again; look whether the Stop button is held.");
+                     "Its position is as before.", "Check whether the Stop button is held, then try again.");
   co_return Result<>();
 }
 
-// U4, U5 and their like are stored commands: they too need a run.
+// U4, U5 and the like are stored commands: they need a run too.
 Task<Result<>> Moves::set_output(const intent::SetOutput& wish) {
   if (wish.number < 1 || wish.number > outputs_per_controller)
     co_return fail(FaultKind::refused,
@@ -214,15 +214,15 @@ Task<Result<>> Moves::set_output(const intent::SetOutput& wish) {
   leg.text = output(wish.number, wish.on);
   auto done = co_await legs_.run_quickly(std::move(leg));
   if (!done) co_return done;
-  auto read = co_await signals_.read('$', Priority::intent);
+  auto read = co_await signals_.read("$", Priority::intent);
   if (!read) co_return read;
-  if (!nameplate_.tells_outputs()) co_return Result<>();  // nobody can tell
+  if (!nameplate_.tells_outputs()) co_return Result<>();  // the outputs are not reported
   const bool is_on = console_.draft.outputs >> (wish.number - 1) & 1;
   if (is_on == wish.on) co_return Result<>();
   co_return fail(FaultKind::controller,
                  fmt::format("Output {} was to go {}, but the controller says that it is {}.", wish.number,
                              wish.on ? "on" : "off", is_on ? "on" : "off"),
-                 "It was asked for once.", "Look whether the Stop button is held, then try again.");
+                 "It was asked for once.", "Check whether the Stop button is held, then try again.");
 }
 
 }  // namespace hw::vxm

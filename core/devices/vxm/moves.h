@@ -1,5 +1,5 @@
 #pragma once
-// What the console is asked to move, as legs: moves, jogs, homing, zero, outputs.
+// Turns requests into legs: moves, jogs, homing, zero, outputs.
 #include <vector>
 
 #include "core/devices/vxm/admission.h"

@@ -7,7 +7,7 @@
 namespace hw::vxm {
 namespace {
 
-/// Of a version like 1.30; one that is printed otherwise is none of the old ones.
+/// Of a version like 1.30; a version printed otherwise is not an old one.
 int hundredths(std::string_view version) {
   if (version.size() != 4 || version[1] != '.') return newest_firmware;
   int sum = 0;
@@ -35,7 +35,7 @@ Task<Result<>> Nameplate::read() {
   for (int i = 0; i < axes; ++i) {
     console_.draft.axes[i].enabled = i < motors_per_controller || has_slave_;
     console_.draft.axes[i].own_speed =
-        console_.catalog.jog_speed;  // it has none: each motion of ours is given one
+        console_.catalog.jog_speed;  // it has none: each motion of the console sets one
   }
   if (axes > motors_per_controller && !has_slave_)
     console_.tell(

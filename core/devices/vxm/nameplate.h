@@ -1,5 +1,5 @@
 #pragma once
-// What the controller is: its version, and whether a second one answers on the VXM bus.
+// Identity of the controller: its version, and whether a second one answers on the VXM bus.
 #include <string_view>
 #include <utility>
 
@@ -20,14 +20,14 @@ class Nameplate {
   [[nodiscard]] bool is_read() const { return read_; }
   void forget() { read_ = false; }
   [[nodiscard]] bool has_slave() const { return has_slave_; }
-  /// $ came with version 1.22: of an older one nobody knows the outputs.
+  /// $ came with version 1.22: older versions do not report their outputs.
   [[nodiscard]] bool tells_outputs() const { return tells_outputs_; }
   /// getPA came with version 1.24.
   [[nodiscard]] bool tells_pulses() const { return tells_pulses_; }
-  /// $ was not answered: its version, if that has been read, was misread perhaps; else it may be an old one.
+  /// $ was not answered. The version, if read, may have been misread; else it may be an old one.
   void doubt_outputs() { tells_outputs_ = std::exchange(read_, false); }
-  /// Asked about its motors again, the controller would restart each time. The identity, read afresh after
-  /// the restart, tells whether a Slave answers.
+  /// Ends questions about the Slave's motors, each of which would restart the controller. The identity, read
+  /// again after the restart, tells whether a Slave answers.
   void lose_slave();
 
  private:

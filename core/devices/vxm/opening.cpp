@@ -11,8 +11,8 @@ constexpr int greetings = 4, silences_until_nobody = 2;
 
 }  // namespace
 
-// V alone first: it moves nothing in any mode. A carriage return ends a command that somebody left half said,
-// and what came of it, or of a line that was opened amid garbage, is let pass.
+// Sends V alone first: it moves nothing in any mode. A carriage return then ends an unfinished command.
+// Replies to that command, or garbage on a freshly opened line, are let pass.
 Task<Result<std::string>> Opening::ask_who_listens() {
   std::string bytes;
   int silences = 0;
@@ -40,7 +40,7 @@ Task<Result<>> Opening::greet() {
   const int rate = talk_.station() ? talk_.station()->rate() : 0;
   if (bytes->empty()) co_return nobody_greets(rate);
   if (!greeting.is_a_vxm()) co_return no_vxm_greets(*bytes, rate);
-  // It may be the answer to a V before a restart, and F takes away the only sign of that.
+  // It may be the reply to a V before a restart, and F removes the only sign of that.
   for (int n = 0; n < greetings && talk_.station() && talk_.station()->is_dirty(); ++n) {
     auto again = co_await talk_.greet(greeting_quiet_ms);
     if (!again && again.error().kind != FaultKind::no_answer) co_return fail(again.error());
@@ -52,7 +52,7 @@ Task<Result<>> Opening::greet() {
     co_return co_await found_local(greeting.state);
   if (presence_.is_halted()) under_way_.killed(EndedBy::error);  // it hears again
   presence_.seen_on_line();
-  // F: no echo, no carriage returns behind prompts, whoever asked for them.
+  // F ends echo and carriage returns after prompts, whoever asked for them.
   auto said = co_await talk_.say_anyway("F");
   if (!said) co_return said;
   auto state = co_await talk_.state(Priority::intent);
@@ -71,8 +71,7 @@ Task<Result<>> Opening::greet() {
   co_return resumed;
 }
 
-// The first time Local mode is the usual state after power-up. Later it means that the controller was
-// restarted.
+// On first contact, Local mode is the usual state after power-up. Later it means a restart.
 Task<Result<>> Opening::found_local(char state) {
   if (presence_.was_found_before() && !presence_.stays_local())
     co_return co_await restarts_.found("It answers from Local mode");
@@ -86,7 +85,7 @@ Task<Result<>> Opening::found_local(char state) {
   co_return Result<>();
 }
 
-// After a lost wire the state is read afresh. What moved went on without us.
+// After a lost wire the state is read again. Motions went on without the console.
 Task<Result<>> Opening::resume_after_loss(char state) {
   if (state == ready && under_way_.job().active())
     under_way_.job().leg_is_over(), under_way_.job().ends_by(EndedBy::lost);

@@ -1,5 +1,5 @@
 #pragma once
-// Getting a controller to listen that was found on a new wire.
+// Gets a controller found on a new wire to listen.
 #include <string>
 
 #include "core/devices/vxm/console.h"

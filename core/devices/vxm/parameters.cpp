@@ -1,4 +1,4 @@
-// Set-up: what is known of it, what is changed.
+// Set-up: reading, changing, storing.
 #include "core/devices/vxm/parameters.h"
 
 #include <fmt/core.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr Duration rate_change_pause = Millis(50);
 constexpr int values_at_once = 4;  // read in the gaps
-constexpr int tries_at_one = 3;    // of one of them that is not answered
+constexpr int tries_at_one = 3;    // for a value that is not answered
 
 int baud_rate(std::int64_t number) {
   for (const Baud& b : bauds)
@@ -24,7 +24,7 @@ int baud_rate(std::int64_t number) {
   return 0;
 }
 
-// What the controller makes of a value (App. C p.38, F p.45, O p.68).
+// The value that the controller keeps (App. C p.38, F p.45, O p.68).
 std::int64_t as_kept(std::string_view mnemonic, std::int64_t value) {
   if (mnemonic == "DM") return value | mode_always;
   if (mnemonic == "Bx" && value == 1) return backlash_of_one;
@@ -140,17 +140,22 @@ Task<Result<>> Parameters::set(const intent::SetParam& wish) {
   co_return fail(
       FaultKind::controller,
       fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic, wish.value, state.value),
-      "It was sent once.",
-      "Read the set-up again; the number that the controller says is the one that holds.");
+      "It was sent once.", "Read the set-up again; the controller's number is in force.");
 }
 
-// The controller changes its rate after the command's end; then both sides must agree, or go back. A stop in
-// between would go out at a rate that nobody listens at.
+// The controller changes its rate after the ender; then both sides must agree, or go back. A stop in between
+// would be sent at a rate that is not received.
 Task<Result<>> Parameters::set_baud(std::int64_t number) {
-  const int before = talk_.station()->rate(), wanted = baud_rate(number);
   const Station::Uncut uncut(*talk_.station());
   auto sent = co_await talk_.say(vxm::set_param("B", number), Priority::intent);
   if (!sent) co_return sent;
+  co_return co_await follow_rate(number);
+}
+
+Task<Result<>> Parameters::follow_rate(std::int64_t number) {
+  if (!talk_.station())
+    co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+  const int before = talk_.station()->rate(), wanted = baud_rate(number);
   auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(10) + rate_change_pause);
   if (!waited || !talk_.station())
     co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
@@ -159,7 +164,7 @@ Task<Result<>> Parameters::set_baud(std::int64_t number) {
     auto state = co_await talk_.state(Priority::intent);
     if (state) {
       const int index = console_.catalog.find_param("B");
-      console_.draft.params[ix(index)].stored = false;
+      console_.draft.params[ix(index)] = {number, true, false};
       console_.draft.unsaved_setup = true;
       co_return Result<>();
     }
@@ -176,6 +181,11 @@ Task<Result<>> Parameters::set_baud(std::int64_t number) {
       state ? "" : "Open it again at each rate, or switch it off and on: the stored rate then holds.");
 }
 
+void Parameters::found_at(int rate) {
+  ParamState& state = console_.draft.params[ix(console_.catalog.find_param("B"))];
+  if (rate > 0 && baud_rate(state.value) != rate) state.known = false;
+}
+
 void Parameters::was_stored() {
   for (ParamState& p : console_.draft.params) p.stored = true;
   console_.draft.unsaved_setup = console_.draft.unsaved_programs = false;
@@ -190,7 +200,7 @@ Task<Result<>> Parameters::store() {
         FaultKind::no_answer,
         fmt::format("The controller did not confirm in {:.0f} s that it has stored.",
                     seconds(store_patience)),
-        "rsm was sent once and is not repeated: the memory bears a limited number of writes.",
+        "rsm was sent once and is not repeated: the memory is rated for a limited number of writes.",
         "Do not switch the controller off now. Ask for its state, and compare before you store again.");
   if (!reply) co_return fail(reply.error());
   was_stored();
@@ -199,10 +209,9 @@ Task<Result<>> Parameters::store() {
                   fmt::format("Set-up and programs are stored. {} of about {} writes are used.",
                               console_.draft.store_count, store_life));
   } else {
-    console_.tell(Notice::Kind::info,
-                  fmt::format("Set-up and programs are stored. The memory bears about {} writes; "
-                              "how many were used is not known.",
-                              store_life));
+    console_.tell(Notice::Kind::info, fmt::format("Set-up and programs are stored. The memory is rated for "
+                                                  "about {} writes; it is not known how many were used.",
+                                                  store_life));
   }
   co_return Result<>();
 }

@@ -17,23 +17,28 @@ class Parameters {
              std::function<Result<>()> may_change)
       : console_(console), talk_(talk), nameplate_(nameplate), may_change_(std::move(may_change)) {}
 
-  /// None: it is not known.
+  /// None: not known.
   [[nodiscard]] std::optional<std::int64_t> value(std::string_view mnemonic) const;
-  /// What the driver itself must know before it moves anything.
+  /// The values that the driver needs before any motion.
   [[nodiscard]] bool knows_essentials() const { return essentials_read_; }
   Task<Result<>> read_essentials();
-  /// A few of those that are not known: in the gaps.
+  /// Reads a few of the unknown values, in the gaps.
   Task<Result<>> read_some();
   Task<Result<>> read_all();
 
   Task<Result<>> set(const intent::SetParam& wish);
   Task<Result<>> store();
 
-  /// By a text of the user's.
+  /// Set by a text of the user.
   void was_set(std::string_view mnemonic);
+  /// The controller was just sent this rate number: the wire switches to that rate, or back.
+  Task<Result<>> follow_rate(std::int64_t number);
+  /// Found at this rate; 0: the wire has none. The controller may have been switched off before its rate was
+  /// stored.
+  void found_at(int rate);
   void was_stored();
   void doubt_essentials() { essentials_read_ = false; }
-  /// What is not stored is gone.
+  /// Values not stored are gone.
   void forget();
 
  private:
@@ -48,7 +53,7 @@ class Parameters {
   std::function<Result<>()> may_change_;
   bool essentials_read_ = false;
   int next_ = 0;
-  int in_vain_ = 0;  ///< so often has that one not been answered
+  int in_vain_ = 0;  ///< failed attempts to read that value
 };
 
 }  // namespace hw::vxm

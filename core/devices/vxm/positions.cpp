@@ -27,15 +27,17 @@ void Positions::show(int index, Steps position) {
   const Sight::Change change = sight_.saw(index, axis, position, talk_.asked_at());
   const bool program_runs = under_way_.program_runs(), moves = under_way_.job().active();
   if (program_runs && (change.begun || change.reversed)) program_has_begun_a_way(change);
-  if (program_runs && !moves) {  // what a program moves shows by its positions only
+  if (program_runs && !moves) {  // motions of a program show in positions only
     constexpr Duration seems_moving = Millis(150);
     const bool turns = sight_.has_turned_within(seems_moving, index);
+    axis.ramp = 0;  // of the program's own speeds nothing is known
     if (change.moved) axis.direction = static_cast<std::int8_t>(position > axis.position ? 1 : -1);
     if (!turns) axis.direction = 0;
     axis.activity = !turns ? Activity::idle : ramp_.is_expected() ? Activity::stopping : Activity::moving;
   } else if (!moves && axis.activity != Activity::error) {
     axis.activity = Activity::idle;
     axis.direction = 0;
+    axis.ramp = 0;
   }
   axis.position = position;
   axis.position_known = true;
@@ -43,7 +45,7 @@ void Positions::show(int index, Steps position) {
   signals_.forget_what_is_doubted();
 }
 
-/// None of what is held does.
+/// No held program begins a motion.
 void Positions::program_has_begun_a_way(const Sight::Change& way) {
   hold_.something_begins();
   if (way.reversed) ramp_.saw_one_turn_round(way.since);

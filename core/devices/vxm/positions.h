@@ -1,5 +1,5 @@
 #pragma once
-// Where the motors are: read, and shown with what that tells of what runs.
+// Reads and shows the positions, and the motions that they reveal.
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/hold.h"
@@ -24,11 +24,11 @@ class Positions {
         ramp_(ramp),
         under_way_(under_way) {}
 
-  /// All that can be read: at rest, those of the Slave too.
+  /// Reads all readable positions: at rest, the Slave's too.
   Task<Result<>> read(Priority priority, bool at_rest, bool and_a_signal = false);
-  /// As answered last.
+  /// Shows the position received last.
   void show(int axis, Steps position);
-  /// What N leaves.
+  /// N was sent.
   void are_zero();
 
  private:

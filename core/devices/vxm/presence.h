@@ -13,7 +13,7 @@ class Presence {
  public:
   Presence(const Scheduler& scheduler, Conversation& talk) : scheduler_(scheduler), talk_(talk) {}
 
-  /// F, until it is on-line.
+  /// Sends F until the controller is on-line.
   Task<Result<>> go_on_line();
 
   // ---- its mode: unknown until it has been asked on this wire
@@ -21,7 +21,7 @@ class Presence {
   [[nodiscard]] bool is_on_line() const { return mode_ == Mode::on_line; }
   [[nodiscard]] bool is_local() const { return mode_ == Mode::local; }
   void forget_mode() { mode_ = Mode::unknown; }
-  /// It has told so.
+  /// The controller has reported so.
   void seen_on_line() {
     mode_ = Mode::on_line;
     restart_counted_ = false;
@@ -37,10 +37,10 @@ class Presence {
     stay_local_ = false;
     mode_ = Mode::on_line;
   }
-  /// Whatever mode it is in, on-line is wanted.
+  /// On-line is wanted, whatever the present mode.
   void wants_on_line() { stay_local_ = false; }
-  /// F was sent before anybody could count Local mode as a restart; or nobody heard where it was. Of one that
-  /// was never found before, Local mode is no sign of any.
+  /// yes: F ended Local mode before that could be counted as a restart. perhaps: the mode was not heard. In a
+  /// controller never found before, Local mode is no sign of a restart.
   enum class LeftLocal : std::uint8_t { no, perhaps, yes };
   void left_local(LeftLocal left) {
     if (found_before_) left_local_ = std::max(left_local_, left);
@@ -50,24 +50,24 @@ class Presence {
   // ---- found before, and restarted since
   [[nodiscard]] bool was_found_before() const { return found_before_; }
   void is_found() { found_before_ = true; }
-  /// It has not been seen on-line since.
+  /// And not seen on-line since.
   [[nodiscard]] bool restart_is_counted() const { return restart_counted_; }
   void count_restart() {
     restart_counted_ = true;
     left_local_ = LeftLocal::no;
   }
-  /// By res; its restart has not been seen.
+  /// res was sent; its restart has not been seen.
   [[nodiscard]] bool reset_was_said() const { return reset_said_; }
   void say_reset() { reset_said_ = true; }
   void reset_is_over() { reset_said_ = false; }
 
   // ---- after an error that halts it, it hears nothing but K
   [[nodiscard]] bool is_halted() const { return halted_ != 0; }
-  /// Of that error.
+  /// Letter of that error; 0: not halted.
   [[nodiscard]] char error() const { return halted_; }
   void halted_by(char letter);
   void hears_again() { halted_ = 0; }
-  /// Once a second.
+  /// True once a second.
   bool is_to_be_asked_again();
 
  private:

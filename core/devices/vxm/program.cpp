@@ -39,7 +39,7 @@ std::string_view head_of(Op op) {
   return "";
 }
 
-/// What stands after the head and the motor.
+/// The text after the head and the motor.
 std::string tail_of(const Command& c) {
   switch (c.op) {
     case Op::home: return c.value < 0 ? "-0" : "0";

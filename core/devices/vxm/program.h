@@ -1,5 +1,5 @@
 #pragma once
-// Stored commands: what a program of 256 bytes holds, what each costs, and how `lst` prints it.
+// Stored commands: the contents of a program of 256 bytes, the cost of each, and its form in `lst`.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -41,7 +41,7 @@ enum class Op : std::uint8_t {
 
 struct Command {
   Op op = Op::user;
-  std::uint8_t motor = 0;  ///< 1 to 4; 0 where none belongs
+  std::uint8_t motor = 0;  ///< 1 to 4; 0: none
   std::int32_t value = 0;
   std::vector<Command> parts;
 
@@ -50,15 +50,15 @@ struct Command {
   bool operator==(const Command&) const = default;
 };
 
-/// Bytes of program memory that it takes.
+/// Bytes of program memory.
 [[nodiscard]] int bytes_of(const Command& command);
 /// As entered, in canonical form, the motor always shown: "I1M-400".
 [[nodiscard]] std::string listing_of(const Command& command);
 /// Any L, LA or LM command.
 [[nodiscard]] bool is_loop(Op op);
-/// ImMx, IAmMx, ImM0, IAmM-0: what may stand between ( and ).
+/// ImMx, IAmMx, ImM0, IAmM-0: allowed between ( and ).
 [[nodiscard]] bool is_index(Op op);
-/// Runs a motor when it is carried out.
+/// Turns a motor when executed.
 [[nodiscard]] bool moves(const Command& command);
 /// The analog range of SmM-x, or null.
 [[nodiscard]] const AnalogRange* find_analog_range(int number);
@@ -74,7 +74,7 @@ class Program {
   [[nodiscard]] const Command& operator[](int i) const { return commands_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
 
-  /// False: it does not fit, and is not stored.
+  /// False: does not fit, and is not stored.
   bool add(const Command& command);
   void remove_last();
   void clear();

@@ -61,7 +61,7 @@ class Walk {
     for (auto mode = modes_.rbegin(); mode != modes_.rend(); ++mode)
       out_.script.insert(mode->place, "setDM" + std::to_string((mode->value & ~mode_master) | master) + ",");
   }
-  /// At a return: that of the line's end, or one that an old file has in the middle of it.
+  /// At a return: that of the line's end, or one inside the line in an old file.
   void end_remark(int end) {
     const int remark = std::exchange(remark_at_, -1);
     keep_before(remark);
@@ -70,8 +70,8 @@ class Walk {
       warn({number_, remark, end - remark},
            "A remark after R is read as commands by the running program. Put it on another line.");
   }
-  /// The reader ends the last command of a line at its return, behind the remark; for a person (and for a
-  /// mend) it ends with its last character.
+  /// The reader ends the last command of a line at the return, behind the remark. For the user (and for a
+  /// fix) it ends with its last character.
   void keep_before(int remark) {
     const auto end_of = [&](int begin, int end) {
       end = std::min(end, remark);
@@ -133,7 +133,7 @@ class Walk {
     while (from > 0 && is_number(text_[from - 1])) --from;
     while (to < text_.size() && is_number(text_[to])) ++to;
     if (from == 0 || text_[from - 1] != '.') return false;
-    if (from < at) return true;  // said at its first digit
+    if (from < at) return true;  // reported at its first digit
     const Place p{number_, static_cast<int>(from) - 1, static_cast<int>(to - from) + 1};
     token(p, TokenKind::plain);
     warn(p, "The period ends the number: the fraction " + std::string(text_.substr(from - 1, to - from + 1)) +
@@ -141,7 +141,7 @@ class Walk {
     return true;
   }
 
-  /// One problem for each stretch between enders: what follows nonsense is nonsense too.
+  /// One problem for each stretch between enders: text after nonsense is nonsense too.
   void nonsense(const Reading& r, bool number_missing) {
     Place p = place_of(r);
     if (chunk_bad_) return;
@@ -154,7 +154,7 @@ class Walk {
     while (!bad.empty() && bad.back() == ' ') bad.remove_suffix(1), --p.length;
     token(p, TokenKind::bad);
     out_.report.problems.push_back(problem_of_text(bad, p, number_missing));
-    if (!bad.empty() && bad.back() == ')') group_.reset();  // said once
+    if (!bad.empty() && bad.back() == ')') group_.reset();  // reported once
   }
 
   void letter(const Reading& r) {
@@ -190,7 +190,7 @@ class Walk {
         out_.motors = std::max(out_.motors, 3);
         out_.script += "[";
         return;
-      default: warn(p, std::string(1, r.letter) + " acts at once and is no part of the program.");
+      default: warn(p, std::string(1, r.letter) + " acts at once and is not part of the program.");
     }
   }
 
@@ -225,8 +225,8 @@ class Walk {
       return out_.report.problems.push_back(problem_of_setting(r, typed(r), p));
     }
     token(p, TokenKind::plain);
-    warn(p, std::string(typed(r)) + (asks ? " asks the controller and is no part of the program."
-                                          : " acts at once when it is sent and is no part of the program."));
+    warn(p, std::string(typed(r)) + (asks ? " asks the controller and is not part of the program."
+                                          : " acts at once when it is sent and is not part of the program."));
     if (r.head == Head::del) {
       if (size() > 0) out_.programs[slot_].pop_back();
       out_.script += "del";
@@ -307,7 +307,7 @@ class Walk {
   std::int64_t base_ = 0;
   std::optional<Command> group_;
   Place group_place_, bracket_place_;
-  struct Mode {  ///< setDM: where it stands in the script
+  struct Mode {  ///< setDM: its place in the script
     std::size_t place = 0;
     int value = 0;
   };
@@ -324,8 +324,7 @@ Analysis analyse_text(std::string_view text, int slot) {
     const auto end = std::min(text.find('\n', from), text.size());
     std::string_view line = text.substr(from, end - from);
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    if (end == text.size() && line.empty() && from > 0)
-      break;  // what ends with a line end has no line after it
+    if (end == text.size() && line.empty() && from > 0) break;  // no line follows a final line end
     walk.line(line);
     from = end + 1;
   }

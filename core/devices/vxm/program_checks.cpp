@@ -1,4 +1,4 @@
-// What is wrong with a program as a whole, before it runs.
+// Problems of a program as a whole, before it runs.
 #include <algorithm>
 
 #include "core/devices/vxm/program_analysis.h"
@@ -63,7 +63,7 @@ class Checks {
   }
 
   void jumps() {
-    if (!analysis_.has_headings) return;  // the other programs may stand in the controller
+    if (!analysis_.has_headings) return;  // the controller may hold the other programs
     for (const StoredCommand& s : commands_) {
       const Op op = s.command.op;
       if (op != Op::jump && op != Op::call && op != Op::call_pick) continue;

@@ -1,4 +1,4 @@
-// Sentences for what is no command.
+// Sentences for text that is no command.
 #include <algorithm>
 #include <cctype>
 
@@ -18,7 +18,7 @@ std::string form_with_motor(const Reading& w, int motor) {
   return text;
 }
 
-/// What was typed after the form: sign and digits, as a range of columns.
+/// Columns of the sign and digits typed after the form.
 Place place_of_value(std::string_view text, const Place& p) {
   std::size_t from = text.size();
   while (from > 0 && (std::isdigit(static_cast<unsigned char>(text[from - 1])) != 0 || text[from - 1] == ' '))
@@ -36,12 +36,12 @@ std::string complaint(const Reading& w, std::int64_t value, const std::string& v
       return v + (value > r.max ? " is too fast for motor " : " is too slow for motor ") + number(motor) +
              ".";
     case Head::A:
-      return v + (value > r.max ? " is too steep a ramp for motor " : " is no ramp for motor ") +
+      return v + (value > r.max ? " is too steep a ramp for motor " : " is not a ramp for motor ") +
              number(motor) + ".";
     case Head::I: return v + " steps are too far for one index of motor " + number(motor) + ".";
     case Head::IA: return v + " lies beyond the position register of motor " + number(motor) + ".";
     case Head::L:
-    case Head::LA: return v + " passes are no loop.";
+    case Head::LA: return v + " passes are not a loop.";
     case Head::J:
     case Head::JM: return "There is no program " + v + ".";
     case Head::P:
@@ -73,12 +73,12 @@ Problem range_problem(const Reading& w, const Refusal& r, std::string_view text,
   const bool by_sign = r.min < 0;  // forms where the sign is part of the value
   const std::int64_t value = w.minus && by_sign ? -w.value : w.value;
   const Place where = place_of_value(text, p);
-  // Beyond what is read at all the value says less than what was typed.
+  // Beyond the digits that are read, the value says less than the typed text.
   constexpr int most_digits = 9;
   const std::string typed(text.substr(text.size() - static_cast<std::size_t>(where.length)));
   const std::string said = where.length > most_digits ? typed : number(value);
   Problem problem = at(where, complaint(w, value, said, r, motor) + " " + range_sentence(w, r, motor));
-  if (w.head == Head::J || w.head == Head::JM) return problem;  // which program is meant, nobody can guess
+  if (w.head == Head::J || w.head == Head::JM) return problem;  // the program meant cannot be guessed
   const std::int64_t nearest = std::clamp(value, r.min, r.max);
   problem.fix_text = (w.minus && !by_sign && w.head != Head::A ? "-" : "") + number(nearest);
   problem.fix_label = "Use " + problem.fix_text;
@@ -152,7 +152,7 @@ ValueRange range_of_setting(const Reading& w) {
   return {};
 }
 
-/// Without what no font can draw.
+/// Escapes bytes that no font can draw.
 std::string readable(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -198,10 +198,10 @@ Problem problem_of_text(std::string_view text, const Place& p, bool number_missi
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   std::string no_plus = shown;
   no_plus.erase(std::remove(no_plus.begin(), no_plus.end(), '+'), no_plus.end());
-  Problem problem = at(p, "\"" + shown + "\" is no command of a VXM.");
+  Problem problem = at(p, "\"" + shown + "\" is not a command of a VXM.");
   if (upper != shown && is_good(upper)) {
     problem.sentence =
-        "\"" + shown + "\" is no command: capital and small letters differ. Write " + upper + ".";
+        "\"" + shown + "\" is not a command: capital and small letters differ. Write " + upper + ".";
     problem.fix_text = upper;
   } else if (no_plus != shown && is_good(no_plus)) {
     problem.sentence = "A plus sign is not known. Write " + no_plus + ".";

@@ -32,7 +32,7 @@ std::string error_sentence(char letter) {
   }
 }
 
-/// What a wait waits for, in words.
+/// The event that a wait waits for, in words.
 std::string waited_for(const Wait& wait) {
   const std::string of_slave = wait.on_slave ? " of the Slave" : "";
   switch (wait.u) {
@@ -65,7 +65,8 @@ class Rehearsing {
     if (options_.from)
       begin_like(emulator_, *options_.from, catalog_, [this](int slot) { return text_fills(slot); });
     emulator_.receive(selecting(options_.slot) + analysis_.script);
-    emulator_.receive(selecting(slot_to_run()));
+    started_ = slot_to_run();
+    emulator_.receive(selecting(started_));
     for (int i = 0; i < program_count; ++i)
       if (box.program(i).used() > 0) result_.program_size[std::to_string(i)] = box.program(i).used();
     if (box.error() != 0) {
@@ -92,7 +93,7 @@ class Rehearsing {
 
  private:
   static std::string selecting(int slot) { return "PM" + std::to_string(slot) + ","; }
-  /// That of the text's R; without one the slot asked for, unless the text leaves it empty.
+  /// The slot of the text's R; without R the requested slot, unless the text leaves that empty.
   [[nodiscard]] int slot_to_run() {
     if (analysis_.run_slot >= 0) return analysis_.run_slot;
     const bool holds_it = options_.slot >= 0 && options_.slot < program_count;
@@ -114,7 +115,7 @@ class Rehearsing {
     return axis.position_known ? std::optional(axis.commanded().value) : std::nullopt;
   }
 
-  /// Until the program ends, stops for good, or its time is over.
+  /// Runs until the program ends, stops for good, or its time is over.
   void go_through() {
     Box& box = emulator_.box();
     const Instant last = Instant(from_seconds(std::clamp(options_.for_seconds, 0.0, 1e9)));
@@ -132,7 +133,7 @@ class Rehearsing {
       const auto hand = hands_.next();
       for (const auto& other : {hand, track_.next()})
         if (other && (!next || *other < *next)) next = other;
-      // What loops without ever taking time would only burn the rest of it.
+      // A loop that takes no time would only burn the rest of it.
       const bool empty_loop = box.run().doing == Doing::breathing && !hand;
       breaths = empty_loop ? breaths + 1 : 0;
       if (!next || *next > last || breaths > most_breaths) return out_of_time(last);
@@ -172,12 +173,15 @@ class Rehearsing {
   void event(Instant t, std::string what, int slot, int command) {
     result_.add({seconds(t), std::move(what), slot, command});
   }
+  void event_of(std::string name, RehearsedEvent::Line line, int level, std::string what) {
+    result_.add({seconds(now_), std::move(what), -1, -1, line, std::move(name), level});
+  }
 
   void collect() {
     Box& box = emulator_.box();
     for (Trace& t : trace_) {
       watch_.hear(t, box);
-      if (t.program == 0) result_.at_work(seconds(t.at), t.command);
+      if (t.program == started_) result_.at_work(seconds(t.at), t.command);
       event(t.at, std::move(t.what), t.program, t.command);
     }
     trace_.clear();
@@ -188,16 +192,21 @@ class Rehearsing {
     if (box.limit_was_hit()) result_.limit_touched = true;
   }
 
-  /// Outputs that have been switched, and waits for inputs.
+  /// Notes switched outputs, and waits for inputs.
   void note_lines() {
     const unsigned now = output_bits(), before = std::exchange(outputs_seen_, now);
-    for (int i = 0; now != before && i < outputs_count(); ++i)
-      if (((now ^ before) >> i & 1u) != 0)
-        event(now_, "output " + std::to_string(i + 1) + ((now >> i & 1u) != 0 ? " on" : " off"), -1, -1);
+    for (int i = 0; now != before && i < outputs_count(); ++i) {
+      if (((now ^ before) >> i & 1u) == 0) continue;
+      const std::string name = "output " + std::to_string(i + 1);
+      const bool on = (now >> i & 1u) != 0;
+      event_of(name, RehearsedEvent::Line::switched, on ? 1 : 0, name + (on ? " on" : " off"));
+    }
     const Run& run = emulator_.box().run();
     const bool waits = run.doing == Doing::waiting;
     if (waits == std::exchange(waits_, waits) || !emulator_.box().running()) return;
-    event(now_, waits ? "waits for " + waited_for(run.wait) : "goes on", -1, -1);
+    if (waits) waited_for_ = waited_for(run.wait);
+    event_of(waited_for_, waits ? RehearsedEvent::Line::waits : RehearsedEvent::Line::comes, 0,
+             waits ? "waits for " + waited_for_ : "goes on");
   }
 
   [[nodiscard]] const Axis& axis(int motor) {
@@ -243,7 +252,7 @@ class Rehearsing {
     std::uint32_t moved = 0;
     for (int i = 0; i < motors_; ++i) moved |= std::uint32_t{axis(i).travelled > 0} << i;
     result_.assumptions = watch_.assumptions();
-    const Ran ran{emulator_.box(), slot_to_run(), [this](int slot) { return text_fills(slot); }};
+    const Ran ran{emulator_.box(), started_, [this](int slot) { return text_fills(slot); }};
     for (RehearsedAssumption& a : assumptions(from, catalog_, moved, ran))
       result_.assumptions.push_back(std::move(a));
   }
@@ -257,8 +266,10 @@ class Rehearsing {
   TrackKeeper track_;
   ProgramWatch watch_;
   std::vector<Trace> trace_;
+  int started_ = 0;  ///< program
   unsigned outputs_seen_ = 0;
   bool waits_ = false;
+  std::string waited_for_;  ///< the last one
   std::array<std::int64_t, max_motors> begin_{};
   Instant now_{};
   Rehearsal result_;

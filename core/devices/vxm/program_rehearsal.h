@@ -1,5 +1,5 @@
 #pragma once
-// A dry run: an emulated VXM at power-up, given the text and started, in virtual time.
+// A dry run in virtual time: an emulated VXM at power-up, given the text and started.
 #include "core/device/language.h"
 
 namespace hw::vxm {

@@ -41,7 +41,7 @@ void store(VxmEmulator& emulator, const std::map<int, std::string>& programs,
       emulator.receive(selecting(slot) + analyse_text(text, slot).script);
 }
 
-/// The lines as they are held now: low is operated. The analog input as it was read last.
+/// Holds the lines as they are now (low is operated). Sets the analog input as last read.
 void hold(VxmEmulator& emulator, const Snapshot& now) {
   for (int line = 0; line < line_count; ++line) {
     const bool low = (now.inputs_known >> line & 1u) != 0 && (now.inputs >> line & 1u) == 0;
@@ -54,7 +54,7 @@ void hold(VxmEmulator& emulator, const Snapshot& now) {
   if ((now.analog_known & 1u) != 0) (void)emulator.operate(bench::Analog(1, now.analog[0]));
 }
 
-/// Slots in which a command may go on: a bit for each.
+/// Slots that a command may lead to: bit per slot.
 std::uint32_t leads_to(const Command& c, bool input_3_branches) {
   if (c.op == Op::jump || c.op == Op::call || c.op == Op::call_pick) return 1u << c.value;
   const int u = c.value % slave_u_offset;
@@ -63,7 +63,7 @@ std::uint32_t leads_to(const Command& c, bool input_3_branches) {
   return (by_button ? 1u << 1 | 1u << 2 : 0u) | (input_3_branches ? 1u << 3 : 0u);
 }
 
-/// Programs that a run may come to, the one it begins with included: a bit for each.
+/// Programs that a run may reach, including its first: bit per program.
 std::uint32_t programs_of_run(const ControllerState& state, const Catalog& catalog, const Ran& ran) {
   const int inputs = catalog.find_param("I");
   const std::int64_t mode =
@@ -85,7 +85,7 @@ bool uses_analog(const Program& program) {
   });
 }
 
-/// Programs whose text nobody has read, and the analog input: where the run may meet them.
+/// Adds unread programs, and the analog input, where the run may meet them.
 void add_met(std::vector<RehearsedAssumption>& all, const ControllerState& state, const Catalog& catalog,
              const Ran& ran) {
   const std::uint32_t met = programs_of_run(state, catalog, ran);

@@ -1,6 +1,6 @@
 #pragma once
-// The emulated controller of a rehearsal, made like the one that is known: by the commands that set it up,
-// and what has none, in its memory.
+// Makes the emulated controller of a rehearsal like the known one: by set-up commands, or in its memory where
+// no command exists.
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,17 +10,16 @@
 
 namespace hw::vxm {
 
-/// `emulator` is fresh from power-up and on-line. Programs that `text_fills` has by their number are left
-/// alone.
+/// `emulator` must be fresh from power-up and on-line. Programs that the text fills are left alone.
 void begin_like(VxmEmulator& emulator, const ControllerState& state, const Catalog& catalog,
                 const std::function<bool(int)>& text_fills);
-/// What has run.
+/// A finished run.
 struct Ran {
-  const Box& box;  ///< with the programs that it held
-  int slot = 0;    ///< of the first
+  const Box& box;  ///< with its programs
+  int slot = 0;    ///< of the first program
   std::function<bool(int)> text_fills;
 };
-/// What was taken in place of what the state does not tell. `moved`: bit per motor.
+/// The values assumed where the state tells none. `moved`: bit per motor.
 [[nodiscard]] std::vector<RehearsedAssumption> assumptions(const ControllerState& state,
                                                            const Catalog& catalog, std::uint32_t moved,
                                                            const Ran& ran);

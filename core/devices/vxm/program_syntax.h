@@ -1,6 +1,6 @@
 #pragma once
-// How the controller reads command text, one character at a time (V03 to V11), and what a command means.
-// Used by the emulator on what arrives and by the analysis of program texts, so that both see the same.
+// Reads command text like the controller, one character at a time (V03 to V11), and gives the meaning of a
+// command. Shared by the emulator and the analysis of program texts, so that both agree.
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -71,7 +71,7 @@ struct Form {
 };
 [[nodiscard]] const Form& form_of(Head head);
 
-/// What came of the characters read so far. Places count all characters given to the reader.
+/// Result of the characters read so far. Places count all characters given to the reader.
 struct Reading {
   enum class Kind : std::uint8_t {
     letter,   ///< a single character that acts at once
@@ -85,7 +85,7 @@ struct Reading {
   Head head = Head::I;
   int motor = 0;  ///< 0: none given
   bool minus = false, has_value = false;
-  std::int64_t value = 0;           ///< without its sign; more than any range when absurdly long
+  std::int64_t value = 0;           ///< magnitude; beyond any range when absurdly long
   std::int64_t begin = 0, end = 0;  ///< characters [begin, end), the ender not counted
 };
 
@@ -97,11 +97,11 @@ class Reader {
     [[nodiscard]] const Reading* begin() const { return items.data(); }
     [[nodiscard]] const Reading* end() const { return items.data() + count; }
   };
-  /// At most two: what was abandoned, and what the character itself does.
+  /// At most two: the abandoned command, and the effect of the character itself.
   Readings feed(char c);
   void reset() { *this = Reader(); }
   [[nodiscard]] bool in_comment() const { return comment_; }
-  /// Nothing begun that an ender or further characters would finish.
+  /// No command or remark is open.
   [[nodiscard]] bool idle() const { return stage_ == Stage::start && !comment_; }
   [[nodiscard]] std::int64_t place() const { return place_; }
 
@@ -127,15 +127,14 @@ class Reader {
   std::int64_t place_ = 0;
 };
 
-/// Why a whole command means nothing.
+/// Why a complete command is refused.
 struct Refusal {
   enum class Kind : std::uint8_t { range, motor, choice } kind = Kind::range;
   std::int64_t min = 0, max = 0;  ///< range
   bool nf90_only = false;
 };
 
-/// The stored command that a word of a stored form stands for. `current` is the motor meant when none is
-/// given.
+/// The stored command for a word of a stored form. `current`: the motor where the word names none.
 [[nodiscard]] std::variant<Command, Refusal> meaning(const Reading& word, int current, bool nf90);
 [[nodiscard]] bool is_stored(Head head);
 /// Stored forms that may leave out the motor.

@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::size_t most_stops = 200;
 
-/// U11, U12 and the like leave out the next command by an input, U13 and U23 go on in another program by a
-/// button: with one of them inside, a loop may be left.
+/// U11, U12 and the like skip the next command by an input. U13 and U23 go on in another program by a button.
+/// A loop with one of them inside may be left.
 bool may_lead_off(const Command& c) {
   const int u = c.value % slave_u_offset;
   return c.op == Op::user && (u == 11 || u == 12 || u == 21 || u == 22 || u == 13 || u == 23);
 }
 
-/// It or a program that it comes to. `seen`: bit per program that has been asked.
+/// Of a program or those that it reaches. `seen`: bit per program already checked.
 bool may_lead_off(const Box& box, int program, std::uint32_t seen = 0) {
   if ((seen >> program & 1u) != 0) return false;
   seen |= 1u << program;
@@ -135,7 +135,7 @@ std::string ProgramWatch::loop_words(const Box& box) const {
   std::vector<Part> way = way_round(box);
   const bool closed = !way.empty();
   if (!closed) {
-    if (jumps && times_back_.at({loop_program_, loop_at_}) < 2) return {};  // it only went on there
+    if (jumps && times_back_.at({loop_program_, loop_at_}) < 2) return {};  // a jump onward, no loop
     way.push_back({loop_program_, jumps ? 0 : program.loop_target(loop_at_), loop_at_});
   }
   std::sort(way.begin(), way.end(), [](const Part& a, const Part& b) { return a.program < b.program; });

@@ -8,7 +8,7 @@
 namespace hw::vxm {
 namespace {
 
-// At acceleration 1 from the highest speed; nothing takes longer to ramp down.
+// From the highest speed at acceleration 1: no ramp takes longer.
 constexpr Duration longest_ramp = from_seconds(max_speed / (accel_unit * min_accel));
 constexpr Duration to_see_a_ramp = Millis(300);
 
@@ -20,21 +20,20 @@ void Ramp::expect() {
   state_->speed = sight_.fastest();
 }
 
-// One that did not get through shows by motors that lose no speed; what still turns after the longest ramp is
-// killed.
+// A lost D shows by motors that lose no speed. A motor that still turns after the longest ramp is killed.
 StopProgress Ramp::watch() {
   constexpr double least_loss = min_accel * accel_unit * seconds(to_see_a_ramp) / 2;
   const Instant now = console_.scheduler.now();
   if (!state_) return StopProgress::again();
   if (now - state_->began > longest_ramp + to_see_a_ramp) return StopProgress::at_once();
-  state_->speed = std::max(state_->speed, sight_.fastest());  // it may not have been seen before
+  state_->speed = std::max(state_->speed, sight_.fastest());  // the motion may not have been seen before
   if (now - state_->looked_at < to_see_a_ramp) return StopProgress::wait();
   const double before = std::exchange(state_->speed, sight_.fastest());
   state_->looked_at = now;
   return state_->speed > before - least_loss ? StopProgress::again() : StopProgress::wait();
 }
 
-// ---- of a program
+// ---- stop of a program
 
 void Ramp::expect_of_program() {
   if (state_) return;
@@ -52,12 +51,12 @@ void Ramp::was_held() {
 }
 
 void Ramp::saw_one_turn_round(Instant since) {
-  constexpr Duration shown_by_then = Millis(150);  // what had begun when the hold was told
+  constexpr Duration shown_by_then = Millis(150);  // for motions begun before the hold
   if (state_ && since - state_->began > shown_by_then) state_->reversed = true;
 }
 
-// Held before a command, or nothing has turned since D: what moves slower than a step in that time has no
-// ramp to speak of.
+// Over when held before a command, or when nothing has turned since D: a motor slower than a step in that
+// time has no ramp to speak of.
 StopProgress Ramp::watch_program() {
   if (!state_) return StopProgress::again();
   if (console_.draft.program.run == RunState::held || stands_since()) {
@@ -71,8 +70,8 @@ StopProgress Ramp::watch_program() {
   return StopProgress::again();
 }
 
-// Where no hold is known to be on, anything that begins shows that none is, and so does a D without effect;
-// unless all seem to stand, as one does that holds.
+// Where no hold is known to be on, a motion that begins shows that none is. So does a D without effect,
+// unless all motors seem to stand, as in a held program.
 bool Ramp::goes_on(const StopProgress& progress) {
   if (hold_.is_surely_on()) return state_->reversed || has_begun_anew();
   if (hold_.something_has_begun()) return true;
@@ -80,9 +79,9 @@ bool Ramp::goes_on(const StopProgress& progress) {
   return !hold_.is_known() && !stands_as_held && progress.now == StopProgress::Now::again;
 }
 
-// It has slowed down and turns faster again: that is the next command, so no hold is on.
+// A motor slowed down and turns faster again: the next command has begun, so no hold is on.
 bool Ramp::has_begun_anew() {
-  constexpr double for_sure = 500;  // steps/s; twice what two readings that follow each other leave open
+  constexpr double for_sure = 500;  // steps/s; twice the uncertainty of two successive readings
   if (sight_.fastest() > state_->from) state_->from = state_->slowest = sight_.fastest();
   state_->slowest = std::min(state_->slowest, sight_.fastest());
   return state_->slowest < state_->from - for_sure && sight_.fastest() > state_->slowest + for_sure;
@@ -106,7 +105,7 @@ bool Ramp::seems_to_stand() const {
   return !some_are_hidden();
 }
 
-/// Motors 3 and 4 cannot be read while something runs, nor whether there are any: that is known once the
+/// Motors 3 and 4 cannot be read while something runs, nor whether they exist: that is known once the
 /// controller has been at rest.
 bool Ramp::some_are_hidden() const {
   return nameplate_.has_slave() ||

@@ -1,6 +1,6 @@
 #pragma once
-// What D has told to slow down, as far as it shows: D is not answered. Of a program also, whether anything
-// begins although it was told to hold.
+// Watches the motors slow down after D, which has no reply. For a program, also watches whether a motion
+// begins despite the hold.
 #include <optional>
 
 #include "core/device/stop.h"
@@ -18,35 +18,35 @@ class Ramp {
 
   [[nodiscard]] bool is_expected() const { return state_.has_value(); }
   void forget() { state_.reset(); }
-  /// It is looked at from now on, and at the longest until the first D must have worked.
+  /// Watches the ramp from now on, at the longest until the first D must have worked.
   void expect();
   StopProgress watch();
 
-  // ---- of a program
-  /// Its stop begins, if none has.
+  // ---- stop of a program
+  /// Begins the stop, unless begun.
   void expect_of_program();
-  /// Nothing is to begin in it, as far as is known.
+  /// No motion should begin in it, as far as known.
   [[nodiscard]] bool holds() const { return state_ && state_->holds; }
   void was_held();
-  /// It may be held already, by somebody else: an H more would let it go on. Nothing is seen to turn; the
-  /// next readings show whether that is so.
+  /// Somebody else may already hold it, and another H would release it. No motor is seen to turn; the next
+  /// readings show whether that is so.
   [[nodiscard]] bool must_be_seen_first() const;
-  /// What it was to stop stands.
+  /// The program is held, or its motors stand.
   [[nodiscard]] bool is_over() const { return state_ && state_->over; }
-  /// A motor goes the other way, since then at the earliest: what is held does not.
+  /// A motor has reversed, at `since` at the earliest: no held program does that.
   void saw_one_turn_round(Instant since);
   StopProgress watch_program();
 
  private:
   struct State {
     Instant began{};
-    double from = 0;  ///< steps/s, the most
+    double from = 0;  ///< steps/s, the highest seen
     bool holds = false;
-    double slowest = from;  ///< since then
+    double slowest = from;  ///< steps/s, since then
     Instant looked_at{};
-    double speed = 0;  ///< when it was looked at; of the fastest motor that can be seen
+    double speed = 0;  ///< steps/s at `looked_at`, of the fastest visible motor
     bool over = false;
-    bool reversed = false;  ///< a motor has turned round since
+    bool reversed = false;  ///< a motor has reversed since
   };
   bool goes_on(const StopProgress& progress);
   bool has_begun_anew();

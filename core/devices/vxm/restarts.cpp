@@ -15,7 +15,7 @@ constexpr Duration restart_pause = Millis(250);
 
 }  // namespace
 
-// It is counted before F takes away the only sign of it; the wire may fail in between.
+// Counts the restart before F removes the only sign of it; the wire may fail in between.
 Task<Result<>> Restarts::found(const char* why) {
   if (!presence_.restart_is_counted()) {
     const bool was_moving = console_.draft.any_axis_moving() || under_way_.busy();
@@ -52,11 +52,10 @@ Task<Result<>> Restarts::may_have_left_local() {
   if (!zero) co_return Result<>();
   stands_since(Doubt::unheard);
   knowledge_.may_be_of_before();
-  console_.tell(
-      Notice::Kind::warning,
-      "F put the controller on-line, and answers were missing or late: whether it was switched off and on "
-      "is not known. All positions read zero. Look where the axes stand, and find home before the next "
-      "absolute move.");
+  console_.tell(Notice::Kind::warning,
+                "F put the controller on-line, and answers were missing or late: it is not known whether it "
+                "was switched off and on. All positions read zero. Check where the axes stand, and home them "
+                "before the next absolute move.");
   co_return Result<>();
 }
 
@@ -77,8 +76,8 @@ void Restarts::count(const char* why, bool was_moving, const std::optional<Digit
       Notice::Kind::warning,
       fmt::format(
           "{}: the controller was switched off and on, or reset. Its positions read zero where the motors "
-          "stand now, and what was not stored is gone. {}Find home before the next absolute move.",
-          why, was_moving ? "The motion that was under way was not taken up again. " : ""));
+          "stand now, and what was not stored is gone. {}Home the axes before the next absolute move.",
+          why, was_moving ? "The motion that was under way was not resumed. " : ""));
 }
 
 Task<Result<>> Restarts::found_reset_on_line() {
@@ -86,10 +85,9 @@ Task<Result<>> Restarts::found_reset_on_line() {
   under_way_.forget();
   stands_since(Doubt::reset);
   forget_ram();
-  console_.tell(
-      Notice::Kind::warning,
-      "The controller was reset by res: its positions read zero where the motors stand now, and what was "
-      "not stored is gone. Find home before the next absolute move.");
+  console_.tell(Notice::Kind::warning,
+                "The controller was reset by res: its positions read zero where the motors stand now, and "
+                "what was not stored is gone. Home the axes before the next absolute move.");
   co_return co_await positions_.read(Priority::intent, true);
 }
 
@@ -109,20 +107,20 @@ Task<Result<>> Restarts::reset() {
   if (!on_line) co_return on_line;
   presence_.reset_is_over();
   stands_since(Doubt::reset);
-  console_.tell(
-      Notice::Kind::info,
-      "The controller was reset: positions are zero where the motors stand, and what was not stored is "
-      "gone. Find home before the next absolute move.");
+  console_.tell(Notice::Kind::info,
+                "The controller was reset: positions are zero where the motors stand, and what was not "
+                "stored is gone. Home the axes before the next absolute move.");
   co_return co_await positions_.read(Priority::intent, true);
 }
 
-/// What reads zero since then stands anywhere: Doubt::none where the positions were kept.
+/// Shows all axes at rest, and doubts their positions. Doubt::none: the positions were kept.
 void Restarts::stands_since(Doubt why) {
   for (int i = 0; i < console_.draft.axis_count; ++i) {
     AxisState& axis = console_.draft.axes[i];
     if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
     axis.activity = Activity::idle;
     axis.direction = 0;
+    axis.ramp = 0;
     axis.has_target = false;
     if (why != Doubt::none) axis.trust.doubt(why, console_.scheduler.now());
   }

@@ -1,6 +1,6 @@
 #pragma once
-// What a restart leaves, by power off and on or by res: positions are zero wherever the motors stand, RAM
-// holds what was stored last, and nothing runs.
+// Effects of a restart, by power off and on or by res: positions are zero wherever the motors stand, RAM
+// holds the contents stored last, and nothing runs.
 #include <optional>
 
 #include "core/devices/vxm/codec.h"
@@ -30,15 +30,15 @@ class Restarts {
         under_way_(under_way),
         positions_(positions) {}
 
-  /// It is in Local mode, although it was on-line.
+  /// The controller is in Local mode although it was on-line.
   Task<Result<>> found(const char* why);
-  /// What was Local mode was left for the sake of a stop, before anybody could ask for the places.
+  /// A stop ended Local mode before the positions could be asked for.
   Task<Result<>> found_left_local();
-  /// It may have been; nobody heard where it was.
+  /// Local mode may have been left; the mode was not heard.
   Task<Result<>> may_have_left_local();
-  /// A res that F followed in one go: nothing but that it was said tells of the restart.
+  /// res and F were sent in one text: only the sent res tells of the restart.
   Task<Result<>> found_reset_on_line();
-  /// By the user.
+  /// Requested by the user.
   Task<Result<>> reset();
 
  private:

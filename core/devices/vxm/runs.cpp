@@ -10,8 +10,8 @@
 
 namespace hw::vxm {
 
-// The controller says nothing of a limit unless O tells it to. A motor that stands on the switch that it went
-// towards last, and was not sent to look for it, was stopped by it.
+// The controller reports no limit unless O tells it to. A motor that stands on the switch that it last moved
+// towards, and was not sent to find it, was stopped by it.
 void Runs::look_what_ended_the_run() {
   const auto slot = under_way_.take_ended_run();
   if (!slot) return;

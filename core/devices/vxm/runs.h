@@ -1,5 +1,5 @@
 #pragma once
-// Runs of stored programs: starting, holding, going on, single steps.
+// Runs of stored programs: start, hold, resume, single step.
 #include "core/devices/vxm/admission.h"
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
@@ -35,7 +35,7 @@ class Runs {
   Task<Result<>> pause();
   Task<Result<>> resume();
   Task<Result<>> single_step();
-  /// When the switches have been read behind its end.
+  /// Call once the limits have been read after its end.
   void look_what_ended_the_run();
 
  private:

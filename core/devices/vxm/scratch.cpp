@@ -36,16 +36,15 @@ Task<Result<>> Scratch::fill(std::string commands) {
     auto held = co_await holds(commands);
     if (held && *held) co_return Result<>();
     if (!held && !worth_another_try(held.error())) co_return fail(held.error());
-    auto quiet = co_await talk_.wait_for_quiet();  // more may come than was asked for
+    auto quiet = co_await talk_.wait_for_quiet();  // more may come than expected
     if (!quiet) co_return quiet;
   }
-  co_return fail(FaultKind::garbled,
-                 fmt::format("What the controller holds in program {} is not what was sent.", slot_),
+  co_return fail(FaultKind::garbled, fmt::format("Program {} in the controller is not what was sent.", slot_),
                  "Nothing was run.",
-                 "Look at the cable, the baud rate, and whether another program talks to the controller.");
+                 "Check the cable, the baud rate, and whether another program talks to the controller.");
 }
 
-// A pair of indexes may take more than one line.
+// A pair of indexes may be listed in more than one line.
 Task<Result<bool>> Scratch::holds(const std::string& commands) {
   const auto wanted = read_text(commands);
   const bool lines_are_known = commands.find('(') == std::string::npos;

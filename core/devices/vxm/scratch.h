@@ -1,10 +1,10 @@
 #pragma once
-// The program that a move of the console is put into: one that M has shown empty. It is emptied and the
-// user's selection put back afterwards, so that the Run button never repeats a move of the console.
+// The program that holds a move of the console: one that M has shown empty. Afterwards it is emptied and the
+// user's selection restored, so that the Run button never repeats a move of the console.
 //
-// A byte that is lost or doubled on the way makes another command, which the controller carries out without a
-// word. So nothing is written before PM has told which program is selected, nothing runs before lst has shown
-// what was written, and nothing counts as cleared before M and PM have told it.
+// A lost or doubled byte makes another command, which the controller carries out silently. So nothing is
+// written before PM has confirmed the selected program, nothing runs before lst has confirmed the text, and
+// nothing counts as cleared before M and PM have confirmed it.
 #include <string>
 
 #include "core/devices/vxm/conversation.h"
@@ -16,15 +16,15 @@ class Scratch {
  public:
   Scratch(Conversation& talk, Slots& slots) : talk_(talk), slots_(slots) {}
 
-  /// -1: nothing of the console's stands in the controller.
+  /// -1: the controller holds nothing of the console's.
   [[nodiscard]] int slot() const { return slot_; }
   [[nodiscard]] bool in_use() const { return slot_ >= 0; }
   /// The controller has restarted.
   void forget() { slot_ = -1; }
 
-  /// Finds one for what comes.
+  /// Finds a program for the next move.
   Task<Result<>> take();
-  /// Puts these stored commands into it, and nothing else: R would run them.
+  /// Fills it with exactly these stored commands, ready for R.
   Task<Result<>> fill(std::string commands);
   /// Empties it.
   Task<Result<>> clear(Priority priority);

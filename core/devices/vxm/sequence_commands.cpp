@@ -19,7 +19,7 @@ std::vector<std::size_t> begins_of_lines(std::string_view text) {
   return begins;
 }
 
-/// Commands and headings of a text, where they stand in it.
+/// Finds the places of commands and headings in a text.
 class Placer {
  public:
   Placer(std::string_view text, const Analysis& analysis, CommandText& out)
@@ -36,7 +36,7 @@ class Placer {
       program.at.end = text_.size();
     }
   }
-  /// What stands beside the commands: headings, remarks, and what no block can hold.
+  /// Reads the rest: headings, remarks, and text that no block can hold.
   Result<> read_lines() {
     for (std::size_t line = 0; line < analysis_.report.lines.size(); ++line) {
       any_ = heading_ = false;
@@ -97,7 +97,7 @@ class Placer {
   CommandText& out_;
   std::vector<Stretch> stored_;  ///< in the order of the text
   int slot_ = 0;
-  bool any_ = false, heading_ = false;  ///< of the line at hand, so far
+  bool any_ = false, heading_ = false;  ///< of the current line, so far
 };
 
 }  // namespace

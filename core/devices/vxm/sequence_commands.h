@@ -1,5 +1,5 @@
 #pragma once
-// Program texts as the commands that they store, for what goes from steps to texts and back.
+// Program texts as the commands that they store, for conversion between steps and texts.
 #include <array>
 #include <optional>
 #include <string_view>
@@ -24,9 +24,9 @@ struct PlacedProgram {
 
 struct CommandText {
   std::array<std::optional<PlacedProgram>, program_count> programs;
-  TextRemarks remarks;  ///< but those behind headings
+  TextRemarks remarks;  ///< except those behind headings
 
-  /// The fault names the line of what is no part of a program, or a mistake.
+  /// The fault names the line of a mistake, or of text that is no part of a program.
   static Result<CommandText> read(std::string_view text);
 
  private:
@@ -34,7 +34,7 @@ struct CommandText {
 };
 
 [[nodiscard]] Deeds deeds_of(std::string_view text);
-/// Of lines in the middle of a program.
+/// `text`: lines from the middle of a program.
 [[nodiscard]] bool may_set_speeds(std::string_view text);
 
 }  // namespace hw::vxm

@@ -15,7 +15,7 @@
 namespace hw::vxm {
 namespace {
 
-namespace seq = sequence;  // its names are those of commands too
+namespace seq = sequence;  // its names are also those of commands
 using Commands = std::vector<PlacedCommand>;
 
 constexpr std::string_view motor_left_out = "a motor that is not among the axes of the blocks";
@@ -23,7 +23,7 @@ constexpr std::string_view motor_left_out = "a motor that is not among the axes 
 /// A loop command that goes back, no marker.
 bool goes_back(Op op) { return op >= Op::loop && op <= Op::loop_endless; }
 
-/// U11 to U22 leave the next command out unless the input is so.
+/// U11 to U22 skip the next command unless the input is so.
 bool skips(const Command& c) {
   return c.op == Op::user && (c.value == 11 || c.value == 12 || c.value == 21 || c.value == 22);
 }
@@ -65,7 +65,7 @@ class BlockReader {
     }
     if (to == program.commands.size()) text_.remarks.read_before(program.at.end, list);
   }
-  /// Where the next one begins.
+  /// Returns the place of the next command.
   std::size_t put(seq::Step::Body body, const Commands& all, std::size_t from, std::size_t behind,
                   ReadSteps& list) {
     list.push_back({std::move(body), {all[from].at.begin, all[behind - 1].at.end}});
@@ -182,7 +182,7 @@ class BlockReader {
     }
     return false;
   }
-  /// As the writer tells it.
+  /// The ramp that the writer would write.
   [[nodiscard]] bool has_ramp(double ms) const {
     for (std::size_t a = 0; a < out_.axes.size(); ++a)
       if (std::llround(static_cast<double>(told_[a].high) / (ms / 1000) / accel_unit) != told_[a].accel)
@@ -223,7 +223,7 @@ class BlockReader {
     list.push_back(std::move(loop));
     return true;
   }
-  /// Back to a mark above that another loop has, or to the begin of the program.
+  /// A loop back to the mark of another loop, or to the beginning of the program.
   std::size_t leave_back(const Commands& all, std::size_t i, ReadSteps& list) {
     std::size_t from = i;
     while (from > 0 && all[from].command.op != Op::marker) --from;

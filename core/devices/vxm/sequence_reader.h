@@ -1,5 +1,5 @@
 #pragma once
-// Stored programs as sequences: what the writer beside it would write, and whatever else says the same.
+// Reads stored programs as sequences: those of the sequence writer, and any of the same meaning.
 #include "core/base/result.h"
 #include "core/device/catalog.h"
 #include "core/device/sequence_text.h"

@@ -14,7 +14,7 @@
 namespace hw::vxm {
 namespace {
 
-namespace seq = sequence;  // its names are those of commands too
+namespace seq = sequence;  // its names are also those of commands
 
 constexpr std::string_view limits_are_told =
     "A limit that is met for a moment only is told with limit switches (O) set to 1 or 3.";
@@ -63,7 +63,7 @@ class Writer {
   Result<> write(const seq::Jog&) {
     return draft_.refuse("a stored program of a VXM has no jog. A home step goes to the limit switch.");
   }
-  /// To the limit switch, and zero there.
+  /// Moves to the limit switch and sets zero there.
   Result<> write(const seq::Home& h) {
     if (auto said = say_speeds(h.axis, h.own); !said) return said;
     for (const std::string& command : homing(h.axis, h.direction)) draft_.line(command);
@@ -119,7 +119,7 @@ class Writer {
   static constexpr int heading_part = 0, main_part = 1;  // programs 1 to 4 stand in the parts 2 to 5
 
   [[nodiscard]] int motor(int axis) const { return draft_.axis(axis).index + 1; }
-  /// Once, where the axes that draw are not of one.
+  /// Once, where the drawing axes are not on one controller.
   void remark_on_two_controllers() {
     if (std::exchange(looked_at_axes_, true) || draft_.axis_count() < 2) return;
     if ((motor(0) > motors_per_controller) == (motor(1) > motors_per_controller)) return;
@@ -143,13 +143,13 @@ class Writer {
   void switch_output(int place, bool on) {
     draft_.line(fmt::format("U{}", (on ? output_on : output_off)[ix(place)]));
   }
-  /// U11 to U22: leaves the next command out unless the input is so (low is on).
+  /// U11 to U22: skips the next command unless the input is so (low is on).
   Result<std::string> skip_unless(int input, bool on) {
     if (auto place = draft_.input(input); !place) return fail(place.error());
     if (input > 2) return draft_.refuse("programs of a VXM ask the inputs 1 and 2 only.");
     return fmt::format("U{}{}", on ? 1 : 2, input);
   }
-  /// Writes a program of its own and calls it; its number.
+  /// Writes a program of its own and calls it. Returns its number.
   template <class Body>
   Result<int> call(std::string_view what, Body&& body);
   void repeated(const seq::StepList& steps) {
@@ -161,7 +161,7 @@ class Writer {
   std::array<ToldSpeeds, max_axes> told_;
   int programs_ = 0;  ///< written beside the main one
   bool looked_at_axes_ = false;
-  bool in_loop_ = false;                 ///< the present program has a loop that is open
+  bool in_loop_ = false;                 ///< the current program has an open loop
   std::map<std::string, int> callable_;  ///< program numbers by what they do
 };
 
@@ -179,7 +179,7 @@ Result<> Writer::say_speeds(int axis, const seq::OwnSpeeds& own) {
   const auto a = std::clamp<std::int64_t>(std::llround(rate), min_accel, max_accel);
   if (rate < 0.5 || rate > max_accel + 0.5)
     draft_.remark(
-        fmt::format("a ramp of {} ms cannot be had: it takes {:.0f} ms.", wanted->ramp_ms,
+        fmt::format("a ramp of {} ms is not possible: it takes {:.0f} ms.", wanted->ramp_ms,
                     static_cast<double>(wanted->high) / (static_cast<double>(a) * accel_unit) * 1000));
   draft_.line(fmt::format("A{}M{}", motor(axis), a));
   return {};
@@ -263,8 +263,8 @@ Result<> Writer::write(const seq::Pen& p) {
   return {};
 }
 
-// A loop goes back to the nearest marker above it (decision V45), so of two that stand in one another one
-// needs a program of its own.
+// A loop goes back to the nearest marker above it (decision V45), so a nested loop needs a program of its
+// own.
 Result<> Writer::write(const seq::Repeat& l) {
   if (l.times > max_loop) return draft_.refuse(fmt::format("a VXM loops {} times at most.", max_loop));
   if (l.times == 1) return write_steps(*this, draft_, l.steps);

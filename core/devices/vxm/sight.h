@@ -1,5 +1,5 @@
 #pragma once
-// Which motors turn, and how fast, as far as readings that follow each other show it.
+// Which motors turn, and how fast, as far as successive readings show.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace hw::vxm {
 
-/// Positions that stay the same for so long.
+/// Positions unchanged for this time show a standstill.
 inline constexpr Duration to_see_standstill = Millis(60);
 
 class Sight {
@@ -23,12 +23,12 @@ class Sight {
     bool moved = false;
     bool begun = false;     ///< from a standstill
     bool reversed = false;  ///< it went the other way before
-    Instant since{};        ///< all of that after this: the reading before was asked for then
+    Instant since{};        ///< all of that is later: the previous reading was asked for then
   };
 
   explicit Sight(const Scheduler& scheduler) : scheduler_(scheduler) {}
 
-  /// Asked for at that time; `before` is what was shown until now.
+  /// `at`: when the reading was asked for. `before`: shown until now.
   Change saw(int motor, const AxisState& before, Steps position, Instant at) {
     Seen& seen = seen_[ix(motor)];
     const double way = static_cast<double>((position - before.position).value);
@@ -38,17 +38,17 @@ class Sight {
     change.since = std::exchange(seen.read_at, at);
     change.moved = before.position_known && before.position != position;
     const Sign sign = way > 0 ? Sign::plus : Sign::minus;
-    // The last step of a slow ramp may come as late as the first of another motion: the next one tells.
+    // The last step of a slow ramp may come as late as the first of another motion: the next step tells.
     const bool stood = at - seen.moved_at >= to_see_standstill;
     const bool one_more = std::abs(way) <= 1 && seen.went == sign;
     change.begun = change.moved && (stood ? !one_more : seen.crept);
     if (change.moved) seen.crept = stood && one_more;
     change.reversed = change.moved && seen.went && seen.went != sign;
     if (change.moved) seen.went = sign;
-    if (change.moved || !before.position_known) seen.moved_at = at;  // what was seen once only may turn
+    if (change.moved || !before.position_known) seen.moved_at = at;  // seen only once, the motor may turn
     return change;
   }
-  /// A stored program begins: what went before was not its doing.
+  /// A stored program begins: earlier motions were not its own.
   void forget_ways() {
     for (Seen& seen : seen_) seen.went.reset();
   }
@@ -57,16 +57,16 @@ class Sight {
   [[nodiscard]] bool has_turned_within(Duration time, int motor) const {
     return scheduler_.now() - moved_at(motor) < time;
   }
-  /// Read, and at the same place all that time since then.
+  /// Read, and unmoved for `to_see_standstill` since `then`.
   [[nodiscard]] bool has_stood_since(Instant then, int motor) const {
     const Seen& seen = seen_[ix(motor)];
     return seen.read_at - std::max(seen.moved_at, then) >= to_see_standstill;
   }
-  /// Last, since the ways were forgotten.
+  /// Last direction since forget_ways(); none: no motion.
   [[nodiscard]] std::optional<Sign> went(int motor) const { return seen_[ix(motor)].went; }
   /// Steps/s between the last two readings.
   [[nodiscard]] double speed(int motor) const { return seen_[ix(motor)].speed; }
-  /// Of the motors that can be read while they turn.
+  /// Steps/s, of the motors that can be read while they turn.
   [[nodiscard]] double fastest() const { return std::max(speed(0), speed(1)); }
 
  private:
@@ -74,7 +74,7 @@ class Sight {
     Instant read_at{}, moved_at{};
     std::optional<Sign> went;
     double speed = 0;
-    bool crept = false;  ///< by a single step, after it had stood
+    bool crept = false;  ///< moved a single step after a standstill
   };
   const Scheduler& scheduler_;
   std::array<Seen, max_motors> seen_{};

@@ -9,7 +9,7 @@
 namespace hw::vxm {
 namespace {
 
-constexpr int readings = 4;  // one that strays, one behind it, and two that agree
+constexpr int readings = 4;  // one stray, one after it, and two that agree
 constexpr Duration limits_hold = std::chrono::seconds(3);
 constexpr int questions_between = 20;  // each as late as the line
 
@@ -32,7 +32,7 @@ void Signals::forget_what_is_doubted() {
   for (int axis = 0; axis < draft_.axis_count; ++axis) draft_.axes[axis].limits_known = false;
 }
 
-// @ stands behind them: its answer is a line.
+// @ follows them: its reply is a line.
 Task<Result<>> Signals::read_all(Priority priority) {
   for (int n = 0; n < readings; ++n) {
     for (const char which : all) {
@@ -46,23 +46,26 @@ Task<Result<>> Signals::read_all(Priority priority) {
   co_return Result<>();
 }
 
-Task<Result<>> Signals::read(char which, Priority priority) {
+Task<Result<>> Signals::read(std::string_view which, Priority priority) {
   for (int n = 0; n < readings; ++n) {
-    auto asked = co_await ask(which, priority);
-    if (!asked) co_return asked;
+    for (const char one : which) {
+      auto asked = co_await ask(one, priority);
+      if (!asked) co_return asked;
+    }
     auto state = co_await talk_.state(priority);
     if (!state) co_return fail(state.error());
-    if (confirm() || !is_told(which)) break;
+    if (confirm() || !is_told(which.front())) break;
   }
   co_return Result<>();
 }
 
 Task<Result<>> Signals::glance(Priority priority) {
-  const bool watched = scheduler_.now() < watched_until_;
-  if (!watched || priority != Priority::poll || talk_.echoes()) co_return Result<>();
-  auto inputs = co_await read('~', priority);
-  if (inputs) changed_();
-  co_return inputs;
+  const Instant now = scheduler_.now();
+  const bool inputs = now < inputs_until_, limits = now < limits_until_;
+  if ((!inputs && !limits) || priority != Priority::poll || talk_.echoes()) co_return Result<>();
+  auto seen = co_await read(!limits ? "~" : inputs ? "?~" : "?", priority);
+  if (seen) changed_();
+  co_return seen;
 }
 
 Task<Result<>> Signals::ask_next(Priority priority) {
@@ -75,7 +78,7 @@ Task<Result<>> Signals::ask_next(Priority priority) {
 Task<Result<>> Signals::ask(char which, Priority priority) {
   if (!is_told(which)) co_return Result<>();
   if (std::none_of(asked_.begin(), asked_.end(), [](const auto& byte) { return byte.has_value(); }))
-    strays_ = talk_.strays();
+    unexpected_ = talk_.unexpected();
   auto byte = co_await talk_.raw(which, priority);
   if (!byte) {
     asked_ = {};
@@ -103,7 +106,7 @@ bool Signals::confirm() {
   const auto asked = std::exchange(asked_, {});
   bool all_believed = true, any = false;
   for (const auto& byte : asked) any = any || byte.has_value();
-  if (any && talk_.strays() != strays_) {  // which byte belonged to which question nobody knows
+  if (any && talk_.unexpected() != unexpected_) {  // unknown which byte answered which question
     if (Station* station = talk_.station()) station->doubt(look::raw);
     return false;
   }

@@ -1,7 +1,7 @@
 #pragma once
-// Limits, inputs, outputs and the analog input: read, and shown once they can be believed. An answer of one
-// byte may be any byte, so it counts when a question of another kind has been answered behind it and nothing
-// strayed in between; after the line was dirty two such readings must agree.
+// Reads limits, inputs, outputs and the analog input, and shows them once they can be believed. A one-byte
+// reply may be any byte: it counts once a question of another kind has been answered after it with no stray
+// byte in between. After the line was dirty, two such readings must agree.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -26,24 +26,26 @@ class Signals {
 
   /// A new wire.
   void begin();
-  /// What was read before the line was dirty, and not since, is not known.
+  /// Readings from before the line was dirty become unknown until read again.
   void forget_what_is_doubted();
 
-  /// All of them, more than once where one reading is not enough.
+  /// Reads all, more than once where one reading is not enough.
   Task<Result<>> read_all(Priority priority);
-  /// ?, ~ or $, until it is shown as it is now; nothing where it tells none.
-  Task<Result<>> read(char which, Priority priority);
+  /// Reads `which` of ?, ~ and $ until their present state is shown, except those not reported. `which` must
+  /// outlive it.
+  Task<Result<>> read(std::string_view which, Priority priority);
   /// See Driver::watch_inputs().
-  void watch_inputs(Instant until) { watched_until_ = until; }
-  /// Between two other questions of a round: the inputs, told at once. Nothing while nobody watches them.
+  void watch_inputs(Instant until) { inputs_until_ = until; }
+  void watch_limits(Instant until) { limits_until_ = until; }
+  /// Reads watched inputs and limits and shows them at once. Call between two other questions of a round.
   Task<Result<>> glance(Priority priority);
-  /// The next of all in turn; to be followed by another question, and that by confirm().
+  /// Asks the next of all in turn. Must be followed by another question, and that by confirm().
   Task<Result<>> ask_next(Priority priority);
-  /// ?, ~ or $, followed in the same way.
+  /// Asks ?, ~ or $; to be followed in the same way.
   Task<Result<>> ask(char which, Priority priority);
-  /// The latest question of these.
+  /// When ask_next() was last called.
   [[nodiscard]] Instant asked_at() const { return asked_at_; }
-  /// Something else has been answered. False: what was asked is not believed yet.
+  /// Another question has been answered. False: the readings are not believed yet.
   bool confirm();
 
  private:
@@ -60,12 +62,13 @@ class Signals {
   Nameplate& nameplate_;
   std::array<std::optional<unsigned char>, 3> asked_{};  ///< answered, to be confirmed
   std::array<std::optional<unsigned char>, 3> once_{};   ///< read once since the line was cleaned
-  std::array<std::uint32_t, 3> cleaned_{};               ///< how often it had been, when this was believed
-  std::uint32_t strays_ = 0;                             ///< before the first of `asked_`
+  std::array<std::uint32_t, 3> cleaned_{};               ///< times_cleaned() when last believed
+  std::uint32_t unexpected_ = 0;                         ///< count before the first of `asked_`
   InTurn turn_;
   Instant asked_at_{};
-  Instant limits_at_{};  ///< read last
-  Instant watched_until_{}, inputs_asked_at_{};
+  Instant limits_at_{};                      ///< read last
+  Instant inputs_until_{}, limits_until_{};  ///< watched until then
+  Instant inputs_asked_at_{};
 };
 
 }  // namespace hw::vxm

@@ -1,4 +1,4 @@
-// Which program is selected, and what is known of each.
+// The selected program, and the known contents of each.
 #include "core/devices/vxm/slots.h"
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 namespace hw::vxm {
 namespace {
 
-/// PM4 that has lost its M.
+/// A PM4 that has lost its M.
 bool may_be_select_without_m(const TextCommand& c) {
   return c.verb == Verb::pause && !c.minus && c.value < program_count;
 }
 
 }  // namespace
 
-// ---- which
+// ---- selection
 
 void Slots::was_selected(int slot) {
   selected_ = chosen_ = slot;
@@ -27,7 +27,7 @@ void Slots::was_selected(int slot) {
   if (!talk_.listens().running) console_.draft.program.slot = static_cast<std::int8_t>(slot);
 }
 
-// A PM that has lost its P is another question.
+// A PM that has lost its P is another question, M.
 Task<Result<std::int64_t>> Slots::ask_selected() {
   auto selected = co_await talk_.number("PM\r", Priority::poll);
   const auto is_one = [&] { return *selected >= 0 && *selected < program_count; };
@@ -38,8 +38,8 @@ Task<Result<std::int64_t>> Slots::ask_selected() {
       fmt::format("The controller says that program {} is selected, but it has 0 to 4.", *selected));
 }
 
-// M speaks of the selected program, so each must be selected in turn and the user's choice put back. That
-// comes first: what a PM does to it that has lost a byte must be seen.
+// M reports on the selected program, so each is selected in turn and the user's choice restored. The user's
+// program is read first: a PM that lost a byte may change it, which must show.
 Task<Result<>> Slots::read_sizes() {
   auto given_back = co_await give_back_selection();
   if (!given_back) co_return given_back;
@@ -68,7 +68,7 @@ Task<Result<>> Slots::read_size() {
   co_return Result<>();
 }
 
-// Not one that starts by itself (4 after power-up or after Stop), nor one that a Slave's program runs with.
+// Not a program that starts by itself (4 after power-up or after Stop) or with a Slave's program.
 bool Slots::may_be_scratch(int slot) const {
   const auto mode = parameters_.value("DM").value_or(0), inputs = parameters_.value("I").value_or(0);
   if (slot == 4 && (mode & mode_program_4_first || inputs & inputs_program_4)) return false;
@@ -107,8 +107,8 @@ Task<Result<int>> Slots::find_empty() {
   co_return fail(none);
 }
 
-// A byte that is lost or doubled may have selected another one, or none; and PM4 that has lost its M is a
-// pause, and is stored.
+// A lost or doubled byte may have selected another program, or none. A PM4 that has lost its M is a pause,
+// and is stored.
 Task<Result<>> Slots::choose(int slot, Priority priority) {
   const std::uint32_t repeats = talk_.repeats();
   chosen_ = -1;
@@ -141,7 +141,7 @@ Task<Result<>> Slots::take_back_pauses(Priority priority) {
   co_return Result<>();
 }
 
-// As long as it holds more than it did, and ends with a pause, that is ours.
+// While the program holds more than it did and ends with a pause, that pause is the console's.
 Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
   const std::int16_t used = console_.draft.slot_bytes_used[ix(slot)];
   for (int attempt = 0; attempt <= program_count; ++attempt) {
@@ -150,7 +150,7 @@ Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
     auto listing = co_await talk_.listing(priority);
     if (!listing) co_return fail(listing.error());
     const auto commands = commands_of(listing->commands);
-    if (used < 0) {  // after a restart: nobody knows what it held
+    if (used < 0) {  // after a restart: former contents unknown
       if (!commands.empty() && may_be_select_without_m(commands.back()))
         tell_pause_at_end(slot, commands.back());
       co_return Result<>();
@@ -161,20 +161,18 @@ Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
     if (!said) co_return said;
   }
   doubt(slot);
-  console_.tell(
-      Notice::Kind::warning,
-      fmt::format("Program {} of the controller holds more than it did: a byte of what was sent was "
-                  "lost or came twice. Look at it before it is run.",
-                  slot));
+  console_.tell(Notice::Kind::warning,
+                fmt::format("Program {} of the controller holds more than it did: a byte of what was sent "
+                            "was lost or came twice. Check it before you run it.",
+                            slot));
   co_return Result<>();
 }
 
 void Slots::tell_pause_at_end(int slot, const TextCommand& pause) const {
-  console_.tell(
-      Notice::Kind::warning,
-      fmt::format("Program {} of the controller ends with P{}. That may be what the console selects a "
-                  "program with, and a byte of it was lost. Look at it before it is run.",
-                  slot, pause.value));
+  console_.tell(Notice::Kind::warning,
+                fmt::format("Program {} of the controller ends with P{}. That may be what the console "
+                            "selects a program with, and a byte of it was lost. Check it before you run it.",
+                            slot, pause.value));
 }
 
 void Slots::ask_for_room(std::string sentence) const {
@@ -185,7 +183,7 @@ void Slots::ask_for_room(std::string sentence) const {
   console_.notify(std::move(question));
 }
 
-// ---- what they hold
+// ---- contents
 
 const std::optional<Slots::Lines>& Slots::listing(int slot) const {
   static const std::optional<Lines> none;

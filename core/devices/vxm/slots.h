@@ -1,5 +1,5 @@
 #pragma once
-// The controller's five programs: which is selected, what each holds; writing, reading, emptying.
+// The controller's five programs: selection and contents; writing, reading, emptying.
 #include <array>
 #include <functional>
 #include <optional>
@@ -27,39 +27,39 @@ class Slots {
         may_touch_(std::move(may_touch)),
         progress_(console.draft.transfer, console.catalog) {}
 
-  // ---- which
+  // ---- selection
   /// The user's choice; -1: not known.
   [[nodiscard]] int selected() const { return selected_; }
   /// The user has selected it.
   void was_selected(int slot);
-  /// The controller has told that it is selected. What the console selects for its own use is given back as
-  /// soon as it has the wire for it: a stop, or a lost wire, may come in between.
+  /// Selects a program and has it confirmed. The user's selection is restored as soon as the wire is free for
+  /// it: a stop, or a lost wire, may come in between.
   Task<Result<>> choose(int slot, Priority priority);
   Task<Result<>> give_back_selection();
   [[nodiscard]] bool selection_is_given_back() const { return chosen_ == selected_ && !may_have_grown_; }
 
-  // ---- what they hold
-  /// As far as it was read.
+  // ---- contents
+  /// None: not read.
   [[nodiscard]] const std::optional<Lines>& listing(int slot) const;
   [[nodiscard]] bool knows_sizes() const { return sizes_read_; }
   Task<Result<>> read_sizes();
-  /// One that M has shown empty, for a move of the console.
+  /// A program that M has shown empty, for a move of the console.
   Task<Result<int>> find_empty();
-  /// A text of the user's has changed the selected one.
+  /// A text of the user has changed the selected program.
   void selected_was_changed();
-  /// All are read again.
+  /// Has all programs read again.
   void doubt_all();
-  /// The controller has restarted: it holds what was stored, and 0 is selected.
+  /// The controller has restarted: it holds the stored programs, and 0 is selected.
   void forget();
 
-  // ---- wishes
+  // ---- requests
   Task<Result<>> load(const intent::LoadProgram& wish);
   Task<Result<>> upload(int slot);
   Task<Result<>> clear(int slot);
   Task<Result<>> select(int slot);
 
  private:
-  using Set = std::uint8_t;  ///< of slots, a bit each
+  using Set = std::uint8_t;  ///< bit per slot
   static Set only(int slot) { return slot < 0 ? Set{0} : static_cast<Set>(1u << slot); }
   Task<Result<std::int64_t>> ask_selected();
   Task<Result<>> read_size();
@@ -82,9 +82,9 @@ class Slots {
   std::function<Result<>()> may_touch_;
   TransferProgress progress_;
   int selected_ = -1;
-  int chosen_ = -1;  ///< what the controller has selected: for a while, another one; -1: not known
+  int chosen_ = -1;  ///< selected in the controller, for a while not the user's choice; -1: not known
   Set may_be_selected_ = 0, may_have_grown_ = 0;
-  int confirmed_empty_ = -1;  ///< M has shown it
+  int confirmed_empty_ = -1;  ///< as shown by M; -1: none
   std::array<std::optional<Lines>, program_count> listings_;
   bool sizes_read_ = false;
 };

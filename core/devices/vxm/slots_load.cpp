@@ -1,4 +1,4 @@
-// Stored programs: writing them with a comparison afterwards, reading, selecting.
+// Stored programs: writing and comparing, reading, selecting.
 #include <algorithm>
 #include <map>
 
@@ -13,9 +13,9 @@
 namespace hw::vxm {
 namespace {
 
-/// One thing to be sent: a command, a pair of indexes in parentheses, or text in brackets for the Slave.
+/// One item to be sent: a command, a pair of indexes in parentheses, or text in brackets for the Slave.
 struct Entry {
-  std::string text;                    ///< with its end
+  std::string text;                    ///< with its ender
   std::vector<std::string> canonical;  ///< as lst shows it, command by command; empty: lst does not show it
   int cost = 0;
 };
@@ -45,14 +45,14 @@ std::string with_carriage_returns(std::string_view text) {
 
 tl::unexpected<Fault> bad_line(int line, const std::string& what) {
   return fail(FaultKind::text, fmt::format("Line {}: {}", line, what),
-              "Nothing was sent; the controller holds what it held.", "Mend the line and load again.");
+              "Nothing was sent; the controller holds what it held.", "Correct the line and load it again.");
 }
 
-bool is_orphan_digit(const TextCommand& c) {  // "5080.0": the period ends the number, the 0 is for nothing
+bool is_orphan_digit(const TextCommand& c) {  // "5080.0": the period ends the number, the 0 is dropped
   return c.flaw == Flaw::unknown && c.name.size() == 1 && c.name[0] >= '0' && c.name[0] <= '9';
 }
 
-// What a text becomes when it is loaded: commands per program, short forms with their motor written out.
+// Plans the loading of a text: commands per program, short forms with their motor written out.
 class Planner {
  public:
   Planner(std::string_view text, int first_slot) : text_(text), slot_(first_slot) {
@@ -89,7 +89,8 @@ class Planner {
 
   [[nodiscard]] Result<> check_spelling(const TextCommand& c) const {
     const int line = line_of(text_, c.begin);
-    if (c.flaw == Flaw::unknown) return bad_line(line, fmt::format("{} is no command of the VXM.", c.name));
+    if (c.flaw == Flaw::unknown)
+      return bad_line(line, fmt::format("{} is not a command of the VXM.", c.name));
     if (c.flaw == Flaw::no_value || c.flaw == Flaw::open)
       return bad_line(line, fmt::format("{} lacks its number.", c.name));
     if (c.flaw == Flaw::range)
@@ -97,7 +98,7 @@ class Planner {
     return {};
   }
 
-  /// What stands in brackets goes to the Slave as it is written.
+  /// Text in brackets is sent to the Slave as written.
   void take_for_slave(const TextCommand& c) {
     if (c.verb != Verb::slave_ends) return;
     Entry for_slave;
@@ -113,7 +114,7 @@ class Planner {
     pair_ = nullptr;
   }
 
-  /// What acts at once is no part of a program. What only greets need not be told.
+  /// A command that acts at once is no part of a program. Mere greetings are not reported.
   void leave_out(const TextCommand& c) {
     const bool needless =
         c.verb == Verb::letter && std::string_view("EFGC").find(c.letter) != std::string_view::npos;
@@ -149,8 +150,8 @@ class Planner {
   const std::string_view text_;
   Plan plan_;
   int slot_;
-  Entry* pair_ = nullptr;              ///< the entry of the parentheses that are open
-  std::size_t slave_begin_ = nowhere;  ///< of the brackets that are open
+  Entry* pair_ = nullptr;              ///< entry of the open parentheses
+  std::size_t slave_begin_ = nowhere;  ///< of the open brackets
 };
 
 Result<Plan> plan_of(std::string_view text, int first_slot) { return Planner(text, first_slot).plan(); }
@@ -229,7 +230,7 @@ Task<Result<>> Slots::write_slot(int slot, const Lines& lines, const Lines& expe
   co_return co_await verify_slot(slot, expected);
 }
 
-// What is listed afterwards takes about as long as what is sent.
+// The listing afterwards takes about as long as the sending.
 Task<Result<>> Slots::send_lines(const Lines& lines) {
   const int count = static_cast<int>(lines.size());
   progress_.enter(TransferState::Phase::writing, count);

@@ -1,5 +1,5 @@
 #pragma once
-// S and A of each motor, which last beyond a run and cannot be read: what the user's commands set, and
+// S and A of each motor, which outlast a run and cannot be read: the values set by the user's commands, and
 // whether that of a move of the console may be in force instead.
 #include <array>
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace hw::vxm {
 
-/// One of them.
+/// S or A of all motors.
 class LastSaid {
  public:
   explicit LastSaid(int after_power_up) : after_power_up_(after_power_up) {}
 
-  /// What the user's last command said, or the power-up value if none was seen.
+  /// Value of the user's last command, or the power-up value if none was seen.
   [[nodiscard]] int usual(int axis) const { return known_[ix(axis)].value_or(after_power_up_); }
   /// 0: not known.
   [[nodiscard]] int known(int axis) const { return known_[ix(axis)].value_or(0); }
@@ -48,7 +48,7 @@ struct Speeds {
   void forget() { speed.forget(), acceleration.forget(); }
 };
 
-/// Of one leg; 0: as the controller is set.
+/// Of one leg; 0: as set in the controller.
 struct LegPace {
   int speed = 0, acceleration = 0;
 };

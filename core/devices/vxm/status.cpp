@@ -21,7 +21,7 @@ Task<Result<>> Status::take(char state) {
   } else if (state == ready && under_way_.program_runs()) {
     under_way_.run_ended(EndedBy::target);
   } else if (state == ready && program.run != RunState::error) {
-    // Whatever a stray message has said.
+    // Overrides a stray message.
     if (program.run == RunState::held) hold_.doubt();
     program.run = RunState::idle;
   }

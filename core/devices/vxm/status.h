@@ -1,5 +1,5 @@
 #pragma once
-// What V tells: it is answered in every mode, and at once.
+// Handles the reply to V, which is answered at once in every mode.
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/hold.h"
@@ -21,11 +21,11 @@ class Status {
         restarts_(restarts) {}
 
   Task<Result<>> take(char state);
-  /// What is to be done next must not hide a restart that went unseen: what is asked to clean the line tells
-  /// nobody.
+  /// Call before a request, which must not hide an unseen restart: replies to questions that clean the line
+  /// are not handled.
   Task<Result<>> see_to_dirt();
-  /// After its error report it answers nothing but K. What answers was switched off and on, or somebody
-  /// else's K has reached it.
+  /// After its error report the controller answers nothing but K. If it answers V, it was switched off and
+  /// on, or received somebody else's K.
   Task<Result<>> ask_whether_it_hears_again();
 
  private:

@@ -8,7 +8,7 @@
 namespace hw::vxm {
 namespace {
 
-constexpr int io_every = 8;  // rounds in motion between two looks at one of the inputs and outputs
+constexpr int io_every = 8;  // rounds in motion between two readings of an input or output
 constexpr Duration io_at_least_every = Millis(250);   // where rounds are slow
 constexpr Duration io_in_a_stop_every = Millis(500);  // a long ramp must not leave them old
 
@@ -36,8 +36,8 @@ Task<Result<>> StatusRounds::poll(Round round) {
   co_return polled;
 }
 
-// As often as the wire bears: a round that took its time on the wire is followed by the next at once. Where
-// bytes take no time (TCP, in process) two hundred rounds a second are enough.
+// As often as the wire bears: a round that took its wire time is followed by the next at once. Where bytes
+// take no time (TCP, in process), two hundred rounds a second are enough.
 Duration StatusRounds::moving_period() const {
   constexpr std::size_t bytes_of_a_round = 22;  // X, Y and V with their answers
   constexpr Duration without_wire = Millis(5);
@@ -71,7 +71,7 @@ Task<Result<>> StatusRounds::poll_on_line(Round round) {
   co_return co_await knowledge_.catch_up();
 }
 
-// Answers that no echo can be mistaken for; everything else waits for the next round without one.
+// Asks for replies that no echo can be mistaken for; the rest waits for the next round without echo.
 Task<Result<>> StatusRounds::poll_echoing() {
   auto state = co_await talk_.state(Priority::poll);
   if (!state) co_return fail(state.error());
@@ -82,8 +82,8 @@ Task<Result<>> StatusRounds::poll_echoing() {
   co_return co_await echo_.end(*state);
 }
 
-// While a stop is under way: whether anything runs, and where it is. What comes after that waits for the
-// usual round, unless it is a long one.
+// During a stop: reads whether anything runs, and the positions. The rest waits for the usual round, unless
+// the stop is a long one.
 Task<Result<>> StatusRounds::see_whether_it_stands() {
   round_began_ = console_.scheduler.now();
   auto state = co_await talk_.state(Priority::stop);

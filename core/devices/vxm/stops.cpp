@@ -6,7 +6,7 @@ namespace hw::vxm {
 
 Task<Result<>> Stops::send(const StopOrder& order) {
   const bool deaf = presence_.is_unknown() || talk_.station()->statistics().misses_in_a_row > 1;
-  if (order.times_sent > 1 && deaf) {  // nothing has come back: a command that was left half said swallows it
+  if (order.times_sent > 1 && deaf) {  // no reply: an unfinished command swallows the stop
     auto ended = co_await talk_.say("\r", Priority::stop);
     if (!ended) co_return ended;
   }
@@ -21,15 +21,14 @@ Task<Result<>> Stops::send(const StopOrder& order) {
   co_return co_await stop_unknown();
 }
 
-// K switches the outputs off with all that runs; what stops that ends with it, and goes first.
+// K ends all that runs and switches the outputs off. The stop of a run ends with K, and goes first.
 Task<Result<>> Stops::switch_tool_off() {
   if (presence_.is_local()) co_return co_await stop_local();
   if (presence_.is_unknown() || under_way_.busy()) co_return Result<>();
   co_return co_await kills_.kill(true);
 }
 
-// Nothing is known of what the controller does now: H would switch a hold off as well as on, and K costs
-// steps.
+// The state of the controller is unknown: H might switch a hold off as well as on, and K costs steps.
 Task<Result<>> Stops::stop_blind(const StopOrder& order) {
   if (order.what == StopOrder::What::jog && under_way_.program_runs()) co_return Result<>();
   if (under_way_.job().concerns(order)) under_way_.job().note_stop();
@@ -37,7 +36,7 @@ Task<Result<>> Stops::stop_blind(const StopOrder& order) {
   co_return co_await stop_unknown();
 }
 
-// As far as is known nothing runs. In Local mode D is answered; nothing may be sent into that answer.
+// As far as known, nothing runs. In Local mode D is answered; nothing may be sent into that reply.
 Task<Result<>> Stops::stop_unknown() {
   const Instant sent_at = console_.scheduler.now();
   auto said = co_await talk_.say("D", Priority::stop);
@@ -47,7 +46,7 @@ Task<Result<>> Stops::stop_unknown() {
   co_return co_await talk_.wait_for_quiet();
 }
 
-// K is dropped in Local mode. F disables the buttons that jog.
+// K is dropped in Local mode. F disables the jog buttons.
 Task<Result<>> Stops::stop_local() {
   auto said = co_await talk_.say("F", Priority::stop);
   if (!said) co_return said;
@@ -77,8 +76,8 @@ Task<Result<>> Stops::ramp_down() {
   co_return co_await talk_.say("D", Priority::stop);
 }
 
-// Held, its motor ramped down; K once that stands. H would let a program go on that is held: one that stands
-// when its stop comes is not told to hold, unless it goes on after all.
+// Holds the program, ramps its motor down, and sends K once that stands. H would release a held program: one
+// that stands when its stop comes is sent no H, unless it goes on after all.
 Task<Result<>> Stops::stop_program(const StopOrder& order) {
   if (order.what == StopOrder::What::jog) co_return Result<>();
   const auto is_held = [this] { return console_.draft.program.run == RunState::held; };
@@ -90,7 +89,7 @@ Task<Result<>> Stops::stop_program(const StopOrder& order) {
     auto held = co_await hold_switch_.say("H", true, Priority::stop);
     if (!held || !talk_.station()) co_return held;
     ramp_.was_held();
-    // Between two commands the hold is told at once, and D into that listing would be an overrun.
+    // Between two commands the hold is reported at once, and D into that report would be an overrun.
     auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(2) + Millis(1));
     if (!waited) co_return waited;
     if (is_held()) co_return co_await kills_.kill(true);
@@ -105,13 +104,13 @@ void Stops::show_stopping() {
       console_.draft.axes[index].activity = Activity::stopping;
 }
 
-// What was cut short becomes a command that is stored and not run.
+// A command cut short by it is stored and not run.
 LastWill Stops::last_will() { return {{Millis(0), "\rD"}}; }
 
 StopProgress Stops::progress(const StopOrder& order) {
   if (presence_.is_halted()) return StopProgress::stands();  // nothing goes on until K
   const bool ramps_by_words =
-      under_way_.job().active() && ramp_.is_expected();  // what else they stop is told by their answer
+      under_way_.job().active() && ramp_.is_expected();  // other stops are told by the reply
   if (order.what == StopOrder::What::words && !ramps_by_words) return StopProgress::stands();
   if (under_way_.job().active()) {
     if (!under_way_.job().concerns(order)) return StopProgress::stands();

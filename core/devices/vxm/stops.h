@@ -1,6 +1,7 @@
 #pragma once
-// Stopping, by decision V102: D ends a move of the console. A stored program is held (H), its motor ramped
-// down (D) and ended by K once everything stands. At once is K. In Local mode: on-line (F), then K.
+// Stops, by decision V102. D ends a move of the console. A stored program is held (H), its motor ramped down
+// (D), and the program ended by K once everything stands. A stop at once is K. In Local mode: F (on-line),
+// then K.
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/hold_switch.h"
@@ -26,7 +27,7 @@ class Stops {
   Task<Result<>> send(const StopOrder& order);
   /// One motor jogs at a time, and D ends whatever runs.
   static LastWill last_will();
-  /// What has become of it.
+  /// Progress of the stop.
   StopProgress progress(const StopOrder& order);
 
  private:

@@ -8,8 +8,8 @@ namespace {
 bool is_letter(const TextCommand& c, char letter) { return c.verb == Verb::letter && c.letter == letter; }
 bool is_word(const TextCommand& c, std::string_view word) { return c.verb == Verb::word && c.name == word; }
 
-/// It begins with what stops, and starts nothing behind that. D at rest ends what is only on its way to the
-/// controller; in Local mode it asks for places.
+/// The text begins with a stop and starts nothing after it. D at rest ends a motion still on its way to the
+/// controller; in Local mode it asks for positions.
 TextMeaning::Stops stopped_by(const std::vector<TextCommand>& commands, const Listening& now, bool own_move) {
   using Stops = TextMeaning::Stops;
   const bool starts =
@@ -23,6 +23,15 @@ TextMeaning::Stops stopped_by(const std::vector<TextCommand>& commands, const Li
 
 bool changes_programs(const TextCommand& c) {
   return c.stored() || c.verb == Verb::empty || is_letter(c, 'C') || is_word(c, "del") || is_word(c, "res");
+}
+
+/// The controller answers it and is unchanged by it.
+bool asks(const TextCommand& c) {
+  if (c.flaw != Flaw::none) return false;
+  if (c.verb == Verb::letter)
+    return std::string_view("VXYZTxy~?$@#*M").find(c.letter) != std::string_view::npos;
+  return c.verb == Verb::get || c.verb == Verb::ask_selected || c.verb == Verb::ask_associate ||
+         is_word(c, "lst");
 }
 
 }  // namespace
@@ -40,6 +49,7 @@ TextMeaning meaning_of(std::string_view text, const Listening& now, bool own_mov
       last_is_dropped(commands, now) || (!commands.empty() && is_word(commands.back(), "res"));
   if (meaning.end_is_told)
     meaning.answered = nothing_comes ? TextMeaning::Answered::never : TextMeaning::Answered::later;
+  meaning.only_asks = !commands.empty() && std::all_of(commands.begin(), commands.end(), asks);
   meaning.changes_programs = std::any_of(commands.begin(), commands.end(), changes_programs);
   meaning.runs_program =
       !now.halted && std::any_of(commands.begin(), commands.end(), [](const TextCommand& c) {

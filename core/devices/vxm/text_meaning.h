@@ -1,5 +1,5 @@
 #pragma once
-// What the pump must know of a raw text before it is sent. Pure.
+// The meaning of a raw text for the pump, before it is sent. Pure.
 #include <string_view>
 
 #include "core/device/text_meaning.h"
@@ -7,8 +7,8 @@
 
 namespace hw::vxm {
 
-/// `now`: what the controller takes. `own_move`: what runs is a move of the console, which D ends as a whole;
-/// of a stored program it ends one index, and the program goes on.
+/// `now`: decides which commands are taken. `own_move`: a move of the console runs, which D ends as a whole.
+/// In a stored program D ends one index, and the program goes on.
 TextMeaning meaning_of(std::string_view text, const Listening& now, bool own_move);
 
 }  // namespace hw::vxm

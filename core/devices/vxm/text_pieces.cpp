@@ -20,7 +20,8 @@ std::optional<AnswerShape> answer_if_it_has_ended(const TextCommand& c, Listenin
   constexpr Duration at_once = Millis(60);
   if (!std::exchange(now.running, false)) return std::nullopt;
   auto answer = answer_shape(c, now);
-  if (answer && answer->stranger == before_prompt) return std::nullopt;  // it would be the program's own
+  if (answer && answer->unsolicited_length == before_prompt)
+    return std::nullopt;  // the prompt would be the program's own
   if (answer) answer->perhaps = true, answer->patience = at_once;
   return answer;
 }
@@ -51,23 +52,27 @@ std::optional<AnswerShape> answer_shape(const TextCommand& c, const Listening& n
   return std::nullopt;
 }
 
-/// Of what belongs together: ( ) and [ ].
+/// Inside an open group: ( ) or [ ].
 bool within_a_group(std::string_view text) {
   const auto count = [text](char c) { return std::count(text.begin(), text.end(), c); };
   return count('(') != count(')') || count('[') != count(']');
 }
 
-// A stop waits for what is on the wire: long texts are cut where a command ends.
+// Bytes. A stop waits for the bytes on the wire: long texts are cut after a command.
 constexpr std::size_t most_at_once = 24;
 
-/// Which state takes a few commands only, for a sentence.
+bool sets_rate(const TextCommand& c, const Listening& now) {
+  return c.verb == Verb::set && c.name == "B" && now.takes(c);
+}
+
+/// The state that takes only a few commands, for a sentence.
 std::string_view what_listens(const Listening& now) {
   if (now.halted) return "After its error report the controller takes only K, or res";
   if (now.running) return "While a program runs the controller takes only a few letters";
   return "In local mode the controller takes only a few letters";
 }
 
-/// Taken in more states than one can know here: T and Z at a standstill, res always.
+/// Taken in states that are not known here: T and Z at a standstill, res always.
 bool may_be_taken(const TextCommand& c) {
   return c.verb == Verb::letter ? c.letter == 'T' || c.letter == 'Z'
                                 : c.verb == Verb::word && c.name == "res";
@@ -119,6 +124,9 @@ std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextComman
       cut_at(c.end, std::move(answer));
       pieces.back().stores = c.verb == Verb::word && c.name == "rsm";
       pieces.back().kills = c.verb == Verb::letter && c.letter == 'K';
+    } else if (sets_rate(c, now)) {
+      cut_at(c.end, std::nullopt);
+      pieces.back().new_rate = c.value;
     } else if (whole) {
       cut_at(c.end, std::nullopt);
     }

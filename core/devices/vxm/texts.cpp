@@ -23,7 +23,7 @@ void add_answer(std::string& answers, std::string_view next) {
   answers += next;
 }
 
-/// What stops or asks, or goes on-line: it changes nothing that a move of the console needs to its end.
+/// Stops, asks, or goes on-line: changes nothing that a move of the console needs to its end.
 bool goes_with_a_stop(const TextCommand& c) {
   if (c.verb == Verb::word) return c.name == "res";
   return c.verb == Verb::letter && std::string_view("KDFVXY?~$@").find(c.letter) != std::string_view::npos;
@@ -37,14 +37,14 @@ Fault not_behind_stop(std::string_view rest) {
       "", "Send it again when the move has ended.");
 }
 
-/// The answers that came before a failure are not lost.
+/// Keeps the replies received before a failure.
 std::string with_answers(std::string_view answers, std::string_view done) {
   return fmt::format("Before that it answered {}.{}{}", printable(answers), done.empty() ? "" : " ", done);
 }
 
 }  // namespace
 
-// ---- what the text changes of which the driver keeps a record
+// ---- recorded changes
 
 void Texts::note_taken(const Piece& piece) {
   for (const TextCommand& c : piece.taken)
@@ -96,9 +96,9 @@ void Texts::note_letter(char letter) {
   }
 }
 
-// ---- what is told of it
+// ---- warnings
 
-// The controller drops what it does not know without a word.
+// The controller drops unknown commands silently.
 void Texts::warn_of_flaws(const std::vector<TextCommand>& commands) const {
   std::string unknown;
   int unknown_count = 0;
@@ -134,9 +134,9 @@ void Texts::warn_of_flaws(const std::vector<TextCommand>& commands) const {
   }
 }
 
-// ---- how it goes out
+// ---- sending
 
-// Echo would come between every question and its answer: F goes out for E.
+// Echo would come between every question and its reply: F is sent for E.
 static bool without_echo(std::string& text, const std::vector<TextCommand>& commands) {
   bool asked = false;
   for (const TextCommand& c : commands)
@@ -144,7 +144,7 @@ static bool without_echo(std::string& text, const std::vector<TextCommand>& comm
   return asked;
 }
 
-// Sends it piece by piece and gives back the answers, each without its end, joined by carriage returns.
+// Sends the text piece by piece. Returns the replies, each without its end, joined by carriage returns.
 Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, Priority priority) {
   const auto commands = read_text(text);
   warn_of_flaws(commands);
@@ -159,10 +159,12 @@ Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, P
   const Piece* last = last_command_of(pieces);
   for (const Piece& piece : pieces) {
     Result<std::string> reply;
+    std::optional<Station::Uncut> uncut;  // a stop in between would be sent at a rate that is not received
+    if (piece.new_rate > 0 && talk_.station()) uncut.emplace(*talk_.station());
     if (piece.answer) {
       AnswerShape answer = *piece.answer;
       const Duration wanted = &piece == last ? patience : usual_patience;
-      const bool is_stop = priority == Priority::stop;  // it is sent again when it is not confirmed
+      const bool is_stop = priority == Priority::stop;  // sent again when not confirmed
       if (!answer.perhaps)
         answer.patience =
             std::max(answer.patience, is_stop ? std::min(wanted, longest_confirmation) : wanted);
@@ -183,12 +185,17 @@ Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, P
     }
     if (piece.kills) under_way_.killed();
     if (piece.answer) add_answer(all.text, without_end(std::move(*reply)));
+    if (piece.new_rate == 0) continue;
+    if (auto followed = co_await parameters_.follow_rate(piece.new_rate); !followed) {
+      all.fault = std::move(followed.error());
+      co_return all;
+    }
   }
   co_return all;
 }
 
-// Not while a move of the console is under way: its program is selected, and what the controller does not
-// take then is dropped without a word.
+// Refuses commands that the controller would drop silently during a move of the console, whose program is
+// selected.
 Result<> Texts::may_send(const std::vector<TextCommand>& commands) const {
   for (const TextCommand& c : commands) {
     const bool taken_while_running =
@@ -243,7 +250,7 @@ Task<Result<std::string>> Texts::stop_by_words(const StopOrder& order) {
   const bool blind = presence_.is_unknown();
   auto reply = co_await converse(text, order.patience, Priority::stop);
   if (!reply && reply.error().kind == FaultKind::no_answer && blind && kills) {  // Local mode drops it
-    // F takes away the only sign of a restart.
+    // F removes the only sign of a restart.
     const AnswerShape state{ReplyShape::bytes(1), before_state, kill_patience, look::letter};
     auto was = co_await talk_.ask("VF", state, Priority::stop);
     if (!was && was.error().kind != FaultKind::no_answer) co_return fail(was.error());
@@ -266,7 +273,7 @@ Task<Result<std::string>> Texts::stop_by_words(const StopOrder& order) {
   co_return reply;
 }
 
-// A move of the console ends in steps that the rest of the text would come between: its program is still
+// The rest of the text would come between the final steps of a move of the console: its program is still
 // selected.
 std::string Texts::cut_behind_stop(std::string& text) const {
   const auto commands = read_text(text);

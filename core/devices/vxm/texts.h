@@ -1,5 +1,5 @@
 #pragma once
-// Raw text of the user's or a script's: sent in pieces, and followed, so that it is known what it changed.
+// Sends raw texts of the user or a script in pieces, and keeps track of their changes.
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,17 +38,17 @@ class Texts {
         positions_(positions) {}
 
   Task<Result<>> send(std::string text);
-  /// What was answered; nothing, if the answer is a prompt that comes some time.
+  /// Returns the replies; empty if the reply is a prompt that comes later.
   Task<Result<std::string>> converse(std::string text, Duration patience, Priority priority);
-  /// A stop in the user's words. Whoever waits for the answer is told the end of the move, too.
+  /// A stop by a text of the user. A caller that waits for the reply is also told the end of the move.
   Task<Result<std::string>> stop_by_words(const StopOrder& order);
 
  private:
   struct RawAnswer {
     std::string text;
-    std::optional<Fault> fault;    ///< what ended it; `text` is what was answered before
+    std::optional<Fault> fault;    ///< why it ended; `text` holds the replies before that
     std::string dropped;           ///< a sentence about commands that the controller's state drops
-    bool last_is_dropped = false;  ///< no prompt of it will come
+    bool last_is_dropped = false;  ///< it will bring no prompt
   };
   [[nodiscard]] Result<> may_send(const std::vector<TextCommand>& commands) const;
   Task<RawAnswer> send_pieces(std::string text, Duration patience, Priority priority);

@@ -37,13 +37,13 @@ void Unasked::heard_prompt() {
   if (!of_kill) console_.texts.add(std::string(1, prompt));
 }
 
-// The controller lists the command before which it holds (firmware 1.21 on). Which of several equal commands
-// it is follows from the one before.
+// The controller lists the command before which it holds (firmware 1.21 on). Of several equal commands, the
+// first after the previous one is taken.
 void Unasked::heard_held(std::string_view command) {
   console_.texts.add(fmt::format(":{}", command));
   if (under_way_.job().active()) {
     hold_.was_switched(true);
-    hold_.release_soon();  // one that was left on must not keep a move of ours
+    hold_.release_soon();  // a hold left on must not keep a move of the console
     return;
   }
   ProgramState& p = console_.draft.program;
@@ -88,7 +88,7 @@ void Unasked::heard_error(char letter) {
   if (words.halts) {
     presence_.halted_by(letter);
     console_.draft.inputs_known = console_.draft.outputs_known = console_.draft.analog_known =
-        0;  // nobody tells them now
+        0;  // not reported now
     under_way_.run_ended(EndedBy::error);
     console_.draft.program.run = RunState::error;
     for (int i = 0; i < console_.draft.axis_count; ++i) console_.draft.axes[i].activity = Activity::error;

@@ -1,5 +1,5 @@
 #pragma once
-// What the controller says unasked, and what it changes.
+// Handles unsolicited messages of the controller.
 #include <string_view>
 
 #include "core/devices/vxm/codec.h"

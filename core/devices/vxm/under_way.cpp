@@ -11,7 +11,7 @@ void UnderWay::begin(Job job) {
 void UnderWay::program_begins(int slot) {
   program_runs_ = true;
   hold_.nothing_runs_from_before();
-  killed_at_ = {};  // the next prompt is of this run
+  killed_at_ = {};  // the next prompt belongs to this run
   ProgramState& p = console_.draft.program;
   p.run = RunState::running;
   p.owned = true;
@@ -32,7 +32,7 @@ void UnderWay::forget_how_it_ended() {
   for (int i = 0; i < draft.axis_count; ++i) draft.axes[i].ended_by = EndedBy::nothing;
 }
 
-// ---- what runs has come to its end
+// ---- end of a run
 
 void UnderWay::run_ended(EndedBy ended_by) {
   if (job_.active()) {
@@ -46,14 +46,14 @@ void UnderWay::run_ended(EndedBy ended_by) {
   const bool was_stopped = ramp_.is_expected();
   if (was_stopped && ended_by == EndedBy::target && untold)
     ended_by = EndedBy::stop;                              // its last index was cut
-  if (was_stopped && hold_.is_on()) hold_.release_soon();  // that of its stop: it must not keep the next run
+  if (was_stopped && hold_.is_on()) hold_.release_soon();  // the hold of its stop must not keep the next run
   ramp_.forget();
   hold_.nothing_runs_from_before();
   p.run = RunState::idle;
   if (p.ended_by == EndedBy::nothing || ended_by != EndedBy::target) p.ended_by = ended_by;
   if (ended_by == EndedBy::target) {
     ended_run_ = p.slot;
-    console_.draft.working = true;  // until the switches have told what ended it
+    console_.draft.working = true;  // until the limits have shown how it ended
   }
   p.owned = false;
   p.stepping = false;
@@ -110,7 +110,7 @@ void UnderWay::wire_lost() {
   draft.working = false;
   ramp_.forget();
   hold_.wire_lost();
-  job_.drop_rest();  // nothing of ours begins by itself after this
+  job_.drop_rest();  // no leg begins by itself after this
   for (int i = 0; i < draft.axis_count; ++i) {
     AxisState& axis = draft.axes[i];
     if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;

@@ -1,6 +1,6 @@
 #pragma once
-// What goes on in the controller: a move of the console, or a stored program; how each comes to its end, and
-// what shows of that.
+// The run under way in the controller: a move of the console, or a stored program; how it ends, and how that
+// is shown.
 #include <optional>
 #include <utility>
 
@@ -27,7 +27,7 @@ class UnderWay {
         news_(console.scheduler) {}
 
   [[nodiscard]] bool busy() const { return job_.active() || program_runs_; }
-  /// Something has been heard or found out.
+  /// Notified when something was heard or found out.
   Event& news() { return news_; }
 
   // ---- moves of the console
@@ -40,22 +40,22 @@ class UnderWay {
   [[nodiscard]] bool program_runs() const { return program_runs_; }
   /// -1: the selected one, as far as is known.
   void program_begins(int slot);
-  /// Its slot: its end was seen, the switches have not been read since.
+  /// Slot of a run whose end was seen, with the limits not read since.
   std::optional<int> take_ended_run() { return std::exchange(ended_run_, std::nullopt); }
 
-  // ---- what runs has come to its end
+  // ---- end of a run
   /// By itself or by force.
   void run_ended(EndedBy ended_by);
   /// K has been confirmed: nothing runs, no hold, no error.
   void killed(EndedBy ended_by = EndedBy::abort);
-  /// What it has ended shows by the next V; whether it has ended the hold, by nothing.
+  /// The next V shows what K has ended. Nothing shows whether it ended the hold.
   void kill_not_confirmed(EndedBy ended_by);
   void kill_was_said() { killed_at_ = console_.scheduler.now(); }
   [[nodiscard]] Instant killed_at() const { return killed_at_; }
   /// The controller has restarted.
   void forget();
 
-  // ---- the wire is lost: what moved goes on without us
+  // ---- lost wire: motions go on without the console
   void wire_lost();
   [[nodiscard]] bool was_lost_while_busy() const { return lost_while_busy_; }
   bool take_lost_while_busy() { return std::exchange(lost_while_busy_, false); }

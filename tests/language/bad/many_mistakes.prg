@@ -50,7 +50,7 @@ END
 ;# error 16:6 variable on the line above
 ;# error 17:5 a number only
 ;# error 18:6 1 to 6,000,000
-;# error 19:7 no variable
+;# error 19:7 not a variable
 ;# error 20:2 28 bits
 ;# error 21:2 28 bits
 ;# error 22:1 WAITX
@@ -58,7 +58,7 @@ END
 ;# error 24:7 0 to 31
 ;# error 25:4 no brackets
 ;# warning 26:6 division by zero
-;# error 27:1 means nothing
+;# error 27:1 no meaning
 ;# error 28:1 begins with a word
 ;# error 29:1 Is it SSPDX?
 ;# error 30:4 0 to 1

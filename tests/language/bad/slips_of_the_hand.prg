@@ -39,6 +39,6 @@ END
 ;# error 16:7 Nothing may follow
 ;# error 17:1 begins with a word
 ;# error 18:4 A value is missing
-;# error 19:5 no minus sign
+;# error 19:5 not a minus sign
 ;# error 20:1 END is missing above
 ;# error 20:4 A number is missing

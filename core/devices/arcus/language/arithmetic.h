@@ -7,7 +7,7 @@
 
 namespace hw::arcus::language {
 
-/// Nothing: a division by zero.
+/// None: division by zero.
 [[nodiscard]] constexpr std::optional<std::int32_t> compute(Operator operation, std::int32_t a,
                                                             std::int32_t b) {
   const auto ua = static_cast<std::uint32_t>(a), ub = static_cast<std::uint32_t>(b);

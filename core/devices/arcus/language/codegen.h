@@ -1,5 +1,5 @@
 #pragma once
-// Low-level lines out of statements that belong together.
+// Low-level lines from the statements of a text.
 #include <vector>
 
 #include "core/devices/arcus/language/parser.h"
@@ -10,7 +10,7 @@ namespace hw::arcus::language {
 struct Generated {
   Program program;
   std::vector<int> source_line;             ///< for each low-level line the text's line
-  int needed = 0;                           ///< low-level lines that the whole text wants
+  int needed = 0;                           ///< low-level lines that the whole text needs
   const Statement* first_beyond = nullptr;  ///< the first statement that does not fit into max_lines
 };
 

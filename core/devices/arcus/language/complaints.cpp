@@ -97,7 +97,7 @@ const Dialect* other_home_of(const Dialect& dialect, std::string_view letters, i
   return nullptr;
 }
 
-/// Two letters that stand next to each other have changed places: the commonest slip.
+/// Two adjacent letters are swapped: the commonest slip.
 bool swapped(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   const auto at = static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin()).first - a.begin());
@@ -184,11 +184,11 @@ Complaint unknown_word(const Dialect& dialect, std::string_view word) {
         {}};
   }
   if (auto about = glued_keyword(dialect, word)) return *about;
-  const bool one_letter_and_number = letters.size() == 1 && number >= 0;  // near to too many words
+  const bool one_letter_and_number = letters.size() == 1 && number >= 0;  // close to too many words
   std::string guess = one_letter_and_number ? std::string() : nearest(dialect, letters);
   if (guess.empty()) return {shown + " is nothing that a program of the " + name + " knows.", {}};
   if (number >= 0) {
-    if (find_name(dialect, guess, -1)) guess += "=";  // its value stands there, no number of its own
+    if (find_name(dialect, guess, -1)) guess += "=";  // the number is its value, not part of its name
     if (!find_word(dialect, guess)) guess += word.substr(letters.size());
   }
   return {shown + " is not known. Is it " + guess + "?", guess};

@@ -1,5 +1,5 @@
 #pragma once
-// What a technician is told about a word that the language does not know.
+// Messages about a word that the language does not know.
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-// Statements out of low-level lines. LISTING.md has the grammar; encoding.cpp writes it.
+// Statements from low-level lines. LISTING.md has the grammar; encoding.cpp writes it.
 #include <algorithm>
 #include <limits>
 #include <span>
@@ -47,13 +47,13 @@ std::optional<std::int32_t> canonical_number(Text text) {
   return n && std::to_string(*n) == text ? n : std::nullopt;
 }
 
-/// Reads one statement from its lines. Every `read_...` says whether what it wanted was there.
+/// Reads one statement from its lines. Every `read_...` returns whether the expected part was there.
 class StatementReader {
  public:
   StatementReader(std::span<const std::string> lines, const Dialect& dialect)
       : lines_(lines), dialect_(dialect) {}
 
-  /// Op `bad` when the lines say nothing; then `lines` is 1.
+  /// Op `bad` if the lines are invalid; then `lines` is 1.
   Instruction read() {
     const Fields head(lines_.front());
     i_.op = opcode_of(head.at[0]);
@@ -226,7 +226,7 @@ void mark_bad(Program& program, int line, std::string why) {
   program.bad_lines.push_back({line, std::move(why)});
 }
 
-/// A block whose lines name other ends than its own would run differently from what it reads like.
+/// A block whose lines name wrong ends would run differently from how it reads.
 void check_blocks(Program& program) {
   const std::vector<Instruction> as_loaded = program.code;
   for (const int line : link_blocks(program.code)) mark_bad(program, line, "belongs to no complete block");

@@ -1,5 +1,5 @@
 #pragma once
-// The text of a program that came up from a controller, as a person would write it.
+// The text of a program read from a controller, as a person would write it.
 #include <string>
 #include <vector>
 

@@ -79,9 +79,9 @@ struct WordFound {
 /// "HOMEX", "STOP".
 [[nodiscard]] std::optional<WordFound> find_word(const Dialect& dialect, std::string_view letters);
 
-/// The row of what a program may write; null: it may not.
+/// The row by which a program writes the quantity; null: it may not.
 [[nodiscard]] const NameRow* writable_row(const Dialect& dialect, Quantity quantity);
-/// Whether what a program writes into it fits; its number means on where any number does.
+/// Whether a program may write `value` into the quantity; where any number means on, all fit.
 [[nodiscard]] bool can_hold(const Dialect& dialect, Quantity quantity, std::int64_t value);
 
 /// How the maker writes it: "HSPDX", "DI3", "PS"; "V7", "-100".

@@ -1,4 +1,4 @@
-// Low-level lines out of statements. LISTING.md has the grammar; decoding.cpp reads it.
+// Low-level lines from statements. LISTING.md has the grammar; decoding.cpp reads it.
 #include "core/devices/arcus/language/encoding.h"
 
 #include "core/devices/arcus/language/dialect.h"

@@ -1,5 +1,5 @@
 #pragma once
-// One line of a program text taken apart: words, numbers, signs, and the comment behind them.
+// Splits one line of a program text into words, numbers, signs, and the comment after them.
 #include <string>
 #include <string_view>
 #include <vector>

@@ -16,7 +16,7 @@ struct ReadListing {
   std::vector<int> source_line;  ///< for each of them the line of the text
   std::vector<Problem> problems;
 };
-/// Whether a text is meant as a listing: its first word, behind comments and blank lines, is LISTING.
+/// Whether a text is meant as a listing: its first word, after comments and blank lines, is LISTING.
 [[nodiscard]] bool is_listing(std::string_view text);
 [[nodiscard]] ReadListing read_listing(std::string_view text, const Dialect& dialect);
 

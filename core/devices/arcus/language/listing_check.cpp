@@ -27,7 +27,7 @@ std::string wrong_position(const Instruction& i, const Dialect& dialect) {
   return {};
 }
 
-/// What a value of the statement cannot be; empty: nothing.
+/// What is wrong with the statement's values; empty: nothing.
 std::string wrong_value(const Instruction& i, const Dialect& dialect) {
   switch (shape_of(i.op)) {
     case Shape::target_and_value: return wrong_setting(i, dialect);
@@ -55,7 +55,7 @@ void check_listing(const Program& program, const std::vector<int>& source_line, 
       problem.sentence = std::move(wrong);
     }
   }
-  // Where a line is missing or means nothing, what surrounds it need not fit together.
+  // Around a missing or invalid line the structure need not fit.
   if (before > 0) return;
   check_structure(statements, problems);
   check_calls(statements, problems);

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with low-level lines that can be read: the same that is wrong with a text of that meaning.
+// Checks readable low-level lines for the problems that a text of the same meaning would have.
 #include <vector>
 
 #include "core/device/language.h"
@@ -8,7 +8,7 @@
 
 namespace hw::arcus::language {
 
-/// `problems`: what has been said of the lines already. `source_line`: for each low-level line the line of
+/// `problems`: those already reported; new ones are added. `source_line`: for each low-level line the line of
 /// the text.
 void check_listing(const Program& program, const std::vector<int>& source_line, const Dialect& dialect,
                    std::vector<Problem>& problems);

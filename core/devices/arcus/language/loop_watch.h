@@ -1,7 +1,7 @@
 #pragma once
-// Notices a thread that goes round a loop without doing anything: it reads inputs and variables, changes
-// nothing, and would do so for ever (`WHILE DI1=0 ... ENDWHILE`). Such a thread needs no turns until one of
-// the values that it has read is another one; then it goes on at the statement where it would be by now.
+// Detects a thread that repeats a loop without effect: it reads inputs and variables, changes nothing, and
+// would do so for ever (`WHILE DI1=0 ... ENDWHILE`). Such a thread needs no turns until one of the values it
+// has read changes; then it continues at the statement it would have reached by now.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -14,7 +14,7 @@ using Turn = std::int64_t;  ///< milliseconds since the clock's start
 
 class LoopWatch {
  public:
-  /// What the thread does, in the order of things.
+  /// The actions of the thread, in their order.
   void runs(std::uint16_t line, Turn turn);
   void has_read(const Operand& what, std::int32_t value);
   void has_changed_something() { tracking_ = idle_ = false; }
@@ -22,7 +22,7 @@ class LoopWatch {
   void goes_round(std::uint16_t head, Turn turn);
 
   [[nodiscard]] bool idle() const { return idle_; }
-  /// Whether all that was read in the loop still reads the same. `read(operand)` gives present values.
+  /// Whether all values read in the loop are unchanged. `read(operand)` gives present values.
   template <class Read>
   [[nodiscard]] bool unchanged(const Read& read) const {
     for (int i = 0; i < reads_; ++i)

@@ -1,4 +1,4 @@
-// The parts that statements consist of, and what is said when they do not fit. The statements themselves:
+// The parts of statements, and the messages when they do not fit. The statements themselves:
 // parser_statements.cpp.
 #include "core/devices/arcus/language/parser.h"
 
@@ -42,7 +42,7 @@ void LineParser::warn(int begin, int end, std::string sentence, std::string fix)
   report(begin, end, std::move(sentence), std::move(fix)).error = false;
 }
 
-/// The word at `at`, with the number that touches it, means nothing.
+/// The word at `at`, with the adjoining number, is unknown.
 bool LineParser::complain_about_word(std::size_t at) {
   const Lexeme& word = (*lexemes_)[at];
   const Lexeme& behind = (*lexemes_)[std::min(at + 1, lexemes_->size() - 1)];
@@ -57,8 +57,8 @@ bool LineParser::complain_about_word(std::size_t at) {
 bool LineParser::check_characters() {
   for (const Lexeme& l : *lexemes_) {
     if (!l.is(Kind::unknown)) continue;
-    if (is_minus_lookalike(l.text)) return complain(l, "This dash is no minus sign.", "-");
-    return complain(l, "This character means nothing in a program.");
+    if (is_minus_lookalike(l.text)) return complain(l, "This dash is not a minus sign.", "-");
+    return complain(l, "This character has no meaning in a program.");
   }
   return true;
 }
@@ -101,7 +101,7 @@ bool LineParser::number(std::int32_t& value) {
   if (!minus) take("+");
   if (!here().is(Kind::number)) {
     if (here().is(Kind::word) && here().text.front() == 'V' && ahead().is(Kind::number))
-      return complain(here().begin, ahead().end, "Only a number can stand here, no variable.");
+      return complain(here().begin, ahead().end, "Only a number can stand here, not a variable.");
     return complain(here(), "A number is missing here.");
   }
   const auto n = whole_number<std::int64_t>(here().text);
@@ -121,7 +121,7 @@ bool LineParser::bounded_number(std::int64_t minimum, std::int64_t maximum, cons
   const int begin = here().begin;
   const std::size_t problems = problems_.size();
   if (!number(value)) {
-    // A number that not even 32 bits hold is out of this range as well.
+    // A number beyond 32 bits is out of this range as well.
     if (problems_.size() > problems && too_large_) problems_.back().sentence = sentence;
     return false;
   }

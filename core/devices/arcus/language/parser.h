@@ -1,6 +1,6 @@
 #pragma once
-// One line of a program text understood: a statement, or a problem in words. A line stands for itself; how
-// lines belong together is structure.h.
+// Parses one line of a program text into a statement or a problem in words. Each line is parsed alone;
+// structure.h checks how lines belong together.
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ namespace hw::arcus::language {
 struct Statement {
   Instruction instruction;
   int line = 0, column = 0, length = 0;  ///< where it stands, from 0
-  bool sound = true;  ///< false: a problem has been said; it still opens or closes its block
+  bool sound = true;  ///< false: a problem was reported; it still opens or closes its block
 };
 
 class LineParser {
@@ -48,7 +48,7 @@ class LineParser {
   bool complain_about_rest();
   Problem& report(int begin, int end, std::string sentence, std::string fix);
 
-  // Statements. False: said why not.
+  // Statements. False: the problem was reported.
   bool check_characters();
   bool check_axis_letter(const Lexeme& word, const Lexeme& behind);
   bool parse_statement();
@@ -83,7 +83,7 @@ class LineParser {
   const std::vector<Lexeme>* lexemes_ = nullptr;
   std::size_t at_ = 0;
   int line_ = 0;
-  bool too_large_ = false;  ///< the number read last: not even 32 bits hold it
+  bool too_large_ = false;  ///< the number read last exceeds 32 bits
   Instruction i_;
 };
 

@@ -41,17 +41,17 @@ Opcode arc_keyword(std::string_view word) {
   return Opcode::bad;
 }
 
-/// What it opens or closes counts even when the line has a mistake.
+/// Its block counts as opened or closed even if the line has a mistake.
 bool is_structure(Opcode op) { return op >= Opcode::prg && op <= Opcode::endwhile && op != Opcode::gosub; }
 
-/// EN=1, EN1=1: whatever that was to be, it is given a value.
+/// EN=1, EN1=1: whatever the word was to be, it is assigned a value.
 bool is_given_value(const std::vector<Lexeme>& line) {
   const std::size_t behind = line.size() > 1 && line[1].is(Lexeme::Kind::number) ? 2 : 1;
   return line.size() > behind && line[behind].is(Lexeme::Kind::sign, "=");
 }
 
-/// A misspelt word opens or closes what the word opens or closes that it is taken for. END is near to much
-/// that is none, and would end a program.
+/// A misspelt word opens or closes the same block as the word it is taken for. END resembles many other
+/// words, and would end a program.
 Opcode guessed_structure(const std::vector<Lexeme>& line, std::string_view fix) {
   const std::size_t blank = fix.find(' ');  // IFV1=1: IF V1
   if (blank == fix.npos && is_given_value(line)) return Opcode::bad;

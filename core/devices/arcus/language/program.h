@@ -1,6 +1,6 @@
 #pragma once
-// A stored program: what the compiler makes, what travels as lines of text, what the interpreter runs.
-// `encode` and `decode` are the two ways between a Program and its low-level lines (LISTING.md).
+// A stored program: made by the compiler, transferred as lines of text, run by the interpreter. `encode` and
+// `decode` convert between a Program and its low-level lines (LISTING.md).
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -29,7 +29,7 @@ enum class Opcode : std::uint8_t {
   empty,      ///< an unused line
   continued,  ///< a `+` line of the statement above
   test,       ///< the `+TEST` line of IF, ELSEIF or WHILE when it is jumped to
-  bad,        ///< a line that means nothing; a thread that comes here is in error
+  bad,        ///< an invalid line; a thread that reaches it is in error
 #define OPCODE(name, mnemonic, operands, lines) name,
 #include "core/devices/arcus/language/opcodes.def"
 #undef OPCODE
@@ -64,7 +64,7 @@ enum class Quantity : std::uint8_t {
 
 [[nodiscard]] bool has_axis(Quantity quantity);  ///< its index is an axis
 
-/// What stands where a value is wanted, or where one is put.
+/// A source or destination of a value.
 struct Operand {
   enum class Kind : std::uint8_t { number, variable, quantity };
   Kind kind = Kind::number;
@@ -117,7 +117,7 @@ struct Instruction {
   Sign sign = Sign::plus;
   AxisSet axes;
   std::uint16_t link = 0;      ///< end of the block; for ENDWHILE its WHILE
-  std::uint16_t if_false = 0;  ///< where a test that fails goes on
+  std::uint16_t if_false = 0;  ///< where a failed test continues
   Operand target;
   /// number(s): PRG, SUB, GOSUB, DELAY, SR. Tests and READ: a, b. SET: a. MOVE: by axis. Arcs: centre X,
   /// centre Y, end angle, swept angle (thousandths of a degree).
@@ -126,7 +126,7 @@ struct Instruction {
   bool operator==(const Instruction&) const = default;
 };
 
-/// A line of a stored program that means nothing, or that stands where it means nothing.
+/// An invalid line of a stored program, or one in an invalid place.
 struct BadLine {
   int line = 0;
   std::string why;
@@ -140,15 +140,14 @@ struct Program {
   std::vector<BadLine> bad_lines;
 };
 
-/// Sets `link` and `if_false` of every block from where its lines stand. Returns the lines that belong to no
-/// complete block.
+/// Sets `link` and `if_false` of every block from the places of its lines. Returns the lines that belong to
+/// no complete block.
 [[nodiscard]] std::vector<int> link_blocks(std::vector<Instruction>& code);
 
 /// Finds the heads of programs and subroutines. Returns the lines that repeat a number.
 [[nodiscard]] std::vector<int> find_heads(Program& program);
 
-/// Reads low-level lines. Never fails: what means nothing becomes a bad line. Trailing empty lines are
-/// dropped.
+/// Reads low-level lines. Never fails: an invalid line becomes a bad line. Trailing empty lines are dropped.
 [[nodiscard]] Program decode(const std::vector<std::string>& lines, const Dialect& dialect);
 
 /// The low-level lines of one statement, as many as its `lines`.

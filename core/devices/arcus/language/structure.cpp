@@ -49,7 +49,7 @@ class StructureCheck {
       default: break;
     }
     if (place_ == Place::outside) enter_text_before_headings(s);
-    if (place_ != Place::outside) see_block(s);  // a stray line is complained of once
+    if (place_ != Place::outside) see_block(s);  // a stray line is reported once
   }
 
   void begin_program(const Statement& s) {
@@ -78,7 +78,7 @@ class StructureCheck {
       known = &s;
   }
 
-  /// Text without PRG is program 0; later on a statement must have its place.
+  /// Text without PRG is program 0; after that a statement must be in a program or subroutine.
   void enter_text_before_headings(const Statement& s) {
     if (!opened_by_) {
       place_ = Place::program;
@@ -217,7 +217,7 @@ class CallGraph {
   /// A SUB whose line has a mistake may be any of them.
   [[nodiscard]] bool may_be_there(std::size_t sub) const { return heads_[sub] || unread_head_; }
 
-  /// Levels of calls below and with this one; more than any program may have when it comes back to itself.
+  /// Levels of calls, this one included; more than any program may have if it calls itself.
   int depth(std::size_t sub) {
     if (walking_[sub]) return endless;
     if (known_[sub] > 0) return known_[sub];

@@ -7,7 +7,7 @@
 namespace hw::arcus::language {
 
 void check_structure(const std::vector<Statement>& statements, std::vector<Problem>& problems);
-/// GOSUBs that lead nowhere, or that nest deeper than the controller can.
+/// Reports GOSUBs without a target, or nested deeper than the controller allows.
 void check_calls(const std::vector<Statement>& statements, std::vector<Problem>& problems);
 
 }  // namespace hw::arcus::language

@@ -1,4 +1,4 @@
-// Threads and turns. What one statement does stands in vm_statement.cpp.
+// Threads and turns. vm_statement.cpp runs single statements.
 #include "core/devices/arcus/language/vm.h"
 
 #include <algorithm>

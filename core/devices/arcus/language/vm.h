@@ -1,12 +1,12 @@
 #pragma once
 // The interpreter of stored programs: up to four program threads, and one for GS. A passive value without a
-// clock: it says when it next wants a turn, and somebody who moves time calls run_turn at that instant.
+// clock: next_turn tells when the next turn is due, and the owner calls run_turn at that instant.
 //
-// Turns stand on whole milliseconds. In a turn each thread that is due runs one statement, program 0 first,
-// the GS thread last (AMB-127). A statement that has to wait (WAIT, a move whose axis still moves) is tried
-// again on the first turn after the axis came to rest; until then its thread asks for no turns. Nor does one
-// that only goes round looking at inputs and variables (loop_watch.h). So the host asks next_turn again after
-// each of its own events, commands and hands on the bench:
+// Turns fall on whole milliseconds. In a turn each thread that is due runs one statement, program 0 first,
+// the GS thread last (AMB-127). A statement that has to wait (WAIT, a move whose axis still moves) is retried
+// on the first turn after the axis came to rest; until then its thread needs no turns. Nor does a thread that
+// only loops reading inputs and variables (loop_watch.h). So the host calls next_turn again after each of its
+// own events, commands and hands on the bench:
 //
 //   while (auto turn = vm.next_turn(now, host); turn && *turn <= until) {
 //     advance motion to *turn (and ask again when something came to rest before); now = *turn;
@@ -24,10 +24,10 @@
 
 namespace hw::arcus::language {
 
-/// The numbers that SASTAT answers.
+/// The values of SASTAT.
 enum class ThreadState : std::uint8_t { stopped = 0, running = 1, paused = 2, error = 4 };
 
-/// Why a thread went into SUB 31 or into error last; for people.
+/// Why a thread last went into SUB 31 or into error; for people.
 enum class Trouble : std::uint8_t {
   none,
   axis_in_error,
@@ -40,7 +40,7 @@ enum class Trouble : std::uint8_t {
 
 class Vm {
  public:
-  /// Exchanges the program; all threads stop. Variables stay.
+  /// Replaces the program and stops all threads. Variables stay.
   void load(std::shared_ptr<const Program> program);
   [[nodiscard]] const Program& program() const { return *program_; }
 
@@ -48,7 +48,7 @@ class Vm {
   /// number for any model; a program that is not loaded is no error and stays stopped.
   bool control(int program, int command, Instant now);
   enum class Call { started, busy, undefined };
-  /// GSn: subroutine n in the thread of its own (AMB-046).
+  /// GSn: runs subroutine n in the GS thread (AMB-046).
   Call call(int sub, Instant now);
   void stop_all();
 
@@ -57,15 +57,15 @@ class Vm {
   /// SPCn: the low-level line of the statement that runs next, that waits, or that failed; of a DELAY until
   /// its time has passed.
   [[nodiscard]] int line(int program, Instant now) const;
-  /// The low-level line whose statement is being run at this moment, as its host is called; -1: none is.
+  /// The low-level line of the statement being run, while the host is called; -1: none.
   [[nodiscard]] int line_at_work() const { return line_at_work_; }
   [[nodiscard]] Trouble trouble(int program) const { return threads_[program].trouble; }
 
   [[nodiscard]] std::int32_t variable(int n) const { return variables_[n]; }
   void set_variable(int n, std::int32_t value) { variables_[n] = value; }
 
-  /// When the next turn is wanted, not before `now`; nothing while every thread waits for an axis, is paused
-  /// or stopped.
+  /// When the next turn is due, not before `now`; none while every thread waits for an axis, is paused or
+  /// stopped.
   [[nodiscard]] std::optional<Instant> next_turn(Instant now, const VmHost& host) const;
   /// One turn. A second call within the same millisecond does nothing.
   void run_turn(Instant now, VmHost& host);
@@ -86,12 +86,12 @@ class Vm {
     std::uint16_t line = 0;
     std::uint16_t first_line = 0;
     Turn due = 0;                           ///< not before this turn
-    std::optional<std::uint16_t> delay_at;  ///< where the DELAY stands whose time has not passed
+    std::optional<std::uint16_t> delay_at;  ///< line of the DELAY whose time has not passed
     LoopWatch loop;
     std::array<Frame, max_call_depth + 2> frames;  ///< one more for GS and one for SUB 31
     [[nodiscard]] bool sees_to_error() const;      ///< somewhere in SUB 31
   };
-  /// What a statement leads to.
+  /// The result of a statement.
   struct Next {
     enum class Kind : std::uint8_t { go, wait, fail, leave } kind = Kind::go;
     std::uint16_t line = 0;  ///< go
@@ -102,7 +102,7 @@ class Vm {
 
   void start(Thread& thread, std::uint16_t line, Turn turn);
   void run_thread(Thread& thread, Turn turn, VmHost& host);
-  /// What the thread has not run since it idles, it now has run, up to before `turn`.
+  /// Brings an idle thread up to date, as if it had run until just before `turn`.
   void catch_up(Thread& thread, Turn turn) const;
   void fail(Thread& thread, Trouble trouble, Turn turn);
   [[nodiscard]] std::int32_t value_of(const Operand& operand, const VmHost& host) const;

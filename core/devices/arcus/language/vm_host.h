@@ -25,7 +25,7 @@ struct Move {
 /// An XY arc about an absolute centre (AMB-063 to 067).
 struct Arc {
   bool clockwise = true;
-  bool full_circle = false;  ///< CIR: the two angles do not count
+  bool full_circle = false;  ///< CIR: the two angles are ignored
   std::int32_t centre_x = 0, centre_y = 0;
   std::int32_t end_angle = 0, swept_angle = 0;  ///< thousandths of a degree
 };
@@ -51,7 +51,7 @@ class VmHost {
   /// A limit, alarm or StepNLoop error is latched (AMB-035, AMB-118; IERR takes it away).
   [[nodiscard]] virtual bool in_error(int axis) const = 0;
 
-  /// The axes of the last motion of this one, as far as they have had none of their own since.
+  /// The axes of this axis's last motion that have had no other motion since.
   [[nodiscard]] virtual AxisSet moved_with(int axis) const = 0;
 
   // The rest.

@@ -79,7 +79,7 @@ void Vm::Statement::put(int variable, std::int32_t value) {
   std::int32_t& kept = vm_.variables_[static_cast<std::size_t>(variable)];
   if (kept != value) thread_.loop.has_changed_something();
   kept = value;
-  thread_.loop.has_read(variable_operand(variable), value);  // somebody else's write wakes the loop
+  thread_.loop.has_read(variable_operand(variable), value);  // a write by another wakes the loop
 }
 
 Vm::Next Vm::Statement::outcome(Outcome outcome, AxisSet axes) {
@@ -161,8 +161,8 @@ Vm::Next Vm::Statement::compute_value() {
 }
 
 Vm::Next Vm::Statement::wait() {
-  // In an interpolated move any of its axes will do, and the error of any of them counts (AMB-114); but what
-  // sees to an error waits for its own.
+  // For an interpolated move WAIT may name any of its axes, and an error of any of them counts (AMB-114); SUB
+  // 31 heeds only the axis it waits for.
   const AxisSet together = thread_.sees_to_error() ? AxisSet() : host_.moved_with(i_->axes.first());
   for (int axis = 0; axis < max_axes; ++axis)
     if (together.has(axis) && host_.in_error(axis)) return fail(Trouble::axis_in_error);

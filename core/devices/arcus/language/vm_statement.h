@@ -20,7 +20,7 @@ class Vm::Statement {
   [[nodiscard]] Next wait_for(AxisSet axes) const { return {Kind::wait, 0, axes, {}}; }
   [[nodiscard]] Next fail(Trouble trouble) const { return {Kind::fail, 0, {}, trouble}; }
   Next outcome(Outcome outcome, AxisSet axes);
-  /// What a motion statement finds before it starts (AMB-113): nothing in its way, or what to do instead.
+  /// Check before a motion statement starts (AMB-113). None: nothing in its way; else what to do instead.
   [[nodiscard]] std::optional<Next> obstacle(AxisSet axes) const;
 
   std::int32_t value(const Operand& operand);

@@ -70,7 +70,7 @@ TEST_F(Programs, OneWhoseTransferWasBrokenOffDoesNotRun) {
                                       "runs it."));
     EXPECT_EQ(latest.slot_bytes_used[0], -1) << "how much it is, is not known";
     EXPECT_THAT(perform(intent::RunProgram(0)),
-                HasSubstr("its transfer was broken off, or it reads back otherwise. Nothing was started."));
+                HasSubstr("its transfer was broken off, or it reads back differently. Nothing was started."));
     EXPECT_THAT(perform(intent::RunProgram(1)), HasSubstr("Nothing was started.")) << "of the same text";
     EXPECT_EQ(position(), 0);
     ASSERT_EQ(load(0, "X100\nEND\n"), "");

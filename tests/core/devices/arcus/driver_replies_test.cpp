@@ -93,13 +93,13 @@ INSTANTIATE_TEST_SUITE_P(
     Of, BrokenReplies,
     testing::Values(
         BrokenReply{"TooManyNumbers", ended("1:2:3"),
-                    "answered 1:2:3 to PX, which means nothing. It was asked twice."},
-        BrokenReply{"NoNumber", ended("12x"), "answered 12x to PX, which means nothing"},
-        BrokenReply{"Nothing", ended(""), "answered with an empty text to PX, which means nothing"},
-        BrokenReply{"Unprintable", ended("\x01\xFE"), "answered <01><FE> to PX, which means nothing"},
+                    "answered 1:2:3 to PX, which makes no sense. It was asked twice."},
+        BrokenReply{"NoNumber", ended("12x"), "answered 12x to PX, which makes no sense"},
+        BrokenReply{"Nothing", ended(""), "answered with an empty text to PX, which makes no sense"},
+        BrokenReply{"Unprintable", ended("\x01\xFE"), "answered <01><FE> to PX, which makes no sense"},
         BrokenReply{"TooManyDigits", ended("99999999999999999999"),
-                    "99999999999999999999 to PX, which means nothing"},
-        BrokenReply{"AnOkToAQuestion", ended("OK"), "answered OK to PX, which means nothing"},
+                    "99999999999999999999 to PX, which makes no sense"},
+        BrokenReply{"AnOkToAQuestion", ended("OK"), "answered OK to PX, which makes no sense"},
         BrokenReply{"ARefusal", ended("?PX"), "refused PX with ?PX"},
         BrokenReply{"OfAnotherDevice", ended("#050"), "Device 01 was asked PX, and device 05 answered."},
         BrokenReply{"WithoutItsEnd", "123", "stopped in the middle"},
@@ -183,7 +183,7 @@ TEST_F(OneReply, CodeOfAnotherProgramIsShownLineByLineAndSaid) {
   ASSERT_EQ(query("SA1=17 4 0 FF"), "OK");
   ASSERT_EQ(perform(intent::UploadProgram(0)), "");
   EXPECT_THAT(program_text(), AllOf(HasSubstr("X400"), HasSubstr("17 4 0 FF"), HasSubstr("V1=1")));
-  EXPECT_TRUE(told("1 line of the stored code means nothing here: line 1 (17 4 0 FF).")) << all_notices();
+  EXPECT_TRUE(told("1 line of the stored code cannot be read here: line 1 (17 4 0 FF).")) << all_notices();
   EXPECT_TRUE(told("Sent back as it is, the text leaves it out.")) << all_notices();
 }
 
@@ -199,7 +199,7 @@ TEST_F(OneReply, ARunOfForeignCodeStopsWithItsLine) {
   perform(intent::RunProgram(0));
   run(1);
   EXPECT_EQ(latest.threads[0].run, RunState::error);
-  EXPECT_THAT(std::string(latest.notice.view()), HasSubstr("Program 0 has stopped in error at line 0"));
+  EXPECT_THAT(std::string(latest.notice.view()), HasSubstr("Program 0 stopped with an error at line 0"));
 }
 
 TEST_F(OneReply, AProgramForTheOtherModelIsRefusedWithItsLine) {

@@ -150,7 +150,7 @@ TEST_F(Stopping, SaysEverythingOnceBeforeASilentLineIsGivenUp) {
     run(1);
     loop->drop(1 << 20);
     const auto before = loop->to_controller.size();
-    EXPECT_THAT(perform(intent::Stop()), HasSubstr("was told to stop, and does not answer"));
+    EXPECT_THAT(perform(intent::Stop()), HasSubstr("was told to stop but does not answer"));
     EXPECT_THAT(loop->to_controller.substr(before),
                 testing::StartsWith("@00STOP\r~\r@00SR0=0\r~\r@00STOP\r~\r@00SR1=0\r~\r@00SR2=0\r"
                                     "~\r@00SR3=0\r~\r@00STOP\r"))

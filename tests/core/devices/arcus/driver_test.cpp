@@ -455,7 +455,7 @@ TEST_F(DriverTest, ASpeedThatALostWireKeptFromBeingGivenBackIsBackAfterIt) {
 TEST_F(DriverTest, ATargetBeyond28BitsIsRefusedHere) {
   start(dmx);
   sent();
-  EXPECT_THAT(perform(intent::MoveTo(targets({134'217'728}))), HasSubstr("no position for axis X"));
+  EXPECT_THAT(perform(intent::MoveTo(targets({134'217'728}))), HasSubstr("not a position for axis X"));
   EXPECT_EQ(sent().find('X'), std::string::npos);
 }
 
@@ -644,7 +644,7 @@ TEST_F(DriverTest, AnArcIsGivenByItsSweepAndBeginsWhereTheAxesStand) {
   ASSERT_TRUE(wait_idle());
   EXPECT_NEAR(position(0), 0, 1);
   EXPECT_NEAR(position(1), 0, 1);
-  EXPECT_EQ(act("arc", {1000, 0, 0}), "An arc of 0 degrees is none. Nothing was sent.");
+  EXPECT_EQ(act("arc", {1000, 0, 0}), "An arc must sweep more than 0 degrees. Nothing was sent.");
 }
 
 TEST_F(DriverTest, ArcsAreRefusedInIncrementalModeWithAWord) {

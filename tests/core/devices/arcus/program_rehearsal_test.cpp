@@ -126,7 +126,7 @@ TEST_P(ArcusRehearsal, AValueThatTheRegisterCannotHoldIsAnErrorOfTheProgram) {
     const auto r = rehearse(("V1=999999999\n" + name + "=V1\nEND\n").c_str());
     ASSERT_TRUE(r) << r.error().sentence();
     EXPECT_EQ(r->error,
-              "Program 0, line 2, stopped in error: " + name + " cannot be given the value of V1 here.");
+              "Program 0, line 2, stopped with an error: " + name + " cannot be given the value of V1 here.");
     EXPECT_EQ(r->axes[0].position, 0);
   }
   const auto complement = rehearse("DO=3\nV1=~DO\nDO=V1\nEND\n");
@@ -155,11 +155,11 @@ TEST_P(ArcusRehearsal, SaysWhyAProgramStoppedInError) {
     const auto r = find_device_type(GetParam())->language().rehearse(text, options);
     return r ? r->error : r.error().sentence();
   };
-  EXPECT_EQ(why("V1=5/V2\nEND\n"), "Program 0, line 1, stopped in error: a division by zero.");
+  EXPECT_EQ(why("V1=5/V2\nEND\n"), "Program 0, line 1, stopped with an error: a division by zero.");
   EXPECT_EQ(why("GOSUB 1\nEND\nSUB 1\nGOSUB 1\nENDSUB\n"),
-            "Program 0, line 4, stopped in error: it calls deeper than eight subroutines.");
+            "Program 0, line 4, stopped with an error: it calls deeper than eight subroutines.");
   EXPECT_EQ(why("JOGX+\nWAITX\nEND\n", "[axis.X]\nplus = 500\n"),
-            "Program 0, line 2, stopped in error: a limit switch has stopped an axis of it, and nothing "
+            "Program 0, line 2, stopped with an error: a limit switch has stopped an axis of it, and nothing "
             "cleared the error.");
 }
 
@@ -275,7 +275,7 @@ TEST_P(ArcusRehearsal, AnAxisThatIsInErrorHoldsItsProgram) {
   const auto r = type.language().rehearse("DO1=1\nX100\nEND\n", options);
   ASSERT_TRUE(r) << r.error().sentence();
   EXPECT_EQ(r->error,
-            "Program 0, line 2, stopped in error: a limit switch has stopped an axis of it, and nothing "
+            "Program 0, line 2, stopped with an error: a limit switch has stopped an axis of it, and nothing "
             "cleared the error.");
 }
 
@@ -303,10 +303,9 @@ TEST(PmxRehearsal, SaysWhyEachProgramStopped) {
                          "END\n",
                          options);
   ASSERT_TRUE(r) << r.error().sentence();
-  EXPECT_EQ(
-      r->error,
-      "Program 1, line 10, stopped in error: DO cannot be given the value of V8 here. Program 0, line 4, "
-      "stopped in error: a division by zero.");
+  EXPECT_EQ(r->error,
+            "Program 1, line 10, stopped with an error: DO cannot be given the value of V8 here. Program 0, "
+            "line 4, stopped with an error: a division by zero.");
   ASSERT_EQ(r->stops.size(), 2u);
   EXPECT_EQ(r->stops[0].line, 9);
   EXPECT_EQ(r->stops[1].line, 3);

@@ -36,7 +36,7 @@ TEST_F(ArcusReading, TheManualsLoopIsOne) {
       "  Move to X 10\n  Until still X\n");
   EXPECT_THAT(remarks, ElementsAre("The loop of line 6 counts in V49, as blocks do, not in V1.",
                                    HasSubstr("Line 7 goes to a place or by a distance"),
-                                   "A remark behind a command is not shown."));
+                                   "A remark after a command is not shown."));
 }
 
 TEST_F(ArcusReading, WhatNoBlockHoldsStaysItsOwnText) {
@@ -84,7 +84,7 @@ TEST_F(ArcusReading, WhatHasNoPlaceInBlocksIsRefusedByItsLine) {
   EXPECT_EQ(blocks("X0\nEND\nPRG 1\nX1\nEND\n"),
             "Line 3: a program beside the first. Blocks are one program.");
   EXPECT_THAT(blocks("X0\nXX\nEND\n"), StartsWith("Line 2: "));
-  EXPECT_EQ(blocks("V1=2\nEND\n"), "Line 1: blocks have no variables. The rest is no block either.");
+  EXPECT_EQ(blocks("V1=2\nEND\n"), "Line 1: blocks have no variables. The rest is not a block either.");
   EXPECT_THAT(blocks("LISTING pmx-4ex-sa 1\n0 END\n"), StartsWith("Line 1: a listing"));
 }
 

@@ -150,7 +150,8 @@ TEST_F(ArcusSequence, AContourStopsAtItsCornersAndSaysSo) {
 
 TEST_F(ArcusSequence, TheToolIsNoPartOfItsOwnRoutines) {
   s.pen_down = {{seq::Pen{true}}};
-  EXPECT_THAT(write({{seq::Pen{true}}}), HasSubstr("Pen down, step 1 (pen): the tool is no part of its own"));
+  EXPECT_THAT(write({{seq::Pen{true}}}),
+              HasSubstr("Pen down, step 1 (pen): the tool cannot be part of its own"));
 }
 
 }  // namespace

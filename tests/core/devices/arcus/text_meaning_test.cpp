@@ -37,6 +37,16 @@ TEST(ArcusTextMeaning, AProgramThatIsEndedAndAnAxisThatIsStoppedAreNotAll) {
   EXPECT_EQ(typed_to_pmx("SR3=0").axis, -1);
 }
 
+TEST(ArcusTextMeaning, KnowsWhatOnlyAsks) {
+  for (const char* text : {"PX", "EX", "MST", "V5", "DI", "SASTAT0", "HSPD", "ID", "@01PX", "TOC"})
+    EXPECT_TRUE(typed_to_dmx(text).only_asks) << text;
+  for (const char* text : {"PP", "PE", "PX", "MST", "HSX", "ACC", "V99", "DO1", "EO", "SLSX", "SPC0"})
+    EXPECT_TRUE(typed_to_pmx(text).only_asks) << text;
+  for (const char* text :
+       {"", "X100", "J+", "PX=0", "V5=1", "STORE", "CLR", "CLRX", "ABS", "SYNXF", "HX+", "STOP", "SR0=1"})
+    EXPECT_FALSE(typed_to_pmx(text).only_asks) << text;
+}
+
 TEST(ArcusTextMeaning, NothingElseIsAStop) {
   for (const char* text :
        {"", "@", "PX", "SR0=1", "SR0", "SR", "SR0=01", "X100", "@02X100", "STORE", "SLOAD=0", "SR0= 1",

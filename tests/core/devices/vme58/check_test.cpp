@@ -55,7 +55,7 @@ TEST(Vme58Check, MistakesAreNamedWhereTheyStand) {
       {"AA CD0,0,0; CR0,0,3.14 CE", 0, 12, "this contour has 3"},
       {"AA CD0,0; MT1,2,3 CE", 0, 10, "here are 3 numbers"},
       {"AX BL14", 0, 3, "out of range"},
-      {"AX MR1-2 GO", 0, 6, "no command"},
+      {"AX MR1-2 GO", 0, 6, "not a command"},
       {"AA CD0,0; CD0,0; CE", 0, 10, "while a contour is recorded: CE or CK ends it"},
       {"AX RM0", 0, 3, "divide by 0"},
       {"AX UU0", 0, 3, "multiply by 0"},

@@ -254,7 +254,8 @@ TEST_F(Vme58Liar, WhatIsNoVme58IsNotTakenForOne) {
   operate(bench::Unplug(true));
   run(Seconds(1));
   operate(bench::Unplug(false));
-  ASSERT_TRUE(run_until([this] { return sentence().find("is no VME58") != std::string::npos; }, Seconds(20)))
+  ASSERT_TRUE(
+      run_until([this] { return sentence().find("is not a VME58") != std::string::npos; }, Seconds(20)))
       << sentence();
   EXPECT_EQ(now().link.state, LinkState::lost);
   heals();

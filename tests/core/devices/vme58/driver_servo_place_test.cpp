@@ -66,9 +66,8 @@ TEST_F(Vme58ServoPlace, AServoThatDoesNotComeIsNotInPlaceTwoSecondsAfterItsComma
   EXPECT_EQ(axis(Y).following_error(), Steps(5000));
   EXPECT_EQ(axis(Y).loop, Loop::off_place);
   EXPECT_EQ(axis(Y).ended_by, EndedBy::not_in_place);
-  EXPECT_THAT(told(),
-              HasSubstr("Y has not come where it was sent: 2 s after its command has ended its encoder "
-                        "stands at 0, 5000 counts from there. Nothing drives it"));
+  EXPECT_THAT(told(), HasSubstr("Y did not reach its target: 2 s after its command has ended its encoder "
+                                "stands at 0, 5000 counts from there. Nothing drives it"));
 }
 
 TEST_F(Vme58ServoPlace, WaitLastsUntilThenAndSaysWhy) {
@@ -79,8 +78,7 @@ TEST_F(Vme58ServoPlace, WaitLastsUntilThenAndSaysWhy) {
   ASSERT_FALSE(waited);
   EXPECT_GT(time.now() - began, Seconds(2));
   EXPECT_THAT(waited.error().sentence(),
-              HasSubstr("Axis Y has not come where it was sent: its encoder stands at "
-                        "0, 5000 counts from there."));
+              HasSubstr("Axis Y did not reach its target: its encoder stands at 0, 5000 counts from there."));
 }
 
 TEST_F(Vme58ServoPlace, AMoveByTextIsWaitedForTheSameWay) {

@@ -43,6 +43,13 @@ TEST(Vme58TextMeaning, WhatTheBoardAnswersIsAnsweredAtOnceAndNothingElse) {
   EXPECT_EQ(read("SA").answered, Answered::never);
 }
 
+TEST(Vme58TextMeaning, KnowsWhatOnlyAsks) {
+  for (const char* text : {"AX RP", "AX;RP;", "WY", "AA RE", "AX QA"})
+    EXPECT_TRUE(read(text).only_asks) << text;
+  for (const char* text : {"", "AX MR100 GO RP", "AX LP0", "AX ST", "AX RA", "AX VL100"})
+    EXPECT_FALSE(read(text).only_asks) << text;
+}
+
 TEST(Vme58TextMeaning, SomeStopAllAxes) {
   for (const char* text : {"SA", "KL", "SD", "AA SA", "AX;KL;\n", "AX ST SA", " SA SA AY"}) {
     EXPECT_EQ(read(text).stops, Stops::all) << text;

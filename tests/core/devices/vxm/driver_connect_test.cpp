@@ -116,9 +116,8 @@ TEST_F(VxmDriverConnect, AWrongBaudRateNamesTheOthers) {
   loop->replace_by([](std::string_view) { return std::string("\x9C\xE6"); });
   open();
   EXPECT_EQ(health(),
-            "What answers to V is no VXM: 9C E6 came back instead of R, B, J or b. Nothing more was sent. "
-            "This looks like a "
-            "wrong baud rate. Try 19200, 38400.");
+            "The device that answers V is not a VXM: 9C E6 came back instead of R, B, J or b. Nothing more "
+            "was sent. This looks like a wrong baud rate. Try 19200, 38400.");
 }
 
 TEST_F(VxmDriverConnect, AnotherDeviceIsNoVxm) {
@@ -126,9 +125,8 @@ TEST_F(VxmDriverConnect, AnotherDeviceIsNoVxm) {
   loop->replace_by([](std::string_view) { return std::string("?V\r"); });
   open();
   EXPECT_EQ(health(),
-            "What answers to V is no VXM: 3F 56 0D came back instead of R, B, J or b. Nothing more was sent. "
-            "Another device "
-            "is on this port. Choose its model, or another port.");
+            "The device that answers V is not a VXM: 3F 56 0D came back instead of R, B, J or b. Nothing "
+            "more was sent. Another device is on this port. Choose its model, or another port.");
 }
 
 TEST_F(VxmDriverConnect, AMissingPortIsNamed) {
@@ -189,9 +187,8 @@ TEST_F(VxmDriverConnect, APowerCycleIsNoticedAndSaid) {
   EXPECT_EQ(latest.restarts, 1u);
   EXPECT_TRUE(
       told("The controller has gone to Local mode: the controller was switched off and on, or reset. Its "
-           "positions read "
-           "zero where the motors stand now, and what was not stored is gone. Find home before the next "
-           "absolute move."))
+           "positions read zero where the motors stand now, and what was not stored is gone. Home the axes "
+           "before the next absolute move."))
       << all_notices();
   EXPECT_FALSE(latest.unsaved_programs);
   EXPECT_EQ(latest.slot_bytes_used[2], 0);
@@ -205,7 +202,7 @@ TEST_F(VxmDriverConnect, APowerCycleInMotionDoesNotTakeTheMotionUpAgain) {
   loop->to_controller.clear();
   ASSERT_TRUE(loop->operate(bench::PowerCycle()));
   run(2);
-  EXPECT_TRUE(told("The motion that was under way was not taken up again."));
+  EXPECT_TRUE(told("The motion that was under way was not resumed."));
   EXPECT_FALSE(latest.any_axis_moving());
   EXPECT_EQ(loop->to_controller.find("RX"), std::string::npos);
   EXPECT_EQ(position(), 0);
@@ -285,7 +282,7 @@ TEST_F(VxmDriverConnect, PowerOffIsALostLinkUntilItIsBack) {
   ASSERT_TRUE(loop->operate(bench::Power(false)));
   EXPECT_TRUE(run_until([&] { return latest.link.state == LinkState::lost; }, 5));
   run(4);
-  EXPECT_THAT(health(), testing::AnyOf(HasSubstr("has not answered"), HasSubstr("Nothing answers")));
+  EXPECT_THAT(health(), testing::AnyOf(HasSubstr("has failed to answer"), HasSubstr("Nothing answers")));
   ASSERT_TRUE(loop->operate(bench::Power(true)));
   EXPECT_TRUE(run_until([&] { return latest.link.state == LinkState::good; }, 15));
   EXPECT_TRUE(told("It answers from Local mode: the controller was switched off and on, or reset."))

@@ -65,10 +65,10 @@ TEST(VxmLooks, ALateAnswerOfTheSameQuestionIsLetPass) {
     const auto asked = unmistakable(owed, now, Listening(), false);
     std::size_t at = 0;
     while (at < received.size()) {
-      const std::size_t stranger = asked->question.stranger(received.substr(at));
-      if (stranger == 0) return received.substr(at);
-      if (stranger == std::string_view::npos) break;
-      at += stranger;
+      const std::size_t unsolicited_length = asked->question.unsolicited_length(received.substr(at));
+      if (unsolicited_length == 0) return received.substr(at);
+      if (unsolicited_length == std::string_view::npos) break;
+      at += unsolicited_length;
     }
     return std::string_view();
   };

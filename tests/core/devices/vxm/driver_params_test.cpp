@@ -59,7 +59,7 @@ TEST_F(VxmDriverParams, StoreSaysHowManyWritesAreKnown) {
   EXPECT_FALSE(latest.unsaved_setup);
   EXPECT_TRUE(state("j1M").stored);
   EXPECT_EQ(latest.store_count, -1);
-  EXPECT_TRUE(told("The memory bears about 100000 writes; how many were used is not known."));
+  EXPECT_TRUE(told("The memory is rated for about 100000 writes; it is not known how many were used."));
   EXPECT_EQ(query("V"), "R");
 }
 

@@ -47,8 +47,7 @@ TEST_F(VxmDriverProgram, RefusesAWrongLineBeforeAnythingIsSent) {
   sent();
   EXPECT_EQ(perform(intent::LoadProgram(0, "I1M400\nS2M8000\n")),
             "Line 2: S2M8000 is not possible: it takes 1 to 6000 steps/s. Nothing was sent; the controller "
-            "holds what it held. "
-            "Mend the line and load again.");
+            "holds what it held. Correct the line and load it again.");
   EXPECT_EQ(perform(intent::LoadProgram(0, "I1M400\nMOVE 3\n")).substr(0, 8), "Line 2: ");
   EXPECT_THAT(perform(intent::LoadProgram(-1, "I1M400\n")),
               HasSubstr("Line 1: it stands before the first program heading"));
@@ -279,9 +278,10 @@ TEST_F(VxmDriverProgram, OneThatIsNotWhatWasSentIsNotRun) {
     loop->to_controller.clear();
   };
   tear();
-  EXPECT_EQ(perform(intent::RunProgram(2)),
-            "Program 2 in the controller is not what was sent last: its transfer was broken off, or it reads "
-            "back otherwise. Nothing was started. Load it again, read it, or run it as it is for this once.");
+  EXPECT_EQ(
+      perform(intent::RunProgram(2)),
+      "Program 2 in the controller is not what was sent last: its transfer was broken off, or it reads back "
+      "differently. Nothing was started. Load it again, read it, or run it as it is for this once.");
   EXPECT_EQ(perform(intent::RunProgram(0)), "") << "another one";
   EXPECT_TRUE(wait_idle());
   ASSERT_EQ(perform(intent::SelectProgram(2)), "");

@@ -156,7 +156,7 @@ TEST_F(VxmDriverText, AStopEndsTheWaitForAnAnswer) {
   perform(intent::Abort());
   run(0.2);
   EXPECT_TRUE(came);
-  EXPECT_THAT(answer, HasSubstr("A stop has ended"));
+  EXPECT_THAT(answer, HasSubstr("A stop ended"));
 }
 
 // The first question waits for the end of its program.
@@ -176,7 +176,7 @@ TEST_F(VxmDriverText, AStopInAQuestionWaitsForNoOther) {
     EXPECT_THAT(sent(), testing::StartsWith(stop));
     if (stop != std::string_view("D")) {  // which ends the index; the program's own end is told to both
       EXPECT_TRUE(first_came);
-      EXPECT_THAT(first, HasSubstr("A stop has ended"));
+      EXPECT_THAT(first, HasSubstr("A stop ended"));
     }
     run(3);
     EXPECT_FALSE(latest.any_axis_moving());
@@ -243,7 +243,7 @@ TEST_F(VxmDriverText, APromptOfKIsNotTheEndOfAProgram) {
   EXPECT_EQ(send("K"), "");
   run(0.1);
   EXPECT_TRUE(came);
-  EXPECT_THAT(answer, HasSubstr("A stop has ended"));
+  EXPECT_THAT(answer, HasSubstr("A stop ended"));
 }
 
 TEST_F(VxmDriverText, ANeedlessEndIsNotWaitedFor) {
@@ -269,7 +269,7 @@ TEST_F(VxmDriverText, AResetThatFHidesIsFound) {
     run(2);
     EXPECT_EQ(latest.restarts, before + 1) << at_once;
     EXPECT_TRUE(latest.axes[0].trust.doubtful());
-    EXPECT_TRUE(told("Find home before the next absolute move"));
+    EXPECT_TRUE(told("Home the axes before the next absolute move"));
     notices.clear();
   }
 }

@@ -193,12 +193,6 @@ Rig rig_for(const Form& form) {
   return rig;
 }
 
-Rig running(const std::string& program) {
-  Rig rig = Rig::online();
-  rig.send(program + "R");
-  return rig;
-}
-
 void expect_setting(const Form& form, const std::string& query, const std::string& before,
                     const std::string& after) {
   const std::string set = form.example + ",";

@@ -1,12 +1,9 @@
 #pragma once
 // One case for each command form of vxm.tsv (a table of every form in the manual, with the page it stands
-// on): text in vxm.forms (see form_session.h) or, where it loops and computes,
-//
-//   VXM_FORM("vxm.u.13") { ... }
-//
-// Both register a test for that id. Before the case runs, what the table says of the form is checked in each
-// state of the controller: the bytes of program memory that it takes, whether anything is answered, and that
-// it is dropped where it is not accepted (decisions V12, V13). The case asserts reply bytes and one effect.
+// on): text in vxm.forms, see form_session.h, which registers a test for each id. Before the case runs, what
+// the table says of the form is checked in each state of the controller: the bytes of program memory that it
+// takes, whether anything is answered, and that it is dropped where it is not accepted (decisions V12, V13).
+// The case asserts reply bytes and one effect.
 #include <functional>
 #include <string>
 #include <vector>
@@ -36,8 +33,6 @@ std::vector<std::string> cases_without_row();
 
 /// A Rig on which the form can work: with a Slave or in NF90 mode where it needs them.
 Rig rig_for(const Form& form);
-/// On-line, with a program that has just been started.
-Rig running(const std::string& program);
 
 /// A parameter: default before, `after` once the form's example was sent on-line; untouched by it in local
 /// mode and during a run.
@@ -49,15 +44,5 @@ void expect_kept(Rig& rig, const std::string& query, const std::vector<std::stri
 void expect_bus_error(const Form& form);
 /// Dropped at its ender: no reply, nothing stored, nothing changed.
 void expect_dropped(Rig& rig, const std::string& command);
-
-#define HW_JOIN_(a, b) a##b
-#define HW_JOIN(a, b) HW_JOIN_(a, b)
-// __COUNTER__ and not the line: files may be compiled in batches.
-#define VXM_FORM(id) VXM_FORM_(id, __COUNTER__)
-#define VXM_FORM_(id, n)                                                                \
-  static void HW_JOIN(form_body_, n)(const ::hw::vxm::proof::Form&);                    \
-  static const bool HW_JOIN(form_registered_, n) =                                      \
-      ::hw::vxm::proof::register_form(id, &HW_JOIN(form_body_, n), __FILE__, __LINE__); \
-  static void HW_JOIN(form_body_, n)([[maybe_unused]] const ::hw::vxm::proof::Form& form)
 
 }  // namespace hw::vxm::proof

@@ -1,8 +1,11 @@
 #include "tests/core/devices/vxm/form_session.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "tests/core/devices/vxm/form_case.h"
@@ -80,6 +83,12 @@ Rig made(const std::string& how, const Form& form) {
   return Rig::online();
 }
 
+/// '?' in the pattern is any byte.
+bool fits(const std::string& bytes, const std::string& pattern) {
+  return std::equal(bytes.begin(), bytes.end(), pattern.begin(), pattern.end(),
+                    [](char c, char p) { return p == '?' || p == c; });
+}
+
 class FormSession {
  public:
   explicit FormSession(const Form& form) : form_(form), rig_(Rig::online()) {}
@@ -103,7 +112,12 @@ class FormSession {
   }
 
  private:
-  void exchange(const std::string& text) {
+  void exchange(std::string text) {
+    if (const std::string pattern = cut_behind(text, " |~ "); !pattern.empty()) {
+      const std::string got = rig_.ask(bytes_of(text));
+      EXPECT_TRUE(fits(got, bytes_of(pattern))) << visible(got);
+      return;
+    }
     const auto bar = text.rfind(" |");
     if (bar == text.npos) {
       ADD_FAILURE() << "no reply stands behind a bar";
@@ -170,22 +184,43 @@ class FormSession {
   }
 
   void look(std::string what) {
-    if (what.substr(0, 4) == "came") {
-      EXPECT_EQ(visible(rig_.output()), what.size() > 5 ? what.substr(5) : "");
-      return;
-    }
+    if (look_at_output(what)) return;
     const std::string tolerance = cut_behind(what, " +- ");
     const auto w = words_of(what);
     if (w[0] == "pulses") return look_at_pulses(w);
+    if (w[0] == "widths") return look_at_widths(w);
     if (w[0] == "out") return expect_on(rig_.out(std::stoi(w.at(1))), w.at(2));
     if (w[0] == "online") return expect_on(rig_.online_lamp(), w.at(2));
     const auto seen = number_of(w);
-    EXPECT_NEAR(static_cast<double>(seen), std::stod(w.back()), tolerance.empty() ? 0 : std::stod(tolerance));
+    std::int64_t& before = seen_[w[0] + w.at(1)];
+    if (w.back() == "same") {
+      EXPECT_EQ(seen, before);
+    } else if (w.back() != "any") {
+      EXPECT_NEAR(static_cast<double>(seen), std::stod(w.back()),
+                  tolerance.empty() ? 0 : std::stod(tolerance));
+    }
+    before = seen;
+  }
+
+  bool look_at_output(const std::string& what) {
+    const std::string word = what.substr(0, what.find(' '));
+    const std::string wanted = what.size() > word.size() + 1 ? what.substr(word.size() + 1) : "";
+    if (word == "came")
+      EXPECT_EQ(visible(rig_.output()), wanted);
+    else if (word == "begins")
+      EXPECT_EQ(visible(rig_.output()).substr(0, wanted.size()), wanted);
+    else if (word == "lacks")
+      EXPECT_EQ(visible(rig_.output()).find(wanted), std::string::npos);
+    else
+      return false;
+    return true;
   }
 
   std::int64_t number_of(const std::vector<std::string>& w) {
     if (w[0] == "position") return rig_.position(std::stoi(w.at(1)));
     if (w[0] == "load") return rig_.load(std::stoi(w.at(1)));
+    if (w[0] == "way") return std::llabs(rig_.load(std::stoi(w.at(1))) - seen_["load" + w[1]]);
+    if (w[0] == "answer") return std::atoll(rig_.ask(bytes_of(w.at(1))).c_str());
     if (w[0] == "used") return rig_.used_bytes();
     if (w[0] == "free") return rig_.free_bytes();
     EXPECT_EQ(w[0], "rate") << "nobody can see that";
@@ -202,10 +237,19 @@ class FormSession {
     EXPECT_EQ(rig_.pulse_positions(std::stoi(w[1])), wanted);
   }
 
+  /// Of all pulses.
+  void look_at_widths(const std::vector<std::string>& w) {
+    std::vector<std::int64_t> wanted, seen;
+    for (std::size_t i = 1; i < w.size(); ++i) wanted.push_back(duration_of(w[i]).count());
+    for (const TriggerPulse& pulse : rig_.pulses()) seen.push_back(pulse.width.count());
+    EXPECT_EQ(seen, wanted) << "ns";
+  }
+
   static void expect_on(bool is_on, const std::string& wanted) { EXPECT_EQ(is_on ? "on" : "off", wanted); }
 
   const Form& form_;
   Rig rig_;
+  std::map<std::string, std::int64_t> seen_;  ///< by what is looked at
 };
 
 struct WrittenCase {

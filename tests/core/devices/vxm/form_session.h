@@ -3,6 +3,7 @@
 //
 //   [vxm.index.inc.pos]      the id of a row of vxm.tsv; a controller on-line with an empty program
 //   M | 256<cr>              sends, and the whole reply at that very instant (also an empty one)
+//   X |~ ?????????           the same, where ? is any byte
 //   > I1M400,                sends
 //   ~ 250ms                  time passes (us, ms, s, min, h; terms with +)
 //   ~ until ^ 5s             until that came out, within so long (24 h); it can still be looked at

@@ -100,10 +100,10 @@ TEST(VxmAnalysis, NonsenseIsOneProblemForEachStretch) {
   const auto report = analyse("hello world, I1M400, S1M, U10, U106, I7M5, L1, L-0, IA1M9000000, S1M-7");
   EXPECT_THAT(
       sentences(report),
-      ElementsAre("\"hello world\" is no command of a VXM.", "S1M needs a number.",
+      ElementsAre("\"hello world\" is not a command of a VXM.", "S1M needs a number.",
                   "U10 belongs to the VP9000. A VXM does not know it.",
                   "U106 is none of the commands that a Slave carries out for its Master.",
-                  "There is no motor 7. Motors are 1 to 4.", "1 passes are no loop. L takes 2 to 65535.",
+                  "There is no motor 7. Motors are 1 to 4.", "1 passes are not a loop. L takes 2 to 65535.",
                   "L-0 sets a loop marker in NF90 emulation only. LM0 does the same.",
                   "9000000 lies beyond the position register of motor 1. IA1M takes -8388608 to 8388607.",
                   HasSubstr("There is no speed range 7")));
@@ -125,7 +125,7 @@ TEST(VxmAnalysis, AReturnInTheMiddleOfALineEndsItsRemark) {
 }
 
 TEST(VxmAnalysis, WhatNobodyCanReadIsShownAsItsByte) {
-  EXPECT_THAT(sentences(analyse("\x06,")), ElementsAre("\"\\x06\" is no command of a VXM."));
+  EXPECT_THAT(sentences(analyse("\x06,")), ElementsAre("\"\\x06\" is not a command of a VXM."));
 }
 
 TEST(VxmAnalysis, PairsWarnAboutTheirOrder) {

@@ -41,7 +41,7 @@ TEST_F(VxmSequence, SpeedsAreOfEachMotor) {
   EXPECT_THAT(write({{seq::Speed{{5, 1}}}}), HasSubstr("Step 1 (speed): a VXM has no low speed"));
   EXPECT_THAT(write({{seq::Speed{{0, 0, 100}}}}), HasSubstr("a ramp time needs a speed"));
   EXPECT_EQ(write({{seq::Speed{{1, 0, 10'000}}}}), "S1M400\nA1M1\nS3M200\nA3M1\n");
-  EXPECT_THAT(remarks, ElementsAre(HasSubstr("a ramp of 10000 ms cannot be had: it takes 400 ms"),
+  EXPECT_THAT(remarks, ElementsAre(HasSubstr("a ramp of 10000 ms is not possible: it takes 400 ms"),
                                    HasSubstr("it takes 200 ms")));
 }
 
@@ -115,7 +115,8 @@ TEST_F(VxmSequence, ARoutineWithALoopIsCalledByItsOwnNumber) {
 
 TEST_F(VxmSequence, TheToolIsNoPartOfItsOwnRoutines) {
   s.pen_down = {{seq::Pen{true}}};
-  EXPECT_THAT(write({{seq::Pen{true}}}), HasSubstr("Pen down, step 1 (pen): the tool is no part of its own"));
+  EXPECT_THAT(write({{seq::Pen{true}}}),
+              HasSubstr("Pen down, step 1 (pen): the tool cannot be part of its own"));
 }
 
 }  // namespace

@@ -70,6 +70,14 @@ TEST(VxmTextMeaning, NothingAnswersWhatTheStateDrops) {
   EXPECT_EQ(meaning("K", halted).answered, Answered::at_once);
 }
 
+TEST(VxmTextMeaning, KnowsWhatOnlyAsks) {
+  for (const char* text : {"V", "X", "x", "getM1M", "lst", "V,X", "@"})
+    EXPECT_TRUE(meaning(text).only_asks) << text;
+  for (const char* text :
+       {"", "R", "N", "PM1,", "setM1M4,", "V,R", "rsm", "K", "D", "C", "B5,", "bogus", "H"})
+    EXPECT_FALSE(meaning(text).only_asks) << text;
+}
+
 TEST(VxmTextMeaning, KnowsWhatRunsPrograms) {
   for (const char* text : {"R", "PM-0,I1M400,R", "G", "H"}) EXPECT_TRUE(meaning(text).runs_program) << text;
   for (const char* text : {"X", "I1M400,", "setM1M4,", "K"}) EXPECT_FALSE(meaning(text).runs_program) << text;
