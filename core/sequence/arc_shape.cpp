@@ -19,7 +19,7 @@ std::pair<double, double> end_of(const Arc& arc, double x, double y) {
           arc.y + dx * std::sin(turn) + dy * std::cos(turn)};
 }
 
-// Between its ends it turns back only where it crosses an axis of its centre.
+// Between its ends an arc has extremes only where it crosses an axis through its centre.
 ArcReach reach_of(const Arc& arc, double x, double y) {
   ArcReach reach{x, x, y, y};
   const auto take = [&reach](double to_x, double to_y) {

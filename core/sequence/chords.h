@@ -1,16 +1,16 @@
 #pragma once
-// An arc as straight lines that lie close to it, for what cannot go along it.
+// An arc as straight lines close to it, for machines without arcs.
 #include <utility>
 
 namespace hw::sequence {
 
 class Chords {
  public:
-  /// From (dx, dy), as seen from the centre, that far around it, counterclockwise. No chord lies more than
-  /// `tolerance` beside the arc, in the unit of dx and dy; none is of more than half a circle.
+  /// From (dx, dy), relative to the centre, by `degrees` counterclockwise. No chord lies more than
+  /// `tolerance` from the arc, in the unit of dx and dy; none spans more than half a circle.
   Chords(double dx, double dy, double degrees, double tolerance);
   [[nodiscard]] int count() const { return count_; }
-  /// Where chord `n` of 1 to count() ends, as seen from the centre.
+  /// End of chord `n`, from 1 to count(), relative to the centre.
   [[nodiscard]] std::pair<double, double> end(int n) const;
 
  private:

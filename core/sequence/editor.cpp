@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_kept = 500;
 
-/// The list that a path ends in; null: there is none.
+/// The list that contains the path's last step; null: none.
 StepList* list_of(Sequence& s, const StepPath& path) {
   if (path.empty()) return nullptr;
   StepList* list = &s.steps;
@@ -26,7 +26,7 @@ StepList* list_of(Sequence& s, const StepPath& path) {
 
 std::ptrdiff_t offset(std::size_t place) { return static_cast<std::ptrdiff_t>(place); }
 
-/// Whether `inner` is one of them, or stands in one.
+/// Whether `inner` is one of the span's steps or nested in one.
 bool within(const StepPath& inner, const StepSpan& outer) {
   const std::size_t level = outer.first.size() - 1;
   return inner.size() > level &&
@@ -56,7 +56,7 @@ StepSpan span_between(const StepPath& one, const StepPath& other) {
   const StepPath& shorter = one.size() < other.size() ? one : other;
   const auto differ = std::mismatch(shorter.begin(), shorter.end(), (&shorter == &one ? other : one).begin());
   auto level = static_cast<std::size_t>(differ.first - shorter.begin());
-  if (level == shorter.size()) return StepSpan(shorter);  // the one stands in the other
+  if (level == shorter.size()) return StepSpan(shorter);  // one is nested in the other
   StepPath first(shorter.begin(), differ.first + 1);
   const auto [low, high] = std::minmax(one[level], other[level]);
   first[level] = low;
@@ -158,7 +158,7 @@ std::optional<StepPath> Editor::move(const StepSpan& from, const StepPath& to) {
   if (!holds(from) || to.empty()) return std::nullopt;
   const StepPath& first = from.first;
   const std::size_t level = first.size() - 1;
-  // Just behind the last of them is no place within them.
+  // The place just after the last of them is not within.
   if (within(to, from)) return std::nullopt;
   Sequence s = *now_;
   StepList* target = list_of(s, to);
@@ -167,7 +167,7 @@ std::optional<StepPath> Editor::move(const StepSpan& from, const StepPath& to) {
   const auto begin = source->begin() + offset(first.back()), end = begin + offset(from.count);
   StepList moved(std::make_move_iterator(begin), std::make_move_iterator(end));
   source->erase(begin, end);
-  // What stood behind them in their list has come nearer.
+  // Later steps of their list have moved up.
   StepPath place = to;
   if (place.size() > level && std::equal(first.begin(), first.end() - 1, place.begin()) &&
       place[level] > first[level])
@@ -175,8 +175,8 @@ std::optional<StepPath> Editor::move(const StepSpan& from, const StepPath& to) {
   target = list_of(s, place);
   target->insert(target->begin() + offset(place.back()), std::make_move_iterator(moved.begin()),
                  std::make_move_iterator(moved.end()));
-  if (place == first) return std::nullopt;  // they stand there
-  if (s == *now_) return place;             // their like stood there, and nothing has changed
+  if (place == first) return std::nullopt;  // already there
+  if (s == *now_) return place;             // equal steps were there: no change
   return keep(std::move(s)) ? std::optional(place) : std::nullopt;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A sequence under a hand: each change of its list is one that can be taken back. Pure; for the GUI thread.
+// A sequence being edited: each change of its list can be undone. Pure; for the GUI thread.
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
@@ -11,21 +11,21 @@
 
 namespace hw::sequence {
 
-/// Its place in the list; for a step within another, the place of that one before it.
+/// Index of a step in the list; for a nested step, preceded by the index of the outer step.
 using StepPath = std::vector<std::size_t>;
 
-/// Steps of one list that follow each other.
+/// Consecutive steps of one list.
 struct StepSpan {
   StepPath first;
   std::size_t count = 1;
   StepSpan(StepPath at, std::size_t many = 1) : first(std::move(at)), count(many) {}  // NOLINT: a step is one
   StepSpan(std::initializer_list<std::size_t> at) : first(at) {}
 };
-/// From one place to another, whichever comes first: as many of the list that both stand in, or the steps
-/// that they stand in, as it takes.
+/// The span between two paths, in either order: in the innermost list that contains both, whole outer steps
+/// where they are nested deeper.
 StepSpan span_between(const StepPath& one, const StepPath& other);
 
-/// A step as a row of the whole list, loops entered.
+/// A step as a row of the whole list, nested steps included.
 struct StepRow {
   StepPath path;
   const Step* step = nullptr;
@@ -36,36 +36,36 @@ class Editor {
   Editor() : now_(std::make_shared<const Sequence>()) {}
 
   [[nodiscard]] const Sequence& sequence() const { return *now_; }
-  /// The same, for whoever needs it as it is now: another thread.
+  /// The same as an unchanging copy, for another thread.
   [[nodiscard]] std::shared_ptr<const Sequence> shared() const { return now_; }
-  /// Another one, with nothing to be taken back.
+  /// Replaces the sequence and clears the history.
   void load(Sequence sequence);
-  /// Another one, in a change that can be taken back.
+  /// Replaces the sequence as a change that can be undone.
   void exchange(Sequence sequence);
   /// Changes whenever the sequence does.
   [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// Grows with each load() and exchange(): what is remembered of places in the list does not hold any more.
+  /// Grows with each load() and exchange(): paths kept from before are then invalid.
   [[nodiscard]] std::uint64_t loads() const { return loads_; }
   /// In the order of the list; valid until the next change.
   [[nodiscard]] std::vector<StepRow> rows() const;
-  /// Null: nothing stands there.
+  /// Null: no step there.
   [[nodiscard]] const Step* at(const StepPath& path) const;
 
-  // Each of these answers where the step, or the first of several, stands then; nothing when there is no such
-  // place, or when loops would stand in loops deeper than a file may hold (deepest_loop). Each is one change.
+  // Each of these is one change and returns the new path of the step, or of the first of several; none if
+  // there is no such place, or if loops would nest deeper than deepest_loop.
   std::optional<StepPath> insert(const StepPath& at, Step step);
-  std::optional<StepPath> remove(const StepSpan& which);  ///< where the next one stands, or the last
-  /// In front of what stands at `to` before the move; never into themselves.
+  std::optional<StepPath> remove(const StepSpan& which);  ///< path of the next step, or of the last
+  /// Before the step that is at `to` before the move; never into themselves.
   std::optional<StepPath> move(const StepSpan& from, const StepPath& to);
   std::optional<StepPath> duplicate(const StepSpan& which);  ///< behind them
-  /// They become a loop with themselves in it.
+  /// Replaces the steps by a loop that contains them.
   std::optional<StepPath> put_into_loop(const StepSpan& which);
-  /// The steps of a loop take its place.
+  /// Replaces a loop by its steps.
   std::optional<StepPath> take_out_of_loop(const StepPath& at);
   std::optional<StepPath> skip(const StepSpan& which, bool skipped);
-  /// Changes of one step that follow each other are one to be taken back, as a word that is typed.
+  /// Consecutive changes of one step are undone together, like a typed word.
   std::optional<StepPath> replace(const StepPath& at, Step::Body body);
-  /// All that is no step: unit, axes, the tool's routines.
+  /// Sets everything but the steps: unit, axes, the tool's routines.
   void set_frame(std::string unit, std::vector<Axis> axes, StepList pen_up, StepList pen_down);
 
   [[nodiscard]] bool can_undo() const { return !done_.empty(); }
@@ -74,22 +74,22 @@ class Editor {
   void redo();
 
  private:
-  /// What differs between two that follow each other: of many steps a change keeps those that it is about.
+  /// The difference of two consecutive sequences: only the steps that changed.
   struct Change {
     std::size_t at = 0;  ///< in the outermost list
     StepList was, is;
-    std::optional<Sequence> frame_was, frame_is;  ///< without steps; none: it is the same
+    std::optional<Sequence> frame_was, frame_is;  ///< without steps; none: unchanged
   };
   static Change between(const Sequence& was, const Sequence& is);
   [[nodiscard]] bool holds(const StepSpan& which) const;
-  /// False: nothing has changed.
+  /// False: no change.
   bool keep(Sequence changed, const StepPath* typed_at = nullptr);
-  /// Takes the newest change of one list back, or makes it again, and puts it into the other.
+  /// Undoes or redoes the newest change of `from` and moves it to `to`.
   void go(std::vector<Change>& from, std::vector<Change>& to, bool back);
 
   std::shared_ptr<const Sequence> now_;
   std::vector<Change> done_, undone_;
-  std::optional<StepPath> typed_at_;  ///< of the latest change, where it was a replacement
+  std::optional<StepPath> typed_at_;  ///< of the latest change, if a replace()
   std::uint64_t version_ = 0, loads_ = 0;
 };
 

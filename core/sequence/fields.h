@@ -1,6 +1,6 @@
 #pragma once
-// What each kind of step is called in a file and which fields it has: one description, by which files are
-// read and written. An Io has for each kind of field a function (key, value).
+// Names and fields of each kind of step in a file: one description for reading and writing. An Io has a
+// function (key, value) for each kind of field.
 #include <concepts>
 #include <string_view>
 #include <type_traits>
@@ -14,7 +14,7 @@ inline constexpr std::array<std::string_view, std::variant_size_v<Step::Body>> k
     "move_on_input", "output", "enable", "pen", "comment", "loop", "custom",      "contour", "speed_stairs"};
 inline constexpr std::array<std::string_view, 3> input_moves{"move", "jog", "home"};
 
-/// To be read into or written from.
+/// U, const or not: to be written or read into.
 template <class T, class U>
 concept Of = std::same_as<std::remove_const_t<T>, U>;
 

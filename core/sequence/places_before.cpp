@@ -19,7 +19,7 @@ bool same(const std::optional<double>& a, const std::optional<double>& b) {
   return a && b ? same(*a, *b) : !a && !b;
 }
 
-/// An arc that is no whole circle turns what it begins at about its centre: its rounds do not lie in a row.
+/// Whether a shifted axis has an arc that is not a full circle: its passes are not evenly shifted.
 bool turns(const StepList& steps, const AxisBits& shifts) {
   return std::any_of(steps.begin(), steps.end(), [&](const Step& step) {
     if (step.skipped) return false;
@@ -43,14 +43,14 @@ class Walk {
     }
   }
   void over(const StepList& steps) { over(steps, 0, steps.size()); }
-  /// What they move on stands elsewhere in each round.
+  /// Axes that the steps shift are elsewhere in each pass.
   void into(const StepList& steps) {
     Walk round = *this;
     round.reach_ = nullptr;
     round.over(steps);
     forget_all_but(round.at);
   }
-  /// How far they come from where they stand now on.
+  /// Records the reach from here on.
   void reach_into(Reach* reach) {
     if (never_comes_) return;
     reach_ = reach;
@@ -88,16 +88,14 @@ class Walk {
     goes(s.axis, s.stop_at);
   }
   void take(const Jog& jog) { forget(jog.axis); }
-  void take(const Home& home) { find_home(home.axis); }
-  /// Whether the input lets it be homed is the word of whoever has written that.
+  void take(const Home& home) {
+    forget(home.axis);
+    if (home.axis >= 0 && home.axis < max_axes && until_homed_[ix(home.axis)]) unasked_[ix(home.axis)] = true;
+  }
+  /// The input may never trigger the homing: the present count may still hold afterwards.
   void take(const MoveOnInput& move) {
-    if (move.kind == MoveOnInput::Kind::home) return find_home(move.axis);
     if (move.kind == MoveOnInput::Kind::move) comes(move.axis, move.to);
     forget(move.axis);
-  }
-  void find_home(int axis) {
-    forget(axis);
-    if (axis >= 0 && axis < max_axes && until_homed_[ix(axis)]) unasked_[ix(axis)] = true;
   }
   void take(const Stop& stop) {
     for (int a = 0; a < max_axes; ++a)
@@ -111,7 +109,7 @@ class Walk {
     over(c.steps);
     if (c.ends_ramped) run_on(c);
   }
-  /// On along its last direction; where nobody has said how it ramps, about as far as it was let ramp up.
+  /// Goes on in the last direction; with an unknown ramp, about as far as its lead-in.
   void run_on(const Contour& c) {
     const auto [right, up] = c.plane;
     const auto end = end_of(c);
@@ -125,14 +123,14 @@ class Walk {
     for (int a = 0; a < max_axes; ++a) forget(a);
   }
   void take(const Pen& pen) {
-    if (in_routine_) return;  // no writer takes that
+    if (in_routine_) return;  // refused by all writers
     in_routine_ = true;
     over(pen.down ? of_.pen_down : of_.pen_up);
     in_routine_ = false;
   }
 
-  // ---- loops: behind the first round each begins as far from the one before as that has moved on, so that
-  // the last one comes furthest.
+  // ---- loops: after the first, each pass is shifted by the same distance, so that the last one reaches
+  // furthest.
   void take(const Repeat& loop) {
     ++depth_;
     if (loop.times == 1)
@@ -157,13 +155,13 @@ class Walk {
       if (at[a] && second[a] && shifts[a]) move_on(loop, static_cast<int>(a), *at[a] - *second[a]);
     if (loop.times > 0) over(loop.steps);
   }
-  /// To where the last round begins.
+  /// Goes to the begin of the last pass.
   void move_on(const Repeat& loop, int axis, double by) {
     if (loop.times > 0) return goes(axis, *at[ix(axis)] + by * (loop.times - 3.0));
     if (asks(axis)) (by < 0 ? reach_->endless_minus : reach_->endless_plus)[ix(axis)] = true;
     forget(axis);
   }
-  /// Through each of the rounds that are left, if they are not too many.
+  /// Runs through all remaining passes, if not too many.
   void go_all_round(const Repeat& loop, const AxisBits& shifts) {
     for (int n = 2; n < loop.times && in_loops_ < most_in_loops; ++n) over(loop.steps);
     for (int a = 0; a < max_axes; ++a)
@@ -198,9 +196,9 @@ class Walk {
   AxisBits until_homed_, unasked_{};
   Speeds speeds_;
   bool in_routine_ = false;
-  bool never_comes_ = false;  ///< to what is behind a loop that has no end
+  bool never_comes_ = false;  ///< after an endless loop
   int depth_ = 0, in_loops_ = 0;
-  Reach* reach_ = nullptr;  ///< null: nobody asks
+  Reach* reach_ = nullptr;  ///< null: not recording
 };
 
 bool moves(const Step& step, int axis) {

@@ -16,20 +16,21 @@
 namespace hw::sequence {
 namespace {
 
-constexpr int most_rounds = 100'000;  // times steps: a longer loop leaves what it moves by unknown
+constexpr int most_rounds = 100'000;  // passes times steps: beyond, relatively moved axes are unknown
 
-/// How things stand behind some steps.
+/// State after some steps.
 struct Standing {
   struct Axis {
     bool moved = false, by_routine = false;
     std::optional<double> at;  ///< none: not known
-    int lost_by = -1;          ///< the step of the list that left it where nobody knows
+    int lost_by = -1;          ///< index of the step that made it unknown
   };
   std::array<Axis, max_axes> axes;
   Speeds speeds;
-  OwnSpeeds of_travel;          ///< of the latest motion with the tool up
-  std::vector<Output> outputs;  ///< in the order in which they were switched
-  std::map<int, bool> power;    ///< of motors, by axis
+  OwnSpeeds of_travel;           ///< of the latest motion with the tool up
+  std::vector<Output> outputs;   ///< in switching order
+  std::size_t with_tool_up = 0;  ///< number switched before the tool was lowered
+  std::map<int, bool> power;     ///< of motors, by axis
   bool tool_down = false;
 };
 
@@ -40,10 +41,10 @@ Speeds over(Speeds below, const Speeds& above) {
   return below;
 }
 
-/// Goes through steps and keeps how things stand.
+/// Goes through steps and keeps the state.
 class Pass {
  public:
-  /// What the tool moves is not sent down to where it was at the beginning.
+  /// Axes moved by the tool are not sent to their positions at the beginning.
   explicit Pass(const Sequence& sequence, const Places& begin = {}, Rehearsed rehearsed = Rehearsed::no)
       : of_(sequence), rehearsed_(rehearsed) {
     for (int a = 0; a < max_axes; ++a)
@@ -63,7 +64,7 @@ class Pass {
 
  private:
   template <class Other>
-  void take(const Other&) {}  // waits and comments leave nothing behind; own text is the tool's alone
+  void take(const Other&) {}  // waits and comments change nothing; custom text occurs in tool routines only
   void take(const Speed& s) {
     if (!in_routine_) standing.speeds = over(standing.speeds, s.speeds);
   }
@@ -105,13 +106,18 @@ class Pass {
       if ((s.axis < 0 || s.axis == a) && axis(a).moved) lose(a);
   }
   void take(const Output& o) {
-    if (in_routine_) return;  // the tool's own: they go with it
-    std::erase_if(standing.outputs,
-                  [&o](const Output& before) { return o.output < 0 || before.output == o.output; });
-    standing.outputs.push_back(o);
+    if (in_routine_) return;  // of the tool's routine: switched with it
+    auto& all = standing.outputs;
+    const auto again = [&o](const Output& before) { return o.output < 0 || before.output == o.output; };
+    const auto first = all.begin(), lowered = first + static_cast<std::ptrdiff_t>(standing.with_tool_up);
+    standing.with_tool_up -= static_cast<std::size_t>(std::count_if(first, lowered, again));
+    std::erase_if(all, again);
+    all.push_back(o);
+    if (!standing.tool_down) standing.with_tool_up = all.size();
   }
   void take(const Enable& e) { standing.power[e.axis] = e.on; }
   void take(const Pen& p) {
+    if (!standing.tool_down || !p.down) standing.with_tool_up = standing.outputs.size();
     standing.tool_down = p.down;
     if (in_routine_) return;
     in_routine_ = true;
@@ -126,7 +132,7 @@ class Pass {
     list(loop.steps);
     for (int a = 0; a < axis_count(); ++a)
       if (axis(a).moved) lose(a);
-    list(loop.steps);  // what it sends to a place stands there behind any round
+    list(loop.steps);  // axes sent to a place are there after any pass
   }
 
   [[nodiscard]] int axis_count() const { return static_cast<int>(of_.axes.size()); }
@@ -154,9 +160,18 @@ bool has(const StepList& steps) {
   });
 }
 
+bool looks_for_home(const StepList& steps) {
+  return std::any_of(steps.begin(), steps.end(), [](const Step& step) {
+    const StepList* inner = steps_in(step);
+    const auto* some = std::get_if<MoveOnInput>(&step.body);
+    return !step.skipped && (std::holds_alternative<Home>(step.body) || (inner && looks_for_home(*inner)) ||
+                             (some && some->kind == MoveOnInput::Kind::home));
+  });
+}
+
 bool switches_on(const Output& o) { return o.output < 0 ? o.value != 0 : o.on; }
 
-/// Numbers of all outputs that its steps switch on; -1: all of them at once.
+/// Collects the outputs that the steps switch on; -1: all at once.
 void collect_outputs(const StepList& steps, std::set<int>& found) {
   for (const Step& step : steps) {
     const auto* output = std::get_if<Output>(&step.body);
@@ -165,8 +180,7 @@ void collect_outputs(const StepList& steps, std::set<int>& found) {
   }
 }
 
-/// Writes the steps that lead there: what may burn, turn or hold is switched off, the motors have power, the
-/// tool is lifted, and only there is all of it as it is to be.
+/// Writes the leading steps: outputs off, motors on, tool up, moves; only there is the wanted state restored.
 class Leading {
  public:
   Leading(const Sequence& whole, const Standing& wanted, Sequence& into)
@@ -180,17 +194,20 @@ class Leading {
     if (has_tool_) add(Pen{false});
     if (wanted_.speeds != Speeds{}) add(Speed{wanted_.speeds});
     go();
-    switch_outputs_on();
+    const std::size_t all = wanted_.outputs.size(), first = wanted_.tool_down ? wanted_.with_tool_up : all;
+    switch_outputs_on(0, first);
     if (wanted_.tool_down) add(Pen{true});
     set_what_the_tool_moves();
+    switch_outputs_on(first, all);
     for (const auto& [axis, on] : wanted_.power)
       if (!on) add(Enable{axis, false});
+    add(Comment{std::string(rest_begins)});
   }
 
  private:
   void add(Step::Body body) { into_.steps.push_back({std::move(body)}); }
-  /// The tool is what its routines switch; where they switch nothing, any output may be one. What else is on
-  /// may hold the workpiece, and stays on.
+  /// Switches off the outputs of the tool's routines; if they have none, any output may be the tool. Others
+  /// that are on may hold the workpiece and stay on.
   void switch_outputs_off() {
     std::set<int> off;
     if (has_tool_) collect_outputs(whole_.pen_down, off);
@@ -201,11 +218,12 @@ class Leading {
     for (const int output : off)
       if (!goes_off_with_the_tool(output)) add(Output{output, false, 0});
   }
-  void switch_outputs_on() {
-    bool all_set = false;
-    for (const Output& output : wanted_.outputs) {
-      if (all_set || switches_on(output)) add(output);
-      all_set = all_set || output.output < 0;
+  /// Outputs switched on since the tool was lowered are switched on after lowering, not above the place.
+  void switch_outputs_on(std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      const Output& output = wanted_.outputs[i];
+      if (all_set_ || switches_on(output)) add(output);
+      all_set_ = all_set_ || output.output < 0;
     }
   }
   [[nodiscard]] bool goes_off_with_the_tool(int output) const {
@@ -214,7 +232,7 @@ class Leading {
              return o && !step.skipped && (o->output < 0 ? o->value == 0 : o->output == output && !o->on);
            });
   }
-  /// What leads there sends it somewhere.
+  /// Whether the leading steps move the axis.
   [[nodiscard]] bool goes(int axis) const {
     return wanted_.axes[ix(axis)].at || (has_tool_ && is_moved_by_tool(whole_, axis));
   }
@@ -230,7 +248,7 @@ class Leading {
     add(move);
     add(WaitMotion{});
   }
-  /// An axis of the tool's own routines that other steps have moved as well.
+  /// Axes of the tool's routines that other steps have moved too.
   void set_what_the_tool_moves() {
     Pass so_far(whole_);
     so_far.list(into_.steps);
@@ -246,19 +264,20 @@ class Leading {
   const Standing& wanted_;
   Sequence& into_;
   const bool has_tool_;
+  bool all_set_ = false;  ///< all outputs were set at once: later ones that are off must be written too
 };
 
 tl::unexpected<Fault> cannot(std::string what, std::string advice) {
   return fail(FaultKind::refused, std::move(what), "Nothing was begun.", std::move(advice));
 }
 
-/// Why the tool cannot be lifted from wherever it is.
+/// Why the tool cannot be lifted from an unknown height; empty: it can.
 std::string_view why_no_lift(const Sequence& sequence) {
   if (!has<Pen>(sequence.steps)) return {};
   for (const StepList* routine : {&sequence.pen_up, &sequence.pen_down})
     for (const Step& step : *routine)
       if (const auto* move = std::get_if<Move>(&step.body); move && move->relative && !step.skipped)
-        return "The tool is lifted by a distance, not to a place: nobody knows whether it is up.";
+        return "The tool is lifted by a distance, not to a place: it is not known whether it is up.";
   return {};
 }
 
@@ -274,7 +293,7 @@ Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places&
     if (loop && loop->times == 0 && !passed.skipped)
       return cannot(fmt::format("Step {} repeats for ever: step {} is never reached.", i + 1, step + 1), "");
     if (has<Custom>({passed}))
-      return cannot(fmt::format("What step {} ({} {}) leaves behind is not known.", i + 1,
+      return cannot(fmt::format("It is not known what step {} ({} {}) leaves behind.", i + 1,
                                 title_of(passed.body), summary_of(passed.body, sequence)),
                     fmt::format("Begin at step {}, or before it.", i + 1));
     before.step(passed, static_cast<int>(i));
@@ -286,8 +305,8 @@ Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places&
     rest.start[a] = axis.at;
     if (!axis.moved || axis.at || axis.by_routine) continue;
     const Step::Body& lost = sequence.steps[ix(axis.lost_by)].body;
-    return cannot(fmt::format("Nobody knows where {} stands before step {}: step {} ({} {}) leaves it where "
-                              "its machine decides.",
+    return cannot(fmt::format("It is not known where {} stands before step {}: step {} ({} {}) leaves it "
+                              "where its machine decides.",
                               sequence.axes[a].name, step + 1, axis.lost_by + 1, title_of(lost),
                               summary_of(lost, sequence)),
                   fmt::format("Begin at step {}, or behind a step that sends {} to a place.",
@@ -297,7 +316,7 @@ Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places&
   Leading(sequence, standing, rest.sequence).write(step);
   rest.leading = rest.sequence.steps.size();
   const auto first = sequence.steps.begin(), from = first + static_cast<std::ptrdiff_t>(step);
-  rest.leaves_homing_out = has<Home>(StepList(first, from));
+  rest.leaves_homing_out = looks_for_home(StepList(first, from));
   rest.sequence.steps.insert(rest.sequence.steps.end(), from, sequence.steps.end());
   return rest;
 }
@@ -313,10 +332,11 @@ Result<std::size_t> step_to_begin_at(const Sequence& sequence, int counted) {
       continue;
     }
     if (counted > first && std::holds_alternative<Repeat>(step.body))
-      return cannot(fmt::format("It lies within the loop of step {}: nobody knows how many of its rounds "
-                                "have been made.",
-                                i + 1),
-                    "Begin in front of the loop or behind it.");
+      return cannot(
+          fmt::format(
+              "It lies within the loop of step {}: it is not known how many of its passes have been made.",
+              i + 1),
+          "Begin before the loop or after it.");
     return i;
   }
   return cannot("No step draws this.", "Click a line that is drawn by a step.");

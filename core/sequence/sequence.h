@@ -1,7 +1,7 @@
 #pragma once
-// What a machine is to do, one step after the other, before it is any controller's text: what a drawing
-// becomes, and what is clicked together. Positions are in the sequence's own unit; `Axis::per_unit` says how
-// many steps of the controller (pulses, counts) that is.
+// The steps of a machine in order, independent of any controller's language: from a drawing, or built by the
+// user. Positions are in the sequence's own unit; `Axis::per_unit` gives its size in steps of the controller
+// (pulses, counts).
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace hw::sequence {
 
-/// Of a motion, in units per second. 0: as the controller has it.
+/// Speeds of a motion, in units per second. 0: the controller's own.
 struct Speeds {
   double high = 0, low = 0;
   double ramp_ms = 0;
@@ -21,32 +21,32 @@ struct Speeds {
 };
 /// None: those of the latest Speed step.
 using OwnSpeeds = std::optional<Speeds>;
-/// By place in Sequence::axes.
+/// By index in Sequence::axes.
 using Places = std::array<std::optional<double>, max_axes>;
 
 struct Step;
 using StepList = std::vector<Step>;
 
-/// Of all motions behind it that have none of their own.
+/// Sets the speeds of later motions that have none of their own.
 struct Speed {
   Speeds speeds;
   bool operator==(const Speed&) const = default;
 };
-/// Several axes go in a straight line, where the controller can.
+/// Moves axes, several in a straight line where the controller can.
 struct Move {
   Places to;
   bool relative = false;
   OwnSpeeds own{};
   bool operator==(const Move&) const = default;
 };
-/// The two axes in which something lies, by their places in Sequence::axes.
+/// The two axes of a shape, by their indexes in Sequence::axes.
 struct Plane {
   int right = 0, up = 1;
   bool operator==(const Plane&) const = default;
 };
 /// Around a centre.
 struct Arc {
-  double x = 0, y = 0;   ///< to the right and up in its plane
+  double x = 0, y = 0;   ///< the centre, to the right and up in its plane
   double degrees = 360;  ///< counterclockwise; 360 and -360 are circles
   OwnSpeeds own{};
   Plane plane{};
@@ -83,7 +83,7 @@ struct WaitInput {
   bool on = true;
   bool operator==(const WaitInput&) const = default;
 };
-/// A motion of one axis if the input is so.
+/// A motion of one axis if the input has the given state.
 struct MoveOnInput {
   enum class Kind : std::uint8_t { move, jog, home };
   int input = 1;
@@ -91,13 +91,13 @@ struct MoveOnInput {
   Kind kind = Kind::move;
   int axis = 0;
   double to = 0;                ///< of a move
-  Sign direction = Sign::plus;  ///< of a jog or homing
-  bool stops_first = false;     ///< what moves there is stopped before
+  Sign direction = Sign::plus;  ///< of a jog or home
+  bool stops_first = false;     ///< stops the axis first if it moves
   OwnSpeeds own{};
   bool operator==(const MoveOnInput&) const = default;
 };
 struct Output {
-  int output = 1;  ///< the maker's number; -1: `value` is that of all
+  int output = 1;  ///< the maker's number; -1: `value` sets all outputs
   bool on = true;
   std::uint32_t value = 0;
   bool operator==(const Output&) const = default;
@@ -108,7 +108,7 @@ struct Enable {
   bool on = true;
   bool operator==(const Enable&) const = default;
 };
-/// Pen, laser or whatever the tool is; what it takes stands in Sequence::pen_up and pen_down.
+/// Lifts or lowers the tool (pen, laser ...) by Sequence::pen_up or pen_down.
 struct Pen {
   bool down = false;
   bool operator==(const Pen&) const = default;
@@ -122,17 +122,17 @@ struct Repeat {
   StepList steps;
   bool operator==(const Repeat&) const;
 };
-/// Moves, arcs and outputs in one plane, in one go at one speed, through corners as well.
+/// Moves, arcs and outputs in one plane, run without a stop at one speed, through corners too.
 struct Contour {
-  double x = 0, y = 0;      ///< where it begins, to the right and up in its plane
-  double lead_in = 0;       ///< so far before that, in its first direction, it sets off
-  bool ends_ramped = true;  ///< on along its last direction; false: at once
+  double x = 0, y = 0;      ///< start, to the right and up in its plane
+  double lead_in = 0;       ///< length of the run-up before the start, in the first direction
+  bool ends_ramped = true;  ///< ramps down beyond the end, in the last direction; false: stops at once
   OwnSpeeds own{};
   StepList steps;
   Plane plane{};
   bool operator==(const Contour&) const;
 };
-/// One axis, at one speed up to each place and on from there without a stop.
+/// One axis with a speed for each stretch, changed without a stop.
 struct SpeedStairs {
   struct Stair {
     double until = 0, speed = 0;
@@ -140,10 +140,10 @@ struct SpeedStairs {
   };
   int axis = 0;
   std::vector<Stair> stairs;
-  double stop_at = 0;  ///< behind the last one
+  double stop_at = 0;  ///< after the last stair
   bool operator==(const SpeedStairs&) const = default;
 };
-/// Text of one controller's language, as it is.
+/// Text in one controller's language, written unchanged.
 struct Custom {
   std::string about;
   std::string text;
@@ -154,10 +154,10 @@ struct Step {
   using Body = std::variant<Speed, Move, Arc, Jog, Home, Stop, WaitMotion, Delay, WaitInput, MoveOnInput,
                             Output, Enable, Pen, Comment, Repeat, Custom, Contour, SpeedStairs>;
   Body body;
-  bool skipped = false;  ///< stays in the list and does nothing
+  bool skipped = false;  ///< stays in the list but does nothing
   bool operator==(const Step&) const = default;
 };
-// Not defaulted: clang 14 gives up on one that is defaulted behind its class.
+// Not defaulted: clang 14 fails on an operator that is defaulted after its class.
 inline bool Repeat::operator==(const Repeat& other) const {
   return times == other.times && steps == other.steps;
 }
@@ -167,29 +167,29 @@ inline bool Contour::operator==(const Contour& other) const {
 }
 
 struct Axis {
-  std::string name;     ///< as its controller names it
-  double per_unit = 1;  ///< steps in a unit
+  std::string name;     ///< the controller's name
+  double per_unit = 1;  ///< steps per unit
   bool operator==(const Axis&) const = default;
 };
 
 struct Sequence {
   std::string unit = "steps";
   std::vector<Axis> axes;
-  /// How far chords may lie beside an arc that goes through a buffer of straight moves. 0: half a step.
+  /// Largest distance of chords from an arc that is sent through a buffer of straight moves. 0: half a step.
   double tolerance = 0;
   StepList pen_up, pen_down;
   StepList steps;
   bool operator==(const Sequence&) const = default;
 };
 
-/// In which a step lies, or null: it lies in none.
+/// The plane of a step; null: none.
 inline const Plane* plane_of(const Step::Body& body) {
   if (const auto* arc = std::get_if<Arc>(&body)) return &arc->plane;
   if (const auto* contour = std::get_if<Contour>(&body)) return &contour->plane;
   return nullptr;
 }
 
-/// All of it that is no step.
+/// A copy without the steps.
 inline Sequence frame_of(const Sequence& s) {
   return {s.unit, s.axes, s.tolerance, s.pen_up, s.pen_down, {}};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A sequence as a text that a person can read and write: TOML, one line for each step.
+// A sequence as text for people to read and write: TOML, one line per step.
 #include <string>
 #include <string_view>
 
@@ -8,15 +8,15 @@
 
 namespace hw::sequence {
 
-/// Loops in loops, the outermost included.
+/// Deepest nesting of loops, the outermost included.
 inline constexpr int deepest_loop = 8;
 
-/// The fault names the line and what it does not understand there. Anything that it does not know is a fault:
-/// nothing is left out silently.
+/// The fault names the line and the unknown text in it. Anything unknown is a fault: nothing is left out
+/// silently.
 Result<Sequence> read_sequence(std::string_view text, const std::string& name);
-/// Reads back as the same.
+/// The text reads back as an equal sequence.
 std::string write_sequence(const Sequence& sequence);
-/// Whether a text is meant as one, right or wrong.
+/// Whether a text is meant as a sequence, valid or not.
 bool looks_like_sequence(std::string_view text);
 
 }  // namespace hw::sequence

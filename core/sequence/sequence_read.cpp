@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::string_view version_key = "handwheel_sequence";
 constexpr std::int64_t version = 1;
-constexpr std::int64_t last_line = 64;  // of the inputs or outputs of a controller
+constexpr std::int64_t last_line = 64;  // highest number of an input or output
 
-/// Where a sequence is read from, and what is wrong there: the first of all is told.
+/// The file being read, and its first fault.
 struct File {
   const std::string& name;
   const std::vector<Axis>& axes;
@@ -25,7 +25,7 @@ struct File {
   void wrong(const toml::node& node, std::string_view what) {
     if (!fault)
       fault = Fault(FaultKind::text, fmt::format("{}, line {}: {}.", name, node.source().begin.line, what),
-                    "Nothing was taken from the file.", "Mend that line, or choose another file.");
+                    "Nothing was taken from the file.", "Correct that line, or choose another file.");
   }
 };
 
@@ -153,11 +153,11 @@ class FieldReader {
     value = read_steps(*node, file_, depth_ + 1);
   }
 
-  /// Everything that stands there has been taken.
+  /// Reports fields that were not read.
   void end() {
     for (const auto& [key, node] : table_)
       if (std::find(used_.begin(), used_.end(), key.str()) == used_.end())
-        file_.wrong(node, fmt::format("{} means nothing here", key.str()));
+        file_.wrong(node, fmt::format("{} is not known here", key.str()));
   }
   const toml::node* find(std::string_view key) {
     const toml::node* node = table_.get(key);
@@ -279,14 +279,14 @@ Result<Sequence> read_sequence(std::string_view text, const std::string& name) {
     const auto& error = parsed.error();
     return fail(FaultKind::text,
                 fmt::format("{}, line {}: {}.", name, error.source().begin.line, error.description()),
-                "Nothing was taken from the file.", "Mend that line, or choose another file.");
+                "Nothing was taken from the file.", "Correct that line, or choose another file.");
   }
   FieldReader reader(parsed.table(), file, 0);
   const toml::node* written_as = reader.find(version_key);
   if (!written_as || written_as->value_exact<std::int64_t>() != version)
     return fail(
         FaultKind::text,
-        fmt::format("{} is no sequence of version {} ({} = {}).", name, version, version_key, version),
+        fmt::format("{} is not a sequence of version {} ({} = {}).", name, version, version_key, version),
         "Nothing was taken from the file.", "Choose a file that was saved here.");
   reader.text("unit", sequence.unit);
   reader.positive("tolerance", sequence.tolerance);

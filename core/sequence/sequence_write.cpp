@@ -49,7 +49,7 @@ class FieldWriter {
         all += fmt::format("{}{} = {}", all.empty() ? "" : ", ", toml_key(of_.axes[i].name), *value[i]);
     put(key, "{ " + all + " }");
   }
-  /// Of the first two axes nothing is said.
+  /// The first two axes are not written.
   void plane(std::string_view key, const Plane& value) {
     if (value == Plane()) return;
     const auto name = [this](int axis) { return toml_quoted(of_.axes[ix(axis)].name); };
@@ -65,7 +65,7 @@ class FieldWriter {
     if (!value) return;
     const std::size_t before = out_.size();
     fields(*this, *value);
-    if (out_.size() == before) number("high", 0);  // its own, and as the controller has it
+    if (out_.size() == before) number("high", 0);  // own speeds, all the controller's
   }
   void steps(std::string_view key, const StepList& value) {
     put(key, "");

@@ -1,5 +1,5 @@
 #pragma once
-// Whether stairs of speeds are a way that an axis can go.
+// Checks whether an axis can run SpeedStairs.
 #include <optional>
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace hw::sequence {
 
-/// Which way they go. Of none: plus.
+/// Their direction; plus without stairs.
 Sign direction_of(const SpeedStairs& stairs);
-/// Why its places do not lie one behind the other, on to where it stops: "stair 2: 15 does not lie on the way
-/// from 20 to 90." Empty: they do. `from`: where the axis stands; none: nobody knows.
+/// Why the places up to the stop are not in order: "stair 2: 15 does not lie on the way from 20 to 90."
+/// Empty: they are. `from`: position of the axis; none: unknown.
 std::string why_no_way(const SpeedStairs& stairs, std::optional<double> from);
 
 }  // namespace hw::sequence

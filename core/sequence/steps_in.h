@@ -1,19 +1,19 @@
 #pragma once
-// Steps that stand in other steps.
+// Steps nested in other steps.
 #include <utility>
 
 #include "core/sequence/sequence.h"
 
 namespace hw::sequence {
 
-/// The steps of a step that has some, or null.
+/// The inner steps of a step; null: it has none.
 inline const StepList* steps_in(const Step& step) {
   if (const auto* loop = std::get_if<Repeat>(&step.body)) return &loop->steps;
   if (const auto* contour = std::get_if<Contour>(&step.body)) return &contour->steps;
   return nullptr;
 }
 inline StepList* steps_in(Step& step) { return const_cast<StepList*>(steps_in(std::as_const(step))); }
-/// How many steps a list holds, those of its loops included.
+/// Number of steps in a list, nested ones included.
 inline int count_steps(const StepList& steps) {
   int count = 0;
   for (const Step& step : steps) {

@@ -11,10 +11,10 @@
 namespace hw::sequence {
 namespace {
 
-/// Which step of a list it is or stands in, and how it is counted within that; none: it stands in none.
+/// The step of the list that is or contains a counted step, and the count within; none: not found.
 struct Found {
   std::size_t step;
-  int inner;  ///< -1: it is that step, or in a contour, which goes in one
+  int inner;  ///< -1: that step itself, or one in a contour, which is run as a whole
 };
 std::optional<Found> find(const StepList& steps, int counted) {
   int first = 0;
@@ -30,7 +30,7 @@ std::optional<Found> find(const StepList& steps, int counted) {
   return std::nullopt;
 }
 
-/// How often it is done when the list is gone through once; none: without end.
+/// How often a step is done in one run of the list; none: endless.
 std::optional<std::int64_t> times_in(const StepList& steps, int counted) {
   const auto found = find(steps, counted);
   if (!found || found->inner < 0) return 1;
@@ -39,7 +39,7 @@ std::optional<std::int64_t> times_in(const StepList& steps, int counted) {
   return loop.times > 0 && inner ? std::optional(loop.times * *inner) : std::nullopt;
 }
 
-/// A list with the loops around one of its steps opened where its pass is.
+/// A list with the loops around one step written out at a given pass.
 struct Opened {
   StepList steps;
   std::size_t begin = 0;
@@ -98,7 +98,7 @@ Result<RestOfLoop> rest_within(const Sequence& sequence, int counted, std::int64
   for (Step& step : found.rest.sequence.steps)
     if (auto* comment = std::get_if<Comment>(&step.body)) {
       comment->text = from;
-      break;  // the first that leads there
+      break;  // the first leading comment
     }
   return found;
 }

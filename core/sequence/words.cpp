@@ -26,7 +26,7 @@ std::string axis_of(int axis, const Sequence& of) {
 }
 
 std::string number(double value, const Scale& scale) { return number(scale.shown(value)); }
-/// Degrees stand close.
+/// No space before the degree sign.
 std::string_view space_before(const Scale& scale) { return scale.unit == "\u00b0" ? "" : " "; }
 
 std::string speeds_of(const Speeds& s, const Scale& scale) {
@@ -47,13 +47,13 @@ struct Summary {
   const Sequence& of;
   const Look& look;
 
-  /// With its unit where the axes are shown in several.
+  /// With its unit if the axes have different ones.
   [[nodiscard]] std::string place(double value, int axis) const {
     const Scale& scale = look.of_axis(axis);
     const std::string told = number(value, scale);
     return scale.unit == look.all.unit ? told : fmt::format("{}{}{}", told, space_before(scale), scale.unit);
   }
-  /// Axes that are not the first two are named.
+  /// Names the axes unless they are the first two.
   [[nodiscard]] std::string point(double x, double y, const Plane& plane) const {
     const auto [right, up] = plane;
     if (plane == Plane()) return fmt::format("{}, {}", place(x, right), place(y, up));

@@ -1,5 +1,5 @@
 #pragma once
-// What a step is called and says, for people.
+// Titles and summaries of steps, for people.
 #include <array>
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace hw::sequence {
 
-/// What a number of a sequence is shown as: `factor` times what it is in the sequence's own unit.
+/// Display of a number: `factor` times its value in the sequence's own unit.
 struct Scale {
   std::string unit;
   double factor = 1;
@@ -18,20 +18,20 @@ struct Scale {
   [[nodiscard]] double shown(double value) const;
   [[nodiscard]] double kept(double shown) const;
 };
-/// How all of a sequence is shown.
+/// Display of a whole sequence.
 struct Look {
-  std::array<Scale, max_axes> axes;  ///< by place in Sequence::axes
-  Scale all;                         ///< of what is of no axis in particular
+  std::array<Scale, max_axes> axes;  ///< by index in Sequence::axes
+  Scale all;                         ///< of numbers without a particular axis
   bool operator==(const Look&) const = default;
   [[nodiscard]] const Scale& of_axis(int axis) const;
-  /// Of a speed of axes: theirs, where it is the same for each.
+  /// For the speed of a motion: the axes' scale if it is the same for all.
   [[nodiscard]] const Scale& of_motion(const Step::Body& body) const;
-  /// One of its two axes is shown the other way round.
+  /// Whether one of its two axes is shown reversed.
   [[nodiscard]] bool mirrors(const Plane& plane) const;
 };
-/// In its own unit.
+/// The sequence in its own unit.
 Look own_look(const Sequence& of);
-/// As it is shown: of an axis that is shown the other way round it is the other.
+/// Whether the arc is shown clockwise; a reversed axis swaps the direction.
 bool clockwise(const Arc& arc, const Look& look);
 
 /// "Move to", "Circle".
@@ -39,7 +39,7 @@ std::string_view title_of(const Step::Body& body);
 /// "X 40, Y 25", "until input 2 is on".
 std::string summary_of(const Step::Body& body, const Sequence& of);
 std::string summary_of(const Step::Body& body, const Sequence& of, const Look& look);
-/// A field of a step, from its key in files, with what its numbers are shown in: "ramp_ms" is "Ramp, ms".
+/// Label of a step's field from its key in files, with the unit shown: "ramp_ms" is "Ramp, ms".
 FixedText<64> label_of_field(std::string_view key, std::string_view unit);
 
 }  // namespace hw::sequence

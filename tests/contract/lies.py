@@ -2,8 +2,13 @@
 """Every lie of a driver is noticed by the contract suite, on every controller on which it can be told.
 
     lies.py CONTRACT_TESTS [LIE [MODEL]]
+    lies.py CONTRACT_TESTS --remember    writes into noticed.txt which test has noticed which lie
+
+That test is asked first the next time, which saves most of the time. What it says there proves nothing: where it is content
+now, or gone, the whole suite is asked as ever.
 """
 import os
+import pathlib
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -17,9 +22,18 @@ SUITES = ["*Truth*/{0}", "*/TextTest.*/{0}:*/ForeignTest.*/{0}:*/ProgramStopTest
           "*/ContractTest.*/{0}:*/TrustContract.*/{0}:-*ForAnHour*"]
 
 
-def failed_test(binary, lie, model):
+REMEMBERED = pathlib.Path(__file__).with_name("noticed.txt")
+
+
+def remembered():
+    """Lie and model: the test that has noticed it."""
+    lines = REMEMBERED.read_text(encoding="utf-8").splitlines() if REMEMBERED.exists() else []
+    return {(lie, model): test for lie, model, test in map(str.split, lines)}
+
+
+def failed_test(binary, lie, model, known=()):
     """The first contract test that fails under this lie; None: all are content."""
-    for suite in SUITES:
+    for suite in [*known, *SUITES]:
         run = subprocess.run(
             [binary, f"--lie={lie}", "--gtest_fail_fast", "--gtest_brief=1",
              "--gtest_filter=" + suite.format(model.replace("-", "_"))],
@@ -34,13 +48,20 @@ def failed_test(binary, lie, model):
 
 
 def main(binary, only_lie=None, only_model=None):
+    remember = only_lie == "--remember"
+    if remember:
+        only_lie = None
+    known = {} if remember else remembered()
     listed = subprocess.run([binary, "--lies"], capture_output=True, text=True, check=True).stdout
     lies = [(lie, model) for lie, *models in map(str.split, listed.splitlines()) for model in models
             if only_lie in (None, lie) and only_model in (None, model)]
     models = sorted({model for _, model in lies})
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        by = list(pool.map(lambda told: failed_test(binary, *told), lies))
+        by = list(pool.map(lambda told: failed_test(binary, *told, [known[told]] if told in known else []), lies))
         content = list(pool.map(lambda model: failed_test(binary, "honest", model), models))
+    if remember:
+        REMEMBERED.write_text("".join(f"{lie} {model} {test}\n" for (lie, model), test in zip(lies, by) if test),
+                              encoding="utf-8")
     wrong = [f"{model}: {test} fails without any lie" for model, test in zip(models, content) if test]
     for (lie, model), test in zip(lies, by):
         print(f"{lie:32} {model:12} {test or 'NOT NOTICED'}")

@@ -176,7 +176,7 @@ TEST_P(SequenceContractTest, ASpeedThatCannotBeKnownIsRefused) {
   s.steps = {{to(1, 0)}};
   std::get<seq::Move>(s.steps[0].body).own = seq::Speeds{10};
   add(to(2, 0));
-  EXPECT_THAT(refusal(), HasSubstr("Step 2 (move): a step before it has changed the speed"));
+  EXPECT_THAT(refusal(), HasSubstr("Step 2 (move): an earlier step has changed the speed"));
 }
 
 TEST_P(SequenceContractTest, EachLineIsOfItsStep) {

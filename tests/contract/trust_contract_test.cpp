@@ -99,7 +99,7 @@ TEST_P(TrustContract, AfterAPowerCycleNothingGoesToAPlaceByItsCount) {
   EXPECT_EQ(refused.fate, Fate::refused);
   EXPECT_EQ(refused.doubtful, 1u);
   EXPECT_THAT(std::string(refused.sentence.view()),
-              AllOf(StartsWith("The position of "), HasSubstr(" is not to be trusted: its power was cut"),
+              AllOf(StartsWith("The position of "), HasSubstr(" cannot be trusted: its power was cut"),
                     HasSubstr(". 240 "),
                     HasSubstr(" may lie elsewhere than before. Nothing was sent. Home it, "
                               "say where it stands, or go on for this once.")));

@@ -103,12 +103,33 @@ TEST(Rest, ALaserThatStepsSwitchIsOffOnTheWayAlsoWhereTheToolIsAnAxis) {
   s.pen_up = {{to({}, {}, 5)}};
   s.pen_down = {{to({}, {}, 0)}};
   EXPECT_EQ(words_of_leading(*rest_from(s, 5)),
-            "Output 2 off. Tool up. Move to X 20, Y 0 mm. Output 2 on. Tool down.");
+            "Output 2 off. Tool up. Move to X 20, Y 0 mm. Tool down. Output 2 on.")
+      << "it burns at the height at which it did";
   s.steps[3] = {Output{-1, false, 6}};
   s.steps.insert(s.steps.begin() + 4, {Output{1, false}});
   EXPECT_EQ(words_of_leading(*rest_from(s, 6)),
-            "Output all: 0. Tool up. Move to X 20, Y 0 mm. Output all: 6. Output 1 off. "
-            "Tool down.");
+            "Output all: 0. Tool up. Move to X 20, Y 0 mm. Tool down. Output all: 6. Output 1 off.");
+}
+
+TEST(Rest, OutputsComeOnBeforeTheToolIsLoweredOrBehindItAsTheyDid) {
+  Sequence s = of({{Output{1, true}},
+                   {Pen{false}},
+                   {to(10, 0)},
+                   {Pen{true}},
+                   {Output{2, true}},
+                   {to({}, {}, -3)},
+                   {to(20, 0)},
+                   {to(30, 0)}});
+  s.pen_up = {{to({}, {}, 5)}};
+  s.pen_down = {{to({}, {}, 0)}};
+  EXPECT_EQ(words_of_leading(*rest_from(s, 7)),
+            "Output 1 off. Output 2 off. Tool up. Move to X 20, Y 0 mm. Output 1 on. Tool down. Move to Z "
+            "\u22123 mm. Output 2 on.")
+      << "the spindle turns before it is lowered, the laser burns behind that";
+  s.steps.insert(s.steps.begin() + 6, {{Pen{false}}, {Pen{true}}});
+  EXPECT_EQ(words_of_leading(*rest_from(s, 9)),
+            "Output 1 off. Output 2 off. Tool up. Move to X 20, Y 0 mm. Output 1 on. Output 2 on. Tool down.")
+      << "both were on when it came down last";
 }
 
 TEST(Rest, MotorsHavePowerBeforeTheToolIsLiftedAndLoseItBehindTheWay) {
@@ -172,6 +193,9 @@ TEST(Rest, TellsThatHomingIsLeftOut) {
   const Sequence s = of({{Home{0}}, {to(1, 1)}, {to(2, 2)}});
   EXPECT_TRUE(rest_from(s, 2)->leaves_homing_out);
   EXPECT_FALSE(rest_from(s, 0)->leaves_homing_out);
+  MoveOnInput perhaps;
+  perhaps.kind = MoveOnInput::Kind::home;
+  EXPECT_TRUE(rest_from(of({{perhaps}, {to(1, 1)}, {to(2, 2)}}), 2)->leaves_homing_out);
 }
 
 TEST(Rest, ALongLoopThatSendsToPlacesIsFollowedAndOneByDistancesIsNot) {
