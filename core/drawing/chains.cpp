@@ -23,7 +23,7 @@ void begin_at(Chain& closed, std::size_t curve) {
               closed.curves.end());
 }
 
-/// The place of a circle that is nearest; its middle is as far from all of them.
+/// The nearest point of a circle; any point from its centre.
 Point place_on_circle(const Curve& circle, Point to) {
   const Point middle = circle.centre;
   const double away = distance(middle, to);
@@ -33,13 +33,13 @@ Point place_on_circle(const Curve& circle, Point to) {
 }
 void begin_circle_at(Chain& circle, Point at) { circle.curves[0].from = circle.curves[0].to = at; }
 
-/// A whole ring of its own: it is joined to nothing.
+/// Whether a path is closed by itself and so joined to nothing.
 bool is_ring(const Path& path) { return path.closed() || path.curves.front().from == path.curves.back().to; }
 
-/// Ends that nothing is joined to yet.
+/// Joins the open ends of paths.
 class Joining {
  public:
-  /// `open`: places in Drawing::paths.
+  /// `open`: indexes in Drawing::paths.
   Joining(const std::vector<Path>& paths, const std::vector<int>& open, double touching)
       : paths_(paths),
         open_(open),
@@ -99,7 +99,7 @@ class Joining {
   std::vector<bool> used_;
 };
 
-/// Of a circle, where it can be looked for: from each of its places one of them is not far.
+/// Adds search points of a circle, one of them near to any of its points.
 void add_places_of_circle(const Curve& circle, int owner, std::vector<NearPoints::Entry>& entries) {
   const double radius = distance(circle.centre, circle.from), half = radius / std::numbers::sqrt2;
   for (const Point p : {Point{radius, 0}, Point{half, half}, Point{0, radius}, Point{-half, half},
@@ -107,7 +107,7 @@ void add_places_of_circle(const Curve& circle, int owner, std::vector<NearPoints
     entries.push_back({{circle.centre.x + p.x, circle.centre.y + p.y}, owner, 0});
 }
 
-/// One after the other, always the nearest.
+/// Orders chains by nearest neighbour.
 std::vector<Chain> nearest_first(std::vector<Chain> chains, Point here, const Progress& progress) {
   std::vector<NearPoints::Entry> entries;
   for (std::size_t i = 0; i < chains.size(); ++i) {
@@ -145,7 +145,7 @@ std::vector<Chain> nearest_first(std::vector<Chain> chains, Point here, const Pr
   return ordered;
 }
 
-/// Parts of the order are turned round as long as that makes the way shorter (2-opt, with the ends nearby).
+/// Reverses parts of the order as long as that shortens the way (2-opt on nearby ends).
 class Turning {
  public:
   Turning(std::vector<Chain>& chains, Point begin) : chains_(chains), begin_(begin) {
@@ -185,7 +185,7 @@ class Turning {
  private:
   static constexpr int most_passes = 12;
   static constexpr std::size_t neighbours = 10;
-  /// Chains with an end nearby, the nearest first; -1: there are no more.
+  /// Chains with an end nearby, nearest first; -1: no more.
   using Near = std::array<int, neighbours>;
 
   static Near near(const NearPoints& ends, Point from, int owner) {
@@ -206,7 +206,7 @@ class Turning {
     return all;
   }
   [[nodiscard]] int size() const { return static_cast<int>(order_.size()); }
-  /// Where the tool leaves what stands at that place; -1: where it all begins.
+  /// Where the tool leaves the chain at `place`; -1: the begin of the whole way.
   [[nodiscard]] Point leaves(int place) const {
     if (place < 0) return begin_;
     const int i = order_[ix(place)];
@@ -216,12 +216,12 @@ class Turning {
     const int i = order_[ix(place)];
     return turned_[ix(i)] ? chains_[ix(i)].end() : chains_[ix(i)].begin();
   }
-  /// The way into that place; behind the last one there is none.
+  /// Length of the way to the chain at `place`; 0 after the last.
   [[nodiscard]] double way_into(int place, Point from) const {
     return place < size() ? distance(from, enters(place)) : 0;
   }
 
-  /// Of the end at which the tool leaves that place.
+  /// The chains near the end at which the tool leaves `place`.
   [[nodiscard]] const Near& near_where_it_leaves(int place) const {
     if (place < 0) return near_begin_;
     const int i = order_[ix(place)];
@@ -256,13 +256,12 @@ class Turning {
   std::vector<Chain>& chains_;
   Point begin_;
   Near near_begin_{};
-  std::vector<Near> near_;  ///< of the begin and of the end of each chain
+  std::vector<Near> near_;  ///< for begin and end of each chain
   std::vector<int> order_, place_;
   std::vector<std::uint8_t> turned_;
 };
 
-/// Where the ways to and from it are short: at the place that is nearest to where the tool comes from, or to
-/// where it goes.
+/// Begins a circle at its point nearest to the previous or the next place, whichever makes the ways shorter.
 void choose_begin_of_circle(Chain& circle, Point here, const Chain* next) {
   const Curve& curve = circle.curves[0];
   const auto way = [&](Point at) { return distance(here, at) + (next ? distance(at, next->begin()) : 0); };
@@ -272,7 +271,7 @@ void choose_begin_of_circle(Chain& circle, Point here, const Chain* next) {
   begin_circle_at(circle, best);
 }
 
-/// A closed chain is begun where the ways to and from it are shortest.
+/// Begins each closed chain where the ways to and from it are shortest.
 void choose_begins(std::vector<Chain>& chains, Point here) {
   for (std::size_t i = 0; i < chains.size(); ++i) {
     Chain& chain = chains[i];
@@ -328,7 +327,7 @@ std::vector<Chain> join(const Drawing& drawing, double touching, const std::vect
   return chains;
 }
 
-/// Of four lines along the axes.
+/// Whether it is four lines along the axes.
 static bool is_rectangle(const Chain& chain) {
   constexpr std::size_t sides = 4;
   return chain.closed() && chain.curves.size() == sides &&

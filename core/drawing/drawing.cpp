@@ -12,7 +12,7 @@ namespace {
 
 constexpr double radians = std::numbers::pi / 180;
 
-/// The outermost points of an arc on its way: where it crosses the axes of its circle.
+/// Adds the extreme points of an arc, where it crosses the axes of its circle.
 void add_quarters(Box& box, const Curve& arc) {
   const double radius = std::hypot(arc.from.x - arc.centre.x, arc.from.y - arc.centre.y);
   const double begin = std::atan2(arc.from.y - arc.centre.y, arc.from.x - arc.centre.x) / radians;
@@ -52,7 +52,7 @@ bool is_same_name(std::string_view a, std::string_view b) {
 }
 
 std::vector<int> entities_by_layer(const Drawing& drawing) {
-  std::vector<std::set<int>> entities(drawing.layers.size());  // one may draw more than one path
+  std::vector<std::set<int>> entities(drawing.layers.size());  // an entity may have several paths
   for (const Path& path : drawing.paths) entities[ix(path.layer)].insert(path.entity);
   std::vector<int> counts;
   for (const std::set<int>& on_it : entities) counts.push_back(static_cast<int>(on_it.size()));

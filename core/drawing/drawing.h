@@ -1,7 +1,8 @@
 #pragma once
-// What a drawing file shows, in the file's own unit: lines and arcs, those of one entity together, in the
-// order of the file; and what it shows that cannot be drawn by two axes.
+// Contents of a drawing file, in its own unit: lines and arcs, grouped by entity, in the order of the file;
+// and the entities that two axes cannot draw.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,14 +20,14 @@ struct Curve {
   Kind kind = Kind::line;
   Point from, to;
   Point centre;        ///< of an arc
-  double degrees = 0;  ///< of an arc: how far it goes round, counterclockwise; 360: a circle
+  double degrees = 0;  ///< of an arc: sweep, counterclockwise; 360: a circle
   [[nodiscard]] double length() const;
 };
 
-/// One entity: connected curves. A point is a line that ends where it begins.
+/// The connected curves of one entity. A point is a line of length 0.
 struct Path {
   std::vector<Curve> curves;
-  int entity = 0;  ///< the how manieth of the file, from 1
+  int entity = 0;  ///< number in the file, from 1
   int line = 0;    ///< of the file, where it begins
   int layer = 0;   ///< in Drawing::layers
   [[nodiscard]] bool closed() const;
@@ -35,16 +36,17 @@ struct Path {
 struct Layer {
   std::string name;
   bool shown = true;    ///< neither frozen nor off
-  bool frozen = false;  ///< else it is off, where it is not shown
+  bool frozen = false;  ///< false, if not shown: off
 };
-/// Of layers and blocks: the same in capitals and in small letters.
+/// Whether two names of layers or blocks are equal, ignoring case.
 bool is_same_name(std::string_view a, std::string_view b);
 
-/// What was not taken, and why.
+/// An entity that was left out, and why.
 struct LeftOut {
   std::string what;  ///< "TEXT"
   std::string why;
   int entity = 0, line = 0;
+  std::optional<Point> at = {};  ///< place in the model; none: unknown, or in a block
 };
 
 struct Box {
@@ -58,7 +60,7 @@ struct Drawing {
   std::vector<Layer> layers;
   std::vector<Path> paths;
   std::vector<LeftOut> left_out;
-  std::vector<LeftOut> understood;  ///< drawn in a way that the file leaves open, and why
+  std::vector<LeftOut> understood;  ///< drawn in one of several possible ways, and why
   std::string unit;                 ///< "mm", "in" ..., see millimetres(); empty: the file does not say
   std::string version;              ///< "AC1009"
 };
@@ -70,9 +72,9 @@ struct HiddenLayer {
 };
 /// How many entities lie on each layer.
 std::vector<int> entities_by_layer(const Drawing& drawing);
-/// Those that have any.
+/// The hidden layers that have entities.
 std::vector<HiddenLayer> hidden_layers(const Drawing& drawing);
-/// Of the curves themselves, not only of their ends.
+/// Bounds of the curves, not only of their ends.
 Box box_of(const Drawing& drawing);
 double length_of(const Drawing& drawing);
 

@@ -16,7 +16,7 @@
 namespace hw::drawing {
 namespace {
 
-/// A text that is read where it stands.
+/// Reads a text in place.
 class TextBuffer : public std::streambuf {
  public:
   explicit TextBuffer(std::string_view text) {
@@ -30,7 +30,7 @@ Point at_angle(double degrees) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Takes what the parser calls out, entity by entity.
+/// Receives the parser's callbacks, entity by entity.
 class Collector : public DL_CreationAdapter {
  public:
   Collector(DxfFile& file, const std::vector<ScannedEntity>& scanned) : file_(file), scanned_(scanned) {}
@@ -45,7 +45,7 @@ class Collector : public DL_CreationAdapter {
   void addBlock(const DL_BlockData& block) override {
     end_of_pieces();
     name_ = "BLOCK", left_out_ = false, taken_ = nullptr;
-    if (find_scanned(name_) && scanned_[current_].no_number != 0) {  // nobody knows where it would lie
+    if (find_scanned(name_) && scanned_[current_].no_number != 0) {  // its position is unknown
       leave_out(no_number(scanned_[current_]));
       into_ = &without_place_;
       return;
@@ -169,7 +169,7 @@ class Collector : public DL_CreationAdapter {
   void addImage(const DL_ImageData&) override { not_drawn("IMAGE", "it is a picture"); }
   void addLeader(const DL_LeaderData&) override { not_drawn("LEADER", dimension); }
 
-  /// Behind the last one: what is left in the scan was passed over.
+  /// After the last entity: the parser has ignored the rest of the scan.
   void end() {
     end_of_pieces();
     pass_over(scanned_.size());
@@ -184,13 +184,13 @@ class Collector : public DL_CreationAdapter {
     std::vector<DL_VertexData> vertices;
   };
 
-  /// The parser does not tell the old kind from the new one.
+  /// The parser does not distinguish the old kind from the new.
   [[nodiscard]] std::string_view next_polyline() const {
     for (std::size_t i = next_; i < scanned_.size(); ++i)
       if (scanned_[i].name.ends_with("POLYLINE")) return scanned_[i].name;
     return "POLYLINE";
   }
-  /// A part of another entity, or none.
+  /// Part of another entity, or not an entity.
   static bool is_part(std::string_view name) {
     return name == "VERTEX" || name == "SEQEND" || name == "BLOCK" || name == "ENDBLK" || name == "VIEWPORT";
   }
@@ -206,9 +206,9 @@ class Collector : public DL_CreationAdapter {
   static std::string why_passed_over(std::string_view name) {
     if (name == "ATTRIB" || name == "ATTDEF") return std::string(text);
     if (name == "DIMENSION") return std::string(dimension);
-    return "it is nothing that is drawn with lines and arcs";
+    return "it is not drawn with lines and arcs";
   }
-  /// The next entity of that name in the scan; what stands before it was passed over.
+  /// Finds the next entity of that name in the scan; the parser has ignored those before it.
   bool find_scanned(std::string_view name) {
     std::size_t at = next_;
     while (at < scanned_.size() && scanned_[at].name != name) ++at;
@@ -223,17 +223,17 @@ class Collector : public DL_CreationAdapter {
     taken_ = nullptr;
     find_scanned(name);
     name_ = name;
-    layer_ = getAttributes().getLayer();  // of a polyline's points there is another one
+    layer_ = getAttributes().getLayer();  // its points may have another layer
     left_out_ = false;
     if (current_ >= scanned_.size()) return;
     const ScannedEntity& e = scanned_[current_];
     if (e.on_sheet) leave_out("it stands on the sheet, not in the model");
     if (e.hidden) leave_out("it is hidden in the file");
     if (e.no_number != 0) leave_out(no_number(e));
-    if (e.miscounted) leave_out("it has another number of parts than it says");
+    if (e.miscounted) leave_out("it does not have as many parts as it says");
   }
   static std::string no_number(const ScannedEntity& e) {
-    return fmt::format("what stands in line {} is no number", e.no_number);
+    return fmt::format("line {} holds no number", e.no_number);
   }
   void not_drawn(std::string_view name, std::string_view why) {
     begin(name);
@@ -257,13 +257,13 @@ class Collector : public DL_CreationAdapter {
   void put(Shape shape) {
     if (!left_out_) entity().shapes.push_back(std::move(shape));
   }
-  /// In the entity's own plane.
+  /// Adds a shape given in the entity's own plane.
   void put_in_plane(const Shape& shape) {
     const std::optional<bool> mirrored = is_mirrored();
     if (!mirrored) return leave_out("it does not lie in the plane of the drawing");
     put(*mirrored ? moved(shape, Affine::mirror_x()) : shape);
   }
-  /// Seen from below; none: it lies askew.
+  /// Whether the entity is seen from below; none: it lies askew.
   std::optional<bool> is_mirrored() {
     double direction[3] = {0, 0, 1};
     getExtrusion()->getDirection(direction);
@@ -297,7 +297,7 @@ class Collector : public DL_CreationAdapter {
     put(std::move(spline));
   }
 
-  /// No control points: what goes through them is not said.
+  /// A spline with fit points only, without control points.
   void put_through() {
     if (!fit_is_flat_) return leave_out("it is not flat");
     auto shape = through(std::exchange(fit_, {}));
@@ -318,7 +318,7 @@ class Collector : public DL_CreationAdapter {
   const std::vector<ScannedEntity>& scanned_;
   DxfBlock without_place_;
   DxfBlock* into_ = &file_.model;
-  DxfEntity* taken_ = nullptr;  ///< what of the current entity has been taken, if anything
+  DxfEntity* taken_ = nullptr;  ///< the part taken of the current entity; null: nothing yet
   std::size_t next_ = 0, current_ = 0;
   std::string_view name_;
   std::string layer_;

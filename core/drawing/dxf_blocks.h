@@ -1,5 +1,5 @@
 #pragma once
-// A DXF file as it stands: blocks of shapes and inserts of blocks, before they are put where they are seen.
+// The structure of a DXF file: blocks of shapes and inserts of blocks, before these are placed.
 #include <map>
 #include <set>
 #include <string>
@@ -28,7 +28,7 @@ struct DxfBlock {
   Point base;
   std::vector<DxfEntity> entities;
 };
-/// Names are the same in capitals and in small letters.
+/// Orders names, ignoring case.
 struct LessName {
   using is_transparent = void;
   bool operator()(std::string_view a, std::string_view b) const;
@@ -36,7 +36,7 @@ struct LessName {
 struct DxfFile {
   std::vector<Layer> layers;
   std::set<std::string, LessName>
-      frozen;  ///< layers: what is inserted on one is hidden with all that is in it
+      frozen;  ///< frozen layers: an insert on one is hidden with all its contents
   std::map<std::string, DxfBlock, LessName> blocks;
   DxfBlock model;
   std::vector<LeftOut> left_out, understood;
@@ -44,7 +44,7 @@ struct DxfFile {
   std::string version;
 };
 
-/// `scanned` is of the same text.
+/// `scanned`: of the same text.
 Result<DxfFile> read_blocks(std::string_view text, const std::vector<ScannedEntity>& scanned,
                             const std::string& name);
 

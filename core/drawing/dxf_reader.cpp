@@ -8,6 +8,7 @@
 
 #include "core/base/index.h"
 #include "core/drawing/dxf_blocks.h"
+#include "core/drawing/dxf_places.h"
 
 namespace hw::drawing {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 constexpr std::size_t most_curves = 5'000'000;
 constexpr int deepest_insert = 16;
 
-/// Those of AutoCAD, from 0 on: that it has none; the last four are those of American surveyors.
+/// AutoCAD's numbers; 0: no unit. The last four are US survey units.
 std::string unit_of(int insunits) {
   static constexpr std::array<const char*, 25> units{
       "",   "in", "ft",  "mi", "mm", "cm", "m",  "km", "uin",   "mil",   "yd",    "angstrom", "nm",
@@ -31,7 +32,7 @@ bool is_finite(const std::vector<Curve>& curves) {
   });
 }
 
-/// Puts every block where it is inserted.
+/// Places the blocks at their inserts.
 class InsertPlacing {
  public:
   InsertPlacing(DxfFile& file, const Tolerance& tolerance, Drawing& drawing)
@@ -49,13 +50,13 @@ class InsertPlacing {
   }
 
  private:
-  /// `outermost`: the insert of the model that all of this belongs to.
+  /// `outermost`: the model's insert that contains the block; null: the model itself.
   void place(const DxfBlock& block, const Affine& affine, const std::string& layer,
              const DxfEntity* outermost, int depth) {
     const bool frozen = outermost && file_.frozen.contains(layer);
     for (const DxfEntity& entity : block.entities) {
       if (curves_ > most_curves) return;
-      // What lies on 0 goes with its insert; and all of what is frozen.
+      // Entities on layer 0 take the layer of their insert, and so do all within a frozen one.
       const std::string& own = entity.layer == "0" || frozen ? layer : entity.layer;
       const DxfEntity& told = outermost ? *outermost : entity;
       if (!entity.shapes.empty()) draw_path(entity, affine, own, told);
@@ -78,7 +79,7 @@ class InsertPlacing {
     curves_ += path.curves.size();
     drawing_.paths.push_back(std::move(path));
   }
-  /// Ends that only rounding keeps apart.
+  /// Joins ends that differ only by rounding.
   static void close(Path& path, double length) {
     constexpr double rounding = 1e-9;
     const Point begin = path.curves.front().from;
@@ -97,7 +98,7 @@ class InsertPlacing {
     open_.push_back(&block->second);
     const Affine to_base{1, 0, 0, 1, -block->second.base.x, -block->second.base.y};
     const std::size_t before = curves_;
-    bool draws = true;  // where one copy draws nothing, none does
+    bool draws = true;  // if one copy draws nothing, none does
     for (int r = 0; r < insert.rows && draws; ++r)
       for (int c = 0; c < insert.columns && draws; ++c) {
         Affine copy = insert.place;
@@ -130,8 +131,8 @@ class InsertPlacing {
 
 }  // namespace
 
-/// The parser reads the same line for ever when it is longer than its buffer. No number and no name is: what
-/// is cut is a text. And it knows no name that blanks stand around.
+/// The parser loops for ever on a line longer than its buffer. Numbers and names are shorter, so only texts
+/// are cut. Nor does it know a name with blanks around it.
 static constexpr std::size_t longest_parsed_line = 1000;
 
 static std::string with_plain_lines(std::string_view text) {
@@ -164,6 +165,7 @@ Result<Drawing> read_dxf(std::string_view text, const std::string& name, const T
   drawing.version = std::move(file->version);
   auto placed = InsertPlacing(*file, tolerance, drawing).run(name);
   if (!placed) return fail(placed.error());
+  find_places(text, drawing.left_out);
   return drawing;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// DXF files as drawings, read with dxflib. Nothing is dropped without a word: what is not lines, arcs,
-// circles, points, polylines, ellipses, splines or inserts of those in the plane of the drawing stands in
+// Reads DXF files with dxflib. Nothing is dropped silently: everything but lines, arcs, circles, points,
+// polylines, ellipses, splines and inserts of these in the plane of the drawing is listed in
 // Drawing::left_out, with its place in the file.
 #include <string>
 #include <string_view>
@@ -11,7 +11,7 @@
 
 namespace hw::drawing {
 
-/// Long, for a worker. The fault names the file, and the line where there is one.
+/// Long: for a worker. The fault names the file and, if known, the line.
 Result<Drawing> read_dxf(std::string_view text, const std::string& name, const Tolerance& tolerance);
 
 }  // namespace hw::drawing

@@ -22,7 +22,7 @@ class Pairs {
     int code = -1;  ///< -1: no number
     std::string_view value;
     int line = 0;         ///< of the value
-    bool padded = false;  ///< the value, by blanks
+    bool padded = false;  ///< the value had blanks around it
   };
   bool next(Pair& pair) {
     if (rest_.empty()) return false;
@@ -57,25 +57,25 @@ class Pairs {
   bool padded_ = false;  ///< the last line
 };
 
-/// The parser makes room for as many as an entity says that it has, and takes as many.
+/// The parser trusts an entity's count of its parts: it allocates and reads as many.
 struct Count {
   std::string_view entity;
   int code;
-  int part;  ///< with which each of them begins; -1: it is not counted
+  int part;  ///< group code that begins each part; -1: parts are not counted
 };
 constexpr std::array counts{Count{"LWPOLYLINE", 90, 10}, Count{"SPLINE", 72, 40}, Count{"SPLINE", 73, 10},
                             Count{"SPLINE", 74, 11},     Count{"LEADER", 76, -1}, Count{"HATCH", 91, -1},
                             Count{"HATCH", 93, -1},      Count{"LTYPE", 73, -1}};
 
-/// A group of that code is a length, a coordinate, an angle, a scale.
+/// Whether the group is a length, coordinate, angle or scale.
 bool is_measure(int code) {
   return (code >= 10 && code < 60) || (code >= 140 && code < 150) || (code >= 210 && code < 240);
 }
 
-/// Of an entity, a block, a layer, a variable.
+/// Whether the group names an entity, block, layer or variable.
 bool is_name(int code) { return code == 0 || code == 2 || code == 8 || code == 9; }
 
-/// As the parser reads them: some countries write a comma, and what is too small is 0.
+/// As the parser reads numbers: a decimal comma is allowed, and underflow is 0.
 bool is_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
@@ -114,7 +114,7 @@ class Scan {
       }
     }
     if (!ends && !has_sections_)
-      return fail(FaultKind::text, fmt::format("{} is no DXF file: no section begins in it.", name_),
+      return fail(FaultKind::text, fmt::format("{} is not a DXF file: no section begins in it.", name_),
                   std::string(nothing_taken), "Save the drawing as DXF.");
     if (!ends)
       return fail(FaultKind::text, fmt::format("{} is cut off: it does not end with EOF.", name_),
@@ -185,7 +185,7 @@ class Scan {
   std::string_view section_, name_of_entity_;
   bool awaits_section_name_ = false, in_entity_ = false, counted_ = false, padded_names_ = false;
   bool has_sections_ = false;
-  std::size_t owner_ = 0;  ///< in found_: who has the values; of a point its polyline
+  std::size_t owner_ = 0;  ///< index in found_ of the owner of the values; for a point its polyline
   std::int64_t pairs_ = 0, began_at_pair_ = 0;
   std::array<std::int64_t, counts.size()> declared_{}, parts_{};
   int began_at_line_ = 0;
@@ -211,7 +211,7 @@ Result<ScannedDxf> scan_dxf(std::string_view text, const std::string& name) {
   if (text.starts_with("AC10"))
     return fail(FaultKind::text, fmt::format("{} is a DWG file.", name), std::string(nothing_taken),
                 "Save it as DXF.");
-  // For the parser a line ends there: it would see other names than are seen here.
+  // The parser ends a line at a zero byte, so it would see other names than this scan.
   if (const std::size_t zero = text.find('\0'); zero != text.npos)
     return fail(
         FaultKind::text,

@@ -11,7 +11,7 @@ Point minus(Point p, Point q) { return plus(p, q, -1); }
 double long_as(Point p) { return std::hypot(p.x, p.y); }
 double area_of(Point p, Point q) { return std::fabs(p.x * q.y - p.y * q.x); }
 
-/// By the chords beside an end, seen from there, as if they went on behind it as they do before it (Akima).
+/// The direction at an end from its two nearest chords, extrapolated beyond the end (Akima).
 Point leaving(Point first, Point second) {
   const Point before = minus(plus(first, first), second), earlier = minus(plus(before, before), first);
   const double bends_before = area_of(earlier, before), bends_behind = area_of(first, second);
@@ -64,7 +64,7 @@ class Interpolating {
     first = unit(long_as(fit_.start) > 0 ? fit_.start : leaving(chords_[0], chords_[1]));
     end = unit(long_as(fit_.end) > 0 ? fit_.end : leaving(chords_[last], chords_[last - 1]));
   }
-  /// The directions in between, so that the curvature of both sides is one: three of them in each row.
+  /// Solves for the inner directions so that the curvature is continuous: a tridiagonal system.
   void solve() {
     const std::size_t n = ways_.size();
     std::vector<double> next(n, 0.0);

@@ -1,5 +1,5 @@
 #pragma once
-// A spline of which a file only says through which points it goes.
+// A spline of which a file gives only the points it passes through.
 #include <optional>
 #include <vector>
 
@@ -10,12 +10,12 @@ namespace hw::drawing {
 struct FitPoints {
   std::vector<Point> points;
   bool closed = false;
-  Point start, end;  ///< directions at its ends; no length: the file does not say them
+  Point start, end;  ///< directions at its ends; zero: not in the file
 };
 
-/// The cubic through all of them, smooth to its curvature, with the lengths of the chords as its parameter:
-/// as CAD programs draw it where the directions at its ends are said. Else they are those of the points
-/// nearby. A line through two points; none where they do not differ.
+/// The cubic spline through all points, continuous in curvature, parametrised by chord length, as CAD
+/// programs draw it when the end directions are given. Otherwise these are taken from the nearby points. Two
+/// points give a line; none: the points do not differ.
 [[nodiscard]] std::optional<Shape> through(FitPoints fit);
 
 }  // namespace hw::drawing

@@ -60,12 +60,12 @@ void NearPoints::take_away(std::size_t at) {
 
 struct NearPoints::Search {
   Point from;
-  int owner;  ///< whose points do not count
+  int owner;  ///< owner whose points are ignored
   std::span<const Entry*> found;
   std::size_t count = 0;
   std::array<double, most_found> distances{};
 
-  /// Nothing further away than that is of interest.
+  /// Points further away are ignored.
   [[nodiscard]] double reach() const {
     return count < found.size() ? std::numeric_limits<double>::infinity() : distances[count - 1];
   }

@@ -1,5 +1,5 @@
 #pragma once
-// The nearest of many points, some of which are gone, wherever they lie: a balanced k-d tree.
+// Nearest neighbours among many points with removal, for any distribution: a balanced k-d tree.
 #include <cmath>
 #include <span>
 #include <vector>
@@ -16,14 +16,14 @@ class NearPoints {
     Point at;
     int owner = 0, place = 0;  ///< owners count from 0
   };
-  static constexpr std::size_t most_found = 16;  ///< by one question
+  static constexpr std::size_t most_found = 16;  ///< by one search
   explicit NearPoints(std::vector<Entry> entries);
 
-  /// All of its points.
+  /// Removes all points of an owner.
   void remove(int owner);
-  /// None: there is no point left.
+  /// Null: no points left.
   [[nodiscard]] const Entry* nearest(Point from) const;
-  /// The nearest of all but those of `owner`, the closest first. Returns how many `found` holds.
+  /// The nearest points of other owners than `owner`, closest first. Returns how many were found.
   std::size_t nearest(Point from, int owner, std::span<const Entry*> found) const;
 
  private:
@@ -35,9 +35,9 @@ class NearPoints {
   void take_away(std::size_t at);
   void look(Part part, Search& search) const;
 
-  // A part of the points is divided by the one in its middle: what is less lies before it.
+  // Each part is divided by its middle point; smaller ones lie before it.
   std::vector<Entry> entries_;
-  std::vector<int> left_;            ///< of the part with that middle: how many are still there
+  std::vector<int> left_;            ///< points left in the part with that middle
   std::vector<char> by_x_, gone_;    ///< of that middle
   std::vector<std::size_t> begins_;  ///< of an owner's places in `owned_`
   std::vector<std::size_t> owned_;

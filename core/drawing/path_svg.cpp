@@ -47,7 +47,7 @@ std::string path_svg(std::span<const SvgLayer> layers, const SvgWords& words) {
                        words.unit, h, words.unit);
   else
     out += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\"";
-  // y goes upwards on the table and downwards in SVG.
+  // y points up on the table and down in SVG.
   out += fmt::format(" viewBox=\"{} {} {} {}\" fill=\"none\" stroke-linejoin=\"round\">\n", box.low.x - air,
                      -box.high.y - air, w, h);
   if (!words.about.empty()) out += fmt::format("<desc>{}</desc>\n", escaped(words.about));

@@ -9,17 +9,16 @@
 namespace hw::drawing {
 
 struct SvgLayer {
-  std::string_view name;  ///< of its group; of what goes with the tool off "NAME-tool-off"
+  std::string_view name;  ///< of its group; with the tool off: "NAME-tool-off"
   const ToolPath* path = nullptr;
   std::string_view colour = "#000";
   double width_px = 1.5;
 };
 struct SvgWords {
-  std::string_view
-      unit;  ///< as people write it; where SVG knows it too (mm, in, cm), it is as large as the path
-  std::string_view about;  ///< what the numbers are, for people
+  std::string_view unit;   ///< as people write it; if SVG has it (mm, in, cm), the image is true to size
+  std::string_view about;  ///< meaning of the numbers, for people
 };
-/// Later layers lie over earlier ones; one without a path is left out.
+/// Later layers cover earlier ones; a layer without a path is omitted.
 std::string path_svg(std::span<const SvgLayer> layers, const SvgWords& words);
 
 }  // namespace hw::drawing

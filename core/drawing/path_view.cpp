@@ -7,11 +7,11 @@
 namespace hw::drawing {
 namespace {
 
-constexpr double eye_at = 3;  // times the radius of what is looked at: a lens as a face is taken with
+constexpr double eye_at = 3;  // times the radius of the box: like a portrait lens
 
 Point3 times(Point3 a, Point3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
-/// Of a box's size, so that axes in several units are alike.
+/// Scales each axis by the box's size, so that axes of different units get the same length.
 Point3 scale_of(Point3 size, bool equal) {
   if (equal) return {1, 1, 1};
   const auto one = [](double length) { return length > 0 ? 1 / length : 1; };

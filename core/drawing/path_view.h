@@ -1,10 +1,10 @@
 #pragma once
-// How a path is looked at: from where, how near, and which part of it fills so many pixels. Pure.
+// The view of a path: direction, distance, and the part shown in so many pixels. Pure.
 #include "core/drawing/space.h"
 
 namespace hw::drawing {
 
-/// From where one looks: 0, 0 is from the front, along the second axis, with the third upwards.
+/// Direction of view: 0, 0 is from the front, along the second axis, with the third upwards.
 struct Looking {
   double turn = 0;  ///< degrees about the third axis; 90: from the right side
   double tilt = 0;  ///< degrees upwards; 90: from the top, -90: from below
@@ -14,13 +14,13 @@ namespace looking {
 inline constexpr Looking top{0, 90}, front{0, 0}, side{90, 0}, iso{45, 35.264389682754654};
 }
 
-/// From the axes to a plane that is looked at: in perspective; or of two axes as they are, which is the plane
-/// of the first two, seen from far away.
+/// Projects the axes to the view plane: in perspective, or for two axes unchanged, their plane seen from far
+/// away.
 class Projection {
  public:
   Projection() = default;
-  /// About the middle of `box`, and from far enough away that all of it is in front of the eye. `equal`: the
-  /// axes have one unit; else each is as long as the others.
+  /// Around the middle of `box`, from far enough that all of it is in front of the eye. `equal`: the axes
+  /// have the same unit; otherwise each is scaled to the same length.
   Projection(const Box3& box, const Looking& looking, bool equal);
 
   [[nodiscard]] Point on_plane(Point3 p) const {
@@ -28,46 +28,46 @@ class Projection {
     const double w = depth(p);
     return {dot(right_, d) / w, dot(up_, d) / w};
   }
-  /// How many times as far from the eye as the pivot: 1 everywhere where the eye is far away.
+  /// Distance from the eye relative to the pivot's; 1 everywhere for a distant eye.
   [[nodiscard]] double depth(Point3 p) const {
     const double w = 1 - nearness_ * dot(toward_, p - pivot_);
     return w > least_depth ? w : least_depth;
   }
-  /// As deep as the pivot.
+  /// The point at the pivot's depth.
   [[nodiscard]] Point3 from_plane(Point on) const;
-  /// Two axes as they are.
+  /// Two axes, unchanged.
   [[nodiscard]] bool flat() const { return nearness_ == 0; }
   [[nodiscard]] const Looking& from() const { return looking_; }
-  /// From somewhere else about the same point. Three axes.
+  /// The same pivot from another direction. Three axes only.
   [[nodiscard]] Projection turned(const Looking& to) const;
-  /// Whether all of `box` lies where it is drawn true.
+  /// Whether all of `box` is drawn correctly.
   [[nodiscard]] bool reaches(const Box3& box) const;
   bool operator==(const Projection&) const = default;
 
  private:
   void turn(const Looking& to);
-  static constexpr double least_depth = 0.1;  // nearer than this nothing is drawn true
+  static constexpr double least_depth = 0.1;  // nothing nearer is drawn correctly
 
   Looking looking_ = looking::top;
   Point3 pivot_, scale_{1, 1, 1};
   Point3 right_{1, 0, 0}, up_{0, 1, 0}, toward_{0, 0, 1};  ///< times `scale_`
-  double nearness_ = 0;                                    ///< 1 / how far away the eye is
+  double nearness_ = 0;                                    ///< 1 / distance of the eye
 };
 
 /// A part of that plane in so many pixels, y upwards.
 class PathView {
  public:
   PathView() = default;
-  /// Shows all of `box`, with air around. `equal`: a circle stays one.
+  /// Shows all of `box` with a margin. `equal`: a circle stays a circle.
   PathView(const Box3& box, const Projection& projection, double width_px, double height_px, bool equal);
-  /// Two axes as they are.
+  /// Two axes, unchanged.
   PathView(const Box3& box, double width_px, double height_px, bool equal)
       : PathView(box, Projection(), width_px, height_px, equal) {}
 
   [[nodiscard]] Point to_px(Point3 p) const { return plane_to_px(projection_.on_plane(p)); }
-  /// Of what lies at a pixel: in two axes where; of three, the point as deep as the pivot.
+  /// The point at a pixel; for three axes the one at the pivot's depth.
   [[nodiscard]] Point3 from_px(Point px) const { return projection_.from_plane(px_to_plane(px)); }
-  /// In a view of the same projection: where in this one is what was at `px` in `other`.
+  /// The pixel here of the point at `px` in `other`, a view of the same projection.
   [[nodiscard]] Point moved_px(const PathView& other, Point px) const {
     return plane_to_px(other.px_to_plane(px));
   }
@@ -78,11 +78,11 @@ class PathView {
   [[nodiscard]] double height_px() const { return height_px_; }
 
   void pan(double right_px, double down_px);
-  /// What lies at `about` stays there. `factor` > 1: nearer. Not beyond what can be told apart in a double.
+  /// The point at `about` stays there. `factor` > 1: nearer. Limited to what a double can resolve.
   void zoom(Point about_px, double factor);
   /// The same part, in another size.
   void resize(double width_px, double height_px);
-  /// Looks in another way; `about` stays where it is on the screen.
+  /// Changes the projection; `about` stays where it is on the screen.
   void look(const Projection& projection, Point3 about);
   bool operator==(const PathView&) const = default;
 

@@ -37,7 +37,7 @@ Move move_to(Point p, const Speeds& own) {
   return m;
 }
 
-/// All its steps switch outputs that can be switched on the way.
+/// Whether all steps of a routine switch outputs that a contour can switch.
 bool within_contours(const StepList& routine, const std::vector<int>& outputs) {
   return !routine.empty() && std::all_of(routine.begin(), routine.end(), [&](const Step& step) {
     const auto* output = std::get_if<Output>(&step.body);
@@ -77,8 +77,8 @@ class Draw {
 
  private:
   void add(Step::Body body) { s_.steps.push_back({std::move(body)}); }
-  /// What of it the machine can tell apart: lines that end on another step than they begin on, and arcs that
-  /// are more than such a line.
+  /// The curves that the machine can resolve: lines that end on another step than they begin on, and arcs
+  /// that differ from such a line.
   [[nodiscard]] std::vector<Curve> told_apart(const Chain& c) const {
     std::vector<Curve> curves;
     Point at = c.begin();
@@ -138,11 +138,11 @@ class Draw {
       at_ = curve.to;
     }
   }
-  /// Half a step first, so that the line goes through the middle of the stairs.
+  /// Begins with half a stair, so that the line runs through the middle of the stairs.
   void stairs(Point to) {
     const double dx = to.x - at_.x, dy = to.y - at_.y, length = std::hypot(dx, dy);
     if (dx == 0 || dy == 0) return single(to, tool_.cutting);
-    // Corners lie |dx dy| / (2 count length) beside the line; what chords leave of the tolerance is theirs.
+    // Corners lie |dx dy| / (2 count length) from the line; they may use the tolerance that chords leave.
     const double beside = tool_.tolerance - tool_.chord();
     const double wanted = std::ceil(std::fabs(dx * dy) / (2 * length * beside));
     const int count = static_cast<int>(std::clamp(wanted, 1.0, 1e6));
@@ -153,8 +153,8 @@ class Draw {
     }
     single(to, tool_.cutting);
   }
-  /// With the tool on the way: a lead-in, on, the chain, off and a ramp. Else from rest to rest at its full
-  /// speed. A long chain is more than one of them.
+  /// If the tool can be switched on the way: a lead-in, on, the chain, off and a ramp. Otherwise from rest to
+  /// rest at full speed. A long chain becomes several contours.
   void contours(const std::vector<Curve>& curves) {
     const std::size_t most = ix_of(tool_.contour_pieces);
     for (std::size_t first = 0; first < curves.size(); first += most) {
@@ -177,8 +177,8 @@ class Draw {
     if (curve.kind == Curve::Kind::line) return {move_to(curve.to, {})};
     return {on_steps(curve)};
   }
-  /// Controllers take a centre on a step. It is one nearby from which both ends are as far as can be, so that
-  /// the arc ends where it should.
+  /// Controllers need a centre on a whole step. Chooses one nearby with distances to both ends as equal as
+  /// possible, so that the arc ends where it should.
   [[nodiscard]] Arc on_steps(const Curve& curve) const {
     Arc arc{curve.centre.x, curve.centre.y, curve.degrees, {}};
     const bool whole = std::fabs(curve.degrees) >= 360;

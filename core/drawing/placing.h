@@ -1,6 +1,6 @@
 #pragma once
-// From the chains of a drawing to the steps that draw them: where they come to lie on the table, and what is
-// made of lines and arcs for a machine that cannot go along them.
+// Converts the chains of a drawing to the steps that draw them: places them on the table, and approximates
+// lines and arcs for machines that cannot follow them.
 #include <functional>
 #include <vector>
 
@@ -12,25 +12,25 @@ namespace hw::drawing {
 
 struct Placing {
   enum class Origin : std::uint8_t { as_drawn, lower_left, point };
-  double scale = 1;  ///< units of the sequence in one of the drawing
+  double scale = 1;  ///< units of the sequence per unit of the drawing
   Origin origin = Origin::as_drawn;
-  Point point;           ///< of the drawing, that comes to lie at 0, 0
-  bool swapped = false;  ///< the drawing's X goes along the second axis
+  Point point;           ///< of the drawing, placed at 0, 0
+  bool swapped = false;  ///< the drawing's X follows the second axis
   bool mirrored_x = false, mirrored_y = false;
 };
-/// Returns how: from the drawing to the sequence.
+/// Returns the map from the drawing to the sequence.
 Affine place(std::vector<Chain>& chains, const Placing& placing);
 Box box_of(const std::vector<Chain>& chains);
 
-/// How the machine gets along a chain.
+/// How the machine follows a chain.
 enum class Going : std::uint8_t {
-  contours,  ///< in one go
-  arcs,      ///< by lines and arcs, with a stop between
-  lines,     ///< by lines, with a stop between; arcs become chords
+  contours,  ///< without a stop
+  arcs,      ///< lines and arcs, with a stop after each
+  lines,     ///< lines, with a stop after each; arcs become chords
   stairs     ///< one axis at a time
 };
-/// How far chords may lie beside their curve, where all together may lie `tolerance` beside it: stairs take
-/// half of that, as their lines are chords of it too.
+/// Largest distance of chords from their curve, for a total of `tolerance`: half of it for stairs, which
+/// approximate the chords in turn.
 constexpr double chord_within(double tolerance, Going going) {
   return going == Going::stairs ? tolerance / 2 : tolerance;
 }
@@ -38,17 +38,17 @@ struct Tool {
   Going going = Going::lines;
   double tolerance = 0.01;  ///< of chords and stairs, in units of the sequence
   sequence::Speeds cutting, travel;
-  std::vector<int> contour_outputs;  ///< that can be switched within a contour
-  int contour_pieces = 40;           ///< that a contour holds
+  std::vector<int> contour_outputs;  ///< outputs that can be switched within a contour
+  int contour_pieces = 40;           ///< largest number of pieces in a contour
   [[nodiscard]] double chord() const { return chord_within(tolerance, going); }
 };
-/// Where the tool has to be, or `way` between, told from the begin on. Lines longer than nothing only.
+/// Calls `put` with the end of each chord, in order, the last at the end of `curve`.
 void chords(const Curve& curve, double tolerance, const std::function<void(Point)>& put);
-/// The first two axes go along the chains in their order; the tool is lowered and raised by the sequence's
-/// own routines, which stay as they are. Returns at which of the sequence's steps each chain begins.
+/// Appends steps that draw the chains in order with the first two axes. The sequence's own routines, which
+/// are not changed, lower and lift the tool. Returns the first step of each chain.
 std::vector<std::size_t> draw_chains(const std::vector<Chain>& chains, const Tool& tool,
                                      sequence::Sequence& sequence);
-/// Once around it with the tool up, from its lower left corner back to there.
+/// Appends one turn around the box with the tool up, from its lower left corner back to it.
 void draw_frame(const Box& box, const Tool& tool, sequence::Sequence& sequence);
 
 }  // namespace hw::drawing

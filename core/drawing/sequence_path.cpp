@@ -103,7 +103,7 @@ bool has_pen(const sequence::StepList& list) {
 
 ToolPath sequence_path_in(const sequence::Sequence& sequence, const SequenceAxes& axes) {
   Walk walk(axes);
-  if (!has_pen(sequence.steps)) {  // no tool is spoken of: all of it is work
+  if (!has_pen(sequence.steps)) {  // no tool step: all of it counts as tool on
     sequence::StepList steps = sequence.steps;
     steps.insert(steps.begin(), {sequence::Pen{true}});
     walk.steps(steps, -1);

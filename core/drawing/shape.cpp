@@ -36,7 +36,7 @@ void draw_ellipse(const Ellipse& e, const Tolerance& tolerance, std::vector<Curv
                       sense * (whole ? 360 : sweep / pi * 180)});
     return;
   }
-  // It is a unit circle that somebody has stretched, by its half axis at most: so is the gap of a chord.
+  // An ellipse is a stretched unit circle, and a chord's gap is stretched likewise, by the half axis at most.
   const double half_axis = std::max(size(e.u), size(e.v)) * std::numbers::sqrt2;
   const double gap = std::clamp(tolerance.chord / half_axis, 1e-9, 1.0);
   const double step = 2 * std::acos(1 - gap);
@@ -56,15 +56,14 @@ double distance(Point p, Point a, Point b) {
   return std::hypot(here.x - along * way.x, here.y - along * way.y);
 }
 
-/// A span of a spline between two knots, halved until its chords lie close enough.
+/// Draws a span of a spline between two knots, halved until its chords are close enough.
 class SplineDrawing {
  public:
   SplineDrawing(const Spline& spline, double chord, std::vector<Curve>& curves)
       : spline_(spline), chord_(chord), curves_(curves) {}
 
   void span(double begin, double end) {
-    const int parts =
-        std::max(spline_.degree, 2);  // so that no turn hides between the points that are looked at
+    const int parts = std::max(spline_.degree, 2);  // so that no bend hides between the sampled points
     for (int n = 0; n < parts; ++n) {
       const double from = begin + (end - begin) * n / parts, to = begin + (end - begin) * (n + 1) / parts;
       halve(from, point_at(spline_, from), to, point_at(spline_, to), 0);
@@ -74,7 +73,7 @@ class SplineDrawing {
  private:
   void halve(double t0, Point from, double t1, Point to, int depth) {
     constexpr int deepest = 14;
-    constexpr double between_looks = 1.1;  // as much farther away a cubic may be, at most
+    constexpr double between_looks = 1.1;  // largest factor by which a cubic is further away between samples
     const double middle = (t0 + t1) / 2;
     const Point halfway = point_at(spline_, middle);
     const auto beside = [&](double t) { return distance(point_at(spline_, t), from, to); };
@@ -114,10 +113,10 @@ Ellipse arc_of(Point centre, double radius, double begin_degrees, double end_deg
 
 Shape bulged(Point from, Point to, double bulge) {
   const Point way{to.x - from.x, to.y - from.y};
-  constexpr double rounding = 1e-8;  // its centre would be so far away that its ends are less exact
+  constexpr double rounding = 1e-8;  // below: a centre too far away for exact ends
   if (std::fabs(bulge) < rounding || size(way) == 0) return Line{from, to};
   const double angle = 4 * std::atan(bulge);
-  const double ahead = (1 / bulge - bulge) / 4;  // of the centre, to the left of the middle of the way
+  const double ahead = (1 / bulge - bulge) / 4;  // of the centre, to the left of the chord's middle
   const Point centre{(from.x + to.x) / 2 - way.y * ahead, (from.y + to.y) / 2 + way.x * ahead};
   const Point u{from.x - centre.x, from.y - centre.y};
   const double sense = bulge > 0 ? 1 : -1;
@@ -138,10 +137,10 @@ std::string_view flaw_of(const Spline& s) {
   if (s.degree < 1 || s.degree > highest_degree) return "its degree is not possible";
   const auto degree = static_cast<std::size_t>(s.degree);
   if (s.points.size() < degree + 1) return "it has too few control points";
-  if (s.knots.size() != s.points.size() + degree + 1) return "it has not as many knots as it needs";
+  if (s.knots.size() != s.points.size() + degree + 1) return "it does not have as many knots as it needs";
   if (!std::is_sorted(s.knots.begin(), s.knots.end())) return "its knots are not in order";
   if (!(s.knots[degree] < s.knots[s.points.size()])) return "its knots span nothing";
-  if (s.weights.size() != s.points.size()) return "it has not a weight for each control point";
+  if (s.weights.size() != s.points.size()) return "it does not have a weight for each control point";
   if (std::any_of(s.weights.begin(), s.weights.end(), [](double w) { return !(w > 0); }))
     return "a weight is not above 0";
   return {};
@@ -156,7 +155,7 @@ Point point_at(const Spline& s, double t) {
   const auto after = std::upper_bound(s.knots.begin() + s.degree,
                                       s.knots.begin() + static_cast<std::ptrdiff_t>(s.points.size()), t);
   auto span = static_cast<std::size_t>(after - s.knots.begin()) - 1;
-  while (span > degree && s.knots[span] == s.knots[span + 1]) --span;  // at the end of a span that is none
+  while (span > degree && s.knots[span] == s.knots[span + 1]) --span;  // skips spans of length 0
   std::array<Weighted, 26> d{};
   for (std::size_t i = 0; i <= degree; ++i) {
     const std::size_t from = span - degree + i;

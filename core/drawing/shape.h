@@ -1,6 +1,6 @@
 #pragma once
-// Curves as a drawing file means them. Each stays what it is under shift, turn, scale and mirror, so that
-// blocks in blocks lose nothing; last of all it becomes lines and arcs.
+// Exact curves of a drawing file. Each keeps its type under shift, turn, scale and mirror, so that nested
+// blocks lose nothing; lines and arcs are made last.
 #include <variant>
 #include <vector>
 
@@ -13,11 +13,11 @@ namespace hw::drawing {
 struct Affine {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
   [[nodiscard]] Point operator()(Point p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
-  /// A direction: without the shift.
+  /// Maps a direction: without the shift.
   [[nodiscard]] Point turned(Point p) const { return {a * p.x + c * p.y, b * p.x + d * p.y}; }
   /// First `inner`, then this.
   [[nodiscard]] Affine after(const Affine& inner) const;
-  /// What comes to lie at `p`. Not of one that flattens.
+  /// The point that maps to `p`. Not for a singular map.
   [[nodiscard]] Point undone(Point p) const {
     const double x = p.x - e, y = p.y - f, area = a * d - b * c;
     return {(d * x - c * y) / area, (a * y - b * x) / area};
@@ -42,21 +42,21 @@ struct Spline {
 };
 using Shape = std::variant<Line, Ellipse, Spline>;
 
-/// How far a chord may lie beside its curve, in the unit of the drawing.
+/// Largest distance of a chord from its curve, in the unit of the drawing.
 struct Tolerance {
   double chord = 0.01;
 };
 
 /// Part of a circle.
 Ellipse arc_of(Point centre, double radius, double begin_degrees, double end_degrees);
-/// From one point of a polyline to the next; `bulge`: the tangent of a quarter of the arc's angle. A line
-/// where that is 0, or so little that nobody could tell.
+/// From one point of a polyline to the next; `bulge`: tangent of a quarter of the arc's angle. A line if that
+/// is 0 or negligible.
 Shape bulged(Point from, Point to, double bulge);
 Shape moved(const Shape& shape, const Affine& affine);
-/// What is wrong with its numbers, or empty.
+/// What is wrong with its numbers; empty: nothing.
 std::string_view flaw_of(const Spline& spline);
 Point point_at(const Spline& spline, double t);
-/// As lines and arcs, behind what is there.
+/// Appends the shape to `curves` as lines and arcs.
 void draw(const Shape& shape, const Tolerance& tolerance, std::vector<Curve>& curves);
 
 }  // namespace hw::drawing

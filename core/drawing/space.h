@@ -1,5 +1,5 @@
 #pragma once
-// Points and boxes of three axes. What has two lies in the plane z = 0.
+// Points and boxes of three axes. Those of two lie in the plane z = 0.
 #include "core/drawing/drawing.h"
 
 namespace hw::drawing {
@@ -27,7 +27,7 @@ struct Box3 {
   void add(const Box3& box);
   [[nodiscard]] Point3 centre() const { return (low + high) * 0.5; }
   [[nodiscard]] Point3 size() const { return high - low; }
-  /// From 0 to 7: each of its bits chooses low or high of an axis.
+  /// Corner `n`, 0 to 7: each bit chooses low or high of an axis.
   [[nodiscard]] Point3 corner(int n) const {
     return {(n & 1 ? high : low).x, (n & 2 ? high : low).y, (n & 4 ? high : low).z};
   }

@@ -6,7 +6,7 @@
 namespace hw::drawing {
 namespace {
 
-/// Whether c goes on from b as b came from a: beside the line by no more than a millionth of the way.
+/// Whether c continues the line from a to b: off it by at most a millionth of the way.
 bool straight_on(Point3 a, Point3 b, Point3 c) {
   const Point3 u = b - a, v = c - b;
   const double along = dot(u, v);
@@ -14,13 +14,13 @@ bool straight_on(Point3 a, Point3 b, Point3 c) {
   return along > 0 && dot(aside, aside) <= 1e-12 * along * along;
 }
 
-/// How far along a line, from 0 to 1, its point lies that is nearest to p.
+/// Fraction along a line, 0 to 1, of its point nearest to p.
 double nearest_on(Point a, Point b, Point p) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
   return square == 0 ? 0 : std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
 }
 
-/// What lies so far along the picture of a line: its far half is shorter there than its near one.
+/// The point at a fraction along a line's projection, in which its far half is shorter than its near one.
 Point3 on_line(Point3 a, Point3 b, double along_px, const PathView& view) {
   const double at_a = view.projection().depth(a), at_b = view.projection().depth(b);
   return a + (b - a) * (along_px * at_a / ((1 - along_px) * at_b + along_px * at_a));
@@ -69,7 +69,7 @@ std::optional<PathHit> nearest(const ToolPath& path, const PathView& view, Point
 
 namespace {
 
-/// Ends when it has become longer than `most_points`.
+/// Stops once it has more than `most_points`.
 ToolPath with_gaps_of(double gap, const ToolPath& path, std::size_t most_points) {
   ToolPath few;
   Point3 at;

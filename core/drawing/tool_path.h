@@ -1,6 +1,6 @@
 #pragma once
-// Where a tool goes in two or three axes, to be looked at: in the units of the axes, each part with what it
-// comes from. Pure.
+// The path of a tool in two or three axes, for display: in the units of the axes, each part with its source.
+// Pure.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -10,19 +10,19 @@
 namespace hw::drawing {
 
 struct ToolPath {
-  /// Without a break, all of it with the tool on or off, and from one source.
+  /// A continuous part with one tool state and one source.
   struct Run {
-    std::size_t first = 0, size = 0;  ///< its points; the first may be the last of the run before
+    std::size_t first = 0, size = 0;  ///< its points; the first may be the last of the previous run
     bool tool_on = true;
     int source = -1;  ///< line of a program or step of a list, from 0; -1: not known
-    int pass = 0;     ///< of a source that is gone through several times
+    int pass = 0;     ///< of a source that is run several times
   };
   std::vector<Point3> points;
   std::vector<Run> runs;
   Box3 bounds;
   double way_on = 0, way_off = 0;  ///< with the tool on and off
 
-  /// Goes on to `to` from `from`. Straight on in the same run it only becomes longer.
+  /// Appends a line. A straight continuation of the same run only lengthens its last line.
   void go(Point3 from, Point3 to, bool tool_on, int source, int pass = 0);
 };
 
@@ -30,12 +30,12 @@ struct PathHit {
   std::size_t run = 0;
   Point3 at;  ///< on the path
 };
-/// What of the path lies nearest to a pixel, and no further from it than `within_px`.
+/// The point of the path nearest to a pixel; none within `within_px`: none.
 std::optional<PathHit> nearest(const ToolPath& path, const PathView& view, Point px, double within_px);
 
-/// The same way in few lines, for a glance: what is small against the whole of it is passed over.
+/// The same path in few lines, for a preview: details small against the whole are dropped.
 ToolPath coarser(const ToolPath& path, std::size_t most_points);
-/// As it looks from there: in the plane that is looked at.
+/// The path projected to the view plane.
 ToolPath flattened(const ToolPath& path, const Projection& projection);
 
 }  // namespace hw::drawing

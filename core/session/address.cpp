@@ -37,14 +37,14 @@ Result<> read_options(std::string_view rest, Address& address) {
     rest = comma == rest.npos ? std::string_view{} : rest.substr(comma + 1);
     const auto equals = pair.find('=');
     if (equals == pair.npos || equals == 0)
-      return bad(fmt::format("\"{}\" in the address is no key=value pair.", pair));
+      return bad(fmt::format("\"{}\" in the address is not a key=value pair.", pair));
     auto& value = address.options[std::string(pair.substr(0, equals))];
     if (!value.empty()) return bad(fmt::format("The address gives {} twice.", pair.substr(0, equals)));
     value = pair.substr(equals + 1);
     if (value.empty()) return bad(fmt::format("The address gives no value for {}.", pair.substr(0, equals)));
     if (pair.substr(0, equals) == "id" && !read_ids(value))
       return bad(fmt::format(
-          "id={} is no device number: it takes two digits, as id=07, or a range, as id=01-04.", value));
+          "id={} is not a device number: it takes two digits, as id=07, or a range, as id=01-04.", value));
   }
   return {};
 }
@@ -60,7 +60,7 @@ std::string known_models() {
 Result<Address> Address::parse(std::string_view text) {
   Address address;
   const auto at = text.find('@');
-  if (at == text.npos) return bad(fmt::format("\"{}\" is no address: it has no @.", text));
+  if (at == text.npos) return bad(fmt::format("\"{}\" is not an address: it has no @.", text));
   address.model = text.substr(0, at);
   std::transform(address.model.begin(), address.model.end(), address.model.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -74,12 +74,12 @@ Result<Address> Address::parse(std::string_view text) {
   address.transport = way.substr(0, colon);
   if (colon != way.npos) address.where = way.substr(colon + 1);
   const TransportInfo* transport = find_transport(address.transport);
-  if (!transport) return bad(fmt::format("\"{}\" is no way to a controller.", address.transport));
+  if (!transport) return bad(fmt::format("\"{}\" is not a transport.", address.transport));
   using Place = TransportInfo::Place;
   if (transport->place == Place::needed && address.where.empty())
     return bad(fmt::format("The address does not say where: {}@{}:WHERE.", address.model, address.transport));
   if (transport->place == Place::none && !address.where.empty())
-    return bad(fmt::format("An emulator has no place: \"{}\" is too much.", address.where));
+    return bad(fmt::format("An emulator takes no place: leave \"{}\" out.", address.where));
   if (comma != rest.npos) {
     if (auto read = read_options(rest.substr(comma + 1), address); !read) return fail(read.error());
   }
@@ -116,20 +116,20 @@ Result<int> Address::number(std::string_view key, int fallback) const {
   const auto found = options.find(std::string(key));
   if (found == options.end()) return fallback;
   if (const auto value = whole_number<int>(found->second)) return *value;
-  return bad(fmt::format("{}={} in the address is no whole number.", key, found->second));
+  return bad(fmt::format("{}={} in the address is not a whole number.", key, found->second));
 }
 
 Result<std::pair<std::string, int>> split_host_port(std::string_view where) {
   const auto colon = where.rfind(':');
   if (colon == where.npos || colon == 0)
-    return fail(FaultKind::text, fmt::format("\"{}\" is no HOST:PORT.", where), {},
+    return fail(FaultKind::text, fmt::format("\"{}\" is not HOST:PORT.", where), {},
                 "For example 192.168.1.40:4001.");
   std::string_view host = where.substr(0, colon);
   const std::string_view digits = where.substr(colon + 1);
   if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
   const int port = whole_number<int>(digits).value_or(-1);
   if (port < 0 || port > 65535)
-    return fail(FaultKind::text, fmt::format("\"{}\" is no port number (1 to 65535).", digits));
+    return fail(FaultKind::text, fmt::format("\"{}\" is not a port number (1 to 65535).", digits));
   return std::pair(std::string(host), port);
 }
 

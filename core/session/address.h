@@ -1,5 +1,5 @@
 #pragma once
-// MODEL@TRANSPORT[:WHERE][,key=value...]: which controller, and the way to it.
+// MODEL@TRANSPORT[:WHERE][,key=value...]: a controller and the way to it.
 #include <map>
 #include <string>
 #include <string_view>
@@ -16,20 +16,20 @@ struct Address {
   std::string where;      ///< "/dev/ttyUSB0", "HOST:PORT"; empty for an emulator
   std::map<std::string, std::string> options;
 
-  /// Checks form, model (of device_types()) and transport name; not whether anything is there.
+  /// Checks form, model (of device_types()) and transport name, not whether the place exists.
   static Result<Address> parse(std::string_view text);
   /// The same address in canonical form.
   [[nodiscard]] std::string text() const;
-  /// The devices that id= names on the wire, "07" or "01-04", in their order; empty without it.
+  /// The ids that id= names ("07" or "01-04"), in order; empty without id=.
   [[nodiscard]] std::vector<std::string> ids() const;
-  /// One address for each of them, with an id of its own; without id= just this one.
+  /// One address for each id; without id= just this address.
   [[nodiscard]] std::vector<Address> devices() const;
   [[nodiscard]] bool emulated() const { return transport == "emulator"; }
-  /// `fallback` when absent; a fault when it is no whole number.
+  /// `fallback` when absent; a fault when not a whole number.
   [[nodiscard]] Result<int> number(std::string_view key, int fallback) const;
 };
 
-/// What an address can begin with: "vxm, pmx-4ex-sa, dmx-k-sa".
+/// The models for an address: "vxm, pmx-4ex-sa, dmx-k-sa".
 std::string known_models();
 /// "HOST:PORT" or "[IPV6]:PORT".
 Result<std::pair<std::string, int>> split_host_port(std::string_view where);

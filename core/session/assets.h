@@ -1,19 +1,18 @@
 #pragma once
-// What comes with the program and is read while it runs: manual, examples. Any thread.
+// Files shipped with the program and read at run time: manual, examples. Any thread.
 #include <filesystem>
 #include <string_view>
 
 namespace hw {
 
-/// `name` ("manual", "examples/circle.vme") in the tree that the program was built in, or where it is
-/// installed
-/// (../share/handwheel, seen from its folder). Empty: in neither.
+/// Path of `name` ("manual", "examples/circle.vme") in the program's build tree or its installation
+/// (../share/handwheel, relative to the program's folder). Empty: in neither.
 std::filesystem::path find_asset(std::string_view name);
 
-/// Whether a program in this folder is installed: nothing is to be written beside it.
+/// Whether a program in this folder is installed, so that nothing may be written beside it.
 bool is_installed(const std::filesystem::path& folder_of_program);
 
-/// find_asset(), seen from any folder that a program could stand in.
+/// find_asset() for a program in the given folder.
 std::filesystem::path find_asset(const std::filesystem::path& folder_of_program, std::string_view name);
 
 }  // namespace hw

@@ -1,7 +1,6 @@
 #pragma once
-// Program texts and blocks that are in no file yet survive a crash: written by atomic rename into the state
-// folder while they are edited, offered again when the same controller is opened, forgotten when they are
-// saved.
+// Keeps unsaved program texts and blocks through a crash: written by atomic rename to the state folder during
+// editing, offered when the same controller is opened again, deleted once saved.
 #include <string>
 #include <vector>
 
@@ -11,9 +10,9 @@ namespace hw {
 
 struct UnsavedText {
   static constexpr int of_blocks = -1;
-  int slot = 0;  ///< of a program text, or of_blocks: a sequence as its file would hold it
+  int slot = 0;  ///< of a program text, or of_blocks: a sequence in its file format
   std::string text;
-  std::string path;  ///< the file it came from; empty: none
+  std::string path;  ///< source file; empty: none
   bool operator==(const UnsavedText&) const = default;
 };
 
@@ -21,9 +20,9 @@ class Autosave {
  public:
   explicit Autosave(UserFolders folders) : folders_(std::move(folders)) {}
   [[nodiscard]] bool enabled() const { return folders_.enabled; }
-  /// Replaces what was kept for this controller; nothing unsaved: the file goes. May block: for a worker.
+  /// Replaces the texts kept for this controller; no texts: deletes the file. May block: for a worker.
   Result<> keep(std::string_view key, const std::vector<UnsavedText>& texts) const;
-  /// What a crash (or a closed window) left. A damaged file: a fault, the file is put aside.
+  /// The texts left by a crash (or a closed window). A damaged file: a fault; the file is set aside.
   [[nodiscard]] Result<std::vector<UnsavedText>> restore(std::string_view key) const;
 
  private:

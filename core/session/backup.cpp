@@ -30,7 +30,7 @@ Task<Result<Backup>> take_backup(std::shared_ptr<Session> session) {
   for (int slot = 0; slot < catalog.program.slots; ++slot) {
     auto listing = co_await session->listing(slot);
     if (!listing) co_return fail(listing.error());
-    backup.programs[slot] = std::move(*listing);  // an empty one too: putting it back empties the slot
+    backup.programs[slot] = std::move(*listing);  // empty ones too: restoring empties the slot
   }
   co_return backup;
 }

@@ -10,8 +10,8 @@ static bool is_any_of(const IntentBody& body) {
   return (std::holds_alternative<Intents>(body) || ...);
 }
 
-/// Whole commands only: what is put together of several may be anything. So may one that means a motion at
-/// other times.
+/// Single complete commands only: a combination may do anything. Not one that also means a motion in another
+/// state.
 bool BegunHere::only_asks(const std::string& text) {
   if (harmless_.empty())
     for (const CommandInfo& command : catalog_.commands)
@@ -46,7 +46,7 @@ void BegunHere::seen(const Snapshot& now, bool busy, std::uint64_t rounds_ended)
   const bool runs = now.program.run != RunState::idle && now.program.run != RunState::error;
   if (busy || runs || now.working || now.feed.running || now.pieces.running || now.any_axis_moving())
     return rests_in_.reset();
-  // One round may be under way that began before; the next tells the truth.
+  // A round under way may have begun before; only the next is certain.
   if (!rests_in_) rests_in_ = rounds_ended + 2;
   if (rounds_ended >= *rests_in_) any_ = false;
 }

@@ -1,6 +1,7 @@
 #pragma once
-// Whether what moves or runs in a controller was begun through this session: something that sets in motion
-// has gone out since it last rested. What somebody else begins (its front panel, another program) is not.
+// Whether a motion or program of a controller was begun through this session: the session has sent a command
+// that may move since the controller last rested. Anything begun by others (its front panel, another program)
+// does not count.
 #include <atomic>
 #include <optional>
 #include <vector>
@@ -18,9 +19,9 @@ class BegunHere {
   explicit BegunHere(const Catalog& catalog) : catalog_(catalog) {}
 
   // ---- io thread
-  /// It goes out, or waits to.
+  /// The intent is sent, or queued.
   void posted(const IntentBody& body);
-  /// What is known now. `busy`: something waits to be sent, or is under way; `rounds_ended`: of status.
+  /// `busy`: an intent is queued or under way. `rounds_ended`: count of status rounds.
   void seen(const Snapshot& now, bool busy, std::uint64_t rounds_ended);
 
   // ---- any thread
@@ -31,8 +32,8 @@ class BegunHere {
   [[nodiscard]] bool only_asks(const std::string& text);
 
   const Catalog& catalog_;
-  std::vector<CommandForm> harmless_, moving_;  ///< made when the first text comes
-  std::optional<std::uint64_t> rests_in_;       ///< the first round of status that shows what came of it
+  std::vector<CommandForm> harmless_, moving_;  ///< filled at the first text
+  std::optional<std::uint64_t> rests_in_;       ///< the first status round that shows the result
   std::atomic<bool> any_{false};
 };
 

@@ -24,12 +24,11 @@ tl::unexpected<Fault> refuse(std::string what, std::string advice = {}) {
 }
 
 Result<double> scale_of(const drawing::Drawing& drawing, const ConversionOptions& o) {
-  const std::string& from = drawing.unit.empty() ? o.drawing_unit : drawing.unit;
-  if (from.empty())
-    return refuse("The drawing does not say in which unit it is.", "Say which: mm, in, cm, m ...");
+  const std::string& from = unit_of(drawing, o);
+  if (from.empty()) return refuse("The drawing does not name its unit.", "Say which: mm, in, cm, m ...");
   const auto its = millimetres(from), ours = millimetres(o.unit);
-  if (!its || !ours) return refuse(fmt::format("\"{}\" is no unit of length.", its ? o.unit : from));
-  return *its / *ours;
+  if (!its || !ours) return refuse(fmt::format("\"{}\" is not a unit of length.", its ? o.unit : from));
+  return *its / *ours * o.times;
 }
 
 /// "CUT, HOLES and 12 more"
@@ -42,7 +41,7 @@ std::string layers_of(const drawing::Drawing& drawing) {
   return all;
 }
 
-/// Only the layers that are meant.
+/// Shows only the wanted layers; none wanted: unchanged.
 Result<drawing::Drawing> choose_layers(const drawing::Drawing& whole,
                                        const std::vector<std::string>& wanted) {
   drawing::Drawing chosen = whole;
@@ -73,7 +72,7 @@ Result<double> tolerance_of(Going going, const ConversionOptions& o) {
   }
   if (going == Going::stairs)
     return refuse("This controller moves one axis at a time: a slanted line becomes a staircase.",
-                  "Say with the tolerance how far its corners may lie beside the line.");
+                  "Give a tolerance: how far its corners may lie from the line.");
   double finest = 0;
   for (const sequence::Axis& axis : o.axes) finest = std::max(finest, axis.per_unit);
   return 0.5 / finest;
@@ -91,10 +90,10 @@ std::vector<std::size_t> off_the(const drawing::Box& table, const std::vector<dr
   return off;
 }
 
-/// What lies beyond is named by its entity, before anything is made of it.
+/// Names the entity that lies beyond the controller's range, before any step is made.
 Result<> can_be_counted(const std::vector<drawing::Chain>& chains, const Catalog& catalog,
                         const ConversionOptions& o) {
-  constexpr double furthest = 9007199254740992;  // steps, 2^53: beyond, two that follow each other are one
+  constexpr double furthest = 9007199254740992;  // steps, 2^53: beyond, neighbouring steps are equal
   const bool told = catalog.position_max > catalog.position_min;
   const double low = told ? static_cast<double>(catalog.position_min.value) : -furthest;
   const double high = told ? static_cast<double>(catalog.position_max.value) : furthest;
@@ -115,7 +114,25 @@ Result<> can_be_counted(const std::vector<drawing::Chain>& chains, const Catalog
   return {};
 }
 
-/// Two that draw, and perhaps others that lower the tool; each of them once.
+/// The chosen chains and their placement.
+struct Put {
+  std::vector<drawing::Chain> chains;
+  drawing::Affine placed;
+};
+Result<Put> put_chains(const drawing::Drawing& whole, double scale, const ConversionOptions& o) {
+  const auto chosen = choose_layers(whole, o.layers);
+  if (!chosen) return fail(chosen.error());
+  Put put{drawing::join(*chosen, o.touching / scale, o.without), {}};
+  if (put.chains.empty())
+    return refuse("The drawing has nothing that can be drawn.",
+                  whole.paths.empty() ? "" : "Choose a layer with something on it, or leave less out.");
+  drawing::Placing placing = o.placing;
+  placing.scale = scale;
+  put.placed = drawing::place(put.chains, placing);
+  return put;
+}
+
+/// Requires two drawing axes and perhaps others that lower the tool, each once.
 Result<> are_axes_that_draw(const Catalog& catalog, const ConversionOptions& o) {
   if (o.axes.size() < 2)
     return refuse(fmt::format("A drawing needs two axes; {} {} given.", o.axes.size(),
@@ -130,7 +147,7 @@ Result<> are_axes_that_draw(const Catalog& catalog, const ConversionOptions& o) 
   return {};
 }
 
-/// What is far smaller than a step or than the tolerance has no shape any more.
+/// Refuses a drawing smaller than a step or the tolerance: it has no shape any more.
 Result<> keeps_its_shape(const Conversion& made, const Catalog& catalog, const ConversionOptions& o) {
   const double width = made.box.high.x - made.box.low.x, height = made.box.high.y - made.box.low.y;
   const double longer = std::max(width, height);
@@ -141,7 +158,7 @@ Result<> keeps_its_shape(const Conversion& made, const Catalog& catalog, const C
                     "{} in a {}.",
                     catalog.step_word, width, height, o.unit, o.axes[0].per_unit, o.axes[1].per_unit,
                     catalog.step_word, o.unit),
-        "Look at its unit and at its scale.");
+        "Check its unit and its scale.");
   if (made.tolerance <= longer) return {};
   return refuse(
       fmt::format("A tolerance of {:g} {} is more than all of the drawing, which has {:g} x {:g} {}.",
@@ -149,7 +166,7 @@ Result<> keeps_its_shape(const Conversion& made, const Catalog& catalog, const C
       "Make it smaller.");
 }
 
-/// Stairs of what is large against their tolerance.
+/// Refuses stairs with too many moves.
 Result<> are_few_enough(const std::vector<drawing::Chain>& chains, const Conversion& made,
                         const ConversionOptions& o) {
   constexpr double most = 5e6;
@@ -203,7 +220,8 @@ double finest_chord(const Catalog& catalog, const ConversionOptions& o) {
   return finest;
 }
 
-// Splines and ellipses are flattened as they are read: again, where the file's unit asks for that.
+// Splines and ellipses are flattened while reading, so the file is read again if its unit needs another
+// tolerance.
 Result<drawing::Drawing> read_drawing(const std::filesystem::path& path, const Catalog& catalog,
                                       const ConversionOptions& o) {
   std::error_code unknown;
@@ -216,13 +234,39 @@ Result<drawing::Drawing> read_drawing(const std::filesystem::path& path, const C
   drawing::Tolerance tolerance{finest};
   auto drawing = drawing::read_dxf(*file, path.string(), tolerance);
   if (!drawing) return drawing;
-  const auto its = millimetres(drawing->unit.empty() ? o.drawing_unit : drawing->unit);
-  tolerance.chord = finest * millimetres(o.unit).value_or(1) / its.value_or(1);
+  const auto its = millimetres(unit_of(*drawing, o));
+  tolerance.chord = finest * millimetres(o.unit).value_or(1) / its.value_or(1) / o.times;
   return tolerance.chord != finest ? drawing::read_dxf(*file, path.string(), tolerance) : drawing;
 }
 
+const std::string& unit_of(const drawing::Drawing& drawing, const ConversionOptions& o) {
+  return o.drawing_unit.empty() ? drawing.unit : o.drawing_unit;
+}
+
+Result<Outline> outline_of(const drawing::Drawing& whole, const ConversionOptions& o) {
+  constexpr double chord_of_size = 2e-4;
+  Outline outline;
+  outline.unit_is_said = !unit_of(whole, o).empty();
+  const auto scale = outline.unit_is_said ? scale_of(whole, o) : o.times;
+  if (!scale) return fail(scale.error());
+  auto put = put_chains(whole, *scale, o);
+  if (!put) return fail(put.error());
+  outline.placed = put->placed;
+  const drawing::Box box = drawing::box_of(put->chains);
+  const double chord = std::max(box.high.x - box.low.x, box.high.y - box.low.y) * chord_of_size;
+  for (std::size_t i = 0; i < put->chains.size(); ++i)
+    for (const drawing::Curve& curve : put->chains[i].curves) {
+      drawing::Point at = curve.from;
+      drawing::chords(curve, chord, [&](drawing::Point to) {
+        outline.path.go({at.x, at.y}, {to.x, to.y}, true, static_cast<int>(i));
+        at = to;
+      });
+    }
+  return outline;
+}
+
 Result<std::string> said_of_tool(const sequence::Sequence& sequence, const Catalog& together) {
-  SequenceDraft draft(sequence, together);  // as the writers of programs say it
+  SequenceDraft draft(sequence, together);  // with the note of the program writers
   if (auto said = draft.tool_line({}); !said) return fail(said.error());
   return std::move(draft).finish().tool;
 }
@@ -233,8 +277,7 @@ Going going_of(const Catalog& catalog) {
   return catalog.can.interpolates ? Going::lines : Going::stairs;
 }
 
-// Arcs are of the first two axes; and where the axes differ in their steps a circle is none of the
-// controller's any more.
+// Arcs need the first two axes. With different steps per unit a circle is not a circle for the controller.
 Going going_of(const Catalog& catalog, const ConversionOptions& o) {
   const Going going = going_of(catalog);
   if (o.axes.size() < 2) return going;
@@ -251,23 +294,17 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   Conversion made;
   made.going = going_of(catalog, o);
   if (made.going == Going::contours && !(o.cutting.high > 0))
-    return refuse(fmt::format("A {} draws contours at one speed, which nobody has said.", catalog.short_name),
-                  "Say how fast it goes with the tool on.");
+    return refuse(fmt::format("A {} draws contours at one speed, and none is given.", catalog.short_name),
+                  "Give the speed with the tool on.");
   const auto scale = scale_of(whole, o);
   if (!scale) return fail(scale.error());
   const auto tolerance = tolerance_of(made.going, o);
   if (!tolerance) return fail(tolerance.error());
-  const auto chosen = choose_layers(whole, o.layers);
-  if (!chosen) return fail(chosen.error());
+  auto put = put_chains(whole, *scale, o);
+  if (!put) return fail(put.error());
 
   made.tolerance = *tolerance;
-  made.chains = drawing::join(*chosen, o.touching / *scale, o.without);
-  if (made.chains.empty())
-    return refuse("There is nothing in the drawing that could be drawn.",
-                  whole.paths.empty() ? "" : "Choose a layer with something on it, or leave less out.");
-  drawing::Placing placing = o.placing;
-  placing.scale = *scale;
-  made.placed = drawing::place(made.chains, placing);
+  made.chains = std::move(put->chains), made.placed = put->placed;
   if (auto counted = can_be_counted(made.chains, catalog, o); !counted) return fail(counted.error());
   if (auto few = are_few_enough(made.chains, made, o); !few) return fail(few.error());
   made.box = drawing::box_of(made.chains);

@@ -1,6 +1,7 @@
 #pragma once
-// From a drawing to the sequence that a controller can carry out: layers chosen, ends joined, placed on the
-// table, put into order, and made into what its machine can do. Pure and long: for a worker thread.
+// Converts a drawing to a sequence that a controller can carry out: chooses layers, joins ends, places the
+// drawing on the table, orders the chains, and adapts them to the machine. Pure and long: for a worker
+// thread.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,23 +11,25 @@
 #include "core/device/catalog.h"
 #include "core/drawing/chains.h"
 #include "core/drawing/placing.h"
+#include "core/drawing/tool_path.h"
 #include "core/sequence/sequence.h"
 
 namespace hw {
 
 struct ConversionOptions {
-  std::string unit = "mm";           ///< in which the sequence is to be
-  std::string drawing_unit;          ///< where the file does not say it; else empty
-  std::vector<sequence::Axis> axes;  ///< the first goes along the drawing's X
-  std::vector<std::string> layers;   ///< none: those that are shown
-  std::vector<int> without;          ///< places in Drawing::paths that are left out
-  drawing::Placing placing;          ///< its scale comes from the units
-  double touching = 0.001;           ///< ends so near are joined, in `unit`
+  std::string unit = "mm";           ///< of the sequence
+  std::string drawing_unit;          ///< overrides the file's unit; empty: the file's
+  double times = 1;                  ///< scale factor on the size in the file
+  std::vector<sequence::Axis> axes;  ///< the first follows the drawing's X
+  std::vector<std::string> layers;   ///< empty: those that are shown
+  std::vector<int> without;          ///< indexes in Drawing::paths to leave out
+  drawing::Placing placing;          ///< its scale is set from the units
+  double touching = 0.001;           ///< ends this close are joined, in `unit`
   std::optional<double> tolerance;   ///< of chords and stairs, in `unit`; none: half a step
-  bool keep_order = false;           ///< of the file
+  bool keep_order = false;           ///< keep the order of the file
   sequence::Speeds cutting, travel;
   sequence::StepList pen_up, pen_down;
-  std::optional<drawing::Box> table;  ///< where the tool gets, in `unit`
+  std::optional<drawing::Box> table;  ///< reach of the tool, in `unit`
 };
 
 struct Conversion {
@@ -34,28 +37,38 @@ struct Conversion {
   sequence::Sequence frame;            ///< once around it with the tool up
   drawing::Affine placed;              ///< from the drawing to the sequence
   std::vector<drawing::Chain> chains;  ///< as they are drawn, in `unit`
-  std::vector<std::size_t> begins;     ///< at which of the sequence's steps each of them begins
+  std::vector<std::size_t> begins;     ///< first step in the sequence of each chain
   drawing::Box box;
-  int box_around = -1;  ///< of all else, as margins are: its place in `chains`; -1: there is none
+  int box_around = -1;  ///< index in `chains` of a box around all others, such as margins; -1: none
   drawing::Going going = drawing::Going::lines;
   double tolerance = 0;
   double drawn = 0;                        ///< length of all chains
-  double way_as_drawn = 0, way = 0;        ///< with the tool up: in the order of the file, and as ordered
+  double way_as_drawn = 0, way = 0;        ///< with the tool up: in the file's order; in `chains`' order
   std::vector<std::size_t> off_the_table;  ///< places in `chains`
 };
 
-/// How the controller gets along a chain; and by the axes that draw.
+/// How the controller follows a chain; the second form considers the drawing axes too.
 drawing::Going going_of(const Catalog& catalog);
 drawing::Going going_of(const Catalog& catalog, const ConversionOptions& options);
-/// How far splines and ellipses may lie beside their chords, in the unit of the options.
+/// Largest distance of splines and ellipses from their chords, in the options' unit.
 double finest_chord(const Catalog& catalog, const ConversionOptions& options);
-/// The file, its splines and ellipses as fine as that. May block: for a worker.
+/// Reads a file, its splines and ellipses as fine as finest_chord(). May block: for a worker.
 Result<drawing::Drawing> read_drawing(const std::filesystem::path& file, const Catalog& catalog,
                                       const ConversionOptions& options);
-/// "mm", "in" ... in millimetres; none: it is no unit.
+/// The chosen part of a drawing and where it would lie, shown until all options needed to draw it are given.
+/// A drawing without a unit is taken to be in `unit`.
+struct Outline {
+  drawing::ToolPath path;  ///< in `unit`, tool always on; a source is a chain
+  drawing::Affine placed;  ///< from the drawing
+  bool unit_is_said = true;
+};
+Result<Outline> outline_of(const drawing::Drawing& drawing, const ConversionOptions& options);
+/// The unit assumed for the drawing; empty: unknown.
+[[nodiscard]] const std::string& unit_of(const drawing::Drawing& drawing, const ConversionOptions& options);
+/// "mm", "in" ... in millimetres; none: not a unit.
 std::optional<double> millimetres(const std::string& unit);
 
-/// Of controllers that draw together: what is to be known of their tool. A program's text says it by itself.
+/// Notes on the tool for controllers that draw together; a program's text already has them.
 Result<std::string> said_of_tool(const sequence::Sequence& sequence, const Catalog& together);
 
 Result<Conversion> convert(const drawing::Drawing& drawing, const Catalog& catalog,

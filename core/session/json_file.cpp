@@ -17,7 +17,7 @@ constexpr std::size_t longest_json_name = 200;
 constexpr const char* version_key = "version";
 constexpr std::int64_t newest_version = 1;
 
-/// No file of ours is nested deep. Whoever copies a value goes down into it, so one without end is not kept.
+/// The console's files are never deeply nested. Copying a value recurses, so a deeper one is refused.
 json parse_small(const std::string& bytes) {
   bool fits = true;
   const auto look = [&fits](int depth, json::parse_event_t event, const json& part) {
@@ -36,11 +36,12 @@ bool is_newer(const json& object) {
          version->get<std::int64_t>() > newest_version;
 }
 
-/// What we wrote over it would be lost to the program that can read it.
+/// Set aside: overwriting it would lose data of the newer program.
 Fault newer(const std::filesystem::path& path, std::string_view what_it_is) {
   const auto aside = set_aside(path, ".newer");
   return Fault(FaultKind::text,
-               fmt::format("A newer version of Handwheel has written {} ({}).", what_it_is, path.string()),
+               fmt::format("The file with {} was written by a newer version of Handwheel ({}).", what_it_is,
+                           path.string()),
                aside.empty()
                    ? "It was left as it is and is not used."
                    : fmt::format("It was renamed to {}, and a new one begins.", aside.filename().string()));

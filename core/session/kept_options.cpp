@@ -39,7 +39,7 @@ Result<KeptOptions> KeptOptionsOfDrawings::load(std::string_view key) const {
         kept.numbers[name] = number;
     }
     return kept;
-  } catch (const json::exception&) {  // parses, but a field is of the wrong kind
+  } catch (const json::exception&) {  // parses, but a field has the wrong type
     return fail(damaged(path, what));
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// How the user draws with one controller: scale, table, tool and speeds. Kept for the next drawing and for
-// the next session.
+// The user's drawing options for one controller (scale, table, tool, speeds), kept for the next drawing and
+// session.
 #include <map>
 #include <string>
 #include <string_view>
@@ -10,19 +10,19 @@
 
 namespace hw {
 
-/// By name. What nobody knows any more is passed over.
+/// By name. Unknown names are ignored.
 struct KeptOptions {
   std::map<std::string, double, std::less<>> numbers;
   std::map<std::string, std::string, std::less<>> words;
-  [[nodiscard]] const double* number(std::string_view name) const;     ///< null: none of that name
-  [[nodiscard]] const std::string* word(std::string_view name) const;  ///< null: none of that name
+  [[nodiscard]] const double* number(std::string_view name) const;     ///< null: absent
+  [[nodiscard]] const std::string* word(std::string_view name) const;  ///< null: absent
   bool operator==(const KeptOptions&) const = default;
 };
 
 class KeptOptionsOfDrawings {
  public:
   explicit KeptOptionsOfDrawings(UserFolders folders) : folders_(std::move(folders)) {}
-  /// Unknown key: none. A damaged file: a fault, the file is put aside.
+  /// Unknown key: no options. A damaged file: a fault; the file is set aside.
   [[nodiscard]] Result<KeptOptions> load(std::string_view key) const;
   Result<> save(std::string_view key, const KeptOptions& options) const;
 

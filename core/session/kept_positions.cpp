@@ -39,7 +39,7 @@ const char* word_of(const Table& table, Enum value) {
   return table[0].second;
 }
 
-/// json::exception for a word that is none of them.
+/// Throws json::exception for an unknown word.
 template <class Table>
 auto value_of(const Table& table, const json& word) {
   for (const auto& [known, text] : table)
@@ -54,7 +54,7 @@ std::int64_t seconds_of_day(Instant when, TwoClocks now) {
 }
 
 Instant instant_of(std::int64_t seconds_of_day, TwoClocks now) {
-  constexpr std::int64_t century_s = 3'155'760'000;  // what a session's clock can tell beside now
+  constexpr std::int64_t century_s = 3'155'760'000;  // range of the session clock around now
   const auto today_s = std::chrono::duration_cast<std::chrono::seconds>(now.day.time_since_epoch()).count();
   const std::int64_t ago_s = std::clamp(today_s - seconds_of_day, -century_s, century_s);
   return now.session - std::chrono::seconds(ago_s);

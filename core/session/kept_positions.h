@@ -1,6 +1,6 @@
 #pragma once
-// Where the axes of a controller stood when nobody moved them, and how far that was to be trusted: kept for
-// the next session under the key of its profile, in the state folder.
+// Rest positions of a controller's axes and their trust, kept for the next session under the key of its
+// profile, in the state folder.
 #include <chrono>
 #include <string_view>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace hw {
 
-/// One instant on both clocks: those of a session begin anew with each.
+/// One instant on both clocks: the session clock restarts with each session.
 struct TwoClocks {
   Instant session{};
   std::chrono::system_clock::time_point day{};
@@ -20,7 +20,7 @@ class KeptPositions {
  public:
   explicit KeptPositions(UserFolders folders) : folders_(std::move(folders)) {}
   [[nodiscard]] bool enabled() const { return folders_.enabled; }
-  /// By AxisId; empty: nothing is kept. A damaged file: a fault, the file is put aside.
+  /// By AxisId; empty: nothing is kept. A damaged file: a fault; the file is set aside.
   [[nodiscard]] Result<std::vector<KeptPosition>> load(std::string_view key, TwoClocks now) const;
   /// May block: for workers, and for the end.
   Result<> save(std::string_view key, const std::vector<KeptPosition>& axes, TwoClocks now) const;

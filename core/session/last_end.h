@@ -1,6 +1,6 @@
 #pragma once
-// How the user's session ended without him (a signal, a logout, a display that went away), and what became of
-// the controllers: written into the state folder, told at the next start, then forgotten.
+// How the user's session was ended from outside (a signal, a logout, a lost display), and what became of the
+// controllers. Written to the state folder, shown at the next start, then deleted.
 #include <string>
 #include <vector>
 
@@ -10,10 +10,10 @@ namespace hw {
 
 struct LastEnd {
   enum class Fate : int {
-    at_rest,    ///< it was stopped, and seen to rest
-    told,       ///< the stop went out; that it rests was not seen
+    at_rest,    ///< stopped, and seen at rest
+    told,       ///< stop sent; not seen at rest
     not_told,   ///< no stop could be sent
-    left_alone  ///< somebody else had begun it
+    left_alone  ///< not begun by this session
   };
   struct Controller {
     std::string name, what;  ///< "Table"; "axis X was moving"
@@ -25,18 +25,18 @@ struct LastEnd {
   std::vector<Controller> controllers;
   bool operator==(const LastEnd&) const = default;
 
-  /// For a person who starts it on `today`.
+  /// For the user who starts the console on `today`.
   [[nodiscard]] std::string sentence(const std::string& today) const;
-  /// All of them are known to rest, or were left alone.
+  /// All controllers are known to rest, or were left alone.
   [[nodiscard]] bool harmless() const;
 };
 
 class LastEnds {
  public:
   explicit LastEnds(UserFolders folders) : folders_(std::move(folders)) {}
-  /// Beside those that nobody has read yet; in the place of one of the same date, time and way.
+  /// Adds to the unread ends; replaces one with the same `date`, `time` and `how`.
   Result<> keep(const LastEnd& end) const;
-  /// Oldest first; they are forgotten. A damaged file: a fault, the file is put aside.
+  /// Returns the kept ends, oldest first, and deletes them. A damaged file: a fault; the file is set aside.
   [[nodiscard]] Result<std::vector<LastEnd>> take() const;
 
  private:
@@ -45,7 +45,7 @@ class LastEnds {
   UserFolders folders_;
 };
 
-/// "2026-11-23", where the user is.
+/// "2026-11-23", local time.
 std::string date_of_today();
 
 }  // namespace hw

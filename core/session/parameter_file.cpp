@@ -14,7 +14,7 @@ int line_of(const toml::node& node) { return static_cast<int>(node.source().begi
 
 tl::unexpected<Fault> bad_file(const std::string& name, int line, std::string_view what) {
   return fail(FaultKind::text, fmt::format("{}, line {}: {}.", name, line, what),
-              "Nothing was taken from the file.", "Mend that line, or choose another file.");
+              "Nothing was taken from the file.", "Correct that line, or choose another file.");
 }
 
 Result<> take_parameters(const toml::table& table, const std::string& name, Backup& out) {
@@ -32,7 +32,7 @@ Result<> take_programs(const toml::table& table, const std::string& name, Backup
     const int slot = whole_number<int>(key.str()).value_or(-1);
     const auto text = node.value_exact<std::string>();
     if (slot < 0 || !text)
-      return bad_file(name, line_of(node), fmt::format("{} is no program with a text", key.str()));
+      return bad_file(name, line_of(node), fmt::format("{} is not a program with a text", key.str()));
     out.programs[slot] = *text;
   }
   return {};
@@ -43,7 +43,8 @@ Result<> take_variables(const toml::table& table, const std::string& name, Backu
     const int number = whole_number<int>(key.str()).value_or(-1);
     const auto value = node.value_exact<std::int64_t>();
     if (number < 0 || !value)
-      return bad_file(name, line_of(node), fmt::format("{} is no variable with a whole number", key.str()));
+      return bad_file(name, line_of(node),
+                      fmt::format("{} is not a variable with a whole number", key.str()));
     out.variables[number] = *value;
   }
   return {};
@@ -70,7 +71,7 @@ static std::string in_parts_of_a_unit(int decimals) {
   }
 }
 
-/// A file does not know whether the loop is closed, so it names both: ", pulses/s (closed loop: counts/s)".
+/// Names both units, as a file does not know the loop's state: ", pulses/s (closed loop: counts/s)".
 static std::string unit_behind(const ParamInfo& p, const Catalog& catalog) {
   if (p.unit.empty()) return {};
   std::string closed = p.unit;
@@ -138,14 +139,14 @@ Result<Backup> parse_backup(std::string_view text, const std::string& name) {
     else if (value && k == "saved_at")
       b.saved_at = *value;
     else
-      return bad_file(name, line_of(node), fmt::format("{} means nothing here", k));
+      return bad_file(name, line_of(node), fmt::format("{} is not known here", k));
     if (!taken) return fail(taken.error());
   }
   if (b.model.empty())
     return fail(FaultKind::text,
                 fmt::format("{} does not say for which controller it is (model = \"...\").", name),
                 "Nothing was taken from the file.", "Choose a file that was saved here.");
-  // toml++ sorts by name; the order of the file is the one that a person knows.
+  // toml++ sorts by name; restore the order of the file, which the user knows.
   std::stable_sort(b.parameters.begin(), b.parameters.end(),
                    [](const ParameterEntry& x, const ParameterEntry& y) { return x.line < y.line; });
   return b;
@@ -177,8 +178,8 @@ Result<CheckedBackup> check_backup(const Backup& backup, const Catalog& catalog,
     const int i = catalog.find_param(entry.mnemonic);
     const auto where = entry.line > 0 ? fmt::format("{}, line {}", name, entry.line) : name;
     if (i < 0) {
-      checked.problems.push_back(
-          fmt::format("{}: {} is no parameter of this controller. It was left out.", where, entry.mnemonic));
+      checked.problems.push_back(fmt::format("{}: {} is not a parameter of this controller. It was left out.",
+                                             where, entry.mnemonic));
       continue;
     }
     const ParamInfo& p = catalog.params[static_cast<std::size_t>(i)];

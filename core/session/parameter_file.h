@@ -1,5 +1,5 @@
 #pragma once
-// Set-up and programs of one controller as a TOML file that a person can read and edit:
+// Set-up and programs of one controller as a TOML file for people to read and edit:
 //   model = "vxm"
 //   [parameters]
 //   j1M = 100      # First jog speed of motor 1, steps/s
@@ -7,7 +7,7 @@
 //   50 = -12
 //   [programs]
 //   0 = """..."""
-// A set-up file simply has no programs.
+// A set-up file has no programs.
 #include <filesystem>
 #include <map>
 #include <string>
@@ -27,21 +27,22 @@ struct ParameterEntry {
 struct Backup {
   std::string model;     ///< Catalog::model
   std::string name;      ///< the user's name for the controller
-  std::string firmware;  ///< empty: not known
+  std::string firmware;  ///< empty: unknown
   std::string saved_at;  ///< "2026-05-04 14:02:04"
   std::vector<ParameterEntry> parameters;
-  std::map<int, std::int64_t> variables;  ///< those that the controller stores
-  std::map<int, std::string> programs;    ///< by slot: one command a line
+  std::map<int, std::int64_t> variables;  ///< stored variables
+  std::map<int, std::string> programs;    ///< by slot; one command a line
 };
 
 std::string write_backup(const Backup& backup, const Catalog& catalog);
-/// Faults name the line. Values that are no whole number, and tables that mean nothing here, are faults too.
+/// Faults name the line. Values that are not whole numbers, and unknown tables, are faults too.
 Result<Backup> parse_backup(std::string_view toml, const std::string& file_name);
 
 Result<> save_backup(const std::filesystem::path& path, const Backup& backup, const Catalog& catalog);
 Result<Backup> load_backup(const std::filesystem::path& path);
 
-/// What of a file suits a controller. Problems are sentences that name the line and what was left out.
+/// The part of a file that suits a controller. Each problem is a sentence that names the line and what was
+/// left out.
 struct CheckedBackup {
   std::vector<ParameterEntry> parameters;
   std::map<int, std::int64_t> variables;

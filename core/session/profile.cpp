@@ -114,7 +114,7 @@ Result<Profile> ProfileStore::load(std::string_view key) const {
       out.own_unit = own_unit_of(axis);
     }
     return profile;
-  } catch (const json::exception&) {  // parses, but a field is of the wrong kind
+  } catch (const json::exception&) {  // parses, but a field has the wrong type
     return fail(damaged(path, what));
   }
 }

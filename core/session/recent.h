@@ -16,17 +16,17 @@ struct RecentConnection {
 class RecentConnections {
  public:
   explicit RecentConnections(UserFolders folders) : folders_(std::move(folders)) {}
-  /// A damaged file: a fault, the file is put aside and the list is empty.
+  /// A damaged file: a fault; the file is set aside and the list is empty.
   Result<> load();
-  /// To the front; an older entry of the same address goes. An empty name keeps the older entry's.
+  /// Puts the address first in place of its older entry. An empty name keeps the older entry's.
   Result<> opened(std::string address, std::string name);
-  /// By hand, while the console goes on: it is not among what is opened again at once.
+  /// Closed by the user while the console runs on: removes the address from last_time().
   Result<> closed(std::string_view address);
   Result<> renamed(std::string_view address, std::string name);
   Result<> remove(std::string_view address);
   [[nodiscard]] const std::vector<RecentConnection>& list() const { return list_; }
-  /// What the last run of the console that opened anything has opened, newest first: it can all be opened
-  /// again at once. What was removed or closed since is not among it.
+  /// The addresses opened by the last run of the console that opened any, newest first, to be reopened
+  /// together. Without those removed or closed since.
   [[nodiscard]] const std::vector<std::string>& last_time() const { return last_time_; }
   [[nodiscard]] bool is_of_last_time(std::string_view address) const;
 

@@ -13,7 +13,7 @@
 namespace hw {
 namespace {
 
-/// Beside the wire a real controller has the pace of its line; an emulator has the one of its address.
+/// Real controllers are rehearsed at the pace of their wire, emulators at that of their address.
 Address emulated_like(const Address& bus) {
   Address emulated = bus;
   emulated.transport = "emulator";
@@ -23,9 +23,9 @@ Address emulated_like(const Address& bus) {
   return emulated;
 }
 
-constexpr Duration everything_is_read = std::chrono::seconds(5);  // its wire has little else to carry then
+constexpr Duration everything_is_read = std::chrono::seconds(5);  // the wire is nearly idle afterwards
 
-/// What those on the wire are asked to do; done when they have begun, or one has refused.
+/// Starts the work on the wire's controllers; ends when all have begun or one has refused.
 using Begin = std::function<Task<Result<>>(SessionGroup&)>;
 
 class Stage {
@@ -34,9 +34,9 @@ class Stage {
         const WireOpener& opener)
       : begin_(std::move(begin)), address_(emulated_like(like)), states_(states), opener_(opener) {}
 
-  /// Of a sequence that they do together: where they go is kept, and which of them has the tool.
+  /// For a common sequence: records the track. `id_with_tool`: the controller with the tool.
   void keep_track(std::string_view id_with_tool) { id_with_tool_ = id_with_tool; }
-  /// Nothing: it came to its end, or was at it all the time; see finished().
+  /// No fault: finished, or still running at the end of the time; see finished().
   Result<> run(Duration at_most);
   [[nodiscard]] bool finished() const { return drawn_ && drawn_->has_value(); }
   [[nodiscard]] RehearsedTogether& together() { return seen_; }
@@ -62,7 +62,7 @@ class Stage {
   std::shared_ptr<SessionGroup> group_;
   std::optional<std::string_view> id_with_tool_;  ///< none: no track is kept
   std::optional<TrackTogether> track_;
-  std::optional<Instant> began_;  ///< to draw
+  std::optional<Instant> began_;  ///< start of the work
   Instant piece_began_{};
   std::optional<Result<>> drawn_;
   bool closed_ = false;
@@ -129,7 +129,7 @@ void Stage::end_track() {
     seen_.events.push_back({came.t, {}, 0, came.step});
 }
 
-/// A piece has ended when all who take part have done it.
+/// A piece has ended when all that take part have finished it.
 void Stage::look() {
   if (track_) track_->look();
   if (!began_) return;
@@ -147,8 +147,8 @@ void Stage::look() {
   if (runs || more) seen_.duration_s = seconds(time_.now() - *began_);
 }
 
-/// As far as whoever is furthest. A round of status tells a step whose motion has begun before. Where it
-/// tells of several at once, the motion is of the first.
+/// The step of the controller that is furthest. A status round reports a step after its motion has begun. If
+/// it reports several at once, the motion is that of the first.
 void Stage::look_at_steps() {
   RehearsedPieces::Arrival last;
   if (alone_.came_to.empty())
@@ -174,7 +174,7 @@ void Stage::hear_what_is_told() {
   });
 }
 
-/// What they have said of it, if they have.
+/// The controllers' own error message, if there is one.
 Fault Stage::why_not() {
   Fault why = drawn_->error();
   if (!group_) return why;
@@ -203,14 +203,14 @@ Result<> Stage::run(Duration at_most) {
   return {};
 }
 
-/// Whatever the user will have switched on and off by then.
+/// Prepares the controller as the user will have by then.
 Task<Result<>> begin_alone(Session& session, std::shared_ptr<const Pieces> pieces) {
   for (const OpenLoop& loop : pieces->open_loops)
     if (auto opened = co_await session.perform(intent::SetParam(loop.parameter, 0)); !opened)
       co_return opened;
   for (int axis = 0; axis < session.known().axis_count; ++axis)
     if (session.catalog().axes[ix(axis)].switchable && !session.known().axes[ix(axis)].enabled)
-      (void)co_await session.perform(intent::SetPower(axis, true));  // else the run says what is wrong
+      (void)co_await session.perform(intent::SetPower(axis, true));  // on failure the run gives the reason
   co_return co_await session.perform(intent::RunInPieces(std::move(pieces)));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What is done act by act or in pieces, done beforehand: by emulators of the controllers, through the
-// console's own conversation, at the pace of the wire, in virtual time.
+// Rehearses work that is done act by act or in pieces: on emulators of the controllers, through the console's
+// own protocol code, at the pace of the wire, in virtual time.
 #include <memory>
 #include <vector>
 
@@ -12,37 +12,37 @@
 
 namespace hw {
 
-/// Of the axes of their catalog_together(); its outputs are those of the one that switches the tool. Events
-/// name the steps of the sequence, as places in its own list, when they are begun.
+/// With the axes of catalog_together(); outputs are those of the controller that switches the tool. Each
+/// event marks the begin of a step, as an index in the sequence's own list.
 struct RehearsedTogether : Rehearsal {
-  std::vector<double> piece_seconds;  ///< of each that was done, with the way to it
+  std::vector<double> piece_seconds;  ///< of each finished piece, with the way to it
 };
 
-/// One controller's pieces, as far as they came in the time that they had.
+/// One controller's pieces, as far as they got in the allowed time.
 struct RehearsedPieces {
   struct Arrival {
-    int step = 0;  ///< as PiecesState::step tells it
+    int step = 0;  ///< as in PiecesState::step
     double t = 0;
   };
   double duration_s = 0;
   bool finished = false;
-  std::vector<Arrival> came_to;  ///< both grow
-  /// What the console would tell the user on the way, that lines go slower than asked for one; may be empty.
+  std::vector<Arrival> came_to;  ///< `step` and `t` increase
+  /// Messages for the user on the way, for example that lines go slower than asked; may be empty.
   std::string told;
-  /// At which time it came to this step, or would come, were the way even between two that it told.
+  /// Time of arrival at `step`, interpolated between reported steps.
   [[nodiscard]] double when(int step) const;
 };
 
-/// Controllers of one axis each do it together. `bus`: their address, of emulators or not. `states`: of each,
-/// in the order of their ids; empty: as after power-up. The fault says why it was broken off; what only took
-/// longer than `at_most` is no fault. Long: on a worker's thread.
+/// Rehearses a sequence on controllers of one axis each. `bus`: their address, emulated or not. `states`: one
+/// for each, in the order of their ids; empty: as after power-up. The fault says why it was aborted;
+/// exceeding `at_most` is no fault. Long: on a worker thread.
 [[nodiscard]] Result<RehearsedTogether> rehearse_together(const sequence::Sequence& sequence,
                                                           const Address& bus,
                                                           const std::vector<ControllerState>& states,
                                                           const WireOpener& opener, Duration at_most);
 
-/// The same of one controller, its motors with power and the loops open that must be. The fault says why it
-/// was broken off; what only took too long is no fault.
+/// The same on one controller, with motor power on and the necessary loops open. The fault says why it was
+/// aborted; exceeding `at_most` is no fault.
 [[nodiscard]] Result<RehearsedPieces> rehearse_pieces(std::shared_ptr<const Pieces> pieces,
                                                       const Address& controller, const ControllerState& state,
                                                       const WireOpener& opener, Duration at_most);

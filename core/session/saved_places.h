@@ -1,5 +1,5 @@
 #pragma once
-// Places of the user's own, by name: where several axes stand together.
+// The user's named places: positions of several axes.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,19 +13,19 @@ namespace hw {
 
 struct SavedPlace {
   std::string name;
-  std::vector<AxisTarget> at;  ///< by AxisId; an axis that is not named stays where it is
+  std::vector<AxisTarget> at;  ///< by AxisId; an axis not listed stays where it is
   bool operator==(const SavedPlace&) const = default;
 };
 
 using SavedPlaces = std::vector<SavedPlace>;  ///< in the order in which they were first saved
 
-/// Null: there is none of that name.
+/// Null: no place of that name.
 const SavedPlace* find_place(const SavedPlaces& places, std::string_view name);
-/// In the place of one of that name; without axes that is forgotten.
+/// Adds `place`, or replaces the one of its name; without axes, removes that one.
 void put_place(SavedPlaces& places, SavedPlace place);
-/// Where all axes stand or are sent. Not to be trusted, or not known: a fault that says which.
+/// Positions or targets of all axes. A fault names an axis whose position is untrusted or unknown.
 Result<std::vector<AxisTarget>> standing_place(const Catalog& catalog, const Snapshot& now);
-/// "a, b, c"; empty: there is none.
+/// "a, b, c"; empty: no places.
 std::string names_of(const SavedPlaces& places);
 
 }  // namespace hw

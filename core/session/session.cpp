@@ -46,16 +46,16 @@ Session::Session(Scheduler& scheduler, Address address, const DeviceType& type, 
       place_(place),
       wake_(std::move(wake)),
       pump_(scheduler, type, catalog_,
-            Pump::Ways{[this] { return open_wire(); }, [this](const Snapshot& s) { show(s); },
-                       [this](Notice n) { tell(std::move(n)); }, &traffic_,
-                       [this](const AxisSample& sample) { samples_.push(sample); }, wire_->line(),
-                       [this] {
-                         if (wake_) wake_();
-                       },
-                       [this](const Ending& ending) {
-                         endings_.push(ending);
-                         if (wake_) wake_();
-                       }}) {}
+            Pump::Callbacks{[this] { return open_wire(); }, [this](const Snapshot& s) { show(s); },
+                            [this](Notice n) { tell(std::move(n)); }, &traffic_,
+                            [this](const AxisSample& sample) { samples_.push(sample); }, wire_->line(),
+                            [this] {
+                              if (wake_) wake_();
+                            },
+                            [this](const Ending& ending) {
+                              endings_.push(ending);
+                              if (wake_) wake_();
+                            }}) {}
 
 Session::~Session() {
   if (bench_) bench_->changed = nullptr;
@@ -129,7 +129,7 @@ Task<Result<>> Session::outcome(IntentId id) {
   for (;;) {
     const IntentFate* fate = known().fate_of(id);
     if (!fate)
-      co_return fail(FaultKind::internal, "Too many commands at once: what became of this one is not known.");
+      co_return fail(FaultKind::internal, "Too many commands at once: the outcome of this one is not known.");
     if (fate->fate == Fate::done) co_return Result<>();
     if (fate->fate == Fate::refused || fate->fate == Fate::failed) co_return fail(fate->fault());
     co_await pump_.published().wait();
@@ -153,41 +153,54 @@ Task<Result<std::string>> Session::listing(int slot) {
   co_return listings_[slot];
 }
 
-// An end that the console itself asked for (stop, abort) was wanted: it is none of these reasons.
-std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
+static std::string why_all_ended(const Snapshot& s) {
   if (s.link.state == LinkState::lost || s.link.state == LinkState::closed)
     return fmt::format("The link is lost. {}", s.link.sentence.view());
   if (s.program.run == RunState::error)
-    return s.notice.empty() ? "A program has stopped in an error." : std::string(s.notice.view());
+    return s.notice.empty() ? "A program stopped with an error." : std::string(s.notice.view());
   if (s.program.ended_by == EndedBy::limit) return "A limit switch was hit while the program ran.";
   if (s.program.ended_by == EndedBy::elsewhere)
     return "The program was ended by somebody else: the controller's Stop button or input.";
-  for (int i = 0; i < s.axis_count; ++i) {
-    const auto because = [&](const char* what) {
-      return fmt::format("Axis {} {}.", catalog.axes[i].name, what);
-    };
-    switch (s.axes[i].ended_by) {
-      case EndedBy::limit: return because("was ended by its limit switch");
-      case EndedBy::elsewhere:
-        if (s.axes[i].slipped)
-          return because(
-              "has slipped, and was stopped by that: its encoder and its position differ by more than is "
-              "allowed");
+  return {};
+}
+
+// An end requested by the console itself (stop, abort) is not a reason.
+static std::string why_axis_ended(const AxisState& axis, const std::string& name, const Catalog& catalog) {
+  const auto because = [&](const char* what) { return fmt::format("Axis {} {}.", name, what); };
+  switch (axis.ended_by) {
+    case EndedBy::limit: return because("was ended by its limit switch");
+    case EndedBy::elsewhere:
+      if (axis.slipped)
         return because(
-            "was stopped by somebody else: the controller's Stop button or input, or another program");
-      case EndedBy::error: return because("was ended by an error of the controller");
-      case EndedBy::lost: return because("was lost sight of while it moved");
-      case EndedBy::not_in_place:
-        return fmt::format(
-            "Axis {} has not come where it was sent: its encoder stands at {}, {} {} from there.",
-            catalog.axes[i].name, s.axes[i].position.value, std::abs(s.axes[i].following_error().value),
-            catalog.step_word);
-      case EndedBy::nothing:
-      case EndedBy::target:
-      case EndedBy::stop:
-      case EndedBy::abort: break;
-    }
+            "has slipped, and was stopped by that: its encoder and its position differ by more than is "
+            "allowed");
+      return because(
+          "was stopped by somebody else: the controller's Stop button or input, or another program");
+    case EndedBy::error: return because("was ended by an error of the controller");
+    case EndedBy::lost: return because("was lost sight of while it moved");
+    case EndedBy::not_in_place:
+      return fmt::format("Axis {} did not reach its target: its encoder stands at {}, {} {} from there.",
+                         name, axis.position.value, std::abs(axis.following_error().value),
+                         catalog.step_word);
+    case EndedBy::nothing:
+    case EndedBy::target:
+    case EndedBy::stop:
+    case EndedBy::abort: break;
   }
+  return {};
+}
+
+int axis_not_finished(const Snapshot& s, const Catalog& catalog) {
+  if (!why_all_ended(s).empty()) return -1;
+  for (int i = 0; i < s.axis_count; ++i)
+    if (!why_axis_ended(s.axes[i], catalog.axes[i].name, catalog).empty()) return i;
+  return -1;
+}
+
+std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
+  if (std::string why = why_all_ended(s); !why.empty()) return why;
+  if (const int i = axis_not_finished(s, catalog); i >= 0)
+    return why_axis_ended(s.axes[i], catalog.axes[i].name, catalog);
   if (s.program.ended_by == EndedBy::lost) return "The program was lost sight of while it ran.";
   return {};
 }
@@ -195,8 +208,8 @@ std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
 Task<Result<>> Session::wait_until_idle(Duration patience) {
   const auto self = shared_from_this();
   const Instant deadline = scheduler_.now() + patience;
-  co_await asio::post(scheduler_.executor(), use_task);  // behind whatever send() has posted
-  std::optional<std::uint64_t> round;                    // of status, begun when nothing waited to be sent
+  co_await asio::post(scheduler_.executor(), use_task);  // after all intents that send() has posted
+  std::optional<std::uint64_t> round;                    // status round begun with nothing queued
   bool in_time = true, at_work = false, cut_off = false, in_pieces = false;
   std::uint32_t restarts = known().restarts;
   while (in_time) {
@@ -217,7 +230,7 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
       std::string reason = why_not_finished(s, catalog_);
       if (reason.empty()) reason = std::exchange(text_refused_, {});
       if (reason.empty() && in_pieces && s.pieces.done < s.pieces.total)
-        reason = fmt::format("It has ended in piece {} of {}. {}", s.pieces.done + 1, s.pieces.total,
+        reason = fmt::format("It ended in piece {} of {}. {}", s.pieces.done + 1, s.pieces.total,
                              s.pieces.ended_because.view());
       if (reason.empty() && cut_off)
         reason = "The controller was switched off and on, or reset, while something was under way.";
@@ -236,7 +249,7 @@ Task<> Session::close() {
   if (bench_) bench_->changed = nullptr;
 }
 
-// It is counted anew every two seconds, and two counts of the same rate are not quite alike.
+// The rate is counted every two seconds, and counts of an equal rate differ a little.
 static bool same_rate(const LinkHealth& a, const LinkHealth& b) {
   const float x = a.polls_per_second, y = b.polls_per_second;
   return std::abs(x - y) <= 0.15f * std::max(x, y);
@@ -256,9 +269,8 @@ static bool same_axes(const Snapshot& a, const Snapshot& b) {
   return a.axis_count == b.axis_count;
 }
 
-// What a person would see differently: everything but times and counters. What is said on the wire is in the
-// record, which wakes by itself. All fields are named here, so that a new one does not compile before
-// somebody has decided.
+// Compares everything that the user sees, without times and counters. Traffic is in the record, which wakes
+// the reader itself. All fields are named here, so that a new field does not compile until it is decided on.
 static bool looks_same(const Snapshot& a, const Snapshot& b) {
   const auto& [sequence, at, link, identity, axis_count, axes, inputs, inputs_known, outputs, outputs_known,
                io_seen_at, inputs_asked_at, analog, analog_known, analog_seen_at, program, threads,

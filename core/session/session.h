@@ -1,6 +1,6 @@
 #pragma once
-// One open controller as the rest of the console sees it. Three kinds of members: any thread may send
-// intents; one reader thread takes snapshots and rings; the io thread does the rest.
+// One open controller, as seen by the rest of the console. Three kinds of members: any thread may send
+// intents; one reader thread takes snapshots and reads rings; the io thread does the rest.
 #include <atomic>
 #include <functional>
 #include <map>
@@ -17,28 +17,28 @@ namespace hw {
 
 class Session : public std::enable_shared_from_this<Session> {
  public:
-  /// Io thread. `wake` is called from the io thread when a reader would see something new.
+  /// Io thread. `wake` is called on the io thread when the reader has something new to read.
   static Result<std::shared_ptr<Session>> open(Scheduler& scheduler, const Address& address,
                                                WireOpener opener, std::function<void()> wake);
-  /// The same, on a wire that is shared: `place` is that of its id among those of the wire's address.
+  /// The same on a shared wire. `place`: index of its id in the wire's address.
   static Result<std::shared_ptr<Session>> open_on(Scheduler& scheduler, const Address& address,
                                                   std::shared_ptr<SharedWire> wire, std::size_t place,
                                                   std::function<void()> wake);
-  /// The same as a `type` that need not stand in the list.
+  /// The same with a `type` that need not be in device_types().
   static Result<std::shared_ptr<Session>> open_as(const DeviceType& type, Scheduler& scheduler,
                                                   const Address& address, std::shared_ptr<SharedWire> wire,
                                                   std::size_t place, std::function<void()> wake);
   ~Session();
 
   // ---- any thread
-  /// `asked_at`: when a hand asked for it, from where the times of stops count. None: now.
+  /// `asked_at`: when the user asked, from which stop times are measured. None: now.
   IntentId send(IntentBody body, std::optional<Instant> asked_at = {});
   void operate_bench(BenchCommand command);
   [[nodiscard]] const Catalog& catalog() const { return catalog_; }
   [[nodiscard]] const DeviceType& type() const { return type_; }
   [[nodiscard]] const Address& address() const { return address_; }
   [[nodiscard]] Instant now() const { return scheduler_.now(); }
-  /// Whether what moves or runs in the controller was begun through this session.
+  /// Whether the controller's motion or program was begun through this session.
   [[nodiscard]] bool begun_here() const { return begun_here_.any(); }
 
   // ---- the one reader thread
@@ -53,20 +53,20 @@ class Session : public std::enable_shared_from_this<Session> {
   [[nodiscard]] const Snapshot& known() const { return pump_.known(); }
   [[nodiscard]] Pump& pump() { return pump_; }
   [[nodiscard]] const std::shared_ptr<BenchAccess>& bench() const { return bench_; }
-  /// Of scripts.
+  /// Places of scripts.
   [[nodiscard]] SavedPlaces& places() { return places_; }
-  /// Performs and resumes with what became of it.
+  /// Sends the intent and resumes with its outcome.
   Task<Result<>> perform(IntentBody body);
-  /// The same in two steps, for several controllers at once.
+  /// With outcome(): the same in two steps, for several controllers at once.
   IntentId post(IntentBody body);
-  /// Raw text of a script: that it was refused is told by the next wait_until_idle().
+  /// Sends a script's raw text; the next wait_until_idle() reports a refusal.
   IntentId send_text(std::string text, bool to_all);
   Task<Result<>> outcome(IntentId id);
   /// Resumes when the controller answers, or with the reason why the first attempt failed.
   Task<Result<>> wait_until_connected();
   /// The text of a stored program, read from the controller.
   Task<Result<std::string>> listing(int slot);
-  /// Resumes when nothing moves or runs any more and the state is fresh.
+  /// Resumes when nothing moves or runs and the state is fresh.
   Task<Result<>> wait_until_idle(Duration patience);
   Task<> close();
 
@@ -91,9 +91,9 @@ class Session : public std::enable_shared_from_this<Session> {
   std::function<void()> wake_;
   std::atomic<IntentId> last_intent_{0};
   BegunHere begun_here_{catalog_};
-  IntentId posted_ = 0;               ///< the latest that the pump has been given
-  std::vector<IntentId> texts_sent_;  ///< of scripts, whose fate is not known yet
-  std::string text_refused_;          ///< why the first of them was, until somebody waits
+  IntentId posted_ = 0;               ///< latest intent given to the pump
+  std::vector<IntentId> texts_sent_;  ///< scripts' texts with unknown outcome
+  std::string text_refused_;          ///< why the first was refused; until the next wait
   Latest<Snapshot> latest_;
   Latest<BenchView> latest_bench_;
   TrafficRing traffic_{traffic_capacity};
@@ -104,12 +104,14 @@ class Session : public std::enable_shared_from_this<Session> {
   BenchView bench_view_;
   SavedPlaces places_;
   std::map<int, std::string> listings_;      ///< by slot, as last told
-  Snapshot shown_;                           ///< what the reader was last woken for
+  Snapshot shown_;                           ///< snapshot of the reader's latest wake
   FaultKind why_no_wire_ = FaultKind::lost;  ///< of the latest attempt to open it
   Pump pump_;
 };
 
-/// Why a motion or program is not simply finished, as a sentence; empty: it is.
+/// Why a motion or program has not finished normally, as a sentence; empty: it has.
 std::string why_not_finished(const Snapshot& snapshot, const Catalog& catalog);
+/// The axis that it names; -1: none.
+int axis_not_finished(const Snapshot& snapshot, const Catalog& catalog);
 
 }  // namespace hw

@@ -8,7 +8,7 @@
 
 namespace hw {
 
-// All before any begins.
+// Checks all devices before any is opened.
 static Result<> check(const Address& address) {
   const DeviceType* type = find_device_type(address.model);
   if (!type) return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", address.model));
@@ -134,7 +134,7 @@ Task<> take_part(Task<> work, std::shared_ptr<Together> together) {
   together->ended.notify();
 }
 
-// One that waits does not hold up the others.
+// Runs all tasks concurrently.
 Task<> all_together(Scheduler& scheduler, std::vector<Task<>> works) {
   const auto together = std::make_shared<Together>(scheduler, works.size());
   for (Task<>& work : works)
@@ -151,7 +151,7 @@ Task<> wait_for_one(std::shared_ptr<Session> member, Duration patience, std::sha
 
 }  // namespace
 
-// Each needs a round of status of its own, and thirty on a slow wire take their time for that.
+// Concurrent, as each needs a status round of its own, which takes long for thirty on a slow wire.
 Task<Result<>> SessionGroup::wait_until_idle(Duration patience) {
   const auto self = shared_from_this();
   const auto results = std::make_shared<Results>(members_.size());

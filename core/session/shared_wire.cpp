@@ -22,8 +22,7 @@ Task<Result<Wire>> SharedWire::open() {
   co_return co_await opener_(scheduler_, std::move(address), bench(0));
 }
 
-// A controller keeps the rate that it was told until its power is off, and longer when it was stored: the two
-// are tried in turn.
+// A controller keeps a new rate until power-off, or longer if stored: both rates are tried in turn.
 Address SharedWire::address_now() {
   Address address = address_;
   if (std::exchange(rate_set_is_next_, !rate_set_is_next_) && rate_set_ > 0)

@@ -1,7 +1,6 @@
 #pragma once
-// The wire of the sessions that were opened together: opened when the first of them needs it, shared while
-// any is on it, closed when the last has left it. A controller that has a wire for itself shares it with
-// nobody. Io thread only.
+// The wire of sessions that were opened together: opened when the first needs it, closed when the last has
+// left. A controller with a wire of its own is the only user. Io thread only.
 #include <memory>
 #include <vector>
 
@@ -16,17 +15,18 @@ class SharedWire : public std::enable_shared_from_this<SharedWire> {
   /// `address` names the wire with all devices on it.
   SharedWire(Scheduler& scheduler, Address address, WireOpener opener);
 
-  /// The open link. All that ask while it is being opened get the one answer.
+  /// The open link. All callers during one opening get the same result.
   Task<Result<std::shared_ptr<Link>>> link();
   /// The sessions on it.
   [[nodiscard]] const std::shared_ptr<Line>& line() const { return line_; }
-  /// The bench of the device at `place` in the order of the address's ids; null: not an emulator of ours.
+  /// The bench of the device at `place` in the order of the address's ids; null: not an emulator of this
+  /// process.
   [[nodiscard]] std::shared_ptr<BenchAccess> bench(std::size_t place) const;
 
  private:
   Task<Result<Wire>> open();
   [[nodiscard]] Address address_now();
-  // Devices that lost the wire together ask for it again together; one attempt answers all of them.
+  // Devices that lost the wire together reopen it together; one attempt serves all.
   static constexpr Duration same_attempt = Millis(20);
 
   Scheduler& scheduler_;
@@ -39,7 +39,7 @@ class SharedWire : public std::enable_shared_from_this<SharedWire> {
   Event opened_;
   std::optional<Fault> failure_;  ///< of the latest attempt
   Instant failed_at_{};
-  int rate_set_ = 0;  ///< by a controller's set-up since it was opened; 0: as the address says
+  int rate_set_ = 0;  ///< by a controller's set-up since the wire was opened; 0: the address's rate
   bool rate_set_is_next_ = false;
 };
 

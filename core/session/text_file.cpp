@@ -7,7 +7,7 @@
 namespace hw {
 namespace {
 
-/// Length of the UTF-8 character at `i`, 0 when it is none.
+/// Length of the UTF-8 character at `i`; 0: invalid.
 std::size_t utf8_length(std::string_view s, std::size_t i) {
   const auto byte = [&](std::size_t n) { return static_cast<unsigned char>(s[n]); };
   const unsigned char first = byte(i);
@@ -45,7 +45,7 @@ std::string from_latin1(std::string_view s) {
   return out;
 }
 
-/// Where a byte stands that no text has; npos: nowhere. (Tab, line ends, form feed are of texts.)
+/// Index of the first byte that is not text; npos: none. (Tab, line ends and form feed are text.)
 std::size_t first_control(std::string_view s) {
   for (std::size_t i = 0; i < s.size(); ++i) {
     const auto c = static_cast<unsigned char>(s[i]);
@@ -73,7 +73,7 @@ std::string with_line_feeds(std::string_view s, bool& dos_lines) {
 
 Result<TextFile> decode_text(std::string bytes, const std::string& name) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);           // byte order mark
-  while (!bytes.empty() && bytes.back() == '\x1A') bytes.pop_back();  // DOS editors end a file so
+  while (!bytes.empty() && bytes.back() == '\x1A') bytes.pop_back();  // end of file of DOS editors
   if (const std::size_t at = first_control(bytes); at != std::string::npos)
     return fail(FaultKind::text,
                 fmt::format("{} is not a text: its byte {} is {:02X} hex.", name, at + 1,

@@ -1,5 +1,6 @@
 #pragma once
-// Program texts in files. What is no text is not opened; what cannot be saved stays with the user.
+// Program texts in files. A file that is not text is not opened; a text that cannot be saved stays in the
+// editor.
 #include <filesystem>
 #include <string>
 
@@ -16,9 +17,9 @@ struct TextFile {
 inline constexpr std::size_t largest_program_text = 1'000'000;  // bytes
 
 Result<TextFile> load_text(const std::filesystem::path& path);
-/// Bytes of a file, already read. `name` is for the sentence.
+/// Decodes bytes already read. `name`: for the message.
 Result<TextFile> decode_text(std::string bytes, const std::string& name);
-/// Atomic. On a fault the old file is still there, and the sentence says that the text is kept.
+/// Atomic. On a fault the old file remains, and the message says that the text is kept.
 Result<> save_text(const std::filesystem::path& path, const TextFile& file);
 
 }  // namespace hw

@@ -146,7 +146,7 @@ Result<> switches_back(const sequence::StepList& down, const sequence::StepList&
   for (const auto& [number, state] : switched) {
     const bool is_back =
         std::any_of(back.begin(), back.end(), [n = number](auto& o) { return o.number == n; });
-    const bool is_pulse = state.first != state.last;  // lowering itself takes it back
+    const bool is_pulse = state.first != state.last;  // lowering itself ends it
     const int place = catalog.find_output(number);
     if (is_back || is_pulse || place < 0) continue;
     const std::string& name = catalog.outputs[ix(place)].name;

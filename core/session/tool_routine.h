@@ -1,6 +1,6 @@
 #pragma once
-// What the tool of a drawing does when it is lowered or lifted, as a line of text: "Z to -2, DO3 on, wait 250
-// ms". Outputs and axes are called as their controller calls them.
+// The routine that lowers or lifts the tool of a drawing, as a line of text: "Z to -2, DO3 on, wait 250 ms".
+// Outputs and axes have their controller's names.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -12,11 +12,11 @@
 
 namespace hw {
 
-/// Steps of its unit that an axis has which is not among them yet.
+/// Steps per unit of an axis that is not in `axes` yet.
 using PerUnit = std::function<double(const std::string& axis)>;
 
-/// An axis waits for the end of its motion. One that does not draw joins `axes` behind those that do, the
-/// first two. The fault says what is not understood.
+/// Each move includes the wait for its end. An axis that does not draw is appended to `axes`, whose first two
+/// draw. The fault names the text that is not understood.
 [[nodiscard]] Result<sequence::StepList> read_routine(std::string_view text, const Catalog& catalog,
                                                       const PerUnit& per_unit,
                                                       std::vector<sequence::Axis>& axes);
@@ -24,8 +24,8 @@ using PerUnit = std::function<double(const std::string& axis)>;
 [[nodiscard]] std::string write_routine(const sequence::StepList& steps, const Catalog& catalog,
                                         const std::vector<sequence::Axis>& axes);
 
-/// Every output that lowering leaves switched is switched back by lifting: else a stop would leave the tool
-/// on. A pulse, which lowering takes back itself, is none of them.
+/// Checks that lifting switches back every output that lowering leaves switched; otherwise a stop would leave
+/// the tool on. A pulse, which lowering itself ends, does not count.
 [[nodiscard]] Result<> switches_back(const sequence::StepList& down, const sequence::StepList& up,
                                      const Catalog& catalog);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Where emulators of one axis each on one wire are, as if their axes were of one controller: while something
-// moves every so often, and whenever one begins or ends to move.
+// Records the positions of one-axis emulators on one wire, as if their axes belonged to one controller:
+// periodically during motion, and whenever an axis begins or ends to move.
 #include <memory>
 #include <vector>
 
@@ -12,12 +12,11 @@ namespace hw {
 class TrackTogether {
  public:
   using Benches = std::vector<std::shared_ptr<BenchAccess>>;
-  /// An axis for each bench, in their order; outputs are those of the bench at `with_tool`. Its time begins
-  /// now.
+  /// One axis per bench, in order; outputs are those of the bench at `with_tool`. Time is zero now.
   TrackTogether(Scheduler& scheduler, Benches benches, std::size_t with_tool);
-  /// Something may have happened.
+  /// Call when something may have changed.
   void look();
-  /// When the latest motion began before which all stood, as the track counts; 0: none has.
+  /// When motion last began with all axes at rest before, in seconds of the track; 0: never.
   [[nodiscard]] double moves_since() const { return moves_since_; }
   [[nodiscard]] std::vector<RehearsedPlace> take() { return track_.take(); }
 
@@ -27,7 +26,7 @@ class TrackTogether {
   const std::size_t with_tool_;
   const Instant zero_;
   Track track_;
-  std::uint32_t moving_ = 0;  ///< bit per axis, when it was looked at last
+  std::uint32_t moving_ = 0;  ///< bit per axis, at the latest look()
   double moves_since_ = 0;
   Timer due_;
 };

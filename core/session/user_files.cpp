@@ -15,7 +15,7 @@ namespace hw {
 namespace fs = std::filesystem;
 namespace {
 
-/// A file descriptor that closes itself.
+/// An owned file descriptor.
 class Descriptor {
  public:
   explicit Descriptor(int fd) : fd_(fd) {}
@@ -26,7 +26,7 @@ class Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
   [[nodiscard]] int get() const { return fd_; }
   [[nodiscard]] bool good() const { return fd_ >= 0; }
-  /// 0, or errno: network file systems tell of a full disk only here.
+  /// 0, or errno: network file systems report a full disk only here.
   int close() { return ::close(std::exchange(fd_, -1)) == 0 ? 0 : errno; }
 
  private:
@@ -40,7 +40,7 @@ tl::unexpected<Fault> not_written(const fs::path& path, int error) {
                   : "Choose another place.");
 }
 
-// A device or pipe has no old contents to protect, and must not be replaced by a file.
+// A device or pipe has no contents to protect and must not be replaced by a file.
 Result<> write_in_place(const fs::path& path, std::string_view bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.good()) return not_written(path, errno);
@@ -99,7 +99,7 @@ Result<std::string> read_file(const fs::path& path, std::uintmax_t largest) {
   if (!file.good()) {
     if (errno == ENOENT)
       return fail(FaultKind::port, fmt::format("There is no file {}.", path.string()), {},
-                  "Look at the name and the folder.");
+                  "Check the name and the folder.");
     return fail(FaultKind::port, fmt::format("{} cannot be read: {}.", name, reason_of(errno)));
   }
   struct stat about {};
@@ -127,7 +127,7 @@ Result<std::string> read_file(const fs::path& path, std::uintmax_t largest) {
 
 namespace {
 
-/// Of a new file as everybody makes them, of an old one as it was.
+/// Default permissions for a new file, unchanged ones for an existing file.
 mode_t usual_mode(const fs::path& target) {
   struct stat old {};
   const mode_t mask = ::umask(0);
@@ -139,7 +139,7 @@ enum class Readable : std::uint8_t { as_usual, by_owner };
 
 Result<> write_whole(const fs::path& path, std::string_view bytes, Readable readable) {
   std::error_code ignored;
-  fs::path target = fs::canonical(path, ignored);  // through a link, to the file itself
+  fs::path target = fs::canonical(path, ignored);  // resolves links
   if (target.empty()) target = path;
   if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored)) {
     if (fs::is_directory(target, ignored)) return not_written(path, EISDIR);
@@ -149,7 +149,7 @@ Result<> write_whole(const fs::path& path, std::string_view bytes, Readable read
       (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
   Descriptor file(::mkostemp(beside.data(), O_CLOEXEC));
   if (!file.good()) return not_written(path, errno);
-  // mkostemp() has made it for its owner only.
+  // mkostemp() has created it for the owner only.
   if (readable == Readable::as_usual) ::fchmod(file.get(), usual_mode(target));
   int error = write_all(file.get(), bytes);
   if (!error && ::fsync(file.get()) != 0) error = errno;

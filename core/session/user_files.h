@@ -1,6 +1,6 @@
 #pragma once
-// Where the user's own things are kept (XDG folders), and how a file is written so that it is either whole or
-// untouched. May block: for the start, for workers, and for files of a few kilobytes.
+// The user's folders (XDG), and writing a file so that it is either complete or untouched. May block: for the
+// start, for workers, and for files of a few kilobytes.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -26,26 +26,26 @@ struct UserFolders {
 /// The whole file. Faults name the file and say why ("There is no file ...", "... may not be read").
 Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t largest);
 
-/// Writes beside the target and renames over it, so that a full disk or a crash leaves the old file. The
-/// target keeps its permissions; a link is followed; what is no regular file (a device) is written in place.
+/// Writes a temporary file and renames it over the target, so that a full disk or a crash leaves the old
+/// file. The target keeps its permissions; a link is followed; a target that is not a regular file (a device)
+/// is written in place.
 Result<> write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same for what is nobody else's: only its owner may read it, whatever stood there before.
+/// The same, readable by the owner only, whatever the old permissions.
 Result<> write_private_file(const std::filesystem::path& path, std::string_view bytes);
-/// Makes it and what is missing above it, for its owner only; one that is there is closed to others.
+/// Creates the folder and its missing parents for the owner only; closes an existing folder to others.
 void make_private_folder(const std::filesystem::path& folder);
 
-/// Moves a file that cannot be understood out of the way and returns its new name, with `ending` (empty: it
-/// would not move).
+/// Renames an unreadable file to a name with `ending`, and returns that name; empty: it could not be renamed.
 std::filesystem::path set_aside(const std::filesystem::path& path, std::string_view ending = ".damaged");
 
 /// A file name for any key: "/dev/ttyUSB0" -> "dev-ttyUSB0-5f3a09c2". Different keys give different names.
 std::string file_name_for(std::string_view key);
 
-/// All of it into a file, a pipe or a terminal that is open. 0, or errno.
+/// Writes all bytes to an open file, pipe or terminal. Returns 0 or errno.
 int write_all(int fd, std::string_view bytes);
 
-/// "the disk is full", "you may not write there": errno for a person.
+/// An errno in words: "the disk is full", "you may not write there".
 std::string reason_of(int error_number);
 
 }  // namespace hw

@@ -13,9 +13,9 @@ namespace {
 using drawing::Point3;
 using drawing::ToolPath;
 
-/// What is known of each step of the sequence.
+/// Chain and tool state of each step of the sequence.
 struct PlaceOnWay {
-  int chain = -1;  ///< -1: it stands before all
+  int chain = -1;  ///< -1: before all chains
   bool tool_on = false;
 };
 std::vector<PlaceOnWay> places_of(const Conversion& made) {

@@ -1,6 +1,6 @@
 #pragma once
-// The way that a tool really goes along a drawing where each of its axes is a controller of its own: it is no
-// straight line, as they begin one command on the wire apart and each has its own ramps.
+// The real path of a tool whose axes are separate controllers. Its lines are not straight, as the axes begin
+// one command on the wire apart and each has its own ramps.
 #include "core/device/catalog.h"
 #include "core/device/language.h"
 #include "core/drawing/tool_path.h"
@@ -10,11 +10,11 @@ namespace hw {
 
 struct WayTogether {
   drawing::ToolPath path;  ///< a source is a chain
-  double beside = 0;       ///< so far it lies at most beside a straight line, with the tool on
+  double beside = 0;       ///< largest distance from a straight line with the tool on
 };
-/// In the unit of the sequence. `done` is of rehearse_together(), `bus` of catalog_together().
+/// In the unit of the sequence. `done`: of rehearse_together(); `bus`: of catalog_together().
 WayTogether way_together(const Conversion& made, const Rehearsal& done, const Catalog& bus);
-/// How long it takes from when it has come to that step.
+/// Time from the arrival at `step` to the end.
 [[nodiscard]] double seconds_from(int step, const Rehearsal& done);
 
 }  // namespace hw

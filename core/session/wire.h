@@ -1,5 +1,5 @@
 #pragma once
-// An opened way to a controller, and how a session gets one without knowing the transports.
+// An open wire to a controller, and how a session opens one without knowing the transports.
 #include <functional>
 #include <memory>
 #include <vector>
@@ -22,28 +22,28 @@ struct ControllerState;
 class BenchAccess {
  public:
   virtual ~BenchAccess() = default;
-  /// Device and wire faults alike (Unplug, Garble, Drop are done on the wire).
+  /// Carries out device and wire commands (Unplug, Garble, Drop act on the wire).
   virtual Result<> operate(const BenchCommand& command) = 0;
   virtual void look(BenchView& view) const = 0;
   /// See Emulator::begin_like().
   virtual void begin_like(const ControllerState& state, const Catalog& catalog) = 0;
-  /// At present time; for the record of trigger pulses.
+  /// At the present time; for the record of trigger pulses.
   [[nodiscard]] virtual const Emulator& emulator() const = 0;
-  /// Called (io thread) when something of look() may have changed by itself or by operate().
+  /// Called (io thread) when the result of look() may have changed, by itself or by operate().
   std::function<void()> changed;
 };
 
-/// Exactly one of the two.
+/// Either `stream` or `window` is set.
 struct Wire {
   std::unique_ptr<Stream> stream;
   std::unique_ptr<Window> window;
-  /// One for each device on it, in the order of the address's ids; empty: no emulators of ours.
+  /// One for each device, in the order of the address's ids; empty: no emulators of this process.
   std::vector<std::shared_ptr<BenchAccess>> benches;
-  std::shared_ptr<WillKeeper> keeper;  ///< null: there is no watchdog
+  std::shared_ptr<WillKeeper> keeper;  ///< null: no watchdog runs
 };
 
-/// Resumes with an open wire or a fault that names the place. An emulator that was unplugged opens again as
-/// the same emulator: `again` is a bench of the wire that was lost, or null.
+/// Resumes with an open wire or a fault that names the place. `again`: a bench of the lost wire, so that an
+/// unplugged emulator is reopened as the same emulator; or null.
 using WireOpener = std::function<Task<Result<Wire>>(Scheduler& scheduler, Address address,
                                                     std::shared_ptr<BenchAccess> again)>;
 

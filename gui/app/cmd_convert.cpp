@@ -1,4 +1,4 @@
-// A drawing becomes a program, or a sequence, without a window.
+// Converts a drawing to a program, or a sequence, without a window.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -23,7 +23,8 @@
 namespace hw::app {
 namespace {
 
-/// --id 01-02: controllers of one axis each that share a wire and draw together. No language is theirs.
+/// --id 01-02: controllers of one axis each that share a wire and draw together. They have no program
+/// language.
 Result<MeantFor> read_who_draws(const Given& given) {
   auto meant = read_for(given);
   if (!meant || !given.has("id")) return meant;
@@ -49,7 +50,7 @@ Result<MeantFor> read_who_draws(const Given& given) {
   return MeantFor{nullptr, std::move(*together)};
 }
 
-/// The text of it where there is one; at least, that it can be done.
+/// The program text if there is a language; else a check that it can be drawn.
 Result<SequenceText> write(const sequence::Sequence& sequence, const MeantFor& meant) {
   if (meant.language) return meant.language->write(sequence, meant.catalog);
   const auto parts = pieces_together(sequence, meant.catalog, 0);
@@ -74,7 +75,7 @@ Result<> leave_out(const drawing::Drawing& drawing, const Given& given, Conversi
   return {};
 }
 
-/// What the order saves on the way with the tool off; none: nothing says how fast that goes.
+/// Time that the order saves on moves with the tool off; none: their speed is not known.
 std::optional<double> saved_seconds(const Conversion& c, const ConversionOptions& o) {
   if (!(o.travel.high > 0)) return std::nullopt;
   return (c.way_as_drawn - c.way) / o.travel.high;
@@ -85,12 +86,13 @@ struct Made {
   std::optional<double> saved_s;
   SequenceText written;
   const drawing::Drawing& drawing;
+  std::string read_in;  ///< the unit assumed
   Rehearsal rehearsal;
-  std::vector<drawing::HiddenLayer> hidden;  ///< that nobody has asked for
-  std::vector<std::string> problems;         ///< of the program: it is too large for its memory
+  std::vector<drawing::HiddenLayer> hidden;  ///< not requested by the user
+  std::vector<std::string> problems;         ///< of the program: too large for the memory
 };
 
-/// Whoever names layers knows that the others are left out.
+/// Empty when the user has named layers, as the others are then left out on purpose.
 std::vector<drawing::HiddenLayer> layers_left_out(const drawing::Drawing& drawing,
                                                   const ConversionOptions& o) {
   if (!o.layers.empty()) return {};
@@ -102,7 +104,7 @@ void print_json(const Made& m, const Catalog& catalog) {
   const Conversion& c = m.conversion;
   out["model"] = catalog.model;
   out["unit"] = c.sequence.unit;
-  out["file"] = {{"version", m.drawing.version}, {"unit", m.drawing.unit}};
+  out["file"] = {{"version", m.drawing.version}, {"unit", m.drawing.unit}, {"read_in", m.read_in}};
   out["chains"] = c.chains.size();
   out["drawn"] = c.drawn;
   out["travel"] = {{"as_drawn", c.way_as_drawn},
@@ -119,8 +121,10 @@ void print_json(const Made& m, const Catalog& catalog) {
   out["problems"] = m.problems;
   const auto list = [&out](const char* name, const std::vector<drawing::LeftOut>& entities) {
     out[name] = nlohmann::ordered_json::array();
-    for (const drawing::LeftOut& l : entities)
+    for (const drawing::LeftOut& l : entities) {
       out[name].push_back({{"what", l.what}, {"why", l.why}, {"entity", l.entity}, {"line", l.line}});
+      if (l.at) out[name].back()["at"] = {l.at->x, l.at->y};
+    }
   };
   list("left_out", m.drawing.left_out), list("understood", m.drawing.understood);
   out["hidden_layers"] = nlohmann::ordered_json::array();
@@ -149,7 +153,7 @@ void print_words(const Made& m) {
 
 }  // namespace
 
-/// How long it takes in pieces, as after power-up and on a wire of its usual pace.
+/// The duration in pieces, as after power-up and on a wire of usual speed.
 static void rehearse(const Pieces& pieces, const Catalog& catalog, Made& made) {
   constexpr Duration at_most = std::chrono::hours(1);
   std::string address = fmt::format("{}@emulator,wire=real", catalog.model);
@@ -162,7 +166,7 @@ static void rehearse(const Pieces& pieces, const Catalog& catalog, Made& made) {
   made.rehearsal.finished = true, made.rehearsal.duration_s = done->duration_s;
 }
 
-/// Of what the controller cannot hold: where it can be drawn all the same.
+/// For a drawing that the controller cannot hold: where it can be drawn instead.
 static std::string elsewhere(Made& made, const MeantFor& meant) {
   const auto pieces = meant.language->in_pieces(made.conversion.sequence, meant.catalog);
   if (!pieces) return "It cannot be drawn in pieces either: " + pieces.error().sentence();
@@ -203,11 +207,13 @@ static void try_together(Made& made, const Given& given) {
   write_aside(made.written.remarks.back());
 }
 
-/// What the user did not ask to be left out.
+/// Reports parts left out without the user's request.
 static void tell_left_out(const std::string& path, const drawing::Drawing& drawing,
                           const std::vector<drawing::HiddenLayer>& hidden) {
   for (const drawing::LeftOut& l : drawing.left_out)
-    write_aside(fmt::format("{}:{}: {} {} was left out: {}", path, l.line, l.what, l.entity, l.why));
+    write_aside(fmt::format("{}:{}: {} {}{} was left out: {}", path, l.line, l.what, l.entity,
+                            l.at ? fmt::format(" at {:.6g}, {:.6g}", l.at->x, l.at->y) : std::string(),
+                            l.why));
   for (const drawing::LeftOut& l : drawing.understood)
     write_aside(fmt::format("{}:{}: {} {}: {}", path, l.line, l.what, l.entity, l.why));
   for (const drawing::HiddenLayer& l : hidden)
@@ -217,7 +223,7 @@ static void tell_left_out(const std::string& path, const drawing::Drawing& drawi
                     path, l.name, l.entities, l.entities == 1 ? "y" : "ies", l.name));
 }
 
-/// Each chain may have one of its own: some tell what all say, the report has the rest.
+/// Each chain may have its own remark: prints some, the report has the rest.
 static void tell_remarks(const std::vector<std::string>& remarks) {
   constexpr std::size_t most = 6;
   for (std::size_t i = 0; i < std::min(most, remarks.size()); ++i) write_aside(remarks[i]);
@@ -225,17 +231,17 @@ static void tell_remarks(const std::vector<std::string>& remarks) {
     write_aside(fmt::format("And {} more remark{}; --json tells all.", more, more == 1 ? "" : "s"));
 }
 
-/// What was taken where nothing was said, or passed over because the file says it.
+/// Reports assumed values, and those that differ from the file.
 static void tell_taken(const Given& given, const drawing::Drawing& drawing, const Catalog& catalog) {
   if (!given.has("per-unit"))
     write_aside(fmt::format("Nothing says how many {} a {} is: 1 is taken. Say it with --per-unit.",
                             catalog.step_word, given.has("inch") ? "in" : "mm"));
   if (given.has("unit") && !drawing.unit.empty() && drawing.unit != given.one("unit"))
-    write_aside(fmt::format("The file says that it is in {}: --unit {} is passed over.", drawing.unit,
+    write_aside(fmt::format("The file says that it is in {}. It is read in {}, as --unit says.", drawing.unit,
                             given.one("unit")));
 }
 
-/// What would not run is not written: a program that the controller cannot hold.
+/// A program that the controller cannot hold is not written.
 static int keep(const Made& made, const std::string& out) {
   const bool as_sequence = out.ends_with(".toml");
   for (const std::string& problem : made.problems) write_aside(problem);
@@ -270,7 +276,14 @@ static int convert_drawing(const Given& given) {
     write_aside(fmt::format("{} of {} chains leave the table.", converted->off_the_table.size(),
                             converted->chains.size()));
   const auto saved = saved_seconds(*converted, *options);
-  Made made{std::move(*converted), saved, std::move(*written), *drawing, {}, hidden, {}};
+  Made made{std::move(*converted),
+            saved,
+            std::move(*written),
+            *drawing,
+            unit_of(*drawing, *options),
+            {},
+            hidden,
+            {}};
   if (meant->language)
     try_it(made, *meant);
   else
@@ -289,7 +302,8 @@ const Subcommand convert_subcommand{
     {{"IN.dxf", "the drawing", 1, 1}},
     {model_option,
      {"output", "OUT", "the program; OUT.toml: the sequence", false, "o"},
-     {"unit", "UNIT", "of the drawing, where it does not say: mm, in, cm ..."},
+     {"unit", "UNIT", "of the drawing, whatever it says: mm, in, cm ..."},
+     {"times", "N", "so many times as large as in the file (1)"},
      {"inch", "", "lengths of these options are inches, not mm"},
      {"layer", "NAME", "only this layer, also where it is frozen or off", true},
      {"without", "N", "not entity N of the file (1, 2 ...), as a margin", true},

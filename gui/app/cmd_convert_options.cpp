@@ -46,8 +46,11 @@ Result<std::vector<double>> numbers(const Given& given, const char* option, char
   return all;
 }
 
-/// Also where the file says its own: what is mistyped is not passed over.
+/// The option overrides the file.
 Result<> read_unit(const Given& given, ConversionOptions& o) {
+  const auto times = given.number("times", 1, 1e-9, 1e9);
+  if (!times) return fail(times.error());
+  o.times = *times;
   o.drawing_unit = given.one("unit");
   if (o.drawing_unit.empty() || millimetres(o.drawing_unit)) return {};
   return wrong("unit", given, "mm, in, cm, m, ft or another unit of length");
@@ -137,7 +140,7 @@ Result<> read_pen_axis(const Given& given, double per_unit, ConversionOptions& o
   return {};
 }
 
-/// How long the tool takes to act: each way its own, else the same.
+/// The tool's delays: separate ones for each direction, else the same.
 Result<> read_pen_delays(const Given& given, ConversionOptions& o) {
   const auto both = given.number("pen-delay", 0, 0, 1e6);
   if (!both) return fail(both.error());
@@ -167,7 +170,7 @@ Result<> read_routines(const Given& given, const Catalog& catalog, double per_un
   return switches_back(o.pen_down, o.pen_up, catalog);
 }
 
-// An output, an axis, and time for it to act: down in this order, up likewise.
+// An output, an axis, and a delay: down in this order, up likewise.
 Result<> read_pen(const Given& given, const Catalog& catalog, ConversionOptions& o) {
   double per_unit = o.axes.front().per_unit;
   if (given.has("pen-per-unit")) {

@@ -1,11 +1,11 @@
 #pragma once
-// What the options of `handwheel convert` ask for.
+// The options of `handwheel convert`.
 #include "core/session/conversion.h"
 #include "gui/app/cli.h"
 
 namespace hw::app {
 
-/// The fault says which of them is not understood.
+/// The fault names the option that is not understood.
 [[nodiscard]] Result<ConversionOptions> read_conversion(const Given& given, const Catalog& catalog);
 
 }  // namespace hw::app

@@ -59,10 +59,10 @@ DrawingChains::Wish DrawingChains::draw_bar(Frame& f, const Shown& s, float widt
                                      : Path("Chain {} is around all: a margin?", out + 1);
   Wish wish = Wish::nothing;
   ButtonOptions leave{.height = 28};
-  if (s.busy) leave.disabled = "It is being worked out.";
+  if (s.busy) leave.disabled = "It is being calculated.";
   if (out < 0) leave.disabled = "No chain is chosen.";
   ButtonOptions all{.style = ButtonStyle::quiet, .height = 28};
-  if (s.busy) all.disabled = "It is being worked out.";
+  if (s.busy) all.disabled = "It is being calculated.";
   if (s.all) all.disabled = "Nothing was left out.";
   const float right = ui.px(width) - ui.px(8);
   const float draw_all = ui.px(button_width(ui, "Draw all", all)),

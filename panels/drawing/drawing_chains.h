@@ -1,7 +1,7 @@
 #pragma once
-// The chains of a drawing in the order in which they are drawn: how long each is, the way to it, and how long
-// it takes. Choosing one lights it in the picture, and the other way round; it, or a box around all else, can
-// be left out. Ids: `drawing/chain/N`, from 1, `drawing/leave_out`, `drawing/draw_all`.
+// The chains of a drawing in drawing order: length, travel to it and duration of each. A chain chosen here is
+// lit in the picture, and vice versa. The chosen chain, or a box around all others, can be left out. Ids:
+// `drawing/chain/N`, from 1, `drawing/leave_out`, `drawing/draw_all`.
 #include <optional>
 #include <vector>
 
@@ -15,16 +15,16 @@ class DrawingChains {
   struct Shown {
     const drawing::Drawing& drawing;
     const Conversion& made;
-    const std::vector<double>& seconds;  ///< by chain; those that are missing are not known
-    bool busy;                           ///< something else is being worked out
+    const std::vector<double>& seconds;  ///< by chain; missing ones are unknown
+    bool busy;                           ///< other work is under way
     bool all;                            ///< nothing was left out
   };
   enum class Wish : std::uint8_t { nothing, leave_out, draw_all };
   static constexpr float bar_height = 40;
-  /// At ImGui's cursor, logical size; in bar_height without the list. Leaves out what may_be_left_out()
-  /// tells.
+  /// Draws at ImGui's cursor, logical size; without the list the bar_height only. Leaving out concerns
+  /// may_be_left_out().
   Wish draw(gui::Frame& frame, const Shown& shown, float width, float height);
-  /// The chain that is chosen, else the box around all others; -1: none.
+  /// The chosen chain, else the box around all others; -1: none.
   [[nodiscard]] int may_be_left_out(const Conversion& made) const;
   /// -1: none.
   [[nodiscard]] int chosen() const { return chosen_; }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_left_out = 40, most_remarks = 4;
 
-/// Of all axes, with the tool on or off; an arc is one.
+/// Moves of all axes, with the tool on or off; an arc counts as one.
 std::size_t moves_in(const sequence::StepList& steps) {
   std::size_t moves = 0;
   for (const sequence::Step& step : steps) {
@@ -34,7 +34,8 @@ std::vector<std::string> in_words(const std::vector<drawing::LeftOut>& entities)
   std::vector<std::string> all;
   for (std::size_t i = 0; i < std::min(most_left_out, entities.size()); ++i) {
     const drawing::LeftOut& l = entities[i];
-    all.push_back(fmt::format("{} {}, line {}: {}", l.what, l.entity, l.line, l.why));
+    const std::string at = l.at ? fmt::format(" at {:.6g}, {:.6g}", l.at->x, l.at->y) : std::string();
+    all.push_back(fmt::format("{} {}{}, line {}: {}", l.what, l.entity, at, l.line, l.why));
   }
   if (entities.size() > most_left_out)
     all.push_back(
@@ -104,7 +105,7 @@ void DrawingFacts::draw_remarks(Frame& f, const std::vector<std::string>& remark
 void DrawingFacts::draw(Frame& f, const DrawingJob& job) {
   Ui& ui = f.ui;
   section_title(ui, "Time", job.busy_with());
-  // Always there: what is to be clicked below must not move while something is worked out.
+  // Always shown: controls below must not move while work is under way.
   const float share = job.busy() ? job.ordered() : job.made() ? 1.0f : 0.0f;
   meter(ui, "drawing/progress", "Done", share,
         {.tone = job.busy() ? Tone::motion : Tone::ink2, .words = job.busy_with()});

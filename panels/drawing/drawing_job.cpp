@@ -28,7 +28,7 @@ namespace {
 
 constexpr double tried_for = 24 * 3600;
 
-/// The chain that each step is of, a step as SequenceText counts them; -1: it stands before all.
+/// The chain of each step, as SequenceText counts steps; -1: before all chains.
 std::vector<int> chains_of_steps(const Conversion& made) {
   std::vector<int> chains;
   int chain = -1;
@@ -41,7 +41,7 @@ std::vector<int> chains_of_steps(const Conversion& made) {
   return chains;
 }
 
-/// How far its chords lie beside its arcs, where they go through a controller's buffer; else 0.
+/// Largest distance between chords and arcs, if the arcs go through a controller's buffer; else 0.
 double chord_of(const sequence::Sequence& sequence, const Parts& parts) {
   constexpr double half_a_step = 0.5;
   const bool streams = !parts.empty() && std::any_of(parts.front()->all.begin(), parts.front()->all.end(),
@@ -49,7 +49,7 @@ double chord_of(const sequence::Sequence& sequence, const Parts& parts) {
   return streams ? std::max(half_a_step / sequence.axes[0].per_unit, sequence.tolerance) : 0;
 }
 
-/// The path as the machine goes it; each run with its chain.
+/// The path as the machine runs it; each run with its chain.
 std::shared_ptr<const drawing::ToolPath> path_of(const Conversion& made, const Parts& parts,
                                                  drawing::Point scale) {
   drawing::ToolPath path = sequence_path(made.sequence, scale, chord_of(made.sequence, parts));
@@ -61,14 +61,19 @@ std::shared_ptr<const drawing::ToolPath> path_of(const Conversion& made, const P
   return std::make_shared<const drawing::ToolPath>(std::move(path));
 }
 
-/// By chain, with the way to it. Empty: it goes at the controller's own speeds.
+double length_of_chain(const drawing::Chain& chain) {
+  double length = 0;
+  for (const drawing::Curve& curve : chain.curves) length += curve.length();
+  return length;
+}
+
+/// By chain, with the travel to it. Empty: no speeds are set, so the controller's own apply.
 std::vector<double> without_ramps(const Conversion& made, const ConversionOptions& options) {
   std::vector<double> all;
   if (!(options.cutting.high > 0) || !(options.travel.high > 0)) return all;
   drawing::Point at;
   for (const drawing::Chain& chain : made.chains) {
-    double drawn = 0;
-    for (const drawing::Curve& curve : chain.curves) drawn += curve.length();
+    const double drawn = length_of_chain(chain);
     const double way = std::hypot(chain.begin().x - at.x, chain.begin().y - at.y);
     all.push_back(drawn / options.cutting.high + way / options.travel.high);
     at = chain.end();
@@ -76,7 +81,7 @@ std::vector<double> without_ramps(const Conversion& made, const ConversionOption
   return all;
 }
 
-/// The text of a controller that draws by itself, and how long it takes.
+/// Writes the text of a controller that draws by itself, and rehearses its duration.
 Result<> write(DrawingJob::Made& made, const Catalog& catalog, const Language& language) {
   auto written = language.write(made.conversion.sequence, catalog);
   if (!written) return fail(written.error());
@@ -111,7 +116,29 @@ Result<> say_tool(DrawingJob::Made& made, const Catalog& catalog) {
   return {};
 }
 
-/// What was not rehearsed stays as it is meant.
+/// By chain: a piece may draw several chains, as dots are drawn with what follows them.
+std::vector<double> by_chain(const std::vector<double>& seconds, const DrawingJob::Made& made) {
+  const Conversion& c = made.conversion;
+  const auto& pieces = made.parts.front()->all;
+  const auto chain_at = [&](std::size_t piece) {
+    if (piece >= pieces.size()) return c.begins.size();
+    const auto step = static_cast<std::size_t>(std::max(pieces[piece].first_step, 0));
+    const auto next = std::upper_bound(c.begins.begin(), c.begins.end(), step) - c.begins.begin();
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - 1, 0));
+  };
+  std::vector<double> all(c.begins.size());
+  for (std::size_t p = 0; p < std::min(seconds.size(), pieces.size()); ++p) {
+    const std::size_t first = chain_at(p), end = std::max(chain_at(p + 1), first + 1);
+    double length = 0;
+    for (std::size_t i = first; i < std::min(end, all.size()); ++i) length += length_of_chain(c.chains[i]);
+    for (std::size_t i = first; i < std::min(end, all.size()); ++i)
+      all[i] += seconds[p] *
+                (length > 0 ? length_of_chain(c.chains[i]) / length : 1.0 / static_cast<double>(end - first));
+  }
+  return all;
+}
+
+/// Parts not rehearsed keep their intended path.
 void take_way(DrawingJob::Made& made, WayTogether&& way) {
   const drawing::ToolPath& meant = *made.meant;
   const int last = way.path.runs.empty() ? -1 : way.path.runs.back().source;
@@ -125,16 +152,17 @@ void take_way(DrawingJob::Made& made, WayTogether&& way) {
 void time_by_ramps(DrawingJob::Made& made, const Catalog& catalog) {
   std::vector<Pieces> parts;
   for (const auto& part : made.parts) parts.push_back(*part);
-  std::vector<double> seconds = least_seconds(parts, catalog);
-  if (seconds.size() != made.conversion.chains.size()) return;
+  const std::vector<double> seconds = least_seconds(parts, catalog);
+  if (seconds.empty()) return;
   made.at_least_s = std::accumulate(seconds.begin(), seconds.end(), 0.0);
-  made.chain_seconds = std::move(seconds);
+  made.chain_seconds = by_chain(seconds, made);
 }
 
-/// Of controllers that draw together, in mm; a piece is a chain.
+/// For controllers that draw together, in mm; a piece is a chain.
 void take_rehearsal(DrawingJob::Made& made, const Catalog& catalog, const Console::Together& rehearse) {
   made.path = made.meant = path_of(made.conversion, made.parts, {1, 1});
   made.written.remarks.push_back(made.parts.front()->remark);
+  made.with_transfers = true;  // nothing is sent in advance
   auto done = rehearse ? rehearse(made.conversion.sequence) : RehearsedTogether();
   if (!done)
     made.written.remarks.insert(
@@ -145,10 +173,11 @@ void take_rehearsal(DrawingJob::Made& made, const Catalog& catalog, const Consol
   take_way(made, way_together(made.conversion, *done, catalog));
   if (done->finished) {
     made.duration_s = done->duration_s;
-    made.chain_seconds = std::move(done->piece_seconds);
+    made.chain_seconds = by_chain(done->piece_seconds, made);
   } else {
-    for (std::size_t c = 0; c < std::min(made.chain_seconds.size(), done->piece_seconds.size()); ++c)
-      made.chain_seconds[c] = done->piece_seconds[c];
+    const std::vector<double> rehearsed = by_chain(done->piece_seconds, made);
+    for (std::size_t c = 0; c < std::min(made.chain_seconds.size(), rehearsed.size()); ++c)
+      if (rehearsed[c] > 0) made.chain_seconds[c] = rehearsed[c];
     made.written.remarks.insert(
         made.written.remarks.begin(),
         fmt::format("The first {} of it were rehearsed. Behind that lines are drawn straight.",
@@ -157,12 +186,13 @@ void take_rehearsal(DrawingJob::Made& made, const Catalog& catalog, const Consol
   made.together = std::make_shared<const Rehearsal>(std::move(*done));
 }
 
-/// Of one controller that does it in pieces. What is behind the rehearsed time takes as much longer than
-/// its length says as what came before.
+/// For one controller that draws in pieces. Pieces beyond the rehearsed time are extrapolated from their
+/// length, in the ratio found before.
 void time_pieces(DrawingJob::Made& made, const Console::InPieces& rehearse) {
-  std::vector<double>& chains = made.chain_seconds;  // by their lengths, so far
+  std::vector<double>& chains = made.chain_seconds;  // from their lengths, so far
   if (!rehearse) return;
   const auto done = rehearse(made.parts.front());
+  made.with_transfers = done.has_value();
   if (!done) {
     made.written.remarks.insert(made.written.remarks.begin(),
                                 "It was not rehearsed to its end: " + done.error().sentence());
@@ -187,13 +217,32 @@ void time_pieces(DrawingJob::Made& made, const Console::InPieces& rehearse) {
   }
 }
 
-/// How a worker rehearses what is done in pieces; null: it cannot.
+using SharedOutline = std::shared_ptr<const Outline>;
+
+/// The outline of a drawing that cannot be made as wanted; null: no outline either.
+SharedOutline outline_in_units(const drawing::Drawing& drawing, const ConversionOptions& options,
+                               drawing::Point scale) {
+  auto outline = outline_of(drawing, options);
+  if (!outline) return nullptr;
+  drawing::ToolPath in_units;
+  const drawing::ToolPath& path = outline->path;
+  const auto put = [&](std::size_t i) {
+    return drawing::Point3(path.points[i].x * scale.x, path.points[i].y * scale.y);
+  };
+  for (const drawing::ToolPath::Run& run : path.runs)
+    for (std::size_t i = run.first + 1; i < run.first + run.size; ++i)
+      in_units.go(put(i - 1), put(i), true, run.source);
+  outline->path = std::move(in_units);
+  return std::make_shared<const Outline>(std::move(*outline));
+}
+
+/// How a worker rehearses a drawing in pieces; null: it cannot.
 struct Rehearsing {
   Console::Together together;
   Console::InPieces alone;
 };
 
-/// All that a drawing becomes. Long.
+/// Makes all results of a drawing. Slow.
 Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& catalog,
                               const Language* language, const Rehearsing& rehearsing,
                               const ConversionOptions& options, drawing::Point scale,
@@ -259,16 +308,18 @@ std::optional<double> DrawingJob::seconds_left(const Made& made, int step, int p
   return std::max(left * 100 / percent - at_it_s, 0.0);
 }
 
-void StepClock::follow(const PiecesState& now, Instant clock) {
-  if (now.step != step_ || now.done != done_) at_it_s_ = 0;
-  if (now.running && !now.held && now.step == step_ && now.done == done_)
+void StepClock::follow(const PiecesState& now, Instant clock, bool at_work) {
+  const bool begins = now.running && !running_;
+  if (begins || now.step != step_ || now.done != done_)
+    at_it_s_ = 0;
+  else if (now.running && !now.held && at_work)
     at_it_s_ += std::max(hw::seconds(clock - seen_at_), 0.0);
-  step_ = now.step, done_ = now.done, seen_at_ = clock;
+  step_ = now.step, done_ = now.done, running_ = now.running, seen_at_ = clock;
 }
 
 void DrawingJob::open(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted) {
-  const bool opening = reading_ && anew_;        // else the one of before is read again, for nobody any more
-  if (opening && file == reading_file_) return;  // let fall twice
+  const bool opening = reading_ && anew_;        // else the previous file is read again, with nobody waiting
+  if (opening && file == reading_file_) return;  // dropped twice
   if (opening)
     return f.toast(Mood::plain, "Another drawing is being read. Open this one again when it is there.");
   read(f, file, wanted, true);
@@ -295,14 +346,14 @@ void DrawingJob::read(Frame& f, const std::filesystem::path& file, const Convers
 void DrawingJob::take(Result<Drawing> read, Console& console) {
   reading_ = false;
   if (!read) {
-    if (anew_) read_as_ = flattened_as_;  // the one of before stays, as it is
+    if (anew_) read_as_ = flattened_as_;  // the previous drawing stays unchanged
     return console.toast(Mood::fault, read.error().sentence());
   }
   drawing_ = std::move(*read);
   file_ = reading_file_;
   flattened_as_ = read_as_;
   opened_ += anew_ ? 1 : 0;
-  made_.reset(), fault_.clear();
+  made_.reset(), outline_.reset(), fault_.clear();
   old_ = true;
   ++version_;
 }
@@ -317,9 +368,9 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
                         drawing::Point scale) {
   const Language* language = f.tab.desk().language();
   const bool together = draws_together(f);
-  if (busy()) f.ui.wake_in(0.1);  // the bar moves
+  if (busy()) f.ui.wake_in(0.1);  // for the progress bar
   if (std::exchange(scale_, scale) != scale) old_ = true;
-  // What was flattened otherwise than is wanted now is read again.
+  // Reads the file again if it was flattened with other options.
   if (drawing_ && !reading_ && as(f, wanted) != read_as_) return read(f, file_, wanted, false);
   if (!drawing_ || !language || converting_ || (wanted_ == version && !old_)) return;
   wanted_ = version;
@@ -330,24 +381,31 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
       [drawing = drawing_, catalog = f.catalog, language = together ? nullptr : language,
        rehearsing = together ? Rehearsing{f.console.rehearsal_of(*f.tab.bus), nullptr}
                              : Rehearsing{nullptr, f.console.rehearsal_of(f.tab)},
-       wanted, scale,
-       ordered = ordered_] { return make(*drawing, catalog, language, rehearsing, wanted, scale, *ordered); },
-      [this, bus = together ? f.tab.bus : nullptr](Result<Made> made) {
+       wanted, scale, ordered = ordered_] {
+        auto made = make(*drawing, catalog, language, rehearsing, wanted, scale, *ordered);
+        auto outline = made ? nullptr : outline_in_units(*drawing, wanted, scale);
+        return std::pair(std::move(made), std::move(outline));
+      },
+      [this, bus = together ? f.tab.bus : nullptr](std::pair<Result<Made>, SharedOutline> done) {
+        auto& [made, outline] = done;
         converting_ = false;
         ++version_;
-        if (old_) return;  // of the drawing before
+        if (old_) return;  // of the previous drawing
         made_.reset(), fault_.clear();
+        outline_ = std::move(outline);
         if (made)
           made_ = std::make_shared<const Made>(std::move(*made));
         else
           fault_ = made.error().sentence();
+        if (outline_ && !outline_->unit_is_said)
+          fault_ += " Until then its outline is shown as if it were in mm.";
         if (bus) show_on_bus(*bus);
       },
       alive_);
   f.ui.wake_in(0);
 }
 
-/// Whoever else draws it: the path of the bus.
+/// Shows the path on the bus, whichever controller draws it.
 void DrawingJob::show_on_bus(Bus& bus) const {
   DrawnTogether& drawn = bus.drawn;
   drawn = {file_.filename().string(), nullptr, nullptr, drawn.number + 1};

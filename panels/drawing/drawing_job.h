@@ -1,6 +1,6 @@
 #pragma once
-// A drawing file on its way to a program: read, converted, written and rehearsed by the worker, anew whenever
-// what is wanted of it has changed.
+// Turns a drawing file into a program: the worker reads, converts, writes and rehearses it, again whenever
+// its options have changed.
 #include <atomic>
 #include <filesystem>
 #include <memory>
@@ -16,73 +16,77 @@
 
 namespace hw::panels {
 
-/// What each controller does, in the order of the axes that draw; one alone: its own.
+/// The pieces of each controller, in the order of the drawing axes; a single controller: its own.
 using Parts = std::vector<std::shared_ptr<const Pieces>>;
-/// `language` null: controllers of one axis each draw together, see catalog_together().
+/// `language` null: several controllers of one axis each draw together, see catalog_together().
 Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalog, const Language* language,
                        int from_step);
 
-/// How long it has been at the step that was told last: controllers that run a stored program tell no other
-/// until it ends.
+/// The time spent at the step reported last: controllers that run a stored program report no other step until
+/// it ends.
 class StepClock {
  public:
-  /// Once a frame.
-  void follow(const PiecesState& now, Instant clock);
+  /// Call once a frame. `at_work`: whether this time counts; the time of a transfer may not.
+  void follow(const PiecesState& now, Instant clock, bool at_work = true);
   [[nodiscard]] double at_it_s() const { return at_it_s_; }
 
  private:
   std::int32_t step_ = -1, done_ = 0;
+  bool running_ = false;  ///< when last seen
   Instant seen_at_{};
-  double at_it_s_ = 0;  ///< without the times in which it was held
+  double at_it_s_ = 0;  ///< without the time it was held
 };
 
 class DrawingJob {
  public:
   struct Made {
     Conversion conversion;
-    SequenceText written;              ///< empty: several controllers draw it, and there is no one program
-    std::string frame;                 ///< text that goes once around it with the tool off
-    std::string problem;               ///< of the text: it does not fit; empty: none
+    SequenceText written;              ///< empty: several controllers draw, without a common program
+    std::string frame;                 ///< text that follows its frame once with the tool off
+    std::string problem;               ///< the text does not fit; empty: no problem
     std::optional<double> duration_s;  ///< as rehearsed
-    std::optional<double> at_least_s;  ///< by the speeds that are asked for; together: with ramps
-    Parts parts;                       ///< empty: it has no pieces
-    std::string no_pieces;             ///< why
-    /// As rehearsed, or as their lengths say what was not; empty: nothing tells.
+    std::optional<double> at_least_s;  ///< at the requested speeds; several controllers together: with ramps
+    bool with_transfers = false;       ///< all times below include the transfer of each piece
+    Parts parts;                       ///< empty: no pieces
+    std::string no_pieces;             ///< why there are none
+    /// As rehearsed; from their lengths if not rehearsed; empty: unknown.
     std::vector<double> chain_seconds;
     std::shared_ptr<const drawing::ToolPath> path;  ///< in the units of the axes; a source is a chain
-    /// Of controllers that draw together: the lines that are meant. Then `path` is how they really go, as far
-    /// as it was rehearsed.
+    /// For controllers that draw together: the intended lines. `path` is then their real path, as far as it
+    /// was rehearsed.
     std::shared_ptr<const drawing::ToolPath> meant;
-    std::shared_ptr<const Rehearsal> together;  ///< of these; null: not rehearsed
-    double beside = 0;                          ///< so far `path` lies beside lines of `meant`, at most
+    std::shared_ptr<const Rehearsal> together;  ///< of these controllers; null: not rehearsed
+    double beside = 0;                          ///< greatest distance between `path` and the lines of `meant`
   };
 
-  /// From a step of its sequence on, at that share of its speeds, so long after it was come to; none: nothing
-  /// tells.
+  /// Time left from a step of its sequence on, at `percent` of its speeds, `at_it_s` after reaching the step;
+  /// none: unknown.
   [[nodiscard]] static std::optional<double> seconds_left(const Made& made, int step, int percent,
                                                           double at_it_s = 0);
 
-  /// The file is read, and converted as is wanted then. One that cannot be read leaves the drawing of before.
+  /// Reads the file, then converts it as wanted. A file that cannot be read leaves the previous drawing.
   void open(gui::Frame& frame, const std::filesystem::path& file, const ConversionOptions& wanted);
-  /// How many files have been opened: what was wanted of the one before is not meant for the next.
+  /// Number of files opened: options of the previous file are not meant for the next.
   [[nodiscard]] int opened() const { return opened_; }
-  /// Once a frame; `version` changes with `wanted`. `scale`: units of the axes in a mm.
+  /// Call once a frame. `version` changes with `wanted`. `scale`: units of the axes per mm.
   void follow(gui::Frame& frame, const ConversionOptions& wanted, std::uint64_t version,
               drawing::Point scale);
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-  /// Null: none has been opened.
+  /// Null: no drawing is open.
   [[nodiscard]] const drawing::Drawing* drawing() const { return drawing_.get(); }
-  /// Null: not made, or what is wanted cannot be done; see fault().
+  /// Null: not made yet, or cannot be made as wanted; see fault().
   [[nodiscard]] const Made* made() const { return made_.get(); }
   [[nodiscard]] std::shared_ptr<const Made> shared_made() const { return made_; }
   [[nodiscard]] const std::string& fault() const { return fault_; }
+  /// The outline to show until it is made, in the units of the axes; null: none.
+  [[nodiscard]] std::shared_ptr<const Outline> outline() const { return made_ ? nullptr : outline_; }
   [[nodiscard]] bool busy() const { return reading_ || converting_; }
-  /// What of it is done, from 0 to 1, while it is put into order; 1: that is behind it.
+  /// Progress of ordering the chains, from 0 to 1; 1: finished.
   [[nodiscard]] float ordered() const { return *ordered_; }
-  /// What it is at; empty: nothing.
+  /// The work under way; empty: none.
   [[nodiscard]] std::string_view busy_with() const;
-  /// Units of the axes in a mm.
+  /// Units of the axes per mm.
   [[nodiscard]] drawing::Point scale() const { return scale_; }
   /// Grows with each result.
   [[nodiscard]] std::uint64_t version() const { return version_; }
@@ -97,18 +101,20 @@ class DrawingJob {
   int opened_ = 0;
   Drawing drawing_;
   std::shared_ptr<const Made> made_;
+  std::shared_ptr<const Outline> outline_;
   std::string fault_;
-  bool reading_ = false, anew_ = false;    ///< anew: somebody has opened what is being read
-  bool converting_ = false, old_ = false;  ///< old: what was converted is of another file
-  int reads_ = 0;                          ///< the last one counts
+  bool reading_ = false, anew_ = false;    ///< anew: the user opened the file being read
+  bool converting_ = false, old_ = false;  ///< old: the conversion under way is of another file
+  int reads_ = 0;                          ///< only the latest counts
   drawing::Point scale_;
   struct ReadAs {
     double chord = 0;       ///< finest_chord()
-    std::string file_unit;  ///< where the file does not say it
+    std::string file_unit;  ///< in which it is, whatever the file says; empty: as that says
+    double times = 1;       ///< as large as it is in the file
     bool operator==(const ReadAs&) const = default;
-  } flattened_as_, read_as_;  ///< the drawing; what was read last, which may have failed
+  } flattened_as_, read_as_;  ///< the drawing; the latest reading, which may have failed
   static ReadAs as(const gui::Frame& frame, const ConversionOptions& wanted) {
-    return {finest_chord(frame.catalog, wanted), wanted.drawing_unit};
+    return {finest_chord(frame.catalog, wanted), wanted.drawing_unit, wanted.times};
   }
   std::uint64_t wanted_ = 0, version_ = 0;
   /// Set by the worker, which may outlive this.

@@ -16,7 +16,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-/// Of a bus: of its first, whichever of them is in front.
+/// On a bus: of its first controller, whichever is in front.
 static const std::string& key_of(const Frame& f) {
   return f.tab.bus ? f.tab.bus->members.front()->profile_key : f.tab.profile_key;
 }
@@ -41,7 +41,7 @@ void DrawingOptions::keep(const Frame& f) {
   if (now == kept_) return;
   const bool first = kept_.numbers.empty();
   kept_ = std::move(now);
-  if (first || !f.console.folders().enabled) return;  // nobody has chosen anything yet
+  if (first || !f.console.folders().enabled) return;  // the user has not chosen anything yet
   f.tab.desk().worker().run([store = KeptOptionsOfDrawings(f.console.folders()), key = key_of(f),
                              kept = kept_] { return store.save(key, kept); },
                             [&console = f.console](const Result<>& saved) {
@@ -58,7 +58,7 @@ bool DrawingOptions::is_drawn(const drawing::Layer& layer) const {
 void DrawingOptions::choose_layers(const drawing::Drawing& drawing, ConversionOptions& o) const {
   for (const drawing::Layer& layer : drawing.layers)
     if (is_drawn(layer)) o.layers.push_back(layer.name);
-  if (!o.layers.empty()) return;  // else nothing of it: no name would mean all that the file shows
+  if (!o.layers.empty()) return;  // else draw none: an empty list would mean all layers that the file shows
   o.without.resize(drawing.paths.size());
   std::iota(o.without.begin(), o.without.end(), 0);
 }

@@ -1,7 +1,7 @@
 #pragma once
-// What is wanted of a drawing: its place, the tool, and its layers. What belongs to the machine is kept for
-// the next drawing and the next session. Ids: `drawing/keep_order`, `drawing/layer/NAME`; see also
-// DrawingPlace and DrawingTool.
+// The options of a drawing: its place, the tool, and its layers. Options of the machine are kept for the next
+// drawing and the next session. Ids: `drawing/keep_order`, `drawing/layer/NAME`; see also DrawingPlace and
+// DrawingTool.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -15,18 +15,18 @@ namespace hw::panels {
 
 class DrawingOptions {
  public:
-  /// At ImGui's cursor; `drawing` null: there is none yet, so no layers.
+  /// Draws at ImGui's cursor. `drawing` null: none is open, so there are no layers.
   void draw(gui::Frame& frame, const drawing::Drawing* drawing);
-  /// Once a frame: what was chosen since becomes what is wanted, and is kept.
+  /// Call once a frame: applies and keeps the changes made since.
   void settle(const gui::Frame& frame, const drawing::Drawing* drawing);
-  /// As the controller and the units of its axes suggest, before anybody has chosen.
+  /// Defaults from the controller and the units of its axes.
   void begin(const gui::Frame& frame);
-  /// Of another file.
+  /// Call when another file is opened.
   void forget_file() {
     other_layers_.clear(), without_.clear(), place_.forget_file();
     counted_of_ = nullptr, changed_ = true;
   }
-  /// Places in Drawing::paths.
+  /// `paths`: indexes into Drawing::paths.
   void leave_out(const std::vector<int>& paths) {
     without_.insert(without_.end(), paths.begin(), paths.end());
     changed_ = true;
@@ -34,12 +34,12 @@ class DrawingOptions {
   void draw_all() { without_.clear(), changed_ = true; }
   [[nodiscard]] bool draws_all() const { return without_.empty(); }
   [[nodiscard]] bool wants_origin() const { return place_.wants_origin(); }
-  /// A place of the drawing.
+  /// `of_drawing`: a point of the drawing.
   void set_origin(drawing::Point of_drawing) { place_.set_origin(of_drawing), changed_ = true; }
-  /// The axes that go along its X and Y, by their place in the catalog.
+  /// The axes along its X and Y, as indexes into the catalog.
   [[nodiscard]] const std::array<int, 2>& axes() const { return place_.axes(); }
   [[nodiscard]] const ConversionOptions& wanted() const { return wanted_; }
-  /// What of it is not understood, as a sentence; empty: all is.
+  /// The option that is not understood, as a sentence; empty: none.
   [[nodiscard]] const std::string& wrong() const { return wrong_; }
   /// Changes with wanted().
   [[nodiscard]] std::uint64_t version() const { return version_; }
@@ -54,10 +54,10 @@ class DrawingOptions {
   DrawingPlace place_;
   DrawingTool tool_;
   bool keep_order_ = false;
-  std::vector<std::string> other_layers_;  ///< drawn where the file hides them, and the other way round
+  std::vector<std::string> other_layers_;  ///< drawn although the file hides them, or the reverse
   std::vector<int> without_;               ///< paths
   const drawing::Drawing* counted_of_ = nullptr;
-  std::vector<int> on_layer_;  ///< entities, by layer of that one
+  std::vector<int> on_layer_;  ///< entities per layer of that drawing
   ConversionOptions wanted_;
   std::string wrong_;
   KeptOptions kept_;

@@ -14,7 +14,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-static constexpr std::array<std::string_view, 5> file_units{"mm", "in", "cm", "m", "ft"};
+static constexpr std::array<std::string_view, 7> file_units{"mm", "in", "cm", "m", "ft", "um", "mil"};
 
 bool counts_in_mm(const Frame& f, int axis) {
   const DisplayUnit& unit = unit_of_axis(f, axis);
@@ -25,7 +25,7 @@ double steps_in_mm(const Frame& f, int axis) {
   return counts_in_mm(f, axis) ? 1 / unit_of_axis(f, axis).per_step : 100;
 }
 
-/// In the file.
+/// Key in the file.
 static std::string scale_id(const AxisInfo& axis) { return "drawing/per_unit/" + axis.name; }
 
 static constexpr std::array<const char*, 2> along_ids{"drawing/along_x", "drawing/along_y"};
@@ -37,6 +37,7 @@ void DrawingPlace::begin(const Frame& f) {
   scales_.resize(f.catalog.axes.size());
   for (const std::size_t d : {0, 1}) take_axis(f, d, axes_[d]);
   join_.set(ConversionOptions().touching, 3);
+  times_.set(1, 3);
 }
 
 void DrawingPlace::take_axis(const Frame& f, std::size_t direction, int axis) {
@@ -49,6 +50,7 @@ void DrawingPlace::put(const Frame& f, ConversionOptions& o) const {
   for (std::size_t d = 0; d < std::min<std::size_t>(2, f.catalog.axes.size()); ++d)
     o.axes.push_back({f.catalog.axes[ix(axes_[d])].name, per_unit_[d].value()});
   if (unit_ >= 0) o.drawing_unit = file_units[ix(unit_)];
+  o.times = times_.value();
   using Origin = drawing::Placing::Origin;
   o.placing.origin = std::array{Origin::as_drawn, Origin::lower_left, Origin::point}[ix(origin_)];
   o.placing.point = point_;
@@ -63,11 +65,11 @@ void DrawingPlace::put(const Frame& f, ConversionOptions& o) const {
 }
 
 std::string DrawingPlace::wrong() const {
-  return first_wrong(
-      {&per_unit_[0], &per_unit_[1], &tolerance_, &join_, &table_[0], &table_[1], &table_[2], &table_[3]});
+  return first_wrong({&times_, &per_unit_[0], &per_unit_[1], &tolerance_, &join_, &table_[0], &table_[1],
+                      &table_[2], &table_[3]});
 }
 
-/// Where not all of it was said: else nobody would see that it is not checked.
+/// Warns if the table is incomplete, because it is then not checked.
 std::string_view DrawingPlace::said_of_table() const {
   const auto& [left, right, bottom, top] = table_;
   const bool none = left.value() == 0 && right.value() == 0 && bottom.value() == 0 && top.value() == 0;
@@ -117,6 +119,7 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
   Ui& ui = f.ui;
   section_title(ui, "Scale and place");
   bool changed = draw_unit(f, drawing);
+  changed |= times_.draw(f, "drawing/times", "Times", 1e-6, {});
   changed |= draw_axes(f);
   static constexpr std::array<std::string_view, 3> origins{"As drawn", "Corner", "By click"};
   if (const int picked = segment(ui, "drawing/origin", origins, origin_, {.cell_width = 80}); picked >= 0)
@@ -137,21 +140,25 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
   return changed;
 }
 
+/// The file's unit stands above the others, and applies until the user overrides it.
 bool DrawingPlace::draw_unit(Frame& f, const drawing::Drawing* drawing) {
   Ui& ui = f.ui;
-  const ImVec2 at = begin_option(ui, "File is in");
-  int picked = -1;
-  if (drawing && !drawing->unit.empty()) {
-    const ImVec2 beside = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos(ImVec2(beside.x, beside.y + ui.px(6)));
-    named_text(ui, "drawing/file_unit", Face::body_bold, Tone::ink, drawing->unit);
-  } else {
-    picked = dropdown(ui, "drawing/unit", "Unit", file_units, unit_,
-                      {.width = fill, .error = drawing && unit_ < 0, .none = "choose it"});
+  const bool says = drawing && !drawing->unit.empty();
+  const Path said("{}, by the file", says ? drawing->unit : "");
+  if (units_.empty() || (says ? said_by_file_ != said.view() : !said_by_file_.empty())) {
+    said_by_file_ = says ? said.view() : std::string_view();
+    units_.assign(file_units.begin(), file_units.end());
+    if (says) units_.insert(units_.begin(), said_by_file_);
   }
+  const int before = says ? 1 : 0;
+  const int chosen = unit_ >= 0 ? unit_ + before : says ? 0 : -1;
+  const ImVec2 at = begin_option(ui, "File is in");
+  const int picked = dropdown(ui, "drawing/unit", "Unit", units_, chosen,
+                              {.width = fill, .error = drawing && chosen < 0, .none = "choose it"});
   end_option(ui, at);
-  if (picked >= 0) unit_ = picked;
-  return picked >= 0;
+  if (picked < 0 || picked == chosen) return false;
+  unit_ = picked - before;
+  return true;
 }
 
 bool DrawingPlace::draw_axes(Frame& f) {
@@ -181,7 +188,7 @@ bool DrawingPlace::draw_table(Frame& f) {
   bool changed = false;
   for (std::size_t i = 0; i < table_ids.size(); ++i)
     changed |= table_[i].draw(f, table_ids[i], labels[i], furthest, "mm");
-  const std::string_view why = said_of_table();  // as long as the other: nothing below moves
+  const std::string_view why = said_of_table();  // reserves the longer height: nothing below moves
   const bool begun = why.starts_with("Not");
   const ImVec2 from = ImGui::GetCursorScreenPos();
   wrapped(f.ui, Face::small, begun ? Tone::warn : Tone::ink3, why);

@@ -10,6 +10,7 @@
 #include "core/base/index.h"
 #include "core/device/piece_sync.h"
 #include "core/sequence/places_before.h"
+#include "gui/model/run_places.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/shell/console.h"
@@ -18,6 +19,7 @@
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/drawing/drawn_together.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -25,47 +27,25 @@ using namespace gui;
 
 namespace {
 
-std::string_view why_not(Tab& tab) {
-  if (!tab.now().link.connected()) return "There is no link. Cut comes back when the controller answers.";
-  if (tab.desk().job.busy()) return "A program is being transferred.";
-  const ProgramState& p = tab.now().program;
-  if (p.owned && p.run != RunState::idle && p.run != RunState::error)
-    return "A program is at work. Cut comes back when it has ended or was stopped.";
-  return tab.why_not_move();
-}
-
 /// Of an axis of the frame's catalog.
 const AxisState& state_of(const Frame& f, int axis) {
   return owner_of(f, axis).now().axes[draws_together(f) ? 0 : ix(axis)];
 }
 
-/// Of each whose axis draws it.
+/// Of each controller whose axis draws the drawing.
 std::string_view why_not_at_all(const Frame& f, const DrawingJob::Made* made) {
-  if (!made) return why_not(f.tab);
+  if (!made) return why_no_pieces(f.tab);
   for (const sequence::Axis& axis : made->conversion.sequence.axes) {
     const int place = f.catalog.find_axis(axis.name);
     if (place < 0) continue;
-    if (const std::string_view why = why_not(owner_of(f, place)); !why.empty()) return why;
+    if (const std::string_view why = why_no_pieces(owner_of(f, place)); !why.empty()) return why;
     if (!state_of(f, place).position_known)
-      return "Nobody knows where one of its axes stands. Home it, or say where it stands.";
+      return "The position of one of its axes is not known. Home it, or say where it stands.";
   }
   return {};
 }
 
-/// "X 12.500 mm, Y 3.000 mm"; of axes whose place is not known nothing.
-std::string said_places(const Frame& f, const sequence::Sequence& of, const sequence::Places& places) {
-  std::string all;
-  for (std::size_t a = 0; a < of.axes.size(); ++a) {
-    const int axis = f.catalog.find_axis(of.axes[a].name);
-    if (!places[a] || axis < 0) continue;
-    const Steps steps(std::llround(*places[a] * of.axes[a].per_unit));
-    all += fmt::format("{}{} {}", all.empty() ? "" : ", ", of.axes[a].name,
-                       format_with_unit(steps, unit_of_axis(f, axis)).view());
-  }
-  return all;
-}
-
-/// Where it stands, and the way from there to where the rest begins.
+/// The present position, and the way from there to the start of the rest.
 std::string said_way(const Frame& f, const sequence::Sequence& of, int first_step) {
   const sequence::Places to = places_before(of, {ix(first_step)});
   sequence::Places from;
@@ -78,9 +58,12 @@ std::string said_way(const Frame& f, const sequence::Sequence& of, int first_ste
              : fmt::format("\nFirst, with the tool off: from {} to {}.", said_places(f, of, from), there);
 }
 
+/// One that waits has been sent.
+bool runs_none(const ProgramState& p) { return p.run == RunState::idle || p.run == RunState::error; }
+
 bool was_stopped(const PiecesState& p) { return !p.running && p.step >= 0 && p.done < p.total; }
 
-/// What is to be known before any of it runs.
+/// Facts to know before any of it runs.
 std::string said_first(const Pieces& pieces, const Catalog& catalog, std::string_view tool) {
   std::string said;
   if (pieces.lifts > 0)
@@ -101,6 +84,11 @@ std::string in_pieces(std::size_t count) {
 
 }  // namespace
 
+const DrawingJob::Made* DrawingRun::at_work(const Frame& f) const {
+  const bool another = cut_ && draws_together(f) && f.tab.bus->begun.get() != &cut_->conversion.sequence;
+  return another ? nullptr : cut_.get();
+}
+
 void DrawingRun::draw(Frame& f, const Wanted& wanted) {
   say_what_came(f);
   if (pieces_of(f).running)
@@ -111,7 +99,7 @@ void DrawingRun::draw(Frame& f, const Wanted& wanted) {
   gap(f.ui, 8);
 }
 
-/// At all, or for these.
+/// Why it cannot be cut at all, or because of its closed loops.
 std::string_view DrawingRun::why_not_now(const Frame& f, const DrawingJob::Made* made) {
   const Pieces* pieces = made && !made->parts.empty() ? made->parts.front().get() : nullptr;
   const std::uint32_t closed = pieces ? loops_in_the_way(*pieces, f.now) : 0;
@@ -121,7 +109,7 @@ std::string_view DrawingRun::why_not_now(const Frame& f, const DrawingJob::Made*
   return loops_;
 }
 
-/// What keeps it from being cut, and what mends that.
+/// Tells which loops prevent cutting, and offers to open them.
 void DrawingRun::draw_loops(Frame& f, const Pieces& pieces) {
   if (closed_loops_ == 0) return;
   Ui& ui = f.ui;
@@ -143,7 +131,7 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
   const bool any = wanted.made && !wanted.made->parts.empty();
   const Pieces* pieces = any ? wanted.made->parts.front().get() : nullptr;
   const std::string_view why = why_not_now(f, wanted.made.get());
-  const std::string_view now = working_ ? "It is being worked out." : why;
+  const std::string_view now = working_ ? "It is being calculated." : why;
   if (pieces) draw_loops(f, *pieces);
   const ButtonOptions options{.icon = Icon::play,
                               .disabled = any || wanted.in_work ? now : wanted.why_not,
@@ -154,12 +142,16 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
   waits_ = button(f.ui, "drawing/cut", "Cut", options).clicked || waits_;
   const bool asks = !wanted.in_work && std::exchange(waits_, false);
   if (asks && any && now.empty()) {
-    const std::string time = wanted.time.empty() ? "" : fmt::format(", and takes {}", wanted.time);
+    const bool is_sent_first = !wanted.made->with_transfers && f.catalog.program.capacity > 0;
+    const std::string time = wanted.time.empty()
+                                 ? ""
+                                 : fmt::format(", and takes {}{}", wanted.time,
+                                               is_sent_first ? " once the controller has it" : "");
     ask(f, What::all, wanted.made, wanted.made->parts,
         fmt::format("It goes {}, {} move{} in all{}.", in_pieces(wanted.made->parts.front()->all.size()),
                     wanted.moves, wanted.moves == 1 ? "" : "s", time));
   }
-  if (!cut_ || !was_stopped(pieces_of(f))) return;
+  if (!at_work(f) || !was_stopped(pieces_of(f))) return;
   ImGui::SameLine(0, f.ui.px(8));
   const ButtonOptions on{
       .disabled = cut_ != wanted.made ? "The drawing has changed since." : now,
@@ -191,7 +183,7 @@ void DrawingRun::draw_while_running(Frame& f) {
   if (pieces_of(f).speed_can_change) draw_override(f);
 }
 
-/// Whoever is at it.
+/// To each controller involved.
 void DrawingRun::tell(Frame& f, const IntentBody& wish) {
   if (draws_together(f))
     f.tab.bus->tell_pieces(wish);
@@ -210,43 +202,68 @@ void DrawingRun::draw_override(Frame& f) {
       .max = 200,
       .step = 10,
       .normal = 100,
-      .tip = pieces_of(f).draws ? "Holds for what is sent from now on." : "Holds from the next piece on.",
+      .tip = pieces_of(f).draws ? "Applies to what is sent from now on." : "Applies from the next piece on.",
       .value_text = speed_};
   if (slider(f.ui, "drawing/override", "Speed", percent, o))
     tell(f, intent::OverrideSpeed(static_cast<int>(std::lround(percent))));
 }
 
-/// By steps of the drawing where they are known: pieces differ in length.
+/// A controller's only piece has no number worth showing.
+void DrawingRun::say_progress(const PiecesState& now, bool is_sent) {
+  progress_.clear();
+  const auto to = std::back_inserter(progress_);
+  const Path piece("piece {} of {}", now.done + 1, now.total);
+  const std::string_view what = now.total == 1 ? "the drawing" : piece.view();
+  if (now.done == now.total)
+    fmt::format_to(to, "All of it is done");
+  else if (was_stopped(now))
+    fmt::format_to(to, "Stopped in {}", what);
+  else if (now.held)
+    fmt::format_to(to, "Held {} {}", now.draws ? "in" : "before", what);
+  else if (is_sent)
+    fmt::format_to(to, "The controller is being sent {}", what);
+  else if (now.total == 1)
+    fmt::format_to(to, "The drawing is being cut");
+  else
+    fmt::format_to(to, "At {}", what);
+}
+
+/// By time if known, as pieces and steps differ in length and some controllers report no steps.
 void DrawingRun::draw_progress(Frame& f) {
   const PiecesState& now = pieces_of(f);
   if (now.total == 0) return;
-  clock_.follow(now, f.clock);
-  progress_.clear();
-  const char* what = was_stopped(now) ? "Stopped in"
-                     : !now.held      ? "At"
-                     : now.draws      ? "Held in"
-                                      : "Held before";
-  if (now.done == now.total)
-    fmt::format_to(std::back_inserter(progress_), "All {} pieces are done", now.total);
-  else
-    fmt::format_to(std::back_inserter(progress_), "{} piece {} of {}", what, now.done + 1, now.total);
-  if (const auto left = cut_ && now.running
-                            ? DrawingJob::seconds_left(*cut_, now.step, now.percent, clock_.at_it_s())
-                            : std::nullopt)
+  const bool by_itself = !draws_together(f) && !now.draws;  // from a program it has stored
+  const bool is_sent = now.running && !now.held && by_itself && runs_none(f.now.program);
+  const DrawingJob::Made* made = at_work(f);
+  const bool counts = !is_sent || (made && made->with_transfers);
+  clock_.follow(now, f.clock, counts);
+  say_progress(now, is_sent);
+  const auto left =
+      made ? DrawingJob::seconds_left(*made, now.step, now.percent, clock_.at_it_s()) : std::nullopt;
+  if (left && now.running)
     fmt::format_to(std::back_inserter(progress_), ", {} left", format_duration(*left).view());
-  const auto steps = cut_ ? cut_->conversion.sequence.steps.size() : 0;
-  const double share = now.done == now.total ? 1
-                       : steps > 0 && now.step > 0
-                           ? static_cast<double>(now.step) / static_cast<double>(steps)
-                           : static_cast<double>(now.done) / static_cast<double>(now.total);
   gap(f.ui, 8);
-  meter(f.ui, "drawing/cut_progress", "Progress", static_cast<float>(std::min(share, 1.0)),
+  meter(f.ui, "drawing/cut_progress", "Progress", static_cast<float>(share_done(now, made, left)),
         {.tone = Tone::motion, .old = !now.running, .words = progress_});
   gap(f.ui, 4);
-  wrapped(f.ui, Face::small, Tone::ink2, progress_);
+  constexpr int lines = 2;  // always: nothing below moves with the words
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Rect in{at, ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + f.ui.px(16 * lines))};
+  draw_text_in_lines(f.ui, in, Face::small, f.ui[Tone::ink2], progress_, lines);
+  gap(f.ui, 16 * lines);
 }
 
-// ---- what is asked, and what comes of it
+double DrawingRun::share_done(const PiecesState& now, const DrawingJob::Made* made,
+                              std::optional<double> left) {
+  if (now.done == now.total) return 1;
+  const auto all = made ? DrawingJob::seconds_left(*made, 0, now.percent) : std::nullopt;
+  if (left && all && *all > 0) return std::clamp(1 - *left / *all, 0.0, 1.0);
+  const auto steps = made ? made->conversion.sequence.steps.size() : 0;
+  return steps > 0 && now.step > 0 ? std::min(static_cast<double>(now.step) / static_cast<double>(steps), 1.0)
+                                   : static_cast<double>(now.done) / static_cast<double>(now.total);
+}
+
+// ---- questions, and their results
 
 void DrawingRun::ask(Frame& f, What what, Made made, Parts parts, std::string question) {
   asked_.question = std::move(question) + said_first(*parts.front(), f.catalog, made->written.tool);
@@ -255,13 +272,20 @@ void DrawingRun::ask(Frame& f, What what, Made made, Parts parts, std::string qu
   asked_.open = true;
 }
 
-/// What is left is cut anew: from the start of what was being drawn.
+/// Cuts the rest anew, from the start of the interrupted part.
 void DrawingRun::ask_to_go_on(Frame& f) { work_out(f, What::rest, cut_, pieces_of(f).step); }
 
+int DrawingRun::chain_at_work(const Frame& f, const DrawingJob::Made* made) const {
+  const PiecesState& now = pieces_of(f);
+  if (!made || at_work(f) != made || now.step < 0 || (!now.running && now.done >= now.total)) return -1;
+  const std::vector<std::size_t>& begins = made->conversion.begins;
+  return static_cast<int>(std::upper_bound(begins.begin(), begins.end(), ix(now.step)) - begins.begin()) - 1;
+}
+
 std::string_view DrawingRun::why_no_trace(const Frame& f, const DrawingJob::Made* made) const {
-  if (working_) return "It is being worked out.";
+  if (working_) return "It is being calculated.";
   if (pieces_of(f).running)
-    return "The drawing is being cut. Frame comes back when it has ended or was stopped.";
+    return "The drawing is being cut. Frame is available again when it has ended or was stopped.";
   return why_not_at_all(f, made);
 }
 
@@ -289,7 +313,7 @@ void DrawingRun::draw_dialog(Frame& f) {
   if (!parts.empty() && what == What::frame)
     ask(f, what, std::move(made), std::move(parts),
         "It goes once around the drawing with the tool off, and back to where that began.");
-  else if (!parts.empty() && was_stopped(pieces_of(f))) {
+  else if (!parts.empty() && at_work(f) == made.get() && was_stopped(pieces_of(f))) {
     std::string question =
         fmt::format("The tool goes to the start of what was being drawn, off, and draws the rest {}.",
                     in_pieces(parts.front()->all.size()));
@@ -304,12 +328,12 @@ void DrawingRun::draw_dialog(Frame& f) {
   if (dialog(f.ui, "drawing/ask_cut", asked_.open, dialog_of) == Answer::yes) cut(f);
 }
 
-/// While the question stood a stop may have come, or something else have begun.
+/// While the question stood, a stop may have come or another run may have begun.
 void DrawingRun::cut(Frame& f) {
   if (asked_.go_ahead.expired()) return f.toast(Mood::warn, "A stop came first. Nothing was begun.");
   if (const std::string_view why = why_not_now(f, asked_.made.get()); !why.empty())
     return f.toast(Mood::warn, std::string(why));
-  cut_ = asked_.what == What::frame ? nullptr : asked_.made;  // a frame is not gone on with
+  cut_ = asked_.what == What::frame ? nullptr : asked_.made;  // a frame is never resumed
   begun_.clear();
   const Parts& parts = asked_.parts;
   if (!draws_together(f)) {

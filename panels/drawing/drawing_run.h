@@ -1,8 +1,9 @@
 #pragma once
-// The drawing on the machine: cut in pieces that fit into the controller, held, stopped, and gone on with
-// from the start of what was being drawn then. Ids: `drawing/cut`, `drawing/cut_on`, `drawing/hold`,
+// Runs the drawing on the machine, in pieces that fit into the controller; holds it, stops it, and resumes
+// from the start of the interrupted part. Ids: `drawing/cut`, `drawing/cut_on`, `drawing/hold`,
 // `drawing/stop`, `drawing/cut_progress`, `drawing/ask_cut`, `drawing/loops`, `drawing/open_loops`.
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,26 +16,29 @@ namespace hw::panels {
 class DrawingRun {
  public:
   struct Wanted {
-    std::shared_ptr<const DrawingJob::Made> made;  ///< null: there is nothing to be cut
-    std::string_view why_not;                      ///< why that is so, or it has no pieces
-    std::string_view time;                         ///< how long it takes; may be empty
-    std::size_t moves = 0;                         ///< in all of it
-    bool in_work = false;                          ///< it is being worked out: a click waits for it
+    std::shared_ptr<const DrawingJob::Made> made;  ///< null: nothing to cut
+    std::string_view why_not;                      ///< why there is nothing, or no pieces
+    std::string_view time;                         ///< duration; may be empty
+    std::size_t moves = 0;                         ///< in the whole drawing
+    bool in_work = false;                          ///< being worked out: a click waits for it
   };
-  /// At ImGui's cursor, over the width of the column.
+  /// Draws at ImGui's cursor, across the column.
   void draw(gui::Frame& frame, const Wanted& wanted);
   void draw_dialog(gui::Frame& frame);
-  /// Asks whether several controllers shall go once around it with the tool off: they have no one program.
+  /// Asks whether several controllers shall follow the frame once with the tool off: they have no common
+  /// program.
   void trace_frame(gui::Frame& frame, std::shared_ptr<const DrawingJob::Made> made);
-  /// Why that cannot be now, as a sentence; empty: it can.
+  /// Why the frame cannot be followed now, as a sentence; empty: it can.
   [[nodiscard]] std::string_view why_no_trace(const gui::Frame& frame, const DrawingJob::Made* made) const;
+  /// Of the drawing that is shown; -1: another is being cut, or none was begun, or all of it is done.
+  [[nodiscard]] int chain_at_work(const gui::Frame& frame, const DrawingJob::Made* made) const;
 
  private:
   using Made = std::shared_ptr<const DrawingJob::Made>;
   enum class What : std::uint8_t { all, rest, frame };
   void ask(gui::Frame& frame, What what, Made made, Parts parts, std::string question);
   void ask_to_go_on(gui::Frame& frame);
-  /// On the worker; the question comes behind it.
+  /// Runs on the worker; the question follows.
   void work_out(gui::Frame& frame, What what, Made made, int from_step);
   void draw_while_running(gui::Frame& frame);
   void draw_override(gui::Frame& frame);
@@ -43,6 +47,11 @@ class DrawingRun {
   void draw_loops(gui::Frame& frame, const Pieces& pieces);
   [[nodiscard]] std::string_view why_not_now(const gui::Frame& frame, const DrawingJob::Made* made);
   void draw_progress(gui::Frame& frame);
+  void say_progress(const PiecesState& now, bool is_sent);
+  [[nodiscard]] static double share_done(const PiecesState& now, const DrawingJob::Made* made,
+                                         std::optional<double> left);
+  /// What is being cut, or was last; null: none, or something that was begun elsewhere.
+  [[nodiscard]] const DrawingJob::Made* at_work(const gui::Frame& frame) const;
   void cut(gui::Frame& frame);
   void say_what_came(gui::Frame& frame);
 
@@ -50,7 +59,7 @@ class DrawingRun {
     Made made;
     Parts parts;
     std::string question;
-    std::weak_ptr<void> go_ahead;  ///< a stop while the question stands takes it away
+    std::weak_ptr<void> go_ahead;  ///< expires on a stop while the question stands
     What what = What::all;
     bool open = false;
   } asked_;
@@ -59,18 +68,18 @@ class DrawingRun {
     Made made;
     Parts parts;
   } worked_out_;  ///< without parts: nothing
-  Made cut_;      ///< the latest that was begun
+  Made cut_;      ///< the latest one begun
   struct Begun {
     gui::Tab* by;
     IntentId id;
   };
-  std::vector<Begun> begun_;  ///< whose fate is not known yet
-  bool working_ = false;      ///< something out
-  bool waits_ = false;        ///< what was clicked
+  std::vector<Begun> begun_;  ///< with fates not known yet
+  bool working_ = false;      ///< a job is under way
+  bool waits_ = false;        ///< a click waits for the result
   StepClock clock_;
   std::string progress_, speed_;
-  std::uint32_t closed_loops_ = 0;  ///< that `loops_` tells of
-  std::string loops_;               ///< why it cannot be cut with them; empty: it can
+  std::uint32_t closed_loops_ = 0;  ///< reported in `loops_`
+  std::string loops_;               ///< why it cannot be cut with these loops; empty: it can
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };
 

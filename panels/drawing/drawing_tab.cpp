@@ -25,7 +25,7 @@ using namespace gui;
 namespace {
 
 constexpr float drawing_side = 288, both_width = 620, both_height = 480, chains_height = 216,
-                bar_and_picture = 240;
+                bar_and_picture = 240, why_outline_height = 56;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ void DrawingTab::draw_all(Frame& f) {
   draw_dialogs(f);
 }
 
-/// On a bus, whichever of its controllers was in front.
+/// On a bus, whichever controller was in front.
 void DrawingTab::take_dropped(Frame& f) {
   const auto take = [&](Tab& tab) {
     for (const auto& path : tab.desk().take_dropped("drawing")) open(f, path);
@@ -71,7 +71,7 @@ void DrawingTab::take_dropped(Frame& f) {
   for (Tab* member : f.tab.bus->members) take(*member);
 }
 
-/// Units of the axes in a mm. Several controllers draw in mm.
+/// Units of the axes per mm. Several controllers draw in mm.
 drawing::Point DrawingTab::scale_of(const Frame& f) const {
   const ConversionOptions& wanted = options_.wanted();
   const auto units = [&](std::size_t direction) {
@@ -86,9 +86,10 @@ PathSubject DrawingTab::subject_of(const Frame& f) {
   const DrawingJob::Made* made = job_.made();
   PathSubject subject;
   if (made) subject.path = made->path, subject.commanded = made->meant;
-  subject.none = job_.busy()      ? "It is being worked out."
-                 : job_.drawing() ? "Nothing of it can be drawn as it is wanted."
-                                  : "Open a DXF file, or let one fall on the window.";
+  if (const auto outline = job_.outline()) subject.path = {outline, &outline->path};
+  subject.none = job_.busy()      ? "It is being calculated."
+                 : job_.drawing() ? "Nothing in it can be drawn with these settings."
+                                  : "Open a DXF file, or drop one on the window.";
   const auto axis = [&](std::size_t direction) {
     return AxisId{static_cast<std::uint8_t>(options_.axes()[direction])};
   };
@@ -113,21 +114,38 @@ PathSubject DrawingTab::subject_of(const Frame& f) {
   return subject;
 }
 
-/// And below it the chains, where there is room for both, or at least for what can be done with one of them.
+/// Below the outline of a drawing that cannot be made yet: the missing options.
+void DrawingTab::draw_why_outline(Frame& f, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Rect in{ImVec2(at.x + f.ui.px(16), at.y + f.ui.px(6)),
+                ImVec2(at.x + f.ui.px(width - 16), at.y + f.ui.px(why_outline_height))};
+  draw_text_in_lines(f.ui, in, Face::small, f.ui[Tone::warn], job_.fault(), 3);
+  show(f.ui, {"drawing/outline", Kind::text, "Outline", job_.fault()}, in);
+}
+
+/// The chains stand below the picture, if there is room for both, or at least for the buttons of one chain.
 void DrawingTab::draw_picture(Frame& f, float width, float height) {
   const DrawingJob::Made* made = job_.made();
-  const float chains = !made                       ? 0
+  const float chains = job_.outline()              ? why_outline_height
+                       : !made                     ? 0
                        : height >= both_height     ? chains_height
                        : height >= bar_and_picture ? DrawingChains::bar_height
                                                    : 0;
   PathSubject subject = subject_of(f);
-  if (chains > 0) subject.lit = chains_table_.chosen();
+  if (made && chains > 0) subject.lit = chains_table_.chosen();
+  if (const int chain = run_.chain_at_work(f, made); chain >= 0) {
+    TrackAxes tool;
+    take_tool_of(made->conversion.sequence, f.catalog, tool);
+    subject.lit = chain, subject.at_work = true;
+    subject.tool_on = tool_on_now(f, tool, made->conversion.sequence);
+  }
   const ImVec2 top = ImGui::GetCursorScreenPos();
   canvas_.draw(f, "drawing/view", subject, width, height - chains);
   draw_pointer(f, {top, ImVec2(top.x + f.ui.px(width), top.y + f.ui.px(height - chains))});
   take_click();
   if (chains == 0) return;
   ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + f.ui.px(height - chains)));
+  if (!made) return draw_why_outline(f, width);
   const DrawingChains::Shown shown{*job_.drawing(), made->conversion, made->chain_seconds, job_.busy(),
                                    options_.draws_all()};
   const int out = chains_table_.may_be_left_out(made->conversion);
@@ -140,7 +158,7 @@ void DrawingTab::draw_picture(Frame& f, float width, float height) {
     options_.draw_all();
 }
 
-/// Where it points to on the table, in mm.
+/// The pointer's position on the table, in mm.
 void DrawingTab::draw_pointer(Frame& f, const Rect& view) const {
   const auto& at = canvas_.measured().pointer;
   const drawing::Point scale = job_.scale();
@@ -157,13 +175,13 @@ void DrawingTab::draw_pointer(Frame& f, const Rect& view) const {
 
 void DrawingTab::open(Frame& f, const std::filesystem::path& path) {
   ConversionOptions wanted = options_.wanted();
-  wanted.drawing_unit.clear();  // it was that of another file
+  wanted.drawing_unit.clear();  // it belonged to another file
   job_.open(f, path, wanted);
 }
 
 std::string_view DrawingTab::why_not() const {
   if (!job_.drawing()) return "No drawing has been opened.";
-  if (job_.busy()) return "It is being worked out.";
+  if (job_.busy()) return "It is being calculated.";
   if (!options_.wrong().empty()) return options_.wrong();
   if (!job_.made()) return job_.fault();
   return {};
@@ -199,16 +217,18 @@ void DrawingTab::to_blocks(Frame& f) {
   f.show_panel("blocks");
 }
 
-/// What was clicked lies at 0, 0 from now on, or is the chain that is chosen.
+/// The clicked point becomes 0, 0, or the clicked chain is chosen.
 void DrawingTab::take_click() {
   const DrawingJob::Made* made = job_.made();
-  if (!made || job_.busy()) return;
-  if (const auto& hit = canvas_.clicked(); hit && !options_.wants_origin())
+  const auto outline = job_.outline();
+  if ((!made && !outline) || job_.busy()) return;
+  if (const auto& hit = canvas_.clicked(); hit && made && !options_.wants_origin())
     chains_table_.choose(made->path->runs[hit->run].source);
   const auto& place = canvas_.clicked_place();
   if (!place || !options_.wants_origin()) return;
   const drawing::Point scale = job_.scale();
-  options_.set_origin(made->conversion.placed.undone({place->x / scale.x, place->y / scale.y}));
+  const drawing::Affine& placed = made ? made->conversion.placed : outline->placed;
+  options_.set_origin(placed.undone({place->x / scale.x, place->y / scale.y}));
 }
 
 void DrawingTab::ask_or_put(Frame& f, std::string text) {
@@ -259,12 +279,21 @@ void DrawingTab::draw_toolbar(Frame& f) {
   end_toolbar(f, top);
 }
 
+/// The run controls stay in place while the rest is scrolled.
 void DrawingTab::draw_side(Frame& f, float height) {
+  constexpr float most_of_it = 0.6f;
   Ui& ui = f.ui;
   draw_line_down(f);
-  begin_part(ui, "drawing/side", 0, ui.px(height), Tone::panel, 16);
-  facts_.draw(f, job_);
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  const float run = std::min(run_height_, height * most_of_it);
+  begin_part(ui, "drawing/run", 0, ui.px(run), Tone::panel, 16);
+  gap(ui, 12);
   draw_run(f);
+  run_height_ = ImGui::GetCursorPosY() / ui.scale;
+  end_part();
+  ImGui::SetCursorScreenPos(ImVec2(top.x, top.y + ui.px(run)));
+  begin_part(ui, "drawing/side", 0, ui.px(height - run), Tone::panel, 16);
+  facts_.draw(f, job_);
   options_.draw(f, job_.drawing());
   facts_.draw_left_out(f);
   gap(ui, 16);

@@ -1,8 +1,8 @@
 #pragma once
-// A drawing file: what it shows, where it comes to lie, what the tool does along it, and the program that
-// comes of it. Ids: `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/frame`,
-// `drawing/fit`, `drawing/settings`, `drawing/view`, `drawing/pointer`; what is said of it: see DrawingFacts;
-// the settings: see DrawingOptions; cutting it: see DrawingRun.
+// A drawing file: its picture, its placement, the tool's work along it, and the resulting program. Ids:
+// `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/frame`, `drawing/fit`,
+// `drawing/settings`, `drawing/view`, `drawing/pointer`, `drawing/outline`; facts: see DrawingFacts;
+// settings: see DrawingOptions; cutting: see DrawingRun.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -31,11 +31,13 @@ class DrawingTab final : public gui::Panel {
   void take_dropped(gui::Frame& frame);
   void draw_toolbar(gui::Frame& frame);
   void draw_picture(gui::Frame& frame, float width, float height);
+  void draw_why_outline(gui::Frame& frame, float width);
   void draw_pointer(gui::Frame& frame, const gui::Rect& view) const;
   void draw_side(gui::Frame& frame, float height);
   void draw_run(gui::Frame& frame);
   void draw_dialogs(gui::Frame& frame);
-  /// What a click is for; it waits while the drawing is being worked out, as a field that it left began that.
+  /// The use a click asks for. The click waits while the drawing is worked out, which leaving a field by that
+  /// click may have started.
   enum class Use : std::uint8_t { nothing, blocks, program, frame };
   void draw_use(gui::Frame& frame, Use use, std::string_view id, std::string_view label, float gap,
                 gui::ButtonOptions look);
@@ -47,7 +49,8 @@ class DrawingTab final : public gui::Panel {
   void take_click();
   [[nodiscard]] std::string_view why_not() const;
 
-  std::optional<Catalog> together_;  ///< of all on the bus; none: this controller draws by itself
+  std::optional<Catalog> together_;  ///< of all controllers of the bus; none: this controller draws by itself
+  float run_height_ = 72;            ///< in the previous frame
   DrawingJob job_;
   DrawingOptions options_;
   DrawingRun run_;
@@ -56,10 +59,10 @@ class DrawingTab final : public gui::Panel {
   DrawingChains chains_table_;
   gui::FileDialog open_;
   std::string to_put_, here_;
-  int opened_ = 0;  ///< DrawingJob::opened() that the options are of
+  int opened_ = 0;  ///< DrawingJob::opened() of the options
   Use wanted_ = Use::nothing;
   bool asking_blocks_ = false, asking_program_ = false;
-  bool settings_ = false;  ///< without room for both: they take the picture's place
+  bool settings_ = false;  ///< without room for both, settings replace the picture
 };
 
 }  // namespace hw::panels

@@ -64,7 +64,7 @@ void DrawingTool::put_routines(const Frame& f, ConversionOptions& o) {
   if (!back && wrong_.empty()) wrong_ = back.error().sentence();
 }
 
-// Lowered before it is switched on; switched off before it is lifted.
+// The tool is lowered before it is switched on, and switched off before it is lifted.
 void DrawingTool::put_choices(const Frame& f, ConversionOptions& o) const {
   if (axis_ >= 0) {
     const std::size_t place = o.axes.size();
@@ -126,7 +126,7 @@ bool DrawingTool::draw(Frame& f, const std::array<int, 2>& drawing_axes) {
   section_title(ui, "Tool and speeds");
   list_axes(f, drawing_axes);
   const bool draws = axis_ >= 0 && std::find(axes_.begin(), axes_.end(), axis_) == axes_.end();
-  if (draws) axis_ = -1;  // it has been made one of those since
+  if (draws) axis_ = -1;  // the axis has since been chosen for drawing
   bool changed = draws;
   if (toggle_option(f, "drawing/own_routines", "Routines of my own", own_)) {
     if (own_) begin_routines(f, drawing_axes);
@@ -163,7 +163,7 @@ bool DrawingTool::draw_choices(Frame& f) {
   return changed;
 }
 
-/// What was chosen so far, to be gone on with.
+/// Starts from the choices made so far.
 void DrawingTool::begin_routines(const Frame& f, const std::array<int, 2>& drawing_axes) {
   if (!routines_[0].empty() || !routines_[1].empty()) return;
   ConversionOptions chosen;

@@ -17,13 +17,13 @@ namespace hw::panels {
 class DrawingTool {
  public:
   void begin(const gui::Frame& frame);
-  /// `drawing_axes` draw, and so cannot lower it. True: something of it is another now.
+  /// `drawing_axes` draw, so they cannot lower the tool. True: something has changed.
   bool draw(gui::Frame& frame, const std::array<int, 2>& drawing_axes);
-  /// Behind the axes that draw.
+  /// Adds the tool; its axis comes after those that draw.
   void put(const gui::Frame& frame, ConversionOptions& options);
   void keep(const gui::Frame& frame, KeptOptions& kept) const;
   void take(const gui::Frame& frame, const KeptOptions& kept);
-  /// Why a routine of the user's own is not understood, or a field holds no number; empty: all is.
+  /// Why a routine of the user's is not understood, or which field holds no number; empty: all are valid.
   [[nodiscard]] std::string wrong() const;
 
  private:
@@ -31,7 +31,7 @@ class DrawingTool {
   void put_routines(const gui::Frame& frame, ConversionOptions& options);
   bool draw_choices(gui::Frame& frame);
   bool draw_speeds(gui::Frame& frame);
-  /// Of all numbers that are kept.
+  /// A number that is kept.
   struct Named {
     const char* id;
     NumberOption DrawingTool::*option;
@@ -42,10 +42,10 @@ class DrawingTool {
   void list_axes(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
   bool draw_axis(gui::Frame& frame);
 
-  int output_ = 0;  ///< in its names
+  int output_ = 0;  ///< index into its names
   std::vector<std::string_view> output_names_;
-  int axis_ = -1;          ///< by its place in the catalog; -1: none
-  std::vector<int> axes_;  ///< those that can be it, behind "none"
+  int axis_ = -1;          ///< index into the catalog; -1: none
+  std::vector<int> axes_;  ///< possible tool axes, after "none"
   std::vector<std::string_view> axis_names_;
   NumberOption per_unit_, down_, up_;
   NumberOption wait_on_, wait_off_, cut_speed_, travel_speed_, low_speed_, ramp_;

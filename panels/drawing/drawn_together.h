@@ -1,6 +1,9 @@
 #pragma once
-// A drawing that controllers of one axis each draw together on their bus: the frame's catalog is then of all
-// of them (catalog_together()), and the tab that of one.
+// A drawing that several controllers of one axis each draw together on their bus. The frame's catalog is then
+// that of all (catalog_together()), and its tab that of one.
+#include <string>
+
+#include "core/sequence/places_before.h"
 #include "gui/model/bus.h"
 #include "gui/model/tab.h"
 #include "gui/shell/frame.h"
@@ -10,7 +13,7 @@ namespace hw::panels {
 [[nodiscard]] inline bool draws_together(const gui::Frame& f) {
   return f.tab.bus && f.catalog.axes.size() > f.tab.catalog().axes.size();
 }
-/// Whose axis of the frame's catalog it is, and which of its own.
+/// The tab that owns an axis of the frame's catalog.
 [[nodiscard]] inline gui::Tab& owner_of(const gui::Frame& f, int axis) {
   return draws_together(f) ? *f.tab.bus->members[static_cast<std::size_t>(axis)] : f.tab;
 }
@@ -20,5 +23,9 @@ namespace hw::panels {
 [[nodiscard]] inline const PiecesState& pieces_of(const gui::Frame& f) {
   return draws_together(f) ? f.tab.bus->pieces() : f.now.pieces;
 }
+/// "X at 12.500 mm, Y at 3.000 mm", as some axes have numbers for names; of axes whose place is not known
+/// nothing.
+[[nodiscard]] std::string said_places(const gui::Frame& f, const sequence::Sequence& of,
+                                      const sequence::Places& places);
 
 }  // namespace hw::panels

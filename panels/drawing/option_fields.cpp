@@ -16,7 +16,7 @@ static constexpr float option_label_width = 116, option_row = 36;
 /// "Tolerance: this is not a number."
 static std::string wrong_number(std::string_view label, const std::string& text, const NumberRange& range) {
   std::string why = range_sentence(text, range);
-  if (why.empty()) why = "this number does not do";
+  if (why.empty()) why = "this number is not possible";
   why.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(why.front())));
   if (!why.ends_with('.')) why += '.';
   return std::string(label) + ": " + why;
@@ -39,23 +39,23 @@ bool NumberOption::draw(Frame& f, std::string_view id, std::string_view label, d
                         std::string_view unit) {
   const ImVec2 at = begin_option(f.ui, label, wrong_.empty() ? Tone::ink2 : Tone::fault);
   NumberOptions o;
-  o.tip = wrong_;  // below the field it would move what is just being clicked
+  o.tip = wrong_;  // below the field it would move the control being clicked
   o.range = {least, 1e9, 6, unit};
   o.sentence_below = false;
   const NumberEvent event = number_field(f.ui, id, label, std::nullopt, field_, o);
   end_option(f.ui, at);
   if (!event.field.entered && !event.field.left) return false;
-  if (field_.text == told_) {  // left as it was: the value is more exact than its text
+  if (field_.text == told_) {  // unedited: the value is more exact than its text
     if (told_.empty()) field_.reset();
     return !std::exchange(wrong_, {}).empty();
   }
   const auto typed = field_.value();
   const bool emptied = field_.text.empty() && least <= 0;
-  // What is no number leaves the one before: nothing is converted by a scale that nobody has meant.
+  // Invalid input keeps the previous value: nothing is converted by an unintended scale.
   if (emptied || (typed && *typed >= least && *typed <= o.range.max)) {
     wrong_.clear();
     value_ = emptied ? 0 : *typed;
-    if (emptied) field_.reset();  // it may be empty, and is not red for that
+    if (emptied) field_.reset();  // empty is allowed, and not marked red
     told_ = field_.text;
   } else {
     wrong_ = wrong_number(label, field_.text, o.range);

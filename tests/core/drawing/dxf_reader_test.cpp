@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <map>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -275,12 +276,58 @@ TEST(DxfReader, WhatCannotBeDrawnIsNamedWithItsPlace) {
   std::string told;
   for (const LeftOut& l : d.left_out) told += fmt::format("{} {} {}: {}\n", l.entity, l.what, l.line, l.why);
   EXPECT_EQ(told,
-            "2 TEXT 22: it is a text\n"
-            "3 MLINE 36: it is nothing that is drawn with lines and arcs\n"
-            "4 LINE 42: it is not flat\n"
-            "5 CIRCLE 58: its radius is not above 0\n"
-            "6 SPLINE 68: it has too few control points\n"
-            "7 INSERT 92: there is no block nowhere\n");
+            "2 TEXT 22: it is a text\n3 MLINE 36: it is not drawn with lines and arcs\n4 LINE 42: it is not "
+            "flat\n5 CIRCLE 58: its radius is not above 0\n6 SPLINE 68: it has too few control points\n7 "
+            "INSERT 92: there is no block nowhere\n");
+}
+
+TEST(DxfReader, WhatIsLeftOutIsFoundInTheDrawing) {
+  const std::string text =
+      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n10\n0\n20\n0\n"
+      "0\nTEXT\n10\n5\n20\n6\n1\nin a block\n0\nENDBLK\n0\nENDSEC\n"
+      "0\nSECTION\n2\nENTITIES\n"
+      "0\nTEXT\n8\n0\n10\n 12.5\n20\n-3\n40\n1\n1\nhello\n"
+      "0\nHATCH\n10\n0\n20\n0\n91\n0\n10\n7\n20\n8\n"
+      "0\nWIPEOUT\n8\n0\n"
+      "0\nENDSEC\n0\nEOF\n";
+  const auto read = read_dxf(text, "a.dxf", {});
+  ASSERT_TRUE(read) << read.error().sentence();
+  std::map<std::string, std::optional<Point>> at;
+  for (const LeftOut& l : read->left_out) at[l.what + std::to_string(l.entity)] = l.at;
+  ASSERT_EQ(at.size(), 4u);
+  EXPECT_EQ(at.at("TEXT2"), std::nullopt) << "where the block is inserted it may be seen more than once";
+  EXPECT_EQ(at.at("TEXT4"), (Point{12.5, -3}));
+  EXPECT_EQ(at.at("HATCH5"), (Point{7, 8})) << "not how high it lies";
+  EXPECT_EQ(at.at("WIPEOUT6"), std::nullopt);
+}
+
+TEST(DxfReader, APolylineLiesWhereItsFirstVertexDoesAndWhatIsMirroredHasNoPlace) {
+  const std::string text =
+      "0\nSECTION\n2\nENTITIES\n"
+      "0\nPOLYLINE\n8\n0\n67\n1\n66\n1\n10\n0\n20\n0\n30\n0\n70\n0\n"
+      "0\nVERTEX\n8\n0\n10\n3\n20\n4\n0\nVERTEX\n8\n0\n10\n5\n20\n6\n0\nSEQEND\n8\n0\n"
+      "0\nTEXT\n8\n0\n10\n12\n20\n-3\n40\n1\n1\nhello\n210\n0\n220\n0\n230\n-1\n"
+      "0\nTEXT\n8\n0\n10\n7\n20\n8\n40\n1\n1\nhello\n210\n0\n220\n0\n230\n1\n"
+      "0\nENDSEC\n0\nEOF\n";
+  const auto read = read_dxf(text, "a.dxf", {});
+  ASSERT_TRUE(read) << read.error().sentence();
+  ASSERT_EQ(read->left_out.size(), 3u);
+  std::map<int, std::optional<Point>> at;  // by line
+  for (const LeftOut& l : read->left_out) at[l.line] = l.at;
+  auto place = at.begin();
+  EXPECT_EQ(place->second, (Point{3, 4})) << "that of its header is none";
+  EXPECT_EQ((++place)->second, std::nullopt) << "its numbers are not those of the drawing";
+  EXPECT_EQ((++place)->second, (Point{7, 8}));
+}
+
+TEST(DxfReader, AnEntryThatBeginsLikeTheModelIsNotIt) {
+  const std::string text =
+      "0\nSECTION\n2\nENTITIES\n0\nTEXT\n8\n0\n10\n12\n20\n-3\n40\n1\n1\nhello\n0\nENDSEC\n"
+      "0\nSECTION\n2\nOBJECTS\n0\nDICTIONARY\n3\nENTITIES_X\n3\nENTITIES\n0\nENDSEC\n0\nEOF\n";
+  const auto read = read_dxf(text, "a.dxf", {});
+  ASSERT_TRUE(read) << read.error().sentence();
+  ASSERT_EQ(read->left_out.size(), 1u);
+  EXPECT_EQ(read->left_out[0].at, (Point{12, -3}));
 }
 
 TEST(DxfReader, ABlockThatContainsItselfEnds) {
@@ -328,7 +375,7 @@ INSTANTIATE_TEST_SUITE_P(
     Each, DxfBad,
     testing::Values(BadFile{"CutOff", section("ENTITIES", line(0, 0, 1, 1)),
                             "a.dxf is cut off: it does not end with EOF."},
-                    BadFile{"NoDxf", "this is no drawing", "a.dxf is no DXF file"},
+                    BadFile{"NoDxf", "this is no drawing", "a.dxf is not a DXF file"},
                     BadFile{"Empty", "", "a.dxf is empty."},
                     BadFile{"Binary", std::string("AutoCAD Binary DXF\r\n\x1a\0", 22), "binary DXF"},
                     BadFile{"Picture", "\x89PNG\r\n\x1a\n....", "line 1: a group code was expected here"},

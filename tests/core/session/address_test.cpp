@@ -35,7 +35,8 @@ TEST(AddressIds, WhatIsNoIdIsSaid) {
   for (const char* wrong : {"7", "007", "1-4", "01-", "-04", "04-01", "01-01", "01,03-", "a1", "01-0x"}) {
     const auto read = Address::parse(std::string("vxm@emulator,id=") + wrong);
     ASSERT_FALSE(read) << wrong;
-    EXPECT_THAT(read.error().sentence(), testing::AnyOf(HasSubstr("two digits"), HasSubstr("no key=value")))
+    EXPECT_THAT(read.error().sentence(),
+                testing::AnyOf(HasSubstr("two digits"), HasSubstr("not a key=value")))
         << wrong;
   }
 }

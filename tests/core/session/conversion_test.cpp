@@ -97,7 +97,7 @@ TEST_P(ConversionTest, WhatIsMissingIsAskedFor) {
   EXPECT_EQ(refusal(), "converted");
   drawing::Drawing none = read();
   none.unit.clear();
-  EXPECT_THAT(convert(none, catalog, o).error().sentence(), HasSubstr("does not say in which unit"));
+  EXPECT_THAT(convert(none, catalog, o).error().sentence(), HasSubstr("does not name its unit"));
   o.axes.pop_back();
   EXPECT_THAT(refusal(), HasSubstr("A drawing needs two axes; 1 is given."));
 }
@@ -136,7 +136,7 @@ TEST(Conversion, ContoursNeedASpeedThatSomebodyHasSaid) {
   EmulatorDrawing vme("vme58");
   vme.o.cutting = {};
   EXPECT_THAT(convert(read(), vme.catalog, vme.o).error().sentence(),
-              HasSubstr("Say how fast it goes with the tool on."));
+              HasSubstr("Give the speed with the tool on."));
 }
 
 TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
@@ -238,6 +238,31 @@ TEST(Conversion, StairsOfCurvesStayWithinTheTolerance) {
   std::filesystem::remove(spline), std::filesystem::remove(ellipse);
 }
 
+TEST(Conversion, CurvesAreAsFineWhenTheyAreDrawnLarger) {
+  const auto file = file_of("larger.dxf", {{0, "ELLIPSE"},
+                                           {8, "0"},
+                                           {10, "0"},
+                                           {20, "0"},
+                                           {11, "40"},
+                                           {21, "0"},
+                                           {40, "0.5"},
+                                           {41, "0"},
+                                           {42, "6.283185307179586"}});
+  const Catalog catalog = *find_device_type("vxm")->make_catalog({});
+  ConversionOptions o;
+  o.axes = {{"1", 1000}, {"2", 1000}};
+  o.tolerance = 0.5;
+  const auto curves_at = [&](double times) {
+    o.times = times;
+    const auto drawing = read_drawing(file, catalog, o);
+    EXPECT_TRUE(drawing) << drawing.error().sentence();
+    return drawing->paths.front().curves.size();
+  };
+  const std::size_t as_drawn = curves_at(1), larger = curves_at(100);
+  std::filesystem::remove(file);
+  EXPECT_GT(larger, as_drawn * 2);
+}
+
 TEST(Conversion, AFileOfHalfAGigabyteIsNotRead) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "large.dxf";
   std::ofstream(file) << drawing_text();
@@ -259,6 +284,37 @@ TEST_P(ConversionTest, WhatLiesBeyondTheControllersRangeIsNamedByItsEntityAndLin
   ASSERT_FALSE(converted) << "and no memory is filled with it before";
   EXPECT_THAT(converted.error().sentence(), HasSubstr("Entity 1, line 6 of the file, reaches to"));
   EXPECT_THAT(converted.error().sentence(), HasSubstr("a " + catalog.short_name + " goes from "));
+}
+
+TEST(Conversion, AnOutlineIsShownWhereNobodyHasSaidTheUnit) {
+  const std::string lines = pairs({{0, "SECTION"}, {2, "ENTITIES"}, {0, "LINE"}, {8, "0"}}) +
+                            "10\n10\n20\n20\n11\n40\n21\n60\n" + pairs({{0, "ENDSEC"}, {0, "EOF"}});
+  const auto drawing = drawing::read_dxf(lines, "a.dxf", {});
+  ASSERT_TRUE(drawing) << drawing.error().sentence();
+  ConversionOptions o;
+  o.placing.origin = drawing::Placing::Origin::lower_left;
+  auto outline = outline_of(*drawing, o);
+  ASSERT_TRUE(outline) << outline.error().sentence();
+  EXPECT_FALSE(outline->unit_is_said);
+  EXPECT_DOUBLE_EQ(outline->path.way_on, 50);
+  o.drawing_unit = "in", o.times = 0.5;
+  outline = outline_of(*drawing, o);
+  ASSERT_TRUE(outline);
+  EXPECT_TRUE(outline->unit_is_said);
+  EXPECT_NEAR(outline->path.way_on, 50 * 25.4 / 2, 1e-9);
+  EXPECT_NEAR(outline->path.points.back().y, 40 * 25.4 / 2, 1e-9);
+}
+
+TEST_P(ConversionTest, WhoSaysTheUnitIsBelievedBeforeTheFile) {
+  auto said = drawing::read_dxf(drawing_text(), "a.dxf", drawing::Tolerance{0.01});
+  ASSERT_TRUE(said) << said.error().sentence();
+  said->unit = "mm";
+  const auto by_file = convert(*said, catalog, o);
+  ASSERT_TRUE(by_file) << by_file.error().sentence();
+  o.drawing_unit = "cm", o.times = 0.2;
+  const auto by_user = convert(*said, catalog, o);
+  ASSERT_TRUE(by_user) << by_user.error().sentence();
+  EXPECT_NEAR(by_user->drawn, 2 * by_file->drawn, 1e-6 * by_file->drawn);
 }
 
 TEST(Conversion, EveryUnitOfADxfFileHasALength) {
@@ -295,7 +351,7 @@ TEST_P(ConversionTest, StairsNeedATolerance) {
   const auto converted = convert(read(), catalog, o);
   if (going_of(catalog) == drawing::Going::stairs) {
     ASSERT_FALSE(converted);
-    EXPECT_THAT(converted.error().sentence(), HasSubstr("how far its corners may lie beside the line"));
+    EXPECT_THAT(converted.error().sentence(), HasSubstr("how far its corners may lie from the line"));
   } else {
     ASSERT_TRUE(converted);
     EXPECT_EQ(converted->tolerance, 0.5 / per_unit);

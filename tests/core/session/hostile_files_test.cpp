@@ -7,6 +7,7 @@
 #include "core/device/bench_file.h"
 #include "core/sequence/sequence_file.h"
 #include "core/session/autosave.h"
+#include "core/session/kept_options.h"
 #include "core/session/kept_positions.h"
 #include "core/session/parameter_file.h"
 #include "core/session/profile.h"
@@ -88,17 +89,30 @@ TEST(HostileFiles, WhatIsKeptAndNestedIsPutAside) {
     test::Folder folder;
     const UserFolders folders = UserFolders::below(folder.path());
     const std::string file = file_name_for("k") + ".json";
-    for (const char* name : {"config/profiles/", "state/unsaved/", "state/positions/"})
-      folder.put(name + file, "{\"axes\": " + value + ", \"texts\": " + value + "}");
+    for (const char* name : {"config/profiles/", "config/drawings/", "state/unsaved/", "state/positions/"})
+      folder.put(name + file,
+                 "{\"axes\": " + value + ", \"texts\": " + value + ", \"options\": " + value + "}");
     folder.put("state/recent.json", "{\"connections\": " + value + "}");
     EXPECT_FALSE(ProfileStore(folders).load("k"));
     EXPECT_FALSE(Autosave(folders).restore("k"));
     EXPECT_FALSE(KeptPositions(folders).load("k", {}));
+    EXPECT_FALSE(KeptOptionsOfDrawings(folders).load("k"));
     RecentConnections recent(folders);
     const auto loaded = recent.load();
     ASSERT_FALSE(loaded);
     EXPECT_THAT(loaded.error().sentence(), HasSubstr("is damaged"));
   }
+}
+
+// A name that clears a screen, in what is read without asking.
+TEST(HostileFiles, ANameOfKeptOptionsIsNoOptionAndStaysOutOfSentences) {
+  test::Folder folder;
+  const UserFolders folders = UserFolders::below(folder.path());
+  const std::string file = file_name_for("k") + ".json";
+  folder.put("config/drawings/" + file, "{\"options\": {\"\\u001B[2J\": []}}");
+  const auto read = KeptOptionsOfDrawings(folders).load("k");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().sentence().find('\x1B'), std::string::npos);
 }
 
 mode_t mode_of(const std::filesystem::path& path) {
@@ -112,10 +126,12 @@ TEST(KeptFiles, AreForTheirOwnerOnly) {
   const UserFolders folders = UserFolders::below(folder.path());
   ASSERT_TRUE(Autosave(folders).keep("k", {{0, "I1M400", ""}}));
   ASSERT_TRUE(ProfileStore(folders).save("k", Profile()));
+  ASSERT_TRUE(KeptOptionsOfDrawings(folders).save("k", KeptOptions()));
   const std::string file = file_name_for("k") + ".json";
   EXPECT_EQ(mode_of(folder.path() / "state/unsaved" / file), 0600u);
   EXPECT_EQ(mode_of(folder.path() / "config/profiles" / file), 0600u);
-  for (const char* made : {"state", "state/unsaved", "config", "config/profiles"})
+  EXPECT_EQ(mode_of(folder.path() / "config/drawings" / file), 0600u);
+  for (const char* made : {"state", "state/unsaved", "config", "config/profiles", "config/drawings"})
     EXPECT_EQ(mode_of(folder.path() / made), 0700u) << made;
 }
 

@@ -89,8 +89,7 @@ TEST(Profile, OfANewerHandwheelIsKeptWhole) {
   folder.put(file, bytes);
   const auto loaded = store.load("k");
   ASSERT_FALSE(loaded);
-  EXPECT_THAT(loaded.error().sentence(),
-              HasSubstr("A newer version of Handwheel has written the name and units"));
+  EXPECT_THAT(loaded.error().sentence(), HasSubstr("The file with the name and units"));
   EXPECT_THAT(loaded.error().sentence(), HasSubstr(".newer, and a new one begins"));
   ASSERT_TRUE(store.save("k", stage()));
   EXPECT_EQ(folder.get(file + ".newer"), bytes);

@@ -58,7 +58,7 @@ TEST(ParameterFile, WhatDoesNotSuitIsNamedWithItsLine) {
   EXPECT_THAT(
       checked->problems,
       ElementsAre("stage.toml, line 3: j1M = 9000 is out of range, j1M takes 1 to 6000. It was left out.",
-                  "stage.toml, line 4: XY is no parameter of this controller. It was left out.",
+                  "stage.toml, line 4: XY is not a parameter of this controller. It was left out.",
                   "stage.toml, line 5: M1 = 3 is out of range, M1 takes 0, 4. It was left out.",
                   "stage.toml: there is no program 7 in this controller. It was left out."));
   ASSERT_EQ(checked->parameters.size(), 1u);
@@ -74,9 +74,9 @@ TEST(ParameterFile, FaultsNameTheLine) {
   EXPECT_THAT(sentence("model = \"toy\"\n[parameters]\nj1M = \"fast\"\n"),
               HasSubstr("stage.toml, line 3: j1M is not given a whole number."));
   EXPECT_THAT(sentence("model = \"toy\"\nsped = 4\n"),
-              HasSubstr("stage.toml, line 2: sped means nothing here."));
+              HasSubstr("stage.toml, line 2: sped is not known here."));
   EXPECT_THAT(sentence("[programs]\nfirst = \"I1M1\"\n"),
-              HasSubstr("line 2: first is no program with a text"));
+              HasSubstr("line 2: first is not a program with a text"));
   EXPECT_THAT(sentence("[parameters]\nj1M = 5\n"), HasSubstr("does not say for which controller"));
   EXPECT_THAT(sentence("\x89PNG"), HasSubstr("Nothing was taken from the file."));
 }

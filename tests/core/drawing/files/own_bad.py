@@ -3,7 +3,7 @@ from own_writer import Dxf
 
 
 def no_number(line):
-    return f"what stands in line {line} is no number"
+    return f"line {line} holds no number"
 
 
 def no_numbers():

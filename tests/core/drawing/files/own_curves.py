@@ -126,7 +126,7 @@ def polylines_without_length():
 def polyline_count():
     d = Dxf("AC1015")
     for count in (2, 6):
-        d.polyline(0, SQUARE, "it has another number of parts than it says", count=count)
+        d.polyline(0, SQUARE, "it does not have as many parts as it says", count=count)
     d.polyline(0, SQUARE)
     d.hand("paths 1", "length 11  # 4 + 3 + 4", "box 0 0 4 3", "exact", "unit mm")
     return d
@@ -196,9 +196,9 @@ def splines_through_points():
 def splines_wrong():
     d = Dxf("AC1015")
     d.spline(8, 3, [0, 0, 0, 0, 1, 1, 0.5, 1], HILL, why="its knots are not in order")
-    d.spline(8, 3, CLAMPED[1:], HILL, why="it has not as many knots as it needs")
-    d.spline(8, 3, CLAMPED + [2], HILL, why="it has not as many knots as it needs")
-    d.spline(8, 3, [], HILL, why="it has not as many knots as it needs")
+    d.spline(8, 3, CLAMPED[1:], HILL, why="it does not have as many knots as it needs")
+    d.spline(8, 3, CLAMPED + [2], HILL, why="it does not have as many knots as it needs")
+    d.spline(8, 3, [], HILL, why="it does not have as many knots as it needs")
     d.spline(8, 3, [1] * 8, HILL, why="its knots span nothing")
     d.spline(8, 3, CLAMPED, HILL[:3], why="it has too few control points")
     d.spline(8, 0, CLAMPED, HILL, why="its degree is not possible")

@@ -2,7 +2,7 @@
 from own_writer import Dxf
 
 FLAT = "it does not lie in the plane of the drawing"
-OTHER = "it is nothing that is drawn with lines and arcs"
+OTHER = "it is not drawn with lines and arcs"
 
 
 def with_part():
