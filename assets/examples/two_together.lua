@@ -1,11 +1,16 @@
 -- Two controllers side by side: one turns a table, the other measures, until both are through.
-local turn = hw.check(hw.open("vxm@emulator"))
-local slide = hw.check(hw.open("dmx-k-sa@emulator"))
-turn:set("M1M", 4)
-slide:send("EO=1")
+local a = hw.arguments{about = "Turns a table and moves a slide side by side.",
+  {name = "table", default = "vxm@emulator", help = "the controller of the table"},
+  {name = "slide", default = "dmx-k-sa@emulator", help = "that of the slide"},
+  {name = "speed", kind = "number", default = 2000, help = "of the table, steps/s"},
+}
+local turn = hw.check(hw.open(a.table))
+local slide = hw.check(hw.open(a.slide))
+hw.check(turn:set("M1M", 4))
+hw.check(slide:query("EO=1"))
 local table_job = hw.spawn(function()
   for _ = 1, 4 do
-    hw.check(turn:move_by({[1] = 1000}, {speed = 2000}) and turn:wait(60))
+    hw.check(turn:move_by({[1] = 1000}, {speed = a.speed}) and turn:wait(60))
   end
   return turn:position(1)
 end)

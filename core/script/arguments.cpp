@@ -52,7 +52,7 @@ Result<> may_be(const Argument& argument, const std::string& value) {
   return {};
 }
 
-/// The words one after another.
+/// Reads the words in order.
 class ArgumentReader {
  public:
   ArgumentReader(const std::vector<Argument>& known, const std::vector<std::string>& words)

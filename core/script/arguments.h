@@ -1,5 +1,5 @@
 #pragma once
-// What a script takes behind its name: how that is read, and told. Pure.
+// A script's command-line arguments: parsing and help. Pure.
 //   PLACE          by its place, where there is no default
 //   --name VALUE   or --name=VALUE, or name=VALUE; a flag stands alone
 #include <map>
@@ -15,22 +15,22 @@ struct Argument {
   std::string name;
   Kind kind = Kind::text;
   bool required = false;
-  std::string fallback;  ///< as it would be given; empty: none
+  std::string fallback;  ///< as typed; empty: none
   std::string help;
   std::vector<std::string> choices;  ///< empty: any
 };
 
 struct GivenArguments {
   bool wants_help = false;
-  std::map<std::string, std::string> values;  ///< by name; a flag: empty
+  std::map<std::string, std::string> values;  ///< by name; empty for a flag
 };
 
-/// "number"; nothing: there is no such kind.
+/// `word`: "number". A fault: no such kind.
 Result<Argument::Kind> argument_kind(const std::string& word);
-/// A fault says in one sentence which word is wrong, and what was to stand there.
+/// A fault names the wrong word and what was expected.
 Result<GivenArguments> read_arguments(const std::vector<Argument>& known,
                                       const std::vector<std::string>& words);
-/// How the script is called, and a line for each. `script`: as it was given; `about`: what it does, or empty.
+/// The usage line and a line for each argument. `script`: as typed; `about`: its purpose, or empty.
 std::string arguments_help(const std::vector<Argument>& known, const std::string& script,
                            const std::string& about);
 

@@ -13,20 +13,30 @@ void AxisUnits::tell(const std::shared_ptr<Session>& session, int axis, AxisUnit
   told_[session][ix(axis)] = std::move(unit);
 }
 
-const AxisUnit* AxisUnits::find(const std::shared_ptr<Session>& session, int axis) const {
+std::optional<AxisUnit> AxisUnits::find(const std::shared_ptr<Session>& session, int axis) const {
   const auto found = told_.find(session);
-  if (found == told_.end() || !found->second[ix(axis)]) return nullptr;
-  return &*found->second[ix(axis)];
+  if (found != told_.end() && found->second[ix(axis)]) return found->second[ix(axis)];
+  return kept ? kept(*session, axis) : std::nullopt;
 }
 
 double Counting::steps_per_unit(const Call& call, const OneAxis& one) const {
   if (!in_units_) return 1;
-  if (const AxisUnit* unit = call.runner().notes().units.find(one.session, one.index))
-    return unit->steps_per_unit;
+  if (const auto unit = call.runner().notes().units.find(one.session, one.index)) return unit->steps_per_unit;
   throw Misuse(
       fmt::format("axis {} has no unit yet: tell it first, c:units(axis, {{unit=\"mm\", "
                   "steps_per_unit=400}})",
                   one.session->catalog().axes[ix(one.index)].name));
+}
+
+double Counting::common_to(const Call& call, const std::vector<OneAxis>& axes) const {
+  std::optional<double> common;
+  for (const OneAxis& one : axes) {
+    const double steps = std::abs(steps_per_unit(call, one));
+    if (common && *common != steps)
+      throw Misuse("a speed in units needs axes of one unit: give it in steps/s, without unit=true");
+    common = steps;
+  }
+  return common.value_or(1);
 }
 
 void push_steps(lua_State* L, Steps steps, double per_unit) {

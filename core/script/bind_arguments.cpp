@@ -1,4 +1,4 @@
-// hw.arguments: a script says what it takes behind its name, and gets it as a table.
+// hw.arguments: a script declares its arguments and gets them as a table.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -80,7 +80,7 @@ void push_value(lua_State* L, const Argument& one, const std::string& value) {
   }
 }
 
-/// What was given, else the default as it stands in the table of the script; a flag: whether it was.
+/// Pushes the given values, else the defaults from the script's table; for a flag whether it was given.
 int push_given(lua_State* L, int declared, const std::vector<Argument>& known, const GivenArguments& given) {
   lua_createtable(L, 0, static_cast<int>(known.size()));
   const int result = lua_gettop(L);

@@ -1,5 +1,5 @@
-// `c.bench`: the hand on an emulated controller. What the bench refuses is an error at the script's line: a
-// test that goes on without its limit switch proves nothing.
+// `c.bench`: operates an emulated controller. A refusal by the bench is an error at the script's line: a test
+// that goes on without its limit switch proves nothing.
 #include <cmath>
 
 #include <fmt/core.h>
@@ -14,7 +14,7 @@ namespace {
 BenchAccess& bench_of(const Call& call) {
   const auto& bench = session_of(call)->bench();
   if (!bench)
-    throw Misuse(fmt::format("{} is no emulator in this process, so it has no bench",
+    throw Misuse(fmt::format("{} is not an emulator in this process, so it has no bench",
                              session_of(call)->address().text()));
   return *bench;
 }
@@ -39,7 +39,7 @@ int small(const Call& call, int argument, const char* what) {
   return static_cast<int>(value);
 }
 
-/// By the maker's number; the bench counts places from 1.
+/// Converts the maker's number; the bench counts from 1.
 int bench_input(Call& call) {
   const int number = small(call, 1, "input");
   const int place = session_of(call)->catalog().find_input(number);
@@ -63,7 +63,7 @@ int slip(Call& call) { return operate(call, bench::Slip(axis_of(call), Steps(sma
 int unplug(Call& call) { return operate(call, bench::Unplug(call.on(1, "on"))); }
 int garble(Call& call) { return operate(call, bench::Garble(small(call, 1, "bytes"))); }
 int drop(Call& call) { return operate(call, bench::Drop(small(call, 1, "bytes"))); }
-/// Its name as the bench gives it ("Slave"); absent: the first, of the device itself.
+/// By the bench's name ("Slave"); absent: the first, the device's own.
 int supply_of(const Call& call, int argument) {
   if (!call.has(argument)) return 0;
   const std::string name = call.text(argument, "name of a supply");
@@ -73,14 +73,14 @@ int supply_of(const Call& call, int argument) {
   throw Misuse(fmt::format("bench: there is no supply \"{}\"", name));
 }
 
-/// Without a name: the switches of all.
+/// Without a name: all supplies.
 int power(Call& call) {
   return operate(call, bench::Power(call.on(1, "on"), call.has(2) ? supply_of(call, 2) : -1));
 }
 int breaker(Call& call) { return operate(call, bench::Breaker(supply_of(call, 2), call.on(1, "out"))); }
 int power_cycle(Call& call) { return operate(call, bench::PowerCycle()); }
 
-// at(t, fn): t on the clock of hw.now(); what is past happens at once.
+// at(t, fn): t on the clock of hw.now(); a past time runs at once.
 int at(Call& call) {
   const double t = call.number(1, "time");
   if (!lua_isfunction(call.L, call.place(2))) throw Misuse("bench:at: argument 2 must be a function");
@@ -93,7 +93,7 @@ int at(Call& call) {
 
 // ---- place(axis, {minus=, plus=, home={from, to}, ...}): the keys of a bench file's [axis.N]
 
-/// Without the script's __index: no code of its may run in here.
+/// By raw access: no __index of the script may run here.
 int raw_field(lua_State* L, int table, const char* key) {
   lua_pushstring(L, key);
   return lua_rawget(L, table);
@@ -126,7 +126,7 @@ void read_home(lua_State* L, int table, AxisPlace& place) {
   lua_pop(L, 1);
 }
 
-/// motor = true, false, or a table of what differs from the motor of core/motion/motor.h.
+/// motor = true, false, or a table of differences from the motor of core/motion/motor.h.
 void read_motor(lua_State* L, int table, AxisPlace& place) {
   const int kind = raw_field(L, table, "motor");
   if (kind != LUA_TNIL) place.motor.emplace();
@@ -189,7 +189,7 @@ int place(Call& call) {
   return operate(call, bench::Place(axis_of(call), place));
 }
 
-// ---- what can be seen
+// ---- looking
 
 void push_positions(lua_State* L, const std::array<Steps, max_axes>& all, std::size_t count) {
   lua_createtable(L, static_cast<int>(count), 0);

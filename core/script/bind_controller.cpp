@@ -1,4 +1,4 @@
-// What hw.open() gives: one controller, or one bus. Its methods stand by subject in the other bind_*.cpp.
+// The result of hw.open(): one controller or one bus. Its methods are in the other bind_*.cpp, by subject.
 #include "core/script/bind.h"
 
 namespace hw::script {

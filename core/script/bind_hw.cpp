@@ -1,4 +1,4 @@
-// `hw`: opening controllers, time, checks, words.
+// `hw`: opening controllers, time, checks, output.
 #include <fmt/core.h>
 
 #include "core/script/bind.h"
@@ -49,7 +49,7 @@ int now(Call& call) {
 }
 
 int check(Call& call) {
-  if (lua_toboolean(call.L, call.place(1))) return lua_gettop(call.L);  // gives back what it was given
+  if (lua_toboolean(call.L, call.place(1))) return lua_gettop(call.L);  // returns its arguments
   const std::string why = call.has(2) ? call.text(2, "message") : "what was checked is not true";
   call.runner().end_run(call.L, "hw.check failed: " + why);
   throw Misuse(why);
@@ -61,7 +61,7 @@ int log(Call& call) {
   return call.nothing();
 }
 
-// Like Lua's own, but to wherever results go.
+// Like Lua's print, but to the results.
 int print(Call& call) {
   std::string line;
   for (int i = 1, n = lua_gettop(call.L); i <= n; ++i) {
@@ -82,7 +82,7 @@ constexpr Function functions[] = {
 };
 constexpr Function globals[] = {{"print", print, true}};
 
-// Without a stage `ui` says what is missing.
+// Without a stage `ui` raises an error that says so.
 void bind_absent_screen(lua_State* L) {
   lua_newtable(L);
   lua_newtable(L);

@@ -1,4 +1,4 @@
-// Methods of a controller that move its axes, stop them, and wait for them.
+// Methods of a controller that move, stop and wait for its axes.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -26,7 +26,8 @@ struct ById {  // the same order in every run
 };
 using Targets = std::map<SessionPtr, std::vector<AxisTarget>, ById>;
 
-// {[1]=400} or {X=1000, Y=0}, put into the catalog's order; on a bus {["01"]=400}. Not empty: why not.
+// Reads {[1]=400} or {X=1000, Y=0} in the catalog's order; on a bus {["01"]=400}. Returns a refusal, or
+// empty.
 std::string read_targets(const Call& call, int argument, const Counting& counting, Targets& targets) {
   const int table = call.place(argument);
   if (!lua_istable(call.L, table)) throw Misuse("the targets must be a table like {[1]=400}");
@@ -46,17 +47,12 @@ std::string read_targets(const Call& call, int argument, const Counting& countin
 
 // ---- the pace of a motion
 
-/// How many steps a unit of the speed is: of several axes together there is one speed.
+/// Steps per unit of the speed.
 double common_unit(const Call& call, const Counting& counting, const Targets& targets) {
-  std::optional<double> common;
+  std::vector<OneAxis> axes;
   for (const auto& [session, own] : targets)
-    for (const AxisTarget& target : own) {
-      const double steps = counting.steps_per_unit(call, OneAxis{session, target.axis.index, {}});
-      if (common && *common != steps)
-        throw Misuse("a speed in units needs axes of one unit: give it in steps/s, without unit=true");
-      common = steps;
-    }
-  return common.value_or(1);
+    for (const AxisTarget& target : own) axes.push_back(OneAxis{session, target.axis.index, {}});
+  return counting.common_to(call, axes);
 }
 
 const std::vector<std::string> pace_options{"speed", "acceleration", "unit"};
@@ -67,7 +63,7 @@ std::string name_of_axis(const Session& session, AxisId axis) {
   return session.catalog().axes[axis.index].name;
 }
 
-// All begin before the first is waited for.
+// Starts all before waiting for the first.
 template <class Move>
 Task<Answer> move_all(Targets targets, intent::Pace pace, bool on_bus) {
   struct UnderWay {
@@ -122,7 +118,7 @@ int jog(Call& call) {
   return perform(call, one.session, std::move(body));
 }
 
-/// By id, by the maker's word, or by its number, which is its place. -1: none.
+/// A mode by id, by the maker's word, or by number (its index). -1: none.
 int homing_mode(const std::vector<HomingMode>& modes, const std::string& wanted) {
   for (std::size_t i = 0; i < modes.size(); ++i)
     if (wanted == modes[i].id || (!wanted.empty() && wanted == modes[i].maker) ||
@@ -134,7 +130,7 @@ int homing_mode(const std::vector<HomingMode>& modes, const std::string& wanted)
 std::string no_such_homing(const std::vector<HomingMode>& modes, const std::string& wanted) {
   std::vector<std::string> ids;
   for (const HomingMode& m : modes) ids.push_back(m.id);
-  return fmt::format("There is no way of homing \"{}\". There is {}.{}", wanted, fmt::join(ids, ", "),
+  return fmt::format("There is no homing mode \"{}\". There is {}.{}", wanted, fmt::join(ids, ", "),
                      did_you_mean(wanted, ids));
 }
 
@@ -181,7 +177,10 @@ int stop(Call& call) {
 Task<Answer> wait_idle(SessionPtr session, Duration patience, bool on_bus) {
   const auto idle = co_await session->wait_until_idle(patience);
   if (idle) co_return answer_yes();
-  co_return answer_refused(refusal_of(idle.error(), *session, {}, on_bus));
+  const bool ended = idle.error().kind == FaultKind::controller;
+  const int index = ended ? axis_not_finished(session->known(), session->catalog()) : -1;
+  std::string axis = index >= 0 ? name_of_axis(*session, id_of(index)) : std::string();
+  co_return answer_refused(refusal_of(idle.error(), *session, std::move(axis), on_bus));
 }
 Task<Answer> wait_bus_idle(std::shared_ptr<SessionGroup> bus, Duration patience) {
   const auto idle = co_await bus->wait_until_idle(patience);

@@ -1,8 +1,9 @@
-// How far a script lets axes go, and the places that it saves and goes back to.
+// Travel limits, backlash, and saved places of a script.
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,7 +15,13 @@ namespace {
 
 // ---- limits
 
-/// {minus=-1000, plus=90000}; what is left out bounds nothing.
+/// Swaps the ends: where units count opposite to steps, the lower end in one is the upper in the other.
+void turn_round(Travel& travel) {
+  std::swap(travel.minus, travel.plus);
+  std::swap(travel.has_minus, travel.has_plus);
+}
+
+/// Reads {minus=-1000, plus=90000}; an absent end has no limit.
 Travel read_travel(const Call& call, int argument, const Counting& counting, const OneAxis& one) {
   const int table = call.place(argument);
   if (!lua_istable(call.L, table)) throw Misuse("the limits must be a table like {minus=-1000, plus=90000}");
@@ -28,11 +35,13 @@ Travel read_travel(const Call& call, int argument, const Counting& counting, con
     (minus ? travel.has_minus : travel.has_plus) = true;
     lua_pop(call.L, 1);
   }
+  if (counting.steps_per_unit(call, one) < 0) turn_round(travel);
   return travel;
 }
 
 /// `per_unit`: 0: in steps.
-Answer answer_travel(const Travel& travel, double per_unit) {
+Answer answer_travel(Travel travel, double per_unit) {
+  if (per_unit < 0) turn_round(travel);
   return [travel, per_unit](lua_State* L) {
     const auto set = [&](const char* end, Steps at) {
       push_steps(L, at, per_unit);
@@ -73,7 +82,7 @@ Task<Answer> tell_backlash(SessionPtr session, int axis) {
   };
 }
 
-/// c:backlash("X", {by=50, ends="+"}); {}: it is not taken up.
+/// c:backlash("X", {by=50, ends="+"}); {}: no compensation.
 int backlash(Call& call) {
   const OneAxis one = one_axis(call, 1, "backlash");
   if (one.index < 0) return call.refuse(one.refusal);
@@ -89,7 +98,7 @@ int backlash(Call& call) {
 
 // ---- places
 
-/// By axis, in the catalog's order. Not empty: there is none such.
+/// By axis, in the catalog's order. Returns a refusal, or empty.
 std::string read_place(const Call& call, int argument, const Counting& counting,
                        std::vector<AxisTarget>& at) {
   const int table = call.place(argument);
@@ -131,9 +140,12 @@ int save_place(Call& call) {
 int go(Call& call) {
   const SessionPtr& session = session_of(call);
   const std::string name = call.text(1, "name");
-  const Options options(call, 2, "go", {"speed", "acceleration"});
+  const Options options(call, 2, "go", {"speed", "acceleration", "unit"});
   if (const SavedPlace* to = find_place(session->places(), name)) {
-    intent::MoveTo body(to->at, options.speed());
+    std::vector<OneAxis> axes;
+    for (const AxisTarget& target : to->at) axes.push_back(OneAxis{session, target.axis.index, {}});
+    const bool paced = options.speed().value > 0;
+    intent::MoveTo body(to->at, paced ? options.speed(options.counting().common_to(call, axes)) : Pps());
     body.acceleration = options.acceleration();
     return perform(call, session, std::move(body));
   }

@@ -1,4 +1,4 @@
-// Methods of a controller for the programs that it stores.
+// Methods of a controller for its stored programs.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -12,21 +12,25 @@ namespace {
 
 int selected(const SessionPtr& session) { return std::max<int>(0, session->known().program.slot); }
 
-// Where programs run at once, their number is that of the thread.
+// If programs run concurrently, the number is the thread's.
 int programs_of(const Catalog& catalog) { return std::max(catalog.program.slots, catalog.program.threads); }
 
 int slot_of(const Call& call, int argument) {
   const SessionPtr& session = session_of(call);
+  if (programs_of(session->catalog()) == 0) return -1;
   if (!call.has(argument)) return selected(session);
   const std::int64_t n = call.whole(argument, "program");
   return n >= 0 && n < programs_of(session->catalog()) ? static_cast<int>(n) : -1;
 }
 std::string no_slot(const Catalog& catalog) {
-  return fmt::format("There is no such program. {} has 0 to {}.", catalog.short_name,
-                     programs_of(catalog) - 1);
+  const int programs = programs_of(catalog);
+  if (programs == 0) return fmt::format("{} has no programs.", catalog.short_name);
+  if (programs == 1)
+    return fmt::format("There is no such program. {} has one: number 0.", catalog.short_name);
+  return fmt::format("There is no such program. {} has 0 to {}.", catalog.short_name, programs - 1);
 }
 
-/// A sequence as the language of its controller writes it; any other text as it is.
+/// Converts a sequence to the controller's language; any other text is unchanged.
 Result<std::string> program_of(std::string text, const Session& session) {
   if (!session.type().language || !sequence::looks_like_sequence(text)) return text;
   const auto sequence = sequence::read_sequence(text, "The sequence");
@@ -60,7 +64,7 @@ Task<Answer> run_together(std::shared_ptr<SessionGroup> bus, sequence::Sequence 
   co_return answer_of_bus(begun, *bus);
 }
 
-/// A sequence of any length. Returns when the first piece is to begin; wait() tells of the end.
+/// Runs a sequence of any length. Returns when the first piece is to begin; wait() waits for the end.
 int run_in_pieces(Call& call) {
   auto sequence = sequence::read_sequence(call.text(1, "sequence"), "The sequence");
   if (!sequence) return call.refuse(sequence.error());
@@ -86,7 +90,7 @@ int override_speed(Call& call) {
   return perform(call, wish);
 }
 
-// With a number: that thread only, where programs run in several.
+// With a number: only that thread, on controllers with several.
 template <class Verb>
 int of_thread(Call& call) {
   if constexpr (!std::is_same_v<Verb, intent::HaltProgram>)

@@ -1,4 +1,4 @@
-// Methods of a controller for its axes' names and its parameters, by the maker's mnemonics.
+// Methods of a controller for axis names and for parameters by the maker's mnemonics.
 #include <cmath>
 #include <cstdlib>
 #include <vector>
@@ -75,9 +75,9 @@ int get(Call& call) {
   return call.wait(get_param(session_of(call), index));
 }
 
-// ---- what there is
+// ---- lists
 
-// Of a bus: the ids of its devices.
+// Axis names; on a bus the ids of its devices.
 int axes(Call& call) {
   std::vector<std::string> names;
   if (const auto bus = bus_of(call))
@@ -113,7 +113,7 @@ void push_parameter(lua_State* L, const ParamInfo& info, const ParamState& state
   lua_setfield(L, -2, "value");
 }
 
-/// All of them, read now. A value that cannot be read is left out.
+/// All parameters, read now. Unreadable values are omitted.
 Task<Answer> read_parameters(SessionPtr session) {
   IntentBody ask = intent::ReadParams();
   const auto read = co_await session->perform(std::move(ask));
@@ -130,7 +130,7 @@ Task<Answer> read_parameters(SessionPtr session) {
 }
 int parameters(Call& call) { return call.wait(read_parameters(session_of(call))); }
 
-// ---- one of them
+// ---- one parameter
 
 intent::Closing closing_of(const Call& call, int argument) {
   if (!call.has(argument)) return intent::Closing::ask;
@@ -152,8 +152,8 @@ Task<Answer> set_param(SessionPtr session, intent::SetParam wish) {
   co_return answer_of(done);
 }
 
-// A script says what it means: it confirms what the console would ask a person, as that stands written in the
-// manual. How far a servo axis stands from its command does not: that it has to answer.
+// A script confirms by calling: questions that the manual describes are skipped. The distance of a servo axis
+// from its command is not one of them: the script must answer it.
 int set(Call& call) {
   const std::string name = call.text(1, "parameter");
   const Catalog& catalog = session_of(call)->catalog();

@@ -1,6 +1,6 @@
-// Methods of a controller for what it tells of itself: axes, inputs, outputs. Rule: a call asks for a round
-// of status that begins after it, so what it gives back is never older than the call; what cannot be read now
-// is nil and a reason, never an old value.
+// Methods of a controller for its status: axes, inputs, outputs. Rule: a call requests a status round that
+// begins after it, so the result is never older than the call; a value that cannot be read now is nil and a
+// reason, never an old value.
 #include <cmath>
 
 #include <fmt/core.h>
@@ -20,14 +20,14 @@ std::string why_gone(const LinkHealth& link) {
 
 std::string why_unread(const LinkHealth& link) {
   if (!link.sentence.view().empty()) return std::string(link.sentence.view());
-  return "The controller tells nothing of it at present.";
+  return "The controller does not report it at present.";
 }
 
 int push_unknown(lua_State* L, std::string reason, FaultKind kind = FaultKind::no_answer) {
   return push_refusal(L, Refusal{std::move(reason), kind});
 }
 
-/// When the round read what is asked for.
+/// Time at which the round read the value.
 using SeenAt = Instant (*)(const Snapshot&, int number);
 Instant axis_seen_at(const Snapshot& known, int axis) { return known.axes[axis].seen_at; }
 Instant io_seen_at(const Snapshot& known, int) { return known.io_seen_at; }
@@ -50,9 +50,24 @@ int ask_of(Call& call, const SessionPtr& session, Push push, int number, SeenAt 
       read_fresh(session, call.runner().scheduler().now(), push, number, seen_at, std::move(what)));
 }
 
+/// Adds the axis to the table of a refusal.
+Task<Answer> naming_axis(Task<Answer> reading, std::string axis) {
+  const Answer read = co_await std::move(reading);
+  co_return [read, axis = std::move(axis)](lua_State* L) {
+    const int results = read(L);
+    if (results == 3 && lua_istable(L, -1)) {
+      lua_pushlstring(L, axis.data(), axis.size());
+      lua_setfield(L, -2, "axis");
+    }
+    return results;
+  };
+}
+
 Task<Answer> read_axis(const Call& call, const OneAxis& one, Push push) {
-  return read_fresh(one.session, call.runner().scheduler().now(), push, one.index, axis_seen_at,
-                    "Axis " + one.session->catalog().axes[static_cast<std::size_t>(one.index)].name);
+  const std::string& name = one.session->catalog().axes[static_cast<std::size_t>(one.index)].name;
+  return naming_axis(
+      read_fresh(one.session, call.runner().scheduler().now(), push, one.index, axis_seen_at, "Axis " + name),
+      name);
 }
 
 int of_axis(Call& call, Push push) {
@@ -134,7 +149,7 @@ void set_whole(lua_State* L, const char* name, std::int64_t value) {
   lua_setfield(L, -2, name);
 }
 
-/// What is said of a servo axis only; what is not known of its loop is left out.
+/// Fields of servo axes only; unknown values of the loop are omitted.
 void set_servo(lua_State* L, const AxisState& s) {
   set_flag(L, "servo", s.loop != Loop::none);
   if (s.loop == Loop::none) return;
@@ -169,8 +184,8 @@ int push_axis_status(lua_State* L, const Snapshot& known, const Catalog&, int ax
   return 1;
 }
 
-/// Always a table with `link`, for who asks what is the matter. While the link is not good, `why` says so,
-/// and what could not be read is left out.
+/// Always pushes a table with `link`, to allow diagnosis. While the link is not good, `why` gives the reason,
+/// and values that could not be read are omitted.
 int push_whole_status(lua_State* L, const Snapshot& known) {
   lua_createtable(L, 0, 10);
   set_word(L, "link", name_of(known.link.state));
@@ -196,9 +211,9 @@ int push_whole_status(lua_State* L, const Snapshot& known) {
 }
 
 constexpr Duration short_look = Millis(20), long_look = Millis(200);
-constexpr std::int64_t enough_steps = 50;  // fewer say little: one step more or less is then a few percent
+constexpr std::int64_t enough_steps = 50;  // fewer are too imprecise: one step is then a few percent
 
-// Measured: steps between two rounds of status over the time between them. At rest 0 at once.
+// Measures the steps between two status rounds over the time between them. 0 at once at rest.
 Task<Answer> measure_velocity(Runner& runner, SessionPtr session, int axis, double steps_per_unit) {
   const AxisState& state = session->known().axes[axis];
   co_await session->pump().refresh();
@@ -233,7 +248,7 @@ Task<Answer> read_whole_status(SessionPtr session) {
   co_return [session](lua_State* L) { return push_whole_status(L, session->known()); };
 }
 
-/// What was read in steps, where `per_unit` is not 0.
+/// Converts a reading in steps to units, if `per_unit` is not 0.
 Task<Answer> in_units(Task<Answer> reading, double per_unit) {
   const Answer read = co_await std::move(reading);
   co_return [read, per_unit](lua_State* L) {
@@ -259,9 +274,9 @@ int status(Call& call) {
 
 // ---- inputs and outputs, by the maker's number
 
-/// What a number names, and which numbers there are.
+/// The index of a number, and the range of numbers.
 struct Numbered {
-  int place;  ///< -1: nothing
+  int place;  ///< -1: none
   std::size_t count;
   int first, last;
 };
@@ -286,7 +301,7 @@ int of_number(Call& call, const char* what, std::int64_t number, const Numbered&
                 fmt::format("The {} {}", what, number));
 }
 
-/// Whether it has been; pushes nil and the reason if not.
+/// Whether the line has been read; if not, pushes nil and the reason.
 bool has_read(lua_State* L, std::uint32_t known, int place, const char* what, int number) {
   if (known & (1u << place)) return true;
   push_unknown(L, fmt::format("{} {} has not been read.", what, number));
@@ -305,8 +320,8 @@ int push_output(lua_State* L, const Snapshot& known, const Catalog& catalog, int
   return 1;
 }
 
-// A round may have read another one of them: then this one is asked for. A reading of the very instant of the
-// call may be older than it; that of a controller that cannot be asked is of the round, which is not.
+// A round may have read another input; then this one is queried. A reading at the instant of the call may be
+// older than the call, except on a controller without a query, where it is from the new round.
 Task<Answer> fresh_analog(SessionPtr session, Instant asked_at, int place) {
   const auto at = static_cast<std::size_t>(place);
   const Snapshot& known = session->known();
@@ -326,7 +341,7 @@ Task<Answer> fresh_analog(SessionPtr session, Instant asked_at, int place) {
   };
 }
 
-/// Until a round that begins now is over, or the inputs have been asked for by then.
+/// Waits for the end of a round that begins now, or for a newer query of the inputs.
 Task<> refresh_inputs(SessionPtr session, Instant asked_at) {
   const std::uint64_t round = session->pump().want_round();
   const Snapshot& known = session->known();

@@ -1,4 +1,4 @@
-// `hw.write_csv`: what a script has found, as a table that a spreadsheet reads.
+// `hw.write_csv`: writes a script's results as a table for spreadsheets.
 #include <cmath>
 
 #include <fmt/core.h>
@@ -39,7 +39,7 @@ std::string cell_of(lua_State* L, std::size_t row) {
   return cell;
 }
 
-/// The list on top: its cells up to the last that is no nil, as its length tells. Pops it.
+/// Converts the list on top of the stack, up to its length, and pops it.
 std::string line_of(lua_State* L, std::size_t row) {
   if (!lua_istable(L, -1))
     throw Misuse(fmt::format("hw.write_csv: row {} must be a list like {{1, 2}}", row));

@@ -1,4 +1,4 @@
-// `hw.spawn`, `hw.wait_any`: functions of a script side by side. Each is a fiber of its own, so all may wait.
+// `hw.spawn`, `hw.wait_any`: concurrent functions of a script. Each is a fiber of its own, so all may wait.
 #include <algorithm>
 #include <new>
 
@@ -15,7 +15,7 @@ constexpr std::size_t most_at_once = 100;
 
 using SpawnedPtr = std::shared_ptr<Spawned>;
 
-/// Null: something else stands there.
+/// Null: not a task.
 SpawnedPtr task_at(lua_State* L, int place) {
   void* found = luaL_testudata(L, place, task_type);
   return found ? *static_cast<SpawnedPtr*>(found) : nullptr;
@@ -43,7 +43,7 @@ int push_results(lua_State* L, const Spawned& from) {
   return from.results;
 }
 
-/// {task, function, ...}: functions begin now, in their order.
+/// {task, function, ...}: starts the functions now, in order.
 int wait_any(Call& call) {
   lua_State* const L = call.L;
   const int table = call.place(1);
@@ -66,7 +66,7 @@ int wait_any(Call& call) {
     if (ours) {
       lua_pushvalue(L, place);
       auto spawned = call.runner().spawn(L, 0);
-      lua_replace(L, place);  // the coroutine stays here while it is waited for
+      lua_replace(L, place);  // keeps the coroutine referenced during the wait
       racers.push_back({std::move(spawned), true});
     } else {
       racers.push_back({task_at(L, place), false});
@@ -108,7 +108,7 @@ void push_task(lua_State* L, std::shared_ptr<Spawned> spawned) {
   new (lua_newuserdatauv(L, sizeof(SpawnedPtr), 1)) SpawnedPtr(std::move(spawned));
   luaL_setmetatable(L, task_type);
   lua_insert(L, -2);
-  lua_setiuservalue(L, -2, 1);  // keeps the coroutine, and with it the results
+  lua_setiuservalue(L, -2, 1);  // keeps the coroutine and its results
 }
 
 Task<Answer> wait_for_first(Runner& runner, std::vector<Racer> racers, bool with_place, Duration patience,

@@ -1,4 +1,4 @@
-// Methods of a controller for the maker's own text: sent, asked, and what comes unasked.
+// Methods of a controller for raw text: send, ask, and unsolicited messages.
 #include <fmt/core.h>
 
 #include "core/script/bind.h"
@@ -11,7 +11,7 @@ bool is_lost(const SessionPtr& session) {
   return state == LinkState::lost || state == LinkState::closed;
 }
 
-// Whoever is connected can speak to all.
+// Any connected member can send to all.
 const SessionPtr& speaker_of(const SessionGroup& bus) {
   for (const SessionPtr& member : bus.members()) {
     const LinkState state = member->known().link.state;
@@ -20,7 +20,7 @@ const SessionPtr& speaker_of(const SessionGroup& bus) {
   return bus.members().front();
 }
 
-// On a bus: to all of its devices at once, where the maker has a way to say that.
+// On a bus: sends to all devices at once, where the maker has a broadcast.
 int send(Call& call) {
   const auto bus = bus_of(call);
   const SessionPtr& session = bus ? speaker_of(*bus) : session_of(call);

@@ -1,4 +1,4 @@
-// What a script asks and says of whether an axis stands where its count says.
+// Methods to read and set the trust in an axis' position.
 #include <fmt/core.h>
 
 #include "core/device/refusals.h"
@@ -27,7 +27,7 @@ Told tell_trust(const AxisState& axis) {
   return {"untrusted", std::string(words_of(axis.trust.cause))};
 }
 
-/// As with all that is read: of a round of status that begins after the call.
+/// From a status round that begins after the call, like all readings.
 Task<Answer> ask_trust(SessionPtr session, int axis) {
   co_await session->pump().refresh();
   const Told told = tell_trust(session->known().axes[axis]);

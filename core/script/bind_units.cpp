@@ -1,4 +1,4 @@
-// c:units: what a script calls a length of an axis, and how many steps that is.
+// c:units: the unit of an axis, and its size in steps.
 #include <fmt/format.h>
 
 #include "core/base/index.h"
@@ -17,13 +17,13 @@ int push_unit(lua_State* L, const std::string& name, double steps_per_unit) {
   return 1;
 }
 
-/// Until a script tells another one, an axis counts its steps.
+/// The script's unit, else the console's; without either, steps.
 int units(Call& call) {
   const OneAxis one = one_axis(call, 1, "units");
   if (one.index < 0) return call.refuse(one.refusal);
   AxisUnits& told = call.runner().notes().units;
   if (!call.has(2)) {
-    if (const AxisUnit* unit = told.find(one.session, one.index))
+    if (const auto unit = told.find(one.session, one.index))
       return push_unit(call.L, unit->name, unit->steps_per_unit);
     return push_unit(call.L, one.session->catalog().step_word, 1);
   }

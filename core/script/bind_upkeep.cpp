@@ -1,5 +1,4 @@
-// Methods of a controller for what is done between jobs: errors cleared, its set-up stored, kept in a file
-// and brought back.
+// Methods of a controller for upkeep: clearing errors, storing the set-up, backup to a file and restore.
 #include <fmt/core.h>
 
 #include "core/script/bind.h"
@@ -10,7 +9,7 @@
 namespace hw::script {
 namespace {
 
-/// The action that clears what the controller keeps of errors; -1: it keeps none.
+/// The action that clears stored errors; -1: the controller stores none.
 int clearing_action(const Catalog& catalog) {
   const int clear = catalog.find_action("clear");
   return clear >= 0 ? clear : catalog.find_action("clear_flags");
@@ -65,7 +64,7 @@ int backup(Call& call) {
   return call.wait(back_up(call.runner(), session_of(call), std::move(*path)));
 }
 
-/// A script says what it means: parameters that carry a warning are written too, as by c:set.
+/// Writes parameters that carry a warning too, like c:set: a script confirms by calling.
 Task<Answer> bring_back(SessionPtr session, Backup kept, std::string path) {
   const auto report = co_await restore_backup(session, std::move(kept), std::move(path), Warned::write);
   if (!report) co_return answer_refused(report.error());

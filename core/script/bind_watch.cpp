@@ -1,4 +1,4 @@
-// Methods of a controller that run a script's function when something has changed: c:on, c:wait_until.
+// Methods of a controller that run a script's function on a change: c:on, c:wait_until.
 #include <deque>
 #include <new>
 #include <string_view>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char *watch_type = "watch", *react_key = "handwheel.react", *hold_key = "handwheel.hold";
 
-// Both run as fibers of their own, so that what they call may wait.
+// Both run as fibers of their own, so that the functions they call may wait.
 constexpr std::string_view loops = R"lua(
 local function react(watch, f)
   while true do f(watch:next()) end
@@ -32,7 +32,10 @@ return react, hold
 
 enum class About : std::uint8_t { limit, input, stopped, lost, anything };
 
-/// What is compared from one look to the next.
+/// Outside events that show only in a status round.
+bool is_urgent(About about) { return about == About::limit || about == About::input; }
+
+/// The state compared between two looks.
 struct Seen {
   std::uint32_t minus = 0, plus = 0, moving = 0, inputs = 0, inputs_known = 0;
   bool lost = false;
@@ -59,14 +62,13 @@ void push_axis_name(lua_State* L, const std::string& name) {
     lua_pushlstring(L, name.data(), name.size());
 }
 
-/// The device that news are of, in the words of a script: on a bus its id stands in front of everything, in
-/// place of its only axis.
+/// The device that news concern, in script terms: on a bus its id comes first, in place of its only axis.
 struct Whom {
   SessionPtr session;
   bool on_bus;
 
   [[nodiscard]] const std::string& axis(std::size_t i) const { return session->catalog().axes[i].name; }
-  /// How many words it was.
+  /// Returns the number of values pushed.
   int push_axis(lua_State* L, std::size_t i) const {
     if (on_bus) return push_id(L);
     push_axis_name(L, axis(i));
@@ -79,7 +81,7 @@ struct Whom {
   }
 };
 
-/// What a script's function is to be told.
+/// News for a script's function.
 class Watch {
  public:
   Watch(const std::vector<SessionPtr>& sessions, bool on_bus, About about) : about_(about) {
@@ -90,12 +92,10 @@ class Watch {
   [[nodiscard]] std::size_t size() const { return watched_.size(); }
   [[nodiscard]] const SessionPtr& session(std::size_t which) const { return watched_[which].whom.session; }
   [[nodiscard]] About about() const { return about_; }
-  /// What a person or a machine does from outside shows only in a round of status.
-  [[nodiscard]] bool is_urgent() const { return about_ == About::limit || about_ == About::input; }
-  /// At one of them. True: there is something to tell.
+  /// Looks at one of the sessions. True: there is news.
   bool look(std::size_t which);
   std::deque<Answer> news;
-  Instant returned_at{};  ///< its loop was given news, or none
+  Instant returned_at{};  ///< when its loop last got news, or none
 
  private:
   void tell_limits(const Whom& whom, std::uint32_t hit, const char* sign);
@@ -164,19 +164,25 @@ using WatchPtr = std::shared_ptr<Watch>;
 
 constexpr Duration look_again = Millis(10);
 
+constexpr Duration from_look_to_look = std::chrono::seconds(1);
+
 /// A round of status is long on a slow wire.
 void watch_inputs_closely(Session& session) {
-  constexpr Duration from_look_to_look = std::chrono::seconds(1);
   session.pump().watch_inputs(session.now() + from_look_to_look);
 }
+void watch_limits_closely(Session& session) {
+  session.pump().watch_limits(session.now() + from_look_to_look);
+}
 
-/// Beside the script, so that nothing is missed while its function runs.
+/// Runs concurrently with the script, so that nothing is missed while its function runs.
 Task<> keep_watch(Runner& runner, std::weak_ptr<Watch> watched, std::size_t which, SessionPtr session,
-                  bool urgent) {
+                  About about) {
+  const bool urgent = is_urgent(about);
   const Duration pace = urgent ? Millis(5) : Millis(1000);
   for (;;) {
     const Instant deadline = runner.scheduler().now() + pace;
-    if (urgent) watch_inputs_closely(*session);
+    if (about == About::input) watch_inputs_closely(*session);
+    if (about == About::limit) watch_limits_closely(*session);
     const bool news = co_await session->pump().published().wait_until(deadline);
     const WatchPtr watch = watched.lock();
     if (!watch || runner.over() || session->known().link.state == LinkState::closed) co_return;
@@ -195,8 +201,8 @@ Task<Answer> next_news(Runner& runner, WatchPtr watch) {
   co_return next;
 }
 
-/// News of the very instant may be what the script's own reading has brought: time has to pass. Where that
-/// reading has taken its time already, what has come meanwhile may be news.
+/// News at the instant of the call may come from the script's own reading, so time must pass first. If that
+/// reading has taken time already, anything since may be news.
 Task<Answer> pause_until_news(Runner& runner, WatchPtr watch) {
   constexpr Duration a_reading = Millis(1);
   const Instant began = runner.scheduler().now(), deadline = began + look_again;
@@ -221,7 +227,7 @@ int drop_watch(lua_State* L) {
   return 0;
 }
 
-/// loop(watch, the function at `place`), side by side; leaves the coroutine on the stack.
+/// Starts loop(watch, the function at `place`) as a fiber; leaves the coroutine on the stack.
 std::shared_ptr<Spawned> begin_loop(Call& call, const char* loop, const WatchPtr& watch, int place) {
   lua_getfield(call.L, LUA_REGISTRYINDEX, loop);
   new (lua_newuserdatauv(call.L, sizeof(WatchPtr), 0)) WatchPtr(watch);
@@ -252,8 +258,7 @@ WatchPtr watch_on(const Call& call, About about) {
 void begin_to_watch(const Call& call, const WatchPtr& watch) {
   for (std::size_t i = 0; i < watch->size(); ++i)
     asio::co_spawn(call.runner().scheduler().executor(),
-                   keep_watch(call.runner(), watch, i, watch->session(i), watch->is_urgent()),
-                   asio::detached);
+                   keep_watch(call.runner(), watch, i, watch->session(i), watch->about()), asio::detached);
 }
 
 int on(Call& call) {
@@ -271,11 +276,11 @@ int wait_until(Call& call) {
   const WatchPtr watch = watch_on(call, About::anything);
   watch->returned_at = call.runner().scheduler().now();
   for (std::size_t i = 0; i < watch->size(); ++i) watch_inputs_closely(*watch->session(i));
-  if (watch->size() > 1) begin_to_watch(call, watch);  // their news, as one
+  if (watch->size() > 1) begin_to_watch(call, watch);  // for the news of all in one queue
   std::vector<Racer> racers{{begin_loop(call, hold_key, watch, call.place(1)), true}};
   return call.wait(
       wait_for_first(call.runner(), std::move(racers), false, patience,
-                     fmt::format("Timeout: it has not come true within {:g} s.", seconds(patience))));
+                     fmt::format("Timeout: it did not come true within {:g} s.", seconds(patience))));
 }
 
 constexpr Function watch_table[] = {{"on", on}, {"wait_until", wait_until}};

@@ -17,7 +17,7 @@ std::string Call::text(int argument, const char* what) const {
   if (lua_type(L, place(argument)) != LUA_TSTRING && lua_type(L, place(argument)) != LUA_TNUMBER)
     wrong(argument, what, "a text");
   std::size_t length = 0;
-  lua_pushvalue(L, place(argument));  // converting must not change the script's own number
+  lua_pushvalue(L, place(argument));  // conversion must not change the script's value
   const char* bytes = lua_tolstring(L, -1, &length);
   std::string copy(bytes, length);
   lua_pop(L, 1);
@@ -72,7 +72,7 @@ static const char* word_of(FaultKind kind) {
   return "internal";
 }
 
-// One that is printed shows its kind, and not where it lies in memory: a replay is one.
+// Printing a refusal shows its kind, not its address, so that a replay is identical.
 static int refusal_as_text(lua_State* L) {
   if (!lua_istable(L, 1)) return 0;
   lua_pushliteral(L, "kind");
@@ -125,7 +125,7 @@ int Call::wait_for_act(std::function<Answer()> act) {
 
 int resume_with_answer(lua_State* L, int status, std::ptrdiff_t context);
 
-// Everything C++ begins and ends in here. Misuse: the message is on the stack.
+// All C++ objects live and die in here. After misuse the message is on the stack.
 static int call_body(lua_State* L) {
   const auto* function = static_cast<const Function*>(lua_touserdata(L, lua_upvalueindex(1)));
   const int self = static_cast<int>(lua_tointeger(L, lua_upvalueindex(2)));
@@ -141,7 +141,7 @@ static int call_body(lua_State* L) {
   }
 }
 
-// Runs code of the script, which may not come back or raise an error: no C++ object may live here.
+// Runs script code, which may never return or raise an error: no C++ object may live here.
 static void make_texts(lua_State* L) {
   for (int i = 1, n = lua_gettop(L); i <= n; ++i) {
     luaL_tolstring(L, i, nullptr);
@@ -197,8 +197,6 @@ Answer answer_error(std::string sentence) {
     return Call::misused;
   };
 }
-Answer answer_of(const Result<>& result) {
-  return result ? answer_yes() : answer_refused(result.error());
-}
+Answer answer_of(const Result<>& result) { return result ? answer_yes() : answer_refused(result.error()); }
 
 }  // namespace hw::script

@@ -1,6 +1,6 @@
 #pragma once
-// One call from Lua into the house: reads its arguments, gives back results or waits. C++ objects are gone
-// before Lua jumps (errors and yields are longjmps), so bodies may use them freely; they throw Misuse instead
+// One call from Lua into C++: reads arguments, returns results or waits. C++ objects are destroyed before Lua
+// jumps (errors and yields are longjmps), so function bodies may use them freely; they throw Misuse instead
 // of calling luaL_error.
 #include <cstdint>
 #include <lua.hpp>
@@ -14,18 +14,18 @@
 
 namespace hw::script {
 
-/// Why a call gives nil: the reason, and a table {kind=, axis=, device=, what_to_do=} without what is not
-/// known.
+/// Why a call returns nil: the reason, and a table {kind=, axis=, device=, what_to_do=} without unknown
+/// fields.
 struct Refusal {
   std::string reason;  ///< a sentence
   FaultKind kind = FaultKind::refused;
   std::string axis = {}, device = {}, what_to_do = {};
 };
 Refusal refusal_of(const Fault& fault);
-/// nil, reason, table. Of a method that was called on one controller the device is known by that.
+/// Pushes nil, reason, table. A method called on one controller adds the device itself.
 int push_refusal(lua_State* L, Refusal refusal);
 
-/// The script called something the wrong way: an error at its line.
+/// A wrong call by the script: an error at its line.
 class Misuse : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -33,7 +33,7 @@ class Misuse : public std::runtime_error {
 
 class Call {
  public:
-  /// `self`: 1 for methods (a:b()), so that their arguments are counted as the script writes them.
+  /// `self`: 1 for methods (a:b()), so that arguments are numbered as the script writes them.
   Call(lua_State* state, const char* function, int self) : L(state), function_(function), self_(self) {}
 
   lua_State* const L;
@@ -54,10 +54,10 @@ class Call {
   int yes();
   int refuse(std::string_view reason);  ///< see Refusal
   int refuse(const Fault& fault) { return push_refusal(L, refusal_of(fault)); }
-  /// Suspends the script until `work` is over. The last thing that a body does.
+  /// Suspends the script until `work` is over. Must be the last action of a body.
   int wait(Task<Answer> work);
 
-  /// The same for something that runs between the turns of the run.
+  /// The same for `act`, which runs between two turns of the run.
   int wait_for_act(std::function<Answer()> act);
 
   static constexpr int waits = -1, misused = -2;
@@ -72,9 +72,9 @@ class Call {
 struct Function {
   const char* name;
   int (*body)(Call&);
-  bool texts = false;  ///< whatever it is given becomes a text first, as the script's __tostring has it
+  bool texts = false;  ///< arguments are converted to text first, with the script's __tostring
 };
-/// Adds them to the table on the top; `self` as in Call.
+/// Adds the functions to the table on top of the stack; `self` as in Call.
 void add_functions(lua_State* L, std::span<const Function> functions, int self);
 /// Pushes a table of them.
 void push_functions(lua_State* L, const Function* first, const Function* last, int self);

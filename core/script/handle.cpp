@@ -1,4 +1,4 @@
-// The value that stands for a controller, a bus, or one of the bus's devices in a script.
+// A script's value for a controller, a bus, or one device of a bus.
 #include <new>
 
 #include <fmt/format.h>
@@ -125,7 +125,7 @@ static std::shared_ptr<Session> device_meant(lua_State* L, const Handle& handle)
   return device < 0 ? nullptr : members[static_cast<std::size_t>(device)];
 }
 
-// A call that has waited still has its arguments where they were.
+// The arguments are still on the stack after a wait.
 void name_device(lua_State* L, Refusal& refusal) {
   const void* self = luaL_testudata(L, 1, controller_type);
   if (!self || !refusal.device.empty()) return;
@@ -136,7 +136,7 @@ void name_device(lua_State* L, Refusal& refusal) {
   if (handle.group->is_bus()) refusal.reason = fmt::format("{}: {}", device->catalog().id(), refusal.reason);
 }
 
-/// The axis that a wish is for; empty: for none, or several.
+/// The axis of an intent; empty: none, or several.
 static std::string axis_of_wish(const IntentBody& body, const Catalog& catalog) {
   const int axis = std::visit(
       [](const auto& wish) -> int {
@@ -151,7 +151,7 @@ static std::string axis_of_wish(const IntentBody& body, const Catalog& catalog) 
   return axis < 0 ? std::string() : catalog.axes[static_cast<std::size_t>(axis)].name;
 }
 
-// One of many on a wire is named in the sentence too: else nobody knows which of them it was.
+// On a bus the sentence names the device too, to tell it from the others.
 Refusal refusal_of(const Fault& fault, const Session& session, std::string axis, bool on_bus) {
   Refusal refusal = refusal_of(fault);
   if (on_bus) refusal.reason = fmt::format("{}: {}", session.catalog().id(), refusal.reason);
@@ -180,7 +180,7 @@ int perform(Call& call, SessionPtr session, IntentBody body) {
 }
 int perform(Call& call, IntentBody body) { return perform(call, session_of(call), std::move(body)); }
 
-// c.bench, c.devices, else a method. A bus has no bench of its own: what is not there is nil.
+// c.bench, c.devices, else a method. nil if absent; a bus has no bench of its own.
 int index_handle(lua_State* L) {
   const auto& handle = *static_cast<Handle*>(luaL_checkudata(L, 1, controller_type));
   const WayOut::Closed closed(Runner::of(L).way_out());

@@ -1,5 +1,5 @@
 #pragma once
-// What a run keeps for its script, and tells at its end.
+// Data that a run keeps for its script and reports at its end.
 #include <map>
 #include <string>
 
@@ -10,9 +10,9 @@ namespace hw::script {
 /// The files that it has written, each once.
 class Written {
  public:
-  /// `what`: "12 rows"; empty: nothing more is to be said of it.
+  /// `what`: "12 rows"; empty: no detail.
   void note(const std::string& path, std::string what) { files_[path] = std::move(what); }
-  /// "Wrote a.csv (12 rows), b.png."; empty: nothing was written.
+  /// "Wrote a.csv (12 rows), b.png."; empty: no files.
   [[nodiscard]] std::string sentence() const;
 
  private:
@@ -22,7 +22,7 @@ class Written {
 struct Notes {
   AxisUnits units;
   Written written;
-  bool words_are_wrong = false;  ///< those behind the script's name: see hw.arguments
+  bool words_are_wrong = false;  ///< the script's arguments are wrong: see hw.arguments
 };
 
 }  // namespace hw::script

@@ -53,7 +53,7 @@ std::optional<double> Options::above_zero(const char* key, const char* unit) con
 
 Pps Options::speed(double steps_per_unit) const {
   const char* unit = steps_per_unit == 1 ? "steps/s" : "units/s";
-  return Pps(above_zero("speed", unit).value_or(0) * steps_per_unit);
+  return Pps(above_zero("speed", unit).value_or(0) * std::abs(steps_per_unit));
 }
 
 Acceleration Options::acceleration() const {

@@ -15,21 +15,21 @@ using intent::Acceleration;
 
 class Options {
  public:
-  /// None given: all are absent. A key that is not `known` is Misuse that names the one meant.
+  /// No table: all options are absent. A key not in `known` is Misuse that names the probable one.
   Options(const Call& call, int argument, const char* function, std::vector<std::string> known);
 
-  /// Above 0; absent: 0, which is the controller's own.
+  /// Above 0, whatever the unit's direction; absent: 0, the controller's own speed.
   [[nodiscard]] Pps speed(double steps_per_unit = 1) const;
-  /// A whole number; what it counts is the controller's.
+  /// A whole number in the controller's own unit.
   [[nodiscard]] Acceleration acceleration() const;
   /// A number above 0; absent: none.
   [[nodiscard]] std::optional<double> above_zero(const char* key, const char* unit) const;
-  /// {unit=true}: what this call counts.
+  /// The unit of this call: {unit=true}.
   [[nodiscard]] Counting counting() const;
   [[nodiscard]] std::optional<std::string> text(const char* key) const;
 
  private:
-  /// Pushes it, without the script's __index: no code of its may run in here.
+  /// Pushes the value by raw access: no __index of the script may run here.
   int push(const char* key) const;
 
   lua_State* const L_;

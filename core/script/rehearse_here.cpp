@@ -25,7 +25,7 @@ void put(lua_State* L, const char* name, bool on) {
   lua_setfield(L, -2, name);
 }
 
-/// Under its name as scripts write axes and outputs: 1 is a number, "X" a text.
+/// Sets a field under a name in script form: 1 is a number, "X" a text.
 void put_under(lua_State* L, const std::string& name) {
   const bool number =
       !name.empty() && std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -87,7 +87,7 @@ bool knows_all_params(const Session& session) {
   return true;
 }
 
-/// Other programs of the controller, which this one may call. What cannot be read stays unknown.
+/// Reads the controller's other programs, which this one may call. Unreadable ones stay unknown.
 Task<> read_programs(SessionPtr session, int but_slot, ControllerState& state) {
   const int slots = session->catalog().program.slots;
   for (int slot = 0; slots > 1 && slot < slots; ++slot) {

@@ -14,12 +14,12 @@ namespace hw::script {
 namespace {
 
 constexpr int hook_every = 10'000;              // instructions
-constexpr std::uint64_t cost_of_a_wait = 1000;  // so that sleep(0) in a loop ends too
+constexpr std::uint64_t cost_of_a_wait = 1000;  // so that a loop of sleep(0) ends too
 
-// The file's own name: Lua cuts long paths, and a person knows where the script is.
+// The file name only: Lua shortens long paths, and the user knows where the script is.
 std::string chunk_name(const std::string& path) { return "@" + path.substr(path.rfind('/') + 1); }
 
-// The line of the script that runs now: "script.lua:12: ".
+// The line that runs now: "script.lua:12: ".
 std::string where(lua_State* L) {
   lua_Debug at;
   for (int level = 0; lua_getstack(L, level, &at); ++level) {
@@ -29,7 +29,7 @@ std::string where(lua_State* L) {
   return {};
 }
 
-// The lines that led to the one where the error happened, which its message names.
+// The calling lines, without that of the error itself, which the message names.
 std::string callers(lua_State* L) {
   std::string all;
   lua_Debug at;
@@ -54,7 +54,7 @@ struct Runner::Fiber {
   lua_State* L = nullptr;
   int kept = LUA_NOREF;  ///< in the registry, so that it is not collected
   bool waits = false;
-  bool cancelled = false;  ///< what it waits for comes to its end, and then it is gone
+  bool cancelled = false;  ///< ends when what it waits for has ended
   int arguments = 0;       ///< of its function, when it starts
   std::shared_ptr<Spawned> spawned;
   Answer answer;
@@ -70,12 +70,13 @@ Runner::Runner(HybridScheduler& scheduler, RunOptions options)
       began_(scheduler.now()),
       ended_(scheduler),
       happened_(scheduler) {
+  notes_.units.kept = options_.kept_unit;
   lua_ = lua_newstate(&Runner::allocate, this);
   *static_cast<Runner**>(lua_getextraspace(lua_)) = this;
 }
 
 Runner::~Runner() {
-  static auto& left_alone = *new std::vector<lua_State*>();  // so that who looks for leaks finds none
+  static auto& left_alone = *new std::vector<lua_State*>();  // keeps leak checkers silent
   if (broken_)
     left_alone.push_back(lua_);
   else if (lua_)
@@ -87,7 +88,7 @@ Runner& Runner::of(lua_State* L) { return **static_cast<Runner**>(lua_getextrasp
 void* Runner::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
   auto& runner = *static_cast<Runner*>(self);
   const WayOut::Closed closed(runner.way_out_);
-  if (!block) old_size = 0;  // then it is a kind of object, not a size
+  if (!block) old_size = 0;  // `old_size` is then a type, not a size
   if (new_size == 0) {
     std::free(block);
     runner.memory_used_ -= old_size;
@@ -107,18 +108,18 @@ void Runner::count_hook(lua_State* L, lua_Debug*) {
   const WayOut::Closed closed(runner.way_out_);
   runner.heartbeat_.fetch_add(1, std::memory_order_relaxed);
   if (runner.interrupt_asked_) runner.interrupt_now();
-  if (runner.ending_) return runner.unwind(L);  // a coroutine of the script's own
+  if (runner.ending_) return runner.unwind(L);  // for the script's own coroutines
   runner.count(L, hook_every);
   runner.count_time(L);
 }
 
-// Every further instruction, in whatever pcall of the script, raises the error again.
+// Raises the error again at every further instruction, within any pcall too.
 void Runner::ending_hook(lua_State* L, lua_Debug*) {
   lua_pushstring(L, of(L).failure_.c_str());
   lua_error(L);
 }
 
-// Instructions count until time goes on; in wall-clock time, until the script waits.
+// Instructions are counted until time advances; wall-clock time, until the script waits.
 void Runner::count(lua_State* L, std::uint64_t instructions) {
   instructions_ += instructions;
   if (instructions_ < options_.limits.instructions || ending_) return;
@@ -128,7 +129,7 @@ void Runner::count(lua_State* L, std::uint64_t instructions) {
                       options_.limits.instructions / 1'000'000));
 }
 
-// Calls of Lua's library that take long are few instructions.
+// Also catches long calls of Lua's library, which are few instructions.
 void Runner::count_time(lua_State* L) {
   const auto limit = options_.limits.computing;
   if (ending_ || std::chrono::steady_clock::now() - resumed_at_ < limit) return;
@@ -202,7 +203,7 @@ void Runner::go_on(Fiber& fiber) {
     resume(fiber, 0);
 }
 
-// Where a call that waited goes on: its results are the answer's.
+// Continues a call that waited, with the results of its answer.
 int resume_with_answer(lua_State* L, int, lua_KContext) {
   const auto fiber = Runner::of(L).fibers_.find(L);
   if (fiber == Runner::of(L).fibers_.end() || !fiber->second->answer)
@@ -243,7 +244,7 @@ bool Runner::cancel(const Spawned& one) {
   fiber.cancelled = true;
   fiber.spawned->over = true;
   happened_.notify();
-  if (!fiber.waits) end_fiber(fiber, 0);  // it has not begun
+  if (!fiber.waits) end_fiber(fiber, 0);  // not begun yet
   return true;
 }
 
@@ -279,7 +280,7 @@ void Runner::end_fiber(Fiber& fiber, int results) {
   fibers_.erase(fiber.L);
 }
 
-// Nothing but its memory may be known of the Lua state from here on.
+// From here on the Lua state must not be used.
 void Runner::broken_out() {
   broken_ = ending_ = main_over_ = true;
   if (interrupt_asked_)
@@ -338,7 +339,7 @@ Result<> Runner::run(std::string_view text) {
   return fail(FaultKind::text, failure_);
 }
 
-// Time, bytes and the script go on in turns on this thread; 60 times a second comes a frame.
+// Time, bytes and the script take turns on this thread, with a frame 60 times a second.
 void Runner::take_turns() {
   const auto turn_over = [this] { return main_over_ || !acts_.empty(); };
   if (options_.stage) next_frame_ = scheduler_.now() + frame_period;
@@ -346,7 +347,7 @@ void Runner::take_turns() {
     const auto turn = scheduler_.run_until(next_frame_, turn_over);
     tell_notices();
     if (turn == HybridScheduler::Turn::stuck) {
-      failure_ = "The script waits for something that cannot come any more.";
+      failure_ = "The script waits for something that can no longer come.";
       return;
     }
     if (!acts_.empty())
@@ -373,7 +374,7 @@ void Runner::act_now() {
   go_on(*next.fiber);
 }
 
-// A frame that comes late is drawn once, not for each that was missed.
+// A late frame is drawn once; missed frames are skipped.
 void Runner::run_one_frame() {
   scheduler_.run_until(next_frame_, [this] { return main_over_; });
   options_.stage->frame(scheduler_.now());
@@ -394,7 +395,7 @@ void Runner::go_real() {
   if (on_real_time) on_real_time();
 }
 
-// With a stage its panels read the notices.
+// Without a stage only: a stage's panels read the notices.
 void Runner::tell_notices() {
   if (options_.stage) return;
   for (const auto& group : groups_)

@@ -1,6 +1,6 @@
 #pragma once
-// Runs one Lua script on the io thread. The script is a coroutine (a fiber): each call that waits suspends
-// it, and everything else goes on until what it waits for has come.
+// Runs one Lua script on the io thread. The script is a coroutine (a fiber): a call that waits suspends it,
+// and everything else goes on meanwhile.
 #include <atomic>
 #include <deque>
 #include <functional>
@@ -25,9 +25,9 @@ class Stage;
 
 struct Limits {
   std::size_t memory_bytes = std::size_t{256} << 20;
-  // Without letting time go on:
+  // Without letting time advance:
   std::uint64_t instructions = 300'000'000;
-  Duration computing = std::chrono::seconds(20);  ///< by the clock on the wall
+  Duration computing = std::chrono::seconds(20);  ///< wall-clock time
 };
 
 struct RunOptions {
@@ -35,16 +35,17 @@ struct RunOptions {
   std::vector<std::string> args;  ///< hw.args
   WireOpener opener;
   Limits limits;
-  /// Results. A fault ends the script, which nobody hears any more.
+  /// Results. A fault ends the script, as its results are no longer read.
   std::function<Result<>(std::string_view)> print;
   std::function<void(std::string_view)> log;  ///< hw.log and what controllers report
   Stage* stage = nullptr;                     ///< a screen: `ui`, frames
+  AxisUnits::Kept kept_unit;                  ///< units of the console; null: none kept
 };
 
-/// What a call that waited gives back: pushes values, answers how many.
+/// The result of a call that waited: pushes values, returns their number.
 using Answer = std::function<int(lua_State*)>;
 
-/// A function of the script that runs beside the rest of it.
+/// A function of the script that runs concurrently with the rest.
 struct Spawned {
   lua_State* L = nullptr;  ///< its stack, with its results on top once it is over; see Runner::spawn()
   int results = 0;
@@ -58,23 +59,23 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// Runs the script's text to its end, with frames of the stage in between. A fault tells FILE:LINE.
+  /// Runs the script's text to its end, with frames of the stage in between. A fault gives FILE:LINE.
   Result<> run(std::string_view text);
-  /// Called when time becomes real, because the script opens a controller outside of this process.
+  /// Called when time becomes real because the script opens a controller outside this process.
   std::function<void()> on_real_time;
 
   // ---- any thread, while run() is under way
-  /// Somebody wants it to end now, whatever it is doing: all controllers are told to stop.
+  /// Ends the run now, whatever the script does; all controllers are told to stop.
   void interrupt();
-  /// The same for another reason: a sentence.
+  /// The same with another reason, a sentence.
   void give_up(std::string why);
-  /// Whether the script computes; then heartbeat() changes at least every 10,000 instructions.
+  /// Whether the script computes. If so, heartbeat() changes at least every 10,000 instructions.
   [[nodiscard]] bool at_work() const { return at_work_; }
   [[nodiscard]] std::uint64_t heartbeat() const { return heartbeat_; }
-  /// How long that may take.
+  /// Longest time for computing.
   [[nodiscard]] Duration patience() const { return options_.limits.computing; }
-  /// Ends a script that stays in one call of Lua's library, if its heart still stands at `seen`. Asked again
-  /// until at_work() is over: there are moments when that is not possible.
+  /// Ends a script that hangs in one call of Lua's library, if heartbeat() still is `seen`. Repeat until
+  /// at_work() is false: at some moments it cannot act.
   void break_out(std::uint64_t seen) { way_out_.take(seen); }
 
   // ---- for bindings (io thread, while the script runs)
@@ -83,39 +84,39 @@ class Runner {
   [[nodiscard]] const RunOptions& options() const { return options_; }
   [[nodiscard]] double seconds_since_start() const { return seconds(scheduler_.now() - began_); }
   [[nodiscard]] Instant began() const { return began_; }
-  /// Whether the code on `L` may wait; else a sentence why not.
+  /// Why the code on `L` cannot wait; null: it can.
   [[nodiscard]] const char* why_cannot_wait(lua_State* L) const;
-  /// The code on `L` is about to yield until `work` is over; its answer becomes the results of the call.
+  /// Starts `work`, for which the code on `L` is about to yield; its answer becomes the results of the call.
   void wait_for(lua_State* L, Task<Answer> work);
-  /// Runs the function on top of `L`'s stack as a fiber of its own, at `when`. Pops it.
+  /// Pops the function on top of `L`'s stack and runs it as a fiber of its own at `when`.
   void run_at(lua_State* L, Instant when);
-  /// The same at once, with `arguments` that stand above the function. Leaves the coroutine in their place:
-  /// whoever wants the results keeps it.
+  /// The same at once, with `arguments` that lie above the function. Leaves the coroutine in their place;
+  /// keep it to get the results.
   std::shared_ptr<Spawned> spawn(lua_State* L, int arguments);
-  /// It is resumed no more. False: it runs at this moment, so it is the one who asks.
+  /// Never resumes it again. False: it is the function that runs now, the caller.
   bool cancel(const Spawned& one);
-  /// Notified when a spawned function is over, when bindings say so, and at the end of the script.
+  /// Notified when a spawned function ends, by bindings, and at the end of the script.
   [[nodiscard]] Event& happened() { return happened_; }
   [[nodiscard]] Notes& notes() { return notes_; }
-  /// What C++ closes while Lua calls it.
+  /// Closed by C++ code while Lua calls it.
   [[nodiscard]] WayOut& way_out() { return way_out_; }
-  /// Ends the whole run with this sentence; no pcall of the script survives it.
+  /// Ends the whole run with this sentence; no pcall of the script catches it.
   void end_run(lua_State* L, std::string sentence);
-  /// The same for what stands behind the script's name: why that is wrong. Empty: it only asked for help.
+  /// The same for wrong arguments of the script; `wrong` empty: only help was requested.
   void end_for_words(lua_State* L, std::string wrong);
-  /// The same for results that nobody gets: the script has lost what it is run for.
+  /// The same when results can no longer be delivered.
   void end_unread(lua_State* L, const Fault& why);
   void add(std::shared_ptr<SessionGroup> group);
   void remove(const std::shared_ptr<SessionGroup>& group);
-  /// Suspends a waiting call; false: the script has ended meanwhile.
+  /// Suspends a waiting call; false: the script has ended.
   Task<bool> sleep_until(Instant when);
   void go_real();
 
   // ---- for the stage
-  /// Suspends the code on `L` like wait_for(); `act` runs between two turns of the run, so that it may let
-  /// frames pass by itself.
+  /// Suspends the code on `L` like wait_for(). `act` runs between two turns of the run, so that it may run
+  /// frames itself.
   void act_between_turns(lua_State* L, std::function<Answer()> act);
-  /// For such an act: everything goes on until the next frame, which is drawn.
+  /// For such an act: runs everything up to the next frame and draws it.
   void run_one_frame();
   [[nodiscard]] bool over() const { return main_over_; }
 
@@ -174,10 +175,10 @@ class Runner {
   std::uint64_t instructions_ = 0;
   Instant counted_since_{};
   bool main_over_ = false, ending_ = false;
-  bool from_outside_ = false;  ///< the end came from outside of the script: what was done then is told
+  bool from_outside_ = false;  ///< ended from outside of the script: the message then tells of the stops
   bool broken_ = false;        ///< the Lua state was left by the way out
   std::shared_ptr<Leaving> leaving_;
-  std::string failure_;  ///< why the run ended early; empty: it has not
+  std::string failure_;  ///< why the run ended early; empty: it did not
 };
 
 }  // namespace hw::script

@@ -1,4 +1,4 @@
-// How a run ends, and what becomes of the controllers that it leaves behind.
+// The end of a run, and stopping and closing the controllers it leaves.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -12,15 +12,15 @@ constexpr Duration for_the_end = std::chrono::seconds(10);
 
 struct Runner::Left {
   std::shared_ptr<Session> session;
-  IntentId stop = 0;    ///< 0: none, or what became of it is known
-  std::string trouble;  ///< why it may not have been stopped
+  IntentId stop = 0;    ///< 0: none, or its outcome is known
+  std::string trouble;  ///< why it may be still running
   bool closed = false;
 };
 
 struct Runner::Leaving {
   std::vector<Left> all;
   bool begun = false;
-  // What a hand has closed before was left on purpose.
+  // A controller that the user has closed was left on purpose.
   void add(const std::shared_ptr<Session>& session, IntentId stop) {
     if (session->known().link.state == LinkState::closed) return;
     all.push_back(Left{session, stop, {}, false});
@@ -29,7 +29,7 @@ struct Runner::Leaving {
     return std::any_of(all.begin(), all.end(),
                        [&](const Left& one) { return one.session.get() == &session; });
   }
-  // An interrupt while they are being closed.
+  // Stops all: an interrupt came while they were being closed.
   void stop() {
     for (Left& one : all)
       if (one.closed)
@@ -43,8 +43,8 @@ struct Runner::Leaving {
 };
 
 void Runner::interrupt() {
-  interrupt_asked_ = true;                                         // for a script that computes ...
-  asio::post(scheduler_.executor(), [this] { interrupt_now(); });  // ... and for one that waits
+  interrupt_asked_ = true;                                         // for a computing script ...
+  asio::post(scheduler_.executor(), [this] { interrupt_now(); });  // ... and for a waiting one
 }
 
 void Runner::give_up(std::string why) {
@@ -58,14 +58,14 @@ void Runner::interrupt_now(std::string why) {
   if (leaving_) leaving_->stop();
 }
 
-// What the script leaves running by mistake is stopped; what it left running on purpose, at its regular end,
-// goes on, but for jogs, which nobody holds any more.
+// After a failure all motion is stopped. After a regular end it continues on purpose, except jogs, which are
+// no longer held.
 void Runner::finish() {
   main_over_ = true;
   ended_.notify();
   happened_.notify();
   const auto leaving = std::make_shared<Leaving>();
-  asio::post(scheduler_.executor(), [this, leaving] {  // behind what was sent before
+  asio::post(scheduler_.executor(), [this, leaving] {  // after earlier commands
     leave_all(leaving);
     leaving_ = leaving;
   });
@@ -75,8 +75,8 @@ void Runner::finish() {
   if (!failure_.empty()) tell_of_stops(*leaving);
 }
 
-// A snapshot may be older than what the script said last: who fails stops all, whether they seem to move or
-// not. All are told before one is waited for: a ramp may take longer than the end does.
+// After a failure stop every controller, moving or not: a snapshot may be older than the script's last
+// command. Send all stops before waiting for any: a ramp may take longer than the end of the run.
 void Runner::leave_all(const std::shared_ptr<Leaving>& leaving) {
   leaving->begun = true;
   for (const auto& group : groups_) {
@@ -96,7 +96,7 @@ Task<> Runner::leave(std::shared_ptr<Leaving> leaving, std::size_t which) {
   Left& one = leaving->all[which];
   co_await see_stopped(one);
   co_await one.session->close();
-  co_await see_stopped(one);  // by an interrupt that came meanwhile
+  co_await see_stopped(one);  // of an interrupt during close()
   one.closed = true;
 }
 

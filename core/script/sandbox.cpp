@@ -12,8 +12,8 @@
 namespace hw::script {
 namespace {
 
-// What base Lua lets a script do to the machine or to the replay, taken away or tamed. `pairs` goes through
-// texts and numbers in their order: Lua's own order changes from run to run, and what is sent would with it.
+// Removes or restricts functions of base Lua that would harm the computer or the replay. `pairs` visits texts
+// and numbers in sorted order: Lua's own order, and so the commands sent, would change from run to run.
 constexpr std::string_view prelude = R"lua(
 local load_any, type, next, getmetatable, rawget = load, type, next, getmetatable, rawget
 local sort, select, error = table.sort, select, error
@@ -83,7 +83,7 @@ bool harmless_name(std::string_view name) {
          std::all_of(name.begin(), name.end(), ok);
 }
 
-// Pushes the module's chunk, or a sentence. True: the chunk.
+// Pushes the module's chunk and returns true, or a message and false.
 bool load_module(lua_State* L, const std::string& folder, std::string_view name) {
   const auto say = [&](const std::string& sentence) {
     lua_pushlstring(L, sentence.data(), sentence.size());
@@ -111,7 +111,7 @@ bool load_module_of_upvalue(lua_State* L) {
                      name ? std::string_view(name, length) : std::string_view());
 }
 
-// Keeps what the module gave, or true, under its name (stack: name, result).
+// Stores the module's result, or true, under its name (stack: name, result).
 int keep_module(lua_State* L, int, lua_KContext) {
   if (lua_isnil(L, 2)) {
     lua_pushboolean(L, 1);

@@ -46,7 +46,7 @@ Result<std::string> file_of_script(const std::string& folder, const std::string&
       name.size() > ending.size() && std::string_view(name).substr(name.size() - ending.size()) == ending;
   if (!is_plain_name(name) || !ends_so)
     return fail(
-        FaultKind::port, fmt::format("\"{}\" is no file that a script may use.", name),
+        FaultKind::port, fmt::format("A script may not use the file \"{}\".", name),
         "Nothing was read or written.",
         fmt::format("Name a file in the script's folder, by letters, digits, _ and -, as in \"result{}\".",
                     ending));

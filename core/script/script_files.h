@@ -1,5 +1,5 @@
 #pragma once
-// Files that a script may read and write: those of its own folder, of a kind that cannot be run.
+// Files that a script may read and write: in its own folder, of a type that cannot be executed.
 #include <string>
 #include <string_view>
 
@@ -7,12 +7,12 @@
 
 namespace hw::script {
 
-/// Where the links really lead; empty when there is no such file.
+/// The path with links resolved; empty: no such file.
 std::string real_path(const std::string& path);
-/// Both as real_path() gives them.
+/// Both paths from real_path().
 bool is_below(const std::string& folder, const std::string& path);
 
-/// The path of `name`, which ends in `ending` (".csv") and need not exist yet, in `folder` or below it.
+/// The path of `name` in `folder` or below. It must end in `ending` (".csv") and need not exist yet.
 Result<std::string> file_of_script(const std::string& folder, const std::string& name,
                                    std::string_view ending);
 

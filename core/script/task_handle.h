@@ -1,5 +1,5 @@
 #pragma once
-// What hw.spawn() and c:on() give, and the waiting for it.
+// The task that hw.spawn() and c:on() return, and waiting for it.
 #include <memory>
 #include <vector>
 
@@ -7,17 +7,17 @@
 
 namespace hw::script {
 
-/// In place of the coroutine on top of the stack, which Runner::spawn() has left there.
+/// Replaces the coroutine that Runner::spawn() has left on top of the stack by a task.
 void push_task(lua_State* L, std::shared_ptr<Spawned> spawned);
 
-/// One of those that are waited for.
+/// One of the functions waited for.
 struct Racer {
   std::shared_ptr<Spawned> spawned;
-  bool ours;  ///< begun for this wait alone: it ends with it
+  bool ours;  ///< begun for this wait only: it is cancelled with it
 };
 
-/// Until the first of them is over: its results, behind its place in the list when that is wanted. What they
-/// run on must stay on the waiting stack, or elsewhere.
+/// Waits for the first to end and returns its results, after its index in the list if `with_place`. Keep the
+/// coroutines referenced meanwhile, on the waiting stack or elsewhere.
 Task<Answer> wait_for_first(Runner& runner, std::vector<Racer> racers, bool with_place, Duration patience,
                             std::string too_late);
 

@@ -3,7 +3,7 @@
 namespace hw::script {
 namespace {
 
-constexpr int signal_out = SIGURG;  // ignored wherever nobody waits for it
+constexpr int signal_out = SIGURG;  // ignored by default
 
 thread_local WayOut* way_of_this_thread = nullptr;
 
@@ -14,7 +14,7 @@ WayOut::WayOut(const std::atomic<std::uint64_t>& beat) : beat_(beat), thread_(pt
   way_of_this_thread = this;
   struct sigaction action {};
   action.sa_handler = on_signal;
-  action.sa_flags = SA_RESTART | SA_NODEFER;  // the handler is left by a jump
+  action.sa_flags = SA_RESTART | SA_NODEFER;  // the handler ends in a jump
   sigaction(signal_out, &action, &before_);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// The way out of a call of Lua's library that does not come back, as from a pattern that backtracks for ever:
-// a signal to the thread that is in there, whose handler jumps to where the script was resumed. It is closed
-// while C++ runs or memory is allocated. What it leaves of the Lua state may not be touched any more.
+// Leaves a call of Lua's library that does not return, such as a pattern that backtracks for ever: a signal
+// to its thread, whose handler jumps to where the script was resumed. Closed while C++ runs or memory is
+// allocated. Never touch the Lua state after the jump.
 #include <atomic>
 #include <csetjmp>
 #include <csignal>
@@ -13,13 +13,13 @@ namespace hw::script {
 
 class WayOut {
  public:
-  /// For the thread that makes it. `beat` changes with every sign of life of the script.
+  /// For the constructing thread. `beat` changes while the script makes progress.
   explicit WayOut(const std::atomic<std::uint64_t>& beat);
   ~WayOut();
   WayOut(const WayOut&) = delete;
   WayOut& operator=(const WayOut&) = delete;
 
-  /// Runs Lua. False: the way out was taken.
+  /// Runs Lua. False: left through the way out.
   template <class Call>
   bool through(Call call) {
     if (sigsetjmp(place_, 0) != 0) {
@@ -31,10 +31,11 @@ class WayOut {
     closed_ = 1;
     return true;
   }
-  /// Any thread: takes it, if the script has given no sign of life since `seen`.
+  /// Any thread: takes the way out if the beat still is `seen`.
   void take(std::uint64_t seen);
 
-  /// Lua's own code runs. An error of Lua's, as when memory is short, may have jumped past a Closed's end.
+  /// Call when Lua's own code runs: a Lua error, such as out of memory, may have jumped past the end of a
+  /// Closed.
   void open() { closed_ = 0; }
 
   /// No code of the script may run meanwhile.

@@ -1,4 +1,4 @@
-// `ui`: the hands of a script on the screen. What a person could not do is an error at the script's line.
+// `ui`: a script's input to the screen. What a user could not do is an error at the script's line.
 #include <lua.hpp>
 
 #include <fmt/core.h>

@@ -28,13 +28,13 @@ constexpr OptionSpec for_all[] = {
      true},
 };
 
-/// Where a model is asked for, those that there are.
+/// For a MODEL, adds the known models to the help.
 std::string help_of(std::string_view name, std::string_view help) {
   return name == "MODEL" ? fmt::format("{}: {}", help, known_models()) : std::string(help);
 }
 
-// CLI11 takes "[a,b]" apart, and what begins with a dash for an option. What a user means as it stands goes
-// past it behind this mark.
+// CLI11 splits "[a,b]", and takes words that begin with a dash for options. Words to be taken literally are
+// passed behind this mark.
 constexpr char as_it_stands = '\x01';
 
 std::string marked(std::string word) { return as_it_stands + std::move(word); }
@@ -43,7 +43,7 @@ std::string unmarked(std::string word) {
   return word;
 }
 
-/// As CLI11 takes them: the last first. What stands behind -- is never an option.
+/// In CLI11's order: the last first. A word after -- is never an option.
 std::vector<std::string> words_for_parser(int argc, char** argv) {
   std::vector<std::string> words;
   bool behind_dashes = false;
@@ -58,7 +58,7 @@ std::vector<std::string> words_for_parser(int argc, char** argv) {
   return words;
 }
 
-// One subcommand as CLI11 sees it, and where it puts what it finds.
+// One subcommand for CLI11, and the place of its results.
 struct Parsed {
   const Subcommand* command;
   CLI::App* app;
@@ -116,7 +116,7 @@ Given collect(Parsed& parsed) {
   return given;
 }
 
-/// "handwheel send", or "handwheel" alone: whose help tells more.
+/// "handwheel send", or "handwheel" alone: the command whose help to show.
 std::string asked_for(const CLI::App& app) {
   std::string name = app.get_name();
   for (const CLI::App* one : app.get_subcommands()) name += " " + one->get_name();
@@ -159,7 +159,7 @@ int fulfil(const CLI::App& app, const CLI::Success& wish) {
   return status == 0 ? done : usage;
 }
 
-/// What is asked for and cannot be written is a job that failed.
+/// A result that cannot be written makes the job fail.
 int status_with_output(int status) {
   if (!output_is_lost() || status == usage) return status;
   return output_loss_is_told() ? failed : complain(output_loss());

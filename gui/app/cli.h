@@ -1,5 +1,5 @@
 #pragma once
-// The command line. Each subcommand says what it takes; its function gets the words.
+// The command line. Each subcommand declares its words and options; its function receives them.
 #include <map>
 #include <optional>
 #include <span>
@@ -13,19 +13,19 @@ namespace hw::app {
 
 enum Exit : int { done = 0, failed = 1, usage = 2 };
 
-/// What was given to a subcommand.
+/// The arguments of a subcommand.
 struct Given {
   std::vector<std::string> words;  ///< positionals, in order
   std::map<std::string, std::vector<std::string>>
       options;  ///< by name without dashes; flags: one empty value
 
-  /// Options with a value, one entry each time it was given, in the order of the command line.
+  /// Options with a value, one entry per use, in the order of the command line.
   std::vector<std::pair<std::string, std::string>> in_order;
 
   [[nodiscard]] bool has(const std::string& name) const { return options.contains(name); }
   [[nodiscard]] std::string one(const std::string& name, std::string fallback = {}) const;
   [[nodiscard]] std::vector<std::string> all(const std::string& name) const;
-  /// A fault (wrong usage) when it is no number from `low` to `high`.
+  /// A fault (wrong usage) unless it is a number from `low` to `high`.
   [[nodiscard]] Result<double> number(const std::string& name, double fallback, double low,
                                       double high) const;
 };
@@ -53,19 +53,19 @@ struct Subcommand {
 
 /// In the order of the help.
 std::span<const Subcommand* const> subcommands();
-/// Those that stand before or behind any subcommand.
+/// Options allowed before or after any subcommand.
 std::span<const OptionSpec> general_options();
 
-/// Parses, runs the subcommand, answers the exit status.
+/// Parses, runs the subcommand, returns the exit status.
 int run_command_line(int argc, char** argv);
 
-/// A text that means nothing (an address, an option) is wrong usage; all else is a job that failed.
+/// A text without meaning (an address, an option) is wrong usage; every other fault is a failed job.
 inline Exit status_of(const Fault& fault) { return fault.kind == FaultKind::text ? usage : failed; }
-/// Says `sentence` on stderr and answers `status`.
+/// Writes `sentence` to stderr and returns `status`.
 int complain(std::string_view sentence, Exit status = failed);
 int complain(const Fault& fault, Exit status = failed);
 
-// What several subcommands take.
+// Options of several subcommands.
 inline constexpr OptionSpec model_option{"for", "MODEL", "the controller that the program is for"};
 inline constexpr OptionSpec bench_option{"bench", "FILE.toml", "what surrounds the emulated controller"};
 

@@ -18,7 +18,7 @@ static int check(const Given& given) {
   const ProgramFacts& facts = program->catalog.program;
   const std::string of = facts.capacity > 0 ? fmt::format(" of {}", facts.capacity) : std::string();
   for (const auto& [slot, cost] : report.cost) {
-    if (facts.threads > 0 && report.programs.empty()) {  // subroutines alone, or nothing
+    if (facts.threads > 0 && report.programs.empty()) {  // only subroutines, or nothing
       print_result("{}: no program in it, {}{} {}\n", program->path, cost, of, facts.capacity_unit);
       continue;
     }

@@ -9,6 +9,7 @@
 #include "gui/app/cli.h"
 #include "gui/app/demo.h"
 #include "gui/app/device_search.h"
+#include "gui/app/kept_units.h"
 #include "gui/app/output.h"
 #include "gui/app/port_watch.h"
 #include "gui/app/sleep_manners.h"
@@ -30,7 +31,7 @@ std::string_view name_of_signal(int number) {
   return number == SIGTERM ? "SIGTERM" : number == SIGHUP ? "SIGHUP" : "SIGINT";
 }
 
-// Everything a console hangs on, in the order in which it must end.
+// All parts of a console, in the order in which they must end.
 class ConsoleHouse {
  public:
   ConsoleHouse(bool keeps_files, std::shared_ptr<WillKeeper> watchdog)
@@ -41,11 +42,11 @@ class ConsoleHouse {
         console_(panels::panel_list(), outside(keeps_files)) {}
   ~ConsoleHouse() {
     leave_controllers();
-    io_.stop();  // before anything that its thread may still use
+    io_.stop();  // before anything its thread may still use
     window_ = nullptr;
   }
 
-  /// Held jogs are stopped, and every controller is left in order. What goes on there is said.
+  /// Stops held jogs and leaves every controller in order. Activity that continues there is reported.
   void leave_controllers() {
     console_.let_go();
     console_.save();
@@ -54,10 +55,10 @@ class ConsoleHouse {
     for (const std::string& sentence : console_.take_last_words()) complain(sentence);
   }
 
-  /// The user's session ends: what was begun here is stopped, held jogs with it.
+  /// The session of the user ends: stops what was begun here, including held jogs.
   void depart(std::string_view how) { console_.depart(how); }
 
-  /// For an end that takes nothing down: what the worker still has to write is written.
+  /// For an exit without destructors: waits until the worker has written everything.
   void keep_texts() { worker_.finish(); }
 
   gui::Console& console() { return console_; }
@@ -79,11 +80,7 @@ class ConsoleHouse {
     o.devices = &devices_;
     o.worker = &worker_;
     if (keeps_files) o.folders = UserFolders::standard();
-    o.usb_serial = [](const Address& address) {
-      for (const SerialPort& port : list_serial_ports())
-        if (address.transport == "serial" && port.path == address.where) return port.serial;
-      return std::string();
-    };
+    o.usb_serial = usb_serial_behind;
     o.day = gui::DayClock::local(io_.scheduler().now());
     return o;
   }
@@ -106,7 +103,7 @@ void keep_log() {
     log::warning("gui", kept.error().sentence());
 }
 
-/// Beside a program that was built here. An installed one leaves them where its user is.
+/// Beside a program built here; for an installed one, in the user's present folder.
 std::string folder_for_pictures() {
   const std::string folder = folder_of_program();
   return is_installed(folder) ? "handwheel-demo" : folder + "/demo";

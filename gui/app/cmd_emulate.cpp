@@ -18,11 +18,11 @@ struct Order {
   const DeviceType* type;
   DeviceOptions keys;
   std::vector<std::string> ids;
-  std::vector<std::pair<std::string, std::string>> endpoints;  ///< "tcp", "bus" or "pty" and where
+  std::vector<std::pair<std::string, std::string>> endpoints;  ///< "tcp", "bus" or "pty", and its address
   bool allow_remote;
 };
 
-// A private line: one controller, and clients that come over TCP only. It is spoken to without its id too.
+// A private line: one controller, with clients over TCP only. It also answers without its id.
 bool alone_on_its_line(const Order& order) {
   const auto is_pty = [](const auto& endpoint) { return endpoint.first == "pty"; };
   return order.ids.size() <= 1 && std::none_of(order.endpoints.begin(), order.endpoints.end(), is_pty);
@@ -46,7 +46,7 @@ Result<> understand_ids(Order& order) {
   return {};
 }
 
-// A board on a bus is served by a bus port, a device on a line by the others.
+// A board on a bus is served by a bus port, a device on a line by the other endpoints.
 Result<> check_endpoints(const Order& order) {
   const auto catalog = order.type->make_catalog({});
   if (!catalog) return fail(catalog.error());
@@ -60,7 +60,7 @@ Result<> check_endpoints(const Order& order) {
       return fail(
           FaultKind::text,
           board ? fmt::format("The {} is a board on a bus: --{} cannot serve it.", catalog->short_name, kind)
-                : fmt::format("The {} is no board on a bus: --bus cannot serve it.", catalog->short_name),
+                : fmt::format("The {} is not a board on a bus: --bus cannot serve it.", catalog->short_name),
           {}, usual);
     if (const auto place = split_host_port(where); kind != "pty" && !place)
       return fail(FaultKind::text, fmt::format("--{} {}: {}", kind, where, place.error().what), {},
@@ -70,7 +70,7 @@ Result<> check_endpoints(const Order& order) {
   return {};
 }
 
-// The options of the command line are the keys of an emulator's address.
+// The options of the command line become keys of an emulator's address.
 Result<Order> understand(const Given& given) {
   Order order{find_device_type(given.words[0]), {}, given.all("id"), {}, given.has("allow-remote")};
   for (const auto& option : given.in_order)
@@ -116,7 +116,7 @@ Result<> serve_pty(Scheduler& scheduler, const Order& order, EmulatorHost& host,
   return {};
 }
 
-// What keeps nothing without power takes --state like the others, and says so.
+// A model that keeps nothing without power accepts --state too, with this warning.
 void warn_of_empty_memory(const Order& order) {
   const auto catalog = order.type->make_catalog({});
   if (!order.keys.contains("state") || !catalog || catalog->can.store) return;
@@ -144,7 +144,7 @@ Task<int> serve(Scheduler& scheduler, const Order& order) {
     if (!endpoint) co_return complain(endpoint.error(), status_of(endpoint.error()));
     listening.push_back(std::move(*endpoint));
   }
-  if (!output_is_lost()) co_await ended.wait();  // else nobody knows where it is served
+  if (!output_is_lost()) co_await ended.wait();  // else nobody knows where to connect
   co_return done;
 }
 

@@ -17,7 +17,7 @@ using ParamJson = nlohmann::ordered_json;
 
 constexpr const char* option_keys[] = {"variant", "motors"};
 
-// The controller as its options make it.
+// The controller as configured by its options.
 Result<Catalog> catalog_of(const Given& given) {
   const std::string& model = given.words[0];
   const DeviceType* type = find_device_type(model);
@@ -36,7 +36,7 @@ Result<Catalog> catalog_of(const Given& given) {
   return catalog;
 }
 
-/// As the maker writes it: 0.8, "4EX07".
+/// In the maker's notation: 0.8, "4EX07".
 std::string written(const ParamInfo& info, std::int64_t value) {
   if (!info.prefix.empty()) return fmt::format("{}{:0{}}", info.prefix, value, info.digits);
   if (info.decimals == 0) return fmt::format("{}", value);
@@ -61,7 +61,7 @@ void print_parameters(const Catalog& catalog, const AccelerationUnit& accelerati
                acceleration.maximum, acceleration.unit, acceleration.meaning);
 }
 
-/// A number, unless the maker writes a name.
+/// A number, unless the maker uses a name.
 ParamJson as_json(const ParamInfo& info, std::int64_t value) {
   const std::string text = written(info, value);
   return info.prefix.empty() ? ParamJson::parse(text) : ParamJson(text);

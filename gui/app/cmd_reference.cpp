@@ -1,4 +1,4 @@
-// The manual page, and what shells complete: both from the tables of the command line itself.
+// The manual page and the shell completions: both from the tables of the command line itself.
 #include "gui/app/cli.h"
 #include "gui/app/completion.h"
 #include "gui/app/manual_page.h"

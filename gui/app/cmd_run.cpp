@@ -8,6 +8,20 @@
 #include "gui/app/wiring.h"
 
 namespace hw::app {
+
+/// The units of the window, else those that the console keeps, if requested.
+static script::AxisUnits::Kept kept_units(const Given& given, const ScriptStage* stage) {
+  const auto kept = given.has("profile")
+                        ? std::make_shared<KeptUnits>(UserFolders::standard(),
+                                                      [](const Fault& why) { write_aside(why.sentence()); })
+                        : nullptr;
+  if (!stage && !kept) return {};
+  return [stage, kept](const Session& session, int axis) {
+    auto unit = stage ? stage->unit_of(session, axis) : std::nullopt;
+    return unit || !kept ? unit : kept->unit_of(session, axis);
+  };
+}
+
 static int run_script(const Given& given) {
   const auto file = load_text(given.words[0]);
   if (!file) return complain(file.error());
@@ -31,12 +45,13 @@ static int run_script(const Given& given) {
   std::unique_ptr<ScriptStage> stage;
   if (given.has("gui")) stage = std::make_unique<ScriptStage>(scheduler, options.opener);
   options.stage = stage.get();
+  options.kept_unit = kept_units(given, stage.get());
   script::Runner runner(scheduler, std::move(options));
   if (traffic) traffic->on_failure = [&runner](const Fault& why) { runner.give_up(why.sentence()); };
   Watchdog watchdog(runner);
   runner.on_real_time = [&] {
     if (stage) stage->time_is_real();
-    watchdog.take_signals();  // real motors are told to stop; virtual ones just end
+    watchdog.take_signals();  // real motors are stopped; virtual ones simply end
   };
   if (scheduler.is_real()) runner.on_real_time();
   auto outcome = runner.run(file->text);
@@ -57,6 +72,7 @@ const Subcommand run_subcommand{
     {{"SCRIPT.lua", "the script", 1, 1}, {"ARGS", "its hw.args; -- ends the options", 0, -1}},
     {{"realtime", "", "wall-clock time (else virtual time while every controller is an emulator in process)"},
      {"gui", "", "with the panels, laid out and driven without a display"},
+     {"profile", "", "with the units that the console keeps for each controller (else with none)"},
      {"traffic", "FILE", "write down every byte of every wire"}},
     run_script,
 };

@@ -32,7 +32,7 @@ bool not_opened(const PortReport& report) {
          report.finding == PortFinding::unusable;
 }
 
-/// A port that was named and cannot be asked is a job that failed; one of all that there are is a finding.
+/// A named port that cannot be asked fails the job; among all ports it is a finding.
 Task<int> scan_all(Scheduler& scheduler, std::vector<SerialPort> ports, bool named) {
   int status = done;
   std::function<void(const PortReport&)> tell = [&status, named](const PortReport& report) {
@@ -54,7 +54,7 @@ Task<int> search_ids(Scheduler& scheduler, DeviceSearch search) {
   co_return done;
 }
 
-// Those that were named, even where the system does not list them (a pseudo-terminal); else all.
+// The named ports, even if the system does not list them (a pseudo-terminal); else all.
 std::vector<SerialPort> ports_meant(const std::vector<std::string>& named) {
   const std::vector<SerialPort> listed = list_serial_ports();
   if (named.empty()) return listed;

@@ -12,11 +12,11 @@
 namespace hw::app {
 namespace {
 
-constexpr Duration for_an_answer = Millis(1000);  // beside the time of its bytes
-constexpr Duration for_a_prompt = Millis(150);    // for a text that might bring one by itself
+constexpr Duration for_an_answer = Millis(1000);  // in addition to the time on the wire
+constexpr Duration for_a_prompt = Millis(150);    // for a text that may cause a prompt
 constexpr double longest_run_s = 60;
 
-// On lines of their own; what no terminal shows, the raw status bytes, as \xFF.
+// One reply a line; raw status bytes that no terminal can show as \xFF.
 void print_reply(std::string_view reply) {
   std::string shown;
   for (const char c : reply) {
@@ -27,18 +27,18 @@ void print_reply(std::string_view reply) {
   print_result("{}\n", shown);
 }
 
-// What the driver has to say beside the reply: an unknown command, an error report in words.
+// The driver's remarks on the reply: an unknown command, an error report in words.
 void print_warnings(Session& session) {
   session.notices().drain([](Notice& notice) {
     if (notice.kind != Notice::Kind::info && notice.kind != Notice::Kind::program) write_aside(notice.text);
   });
 }
 
-/// By the user, with Ctrl-C, or because nobody reads the replies any more.
+/// Stopped by the user with Ctrl-C, or because the replies are no longer read.
 struct Stopped {
   static constexpr IntentId id = 1;  ///< no other intent is posted here
   bool asked = false;
-  bool unseen = false;  ///< a text has gone out, and what it began shows in no round of status yet
+  bool unseen = false;  ///< a text was sent, and no status round shows its effect yet
 };
 
 bool busy(const Snapshot& s) {
@@ -46,7 +46,7 @@ bool busy(const Snapshot& s) {
          s.program.run == RunState::waiting;
 }
 
-/// Prints what comes back. The controller's own "no" among it fails the job.
+/// Prints the replies. A refusal by the controller fails the job.
 class Replies {
  public:
   explicit Replies(const Session& session) : session_(session) {}
@@ -72,7 +72,8 @@ class Replies {
   int status_ = done;
 };
 
-// What comes unasked belongs to the text that made the controller busy: it is printed until it rests.
+// Unsolicited text belongs to the text that made the controller busy: it is printed until the controller is
+// idle.
 Task<bool> print_until_idle(std::shared_ptr<Session> session, Replies& replies, std::string text,
                             Instant give_up) {
   co_await session->pump().refresh();
@@ -96,7 +97,7 @@ Task<int> send_one(std::shared_ptr<Session> session, Replies& replies, std::stri
   co_return replies.status();
 }
 
-// A prompt belongs to the text that brings it, so the next one waits for it; but nothing keeps a stop back.
+// A prompt belongs to the text that causes it, so the next text waits for it; but nothing delays a stop.
 bool waits_before(const Pump& pump, const std::string& text, const std::string& next) {
   const TextMeaning meaning = pump.meaning_of(text);
   return meaning.answered != TextMeaning::Answered::at_once && meaning.end_is_told &&
@@ -114,8 +115,8 @@ Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, 
   co_return replies.status();
 }
 
-/// One after the other. A text that failed ends it; one whose end did not come in time does not. Nothing is
-/// sent behind a stop of the user's, nor when nobody reads the replies.
+/// Sends texts one after another. A failed text ends the series; one whose end did not come in time does not.
+/// Nothing is sent after a stop by the user, or when the replies are no longer read.
 Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
                      std::span<const std::string> texts, double wait_s, Stopped& stopped) {
   const Pump& pump = session->pump();
@@ -134,18 +135,18 @@ Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
     }
     print_warnings(*session);
   }
-  co_await session->pump().refresh();  // what the last one brought about
+  co_await session->pump().refresh();  // the effects of the last text
   stopped.unseen = false;
   replies.print_unasked(*session, texts.empty() ? "" : texts.back());
   co_return std::max(status, replies.status());
 }
 
-/// A controller in an error state may take nothing but what stops or resets it: such a first text is sent
+/// A controller in an error state may accept only texts that stop or reset it: such a first text is sent
 /// while the connection is being made, if nothing else is answered.
 Task<int> send_stop_first(std::shared_ptr<Session> session, std::string text) {
   const auto reply = co_await session->pump().query(text, for_an_answer);
-  // Some stops are never answered. Whether anybody is there, the connection tells.
-  if (!reply && reply.error().kind == FaultKind::refused)  // why nobody is there is known by then
+  // Some stops are never answered. The connection shows whether the controller is there.
+  if (!reply && reply.error().kind == FaultKind::refused)  // the reason for its absence is known by then
     if (const auto connected = co_await session->wait_until_connected(); !connected)
       co_return complain(connected.error(), status_of(connected.error()));
   if (!reply && reply.error().kind != FaultKind::no_answer)
@@ -161,7 +162,7 @@ void stop(Session& session, Stopped& stopped) {
   if (!std::exchange(stopped.asked, true)) session.pump().post(Intent(Stopped::id, intent::Stop()));
 }
 
-/// Who ends the program while something moves, or may have begun to, wants it to stop; else it just ends.
+/// An interrupt while something moves, or may have begun to, means stop; otherwise the program simply ends.
 void when_interrupted(Session& session, Stopped& stopped) {
   if (!may_move(session, stopped)) std::raise(SIGINT);
   stop(session, stopped);

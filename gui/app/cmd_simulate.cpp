@@ -18,7 +18,7 @@
 namespace hw::app {
 namespace {
 
-// By number: 8, 9, 10.
+// Sorted by number: 8, 9, 10.
 std::vector<std::pair<std::string, int>> in_order(const std::map<std::string, int>& outputs) {
   std::vector<std::pair<std::string, int>> all(outputs.begin(), outputs.end());
   std::stable_sort(all.begin(), all.end(),
@@ -28,7 +28,7 @@ std::vector<std::pair<std::string, int>> in_order(const std::map<std::string, in
 
 using Json = nlohmann::ordered_json;
 
-// Beyond the contract, and only where there is something to tell.
+// Additions to the contract, only where there is something to report.
 void add_findings(Json& out, const Rehearsal& r) {
   if (r.endless) out["endless"] = true;
   for (const RehearsedStop& stop : r.stops) {
@@ -73,6 +73,18 @@ void print_json(const Rehearsal& r, const Catalog& catalog) {
   print_result("{}\n", out.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
+/// Where programs run in threads, or none is stored, the whole text is one program.
+std::string what_has_size(const ProgramFacts& facts, const std::string& slot) {
+  const bool one_text = facts.threads > 0 || facts.slots <= 1;
+  return one_text ? "whole text" : fmt::format("{} {}", facts.slot_word, slot);
+}
+
+/// "24 lines of 1275"
+std::string memory_words(const ProgramFacts& facts, int size) {
+  const std::string all = facts.capacity > 0 ? fmt::format(" of {}", facts.capacity) : "";
+  return fmt::format("{} {}{}", size, facts.capacity_unit, all);
+}
+
 void print_words(const Rehearsal& r, const Catalog& catalog) {
   if (r.finished)
     print_result("ends after {:.3f} s\n", r.duration_s);
@@ -91,11 +103,11 @@ void print_words(const Rehearsal& r, const Catalog& catalog) {
   for (const RehearsedAssumption& a : r.assumptions) print_result("assumed: {} {}\n", a.name, a.value);
   for (const auto& [name, on] : in_order(r.outputs)) print_result("output {}: {}\n", name, on ? "on" : "off");
   for (const auto& [slot, size] : r.program_size)
-    print_result("{} {}: {} {}\n", catalog.program.slot_word, slot, size, catalog.program.capacity_unit);
+    print_result("{}: {}\n", what_has_size(catalog.program, slot), memory_words(catalog.program, size));
   for (const RehearsedEvent& e : r.events) print_result("{:10.3f} s  {}\n", e.t, e.what);
 }
 
-// A bench file's mistakes are told under its own name, before anything runs.
+// Errors in a bench file are reported under its name, before anything runs.
 Result<std::string> read_bench(const std::string& path, const Catalog& catalog) {
   auto text = read_file(path, largest_program_text);
   if (!text) return text;
@@ -103,7 +115,7 @@ Result<std::string> read_bench(const std::string& path, const Catalog& catalog) 
   return text;
 }
 
-// What a backup knows of its controller: neither positions nor lines.
+// The contents of a backup: neither positions nor lines.
 Result<std::shared_ptr<const ControllerState>> read_like(const std::string& path, const Catalog& catalog) {
   const auto backup = load_backup(path);
   if (!backup) return fail(backup.error());
@@ -125,8 +137,8 @@ Result<std::shared_ptr<const ControllerState>> read_like(const std::string& path
   return state;
 }
 
-// Of a text that cannot be run: the same object, with the reason in it. Axes and outputs are those of the
-// controller that has done nothing yet.
+// For a text that cannot be run: the same object, with the reason. Axes and outputs are those of the
+// controller before any action.
 Rehearsal nothing_rehearsed(const ProgramFile& program, const Fault& why) {
   Rehearsal r;
   RehearseOptions options;
@@ -138,7 +150,7 @@ Rehearsal nothing_rehearsed(const ProgramFile& program, const Fault& why) {
   return r;
 }
 
-/// What a script that runs this has to know; empty: the program does its work to its end.
+/// The reason for a calling script; empty: the program works to its end.
 std::string why_not_good(const Rehearsal& r, bool strict) {
   if (!r.error.empty()) return r.error;
   if (!r.finished) return fmt::format("The program still runs after {:.3f} s.", r.duration_s);

@@ -1,5 +1,5 @@
 #pragma once
-// What may stand for a placeholder of the command line ("FILE.toml", "MODEL", "real|off").
+// Possible values of a placeholder on the command line ("FILE.toml", "MODEL", "real|off").
 #include <string>
 #include <string_view>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What shells complete, from the tables of the command line.
+// Shell completions, from the tables of the command line.
 #include <string>
 
 namespace hw::app {

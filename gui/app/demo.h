@@ -1,6 +1,6 @@
 #pragma once
-// What `handwheel demo` does where there is no display: emulated controllers at work, told line by line, and
-// pictures of the console.
+// `handwheel demo` without a display: emulated controllers at work, reported line by line, and pictures of
+// the console.
 #include <string>
 
 namespace hw::app {

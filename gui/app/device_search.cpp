@@ -47,7 +47,7 @@ void DeviceSearcher::cancel() {
 
 const gui::DeviceSearchState& DeviceSearcher::state() {
   if (!wire_) return state_;
-  const bool over = wire_->over;  // before the rings: what was pushed before it ended is taken
+  const bool over = wire_->over;  // read before the rings: everything pushed before the end is taken
   wire_->progress.drain([this](SearchProgress& at) {
     state_.asked = at.asked;
     state_.of = at.of;
@@ -59,7 +59,7 @@ const gui::DeviceSearchState& DeviceSearcher::state() {
   });
   if (over) {
     state_.running = false;
-    if (!state_.cancelled) state_.asked = state_.of;  // progress was told before each question
+    if (!state_.cancelled) state_.asked = state_.of;  // progress was reported before each question
   }
   return state_;
 }

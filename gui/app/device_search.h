@@ -21,7 +21,7 @@ class DeviceSearcher final : public gui::DeviceFinder {
   void cancel() override;
   const gui::DeviceSearchState& state() override;
 
-  /// Between the io thread and this one.
+  /// Between the io thread and the GUI thread.
   struct Wire {
     std::atomic<bool> go_on{true};
     std::atomic<bool> over{false};

@@ -19,7 +19,7 @@ class EmulatorServing final : public gui::EmulatorServer {
   void end(std::string_view key) override;
   const gui::ServedEmulator* find(std::string_view key) override;
 
-  struct Wire;  ///< between the io thread and this one
+  struct Wire;  ///< between the io thread and the GUI thread
 
  private:
   struct Served {

@@ -10,7 +10,7 @@
 namespace hw::app {
 namespace {
 
-/// Text as it stands: no dash becomes a hyphen, no line begins a request.
+/// Literal text: no dash becomes a hyphen, no line begins a request.
 std::string plain(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -10,7 +10,7 @@ namespace hw::app {
 namespace {
 
 // A process has one stdout.
-int lost_by = 0;  // errno; 0: all was written
+int lost_by = 0;  // errno; 0: everything was written
 bool loss_told = false;
 std::function<void()> when_output_is_lost;
 

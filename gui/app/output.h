@@ -1,7 +1,7 @@
 #pragma once
-// What the program says to a shell: results on stdout, everything else on stderr. Nothing else writes there,
-// so that no result is lost without a word. What was said has left the program when the call returns: a
-// reader at the other end of a pipe sees it at once.
+// The program's output to a shell: results on stdout, everything else on stderr. Nothing else writes there,
+// so no result is lost silently. Output has left the program when the call returns: a reader at the other end
+// of a pipe sees it at once.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -13,8 +13,8 @@
 
 namespace hw::app {
 
-/// False: it could not be written (a pipe that nobody reads, a full disk). Nothing is written from then on,
-/// and the program ends with status 1: see output_loss().
+/// False: writing failed (a pipe without a reader, a full disk). Nothing is written from then on, and the
+/// program ends with status 1: see output_loss().
 bool write_result(std::string_view text);
 template <class... T>
 bool print_result(fmt::format_string<T...> format, T&&... values) {
@@ -23,15 +23,16 @@ bool print_result(fmt::format_string<T...> format, T&&... values) {
 
 /// Whether a result could not be written.
 [[nodiscard]] bool output_is_lost();
-/// Why, in a sentence, for whoever tells it.
+/// The reason, as a sentence for the caller that reports it.
 [[nodiscard]] Fault output_loss();
-/// Somebody has told it.
+/// The loss was reported.
 [[nodiscard]] bool output_loss_is_told();
 
 /// As RunOptions::print.
 Result<> print_of_script(std::string_view text);
 
-/// While it lives, `act` is called (by who writes) when the first result cannot be written. One at a time.
+/// During its lifetime, `act` is called (by the writing thread) when the first result cannot be written. One
+/// at a time.
 class OutputWatch {
  public:
   explicit OutputWatch(std::function<void()> act);
@@ -40,7 +41,7 @@ class OutputWatch {
   OutputWatch& operator=(const OutputWatch&) = delete;
 };
 
-/// A line on stderr. Who does not read it misses it, and that is all.
+/// Writes a line to stderr. A failure to write it is ignored.
 void write_aside(std::string_view line);
 
 }  // namespace hw::app

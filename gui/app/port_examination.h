@@ -1,5 +1,5 @@
 #pragma once
-// The link doctor's eyes: files of the system, read on a thread of their own.
+// Examines ports for the link doctor: files of the system, read on a separate thread.
 #include <functional>
 #include <map>
 #include <memory>

@@ -24,7 +24,7 @@ FoundPort::State state_of(PortFinding finding) {
   return FoundPort::State::failed;
 }
 
-// The four links of the chain between this computer and a controller, as far as the test went.
+// The four steps between this computer and a controller, as far as the test went.
 std::vector<FoundPort::Check> checks_of(const PortReport& r) {
   using Is = FoundPort::Check::Result;
   const bool opened = r.finding == PortFinding::answers || r.finding == PortFinding::silent ||
@@ -75,14 +75,14 @@ FoundPort usb_port(const PerformaxDevice& device) {
   return port;
 }
 
-// Lives on the io thread as long as the page is open.
+// Runs on the io thread while the page is open.
 Task<> watch_usb(Scheduler& scheduler, std::shared_ptr<std::atomic<bool>> moved, std::function<void()> wake,
                  std::weak_ptr<void> page) {
   const auto watch = PerformaxWatch::start(scheduler, [moved, wake] {
     moved->store(true);
     if (wake) wake();
   });
-  if (!watch) co_return;  // the list is looked through every two seconds anyway
+  if (!watch) co_return;  // the list is refreshed every two seconds anyway
   while (!page.expired()) co_await scheduler.sleep_for(std::chrono::seconds(1));
 }
 
@@ -134,7 +134,7 @@ void PortWatch::list() {
   list_usb();
 }
 
-// New ports are asked once by themselves; those that have gone leave the list.
+// New ports are asked once, unprompted; removed ports leave the list.
 void PortWatch::list_serial() {
   const std::vector<SerialPort> there = list_serial_ports();
   std::erase_if(found_, [&](const FoundPort& p) {
@@ -154,7 +154,7 @@ void PortWatch::list_serial() {
   }
 }
 
-// What is on USB has said by its numbers what it is: nothing has to be asked.
+// A USB device is identified by its numbers: no question is needed.
 void PortWatch::list_usb() {
   std::erase_if(found_, [&](const FoundPort& p) { return !known_.contains(p.path); });
   for (const PerformaxDevice& device : list_performax()) found_.push_back(usb_port(device));

@@ -1,5 +1,6 @@
 #pragma once
-// The connection page's eyes: serial ports by their files, and a harmless question to each, on the io thread.
+// Finds ports for the connection page: serial ports by their files, and a harmless question to each, on the
+// io thread.
 #include <atomic>
 #include <map>
 #include <string>
@@ -39,12 +40,12 @@ class PortWatch final : public gui::PortFinder {
   std::function<void()> wake_;
   std::vector<gui::FoundPort> found_;
   std::map<std::string, SerialPort> known_;
-  std::shared_ptr<Ring<PortReport>> reports_ = std::make_shared<Ring<PortReport>>(64);  // io thread -> here
+  std::shared_ptr<Ring<PortReport>> reports_ = std::make_shared<Ring<PortReport>>(64);  // io -> GUI thread
   int asking_ = 0;
   bool watching_ = false;
   std::shared_ptr<std::atomic<bool>> usb_moved_ =
       std::make_shared<std::atomic<bool>>(false);  // set on the io thread
-  std::shared_ptr<int> page_;                      // gone: nobody watches
+  std::shared_ptr<int> page_;                      // destroyed: nobody watches
   Instant listed_at_{};
   PortExamination examination_;
   EmulatorServing serving_;

@@ -10,7 +10,7 @@
 
 namespace hw::app {
 
-// Of the controller as its options make it; one that has no such option does not take it.
+// The controller as configured by its options; an option that it does not have is not passed on.
 static Result<Catalog> catalog_for(const DeviceType& type, const Given& given) {
   DeviceOptions keys;
   for (const char* key : {"variant", "jumpers", "motors"})
@@ -36,7 +36,7 @@ Result<MeantFor> read_for(const Given& given) {
   return MeantFor{&type->language(), std::move(*catalog)};
 }
 
-// A file that is no program is no wrong usage: the command was right, the job failed.
+// A file that is no program is not wrong usage: the command was right, the job failed.
 static Fault of_the_file(Fault fault) {
   fault.kind = FaultKind::port;
   return fault;

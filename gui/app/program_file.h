@@ -14,14 +14,14 @@ struct ProgramFile {
   Catalog catalog;
 };
 
-/// The controller that --for names, with its language.
+/// The controller named by --for, with its language.
 struct MeantFor {
   const Language* language = nullptr;
   Catalog catalog;
 };
 Result<MeantFor> read_for(const Given& given);
-/// FILE and --for; a sequence is written in the controller's language first. FaultKind::text: wrong usage;
-/// any other: the file.
+/// Reads FILE and --for; a sequence is first written in the controller's language. FaultKind::text: wrong
+/// usage; any other: an error in the file.
 Result<ProgramFile> read_program(const Given& given);
 
 }  // namespace hw::app

@@ -2,6 +2,7 @@
 // The screen of `run --gui`: the real console with the real panels, without a display, driven by a script.
 #include "core/script/module.h"
 #include "gui/app/device_search.h"
+#include "gui/app/kept_units.h"
 #include "gui/model/worker.h"
 #include "gui/shell/console.h"
 #include "gui/surface/automation.h"
@@ -9,7 +10,7 @@
 
 namespace hw::app {
 
-/// The search of the connection page opens real ports, so time becomes real with it.
+/// The search of the connection page opens real ports, so time becomes real when it starts.
 class SearchInRealTime final : public gui::DeviceFinder {
  public:
   SearchInRealTime(Scheduler& scheduler, std::function<void()> go_real)
@@ -37,11 +38,13 @@ class ScriptStage final : public script::Stage {
   void frame(Instant now) override;
   void script_over() override;
 
-  /// From now on the clock on the wall counts.
+  /// The window's length unit of that axis.
+  [[nodiscard]] std::optional<script::AxisUnit> unit_of(const Session& session, int axis) const;
+  /// From now on real time applies.
   void time_is_real();
 
   gui::Automation& automation() { return automation_; }
-  /// As the user's own switch does, so that the console agrees.
+  /// As the user's own switch, so that the console agrees.
   Result<> set_theme(const std::string& name);
 
  private:
@@ -52,7 +55,7 @@ class ScriptStage final : public script::Stage {
   gui::Worker worker_;  // without a thread: the same order in every run
   gui::Console console_;
   bool console_was_dark_ = true;
-  float size_ = 1;  ///< as the user has chosen it, within the surface's scale
+  float size_ = 1;  ///< chosen by the user, within the surface's scale
   script::Runner* runner_ = nullptr;
   gui::Automation automation_;
 };

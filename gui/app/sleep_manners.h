@@ -1,5 +1,5 @@
 #pragma once
-// What the console does about the sleep of the computer, see sleep_watch.h. GUI thread.
+// The console's reactions to the computer's sleep, see sleep_watch.h. GUI thread.
 #include <atomic>
 #include <functional>
 
@@ -10,7 +10,7 @@ namespace hw::app {
 
 class SleepManners {
  public:
-  /// `wake`: a frame is wanted; any thread.
+  /// `wake`: requests a frame; any thread.
   SleepManners(Scheduler& scheduler, std::function<void()> wake);
   /// Once a frame.
   void follow(gui::Console& console);

@@ -1,5 +1,5 @@
 #pragma once
-// Every byte of every wire in a text file, with its time: `run --traffic`.
+// Writes every byte of every wire to a text file, with its time: `run --traffic`.
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -12,19 +12,19 @@ namespace hw::app {
 class TrafficFile {
  public:
   static Result<std::shared_ptr<TrafficFile>> create(const std::string& path);
-  /// Called (io thread) when it cannot be written any more.
+  /// Called (io thread) when writing fails.
   std::function<void(const Fault& why)> on_failure;
   ~TrafficFile();
   TrafficFile(const TrafficFile&) = delete;
   TrafficFile& operator=(const TrafficFile&) = delete;
 
-  /// The same opener, with each wire that it opens written down under a number of its own.
+  /// The same opener; each wire that it opens is recorded under its own number.
   static WireOpener tap(std::shared_ptr<TrafficFile> file, WireOpener inner);
 
   /// "    1.234567 2 > X\r": seconds, number of the wire, sent or received, bytes.
   void write(Instant at, int wire, char way, std::string_view bytes);
   void note(Instant at, int wire, std::string_view event);
-  /// Whether all that was written stands in the file now. Nobody is called from here on.
+  /// Whether everything written is in the file now. The callback is not called from here on.
   Result<> finish();
 
  private:

@@ -28,7 +28,7 @@ void Watchdog::take_signals() {
   signals_.emplace(io_.get_executor(), SIGINT, SIGTERM, SIGHUP);
   signals_->async_wait([this](boost::system::error_code error, int) {
     if (error) return;
-    signals_->clear();  // back to the system's way of ending a program
+    signals_->clear();  // restores the default action of the signals
     interrupted_ = true;
     runner_.interrupt();
   });

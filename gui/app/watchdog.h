@@ -1,6 +1,6 @@
 #pragma once
-// Beside a script, on a thread of its own: takes the signals that end it, whatever it is doing, and gets it
-// out of a call of Lua's library that does not come back (a pattern that backtracks for ever).
+// Runs beside a script on a separate thread: handles the signals that end the script, whatever it is doing,
+// and breaks it out of a Lua library call that does not return (a pattern that backtracks for ever).
 #include <optional>
 #include <thread>
 
@@ -11,12 +11,12 @@ namespace hw::app {
 
 class Watchdog {
  public:
-  /// The runner outlives it.
+  /// `runner` must outlive this object.
   explicit Watchdog(script::Runner& runner);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
-  /// From now on SIGINT, SIGTERM and SIGHUP interrupt the script. A second one ends the program the hard way.
+  /// From now on SIGINT, SIGTERM and SIGHUP interrupt the script. A second one kills the program.
   void take_signals();
 
  private:

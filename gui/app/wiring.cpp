@@ -50,7 +50,7 @@ int run_here(const std::function<Task<int>(Scheduler&)>& job) {
   asio::co_spawn(io.get_executor(), keep_status(job, scheduler, status),
                  [&](std::exception_ptr error) { defect = error; });
   while (!status && !defect) io.run_one();
-  io.poll();  // what was closed may say its last word
+  io.poll();  // lets closed objects finish
   if (defect) std::rethrow_exception(defect);
   return *status;
 }
@@ -59,7 +59,7 @@ Interruption::Interruption(Scheduler& scheduler, std::function<void(int signal)>
     : signals_(scheduler.executor(), SIGINT, SIGTERM, SIGHUP) {
   signals_.async_wait([this, act = std::move(act)](boost::system::error_code error, int signal) {
     if (error) return;
-    signals_.clear();  // back to the system's way of ending a program
+    signals_.clear();  // restores the default action of the signals
     act(signal);
   });
 }
@@ -76,7 +76,8 @@ Task<Result<std::shared_ptr<Session>>> connect(Scheduler& scheduler, Address add
 
 void prepare_process() {
   std::signal(SIGPIPE, SIG_IGN);
-  // What is opened takes the lowest free number. Reading is all that this one allows: writing still fails.
+  std::signal(SIGXFSZ, SIG_IGN);  // makes exceeding the file size limit a write error
+  // New files get the lowest free number. This one allows reading only: writing still fails.
   for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(fd, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
 }

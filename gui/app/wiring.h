@@ -1,5 +1,5 @@
 #pragma once
-// Where everything is tied together: the transports behind an address, the threads, the end of it all.
+// Connects the parts of the program: the transports behind an address, the threads, the shutdown.
 #include <functional>
 #include <memory>
 #include <thread>
@@ -10,18 +10,19 @@
 
 namespace hw::app {
 
-/// Every transport of the house. `keeper`: of the last wills of held jogs; null: nobody.
+/// Opens every transport of the program. `keeper`: carries out last wills of held jogs; null: no watchdog
+/// runs.
 WireOpener wire_opener(std::shared_ptr<WillKeeper> keeper = nullptr);
 
-/// Starts the watchdog of held jogs: before any thread.
+/// Starts the watchdog of held jogs; call before starting any thread.
 std::shared_ptr<WillKeeper> start_jog_watchdog();
 
-/// Wall-clock time with a thread of its own, for the console.
+/// Wall-clock time on a separate thread, for the console.
 class IoThread {
  public:
   IoThread();
   ~IoThread() { stop(); }
-  /// Joins; what still waits is dropped.
+  /// Joins the thread; waiting work is dropped.
   void stop();
   IoThread(const IoThread&) = delete;
   IoThread& operator=(const IoThread&) = delete;
@@ -34,11 +35,11 @@ class IoThread {
   std::thread thread_;
 };
 
-/// Runs a headless job in wall-clock time on this thread; its answer is the exit status.
+/// Runs a headless job in wall-clock time on this thread and returns its exit status.
 int run_here(const std::function<Task<int>(Scheduler&)>& job);
 
-/// Calls `act` (io thread) when somebody wants the program to end: SIGINT, SIGTERM, SIGHUP. A second signal
-/// ends it the hard way.
+/// Calls `act` (io thread) when the program is asked to end: SIGINT, SIGTERM, SIGHUP. A second signal kills
+/// it.
 class Interruption {
  public:
   Interruption(Scheduler& scheduler, std::function<void(int signal)> act);
@@ -47,11 +48,11 @@ class Interruption {
   asio::basic_signal_set<Executor> signals_;
 };
 
-/// A session that is connected, or why not. Closes it again when it cannot connect.
+/// Returns a connected session, or the fault; a session that cannot connect is closed.
 Task<Result<std::shared_ptr<Session>>> connect(Scheduler& scheduler, Address address, WireOpener opener);
 
-/// Once, before anything is opened: a pipe that nobody reads is an error of the write and no end of the
-/// program, and no port is opened under the number of a standard stream that is closed.
+/// Call once, before anything is opened: makes a pipe without a reader a write error instead of the program's
+/// end, and keeps ports from getting the number of a closed standard stream.
 void prepare_process();
 
 }  // namespace hw::app
