@@ -51,7 +51,7 @@ void CompiledView::draw(Frame& f, int slot, float width, float height) {
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(16), at.y + ui.px(16)));
     wrapped(ui, Face::body, Tone::ink2,
             texts.text(slot).empty() ? "The program is empty."
-                                     : "There is nothing to show until its errors are mended.");
+                                     : "There is nothing to show until its errors are corrected.");
     return end_part();
   }
   ImGuiListClipper clipper;

@@ -1,6 +1,5 @@
 #pragma once
-// What the text becomes in the controller: its low-level lines, each with the line of the text it came from.
-// Ids: `program/listing`.
+// The compiled program: the controller's low-level lines, each with its source line. Ids: `program/listing`.
 #include <string>
 #include <vector>
 
@@ -11,7 +10,7 @@ namespace hw::panels {
 
 class CompiledView {
  public:
-  /// At ImGui's cursor, logical size.
+  /// Draws at ImGui's cursor, logical size.
   void draw(gui::Frame& frame, int slot, float width, float height);
 
  private:

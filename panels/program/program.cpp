@@ -25,7 +25,7 @@ namespace {
 
 bool shows_keys(const Frame& f) { return f.area.width >= 700; }
 
-/// What is wrong with the text itself; empty: nothing.
+/// The fault of the text itself; empty: none.
 FixedText<240> why_not_fit_to_run(ProgramTexts& texts, int slot, const ProgramFacts& facts) {
   char words[240];
   const auto said = [&](const auto& end) {
@@ -33,14 +33,15 @@ FixedText<240> why_not_fit_to_run(ProgramTexts& texts, int slot, const ProgramFa
   };
   for (const Problem& p : texts.report(slot).problems)
     if (p.error)
-      return said(fmt::format_to_n(words, sizeof words, "Line {}: {} Run comes back when it is mended.",
-                                   p.line + 1, p.sentence));
+      return said(fmt::format_to_n(words, sizeof words,
+                                   "Line {}: {} Run is available again when it is corrected.", p.line + 1,
+                                   p.sentence));
   const int cost = texts.cost(slot), too_many = cost - facts.capacity;
   if (facts.capacity <= 0 || too_many <= 0) return {};
-  return said(fmt::format_to_n(words, sizeof words,
-                               "The program needs {} {} and {} fit: {} too many. Run comes back when it is "
-                               "shorter.",
-                               cost, facts.capacity_unit, facts.capacity, too_many));
+  return said(fmt::format_to_n(
+      words, sizeof words,
+      "The program needs {} {} and {} fit: {} too many. Run is available again when it is shorter.", cost,
+      facts.capacity_unit, facts.capacity, too_many));
 }
 
 }  // namespace
@@ -70,7 +71,7 @@ void Program::shortcuts(Frame& f) {
   const Keyboard& keys = f.ui.keyboard;
   if (keys.pressed(Command::run)) {
     if (why_not_run_.empty())
-      begin_run(f, go_on_or(f, RunWish::run));
+      run(f, go_on_or(f, RunWish::run));
     else
       f.toast(Mood::warn, std::string(why_not_run_.view()), &f.tab.desk().texts);
   }
@@ -97,12 +98,23 @@ void Program::draw_toolbar(Frame& f) {
   const auto next = [&] { ImGui::SameLine(0, ui.px(8)); };
   RunBarLook look{.why_not = why_not_run_, .keys = shows_keys(f)};
   if (f.tab.desk().language()) look.rehearsed = rehearsed(f, f.tab.desk().texts.chosen());
-  begin_run(f, run_bar(f, "program", look));
+  run(f, run_bar(f, "program", look));
   next();
   draw_simulate(f);
   next();
-  draw_memory(f, ImGui::GetCursorScreenPos().x);
+  const float left = ImGui::GetCursorScreenPos().x;
+  if (const auto progress = run_progress(f))
+    draw_run_progress(f, "program", *progress, left);
+  else
+    draw_memory(f, left);
   end_toolbar(f, at);
+  const Rect row{at, ImVec2(ui.px(f.area.right()), ImGui::GetCursorScreenPos().y)};
+  if (const RunWish once = doubt_.draw(f, "program", row); once != RunWish::none)
+    begin_run(f, once, DoubtfulRun::taken);
+}
+
+void Program::run(Frame& f, RunWish wish) {
+  if (!doubt_.holds_back(f, wish)) begin_run(f, wish);
 }
 
 void Program::draw_simulate(Frame& f) {
@@ -110,7 +122,7 @@ void Program::draw_simulate(Frame& f) {
   const int slot = desk.texts.chosen();
   const std::string_view why = !desk.language()                  ? "This model has no rehearsal."
                                : desk.texts.text(slot).empty()   ? "The program is empty."
-                               : desk.rehearsals.under_way(slot) ? "It is being worked out."
+                               : desk.rehearsals.under_way(slot) ? "It is being calculated."
                                                                  : "";
   if (button(f.ui, "program/simulate", "Simulate",
              {.icon = Icon::play_outline,
@@ -122,7 +134,8 @@ void Program::draw_simulate(Frame& f) {
     desk.rehearse(f.now, f.bench);
 }
 
-// Follows the typing: what the text costs of what there is. Without room the words become fewer, then go.
+// Follows the typing: the memory used by the text, out of the total. Without room the words become fewer,
+// then go.
 void Program::draw_memory(Frame& f, float left) {
   const int capacity = f.catalog.program.capacity;
   if (capacity <= 0) return;

@@ -1,5 +1,5 @@
 #pragma once
-// The program: text, what it costs, what is wrong with it, what it would do, and the controller that runs it.
+// The program: text, cost, faults, rehearsal, and the controls that run it.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,6 +12,7 @@
 #include "panels/program/compiled_view.h"
 #include "panels/program/program_editor.h"
 #include "panels/program/rehearsal_card.h"
+#include "panels/program/run_doubt.h"
 #include "panels/program/threads.h"
 
 namespace hw::panels {
@@ -23,6 +24,7 @@ class Program final : public gui::Panel {
  private:
   void follow(gui::Frame& frame);
   void draw_toolbar(gui::Frame& frame);
+  void run(gui::Frame& frame, RunWish wish);
   void draw_simulate(gui::Frame& frame);
   void draw_memory(gui::Frame& frame, float left);
   void draw_slots(gui::Frame& frame);
@@ -57,10 +59,12 @@ class Program final : public gui::Panel {
   bool view_compiled_ = false;
   RehearsalCard rehearsal_;
   Threads threads_;
+  RunDoubt doubt_;
   gui::FileDialog open_, save_;
-  bool rehearsal_open_ = false;  ///< medium and narrow: the column instead of the line
+  bool rehearsal_open_ = false;  ///< medium and narrow windows: the column instead of the line
   bool asking_replace_ = false, asking_clear_ = false;
-  /// Before a file is overwritten that another program has changed. Shared with the job that finds it out.
+  /// The question before a file changed by another program is overwritten. Shared with the job that finds the
+  /// change.
   struct Overwrite {
     bool asking = false;
     int slot = 0;
@@ -68,7 +72,7 @@ class Program final : public gui::Panel {
     std::string question;
   };
   std::shared_ptr<Overwrite> overwrite_ = std::make_shared<Overwrite>();
-  std::filesystem::path to_open_;  ///< asked about; empty: a new text instead
+  std::filesystem::path to_open_;  ///< the file the question is about; empty: a new text instead
   std::string question_, words_;
   gui::ProgramNote note_;
   std::string note_time_;

@@ -1,5 +1,4 @@
-// The row of a controller that stores programs compiled: what the text becomes, down to the controller and up
-// from it.
+// The row of a controller that stores programs compiled: the compiled text, sending it and reading it back.
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"

@@ -13,7 +13,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-// A text that came from elsewhere (a file, the controller) is one change that can be undone.
+// A text from elsewhere (a file, the controller) is one undoable change.
 void ProgramEditor::take_changes(Frame& f, int slot) {
   ProgramTexts& texts = f.tab.desk().texts;
   Slot& s = slots_[static_cast<std::size_t>(slot)];
@@ -29,7 +29,7 @@ void ProgramEditor::take_changes(Frame& f, int slot) {
   }
 }
 
-/// Each thread of a controller that runs several programs tells its line.
+/// On a controller that runs several programs, each thread reports its line.
 std::size_t ProgramEditor::live_lines_of_threads(const Frame& f, ProgramTexts& texts) {
   std::size_t n = 0;
   for (int t = 0; t < std::min(f.catalog.program.threads, max_threads); ++t) {
@@ -74,7 +74,7 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
   if (s.editor.draw(ui, "program/text", look).edited) {
     texts.set_text(slot, s.editor.text());
     s.version = texts.version(slot);
-    ui.wake_in(0);  // colours and costs of what was just typed
+    ui.wake_in(0);  // colours and costs of the latest typing
   }
   f.tab.desk().caret_line = s.editor.model().caret().line;
   ImGui::EndChild();

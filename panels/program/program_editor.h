@@ -14,9 +14,9 @@ namespace hw::panels {
 
 class ProgramEditor {
  public:
-  /// At ImGui's cursor, logical size.
+  /// Draws at ImGui's cursor, logical size.
   void draw(gui::Frame& frame, int slot, float width, float height);
-  /// Brings a line (from 0) into sight and puts the caret there.
+  /// Scrolls to a line (from 0) and puts the caret there.
   void go_to(int slot, int line, int byte);
   [[nodiscard]] gui::CodeEditor& editor(int slot) { return slots_[static_cast<std::size_t>(slot)].editor; }
 
@@ -26,7 +26,7 @@ class ProgramEditor {
 
   struct Slot {
     gui::CodeEditor editor;
-    std::uint64_t version = 0;  ///< of ProgramTexts, that the editor shows
+    std::uint64_t version = 0;  ///< of ProgramTexts, as shown by the editor
   };
   std::size_t live_lines_of_threads(const gui::Frame& frame, gui::ProgramTexts& texts);
 

@@ -1,4 +1,4 @@
-// The row of slots and files: which of the controller's programs, which text, and where it is kept.
+// The row of slots and files: the controller's program, its text, and the file.
 #include <array>
 #include <cmath>
 
@@ -52,7 +52,7 @@ void Program::draw_slots(Frame& f) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(slots_height)));
 }
 
-// Without room "edited" goes first, then the name: it is told where the slots are pointed at.
+// Without room, "edited" goes first, then the name, which the tooltip of the slots still tells.
 void Program::draw_file_name(Frame& f, Rect in, float slots_left) {
   Ui& ui = f.ui;
   const ProgramTexts& texts = f.tab.desk().texts;
@@ -90,7 +90,8 @@ constexpr FileButton file_buttons[] = {{"program/check", "Check", "Check", ""},
                                        {"program/save", "Save", "Save", "ctrl S"},
                                        {"program/store", "Store in controller", "Store", ""}};
 
-/// What is stored compiled is checked, sent and kept by the verbs of its own row: see draw_compiled_row().
+/// Programs stored compiled are checked, sent and stored by the buttons of their own row: see
+/// draw_compiled_row().
 bool is_there(const FileButton& b, const Frame& f) {
   const std::string_view id = b.id;
   if (id == "program/check") return !f.catalog.program.compiled;
@@ -122,7 +123,7 @@ void Program::draw_file_buttons(Frame& f) {
     if (!is_there(b, f)) continue;
     ButtonOptions look = file_button_look(f, b.keys);
     const std::string_view id = b.id;
-    if (too_much > 0) {  // smaller than the look asks for: the first go
+    if (too_much > 0) {  // below the smallest window of the look: the first buttons go
       too_much -= ui.px(button_width(ui, roomy ? b.label : b.short_label, look));
       continue;
     }
@@ -148,7 +149,7 @@ void Program::draw_more(Frame& f) {
                                                             "Load from controller",
                                                             "Empty in controller"};
   Desk& desk = f.tab.desk();
-  // Else it keeps none, or the row of what is stored compiled has the last two.
+  // Else the controller stores none, or the row for compiled programs has the last two.
   const bool moves_texts = f.catalog.program.capacity > 0 && !f.catalog.program.compiled;
   const std::size_t many = moves_texts ? names.size() : 5;
   switch (menu(f.ui, "program/more", "More", std::span(names.data(), many))) {
@@ -184,7 +185,7 @@ void Program::save(Frame& f) {
 
 namespace {
 
-/// Empty: the file holds what it is known to hold, or is not there. Else what would be overwritten.
+/// Empty: the file has its known content, or does not exist. Else the content that would be overwritten.
 std::string other_text_in(const std::filesystem::path& path, const std::optional<std::string>& known) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none)) return {};
@@ -202,7 +203,7 @@ std::string other_text_in(const std::filesystem::path& path, const std::optional
 
 }  // namespace
 
-/// `overwrite`: whatever the file holds by now.
+/// `overwrite`: whatever the file holds now.
 void Program::write(Frame& f, int slot, const std::filesystem::path& path, bool overwrite) {
   Desk& desk = f.tab.desk();
   struct Saved {

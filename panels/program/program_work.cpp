@@ -1,5 +1,5 @@
-// What stands between the row of files and the terminal: editor, rehearsal, and under them a line that says
-// how text and controller agree, or a question before a program is overwritten.
+// The area between the row of files and the terminal: editor, rehearsal, and below them a line on how text
+// and controller agree, or the question before a program is overwritten.
 #include <cmath>
 
 #include <fmt/core.h>
@@ -46,8 +46,8 @@ void Program::draw_work(Frame& f, float bottom) {
   if (rehearsal_.draw_column(f, slot, side - 1, height)) f.tab.desk().rehearse(f.now, f.bench);
 }
 
-// What stands under the editor, from the bottom up; returns where the editor ends. What starts and stops
-// threads lies lowest, and what comes and goes highest: it takes its place from the editor alone.
+// Draws the parts below the editor, from the bottom up; returns the end of the editor. Thread controls lie
+// lowest, temporary parts highest: these take their room only from the editor.
 float Program::draw_below(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -67,7 +67,7 @@ float Program::draw_below(Frame& f) {
   return y;
 }
 
-/// A question, or the line that says how text and controller agree, above `bottom`; returns its top.
+/// Draws a question, or the line on how text and controller agree, above `bottom`; returns its top.
 float Program::draw_said(Frame& f, float top, float bottom) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
@@ -114,7 +114,7 @@ void Program::draw_note(Frame& f, float top, float height) {
        {ImVec2(left, top), ImVec2(right, top + ui.px(height))});
 }
 
-/// How far it has come, and the way out; both go before the words do. While a program runs there is none: it
+/// The progress and Abort; both go before the words do. There is no Abort while a program runs, because that
 /// would be stopped too.
 float Program::draw_transfer(Frame& f, float left, float right, float middle) {
   constexpr std::string_view abort = "Abort";
@@ -137,7 +137,7 @@ float Program::draw_transfer(Frame& f, float left, float right, float middle) {
   return right - bar - ui.px(16);
 }
 
-// "2 errors, next": goes from one problem to the next.
+// "2 errors, next": moves from one problem to the next.
 float Program::draw_problem_link(Frame& f, const ProgramReport& report, float right, float middle) {
   Ui& ui = f.ui;
   int errors = 0;

@@ -12,14 +12,16 @@
 #include "gui/widgets/icons.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
+#include "panels/program/io_chart.h"
 #include "panels/program/rehearsal_words.h"
+#include "panels/program/run_bar.h"
 #include "panels/program/travel_words.h"
 
 namespace hw::panels {
 
 using namespace gui;
 
-/// What its words depend on besides the outcome.
+/// The other inputs of its words besides the outcome.
 static void add_shown(std::string& all, const Frame& f, std::size_t axis) {
   const AxisState& state = f.now.axes[axis];
   const Travel travel = state.travel_holds() ? state.travel : Travel();
@@ -28,7 +30,7 @@ static void add_shown(std::string& all, const Frame& f, std::size_t axis) {
                  travel.has_plus, travel.plus.value);
 }
 
-// The words of the outcome in the user's units; the caption says which text they are of.
+// Puts the outcome into words, in the user's units; the caption tells which text they are about.
 void RehearsalCard::refresh(Frame& f, int slot) {
   Desk& desk = f.tab.desk();
   outcome_ = desk.rehearsals.of(slot);
@@ -52,7 +54,7 @@ void RehearsalCard::refresh_caption(const Frame& f, int slot) {
   of_running_ =
       outcome_ && p.owned && p.slot == slot && p.run != RunState::idle && held.text == outcome_->text;
   if (desk.rehearsals.under_way(slot))
-    said_caption_ = "working it out";
+    said_caption_ = "calculating";
   else if (!outcome_)
     said_caption_ = "";
   else if (of_running_)
@@ -68,6 +70,7 @@ void RehearsalCard::refresh_caption(const Frame& f, int slot) {
 void RehearsalCard::refresh_words(const Frame& f) {
   axes_.clear();
   event_times_.clear();
+  lanes_.clear();
   stops_.clear();
   time_.clear(), fault_.clear(), sends_.clear(), spans_.clear(), stand_.clear(), assumed_.clear();
   if (!outcome_) return;
@@ -88,6 +91,7 @@ void RehearsalCard::refresh_words(const Frame& f) {
   assumed_ = assumption_words(r);
   sends_ = r.sent_to_host;
   std::replace(sends_.begin(), sends_.end(), '\r', ' ');
+  lanes_ = io_lanes(r);
   constexpr std::size_t most_events = 200;
   for (std::size_t i = 0; i < std::min(r.events.size(), most_events); ++i)
     event_times_.push_back(fmt::format("{:.1f} s", r.events[i].t));
@@ -96,8 +100,11 @@ void RehearsalCard::refresh_words(const Frame& f) {
 void RehearsalCard::say_span(const Frame& f, const RehearsedAxis& axis) {
   const int i = f.catalog.find_axis(axis.name);
   if (i < 0) return;
-  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
   if (axis.minimum == axis.maximum) return axes_.push_back({axis.name, "does not move"});
+  DisplayUnit unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+  if (axis.in_counts !=
+      f.now.axes[static_cast<std::size_t>(i)].in_counts)  // the program has changed the loop
+    unit = {.name = axis.in_counts ? f.catalog.loop_word : f.catalog.step_word};
   std::string span = fmt::format("{} to {}", format_position(Steps(axis.minimum), unit).view(),
                                  format_with_unit(Steps(axis.maximum), unit).view());
   spans_ += fmt::format("{}{}: {}", spans_.empty() ? "" : ", ", axis.name, span);
@@ -119,8 +126,15 @@ bool RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
     wrapped(ui, Face::body, Tone::ink, fault_);
   } else {
     draw_progress(f);
+    if (!fault_.empty()) {
+      wrapped(ui, Face::body, Tone::fault, fault_);
+      gap(ui, 8);
+    }
     draw_axes(f);
     again = draw_verdict(f);
+    const bool goes = of_running_ && !lanes_.empty();
+    draw_io_chart(ui, lanes_, outcome_->result->duration_s,
+                  goes ? std::optional(f.tab.desk().follower.run_s()) : std::nullopt);
     draw_events(f);
   }
   gap(ui, 12);
@@ -130,22 +144,19 @@ bool RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
 
 void RehearsalCard::draw_progress(Frame& f) {
   Ui& ui = f.ui;
-  const Rehearsal& r = *outcome_->result;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x;
   named_text(ui, "rehearsal/result", Face::time, old_ && !of_running_ ? Tone::ink3 : Tone::ink, time_);
-  float share = 0;
-  if (of_running_ && r.finished && r.duration_s > 0) {
-    const RunFollower& run = f.tab.desk().follower;
-    const double left = run.left_s().value_or(std::max(0.0, r.duration_s - run.run_s()));
-    share = static_cast<float>(std::clamp(run.run_s() / std::max(0.001, run.run_s() + left), 0.0, 1.0));
-    NumberText words = format_duration(left);
-    words.append(" left");
-    draw_text_right(ui, ImVec2(right, at.y + ui.px(4)), Face::body, ui[Tone::ink2], words);
+  const auto progress = of_running_ ? run_progress(f) : std::nullopt;
+  if (progress) {
+    draw_text_right(ui, ImVec2(right, at.y + ui.px(4)), Face::body, ui[Tone::ink2], progress->left);
     if (f.now.program.run == RunState::running) ui.wake_in(0.1);
   }
   gap(ui, 8);
-  meter(ui, "rehearsal/progress", "Done", share, {.tone = Tone::motion, .old = old_ && !of_running_});
+  meter(ui, "rehearsal/progress", "Done", progress ? progress->share : 0,
+        {.tone = Tone::motion,
+         .old = old_ && !of_running_,
+         .words = progress ? progress->left.view() : std::string_view()});
   gap(ui, 12);
 }
 
@@ -166,10 +177,6 @@ bool RehearsalCard::draw_verdict(Frame& f) {
             at_zero         ? "at 0"
             : begins_here() ? "where the axes stand"
                             : "where the axes stood");
-  if (!fault_.empty()) {
-    wrapped(ui, Face::body, Tone::fault, fault_);
-    gap(ui, 8);
-  }
   const bool again = draw_limits(f);
   draw_sentences(f);
   char words[32];
@@ -189,7 +196,7 @@ bool RehearsalCard::draw_verdict(Frame& f) {
   return again;
 }
 
-// The tick stands only where the axes would really go that way.
+// The tick stands only if the axes would really take that path.
 bool RehearsalCard::draw_limits(Frame& f) {
   Ui& ui = f.ui;
   const bool touched = outcome_->result->limit_touched;
@@ -235,7 +242,7 @@ void RehearsalCard::draw_sentences(Frame& f) {
     const auto end = fmt::format_to_n(id, sizeof id, "rehearsal/stop/{}", i + 1);
     sentence({id, std::min(end.size, sizeof id)}, "Stop", Tone::warn, stops_[i]);
   }
-  if (!assumed_.empty()) sentence("rehearsal/assumed", "Taken for granted", Tone::ink2, assumed_);
+  if (!assumed_.empty()) sentence("rehearsal/assumed", "Assumed", Tone::ink2, assumed_);
 }
 
 void RehearsalCard::draw_events(Frame& f) {
@@ -256,7 +263,7 @@ void RehearsalCard::draw_events(Frame& f) {
   if (r.events.size() > event_times_.size()) text(ui, Face::small, Tone::ink3, "and more");
 }
 
-/// Of limits, in the one line that there is.
+/// On limits, for the single line.
 RehearsalCard::Verdict RehearsalCard::verdict(const Frame& f) const {
   if (!begins_here()) return {"begins elsewhere: limits not judged", Icon::warning};
   if (passes_travel(f, *outcome_->result)) return {"goes past a limit of yours", Icon::warning};
@@ -294,9 +301,13 @@ bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
     word(Face::body, Tone::fault, fault_);
   } else {
     word(Face::body_medium, tone, time_);
+    if (const auto progress = of_running_ ? run_progress(f) : std::nullopt) {
+      word(Face::body_medium, Tone::motion, progress->left);
+      if (f.now.program.run == RunState::running) ui.wake_in(0.2);
+    }
     if (old_ && !of_running_) word(Face::small, Tone::ink3, said_caption_);
     const auto [verdict, mark] = this->verdict(f);
-    // The verdict is never cut; of the spans what fits.
+    // The verdict is never cut; spans are shown as far as they fit.
     const float verdict_width = ui.px(20 + 14) + std::ceil(text_width(ui, Face::body, verdict));
     const float spans_end = right - ui.px(24) - verdict_width;
     draw_text_line(ui, x, spans_end, middle, Face::body, ui[Tone::ink2], spans_);

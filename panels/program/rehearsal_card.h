@@ -1,17 +1,18 @@
 #pragma once
-// What a dry run of the text came to: time, spans, verdict. As a column beside the editor, or as one line.
+// The result of a rehearsal of the text: time, spans, verdict. A column beside the editor, or one line.
 #include "gui/model/desk.h"
 #include "gui/shell/frame.h"
 #include "gui/surface/ui.h"
 #include "gui/widgets/icons.h"
+#include "panels/program/io_lanes.h"
 
 namespace hw::panels {
 
 class RehearsalCard {
  public:
-  /// At ImGui's cursor, `width` and `height` logical. True: it is to be rehearsed again, from here.
+  /// Draws at ImGui's cursor, `width` and `height` logical. True: rehearse again, from the present position.
   bool draw_column(gui::Frame& frame, int slot, float width, float height);
-  /// One line of 36. True: a click wants the column.
+  /// One line of 36. True: a click asks for the column.
   bool draw_line(gui::Frame& frame, int slot, bool opened);
 
  private:
@@ -20,7 +21,7 @@ class RehearsalCard {
   void refresh_words(const gui::Frame& frame);
   void say_span(const gui::Frame& frame, const RehearsedAxis& axis);
   [[nodiscard]] bool begins_here() const { return outcome_->stand.footing == gui::Footing::here; }
-  /// What it says of limits holds for the axes as they stand.
+  /// The verdict on limits holds for the present axis positions.
   [[nodiscard]] bool judges_limits() const { return begins_here() && outcome_->scene.switches; }
   void draw_progress(gui::Frame& frame);
   void draw_axes(gui::Frame& frame);
@@ -28,13 +29,13 @@ class RehearsalCard {
   bool draw_limits(gui::Frame& frame);
   struct Verdict {
     std::string_view words;
-    gui::Icon mark;  ///< none: there is nothing to be said for or against
+    gui::Icon mark;  ///< none: no verdict
   };
   [[nodiscard]] Verdict verdict(const gui::Frame& frame) const;
   void draw_sentences(gui::Frame& frame);
   void draw_events(gui::Frame& frame);
 
-  // What is shown, made anew only when it changes.
+  // The words shown, rebuilt only when they change.
   int version_ = -1, slot_ = -1;
   std::string text_of_units_, units_now_;
   const gui::Rehearsals::Outcome* outcome_ = nullptr;
@@ -45,6 +46,7 @@ class RehearsalCard {
   };
   std::vector<Axis> axes_;
   std::vector<std::string> event_times_;
+  std::vector<IoLane> lanes_;
   bool old_ = false, of_running_ = false;
   char caption_[48] = {};
   std::string_view said_caption_;

@@ -13,7 +13,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr std::size_t most_stops = 12;  // that are listed
+constexpr std::size_t most_stops = 12;  // listed
 
 std::string position_difference(const Frame& f, const Stand& stand) {
   const int i = std::max(0, stand.which);
@@ -28,9 +28,9 @@ std::string position_difference(const Frame& f, const Stand& stand) {
     case Footing::other_count:
       return fmt::format("Rehearsed as after power-up; {} counts in another unit now", axis);
     case Footing::unknown:
-      return fmt::format("Rehearsed from {}; where {} stands is not known", began.view(), axis);
+      return fmt::format("Rehearsed from {}; the position of {} is not known", began.view(), axis);
     case Footing::other_encoder:
-      return fmt::format("Rehearsed before the encoder of {} came to read otherwise", axis);
+      return fmt::format("Rehearsed before the encoder of {} came to read differently", axis);
     case Footing::other_switch:
       return fmt::format("Rehearsed before a limit or home switch of {} changed", axis);
     case Footing::doubtful: return fmt::format("The position of {} may not be true", axis);
@@ -99,14 +99,14 @@ std::string stand_words(const Frame& f, const Rehearsals::Outcome& outcome) {
   if (outcome.stand.footing != Footing::here)
     words = difference(f, outcome.stand);
   else if (!outcome.scene.switches)
-    words = "Where the limit switches are is not known here";
+    words = "It is not known here where the limit switches are";
   return words.empty() ? words : words + ": limits are not judged.";
 }
 
 std::vector<std::string> stop_words(const Rehearsal& r) {
   std::vector<std::string> all;
   for (const RehearsedStop& stop : r.stops) {
-    if (r.error.find(stop.reason) != std::string::npos) continue;  // stands above
+    if (r.error.find(stop.reason) != std::string::npos) continue;  // already shown above
     const std::string line = stop.line < 0 ? std::string() : fmt::format("Line {}, ", stop.line + 1);
     all.push_back(fmt::format("{}{}: {}", line, exact_time(stop.t), stop.reason));
     if (all.size() == most_stops) break;
@@ -117,8 +117,7 @@ std::vector<std::string> stop_words(const Rehearsal& r) {
 std::string assumption_words(const Rehearsal& r) {
   std::string words;
   for (const RehearsedAssumption& a : r.assumptions)
-    words += fmt::format("{}{}: {}", words.empty() ? "Nobody has told, so taken for granted: " : "; ", a.name,
-                         a.value);
+    words += fmt::format("{}{}: {}", words.empty() ? "Not known, so assumed: " : "; ", a.name, a.value);
   return words.empty() ? words : words + ".";
 }
 

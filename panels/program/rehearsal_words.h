@@ -1,5 +1,5 @@
 #pragma once
-// What a rehearsal came to, in sentences for the user.
+// The result of a rehearsal, in sentences for the user.
 #include <string>
 #include <vector>
 
@@ -8,13 +8,13 @@
 
 namespace hw::panels {
 
-/// To a tenth of a second, as a person compares two runs: "1 min 08.6 s".
+/// To a tenth of a second, for comparing two runs: "1 min 08.6 s".
 [[nodiscard]] std::string exact_time(double seconds);
-/// Why nothing is said of limits; empty: something is.
+/// Why limits were not judged; empty: they were.
 [[nodiscard]] std::string stand_words(const gui::Frame& frame, const gui::Rehearsals::Outcome& outcome);
-/// "Line 3, 2.4 s: Axis X runs into its plus limit switch.", without what Rehearsal::error says already.
+/// "Line 3, 2.4 s: Axis X runs into its plus limit switch.", without the stop that Rehearsal::error tells.
 [[nodiscard]] std::vector<std::string> stop_words(const Rehearsal& rehearsal);
-/// What was taken for granted, in one sentence; empty: nothing was.
+/// The assumptions made, in one sentence; empty: none.
 [[nodiscard]] std::string assumption_words(const Rehearsal& rehearsal);
 
 }  // namespace hw::panels

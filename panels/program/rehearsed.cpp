@@ -8,7 +8,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// What it has found in the way of the program; empty: nothing.
+/// The obstacle that the rehearsal has found; empty: none.
 std::string_view found(const Rehearsals::Outcome& o) {
   if (!o.result) return "Rehearsed: it cannot run.";
   const Rehearsal& r = *o.result;
@@ -19,7 +19,7 @@ std::string_view found(const Rehearsals::Outcome& o) {
   return {};
 }
 
-/// What is not as it was; empty: all of it is.
+/// What has changed since; empty: nothing.
 std::string_view changed(const Stand& stand) {
   switch (stand.footing) {
     case Footing::here: return {};
@@ -27,7 +27,7 @@ std::string_view changed(const Stand& stand) {
     case Footing::moving: return "Rehearsed from elsewhere: an axis is moving.";
     case Footing::other_count:
       return "Rehearsed in other units: an axis counts its encoder now, or did then.";
-    case Footing::unknown: return "Rehearsed from 0: where the axes stand is not known.";
+    case Footing::unknown: return "Rehearsed from 0: the positions of the axes are not known.";
     case Footing::doubtful: return "Rehearsed, but the position of an axis may not be true.";
     case Footing::other_bench: return "Rehearsed before the switches on the bench were moved.";
     case Footing::other_encoder: return "Rehearsed before the encoder of an axis changed.";
@@ -58,7 +58,7 @@ Rehearsed rehearsed(const Frame& f, int slot) {
   if (passes_travel(f, *outcome->result))
     return {false, "Rehearsed: it goes past a limit that you have set."};
   if (!outcome->result->assumptions.empty())
-    return {true, "Rehearsed: this text, from here, with what the card says it takes for granted."};
+    return {true, "Rehearsed: this text, from here, with the assumptions that the card lists."};
   return {true, "Rehearsed: this text, from where the axes stand."};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Whether what Run would run is what has been rehearsed, from the controller as it is now.
+// Whether Run would run the text as rehearsed, from the present state of the controller.
 #include <string_view>
 
 #include "gui/shell/frame.h"
@@ -7,7 +7,7 @@
 namespace hw::panels {
 
 struct Rehearsed {
-  bool holds = false;      ///< this text, from here, and nothing was found in its way
+  bool holds = false;      ///< this text, from here, without findings
   std::string_view words;  ///< else what has changed since, or what was found
 };
 [[nodiscard]] Rehearsed rehearsed(const gui::Frame& frame, int slot);

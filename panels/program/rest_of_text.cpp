@@ -23,15 +23,15 @@ tl::unexpected<Fault> not_from(std::string why, std::string advice = {}) {
   return fail(FaultKind::refused, std::move(why), "Nothing was begun.", std::move(advice));
 }
 
-// ---- which step it is
+// ---- finding the step
 
 struct StepOfPlace {
   seq::Sequence sequence;
   int counted = 0;  ///< as SequenceText counts
 };
 
-/// Takes the line of a comment out; then `counted` grows to the step that stands there. False: it is in none
-/// of them, or the last.
+/// Removes the line with this mark from its comment, and adds the steps before that place to `counted`.
+/// False: no comment has the mark, or no step follows it.
 bool take_out(seq::StepList& steps, std::string_view mark, int& counted) {
   for (std::size_t i = 0; i < steps.size(); ++i, ++counted) {
     if (auto* comment = std::get_if<seq::Comment>(&steps[i].body)) {
@@ -52,8 +52,8 @@ bool take_out(seq::StepList& steps, std::string_view mark, int& counted) {
   return false;
 }
 
-/// A remark is put in front of the command, and the text is read with it: where the steps are the same
-/// otherwise, the command is what the one behind the remark begins with.
+/// Finds the step of a command: puts a remark before the command and reads the text with it. If the steps are
+/// otherwise the same, the command begins the step after the remark.
 class Finder {
  public:
   Finder(const Language& language, const PlaceToBegin& place, const seq::Sequence& frame,
@@ -66,7 +66,7 @@ class Finder {
     auto read = language_.read(place_.text, frame_, catalog_);
     if (!read)
       return not_from(
-          fmt::format("How things stand there is only known of what blocks can hold. {}", read.error().what));
+          fmt::format("The state there is known only for what blocks can hold. {}", read.error().what));
     for (const std::size_t at : places_in_line())
       if (const int counted = step_at(at, read->sequence); counted >= 0)
         return StepOfPlace{std::move(read->sequence), counted};
@@ -77,7 +77,7 @@ class Finder {
   }
 
  private:
-  /// Its own, then those of commands before it in the line, which may be of the same step.
+  /// Its own place, then those of earlier commands in the line, which may belong to the same step.
   [[nodiscard]] std::vector<std::size_t> places_in_line() const {
     std::size_t begin = 0;
     for (int line = 0; line < place_.line; ++line) begin = place_.text.find('\n', begin) + 1;
@@ -89,7 +89,7 @@ class Finder {
       if (token->begin < place_.byte) all.push_back(begin + ix(token->begin));
     return all;
   }
-  /// -1: none begins there.
+  /// -1: no step begins there.
   [[nodiscard]] int step_at(std::size_t at, const seq::Sequence& plain) const {
     const bool within_line = at > 0 && place_.text[at - 1] != '\n';
     std::string marked = place_.text;
@@ -107,9 +107,9 @@ class Finder {
   std::string mark_ = "@here@";
 };
 
-// ---- how things stand there
+// ---- the state at that place
 
-/// The last one of them that leaves behind what is not known.
+/// The last of these steps that leaves an unknown state behind.
 template <class Is>
 const seq::Step* last_such(const seq::StepList& steps, std::size_t count, Is is) {
   for (std::size_t i = std::min(count, steps.size()); i-- > 0;) {
@@ -131,7 +131,7 @@ bool has_no_end(const seq::Step::Body& body) {
   return loop && loop->times == 0;
 }
 
-/// Place in the list of the step that it is or stands in.
+/// Index in the list of the step itself, or of the outermost step around it.
 std::size_t outermost(const seq::StepList& steps, int counted) {
   std::size_t i = 0;
   for (; i < steps.size(); ++i) {
@@ -143,25 +143,24 @@ std::size_t outermost(const seq::StepList& steps, int counted) {
   return i;
 }
 
-/// In words of the text: the steps are nothing that anybody has seen.
+/// In terms of the text: the user has never seen the steps.
 tl::unexpected<Fault> why_not_known(const StepOfPlace& step, const PlaceToBegin& place, const Fault& fault) {
   const seq::StepList& steps = step.sequence.steps;
   const std::size_t before = outermost(steps, step.counted);
   const bool in_loop = before < steps.size() && std::holds_alternative<seq::Repeat>(steps[before].body);
   if (const seq::Step* own = last_such(steps, before + (in_loop ? 1 : 0), is_own_text)) {
     const std::string& text = std::get<seq::Custom>(own->body).text;
-    return not_from(fmt::format("What \"{}\" above line {} leaves behind is not known.",
+    return not_from(fmt::format("It is not known what \"{}\" above line {} leaves behind.",
                                 text.substr(0, text.find('\n')), place.line + 1),
                     "Begin at that command, or above it.");
   }
   if (last_such(steps, before, has_no_end))
     return not_from(fmt::format("A loop above line {} has no end: it is never reached.", place.line + 1));
   if (const seq::Step* lost = last_such(steps, before + (in_loop ? 1 : 0), goes_where_the_machine_decides))
-    return not_from(
-        fmt::format("Nobody knows where the axes stand before line {}: \"{} {}\" above it leaves one where "
-                    "its machine decides.",
-                    place.line + 1, title_of(lost->body), summary_of(lost->body, step.sequence)),
-        "Begin at that command, or behind one that sends the axis to a place.");
+    return not_from(fmt::format("It is not known where the axes stand before line {}: \"{} {}\" above it "
+                                "leaves one where its machine decides.",
+                                place.line + 1, title_of(lost->body), summary_of(lost->body, step.sequence)),
+                    "Begin at that command, or behind one that sends the axis to a place.");
   return not_from(fault.what, fault.advice);
 }
 
@@ -237,8 +236,8 @@ Result<RestOfText> rest_of_text(const Language& language, const PlaceToBegin& pl
       return not_from(fmt::format("Line {} lies within a loop, and the path does not show which pass of it "
                                   "this is.",
                                   place.line + 1),
-                      "Click the pass that you mean in the picture. Where its passes lie in one line, begin "
-                      "in front of the loop or behind it.");
+                      "Click the pass that you mean in the picture. Where its passes lie on one line, begin "
+                      "before the loop or after it.");
     pass_in_loop = place.pass.value_or(0);
   }
   auto rest = rest_there(*step, pass_in_loop, begin_of(place.axes, step->sequence),

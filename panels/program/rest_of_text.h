@@ -1,6 +1,6 @@
 #pragma once
-// The rest of a program that somebody has typed, from one of its commands on: where the text is steps of a
-// sequence, how things stand there is known from those before and from its rehearsal. Pure.
+// The rest of a typed program, from one of its commands on. If the text is steps of a sequence, the state at
+// that command is known from the steps before it and from its rehearsal. Pure.
 #include <array>
 #include <optional>
 #include <span>
@@ -12,13 +12,13 @@
 
 namespace hw::panels {
 
-/// Where it is to begin, and what the rehearsal of that text tells.
+/// The command to begin at, and the rehearsal's facts about it.
 struct PlaceToBegin {
   std::string text;
   int line = 0, byte = 0;        ///< from 0, where a command begins
-  std::optional<int> pass = {};  ///< how often it was done before; none: not known
+  std::optional<int> pass = {};  ///< how often it was done before; none: unknown
   std::vector<RehearsedAxis> axes = {};
-  /// Between these it was begun; none: the rehearsal does not tell.
+  /// It was begun between these; none: the rehearsal does not tell.
   std::optional<std::array<RehearsedPlace, 2>> begun = {};
 };
 /// When that pass of a source was begun. `source_of_command`: by RehearsedTurn::command.
@@ -26,10 +26,9 @@ std::optional<std::array<RehearsedPlace, 2>> begun_between(const Rehearsal& rehe
                                                            std::span<const int> source_of_command, int source,
                                                            std::optional<int> pass);
 
-/// Where the rehearsal began, which is where the steps are counted from: of the axes that it or a step has
-/// moved.
+/// Start of the rehearsal, from which the steps are counted: of the axes moved by it or by a step.
 sequence::Places begin_of(std::span<const RehearsedAxis> axes, const sequence::Sequence& sequence);
-/// None: the rehearsal has seen the axes where the rest would begin. `what`: "line 3" or "step 3";
+/// None: the rehearsal agrees with the place where the rest would begin. `what`: "line 3" or "step 3";
 /// `above`: what stands above it.
 std::optional<Fault> otherwise_rehearsed(const sequence::Rest& rest,
                                          const std::array<RehearsedPlace, 2>& begun, std::string_view what,
@@ -39,7 +38,7 @@ struct RestOfText {
   sequence::Rest rest;
   std::string begins;  ///< "line 7, I2M400"
 };
-/// In the unit and axes of `frame`. The fault says why how things stand there is not known. Long, for the
+/// In the unit and axes of `frame`. The fault: why the state at that place is unknown. Slow: run it on the
 /// worker.
 Result<RestOfText> rest_of_text(const Language& language, const PlaceToBegin& place,
                                 const sequence::Sequence& frame, const Catalog& catalog);

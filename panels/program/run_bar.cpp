@@ -1,12 +1,15 @@
 #include "panels/program/run_bar.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "gui/model/run_places.h"
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
+#include "gui/widgets/slider.h"
+#include "gui/widgets/text.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -19,7 +22,7 @@ constexpr std::string_view no_program = "No program runs.", no_link = "There is 
 bool runs(const ProgramState& p) { return is_under_way(p) && p.run == RunState::running; }
 bool waits(const ProgramState& p) { return is_under_way(p) && p.run != RunState::running; }
 
-/// What runs can be held where the controller steps through programs, or where threads are controlled.
+/// A run can be held if the controller steps through programs, or controls threads.
 bool can_hold(const Catalog& c) { return c.can.single_step || c.program.threads > 0; }
 
 struct Bar {
@@ -42,7 +45,7 @@ struct Bar {
   bool run() {
     const Rehearsed& tried = look.rehearsed;
     const bool waiting = waits(program());
-    // Its place is the same with the tick and without, and for both words.
+    // The same place with and without the tick, and for both words.
     ButtonOptions widest{.icon = Icon::play, .keys = look.keys ? "ctrl \n" : ""},
         to_go_on{.icon = Icon::play};
     if (!tried.words.empty()) widest.icon_after = Icon::check;
@@ -64,9 +67,14 @@ struct Bar {
         !frame.connected()         ? no_link
         : !can_hold(frame.catalog) ? std::string_view("This controller cannot hold a program. Stop ends it.")
         : runs(program())          ? std::string_view()
+        : waits(program())         ? waiting_words()
                                    : no_program;
     return press("hold", "Hold",
                  {.icon = Icon::pause, .disabled = why, .tip = "Stops before the next command."});
+  }
+  [[nodiscard]] std::string_view waiting_words() const {
+    return program().run == RunState::held ? "The program is held. Go on continues it."
+                                           : "The program waits. Go on continues it.";
   }
   bool step() {
     const bool held = is_under_way(program()) && program().run == RunState::held;
@@ -88,10 +96,11 @@ bool is_under_way(const ProgramState& p) {
 
 std::string_view why_none_runs(const Frame& f) {
   const ProgramState& p = f.now.program;
-  if (!f.connected()) return "There is no link. Run comes back when the controller answers.";
+  if (!f.connected()) return "There is no link. Run is available again when the controller answers.";
   if (f.tab.desk().job.busy()) return "A program is being transferred.";
-  if (runs(p)) return "A program is running. Run comes back when it ends or is stopped.";
-  if (!waits(p) && f.now.any_axis_moving()) return "An axis moves. Run comes back when it stands.";
+  if (runs(p)) return "A program is running. Run is available again when it ends or is stopped.";
+  if (!waits(p) && f.now.any_axis_moving())
+    return "An axis moves. Run is available again when it has stopped.";
   return {};
 }
 
@@ -110,6 +119,34 @@ RunWish run_bar(Frame& f, std::string_view where, const RunBarLook& look) {
   return go_on_or(f, wish);
 }
 
+std::optional<RunProgress> run_progress(const Frame& f) {
+  const RunFollower& run = f.tab.desk().follower;
+  const auto left = run.left_s();
+  if (!is_under_way(f.now.program) || !left) return std::nullopt;
+  const double whole_s = run.run_s() + *left, left_s = std::ceil(*left);  // tenths would change in each frame
+  RunProgress progress;
+  progress.share = whole_s > 0 ? static_cast<float>(std::clamp(run.run_s() / whole_s, 0.0, 1.0)) : 0;
+  progress.left = left_s < 60 ? format_number(left_s, 0) : format_duration(left_s);
+  progress.left.append(left_s < 60 ? " s left" : " left");
+  return progress;
+}
+
+void draw_run_progress(Frame& f, std::string_view where, const RunProgress& progress, float left) {
+  Ui& ui = f.ui;
+  const float right = ui.px(f.area.right() - 16), middle = ImGui::GetCursorScreenPos().y + ui.px(20);
+  const float words = right - std::ceil(text_width(ui, Face::body_medium, progress.left));
+  const float bar = std::min(ui.px(124), words - ui.px(8) - left);
+  draw_text_line(ui, std::max(words, left), right + 1, middle, Face::body_medium, ui[Tone::ink],
+                 progress.left);
+  if (f.now.program.run == RunState::running) ui.wake_in(0.2);
+  if (bar < ui.px(24))
+    return show(ui, {Path("{}/left", where), Kind::meter, "Time left", progress.left},
+                {ImVec2(std::max(words, left), middle - ui.px(10)), ImVec2(right, middle + ui.px(10))});
+  ImGui::SetCursorScreenPos(ImVec2(words - ui.px(8) - bar, middle - ui.px(4)));
+  meter(ui, Path("{}/left", where), "Time left", progress.share,
+        {.tone = Tone::motion, .words = progress.left, .width = bar / ui.scale});
+}
+
 RunWish go_on_or(Frame& f, RunWish wish) {
   const ProgramState& p = f.now.program;
   if (wish == RunWish::none || !waits(p)) return wish;
@@ -120,15 +157,17 @@ RunWish go_on_or(Frame& f, RunWish wish) {
   return RunWish::none;
 }
 
-void begin_run(Frame& f, RunWish wish) {
+void begin_run(Frame& f, RunWish wish, DoubtfulRun doubt) {
   if (wish == RunWish::none) return;
   Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
-  if (std::string why = why_not_run_there(f.tab, desk.texts.text(slot)); !why.empty())
-    return f.toast(Mood::warn, std::move(why), &desk.texts);
+  std::string why;
+  if (doubt == DoubtfulRun::refused) why = why_not_run_there(f.tab, desk.texts.text(slot));
+  if (!why.empty()) return f.toast(Mood::warn, std::move(why), &desk.texts);
   const auto goal = wish == RunWish::run_stepping ? ProgramJob::Goal::run_stepping : ProgramJob::Goal::run;
-  desk.job.begin(goal, slot, desk.texts, f.now, f.catalog,
-                 [&](IntentBody body) { return f.send_and_watch(std::move(body)); });
+  desk.job.begin(
+      goal, slot, desk.texts, f.now, f.catalog,
+      [&](IntentBody body) { return f.send_and_watch(std::move(body)); }, doubt == DoubtfulRun::taken);
   const Rehearsals::Outcome* tried = desk.rehearsals.of(slot);
   const bool holds = tried && tried->text == desk.texts.text(slot) && tried->stand.footing == Footing::here;
   if (desk.job.busy() && !holds) desk.rehearse(f.now, f.bench);

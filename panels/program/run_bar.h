@@ -1,9 +1,11 @@
 #pragma once
-// What begins, holds and ends a program in the controller: alike wherever there is something to run. Ids:
+// Starts, holds and ends a program in the controller, the same way in every panel that runs one. Ids:
 // `WHERE/run`, `WHERE/rehearsed`, `WHERE/hold`, `WHERE/step` (where the controller has it), `WHERE/stop`.
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
+#include "gui/model/units_format.h"
 #include "gui/shell/frame.h"
 #include "panels/program/rehearsed.h"
 
@@ -11,26 +13,36 @@ namespace hw::panels {
 
 enum class RunWish : std::uint8_t { none, run, run_stepping };
 
-/// A stored program of the user's runs, waits or is held.
+/// A stored program of the user's is running, waiting or held.
 [[nodiscard]] bool is_under_way(const ProgramState& program);
-/// Why nothing can be begun, whatever the text is; empty: it can, or what waits can go on.
+/// Why nothing can be started, whatever the text; empty: it can, or a waiting program can continue.
 [[nodiscard]] std::string_view why_none_runs(const gui::Frame& frame);
 
 struct RunBarLook {
-  std::string_view why_not = {};  ///< run: why nothing can be begun
-  Rehearsed rehearsed = {};       ///< what Run says of that; its words are empty where nothing is known of it
-  std::string_view tip = {};      ///< run: what is to be known of it first
-  bool keys = false;              ///< with the chord on Run
-  bool brief = false;             ///< all but Run by their signs alone
+  std::string_view why_not = {};  ///< run: why nothing can be started
+  Rehearsed rehearsed = {};       ///< Run's tip about the rehearsal; its words are empty if there is none
+  std::string_view tip = {};      ///< run: what to know first
+  bool keys = false;              ///< show the chord on Run
+  bool brief = false;             ///< all but Run as icons only
 };
-/// At ImGui's cursor, in a row with what follows. What is under way goes on, is held and stopped from here; a
-/// new run is left to the panel.
+/// Draws at ImGui's cursor; more may follow in the row. Continues, holds and stops a running program itself;
+/// leaves a new run to the panel.
 RunWish run_bar(gui::Frame& frame, std::string_view where, const RunBarLook& look);
-/// The same for a chord: what waits goes on, else the wish is the panel's.
+/// Progress of the running program by its rehearsal; none: unknown, or nothing runs.
+struct RunProgress {
+  float share = 0;
+  gui::NumberText left;  ///< "46 s left"
+};
+std::optional<RunProgress> run_progress(const gui::Frame& frame);
+/// Draws the progress and the time left at the right end of the bar's row, not further left than `left`
+/// (pixels). Id: `WHERE/left`.
+void draw_run_progress(gui::Frame& frame, std::string_view where, const RunProgress& progress, float left);
+/// The same for a chord: continues a waiting program, else returns the wish to the panel.
 RunWish go_on_or(gui::Frame& frame, RunWish wish);
-/// Runs the chosen text, and rehearses it where that is not done yet: what runs is followed by it.
-void begin_run(gui::Frame& frame, RunWish wish);
-/// What came of a run, transfer or store, said once.
+enum class DoubtfulRun : std::uint8_t { refused, taken };  ///< taken: run once despite doubtful counts
+/// Runs the chosen text, rehearsing it first if needed: the rehearsal tracks the run.
+void begin_run(gui::Frame& frame, RunWish wish, DoubtfulRun doubt = DoubtfulRun::refused);
+/// Tells the result of a run, transfer or store once.
 void say_what_came(gui::Frame& frame);
 
 }  // namespace hw::panels

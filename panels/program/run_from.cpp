@@ -22,7 +22,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// "X 3.000 mm, Y 4.000 mm": where the axes that are sent somewhere stand.
+/// "X 3.000 mm, Y 4.000 mm": the positions of the axes that are sent to a target.
 std::string standing_at(const Frame& f, const sequence::Rest& rest) {
   std::string all;
   for (std::size_t a = 0; a < rest.sequence.axes.size(); ++a) {
@@ -37,7 +37,7 @@ std::string standing_at(const Frame& f, const sequence::Rest& rest) {
   return all;
 }
 
-/// Where a sequence would be begun if it were run now.
+/// The starting positions of a sequence if it were run now.
 sequence::Places standing_now(const Frame& f, const sequence::Sequence& of) {
   sequence::Places places;
   for (std::size_t a = 0; a < of.axes.size(); ++a) {
@@ -48,7 +48,7 @@ sequence::Places standing_now(const Frame& f, const sequence::Sequence& of) {
   return places;
 }
 
-/// Why its axes cannot be sent to where the rest begins; empty: they can.
+/// Why the axes cannot be sent to the start of the rest; empty: they can.
 std::string why_not_sent_there(const Frame& f, const sequence::Rest& rest,
                                std::span<const RehearsedAxis> rehearsed) {
   for (std::size_t a = 0; a < rest.sequence.axes.size(); ++a) {
@@ -58,7 +58,8 @@ std::string why_not_sent_there(const Frame& f, const sequence::Rest& rest,
     const AxisState& now = f.now.axes[ix(axis)];
     if (!now.position_known)
       return fmt::format(
-          "Nobody knows where {} stands. Nothing was begun. Home it, or say where it stands, then ask again.",
+          "The position of {} is not known. Nothing was begun. Home it, or say where it stands, then ask "
+          "again.",
           spoken_name(f.catalog, axis));
     for (const RehearsedAxis& then : rehearsed)
       if (then.name == name && then.in_counts != now.in_counts)
@@ -96,8 +97,8 @@ Result<RunFrom::Wanted> RunFrom::wanted_of(const sequence::Sequence& of, const P
                       "this is.",
                       within->loop + 1),
           "Nothing was begun.",
-          "Click the pass that you mean in the picture. Where its passes lie in one line, begin in front of "
-          "the loop or behind it.");
+          "Click the pass that you mean in the picture. Where its passes lie on one line, begin before the "
+          "loop or after it.");
     auto found = sequence::rest_within(of, place.step, *pass, begin, rehearsed);
     if (!found) return fail(found.error());
     return Wanted{std::move(found->rest), std::move(found->begins)};
@@ -167,9 +168,9 @@ void RunFrom::say(const Frame& f, const Wanted& wanted) {
   question_ += fmt::format("First: {}\n", words_of_leading(rest_));
   question_ += fmt::format("Then {}, and all behind it.", wanted.begins);
   if (wanted.counts_from_now) question_ += "\nDistances above it are counted from where the axes stand now.";
-  if (rest_.leaves_homing_out) question_ += "\nHoming is left out: the counts are taken for true.";
+  if (rest_.leaves_homing_out) question_ += "\nHoming is left out: the counts are trusted.";
   if (!speaks_of_a_tool(rest_))
-    question_ += "\nNo step speaks of a tool: see to it that nothing is in its way.";
+    question_ += "\nNo step mentions a tool: make sure that nothing is in its way.";
   question_ += replaces_ ? "\nThe text of the program, which is in no file, is replaced."
                          : "\nThe text of the program is replaced.";
 }

@@ -34,7 +34,7 @@ Look look_of(const ThreadState& t, bool connected) {
 }
 
 constexpr float state_width = 92, line_width = 52, button_wide = 78, stop_wide = 50, only_icon = 36;
-/// In a row of less the buttons have their icons only: the source line needs the room.
+/// In narrower rows the buttons have icons only: the source line needs the room.
 constexpr float least_for_words = 400;
 
 void draw_state(Frame& f, int n, const ThreadState& t, const Rect& row, float x) {
@@ -48,11 +48,11 @@ void draw_state(Frame& f, int n, const ThreadState& t, const Rect& row, float x)
        {ImVec2(x, row.min.y), ImVec2(x + ui.px(state_width), row.max.y)});
 }
 
-/// What a thread works on, as its row says it.
+/// The line a thread works on, as shown in its row.
 struct PlaceWords {
-  Path line;                ///< "line 23": of the compiled program, as the controller tells it
-  Path number;              ///< of the text's line that it came from; empty: not known
-  std::string_view source;  ///< that line, or why it is not known
+  Path line;                ///< "line 23": of the compiled program, as reported by the controller
+  Path number;              ///< of its source line in the text; empty: unknown
+  std::string_view source;  ///< that line, or why it is unknown
 };
 
 PlaceWords place_of(Frame& f, const ThreadState& t) {
@@ -61,7 +61,7 @@ PlaceWords place_of(Frame& f, const ThreadState& t) {
   PlaceWords words{Path("line {}", t.line), Path("{}", ""), {}};
   if (source < 0) {
     words.source = texts.lines_known(0)  ? "its text has changed here"
-                   : texts.held(0).known ? "its code means nothing here"
+                   : texts.held(0).known ? "its code cannot be read here"
                                          : "text not known: Upload shows it";
     return words;
   }
@@ -70,8 +70,8 @@ PlaceWords place_of(Frame& f, const ThreadState& t) {
   return words;
 }
 
-/// The low-level line that the controller tells, and the line of the text that it came from. Without room for
-/// both the low-level line goes first; what is cut of the other is in its tooltip.
+/// The low-level line reported by the controller, and its source line. Without room for both, the low-level
+/// line goes first; a cut source line is complete in its tooltip.
 void draw_place(Frame& f, int n, const ThreadState& t, const Rect& row, float x, float right) {
   Ui& ui = f.ui;
   const float middle = std::floor(row.centre().y);
@@ -148,7 +148,8 @@ void Threads::follow(Frame& f) {
 
 void Threads::draw_refusal(Frame& f, int n, const Rect& row) {
   if (n != thread_ || refused_.empty()) return;
-  if (torn_program(f.catalog, f.now, intent::RunProgram(n)) < 0) return refused_.clear();  // loaded, or read
+  if (torn_program(f.catalog, f.now, intent::RunProgram(n)) < 0)
+    return refused_.clear();  // loaded or read since
   const Path id("thread/{}/refused", n), once("thread/{}/as_it_is", n), about("Run, program {}", n);
   const Action actions[] = {{.id = once,
                              .label = "Run it as it is for this once",
@@ -198,7 +199,7 @@ bool is_busy(const ThreadState& t) {
 
 namespace {
 
-/// Two beside each other where a row's place is wide enough for both.
+/// Two side by side if the width suffices for both.
 int rows_of(int threads, float width) { return width >= 600 ? (threads + 1) / 2 : threads; }
 int shown_threads(const Catalog& c) { return std::min(c.program.threads, max_threads); }
 

@@ -1,7 +1,8 @@
 #pragma once
 // The programs that run at once, a row each: state in words, low-level line, the source line it came from,
 // and the buttons that suit. Ids: `thread/0/run`, `/pause`, `/continue`, `/stop`, `/state`, `/line`,
-// `/source`; where a run was refused because what is stored is not what was sent, `/refused` and `/as_it_is`.
+// `/source`; if a run was refused because the stored program differs from the one sent, `/refused` and
+// `/as_it_is`.
 #include <string>
 
 #include "gui/shell/frame.h"
@@ -14,7 +15,7 @@ inline constexpr float thread_row_height = 32;
 
 class Threads {
  public:
-  /// All rows, over the whole width of the panel, from `top_px` down.
+  /// Draws all rows over the full width of the panel, from `top_px` down.
   void draw(gui::Frame& frame, float top_px);
 
  private:
@@ -24,14 +25,14 @@ class Threads {
   void follow(gui::Frame& frame);
   void draw_refusal(gui::Frame& frame, int n, const gui::Rect& row);
 
-  int thread_ = -1;  ///< that was run last
+  int thread_ = -1;  ///< run last
   IntentId asked_ = 0;
   std::string refused_;
   RefusalCard card_;
 };
-/// Logical; 0: this controller runs one program at a time.
+/// Logical; 0: this controller runs only one program at a time.
 float threads_height(const Catalog& catalog, float width);
-/// Busy with its program: running, waiting or held.
+/// Its program is running, waiting or held.
 bool is_busy(const ThreadState& thread);
 
 }  // namespace hw::panels

@@ -14,7 +14,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-/// How far it goes beyond that end; none: not at all, or the end does not hold.
+/// The distance beyond that end; none: not beyond, or the end has no effect.
 static std::optional<Steps> furthest_past(const AxisState& axis, const RehearsedAxis& rehearsed, Sign side) {
   if (!axis.travel_holds() || rehearsed.in_counts != axis.in_counts) return {};
   const Steps furthest(side == Sign::minus ? rehearsed.minimum : rehearsed.maximum);
@@ -28,7 +28,7 @@ bool passes_travel(const Frame& f, const Rehearsal& r) {
   return false;
 }
 
-/// As far as the track was kept; negative: it does not tell.
+/// As far as the track was kept; negative: unknown.
 static double first_time_past(const Rehearsal& r, std::size_t axis, Sign side, const Travel& travel) {
   const auto found = std::find_if(r.track.begin(), r.track.end(), [&](const RehearsedPlace& place) {
     return travel.past(side, Steps(place.position[axis])) > Steps(0);

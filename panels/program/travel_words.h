@@ -1,6 +1,5 @@
 #pragma once
-// Which of the user's limits a rehearsed program would pass: it is told, and the program may run all the
-// same.
+// The user's limits that a rehearsed program would pass. Only a warning: the program may run all the same.
 #include <string>
 #include <vector>
 
@@ -9,10 +8,10 @@
 
 namespace hw::panels {
 
-/// It goes past one of them.
+/// The program passes one of them.
 [[nodiscard]] bool passes_travel(const gui::Frame& frame, const Rehearsal& rehearsal);
-/// "Past the + limit of X, 300.000 mm, after 4.1 s, and up to 318.000 mm." of each end. `rehearsal`: from
-/// where the axes stand now.
+/// "Past the + limit of X, 300.000 mm, after 4.1 s, and up to 318.000 mm." for each end. `rehearsal`: from
+/// the present position.
 [[nodiscard]] std::vector<std::string> past_travel_words(const gui::Frame& frame, const Rehearsal& rehearsal);
 
 }  // namespace hw::panels

@@ -1,0 +1,15 @@
+#pragma once
+// Time charts of outputs and inputs. Ids: `rehearsal/io/1`, `rehearsal/io/2`, in their order.
+#include <optional>
+#include <vector>
+
+#include "gui/surface/ui.h"
+#include "panels/program/io_lanes.h"
+
+namespace hw::panels {
+
+/// Draws at ImGui's cursor, over its width. `now_s`: progress of the run; none: not running.
+void draw_io_chart(gui::Ui& ui, const std::vector<IoLane>& lanes, double duration_s,
+                   std::optional<double> now_s);
+
+}  // namespace hw::panels

@@ -1,0 +1,25 @@
+#pragma once
+// The outputs and inputs seen in a rehearsal, as a time line each. Pure.
+#include <string>
+#include <vector>
+
+#include "core/device/language.h"
+
+namespace hw::panels {
+
+struct IoLane {
+  struct Span {
+    double from, to;
+  };
+  std::string name;         ///< "output 1"
+  std::vector<Span> on;     ///< while switched on, or seen on
+  std::vector<Span> waits;  ///< while the program waits for it
+  std::vector<double> looks;
+  std::string words;  ///< in words: "on from 1.3 s to 1.4 s, looked at after 0.2 s"
+};
+
+/// In order of first use. Spans closer together than `finest` of the whole are merged: the gap would be
+/// invisible.
+std::vector<IoLane> io_lanes(const Rehearsal& rehearsal, double finest = 1.0 / 256);
+
+}  // namespace hw::panels
