@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "gui/model/tab.h"
@@ -12,9 +13,10 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr std::size_t drawn_after = 500;   // so many new points of the trace
-constexpr int older_after_s = 5;           // of its way: what has become older is drawn as that
-constexpr std::size_t most_coarse = 2500;  // points in a frame
+constexpr std::size_t drawn_after = 500;    // new points of the trace
+constexpr int older_after_s = 5;            // of the trace: older parts are redrawn with their age
+constexpr std::size_t most_coarse = 2500;   // points per frame
+constexpr std::size_t times_redrawn = 200;  // during a complete path
 
 PathLook look_of(const Ui& ui) {
   PathLook look;
@@ -25,23 +27,54 @@ PathLook look_of(const Ui& ui) {
   return look;
 }
 
+PathLook still_to_do(PathLook look, const Ui& ui) {
+  look.tool_on = ui[Tone::ink3], look.on_width = 1.5f * ui.hair();
+  return look;
+}
+
+/// While the user pans, the border of the picture stays out of view until the next picture is ready.
+drawing::PathView with_margin(const drawing::PathView& view) {
+  constexpr double share = 0.25, most_px = 256;
+  const auto wider = [=](double px) { return px + 2 * std::floor(std::min(share * px, most_px)); };
+  drawing::PathView wide = view;
+  wide.resize(wider(view.width_px()), wider(view.height_px()));
+  wide.zoom({wide.width_px() / 2, wide.height_px() / 2}, wide.per_px().x / view.per_px().x);
+  return wide;
+}
+
 }  // namespace
+
+static int latest_source(const drawing::ToolPath& trace) {
+  return trace.runs.empty() ? 0 : trace.runs.back().source;
+}
 
 ImVec2 on_screen(const Rect& in, drawing::Point px) {
   const auto within = [](double v) { return static_cast<float>(std::clamp(v, -1e5, 1e5)); };
   return ImVec2(in.min.x + within(px.x), in.min.y + within(px.y));
 }
 
-void PathBackdrop::follow(Frame& f, const PathSubject& s, const drawing::ToolPath& trace,
-                          const drawing::PathView& view, bool turning) {
+/// On a long path the done part advances in steps: over the whole path this makes no difference.
+static bool as_far(const std::optional<std::size_t>& shown, const std::optional<std::size_t>& done,
+                   const PathSubject& s) {
+  if (!shown || !done) return shown == done;
+  const std::size_t step = 1 + (s.path ? s.path->runs.size() : 0) / times_redrawn;
+  return *done >= *shown && *done < *shown + step;
+}
+
+bool PathBackdrop::still_shows(const Wanted& w, const PathLook& look) const {
+  const PathSubject& s = w.subject;
+  const std::size_t traced = w.trace.points.size();
+  const int until = latest_source(w.trace);
+  return shown_.path == s.path && shown_.commanded == s.commanded && shown_.of == w.view &&
+         shown_.look == look && as_far(shown_.done, w.done, s) && traced >= shown_.traced &&
+         traced < shown_.traced + drawn_after && until < shown_.traced_until + older_after_s;
+}
+
+void PathBackdrop::follow(Frame& f, const Wanted& w) {
+  const PathSubject& s = w.subject;
   const PathLook look = look_of(f.ui);
-  const std::size_t traced = trace.points.size();
-  const int until = trace.runs.empty() ? 0 : trace.runs.back().source;
-  const bool there = shown_.path == s.path && shown_.commanded == s.commanded && shown_.view == view &&
-                     shown_.look == look && traced >= shown_.traced && traced < shown_.traced + drawn_after &&
-                     until < shown_.traced_until + older_after_s;
-  if (there || under_way_) return;
-  if (turning) return f.ui.wake_in(0);
+  if (still_shows(w, look) || under_way_) return;
+  if (w.turning) return f.ui.wake_in(0);
   PathLook meant = look;
   meant.tool_on = meant.tool_off = f.ui[Tone::trace], meant.on_width = f.ui.hair(), meant.arrow_every = 0;
   std::array<PathLook, TraceAges::count> of_trace;
@@ -49,18 +82,27 @@ void PathBackdrop::follow(Frame& f, const PathSubject& s, const drawing::ToolPat
     of_trace[age].tool_on = trace_colour(f.ui, age), of_trace[age].on_width = trace_width(f.ui, age);
   under_way_ = true;
   const SharedPath coarse = shown_.path == s.path ? shown_.coarse : nullptr;
-  Shown next{nullptr, s.path, s.commanded, coarse, view, look, traced, until};
+  Shown next{nullptr,
+             s.path,
+             s.commanded,
+             coarse,
+             w.view,
+             with_margin(w.view),
+             w.done,
+             look,
+             w.trace.points.size(),
+             latest_source(w.trace)};
   f.tab.desk().worker().run(
-      [next, trace, meant, of_trace]() mutable {
+      [next, trace = w.trace, meant, to_do = still_to_do(look, f.ui), of_trace]() mutable {
         static const drawing::ToolPath none;
-        const auto layer = [](const SharedPath& path, const PathLook& drawn) {
-          return PathLayer{path ? path.get() : &none, drawn};
-        };
-        std::array<PathLayer, 2 + TraceAges::count> layers{layer(next.commanded, meant),
-                                                           layer(next.path, next.look)};
+        const auto path_of = [](const SharedPath& path) { return path ? path.get() : &none; };
+        const std::size_t all = path_of(next.path)->runs.size(), done = next.done.value_or(all);
+        std::array<PathLayer, 3 + TraceAges::count> layers{{{path_of(next.commanded), meant},
+                                                            {path_of(next.path), to_do, done, all},
+                                                            {path_of(next.path), next.look, 0, done}}};
         const TraceAges ages = ages_of(trace);
         for (std::size_t age = 0; age < TraceAges::count; ++age)
-          layers[2 + age] = {&trace, of_trace[age], ages.begin[age],
+          layers[3 + age] = {&trace, of_trace[age], ages.begin[age],
                              age + 1 < TraceAges::count ? ages.begin[age + 1] : trace.runs.size()};
         next.picture = std::make_shared<const Picture>(path_picture(layers, next.view));
         if (next.path && !next.coarse && !next.view.flat())
@@ -72,7 +114,7 @@ void PathBackdrop::follow(Frame& f, const PathSubject& s, const drawing::ToolPat
         shown_ = std::move(done);
       },
       alive_);
-  f.ui.wake_in(0);  // without a thread it is done with the next frame
+  f.ui.wake_in(0);  // without a thread the next frame draws it
 }
 
 void PathBackdrop::draw(Frame& f, const Rect& in, const PathSubject& s, const drawing::PathView& view) const {

@@ -1,7 +1,9 @@
 #pragma once
-// The path and the trace as a picture that the worker draws. Until that is done the picture of before is
-// shown, moved along; while the view is turned, which no picture can follow, a few of the lines.
+// A picture of path and trace, drawn by the worker somewhat larger than the view. Until a new one is ready,
+// the old picture is shown, shifted. While the view is turned, which no picture can follow, a few of the
+// lines are drawn instead.
 #include <memory>
+#include <optional>
 
 #include "gui/surface/path_picture.h"
 #include "gui/surface/ui.h"
@@ -11,13 +13,19 @@ namespace hw::panels {
 
 class PathBackdrop {
  public:
-  /// Once a frame. `turning`: it will be looked at from elsewhere in the next frame, nothing is begun.
-  void follow(gui::Frame& frame, const PathSubject& subject, const drawing::ToolPath& trace,
-              const drawing::PathView& view, bool turning);
-  /// Within `in`, of which `view` is. Allocates nothing.
+  struct Wanted {
+    const PathSubject& subject;
+    const drawing::ToolPath& trace;
+    const drawing::PathView& view;
+    std::optional<std::size_t> done;  ///< PathProgress::done()
+    bool turning = false;             ///< the view changes again in the next frame: begin nothing
+  };
+  /// Call once a frame.
+  void follow(gui::Frame& frame, const Wanted& wanted);
+  /// Draws within `in`, the place of `view`. Allocates nothing.
   void draw(gui::Frame& frame, const gui::Rect& in, const PathSubject& subject,
             const drawing::PathView& view) const;
-  /// Points of the trace that are in what draw() shows.
+  /// Number of trace points in the picture shown by draw().
   [[nodiscard]] std::size_t traced(const drawing::PathView& view) const {
     return fits(view) ? shown_.traced : 0;
   }
@@ -27,12 +35,14 @@ class PathBackdrop {
   struct Shown {
     std::shared_ptr<const gui::Picture> picture;
     SharedPath path, commanded;
-    SharedPath coarse;  ///< of `path`
-    drawing::PathView view;
+    SharedPath coarse;           ///< of `path`
+    drawing::PathView of, view;  ///< the view, and the picture's, which has a margin around it
+    std::optional<std::size_t> done;
     gui::PathLook look;
     std::size_t traced = 0;
     int traced_until = 0;  ///< source of the latest run of the trace
   };
+  [[nodiscard]] bool still_shows(const Wanted& wanted, const gui::PathLook& look) const;
   [[nodiscard]] bool fits(const drawing::PathView& view) const {
     return shown_.picture && shown_.view.projection() == view.projection();
   }
@@ -42,7 +52,7 @@ class PathBackdrop {
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };
 
-/// A pixel of the view within `in`. Far outside is far outside: ImGui counts in floats.
+/// Screen position of a pixel of the view within `in`. Far outside is clamped: ImGui uses floats.
 ImVec2 on_screen(const gui::Rect& in, drawing::Point px);
 
 }  // namespace hw::panels

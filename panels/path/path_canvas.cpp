@@ -23,7 +23,7 @@ constexpr float left_margin = 62, bottom_margin = 24, top_margin = 12, right_mar
 constexpr double points_within_px = 8, a_click_within_px = 4, zoom_step = 1.25;
 constexpr double degrees_a_px = 0.4, degrees_a_key = 15;
 
-/// Path, table, present place and where it has been; and the origin, where it is drawn.
+/// Path, table, present position and trace; and the origin, if it is shown.
 drawing::Box3 all_of(const Frame& f, const PathSubject& s, const drawing::ToolPath& trace) {
   drawing::Box3 box = trace.bounds;
   for (const auto& path : {s.path, s.commanded})
@@ -65,14 +65,17 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
     const KnownLimits limits = limits_of(f, subject);
     place(f, subject, limits, in);
     touch(f, id, subject, in);
-    backdrop_.follow(f, subject, trace_.path(), view_, grip_.turned);
+    progress_.follow(subject);
+    backdrop_.follow(f, {subject, trace_.path(), view_, progress_.done(), grip_.turned});
     const PathGround ground{f, subject, view_, whole, in, all_};
     draw_grid(ground);
     list->PushClipRect(in.min, in.max, true);
     draw_table(ground);
     draw_limits(ground, limits);
     backdrop_.draw(f, in, subject, view_);
-    draw_lit(ground);
+    draw_lit(ground, progress_);
+    draw_way_there(ground);
+    draw_origin(ground);
     draw_trace(ground, trace_.path(), backdrop_.traced(view_));
     if (subject.origin) draw_zero(ground);
     draw_here(ground, id);
@@ -97,13 +100,13 @@ void PathCanvas::place(Frame& f, const PathSubject& s, const KnownLimits& limits
     fitted_ = true;
     fitted_to_ = s.path;
   }
-  // What has grown out of what the eye stood back from: it steps back further.
+  // If the content has outgrown the distance of the eye, the eye steps back further.
   if (!view_.projection().reaches(all_))
     view_.look(drawing::Projection(all_, looking_, equal), all_.centre());
   view_.resize(in.width(), in.height());
 }
 
-// ---- a hand on it
+// ---- mouse and keys
 
 void PathCanvas::touch(Frame& f, std::string_view id, const PathSubject& s, const Rect& in) {
   Ui& ui = f.ui;
@@ -137,7 +140,7 @@ void PathCanvas::drag(const Touch& t, const PathSubject& s) {
   for (const int button : {1, 2})
     if (t.hovered && ImGui::IsMouseClicked(button)) grip_.pans_with = button;
   if (grip_.pans_with != 0 && !ImGui::IsMouseDown(grip_.pans_with)) grip_.pans_with = 0;
-  // How the pointer came to where it was pressed is no drag.
+  // The motion up to the press is no drag.
   const bool drags = t.held && !t.started && ImGui::IsMouseDown(0);
   if ((!drags && grip_.pans_with == 0) || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
   if (grip_.pans_with != 0 || !s.axes.third || io.KeyShift) return pan(io.MouseDelta.x, io.MouseDelta.y);
@@ -155,13 +158,13 @@ void PathCanvas::turn(double turn, double tilt) {
   grip_.turned = true;
 }
 
-/// All of it, from there.
+/// Fits everything, seen from there.
 void PathCanvas::look(const drawing::Looking& from) {
   looking_ = from;
   fit();
 }
 
-/// What is near the hand, else what is in the middle of the view, stays there while it is turned.
+/// The point near the pointer, else the middle of the view, stays fixed while the view is turned.
 void PathCanvas::take_pivot(const PathSubject& s, drawing::Point near_px, double within_px) {
   if (!s.axes.third) return;
   const auto hit = s.path ? nearest(*s.path, view_, near_px, within_px) : std::nullopt;
@@ -194,7 +197,7 @@ void PathCanvas::use_keys(const PathSubject& s) {
   arrow(GLFW_KEY_DOWN, 0, -1);
 }
 
-/// The end of a line where it is near, else the place on the path.
+/// The end of a line if it is near, else the place on the path.
 static Point3 snapped(const drawing::ToolPath& path, const drawing::PathHit& hit,
                       const drawing::PathView& view, drawing::Point px, double within) {
   const drawing::ToolPath::Run& run = path.runs[hit.run];
@@ -242,7 +245,9 @@ float PathCanvas::draw_standard_views(Frame& f, std::string_view id, float width
   }
   const float x = ImGui::GetCursorScreenPos().x + ui.px(16);
   draw_text_line(ui, x, corner.x + ui.px(width - 8), corner.y + ui.px(height / 2), Face::small,
-                 ui[Tone::ink3], "Drag turns it, with Shift moves it; the wheel comes nearer.");
+                 ui[Tone::ink3],
+                 width < 560 ? "Drag turns, Shift moves, wheel zooms."
+                             : "Drag turns it, with Shift moves it; the wheel comes nearer.");
   ImGui::SetCursorScreenPos(corner);
   return height;
 }

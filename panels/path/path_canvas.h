@@ -1,6 +1,6 @@
 #pragma once
-// Where a tool goes and has been, in two axes or in three: to be looked at, moved about and pointed at. What
-// is long is drawn by the worker; until it is done the picture of before is shown, moved along.
+// The past and future path of a tool, in two axes or three, with pan, zoom and picking. The worker draws long
+// paths; until a new picture is ready, the old one is shown, shifted.
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -10,6 +10,7 @@
 #include "panels/path/path_limits.h"
 #include "panels/path/path_measure.h"
 #include "panels/path/path_overlays.h"
+#include "panels/path/path_progress.h"
 #include "panels/path/path_subject.h"
 #include "panels/path/path_trace.h"
 
@@ -19,7 +20,7 @@ struct Touch;
 
 namespace hw::panels {
 
-/// Where the axes have really been.
+/// A point of the real path of the axes.
 struct TraceHit {
   drawing::Point3 at;
   Instant when{};  ///< to the second
@@ -27,33 +28,33 @@ struct TraceHit {
 
 class PathCanvas {
  public:
-  /// At ImGui's cursor, logical size. Ids: `id` (the view: drag and wheel; with the focus + - 0 1, and arrows
-  /// with Alt, for arrows alone jog), `id/here`. Of three axes a drag turns it, with Shift or another button
-  /// it is moved; arrows with Alt and Shift turn it, the letters T F S I are `id/top`, `id/front`, `id/side`,
-  /// `id/iso`.
+  /// Draws at ImGui's cursor, logical size. Ids: `id` (the view: drag and wheel; with the focus + - 0 1, and
+  /// arrows with Alt, for arrows alone jog), `id/here`. Of three axes a drag turns the view, with Shift or
+  /// another button pans; arrows with Alt and Shift turn it, the letters T F S I are `id/top`, `id/front`,
+  /// `id/side`, `id/iso`.
   void draw(gui::Frame& frame, std::string_view id, const PathSubject& subject, float width, float height);
-  /// All of it, with the next frame.
+  /// Fits all of it into the next frame.
   void fit() { fitted_ = moved_ = with_limits_ = false; }
-  /// And all limits that are known.
+  /// The same, with all known limits.
   void fit_limits() {
     fit();
     with_limits_ = true;
   }
   void zoom(double factor);
-  /// As it is looked at.
+  /// The present projection.
   [[nodiscard]] const drawing::Projection& projection() const { return view_.projection(); }
   [[nodiscard]] const drawing::ToolPath& trace() const { return trace_.path(); }
-  /// Of what is shown.
+  /// Of everything shown.
   [[nodiscard]] const drawing::Box3& box() const { return all_; }
-  /// What was clicked in this frame.
+  /// The part clicked in this frame.
   [[nodiscard]] const std::optional<drawing::PathHit>& clicked() const { return click_.hit; }
   [[nodiscard]] const std::optional<TraceHit>& passed() const { return click_.passed; }
 
-  /// Wherever it was, in the units of the axes; the path or the end of a line where that is near. Of three
-  /// axes only there.
+  /// The clicked place in the units of the axes; snaps to the path or the end of a line nearby. With three
+  /// axes only such a place.
   [[nodiscard]] const std::optional<drawing::Point3>& clicked_place() const { return click_.place; }
 
-  /// Clicks set the two ends of a measured way, on the path where it is near.
+  /// Clicks set the two ends of a measured line, on the path if it is near.
   void measure(bool on) { measure_ = PathMeasure{on, {}, {}}; }
   [[nodiscard]] const PathMeasure& measured() const { return measure_; }
 
@@ -63,11 +64,11 @@ class PathCanvas {
     std::optional<TraceHit> passed;
     std::optional<drawing::Point3> place;
   };
-  /// A hand on the view.
+  /// A drag of the view.
   struct Grip {
     ImVec2 pressed_at{};
-    drawing::Point3 pivot;  ///< it is turned about it
-    int pans_with = 0;      ///< the button that was pressed on it, beside the left one; 0: none
+    drawing::Point3 pivot;  ///< centre of rotation
+    int pans_with = 0;      ///< button pressed on it, other than the left; 0: none
     bool turned = false;    ///< in this frame
   };
   void place(gui::Frame& frame, const PathSubject& subject, const KnownLimits& limits, const gui::Rect& in);
@@ -82,16 +83,17 @@ class PathCanvas {
   float draw_standard_views(gui::Frame& frame, std::string_view id, float width);
 
   drawing::PathView view_;
-  drawing::Looking looking_ = drawing::looking::iso;  ///< of three axes
-  drawing::Box3 all_;                                 ///< of what is shown
-  bool fitted_ = false, moved_ = false;  ///< moved: by hand, another path does not take its view away
-  bool with_limits_ = false;             ///< they are in `all_`
+  drawing::Looking looking_ = drawing::looking::iso;  ///< with three axes
+  drawing::Box3 all_;                                 ///< of everything shown
+  bool fitted_ = false, moved_ = false;               ///< moved: by hand, so a new path keeps the view
+  bool with_limits_ = false;                          ///< `all_` includes them
   std::shared_ptr<const drawing::ToolPath> fitted_to_;
   Click click_;
   PathMeasure measure_;
   Grip grip_;
   PathTrace trace_;
   PathBackdrop backdrop_;
+  PathProgress progress_;
 };
 
 }  // namespace hw::panels

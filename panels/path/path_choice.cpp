@@ -58,7 +58,7 @@ void PathChoice::draw(Frame& f, float top) {
     choose("path/third", "Third", third_names_, third_, "With a third axis it is seen in perspective.");
   if (tool_names_.size() > 2)
     choose("path/tool", "Tool", tool_names_, tool_,
-           "What switches pen or laser: as the blocks or the drawing do it that the program was written "
+           "What switches the pen or laser: as in the blocks or the drawing that the program was written "
            "from, or this output.");
 }
 

@@ -16,18 +16,18 @@
 namespace hw::panels {
 
 using namespace gui;
-using drawing::ToolPath;
 namespace {
 
 struct Layer {
   std::string_view name;
-  std::shared_ptr<const ToolPath> path;
+  std::shared_ptr<const drawing::ToolPath> path;
   unsigned rgb = 0;
   float width = 1;
+  bool directed = false;  ///< has direction arrows
 };
-/// For a worker.
+/// The data for a worker.
 struct Shown {
-  std::vector<Layer> layers;  ///< the lowest first
+  std::vector<Layer> layers;  ///< the bottom one first
   drawing::Projection projection;
   bool equal = true;
   std::string unit, about;
@@ -44,21 +44,22 @@ std::string about_axes(const Directions& all) {
 }
 
 Shown shown_by(const Frame& f, const PathSubject& s, const PathCanvas& canvas) {
-  const auto shared = [](ToolPath path) {
-    return path.runs.empty() ? nullptr : std::make_shared<const ToolPath>(std::move(path));
+  const auto shared = [](drawing::ToolPath path) {
+    return path.runs.empty() ? nullptr : std::make_shared<const drawing::ToolPath>(std::move(path));
   };
   const KnownLimits limits = limits_of(f, s);
   const bool flat = canvas.projection().flat();
   const auto ends = [&](const std::array<KnownEnds, 3>& known) {
     return shared(lines_of(known, canvas.box(), flat));
   };
-  ToolPath home;  // each axis by itself: home of two is no frame
+  drawing::ToolPath home;  // each axis separately: the home positions of two form no frame
   for (std::size_t n = 0; n < 3; ++n) {
     std::array<KnownEnds, 3> one;
     one[n] = limits.home[n];
-    const ToolPath lines = lines_of(one, canvas.box(), flat);
-    for (std::size_t i = 0; i + 1 < lines.points.size(); i += 2)
-      home.go(lines.points[i], lines.points[i + 1], true, -1);
+    const drawing::ToolPath lines = lines_of(one, canvas.box(), flat);
+    for (const drawing::ToolPath::Run& run : lines.runs)
+      for (std::size_t i = run.first + 1; i < run.first + run.size; ++i)
+        home.go(lines.points[i - 1], lines.points[i], true, -1);
   }
   const Directions all = directions_of(f, s.axes);
   const bool equal = one_unit(f, s);
@@ -66,7 +67,7 @@ Shown shown_by(const Frame& f, const PathSubject& s, const PathCanvas& canvas) {
            {"travel", ends(limits.travel), 0x805200, 1},
            {"home", shared(std::move(home)), 0x176B3C, 1},
            {"commanded", s.commanded, 0x9B2463, 1},
-           {"rehearsed", s.path, 0, 2},
+           {"rehearsed", s.path, 0, 2, true},
            {"trace", shared(canvas.trace()), 0x00647C, 1}},
           canvas.projection(),
           equal || !flat,
@@ -82,9 +83,9 @@ std::uint32_t over_white(std::uint32_t pixel) {
   return out;
 }
 
-/// Lines, in the unit of the axes where they are seen as they are.
+/// Lines; in the unit of the axes if seen in plan.
 std::string svg_of(const Shown& shown) {
-  std::vector<ToolPath> flat(shown.layers.size());
+  std::vector<drawing::ToolPath> flat(shown.layers.size());
   std::vector<std::string> colours(shown.layers.size());
   std::vector<drawing::SvgLayer> layers;
   for (std::size_t n = 0; n < shown.layers.size(); ++n) {
@@ -107,6 +108,7 @@ Result<> write_pixels(const Shown& shown, const std::filesystem::path& file) {
     PathLook look;
     look.tool_on = rgb(layer.rgb), look.tool_off = rgb(0x888888);
     look.on_width = layer.width, look.dash = 5, look.dash_gap = 4;
+    if (layer.directed) look.arrow_every = 220, look.arrow = 14;
     layers.push_back({layer.path.get(), look});
   }
   const drawing::PathView view(box, shown.projection, width, height, shown.equal);
@@ -115,7 +117,7 @@ Result<> write_pixels(const Shown& shown, const std::filesystem::path& file) {
   return write_png(file.string(), picture.pixels, width, height);
 }
 
-/// As its name ends. Long.
+/// The file name's extension selects the format. Slow.
 Result<> write_picture(const Shown& shown, const std::filesystem::path& file) {
   return file.extension() == ".png" ? write_pixels(shown, file) : write_file(file, svg_of(shown));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What a path canvas shows, kept as a picture. Ids: `path/save` and those of the dialog for a file.
+// Saves the content of a path canvas as a picture. Ids: `path/save` and those of the file dialog.
 #include <array>
 #include <memory>
 #include <string>
@@ -14,9 +14,9 @@ namespace hw::panels {
 
 class PathExport {
  public:
-  /// At ImGui's cursor.
+  /// Draws at ImGui's cursor.
   void draw_button(gui::Frame& frame, std::string_view label, bool can);
-  /// All that is shown then goes into the file.
+  /// The file then gets everything shown.
   void draw_dialog(gui::Frame& frame, const PathSubject& subject, const PathCanvas& canvas);
 
  private:

@@ -1,4 +1,4 @@
-// The grid under a path: rulers of two axes, the floor of three.
+// The grid under a path: rulers for two axes, the floor for three.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ int decimals_of(double step) {
 
 namespace {
 
-/// A round distance, so that lines over such a range lie so many pixels apart or more.
+/// A round spacing for lines over this range, at least `apart_px` pixels apart.
 double step_over(double range, float px, float apart_px) {
   return grid_step({0, static_cast<float>(range)}, std::max(2, static_cast<int>(px / apart_px)));
 }
@@ -66,8 +66,8 @@ void draw_rulers(const PathGround& g) {
 
 float distance(ImVec2 a, ImVec2 b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-/// Rungs across an edge from `from` to `to`, along which one coordinate goes from `low` to `high`: each as
-/// far as `rung` reaches, its number at its beginning.
+/// Rungs across an edge from `from` to `to`, along which one coordinate goes from `low` to `high`. Each is as
+/// long as `rung`, with its number at its beginning.
 void draw_rungs(const PathGround& g, Point3 from, Point3 to, double low, double high, Point3 rung) {
   constexpr float apart = 70;
   Ui& ui = g.frame.ui;
@@ -75,7 +75,7 @@ void draw_rungs(const PathGround& g, Point3 from, Point3 to, double low, double 
   const float px = distance(g.at(from), g.at(to));
   if (!(high > low) || px < ui.px(apart) / 2) return;
   const double step = step_over(high - low, std::min(px, ui.px(20 * apart)), ui.px(apart));
-  // Its numbers stand on the side where the rungs are not.
+  // The numbers stand on the side without rungs.
   const ImVec2 end = g.at(from + rung), begin = g.at(from);
   const float aside = end.x > begin.x + 1 ? -1.0f : end.x < begin.x - 1 ? 1.0f : -1.0f;
   for (double v = std::ceil(low / step) * step; v <= high; v += step) {
@@ -94,7 +94,7 @@ void draw_floor(const PathGround& g) {
   const double z = b.low.z;
   const auto lower = [&](Point3 a, Point3 c) { return g.at(a).y >= g.at(c).y; };
   const Point3 middle = b.centre();
-  // The edges that are nearer to who looks, which are those further down.
+  // The edges nearer to the viewer, which are further down.
   const bool near_y = lower({middle.x, b.low.y, z}, {middle.x, b.high.y, z});
   const bool near_x = lower({b.low.x, middle.y, z}, {b.high.x, middle.y, z});
   const double y = near_y ? b.low.y : b.high.y, far_y = near_y ? b.high.y : b.low.y;
@@ -110,8 +110,11 @@ void draw_floor(const PathGround& g) {
   draw_rungs(g, left, top, b.low.z, b.high.z, {});
 }
 
+}  // namespace
+
 void draw_origin(const PathGround& g) {
-  constexpr double part = 0.25;  // of what is shown
+  if (g.view.flat()) return;
+  constexpr double part = 0.25;  // of everything shown
   const Frame& f = g.frame;
   const Point3 size = g.box.size();
   const double reach = std::max({size.x, size.y, size.z}) * part;
@@ -119,27 +122,29 @@ void draw_origin(const PathGround& g) {
     const ImVec2 from = g.at({}), to = g.at(end);
     ImGui::GetWindowDrawList()->AddLine(from, to, f.ui[Tone::ink2], 2 * f.ui.hair());
     const float length = distance(from, to);
-    if (length < f.ui.px(12)) return;
-    // Its name goes on where it ends.
+    if (length < f.ui.px(12) || (!g.in.contains(from) && !g.in.contains(to))) return;
+    // The name of the axis continues at the end of the edge.
     const Path name = axis_and_unit(g, direction);
     const float w = std::ceil(text_width(f.ui, Face::small, name)), h = f.ui.line(Face::small);
+    if (w > g.in.width() || h > g.in.height()) return;
     const ImVec2 way((to.x - from.x) / length, (to.y - from.y) / length);
     const ImVec2 middle(to.x + way.x * (w / 2 + f.ui.px(6)), to.y + way.y * (h / 2 + f.ui.px(4)));
-    draw_text(f.ui, ImVec2(std::floor(middle.x - w / 2), std::floor(middle.y - h / 2)), Face::small,
-              f.ui[Tone::ink2], name);
+    const ImVec2 corner(std::floor(std::clamp(middle.x - w / 2, g.in.min.x, g.in.max.x - w)),
+                        std::floor(std::clamp(middle.y - h / 2, g.in.min.y, g.in.max.y - h)));
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(corner.x - f.ui.px(2), corner.y),
+                                              ImVec2(corner.x + w + f.ui.px(2), corner.y + h),
+                                              f.ui[Tone::well]);
+    draw_text(f.ui, corner, Face::small, f.ui[Tone::ink2], name);
   };
   arm({reach, 0, 0}, 0);
   arm({0, reach, 0}, 1);
   arm({0, 0, reach}, 2);
 }
 
-}  // namespace
-
 void draw_grid(const PathGround& g) {
   if (g.view.flat()) return draw_rulers(g);
   ImGui::PushClipRect(g.in.min, g.in.max, true);
   draw_floor(g);
-  draw_origin(g);
   ImGui::PopClipRect();
 }
 

@@ -1,6 +1,7 @@
 #include "panels/path/path_legend.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 
@@ -26,7 +27,7 @@ struct Stroke {
   bool dashed = false;
 };
 
-/// A line of as many parts as there are strokes, and what it means.
+/// A line with as many parts as strokes, and its meaning.
 void entry(const Frame& f, std::initializer_list<Stroke> strokes, std::string_view words) {
   Ui& ui = f.ui;
   const ImVec2 p = ImGui::GetCursorScreenPos();
@@ -53,6 +54,7 @@ void draw_lines(const Frame& f, const ProgramPath& program, const PathSubject& s
   const std::string& tool = program.facts().tool;
   const std::string_view by = tool;
   line(Tone::ink, 2, tool.empty() ? Path("rehearsed") : Path("rehearsed, tool on ({})", by));
+  if (s.at_work) line(Tone::ink3, 1.5f, "still to do");
   if (!tool.empty()) line(Tone::ink3, 1, "rehearsed, tool off", true);
   if (program.commanded()) line(Tone::trace, 1, "as it was meant");
   const auto aged = [&ui](std::size_t age) { return Stroke{trace_colour(ui, age), trace_width(ui, age)}; };
@@ -63,11 +65,24 @@ void draw_lines(const Frame& f, const ProgramPath& program, const PathSubject& s
        {trace, ImVec2(ui.px(f.area.right() - 16), ImGui::GetCursorScreenPos().y)});
   line(Tone::motion, 3, "line at work, or clicked");
   const KnownLimits limits = limits_of(f, s);
-  const auto known = [](const KnownEnds& ends) { return ends.minus || ends.plus; };
-  if (std::any_of(limits.travel.begin(), limits.travel.end(), known))
-    line(Tone::warn, 1, "limit of your own");
-  line(Tone::warn, 1, f.bench.present ? "limit switch on the bench" : "limit switch, as met");
-  line(Tone::ok, 1, f.bench.present ? "home, on the bench" : "home, as met");
+  const auto any = [](const std::array<KnownEnds, 3>& all) {
+    return std::any_of(all.begin(), all.end(), [](const KnownEnds& ends) { return ends.minus || ends.plus; });
+  };
+  if (any(limits.travel)) line(Tone::warn, 1, "limit of your own");
+  if (any(limits.switches))
+    line(Tone::warn, 1, f.bench.present ? "limit switch on the bench" : "limit switch, as met");
+  if (any(limits.home)) line(Tone::ok, 1, f.bench.present ? "home, on the bench" : "home, as met");
+}
+
+/// A long size stands below its name, because its unit is at the end.
+void draw_size(Ui& ui, std::string_view size, float right) {
+  constexpr std::string_view name = "Size";
+  const float both = text_width(ui, Face::body, name) + text_width(ui, Face::body, size) + ui.px(16);
+  if (both <= ImGui::GetContentRegionAvail().x) return key_value(ui, "path/size", name, size);
+  key_value(ui, "", name, "");
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  wrapped(ui, Face::body, Tone::ink, size);
+  show(ui, {"path/size", Kind::text, name, size}, {at, ImVec2(right, ImGui::GetCursorScreenPos().y)});
 }
 
 void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s) {
@@ -79,7 +94,7 @@ void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s
                    s.axes.over_time ? "This axis does not move in it." : "These axes do not move in it.");
   }
   const ProgramPath::Facts& facts = program.facts();
-  key_value(ui, "path/size", "Size", facts.size);
+  draw_size(ui, facts.size, ui.px(f.area.right() - 16));
   if (!facts.way_on.empty()) {
     key_value(ui, "path/way_on", facts.tool.empty() ? "Way" : "Tool on", facts.way_on);
     if (!facts.tool.empty()) key_value(ui, "path/way_off", "Tool off", facts.way_off);
@@ -102,7 +117,7 @@ void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s
   }
   if (facts.every > 1) {
     gap(ui, 8);
-    const Path thinned("It is long: of every {} places one is shown.", facts.every);
+    const Path thinned("It is long: one in {} places is shown.", facts.every);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     wrapped(ui, Face::body, Tone::warn, thinned);
     show(ui, {"path/thinned", Kind::text, "Thinned", thinned},
@@ -110,7 +125,7 @@ void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s
   }
   if (!program.older()) return;
   gap(ui, 8);
-  wrapped(ui, Face::body, Tone::warn, "The text has been changed since. Simulate draws it anew.");
+  wrapped(ui, Face::body, Tone::warn, "The text has been changed since. Simulate draws it again.");
 }
 
 }  // namespace
@@ -121,7 +136,7 @@ void draw_path_legend(Frame& f, float height, const ProgramPath& program, const 
   section_title(ui, "Legend");
   draw_lines(f, program, s);
   group_line(ui);
-  section_title(ui, "This path", program.under_way() ? "working it out" : "");
+  section_title(ui, "This path", program.under_way() ? "calculating" : "");
   draw_facts(f, program, s);
   end_part();
 }

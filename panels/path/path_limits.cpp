@@ -13,7 +13,7 @@ using namespace gui;
 using drawing::Box3;
 using drawing::Point3;
 
-// ---- what is known
+// ---- known limits
 
 namespace {
 
@@ -85,7 +85,7 @@ Box3 with_limits(Box3 all, const KnownLimits& limits) {
 
 namespace {
 
-/// Where the ends of all directions lie, else how far `all` goes: from the lower to the higher.
+/// The ends in each direction, else the extent of `all`: from lower to higher.
 Box3 room_of(const std::array<KnownEnds, 3>& ends, const Box3& all) {
   Box3 room;
   Point3 low = all.low, high = all.high;
@@ -97,7 +97,7 @@ Box3 room_of(const std::array<KnownEnds, 3>& ends, const Box3& all) {
   return room;
 }
 
-/// Each end as corners around a plane; of two axes the plane is a line.
+/// Each end as corners around a plane; with two axes the plane is a line.
 template <class Draw>
 void each_plane(const std::array<KnownEnds, 3>& ends, const Box3& all, bool flat, const Draw& draw) {
   const Box3 room = room_of(ends, all);
@@ -127,7 +127,7 @@ drawing::ToolPath lines_of(const std::array<KnownEnds, 3>& ends, const Box3& all
   return lines;
 }
 
-/// Two axes: a frame where all four are known, else lines across the view.
+/// Two axes: a frame if all four ends are known, else lines across the view.
 static void draw_ends(const PathGround& g, const std::array<KnownEnds, 3>& ends, ImU32 colour) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float hair = g.frame.ui.hair();
@@ -153,7 +153,7 @@ void draw_limits(const PathGround& g, const KnownLimits& limits) {
   const Ui& ui = g.frame.ui;
   draw_ends(g, limits.switches, ui[Tone::warn]);
   draw_ends(g, limits.travel, ui[Tone::warn]);
-  for (std::size_t n = 0; n < 3; ++n) {  // each by itself: home of two axes is no frame
+  for (std::size_t n = 0; n < 3; ++n) {  // separately: the home positions of two axes form no frame
     std::array<KnownEnds, 3> home;
     home[n] = limits.home[n];
     draw_ends(g, home, ui[Tone::ok]);

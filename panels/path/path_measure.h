@@ -1,5 +1,5 @@
 #pragma once
-// A way between two points of a view, measured.
+// The measured line between two points of a view.
 #include <optional>
 
 #include "core/drawing/space.h"
@@ -10,11 +10,11 @@ namespace hw::panels {
 struct PathMeasure {
   bool on = false;
   std::optional<drawing::Point3> from, to;
-  std::optional<drawing::Point3> pointer = {};  ///< taken for its second end until that is set
+  std::optional<drawing::Point3> pointer = {};  ///< stands in for the second end until it is set
 
-  /// The first end, then the second, then the first of another.
+  /// Sets the first end, then the second, then the first of a new line.
   void set_end(drawing::Point3 end);
-  /// From its first end to the second; none: it has not both.
+  /// From the first end to the second; none: an end is missing.
   [[nodiscard]] std::optional<drawing::Point3> way() const;
 };
 void draw_measure(const PathGround& ground, const PathMeasure& measure);

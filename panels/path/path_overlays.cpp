@@ -25,7 +25,7 @@ void draw_table(const PathGround& g) {
   if (table.empty) return;
   std::array<ImVec2, 4> corners;
   for (int n = 0; n < 4; ++n) {
-    const ImVec2 p = g.at(table.corner(n < 2 ? n : 5 - n));  // around, not across
+    const ImVec2 p = g.at(table.corner(n < 2 ? n : 5 - n));  // along the edges, not across
     corners[static_cast<std::size_t>(n)] = ImVec2(std::floor(p.x) + 0.5f, std::floor(p.y) + 0.5f);
   }
   ImGui::GetWindowDrawList()->AddPolyline(corners.data(), 4, g.frame.ui[Tone::warn], ImDrawFlags_Closed,
@@ -47,26 +47,62 @@ static std::array<Point3, 4> way_there(const PathGround& g, Point3 from, Point3 
   return way;
 }
 
-void draw_lit(const PathGround& g) {
-  constexpr std::size_t most_points = 4000;
+void draw_way_there(const PathGround& g) {
+  const auto here = place_now(g.frame, g.subject);
+  if (!here || !g.subject.wanted_at) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const Ui& ui = g.frame.ui;
+  for (const Point3& p : way_there(g, *here, *g.subject.wanted_at)) list->PathLineTo(g.at(p));
+  list->PathStroke(ui[Tone::warn], 0, 2 * ui.hair());
+  list->AddCircle(g.at(*g.subject.wanted_at), ui.px(5), ui[Tone::warn], 0, 2 * ui.hair());
+}
+
+namespace {
+
+/// Points of a path, optionally with a place before or after them.
+struct PathPart {
+  std::size_t first = 0, end = 0;
+  std::optional<Point3> before = {}, behind = {};
+};
+
+/// Draws so few lines that a frame takes no time; two coincident points would spoil the line end.
+void stroke(const PathGround& g, const PathPart& part, Tone tone, float width) {
+  constexpr std::size_t most_lines = 4000;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const std::vector<Point3>& points = g.subject.path->points;
+  if (part.before) list->PathLineToMergeDuplicate(g.at(*part.before));
+  const std::size_t every = 1 + (part.end - std::min(part.end, part.first)) / most_lines;
+  for (std::size_t i = part.first; i < part.end; i += every) list->PathLineToMergeDuplicate(g.at(points[i]));
+  if (part.behind)
+    list->PathLineToMergeDuplicate(g.at(*part.behind));
+  else if (part.end > part.first)
+    list->PathLineToMergeDuplicate(g.at(points[part.end - 1]));
+  list->PathStroke(g.frame.ui[tone], 0, width);
+}
+
+}  // namespace
+
+void draw_lit(const PathGround& g, PathProgress& progress) {
+  constexpr std::size_t most_runs = 2000;
+  if (!g.subject.path) return;
   const auto here = place_now(g.frame, g.subject);
-  if (here && g.subject.wanted_at) {
-    for (const Point3& p : way_there(g, *here, *g.subject.wanted_at)) list->PathLineTo(g.at(p));
-    list->PathStroke(ui[Tone::warn], 0, 2 * ui.hair());
-    list->AddCircle(g.at(*g.subject.wanted_at), ui.px(5), ui[Tone::warn], 0, 2 * ui.hair());
-  }
-  if (!g.subject.path || g.subject.lit < 0) return;
+  const auto reached = here ? progress.reached(g.view, *here, g.frame.ui.px(40)) : std::nullopt;
   std::size_t drawn = 0;
-  for (const drawing::ToolPath::Run& run : g.subject.path->runs) {
-    const int beyond = run.source - g.subject.lit;
-    if (beyond < 0 || beyond >= g.subject.lit_count || drawn + run.size > most_points) continue;
-    drawn += run.size;
-    for (std::size_t i = run.first; i < run.first + run.size; ++i)
-      list->PathLineTo(g.at(g.subject.path->points[i]));
-    list->PathStroke(ui[Tone::motion], 0, 3 * ui.hair());
-  }
+  for (const PathProgress::Stretch& stretch : progress.lit())
+    for (std::size_t r = stretch.first; r < stretch.end && drawn < most_runs; ++r, ++drawn) {
+      const drawing::ToolPath::Run& run = g.subject.path->runs[r];
+      const std::size_t end = run.first + run.size;
+      const float width = (run.tool_on ? 3.0f : 1.5f) * g.frame.ui.hair();
+      const std::size_t next = reached ? reached->next_point : end;
+      if (next <= run.first) {
+        stroke(g, {run.first, end}, Tone::ink3, width);
+      } else if (next >= end) {
+        stroke(g, {run.first, end}, Tone::motion, width);
+      } else {
+        stroke(g, {next, end, reached->at}, Tone::ink3, width);
+        stroke(g, {run.first, next, {}, reached->at}, Tone::motion, width);
+      }
+    }
 }
 
 void draw_trace(const PathGround& g, const drawing::ToolPath& path, std::size_t in_picture) {
@@ -123,9 +159,12 @@ void draw_here(const PathGround& g, std::string_view id) {
     list->AddLine(g.at({here->x, g.box.low.y, floor}), g.at({here->x, g.box.high.y, floor}), faint,
                   ui.hair());
   }
-  list->AddCircle(p, ui.px(6), colour, 0, 2 * ui.hair());
-  const Path value =
+  const std::optional<bool>& tool_on = g.subject.tool_on;
+  if (tool_on.value_or(false)) list->AddCircleFilled(p, ui.px(4), ui[Tone::warn]);
+  list->AddCircle(p, ui.px(tool_on.value_or(false) ? 7 : 6), colour, 0, 2 * ui.hair());
+  const Path place =
       g.subject.own ? Path("{}", g.subject.own->here_words) : place_words(all, *here, doubtful);
+  const Path value("{}{}", place.view(), !tool_on ? "" : *tool_on ? ", tool on" : ", tool off");
   show(ui, {Path("{}/here", id), Kind::text, "The tool is here", value},
        {ImVec2(p.x - ui.px(6), p.y - ui.px(6)), ImVec2(p.x + ui.px(6), p.y + ui.px(6))});
 }

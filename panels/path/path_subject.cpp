@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/index.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "panels/drawing/drawn_together.h"
@@ -49,14 +50,14 @@ Directions directions_of(const Frame& f, const PathAxes& axes) {
 
 double& along(Point3& p, std::size_t direction) { return direction == 0 ? p.x : direction == 1 ? p.y : p.z; }
 
-// ---- where it is
+// ---- position
 
 Instant zero_of_time(const Tab& tab) {
   const Instant begun = tab.now().program.started_at;
   return begun != Instant{} ? begun : const_cast<Tab&>(tab).desk().trace.first_at();
 }
 
-/// Time goes as far as the axis has moved: at rest nothing is drawn anew.
+/// Time advances as far as the axis has moved: at rest nothing is redrawn.
 static double seconds_now(Tab& tab) {
   const auto& places = tab.desk().trace.places();
   return places.empty() ? 0 : std::max(0.0, seconds(places.back().at - zero_of_time(tab)));
@@ -79,6 +80,27 @@ std::optional<Point3> place_now(const Frame& f, const PathAxes& axes) {
 
 std::optional<Point3> place_now(const Frame& f, const PathSubject& s) {
   return s.own ? s.own->here : place_now(f, s.axes);
+}
+
+std::optional<bool> tool_on_now(const TrackAxes& tool, const Snapshot& switching, const Snapshot& lowering,
+                                int lowering_axis) {
+  if (const int output = tool.tool_output; output >= 0) {
+    if (!switching.link.connected() || (switching.outputs_known >> output & 1u) == 0) return std::nullopt;
+    return ((switching.outputs >> output & 1u) == 1) == tool.tool_is_on_when;
+  }
+  if (!tool.lowers) return std::nullopt;
+  const AxisState& axis = lowering.axes[ix(lowering_axis)];
+  if (!lowering.link.connected() || !axis.position_known) return std::nullopt;
+  const std::int64_t beyond = axis.position.value - tool.lowers->half_way;
+  return tool.lowers->down_is_plus ? beyond > 0 : beyond < 0;
+}
+
+std::optional<bool> tool_on_now(const Frame& f, const TrackAxes& tool, const sequence::Sequence& drawn) {
+  const int first = drawn.axes.empty() ? -1 : f.catalog.find_axis(drawn.axes[0].name);
+  if (first < 0) return std::nullopt;
+  const int lowers = tool.lowers ? tool.lowers->place : first;
+  return tool_on_now(tool, owner_of(f, first).now(), owner_of(f, lowers).now(),
+                     draws_together(f) ? 0 : lowers);
 }
 
 // ---- units

@@ -27,7 +27,8 @@ TraceAges ages_of(const drawing::ToolPath& trace) {
 }
 
 ImU32 trace_colour(const Ui& ui, std::size_t age) {
-  constexpr std::array<unsigned, TraceAges::count> of_motion{64, 112, 176, 256};  // of 256; the rest is edge
+  constexpr std::array<unsigned, TraceAges::count> of_motion{64, 112, 176,
+                                                             256};  // of 256; the rest is edge colour
   ImU32 out = IM_COL32_A_MASK;
   for (const int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT}) {
     const unsigned motion = ui[Tone::motion] >> shift & 255u, edge = ui[Tone::edge] >> shift & 255u;
@@ -48,7 +49,7 @@ using Place = PositionTrace::Place;
 
 PositionTrace& trace_of(Tab& tab) { return tab.desk().trace; }
 
-/// The nth that was kept, from 1; null: it has gone, or has not come.
+/// The nth place kept, from 1; null: dropped, or not recorded yet.
 const Place* nth(Tab& tab, std::uint64_t n) {
   const auto& trace = trace_of(tab);
   const std::uint64_t gone = trace.count() - trace.places().size();
@@ -75,7 +76,7 @@ void PathTrace::begin(const Directions& all) {
   if (first_ == Instant::max()) first_ = {};
 }
 
-/// What comes next has gone already.
+/// The next place has already been dropped.
 bool PathTrace::is_lost() const {
   return std::any_of(sources_.begin(), sources_.begin() + source_count_, [](const Source& s) {
     const PositionTrace& trace = trace_of(*s.tab);
@@ -83,7 +84,8 @@ bool PathTrace::is_lost() const {
   });
 }
 
-/// Whose place is the next, as soon as it is known where all others were then; null: nobody's.
+/// The source whose next place comes first, once the positions of all others at that time are known; null:
+/// none.
 PathTrace::Source* PathTrace::soonest() {
   Source* soonest = nullptr;
   Instant at = Instant::max(), known = Instant::max();
@@ -96,7 +98,7 @@ PathTrace::Source* PathTrace::soonest() {
   return soonest && (source_count_ == 1 || at <= known) ? soonest : nullptr;
 }
 
-/// None: not all of them were seen so early.
+/// None: not all axes were recorded so early.
 std::optional<Point3> PathTrace::point(const Directions& all, Instant at) const {
   Point3 p;
   for (std::size_t n = 0; n < all.count; ++n) {
@@ -120,11 +122,11 @@ void PathTrace::add(const std::optional<Point3>& from, const std::optional<Point
   if (from && to && *from != *to) path_.go(*from, *to, true, static_cast<int>(seconds(at - first_)));
 }
 
-/// Where it rested is told from where it went on, which matters to one over time and to another that moved
-/// meanwhile.
+/// The end of a rest is distinct from the start of motion, for a view over time and for another axis that
+/// moved meanwhile.
 void PathTrace::take_next(const Directions& all, Source& s) {
   const Place *here = nth(*s.tab, s.taken), *next = nth(*s.tab, s.taken + 1);
-  Instant from = Instant::min();  // so far all of them have been followed
+  Instant from = Instant::min();  // all sources were followed up to here
   for (std::size_t i = 0; i < source_count_; ++i)
     if (const Place* p = nth(*sources_[i].tab, sources_[i].taken)) from = std::max(from, p->at);
   auto begin = from >= of_.zero ? point(all, from) : std::nullopt;
@@ -138,7 +140,7 @@ void PathTrace::take_next(const Directions& all, Source& s) {
 }
 
 void PathTrace::follow(const Frame& f, const PathAxes& axes) {
-  constexpr std::size_t most_points = 200'000;  // then it begins anew with what is remembered
+  constexpr std::size_t most_points = 200'000;  // then it restarts from the places kept
   const Directions all = directions_of(f, axes);
   Of of{axes, {}, {}, {}};
   for (std::size_t n = 0; n < all.count; ++n) {

@@ -1,5 +1,5 @@
 #pragma once
-// Where the axes have really been, as a path in those of them that are looked at, and how long ago.
+// The real path of the axes, in those shown, with its age.
 #include <array>
 #include <cstdint>
 
@@ -11,12 +11,12 @@
 
 namespace hw::panels {
 
-/// Runs of a trace by their age when it was last added to, the oldest first: so it looks the same for as long
-/// as nothing moves.
+/// Runs of a trace by their age at the last addition, oldest first, so that the trace looks the same while
+/// nothing moves.
 struct TraceAges {
   static constexpr std::size_t count = 4;
   static constexpr std::array<int, count - 1> seconds{600, 60, 10};
-  /// Where each begins; the last is the newest, and goes on to the end.
+  /// The first run of each age; the last age is the newest, and extends to the end.
   std::array<std::size_t, count> begin{};
 };
 TraceAges ages_of(const drawing::ToolPath& trace);
@@ -26,14 +26,14 @@ float trace_width(const gui::Ui& ui, std::size_t age);
 
 class PathTrace {
  public:
-  /// Once a frame.
+  /// Call once a frame.
   void follow(const gui::Frame& frame, const PathAxes& axes);
   [[nodiscard]] const drawing::ToolPath& path() const { return path_; }
-  /// When the axes were on that run of it, to the second.
+  /// When the axes were on that run, to the second.
   [[nodiscard]] Instant when(std::size_t run) const;
 
  private:
-  /// What it was followed with; another one begins it anew.
+  /// The parameters followed; a change restarts the trace.
   struct Of {
     PathAxes axes;
     Instant zero{};                        ///< of time
@@ -41,7 +41,7 @@ class PathTrace {
     std::array<double, 3> scale{};
     bool operator==(const Of&) const = default;
   };
-  /// One controller, and how far its trace was followed.
+  /// A controller, and the part of its trace taken so far.
   struct Source {
     gui::Tab* tab = nullptr;
     std::uint64_t taken = 0;  ///< of gui::PositionTrace::count()
@@ -56,7 +56,7 @@ class PathTrace {
   Of of_;
   std::array<Source, 3> sources_;
   std::size_t source_count_ = 0;
-  Instant first_{};  ///< each run is of one second since then
+  Instant first_{};  ///< start of the trace; each run is of one second since then
   drawing::ToolPath path_;
 };
 

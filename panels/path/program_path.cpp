@@ -27,11 +27,11 @@ std::string length_text(double units, const DisplayUnit& unit, bool one_unit) {
 namespace {
 
 struct Meant {
-  std::shared_ptr<const sequence::Sequence> sequence;  ///< null: it is not seen in these axes
+  std::shared_ptr<const sequence::Sequence> sequence;  ///< null: not visible in these axes
   drawing::SequenceAxes axes;
 };
 
-/// From where the rehearsal began.
+/// From the start of the rehearsal.
 Meant meant_in(std::shared_ptr<const sequence::Sequence> sequence, const Catalog& catalog,
                const TrackAxes& track, const Rehearsal& rehearsal) {
   Meant meant{std::move(sequence), {}};
@@ -56,7 +56,7 @@ Meant meant_in(std::shared_ptr<const sequence::Sequence> sequence, const Catalog
 
 }  // namespace
 
-// ---- what it is of
+// ---- content
 
 const Rehearsals::Outcome* ProgramPath::Part::outcome() const {
   return tab ? tab->desk().rehearsals.of(slot) : nullptr;
@@ -104,7 +104,7 @@ bool ProgramPath::follow(Frame& f, const PathAxes& axes, PathTool tool) {
   return true;
 }
 
-/// How far it has come.
+/// Follows the progress of the drawing.
 void ProgramPath::follow_drawn(const Frame& f) {
   step_at_work_ = -1;
   left_s_.reset();
@@ -145,12 +145,12 @@ std::string_view ProgramPath::why_not_rehearse() const {
     any = any || !desk.texts.text(made_.parts[n].slot).empty();
   }
   if (!any) return of_several() ? "Their programs are empty." : "The program is empty.";
-  return under_way() ? "It is being worked out." : "";
+  return under_way() ? "It is being calculated." : "";
 }
 
 // ---- the path
 
-/// Of one that has no rehearsal: where it stands.
+/// A controller without a rehearsal contributes its position.
 std::vector<Rehearsal> ProgramPath::tracks() const {
   std::vector<Rehearsal> all(made_.count);
   for (std::size_t n = 0; n < made_.count; ++n) {
@@ -187,7 +187,7 @@ void ProgramPath::work_out(Frame& f, const Directions& seen) {
     if (source && made_.tool.own) take_tool_of(*source->sequence, catalog, axes);
     if (source && !axes.over_time) meant = meant_in(source->sequence, catalog, axes, *outcome->result);
   }
-  name_tool(catalog, axes);
+  keep_tool(catalog, axes);
   std::vector<DisplayUnit> units;
   for (const Direction& d : seen) units.push_back(d.unit());
   desk.worker().run(
@@ -218,7 +218,7 @@ void ProgramPath::work_out_drawn(Frame& f, const Directions& seen) {
   TrackAxes axes = made_.axes;
   places_ = {};
   if (made_.tool.own) take_tool_of(*drawn_.sequence, f.catalog, axes);
-  name_tool(f.catalog, axes);
+  keep_tool(f.catalog, axes);
   const Meant meant = axes.over_time ? Meant() : meant_in(drawn_.sequence, f.catalog, axes, *made_.drawn);
   std::vector<DisplayUnit> units;
   for (const Direction& d : seen) units.push_back(d.unit());
@@ -241,11 +241,19 @@ void ProgramPath::work_out_drawn(Frame& f, const Directions& seen) {
   f.ui.wake_in(0);
 }
 
-void ProgramPath::name_tool(const Catalog& catalog, const TrackAxes& axes) {
+void ProgramPath::keep_tool(const Catalog& catalog, const TrackAxes& axes) {
+  tool_axes_ = axes;
   if (axes.tool_output >= 0 && ix(axes.tool_output) < catalog.outputs.size())
     facts_.tool = catalog.outputs[ix(axes.tool_output)].name;
   else if (axes.lowers)
     facts_.tool = catalog.axes[ix(axes.lowers->place)].name;
+}
+
+std::optional<bool> ProgramPath::tool_on(const Frame& f) const {
+  if (!path_) return std::nullopt;
+  if (made_.drawn) return tool_on_now(f, tool_axes_, *drawn_.sequence);
+  const Snapshot& now = made_.parts[0].tab->now();
+  return tool_on_now(tool_axes_, now, now, tool_axes_.lowers ? tool_axes_.lowers->place : 0);
 }
 
 void ProgramPath::take(Paths paths, const std::vector<DisplayUnit>& units) {
@@ -257,9 +265,10 @@ void ProgramPath::take(Paths paths, const std::vector<DisplayUnit>& units) {
     facts_.way_on = length_text(path->way_on, units[0], one_unit);
     facts_.way_off = length_text(path->way_off, units[0], one_unit);
   }
-  has_run_.assign(places_.all.size(), false);
+  most_passes_.assign(places_.all.size(), 0);
   for (const drawing::ToolPath::Run& run : path->runs)
-    if (run.source >= 0 && ix(run.source) < has_run_.size()) has_run_[ix(run.source)] = true;
+    if (run.source >= 0 && ix(run.source) < most_passes_.size())
+      most_passes_[ix(run.source)] = std::max(most_passes_[ix(run.source)], run.pass + 1);
   if (path->bounds.empty) return;
   const drawing::Point3 size = path->bounds.size();
   for (std::size_t i = 0; i < units.size(); ++i) {
@@ -286,7 +295,7 @@ bool ProgramPath::older() const {
          });
 }
 
-/// Passes that the controller makes without a break are one run: then none of them is told from the others.
+/// Passes that the controller makes without a break are one run, so they cannot be told apart.
 std::optional<int> ProgramPath::pass_of(std::size_t run) const {
   const std::vector<drawing::ToolPath::Run>& runs = path_->runs;
   const bool told = std::any_of(runs.begin(), runs.end(), [&](const drawing::ToolPath::Run& r) {
@@ -306,8 +315,15 @@ int ProgramPath::source_at_work() const {
   if (desk.texts.held(at.slot).text != *rehearsed || ix(at.command) >= places_.of_command.size()) return -1;
   int source = places_.of_command[ix(at.command)];
   const int line = places_.line_of(source);
-  while (source > 0 && !has_run_[ix(source)] && places_.line_of(source - 1) == line) --source;
+  while (source > 0 && most_passes_[ix(source)] == 0 && places_.line_of(source - 1) == line) --source;
   return source;
+}
+
+std::optional<int> ProgramPath::pass_at_work() const {
+  const int source = source_at_work();
+  if (made_.drawn || source < 0 || ix(source) >= most_passes_.size()) return std::nullopt;
+  const int pass = made_.parts[0].tab->desk().follower.place().pass - 1;
+  return pass >= 0 && pass < most_passes_[ix(source)] ? std::optional(pass) : std::nullopt;
 }
 
 const Rehearsal* ProgramPath::rehearsal() const {

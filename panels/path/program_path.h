@@ -1,7 +1,6 @@
 #pragma once
-// The path of a program's latest rehearsal, worked out by the worker, and what it comes to; on a bus, of the
-// programs of all controllers that are looked at, as if they began at once, or of a drawing that they do
-// together.
+// The path of a program's latest rehearsal, computed by the worker, and its totals. On a bus: of the programs
+// of all controllers shown, as if started together, or of a drawing that they do together.
 #include <array>
 #include <memory>
 #include <optional>
@@ -24,40 +23,43 @@ class ProgramPath {
   struct Facts {
     std::string size, way_on, way_off, time;  ///< empty: there is none
     std::string tool;                         ///< what switches it: "DO5", "Z"; empty: it is always on
-    int every = 1;                            ///< every so manieth of its places was kept
+    int every = 1;                            ///< one in this many places was kept
   };
-  /// Once a frame, of the chosen program. True: it is another one from now on, or in other axes or units.
+  /// Call once a frame, for the chosen program. True: the program, axes or units have changed.
   bool follow(gui::Frame& frame, const PathAxes& axes, PathTool tool);
-  /// Has the programs rehearsed that it is of.
+  /// Requests a rehearsal of the programs it shows.
   void rehearse(const gui::Frame& frame);
   [[nodiscard]] std::string_view why_not_rehearse() const;
   [[nodiscard]] bool under_way() const;
 
   [[nodiscard]] bool of_several() const { return made_.count > 1; }
-  /// It is of a drawing that the controllers of a bus do together, and not of their programs: of the newest
-  /// of both. Null: of programs. The sources of its path are steps.
+  /// Null: the path is of programs. Else the path is of a drawing done by the controllers of a bus together;
+  /// the newer of the two is shown. The sources of its path are steps.
   [[nodiscard]] const gui::DrawnTogether* drawn() const { return made_.drawn ? &drawn_ : nullptr; }
-  /// Of drawn(), while it is at work; none: it is not, or nothing tells.
+  /// Of drawn(), while it runs; none: it does not, or unknown.
   [[nodiscard]] std::optional<double> seconds_left() const { return left_s_; }
-  /// -1: of no one program.
+  /// -1: of no single program.
   [[nodiscard]] int slot() const { return made_.drawn ? -1 : made_.parts[0].slot; }
   [[nodiscard]] bool rehearsed() const;
-  /// Null: not rehearsed, not worked out yet, or nothing moves. Its sources are places() of text().
+  /// Null: not rehearsed, not computed yet, or nothing moves. Its sources are places() of text().
   [[nodiscard]] const std::shared_ptr<const drawing::ToolPath>& path() const { return path_; }
-  /// The way that the blocks or the drawing mean which the program was written from; null: it is of none.
+  /// The intended path of the blocks or drawing that the program was written from; null: there are none.
   [[nodiscard]] const std::shared_ptr<const drawing::ToolPath>& commanded() const { return commanded_; }
   [[nodiscard]] const Facts& facts() const { return facts_; }
-  /// That was rehearsed; null: none was, or several were.
+  /// The rehearsed text; null: none, or several.
   [[nodiscard]] const std::string* text() const;
-  /// What is typed now is not what was rehearsed.
+  /// The text has changed since the rehearsal.
   [[nodiscard]] bool older() const;
   [[nodiscard]] const SourcePlaces& places() const { return places_; }
-  /// How often that of a run of path() was done before; none: the path does not tell.
+  /// How often the source of a run of path() was done before; none: the path does not tell.
   [[nodiscard]] std::optional<int> pass_of(std::size_t run) const;
-  /// The source of path() that is at work, or the last one in front of it in its line that has a run; -1:
-  /// none.
+  /// The source of path() being executed, or the last one before it in its line that has a run; -1: none.
   [[nodiscard]] int source_at_work() const;
-  /// What the path was made of; null: nothing, or several.
+  /// How often it was done before; none: not reported, or no run of path() tells.
+  [[nodiscard]] std::optional<int> pass_at_work() const;
+  /// As reported by the controllers that switch or lower the tool; none: always on, or not reported.
+  [[nodiscard]] std::optional<bool> tool_on(const gui::Frame& frame) const;
+  /// The rehearsal of the path; null: none, or several.
   [[nodiscard]] const Rehearsal* rehearsal() const;
 
  private:
@@ -68,13 +70,13 @@ class ProgramPath {
     bool operator==(const Part&) const = default;
     [[nodiscard]] const gui::Rehearsals::Outcome* outcome() const;
   };
-  /// What the path was made of: made anew when it differs.
+  /// The inputs of the path: a change rebuilds it.
   struct Made {
     std::array<Part, 3> parts;
     std::size_t count = 0;
     TrackAxes axes;
     PathTool tool;
-    std::shared_ptr<const Rehearsal> drawn;  ///< null: the programs
+    std::shared_ptr<const Rehearsal> drawn;  ///< null: made from the programs
     bool operator==(const Made&) const = default;
   };
   struct Paths {
@@ -86,7 +88,7 @@ class ProgramPath {
   [[nodiscard]] std::vector<Rehearsal> tracks() const;
   void work_out(gui::Frame& frame, const Directions& seen);
   void work_out_drawn(gui::Frame& frame, const Directions& seen);
-  void name_tool(const Catalog& catalog, const TrackAxes& axes);
+  void keep_tool(const Catalog& catalog, const TrackAxes& axes);
   void take(Paths paths, const std::vector<gui::DisplayUnit>& units);
 
   Made made_;
@@ -98,11 +100,12 @@ class ProgramPath {
   std::shared_ptr<const drawing::ToolPath> path_, commanded_;
   Facts facts_;
   SourcePlaces places_;
-  std::vector<bool> has_run_;  ///< by source
+  std::vector<int> most_passes_;  ///< by source: passes of its runs; 0: no runs
+  TrackAxes tool_axes_;           ///< signals that the tool is on
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };
 
-/// "12.5 mm"; of several units there is no length.
+/// "12.5 mm"; across several units there is no length.
 std::string length_text(double units, const gui::DisplayUnit& unit, bool one_unit);
 
 }  // namespace hw::panels

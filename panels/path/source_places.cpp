@@ -8,7 +8,7 @@
 namespace hw::panels {
 namespace {
 
-/// Where each command of the line begins; empty: only the line is known.
+/// The start of each command of the line; empty: only the line is known.
 std::vector<int> begins_of_commands(const LineReport& line) {
   std::vector<int> begins;
   int moving = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// What a path can come of in a program's text: a line, or, where several commands of one line move something,
-// a command. Pure.
+// The places in a program's text that a path can stem from: a line, or a command if several commands of one
+// line move axes. Pure.
 #include <string_view>
 #include <vector>
 
@@ -13,17 +13,17 @@ struct SourcePlace {
 };
 
 struct SourcePlaces {
-  std::vector<SourcePlace> all;  ///< by the source of a run, in the order of the text
-  std::vector<int> of_command;   ///< as lines_of_commands(), but which of `all`; -1: of none
+  std::vector<SourcePlace> all;  ///< by the source of a run, in text order
+  std::vector<int> of_command;   ///< like lines_of_commands(), but as index into `all`; -1: none
 
   struct Some {
     int first = -1, count = 0;
   };
-  /// Those of a line. -1: it commands nothing.
+  /// The places of a line. -1: it has no commands.
   [[nodiscard]] Some of_line(int line) const;
-  /// -1: there is no such.
+  /// -1: no such source.
   [[nodiscard]] int line_of(int source) const;
-  /// Of their text: the line from there up to the next that it holds.
+  /// The text of a source: from there to the next place of its line, or the end of the line.
   [[nodiscard]] std::string_view command_of(int source, std::string_view text) const;
 };
 

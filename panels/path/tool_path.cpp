@@ -26,7 +26,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// The steps of a contour begin with it.
+/// The range of steps that count as one: a contour with its steps.
 std::pair<int, int> counted_as_one(const sequence::Sequence& of, int step) {
   int first = 0;
   for (const sequence::Step& each : of.steps) {
@@ -40,7 +40,7 @@ std::pair<int, int> counted_as_one(const sequence::Sequence& of, int step) {
 }
 
 constexpr float hit_height = 36, legend_width = 248;
-constexpr std::string_view changed_since = "The text has been changed since. Simulate draws it anew.";
+constexpr std::string_view changed_since = "The text has been changed since. Simulate draws it again.";
 
 std::optional<Catalog> all_axes_of(const Bus& bus) {
   std::vector<const Catalog*> all;
@@ -60,12 +60,16 @@ PathSubject ToolPath::subject_of(const Frame& f) const {
   const int at_work = program_.source_at_work();
   PathSubject subject;
   subject.path = program_.path(), subject.commanded = program_.commanded();
-  subject.none = program_.under_way() ? "The path is being worked out."
+  subject.none = program_.under_way() ? "The path is being calculated."
                                       : "Simulate shows where the program goes. What moves leaves a trace.";
   subject.axes = choice_.axes();
   subject.lit = at_work >= 0 ? at_work : hit_.source;
   subject.lit_count = at_work >= 0 ? 1 : hit_.count;
+  subject.lit_pass = at_work >= 0 ? program_.pass_at_work() : hit_.pass;
+  subject.at_work = at_work >= 0;
+  subject.tool_on = program_.tool_on(f);
   subject.wanted_at = run_from_.goes_to(f, subject.axes);
+  if (!subject.wanted_at) subject.wanted_at = run_drawn_.goes_to(f, subject.axes);
   subject.origin = true;
   return subject;
 }
@@ -75,7 +79,7 @@ void ToolPath::draw_all(Frame& f) {
   choice_.begin(f);
   if (program_.follow(f, choice_.axes(), choice_.tool())) {
     hit_ = {};
-    canvas_.measure(canvas_.measured().on);  // its ends were in the axes and units of before
+    canvas_.measure(canvas_.measured().on);  // its ends were in the previous axes and units
     canvas_.fit();
   }
   follow_caret(f);
@@ -100,9 +104,10 @@ void ToolPath::draw_all(Frame& f) {
   if (asked > 0) draw_overwrite_question(f, bottom, asked);
   export_.draw_dialog(f, subject, canvas_);
   run_from_.draw_dialog(f, "path");
+  run_drawn_.draw_dialog(f, "path");
 }
 
-// ---- what is said of it
+// ---- words
 
 std::string ToolPath::place_text(const Frame& f, drawing::Point3 p) const {
   const Directions all = directions_of(f, choice_.axes());
@@ -130,7 +135,7 @@ void ToolPath::say_hit(Frame& f) {
                     format_duration(std::max(0.0, std::floor(seconds(f.clock - passed->when)))).view());
 }
 
-/// The way between two clicks, in its parts and straight.
+/// The way between two clicks: its components and the straight length.
 void ToolPath::say_measure(const Frame& f) {
   const PathMeasure& measure = canvas_.measured();
   const auto way = measure.way();
@@ -145,14 +150,14 @@ void ToolPath::say_measure(const Frame& f) {
   if (!axes.third) hit_.words += fmt::format(" \u00b7 {:.1f}\u00b0", std::atan2(way->y, way->x) * 180 / M_PI);
 }
 
-/// What the caret has come to in the editor since is lit here.
+/// Highlights the line of the caret when the caret has moved in the editor.
 void ToolPath::follow_caret(const Frame& f) {
   Desk& desk = f.tab.desk();
   if (std::exchange(caret_line_, desk.caret_line) == desk.caret_line || !program_.path()) return;
   light(f, caret_line_);
 }
 
-/// Of the text that is drawn, while it is that of the program.
+/// Highlights a line of the drawn text, while that is the program's text.
 void ToolPath::light(const Frame& f, int line) {
   const std::string* text = program_.text();
   if (!text || *text != f.tab.desk().texts.text(program_.slot())) return;
@@ -160,7 +165,7 @@ void ToolPath::light(const Frame& f, int line) {
   hit_ = {some.first, some.count, fmt::format("Line {}: {}", line + 1, line_of(*text, line))};
 }
 
-/// The blocks, if they are what the text was written from; else null.
+/// The blocks that the text was written from; else null.
 const WrittenSequence* ToolPath::blocks_of_text(const Frame& f) const {
   Desk& desk = f.tab.desk();
   const std::string* text = program_.text();
@@ -169,7 +174,7 @@ const WrittenSequence* ToolPath::blocks_of_text(const Frame& f) const {
   return source && source->sequence == desk.blocks.editor.shared() ? source : nullptr;
 }
 
-/// The block that has been chosen since is lit here.
+/// Highlights a newly chosen block.
 void ToolPath::follow_block(const Frame& f) {
   const int step = f.tab.desk().blocks.chosen_step;
   if (std::exchange(chosen_step_, step) == step || step < 0 || !program_.path()) return;
@@ -234,14 +239,14 @@ void ToolPath::draw_hit(Frame& f, float width) {
   float right = row.max.x - ui.px(16);
   draw_hit_links(f, right, std::floor(middle - ui.line(Face::small) / 2));
   const std::string_view said =
-      hit_.words.empty() ? std::string_view("Click the path: this line tells what draws it.") : hit_.words;
+      hit_.words.empty() ? std::string_view("Click the path: this line names what draws it.") : hit_.words;
   draw_text_line(ui, row.min.x + ui.px(16), right, middle, Face::body,
                  ui[hit_.words.empty() ? Tone::ink3 : Tone::ink], said);
   show(ui, {"path/hit", Kind::text, "Clicked", hit_.words}, {row.min, ImVec2(right, row.max.y)});
   ImGui::SetCursorScreenPos(ImVec2(corner.x, row.max.y));
 }
 
-/// From the right; `right` comes to where they begin.
+/// Draws from the right; moves `right` to where the links begin.
 void ToolPath::draw_hit_links(Frame& f, float& right, float y) {
   Ui& ui = f.ui;
   const auto pressed = [&](std::string_view id, std::string_view label, std::string_view disabled) {
@@ -255,6 +260,11 @@ void ToolPath::draw_hit_links(Frame& f, float& right, float y) {
   if (pressed("path/measure", measures ? "End measuring" : "Measure", "")) {
     canvas_.measure(!measures);
     hit_ = {};
+  }
+  if (const DrawnTogether* drawn = program_.drawn(); drawn && hit_.source >= 0 && !measures) {
+    if (pressed("path/run_here", "Run from here", why_not_run_drawn(f, *drawn)))
+      run_drawn_.ask(f, *drawn, hit_.source);
+    return;
   }
   const int line = program_.places().line_of(hit_.source);
   if (line < 0 || program_.slot() < 0 || measures) return;
@@ -274,7 +284,7 @@ void ToolPath::draw_hit_links(Frame& f, float& right, float y) {
     ask_to_run_from_hit(f);
 }
 
-/// The source that was clicked, or an earlier one of the same step that moves before it does.
+/// The clicked source, or an earlier one of the same step that moves before it.
 int ToolPath::first_to_move(const WrittenSequence& written, int step) const {
   const auto [first, behind] = counted_as_one(*written.sequence, step);
   const std::vector<int>& steps = written.written.step_of_line;
@@ -287,7 +297,7 @@ int ToolPath::first_to_move(const WrittenSequence& written, int step) const {
   return hit_.source;
 }
 
-/// Of blocks or a drawing their step is known; of another text it is found out.
+/// Text from blocks or a drawing has known steps; for other text the step is worked out.
 void ToolPath::ask_to_run_from_hit(Frame& f) {
   Desk& desk = f.tab.desk();
   const std::string* text = program_.text();

@@ -1,8 +1,8 @@
 #pragma once
-// The path: where the rehearsed program goes in two or three axes, or in one over time, and where they have
-// really been; of a bus one panel for all of it. Ids: `path/simulate`, `path/fit`, `path/fit_table`,
-// `path/nearer`, `path/further`, `path/forget`, `path/save`, `path/view`, `path/hit`, `path/measure`,
-// `path/show_line`, `path/run_here`; the axes: see PathChoice; the legend: see draw_path_legend().
+// The path of the rehearsed program in two or three axes, or in one over time, and the real path of the axes;
+// on a bus one panel for all of it. Ids: `path/simulate`, `path/fit`, `path/fit_table`, `path/nearer`,
+// `path/further`, `path/forget`, `path/save`, `path/view`, `path/hit`, `path/measure`, `path/show_line`,
+// `path/run_here`; the axes: see PathChoice; the legend: see draw_path_legend().
 #include <optional>
 #include <string>
 
@@ -11,6 +11,7 @@
 #include "panels/path/path_choice.h"
 #include "panels/path/path_export.h"
 #include "panels/path/program_path.h"
+#include "panels/path/run_drawn_from.h"
 #include "panels/program/run_from.h"
 
 namespace hw::panels {
@@ -20,11 +21,11 @@ class ToolPath final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
-  /// A place in the rehearsed text, and what is said of it or of what was clicked.
+  /// A place in the rehearsed text, and the words about it or about the clicked part.
   struct Hit {
     int source = -1, count = 1;  ///< of a line all of its own
     std::string words;
-    std::optional<int> pass = {};  ///< of that place; none: not known
+    std::optional<int> pass = {};  ///< of that place; none: unknown
   };
   void draw_all(gui::Frame& frame);
   [[nodiscard]] PathSubject subject_of(const gui::Frame& frame) const;
@@ -42,12 +43,13 @@ class ToolPath final : public gui::Panel {
   void ask_to_run_from_hit(gui::Frame& frame);
   [[nodiscard]] int first_to_move(const gui::WrittenSequence& written, int step) const;
 
-  std::optional<Catalog> together_;  ///< of all on the bus; none: of this controller
+  std::optional<Catalog> together_;  ///< of all controllers of the bus; none: of this controller
   PathChoice choice_;
   ProgramPath program_;
   PathCanvas canvas_;
   PathExport export_;
   RunFrom run_from_;
+  RunDrawnFrom run_drawn_;
   Hit hit_;
   int caret_line_ = -1, chosen_step_ = -1;
 };

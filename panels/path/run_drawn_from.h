@@ -1,0 +1,49 @@
+#pragma once
+// The rest of a drawing that the controllers of a bus do together, from one of its steps on: shows the way
+// there, and does nothing before the user agrees. Ids: `WHERE/run_from/yes`, `WHERE/run_from/no`.
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/device/pieces.h"
+#include "gui/model/bus.h"
+#include "gui/shell/frame.h"
+#include "panels/path/path_subject.h"
+
+namespace hw::panels {
+
+class RunDrawnFrom {
+ public:
+  /// Resumes from the last place before that step where the tool was up. Tells why if the rest cannot be run.
+  void ask(gui::Frame& frame, const gui::DrawnTogether& drawn, int step);
+  void draw_dialog(gui::Frame& frame, std::string_view where);
+  /// The first target of the tool while the question stands, in the units of the axes.
+  [[nodiscard]] std::optional<drawing::Point3> goes_to(const gui::Frame& frame, const PathAxes& axes) const;
+
+ private:
+  using Parts = std::vector<Pieces>;  ///< the pieces of each controller, in the order of the axes
+  struct Begun {
+    gui::Tab* by = nullptr;
+    IntentId id = 0;
+  };
+  void take(gui::Frame& frame, Result<Parts> parts);
+  void say(const gui::Frame& frame);
+  void begin(gui::Frame& frame);
+  void say_what_came(gui::Frame& frame);
+
+  bool asking_ = false, working_ = false;
+  gui::DrawnTogether drawn_;
+  Parts parts_;
+  std::optional<Result<Parts>> worked_out_;  ///< result from the worker
+  std::string question_;
+  std::weak_ptr<void> go_ahead_;  ///< expires on a stop while the question stands
+  std::vector<Begun> begun_;
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0);
+};
+
+/// Why no part of it can be run now; empty: it may be asked for.
+std::string_view why_not_run_drawn(const gui::Frame& frame, const gui::DrawnTogether& drawn);
+
+}  // namespace hw::panels
