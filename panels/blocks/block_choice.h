@@ -1,6 +1,5 @@
 #pragma once
-// Which blocks of the list are chosen: none, then the next one comes to the end; one; or several that stand
-// behind each other.
+// The chosen blocks of the list: none (a new block is added at the end), one, or several consecutive ones.
 #include <cstdint>
 #include <optional>
 
@@ -11,28 +10,28 @@ namespace hw::panels {
 
 class BlockChoice {
  public:
-  /// Once a frame, and behind each change.
+  /// Call once a frame and after each change.
   void follow(const sequence::Editor& editor, BlockRows& rows);
   void choose(std::optional<sequence::StepPath> path) { head_ = std::move(path), anchor_.reset(); }
   void choose(const sequence::StepSpan& span);
-  /// From the one that was chosen first up to this one, as Shift does it.
+  /// Extends the choice from the block chosen first to this one, as Shift does.
   void extend(sequence::StepPath path);
-  /// The same up or down by one within their list.
+  /// Extends the choice by one block up or down within its list.
   void extend(const sequence::Editor& editor, int by);
 
-  /// The one that was touched last; of several its fields are not shown.
+  /// The block touched last; while several are chosen, its fields are hidden.
   [[nodiscard]] const std::optional<sequence::StepPath>& head() const { return head_; }
-  /// Of one that is chosen.
+  /// The chosen blocks; at least one must be chosen.
   [[nodiscard]] sequence::StepSpan span() const;
   [[nodiscard]] bool any() const { return head_.has_value(); }
   [[nodiscard]] bool several() const { return head_ && span().count > 1; }
-  [[nodiscard]] int row() const { return row_; }  ///< of the head; -1: none
+  [[nodiscard]] int row() const { return row_; }  ///< row of the head; -1: none
   [[nodiscard]] bool has_row(int row) const { return row >= first_row_ && row < behind_row_; }
 
  private:
   std::optional<sequence::StepPath> head_, anchor_;
   int row_ = -1, first_row_ = -1, behind_row_ = -1;
-  std::uint64_t loads_ = 0;  ///< Editor::loads() then
+  std::uint64_t loads_ = 0;  ///< Editor::loads() at the last follow()
 };
 
 }  // namespace hw::panels

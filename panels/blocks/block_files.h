@@ -11,9 +11,9 @@ namespace hw::panels {
 
 class BlockFiles {
  public:
-  /// Once a frame: files that were let fall on the window, and the chords.
+  /// Call once a frame. Handles files dropped on the window, and the chords.
   void follow(gui::Frame& frame);
-  /// At ImGui's cursor, to the right edge: the name and the buttons.
+  /// Draws the name and the buttons from ImGui's cursor to the right edge.
   void draw(gui::Frame& frame);
   void draw_dialogs(gui::Frame& frame);
 
@@ -25,10 +25,10 @@ class BlockFiles {
   static void save(gui::Frame& frame, const std::filesystem::path& path);
 
   gui::FileDialog open_, save_;
-  std::filesystem::path to_open_;  ///< asked about
+  std::filesystem::path to_open_;  ///< the file the question is about
   bool asking_open_ = false;
   std::string name_;                            ///< of the file, without its folder
-  std::uint64_t named_at_ = ~std::uint64_t{0};  ///< BlockList::changes() then
+  std::uint64_t named_at_ = ~std::uint64_t{0};  ///< BlockList::changes() when `name_` was made
 };
 
 }  // namespace hw::panels

@@ -14,7 +14,7 @@ using namespace gui;
 namespace seq = sequence;
 namespace {
 
-/// On a grid of 12 x 12 whose middle is 0, 0, as the icons of the console.
+/// On a grid of 12 x 12 centred at 0, 0, as the icons of the console.
 struct BlockPen {
   ImDrawList* list;
   ImVec2 centre;
@@ -40,7 +40,7 @@ struct BlockPen {
 
 using V = ImVec2;
 
-/// Those that the console has already.
+/// Icons that the console has already.
 struct IconOf {
   Icon operator()(const seq::Move& m) const { return m.relative ? Icon::plus : Icon::arrow_right; }
   Icon operator()(const seq::Home& h) const {
@@ -60,7 +60,7 @@ struct IconOf {
   }
 };
 
-/// And those of blocks alone.
+/// Icons of blocks only.
 struct DrawOwn {
   const BlockPen& p;
 
@@ -68,11 +68,11 @@ struct DrawOwn {
     p.arc(0, 1, 5, 150, 390), p.path({V(0, 1), V(2.5f, -2)});
   }
   void operator()(const seq::Arc&) const { p.arc(5, 5, 9.5f, 180, 270), p.disc(-4.5f, 4.5f, 1.5f); }
-  void operator()(const seq::WaitInput&) const {  // into a box
+  void operator()(const seq::WaitInput&) const {  // arrow into a box
     p.path({V(0, -4.5f), V(4.5f, -4.5f), V(4.5f, 4.5f), V(0, 4.5f)});
     p.path({V(-5.5f, 0), V(1.5f, 0)}), p.path({V(-1, -2.5f), V(1.5f, 0), V(-1, 2.5f)});
   }
-  void operator()(const seq::Output&) const {  // out of one
+  void operator()(const seq::Output&) const {  // arrow out of a box
     p.path({V(0, -4.5f), V(-4.5f, -4.5f), V(-4.5f, 4.5f), V(0, 4.5f)});
     p.path({V(-2, 0), V(5.5f, 0)}), p.path({V(3, -2.5f), V(5.5f, 0), V(3, 2.5f)});
   }

@@ -11,8 +11,8 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// Steps are shown where the axis has another unit that was not chosen; where it has none, a sequence that
-/// came from elsewhere is shown in its own.
+/// Shown in steps if the axis has another unit that is not chosen. If it has none, a sequence from elsewhere
+/// is shown in its own unit.
 sequence::Scale scale_of(const Frame& f, const sequence::Axis& axis, const std::string& own_unit) {
   const int place = f.catalog.find_axis(axis.name);
   if (place < 0) return {own_unit, 1, 6};

@@ -1,5 +1,5 @@
 #pragma once
-// What blocks are shown in: of each axis what the whole console shows it in, else the sequence's own unit.
+// The units of blocks: for each axis the unit shown everywhere in the console, else the sequence's own unit.
 #include <array>
 #include <cstdint>
 
@@ -12,13 +12,13 @@ namespace hw::panels {
 
 class BlockLook {
  public:
-  /// Once a frame. True: it is another one than before.
+  /// Call once a frame. True: the look has changed.
   bool follow(const gui::Frame& frame, const sequence::Editor& editor);
   [[nodiscard]] const sequence::Look& look() const { return look_; }
 
  private:
   sequence::Look look_;
-  std::array<gui::DisplayUnit, max_axes> units_;  ///< that it was made of
+  std::array<gui::DisplayUnit, max_axes> units_;  ///< the units it was made from
   std::uint64_t version_ = ~std::uint64_t{0};
 };
 

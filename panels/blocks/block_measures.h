@@ -1,10 +1,10 @@
 #pragma once
-// Of the column of blocks, in logical pixels.
+// Measures of the column of blocks, in logical pixels.
 
 namespace hw::panels {
 
 constexpr float block_height = 40, block_gap = 4, block_indent = 20;
-constexpr float refusal_height = 36;    ///< two lines below a block that is not written
-constexpr float block_time_width = 68;  ///< its column; the lines stand left of it
+constexpr float refusal_height = 36;    ///< two lines below a block that was refused
+constexpr float block_time_width = 68;  ///< column of the times; the lines stand left of it
 
 }  // namespace hw::panels

@@ -22,7 +22,7 @@ struct PaletteEntry {
   BlockWays (*make)(const seq::Sequence& of, const Catalog& catalog);
 };
 
-/// So many steps of the first axis, in the unit of the sequence, as a round number.
+/// The length of `steps` steps of the first axis, in the unit of the sequence, rounded.
 double about_steps(const seq::Sequence& of, double steps) {
   const double units = of.axes.empty() ? steps : steps / std::fabs(of.axes[0].per_unit);
   const double ten = std::pow(10.0, std::floor(std::log10(units)));
@@ -40,7 +40,7 @@ BlockWays speeds(const seq::Sequence& of, const Catalog&) {
   return {seq::Speed{{high, low, 300}}, seq::Speed{{high, 0, 300}}, seq::Speed{{high, low, 0}},
           seq::Speed{{high, 0, 0}}};
 }
-/// Beside the origin: it may begin there.
+/// Beside the origin, where the tool may begin.
 BlockWays arcs(const seq::Sequence& of, double degrees) {
   return {seq::Arc{0, 0, degrees, {}}, seq::Arc{about_steps(of, 1000), 0, degrees, {}}};
 }
@@ -49,7 +49,7 @@ BlockWays jogs(const seq::Sequence& of, const Catalog&) {
   with_speed.own = seq::Speeds{about_steps(of, 1000), 0, 0};
   return {seq::Jog{}, with_speed};
 }
-/// Twice as fast behind the first.
+/// The second stair is twice as fast as the first.
 BlockWays speed_stairs(const seq::Sequence& of, const Catalog&) {
   const double unit = about_steps(of, 1000);
   return {seq::SpeedStairs{0, {{unit, unit}, {3 * unit, 2 * unit}}, 4 * unit}};
@@ -107,7 +107,7 @@ constexpr std::array<PaletteEntry, 19> palette{
       [](Of, With) -> BlockWays { return {seq::Comment{"what comes now"}}; }},
      {"Order", "blocks/add/custom", "Own text", plain<seq::Custom>}}};
 
-/// What it looks like does not hang on the controller.
+/// Its icon does not depend on the controller.
 const seq::Step::Body& drawn_as(std::size_t entry) {
   static const std::vector<seq::Step::Body> all = [] {
     std::vector<seq::Step::Body> made;
@@ -118,7 +118,7 @@ const seq::Step::Body& drawn_as(std::size_t entry) {
   return all[entry];
 }
 
-/// Typed so far: the beginning of one of its words, however it is written.
+/// The typed text begins one of its words, in either case.
 bool is_named(const PaletteEntry& entry, std::string_view typed) {
   const std::string_view label = entry.label;
   const auto same = [](char a, char b) {
@@ -132,7 +132,7 @@ bool is_named(const PaletteEntry& entry, std::string_view typed) {
   return false;
 }
 
-/// A row of the palette: the whole of it is to be pressed.
+/// A row of the palette: a press anywhere on it counts.
 bool draw_entry(Ui& ui, std::size_t entry) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -156,7 +156,7 @@ BlockWays BlockPalette::draw(Frame& f, const seq::Sequence& of, bool all) {
   FieldOptions field;
   field.width = fill;
   field.placeholder = "Add by name";
-  field.keep_focus = true;  // for the next one
+  field.keep_focus = true;  // for the next block
   const Field typed = text_field(ui, "blocks/add_by_name", "Add by name", wanted_, field);
   if (!all && wanted_.empty()) return {};
   const PaletteEntry *first = nullptr, *clicked = nullptr;

@@ -1,5 +1,5 @@
 #pragma once
-// Where new blocks come from: by a click, or by typing the beginning of a name. Ids: `blocks/add_by_name`,
+// Adds new blocks, by a click or by typing the beginning of a name. Ids: `blocks/add_by_name`,
 // `blocks/add/move`.
 #include <optional>
 #include <string>
@@ -10,12 +10,13 @@
 
 namespace hw::panels {
 
-/// What a new block could be: the first of these that the controller can do.
+/// Candidates for a new block: the first that the controller can do is added.
 using BlockWays = std::vector<sequence::Step::Body>;
 
 class BlockPalette {
  public:
-  /// At ImGui's cursor; what is to be added, empty: nothing. `all`: before anything is typed, too.
+  /// Draws at ImGui's cursor. Returns the block to add; empty: none. `all`: list all blocks before anything
+  /// is typed.
   BlockWays draw(gui::Frame& frame, const sequence::Sequence& of, bool all);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// The blocks of a list one below the other, loops entered. What a row says is put into words when it is seen
-// for the first time, so that thousands cost little.
+// The blocks of a list one below the other, including those inside loops. The words of a row are made when it
+// is first seen, so that thousands of rows cost little.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -17,9 +17,9 @@ class BlockRows {
   struct Words {
     std::string number, title, summary;
   };
-  /// Once a frame, before anything else. True: the blocks have changed.
+  /// Call once a frame, before anything else. True: the blocks have changed.
   bool follow(const sequence::Editor& editor);
-  /// They are shown in other units than before.
+  /// Call when the units have changed.
   void forget_words();
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
@@ -27,16 +27,16 @@ class BlockRows {
   [[nodiscard]] int depth(std::size_t row) const { return rows_[row].depth; }
   [[nodiscard]] sequence::StepPath path(std::size_t row) const;
   [[nodiscard]] const Words& words(std::size_t row, const sequence::Look& look);
-  /// Row behind those that stand in it.
+  /// The row after `row` and the blocks inside it.
   [[nodiscard]] std::size_t behind(std::size_t row) const;
-  /// -1: none stands there. Long; for changes.
+  /// -1: no block has this path. Slow: call it on changes only.
   [[nodiscard]] int row_of(const std::optional<sequence::StepPath>& path) const;
 
  private:
   struct Row {
     const sequence::Step* step = nullptr;
     std::size_t place = 0;  ///< in its list
-    int parent = -1;        ///< row of what it stands in
+    int parent = -1;        ///< row of the enclosing block
     int depth = 0;
     std::unique_ptr<Words> words{};
   };

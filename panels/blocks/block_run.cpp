@@ -3,13 +3,11 @@
 #include <string>
 #include <utility>
 
-#include "core/base/index.h"
 #include "gui/input/keyboard.h"
 #include "gui/model/run_places.h"
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
-#include "panels/program/threads.h"
 
 namespace hw::panels {
 
@@ -17,7 +15,7 @@ using namespace gui;
 
 void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not) {
   say_what_came(f);
-  follow(f, text);
+  live_.follow(f, text);
   RunBarLook look;
   look.why_not = why_none_runs(f);
   if (look.why_not.empty() && !is_under_way(f.now.program)) look.why_not = why_not;
@@ -36,28 +34,6 @@ void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not
       .disabled = why_not, .tip = "Puts the text into the program editor.", .height = 40};
   if (button(f.ui, "blocks/to_program", "To the program", to_program).clicked)
     ask_or_put(f, text, Wanted::to_program);
-}
-
-/// Of the text that the controller is known to hold; blocks are its first program where it runs several.
-void BlockRun::follow(Frame& f, const SequenceText& text) {
-  live_step_ = -1, live_words_ = {};
-  ProgramTexts& texts = f.tab.desk().texts;
-  const ProgramState& p = f.now.program;
-  if (!is_under_way(p)) return;
-  const ThreadState& thread = f.now.threads.front();
-  const bool threads = f.catalog.program.threads > 0;
-  const RunFollower::Place place = f.tab.desk().follower.place();
-  const RunState run = threads ? thread.run : p.run;
-  const int slot = threads ? 0 : place.slot, command = threads ? thread.line : place.command;
-  if ((threads && !(thread.known && is_busy(thread))) || slot < 0 || texts.text(slot) != text.text) return;
-  const int line = texts.live_line(slot, command);
-  if (line < 0 || ix(line) >= text.step_of_line.size()) return;
-  live_step_ = text.step_of_line[ix(line)];
-  live_words_ = run == RunState::held       ? "held here"
-                : run == RunState::waiting  ? "waits here"
-                : threads || p.command_told ? "runs"
-                                            : "runs, worked out";
-  if (!threads && place.next_in_s > 0 && run == RunState::running) f.ui.wake_in(place.next_in_s + 0.01);
 }
 
 void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted) {
@@ -82,7 +58,8 @@ void BlockRun::put(Frame& f, const SequenceText& text) {
   }
 }
 
-/// While the question stood a stop may have come, or something else have begun: then the text is only there.
+/// While the question stood, a stop may have come or another run may have begun: then the text is only put
+/// there.
 void BlockRun::run(Frame& f, RunWish wish) {
   if (go_ahead_.expired())
     return f.toast(Mood::warn, "A stop came first. The text was put into the program and not run.");

@@ -14,11 +14,11 @@ using namespace gui;
 namespace seq = sequence;
 namespace {
 
-constexpr std::string_view not_seen = "Where the axes stand is not known now.";
+constexpr std::string_view not_seen = "The positions of the axes are not known now.";
 constexpr std::string_view begins_nowhere =
     "It is not known where this block begins. Put a move to a place in front of it.";
 
-/// In the unit of the sequence. What is old or not known is no place to be taught.
+/// In the unit of the sequence. Nothing if the position is stale or unknown.
 std::optional<double> place_now(const Frame& f, const seq::Sequence& s, int axis) {
   if (axis < 0 || ix(axis) >= s.axes.size()) return std::nullopt;
   const int place = f.catalog.find_axis(s.axes[ix(axis)].name);
@@ -28,7 +28,7 @@ std::optional<double> place_now(const Frame& f, const seq::Sequence& s, int axis
   return static_cast<double>(state.commanded().value) / s.axes[ix(axis)].per_unit;
 }
 
-/// Of those that it names, or of all while it is as it was made.
+/// Of the axes it names, or of all while the block is unchanged.
 seq::Places targets(const Frame& f, const seq::Sequence& s, const seq::Places& named) {
   const bool untouched =
       std::all_of(named.begin(), named.end(), [](const auto& to) { return !to || *to == 0; });
@@ -38,7 +38,7 @@ seq::Places targets(const Frame& f, const seq::Sequence& s, const seq::Places& n
   return all;
 }
 
-/// On from where it begins, the way round that it goes already.
+/// The angle from its beginning, in its present direction.
 double degrees_to(const seq::Arc& arc, double from_x, double from_y, double x, double y) {
   const double turn = std::atan2(y - arc.y, x - arc.x) - std::atan2(from_y - arc.y, from_x - arc.x);
   double degrees = std::fmod(turn / std::numbers::pi * 180, 360);

@@ -1,5 +1,5 @@
 #pragma once
-// "Take here": the present place of the axes becomes what the chosen block says. Ids: `blocks/here`,
+// "Take here": puts the present position of the axes into the chosen block. Ids: `blocks/here`,
 // `blocks/here_end` of an arc.
 #include <array>
 #include <cstdint>
@@ -20,12 +20,12 @@ struct Lesson {
 
 class BlockTeach {
  public:
-  /// Of this kind of block; null id: no such.
+  /// Of this kind of block; null id: no such lesson.
   [[nodiscard]] static std::array<Lesson, 2> lessons(const sequence::Step::Body& body);
-  /// Empty: it can be done now.
+  /// Empty: teaching is possible now.
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame, const sequence::Editor& editor,
                                          const sequence::StepPath& path, Lesson::What what);
-  /// What the block becomes; nothing: it stays.
+  /// Returns the taught block; nothing: the block stays.
   [[nodiscard]] std::optional<sequence::Step::Body> teach(const gui::Frame& frame,
                                                           const sequence::Editor& editor,
                                                           const sequence::StepPath& path, Lesson::What what);
@@ -33,7 +33,7 @@ class BlockTeach {
  private:
   const sequence::Places& begins_at(const sequence::Editor& editor, const sequence::StepPath& path);
 
-  sequence::Places begins_at_;  ///< of the block asked about last
+  sequence::Places begins_at_;  ///< of the last block queried
   sequence::StepPath of_;
   std::uint64_t version_ = ~std::uint64_t{0};
 };

@@ -17,7 +17,7 @@ using namespace gui;
 namespace {
 
 constexpr float text_line = 20;
-/// Of more lines scripts read those in sight.
+/// Beyond this number, scripts read only the visible lines.
 constexpr std::size_t few_lines = 500;
 
 struct LinesInSight {
@@ -31,7 +31,7 @@ LinesInSight lines_in_sight(const Ui& ui, float top, std::size_t count) {
   return {bounded(std::floor(from / line)), bounded(std::ceil((from + ImGui::GetWindowHeight()) / line))};
 }
 
-/// Refused over at work over chosen: the three marks of a block, here again.
+/// The marks of a block, in order of precedence: refused, being executed, chosen.
 void draw_line_of_text(Ui& ui, const WrittenBlocks& written, std::size_t n, const BlockTextMarks& marks,
                        ImVec2 at, float right) {
   const std::size_t begin = written.line_begins[n], end = written.line_begins[n + 1] - 1;
@@ -57,7 +57,7 @@ bool draw_block_problem(Frame& f, const WrittenBlocks& written, float width) {
   Ui& ui = f.ui;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const std::size_t count = written.refused.size();
-  // Each says itself why; here they are only counted.
+  // Each block shows its own reason; here they are only counted.
   const Path counted("{} {} refused.", count, count == 1 ? "block is" : "blocks are");
   const std::string_view said = count > 0 ? counted.view() : std::string_view(written.problem);
   bool wanted = false;
@@ -81,7 +81,10 @@ bool draw_block_text(Frame& f, const WrittenBlocks& written, const BlockTextMark
   draw_line_down(f);
   begin_part(ui, "blocks/side", 0, ui.px(height), Tone::panel, 16);
   const float width = ImGui::GetContentRegionAvail().x / ui.scale;
-  section_title(ui, "Text it writes", written.remark.empty() ? "" : "with a remark");
+  const ProgramFacts& program = f.catalog.program;
+  const bool measured = written.cost > 0 && program.capacity > 0;
+  const Path used("{} of {} {}", written.cost, program.capacity, program.capacity_unit);
+  section_title(ui, "Text it writes", measured ? used.view() : "");
   const bool wanted = draw_block_problem(f, written, width);
   if (!written.remark.empty()) {
     wrapped(ui, Face::small, Tone::ink2, written.remark, width);

@@ -13,7 +13,7 @@ namespace hw::panels {
 namespace seq = sequence;
 namespace {
 
-/// When a step was begun first and last, and how often.
+/// First and last start of a step, and the number of starts.
 struct Begun {
   int times = 0;
   double first = 0, last = 0;
@@ -50,12 +50,16 @@ class Times {
   }
 
  private:
-  /// Of a step and all that stand in it: how long it takes, as far as it is known.
+  /// The known duration of a step and of all steps inside it.
   double tell(const seq::Step& step, bool outermost) {
     const int row = next_++;
     if (row == last_ && std::holds_alternative<seq::Delay>(step.body)) goes_on_ = true;
     const seq::StepList* inner = steps_in(step);
     double all = seconds_[ix(row)];
+    if (row == last_ && !r_.finished && std::holds_alternative<seq::WaitInput>(step.body)) {
+      made_.of_step[ix(row)] = "waits on";  // for events that no rehearsal can predict
+      return all;
+    }
     if (inner)
       for (const seq::Step& below : *inner) all += tell(below, false);
     const auto* loop = std::get_if<seq::Repeat>(&step.body);
@@ -73,13 +77,13 @@ class Times {
     if (seconds > 0) made_.of_step[ix(row)] = fmt::format("{:.1f} s", seconds);
     return seconds;
   }
-  /// What is first at work of those that stand in the loop at `row`.
+  /// The first to execute of the steps in the loop at `row`.
   [[nodiscard]] Begun begun_in(int row) const {
     for (int r = row + 1; r < next_; ++r)
       if (begun_[ix(r)].times > 0) return begun_[ix(r)];
     return {};
   }
-  /// One round; 0: not known. Of a loop within another, on the average.
+  /// Duration of one pass; 0: unknown. For a nested loop, the average.
   [[nodiscard]] double pass_of(int row, const seq::Repeat& loop, double all, bool outermost) const {
     const Begun begun = begun_in(row);
     if (outermost && r_.finished) return all / std::max(loop.times, 1);
@@ -88,8 +92,8 @@ class Times {
   }
 
   const Rehearsal& r_;
-  int last_ = -1;         ///< at work when it ended
-  bool goes_on_ = false;  ///< what was at work then comes to its end
+  int last_ = -1;         ///< being executed at the end of the rehearsal
+  bool goes_on_ = false;  ///< the step being executed then comes to its end
   std::vector<double> seconds_;
   std::vector<Begun> begun_;
   BlockTimes made_;

@@ -1,6 +1,6 @@
 #pragma once
-// How long blocks take, from a rehearsal of their text: each in all, loops by their passes, and the whole, or
-// how long it is at least where the rehearsal was not long enough. Pure.
+// Durations from a rehearsal of the text: of each block in all, of loops by their passes, and of the whole,
+// or its minimum where the rehearsal was cut short. Pure.
 #include <span>
 #include <string>
 #include <vector>
@@ -12,8 +12,8 @@ namespace hw::panels {
 
 struct BlockTimes {
   std::vector<std::string> of_step;  ///< "2.3 s", "12 x 6.5 s"; as SequenceText counts the steps
-  double at_least_s = 0;             ///< of the whole, where the rehearsal did not end
-  bool goes_on = false;  ///< it did not, in a loop or a delay that only takes longer than it was tried
+  double at_least_s = 0;             ///< of the whole, if the rehearsal did not end
+  bool goes_on = false;  ///< the rehearsal did not end, in a loop or delay that merely outlasts it
 };
 
 BlockTimes block_times(const sequence::StepList& steps, const Rehearsal& rehearsal,

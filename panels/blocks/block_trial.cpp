@@ -37,7 +37,7 @@ void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& wr
   if (written == tried_ || rehearsals_.under_way(0)) return;
   const bool same = tried_ && !written->text.text.empty() && written->text.text == tried_->text.text;
   tried_ = written;
-  if (same) {  // but not of the same blocks
+  if (same) {  // but from different blocks
     if (outcome && outcome->text == tried_->text.text) take(f, *outcome);
     return;
   }

@@ -1,6 +1,5 @@
 #pragma once
-// Blocks as they would run: their text is rehearsed whenever it has changed, which gives the time of each
-// block and the path.
+// Rehearses the text of the blocks whenever it has changed, for the time of each block and the path.
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,20 +15,20 @@ namespace hw::panels {
 
 class BlockTrial {
  public:
-  /// Once a frame. Of blocks that cannot be written nothing is known; the others are tried without them.
+  /// Call once a frame. Blocks that cannot be written have no times; the others are rehearsed without them.
   void follow(gui::Frame& frame, const std::shared_ptr<const WrittenBlocks>& written);
-  /// "2.3 s", of the step as SequenceText counts them; empty: not known, or it takes no time of its own.
+  /// "2.3 s", of the step as SequenceText counts them; empty: unknown, or the step takes no time of its own.
   [[nodiscard]] std::string_view time_of(std::size_t step) const;
-  /// "1 min 28.7 s", "at least 20 min", or why there is no time; empty: not known.
+  /// "1 min 28.7 s", "at least 20 min", or why there is no time; empty: unknown.
   [[nodiscard]] std::string_view total() const { return total_; }
   [[nodiscard]] bool ends() const { return ends_; }
-  /// It was not tried to its end, which takes too long.
+  /// The rehearsal did not reach the end, which takes too long.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
-  /// "without 8": what is not in it since it cannot be written; empty: nothing.
+  /// "without 8": blocks left out because they cannot be written; empty: none.
   [[nodiscard]] std::string_view without() const { return without_; }
-  /// At ImGui's cursor, logical size, with what the step draws lit. Id: `blocks/path`.
+  /// Draws at ImGui's cursor, logical size, with the lines of the step lit. Id: `blocks/path`.
   void draw_path(gui::Frame& frame, int lit_step, float width, float height);
-  /// Whose line was clicked in this frame; -1: none.
+  /// Step whose line was clicked in this frame; -1: none.
   [[nodiscard]] int clicked_step() const;
 
  private:
@@ -37,7 +36,7 @@ class BlockTrial {
   void forget();
 
   gui::Rehearsals rehearsals_;
-  std::shared_ptr<const WrittenBlocks> tried_;  ///< what is being tried, or was
+  std::shared_ptr<const WrittenBlocks> tried_;  ///< being rehearsed, or rehearsed last
   int taken_ = 0;                               ///< Rehearsals::Outcome::number
   std::vector<std::string> times_;              ///< by step
   std::string total_, without_, none_;          ///< none_: why there is no path

@@ -1,6 +1,5 @@
 #pragma once
-// Blocks as the text that the controller's language makes of them, worked out beside the frame whenever they
-// have changed.
+// Writes the blocks in the controller's language on the worker, whenever they have changed.
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -13,19 +12,20 @@ namespace hw::panels {
 
 class BlockWork {
  public:
-  /// Once a frame.
+  /// Call once a frame.
   void follow(gui::Frame& frame, const sequence::Editor& editor);
-  /// What came last: of the present blocks when it is up_to_date(). Another object for each version.
+  /// The latest result: of the present blocks when up_to_date(). A new object for each version.
   [[nodiscard]] const std::shared_ptr<const WrittenBlocks>& written() const { return written_; }
   [[nodiscard]] bool up_to_date() const { return written_->version == wanted_; }
-  /// Why there is no text that could be run; empty: there is one.
+  /// Why there is no text to run; empty: there is one.
   [[nodiscard]] std::string_view why_none(const sequence::Editor& editor) const;
 
  private:
   std::shared_ptr<const WrittenBlocks> written_ = std::make_shared<const WrittenBlocks>();
   std::shared_ptr<const Catalog> catalog_;  ///< for the worker, who may outlive the tab
   std::uint64_t wanted_ = ~std::uint64_t{0};
-  std::shared_ptr<int> under_way_ = std::make_shared<int>(0);  ///< jobs; theirs are dropped with this object
+  std::shared_ptr<int> under_way_ =
+      std::make_shared<int>(0);  ///< of the jobs, which are dropped with this object
 };
 
 }  // namespace hw::panels

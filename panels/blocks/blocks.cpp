@@ -23,10 +23,12 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float palette_width = 160, path_height = 240;
+constexpr float palette_width = 160, path_height = 240, low_path_height = 150;
 
-/// The text and the path, where there is room beside the blocks.
+/// Text and path, if there is room beside the blocks.
 float side_width_of(const Frame& f) { return f.area.width >= 960 ? 304 : f.area.width >= 760 ? 264 : 0.0f; }
+/// Else either the palette or text and path.
+bool has_one_side(const Frame& f) { return side_width_of(f) == 0 && f.area.width >= 560; }
 
 }  // namespace
 
@@ -36,14 +38,14 @@ void Blocks::draw(Frame& f) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float asked = overwrite_question_height(f), bottom = f.ui.px(f.area.bottom());
   const float height = (bottom - asked - at.y) / f.ui.scale;
-  const bool palette = f.area.width >= 560;
-  const float left = palette ? palette_width : 0, right = side_width_of(f);
+  const bool palette = f.area.width >= 560 && !text_for_palette(f);
+  const float left = palette ? palette_width : 0, right = text_for_palette(f) ? 264 : side_width_of(f);
   if (palette) draw_palette(f, palette_width, height);
   ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + left), at.y));
   draw_list(f, left, f.area.width - left - right, height);
   if (right > 0) {
     ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + f.area.width - right), at.y));
-    draw_sides(f, height);
+    draw_sides(f, right, height);
   }
   if (asked > 0) draw_overwrite_question(f, bottom - asked, asked);
   run_.draw_dialog(f, work_.written()->text);
@@ -51,20 +53,21 @@ void Blocks::draw(Frame& f) {
   from_text_.draw_dialog(f);
 }
 
-/// What has changed since the last frame.
+/// Applies changes since the last frame.
 void Blocks::follow(Frame& f) {
   BlockList& blocks = f.tab.desk().blocks;
   if (!f.catalog.axes.empty()) blocks.begin_in(f.catalog, {&f.tab.unit(AxisId{0}), f.catalog.axes.size()});
   editor_ = &blocks.editor;
   chosen_.follow(*editor_, rows_);
   if (look_.follow(f, *editor_)) {
-    rows_.forget_words(), form_.forget();
-    // What was being typed meant the unit before.
+    // Text being typed was meant in the previous unit.
+    rows_.forget_words(), form_.forget(), drafts_.forget();
     if (std::string_view(f.ui.focus.id()).starts_with("blocks/")) ImGui::ClearActiveID();
   }
   files_.follow(f);
   use_keys(f);
   chosen_.follow(*editor_, rows_);
+  drafts_.follow(*editor_, rows_);
   if (const int step = std::exchange(blocks.wanted_step, -1); step >= 0 && ix(step) < rows_.size())
     choose(rows_.path(ix(step)));
   blocks.chosen_step = chosen_.row();
@@ -75,8 +78,10 @@ void Blocks::follow(Frame& f) {
 void Blocks::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = begin_toolbar(f);
-  const std::string_view typed = form_.problem();
-  run_.draw(f, work_.written()->text, typed.empty() ? work_.why_none(*editor_) : typed);
+  std::string_view why = form_.problem();
+  if (why.empty()) why = drafts_.problem();
+  if (why.empty()) why = work_.why_none(*editor_);
+  run_.draw(f, work_.written()->text, why);
   const ButtonOptions from_text{.disabled = TextToBlocks::why_not(f),
                                 .tip = "Makes blocks of the text in the program editor.",
                                 .height = 40};
@@ -87,42 +92,55 @@ void Blocks::draw_toolbar(Frame& f) {
     next_in_toolbar(f, gap, button_width(ui, label, look));
     return button(ui, id, label, look).clicked;
   };
-  if (step_back(16, "blocks/undo", "Undo", editor_->can_undo() ? "" : "Nothing to take back."))
-    editor_->undo(), choose(chosen_.head());
-  if (step_back(0, "blocks/redo", "Redo", editor_->can_redo() ? "" : "Nothing was taken back."))
-    editor_->redo(), choose(chosen_.head());
+  if (step_back(16, "blocks/undo", "Undo", editor_->can_undo() ? "" : "Nothing to undo.")) take_back();
+  if (step_back(0, "blocks/redo", "Redo", editor_->can_redo() ? "" : "Nothing was undone.")) make_again();
+  if (has_one_side(f)) {
+    const char* other = text_for_palette_ ? "Palette" : "Text and path";
+    const ButtonOptions look{
+        .style = ButtonStyle::quiet, .tip = "Takes its place beside the blocks.", .height = 40};
+    next_in_toolbar(f, 16, button_width(ui, other, look));
+    if (button(ui, "blocks/aside", other, look).clicked) text_for_palette_ = !text_for_palette_;
+  }
   files_.draw(f);
   end_toolbar(f, at);
 }
 
+/// If only one of them has room beside the blocks.
+bool Blocks::text_for_palette(const Frame& f) const { return text_for_palette_ && has_one_side(f); }
+
 /// The text, and the path below it.
-void Blocks::draw_sides(Frame& f, float height) {
+void Blocks::draw_sides(Frame& f, float width, float height) {
   Ui& ui = f.ui;
   const float top = ImGui::GetCursorScreenPos().y;
-  const float path = f.catalog.axes.size() > 1 && height >= 420 ? path_height : 0;
+  const float room = height >= 420 ? path_height : height >= 320 ? low_path_height : 0;
+  const float path = f.catalog.axes.size() > 1 ? room : 0;
   if (draw_block_text(f, *work_.written(), BlockTextMarks{chosen_, run_.live_step()}, height - path))
     choose_first_refused();
   if (path == 0) return;
-  const float x = ui.px(f.area.right() - side_width_of(f)) + ui.hair(), y = top + ui.px(height - path);
+  const float x = ui.px(f.area.right() - width) + ui.hair(), y = top + ui.px(height - path);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(ui.px(f.area.right()), y + ui.hair()),
                                             ui[Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(x, y + ui.hair()));
-  trial_.draw_path(f, chosen_.row(), side_width_of(f) - 1, path - 1);
+  trial_.draw_path(f, chosen_.row(), width - 1, path - 1);
   if (const int step = trial_.clicked_step(); step >= 0 && ix(step) < rows_.size())
     choose(rows_.path(ix(step)));
 }
 
-/// As the buttons; arrows alone jog, so a block is moved with Alt.
+/// Same as the buttons; arrows alone jog, so Alt moves a block.
 void Blocks::use_keys(Frame& f) {
   if (f.ui.keyboard.typing() || f.ui.registry.top_layer() > 0) return;
   const ImGuiIO& io = ImGui::GetIO();
   const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, true); };
-  if (io.KeyCtrl && pressed('Z')) io.KeyShift ? editor_->redo() : editor_->undo(), choose(chosen_.head());
-  if (io.KeyCtrl && pressed('Y')) editor_->redo(), choose(chosen_.head());
+  if (io.KeyCtrl && pressed('Z')) io.KeyShift ? make_again() : take_back();
+  if (io.KeyCtrl && pressed('Y')) make_again();
   if (!chosen_.any()) return;
   const int arrow = (pressed(GLFW_KEY_DOWN) ? 1 : 0) - (pressed(GLFW_KEY_UP) ? 1 : 0);
   if (arrow != 0 && io.KeyAlt) move(arrow);
-  if (arrow != 0 && io.KeyShift && !io.KeyAlt) chosen_.extend(*editor_, arrow), form_.forget();
+  if (arrow != 0 && io.KeyShift && !io.KeyAlt) {
+    put_form_away();
+    chosen_.extend(*editor_, arrow);
+    open_form();
+  }
   if (io.KeyCtrl && pressed('D')) duplicate();
   if (io.KeyCtrl && pressed('G')) put_into_loop();
   const bool presses_something = f.ui.focus.ring_on(f.ui.focus.id());

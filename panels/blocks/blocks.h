@@ -1,13 +1,14 @@
 #pragma once
-// The graphical programmer: a sequence as blocks in a column, and the text that the controller's language
-// makes of it, tried as it grows. Ids: `blocks/ROW` (from 1), its fields `blocks/ROW/KEY`, `blocks/ROW/time`,
-// `blocks/end`, `blocks/up`, `blocks/remove`, `blocks/undo`, `blocks/from_text`, `blocks/path`, and those of
-// its parts.
+// The graphical programmer: a sequence as blocks in a column beside its text in the controller's language,
+// rehearsed as it grows. Ids: `blocks/ROW` (from 1), its fields `blocks/ROW/KEY`, `blocks/ROW/time`,
+// `blocks/end`, `blocks/aside`, `blocks/up`, `blocks/remove`, `blocks/undo`, `blocks/from_text`,
+// `blocks/path`, and those of its parts.
 #include <optional>
 
 #include "core/sequence/editor.h"
 #include "gui/shell/panel_entry.h"
 #include "panels/blocks/block_choice.h"
+#include "panels/blocks/block_drafts.h"
 #include "panels/blocks/block_files.h"
 #include "panels/blocks/block_look.h"
 #include "panels/blocks/block_palette.h"
@@ -29,7 +30,8 @@ class Blocks final : public gui::Panel {
  private:
   void follow(gui::Frame& frame);
   void draw_toolbar(gui::Frame& frame);
-  void draw_sides(gui::Frame& frame, float height);
+  [[nodiscard]] bool text_for_palette(const gui::Frame& frame) const;
+  void draw_sides(gui::Frame& frame, float width, float height);
   void use_keys(gui::Frame& frame);
 
   // ---- blocks_list.cpp
@@ -50,31 +52,40 @@ class Blocks final : public gui::Panel {
   void draw_chosen(gui::Frame& frame, std::size_t row, float left, float width);
   void draw_tools(gui::Frame& frame, const sequence::Step& step);
   [[nodiscard]] const RefusedStep* refusal_of(std::size_t row) const;
-  /// It is chosen alone, and shows its fields.
+  /// The problem shown on its closed card; empty: none.
+  [[nodiscard]] std::string_view complaint_of(std::size_t row) const;
+  /// The block is the only one chosen, and shows its fields.
   [[nodiscard]] bool is_open(std::size_t row) const;
 
   // ---- blocks_change.cpp
   void add(gui::Frame& frame, const BlockWays& ways);
   void choose(std::optional<sequence::StepPath> path);
   void choose_all(const sequence::StepSpan& span);
+  void choose_moved(const sequence::StepSpan& span);
+  void put_form_away();
+  void open_form();
   void choose_first_refused();
   void click(std::size_t row);
   void move(int rows);
   void drop(const RowDrag::Drop& drop);
   void remove();
+  void take_back();
+  void make_again();
   void duplicate();
   void put_into_loop();
   void skip(bool skipped);
 
-  sequence::Editor* editor_ = nullptr;  ///< the desk's, in this frame
+  sequence::Editor* editor_ = nullptr;  ///< of the desk, for this frame
   BlockChoice chosen_;
-  float open_height_px_ = 0;  ///< of what the chosen one shows below its row, as drawn last
-  int in_sight_ = -1;         ///< the row that the list was scrolled for last
+  float open_height_px_ = 0;  ///< height of the open block below its row, as last drawn
+  int in_sight_ = -1;         ///< row last scrolled to
+  bool text_for_palette_ = false;
   BlockLook look_;
   BlockTeach teach_;
   BlockRows rows_;
   BlockWork work_;
   StepForm form_;
+  BlockDrafts drafts_;
   BlockTrial trial_;
   BlockRun run_;
   RowDrag drag_;

@@ -1,4 +1,4 @@
-// What happens to the blocks: each of it one change that can be taken back.
+// Changes to the blocks, each of them one undoable change.
 #include <algorithm>
 
 #include "core/base/index.h"
@@ -11,8 +11,8 @@ using namespace gui;
 namespace seq = sequence;
 namespace {
 
-/// Of the ways to begin a block the first that the controller takes at its place; where it takes none, the
-/// first, which then says why.
+/// The first candidate that the controller accepts at this place; if it accepts none, the first candidate,
+/// which then shows the reason.
 seq::Step::Body first_taken(const Frame& f, const seq::Sequence& s, const seq::StepPath& at,
                             const BlockWays& ways) {
   const auto* writer = dynamic_cast<const PartialWriter*>(f.tab.desk().language());
@@ -37,7 +37,7 @@ seq::Step::Body first_taken(const Frame& f, const seq::Sequence& s, const seq::S
 
 }  // namespace
 
-/// Behind the chosen block, into a chosen loop, or at the end.
+/// After the chosen block, into a chosen loop, or at the end.
 void Blocks::add(Frame& f, const BlockWays& ways) {
   seq::StepPath at{editor_->sequence().steps.size()};
   if (chosen_.any()) {
@@ -53,17 +53,37 @@ void Blocks::add(Frame& f, const BlockWays& ways) {
   choose(editor_->insert(at, seq::Step{first_taken(f, editor_->sequence(), at, ways)}));
 }
 
-void Blocks::choose(std::optional<seq::StepPath> path) {
-  chosen_.choose(std::move(path));
+/// Rejected input stays with its block.
+void Blocks::put_form_away() {
+  StepForm::Draft left = form_.leave();
+  if (chosen_.any()) drafts_.keep(*chosen_.head(), std::move(left));
+}
+
+void Blocks::open_form() {
   chosen_.follow(*editor_, rows_);
-  form_.forget();
+  drafts_.follow(*editor_, rows_);
+  if (chosen_.any() && !chosen_.several()) form_.take_up(drafts_.take(*chosen_.head()));
+}
+
+void Blocks::choose(std::optional<seq::StepPath> path) {
+  put_form_away();
+  chosen_.choose(std::move(path));
+  open_form();
 }
 
 void Blocks::choose_all(const seq::StepSpan& span) {
   if (span.count == 1) return choose(std::optional(span.first));
+  put_form_away();
   chosen_.choose(span);
+  open_form();
+}
+
+/// Chooses the moved blocks at their new place.
+void Blocks::choose_moved(const seq::StepSpan& span) {
   chosen_.follow(*editor_, rows_);
-  form_.forget();
+  drafts_.follow(*editor_, rows_);  // before another is kept at a place where one of them stood
+  drafts_.keep(span.first, form_.leave());
+  choose_all(span);
 }
 
 void Blocks::choose_first_refused() {
@@ -72,18 +92,18 @@ void Blocks::choose_first_refused() {
     choose(rows_.path(ix(refused.front().step)));
 }
 
-/// Once more: it is not chosen any longer.
+/// A second click clears the choice.
 void Blocks::click(std::size_t row) {
   if (ImGui::GetIO().KeyShift && chosen_.any()) {
+    put_form_away();
     chosen_.extend(rows_.path(row));
-    chosen_.follow(*editor_, rows_);
-    return form_.forget();
+    return open_form();
   }
   const bool alone = chosen_.row() == static_cast<int>(row) && !chosen_.several();
   choose(alone ? std::nullopt : std::optional(rows_.path(row)));
 }
 
-/// Up or down among all rows, in and out of loops.
+/// Up or down across all rows, into and out of loops.
 void Blocks::move(int rows) {
   if (!chosen_.any()) return;
   const seq::StepSpan span = chosen_.span();
@@ -94,7 +114,7 @@ void Blocks::move(int rows) {
     if (const auto* loop = above ? std::get_if<seq::Repeat>(&above->body) : nullptr)
       to.push_back(loop->steps.size());
   } else if (rows < 0) {
-    to.pop_back();  // out of its loop, in front of it
+    to.pop_back();  // out of its loop, before it
   } else {
     to.back() += span.count;
     const seq::Step* below = editor_->at(to);
@@ -103,15 +123,16 @@ void Blocks::move(int rows) {
     } else if (below) {
       ++to.back();
     } else {
-      to.pop_back();  // out of its loop, behind it
+      to.pop_back();  // out of its loop, after it
       if (!to.empty()) ++to.back();
     }
   }
   if (to.empty()) return;
-  if (const auto moved = editor_->move(span, to)) choose_all(seq::StepSpan(*moved, span.count));
+  if (const auto moved = editor_->move(span, to)) choose_moved(seq::StepSpan(*moved, span.count));
 }
 
-/// What was carried comes there, with all that is chosen where that is of it; behind a loop is within it.
+/// Drops the carried block there, together with the other chosen ones if it is one of them; after the row of
+/// a loop means inside it.
 void Blocks::drop(const RowDrag::Drop& d) {
   if (d.from >= rows_.size() || d.to >= rows_.size()) return;
   seq::StepPath to = rows_.path(d.to);
@@ -121,11 +142,28 @@ void Blocks::drop(const RowDrag::Drop& d) {
   else if (d.behind)
     ++to.back();
   const bool all = chosen_.several() && chosen_.has_row(static_cast<int>(d.from));
+  const bool open = is_open(d.from);
   const seq::StepSpan span = all ? chosen_.span() : seq::StepSpan(rows_.path(d.from));
-  if (const auto moved = editor_->move(span, to)) choose_all(seq::StepSpan(*moved, span.count));
+  if (!open) put_form_away();
+  if (const auto moved = editor_->move(span, to))
+    choose_moved(seq::StepSpan(*moved, span.count));
+  else if (!open)
+    open_form();
 }
 
-void Blocks::remove() { choose(editor_->remove(chosen_.span())); }
+void Blocks::remove() {
+  form_.forget();
+  choose(editor_->remove(chosen_.span()));
+}
+
+void Blocks::take_back() {
+  form_.forget();
+  editor_->undo(), choose(chosen_.head());
+}
+void Blocks::make_again() {
+  form_.forget();
+  editor_->redo(), choose(chosen_.head());
+}
 
 void Blocks::duplicate() {
   const seq::StepSpan span = chosen_.span();

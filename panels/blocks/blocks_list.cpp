@@ -44,7 +44,8 @@ void Blocks::draw_list(Frame& f, float left, float width, float height) {
     if (const BlockWays ways = palette_.draw(f, editor_->sequence(), false); !ways.empty()) add(f, ways);
     gap(ui, 8);
   }
-  if (f.area.width < 760 && draw_block_problem(f, *work_.written(), inner)) choose_first_refused();
+  if (f.area.width < 760 && !text_for_palette(f) && draw_block_problem(f, *work_.written(), inner))
+    choose_first_refused();
   draw_rows(f, inner);
   if (const auto dropped = drag_.finish(ui)) drop(*dropped);
   draw_end(f, inner, palette_aside);
@@ -53,18 +54,22 @@ void Blocks::draw_list(Frame& f, float left, float width, float height) {
   end_part();
 }
 
-/// In pixels, below the first: refused blocks are higher than others, and what is open is higher still.
+/// In pixels, below the first: refused blocks are higher than others, and an open block is higher still.
 float Blocks::top_of(const Frame& f, int row) const {
   const float pitch = f.ui.px(block_height) + f.ui.px(block_gap);
   const int open = chosen_.row();
-  float y = static_cast<float>(row) * pitch + (open >= 0 && row > open ? open_height_px_ : 0.0f);
-  if (!work_.up_to_date()) return y;
-  const bool open_is_refused = open >= 0 && row > open && work_.written()->refusal_of(open);
-  return y + static_cast<float>(work_.written()->refused_before(row) - (open_is_refused ? 1 : 0)) *
-                 f.ui.px(refusal_height);
+  const float y = static_cast<float>(row) * pitch + (open >= 0 && row > open ? open_height_px_ : 0.0f);
+  int complaints = drafts_.before(row);
+  if (work_.up_to_date()) {
+    complaints += work_.written()->refused_before(row);
+    for (int r = drafts_.next(-1); r >= 0 && r < row; r = drafts_.next(r))
+      if (work_.written()->refusal_of(r)) --complaints;  // it shows one of the two
+    if (open >= 0 && row > open && work_.written()->refusal_of(open)) --complaints;
+  }
+  return y + static_cast<float>(complaints) * f.ui.px(refusal_height);
 }
 
-/// Of very many rows those out of sight only take their place: then not even scripts find them.
+/// With very many rows, those not visible only take their place: scripts cannot find them either.
 void Blocks::draw_rows(Frame& f, float width) {
   constexpr int very_many = 500, beyond_sight = 3;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -95,7 +100,7 @@ void Blocks::draw_rows(Frame& f, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + end));
 }
 
-/// With what it shows below itself, as far as there is room. `top`: of the first row.
+/// Includes the fields below the row, as far as there is room. `top`: of the first row.
 void Blocks::scroll_to(const Frame& f, int row, float top) {
   const float begin = top + top_of(f, row), end = begin + f.ui.px(block_height + block_gap) + open_height_px_;
   const float view = ImGui::GetWindowPos().y, room_above = begin - view;
@@ -104,12 +109,12 @@ void Blocks::scroll_to(const Frame& f, int row, float top) {
 }
 
 void Blocks::draw_row_at(Frame& f, int row, ImVec2 at, float width) {
-  if (ix(row) >= rows_.size()) return;  // one above has just been removed
+  if (ix(row) >= rows_.size()) return;  // a row above has just been removed
   ImGui::SetCursorScreenPos(at);
   draw_row(f, ix(row), width);
 }
 
-/// How long all of it takes, or why nobody can say.
+/// The total time, or why it is unknown.
 void Blocks::draw_total(Frame& f, float width) {
   Ui& ui = f.ui;
   const ProgramFacts& program = f.catalog.program;
@@ -130,7 +135,7 @@ void Blocks::draw_total(Frame& f, float width) {
     wrapped(ui, Face::body, Tone::ink2, trial_.total(), width);
 }
 
-/// Where the next block goes when none is chosen.
+/// Where the next block goes if none is chosen.
 void Blocks::draw_end(Frame& f, float width, bool palette_aside) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();

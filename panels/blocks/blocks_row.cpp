@@ -1,4 +1,4 @@
-// A block of the column, and what the chosen one shows below itself.
+// A block of the column, and the fields below the chosen one.
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +20,12 @@ const RefusedStep* Blocks::refusal_of(std::size_t row) const {
   return work_.up_to_date() ? work_.written()->refusal_of(static_cast<int>(row)) : nullptr;
 }
 
+std::string_view Blocks::complaint_of(std::size_t row) const {
+  const std::string_view typed = drafts_.problem_of(static_cast<int>(row));
+  const RefusedStep* refused = typed.empty() ? refusal_of(row) : nullptr;
+  return refused ? std::string_view(refused->why) : typed;
+}
+
 bool Blocks::is_open(std::size_t row) const { return chosen_.row() == static_cast<int>(row); }
 
 void Blocks::draw_row(Frame& f, std::size_t row, float width) {
@@ -35,13 +41,13 @@ void Blocks::draw_row(Frame& f, std::size_t row, float width) {
   draw_words(f, row, t.rect);
   drag_.see(ui, row, t);
   draw_ring(ui, t);
-  const RefusedStep* refused = refusal_of(row);
+  const std::string_view complaint = complaint_of(row);
   float bottom = t.rect.max.y;
-  if (refused && !open) {
+  if (!complaint.empty() && !open) {
     const Rect in{ImVec2(t.rect.min.x + ui.px(64), t.rect.max.y - ui.px(4)),
                   ImVec2(t.rect.max.x - ui.px(12), t.rect.max.y + ui.px(refusal_height - 4))};
-    draw_text_in_lines(ui, in, Face::small, ui[Tone::fault], refused->why, 2);
-    show(ui, {Path("blocks/{}/refusal", row + 1), Kind::text, "Refused", refused->why}, in);
+    draw_text_in_lines(ui, in, Face::small, ui[Tone::fault], complaint, 2);
+    show(ui, {Path("blocks/{}/refusal", row + 1), Kind::text, "Refused", complaint}, in);
     bottom += ui.px(refusal_height);
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x, bottom + ui.px(block_gap)));
@@ -55,11 +61,11 @@ void Blocks::draw_row(Frame& f, std::size_t row, float width) {
   if (t.clicked && !drag_.carries()) click(row);
 }
 
-/// Its ground, as high as all that it shows.
+/// Its background, as high as all its content.
 void Blocks::draw_card(Frame& f, std::size_t row, const Touch& t) {
   Ui& ui = f.ui;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const bool refused = refusal_of(row) != nullptr, chosen = chosen_.has_row(static_cast<int>(row));
+  const bool refused = !complaint_of(row).empty(), chosen = chosen_.has_row(static_cast<int>(row));
   const bool live = run_.live_step() == static_cast<int>(row), skipped = rows_.step(row).skipped;
   Rect card = t.rect;
   if (is_open(row))
@@ -87,7 +93,7 @@ void Blocks::draw_words(Frame& f, std::size_t row, const Rect& card) {
   Ui& ui = f.ui;
   const BlockRows::Words& words = rows_.words(row, look_.look());
   const seq::Step& step = rows_.step(row);
-  const bool refused = refusal_of(row) != nullptr, live = run_.live_step() == static_cast<int>(row);
+  const bool refused = !complaint_of(row).empty(), live = run_.live_step() == static_cast<int>(row);
   const float middle = std::floor(card.centre().y), x = card.min.x, right = card.max.x - ui.px(12);
   const Tone ink = step.skipped ? Tone::ink3 : live ? Tone::motion : Tone::ink;
   const Tone ink2 = step.skipped ? Tone::ink3 : Tone::ink2;
@@ -99,7 +105,7 @@ void Blocks::draw_words(Frame& f, std::size_t row, const Rect& card) {
   else
     draw_block_icon(ImGui::GetWindowDrawList(), step.body, icon, ui.px(12), ui[ink2]);
   const std::string_view at_right = step.skipped ? "left out"
-                                    : refused    ? "not written"
+                                    : refused    ? refusal_of(row) ? "not written" : "not taken"
                                     : live       ? run_.live_words()
                                                  : trial_.time_of(row);
   const Face face = live ? Face::small_bold : Face::small;
@@ -129,7 +135,7 @@ void Blocks::draw_words(Frame& f, std::size_t row, const Rect& card) {
   draw_text_line(ui, summary, end, middle, Face::body, ui[ink2], words.summary);
 }
 
-/// At the left of what stands in loops, down to its last block.
+/// At the left of the blocks in loops, down to the last one.
 void Blocks::draw_brackets(Frame& f, std::size_t row, ImVec2 corner, float bottom) {
   Ui& ui = f.ui;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -197,10 +203,11 @@ void Blocks::draw_tools(Frame& f, const seq::Step& step) {
   }
   if (!several) {
     std::string_view why = form_.problem();
+    if (why.empty()) why = drafts_.problem();
     if (why.empty()) why = work_.why_none(*editor_);
     if (why.empty()) why = why_not_run_from(f);
     if (tool("blocks/run_here", "Run from here", Icon::play_outline, why,
-             "Tells the way to where this block begins, and asks first."))
+             "Shows the moves to where this block begins, and asks first."))
       run_.ask_from(f, editor_->sequence(), chosen_.row());
   }
   ImGui::NewLine();

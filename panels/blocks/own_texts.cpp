@@ -16,7 +16,7 @@ namespace hw::panels {
 namespace seq = sequence;
 namespace {
 
-/// Some languages say only the first step that they refuse.
+/// Some languages report only the first step that they refuse.
 Result<WrittenText> written_of(const Language& language, const seq::Sequence& sequence,
                                const Catalog& catalog) {
   WrittenText made;
@@ -29,7 +29,7 @@ Result<WrittenText> written_of(const Language& language, const seq::Sequence& se
   return made;
 }
 
-/// A step as a row of the list, as SequenceText counts them, and as people do: "3.2".
+/// A step as a row of the list, as SequenceText counts it, and as users do: "3.2".
 struct RowStep {
   seq::Step* step;
   std::string number;
@@ -87,7 +87,7 @@ class OwnTexts {
     return known ? text.step_of_line[ix(problem.line)] : -1;
   }
 
-  /// What an error stands in. What a line costs too much is no fault of its block.
+  /// Leaves out the steps marked by an error. Excess cost of a line is no fault of its block.
   bool leave_out_marked(const WrittenText& written) {
     bool any = false;
     for (const Problem& problem : written.report.problems) {
@@ -104,7 +104,7 @@ class OwnTexts {
     return any;
   }
 
-  /// What makes an error elsewhere: without it there are fewer.
+  /// Leaves out a step that causes an error elsewhere: without it there are fewer.
   bool leave_out_cause(const WrittenText& written) {
     constexpr int most_tried = 24;
     const std::ptrdiff_t errors = errors_in(written.report);
@@ -120,9 +120,9 @@ class OwnTexts {
       const Problem& error = *std::find_if(written.report.problems.begin(), written.report.problems.end(),
                                            [](const Problem& p) { return p.error; });
       const int at = row_of(error, written.text);
-      leave_out(row,
-                at < 0 ? fmt::format("The program cannot be with it: {}", error.sentence)
-                       : fmt::format("Block {} cannot be with it: {}", rows_[ix(at)].number, error.sentence));
+      leave_out(row, at < 0 ? fmt::format("The program cannot be written with it: {}", error.sentence)
+                            : fmt::format("Block {} cannot be written with it: {}", rows_[ix(at)].number,
+                                          error.sentence));
       return true;
     }
     return false;
@@ -146,7 +146,7 @@ class OwnTexts {
   const Language& language_;
   const Catalog& catalog_;
   seq::Sequence kept_;
-  std::vector<RowStep> rows_;  ///< of `kept_`, whose lists stay as they are
+  std::vector<RowStep> rows_;  ///< of `kept_`, whose lists stay unchanged
   std::vector<RefusedStep> refused_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-// A list whose blocks hold text of the controller's own, which may be anything: what the language refuses of
-// that is left out as every other block that cannot be written, a comment in its place, and the rest stays a
-// program. Pure.
+// Writes a list whose blocks hold text in the controller's own language, which may be anything. Text that the
+// language refuses is left out like any other block that cannot be written: a comment takes its place, and
+// the rest stays a program. Pure.
 #include <vector>
 
 #include "core/device/language.h"
@@ -15,7 +15,7 @@ struct WrittenText {
   ProgramReport report;              ///< of the text
   std::vector<RefusedStep> refused;  ///< in no order
 };
-/// The fault: nothing can be written. Long, for the worker.
+/// The fault: nothing can be written. Slow: run it on the worker.
 Result<WrittenText> write_without_bad_texts(const Language& language, const sequence::Sequence& sequence,
                                             const Catalog& catalog);
 

@@ -14,7 +14,7 @@ void RowDrag::see(Ui& ui, std::size_t row, const Touch& t) {
   if (t.started) taken_at_ = mouse;
   if (t.held && ImGui::IsMouseDown(0) && std::fabs(mouse.y - taken_at_.y) > ui.px(carried_from_px))
     carried_ = row;
-  // The gap below a row is still the row's.
+  // The gap below a row belongs to the row.
   if (!carried_ || mouse.y < t.rect.min.y || mouse.y >= t.rect.max.y + ui.px(4)) return;
   over_ = Drop{*carried_, row, mouse.y > t.rect.centre().y};
   over_rect_ = t.rect;

@@ -1,5 +1,5 @@
 #pragma once
-// A row of a list that is taken hold of, carried, and let go before or behind another.
+// Dragging a row of a list to a place before or after another.
 #include <cstddef>
 #include <optional>
 
@@ -11,13 +11,13 @@ class RowDrag {
  public:
   struct Drop {
     std::size_t from = 0, to = 0;
-    bool behind = false;  ///< of `to`; else in front of it
+    bool behind = false;  ///< after `to`; else before it
   };
-  /// Of each row that is drawn, in their order.
+  /// Call for each row drawn, in order.
   void see(gui::Ui& ui, std::size_t row, const gui::Touch& touch);
-  /// Behind all rows: draws where it would come; what was let go in this frame.
+  /// Call after all rows. Draws the insertion mark; returns the row dropped in this frame.
   std::optional<Drop> finish(gui::Ui& ui);
-  /// A row is under way: a click is none.
+  /// A row is being dragged: ignore clicks.
   [[nodiscard]] bool carries() const { return carried_.has_value(); }
 
  private:

@@ -31,7 +31,7 @@ void draw_refusal(Frame& f, const StepAtHand& step, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + f.ui.px(4)));
 }
 
-/// One line for each field: its label, and what is typed or chosen.
+/// A line for each field: its label, and the control for its value.
 class FieldLines {
  public:
   using Numbers = std::map<std::string, NumberField, std::less<>>;
@@ -46,14 +46,15 @@ class FieldLines {
         width_(width) {}
 
   [[nodiscard]] bool changed() const { return changed_; }
-  /// What is refused was not said beside a field of it.
+  /// The refusal was not shown beside a field.
   [[nodiscard]] bool refusal_left() const { return step_.refused && !refusal_told_; }
   [[nodiscard]] std::string& problem() { return problem_; }
-  /// Texts of several lines from now on.
+  /// Allows texts of several lines.
   void with_several_lines() { several_lines_ = true; }
 
   void number(std::string_view key, double& value) {
     if (key == "degrees") return turn(key, value);
+    if (key == "to" && goes_some_way(false)) return;
     put_number(key, value, -1e9);
   }
   void needed(std::string_view key, double& value) { number(key, value); }
@@ -105,6 +106,7 @@ class FieldLines {
   void axis(std::string_view key, int& value) { choose_axis(key, value, false); }
   void axis_or_all(std::string_view key, int& value) { choose_axis(key, value, true); }
   void sign(std::string_view key, Sign& value) {
+    if (goes_some_way(true)) return;
     static constexpr std::array<std::string_view, 2> names{"-", "+"};
     const ImVec2 at = begin(key);
     if (const int picked = segment(f_.ui, Path("{}/{}", path_, key), names, value == Sign::plus ? 1 : 0, {});
@@ -124,7 +126,7 @@ class FieldLines {
       value = static_cast<Choice>(picked), changed_ = true;
     end(at);
   }
-  /// An empty field: the axis stays.
+  /// Empty field: the axis does not move.
   void places(std::string_view key, sequence::Places& value) {
     for (std::size_t a = 0; a < of_.axes.size(); ++a) {
       const ImVec2 at = begin(key, &of_.axes[a].name);
@@ -153,28 +155,31 @@ class FieldLines {
       if (double nearest = 0; offers_nearest(below, scale, nearest)) value[a] = nearest;
     }
   }
-  /// Of a controller with two axes there is nothing to choose.
+  /// A controller with two axes leaves no choice.
   void plane(std::string_view key, sequence::Plane& value) {
     if (of_.axes.size() < 3) return;
     const sequence::Plane before = value;
     choose_axis(Path("{}/1", key), value.right, false);
     choose_axis(Path("{}/2", key), value.up, false);
     if (value == before) return;
-    if (value.right == value.up)  // they change places
+    if (value.right == value.up)  // swap the axes
       (value.right == before.right ? value.right : value.up) =
           value.right == before.right ? before.up : before.right;
-    for (const std::string_view place : {"x", "y"})  // in what the other axes are shown in
+    for (const std::string_view place : {"x", "y"})  // in the unit of the other axes
       numbers_.erase(std::string(Path("{}/{}", path_, place).view()));
   }
-  /// A line for each.
+  /// Draws a line for each, or two if there is no room.
   void stairs(std::string_view key, std::vector<sequence::SpeedStairs::Stair>& value) {
-    constexpr float cell = 100;
+    constexpr float cell = 88, words = 96;
+    const bool in_one = width_ >= label_width + 2 * cell + words + 8;
     for (std::size_t i = 0; i < value.size(); ++i) {
       const ImVec2 at = begin("until");
       stair_number(Path("{}/{}/until", key, i + 1), "until", value[i].until, -1e9, cell);
-      ImGui::SetCursorScreenPos(ImVec2(at.x + f_.ui.px(cell + 8), at.y));
+      if (!in_one) end(at);
+      const ImVec2 beside =
+          in_one ? begin_at(ImVec2(at.x + f_.ui.px(cell + 8), at.y), label("speed"), words) : begin("speed");
       stair_number(Path("{}/{}/speed", key, i + 1), "speed", value[i].speed, 0, cell);
-      end(at);
+      end(in_one ? at : beside);
     }
     const ImVec2 at = begin_without_label();
     const bool more = button(f_.ui, Path("{}/{}/add", path_, key), "Add stair", {.icon = Icon::plus}).clicked;
@@ -206,21 +211,26 @@ class FieldLines {
     end(at);
     if (value) fields(*this, *value);
   }
-  void steps(std::string_view, sequence::StepList&) {}  // rows of their own
+  void steps(std::string_view, sequence::StepList&) {}  // have their own rows
 
  private:
+  /// Is a move on an input: to a place (`to_place`), or on and on or to its home.
+  [[nodiscard]] bool goes_some_way(bool to_place) const {
+    const auto* some = std::get_if<sequence::MoveOnInput>(&typed_);
+    return some && (some->kind == sequence::MoveOnInput::Kind::move) == to_place;
+  }
   [[nodiscard]] FixedText<64> label(std::string_view key) const {
     const bool of_plane = (key == "x" || key == "y") && of_.axes.size() > 1;
     if (!of_plane) return sequence::label_of_field(key, scale_of(key).unit);
     const std::string_view what = std::holds_alternative<sequence::Arc>(typed_) ? "Centre" : "Begin";
     return Path("{} {}, {}", what, of_.axes[ix(axis_of(key))].name, scale_of(key).unit).view();
   }
-  /// Of "x" or "y" of what lies in a plane.
+  /// The axis of "x" or "y" in the plane.
   [[nodiscard]] int axis_of(std::string_view key) const {
     const sequence::Plane* plane = sequence::plane_of(typed_);
     return !plane ? 0 : key == "x" ? plane->right : plane->up;
   }
-  /// What a number of this field is shown in.
+  /// The scale of this field's number.
   [[nodiscard]] const sequence::Scale& scale_of(std::string_view key) const {
     static const sequence::Scale plain;
     const sequence::Look& look = step_.look;
@@ -232,11 +242,12 @@ class FieldLines {
     return key == "to" && some ? look.of_axis(some->axis) : plain;
   }
   ImVec2 begin(std::string_view key, const std::string* of_axis = nullptr) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const FixedText<64> words = of_axis ? FixedText<64>(*of_axis) : label(key);
-    draw_text_line(f_.ui, at.x, at.x + f_.ui.px(label_width - 8), at.y + f_.ui.px(16), Face::body,
+    return begin_at(ImGui::GetCursorScreenPos(), of_axis ? FixedText<64>(*of_axis) : label(key), label_width);
+  }
+  ImVec2 begin_at(ImVec2 at, std::string_view words, float width) {
+    draw_text_line(f_.ui, at.x, at.x + f_.ui.px(width - 8), at.y + f_.ui.px(16), Face::body,
                    f_.ui[Tone::ink2], words);
-    const ImVec2 field(at.x + f_.ui.px(label_width), at.y);
+    const ImVec2 field(at.x + f_.ui.px(width), at.y);
     ImGui::SetCursorScreenPos(field);
     return field;
   }
@@ -248,23 +259,23 @@ class FieldLines {
   void end(ImVec2 field) {
     ImGui::SetCursorScreenPos(ImVec2(field.x - f_.ui.px(label_width), field.y + f_.ui.px(field_height)));
   }
-  /// Beside the field, in what the line has left.
+  /// Beside the field, in the rest of the line.
   void tell_refusal(ImVec2 field, float width, const FixedText<64>& name, std::string_view why) {
     if (why.empty()) return;
-    problem_ = fmt::format("{}: {}", name.view(), why);
+    problem_ = fmt::format("{}: {}{}", name.view(), why, why.back() == '.' ? "" : ".");
     const float left = field.x + f_.ui.px(width + 8), right = field.x + f_.ui.px(width_ - label_width);
     draw_text_in_two_lines(f_.ui, left, right, field.y + f_.ui.px(16), Face::small, f_.ui[Tone::fault], why);
   }
   [[nodiscard]] bool is_refused(std::string_view key) const {
     return step_.refused && step_.refused->field == key;
   }
-  /// What the controller cannot do is said below the field: nothing is wrong with the number itself.
+  /// A refusal by the controller stands below the field: the number itself is valid.
   void tell_refused(std::string_view key) {
     if (!is_refused(key)) return;
     refusal_told_ = true;
     draw_refusal(f_, step_, width_);
   }
-  /// A button below the field; true: it was taken.
+  /// Draws a button below the field; true: accepted.
   bool offers_nearest(std::string_view key, const sequence::Scale& scale, double& nearest) {
     if (!is_refused(key) || !step_.refused->nearest) return false;
     nearest = *step_.refused->nearest;
@@ -279,7 +290,7 @@ class FieldLines {
     numbers_.erase(std::string(Path("{}/{}", path_, key).view()));
     return changed_ = true;
   }
-  /// One field for each; Enter begins another, an empty one goes when it is left.
+  /// One field per line; Enter adds a field, an empty field goes when the focus leaves it.
   void lines(std::string_view key, std::string& value) {
     std::size_t begins = 0;
     for (int n = 1; begins <= value.size(); ++n) {
@@ -335,7 +346,7 @@ class FieldLines {
     value = now;
     return other;
   }
-  /// Speeds have no direction, so neither has what they are shown in.
+  /// Speeds have no direction, so their unit has no sign either.
   void put_number(std::string_view key, double& value, double low) {
     sequence::Scale scale = scale_of(key);
     if (low == 0) scale.factor = std::fabs(scale.factor);
@@ -356,7 +367,7 @@ class FieldLines {
     kept(id, value, scale);
     if (field(id, key, shown, {low, 1e9, 6, {}}, width)) value = scale.kept(shown);
   }
-  /// How far round, and which way as it is seen.
+  /// The angle, and the direction as seen.
   void turn(std::string_view key, double& value) {
     static constexpr std::array<std::string_view, 2> names{"clockwise", "counter"};
     const sequence::Plane* plane = sequence::plane_of(typed_);
@@ -427,8 +438,25 @@ sequence::Step::Body with_steps_of(const sequence::Step::Body& body, sequence::S
 
 }  // namespace
 
+bool StepForm::Draft::is_of(const sequence::Step::Body& other) const {
+  return body && body->index() == other.index() && *body == without_steps(other);
+}
+
+StepForm::Draft StepForm::leave() {
+  Draft draft = std::move(waiting_);
+  if (draft.problem.empty() && !problem_.empty()) {
+    draft.problem = problem_, draft.body = std::move(at_hand_);
+    for (const auto& [id, field] : numbers_) draft.texts.emplace_back(id.substr(path_.size()), field.text);
+  }
+  forget();
+  return draft;
+}
+
 std::optional<sequence::Step::Body> StepForm::draw(Frame& f, const StepAtHand& step, float width) {
   if (!at_hand_) at_hand_ = without_steps(step.body);
+  if (path_ != step.path) path_ = step.path;
+  for (const auto& [below, text] : waiting_.texts) numbers_[path_ + below].text = text;
+  waiting_.texts.clear(), waiting_.problem.clear();
   FieldLines lines(f, step, *at_hand_, numbers_, width);
   if (std::holds_alternative<sequence::Custom>(*at_hand_)) lines.with_several_lines();
   std::visit([&lines](auto& b) { fields(lines, b); }, *at_hand_);

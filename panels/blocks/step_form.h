@@ -1,12 +1,14 @@
 #pragma once
-// The fields of one step of a sequence, drawn from the description by which files hold them
-// (core/sequence/fields.h), and beside one of them why the controller cannot do it. Ids: `PATH/KEY`, of a
-// move `PATH/to/AXIS`, `PATH/axes/1`, `PATH/axes/2` and `PATH/way` of an arc, `PATH/stairs/N/until`,
-// `PATH/nearest`, `PATH/refusal`.
+// The fields of one step of a sequence, drawn from the same description as its file format
+// (core/sequence/fields.h). If the controller cannot do the step, the reason stands beside the field
+// concerned. Ids: `PATH/KEY`, of a move `PATH/to/AXIS`, `PATH/axes/1`, `PATH/axes/2` and `PATH/way` of an
+// arc, `PATH/stairs/N/until`, `PATH/nearest`, `PATH/refusal`.
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/device/refused_steps.h"
 #include "core/sequence/sequence.h"
@@ -16,30 +18,40 @@
 
 namespace hw::panels {
 
-/// What the form is of.
+/// The step to edit.
 struct StepAtHand {
   std::string_view path;
   const sequence::Step::Body& body;
   const sequence::Sequence& of;
   const sequence::Look& look;
-  const RefusedStep* refused = nullptr;  ///< null: it is written
+  const RefusedStep* refused = nullptr;  ///< null: the step was written
 };
 
 class StepForm {
  public:
-  /// At ImGui's cursor. What a hand has made of its body; none: nothing. At rest it takes nothing from the
-  /// heap.
+  /// Rejected input.
+  struct Draft {
+    std::string problem;                       ///< StepForm::problem(); empty: all input was accepted
+    std::optional<sequence::Step::Body> body;  ///< the present body, without the steps inside it
+    std::vector<std::pair<std::string, std::string>> texts;  ///< of fields, by their id after the block's
+    [[nodiscard]] bool is_of(const sequence::Step::Body& body) const;
+  };
+  /// Draws at ImGui's cursor. Returns the edited body; none: unchanged. At rest it allocates nothing.
   std::optional<sequence::Step::Body> draw(gui::Frame& frame, const StepAtHand& step, float width);
-  /// Another step is shown from now on, or the same with other values.
-  void forget() { numbers_.clear(), at_hand_.reset(), problem_.clear(); }
-  /// What is typed and cannot be taken, so that the step is still as it was: "Output: from 0 to 64."; empty:
-  /// nothing.
+  /// Call when another step is shown, or the same one with other values.
+  void forget() { numbers_.clear(), at_hand_.reset(), problem_.clear(), waiting_ = {}; }
+  /// forget(), returning the input not accepted so far.
+  [[nodiscard]] Draft leave();
+  /// Puts a draft back into the fields of its block.
+  void take_up(Draft draft) { waiting_ = std::move(draft), problem_ = waiting_.problem; }
+  /// Rejected input, which leaves the step unchanged: "Output: from 0 to 64."; empty: none.
   [[nodiscard]] std::string_view problem() const { return problem_; }
 
  private:
   std::map<std::string, gui::NumberField, std::less<>> numbers_;
-  std::optional<sequence::Step::Body> at_hand_;  ///< without the steps that stand in it
-  std::string problem_;
+  std::optional<sequence::Step::Body> at_hand_;  ///< without the steps inside it
+  std::string problem_, path_;                   ///< path_: of the block drawn last
+  Draft waiting_;                                ///< given to take_up(), until its fields are drawn
 };
 
 }  // namespace hw::panels

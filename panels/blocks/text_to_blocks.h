@@ -1,5 +1,5 @@
 #pragma once
-// The text of the chosen program becomes the blocks, as far as blocks can hold it. Ids: `blocks/replace_all`.
+// Turns the text of the chosen program into blocks, as far as blocks can hold it. Ids: `blocks/replace_all`.
 #include <memory>
 #include <string_view>
 
@@ -11,10 +11,10 @@ class TextToBlocks {
  public:
   /// Empty: it can be tried.
   [[nodiscard]] static std::string_view why_not(const gui::Frame& frame);
-  /// Asks first where blocks have changes that are in no file. What came of it is said as a toast.
+  /// Asks first if blocks have unsaved changes. A toast tells the result.
   void start(gui::Frame& frame);
   void draw_dialog(gui::Frame& frame);
-  /// From another panel: leads to the blocks, which ask where they have such changes.
+  /// For other panels: shows the blocks, which ask first if they have unsaved changes.
   static void show(gui::Frame& frame);
 
  private:

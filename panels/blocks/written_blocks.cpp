@@ -14,7 +14,7 @@
 namespace hw::panels {
 namespace {
 
-/// Writers say it behind the name of the step and a colon.
+/// Writers prefix it with the name of the step and a colon.
 std::string as_sentence(std::string why) {
   if (why.empty()) return why;
   why.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why.front())));
@@ -22,7 +22,7 @@ std::string as_sentence(std::string why) {
   return why;
 }
 
-/// In order, and of each block the first.
+/// In order, with only the first refusal of each block.
 void sort_refused(std::vector<RefusedStep>& all) {
   std::stable_sort(all.begin(), all.end(),
                    [](const RefusedStep& a, const RefusedStep& b) { return a.step < b.step; });
@@ -31,7 +31,7 @@ void sort_refused(std::vector<RefusedStep>& all) {
             all.end());
 }
 
-/// Why it is not to be run; empty: it is.
+/// Why the text must not be run; empty: it may.
 std::string problem_of(const std::vector<RefusedStep>& refused, const ProgramReport& report) {
   if (refused.empty()) {
     const auto found = std::find_if(report.problems.begin(), report.problems.end(),

@@ -1,6 +1,6 @@
 #pragma once
-// Blocks as the text that a controller's language makes of them: of those that it refuses the reason, and of
-// the others the text. Pure.
+// Blocks written in a controller's language: the reason for each block it refuses, and the text of the
+// others. Pure.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,22 +14,22 @@ namespace hw::panels {
 /// Of one version of the blocks.
 struct WrittenBlocks {
   std::uint64_t version = ~std::uint64_t{0};
-  SequenceText text;                     ///< of those that can be written
+  SequenceText text;                     ///< of the blocks that can be written
   std::vector<std::size_t> line_begins;  ///< of the text, and its end
   std::vector<int> step_of_command;      ///< of its first program
-  std::vector<int> lines_of_step;        ///< how many each block has itself
-  std::string problem;                   ///< why it is not to be run; empty: it is
+  std::vector<int> lines_of_step;        ///< number of lines of each block itself
+  std::string problem;                   ///< why the text must not be run; empty: it may
   std::vector<RefusedStep> refused{};    ///< in the order of the blocks, one for each; `why` is a sentence
   std::string remark;
   int cost = 0;  ///< of the text, in the unit of ProgramFacts::capacity
 
-  /// Null: the block is written.
+  /// Null: the block was written.
   [[nodiscard]] const RefusedStep* refusal_of(int row) const;
-  /// How many before `row`.
+  /// Number of refused blocks before `row`.
   [[nodiscard]] int refused_before(int row) const;
 };
 
-/// Long, for the worker.
+/// Slow: run it on the worker.
 WrittenBlocks write_blocks(const Language& language, const sequence::Sequence& sequence,
                            const Catalog& catalog);
 
