@@ -37,7 +37,7 @@ Touch on_off(Frame& f, std::string_view id, std::string_view name, bool on, floa
 
 void Bench::draw(Frame& f) {
   if (f.rail) return draw_rail(f);
-  // In a narrow window it is a column among others, which moves as a whole.
+  // In a narrow window it is one column among others, and moves as a whole.
   const bool alone = f.tier != Tier::narrow, folded = f.area.height <= lower_right_title;
   draw_title(f, folded);
   if (folded) return;
@@ -71,7 +71,7 @@ void Bench::draw_parts(Frame& f) {
   gap(f.ui, 12);
 }
 
-/// The button that folds it stands before the word, so that nothing else moves.
+/// The fold button stands before the word, so that nothing else moves.
 void Bench::draw_title(Frame& f, bool folded) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -143,7 +143,7 @@ void Bench::draw_supplies(Frame& f, Cells& cells) {
   }
 }
 
-// ---- signals by hand
+// ---- manual signals
 
 void Bench::draw_inputs(Frame& f) {
   const std::span<const InputInfo> inputs(f.catalog.inputs);

@@ -4,7 +4,7 @@
 
 namespace hw::panels {
 
-/// The emulated device by hand: its front panel, a row for each axis, and trouble.
+/// Manual control of the emulated device: its front panel, a row for each axis, and trouble.
 class Bench final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;

@@ -27,7 +27,7 @@ bool has_alarm(const Catalog& c) {
   return std::any_of(c.axes.begin(), c.axes.end(), [](const AxisInfo& axis) { return axis.alarm_input; });
 }
 
-/// A word in the titles needs more room than a sign.
+/// A word in the titles needs more room than an icon.
 BenchColumns columns_in(const Frame& f, bool alarm) {
   constexpr float word_is_wider = 8;
   float name = 0;
@@ -126,7 +126,7 @@ class BenchRow {
   const BenchColumns& columns_;
   std::string_view name_;
   ImVec2 top_left_;
-  float x_ = 0;  ///< of the next cell, behind the name
+  float x_ = 0;  ///< of the next cell, after the name
 };
 
 }  // namespace

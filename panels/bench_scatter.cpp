@@ -14,7 +14,7 @@ using namespace gui;
 
 namespace {
 
-constexpr std::int64_t widest = 50;  // a script or a bench file may go further
+constexpr std::int64_t widest = 50;  // scripts and bench files may exceed it
 
 void let_switches_scatter(Tab& of, Steps by) {
   AxisPlace place;
@@ -48,7 +48,8 @@ void draw_switch_scatter(Frame& f) {
   o.value_text = words;
   o.width = f.area.width - name_width - words_width;
   o.tip =
-      "Each limit and home switch acts up to so many steps before or behind its place, elsewhere each time.";
+      "Each limit and home switch acts up to this many steps before or after its place, differently each "
+      "time.";
   double value = static_cast<double>(std::min(now, widest));
   if (slider(ui, "bench/scatter", "Switch scatter", value, o))
     let_all_scatter(f, Steps(static_cast<std::int64_t>(value)));

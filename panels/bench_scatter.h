@@ -3,7 +3,7 @@
 
 namespace hw::panels {
 
-/// How well the switches repeat, of all axes of a controller or a bus: `bench/scatter`.
+/// Repeatability of the switches, for all axes of a controller or a bus: `bench/scatter`.
 void draw_switch_scatter(gui::Frame& frame);
 
 }  // namespace hw::panels

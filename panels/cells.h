@@ -1,5 +1,5 @@
 #pragma once
-// Cells of a grid, row after row; all of a row are equally wide and its last ends where the panel ends.
+// Cells of a grid, row by row. All cells of a row are equally wide, and the last ends at the panel's edge.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -21,16 +21,16 @@ class Cells {
         columns_(columns),
         row_(row),
         pitch_((width + between) / static_cast<float>(columns)) {}
-  /// Stands at the `n`th, from 0.
+  /// Moves the cursor to cell `n`, from 0.
   void stand(int n) {
     ImGui::SetCursorScreenPos(ImVec2(at_.x + ui_.px(std::floor(pitch_ * static_cast<float>(n % columns_))),
                                      at_.y + ui_.px(row_ * static_cast<float>(n / columns_))));
     count_ = std::max(count_, n + 1);
   }
-  /// At the one behind the last.
+  /// Moves the cursor to the cell after the last.
   void stand_at_next() { stand(count_); }
   [[nodiscard]] float cell() const { return std::floor(pitch_) - between; }
-  /// Below all of them.
+  /// Moves the cursor below all cells.
   void end() {
     const int rows = (count_ + columns_ - 1) / columns_;
     ImGui::SetCursorScreenPos(ImVec2(at_.x, at_.y + ui_.px(row_ * static_cast<float>(rows))));
@@ -43,7 +43,8 @@ class Cells {
   float row_, pitch_;
 };
 
-/// Whether every name has room in one of so many cells across `width`, beside `around` logical pixels.
+/// Whether every name fits into one of `columns` cells across `width`, with `around` logical pixels beside
+/// it.
 template <class Named>
 bool fit_in_cells(const gui::Ui& ui, float width, int columns, std::span<const Named> names, float around) {
   const float cell = std::floor((width + between) / static_cast<float>(columns)) - between;

@@ -16,7 +16,7 @@ constexpr float hairline = 1, position_title = 44, steps_row = 32, speed_row = 3
 
 bool interpolates(const Frame& f) { return f.catalog.can.interpolates && f.catalog.axes.size() > 1; }
 
-/// Three and four axes in a wide window: as the look draws them, the numbers in lines of one height.
+/// Three and four axes in a wide window: as in the look, with all numbers in lines of the same height.
 Column of_many(const Frame& f) {
   Column c;
   c.head = 24, c.caption = 17;
@@ -41,7 +41,7 @@ Column of_few(const Frame& f) {
   return c;
 }
 
-/// All of the column without travel bars.
+/// Height of the column without travel bars.
 float height_of(const Frame& f, const Column& c) {
   const auto axes = static_cast<float>(f.catalog.axes.size());
   const float pad = axes < 2 ? c.cell : 3 * c.cell + 2 * close_between;
@@ -60,12 +60,12 @@ Column column_of(const Frame& f) {
   const bool wide = f.tier == Tier::wide, rows = axes > 4 || f.tab.bus;
   Column c = axes <= 2 ? of_few(f) : wide && !rows ? of_many(f) : Column{.above = 4, .below = 3};
   if (f.tier == Tier::medium) {
-    c.title = 36, c.reason = 52;  // a line more, for it is narrower
+    c.title = 36, c.reason = 52;  // one line more, because the column is narrower
     c.speed_in_title = true;
     c.below_steps = 8;
     if (axes > 2)
       c.cell = std::min(48.0f, std::floor((f.area.width + 4) / (static_cast<float>(axes) + 1)) - 4);
-    if (axes > 2 && !rows) {  // so that Go and Home stand in the lowest window of this kind too
+    if (axes > 2 && !rows) {  // keeps Go and Home in the lowest window of this kind too
       c.above = 2, c.below = 1, c.title = 32, c.below_steps = 2;
       c.cell = std::min(40.0f, c.cell);
       c.go_row = 32, c.go_control = 28;

@@ -1,6 +1,6 @@
 #pragma once
-// The measures of the left column, one set for each number of axes and kind of window: nothing that is said
-// in it, no state, unit or refusal, moves what moves metal by a pixel. Logical pixels.
+// The measures of the left column, one set for each number of axes and kind of window. No message, state,
+// unit or refusal shifts a motion control by even a pixel. Logical pixels.
 #include "gui/shell/frame.h"
 
 namespace hw::panels {
@@ -9,10 +9,10 @@ struct Column {
   // ---- the block of an axis
   float above = 0, below = 0;  ///< space, with the hairline at its top
   float head = 20;             ///< its name and state
-  float digits = 36;           ///< a slot: smaller type stands in the middle of it
+  float digits = 36;           ///< a slot: smaller type is centred in it
   float caption = 0;           ///< under the number; 0: beside it
-  float extras = 0;            ///< power, ramp and encoder of those that have them, where they need a line
-  float travel = 0;            ///< the place of the travel bar; the first to go where the column is low
+  float extras = 0;            ///< line for power, ramp and encoder of axes that have them, if they need one
+  float travel = 0;            ///< the travel bar; the first part to go where the column is low
   // ---- jog
   float title = 40, reason = 36;
   float cell = 48, between_steps = 8, below_steps = 0;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr float field_label = 80, field_width = 144, bar_label = 20, bar_field = 108;
 
-/// In the units and by the clock that the console shows.
+/// In the units and the clock of the console.
 DoubtWords words_shown(const Frame& f) {
   return {[&f](AxisId axis, Steps place) {
             return std::string(format_with_unit(place, f.tab.unit(axis)).view());
@@ -34,7 +34,7 @@ std::uint32_t still_doubtful(const Snapshot& now, std::uint32_t axes) {
   return axes;
 }
 
-/// The chosen way of homing, or the first that sets the count: another leaves the doubt.
+/// The chosen way of homing, or the first that sets the count: other ways leave the doubt.
 int homing_that_sets(const Catalog& catalog, int chosen) {
   const auto& modes = catalog.homing_modes;
   if (chosen >= 0 && chosen < static_cast<int>(modes.size()) &&
@@ -56,7 +56,7 @@ bool DoubtWays::hear(const Frame& f, const IntentFate& fate) {
   if (fate.doubtful != 0 && sent_)
     tell(f, fate.doubtful);
   else if (open())
-    words_ = fate.sentence.view();  // of a place that it was said to stand at
+    words_ = fate.sentence.view();  // a position to set was refused
   return open();
 }
 
@@ -109,7 +109,7 @@ IntentId DoubtWays::draw(Frame& f, std::string_view prefix, std::string_view abo
   return touched.action < 0 ? 0 : go(f, offers_[static_cast<std::size_t>(touched.action)].way, mode);
 }
 
-/// "It stands at [      mm]": what it counts, until somebody types.
+/// "It stands at [      mm]": filled with the count until the user types.
 bool DoubtWays::draw_field(Frame& f) {
   const DisplayUnit& unit = f.tab.unit(axis_);
   const Steps counts = f.now.axes[axis_.index].position;

@@ -1,14 +1,13 @@
 #pragma once
-// What can be done about a refusal because a position is not to be trusted: home the axis, say where it
-// stands, or send what was refused once all the same. A panel keeps one for each of its rows that can be
-// refused so, and asks by it:
+// Remedies for a refusal because a position is doubtful: home the axis, set its position, or send the refused
+// command once all the same. A panel keeps one for each row that can be refused so, and uses it like this:
 //
 //     asked_ = doubt_.send(f, intent::MoveTo(...));                    // in place of f.send_and_watch()
 //     if (!doubt_.hear(f, *fate)) refused_ = fate->sentence.view();    // when it was refused or has failed
 //     if (doubt_.open())
 //       if (const IntentId id = doubt_.draw(f, "goto", "Go, X", row, mode)) asked_ = id;
 //
-// Ids, of the axis that it is about: `goto/X/refused`, `goto/X/stands_at`, `goto/X/set`, `goto/X/home/-`,
+// Ids, with the axis concerned: `goto/X/refused`, `goto/X/stands_at`, `goto/X/set`, `goto/X/home/-`,
 // `goto/X/home/+`, `goto/X/once`.
 #include <array>
 #include <cstdint>
@@ -24,13 +23,13 @@ namespace hw::panels {
 
 class DoubtWays {
  public:
-  /// Sends it as Frame::send_and_watch() does. What was refused before is forgotten.
+  /// Sends like Frame::send_and_watch(), and forgets the previous refusal.
   IntentId send(gui::Frame& frame, IntentBody body);
-  /// What became of it, other than done. True: it is a matter of doubt, and is told here.
+  /// Call with any fate other than done. True: a position was doubtful, and the card tells it.
   bool hear(const gui::Frame& frame, const IntentFate& fate);
   [[nodiscard]] bool open() const { return doubtful_ != 0; }
-  /// The card, beside `row`. What was sent to deal with it and is to be followed; 0: nothing. `mode`: the way
-  /// of homing that is chosen; -1: none is. It closes by itself when nothing is doubtful any more.
+  /// Draws the card beside `row`. Returns the remedy's command, to be followed; 0: none was sent. `mode`: the
+  /// chosen way of homing; -1: none. The card closes by itself once no position is doubtful.
   IntentId draw(gui::Frame& frame, std::string_view prefix, std::string_view about, const gui::Rect& row,
                 int mode = -1);
 
@@ -43,21 +42,21 @@ class DoubtWays {
   void close() { doubtful_ = 0; }
   void tell(const gui::Frame& frame, std::uint32_t doubtful);
   void name_ways(const gui::Frame& frame, std::string_view prefix);
-  /// True: Enter.
+  /// True: Enter was pressed.
   bool draw_field(gui::Frame& frame);
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame, Way way) const;
   [[nodiscard]] std::optional<Steps> place(const gui::Frame& frame) const;
   IntentId go(gui::Frame& frame, Way way, int mode);
 
   std::optional<IntentBody> sent_;
-  std::uint32_t doubtful_ = 0;  ///< bit per axis; 0: nothing is open
-  AxisId axis_{};               ///< the first of them: one is dealt with after the other
+  std::uint32_t doubtful_ = 0;  ///< bit per axis; 0: closed
+  AxisId axis_{};               ///< the first of them: axes are dealt with one after the other
   std::string words_, refused_id_, field_id_;
   std::array<Offer, 4> offers_;
   std::size_t offered_ = 0;  ///< 0: not named yet
   gui::NumberField field_;
-  std::string filled_;            ///< what stands in it unless somebody has typed ...
-  std::optional<Steps> counted_;  ///< ... and the count that this is
+  std::string filled_;            ///< content of the field unless the user has typed ...
+  std::optional<Steps> counted_;  ///< ... and its count
   RefusalCard card_;
 };
 

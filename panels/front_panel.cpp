@@ -39,7 +39,7 @@ bool has_captions(const BenchFacts& facts, int supply, int row) {
   });
 }
 
-/// Logical, from the top of the first; of the row after the last: where all end.
+/// Logical, from the top of the first row; for the row after the last: the end of all rows.
 float top_of_row(const BenchFacts& facts, int supply, int row) {
   float top = 0;
   for (int above = 0; above < row; ++above)
@@ -47,7 +47,7 @@ float top_of_row(const BenchFacts& facts, int supply, int row) {
   return top;
 }
 
-/// On the front panel of a second box its own name need not be said again: "Slave Run" is "Run" there.
+/// The front panel of a second box need not repeat the box's name: "Slave Run" becomes "Run".
 std::string_view without(std::string_view owner, std::string_view name) {
   const bool said = !owner.empty() && name.size() > owner.size() && name.starts_with(owner);
   return said ? name.substr(owner.size() + 1) : name;
@@ -162,7 +162,7 @@ void FrontPanels::draw_buttons(Frame& f, int supply, ImVec2 at, float width) {
         draw_text(ui, ImVec2(left, top), Face::small, ui[Tone::ink2], caption);
       }
       ImGui::SetCursorScreenPos(ImVec2(left, top + ui.px(captions ? caption_height : 0)));
-      // So wide that the last ends where the row ends.
+      // Wide enough for the last button to end with the row.
       draw_button(f, i, std::floor(x + cell) - std::floor(x));
       x += cell + close_between;
     }
@@ -190,7 +190,7 @@ void FrontPanels::draw_button(Frame& f, std::size_t i, float width) {
   }
 }
 
-/// Its white centre stands out when it has tripped; pushing it in is all that a hand can do to it.
+/// A tripped breaker shows its white centre; pushing it in is the only manual action.
 void FrontPanels::draw_breaker(Frame& f, int supply, ImVec2 at, float width) {
   Ui& ui = f.ui;
   const BenchSupply& box = f.catalog.bench.supplies[static_cast<std::size_t>(supply)];
@@ -212,7 +212,7 @@ void FrontPanels::draw_breaker(Frame& f, int supply, ImVec2 at, float width) {
   if (t.clicked) f.operate_bench(bench::Breaker(supply, false));
 }
 
-/// The window lost the focus, or the panel was not drawn when the hand let go.
+/// Handles a lost window focus, and a release while the panel was not drawn.
 void FrontPanels::release_forgotten(Frame& f) {
   if (pressed_.empty() || ImGui::IsMouseDown(0) || ImGui::IsAnyItemActive()) return;
   if (f.ui.focus.key_held(Path("bench/button/{}", pressed_))) return;

@@ -1,7 +1,6 @@
 #pragma once
-// The front panels of the emulated boxes, drawn: lamps, power switch, buttons to be held, circuit breaker.
-// Ids: `bench/lamp/Power`, `bench/power`, `bench/button/Run`, `bench/breaker`; of a second box with its name
-// behind.
+// The drawn front panels of the emulated boxes: lamps, power switch, buttons to hold down, circuit breaker.
+// Ids: `bench/lamp/Power`, `bench/power`, `bench/button/Run`, `bench/breaker`; a second box appends its name.
 #include <string>
 
 #include <imgui.h>
@@ -12,9 +11,9 @@
 namespace hw::panels {
 
 inline bool bit(std::uint32_t bits, std::size_t n) { return (bits >> n) & 1u; }
-/// It has something to press or to see beside its switch.
+/// The box has something to press or to see other than its switch.
 bool has_front_panel(const BenchFacts& facts, int supply);
-/// The path of something that each supply has: "bench/power", of a second box "bench/power/Slave".
+/// The path of a widget that each supply has: "bench/power", for a second box "bench/power/Slave".
 Path path_of(std::string_view what, const BenchSupply& supply);
 
 class FrontPanels {
@@ -30,7 +29,7 @@ class FrontPanels {
   void draw_breaker(gui::Frame& frame, int supply, ImVec2 at, float width);
   void release_forgotten(gui::Frame& frame);
 
-  std::string pressed_;  ///< the button that the mouse holds
+  std::string pressed_;  ///< button held by the mouse
 };
 
 }  // namespace hw::panels

@@ -26,10 +26,10 @@ float go_width(const Frame& f) { return medium(f) ? 36 : 44; }
 float home_width(const Frame& f) { return medium(f) ? 34 : 42; }
 float apart(const Frame& f) { return medium(f) ? 4 : 8; }
 
-/// A name that can be chosen is a button.
+/// The name is a button if it can be chosen.
 float name_width_of(const Frame& f) { return can_go_together(f) ? 36 : f.catalog.axes.size() > 1 ? 20 : 28; }
 
-/// Of many axes only the chosen one has a row, unless all are asked for.
+/// With many axes only the chosen one has a row, unless all are requested.
 bool many(const Frame& f) { return f.catalog.axes.size() > 2; }
 float homes_width(const Frame& f) { return f.catalog.can.homes ? 2 * home_width(f) + close_between : 0; }
 
@@ -51,7 +51,7 @@ void GotoHome::draw(Frame& f) {
 
 // ---- one of many axes: two rows
 
-/// "X v [240.000 mm] at [20 mm/s] Go", under it the way, the saved places and Home.
+/// "X v [240.000 mm] at [20 mm/s] Go"; below it the way, the saved places and Home.
 void GotoHome::draw_chosen(Frame& f) {
   Ui& ui = f.ui;
   const AxisId axis = f.tab.chosen_axis;
@@ -82,7 +82,7 @@ void GotoHome::draw_chosen(Frame& f) {
   next_row();
 }
 
-/// Lit: what is typed is a distance.
+/// Lit: the typed number is a distance.
 void GotoHome::draw_by(Frame& f) {
   ButtonOptions o{
       .style = ButtonStyle::segment, .width = by_width, .height = column_of(f).go_control, .on = by_};
@@ -102,7 +102,7 @@ void GotoHome::draw_axis_choice(Frame& f, float width) {
   if (picked < 0) return;
   all_ = picked == static_cast<int>(f.catalog.axes.size());
   if (all_) return;
-  if (f.tab.chosen_axis.index != picked) speed_.reset(), speed_.text.clear();  // it was of another axis
+  if (f.tab.chosen_axis.index != picked) speed_.reset(), speed_.text.clear();  // it belonged to another axis
   f.tab.chosen_axis = AxisId{static_cast<std::uint8_t>(picked)};
 }
 
@@ -149,7 +149,7 @@ void GotoHome::draw_title(Frame& f) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(height)));
 }
 
-/// To a place, or by a distance.
+/// Chooses targets or distances.
 void GotoHome::draw_way(Frame& f, float cell) {
   static constexpr std::array<std::string_view, 2> ways = {"To", "By"};
   const int way =
@@ -188,7 +188,7 @@ void GotoHome::draw_row(Frame& f, AxisId axis) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(column_of(f).go_row)));
 }
 
-/// What is typed stays where it is when another unit is chosen: nobody goes to a place that he has not typed.
+/// Converts typed targets when the unit changes: no axis goes to a target that was not typed.
 void GotoHome::follow_units(const Frame& f) {
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
     Row& row = rows_[i];
@@ -212,7 +212,7 @@ void GotoHome::follow_unit_of_speed(const DisplayUnit& unit) {
   speed_unit_ = unit;
 }
 
-/// Where to, perhaps how fast, and Go, in a line of that width from the cursor on.
+/// Target, optionally speed, and Go, in a line of this width from the cursor on.
 void GotoHome::draw_target(Frame& f, AxisId axis, float width, float speed_width) {
   Ui& ui = f.ui;
   Row& row = rows_[axis.index];
@@ -223,7 +223,7 @@ void GotoHome::draw_target(Frame& f, AxisId axis, float width, float speed_width
   const float speed = speed_width > 0 ? speed_width + 20 : 0;
   NumberOptions o;
   o.range.decimals = unit.real ? unit.decimals : 0;
-  // The controller's own word stands beside the digits already; numbers need the room.
+  // The controller's own unit already stands beside the digits; numbers need the room.
   if (unit.real || (!medium(f) && speed == 0)) o.range.unit = unit.name;
   o.width = width - go_width(f) - close_between - speed;
   o.height = column_of(f).go_control;
@@ -247,7 +247,7 @@ void GotoHome::draw_target(Frame& f, AxisId axis, float width, float speed_width
   if (clicked || typed.entered) go(f, axis);
 }
 
-/// "at [20]", in the unit of that axis: of Go until it is emptied.
+/// "at [20]", in the unit of that axis: the speed of Go until it is emptied.
 void GotoHome::draw_speed(Frame& f, AxisId axis, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -305,7 +305,7 @@ void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
 
 // ---- several axes together
 
-/// Where several axes can move together, the name chooses whether this one does.
+/// If several axes can move together, a press on the name includes or excludes this axis.
 void GotoHome::draw_name(Frame& f, AxisId axis, ImVec2 at) {
   Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
@@ -322,7 +322,7 @@ void GotoHome::draw_name(Frame& f, AxisId axis, ImVec2 at) {
   if (button(ui, Path("goto/{}/with", name), name, o).clicked) together_ ^= 1u << axis.index;
 }
 
-/// In `place`, logical, from `at` on. In the title the words are short.
+/// Draws within `place`, logical, from `at` on. In the title the words are short.
 void GotoHome::draw_together(Frame& f, const Box& place, ImVec2 at) {
   if (!can_go_together(f) && f.catalog.axes.size() != 1) return;
   Ui& ui = f.ui;

@@ -16,10 +16,10 @@
 
 namespace hw::panels {
 
-/// Several axes on a straight line.
+/// The axes can move together on a straight line.
 bool can_go_together(const gui::Frame& frame);
 
-/// To a position, or to the home of an axis.
+/// Moves to a position, or to the home of an axis.
 class GotoHome final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
@@ -27,13 +27,13 @@ class GotoHome final : public gui::Panel {
  private:
   struct Row {
     gui::NumberField field;
-    gui::DisplayUnit unit;  ///< in which its number is typed
-    IntentId asked = 0;     ///< the move that was sent last
-    std::string refused;    ///< why the last one was not done
-    Steps nearest{};        ///< offered instead, when `offers`
+    gui::DisplayUnit unit;  ///< unit of the typed number
+    IntentId asked = 0;     ///< the latest move sent
+    std::string refused;    ///< why the latest move was not done
+    Steps nearest{};        ///< offered instead if `offers`
     bool offers = false;
     RefusalCard card;
-    DoubtWays doubt;  ///< of the last one, if it was refused for that
+    DoubtWays doubt;  ///< of the latest move, if refused for doubt
   };
   void follow_units(const gui::Frame& frame);
   void follow_unit_of_speed(const gui::DisplayUnit& unit);
@@ -55,24 +55,24 @@ class GotoHome final : public gui::Panel {
   void go(gui::Frame& frame, AxisId axis);
   void go_to(gui::Frame& frame, AxisId axis, Steps target);
   void follow(gui::Frame& frame, AxisId axis);
-  /// Nothing, and the row says why: no number, or out of what the controller can count.
+  /// Nothing: not a number, or outside the controller's count range; the row tells which.
   std::optional<Steps> target_of(gui::Frame& frame, AxisId axis);
   void go_together(gui::Frame& frame);
   void go_to_zero(gui::Frame& frame);
   [[nodiscard]] bool chosen(const gui::Frame& frame, std::size_t axis) const;
-  /// Of those that take part the first that cannot be moved.
+  /// Why the first of the participating axes cannot be moved.
   [[nodiscard]] std::string_view why_not_together(const gui::Frame& frame) const;
   void send(gui::Frame& frame, std::vector<AxisTarget> targets, bool by, Pps speed = {});
   [[nodiscard]] Pps speed_of(const gui::Frame& frame, AxisId axis) const;
 
   std::array<Row, max_axes> rows_;
-  gui::NumberField speed_;  ///< of moves to and by; empty: as the controller is set
+  gui::NumberField speed_;  ///< of moves to and by; empty: the controller's own speed
   gui::DisplayUnit speed_unit_;
   PlacesMenu places_;
   int mode_ = 0;
   bool by_ = false;                      ///< distances instead of targets
-  bool all_ = false;                     ///< of many axes: a row for each
-  std::uint32_t together_ = 0;           ///< bit per axis: takes part in a move of several
+  bool all_ = false;                     ///< with many axes: a row for each
+  std::uint32_t together_ = 0;           ///< bit per axis: participates in a joint move
   std::vector<std::string_view> names_;  ///< of the ways of homing; kept for its memory
 };
 

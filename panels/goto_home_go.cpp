@@ -1,4 +1,4 @@
-// Where Go sends an axis, and what becomes of it.
+// The targets of Go, and the results of its moves.
 #include <algorithm>
 
 #include "core/device/travel_check.h"
@@ -12,7 +12,7 @@ using namespace gui;
 
 bool can_go_together(const Frame& f) { return f.catalog.can.interpolates && f.catalog.axes.size() > 1; }
 
-// ---- what becomes of it
+// ---- results
 
 std::optional<Steps> GotoHome::target_of(Frame& f, AxisId axis) {
   Row& row = rows_[axis.index];
@@ -55,7 +55,7 @@ void GotoHome::go_to(Frame& f, AxisId axis, Steps target) {
   send(f, std::vector<AxisTarget>(1, AxisTarget{axis, target}), by_, speed_of(f, axis));
 }
 
-/// The row of the first one tells what became of it.
+/// The row of the first axis shows the result.
 void GotoHome::send(Frame& f, std::vector<AxisTarget> targets, bool by, Pps speed) {
   Row& row = rows_[targets.front().axis.index];
   row.refused.clear();

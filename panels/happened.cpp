@@ -56,7 +56,7 @@ void draw_event(Frame& f, const Happening& event, const Rect& place, float words
   draw_text_line(ui, right - took_width, right + 1, middle, Face::small, ui[Tone::ink2], took);
 }
 
-/// Behind the longest name that is there, as far as there is room.
+/// After the longest name shown, as far as there is room.
 float words_begin(const Ui& ui, const EventLog& log, float width) {
   float names = 0;
   for (const Happening& event : log.list())

@@ -1,6 +1,5 @@
 #pragma once
-// What happened to the controller, newest first: how motions and programs ended, what was lost, what was
-// said.
+// The events of the controller, newest first: ends of motions and programs, losses, messages.
 #include <cstdint>
 #include <string>
 
@@ -12,9 +11,9 @@ namespace hw::panels {
 
 class Happened {
  public:
-  /// Fills the rest of the width and `height` pixels.
+  /// Fills the remaining width and `height` pixels.
   void draw(gui::Frame& frame, float height);
-  /// Which of them are shown, and Copy; from `left`, in pixels. Returns where they end.
+  /// Draws the filter and Copy, from `left`, in pixels. Returns their right end.
   float draw_tools(gui::Frame& frame, float left, float top);
 
  private:
@@ -22,7 +21,7 @@ class Happened {
   void say(gui::Frame& frame, const gui::EventLog& log);
 
   gui::EventFilter filter_ = gui::EventFilter::all;
-  std::string said_;  ///< what scripts read, and Copy takes
+  std::string said_;  ///< for scripts and Copy
   std::uint64_t said_version_ = ~std::uint64_t{0};
   gui::EventFilter said_filter_ = gui::EventFilter::all;
 };

@@ -22,20 +22,20 @@ bool bit(std::uint32_t bits, int number) { return (bits >> (number - 1)) & 1u; }
 bool io_is_old(const Frame& f) {
   return !f.connected() || is_stale(f.now.io_seen_at, f.clock, f.now.poll_period);
 }
-/// `place`: in the catalog, from 0.
+/// `place`: index into the catalog, from 0.
 bool is_active(const Frame& f, std::size_t place) {
   const int n = static_cast<int>(place) + 1;
   return bit(f.now.inputs_known, n) && bit(f.now.inputs, n) != f.catalog.inputs[place].active_low;
 }
 
-/// The most columns, at least 2, in which all of `names` have room beside `around` logical pixels.
+/// The most columns, at least 2, that fit all of `names` with `around` logical pixels beside them.
 template <class Named>
 int columns_of(const Frame& f, std::span<const Named> names, int most, float around) {
   while (most > 2 && !fit_in_cells(f.ui, f.area.width, most, names, around)) --most;
   return most;
 }
 
-/// Columns of lamps without a word each, so that no row is left half empty; 0: each has its word.
+/// Columns of lamps without words, so that no row is left half empty; 0: each lamp has its word.
 template <class Named>
 int lamp_columns(const Frame& f, std::span<const Named> names) {
   constexpr float lamp_width = 20;
@@ -47,7 +47,7 @@ int lamp_columns(const Frame& f, std::span<const Named> names) {
   return 0;
 }
 
-/// The lines that stand together, from `first` on: those of one group.
+/// The consecutive lines of one group, from `first` on.
 template <class Line>
 std::span<const Line> group_at(const std::vector<Line>& lines, std::size_t first) {
   std::size_t end = first;
@@ -55,7 +55,7 @@ std::span<const Line> group_at(const std::vector<Line>& lines, std::size_t first
   return std::span(lines).subspan(first, end - first);
 }
 
-/// Over the lines of a direction, or over a group that has a name: `io/group/Lines 0 to 7: inputs`.
+/// Draws the heading of a direction, or of a named group: `io/group/Lines 0 to 7: inputs`.
 void draw_heading(Frame& f, std::string_view direction, std::string_view group, std::string_view caption) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -75,7 +75,7 @@ bool is_not_zero(const Frame& f, std::string_view id) {
   return readout >= 0 && f.now.readouts_known[at] && f.now.readouts[at] != 0;
 }
 
-/// Its own name, or that of what the controller uses it for at present.
+/// Its own name, or that of its present function in the controller.
 std::string_view name_of(const Frame& f, const OutputInfo& info) {
   const OutputDuty& duty = info.duty;
   const bool on_duty =
@@ -84,7 +84,7 @@ std::string_view name_of(const Frame& f, const OutputInfo& info) {
   return on_duty ? duty.name : info.name;
 }
 
-/// "Aux X" taken apart: what its neighbours share, and its own.
+/// "Aux X" split into the part shared with its neighbours and its own part.
 struct RailName {
   std::string_view group, own;
 };
@@ -95,7 +95,7 @@ RailName rail_name(std::string_view name) {
   return {"Out", digits > 0 && digits < name.size() ? name.substr(digits) : name};
 }
 
-/// "on: 2, 5", of lamps that have no word each.
+/// "on: 2, 5", for lamps without words.
 class WhatIsOn {
  public:
   void add(std::string_view name) {
@@ -136,7 +136,7 @@ void InputsOutputs::draw_inputs(Frame& f) {
   }
 }
 
-/// A word each; of many with short names only the lamps. `first`: the place of the first, from 0.
+/// A word for each; many lines with short names get lamps only. `first`: index of the first, from 0.
 void InputsOutputs::draw_levels(Frame& f, std::span<const InputInfo> lines, std::size_t first) {
   const int lamps = lamp_columns(f, lines);
   Cells cells(f.ui, f.area.width, lamps > 0 ? lamps : columns_of(f, lines, 3, 56), level_height);
@@ -158,7 +158,7 @@ void InputsOutputs::draw_levels(Frame& f, std::span<const InputInfo> lines, std:
   cells.end();
 }
 
-// A few have the name of their duty in full, and their places do not change when it comes and goes.
+// A few outputs show the full name of their function, and keep their place when the function changes.
 static int output_columns(const Frame& f, std::span<const OutputInfo> outputs, int most) {
   const int columns = columns_of(f, outputs, most, 20);
   if (columns != 2) return columns;
@@ -170,7 +170,7 @@ static int output_columns(const Frame& f, std::span<const OutputInfo> outputs, i
   return fit ? 2 : 1;
 }
 
-/// Under their switches the levels of the lines, where the controller tells them.
+/// Below their switches the levels of the lines, if the controller reports them.
 void InputsOutputs::draw_outputs(Frame& f) {
   const auto& outputs = f.catalog.outputs;
   for (std::size_t i = 0; i < outputs.size();) {
@@ -227,7 +227,7 @@ void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
     asked = f.send(intent::SetOutput(number, known ? !on : true));
 }
 
-/// A few have a line each; many stand in two columns and have their unit in the title.
+/// A few have a line each; many stand in two columns, with their unit in the title.
 void InputsOutputs::draw_all_analog(Frame& f) {
   const int count = static_cast<int>(f.catalog.analog.size());
   const bool many = count > 2;
@@ -263,7 +263,7 @@ void InputsOutputs::draw_analog(Frame& f, int n, float width, bool short_words) 
   MeterOptions o;
   o.old = !known || io_is_old(f);
   o.words = shown;
-  // The number is up to as wide as the largest; the bar ends before it and does not move with it.
+  // The number is at most as wide as the largest value; the bar ends before it and does not move with it.
   const Path largest("{}", info.maximum);
   const float number_left = right - of_width - std::ceil(text_width(ui, Face::body_bold, largest));
   o.width = std::max(24.0f, std::floor((number_left - ui.px(8) - left) / ui.scale));
@@ -272,7 +272,7 @@ void InputsOutputs::draw_analog(Frame& f, int n, float width, bool short_words) 
         o);
 }
 
-/// Outputs, a lamp over each one's own name, under what they share; many stand in two columns.
+/// Outputs as lamps over their own names, under their shared name; many stand in two columns.
 void InputsOutputs::draw_rail(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 top = ImGui::GetCursorScreenPos();

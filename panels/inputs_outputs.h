@@ -9,8 +9,8 @@
 
 namespace hw::panels {
 
-/// Inputs as lamps, outputs as toggles that change when the controller has said so, analog inputs as meters.
-/// Lines with a group stand under its name, which tells their direction.
+/// Inputs as lamps, outputs as toggles that change once the controller has confirmed, analog inputs as
+/// meters. Lines of a group stand under its name, which tells their direction.
 class InputsOutputs final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
@@ -26,7 +26,8 @@ class InputsOutputs final : public gui::Panel {
   static void draw_rail(gui::Frame& frame);
   static void draw_rail_lamp(gui::Frame& frame, int number, std::string_view own, ImVec2 at, float width_px);
 
-  std::array<IntentId, max_outputs + 1> asked_{};  ///< by output number: what was sent last and is not done
+  std::array<IntentId, max_outputs + 1>
+      asked_{};  ///< by output number: the latest command while it is not done
 };
 
 }  // namespace hw::panels

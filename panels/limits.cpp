@@ -89,7 +89,7 @@ class Limits::Signals {
   std::size_t count_ = 0;
 };
 
-/// What stands in the title in words: first what is wrong.
+/// The words in the title: faults come first.
 struct Limits::Summary {
   std::string on, alerts;
   int on_count = 0, alert_count = 0;
@@ -111,7 +111,7 @@ struct Limits::Summary {
   }
 };
 
-/// Four lamps an axis in a line; what is on stands in the title in words.
+/// Four lamps per axis in a line; the title names the active ones.
 void Limits::draw_with_home(Frame& f) {
   Ui& ui = f.ui;
   Summary summary;
@@ -132,7 +132,7 @@ void Limits::draw_with_home(Frame& f) {
   group_line(ui, 10);
 }
 
-/// Of many axes half beside half: lamps under the names that they all share.
+/// Many axes in two halves side by side: lamps under shared names.
 void Limits::draw_in_halves(Frame& f, Summary& summary) {
   Ui& ui = f.ui;
   constexpr float names_height = 20, apart = 16, sign_cell = 28, word_cell = 36;
@@ -162,7 +162,7 @@ void Limits::draw_in_halves(Frame& f, Summary& summary) {
       ImVec2(at.x, at.y + ui.px(names_height + signal_height * static_cast<float>(rows))));
 }
 
-/// Whether they are known and fresh.
+/// Returns whether the signals are known and fresh.
 bool Limits::find_signals(const Frame& f, int i, Signals& signals, Summary& summary) {
   const AxisState& a = f.now.axes[static_cast<std::size_t>(i)];
   const AxisInfo& info = f.catalog.axes[static_cast<std::size_t>(i)];
@@ -216,7 +216,7 @@ void Limits::draw_signal(Frame& f, const Signal& s, bool sure, ImVec2 at, float 
   show(ui, {s.id, Kind::lamp, s.label, value, {}, false, value}, r);
 }
 
-/// Of many axes a line each: both lamps with the axis between them, under the signs that they all share.
+/// A line for each of many axes: both lamps with the axis between them, under shared signs.
 void Limits::draw_brief_rail(Frame& f) {
   Ui& ui = f.ui;
   constexpr float title = 20, signs = 18, line = 22;
@@ -250,7 +250,7 @@ void Limits::draw_brief_rail(Frame& f) {
   group_line(ui, 8);
 }
 
-/// One lamp over its name; of more than two axes both lamps stand in a line, with the axis between them.
+/// A lamp over its name; with more than two axes both lamps stand in a line, with the axis between them.
 void Limits::draw_rail(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 top = ImGui::GetCursorScreenPos();

@@ -26,7 +26,7 @@ std::uint32_t value_of(const Frame& f, const MemoryCell& c) {
 Path address_of(int offset) { return Path("0x{:03X}", offset); }
 Path hex_of(const MemoryCell& c, std::uint32_t value) { return Path("{:0{}X}", value, 2 * c.bytes); }
 
-/// "X Encoder Position" under the heading "Axis X" is "Encoder Position".
+/// "X Encoder Position" under the heading "Axis X" becomes "Encoder Position".
 std::string_view short_name(const Frame& f, const MemoryCell& c) {
   std::string_view name = c.name;
   if (c.axis < 0 || static_cast<std::size_t>(c.axis) >= f.catalog.axes.size()) return name;
@@ -36,7 +36,7 @@ std::string_view short_name(const Frame& f, const MemoryCell& c) {
   return name;
 }
 
-/// "Axis X" in a cell is "X", "Line 3" is "3".
+/// "Axis X" becomes "X" in a cell, "Line 3" becomes "3".
 std::string_view in_a_cell(std::string_view label) {
   const auto space = label.rfind(' ');
   const bool numbered = space != label.npos && label.size() - space <= 3 && label.find(' ') == space;
@@ -106,7 +106,7 @@ void MemoryMap::follow(const Frame& f) {
     if (m.known && m.value != value) m.changed_at_s = f.ui.now_s;
     m.value = value;
     m.known = true;
-    // The mark goes by itself: a console at rest draws it away once.
+    // Marks expire by themselves: a console at rest redraws once for that.
     if (const double left = m.changed_at_s + mark_s - f.ui.now_s; left > 0) f.ui.wake_in(left);
   }
 }
@@ -141,7 +141,7 @@ void MemoryMap::draw_column(Frame& f, bool of_axes, float width) {
   }
 }
 
-/// Address, name, and the mark of what has just changed.
+/// Address, name, and the mark of a recent change.
 void MemoryMap::draw_head(Frame& f, std::size_t i, ImVec2 at, float width, float middle) {
   Ui& ui = f.ui;
   const MemoryCell& c = f.catalog.memory[i];
@@ -200,7 +200,7 @@ void MemoryMap::draw_register(Frame& f, std::size_t i, float width) {
 
   const int cells = std::max(8, c.bits.back().bit + 1);
   const float cell = ui.px(width) / static_cast<float>(cells), y = row.max.y;
-  // Names only where all of them fit: a mixture of names and numbers is hard to read.
+  // Names only if all of them fit: a mixture of names and numbers is hard to read.
   const bool named = std::all_of(c.bits.begin(), c.bits.end(), [&](const ParamBit& bit) {
     return text_width(ui, Face::small, in_a_cell(bit.label)) + ui.px(6) <= cell;
   });
@@ -255,7 +255,7 @@ void MemoryMap::draw_rings(Frame& f, float width) {
     o.width = width;
     meter(ui, Path("ring/{}/meter", ring.name), ring.name,
           static_cast<float>(waiting) / static_cast<float>(ring.cells - 1), o);
-    // The newest characters of the ring, whether they are taken or not.
+    // The newest characters of the ring, taken or not.
     char text[static_cast<std::size_t>(shown_characters)];
     for (int n = 0; n < shown_characters; ++n) {
       const int cell = (put - shown_characters + n + 2 * ring.cells) % ring.cells;

@@ -69,7 +69,8 @@ void Moves::follow(Frame& f) {
 
 std::string_view Moves::why_not_start(const Frame& f) const {
   if (!f.connected()) return "There is no link. The list stays here.";
-  if (f.now.feed.running) return "A list is on its way. Start comes back when it has ended or was aborted.";
+  if (f.now.feed.running)
+    return "A list is being sent. Start is available again when it has ended or was aborted.";
   if (rows_.empty()) return "The list is empty.";
   return f.tab.why_not_move();
 }
@@ -90,7 +91,7 @@ void Moves::draw_toolbar(Frame& f) {
   stop.icon = Icon::stop;
   stop.stops = true;
   stop.height = 40;
-  stop.disabled = works_ ? "" : "No list is on its way.";
+  stop.disabled = works_ ? "" : "No list is being sent.";
   stop.tip =
       "Stops the axes and sends no more. Buffered mode is switched off, and what waits there is dropped.";
   if (button(ui, "list/abort", "Abort", stop).clicked) abort(f);
@@ -102,8 +103,7 @@ void Moves::draw_toolbar(Frame& f) {
   end_toolbar(f, at);
 }
 
-/// The axes first; then the buffer, whose switch off is the one of its actions that makes sense while it is
-/// busy.
+/// Stops the axes first; then the buffer, whose switch-off is its only useful action while busy.
 void Moves::abort(Frame& f) {
   f.send(intent::Stop());
   for (const ActionForm& a : actions_)
@@ -202,7 +202,7 @@ void Moves::draw_table(Frame& f, float width, float height) {
   end_part();
 }
 
-/// A unit that has no room beside the title of its column stands under it.
+/// A unit without room beside the title of its column stands below it.
 void Moves::draw_head(Frame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -231,7 +231,7 @@ void Moves::draw_head(Frame& f, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(one_line ? 28 : 40)));
 }
 
-/// True: it shall go.
+/// True: remove this row.
 bool Moves::draw_row(Frame& f, std::size_t row, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -262,7 +262,7 @@ bool Moves::draw_row(Frame& f, std::size_t row, float width) {
   o.style = ButtonStyle::quiet;
   o.icon = Icon::cross;
   o.width = 32;
-  o.tip = "Takes this move out of the list.";
+  o.tip = "Removes this move from the list.";
   const bool gone = button(ui, Path("list/{}/remove", number), "", o).clicked;
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(list_row_height)));
   return gone;
@@ -293,7 +293,7 @@ void Moves::draw_side(Frame& f, float width) {
     if (f.catalog.params[i].of_move_buffer) draw_param(f, i, width);
 }
 
-/// A parameter of two values, in force at once.
+/// A parameter of two values, effective at once.
 void Moves::draw_param(Frame& f, std::size_t i, float width) {
   const ParamInfo& p = f.catalog.params[i];
   if (p.choices.size() != 2) return;

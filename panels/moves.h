@@ -1,6 +1,6 @@
 #pragma once
-// Buffered moves: a list that is fed into the controller's buffer as places become free, with a file of its
-// own. Everything beside it stays live meanwhile. Ids: `list/ROW/COLUMN` (rows from 1), `list/start` ...
+// Buffered moves: a list, with its own file, that is fed into the controller's buffer as entries become free.
+// All other controls stay live meanwhile. Ids: `list/ROW/COLUMN` (rows from 1), `list/start` ...
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -36,7 +36,7 @@ class Moves final : public gui::Panel {
 
   void add_row(const Catalog& catalog);
   void show_rows(const std::vector<gui::MoveRow>& rows, const MoveListFacts& facts);
-  /// Nothing: a cell holds no valid number; `why` says which.
+  /// Nothing: a cell holds no valid number; `why` tells which.
   std::optional<std::vector<gui::MoveRow>> values(const MoveListFacts& facts, std::string& why);
   void start(gui::Frame& frame);
   void abort(gui::Frame& frame);
@@ -47,11 +47,11 @@ class Moves final : public gui::Panel {
 
   std::vector<Row> rows_;
   std::vector<ActionForm> actions_;
-  ReadoutSet beside_switch_;  ///< what a switch shows
+  ReadoutSet beside_switch_;  ///< readouts shown by a switch
   bool made_ = false, edited_ = false, to_end_ = false;
   std::filesystem::path file_;
   gui::FileDialog open_, save_;
-  bool asking_ = false, asked_to_open_ = false;  ///< before edited rows go
+  bool asking_ = false, asked_to_open_ = false;  ///< before edited rows are discarded
   bool works_ = true;  ///< the list is on its way, or all of it was sent and the buffer is not empty yet
   IntentId started_ = 0;
   DoubtWays doubt_;

@@ -1,4 +1,4 @@
-// The rows of a list of moves: made, checked, sent, kept in files.
+// The rows of a list of moves: creation, checks, sending, files.
 #include <cmath>
 
 #include <fmt/core.h>

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float list_width = 320, side = 12, row_height = 32;
 
-/// Where the next row of the list begins.
+/// Position of the next row of the list.
 struct Row {
   explicit Row(const Ui& u) : ui(u), at(ImGui::GetCursorScreenPos()) {}
   void place(float x, float height = 28) const {
@@ -56,7 +56,7 @@ std::optional<std::vector<AxisTarget>> PlacesMenu::draw(Frame& f, float width, f
     draw_text_line(f.ui, row.at.x + f.ui.px(side), row.at.x + f.ui.px(list_width - side), row.middle(),
                    Face::body, f.ui[Tone::ink2], "No place is saved yet.");
   }
-  for (std::size_t i = 0; i < f.tab.profile.places.size(); ++i) {  // one of them may be forgotten on the way
+  for (std::size_t i = 0; i < f.tab.profile.places.size(); ++i) {  // a place may be forgotten during the loop
     if (auto to = draw_place(f, i)) chosen = std::move(to);
     if (static_cast<int>(i) == edited_) draw_axes(f, i);
   }
@@ -99,7 +99,7 @@ std::optional<std::vector<AxisTarget>> PlacesMenu::draw_place(Frame& f, std::siz
   return chosen;
 }
 
-/// An axis whose field is emptied stays where it is when one goes there.
+/// An axis with an empty field does not move on Go.
 void PlacesMenu::draw_axes(Frame& f, std::size_t i) {
   if (i >= f.tab.profile.places.size()) return;
   SavedPlace& place = f.tab.profile.places[i];
@@ -123,7 +123,7 @@ void PlacesMenu::draw_axes(Frame& f, std::size_t i) {
     row.place(200);
     ButtonOptions here{
         .style = ButtonStyle::quiet, .tip = "Where this axis stands now.", .width = 52, .height = 28};
-    here.disabled = f.now.axes[a].position_known ? "" : "Where it stands is not known.";
+    here.disabled = f.now.axes[a].position_known ? "" : "Its position is not known.";
     const bool take = button(f.ui, Path("places/{}/{}/here", place.name, name), "Here", here).clicked;
     if (!typed.committed && !take) continue;
     const Steps value = take ? f.now.axes[a].commanded() : to_steps(typed.value, unit);
@@ -149,7 +149,7 @@ void PlacesMenu::draw_save(Frame& f) {
   row.place(list_width - side - 86);
   ButtonOptions b{.width = 86, .height = 28};
   b.disabled = name_.empty() ? "Type its name first." : "";
-  b.tip = "Saves where all axes stand, in the place of another one of that name.";
+  b.tip = "Saves where all axes stand, and replaces a place of that name.";
   if (button(ui, "places/save", "Save here", b).clicked || (entered && !name_.empty())) save(f);
 }
 

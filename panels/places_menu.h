@@ -1,7 +1,6 @@
 #pragma once
-// The places that the user has saved of this controller: go there, record where it stands, change, forget.
-// Ids: `places`, `places/NAME/go`, `/edit`, `/forget`, `/X` (while it is edited), `places/name`,
-// `places/save`.
+// The places saved for this controller: go there, record the present position, edit, forget. Ids: `places`,
+// `places/NAME/go`, `/edit`, `/forget`, `/X` (while it is edited), `places/name`, `places/save`.
 #include <array>
 #include <optional>
 #include <string>
@@ -14,7 +13,7 @@ namespace hw::panels {
 
 class PlacesMenu {
  public:
-  /// The button that opens it, at the cursor. The place to go to, when one was chosen.
+  /// Draws the button that opens it, at the cursor. Returns the chosen place's targets.
   std::optional<std::vector<AxisTarget>> draw(gui::Frame& frame, float width, float height);
 
  private:
@@ -25,8 +24,8 @@ class PlacesMenu {
   void save(gui::Frame& frame);
   void edit(int place);
 
-  std::string name_;  ///< typed, of the next one
-  int edited_ = -1;   ///< which place shows its axes; -1: none
+  std::string name_;  ///< typed, for the next place
+  int edited_ = -1;   ///< the place showing its axes; -1: none
   std::array<gui::NumberField, max_axes> fields_;
 };
 

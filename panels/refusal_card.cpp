@@ -34,7 +34,7 @@ float action_width(const Ui& ui, const Action& a, As as) {
 
 float slot_width(const Refusal& what, As as) { return as == As::bar ? what.slot_in_bar : what.slot_width; }
 
-/// Places of slot and actions, one after the other, in as many rows as they need. Logical.
+/// Places slot and actions one after the other, in as many rows as needed. Logical.
 template <class Place>
 float in_rows(const Ui& ui, const Refusal& what, As as, float width, const Place& place) {
   float x = 0, y = 0;
@@ -77,8 +77,8 @@ Rect seen(const Widget& w) {
           ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
 }
 
-/// What a card may not lie on, as the last frame has drawn it: what moves metal, Stops, whatever else is
-/// pressed or typed into but an editor and rows of text, and the cards of rows above.
+/// The areas a card must not cover, as drawn in the last frame: controls that move an axis, Stops, other
+/// widgets that are pressed or typed into except an editor and rows of text, and the cards of rows above.
 class Taken {
  public:
   Taken(const Ui& ui, std::string_view own) : all_(ui.registry.widgets()), own_(own) {}
@@ -104,8 +104,8 @@ class Taken {
   std::string_view own_;
 };
 
-/// Beside a row of the left column, over the centre; where that is taken further up or down, then further to
-/// the right. What stands in the centre itself is too close together for a card.
+/// Beside a row of the left column, over the centre; if that is taken, further up or down, then further
+/// right. Rows in the centre itself are too close together for a card.
 std::optional<Rect> free_place(const Ui& ui, const Taken& taken, const Rect& row, ImVec2 size) {
   const ImRect column = ImGui::GetCurrentWindow()->RootWindow->Rect();
   const float edge = ui.px(from_border), low = column.Min.y + edge, high = column.Max.y - edge - size.y;
@@ -120,7 +120,7 @@ std::optional<Rect> free_place(const Ui& ui, const Taken& taken, const Rect& row
   return {};
 }
 
-/// Over the sentence of the status line, which says no more than the card does.
+/// Covers the sentence of the status line, which tells no more than the card.
 Rect bar_place(const Ui& ui) {
   const Widget* status = ui.registry.find("status/text");
   Rect place = status ? status->rect : Rect{ImVec2(0, ui.size_px.y - ui.px(32)), ui.size_px};
@@ -139,7 +139,7 @@ void begin_window(Ui& ui, std::string_view id, const Rect& place) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBackground |
                    ImGuiWindowFlags_NoNav);
-  // A list or a dialog that is open lies over it.
+  // An open list or dialog lies over it.
   if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   draw_fill(ui, place, ui[Tone::fault_t], 0);
@@ -167,7 +167,7 @@ void RefusalCard::begin(Frame& f, const Refusal& what, const Rect& row) {
   });
 }
 
-/// It stays where it lies as long as it may: nothing moves under the hand.
+/// Keeps its place as long as it may: nothing moves under the pointer.
 void RefusalCard::find_place(const Frame& f, const Rect& row) {
   Ui& ui = f.ui;
   const ImVec2 size(ui.px(card_width), card_height(ui, what_));
@@ -180,7 +180,7 @@ void RefusalCard::find_place(const Frame& f, const Rect& row) {
   const auto found = narrow ? std::nullopt : free_place(ui, taken, row, size);
   bar_ = !found;
   place_ = found ? *found : bar_place(ui);
-  ui.wake_in(0);  // what is drawn where is known for the last frame only
+  ui.wake_in(0);  // the areas drawn there are known from the last frame only
 }
 
 void RefusalCard::draw_card_words() {
@@ -196,7 +196,7 @@ void RefusalCard::draw_card_words() {
   rows_ = ImVec2(x, place_.min.y + card_height(ui, what_) - ui.px(card_top + rows_height(ui, what_, width_)));
 }
 
-/// Two lines of small type; the whole of it under the mouse.
+/// Two lines of small type; the full text as a tooltip.
 void RefusalCard::draw_bar_words() {
   Ui& ui = *ui_;
   width_ = row_of_all(ui, what_);

@@ -72,7 +72,7 @@ bool Terminal::older_or_newer(std::string& text, int direction) {
   return true;
 }
 
-// Tab adds what is certain; when nothing is, it shows what could come.
+// Tab completes the unambiguous part; if there is none, it lists the candidates.
 bool Terminal::complete(std::string& text, std::size_t& cursor) {
   std::string longer = desk_->help.complete(text);
   if (longer != text) {
@@ -86,7 +86,7 @@ bool Terminal::complete(std::string& text, std::size_t& cursor) {
   return false;
 }
 
-/// Over whatever stands above the command, however small the terminal is; the command keeps the keyboard.
+/// Covers anything above the command, however small the terminal is; the command keeps the keyboard.
 void Terminal::draw_list(Frame& f, float bottom) {
   Ui& ui = f.ui;
   const float row = ui.px(24), shown = static_cast<float>(std::min<std::size_t>(offered_.size(), 8));
@@ -103,10 +103,10 @@ void Terminal::draw_list(Frame& f, float bottom) {
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);
   ui.take_arrows();
-  // As with every list: a press outside of it closes it.
+  // As with every list, a press outside closes it.
   const bool outside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
-  // Behind the longest form; one that would leave no room for its help is cut.
+  // After the longest form; a form that would leave no room for its help is cut.
   float help_at = ui.px(140);
   for (const std::size_t offered : offered_)
     help_at =
@@ -145,7 +145,7 @@ void Terminal::draw_list(Frame& f, float bottom) {
   if (outside) offered_.clear();
 }
 
-/// "all 4 motors"; of a wire whose devices are not all open: "all devices of the wire".
+/// "all 4 motors"; if not all devices of the wire are open: "all devices of the wire".
 static Path whom_all_means(const Frame& f) {
   if (f.tab.bus) return Path("all {} motors", f.tab.bus->members.size());
   return Path("all devices of the wire");
@@ -199,7 +199,7 @@ void Terminal::draw_command(Frame& f) {
   if (sent || field.entered) send(f);
 }
 
-/// To whom the line goes, where there is a choice: the devices of the wire, and all of them at once. Returns
+/// Draws the choice of recipients, if there is one: the devices of the wire, or all of them at once. Returns
 /// its width.
 float Terminal::draw_to(Frame& f, float top) {
   const std::string_view own = f.tab.id();
@@ -237,7 +237,7 @@ void Terminal::send(Frame& f) {
   f.send(intent::SendText(command_, to_all_));
   if (to_all_)
     f.toast(Mood::plain, fmt::format("Sent to {}. None of them replies to that.", whom_all_means(f).view()));
-  to_all_ = false;  // it is chosen for one line: the next one is not meant for all by oversight
+  to_all_ = false;  // valid for one line: the next line must not go to all by oversight
   auto& history = f.tab.desk().history;
   if (history.empty() || history.back() != command_) history.push_back(command_);
   constexpr std::size_t remembered = 200;

@@ -1,5 +1,5 @@
 #pragma once
-// The wire as it speaks: traffic decoded, and a line to speak to it oneself. In its place: what happened.
+// The terminal: decoded traffic, and a line for sending commands by hand. In its place: the events.
 #include <string>
 #include <vector>
 
@@ -36,16 +36,16 @@ class Terminal final : public gui::Panel {
   Happened happened_;
   bool shows_events_ = false;
   std::string command_, filter_;
-  bool to_all_ = false;  ///< the next line goes to all devices of the wire
+  bool to_all_ = false;  ///< the next line is sent to all devices of the wire
   std::vector<std::string_view> to_names_;
   gui::CommandHelp::Hint hint_;  ///< help ...
-  std::string hint_of_;          ///< ... for the text that it was made of ...
-  bool hint_to_all_ = false;     ///< ... and whom it is for
+  std::string hint_of_;          ///< ... for this text ...
+  bool hint_to_all_ = false;     ///< ... and for these recipients
   gui::LineHelp line_help_;
   bool with_head_ = true;
-  gui::Desk* desk_ = nullptr;  ///< while drawing: for the two helpers of the line
+  gui::Desk* desk_ = nullptr;  ///< set while drawing: for the two helpers of the line
   std::size_t history_at_ = 0;
-  std::string draft_;                 ///< what was typed before Up was pressed
+  std::string draft_;                 ///< typed before Up was pressed
   std::vector<std::size_t> offered_;  ///< not empty: the list is open
   std::size_t offered_chosen_ = 0;
   bool took_offer_ = false;

@@ -1,4 +1,4 @@
-// The title row of the terminal: which of its two lists is shown, what is done with it, messages.
+// The title row of the terminal: the choice of its two lists, their tools, messages.
 #include <array>
 #include <span>
 
@@ -17,7 +17,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// Less room than this is none for a message; and for what the log has lost.
+/// Minimum room for a message; and room for the count of lost log entries.
 constexpr float messages_at_least = 280, lost_width = 140;
 constexpr float wide_filter = 128, narrow_filter = 96, between_tools = 8;
 constexpr ButtonOptions log_menu_look{.style = ButtonStyle::quiet};
@@ -33,7 +33,7 @@ ButtonOptions look_of_tool(const LogTool& tool) {
           .on = tool.on && *tool.on};
 }
 
-/// What has no room stands in the list: first what is done with the log, then how it is shown.
+/// Tools without room move to the menu: first the log's actions, then the display options.
 struct LogTools {
   bool toggles = true, actions = true;
   float filter = wide_filter, space = between_tools, width = 0;
@@ -85,8 +85,7 @@ void Terminal::draw_head(Frame& f, TrafficLog& log) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(44)));
 }
 
-/// Messages at the right end of the title row, if it has room for a sentence; else the status line shows
-/// them.
+/// Messages at the right end of the title row, if it has room for a sentence; else in the status line.
 void Terminal::draw_messages_behind(Frame& f, float left, float top) {
   Ui& ui = f.ui;
   const float right = ui.px(f.area.right() - 16), room = right - left - ui.px(16);
@@ -96,7 +95,7 @@ void Terminal::draw_messages_behind(Frame& f, float left, float top) {
   draw_messages(ui, f.console.toasts(), {ImVec2(right - width, top), ImVec2(right, top + ui.px(32))});
 }
 
-/// At the right; beside it messages, where there is room for both. Returns where it ends.
+/// At the right; beside them messages, if there is room for both. Returns the end.
 float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float top) {
   Ui& ui = f.ui;
   TrafficLog::View view = log.view();
@@ -143,7 +142,7 @@ float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float 
   return beside ? lost_to : end;
 }
 
-/// What the head does, where there is no room for it.
+/// The menu of head functions that have no room.
 void Terminal::draw_log_menu(Frame& f) {
   TrafficLog& log = f.tab.desk().traffic;
   TrafficLog::View view = log.view();

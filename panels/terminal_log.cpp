@@ -20,7 +20,7 @@ namespace {
 // Columns of the look, logical pixels from the left edge.
 constexpr float time_x = 16, arrow_x = 122, raw_x = 140, meaning_x = 292, row_logical = 20;
 
-/// Bytes as they came in `tone`, what stands for an unprintable one in ink3.
+/// Received bytes in `tone`, substitutes for unprintable ones in ink3.
 float draw_raw(const Ui& ui, ImVec2 at, Tone tone, std::string_view raw) {
   constexpr std::string_view open = "\u2039", close = "\u203A";
   const float left = at.x;
@@ -48,7 +48,7 @@ bool TerminalLog::chosen(const TrafficLog::Row& row) const {
 void TerminalLog::draw(Ui& ui, TrafficLog& log, float height) {
   const bool looking = log.update_rows();
   if (looking) ui.wake_in(0);
-  if (!log.view().fold_polls) ui.wake_in(0.25);  // a poll wakes nobody, but here somebody looks at each
+  if (!log.view().fold_polls) ui.wake_in(0.25);  // a poll causes no frame, but unfolded polls must appear
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[Tone::well]);
   ImGui::BeginChild("terminal/log", ImVec2(0, height), false,
@@ -56,7 +56,7 @@ void TerminalLog::draw(Ui& ui, TrafficLog& log, float height) {
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   const float row_height = ui.px(row_logical);
-  // At its end it shows whole rows only: the last stands at the bottom, the first is not cut.
+  // At the end of the list only whole rows are shown: the last stands at the bottom, the first is not cut.
   const float rows_high = static_cast<float>(log.row_count()) * row_height + ui.px(8);
   const float past = std::max(0.0f, rows_high - height);
   const float whole = past > 0 ? height + std::ceil(past / row_height) * row_height : rows_high;
@@ -65,7 +65,7 @@ void TerminalLog::draw(Ui& ui, TrafficLog& log, float height) {
   choose(ui, log, row_height);
   ImGui::SetCursorPos(ImVec2(0, whole));
   ImGui::Dummy(ImVec2(0, 0));
-  // Only a hand on this list leaves its end; rows that come while another button is down do not.
+  // Only input on this list leaves its end; new rows while another button is down do not.
   const bool wheel = ImGui::GetIO().MouseWheel != 0 && ImGui::IsWindowHovered();
   const bool bar = GImGui->ActiveId == ImGui::GetWindowScrollbarID(ImGui::GetCurrentWindow(), ImGuiAxis_Y);
   if (wheel || bar || dragging_) follow_ = ImGui::GetScrollY() >= whole - height - row_height;
@@ -77,7 +77,7 @@ void TerminalLog::draw_rows(Ui& ui, TrafficLog& log, float row_height) {
   size_ = ImGui::GetWindowSize();
   const float scroll = std::floor(ImGui::GetScrollY());
   const float top = corner.y - scroll + ui.px(4);
-  // At the end the first row stands whole under the border, without a strip of the one before.
+  // At the end the first row stands whole under the border, without a strip of the previous one.
   const float above = follow_ ? scroll : std::max(0.0f, scroll - ui.px(4));
   const auto begin = static_cast<std::size_t>(above / row_height);
   const std::size_t end =
@@ -119,12 +119,15 @@ void TerminalLog::draw_fold(Ui& ui, TrafficLog& log, const TrafficLog::Row& row,
   const TrafficLog::Line& line = log.line(row);
   const float middle = std::floor(place.centre().y);
   const float left = place.min.x + ui.px(time_x + 22);
-  const float width = std::ceil(text_width(ui, Face::small, line.raw));
-  draw_text_line(ui, left, place.max.x, middle, Face::small, ui[Tone::ink3], line.raw);
+  const std::string_view verb = row.open ? "Hide" : "Show";
+  // The link to unfold is never cut, nor hidden by the scroll bar.
+  const float room = place.max.x - ui.px(16 + 6) - std::ceil(text_width(ui, Face::small, verb)) - left;
+  const float width = std::min(room, std::ceil(text_width(ui, Face::small, line.raw)));
+  draw_text_line(ui, left, left + width, middle, Face::small, ui[Tone::ink3], line.raw);
   char id[48];
   const auto end = fmt::format_to_n(id, sizeof id, "terminal/fold/{}", row.first);
   ImGui::SetCursorScreenPos(ImVec2(left + width + ui.px(6), std::floor(middle - ui.line(Face::small) / 2)));
-  if (link(ui, {id, std::min(end.size, sizeof id)}, row.open ? "Hide" : "Show")) {
+  if (link(ui, {id, std::min(end.size, sizeof id)}, verb)) {
     to_toggle_ = row;
     follow_ = false;
   }
@@ -175,7 +178,7 @@ std::string TerminalLog::copied(TrafficLog& log) const {
   return text;
 }
 
-// What can be read there, for scripts and screen readers; made anew only when something has changed.
+// The visible text, for scripts and screen readers; rebuilt only on a change.
 void TerminalLog::say(Ui& ui, TrafficLog& log, Span visible) {
   if (said_version_ != log.version() || said_begin_ != visible.begin) {
     said_version_ = log.version();

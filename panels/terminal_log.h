@@ -1,5 +1,5 @@
 #pragma once
-// The rows of traffic: drawn only where they are seen, chosen with the mouse, copied as text.
+// The rows of traffic: only visible rows are drawn; selected with the mouse, copied as text.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,9 +12,9 @@ namespace hw::panels {
 
 class TerminalLog {
  public:
-  /// Fills the rest of the width and `height` pixels.
+  /// Fills the remaining width and `height` pixels.
   void draw(gui::Ui& ui, gui::TrafficLog& log, float height);
-  /// What is chosen as text; nothing chosen: everything that is shown.
+  /// The selected rows as text; without a selection, all rows shown.
   [[nodiscard]] std::string copied(gui::TrafficLog& log) const;
   void to_the_end() { follow_ = true; }
   void choose_none() { anchor_ = caret_ = none; }
@@ -31,12 +31,12 @@ class TerminalLog {
   void say(gui::Ui& ui, gui::TrafficLog& log, Span visible);
   [[nodiscard]] bool chosen(const gui::TrafficLog::Row& row) const;
 
-  bool follow_ = true;  ///< the newest row stays in sight
-  // Rows come and go at both ends, records keep their number.
+  bool follow_ = true;  ///< keep the newest row visible
+  // Record numbers: rows come and go at both ends, records keep their number.
   std::uint64_t anchor_ = none, caret_ = none;
   bool dragging_ = false, active_ = false;  ///< active: the last click was into the rows
   std::optional<gui::TrafficLog::Row> to_toggle_;
-  std::string said_;  ///< what scripts read
+  std::string said_;  ///< for scripts
   std::uint64_t said_version_ = 0;
   std::size_t said_begin_ = 0;
   ImVec2 size_{};

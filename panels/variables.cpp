@@ -55,7 +55,7 @@ Result<std::pair<int, std::int64_t>> parse_assignment(std::string_view text, con
     return wrong(fmt::format("The variables are {0}0 to {0}{1}.", facts.prefix, facts.count - 1));
   std::int64_t value = 0;
   if (!read_whole(text.substr(equals + 1), value))
-    return wrong("What stands behind the = is no whole number.");
+    return wrong("The value after the = is not a whole number.");
   if (facts.minimum < facts.maximum && (value < facts.minimum || value > facts.maximum))
     return wrong(fmt::format("{} is out of range: {} to {}.", value, facts.minimum, facts.maximum));
   return std::pair(number, value);
@@ -89,7 +89,7 @@ void Variables::draw_grid(Frame& f, float width) {
   gap(f.ui, 16);
 }
 
-// Numbers run down a column, as in the maker's lists.
+// Numbers run down each column, as in the maker's lists.
 void Variables::draw_part(Frame& f, int first, int end, int columns, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -128,7 +128,7 @@ void Variables::draw_cell(Frame& f, int n, float width) {
   const NumberEvent e = number_field(ui, Path("var/{}", n), name, shown, fields_[index], o);
   const std::string& sentence = fields_[index].sentence;
   const bool refused = e.field.left && !sentence.empty();
-  if (refused || e.committed) f.withdraw(&fields_[index]);  // what was said of its last value
+  if (refused || e.committed) f.withdraw(&fields_[index]);  // the message about its last value
   if (e.committed) f.send(intent::SetVariable(n, std::llround(e.value)));
   if (refused)
     f.toast(

@@ -1,6 +1,6 @@
 #pragma once
-// The numbered variables of the controller's programs: live, editable, the stored ones marked, and a line
-// that takes them as the maker writes them. Ids: `var/53`, `var/command`, `var/set`.
+// The numbered variables of the controller's programs: live, editable, stored ones marked, and a line that
+// accepts the maker's notation. Ids: `var/53`, `var/command`, `var/set`.
 #include <string>
 #include <utility>
 #include <vector>

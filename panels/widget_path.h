@@ -29,7 +29,7 @@ inline Path with_minus(std::string_view name) {
   return Path("{}{}", minus ? name.substr(0, name.size() - 1) : name, minus ? "\u2212" : "");
 }
 
-/// A direction as people write it.
+/// A direction for display.
 inline std::string_view sign_text(Sign sign) { return sign == Sign::plus ? "+" : "\u2212"; }
 
 }  // namespace hw::panels

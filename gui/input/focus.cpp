@@ -8,7 +8,7 @@
 
 namespace hw::gui {
 
-void Focus::begin_frame(Registry& registry, double now_s, bool typing, TabTaken taken) {
+void Focus::begin_frame(Registry& registry, Times times, bool typing, TabTaken taken) {
   started_ = ended_ = false;
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsMouseClicked(0)) visible_ = false;
@@ -19,10 +19,10 @@ void Focus::begin_frame(Registry& registry, double now_s, bool typing, TabTaken 
     if (!id_.empty()) registry.scroll_to(id_);
     return;
   }
-  if (!typing) read_activation(registry, now_s);
+  if (!typing) read_activation(registry, times);
 }
 
-void Focus::read_activation(const Registry& registry, double now_s) {
+void Focus::read_activation(const Registry& registry, Times times) {
   const bool pressed = ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) ||
                        ImGui::IsKeyPressed(GLFW_KEY_SPACE, false) ||
                        ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
@@ -31,17 +31,18 @@ void Focus::read_activation(const Registry& registry, double now_s) {
   if (held_ && !down) {
     held_ = false;
     ended_ = true;
+    released_at_s_ = times.key_moved_at_s;
   }
   if (!pressed || !visible_) return;
   const Widget* widget = registry.find(id_);
   if (!widget || !widget->enabled) return;
-  if (widget->moving && now_s >= armed_until_s_) {
-    armed_until_s_ = now_s + 2.0;
+  if (widget->moving && times.now_s >= armed_until_s_) {
+    armed_until_s_ = times.now_s + 2.0;
     return;
   }
   armed_until_s_ = -1;
   started_ = held_ = true;
-  pressed_at_s_ = now_s;
+  pressed_at_s_ = times.key_moved_at_s;
 }
 
 void Focus::step(const Registry& registry, int direction) {
@@ -73,13 +74,13 @@ void Focus::move_to(std::string_view id) {
   visible_ = true;
   held_ = false;
   armed_until_s_ = -1;
-  if (ImGui::GetCurrentContext()) ImGui::ClearActiveID();  // whoever typed is done
+  if (ImGui::GetCurrentContext()) ImGui::ClearActiveID();  // ends typing in any field
 }
 
 bool Focus::take_entry(std::string_view id) {
   if (entry_.empty() || entry_ != id) return false;
   entry_.clear();
-  frames_to_entry_ = 3;  // ImGui gives the keyboard to a field a frame or two after it is asked to
+  frames_to_entry_ = 3;  // ImGui gives a field the keyboard a frame or two after the request
   return true;
 }
 

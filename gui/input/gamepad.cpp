@@ -16,7 +16,7 @@ constexpr int dead_man = GLFW_GAMEPAD_BUTTON_LEFT_BUMPER;
 struct StickCommand {
   Command minus, plus;
 };
-/// By GLFW's numbers. Its sticks count downwards; up is plus, as on the pad of the screen.
+/// By GLFW's numbers. Stick values grow downwards; up is plus, as on the jog pad of the screen.
 constexpr StickCommand stick_commands[] = {{Command::jog_left, Command::jog_right},
                                            {Command::jog_up, Command::jog_down},
                                            {Command::jog_page_down, Command::jog_page_up},
@@ -64,9 +64,10 @@ void Gamepad::rest_first() {
 
 std::string Gamepad::take_words() { return std::exchange(words_, {}); }
 
-// ---- what is pushed
+// ---- deflection
 
-/// The one that is pushed most. The one that is held stays until it is let go, or another is clearly more.
+/// The command of the largest deflection. The held one stays until it is released, or another is clearly
+/// larger.
 std::optional<Command> Gamepad::of_sticks() const {
   std::optional<Command> best;
   float most = 0;
@@ -88,7 +89,7 @@ std::optional<Command> Gamepad::pushed() const {
   return of_sticks();
 }
 
-// ---- what it does
+// ---- actions
 
 void Gamepad::end(double at_s, bool cut_off) {
   if (!held_) return;
@@ -102,7 +103,7 @@ void Gamepad::stop(double at_s) {
   end(at_s, true);
 }
 
-/// Nothing of it is even half way to a jog, or a trembling hand would begin one.
+/// Every control is at rest or nearly so; otherwise a trembling hand would begin a jog.
 bool Gamepad::let_go() const {
   return std::none_of(
              std::begin(d_pad), std::end(d_pad),
@@ -117,7 +118,7 @@ double Gamepad::may_stay_same_s() const {
   return half_way ? same_for_s : same_at_end_for_s;
 }
 
-/// True: nothing is to begin.
+/// True: nothing begins.
 bool Gamepad::hear(double at_s) {
   if (held_ && at_s - heard_at_s_ > silent_after_s) begin_frame(at_s);
   heard_at_s_ = at_s;
@@ -135,7 +136,7 @@ bool Gamepad::hear(double at_s) {
   if (let_go())
     must_rest_ = false;
   else if (!may)
-    must_rest_ = true;  // or it would begin by the dead-man button alone
+    must_rest_ = true;  // or the dead-man button alone would begin it
   return !may || !now || must_rest_ || held_;
 }
 
@@ -147,7 +148,7 @@ bool Gamepad::on_arrival(const InputEvent& event) {
     case InputKind::key:
       if (event.code == GLFW_KEY_ESCAPE && event.down) rest_first();
       return false;
-    case InputKind::pad_stick:  // many in a second, none of which is worth a frame
+    case InputKind::pad_stick:  // many a second, none of them worth a frame
       if (armed_ && event.code >= 0 && event.code < static_cast<int>(sticks_.size()))
         sticks_[static_cast<std::size_t>(event.code)] = event.x;
       changed_at_s_ = event.at_s;
@@ -162,7 +163,7 @@ bool Gamepad::on_arrival(const InputEvent& event) {
       return false;
     case InputKind::pad_heard: {
       const bool was_armed = armed_;
-      return hear(event.at_s) && armed_ == was_armed;  // a frame shows that it is not any more
+      return hear(event.at_s) && armed_ == was_armed;  // a frame shows that it was disarmed
     }
     case InputKind::pad_gone:
       name_.clear();
@@ -179,7 +180,7 @@ bool Gamepad::in_turn(const InputEvent& event) {
   const std::optional<Command> now = pushed();
   if (event.kind != InputKind::pad_heard || !armed_ || !buttons_[dead_man] || !now || must_rest_ || held_)
     return true;
-  must_rest_ = keyboard_.covered();  // a dialog or a list is answered first
+  must_rest_ = keyboard_.covered();  // a dialog or a list must be answered first
   if (must_rest_) return true;
   held_ = now;
   changed_at_s_ = event.at_s;

@@ -1,7 +1,7 @@
 #pragma once
-// The gamepad of this computer, as GLFW knows it, made into entries of the input queue. GLFW tells no events
-// of one, and tells its state to windows without the focus too: so it is looked at 60 times a second while it
-// is armed, and never otherwise. Window thread only.
+// Turns the gamepad of this computer, as GLFW knows it, into entries of the input queue. GLFW has no gamepad
+// events, and reports its state to windows without the focus too: so it is polled 60 times a second while
+// armed, and never otherwise. Window thread only.
 #include <array>
 #include <functional>
 #include <optional>
@@ -16,13 +16,13 @@ struct PadState {
   std::array<bool, 15> buttons{};
 };
 
-/// What has changed between two looks.
+/// The changes between two polls.
 class PadChanges {
  public:
   using Push = std::function<void(const InputEvent&)>;
-  /// All of it changes with the first look.
+  /// Makes the next poll report everything.
   void forget() { before_ = PadState(); }
-  /// None: it did not answer.
+  /// None: no reply.
   void tell(const std::optional<PadState>& now, double now_s, const Push& push);
 
  private:
@@ -33,9 +33,9 @@ class GamepadSource {
  public:
   /// After glfwInit().
   void watch();
-  /// Whether one was plugged in or pulled out since the last call; `push` hears of one that has gone.
+  /// Returns whether one was plugged in or removed since the last call; reports a removal to `push`.
   [[nodiscard]] bool has_news(double now_s, const PadChanges::Push& push);
-  /// As its maker calls it; empty: none is there, or none that GLFW has a map of.
+  /// The maker's name; empty: no gamepad, or none that GLFW has a map of.
   [[nodiscard]] std::string name() const;
   void look_if_due(double now_s, const PadChanges::Push& push);
   void rest() { changes_.forget(); }

@@ -11,7 +11,7 @@ namespace {
 bool is_one_of(int key, int left, int right) { return key == left || key == right; }
 bool is_shift(int key) { return is_one_of(key, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT); }
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
-/// A key that only makes a text event: neither ImGui nor a shortcut asks when it goes down or up.
+/// A key that only produces a text event: neither ImGui nor a shortcut uses its press or release.
 bool only_types(int key, const Modifiers& m) {
   return (key > GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2) && !m.ctrl && !m.alt && !m.super;
 }
@@ -38,7 +38,7 @@ void Modifiers::follow(const InputEvent& event) {
   if (event.modifiers) *this = *event.modifiers;
   if (event.kind == InputKind::focus_lost) *this = {};
   if (event.kind != InputKind::key) return;
-  // The window system tells how it was before: the key itself comes on top.
+  // The window system reports the state before the event: the key itself is applied afterwards.
   if (is_one_of(event.code, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL)) ctrl = event.down;
   if (is_one_of(event.code, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT)) shift = event.down;
   if (is_one_of(event.code, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)) alt = event.down;
@@ -82,7 +82,7 @@ void InputQueue::push(const InputEvent& event) {
   if (event.kind == InputKind::mouse_move || event.kind == InputKind::mouse_button)
     pointer_ = ImVec2(event.x, event.y);
   if (on_arrival_ && on_arrival_(event)) return;
-  // A mouse that only moves needs one place in the queue.
+  // Consecutive mouse moves share one place in the queue.
   if (event.kind == InputKind::mouse_move && !waiting_.empty() &&
       waiting_.back().kind == InputKind::mouse_move)
     waiting_.back() = event;
@@ -135,6 +135,7 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
     case InputKind::key:
       if (event.code < 0 || event.code >= IM_ARRAYSIZE(io.KeysDown)) break;
       io.KeysDown[event.code] = event.down;
+      key_moved_at_s_ = event.at_s;
       if (!only_types(event.code, modifiers_) && !is_shift(event.code)) fed.edit_key = true;
       break;
     case InputKind::text:
@@ -144,12 +145,12 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
     case InputKind::focus_lost:
       for (bool& down : io.KeysDown) down = false;
       for (bool& down : io.MouseDown) down = false;
-      // Away from every widget: letting go must not count as a click on what was pressed.
+      // Off every widget: a release must not count as a click on the pressed one.
       io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
-      released_at_s_ = event.at_s;
+      released_at_s_ = key_moved_at_s_ = event.at_s;
       fed.button = true;
       break;
-    case InputKind::pad_stick:  // the gamepad is nothing of ImGui's
+    case InputKind::pad_stick:  // ImGui does not handle the gamepad
     case InputKind::pad_button:
     case InputKind::pad_heard:
     case InputKind::pad_gone: break;

@@ -7,7 +7,7 @@ namespace hw::gui {
 namespace {
 
 constexpr bool ctrl = true, shift = true, plain = false;
-constexpr int by_letter = -1;  // where `?` lies depends on the keyboard's country: its text event counts
+constexpr int by_letter = -1;  // the place of `?` depends on the keyboard layout: its text event counts
 constexpr Shortcut table[] = {
     {Command::stop_all, GLFW_KEY_ESCAPE, plain, plain, Reach::always, false, "Esc",
      "Stop all controllers; again: at once"},
@@ -58,8 +58,8 @@ void Keyboard::emit(Command c, bool down, double at_s) {
   if (on_edge) on_edge(CommandEdge{c, down, at_s});
 }
 
-// With Alt or Super a key is the window manager's, or another program's habit: Alt+Left goes back there, and
-// must not move an axis here.
+// With Alt or Super a key belongs to the window manager, or to a habit from other programs: Alt+Left means
+// back there, and must not move an axis here.
 const Shortcut* Keyboard::match(int key) const {
   if (modifiers_.alt || modifiers_.super) return nullptr;
   for (const Shortcut& s : table)
@@ -79,11 +79,11 @@ bool Keyboard::stop_key(const InputEvent& event) {
 
 bool Keyboard::key_down(const InputEvent& event) {
   bool& taken = taken_[static_cast<std::size_t>(event.code)];
-  if (taken) return true;  // a repeat that a window system sent as a press
+  if (taken) return true;  // an auto-repeat that the window system reported as a press
   const Shortcut* s = match(event.code);
   if (!s) return false;
   taken = true;
-  // Swallowed all the same: Ctrl Enter is not the Enter of the dialog that lies over the program either.
+  // Consumed all the same: Ctrl Enter must not confirm the dialog that covers the program.
   if (covered_ && s->reach != Reach::always) return true;
   if (s->held) held_[index(s->command)] = true;
   emit(s->command, true, event.at_s);

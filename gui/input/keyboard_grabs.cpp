@@ -7,7 +7,7 @@
 namespace hw::gui {
 namespace {
 
-// Of X.h and Xlib.h.
+// From X.h and Xlib.h.
 constexpr long focus_change_mask = 1L << 21;
 constexpr int focus_in = 9, focus_out = 10, notify_grab = 1, notify_ungrab = 2;
 struct FocusChange {
@@ -39,7 +39,7 @@ void KeyboardGrabs::watch(GLFWwindow* window) {
   display_ = open(name_of(shown_on));
   if (!display_) return;
   select(display_, window_of(window), focus_change_mask);
-  read();  // sends it on its way
+  read();  // sends the request
 }
 
 void KeyboardGrabs::read() {

@@ -1,7 +1,7 @@
 #pragma once
-// Who shows a menu, switches windows or locks the screen grabs the keyboard: it is lost then as with the
-// focus, but GLFW does not tell. Heard on a connection of its own to the X server; on other displays nothing
-// is. Window thread only.
+// Another program that shows a menu, switches windows or locks the screen grabs the keyboard: it is then lost
+// as with the focus, but GLFW does not report it. Detected on a separate connection to the X server; not on
+// other displays. Window thread only.
 #include <vector>
 
 struct GLFWwindow;
@@ -16,9 +16,9 @@ class KeyboardGrabs {
   KeyboardGrabs& operator=(const KeyboardGrabs&) = delete;
 
   void watch(GLFWwindow* window);
-  /// What happened since the last call, in order; true: somebody took the keyboard, false: gave it back.
+  /// Events since the last call, in order; true: the keyboard was grabbed, false: it was given back.
   [[nodiscard]] std::vector<bool> take_news();
-  /// The newest of it is that it was given back.
+  /// Returns whether the newest event gave the keyboard back.
   [[nodiscard]] bool is_given_back();
 
  private:

@@ -40,8 +40,8 @@ bool PhysicalKeys::is_press(int key, int code, bool repeat) {
   if (is_down(held_over_, code)) return false;
   int& known = codes_[static_cast<std::size_t>(key)];
   if (repeat) {
-    // A press in truth, of a key whose release was taken away; but not one that was under way when it came
-    // up.
+    // In fact a press, of a key whose release was taken away; but not a repeat already under way when the key
+    // came up.
     if (known != 0 || away_) return false;
     const auto keys = ask_();
     if (!keys || !is_down(*keys, code)) return false;

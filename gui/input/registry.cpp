@@ -97,7 +97,7 @@ void Registry::end_frame() {
 }
 
 const Widget* Registry::find(std::string_view id) const {
-  // Topmost last: a dialog may repeat an id of the page below it.
+  // Topmost last: a dialog may repeat the id of a widget on the page below.
   for (auto w = shown_.widgets.rbegin(); w != shown_.widgets.rend(); ++w)
     if (w->id == id) return &*w;
   return nullptr;

@@ -1,6 +1,6 @@
 #pragma once
-// Every widget of the frame, by its path: what scripts, tests, the focus order and later screen readers know
-// of the screen. Filled while drawing, read after the frame. Allocates nothing once it has grown.
+// Every widget of the frame, by its path: the screen as known to scripts, tests, the focus order and later
+// screen readers. Filled while drawing, read after the frame. Allocates nothing once it has grown.
 #include <cstdint>
 #include <span>
 #include <string>
@@ -41,29 +41,30 @@ struct Rect {
 
 struct Widget {
   std::string_view id;      ///< stable path: `jog/1/+`
-  std::string_view label;   ///< what a person reads on it
-  std::string_view value;   ///< what it shows or holds, plain ASCII
-  std::string_view reason;  ///< disabled: why
+  std::string_view label;   ///< visible label
+  std::string_view value;   ///< shown or held value, plain ASCII
+  std::string_view reason;  ///< why it is disabled
   Kind kind = Kind::button;
-  Rect rect{}, clip{};  ///< pixels; what of the window may be seen there
+  Rect rect{}, clip{};  ///< pixels; its visible part of the window
   int layer = 0;        ///< depth of popups and dialogs; only the deepest can be used
   bool enabled = true;
   bool moving = false;        ///< can start motion
   bool stops = false;         ///< a Stop: nothing may lie over it
-  bool card = false;          ///< the ground of a card that lies over other parts: no toast may lie on it
-  double stands_since_s = 0;  ///< `moving`: it stands still and ready since then, see standing.h
-  bool not_taken = false;     ///< `moving`: a press has just come too early, and it says so
-  bool hovered = false;       ///< the mouse is over it and nothing covers it
+  bool card = false;          ///< the background of a card that covers other parts: no toast may cover it
+  double stands_since_s = 0;  ///< `moving`: at rest and ready since then, see standing.h
+  bool not_taken = false;     ///< `moving`: shows that a press has just come too early
+  bool hovered = false;       ///< the mouse is over it, and nothing covers it
   [[nodiscard]] bool usable() const {
     return kind != Kind::lamp && kind != Kind::text && kind != Kind::meter;
   }
   [[nodiscard]] bool in_view() const { return clip.contains(rect.centre()); }
+  [[nodiscard]] bool wholly_in_view() const { return clip.contains(rect.min) && clip.contains(rect.max); }
 };
 
 class Registry {
  public:
   void begin_frame();
-  /// Copies the texts. Values lose what is not ASCII: the minus becomes '-', a thin space goes.
+  /// Copies the texts. Values lose non-ASCII characters: the minus becomes '-', a thin space is dropped.
   void add(const Widget& widget);
   void end_frame();
 
@@ -72,9 +73,9 @@ class Registry {
   [[nodiscard]] const Widget* find(std::string_view id) const;
   [[nodiscard]] int top_layer() const { return shown_.top_layer; }
 
-  /// Asks the widget to bring itself into view in the next frame in which it is drawn.
+  /// Asks the widget to scroll itself into view in the next frame that draws it.
   void scroll_to(std::string_view id) { scroll_to_ = id; }
-  /// For widgets: whether it was asked; answers once.
+  /// For widgets: whether it was asked; true once.
   bool wants_scroll(std::string_view id);
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
-// Since when each button that can start motion has stood where it stands, ready to be pressed: a press counts
-// only on one that has stood still for a while. What comes under a hand that is already on its way down is
-// not what the hand meant. Stop, letting go and everything that moves nothing never wait; the keyboard's
+// Records since when each button that can start motion has been in its place, ready to be pressed: a press
+// counts only on a button that has stood still for a while. A button that appears under a finger already on
+// its way down was not meant. Stop, releases and everything that moves nothing never wait; the keyboard's
 // focus ring means a button by its name, wherever it is.
 #include <vector>
 
@@ -11,7 +11,7 @@
 
 namespace hw::gui {
 
-/// A hand that has seen a button move needs about that long to take its press back.
+/// Time that a user who has seen a button move needs to withhold a press.
 inline constexpr double must_stand_s = 0.3;
 
 class Standing {
@@ -19,16 +19,16 @@ class Standing {
   struct Place {
     ImGuiID id = 0;
     Rect rect{};
-    bool ready = false;            ///< enabled, and no list or dialog is open over it
-    bool came_alive = false;       ///< what changed last: it became ready where it stood
+    bool ready = false;            ///< enabled, and not covered by an open list or dialog
+    bool came_alive = false;       ///< its last change: it became ready in place
     double since_s = 0;            ///< of the frame that first drew it so; of this one while it is not ready
-    double not_taken_until_s = 0;  ///< till then it shows that a press came too early
+    double not_taken_until_s = 0;  ///< shows until then that a press came too early
     bool seen = false;
     [[nodiscard]] bool too_early(double press_s) const { return press_s - since_s < must_stand_s; }
   };
-  /// Once a frame for each that is drawn. Valid until the next call.
+  /// Once a frame for each drawn button. Valid until the next call.
   Place& see(ImGuiID id, const Rect& rect, bool ready, double now_s);
-  /// What this frame did not draw is forgotten: it has not stood still when it comes again.
+  /// Forgets the buttons that this frame did not draw: they start anew when they are drawn again.
   void end_frame();
 
  private:

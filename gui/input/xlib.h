@@ -1,6 +1,6 @@
 #pragma once
-// Functions of Xlib, which is in the process when GLFW has opened an X window; null where it has not. Its
-// headers are not needed to build.
+// Xlib functions, present in the process once GLFW has opened an X window; else null. Xlib's headers are not
+// needed to build.
 #include <dlfcn.h>
 
 namespace hw::gui {
@@ -10,7 +10,7 @@ Function from_xlib(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
 }
 
-/// The display of GLFW's windows; null: it is no X server.
+/// The display of GLFW's windows; null: no X server.
 inline void* glfw_x_display() {
   static const auto get = from_xlib<void* (*)()>("glfwGetX11Display");
   return get ? get() : nullptr;

@@ -34,12 +34,20 @@ bool is_old(const Snapshot& now, int axis, Instant clock) {
   return is_stale(now.axes[static_cast<std::size_t>(axis)].seen_at, clock, now.poll_period);
 }
 
+// No speed alone does not say it: that of a slow move is rounded to 0, and the first answers of a move that
+// has just begun may hold none yet.
+bool only_goes_along(const AxisState& a) {
+  if (a.activity != Activity::moving || a.speed.value != 0 || a.phase == Phase::unknown) return false;
+  return a.has_target && a.target == a.position;
+}
+
 State state_of(const Snapshot& now, int axis, Instant clock) {
   const AxisState& a = now.axes[static_cast<std::size_t>(axis)];
   if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) return State::lost;
   if (now.link.state == LinkState::connecting || a.activity == Activity::unknown) return State::connecting;
   if (a.alarm || a.activity == Activity::error) return State::fault;
   if (is_old(now, axis, clock)) return State::stale;
+  if (only_goes_along(a)) return State::waiting;
   switch (a.activity) {
     case Activity::moving:
     case Activity::jogging:
@@ -69,11 +77,10 @@ State worst_state(const Snapshot& now, Instant clock) {
       worst = state;
   }
   const ProgramState& program = now.program;
-  const bool runs =
-      program.run == RunState::running ||  // while nothing moves: it waits for a time or an input
-      (program.owned && (program.run == RunState::waiting || program.run == RunState::held));
+  const bool runs = program.run == RunState::running ||  // without motion: it waits for a time or an input
+                    (program.owned && (program.run == RunState::waiting || program.run == RunState::held));
   if (runs && badness(worst) < badness(State::waiting)) worst = State::waiting;
-  for (const ThreadState& thread : now.threads)  // an axis that moves is told first
+  for (const ThreadState& thread : now.threads)  // a moving axis takes precedence
     if (thread.known && thread.run == RunState::error && !is_motion(worst) &&
         badness(worst) < badness(State::fault))
       worst = State::fault;

@@ -1,5 +1,5 @@
 #pragma once
-// Which state word an axis and a whole controller deserve. One place, so that digits, tabs and lamps agree.
+// The state word of an axis and of a whole controller. One place, so that digits, tabs and lamps agree.
 #include <cstdint>
 
 #include "core/device/snapshot.h"
@@ -10,7 +10,7 @@ enum class State : std::uint8_t {
   idle,
   moving_plus,
   moving_minus,
-  moving,  ///< several axes, or the direction is not known
+  moving,  ///< several axes, or direction unknown
   homing_plus,
   homing_minus,
   stopping,
@@ -23,14 +23,16 @@ enum class State : std::uint8_t {
   fault,
   waiting,
   connecting,
-  slipped,      ///< stands, and its encoder has lain too far off
-  in_place,     ///< a servo axis: its encoder stands where it is sent
-  open_loop,    ///< a servo axis: its motor is free
-  not_in_place  ///< a servo axis: it has not come where it was sent
+  slipped,      ///< at rest; its encoder was too far off
+  in_place,     ///< servo axis: its encoder is at the target
+  open_loop,    ///< servo axis: its motor is free
+  not_in_place  ///< servo axis: it has not reached its target
 };
 
-/// What is not known comes first: an axis that cannot be seen is not called idle.
+/// Missing knowledge takes precedence: an axis that cannot be seen is not called idle.
 State state_of(const Snapshot& now, int axis, Instant clock);
+/// The axis stays in place in a move of several axes: the controller reports it running, at no speed.
+bool only_goes_along(const AxisState& axis);
 /// The worst state of all axes and the link; `moving` when several move.
 State worst_state(const Snapshot& now, Instant clock);
 bool is_motion(State state);

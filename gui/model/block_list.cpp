@@ -9,7 +9,7 @@ namespace hw::gui {
 
 namespace {
 
-/// Speeds are of all axes, so one word must be true of all.
+/// Speeds apply to all axes, so one unit must hold for all.
 sequence::Sequence empty_sequence(const Catalog& catalog, std::span<const DisplayUnit> units) {
   const std::size_t count = std::min<std::size_t>(catalog.axes.size(), max_axes);
   const bool real =
@@ -77,7 +77,7 @@ Result<> BlockList::restore(const std::vector<UnsavedText>& texts) {
     auto sequence = sequence::read_sequence(t.text, "The blocks of last time");
     if (!sequence) return fail(sequence.error());
     editor.load(std::move(*sequence));
-    file_ = t.path;  // the name only: what the file holds is not known, so they count as edited
+    file_ = t.path;  // the name only: the file's content is not known, so the blocks count as edited
   }
   return {};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The blocks of one controller: a sequence under the hand, and the file that it belongs to. GUI thread.
+// The blocks of one controller: the sequence being edited and its file. GUI thread.
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -20,19 +20,19 @@ class BlockList {
   explicit BlockList(const Catalog& catalog);
 
   sequence::Editor editor;
-  /// Once a frame: blocks that are begun now are kept in the unit that all axes are shown in, else in steps.
+  /// Once a frame: sets the unit of new blocks to the one in which all axes are shown, else to steps.
   void begin_in(const Catalog& catalog, std::span<const DisplayUnit> units);
-  // As SequenceText counts the steps; -1: none.
-  int wanted_step = -1;  ///< to be chosen where the blocks are drawn
-  int chosen_step = -1;  ///< there
+  // Steps as SequenceText counts them; -1: none.
+  int wanted_step = -1;  ///< to be selected in the drawing of the blocks
+  int chosen_step = -1;  ///< selected there
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-  /// Differs from its file, or is in none.
+  /// Returns whether the blocks differ from their file, or have none.
   [[nodiscard]] bool edited() const;
   void opened(std::filesystem::path path, sequence::Sequence sequence);
-  /// Made of something else, in no file; undo brings back those before.
+  /// Replaces the blocks by ones made from something else, with no file; undo restores the former ones.
   void became(sequence::Sequence sequence);
-  /// `version`: of the editor, when what was written was taken. It may have been edited meanwhile.
+  /// `version`: of the editor when the written data was taken. The blocks may have been edited since.
   void saved(std::filesystem::path path, std::uint64_t version);
 
   // ---- for the autosave
@@ -40,18 +40,18 @@ class BlockList {
   struct Unsaved {
     std::shared_ptr<const sequence::Sequence> sequence;
     std::string path;
-    [[nodiscard]] UnsavedText text() const;  ///< long, for the worker
+    [[nodiscard]] UnsavedText text() const;  ///< slow: for the worker
   };
-  /// None: all of it is in a file.
+  /// None: everything is in a file.
   [[nodiscard]] std::optional<Unsaved> unsaved() const;
-  /// Takes its own out of what was kept. A fault: it could not be read, the list is as before.
+  /// Restores this list from the kept texts. A fault: they could not be read, and the list is unchanged.
   Result<> restore(const std::vector<UnsavedText>& texts);
 
  private:
   std::filesystem::path file_;
   std::array<DisplayUnit, max_axes> begun_in_;
   std::uint64_t in_file_ = 0;  ///< Editor::version() that the file holds
-  std::uint64_t files_ = 0;    ///< how often it was opened or saved
+  std::uint64_t files_ = 0;    ///< how often a file was opened or saved
 };
 
 }  // namespace hw::gui

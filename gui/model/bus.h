@@ -1,6 +1,6 @@
 #pragma once
-// Controllers that share a wire and one tab of the console: one is chosen and the other panels act on it, all
-// stay in sight, and Stop reaches all. GUI thread.
+// Controllers that share a wire and a tab of the console. The panels act on the chosen one, all stay in
+// sight, and Stop reaches all. GUI thread.
 #include <memory>
 #include <span>
 #include <string>
@@ -23,12 +23,12 @@ namespace hw::gui {
 
 class Tab;
 
-/// A drawing that the controllers of a bus can do together, as it was rehearsed last.
+/// A drawing for the controllers of a bus to carry out together, with its latest rehearsal.
 struct DrawnTogether {
-  std::string name;                                    ///< of its file
-  std::shared_ptr<const sequence::Sequence> sequence;  ///< null: there is none
+  std::string name;                                    ///< of the drawing's file
+  std::shared_ptr<const sequence::Sequence> sequence;  ///< null: no drawing
   std::shared_ptr<const Rehearsal> rehearsal;          ///< see rehearse_together()
-  int number = 0;                                      ///< grows with each
+  int number = 0;                                      ///< grows with each drawing
 };
 
 struct Bus {
@@ -37,30 +37,30 @@ struct Bus {
   std::vector<Tab*> members;            ///< in the order of their ids; owned by the console
   std::size_t chosen = 0;
   DrawnTogether drawn;
-  std::shared_ptr<const sequence::Sequence> begun;  ///< latest: what its controllers do together, or did
+  std::shared_ptr<const sequence::Sequence> begun;  ///< latest: carried out together, now or before
 
   [[nodiscard]] Tab& front() const { return *members[chosen]; }
-  /// The user's, which the first member's profile keeps; else the default.
+  /// The user's name, kept in the first member's profile; else the default.
   [[nodiscard]] std::string_view name() const;
   void rename(std::string name);
-  /// The one whose state is the worst; the chosen one if none is worse.
+  /// The member in the worst state; the chosen one if none is worse.
   [[nodiscard]] Tab& worst() const;
-  /// How many answer.
+  /// The number of members that are connected.
   [[nodiscard]] std::size_t connected() const;
   void stop_all(StoppedBy by = StoppedBy::button);
-  /// To each that is at pieces: a hold, its end, another speed.
+  /// Sends `wish` (a hold, its end, another speed) to each member that is working in pieces.
   void tell_pieces(const IntentBody& wish);
-  /// Of the one that is at them, or was last.
+  /// State of the member that is working in pieces, or was last.
   [[nodiscard]] const PiecesState& pieces() const;
 };
 
 /// "01, 02 and 03".
 std::string in_words(std::span<const std::string_view> names);
 
-/// Whether the sentence says of whom on a bus it speaks: "02 moves to ...".
+/// Returns whether the sentence names the device of the bus that it is about: "02 moves to ...".
 bool speaks_of(std::string_view sentence, std::string_view id);
 
-/// Of a controller, or of the worst on its bus; `moving` when several move.
+/// The state of a controller, or the worst on its bus; `moving` when several move.
 State worst_state(const Tab& tab);
 
 }  // namespace hw::gui

@@ -1,6 +1,5 @@
 #pragma once
-// What the catalog knows of a line that is being typed for the wire: how it can go on, and what Enter would
-// do.
+// The catalog's help for a line that is being typed for the wire: its completions, and what Enter would do.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,17 +15,17 @@ class CommandHelp {
   struct Hint {
     std::string
         sentence;        ///< "speed of motor m, 1 to 6000 steps/s. Stored in the program, moves nothing now"
-    bool moves = false;  ///< Enter would, or might, move something
-    bool unknown = false;  ///< nothing of the catalog begins so
+    bool moves = false;  ///< Enter would, or might, cause a motion
+    bool unknown = false;  ///< no command of the catalog begins like this
   };
-  /// For the whole line: help of its last command; whether any of its commands moves.
+  /// For the whole line: help for its last command, and whether any of its commands causes a motion.
   [[nodiscard]] Hint hint(std::string_view line) const;
 
-  /// Commands that the last one in the line can become, best first: indices into the catalog.
+  /// Completions of the line's last command, best first: indices into the catalog.
   [[nodiscard]] std::vector<std::size_t> candidates(std::string_view line) const;
-  /// The line with as much added as all candidates share. Unchanged: nothing to add.
+  /// The line, extended as far as all candidates agree. Unchanged: nothing to add.
   [[nodiscard]] std::string complete(std::string_view line) const;
-  /// The line with its last command replaced by the start of this candidate.
+  /// The line with its last command replaced by the beginning of this candidate.
   [[nodiscard]] std::string with(std::string_view line, std::size_t command) const;
 
  private:

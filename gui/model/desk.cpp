@@ -7,7 +7,7 @@
 
 namespace hw::gui {
 
-// Short enough that a crash costs a word or two, long enough that not each key is a file.
+// Short enough that a crash costs a word or two, long enough that not every key press writes a file.
 static constexpr Duration autosave_after = Millis(1000);
 
 Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain explain)
@@ -58,8 +58,8 @@ void Desk::start_rehearsal(int slot, const std::string& text, const Snapshot& no
   rehearsals.start(*language_, text, wish, state_of(now), bench, catalog_, worker());
 }
 
-// However the reading ends: what it has not brought is named by the rehearsal. A run that is about to begin
-// is not waited for: the rehearsal would begin in the middle of it.
+// Continues however the reading ends: the rehearsal names what was not read. It does not wait for a run that
+// is about to begin: the rehearsal would begin in the middle of it.
 void Desk::rehearse_prepared(const Snapshot& now, const BenchView& bench, const Send& send) {
   look_for_unread_programs(now);
   if (prepared_.empty()) {
@@ -79,7 +79,7 @@ bool Desk::reads_set_up(const Snapshot& now, const Send& send) {
   return !settled && set_up_read_by_ != 0;
 }
 
-/// Nothing is read while something runs or moves: the rehearsal says what it took it to be.
+/// Nothing is read while something runs or moves: the rehearsal states what it assumed.
 void Desk::look_for_unread_programs(const Snapshot& now) {
   const Rehearsals::Outcome* outcome = rehearsed_slot_ < 0 ? nullptr : rehearsals.of(rehearsed_slot_);
   if (!outcome || !outcome->result || rehearsals.under_way(rehearsed_slot_)) return;
@@ -136,7 +136,7 @@ void Desk::refresh(const Snapshot& now, const BenchView& bench, Instant clock, c
   autosave(clock);
 }
 
-// Without a link anybody may write there. What was under way then still is what it was, until it ends.
+// Without a link, others may change the programs. Those under way stay what they were, until they end.
 void Desk::doubt_texts(const Snapshot& now) {
   switch (now.link.state) {
     case LinkState::closed: return texts.forget();
@@ -149,7 +149,7 @@ void Desk::doubt_texts(const Snapshot& now) {
   if (run == RunState::idle || run == RunState::error) texts.nothing_runs();
 }
 
-// A script, a raw command or a restored backup wrote into the controller what is not known here.
+// A script, a raw command or a restored backup has written something unknown to the controller.
 void Desk::notice_program_changes(const Snapshot& now) {
   const std::uint32_t news = now.program_changes - std::exchange(program_changes_, now.program_changes);
   const bool ours = news == 1 && now.program_changed_by != 0 && now.program_changed_by == job.written_by();
@@ -178,7 +178,7 @@ void Desk::keep_texts_now() {
       [autosave = autosave_, key = autosave_key_, unsaved = texts.unsaved(),
        of_blocks = blocks.unsaved()]() mutable {
         if (of_blocks) unsaved.push_back(of_blocks->text());
-        // a full disk is told when the user saves; here it would only nag
+        // a full disk is reported on save; here it would only nag
         return autosave.keep(key, unsaved);
       },
       [](Result<>) {}, alive_);

@@ -1,7 +1,6 @@
 #pragma once
-// What the user works at with one controller, beside its state: the record of its wire, program texts and
-// what is done with them, edited set-up, typed commands. One per tab, whichever panels are in front. GUI
-// thread.
+// The user's work with one controller: the record of its wire, program texts and jobs on them, edited set-up,
+// typed commands. One per tab, whichever panels are in front. GUI thread.
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -50,43 +49,43 @@ class Desk {
   SetupWrite setup_write;
   const CommandHelp help;
   std::vector<std::string> history;  ///< typed commands, oldest first
-  int wanted_line = -1;              ///< of the chosen text, from 0: the editor is to show it
-  int caret_line = -1;               ///< and where it stands there; -1: it has not been shown
-  /// Files let fall on the window, by the panel that is to open them (PanelEntry::opens).
+  int wanted_line = -1;              ///< line of the chosen text, from 0, for the editor to show
+  int caret_line = -1;               ///< line of its caret; -1: not shown yet
+  /// Files dropped on the window, by the panel that is to open them (PanelEntry::opens).
   std::map<std::string, std::vector<std::filesystem::path>, std::less<>> dropped;
   [[nodiscard]] std::vector<std::filesystem::path> take_dropped(std::string_view panel);
 
   /// Null: this model has no program language.
   [[nodiscard]] const Language* language() const { return language_; }
-  /// Where long jobs run; without one they run within the frame.
+  /// Runs long jobs; without one they run within the frame.
   void use(Worker* worker) { worker_ = worker; }
   [[nodiscard]] Worker& worker() { return worker_ ? *worker_ : own_worker_; }
-  /// For Worker::run: results are dropped when this desk is gone.
+  /// For Worker::run: results are dropped once this desk is gone.
   [[nodiscard]] std::weak_ptr<void> alive() const { return alive_; }
-  /// Unsaved texts and blocks are kept under `key` from now on; those of last time come back. A fault: their
-  /// file was damaged, nothing came back.
+  /// Keeps unsaved texts and blocks under `key` from now on, and restores those of the last session. A fault:
+  /// their file was damaged, and nothing was restored.
   Result<> keep_texts(Autosave autosave, std::string key);
-  /// The desk is about to go: what was typed since the last time is kept without waiting. The worker may
-  /// still have to write it.
+  /// Before the desk is destroyed: keeps the latest edits without waiting. The worker may still have to write
+  /// them.
   void keep_now(Instant clock);
-  /// Grows when a text is edited, sent or started: what was said of it before is old then.
+  /// Grows when a text is edited, sent or started: earlier messages about it are then out of date.
   [[nodiscard]] std::uint64_t text_turns() const { return texts.changes() + job.begun() + starts_; }
   /// Seconds until the autosave wants a frame; negative: it does not.
   [[nodiscard]] double autosave_due_in(Instant clock) const;
 
-  /// Dry run of the chosen text, from where the axes stand. What the controller can tell of its set-up and
-  /// nobody has asked yet is read first, and so are other programs that the run comes to, unless Run has been
-  /// pressed: then it begins where that does. Nothing where there is no text, or one is under way.
+  /// Starts a dry run of the chosen text from the present positions. Set-up values that were never read are
+  /// read first, and so are other programs that the run reaches, unless Run has been pressed: the dry run
+  /// then begins with the run. Does nothing when there is no text or a dry run is under way.
   void rehearse(const Snapshot& now, const BenchView& bench);
-  /// What is known of the controller, with the programs that it is known to hold.
+  /// The known state of the controller, with the programs that it is known to hold.
   [[nodiscard]] ControllerState state_of(const Snapshot& now) const;
-  /// A listing came up from the controller.
+  /// A listing was uploaded from the controller.
   void listed(const Notice& notice) { texts.listed(notice.slot, notice.text, notice.at, notice.whole); }
-  /// Something went down that may change what the controller holds.
+  /// An intent was sent: a reset makes the programs doubtful, a stop ends the job.
   void sent(const IntentBody& body);
-  /// A stop goes out: nothing that was begun before is carried on.
+  /// A stop is sent: nothing begun before it is continued.
   void stopped();
-  /// Expires with the next stop: whoever carries something on takes one when it begins.
+  /// Expires with the next stop: take one when beginning something that is continued later.
   [[nodiscard]] std::weak_ptr<void> until_stopped() const { return until_stopped_; }
   /// Once a frame, after the snapshot and its notices were taken.
   void refresh(const Snapshot& now, const BenchView& bench, Instant clock, const Send& send);
@@ -112,10 +111,10 @@ class Desk {
   std::uint64_t autosaved_ = 0;
   std::uint32_t program_changes_ = 0;
   std::uint64_t starts_ = 0;
-  std::map<int, std::string> prepared_;  ///< texts by slot: to be rehearsed when the set-up is read
+  std::map<int, std::string> prepared_;  ///< texts by slot: to be rehearsed once the set-up is read
   IntentId set_up_read_by_ = 0;
   UnreadPrograms unread_;
-  int rehearsed_slot_ = -1;  ///< whose other programs may be read; -1: of none
+  int rehearsed_slot_ = -1;  ///< slot whose other programs may be read; -1: none
   Instant changed_at_{}, started_at_{};
   bool dirty_ = false;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0), until_stopped_ = std::make_shared<int>(0);

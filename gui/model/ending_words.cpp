@@ -15,7 +15,7 @@ std::string_view by_whom(StoppedBy who) {
     case StoppedBy::key: return "by Esc";
     case StoppedBy::script: return "by the script";
     case StoppedBy::text: return "by the command that was sent";
-    case StoppedBy::console: return "by the console, as nobody held it any more or the link was lost";
+    case StoppedBy::console: return "by the console, because it was no longer held or the link was lost";
     case StoppedBy::let_go: return "when its button was let go";
     case StoppedBy::nobody: break;
   }
@@ -102,8 +102,8 @@ std::string axis_words(const Ending& e, const std::string& at, const ShowPositio
                          course_of(e, position), at);
     case EndedBy::elsewhere:
       return fmt::format("{} was cut short by another program or at the controller{}", what, at);
-    case EndedBy::error: return fmt::format("{} ended in error{}{}", what, words_of(e.error), at);
-    case EndedBy::lost: return fmt::format("{} ended unseen: how is not known{}", what, at);
+    case EndedBy::error: return fmt::format("{} ended with an error{}{}", what, words_of(e.error), at);
+    case EndedBy::lost: return fmt::format("{} ended unseen: it is not known how{}", what, at);
     case EndedBy::not_in_place: break;
   }
   const Steps off(std::abs(e.off.value));
@@ -111,7 +111,7 @@ std::string axis_words(const Ending& e, const std::string& at, const ShowPositio
                      position(AxisId{static_cast<std::uint8_t>(e.axis)}, off), at);
 }
 
-/// " at line 12 of its stored code: X hit its + limit", as far as it is known.
+/// " at line 12 of its stored code: X hit its + limit", as far as known.
 std::string cause_words(const Ending& e, const Catalog& catalog) {
   std::string said = e.line < 0 ? "" : fmt::format(" at line {} of its stored code", e.line);
   if (e.failed_axis >= 0)
@@ -129,11 +129,11 @@ std::string run_words(const Ending& e, const Catalog& catalog) {
     case EndedBy::stop: return fmt::format("stopped {}{}", by_whom(e.who), of);
     case EndedBy::abort: return fmt::format("stopped at once, without a ramp, {}{}", by_whom(e.who), of);
     case EndedBy::elsewhere: return fmt::format("was cut short{}", of);
-    case EndedBy::error: return fmt::format("stopped in error{}{}", of, cause_words(e, catalog));
+    case EndedBy::error: return fmt::format("stopped with an error{}{}", of, cause_words(e, catalog));
     case EndedBy::not_in_place: return fmt::format("ended, and an axis is not in place{}", of);
     case EndedBy::lost: break;
   }
-  return fmt::format("ended unseen: how is not known{}", of);
+  return fmt::format("ended unseen: it is not known how{}", of);
 }
 
 std::string name_of_run(const Ending& e, const Catalog& catalog) {

@@ -1,6 +1,7 @@
 #pragma once
-// What happened to one controller, newest last: how its motions and programs ended, where it lost its place,
-// when its link went and came back, what it and the console had to say. In bounded memory. GUI thread.
+// Events of one controller, newest last: how its motions and programs ended, where its position was lost,
+// when its link was lost and came back, messages of the controller and the console. In bounded memory. GUI
+// thread.
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -16,25 +17,25 @@ namespace hw::gui {
 struct Happening {
   enum class Mark : std::uint8_t { reached, homed, stopped, limit, error, place_lost, link, message };
   Mark mark = Mark::message;
-  bool bad = false;  ///< somebody has to do something about it
+  bool bad = false;  ///< needs attention
   Instant at{};
   std::string who;     ///< "X", "Program 2"; empty: the controller
   std::string words;   ///< "reached its target, 85.810 mm"
   double took_s = -1;  ///< negative: it has no duration
 };
 
-/// Which of them are shown.
+/// Selects the events to show.
 enum class EventFilter : std::uint8_t { all, ends, trouble };
 
 class EventLog {
  public:
   void add(Happening event);
-  /// Of a controller that is looked at for the first time nothing has happened.
+  /// Adds changes of link and trust. The first connection of a controller is no event.
   void follow(const Snapshot& now, const Catalog& catalog);
   [[nodiscard]] const std::deque<Happening>& list() const { return list_; }
   /// Changes whenever the list does.
   [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// Newest first, a line each: for the clipboard, for scripts and screen readers.
+  /// Newest first, one line each: for the clipboard, scripts and screen readers.
   [[nodiscard]] std::string text(EventFilter filter, const DayClock& day) const;
 
   static constexpr std::size_t capacity = 2000;

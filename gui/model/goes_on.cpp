@@ -20,7 +20,7 @@ namespace {
 
 bool runs_program(const Tab& tab) { return tab.now().under_way().program; }
 
-/// The link was lost before it was seen what became of a command.
+/// The link was lost before the outcome of a command was seen.
 bool began_unseen(const Tab& tab) {
   const LinkState link = tab.now().link.state;
   return (link == LinkState::lost || link == LinkState::connecting) && tab.session() && begun_here(tab);
@@ -55,8 +55,8 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-/// Behind what is said of those whose link was lost. `named`: others stand beside them, so that "it" would
-/// not tell which.
+/// Follows the sentences about controllers whose link was lost. `named`: other controllers are mentioned too,
+/// so "it" would be ambiguous.
 std::string no_stop_reaches(const Names& lost, bool named) {
   const bool one = lost.size() == 1;
   const std::string whom = named ? in_words(lost) : one ? "it" : "them";
@@ -68,7 +68,7 @@ std::string nobody_watches(std::size_t many) {
   return many > 1 ? "Nobody would watch them." : "Nobody would watch it.";
 }
 
-/// "01 moves. 02 was moving when the link was lost. Nobody would watch 01 ...": the end of it.
+/// "01 moves. 02 was moving when the link was lost. Nobody would watch 01 ...": the last part.
 std::string what_it_means(std::size_t watched, const Names& lost) {
   std::string said = watched > 0 ? nobody_watches(watched) : std::string();
   if (lost.empty()) return said;

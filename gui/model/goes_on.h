@@ -1,5 +1,5 @@
 #pragma once
-// What a controller goes on doing when its tab, or the window, is closed. GUI thread.
+// What a controller keeps doing when its tab or the window is closed. GUI thread.
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,25 +8,27 @@ namespace hw::gui {
 
 class Tab;
 
-/// A stop would get to it now.
+/// Returns whether a stop would reach the controller now.
 [[nodiscard]] bool reached(const Tab& tab);
-/// A stored program of the user's runs, waits or is held, an axis moves, or commands wait in its queues. One
-/// whose link was lost goes on with what it did then: nobody has seen that it has stopped.
+/// Returns whether a stored program of the user runs, waits or is held, an axis moves, or commands wait in
+/// the controller's queues. After a lost link, the last known activity counts as going on: nobody has seen it
+/// stop.
 [[nodiscard]] bool goes_on(const Tab& tab);
-/// Through this console, since it last rested. A tab of no session (tests) has begun whatever it does.
+/// Returns whether the activity was begun through this console, since the controller last rested. Without a
+/// session (tests): always true.
 [[nodiscard]] bool begun_here(const Tab& tab);
-/// "Program 2 is running", "axes X and Y were moving": what stands behind a name; empty: nothing.
+/// "Program 2 is running", "axes X and Y were moving": to follow a name; empty: nothing.
 enum class Tense { present, past };
 [[nodiscard]] std::string what_goes_on(const Tab& tab, Tense tense);
-/// What is written before `what`: the controller's name, and which of its bus, unless `what` tells that.
+/// The text before `what`: the controller's name, and its id on a bus unless `what` names it.
 [[nodiscard]] std::string whose(const Tab& tab, std::string_view what);
 
-/// Of a controller, or of all on its bus, as whole sentences.
+/// The activity of a controller, or of all on its bus, in whole sentences.
 [[nodiscard]] std::string goes_on_unwatched(const Tab& tab);
-/// The same of all controllers of a window, each with its name.
+/// The same for all controllers of a window, each with its name.
 [[nodiscard]] std::string goes_on_unwatched(std::span<Tab* const> tabs);
 
-/// Stops each of them that goes on.
+/// Stops each controller that goes on.
 void stop_what_goes_on(std::span<Tab* const> tabs);
 
 }  // namespace hw::gui

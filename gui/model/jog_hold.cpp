@@ -43,7 +43,7 @@ void JogHold::end(bool with_step) {
 void JogHold::tick(double now_s) {
   if (!held_) return;
   Held& held = *held_;
-  // A frame that comes late may be followed by the release that it kept waiting: never start on it.
+  // A late frame may be followed by the release that it delayed: never start a jog on it.
   const bool frozen = now_s - held.seen_at_s > frozen_after_s;
   const bool unseen = !held.confirmed;
   if (frozen || unseen) return let_go();
@@ -68,7 +68,7 @@ double JogHold::due_in_s(double now_s) const {
   if (!held_) return 1e9;
   const double due =
       held_->jogging ? held_->kept_alive_at_s + keep_alive_every_s : held_->pressed_at_s + continuous_after_s;
-  // At least as often as a frame must be seen, or the hold would count as frozen.
+  // At least as often as a frame is required, or the hold would count as frozen.
   return std::clamp(due - now_s, 0.0, keep_alive_every_s);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Text without case, for searching: ASCII only, all other bytes stay.
+// Lower-cases text for searching: ASCII only, all other bytes stay.
 #include <string>
 #include <string_view>
 

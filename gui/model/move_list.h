@@ -1,6 +1,6 @@
 #pragma once
-// A list of buffered moves as rows of numbers, and as a file: one move a line, its numbers between commas, a
-// head line with the columns' names. GUI thread.
+// A list of buffered moves as rows of numbers, and as a file: one move a line, numbers separated by commas,
+// column names in a head line. GUI thread.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,10 +12,10 @@
 namespace hw::gui {
 
 using MoveRow =
-    std::vector<std::int64_t>;  ///< a value for each of MoveListFacts::columns, in its last decimal
+    std::vector<std::int64_t>;  ///< a value for each of MoveListFacts::columns, in units of its last decimal
 
 std::string write_moves(const std::vector<MoveRow>& rows, const MoveListFacts& facts);
-/// Faults name the line and say what is wrong with it.
+/// Faults name the line and its error.
 Result<std::vector<MoveRow>> read_moves(std::string_view text, const MoveListFacts& facts);
 
 }  // namespace hw::gui

@@ -1,6 +1,5 @@
 #pragma once
-// A part of the screen that belongs to one controller. Its tab keeps it; the shell lays it out and has it
-// drawn.
+// A part of the screen that belongs to one controller. Its tab owns it; the shell lays it out and draws it.
 #include <string_view>
 
 namespace hw::gui {
@@ -12,7 +11,7 @@ class Panel {
  public:
   virtual ~Panel() = default;
   virtual void draw(Frame& frame) = 0;
-  /// What would be lost with this object and is kept nowhere else, as a sentence; empty: nothing.
+  /// What would be lost with this object, as it is stored nowhere else, as a sentence; empty: nothing.
   [[nodiscard]] virtual std::string_view unkept() const { return {}; }
 };
 

@@ -22,14 +22,14 @@ void PositionMemory::follow(const Snapshot& now, Instant clock, const Send& send
   if (due_in(clock) == 0) keep_now(clock, worker);
 }
 
-// Nothing is noted before: it would be what the controller counts, and nothing of how that came about.
+// Nothing is noted before this: it would be a bare count of unknown origin.
 void PositionMemory::recall(const Snapshot& now, const Send& send) {
   const auto begin = now.axes.begin(), end = begin + now.axis_count;
   if (begin == end || !std::all_of(begin, end, [](const AxisState& a) { return a.position_known; })) return;
   send(intent::RecallPositions(std::exchange(recalled_, {})));
 }
 
-/// Where axes move the place of before stays: after a crash another count shows that it is not true any more.
+/// While axes move, the former place is kept: after a crash the different count shows that it is out of date.
 void PositionMemory::note(const Snapshot& now, Instant clock) {
   axes_ = now.axis_count;
   for (int i = 0; i < axes_; ++i) {
@@ -49,7 +49,7 @@ void PositionMemory::keep_now(Instant clock, Worker& worker) {
   worker.run(
       [store = store_, key = key_, now = at(clock),
        axes = std::vector<KeptPosition>(noted_.begin(), noted_.begin() + axes_)] {
-        return store.save(key, axes, now);  // a full disk is told when the user saves; here it would only nag
+        return store.save(key, axes, now);  // a full disk is reported on save; here it would only nag
       },
       [](Result<>) {}, alive_);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Keeps where the axes of one controller stand, and how far that is to be trusted, for the next session; and
-// gives back what the last one has kept as soon as the controller tells what it counts. GUI thread.
+// Keeps the positions of one controller's axes, and their trust, for the next session; restores those of the
+// last session as soon as the controller reports its counts. GUI thread.
 #include <array>
 #include <functional>
 #include <memory>
@@ -18,11 +18,11 @@ class PositionMemory {
  public:
   using Send = std::function<IntentId(IntentBody)>;
 
-  /// From now on. A fault: what the last session kept was damaged, and is forgotten.
+  /// Starts keeping. A fault: the data of the last session was damaged, and is forgotten.
   Result<> keep_under(KeptPositions store, std::string key, Instant clock);
-  /// Once a frame. What stands for a second is written, by the worker.
+  /// Once a frame. A value unchanged for a second is written, by the worker.
   void follow(const Snapshot& now, Instant clock, const Send& send, Worker& worker);
-  /// The controller is about to be closed.
+  /// Before the controller is closed.
   void keep_now(Instant clock, Worker& worker);
   /// Seconds until follow() wants a frame; negative: it does not.
   [[nodiscard]] double due_in(Instant clock) const;
@@ -35,7 +35,7 @@ class PositionMemory {
 
   KeptPositions store_{UserFolders::none()};
   std::string key_;
-  std::vector<KeptPosition> recalled_;  ///< of the last session, until the controller is there
+  std::vector<KeptPosition> recalled_;  ///< from the last session, until the controller is connected
   Axes noted_{}, saved_{};
   int axes_ = 0;
   Instant changed_at_{};

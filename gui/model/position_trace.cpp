@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t most_places = 100'000;
 
-/// False: some axis is where nobody knows, or its count may not be true.
+/// False: the position of some axis is not known, or its count may be wrong.
 bool find_place(const Snapshot& now, PositionTrace::Place& place) {
   if (!now.link.connected() || now.axis_count == 0) return false;
   for (int i = 0; i < now.axis_count; ++i) {
@@ -23,7 +23,7 @@ bool find_place(const Snapshot& now, PositionTrace::Place& place) {
 
 }  // namespace
 
-/// A switch may act over some way: the place where it began to is the one that ends the travel.
+/// A switch may be operated over some distance: the travel ends at the place where it was first operated.
 void PositionTrace::meet(const AxisState& axis, Followed& f) {
   if (std::exchange(f.counted_since, axis.trust.since) != axis.trust.since ||
       std::exchange(f.in_counts, axis.in_counts) != axis.in_counts)
@@ -47,7 +47,7 @@ void PositionTrace::follow(const Snapshot& now) {
     return;
   }
   const bool first = std::exchange(broken_, false) || places_.empty();
-  // A count that was set anew names other places than before.
+  // A count set anew gives the places other names than before.
   place.goes_on = !first && places_.back().counted_since == place.counted_since;
   if (place.goes_on && places_.back().position == place.position) {
     places_.back().until = place.at;

@@ -1,5 +1,5 @@
 #pragma once
-// Where the axes of one controller have really been, as far as their positions were known. GUI thread.
+// The actual positions of one controller's axes, as far as they were known. GUI thread.
 #include <array>
 #include <cstddef>
 #include <deque>
@@ -15,23 +15,22 @@ class PositionTrace {
     std::array<Steps, max_axes> position{};
     std::array<Instant, max_axes> counted_since{};  ///< AxisState::trust
     Instant at{};
-    Instant until{};       ///< it was still there
-    bool goes_on = false;  ///< from the place before: nothing was unknown in between
+    Instant until{};       ///< still there then
+    bool goes_on = false;  ///< continues the place before: nothing was unknown in between
   };
-  /// Where an axis has met its switches, as its counter counts now: on the way in it stood there first. Gone
-  /// when the count is set anew, for then they lie elsewhere.
+  /// Where an axis met its switches, in its present count: the first position on each when entering it.
+  /// Cleared when the count is set anew, as the switches then have other positions.
   struct Met {
     std::optional<Steps> minus, plus;  ///< travel limits
-    std::optional<Steps> home;         ///< its switch, or where it came to rest behind its homing
+    std::optional<Steps> home;         ///< its switch, or where the axis came to rest after homing
   };
-  /// Once a frame: kept where an axis has moved since the last place.
+  /// Once a frame: keeps a place where an axis has moved since the last one.
   void follow(const Snapshot& now);
-  /// Oldest first. The oldest go when it becomes long.
+  /// Oldest first. The oldest are dropped when the trace becomes long.
   [[nodiscard]] const std::deque<Place>& places() const { return places_; }
-  /// How many have been kept since clear(), those that have gone included: places().back() is the last of
-  /// them.
+  /// How many places were kept since clear(), dropped ones included: places().back() is the last of them.
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  /// When the first of them was, whether it has gone or not.
+  /// Time of the first place since clear(), dropped or not.
   [[nodiscard]] Instant first_at() const { return first_at_; }
   /// Grows with clear().
   [[nodiscard]] std::uint64_t begun() const { return begun_; }

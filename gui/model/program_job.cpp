@@ -30,16 +30,16 @@ void ProgramJob::refuse(std::string sentence) {
 }
 
 bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
-                       const Send& send) {
-  if (busy()) {  // which goes on, or asks on
+                       const Send& send, bool despite_doubt) {
+  if (busy()) {  // the other job, or its question, stays
     told_ = {Mood::fault, stage_ == Stage::asking
                               ? "Answer the question about the program first."
                               : "One program transfer at a time: wait until the present one has ended."};
     return false;
   }
   ++begun_;
-  given_up_ = false;
-  // What is loaded compiled is kept already: Store would write the set-up as it stands, trials and all.
+  given_up_ = false, despite_doubt_ = despite_doubt;
+  // Loading a compiled program also keeps it: Store would write the present set-up, trial values and all.
   goal_ = goal == Goal::store && catalog.program.compiled ? Goal::load : goal;
   slot_ = slot;
   text_ = texts.text(slot);
@@ -65,7 +65,7 @@ bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot&
   if (capacity > 0 && texts.controller_has(slot)) return after_load(send), true;
   const int used = now.slot_bytes_used[static_cast<std::size_t>(slot)];
   const HeldProgram& held = texts.held(slot);
-  const bool torn = (now.slots_torn & torn_bit(catalog, slot)) != 0;  // half of what came from here
+  const bool torn = (now.slots_torn & torn_bit(catalog, slot)) != 0;  // half of a program from here
   const bool ours = torn || (held.known && held.from_here);
   if (used == 0 || ours || capacity <= 0) return load(send), true;
   stage_ = Stage::comparing;
@@ -94,7 +94,9 @@ void ProgramJob::after_load(const Send& send) {
     send(intent::SelectProgram(slot_));
     waiting_for_ = send(intent::SingleStep());
   } else {
-    waiting_for_ = send(intent::RunProgram(slot_));
+    intent::RunProgram run(slot_);
+    run.despite_doubt = despite_doubt_;
+    waiting_for_ = send(std::move(run));
   }
 }
 
@@ -106,7 +108,7 @@ void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog&
   const IntentFate* fate = now.fate_of(waiting_for_);
   if (now.forgotten(waiting_for_)) {
     texts.forget();
-    return refuse("What became of the transfer is not known. Look at the controller's program.");
+    return refuse("The outcome of the transfer is not known. Check the controller's program.");
   }
   if (!fate || fate->fate == Fate::pending) return;
   if (fate->fate == Fate::done && given_up_) return end_given_up(texts, clock);
@@ -115,7 +117,7 @@ void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog&
   refuse(std::string(fate->sentence.view()));
 }
 
-/// With what stands there now.
+/// The refusal includes what was written so far.
 void ProgramJob::lose_link(const Snapshot& now) {
   const bool writes = stage_ == Stage::loading || stage_ == Stage::clearing;
   const std::string written = writes && now.slots_torn != 0 ? say_written(now.transfer) : std::string();
@@ -135,7 +137,7 @@ void ProgramJob::end_given_up(ProgramTexts& texts, Instant clock) {
   if (stage_ == Stage::loading) texts.loaded(slot_, text_, clock);
   if (stage_ == Stage::clearing) texts.cleared(slot_, clock);
   stage_ = Stage::idle;
-  told_ = {Mood::plain, "A stop came: what was under way is done, and nothing follows it."};
+  told_ = {Mood::plain, "A stop came: the step under way was finished, and nothing follows it."};
 }
 
 void ProgramJob::fetched(ProgramTexts& texts, const Catalog& catalog) {
@@ -174,14 +176,14 @@ void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& c
   }
 }
 
-/// What the controller holds must stand in the editor before it may go.
+/// The controller's program must be in the editor before it may be cleared.
 void ProgramJob::empty_kept(ProgramTexts& texts, const Catalog& catalog, const Send& send) {
   if (texts.text(slot_).find_first_not_of(" \t\r\n") == std::string::npos)
     texts.set_text(slot_, texts.held(slot_).text);
   else if (!texts.controller_has(slot_))
     return refuse(
-        fmt::format("The editor's {0} {1} is another text than the controller's, which would be lost. "
-                    "Nothing was emptied. Save the text and clear the editor, or choose another one.",
+        fmt::format("The editor's {0} {1} differs from the controller's, which would be lost. Nothing was "
+                    "emptied. Save the text and clear the editor, or choose another one.",
                     catalog.program.slot_word, slot_));
   stage_ = Stage::clearing;
   waiting_for_ = written_by_ = send(intent::ClearProgram(slot_));
@@ -205,7 +207,7 @@ void ProgramJob::answer(Answer answer, ProgramTexts& texts, const Send& send) {
   if (stage_ != Stage::asking) return;
   switch (answer) {
     case Answer::overwrite:
-      // The question was about what stood there when Run was pressed, and that is not what one sees now.
+      // The question was about the text at the time of Run, which is no longer the visible one.
       if (texts.text(slot_) != text_)
         return refuse("The text has changed since. Nothing was sent; press Run again.");
       return load(send);

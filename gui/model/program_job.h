@@ -1,6 +1,6 @@
 #pragma once
-// What takes several intents: running a text that the controller may not hold yet, storing it, bringing a
-// program up. One job at a time per controller; it goes on while other panels are in front. GUI thread.
+// Tasks of several intents: running a text that the controller may not hold yet, storing it, uploading a
+// program. One job at a time per controller; it continues while other panels are in front. GUI thread.
 #include <functional>
 #include <string>
 
@@ -15,11 +15,11 @@ class ProgramJob {
   enum class Goal : std::uint8_t {
     run,
     run_stepping,  ///< held before its first command
-    load,          ///< into the slot, no more
-    store,         ///< into the slot, then into non-volatile memory, where it is not there already
+    load,          ///< into the slot only
+    store,         ///< into the slot, then into non-volatile memory, unless it is there already
     fetch,         ///< the controller's program into the editor
     clear,         ///< empties the slot in the controller
-    make_room,     ///< the same, after its text was brought into the editor
+    make_room,     ///< the same, after fetching its text into the editor
   };
   enum class Stage : std::uint8_t { idle, comparing, asking, loading, starting, storing, fetching, clearing };
   enum class Answer : std::uint8_t { overwrite, fetch_instead, leave };
@@ -30,29 +30,30 @@ class ProgramJob {
     std::string sentence;
   };
 
-  /// Begins; false with a sentence in take_told() when it cannot (errors in the text, another job, no text).
+  /// Begins a job. False, with a sentence in take_told(): not possible (errors in the text, another job, no
+  /// text). `despite_doubt`: of a run, see intent::RunProgram.
   bool begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
-             const Send& send);
+             const Send& send, bool despite_doubt = false);
   /// Once a frame, after the tab's notices have reached the texts.
   void update(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
               const Send& send);
   void answer(Answer answer, ProgramTexts& texts, const Send& send);
-  /// A stop came: the present step ends as it does, and nothing follows it.
+  /// A stop was sent: the present step ends normally, and no other follows.
   void give_up();
 
   [[nodiscard]] Stage stage() const { return stage_; }
   [[nodiscard]] bool busy() const { return stage_ != Stage::idle; }
   [[nodiscard]] int slot() const { return slot_; }
-  /// The last intent of a job that wrote into the controller; 0: none yet.
+  /// The last intent of a job that changed the controller's programs; 0: none yet.
   [[nodiscard]] IntentId written_by() const { return written_by_; }
-  /// How often something was begun.
+  /// How many jobs were begun.
   [[nodiscard]] std::uint64_t begun() const { return begun_; }
   [[nodiscard]] Goal goal() const { return goal_; }
   /// While asking: what would be lost.
   [[nodiscard]] const std::string& question() const { return question_; }
-  /// "Loading program 0: 41 of 302 lines, 14 s left": what is under way; empty when nothing is.
+  /// "Loading program 0: 41 of 302 lines, 14 s left": the present step; empty when idle.
   [[nodiscard]] std::string words(const ProgramFacts& facts, const TransferState& transfer) const;
-  /// What came of it, told once; empty sentence: nothing new.
+  /// The outcome, told once; empty sentence: nothing new.
   Told take_told() { return std::exchange(told_, Told()); }
 
  private:
@@ -73,8 +74,8 @@ class ProgramJob {
   IntentId waiting_for_ = 0;
   IntentId written_by_ = 0;
   std::uint64_t begun_ = 0;
-  bool given_up_ = false;
-  std::string text_;  ///< as it was when the job began: this is what is loaded
+  bool given_up_ = false, despite_doubt_ = false;
+  std::string text_;  ///< the text loaded: as it was when the job began
   std::string question_;
   Told told_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Which sequence a program's text was written from: the blocks, a drawing, the rest of one of them. GUI
+// The sequence from which a program's text was written: the blocks, a drawing, or the remainder of one. GUI
 // thread.
 #include <cstdint>
 #include <deque>
@@ -19,16 +19,16 @@ struct WrittenSequence {
 
 class ProgramSource {
  public:
-  /// What was put into the program; the latest few are kept.
+  /// Records what was put into the program; the latest few are kept.
   void put(WrittenSequence sequence);
-  /// Null: the text is of no sequence that is known here. The blocks are written when they have changed.
+  /// Null: the text comes from no known sequence. The blocks are written anew when they have changed.
   const WrittenSequence* of(const std::string& text, const BlockList& blocks, const Language* language,
                             const Catalog& catalog);
 
  private:
   std::deque<WrittenSequence> put_;
   WrittenSequence blocks_;
-  std::uint64_t blocks_version_ = ~std::uint64_t{0};  ///< of their editor, then
+  std::uint64_t blocks_version_ = ~std::uint64_t{0};  ///< of their editor when `blocks_` was written
 };
 
 }  // namespace hw::gui

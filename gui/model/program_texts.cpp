@@ -17,7 +17,6 @@ void ProgramTexts::choose(int slot) {
 }
 
 // ---- text
-// --------------------------------------------------------------------------------------------------
 
 void ProgramTexts::set_text(int slot, std::string text) {
   Slot& s = at(slot);
@@ -66,7 +65,6 @@ std::string first_error_line(const ProgramReport& report) {
 }
 
 // ---- files
-// -------------------------------------------------------------------------------------------------
 
 bool ProgramTexts::edited(int slot) const {
   const Slot& s = at(slot);
@@ -112,14 +110,12 @@ std::vector<UnsavedText> ProgramTexts::unsaved() const {
 void ProgramTexts::restore(const std::vector<UnsavedText>& texts) {
   for (const UnsavedText& t : texts) {
     if (t.slot < 0 || t.slot >= count()) continue;
-    at(t.slot).path =
-        t.path;  // the name only: what the file holds is not known, so the text counts as edited
+    at(t.slot).path = t.path;  // the name only: the file's content is not known, so the text counts as edited
     set_text(t.slot, t.text);
   }
 }
 
 // ---- what the controller holds
-// -----------------------------------------------------------------------------
 
 void ProgramTexts::hold(int slot, const std::string& text, bool from_here, Instant when) {
   Slot& s = at(slot);
@@ -150,7 +146,7 @@ void ProgramTexts::listed(int slot, const std::string& listing, Instant when, bo
   hold(slot, listing, false, when);
   at(slot).held.whole = whole;
   if (!whole || !before.from_here || before.listing != at(slot).held.listing) return;
-  at(slot).held = before;  // still what was loaded from here: keep its own text and time
+  at(slot).held = before;  // still the program loaded from here: keep its own text and time
   at(slot).held.known = true;
 }
 
@@ -174,7 +170,7 @@ void ProgramTexts::nothing_runs() {
 bool ProgramTexts::controller_has(int slot) {
   const HeldProgram& held = at(slot).held;
   if (!held.known || !held.whole) return false;
-  if (report(slot).has_errors()) return false;  // its listing lacks what is wrong
+  if (report(slot).has_errors()) return false;  // its listing lacks the erroneous parts
   const auto& listings = report(slot).listing;
   const auto own = listings.find(slot);
   if (own == listings.end() ? !held.listing.empty() : own->second != held.listing) return false;
@@ -206,23 +202,23 @@ int ProgramTexts::live_line(int slot, int command) {
   return -1;
 }
 
-// ---- the note
-// ----------------------------------------------------------------------------------------------
+// ---- note
 
 namespace {
 
-/// Of a controller that keeps no programs: what runs was sent from here.
+/// For a controller that keeps no programs: the running one was sent from here.
 ProgramNote note_of_sent(ProgramTexts& texts, int slot, bool runs, const std::string& mend,
                          std::string_view sent_at) {
   const HeldProgram& held = texts.held(slot);
   const bool changed = held.known && held.from_here && !texts.controller_has(slot);
   if (runs && changed)
-    return {Mood::warn, fmt::format("What runs was sent at {}. The text has changed since. {}", sent_at,
-                                    mend.empty() ? "The next run sends it anew."
-                                                 : fmt::format("Mend {} before the next run.", mend))};
+    return {Mood::warn,
+            fmt::format("The running program was sent at {}. The text has changed since. {}", sent_at,
+                        mend.empty() ? "The next run sends it again."
+                                     : fmt::format("Correct {} before the next run.", mend))};
   if (runs && held.known && held.from_here)
     return {Mood::plain, fmt::format("This text runs. It was sent at {}.", sent_at)};
-  if (!mend.empty()) return {Mood::warn, fmt::format("Mend {} before the program can run.", mend)};
+  if (!mend.empty()) return {Mood::warn, fmt::format("Correct {} before the program can run.", mend)};
   if (texts.text(slot).empty()) return {};
   return {Mood::plain, "The controller keeps no programs: Run sends this text. Save keeps it in a file."};
 }
@@ -235,10 +231,10 @@ bool is_torn(const Snapshot& now, int slot, const ProgramFacts& facts) {
 ProgramNote note_of_torn(const Snapshot& now, int slot, const ProgramFacts& facts, const std::string& mend) {
   const bool of_this = now.transfer.slot == (facts.threads > 0 ? 0 : slot);
   const std::string written = of_this ? say_written(now.transfer) : std::string();
-  return {
-      Mood::warn,
-      fmt::format("The controller does not hold this program{}{}. {}", written.empty() ? "" : ": ", written,
-                  mend.empty() ? "Run loads it again." : fmt::format("Mend {} before the next run.", mend))};
+  return {Mood::warn,
+          fmt::format(
+              "The controller does not hold this program{}{}. {}", written.empty() ? "" : ": ", written,
+              mend.empty() ? "Run loads it again." : fmt::format("Correct {} before the next run.", mend))};
 }
 
 }  // namespace
@@ -258,12 +254,12 @@ ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, con
       return {Mood::plain, fmt::format("The controller {} this text, loaded at {}.", verb, loaded_at)};
     return {Mood::warn,
             fmt::format("The controller {} the text loaded at {}. It has changed since. {}", verb, loaded_at,
-                        mend.empty() ? runs ? "The next run loads it anew." : "Run loads it anew."
-                                     : fmt::format("Mend {} before the next run.", mend))};
+                        mend.empty() ? runs ? "The next run loads it again." : "Run loads it again."
+                                     : fmt::format("Correct {} before the next run.", mend))};
   }
   if (held.known && !held.listing.empty() && texts.controller_has(slot))
     return {Mood::plain, fmt::format("The controller {} the same program as this text.", verb)};
-  if (!mend.empty()) return {Mood::warn, fmt::format("Mend {} before the program can run.", mend)};
+  if (!mend.empty()) return {Mood::warn, fmt::format("Correct {} before the program can run.", mend)};
   if (used > 0 && texts.text(slot).empty())
     return {Mood::plain,
             fmt::format("{} {} in the controller holds {}. {} brings {} here.", facts.slot_word, slot,
@@ -275,10 +271,9 @@ ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, con
         fmt::format("{} {} in the controller holds {}. Run compares {} with this text first.",
                     facts.slot_word, slot, count_of(used, facts.capacity_unit), used == 1 ? "it" : "them")};
   if (used > 0 && !held.whole)
-    return {
-        Mood::warn,
-        "The controller also holds code that means nothing here and is not in this text. Run asks before it "
-        "overwrites."};
+    return {Mood::warn,
+            "The controller also holds code that cannot be read here and is not in this text. Run asks "
+            "before it overwrites."};
   if (used > 0)
     return {Mood::warn, fmt::format("{} {} in the controller holds another program of {}. Run asks before it "
                                     "is overwritten.",

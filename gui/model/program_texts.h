@@ -1,6 +1,6 @@
 #pragma once
-// The texts of one controller's program slots: what is typed, the file it belongs to, what the language says
-// of it, and what the controller is known to hold. GUI thread.
+// The texts of one controller's program slots: the typed text, its file, its report by the language, and the
+// program that the controller is known to hold. GUI thread.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,21 +16,21 @@
 
 namespace hw::gui {
 
-/// What the controller's slot is known to hold.
+/// The known content of a slot in the controller.
 struct HeldProgram {
-  bool known = false;      ///< false: never read, or something may have changed it since
-  bool from_here = false;  ///< it was loaded from the text of this console
-  bool runs_on = false;  ///< not known any more, but the run that was under way then still is: it is of this
-  bool whole = true;     ///< false: it has code that means nothing here, which `text` leaves out
+  bool known = false;      ///< false: never read, or possibly changed since
+  bool from_here = false;  ///< loaded from the text of this console
+  bool runs_on = false;    ///< no longer known, but a run begun before still goes on, and is of this program
+  bool whole = true;       ///< false: contains code unknown here, which `text` omits
   std::vector<std::string> listing;  ///< canonical commands
-  std::string text;                  ///< as it was loaded or listed
+  std::string text;                  ///< as loaded or listed
   ProgramReport report;              ///< of `text`
-  Instant at{};                      ///< when it was loaded or read
+  Instant at{};                      ///< when loaded or read
 };
 
 class ProgramTexts {
  public:
-  /// `language` null: texts are kept, not understood.
+  /// `language` null: texts are kept, but not analysed.
   ProgramTexts(const ProgramFacts& facts, const Language* language);
 
   [[nodiscard]] int count() const { return static_cast<int>(slots_.size()); }
@@ -39,12 +39,12 @@ class ProgramTexts {
 
   // ---- text
   [[nodiscard]] const std::string& text(int slot) const { return at(slot).text; }
-  /// Grows with each change, whoever made it. A view that has an older one takes the text again.
+  /// Grows with each change, whatever its source. A view with an older version takes the text again.
   [[nodiscard]] std::uint64_t version(int slot) const { return at(slot).version; }
   void set_text(int slot, std::string text);
-  /// Analysed when the text has changed, not before.
+  /// Analysed anew only when the text has changed.
   const ProgramReport& report(int slot);
-  /// The text has program headings of its own, so that it belongs to more slots than this one.
+  /// The text has program headings of its own, so it belongs to several slots.
   bool has_headings(int slot);
   /// Sum over the slot, in the catalog's unit.
   int cost(int slot);
@@ -52,40 +52,40 @@ class ProgramTexts {
   // ---- files
   [[nodiscard]] const std::filesystem::path& file(int slot) const { return at(slot).path; }
   [[nodiscard]] std::string file_name(int slot) const { return at(slot).path.filename().string(); }
-  /// Differs from its file, or is in no file at all.
+  /// Returns whether the text differs from its file, or has none.
   [[nodiscard]] bool edited(int slot) const;
   void opened(int slot, std::filesystem::path path, TextFile file);
   [[nodiscard]] TextFile to_save(int slot) const;
-  /// What its file is known to hold; none: it was not read since the text was recovered.
+  /// The known content of its file; none: not read since the text was recovered.
   [[nodiscard]] std::optional<std::string> known_in_file(int slot) const;
-  /// `text` is what was written: it may have been edited meanwhile.
+  /// `text` is what was written: the slot's text may have been edited since.
   void saved(int slot, std::filesystem::path path, std::string_view text);
   [[nodiscard]] std::vector<UnsavedText> unsaved() const;
   void restore(const std::vector<UnsavedText>& texts);
-  /// Changes with each change of a text or file: for the autosave.
+  /// Changes with every text or file: for the autosave.
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
 
   // ---- what the controller holds
   [[nodiscard]] const HeldProgram& held(int slot) const { return at(slot).held; }
-  /// LoadProgram has ended well.
+  /// LoadProgram has succeeded.
   void loaded(int slot, const std::string& text, Instant when);
-  /// UploadProgram brought this listing; not `whole`: of what it understood.
+  /// UploadProgram returned this listing; not `whole`: only the part that was understood.
   void listed(int slot, const std::string& listing, Instant when, bool whole = true);
   void cleared(int slot, Instant when);
-  /// Somebody else may have changed it: the wire was lost, a reset. What runs meanwhile runs on.
+  /// The slots may have been changed by others (lost wire, reset). A run under way continues.
   void doubt();
-  /// Somebody else has changed it.
+  /// The slots were changed by others.
   void forget();
-  /// What ran when it became doubtful has ended.
+  /// The run under way when the slots became doubtful has ended.
   void nothing_runs();
-  /// The lines that the controller tells can be found in the text that was loaded or listed.
+  /// Returns whether the lines that the controller reports can be found in the loaded or listed text.
   [[nodiscard]] bool lines_known(int slot) const {
     return held(slot).whole && (held(slot).known || held(slot).runs_on);
   }
-  /// The controller is known to hold what is typed here now.
+  /// Returns whether the controller is known to hold the present text.
   bool controller_has(int slot);
-  /// Line (from 0) of the present text that the controller works on; -1: none, or not known: then the text
-  /// may be of another program.
+  /// Line (from 0) of the present text that the controller is executing; -1: none, or not known: the text may
+  /// then be of another program.
   int live_line(int slot, int command);
 
  private:
@@ -109,7 +109,8 @@ class ProgramTexts {
   std::uint64_t changes_ = 0;
 };
 
-/// The line between editor and terminal: what the controller runs or holds, against what is typed.
+/// The line between editor and terminal: the program that the controller runs or holds, compared with the
+/// text.
 struct ProgramNote {
   Mood mood = Mood::plain;
   std::string sentence;  ///< empty: nothing to say
@@ -118,7 +119,7 @@ struct ProgramNote {
 ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, const ProgramFacts& facts,
                          std::string_view loaded_at);
 
-/// Line `line` (from 0) of the text, without the spaces before it.
+/// Line `line` (from 0) of the text, without leading spaces.
 std::string_view line_of(std::string_view text, int line);
 
 /// First error of a report as "line 8", for sentences; empty: none.

@@ -13,7 +13,7 @@ namespace {
 
 bool runs(const ProgramState& p) { return p.owned && p.run != RunState::idle && p.run != RunState::error; }
 
-// What is read of these trembles though nothing changes.
+// These readings fluctuate even when nothing changes.
 constexpr int analog_steps_of_range = 100;
 constexpr std::int64_t encoder_trembles = 2;
 
@@ -21,7 +21,7 @@ bool trembles(std::int64_t then, std::int64_t now, std::int64_t by) {
   return std::max(then, now) - std::min(then, now) <= by;
 }
 
-/// Who is compared with what a rehearsal began from.
+/// The two sides of a comparison with a rehearsal's initial state.
 struct Comparison {
   const Rehearsal& rehearsal;
   const ControllerState& from;
@@ -29,12 +29,12 @@ struct Comparison {
   const Catalog& catalog;
   int slot;
   const Rehearsals::Held& held;
-  bool left;  ///< the controller has gone on from there: only how it stood is told
+  bool left;  ///< the controller has moved on since: only its initial axis states are judged
 };
 
 // ---- axes
 
-/// Of an axis what a rehearsal begins from, and how sure that is.
+/// The facts about an axis from which a rehearsal begins, and their certainty.
 AxisState begins_as(const AxisState& axis) {
   AxisState a;
   a.position_known = axis.position_known, a.trust = axis.trust, a.activity = axis.activity;
@@ -53,15 +53,17 @@ void take_axes(const ControllerState& of, const Catalog&, ControllerState& into)
   for (int i = 0; i < of.now.axis_count; ++i) into.now.axes[ix(i)] = begins_as(of.now.axes[ix(i)]);
 }
 
-Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& axis, bool moves) {
+/// `then`: as the rehearsal was told. Its results are in the count of the axis at its end, which the text may
+/// change.
+Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& then, const AxisState& axis, bool moves) {
   if (!axis.position_known) return Footing::unknown;
   if (axis.trust.doubtful()) return Footing::doubtful;
-  if (rehearsed.in_counts != axis.in_counts) return Footing::other_count;
+  if (then.in_counts != axis.in_counts) return Footing::other_count;
   if (moves) return Footing::moving;
   return rehearsed.begin == axis.commanded().value ? Footing::here : Footing::elsewhere;
 }
 
-/// Both as begins_as() makes them; where it stands has been compared.
+/// Both as made by begins_as(); their positions have been compared already.
 Footing other_state(const AxisState& then, AxisState now) {
   now.position = then.position, now.command = then.command, now.position_known = then.position_known;
   now.trust = then.trust, now.activity = then.activity;
@@ -82,7 +84,7 @@ Stand compare_axes(const Comparison& c) {
     const int i = c.catalog.find_axis(rehearsed.name);
     if (i < 0 || i >= c.now.axis_count) continue;
     const AxisState &then = began.axes[ix(i)], &axis = c.left ? then : c.now.axes[ix(i)];
-    const Footing footing = footing_of(rehearsed, axis, (c.left ? began : c.now).axis_moves(i));
+    const Footing footing = footing_of(rehearsed, then, axis, (c.left ? began : c.now).axis_moves(i));
     const bool tells_place = footing == Footing::elsewhere;
     if (footing != Footing::here)
       return {footing, i, Steps(rehearsed.begin), tells_place ? axis.commanded() : Steps()};
@@ -92,12 +94,12 @@ Stand compare_axes(const Comparison& c) {
   return {};
 }
 
-// ---- what else it begins from
+// ---- other initial facts
 
 void take_params(const ControllerState& of, const Catalog&, ControllerState& into) {
   into.now.params = of.now.params;
 }
-/// What was not known was taken as from the factory.
+/// Unknown parameters were assumed to have factory values.
 Stand compare_params(const Comparison& c) {
   for (std::size_t i = 0; i < c.catalog.params.size(); ++i) {
     const ParamState &then = c.from.now.params[i], &is = c.now.params[i];
@@ -154,7 +156,7 @@ void take_readouts(const ControllerState& of, const Catalog& catalog, Controller
     into.now.readouts_known.set(i, of.now.readouts_known.test(i));
   }
 }
-/// One that was not known was taken as after power-up: 0.
+/// An unknown readout was assumed to be as after power-up: 0.
 Stand compare_readouts(const Comparison& c) {
   for (std::size_t i = 0; i < c.catalog.readouts.size(); ++i) {
     if (!acts_on_programs(c.catalog.readouts[i]) || !c.now.readouts_known.test(i)) continue;
@@ -190,7 +192,7 @@ Stand compare_programs(const Comparison& c) {
   return {};
 }
 
-/// No rehearsal begins from these: they only tell what it has to name as taken for granted.
+/// No rehearsal begins from these: they only show which assumptions it has to name.
 void take_hints(const ControllerState& of, const Catalog&, ControllerState& into) {
   into.now.slot_bytes_used = of.now.slot_bytes_used;
   into.now.working = of.now.working, into.now.feed = of.now.feed;
@@ -198,9 +200,9 @@ void take_hints(const ControllerState& of, const Catalog&, ControllerState& into
 }
 Stand compare_hints(const Comparison&) { return {}; }
 
-/// Everything that a rehearsal is told of the controller, and how each is compared afterwards. What is not
-/// in here is unknown to it, so nothing can come into it that is not compared. What is asked first is told
-/// first.
+/// Every fact about the controller that a rehearsal is told, and how it is compared afterwards. A rehearsal
+/// knows nothing else, so nothing enters it without being compared. The first difference in this order is
+/// reported.
 struct Fact {
   void (*take)(const ControllerState& of, const Catalog&, ControllerState& into);
   Stand (*compare)(const Comparison&);
@@ -224,7 +226,7 @@ ControllerState told_to_rehearsals(const ControllerState& from, const Catalog& c
   return into;
 }
 
-/// One that has gone on from there differs at most in how its axes stood.
+/// A rehearsal whose run has begun can differ at most in the axes' initial state.
 Stand compare(const Comparison& c, const Rehearsals::Scene& scene, const BenchView& bench) {
   const bool known = scene.switches.has_value();
   const bool same_bench = known == bench.present && (!known || *scene.switches == bench.switches);

@@ -1,6 +1,6 @@
 #pragma once
-// Dry runs of program texts, worked out beside the frame. The newest of each slot is kept with the text that
-// it is of and with what it began from, so that the screen can say whether it still holds. GUI thread.
+// Dry runs of program texts, computed outside the frame. The newest of each slot is kept with its text and
+// its initial state, so that the screen can say whether it still holds. GUI thread.
 #include <array>
 #include <functional>
 #include <map>
@@ -15,26 +15,26 @@
 
 namespace hw::gui {
 
-/// How a rehearsal's beginning compares with the controller as it is; where it is not `here`, what it says of
-/// limits does not hold.
+/// How a rehearsal's initial state compares with the present controller. Unless it is `here`, the rehearsal's
+/// statements about limits do not hold.
 enum class Footing : std::uint8_t {
   here,
   elsewhere,
-  moving,          ///< elsewhere, and under way
-  other_count,     ///< it counts pulses where the axis counts its encoder, or the other way round
-  unknown,         ///< where the axis stands is not known
-  doubtful,        ///< its count may not be true
-  other_bench,     ///< switches have been placed elsewhere since
-  other_encoder,   ///< the encoder of an axis reads otherwise
-  other_power,     ///< an axis has been switched on or off, or its loop, error or alarm has come or gone
-  other_switch,    ///< a limit or home switch of an axis is operated, or is no more
-  other_setup,     ///< a parameter has another value
+  moving,          ///< elsewhere, and moving
+  other_count,     ///< counted in pulses, but the axis now counts its encoder, or the reverse
+  unknown,         ///< the axis' position is not known
+  doubtful,        ///< the axis' count may be wrong
+  other_bench,     ///< switches have been moved since
+  other_encoder,   ///< an axis' encoder reads differently
+  other_power,     ///< an axis was switched on or off, or its loop, error or alarm has changed
+  other_switch,    ///< a limit or home switch of an axis has changed
+  other_setup,     ///< a parameter has changed
   other_output,    ///< an output has been switched
-  other_input,     ///< an input stands otherwise
-  other_analog,    ///< an analog input reads otherwise
-  other_readout,   ///< the move mode, a latch or a sync output is another: see acts_on_programs()
-  other_variable,  ///< a variable has another value
-  other_program    ///< another program of the controller has been changed
+  other_input,     ///< an input has changed
+  other_analog,    ///< an analog input has changed
+  other_readout,   ///< the move mode, a latch or a sync output has changed: see acts_on_programs()
+  other_variable,  ///< a variable has changed
+  other_program    ///< another program in the controller has changed
 };
 struct Stand {
   Footing footing = Footing::here;
@@ -47,26 +47,26 @@ struct Stand {
 class Rehearsals {
  public:
   using Switches = std::array<SwitchPlaces, max_axes>;
-  /// What a rehearsal began from.
+  /// The initial state of a rehearsal.
   struct Scene {
     std::shared_ptr<const ControllerState> state;
-    std::optional<Switches> switches;  ///< nothing: nobody knows where they are
+    std::optional<Switches> switches;  ///< nothing: their places are not known
   };
   struct Outcome {
     std::string text;  ///< what was rehearsed
     Result<Rehearsal> result;
     Scene scene;
-    int number = 0;  ///< Rehearsals::version() when it came; no two have the same
+    int number = 0;  ///< Rehearsals::version() of its arrival; unique
     Stand stand = {};
     bool compared = false;  ///< `stand` is known
   };
 
-  /// From the controller as it is, among the switches of the bench, as far as both are known; what is not is
-  /// as after power-up. Of `wish` the slot, the time and the track count. Nothing happens while one is under
-  /// way for this slot.
+  /// Starts a dry run from the present state of the controller and the switches of the bench, as far as
+  /// known; the rest is as after power-up. Of `wish`, only the slot, the time and the track count are used.
+  /// Does nothing while a dry run is under way for this slot.
   void start(const Language& language, std::string text, const RehearseOptions& wish,
              const ControllerState& from, const BenchView& bench, const Catalog& catalog, Worker& worker);
-  /// One for this slot is to be started as soon as something else is known: under way until then too.
+  /// Announces a dry run of this slot that starts once more is known: it counts as under way from now on.
   void prepare(int slot) { prepared_.insert(slot); }
   [[nodiscard]] bool under_way(int slot) const { return running_.contains(slot) || prepared_.contains(slot); }
   /// Null: none yet.
@@ -75,7 +75,7 @@ class Rehearsals {
   [[nodiscard]] int older_than_line(int slot, std::string_view text) const;
   /// The text of a slot that the controller is known to hold; null: not known.
   using Held = std::function<const std::string*(int slot)>;
-  /// Once a frame: whether the controller still is what they began from. One that runs has left that.
+  /// Once a frame: compares the controller with their initial states. A running program has left its own.
   void follow(const Snapshot& now, const BenchView& bench, const Catalog& catalog, const Held& held = {});
   /// Changes with each result and each Stand.
   [[nodiscard]] int version() const { return version_; }

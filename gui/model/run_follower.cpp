@@ -10,6 +10,13 @@ static bool under_way(const ProgramState& p) {
   return p.owned && p.slot >= 0 && p.run != RunState::idle && p.run != RunState::error;
 }
 
+/// Programs that run in threads share one text; one of the threads starts first.
+static int started(const Snapshot& now, const ProgramFacts& facts) {
+  for (int n = 0; n < std::min(facts.threads, max_threads); ++n)
+    if (now.threads[static_cast<std::size_t>(n)].run == RunState::running) return n;
+  return now.program.slot;
+}
+
 void RunFollower::follow(const Snapshot& now, const BenchView& bench, Instant clock,
                          const ProgramTexts& texts, const Language* language, Worker& worker) {
   told_ = now.program;
@@ -27,7 +34,7 @@ void RunFollower::follow(const Snapshot& now, const BenchView& bench, Instant cl
     ++run_number_;
     if (language) begin(now, bench, texts, *language, worker);
   }
-  if (!texts.lines_known(told_.slot)) of_run_.reset();  // it is of another program
+  if (!texts.lines_known(told_.slot)) of_run_.reset();  // the rehearsal is of another program
   if (seen_run_ == RunState::running) run_s_ += std::max(0.0, seconds(clock - seen_at_));
   seen_run_ = told_.run;
   seen_at_ = clock;
@@ -42,7 +49,7 @@ void RunFollower::begin(const Snapshot& now, const BenchView& bench, const Progr
   for (int slot = 0; slot < texts.count(); ++slot)
     if (texts.held(slot).known) state->programs[slot] = texts.held(slot).text;
   RehearseOptions options = rehearse_from(std::move(state), bench, catalog_);
-  options.slot = now.program.slot;
+  options.slot = started(now, catalog_.program);
   worker.run([&language, text = held.text,
               options = std::move(options)] { return language.rehearse(text, options); },
              [this, run = run_number_](Result<Rehearsal> result) {
@@ -51,7 +58,8 @@ void RunFollower::begin(const Snapshot& now, const BenchView& bench, const Progr
              alive_);
 }
 
-// The nearest time at which the rehearsal comes to the command before which the controller holds.
+// Sets the run time to the nearest time at which the rehearsal reaches the command before which the
+// controller is held.
 void RunFollower::put_right(const ProgramState& told) {
   const Rehearsal* r = rehearsal();
   if (!r) return;
@@ -64,7 +72,7 @@ void RunFollower::put_right(const ProgramState& told) {
   run_s_ = nearest;
 }
 
-/// A command of which nothing happens, as a delay, may have its turn since.
+/// A command without a visible event, such as a delay, may have had its turn since.
 void RunFollower::see_turns(const Rehearsal& r, double since, Place& place) const {
   const auto after = std::upper_bound(r.turns.begin(), r.turns.end(), run_s_,
                                       [](double t, const RehearsedTurn& turn) { return t < turn.t; });
@@ -76,6 +84,21 @@ void RunFollower::see_turns(const Rehearsal& r, double since, Place& place) cons
   if (after == r.turns.end()) return;
   const double next = after->t - run_s_;
   place.next_in_s = place.next_in_s > 0 ? std::min(place.next_in_s, next) : next;
+}
+
+/// Counts turns, where known: several events may happen in one pass.
+void RunFollower::count_passes(const Rehearsal& r, Place& place) const {
+  const auto count = [&](double t) {
+    ++place.passes;
+    if (t <= run_s_ + 1e-6) ++place.pass;
+  };
+  if (place.slot == told_.slot)
+    for (const RehearsedTurn& turn : r.turns)
+      if (turn.command == place.command) count(turn.t);
+  if (place.passes == 0)
+    for (const RehearsedEvent& event : r.events)
+      if (event.slot == place.slot && event.command == place.command) count(event.t);
+  if (!r.finished) place.passes = 0;
 }
 
 RunFollower::Place RunFollower::place() const {
@@ -100,13 +123,7 @@ RunFollower::Place RunFollower::place() const {
     if (after != r->events.end()) place.next_in_s = after->t - run_s_;
     see_turns(*r, since, place);
   }
-  if (!r || place.command < 0) return place;
-  for (const RehearsedEvent& event : r->events) {
-    if (event.slot != place.slot || event.command != place.command) continue;
-    ++place.passes;
-    if (event.t <= run_s_ + 1e-6) ++place.pass;
-  }
-  if (!r->finished) place.passes = 0;
+  if (r && place.command >= 0) count_passes(*r, place);
   return place;
 }
 

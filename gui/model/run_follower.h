@@ -1,7 +1,7 @@
 #pragma once
-// Where a running program is, when the controller does not say: worked out from a rehearsal of the text that
-// it holds, begun from the controller as it was then, and the time that it has run. What it says of a held
-// program puts it right. GUI thread.
+// The place of a running program when the controller does not report it: worked out from its run time and a
+// rehearsal of the text that the controller holds, begun from the controller's state at the start. A report
+// about a held program corrects the estimate. GUI thread.
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,20 +16,20 @@ class RunFollower {
  public:
   struct Place {
     int slot = -1, command = -1;  ///< -1: not known
-    int pass = 0, passes = 0;     ///< how often it has come there, of how often it will; 0: not known
+    int pass = 0, passes = 0;     ///< number of this pass, of how many; 0: not known
     double next_in_s = 0;         ///< until the next command; 0: not known
   };
 
-  /// `catalog` outlives it.
+  /// `catalog` must outlive this object.
   explicit RunFollower(const Catalog& catalog) : catalog_(catalog) {}
   /// Once a frame.
   void follow(const Snapshot& now, const BenchView& bench, Instant clock, const ProgramTexts& texts,
               const Language* language, Worker& worker);
-  /// What the controller has told, else what was worked out.
+  /// As reported by the controller, else as worked out.
   [[nodiscard]] Place place() const;
-  /// Running, without the times in which it was held or waited.
+  /// Run time, without the times in which it was held or waited.
   [[nodiscard]] double run_s() const { return run_s_; }
-  /// What is left of the run; nothing: not known, or it has no end.
+  /// Time left in the run; nothing: not known, or endless.
   [[nodiscard]] std::optional<double> left_s() const;
 
  private:
@@ -37,6 +37,7 @@ class RunFollower {
              Worker& worker);
   void put_right(const ProgramState& told);
   void see_turns(const Rehearsal& r, double since, Place& place) const;
+  void count_passes(const Rehearsal& r, Place& place) const;
   [[nodiscard]] const Rehearsal* rehearsal() const { return of_run_ ? &*of_run_ : nullptr; }
 
   const Catalog& catalog_;
@@ -45,7 +46,7 @@ class RunFollower {
   RunState seen_run_ = RunState::idle;
   ProgramState told_;
   double run_s_ = 0;
-  int run_number_ = 0;  ///< so that the rehearsal of an earlier run is not taken for this one's
+  int run_number_ = 0;  ///< tells the rehearsal of an earlier run from this run's
   std::optional<Rehearsal> of_run_;
   std::optional<Snapshot> at_rest_;  ///< the latest before the run
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);

@@ -30,8 +30,8 @@ std::string why_not_run_there(const Tab& tab, const sequence::Sequence& sequence
   if (doubtful == 0) return {};
   const int axis = std::countr_zero(doubtful);
   return fmt::format(
-      "The position of {} is not to be trusted: {}. Nothing was sent. Home it, or say where it stands, then "
-      "run this again.",
+      "The position of {} cannot be trusted: {}. Nothing was sent. Home it, or say where it stands, then run "
+      "this again.",
       spoken_name(catalog, axis), words_of(tab.now().axes[ix(axis)].trust.cause));
 }
 
@@ -39,6 +39,15 @@ std::string why_not_run_there(Tab& tab, const std::string& text) {
   Desk& desk = tab.desk();
   const WrittenSequence* source = desk.source.of(text, desk.blocks, desk.language(), tab.catalog());
   return source ? why_not_run_there(tab, *source->sequence) : std::string();
+}
+
+std::string_view why_no_pieces(Tab& tab) {
+  if (!tab.now().link.connected()) return "There is no link. This comes back when the controller answers.";
+  if (tab.desk().job.busy()) return "A program is being transferred.";
+  const ProgramState& p = tab.now().program;
+  if (p.owned && p.run != RunState::idle && p.run != RunState::error)
+    return "A program is at work. This comes back when it has ended or was stopped.";
+  return tab.why_not_move();
 }
 
 }  // namespace hw::gui

@@ -1,7 +1,8 @@
 #pragma once
-// Programs that were written from a sequence are bound by the user's travel and by what is not known of the
-// axes, wherever they are run from; a text of the user's own is his own word. GUI thread.
+// Programs written from a sequence are bound by the user's travel limits and by doubts about positions,
+// wherever they are run from; the user's own texts are not. GUI thread.
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/device/catalog.h"
@@ -14,14 +15,17 @@ namespace hw::gui {
 class Desk;
 class Tab;
 
-/// Where the program takes the axes that the controller holds there, for intent::RunProgram; empty: it is of
-/// no sequence that is known here.
+/// The targets of the program in the controller's slot, for intent::RunProgram; empty: it comes from no known
+/// sequence.
 std::vector<AxisTarget> places_of_held(Desk& desk, int slot, const Catalog& catalog, const Snapshot& now);
 
-/// Why it cannot be run from where the axes stand, in the units that are shown: it leaves the user's travel,
-/// or is sent by a count that is not to be trusted. Empty: it can.
+/// Why the sequence cannot be run from the present positions, in the displayed units: it leaves the user's
+/// travel, or depends on an untrusted position. Empty: it can.
 std::string why_not_run_there(const Tab& tab, const sequence::Sequence& sequence);
-/// The same of a text; of one that is of no sequence nothing is said.
+/// The same for a text; empty for one that comes from no known sequence.
 std::string why_not_run_there(Tab& tab, const std::string& text);
+
+/// Why nothing can be begun in pieces now; empty: it can.
+std::string_view why_no_pieces(Tab& tab);
 
 }  // namespace hw::gui

@@ -1,5 +1,5 @@
 #pragma once
-// The samples of a recording (intent::Sample) on their way from a session to the panel that shows them.
+// Passes the samples of a recording (intent::Sample) from a session to the panel that shows them.
 #include <functional>
 
 #include "core/device/snapshot.h"
@@ -8,7 +8,7 @@ namespace hw::gui {
 
 class Tab;
 
-/// Hands each sample that has come since the last call to `take`, oldest first. Without a session: none.
+/// Hands each sample received since the last call to `take`, oldest first. Without a session: none.
 void take_samples(Tab& tab, const std::function<void(const AxisSample&)>& take);
 
 }  // namespace hw::gui

@@ -96,7 +96,6 @@ bool SetupEdits::matches(std::size_t i, std::string_view filter) const {
 }
 
 // ---- writing
-// -----------------------------------------------------------------------------------------------
 
 void SetupWrite::begin(const SetupEdits& edits, const Snapshot& now, const Catalog& catalog, bool confirmed,
                        const Send& send) {
@@ -133,13 +132,13 @@ void SetupWrite::update(const Snapshot& now, const Catalog& catalog, const Send&
     return ended(false,
                  fmt::format("The link was lost: {} of {} values were written.", next_, values_.size()));
   if (now.forgotten(waiting_for_))
-    return ended(false, fmt::format("What became of a value is not known: {} of {} values were written.",
+    return ended(false, fmt::format("The outcome for a value is not known: {} of {} values were written.",
                                     next_, values_.size()));
   const IntentFate* fate = now.fate_of(waiting_for_);
   if (!fate || fate->fate == Fate::pending) return;
   if (fate->fate != Fate::done) {
     const ParamInfo& p = catalog.params[values_[next_].first];
-    if (fate->asks)  // a dialog does, and sends it
+    if (fate->asks)  // a dialog asks, and sends it
       return ended(false, fmt::format("{} needs an answer first. {} of {} values were written.", p.mnemonic,
                                       next_, values_.size()));
     return ended(false, fmt::format("{}: {} {} of {} values were written.", p.mnemonic, fate->sentence.view(),

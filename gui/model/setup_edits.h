@@ -1,6 +1,6 @@
 #pragma once
-// Edited values of a controller's parameters, against what the controller has and what a file says. Nothing
-// is sent until the user says so; what is written is read back by the driver. GUI thread.
+// Edited parameter values, compared with those of the controller and of a file. Nothing is sent until the
+// user asks for it; written values are read back by the driver. GUI thread.
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,27 +18,27 @@ class SetupEdits {
   explicit SetupEdits(const Catalog& catalog);
 
   [[nodiscard]] std::size_t size() const { return edits_.size(); }
-  /// What somebody wants the parameter to be; nothing: as the controller has it.
+  /// The edited value; nothing: not edited.
   [[nodiscard]] std::optional<std::int64_t> edited(std::size_t i) const { return edits_[i]; }
-  /// False: out of range, nothing was changed; `why` says the range in words.
+  /// False: out of range, nothing changed; `why` states the range.
   bool set(std::size_t i, std::int64_t value, std::string* why = nullptr);
   void undo(std::size_t i) { edits_[i].reset(); }
   /// Edited value, else the controller's, else nothing.
   [[nodiscard]] std::optional<std::int64_t> shown(std::size_t i, const Snapshot& now) const;
-  /// Differs from what the controller is known to have (or that is not known).
+  /// Returns whether the edited value differs from the controller's known one (or that is not known).
   [[nodiscard]] bool changed(std::size_t i, const Snapshot& now) const;
   [[nodiscard]] bool off_factory(std::size_t i, const Snapshot& now) const;
   [[nodiscard]] std::vector<std::size_t> to_send(const Snapshot& now) const;
   [[nodiscard]] int changes(const Snapshot& now) const;
-  /// Forgets edits that the controller has by now.
+  /// Drops edits that the controller has by now.
   void settle(const Snapshot& now);
 
-  /// Takes the values of a file as edits. Returns sentences about what was left out.
+  /// Takes the values of a file as edits. Returns sentences about omitted values.
   std::vector<std::string> take(const CheckedBackup& file, const Snapshot& now, int* differing = nullptr);
   /// All values as shown, for a file.
   [[nodiscard]] Backup to_file(const Snapshot& now) const;
 
-  /// Whether every letter group of `filter` is found in mnemonic, label, group, explanation or unit.
+  /// Returns whether every letter group of `filter` occurs in mnemonic, label, group, explanation or unit.
   [[nodiscard]] bool matches(std::size_t i, std::string_view filter) const;
 
  private:
@@ -47,7 +47,7 @@ class SetupEdits {
   std::vector<std::string> searched_;  ///< in lower case
 };
 
-/// Writes one after another, each only when the one before has ended well.
+/// Writes values one after another, each only when the previous one has succeeded.
 class SetupWrite {
  public:
   using Send = std::function<IntentId(IntentBody)>;
@@ -58,7 +58,7 @@ class SetupWrite {
   [[nodiscard]] bool busy() const { return next_ < values_.size(); }
   [[nodiscard]] std::size_t written() const { return next_; }
   [[nodiscard]] std::size_t all() const { return values_.size(); }
-  /// Told once when it has ended: "3 values written." or the refusal.
+  /// The outcome, told once: "3 values written." or the refusal.
   struct Told {
     bool good = true;
     std::string sentence;
@@ -75,13 +75,13 @@ class SetupWrite {
   Told told_;
 };
 
-/// A value as it is written: "0.800" with decimals, "4EX07" with a prefix, else the number.
+/// A value in written form: "0.800" with decimals, "4EX07" with a prefix, else the number.
 std::string value_text(const ParamInfo& param, std::int64_t value);
-/// "0 or 1 to 600", "4EX00 to 4EX99", with the values as they are written.
+/// "0 or 1 to 600", "4EX00 to 4EX99", with the values in written form.
 std::string range_in_words(const ParamInfo& param);
-/// Its unit as its axes count now.
+/// The parameter's unit, as its axes count now.
 std::string unit_of(const ParamInfo& param, const Catalog& catalog, const Snapshot& now);
-/// The words of a value: the label of a choice, the names of set bits, or number and unit.
+/// A value in words: the label of a choice, the names of set bits, or number and unit.
 std::string value_in_words(const ParamInfo& param, std::int64_t value);
 
 }  // namespace hw::gui

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/device/refusals.h"
+#include "gui/model/axis_look.h"
 #include "gui/model/units_format.h"
 
 namespace hw::gui {
@@ -35,7 +36,7 @@ Said say_link(const StatusFacts& f) {
   switch (link.state) {
     case LinkState::lost: {
       std::string text =
-          fmt::format("{} does not answer since {}. Stop does not reach it: use its power switch.",
+          fmt::format("No answer from {} since {}. Stop does not reach it: use its power switch.",
                       f.catalog.short_name, f.time_of_day(link.lost_at));
       if (!link.sentence.empty()) text += fmt::format(" {}", link.sentence.view());
       return say(Mood::fault, std::move(text));
@@ -51,7 +52,7 @@ Said say_link(const StatusFacts& f) {
   return {};
 }
 
-/// The programs that stopped in error come with what stopped them, where that is an axis.
+/// Puts programs stopped in error before the sentence; it names the cause where that is an axis.
 StatusSentence with_failed(const StatusFacts& f, StatusSentence said) {
   if (!f.failed.empty()) said.text = fmt::format("{} {}", f.failed, said.text.view());
   return said;
@@ -60,7 +61,7 @@ StatusSentence with_failed(const StatusFacts& f, StatusSentence said) {
 Said say_motion(const StatusFacts& f);
 Said say_program(const StatusFacts& f);
 
-/// What goes on beside an error.
+/// Adds what goes on beside an error.
 StatusSentence with_what_goes_on(const StatusFacts& f, StatusSentence said) {
   for (const auto part : {say_motion, say_program})
     if (const Said goes_on = part(f)) {
@@ -74,6 +75,12 @@ Said say_error(const StatusFacts& f) {
   if (f.now.program.run == RunState::error && !f.now.notice.empty()) return say(Mood::fault, f.now.notice);
   for (int i = 0; i < f.now.axis_count; ++i) {
     if (f.now.axes[i].activity != Activity::error && !f.now.axes[i].alarm) continue;
+    if (f.now.axes[i].activity != Activity::error)
+      return with_what_goes_on(
+          f,
+          with_failed(f, say(Mood::fault, fmt::format("The alarm input of {} is active, so it takes no move. "
+                                                      "Look at its motor driver.",
+                                                      plain_name(f.catalog, i)))));
     const StatusSentence error = say(
         Mood::fault, f.now.notice.empty() ? fmt::format("{} is in error. Stop it, and look at the terminal.",
                                                         name_of(f.catalog, i))
@@ -84,7 +91,7 @@ Said say_error(const StatusFacts& f) {
   return {};
 }
 
-/// The worst thing that the controller's driver has to say. What moves now comes before it.
+/// The most important notice of the controller's driver. Present motion comes before it.
 Said say_notice(const StatusFacts& f) {
   if (f.now.notice.empty()) return {};
   return say(Mood::warn, f.now.notice);
@@ -102,16 +109,17 @@ Said say_late(const StatusFacts& f) {
 }
 
 bool moves(const AxisState& a) {
+  if (only_goes_along(a)) return false;
   return a.activity == Activity::moving || a.activity == Activity::jogging ||
          a.activity == Activity::homing || a.activity == Activity::stopping;
 }
 
-/// " in line 6"; nothing when it is not known.
+/// " in line 6"; empty when not known.
 std::string say_line(const RunPlace& run, std::string_view before) {
   return run.line >= 0 ? fmt::format("{}line {}", before, run.line + 1) : std::string();
 }
 
-/// " in line 6, pass 7 of 20. 46 s left." of a running program; "." when nothing of it is known.
+/// " in line 6, pass 7 of 20. 46 s left." for a running program; "." when nothing of this is known.
 std::string say_place(const RunPlace& run) {
   std::string words = say_line(run, " in ");
   if (run.line < 0 && run.stored_line >= 0)
@@ -136,9 +144,12 @@ std::string say_who(const StatusFacts& f) {
 std::string say_several(const StatusFacts& f) {
   std::string names;
   int count = 0, left = 0;
-  for (int i = 0; i < f.now.axis_count; ++i) left += f.now.axes[i].activity == Activity::moving;
+  const auto moves_there = [](const AxisState& a) {
+    return a.activity == Activity::moving && !only_goes_along(a);
+  };
+  for (int i = 0; i < f.now.axis_count; ++i) left += moves_there(f.now.axes[i]);
   for (int i = 0; i < f.now.axis_count; ++i) {
-    if (f.now.axes[i].activity != Activity::moving) continue;
+    if (!moves_there(f.now.axes[i])) continue;
     if (count++ > 0) names += --left == 1 ? " and " : ", ";
     names += count == 1 ? name_of(f.catalog, i) : plain_name(f.catalog, i);
   }
@@ -191,9 +202,8 @@ Said say_program(const StatusFacts& f) {
   if (p.run == RunState::running)
     return say(Mood::motion, say_who(f) + " running" + say_place(f.run) + " Esc stops everything.");
   if (p.run == RunState::waiting)
-    return say(Mood::motion,
-               what + " waits" + say_line(f.run, " in ") +
-                   ". It goes on by itself when what it waits for comes. Esc stops everything.");
+    return say(Mood::motion, what + " waits" + say_line(f.run, " in ") +
+                                 ". It continues by itself when its condition is met. Esc stops everything.");
   if (p.run == RunState::held)
     return say(Mood::warn, what + " is held before " +
                                (f.run.line >= 0 ? say_line(f.run, "") : std::string("its next command")) +
@@ -215,20 +225,20 @@ Said say_failed(const StatusFacts& f) {
   if (f.failed.empty()) return {};
   for (const auto part : {say_motion, say_program})
     if (const Said goes_on = part(f)) return with_failed(f, say(Mood::fault, goes_on->text));
-  return say(Mood::fault, f.failed + " Run begins it anew, Stop puts the error away.");
+  return say(Mood::fault, f.failed + " Run starts it again, Stop clears the error.");
 }
 
 Said say_position(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i) {
     const AxisState& a = f.now.axes[i];
     if (!a.position_known)
-      return say(Mood::warn, fmt::format("Where {} stands is not known. Home it, or say where it is.",
+      return say(Mood::warn, fmt::format("The position of {} is not known. Home it, or say where it stands.",
                                          plain_name(f.catalog, i)));
     if (a.trust.doubtful())
-      return say(Mood::warn, fmt::format("The position of {} is not to be trusted: {} ({}). Home it, or say "
-                                         "where it stands.",
-                                         spoken_name(f.catalog, i), words_of(a.trust.cause),
-                                         f.time_of_day(a.trust.since)));
+      return say(
+          Mood::warn,
+          fmt::format("The position of {} cannot be trusted: {} ({}). Home it, or say where it stands.",
+                      spoken_name(f.catalog, i), words_of(a.trust.cause), f.time_of_day(a.trust.since)));
   }
   return {};
 }
@@ -236,13 +246,13 @@ Said say_position(const StatusFacts& f) {
 Said say_slip(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i)
     if (f.now.axes[i].slipped)
-      return say(Mood::warn, fmt::format("{} has slipped: its encoder lay further off than is allowed. Look "
+      return say(Mood::warn, fmt::format("{} has slipped: its encoder was further off than is allowed. Find "
                                          "what held it, then clear its flag.",
                                          name_of(f.catalog, i)));
   return {};
 }
 
-/// "KPY and KIY": of the gains that drive it to its command, where all of them are known to be 0; else empty.
+/// "KPY and KIY": the gains that drive the axis to its command, if all are known to be 0; else empty.
 std::string gains_at_zero(const StatusFacts& f, int index) {
   std::string names;
   for (std::size_t i = 0; i < f.catalog.params.size() && i < f.now.params.size(); ++i) {
@@ -259,7 +269,7 @@ Said say_servo(const StatusFacts& f) {
     const AxisState& a = f.now.axes[i];
     if (a.loop != Loop::off_place) continue;
     const std::string zero = gains_at_zero(f, i);
-    const std::string why = zero.empty() ? "Look what holds it, and at its gains."
+    const std::string why = zero.empty() ? "Check what holds it, and its gains."
                                          : fmt::format("Nothing drives it while {} are 0.", zero);
     return say(Mood::warn,
                fmt::format("{} is not in place: it stands {} from its command, {}. {}", name_of(f.catalog, i),
@@ -280,10 +290,10 @@ Said say_limit(const StatusFacts& f) {
     if (!a.limits_known || (!a.limit_minus && !a.limit_plus)) continue;
     const std::string name = name_of(f.catalog, i);
     if (a.limit_minus && a.limit_plus)
-      return say(Mood::warn,
-                 fmt::format("Both limits of {} are operated, so it cannot move. Look at its switches "
-                             "and their cable.",
-                             plain_name(f.catalog, i)));
+      return say(
+          Mood::warn,
+          fmt::format("Both limits of {} are active, so it cannot move. Check its switches and their cable.",
+                      plain_name(f.catalog, i)));
     return say(Mood::warn, fmt::format("{} stands on its {} limit. It can only move {}.", name,
                                        sign_word(a.limit_plus), sign_word(a.limit_minus)));
   }
@@ -306,14 +316,14 @@ Said say_stale(const StatusFacts& f) {
   return {};
 }
 
-Said say_unsaved(const StatusFacts& f) {
-  if (!f.catalog.can.store || (!f.now.unsaved_setup && !f.now.unsaved_programs)) return {};
-  const bool both = f.now.unsaved_setup && f.now.unsaved_programs;
-  const char* what = both                  ? "Set-up and programs are"
-                     : f.now.unsaved_setup ? "The set-up is"
-                                           : "A program is";
+/// No axis can move before its motor has power.
+Said say_power(const StatusFacts& f) {
+  if (f.now.axis_count == 0) return {};
+  for (int i = 0; i < f.now.axis_count; ++i)
+    if (!powerless(f.catalog, f.now, axis(i))) return {};
+  if (f.now.axis_count > 1) return say(Mood::plain, "Motor power is off. Switch it on to move.");
   return say(Mood::plain,
-             fmt::format("Idle. {} in RAM only: Store keeps {} over power-off.", what, both ? "them" : "it"));
+             fmt::format("Motor power of {} is off. Switch it on to move it.", plain_name(f.catalog, 0)));
 }
 
 }  // namespace
@@ -330,7 +340,7 @@ int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId want
 StatusSentence status_sentence(const StatusFacts& facts) {
   for (const auto part :
        {say_link, say_error, say_late, say_failed, say_motion, say_program, say_pieces, say_notice, say_unset,
-        say_position, say_slip, say_servo, say_limit, say_stale, say_unsaved})
+        say_position, say_slip, say_servo, say_limit, say_stale, say_power})
     if (Said said = part(facts)) return std::move(*said);
   return say(Mood::plain, "Idle. Hold a jog button, type where to go, or run a program.");
 }

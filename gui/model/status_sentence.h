@@ -1,5 +1,5 @@
 #pragma once
-// The status line: the worst true thing of a controller in one or two sentences, and what to do about it.
+// The status line: the worst true fact about a controller in one or two sentences, and what to do about it.
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,9 +20,9 @@ struct StatusSentence {
 
 /// Where a running program is, as the editor shows it.
 struct RunPlace {
-  std::string who;           ///< "Programs 0 and 2 are"; empty: the one that the snapshot names
+  std::string who;           ///< "Programs 0 and 2 are"; empty: the program that the snapshot names
   int line = -1;             ///< of the text, from 0; -1: not known
-  int stored_line = -1;      ///< of the stored code, where that is what is known
+  int stored_line = -1;      ///< of the stored code, where only that is known
   int pass = 0, passes = 0;  ///< 0: not known
   std::optional<double> left_s;
 };
@@ -31,19 +31,20 @@ struct StatusFacts {
   const Catalog& catalog;
   const Snapshot& now;
   Instant clock;
-  std::optional<JogHold::Control> held;                     ///< the user holds this
-  bool jogging = false;                                     ///< long enough for a continuous jog
+  std::optional<JogHold::Control> held;                     ///< held by the user
+  bool jogging = false;                                     ///< held long enough for a continuous jog
   std::function<std::string(AxisId, Steps)> show_position;  ///< "12.000 mm"
   std::function<std::string(AxisId, Pps)> show_speed;       ///< "5.000 mm/s"
   std::function<std::string(Instant)> time_of_day;          ///< "14:20:08"
   RunPlace run{};
-  std::string failed{};     ///< programs that have stopped in error, as a sentence: beside what still runs
-  bool unset_read = false;  ///< what should be chosen before the first move has been told
+  std::string failed{};  ///< programs stopped in error, as a sentence: shown beside what still runs
+  bool unset_read =
+      false;  ///< the choices to make before the first move have been read, or a banner shows them
 };
 
 StatusSentence status_sentence(const StatusFacts& facts);
 
-/// A parameter that must be chosen before an axis may move and is not: its index, or -1.
+/// The index of a parameter that must be chosen before an axis may move and is not; -1: none.
 int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId axis);
 
 }  // namespace hw::gui

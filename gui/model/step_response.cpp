@@ -29,10 +29,10 @@ void measure_rise(const StepRun& run, double target, StepMeasures& m) {
   if (m.rose) m.rise_ms = {std::max(0.0, high->low - low->high), high->high - low->low};
 }
 
-/// It may have left the band again in any gap that comes later.
+/// The encoder may have left the band again in any later gap.
 void measure_settling(const StepRun& run, double target, StepMeasures& m) {
   const auto t = run.t_ms(), y = run.encoder();
-  std::size_t within = 0;  // the first sample of those that stay within
+  std::size_t within = 0;  // the first of the final samples within the band
   for (std::size_t i = 0; i < y.size(); ++i)
     if (std::fabs(static_cast<double>(y[i]) - target) > m.band) within = i + 1;
   m.settled = !y.empty() && within < y.size();
@@ -43,7 +43,7 @@ void measure_settling(const StepRun& run, double target, StepMeasures& m) {
     if (run.gap_before(i)) m.settling_ms.high = t[i];
 }
 
-/// The mean of the last tenth, if nothing is missing there.
+/// The mean of the last tenth, if it has no gap.
 void measure_steady(const StepRun& run, StepMeasures& m) {
   const auto e = run.error();
   const std::size_t tail = std::max<std::size_t>(1, e.size() / 10);
@@ -82,7 +82,7 @@ void StepRun::take(const AxisSample& s) {
   const float encoder = sign * static_cast<float>((s.encoder - from_encoder_).value);
   const float ms = std::chrono::duration<float, std::milli>(s.at - first_at_).count();
   if (!began_ && command != 0) {
-    // The sample before is the last at which nothing had happened: time starts there.
+    // Time starts at the previous sample, the last one before anything happened.
     began_ = true;
     origin_ms_ = t_ms_.back();
     for (float& t : t_ms_) t -= origin_ms_;
@@ -96,7 +96,7 @@ void StepRun::take(const AxisSample& s) {
 
 void StepRun::end() {
   constexpr std::size_t enough = 8;
-  constexpr float usual_jitter = 4;  // times as long as half of them are
+  constexpr float usual_jitter = 4;  // times the median spacing
   if (t_ms_.size() < enough) return;
   std::vector<float> spacing;
   for (std::size_t i = 1; i < t_ms_.size(); ++i) spacing.push_back(t_ms_[i] - t_ms_[i - 1]);

@@ -1,5 +1,5 @@
 #pragma once
-// One recorded step of an axis: where it was sent, where it went, and what that says of its gains. Pure.
+// One recorded step of an axis: its command, its path, and measures for tuning its gains. Pure.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -11,15 +11,15 @@
 
 namespace hw::gui {
 
-/// Positions count from where the axis stood, in the direction of the step: a step of 400 goes from 0 to 400,
-/// whichever way it moved. Times count from the first change of the command.
+/// Positions count from the start, in the direction of the step: a step of 400 goes from 0 to 400, whichever
+/// way it moved. Times count from the first change of the command.
 class StepRun {
  public:
   StepRun() = default;
   StepRun(int number, AxisId axis, Steps step);
 
   void take(const AxisSample& sample);
-  /// All samples have come: what is longer apart than usual is a gap from now on.
+  /// All samples have been taken: an unusually long interval counts as a gap from now on.
   void end();
 
   [[nodiscard]] int number() const { return number_; }
@@ -33,17 +33,17 @@ class StepRun {
   [[nodiscard]] std::span<const float> command() const { return command_; }
   [[nodiscard]] std::span<const float> encoder() const { return encoder_; }
   [[nodiscard]] std::span<const float> error() const { return error_; }
-  /// In percent of what the output can give; empty unless it was known all the time.
+  /// In percent of the full output; empty unless known throughout.
   [[nodiscard]] std::span<const float> output() const {
     return output_.size() == t_ms_.size() ? std::span<const float>(output_) : std::span<const float>();
   }
-  /// Samples further apart than this have a gap between them; 0: not known yet.
+  /// Samples further apart have a gap between them; 0: not known yet.
   [[nodiscard]] float longest_joined_ms() const { return longest_joined_ms_; }
-  /// Between this sample and the one before.
+  /// Returns whether there is a gap between this sample and the one before.
   [[nodiscard]] bool gap_before(std::size_t sample) const {
     return sample > 0 && longest_joined_ms_ > 0 && t_ms_[sample] - t_ms_[sample - 1] > longest_joined_ms_;
   }
-  /// The largest of it, without sign.
+  /// The largest magnitude of the output.
   [[nodiscard]] float largest_output() const;
 
  private:
@@ -57,7 +57,7 @@ class StepRun {
   std::vector<float> t_ms_, command_, encoder_, error_, output_;
 };
 
-/// A value that lies between two: what happened in a gap of the samples nobody has seen.
+/// A value between two bounds: nobody has seen what happened in a gap of the samples.
 struct Measure {
   double low = 0, high = 0;
   Measure() = default;
@@ -80,18 +80,18 @@ struct StepMeasures {
   double band = 0;            ///< 2 % of the step, at least one count
   bool steady_known = false;  ///< no gap in it
   Measure steady_error;       ///< command minus encoder, mean of the last tenth
-  Measure largest_error;      ///< while it went there
+  Measure largest_error;      ///< in the whole recording
   Measure crossings;          ///< how often the encoder passed its target
 };
 StepMeasures measure(const StepRun& run);
 
-/// How far measures of the same step lie apart when nothing has been changed.
+/// The scatter of the measures of the same step while nothing is changed.
 class StepScatter {
  public:
   static constexpr int enough = 3;
   void take(const StepMeasures& measures);
   [[nodiscard]] bool known() const { return taken_ >= enough; }
-  /// Greatest less least of what `of` says of them; nothing: one of them does not say it exactly.
+  /// Greatest minus least of the selected measure; nothing: one of them is not exact.
   using Of = std::optional<Measure> (*)(const StepMeasures&);
   [[nodiscard]] std::optional<double> of(Of measure) const;
 

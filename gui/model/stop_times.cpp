@@ -8,7 +8,7 @@
 namespace hw::gui {
 namespace {
 
-/// The least that 99 of 100 do not exceed.
+/// The smallest value that 99 in 100 do not exceed.
 template <class Value>
 Value percentile_99(std::vector<Value> values) {
   const std::size_t place = (values.size() * 99 + 99) / 100 - 1;
@@ -25,14 +25,15 @@ void StopTimes::add(const Ending& ending, const ShowPosition& position) {
   stops_.push_back(ending);
   if (stops_.size() > most) stops_.pop_front();
   std::vector<Duration> rests;
-  std::vector<Steps> on;  // of this axis: others may count in another unit
+  std::vector<Steps> on;  // of this axis only: others may count in another unit
   for (const Ending& stop : stops_) {
     rests.push_back(stop.to_rest);
     if (stop.axis == ending.axis) on.push_back(stop.ran_on);
   }
   const AxisId axis{static_cast<std::uint8_t>(ending.axis)};
-  words_ = fmt::format("Last stop: first byte after {:.1f} ms, at rest after {:.0f} ms, {} on.",
-                       ms(ending.to_wire), ms(ending.to_rest), position(axis, ending.ran_on));
+  words_ = fmt::format("Last stop: first byte after {:.1f} ms, ", ms(ending.to_wire));
+  if (ending.to_slowing) words_ += fmt::format("slowing down seen after {:.0f} ms, ", ms(*ending.to_slowing));
+  words_ += fmt::format("at rest after {:.0f} ms, {} on.", ms(ending.to_rest), position(axis, ending.ran_on));
   if (stops_.size() < 2) return;
   words_ += fmt::format(" Of {} stops 99 in 100 were at rest within {:.0f} ms and {}.", stops_.size(),
                         ms(percentile_99(std::move(rests))), position(axis, percentile_99(std::move(on))));

@@ -1,7 +1,7 @@
 #pragma once
-// How long the console's stops took with this controller and what hangs on it, as its core has seen them:
-// from the press or release of the hand (see Tab::hand_acted), to the first byte on the wire, and to
-// rest. GUI thread.
+// Times and distances of the console's stops with this controller and its mechanics, as seen by the core:
+// from the press or release of the hand (see Tab::hand_acted) to the first byte on the wire, and to rest. GUI
+// thread.
 #include <cstddef>
 #include <deque>
 #include <string>
@@ -13,15 +13,16 @@ namespace hw::gui {
 
 class StopTimes {
  public:
-  /// Takes it if it is a stop that was timed.
+  /// Takes the ending of a timed stop; ignores all others.
   void add(const Ending& ending, const ShowPosition& position);
-  /// "Last stop: first byte after 0.2 ms, at rest after 84 ms, 1.700 mm on. Of 100 stops 99 were at rest
-  /// within 120 ms and 2.000 mm." Empty: none was timed yet.
+  /// "Last stop: first byte after 0.2 ms, slowing down seen after 31 ms, at rest after 84 ms, 1.700 mm on. Of
+  /// 100 stops 99 in 100 were at rest within 120 ms and 2.000 mm." Empty: no stop was timed yet. The second
+  /// time is omitted for a controller that reports neither its speed nor its phase.
   [[nodiscard]] const std::string& words() const { return words_; }
 
  private:
   static constexpr std::size_t most = 200;
-  std::deque<Ending> stops_;  ///< the newest behind
+  std::deque<Ending> stops_;  ///< newest last
   std::string words_;
 };
 

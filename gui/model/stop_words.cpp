@@ -24,7 +24,7 @@ bool is_reached(const Tab& tab) {
   return link == LinkState::good || link == LinkState::late;
 }
 
-/// The names of those that `which` is true of; of a bus those of its devices.
+/// The names of the controllers for which `which` is true; on a bus, of its devices.
 template <class Which>
 std::vector<std::string_view> names(std::span<const std::unique_ptr<Tab>> tabs, Which which) {
   std::vector<std::string_view> all;

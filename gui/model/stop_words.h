@@ -1,6 +1,6 @@
 #pragma once
-// What a stop of everything has stopped, in words: for a hand that pressed Esc to close a list and stopped
-// the machine too.
+// What a stop of everything has stopped, in words: for users who pressed Esc to close a list and stopped the
+// machine too.
 #include <memory>
 #include <span>
 #include <string>
@@ -9,8 +9,7 @@ namespace hw::gui {
 
 class Tab;
 
-/// "Esc closed what was open. It also stopped table, which was moving." By what is known of them in this
-/// frame.
+/// "Esc closed what was open. It also stopped table, which was moving." Uses the state known in this frame.
 std::string words_of_esc(std::span<const std::unique_ptr<Tab>> tabs);
 
 }  // namespace hw::gui

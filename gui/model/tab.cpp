@@ -125,6 +125,8 @@ IntentId Tab::send(IntentBody body) {
   }
   if (const auto* text = std::get_if<intent::SendText>(&body))
     note(fmt::format("{} was sent{}", text->text, text->broadcast ? " to all devices" : ""));
+  if (std::holds_alternative<intent::Stop>(body) || std::holds_alternative<intent::Abort>(body))
+    return stop_ = door_.send(std::move(body), hand_acted_s_ago_);
   if (!closing_of(body)) return door_.send(std::move(body), hand_acted_s_ago_);
   IntentBody again = body;
   const IntentId id = door_.send(std::move(body), hand_acted_s_ago_);
@@ -141,15 +143,16 @@ IntentId Tab::send_followed(IntentBody body) {
 
 void Tab::stop_all(StoppedBy by) {
   jog.forget();
-  note(by == StoppedBy::key ? "Stop was asked for by Esc" : "Stop was asked for by its button");
+  note(by == StoppedBy::key ? "Stop was requested with Esc" : "Stop was requested with its button");
   send_followed(intent::Stop(-1, by));
 }
 
 void Tab::stopped_with(IntentId stop) {
   jog.forget();
-  note("Stop of all devices was asked for");
+  note("Stop of all devices was requested");
   desk_.stopped();
   followed_.push_back(stop);
+  stop_ = stop;
 }
 
 void Tab::take(const Ending& ending) {
@@ -160,7 +163,7 @@ void Tab::take(const Ending& ending) {
   desk_.stop_times.add(ending, position);
 }
 
-/// What a hand has done: it stays there when a wire that babbles has pushed it out of the terminal.
+/// Records a user action where it stays, even when a flood of traffic has pushed it out of the terminal.
 void Tab::note(std::string words) {
   desk_.events.add({Happening::Mark::message, false, clock_, {}, std::move(words), -1});
 }
@@ -170,17 +173,25 @@ std::vector<Notice> Tab::take_notices() { return std::exchange(notices_, {}); }
 void Tab::follow_fates() {
   const auto settled = [this](IntentId id) {
     const IntentFate* fate = now_->fate_of(id);
-    if (!fate) return now_->forgotten(id);  // else not taken up yet
+    if (!fate) return now_->forgotten(id);  // else not received yet
     if (fate->fate == Fate::pending) return false;
     if (fate->fate == Fate::done) return true;
     if (id == jog.jog_intent()) jog.forget();  // there is no jog to stop
-    if (fate->asks) return true;               // follow_questions() has it
+    if (fate->asks) return true;               // follow_questions() handles it
     complaints_.push_back(words_of(*fate));
     desk_.events.add({Happening::Mark::message, true, clock_, {}, complaints_.back(), -1});
     return true;
   };
   std::erase_if(followed_, settled);
   follow_questions();
+  follow_stop();
+}
+
+// One that has failed while there is no link is still owed.
+void Tab::follow_stop() {
+  const IntentFate* fate = now_->fate_of(stop_);
+  if (fate ? fate->fate == Fate::pending : !now_->forgotten(stop_)) return;
+  if ((fate && fate->fate == Fate::done) || now_->link.connected()) stop_ = 0;
 }
 
 std::string Tab::words_of(const IntentFate& fate) const {
@@ -201,8 +212,8 @@ void Tab::follow_questions() {
   std::erase_if(may_ask_, settled);
 }
 
-// What was drawn since the last call. A controller that was away has forgotten nothing, but its driver may
-// have.
+// Sends the groups drawn since the last call. After an absence the controller has forgotten nothing, but its
+// driver may have.
 void Tab::tell_what_is_watched() {
   const std::uint32_t groups = std::exchange(looked_at_, 0);
   const bool there = now_->link.state == LinkState::good || now_->link.state == LinkState::late;
@@ -229,11 +240,12 @@ void Tab::find_why_not_move() {
   const bool busy =
       p.owned && (p.run == RunState::running || p.run == RunState::waiting || p.run == RunState::held);
   if (told_link_ == LinkState::connecting)
-    why_not_move_ = "The controller is being asked what it is. Jog, Go and Home come when it has answered.";
+    why_not_move_ =
+        "The controller is being identified. Jog, Go and Home are available when it has answered.";
   else if (told_link_ == LinkState::lost || told_link_ == LinkState::closed)
-    why_not_move_ = "There is no link. Jog, Go and Home come back when the controller answers.";
+    why_not_move_ = "There is no link. Jog, Go and Home are available again when the controller answers.";
   else if (busy)
-    why_not_move_ = fmt::format("{} {} {}. Jog, Go and Home come back when it ends or is stopped.",
+    why_not_move_ = fmt::format("{} {} {}. Jog, Go and Home are available again when it ends or is stopped.",
                                 catalog_.program.slot_word, p.slot,
                                 p.run == RunState::running ? "is running"
                                 : p.run == RunState::held  ? "is held"
@@ -289,7 +301,7 @@ void Tab::choose_jog(Steps step, Pps speed) {
   for (Tab* member : bus->members) take(*member);
 }
 
-// An axis with a closed loop counts in other units than one without.
+// An axis counts in other units with a closed loop than without.
 void Tab::follow_counting() {
   for (std::size_t i = 0; i < catalog_.axes.size() && i < units_.size(); ++i) {
     if (units_[i].real || catalog_.loop_word.empty()) continue;

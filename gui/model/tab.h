@@ -1,7 +1,7 @@
 #pragma once
-// The GUI thread's side of one open controller: its newest snapshot, what the user calls things and how he
-// likes to see them, his texts, the hand on its jog pad, and its panels. Everything here belongs to the GUI
-// thread; the Session is the only door to the other.
+// The GUI thread's side of one open controller: its newest snapshot, the user's names, display settings and
+// texts, the hold on its jog pad, and its panels. GUI thread only; all contact with the io thread goes
+// through the Session.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,20 +18,20 @@
 #include "gui/model/units_format.h"
 
 namespace hw {
-class Session;  // kept out of here: panels need not compile coroutines
+class Session;  // only declared: panels need not compile coroutines
 }
 
 namespace hw::gui {
 
 class Tab {
  public:
-  /// The two ways down. Tests of panels give their own and look at what comes out.
+  /// The two ways to the controller. Tests of panels pass their own and check the calls.
   struct Door {
     std::function<IntentId(IntentBody, std::optional<double> hand_acted_s_ago)> send;
     std::function<void(BenchCommand)> operate_bench;
   };
 
-  /// `on_bus`: a controller of one axis is called by its id, so that its widgets are.
+  /// `on_bus`: a controller of one axis, and its widgets, are named by its id.
   Tab(std::shared_ptr<Session> session, std::string profile_key, bool on_bus = false);
   Tab(Address address, Catalog catalog, Door door, const Language* language = nullptr,
       TrafficLog::Explain explain = nullptr);
@@ -40,7 +40,7 @@ class Tab {
 
   /// Once a frame: takes what is new from the session.
   void refresh();
-  /// Shows a snapshot of no session. For tests.
+  /// For tests: shows a snapshot without a session.
   void show(const Snapshot& snapshot, const BenchView& bench, Instant clock);
 
   [[nodiscard]] const Catalog& catalog() const { return catalog_; }
@@ -52,24 +52,26 @@ class Tab {
   [[nodiscard]] const DeviceType* type() const;
   [[nodiscard]] const std::shared_ptr<Session>& session() const { return session_; }
 
-  /// A hand did so long ago what is drawn now; none: nothing that ImGui hears in this frame. Where stops are
-  /// timed, they count from there.
+  /// How long ago the user did what is drawn now; none: no input that ImGui receives in this frame. Timed
+  /// stops count from there.
   void hand_acted(std::optional<double> ago_s) { hand_acted_s_ago_ = ago_s; }
   IntentId send(IntentBody body);
-  /// As send(), and a refusal or failure is told: see take_complaint().
+  /// As send(), and a refusal or failure is reported in complaints().
   IntentId send_followed(IntentBody body);
   void operate_bench(BenchCommand command) { door_.operate_bench(std::move(command)); }
-  /// Why nothing may be moved now (no link, a program runs), as a sentence that says when it ends; empty: it
-  /// may. Valid until the next refresh().
+  /// Why nothing may be moved now (no link, a program runs), as a sentence that says when this ends; empty:
+  /// motion is allowed. Valid until the next refresh().
   [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
   /// The same for one axis, whose motor may have no current.
   [[nodiscard]] std::string_view why_not_move(AxisId axis) const;
-  /// Stop to this controller; a held jog is forgotten, since the stop ends it.
+  /// Sends a stop to this controller and drops a held jog, which the stop ends.
   void stop_all(StoppedBy by = StoppedBy::button);
-  /// The same for a stop that has gone out with those of others, as this intent.
+  /// The same after a stop that was sent with those of others, as this intent.
   void stopped_with(IntentId stop);
+  /// A stop that was asked for here may still have to go out: it would go with the tab.
+  [[nodiscard]] bool stop_waits() const { return stop_ != 0; }
 
-  /// A panel that shows these values is drawn in this frame: they are asked for in each round while it is,
+  /// A panel that shows these values is drawn in this frame: they are read in each status round while it is,
   /// see intent::Watch. Bit n = group n of Catalog::readout_groups.
   void look_at(std::uint32_t groups) { looked_at_ |= groups; }
   void look_at_group(int group) {
@@ -78,8 +80,8 @@ class Tab {
 
   // ---- names and units
   Profile profile;
-  std::string default_name;      ///< until the user gives it one
-  std::string profile_key;       ///< what the profile is kept under
+  std::string default_name;      ///< until the user chooses a name
+  std::string profile_key;       ///< key under which the profile is kept
   bool profile_changed = false;  ///< to be saved
   [[nodiscard]] std::string_view name() const;
   [[nodiscard]] const DisplayUnit& unit(AxisId axis) const { return units_[axis.index]; }
@@ -90,19 +92,19 @@ class Tab {
   [[nodiscard]] Steps jog_step() const { return profile.jog_step; }
   /// Held jog: the user's choice, else 0 (the controller's own).
   [[nodiscard]] Pps jog_speed() const { return profile.jog_speed; }
-  /// Chooses both: on a bus, whose rows have one control, for all of it.
+  /// Chooses both; on a bus, whose rows share one control, for all its controllers.
   void choose_jog(Steps step, Pps speed);
 
-  /// Traffic, program texts, edited set-up: what outlives the panel that shows it.
+  /// Traffic, program texts, edited set-up: all that outlives the panel that shows it.
   [[nodiscard]] Desk& desk() { return desk_; }
 
-  // ---- what must be told once
-  /// Why it was refused or has failed, in the units that are shown.
+  // ---- to be told once
+  /// Why the intent was refused or has failed, in the displayed units.
   [[nodiscard]] std::string words_of(const IntentFate& fate) const;
   /// Messages since the last call; listings go to the desk.
   [[nodiscard]] std::vector<Notice> take_notices();
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
-  /// An intent that may go out again with an answer (intent::Closing), and why it is asked; see Dialogs.
+  /// An intent that may be sent again with an answer (intent::Closing), and the question; see Dialogs.
   struct Question {
     IntentBody body;
     std::string sentence;
@@ -111,21 +113,23 @@ class Tab {
 
   // ---- view
   std::shared_ptr<Bus> bus;                                  ///< null: alone on its wire
-  [[nodiscard]] std::string_view id() const { return id_; }  ///< which device of its wire; may be empty
+  [[nodiscard]] std::string_view id() const { return id_; }  ///< its device on the wire; may be empty
   JogHold jog;
-  AxisId chosen_axis{0};  ///< of many: the one that Go and Home act on
-  bool unset_read =
-      false;  ///< what should be chosen before the first move has been told: it was read, or made
+  AxisId chosen_axis{0};         ///< on a controller of many axes: the axis for Go and Home
+  bool unset_read = false;       ///< the choices to make before the first move have been read, or made
   bool banner_folded = false;    ///< the banner of a lost link is one line high
+  std::string follow_to;         ///< address to reopen the tab at before the next frame; see shell/follow.h
+  std::string follow_left;       ///< where it was offered to follow it to, and was left as it is
   std::string centre_panel;      ///< id of the panel in front
-  std::uint64_t text_turns = 0;  ///< Desk::text_turns() that the console has followed
-  /// This controller's panels, beside the console's list; made when they are first drawn.
+  std::uint64_t text_turns = 0;  ///< last Desk::text_turns() seen by the console
+  /// This controller's panels, parallel to the console's list; created when first drawn.
   std::vector<std::unique_ptr<Panel>> panels;
-  /// What would go with them, see Panel::unkept(); empty: nothing.
+  /// What would be lost with the panels, see Panel::unkept(); empty: nothing.
   [[nodiscard]] std::string unkept() const;
 
  private:
   void follow_fates();
+  void follow_stop();
   void follow_questions();
   void tell_what_is_watched();
   void find_why_not_move();
@@ -150,21 +154,22 @@ class Tab {
   Instant clock_{};
   std::array<DisplayUnit, max_axes> units_;
   std::string why_not_move_;
-  std::array<std::string, max_axes> power_is_off_;  ///< the words, if it is
-  std::array<Travel, max_axes> told_travel_;        ///< to the session
+  std::array<std::string, max_axes> power_is_off_;  ///< the sentence if the power is off
+  std::array<Travel, max_axes> told_travel_;        ///< last sent to the session
   std::array<Backlash, max_axes> told_backlash_;
   std::uint32_t looked_at_ = 0, watched_ = 0;
   LinkState told_link_ = LinkState::closed;
   ProgramState told_program_;
   bool told_ = false;
   std::vector<IntentId> followed_;
-  std::vector<Intent> may_ask_;  ///< sent, and not known yet whether they need an answer first
+  IntentId stop_ = 0;            ///< the latest, until it has done its work; see stop_waits()
+  std::vector<Intent> may_ask_;  ///< sent, and may still need an answer first
   std::optional<Question> question_;
   std::vector<Notice> notices_;
   std::vector<std::string> complaints_;
 };
 
-/// The conversion that the profile names for this axis; the controller's own steps when there is none.
+/// The conversion that the profile names for this axis; without one, the controller's own steps.
 DisplayUnit display_unit(const Catalog& catalog, const Profile& profile, AxisId axis);
 
 }  // namespace hw::gui

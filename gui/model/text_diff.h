@@ -1,6 +1,6 @@
 #pragma once
-// How the lines of an edited text relate to those of an older one: what stands before the first and behind
-// the last change is the same.
+// How the lines of an edited text relate to those of an older one: the lines before the first change and
+// after the last one are the same.
 #include <string_view>
 
 namespace hw::gui {
@@ -11,7 +11,7 @@ class TextDiff {
   [[nodiscard]] bool equal() const { return equal_; }
   /// First line (from 0) that differs; -1 when the texts are equal.
   [[nodiscard]] int first_changed() const { return equal_ ? -1 : same_head_; }
-  /// Where a line of the older text stands now; -1: it has changed or gone.
+  /// The present line of a line of the older text; -1: changed or gone.
   [[nodiscard]] int line_now(int older_line) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace hw::gui {
 namespace {
 
-/// What a file or a wire has put into a sentence may be long, or no text at all.
+/// Parts from a file or a wire may be long, or not printable.
 std::string fit_to_read(std::string text) {
   std::size_t end = std::min(text.size(), Toasts::longest);
   while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
@@ -32,7 +32,7 @@ void Toasts::add(Mood mood, std::string text, const void* about, std::string of)
   if (same != list_.end()) {
     ++same->times;
     same->about = about;
-    same->until_s = -1;  // its time starts anew, and it is the newest again
+    same->until_s = -1;  // restarts its time and makes it the newest again
     same->first.reset();
     std::rotate(same, same + 1, list_.end());
     return;
@@ -43,7 +43,7 @@ void Toasts::add(Mood mood, std::string text, const void* about, std::string of)
   list_.back().stays = mood == Mood::fault;
 }
 
-/// What would go by itself goes first.
+/// Drops a toast that would expire by itself first.
 void Toasts::make_room() {
   const auto passing = std::find_if(list_.begin(), list_.end(), [](const Toast& t) { return !t.stays; });
   list_.erase(passing == list_.end() ? list_.begin() : passing);

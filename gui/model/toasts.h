@@ -1,6 +1,7 @@
 #pragma once
-// What was done, or not, said once in one list at the bottom right. Faults stay until they are read or what
-// they were about has changed, the rest goes after 6 s. What is said again is counted, not said twice.
+// Messages about what was done or failed, in one list at the bottom right. Faults stay until they are
+// dismissed or their subject has changed; the others go after 6 s. A repeated message is counted, not shown
+// twice.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,7 +13,7 @@ namespace hw::gui {
 
 class Toasts {
  public:
-  /// How a controller stands.
+  /// State of a controller.
   struct Standing {
     bool linked = false, moving = false;
   };
@@ -22,37 +23,37 @@ class Toasts {
     std::string text;
     double until_s;  ///< on the clock of the frames; negative: not shown yet
     const void* about = nullptr;
-    std::string of{};                 ///< the controller that it speaks of; empty: none
-    std::string said{};               ///< as it is shown
+    std::string of{};                 ///< the controller's name; empty: none
+    std::string said{};               ///< text as shown
     bool stays = false;               ///< until it is dismissed
-    int times = 1;                    ///< how often it was said while it stands
-    double since_s = 0;               ///< when it was said last
-    std::optional<Standing> first{};  ///< how the controller that it is about stood then
+    int times = 1;                    ///< how often it was added while it stands
+    double since_s = 0;               ///< time of the latest addition
+    std::optional<Standing> first{};  ///< its controller's state at first sight
   };
   /// Of the frame that is being drawn.
   struct InFrame {
-    bool shown = false;        ///< somebody with room has shown the newest
-    bool list_wanted = false;  ///< its press asks for all that stand
+    bool shown = false;        ///< the newest was shown by a view with room for it
+    bool list_wanted = false;  ///< pressed there: show the whole list
   };
 
-  /// `about`: what it speaks of; see withdraw(). `of`: the name of its controller.
+  /// `about`: its subject, see withdraw(). `of`: the name of its controller.
   void add(Mood mood, std::string text, const void* about = nullptr, std::string of = {});
-  /// One that stays until it is dismissed, whatever its mood.
+  /// Adds a toast that stays until it is dismissed, whatever its mood.
   void add_staying(Mood mood, std::string text);
-  /// The controller that is in front: those that speak of another one name it. Nothing: there is but one.
+  /// Sets the controller in front: toasts of any other name it. Nothing: there is only one.
   void look_at(std::optional<std::string_view> front);
-  /// That has changed, so what was said about it is not true any more.
+  /// Removes the toasts about a subject that has changed, as they are no longer true.
   void withdraw(const void* about);
-  /// A controller that has its link again, or moves: what was said about it while it had none, or stood, has
-  /// lost its reason.
+  /// Removes toasts that have lost their reason: those from before the controller got its link back or began
+  /// to move.
   void look_at_controller(const void* about, Standing stands);
   void dismiss(int number);
   void dismiss_all();
-  /// Once a frame: starts the time of new ones, drops what has had its time. True: the list is not what it
-  /// was in the frame before.
+  /// Once a frame: starts the time of new toasts, drops expired ones. True: the list has changed since the
+  /// last frame.
   bool tick(double now_s);
   [[nodiscard]] const std::vector<Toast>& list() const { return list_; }
-  /// Seconds until the next one goes.
+  /// Seconds until the next toast expires.
   [[nodiscard]] double due_in_s(double now_s) const;
   InFrame in_frame;
 
@@ -62,7 +63,7 @@ class Toasts {
  private:
   void make_room();
 
-  std::vector<Toast> list_;  ///< the newest last
+  std::vector<Toast> list_;  ///< newest last
   int next_number_ = 1;
   bool changed_ = false;
 };

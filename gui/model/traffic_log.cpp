@@ -97,8 +97,7 @@ TrafficLog::TrafficLog(Explain explain, DayClock clock, Limits limits)
   records_.reserve(limits_.records);
 }
 
-// ---- coming in
-// ---------------------------------------------------------------------------------------------
+// ---- incoming records
 
 void TrafficLog::drain(TrafficRing& ring) {
   ring.drain([this](TrafficEntry& entry) { append(entry); });
@@ -108,7 +107,7 @@ void TrafficLog::drain(TrafficRing& ring) {
   }
 }
 
-// A listing comes as one long reply; a person reads it line by line.
+// A listing comes as one long reply, but is read line by line.
 void TrafficLog::append(const TrafficEntry& entry) {
   constexpr std::size_t long_line = 80;
   std::string_view rest = entry.bytes;
@@ -125,7 +124,7 @@ void TrafficLog::append(const TrafficEntry& entry) {
 void TrafficLog::keep(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
   const std::size_t mask = limits_.bytes - 1;
   std::uint64_t begin = next_byte_;
-  if ((begin & mask) + bytes.size() > limits_.bytes) begin = (begin | mask) + 1;  // never across the seam
+  if ((begin & mask) + bytes.size() > limits_.bytes) begin = (begin | mask) + 1;  // never across its end
   next_byte_ = begin + bytes.size();
   if (next_ - first_ == limits_.records) ++first_;
   while (first_ < next_ && record(first_).begin + limits_.bytes < next_byte_) ++first_;
@@ -155,7 +154,6 @@ void TrafficLog::clear() {
 }
 
 // ---- rows
-// --------------------------------------------------------------------------------------------------
 
 void TrafficLog::set_view(View view) {
   if (view == view_) return;
@@ -198,8 +196,8 @@ bool TrafficLog::update_rows() {
       add_row(rows_up_to_);
       continue;
     }
-    // Old records are looked through in slices; what comes now is never put off, so a flood of it is judged
-    // by its bytes alone.
+    // Old records are searched in slices; new ones are never delayed, so in a flood they are judged by their
+    // bytes alone.
     const bool may_explain = looked_at++ < limits_.explained_per_frame;
     if (!may_explain && looking_back_) return true;
     if (passes(rows_up_to_, may_explain))
@@ -231,7 +229,7 @@ void TrafficLog::add_poll(std::uint64_t n) {
   if (rows_[fold_].open) rows_.push_back({n, n, 0, RowKind::record, false});
 }
 
-// Of a program transfer the first two lines and the last one stay in sight.
+// The first two lines and the last one of a program transfer stay visible.
 void TrafficLog::add_transfer(std::uint64_t n) {
   const Row row{n, n, 0, RowKind::record, false};
   const auto single = [&](std::size_t back, std::uint64_t wanted) {
@@ -262,7 +260,6 @@ bool TrafficLog::passes(std::uint64_t n, bool by_meaning) const {
 }
 
 // ---- words
-// -------------------------------------------------------------------------------------------------
 
 std::string_view TrafficLog::asked_before(std::uint64_t n) const {
   constexpr std::uint64_t far_enough = 64;  // a long reply is kept in pieces
@@ -278,7 +275,7 @@ std::string TrafficLog::meaning_of(std::uint64_t n) const {
   return explain_(bytes_of(r), r.way, r.kind, answer ? asked_before(n) : std::string_view());
 }
 
-// A line that is folded on the screen is said anew at each poll: in place, without a detour over the heap.
+// The sentence of a visible fold is rebuilt at each poll: in place, without heap allocations.
 void TrafficLog::append_fold_sentence(std::string& out, const Row& row) const {
   const auto end = std::back_inserter(out);
   if (row.kind == RowKind::folded_transfer) {

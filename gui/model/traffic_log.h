@@ -1,7 +1,7 @@
 #pragma once
-// What the terminal shows: the record of one wire in bounded memory, with times of day, polls folded,
-// filtered, and explained only where somebody looks. Drained from the session's ring once a frame, whatever
-// is on the screen. GUI thread.
+// The terminal's record of one wire, in bounded memory: with times of day, polls folded, filtered, and
+// explained only where visible. Drained from the session's ring once a frame, whatever is on the screen. GUI
+// thread.
 //
 //   records_   ring of fixed records, oldest overwritten     bytes_   ring of their bytes
 //   rows_      what is drawn: a record, or a fold of many; made from the records as they come
@@ -18,7 +18,7 @@
 
 namespace hw::gui {
 
-/// Time of day of an Instant: known by whoever started the scheduler.
+/// Time of day of an Instant: known where the scheduler was started.
 struct DayClock {
   Duration at_zero{};  ///< time of day when the scheduler stood at 0
   [[nodiscard]] Duration of(Instant t) const {
@@ -35,14 +35,14 @@ class TrafficLog {
  public:
   struct Limits {
     std::size_t bytes = 8u << 20, records = 1u << 17;
-    std::size_t explained_per_frame = 4096;  ///< while a filter looks through meanings
+    std::size_t explained_per_frame = 4096;  ///< while a filter searches meanings
   };
   using Explain = std::string (*)(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
 
   explicit TrafficLog(Explain explain, DayClock clock = {}) : TrafficLog(explain, clock, Limits()) {}
   TrafficLog(Explain explain, DayClock clock, Limits limits);
 
-  /// Once a frame. Takes all that waits, however much; what no longer fits pushes the oldest out.
+  /// Once a frame. Takes all waiting entries; the oldest records are dropped to make room.
   void drain(TrafficRing& ring);
   void append(const TrafficEntry& entry);
   void clear();
@@ -52,19 +52,18 @@ class TrafficLog {
     bool decoded = true;
     bool fold_polls = true;
     bool hex = false;
-    std::string
-        filter;  ///< case does not matter; found in the bytes as shown and, when decoded, in the meaning
+    std::string filter;  ///< case-insensitive; searches the bytes as shown and, when decoded, the meaning
     bool operator==(const View&) const = default;
   };
   [[nodiscard]] const View& view() const { return view_; }
   void set_view(View view);
-  /// Brings the rows up to date. True while older records are still being looked through.
+  /// Brings the rows up to date. True while older records are still being searched.
   bool update_rows();
 
   enum class RowKind : std::uint8_t { record, folded_polls, folded_transfer };
   struct Row {
     std::uint64_t first = 0, last = 0;  ///< sequence numbers of records; equal for a single one
-    std::uint32_t sent = 0;             ///< folded: how many were sent
+    std::uint32_t sent = 0;             ///< folded: number of records sent
     RowKind kind = RowKind::record;
     bool open = false;  ///< folded and opened: its records follow
   };
@@ -80,12 +79,13 @@ class TrafficLog {
     std::string raw;      ///< as shown: escaped, or hex. Of a fold: "2916 polls of X, Y, V folded."
     std::string meaning;  ///< empty when not decoded
   };
-  /// The words of a row. Few are visible: made when they are drawn, kept until they change.
+  /// The words of a row. Few rows are visible: made when drawn, kept until they change.
   const Line& line(const Row& row);
 
   [[nodiscard]] std::uint64_t records() const { return next_ - first_; }
   [[nodiscard]] std::uint64_t first_record() const { return first_; }
-  /// As it was on the wire. `n` from first_record() on, records() of them; valid until the next drain().
+  /// A record as it was on the wire. `n`: from first_record() on, records() of them; valid until the next
+  /// drain().
   struct Entry {
     Instant at{};
     Way way = Way::sent;
@@ -97,16 +97,16 @@ class TrafficLog {
     return {r.at, r.way, r.kind, bytes_of(r)};
   }
   [[nodiscard]] std::uint64_t received_bytes() const { return total_bytes_; }
-  /// Entries that came faster than they could be taken: not in the log.
+  /// Entries that arrived faster than they could be taken, missing from the log.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
   /// Changes whenever the rows may have changed.
   [[nodiscard]] std::uint64_t version() const { return version_; }
   [[nodiscard]] DayClock clock() const { return clock_; }
   void set_clock(DayClock clock) { clock_ = clock; }
 
-  /// Rows as text with times, at the end of `out`: for the clipboard, for scripts and screen readers.
+  /// Appends rows as text with times to `out`: for the clipboard, scripts and screen readers.
   void append_rows(std::string& out, std::size_t begin, std::size_t end);
-  /// Everything that is kept, unfolded, as text: time, direction, raw, meaning.
+  /// All kept records, unfolded, as text: time, direction, raw, meaning.
   std::string text_of_all() const;
 
  private:
@@ -137,7 +137,7 @@ class TrafficLog {
   Explain explain_;
   DayClock clock_;
   Limits limits_;
-  // Set aside as a whole, and taken from the machine only as they fill.
+  // Reserved in full; the pages are allocated only as they fill.
   std::unique_ptr<char[]> bytes_;
   std::vector<Record> records_;
   std::uint64_t first_ = 0, next_ = 0;  ///< records kept: [first_, next_)
@@ -147,8 +147,8 @@ class TrafficLog {
   std::string filter_;  ///< in lower case
   std::deque<Row> rows_;
   std::size_t fold_ = no_fold;    ///< the row that the next record may join
-  std::uint64_t rows_up_to_ = 0;  ///< records before it have their row
-  bool looking_back_ = false;     ///< a filter is still on its way through older records
+  std::uint64_t rows_up_to_ = 0;  ///< records before this one have their row
+  bool looking_back_ = false;     ///< a filter is still searching older records
   std::unordered_set<std::uint64_t> open_folds_;
   struct Cached {
     Row row;
@@ -158,7 +158,7 @@ class TrafficLog {
   std::vector<Cached> cache_;
 };
 
-/// Bytes for a person: printable ASCII as it is, others as a name or hex between the two marks.
+/// Bytes in readable form: printable ASCII as it is, others as a name or hex between the two marks.
 void append_shown(std::string& out, std::string_view bytes, std::string_view open = "\xE2\x80\xB9",
                   std::string_view close = "\xE2\x80\xBA");
 void append_hex(std::string& out, std::string_view bytes);

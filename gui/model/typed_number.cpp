@@ -8,7 +8,7 @@
 namespace hw::gui {
 namespace {
 
-/// A range as a person writes it: "0.5" and not "0.500".
+/// A number in short form: "0.5", not "0.500".
 std::string short_number(double value, int decimals) {
   std::string s(format_number(value, decimals).view());
   if (s.find('.') == std::string::npos) return s;
@@ -34,7 +34,7 @@ std::optional<double> read_number(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::string_view rest = text.substr(i);
     if (n + 1 >= sizeof plain) return {};
-    if (rest.starts_with("\xE2\x88\x92")) {  // the real minus
+    if (rest.starts_with("\xE2\x88\x92")) {  // the real minus sign
       plain[n++] = '-';
       i += 3;
     } else if (rest.starts_with("\xE2\x80\x89")) {  // thin space between groups

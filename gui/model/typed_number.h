@@ -1,5 +1,5 @@
 #pragma once
-// A number as a person types it, and why it does not do.
+// A typed number, and why it is not accepted.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,7 +14,7 @@ struct NumberRange {
 
 /// "12,5" and "12.5" and "−12.5" and "57 000"; nothing when it is not one number.
 std::optional<double> read_number(std::string_view text);
-/// Why `text` does not do, in a few words: "1 to 6000 only"; empty when it does.
+/// Why `text` is not accepted, in a few words: "1 to 6000 only"; empty when it is.
 std::string range_sentence(std::string_view text, const NumberRange& range);
 
 }  // namespace hw::gui

@@ -172,7 +172,7 @@ std::vector<JogStep> jog_steps(const DisplayUnit& unit, int many) {
   }
   list.push_back(
       {Steps(1), "step", "1 step", std::string(format_with_unit(Steps(1), unit).view()), "1 step"});
-  // The first power of ten that is well above one step, so that neither entry repeats the other.
+  // The first power of ten well above one step, so that no two entries are alike.
   int exponent = static_cast<int>(std::ceil(std::log10(1.5 * std::fabs(unit.per_step))));
   for (; static_cast<int>(list.size()) < many; ++exponent) {
     const double length = std::pow(10.0, exponent);

@@ -1,7 +1,6 @@
 #pragma once
-// Steps as a person reads and types them: in steps, or in the real unit of what hangs on the axis. Decimal
-// point, thin space between groups of three from five figures on, a real minus, as many decimals as one step
-// needs.
+// Steps as shown and typed: in steps, or in the real unit of the mechanics. Decimal point, thin space between
+// groups of three from five figures on, a real minus sign, as many decimals as one step needs.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,23 +40,23 @@ NumberText format_position(Steps position, const DisplayUnit& unit);
 NumberText format_with_unit(Steps position, const DisplayUnit& unit);
 /// "5.000 mm/s", "2000 steps/s".
 NumberText format_speed(Pps speed, const DisplayUnit& unit);
-/// A unit in Catalog::step_word ("pulses/s") in what is counted now: Catalog::loop_word, when the loop of
-/// that axis is closed, or of all axes without one. Of some of them only no word would be true: "/s".
+/// A unit given in Catalog::step_word ("pulses/s"), in what is counted now: Catalog::loop_word when the loop
+/// of that axis, or of all axes if none is given, is closed. With mixed loops no word would be true: "/s".
 std::string counted_unit(const Catalog& catalog, const Snapshot& now, std::string_view unit, int axis = -1);
 /// "1 line", "24 lines": the catalog's units of programs are plurals.
 std::string count_of(int n, std::string_view unit);
-/// "18 s", "1 min 08.6 s": whole words of time for sentences.
+/// "18 s", "1 min 08.6 s": for sentences.
 NumberText format_duration(double seconds);
 
-/// What somebody typed, with comma or point, any minus, spaces between groups and perhaps the unit, rounded
-/// to whole steps. Two points, or a comma and a point, are refused and never guessed.
+/// Reads typed text, with comma or point, any minus sign, spaces between groups and perhaps the unit, rounded
+/// to whole steps. Two points, or a comma and a point, are refused, never guessed.
 Result<Steps> parse_position(std::string_view text, const DisplayUnit& unit);
 Result<double> parse_number(std::string_view text);
 
 Steps to_steps(double value, const DisplayUnit& unit);
 double from_steps(Steps steps, const DisplayUnit& unit);
 
-/// As many as one step needs: 3 for 0.0025.
+/// As many decimals as one step needs: 3 for 0.0025.
 int decimals_of(double per_step);
 
 /// One entry of the list of jog steps.
@@ -65,7 +64,7 @@ struct JogStep {
   Steps steps;
   std::string id;       ///< last part of `jog/step/...`: "0.1", "step"
   std::string label;    ///< "0.1 mm", "1 step"
-  std::string caption;  ///< not empty: what the label rounds to
+  std::string caption;  ///< not empty: the rounded value of the label
   std::string number;   ///< the label without its unit
 };
 /// `many` entries (4 or 5) from one step up, in powers of ten of the unit.

@@ -1,6 +1,6 @@
 #pragma once
-// Programs that a rehearsal has come to and whose text nobody has read: they are read, one after the other,
-// and it is rehearsed again. GUI thread.
+// Programs that a rehearsal has reached but whose text was never read: they are read one after another, and
+// the rehearsal is repeated. GUI thread.
 #include <functional>
 #include <set>
 
@@ -13,12 +13,13 @@ class UnreadPrograms {
  public:
   using Send = std::function<IntentId(IntentBody)>;
 
-  /// A rehearsal is asked for: each program may be read once for it.
+  /// A rehearsal was requested: each program may be read once for it.
   void begin();
-  /// It has come to some that can be read still. `rehearsed`: the number of its outcome, looked at once.
+  /// Returns whether the rehearsal reached programs that can still be read. `rehearsed`: the number of its
+  /// outcome; each is examined once.
   [[nodiscard]] bool found(const Rehearsal& rehearsal, int rehearsed);
-  /// Once a frame: what is to be read is read. True: nothing is waited for any more. What cannot be read
-  /// stays unread, and is named by the rehearsal.
+  /// Once a frame: reads the next program. True: nothing more to wait for. Programs that cannot be read stay
+  /// unread, and the rehearsal names them.
   [[nodiscard]] bool have_been_read(const Snapshot& now, const Send& send);
 
  private:

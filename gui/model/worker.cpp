@@ -31,7 +31,7 @@ void Worker::work() {
   std::unique_lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
-    if (waiting_.empty()) return;  // what waits is done even at the end: it may be the user's text
+    if (waiting_.empty()) return;  // waiting jobs run even at the end: they may hold the user's text
     Task task = std::move(waiting_.front());
     waiting_.pop_front();
     working_ = true;
@@ -40,13 +40,13 @@ void Worker::work() {
     lock.lock();
     working_ = false;
     finished_.push_back(std::move(delivery));
-    changed_.notify_all();  // whoever is in finish()
+    changed_.notify_all();  // wakes finish()
     if (wake_ && !ending_) wake_();
   }
 }
 
 bool Worker::deliver() {
-  if (!threaded_ && waiting_.empty()) return false;  // each frame asks, and an empty deque takes memory too
+  if (!threaded_ && waiting_.empty()) return false;  // checked in each frame; even an empty deque allocates
   if (threaded_) {
     const std::lock_guard lock(mutex_);
     if (finished_.empty()) return false;

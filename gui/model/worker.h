@@ -1,7 +1,7 @@
 #pragma once
-// Long pure jobs (a rehearsal, writing files) beside the frame: a job gets values and returns a value, which
-// is handed to the GUI thread in one of its next frames. Without a thread (headless runs in virtual time,
-// tests) the job is done when the values are handed over, so that every run is the same.
+// Runs long pure jobs (a rehearsal, writing files) outside the frame: a job takes values and returns a value,
+// which is delivered to the GUI thread in one of its next frames. Without a thread (headless runs in virtual
+// time, tests) jobs run in deliver(), so that every run is the same.
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -14,16 +14,16 @@ namespace hw::gui {
 
 class Worker {
  public:
-  /// `wake`: any thread; a frame is wanted because a job is done. `threaded` false: jobs run in deliver().
+  /// `wake`: called on any thread when a finished job needs a frame. `threaded` false: jobs run in deliver().
   explicit Worker(std::function<void()> wake = {}, bool threaded = false)
       : wake_(std::move(wake)), threaded_(threaded) {}
-  /// Waits for the job that is under way and for those that must not be lost (files); drops results.
+  /// Waits for the present job and for jobs that must not be lost (files); drops results.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// GUI thread. `done` is called from deliver() with what `job` returned; who may be gone by then guards
-  /// himself with `alive`: a job of somebody gone still runs, its result is dropped.
+  /// GUI thread. deliver() calls `done` with the result of `job`. `alive` guards a caller that may be gone by
+  /// then: the job still runs, its result is dropped.
   template <class Job, class Done>
   void run(Job job, Done done, std::weak_ptr<void> alive) {
     using Value = std::invoke_result_t<Job>;
@@ -34,10 +34,10 @@ class Worker {
       };
     });
   }
-  /// GUI thread, once a frame. True: something was handed over.
+  /// GUI thread, once a frame. True: a result was delivered.
   bool deliver();
   [[nodiscard]] bool idle();
-  /// GUI thread. Waits until nothing is under way or waits; results stay for deliver(). For an end without
+  /// GUI thread. Waits until no job is running or waiting; results stay for deliver(). For an exit without
   /// destructors.
   void finish();
 
@@ -54,7 +54,7 @@ class Worker {
   std::deque<Task> waiting_;
   std::deque<Delivery> finished_;
   bool working_ = false, ending_ = false;
-  std::thread thread_;  // last: starts when everything above stands
+  std::thread thread_;  // last: starts after all members above exist
 };
 
 }  // namespace hw::gui

@@ -9,6 +9,7 @@
 #include "core/session/json_file.h"
 #include "core/session/session_group.h"
 #include "gui/model/lower_case.h"
+#include "gui/shell/follow.h"
 #include "gui/shell/messages.h"
 #include "gui/shell/outside.h"
 #include "gui/shell/top_bar.h"
@@ -119,7 +120,7 @@ void Console::set_day(DayClock day) {
   for (const auto& tab : tabs_) tab->desk().traffic.set_clock(day);
 }
 
-// ---- hands
+// ---- input
 
 void Console::stop_all(StoppedBy by) {
   for (const auto& tab : tabs_) {
@@ -134,7 +135,7 @@ void Console::let_go() {
   for (const auto& tab : tabs_) tab->jog.let_go();
 }
 
-/// The panel that says so of such a name; else the program editor, which says what it is if it is no text.
+/// The panel that opens files of such a name; else the program editor, which reports a file that is no text.
 static std::string_view opener_of(const PanelList& list, const Tab& tab, const std::string& path) {
   const std::string name = lower_case(path);
   for (const PanelEntry& entry : list.panels)
@@ -145,7 +146,7 @@ static std::string_view opener_of(const PanelList& list, const Tab& tab, const s
 
 void Console::drop(const std::vector<std::string>& paths) {
   if (covered_)
-    return toast(Mood::warn, "Nothing was opened: answer what is asked first, then drop it again.");
+    return toast(Mood::warn, "Nothing was opened: answer the question first, then drop it again.");
   if (!active()) return toast(Mood::plain, "Connect a controller first: files are opened in its editor.");
   for (const std::string& path : paths) {
     const std::string panel(opener_of(list_, *active(), path));
@@ -156,10 +157,11 @@ void Console::drop(const std::vector<std::string>& paths) {
 
 // ---- frame
 
-/// The press or release that this frame is for.
+/// How long ago the press or release of this frame happened.
 static std::optional<double> hand_acted_s_ago(const Ui& ui) {
   if (ImGui::IsMouseReleased(0)) return std::max(0.0, ui.now_s - ui.input.released_at_s());
   if (ImGui::IsMouseClicked(0)) return std::max(0.0, ui.now_s - ui.input.pressed_at_s());
+  if (const double at_s = ui.focus.key_acted_at_s(); at_s >= 0) return std::max(0.0, ui.now_s - at_s);
   return {};
 }
 
@@ -174,10 +176,10 @@ void Console::refresh(Ui& ui) {
     if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
   }
   for (std::string& sentence : take_last_words()) toast(Mood::warn, std::move(sentence));
-  if (!ImGui::IsMouseDown(0)) save();  // not at each step of a slider that is being dragged
+  if (!ImGui::IsMouseDown(0)) save();  // not at every step of a dragged slider
 }
 
-// A device of a bus is named in any case: its neighbours stand beside it.
+// A device of a bus is always named, as its neighbours are beside it.
 void Console::toast(const Tab& of, Mood mood, std::string sentence, const void* about) {
   const bool neighbours = of.bus && of.bus->members.size() > 1;
   if (neighbours && !speaks_of(sentence, of.id())) sentence = fmt::format("{}: {}", of.id(), sentence);
@@ -199,7 +201,7 @@ void Console::tell_news(Tab& tab) {
           std::move(notice.text));
   }
   for (std::string& complaint : tab.complaints()) {
-    // The refusal says in a toast what a dialog asks already. A fate has less room than a notice.
+    // The refusal repeats in a toast the question of a dialog. A fate has less room than a notice.
     const bool asked = !asked_.empty() && asked_.starts_with(complaint);
     if (!asked) toast(tab, Mood::fault, std::move(complaint), &tab);
     if (asked) asked_.clear();
@@ -219,6 +221,7 @@ void Console::draw(Ui& ui) {
   covered_ = ui.registry.top_layer() > 0;
   refresh(ui);
   close_as_asked();
+  follow_as_asked(*this);
   if (!wanted_widget_.empty()) {
     ui.registry.scroll_to(wanted_widget_);
     ui.focus.move_to(wanted_widget_);
@@ -249,7 +252,7 @@ void Console::draw(Ui& ui) {
   }
 }
 
-// ---- what is kept
+// ---- saved settings
 
 void Console::load_choices() {
   if (!outside_->folders.enabled) return;

@@ -1,4 +1,4 @@
-// The console's controllers: how they are opened, named, put onto one bus, closed, and which one is in front.
+// The console's controllers: opening, naming, joining on a bus, closing, and choosing the one in front.
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +11,7 @@
 
 namespace hw::gui {
 
-/// What the user calls it, or the bus that it is on; empty: nothing.
+/// The user's name for the controller, or for its bus; empty: none.
 static std::string users_name(const Tab& tab) {
   return tab.bus ? tab.bus->members.front()->profile.bus_name : tab.profile.name;
 }
@@ -60,7 +60,7 @@ Console::Together Console::rehearsal_of(const Bus& bus) const {
   for (Tab* member : bus.members) states.push_back(member->desk().state_of(member->now()));
   return [states = std::move(states), address = bus.group->address(),
           opener = outside_->open_wire](const sequence::Sequence& sequence) {
-    constexpr Duration at_most = std::chrono::hours(1);  // some seconds of the worker
+    constexpr Duration at_most = std::chrono::hours(1);  // takes the worker some seconds
     return rehearse_together(sequence, address, states, opener, at_most);
   };
 }
@@ -69,7 +69,7 @@ Console::InPieces Console::rehearsal_of(Tab& tab) const {
   if (!tab.session()) return nullptr;
   return [state = tab.desk().state_of(tab.now()), address = tab.address(),
           opener = outside_->open_wire](std::shared_ptr<const Pieces> pieces) {
-    constexpr Duration at_most = std::chrono::hours(1);  // some seconds of the worker
+    constexpr Duration at_most = std::chrono::hours(1);  // takes the worker some seconds
     return rehearse_pieces(std::move(pieces), address, state, opener, at_most);
   };
 }
@@ -83,7 +83,7 @@ int Console::faces() const {
 
 Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
   const Address& address = session->address();
-  // Two tabs of one address (two emulators) keep their texts and profiles apart.
+  // Two tabs with the same address (two emulators) keep separate texts and profiles.
   std::string key =
       free_key(profile_key(address, outside_->usb_serial ? outside_->usb_serial(address) : std::string()));
   auto tab = std::make_unique<Tab>(std::move(session), std::move(key), on_bus);
@@ -110,7 +110,7 @@ static std::string numbered(const std::string& wanted, Taken taken) {
   return name;
 }
 
-/// The short name, with a number for a second one that has no name of its own either.
+/// The short name, with a number if another unnamed controller has it already.
 std::string Console::free_name(const std::string& wanted) const {
   return numbered(wanted, [this](const std::string& name) {
     return std::any_of(tabs_.begin(), tabs_.end(), [&](const auto& tab) { return tab->name() == name; });
@@ -135,7 +135,7 @@ static std::string opened_as(const Tab& tab) {
   return (tab.bus && tab.bus->group ? tab.bus->group->address() : tab.address()).text();
 }
 
-/// By hand: it is not opened again with all the others.
+/// Closed by the user: not reopened with the others.
 void Console::close(Tab& tab) {
   tell(recent_.closed(opened_as(tab)));
   close_with_bus(tab);
@@ -148,7 +148,7 @@ void Console::close_with_bus(Tab& tab) {
   for (Tab* member : bus->members) close_one(*member);
 }
 
-/// By Ctrl W: the one in front, or the one that is being asked about.
+/// Ctrl W: closes the controller in front, or the one being asked about.
 void Console::close_as_asked() {
   if (!std::exchange(close_asked_, false)) return;
   Tab* tab = dialogs.open() ? dialogs.closing() : active();
@@ -162,7 +162,7 @@ void Console::close_one(Tab& tab) {
   if (std::shared_ptr<Session> session = tab.session()) {
     ++*closing_;
     Task<> closed = session->close();
-    // The session lives until its last coroutine has ended; the count tells when the scheduler may stop.
+    // The session lives until its last coroutine has ended; at a count of 0 the scheduler may stop.
     asio::co_spawn(outside_->scheduler.executor(), std::move(closed),
                    [session, counter = closing_, words = last_words_, wake = outside_->wake,
                     name = std::string(tab.name())](std::exception_ptr) {

@@ -1,5 +1,5 @@
-// The user's session ends without a question: what this console began is stopped, what was done is written,
-// and the next start tells it.
+// The session of the user ends without a question: stops what this console began, records it, and reports it
+// at the next start.
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr Duration for_rest = std::chrono::seconds(5);
 
-/// Of one controller that was told to stop; shared with the io thread.
+/// A controller that was told to stop; shared with the io thread.
 struct Watched {
   std::size_t place;  ///< in LastEnd::controllers
   std::atomic<bool> over{false}, rests{false};
@@ -29,7 +29,7 @@ bool at_rest(const Snapshot& s) {
   return s.link.state == LinkState::good && !runs && !s.working && !s.any_axis_moving();
 }
 
-// A stop that was refused or ended otherwise than hoped for: what is seen afterwards counts.
+// Whether a stop was refused or ended unexpectedly, the observed state afterwards decides.
 Task<> see_at_rest(std::shared_ptr<Session> session, IntentId stop, std::shared_ptr<Watched> watched) {
   co_await session->outcome(stop);
   co_await session->wait_until_idle(for_rest);
@@ -51,7 +51,7 @@ void Console::depart(std::string_view how) {
                 : reached(*tab)   ? LastEnd::Fate::told
                                   : LastEnd::Fate::not_told;
     if (told.fate == LastEnd::Fate::left_alone) continue;
-    tab->jog.forget();  // the stop ends it; two stops would mean: at once, without a ramp
+    tab->jog.forget();  // the stop ends the jog; a second stop would mean "at once, without ramp"
     const IntentId stop = tab->send(intent::Stop(-1, StoppedBy::console));
     if (!tab->session() || told.fate == LastEnd::Fate::not_told) continue;
     watched.push_back(std::make_shared<Watched>(end.controllers.size() - 1));
@@ -60,7 +60,7 @@ void Console::depart(std::string_view how) {
   }
   if (end.controllers.empty()) return;
   const LastEnds ends(outside_->folders);
-  tell(ends.keep(end));  // the program may be killed while it waits
+  tell(ends.keep(end));  // the program may be killed while waiting
   const auto give_up = std::chrono::steady_clock::now() + for_rest;
   const auto over = [](const auto& one) { return one->over.load(); };
   while (!std::all_of(watched.begin(), watched.end(), over) && std::chrono::steady_clock::now() < give_up)

@@ -1,4 +1,4 @@
-// What keys do wherever the caret stands: stop, jog while held, change the controller, the size, the help.
+// Keys that work wherever the caret is: stop, jog while held, change the controller, the size, the help.
 #include "gui/input/keyboard.h"
 #include "gui/model/stop_words.h"
 #include "gui/shell/console.h"
@@ -40,7 +40,7 @@ void Console::on_edge(const CommandEdge& edge) {
     stop_all(edge.by_pad ? StoppedBy::button : StoppedBy::key);
     if (list_open_ && !tabs_.empty()) toast(Mood::plain, words_of_esc(tabs_));
   } else if (edge.command == Command::stop_at_once) {
-    if (edge.down) stop_all(StoppedBy::key);  // the second one in a row
+    if (edge.down) stop_all(StoppedBy::key);  // the second press in a row
   } else if (edge.command == Command::next_controller || edge.command == Command::previous_controller) {
     if (edge.down) activate_next(edge.command == Command::next_controller ? 1 : -1);
   } else if (edge.command == Command::show_map) {
@@ -61,7 +61,7 @@ void Console::jog_key(Tab& tab, const CommandEdge& edge) {
     if (key.command != edge.command) continue;
     const auto held = tab.jog.control();
     const bool lets_go = !edge.down && held && held->hand == JogHold::Hand::gamepad && held->sign == key.sign;
-    const AxisId chosen = lets_go ? held->axis : tab.chosen_axis;  // another may have been chosen since
+    const AxisId chosen = lets_go ? held->axis : tab.chosen_axis;  // the chosen axis may have changed since
     const AxisId axis = key.axis == the_chosen ? chosen : AxisId{key.axis};
     if (axis.index >= tab.catalog().axes.size()) continue;
     const JogHold::Control control{edge.by_pad ? JogHold::Hand::gamepad : JogHold::Hand::keyboard, axis,
@@ -70,7 +70,7 @@ void Console::jog_key(Tab& tab, const CommandEdge& edge) {
     if (!edge.down) return tab.jog.release(control, edge.at_s);
     if (const std::string_view why = tab.why_not_move(axis); !why.empty())
       return toast(Mood::warn, std::string(why));
-    // A stick that snaps back swings past its middle: that is no tap.
+    // A stick that snaps back overshoots its centre: that is not a tap.
     const bool taps = !edge.by_pad || key.axis == the_chosen;
     tab.jog.press(control, {taps ? tab.jog_step() : Steps(), tab.jog_speed()}, edge.at_s);
   }
@@ -80,11 +80,11 @@ void Console::confirm_held_key(Ui& ui) {
   if (std::string why = ui.gamepad.take_words(); !why.empty()) toast(Mood::warn, std::move(why));
   Tab* tab = active();
   auto held = tab ? tab->jog.control() : std::nullopt;
-  // A dialog or a list has opened: nothing begins behind it, so nothing goes on there.
+  // A dialog or a list has opened: nothing may begin or continue behind it.
   if (held && held->hand != JogHold::Hand::mouse && ui.registry.top_layer() > 0) held.reset();
   const bool by_pad = held && held->hand == JogHold::Hand::gamepad;
   if (by_pad && ui.gamepad.holds()) tab->jog.confirm(*held);
-  if (!by_pad && ui.gamepad.holds()) ui.gamepad.rest_first();  // something else has ended what it held
+  if (!by_pad && ui.gamepad.holds()) ui.gamepad.rest_first();  // something else has ended its hold
   if (!held || held->hand != JogHold::Hand::keyboard) return;
   for (const JogKey& key : jog_keys)
     if (key.axis == held->axis.index && key.sign == held->sign && ui.keyboard.held(key.command))

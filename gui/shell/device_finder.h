@@ -1,21 +1,20 @@
 #pragma once
-// The search for devices that can share a line, when port, rate or id are not known, as the connection page
-// sees it: each id at each rate of each port is asked, which takes a while and can be ended. Who asks stands
-// behind this interface.
+// The connection page's interface to the search for devices on a shared line whose port, rate or id is not
+// known: each id is asked at each rate of each port, which is slow and can be cancelled.
 #include <string>
 #include <vector>
 
 namespace hw::gui {
 
 struct FoundDevice {
-  std::string title;    ///< the catalog's name for it
-  std::string address;  ///< what opens it; empty: a port that could not be asked
+  std::string title;    ///< name from the catalog
+  std::string address;  ///< address to open; empty: a port that could not be asked
   std::string sentence;
 };
 
 struct DeviceSearchState {
   bool running = false, cancelled = false;
-  int asked = 0, of = 0;  ///< questions; of = 0: not begun yet
+  int asked = 0, of = 0;  ///< questions; of = 0: not started yet
   std::string now;        ///< "/dev/ttyUSB0 at 9600 baud, id 07"
   std::vector<FoundDevice> found;
 };
@@ -26,7 +25,7 @@ class DeviceFinder {
   /// `path`: one port; empty: all. `baud` 0: all rates. GUI thread.
   virtual void start(const std::string& path, int baud, int first_id, int last_id) = 0;
   virtual void cancel() = 0;
-  /// As it is now; changes are announced by the console's wake().
+  /// The present state; the console's wake() announces changes.
   virtual const DeviceSearchState& state() = 0;
 };
 

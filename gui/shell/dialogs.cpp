@@ -23,7 +23,7 @@ void title(Ui& ui, std::string_view words) {
   gap(ui, 8);
 }
 
-/// Label at the left, field at the right of it.
+/// Label at the left, field to the right of it.
 Field labelled_field(Ui& ui, std::string_view id, std::string_view label, std::string& text_of,
                      std::string_view placeholder) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -40,8 +40,8 @@ struct Choice {
   bool moving = false;
 };
 
-/// The buttons of a dialog, to its right edge, the way out first. Returns the index of the one just pressed,
-/// or -1.
+/// The buttons of a dialog, right aligned, the safe one first. Returns the index of the one just pressed, or
+/// -1.
 int draw_choices(Ui& ui, std::span<const Choice> choices) {
   float all = 0;
   for (const Choice& c : choices)
@@ -58,16 +58,16 @@ int draw_choices(Ui& ui, std::span<const Choice> choices) {
   return pressed;
 }
 
-// ---- what a closed tab or window leaves behind
+// ---- effects of closing a tab or window
 
-/// All that closing it closes.
+/// All tabs that are closed together with this one.
 std::vector<Tab*> closed_with(Tab& tab) { return tab.bus ? tab.bus->members : std::vector<Tab*>(1, &tab); }
 
 bool any_goes_on(std::span<Tab* const> tabs) {
   return std::any_of(tabs.begin(), tabs.end(), [](const Tab* tab) { return goes_on(*tab); });
 }
 
-/// What panels hold that is kept nowhere else; whose it is, when it may be of several.
+/// Unsaved data of panels, naming the controller where there are several.
 std::string unkept_of(std::span<Tab* const> tabs) {
   std::string all;
   for (const Tab* tab : tabs) {
@@ -96,7 +96,7 @@ void Dialogs::names(Tab& tab) {
 
 bool Dialogs::ask_to_close(Console& console, Kind kind, Tab* tab, std::vector<Tab*> closed) {
   closed_ = std::move(closed);
-  if (kind_ == kind && tab_ == tab) {  // asked again while the question is open
+  if (kind_ == kind && tab_ == tab) {  // asked again while the question is open: stop and close
     leave(console, true);
     return false;
   }
@@ -108,7 +108,7 @@ bool Dialogs::ask_to_close(Console& console, Kind kind, Tab* tab, std::vector<Ta
   return true;
 }
 
-/// As it was answered; closing what is left is up to the caller.
+/// Acts on the answer; the caller closes the rest.
 void Dialogs::leave(Console& console, bool stopped) {
   if (stopped) stop_what_goes_on(closed_);
   console.note_unreached(
@@ -194,8 +194,8 @@ std::string Dialogs::why_asked() const {
   return what.empty() ? unkept_ + " Closing loses it." : fmt::format("{} {} That is lost.", what, unkept_);
 }
 
-/// Of a controller or of the window. Staying is what Enter does; what moves may come to rest meanwhile, and
-/// the buttons stay where they are.
+/// For a controller or the window. Enter means stay; the motion may end meanwhile, and the buttons keep their
+/// places.
 void Dialogs::draw_close(Ui& ui, Console& console) {
   title(ui, kind_ == Kind::end ? "Close the window?" : fmt::format("Close {}?", tab_->name()));
   goes_on_ = goes_on_ || any_goes_on(closed_);
@@ -207,7 +207,7 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
   show(ui, {.id = "close/why", .kind = gui::Kind::text, .label = "Why it is asked", .value = why},
        {at, ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + height)});
   if (goes_on_)
-    text(ui, Face::small, Tone::ink3, "Closing once more, as by the same key or button, stops and closes.");
+    text(ui, Face::small, Tone::ink3, "Closing again, with the same key or button, stops and closes.");
   gap(ui, 12 + (words_height_ - height) / ui.scale);
   if (just_opened_) ui.focus.move_to("close/cancel");
   static constexpr Choice stay{"close/cancel", "Stay", ButtonStyle::outlined};
@@ -230,7 +230,7 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
 
 void Dialogs::draw_reset(Ui& ui) {
   const Snapshot& now = tab_->now();
-  title(ui, fmt::format("Reset {}?", tab_->bus ? tab_->id() : tab_->name()));  // its neighbours go on
+  title(ui, fmt::format("Reset {}?", tab_->bus ? tab_->id() : tab_->name()));  // the neighbours are not reset
   std::string what =
       "As if its power had been switched off and on: it stops, and its positions start from zero.";
   if (now.unsaved_setup || now.unsaved_programs)
@@ -272,7 +272,7 @@ void Dialogs::draw_make_room(Ui& ui, Console& console) {
   if (draw_choices(ui, choices) == 0) close();
   if (chosen < 0) return;
   close();
-  console.show_panel("program");  // where its text comes, and what becomes of it is told
+  console.show_panel("program");  // where its text is fetched to, and the outcome is shown
   Desk& desk = tab_->desk();
   desk.job.begin(ProgramJob::Goal::make_room, chosen, desk.texts, now, tab_->catalog(),
                  [this](IntentBody body) { return tab_->send(std::move(body)); });

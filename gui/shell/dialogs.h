@@ -1,5 +1,5 @@
 #pragma once
-// The few questions that the console itself asks. One at a time, over everything but STOP ALL and Esc.
+// The console's own few questions. One at a time, over everything but STOP ALL and Esc.
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,18 +15,18 @@ class Dialogs {
  public:
   /// Names of the controller and its axes.
   void names(Tab& tab);
-  /// Closes it, after asking when something moves or a program runs, or a panel holds what is kept nowhere
-  /// else. While it is being asked: stops what goes on, and closes it.
+  /// Closes the controller. Asks first when something moves, a program runs or a panel holds unsaved data; a
+  /// second call meanwhile stops what goes on and closes.
   void close_controller(Console& console, Tab& tab);
-  /// The same for the window. False: it is asked first, and Console::ended() tells of the answer.
+  /// The same for the window. False: a question is shown first, and Console::ended() tells the answer.
   bool may_end(Console& console);
-  /// The controller that is being asked about; null: none.
+  /// The controller whose closing is being asked about; null: none.
   [[nodiscard]] Tab* closing() const;
   void reset(Tab& tab);
-  /// A move needs an empty program and there is none: which of `slots` may be emptied? False, and nothing is
-  /// asked, while another question is open.
+  /// Asks which of `slots` may be emptied, as a move needs an empty program and there is none. False, and
+  /// nothing is asked, while another question is open.
   bool make_room(Tab& tab, std::vector<int> slots);
-  /// What becomes of a servo axis whose loop is about to close far from its command. False as make_room().
+  /// Asks about a servo axis whose loop is about to close far from its command. False as make_room().
   bool closing(Tab& tab, Tab::Question question);
   [[nodiscard]] bool open() const { return kind_ != Kind::none; }
   void close() { kind_ = Kind::none; }
@@ -46,10 +46,10 @@ class Dialogs {
 
   Kind kind_ = Kind::none;
   bool just_opened_ = false;
-  bool goes_on_ = false;      ///< what closes moves, or its program runs; or did while it was asked
+  bool goes_on_ = false;      ///< the closed controllers are active, or were when the question was asked
   std::string unkept_;        ///< what would be lost
-  std::vector<Tab*> closed_;  ///< by the answer that is waited for
-  float words_height_ = 0;    ///< pixels that the reasons have taken so far
+  std::vector<Tab*> closed_;  ///< closed by the pending answer
+  float words_height_ = 0;    ///< height of the reasons so far, in pixels
   Tab* tab_ = nullptr;
   std::string name_;
   std::vector<std::string> axis_names_;

@@ -1,6 +1,6 @@
 #pragma once
-// Emulators that other programs on this computer reach while the console runs, as the connection page sees
-// them. Who serves them stands behind this interface, on the io thread.
+// The connection page's interface to emulators that serve other programs on this computer while the console
+// runs. The server works on the io thread.
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,7 +14,7 @@ class Session;
 namespace hw::gui {
 
 struct ServedEmulator {
-  std::string tcp;       ///< "127.0.0.1:5801"; empty: it is being started, or could not be
+  std::string tcp;       ///< "127.0.0.1:5801"; empty: starting, or failed
   std::string terminal;  ///< path of a pseudo-terminal; may be empty
   int clients = 0;       ///< over TCP
   std::string trouble;   ///< why it is not served
@@ -23,10 +23,10 @@ struct ServedEmulator {
 class EmulatorServer {
  public:
   virtual ~EmulatorServer() = default;
-  /// `session`: the emulator that is open there; null: one of its own, as the address says. GUI thread.
+  /// `session`: the emulator open there; null: a new one, from the address. GUI thread.
   virtual void serve(const std::string& key, const Address& address, std::shared_ptr<Session> session) = 0;
   virtual void end(std::string_view key) = 0;
-  /// As it is now; changes are announced by the console's wake(). Null: nobody has asked for it.
+  /// The present state; the console's wake() announces changes. Null: serving was not requested.
   virtual const ServedEmulator* find(std::string_view key) = 0;
 };
 

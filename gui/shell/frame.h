@@ -1,6 +1,7 @@
 #pragma once
-// What a panel gets: one controller at one instant, and the ways to act on it. Made by the console for each
-// panel and frame; a panel keeps nothing of it, holds view state only, and never knows a device by name.
+// The data of a panel's frame: one controller at one instant, and the calls to act on it. Made by the console
+// for each panel and frame; a panel keeps none of it, holds view state only, and never knows a device by
+// name.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -18,19 +19,19 @@ class Console;
 class Tab;
 class Ui;
 
-/// What a page that belongs to no controller gets (connect, keyboard map).
+/// The data of a page without a controller (connect, keyboard map).
 struct PageFrame {
   Ui& ui;
   Console& console;
   Box area;  ///< logical pixels; the panel is an ImGui child there, with its cursor at the top left
   Tier tier;
-  bool rail;      ///< a column of 56 wide with lamps only
-  Instant clock;  ///< present time; an age is clock - seen_at
+  bool rail;      ///< a column 56 wide with lamps only
+  Instant clock;  ///< present time; an age is `clock` minus seen_at
 
   /// A sentence low in the centre. Faults stay until they are read, the rest goes after 6 s. `about`: what it
   /// speaks of, see Toasts::withdraw().
   void toast(Mood mood, std::string sentence, const void* about = nullptr) const;
-  /// What was said about it is not true any more.
+  /// Removes the messages about a subject that has changed.
   void withdraw(const void* about) const;
 };
 
@@ -40,21 +41,20 @@ struct Frame : PageFrame {
   const Snapshot& now;
   const BenchView& bench;
 
-  /// It names this controller when another one is looked at.
+  /// Names this controller while another one is in front.
   void toast(Mood mood, std::string sentence, const void* about = nullptr) const;
-  /// Sends it. If it is refused or fails, the sentence is shown as a toast.
+  /// Sends the intent. If it is refused or fails, the sentence is shown as a toast.
   IntentId send(IntentBody body) const;
-  /// Sends it; this panel itself shows what became of it, from now.fate_of(id).
+  /// Sends the intent; the panel itself shows its fate, from now.fate_of(id).
   IntentId send_and_watch(IntentBody body) const;
   void operate_bench(BenchCommand command) const;
-  /// Brings the panel `tab/ID` to the front and, if named, scrolls to one of its widgets and gives it the
-  /// focus.
+  /// Brings the panel `tab/ID` to the front; if `widget` is given, scrolls to it and focuses it.
   void show_panel(std::string_view id, std::string_view widget = {}) const;
 
   [[nodiscard]] bool connected() const {
     return now.link.state == LinkState::good || now.link.state == LinkState::late;
   }
-  /// Why a button that needs the controller is off.
+  /// Why a button that needs the controller is disabled.
   [[nodiscard]] std::string_view no_link() const { return connected() ? "" : "There is no link."; }
 };
 

@@ -8,11 +8,14 @@
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
+#include "core/device/refusals.h"
 #include "gui/model/axis_look.h"
 #include "gui/model/bus.h"
+#include "gui/model/clearing.h"
 #include "gui/model/goes_on.h"
 #include "gui/model/status_sentence.h"
 #include "gui/shell/console.h"
+#include "gui/shell/follow.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
@@ -38,7 +41,7 @@ MoodLook mood_look(Mood mood) {
   return {Icon::ring, Tone::ink2};
 }
 
-/// Of a controller that runs several programs at once: who runs, and where if it is one alone.
+/// For a controller that runs several programs at once: the running ones, and the line if there is only one.
 RunPlace place_of_threads(Tab& tab) {
   const auto& threads = tab.now().threads;
   const int count = std::min(tab.catalog().program.threads, max_threads);
@@ -57,12 +60,12 @@ RunPlace place_of_threads(Tab& tab) {
   if (running > 1) return run;
   run.stored_line = threads[static_cast<std::size_t>(last)].line;
   run.line = tab.desk().texts.live_line(0, run.stored_line);
-  if (last == 0) run.left_s = tab.desk().follower.left_s();  // it is the first that is rehearsed
+  run.left_s = tab.desk().follower.left_s();
   return run;
 }
 
-/// "Program 2 has stopped in error in line 19: V2=5/V1." of such programs. Why is not told: the controller
-/// has no word for it, and axes in error are named beside it.
+/// "Program 2 has stopped in error in line 19: V2=5/V1." The cause is omitted: the controller does not report
+/// it, and axes in error are named beside it.
 std::string failed_threads(Tab& tab) {
   ProgramTexts& texts = tab.desk().texts;
   std::string said;
@@ -70,7 +73,7 @@ std::string failed_threads(Tab& tab) {
   for (int n = 0; n < count; ++n) {
     const ThreadState& thread = tab.now().threads[static_cast<std::size_t>(n)];
     if (!thread.known || thread.run != RunState::error) continue;
-    said += fmt::format("{}{} {} has stopped in error", said.empty() ? "" : " ",
+    said += fmt::format("{}{} {} stopped with an error", said.empty() ? "" : " ",
                         tab.catalog().program.slot_word, n);
     const int line = texts.live_line(0, thread.line);
     if (line >= 0)
@@ -92,7 +95,7 @@ RunPlace run_place(Tab& tab) {
   return run;
 }
 
-/// On a bus a device stands for its only axis: "02 moves to ...", not "Axis X moves to ...".
+/// On a bus the device stands for its only axis: "02 moves to ...", not "Axis X moves to ...".
 void name_device(StatusSentence& said, const Tab& tab) {
   if (!tab.bus || tab.catalog().axes.size() != 1) return;
   std::string name = tab.catalog().axes[0].description, text(said.text.view());
@@ -104,19 +107,55 @@ void name_device(StatusSentence& said, const Tab& tab) {
   said.text = text;
 }
 
-StatusSentence sentence_alone(Console& console, Tab& tab) {
+/// The parameter to choose before this controller's first move; -1: none.
+int unset_in(const Tab& tab) {
+  for (int i = 0; i < tab.now().axis_count; ++i)
+    if (const int param = unset_before_moving(tab.catalog(), tab.now(), AxisId{static_cast<std::uint8_t>(i)});
+        param >= 0)
+      return param;
+  return -1;
+}
+
+/// The subject of the banner over the centre. Without room for one, the status line and STOP ALL report the
+/// others of a bus.
+struct BannerSubject {
+  enum class What : std::uint8_t { nothing, lost, moved, unset };
+  What what = What::nothing;
+  Tab* tab = nullptr;
+  int param = -1;       ///< unset
+  FollowOffer offer{};  ///< moved
+};
+
+BannerSubject banner_subject(Tab& tab, const Layout& layout) {
+  using What = BannerSubject::What;
+  const bool narrow = layout.tier == Tier::narrow;
+  Tab& worst = tab.bus && !narrow ? tab.bus->worst() : tab;
+  if (worst.now().link.state == LinkState::lost) return {What::lost, &worst};
+  if (narrow || tab.centre_panel == "setup") return {};  // the status line reports it too
+  if (tab.now().link.connected())
+    if (FollowOffer offer = offer_to_follow(tab);
+        !offer.address.empty() && offer.why_not.empty() && offer.address != tab.follow_left)
+      return {What::moved, &tab, -1, std::move(offer)};
+  if (tab.unset_read) return {};
+  if (const int param = unset_in(tab); param >= 0) return {What::unset, &tab, param};
+  return {};
+}
+
+StatusSentence sentence_alone(Console& console, Tab& tab, const Layout& layout) {
+  const bool in_banner =
+      !tab.unset_read && unset_in(tab) >= 0 && banner_subject(tab, layout).what == BannerSubject::What::unset;
   const auto held = tab.jog.control();
   StatusSentence said = status_sentence(
       {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),
        [&](AxisId a, Steps s) { return std::string(format_with_unit(s, tab.unit(a)).view()); },
        [&](AxisId a, Pps v) { return std::string(format_speed(v, tab.unit(a)).view()); },
        [&](Instant when) { return console.time_of_day(when); }, run_place(tab), failed_threads(tab),
-       tab.unset_read});
+       tab.unset_read || in_banner});
   name_device(said, tab);
   return said;
 }
 
-/// "01, 02 and 03 move." of the devices of a bus that do, but for `but`; empty: none does.
+/// "01, 02 and 03 move.": the moving devices of the bus other than `but`; empty: none.
 std::string who_moves(const Bus& bus, const Tab* but) {
   std::vector<std::string_view> ids;
   for (const Tab* member : bus.members)
@@ -125,22 +164,36 @@ std::string who_moves(const Bus& bus, const Tab* but) {
                      : fmt::format("{} {}.", in_words(ids), ids.size() == 1 ? "moves" : "move");
 }
 
-/// Of a bus: what is worst on it, and who moves beside that.
-StatusSentence sentence_of(Console& console, Tab& tab) {
-  if (!tab.bus) return sentence_alone(console, tab);
+/// "02 and 04" of a bus, or their number if there are more; empty: all motors have power.
+std::string who_is_powerless(const Bus& bus) {
+  constexpr std::size_t most_named = 4;
+  std::vector<std::string_view> ids;
+  for (const Tab* member : bus.members)
+    if (powerless(member->catalog(), member->now(), AxisId{0})) ids.push_back(member->id());
+  if (ids.size() > 1 && ids.size() == bus.members.size()) return fmt::format("all {} motors", ids.size());
+  return ids.size() > most_named ? fmt::format("{} of {} motors", ids.size(), bus.members.size())
+                                 : in_words(ids);
+}
+
+/// For a bus: its worst state, and the other devices that move.
+StatusSentence sentence_of(Console& console, Tab& tab, const Layout& layout) {
+  if (!tab.bus) return sentence_alone(console, tab, layout);
   Tab& worst = tab.bus->worst();
   const std::string others = who_moves(*tab.bus, &worst);
   const bool all_is_well = is_motion(worst_state(worst.now(), worst.clock()));
   if (all_is_well && !others.empty() && !tab.jog.control())
     return {Mood::motion, fmt::format("{} Esc stops everything.", who_moves(*tab.bus, nullptr))};
-  StatusSentence said = sentence_alone(console, worst);
+  StatusSentence said = sentence_alone(console, worst, layout);
+  if (said.mood == Mood::plain && worst_state(worst.now(), worst.clock()) == State::off)
+    return {Mood::plain,
+            fmt::format("Motor power of {} is off. Switch it on to move.", who_is_powerless(*tab.bus))};
   if (&worst != &tab && !speaks_of(said.text.view(), worst.id()))
     said.text = fmt::format("{}: {}", worst.id(), said.text.view());
   if (!all_is_well && !others.empty()) said.text = fmt::format("{} {}", said.text.view(), others);
   return said;
 }
 
-/// What is in RAM and not stored: at the right of the status line, whatever else is true. Returns its width.
+/// Marks values in RAM that are not stored, at the right of the status line in any state. Returns its width.
 float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
   const Snapshot& now = tab.now();
   if (!tab.catalog().can.store || (!now.unsaved_setup && !now.unsaved_programs)) return 0;
@@ -161,13 +214,36 @@ float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
   return width + 16;
 }
 
+/// The error that the line tells of is cleared there, of the axis that it names; a stop is of all of them.
+/// Returns its width.
+float draw_clear(Ui& ui, Tab& tab, const Box& line, float taken) {
+  Tab& of = tab.bus ? tab.bus->worst() : tab;
+  const std::optional<Clearing> way = first_clearing(of.catalog(), of.now());
+  if (!way) return 0;
+  const bool of_axis = !way->stops_all() && of.catalog().axes.size() > 1;
+  const std::string_view whose = of.bus    ? of.id()
+                                 : of_axis ? of.catalog().axes[way->axis.index].name
+                                           : std::string_view();
+  char words[32];
+  *fmt::format_to_n(words, sizeof words - 1, "{}{}{}", way->stops_all() ? "Stop" : "Clear",
+                    whose.empty() ? "" : " ", whose)
+       .out = 0;
+  ButtonOptions o;
+  o.height = 28;
+  o.tip = way->help;
+  const float width = button_width(ui, words, o);
+  ImGui::SetCursorScreenPos(ui.px(line.right() - taken - width - 8, line.y + (line.height - 28) / 2));
+  if (button(ui, "status/clear", words, o).clicked) of.send_followed(way->wish);
+  return width + 16;
+}
+
 bool linked(const Tab& tab) {
   const LinkState state = tab.now().link.state;
   return state == LinkState::good || state == LinkState::late;
 }
 
-/// The newest message at the right of the line, where no title row has had room for it: at most half of what
-/// is left. Returns its width.
+/// The newest message at the right of the line, if no title row had room for it: at most half of the
+/// remaining width. Returns its width.
 float draw_messages_in(Ui& ui, Console& console, const Box& line, float taken) {
   Toasts& toasts = console.toasts();
   for (const auto& tab : console.tabs())
@@ -190,8 +266,9 @@ void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
   StatusSentence said;
   float taken = 0;
   if (tab) {
-    said = sentence_of(console, *tab);
+    said = sentence_of(console, *tab, layout);
     taken = draw_unsaved(ui, console, *tab, layout.status);
+    taken += draw_clear(ui, *tab, layout.status, taken);
   } else if (!console.page().empty()) {
     said = console.page_object(console.page()).status(console);
   }
@@ -219,7 +296,7 @@ std::string report(const Console& console, const Tab& tab) {
       link.sentence.view(), link.timeouts, link.unparsed_bytes);
 }
 
-/// "Attempt 5 in 3 s.", and a frame when the number changes.
+/// "Attempt 5 in 3 s."; requests a frame for the next change of the number.
 std::string_view next_attempt(Ui& ui, const Console& console, const LinkHealth& link,
                               std::span<char> buffer) {
   const double wait = seconds(link.next_attempt - console.clock());
@@ -232,7 +309,7 @@ std::string_view next_attempt(Ui& ui, const Console& console, const LinkHealth& 
   return {buffer.data(), std::min(end.size, buffer.size())};
 }
 
-/// Over the status line it is a window of its own, above the other regions.
+/// A banner over the status line is a separate window above the other regions.
 void begin_over(Ui& ui, std::string_view id, const Rect& r, bool over_status) {
   if (over_status) {
     begin_region(ui, "banner", r, Tone::panel, ImVec2(0, 0));
@@ -249,13 +326,13 @@ void end_over(bool over_status) {
     end_part();
 }
 
-/// The place of a banner: all of it, or one bar.
+/// The place of a banner: full height, or one bar.
 struct BannerPlace {
   Box box;
   bool bar = false, over_status = false;
 };
 
-/// As high as it needs to be; in what leaves the traffic less than some rows it is a bar.
+/// Full height if possible; a bar if that would leave too few rows of traffic.
 BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const Banner& what, bool actions,
                      bool folded) {
   constexpr float bar = 48, traffic_at_least = 150;
@@ -266,7 +343,7 @@ BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const
   return {{below.x, below.y, below.width, std::min(bar, below.height)}, true, false};
 }
 
-/// Of the status line that a banner lies over: the messages keep a place there too.
+/// Of a status line that a banner covers: messages keep a place there too.
 float draw_messages_beside(Ui& ui, Toasts& toasts, const Box& line) {
   if (toasts.list().empty()) return 0;
   constexpr float width = 52, height = 28;
@@ -276,7 +353,7 @@ float draw_messages_beside(Ui& ui, Toasts& toasts, const Box& line) {
   return width + 8;
 }
 
-/// Returns the action pressed, and leaves in `taken` what is taken of the part below.
+/// Returns the action pressed; `taken` is the height taken from the part below.
 int show_banner(Ui& ui, Console& console, const Layout& layout, const Box& below, std::string_view id,
                 const Banner& what, std::span<const Action> actions, float& taken, bool folded = false) {
   const BannerPlace place = place_of(ui, layout, below, what, !actions.empty(), folded);
@@ -296,7 +373,7 @@ int show_banner(Ui& ui, Console& console, const Layout& layout, const Box& below
 
 float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below) {
   const LinkHealth& link = tab.now().link;
-  const std::string title = fmt::format("{} does not answer since {}.", tab.bus ? tab.id() : tab.name(),
+  const std::string title = fmt::format("No answer from {} since {}.", tab.bus ? tab.id() : tab.name(),
                                         console.time_of_day(link.lost_at));
   const bool others = tab.bus && tab.bus->connected() > 0;
   const std::string went_on = what_goes_on(tab, Tense::past);
@@ -307,24 +384,38 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
       others ? "The others answer, so port and baud rate are right. " : "", link.sentence.view(),
       went_on.empty() ? "Nothing was seen to move when the link went. "
                       : fmt::format("When the link went, {}. ", went_on));
+  std::string brief = went_on.empty() ? "Nothing was seen to move" : went_on;
+  brief[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(brief[0])));
+  brief += ". Stop does not reach it: use its power switch.";
   char attempt[64];
-  const Banner what{Mood::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt)};
-  const Action actions[] = {{.id = "fault/try_now", .label = "Try now", .main = true},
-                            {.id = "fault/report", .label = "Copy this report"},
-                            {.id = "fault/fold", .label = tab.banner_folded ? "Unfold" : "Fold"}};
+  const Banner what{Mood::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt),
+                    brief};
+  FollowOffer offer = offer_to_follow(tab);
+  const bool moved = !offer.address.empty();
+  const bool may_follow = moved && offer.why_not.empty();
+  const Action all[] = {{.id = "fault/follow", .label = offer.label, .main = may_follow},
+                        {.id = "fault/try_now", .label = "Try now", .main = !may_follow},
+                        {.id = "fault/fold", .label = tab.banner_folded ? "Unfold" : "Fold"},
+                        {.id = "fault/report", .label = "Copy this report"}};
+  // When folded, its text fits only if the report is left out.
+  const std::span<const Action> actions =
+      std::span(all).subspan(moved ? 0 : 1, (moved ? 3u : 2u) + (tab.banner_folded ? 0 : 1));
   float taken = 0;
   const int picked =
       show_banner(ui, console, layout, below, "fault/lost", what, actions, taken, tab.banner_folded);
-  if (picked == 0) console.reconnect(tab);
-  if (picked == 2) tab.banner_folded = !tab.banner_folded;
-  if (picked == 1) {
+  if (picked < 0) return taken;
+  const std::string_view chosen = actions[static_cast<std::size_t>(picked)].id;
+  if (chosen == "fault/follow") tab.follow_to = std::move(offer.address);
+  if (chosen == "fault/try_now") console.reconnect(tab);
+  if (chosen == "fault/fold") tab.banner_folded = !tab.banner_folded;
+  if (chosen == "fault/report") {
     ImGui::SetClipboardText(report(console, tab).c_str());
     console.toast(Mood::ok, "The report is in the clipboard.");
   }
   return taken;
 }
 
-/// Something must be chosen in the set-up before the first move.
+/// Banner about a value to choose in the set-up before the first move.
 float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& layout, const Box& below) {
   const ParamInfo& info = tab.catalog().params[static_cast<std::size_t>(param)];
   const Banner what{Mood::warn, Icon::warning, "Before the first move", info.before_moving};
@@ -337,19 +428,32 @@ float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& la
   return taken;
 }
 
+/// Banner about a controller that stores another rate than the one it was opened with.
+float draw_moved(Ui& ui, Console& console, Tab& tab, const FollowOffer& offer, const Layout& layout,
+                 const Box& below) {
+  const Banner what{Mood::warn, Icon::plug, "It keeps another rate",
+                    "It was given the new rate here, and has stored it. Follow it, and it is found there the "
+                    "next time too. Nothing moves by that; its state is read afresh."};
+  const Action actions[] = {{.id = "fault/follow", .label = offer.label, .main = true},
+                            {.id = "fault/follow_left", .label = "Leave it"}};
+  float taken = 0;
+  const int picked = show_banner(ui, console, layout, below, "fault/moved", what, actions, taken);
+  if (picked == 0) tab.follow_to = offer.address;
+  if (picked == 1) leave_where_it_is(tab, offer);
+  return taken;
+}
+
 }  // namespace
 
 float draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below) {
-  const Snapshot& now = tab.now();
-  // Without room the status line and STOP ALL tell of the others of a bus.
-  Tab& worst = tab.bus && layout.tier != Tier::narrow ? tab.bus->worst() : tab;
-  if (worst.now().link.state == LinkState::lost) return draw_lost(ui, console, worst, layout, below);
-  if (layout.tier == Tier::narrow || tab.unset_read || tab.centre_panel == "setup")
-    return 0;  // the status line says it as well
-  for (int i = 0; i < now.axis_count; ++i)
-    if (const int param = unset_before_moving(tab.catalog(), now, AxisId{static_cast<std::uint8_t>(i)});
-        param >= 0)
-      return draw_unset(ui, console, tab, param, layout, below);
+  using What = BannerSubject::What;
+  const BannerSubject subject = banner_subject(tab, layout);
+  switch (subject.what) {
+    case What::lost: return draw_lost(ui, console, *subject.tab, layout, below);
+    case What::moved: return draw_moved(ui, console, tab, subject.offer, layout, below);
+    case What::unset: return draw_unset(ui, console, tab, subject.param, layout, below);
+    case What::nothing: break;
+  }
   return 0;
 }
 

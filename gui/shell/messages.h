@@ -1,5 +1,5 @@
 #pragma once
-// Where the console speaks by itself: the status line, and the banner over the centre.
+// The console's own messages: the status line, and the banner over the centre.
 #include "gui/surface/layout.h"
 
 namespace hw::gui {
@@ -9,9 +9,9 @@ class Tab;
 class Ui;
 
 void draw_status_line(Ui& ui, Console& console, const Layout& layout);
-/// At the top of `below`, the part under the panel tabs, which gives way: what is above keeps its place. In
-/// one bar where that is low, over the status line where there is none. Returns what it takes of it, logical;
-/// 0: nothing is wrong.
+/// Draws the banner at the top of `below`, the part under the panel tabs, which shrinks; what is above keeps
+/// its place. Where that part is low, it shares one bar; where there is none, it is over the status line.
+/// Returns the height taken, logical; 0: nothing is wrong.
 float draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below);
 
 }  // namespace hw::gui

@@ -1,6 +1,6 @@
 #pragma once
-// What the console needs of the world around it. Given by whoever builds it; kept apart from console.h, so
-// that panels need not compile coroutines.
+// The console's access to the rest of the program, passed by its creator; kept apart from console.h, so that
+// panels need not compile coroutines.
 #include <functional>
 #include <string>
 #include <utility>
@@ -18,13 +18,13 @@ class Worker;
 struct Outside {
   Scheduler& scheduler;
   WireOpener open_wire;
-  std::function<void()> wake;   ///< any thread: a frame is wanted
+  std::function<void()> wake;   ///< any thread: requests a frame
   PortFinder* ports = nullptr;  ///< null: finds nothing
   DeviceFinder* devices = nullptr;
-  Worker* worker = nullptr;  ///< long jobs of programs; null: within the frame
+  Worker* worker = nullptr;  ///< long jobs on programs; null: within the frame
   UserFolders folders = UserFolders::none();
   std::function<std::string(const Address&)> usb_serial;  ///< of the adapter behind an address; may be null
-  DayClock day;                                           ///< what time it is; 0: counts from the start
+  DayClock day;                                           ///< time of day; 0: counts from the start
   Outside(Scheduler& s, WireOpener opener, std::function<void()> w)
       : scheduler(s), open_wire(std::move(opener)), wake(std::move(w)) {}
 };

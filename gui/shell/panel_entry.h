@@ -1,6 +1,6 @@
 #pragma once
-// A part of the screen. The list of all panels stands in panels/panel_list.cpp; the console lays them out by
-// their place and never names one.
+// A part of the screen. panels/panel_list.cpp lists all panels; the console lays them out by their place and
+// never names one.
 #include <memory>
 #include <span>
 #include <string_view>
@@ -11,12 +11,12 @@
 
 namespace hw::gui {
 
-/// Without a controller; one object.
+/// A page without a controller; one object.
 class Page {
  public:
   virtual ~Page() = default;
   virtual void draw(PageFrame& frame) = 0;
-  /// For the status line while it is in front.
+  /// The status line's text while the page is in front.
   virtual StatusSentence status(Console& console) = 0;
 };
 
@@ -24,13 +24,13 @@ enum class Place : std::uint8_t {
   top_left,     ///< positions: the top of the left column, in a narrow window the strip; never scrolls
   left,         ///< the rest of the left column; in a narrow window the first panel tab
   centre,       ///< a panel tab
-  below,        ///< under the panel tabs (the terminal); without room one more panel tab
+  below,        ///< below the panel tabs (the terminal); without room one more panel tab
   right,        ///< the right column, from the top; a rail in a medium, the last panel tab in a narrow window
-  lower_right,  ///< under those, in what they leave; moves with a scroll bar of its own, and can be folded
+  lower_right,  ///< under those, in the remaining height; scrolls by itself, and can be folded
 };
 
-/// Of a panel at `lower_right`, logical: its title, with the button that folds it. In no more it shows only
-/// that.
+/// Height of the title of a panel at `lower_right` with its fold button, logical. With no more than this,
+/// only the title is shown.
 inline constexpr float lower_right_title = 44;
 
 struct PanelEntry {
@@ -38,16 +38,16 @@ struct PanelEntry {
   std::string_view title;
   Place place;
   std::unique_ptr<Panel> (*make)();
-  /// Whether this controller has something to show there; null: always.
+  /// Whether the panel is shown for this controller; null: always.
   bool (*wanted)(const Tab&) = nullptr;
-  /// Logical. In less (a narrow window) it scrolls as a whole; 0: it manages with any.
+  /// Logical. With less (a narrow window) it scrolls as a whole; 0: any height will do.
   float least_height = 0;
-  /// Files let fall on the window whose names end so are this panel's: see Desk::take_dropped. Empty: none.
+  /// Name ending of the dropped files that this panel opens: see Desk::take_dropped. Empty: none.
   std::string_view opens = {};
-  /// Logical, of a panel tab. While it is in front the part below gives way, down to its least, unless
-  /// somebody has given that a height of his own; 0: it does not.
+  /// Logical, of a panel tab. While it is in front, the part below shrinks to its least height, unless the
+  /// user has set one; 0: does not shrink it.
   float good_height = 0;
-  /// Controllers that share a bus have one for all of them: it is the first one's, whichever is chosen.
+  /// One panel for all controllers of a bus: the first one's, whichever is chosen.
   bool of_bus = false;
 };
 
@@ -57,14 +57,14 @@ struct PageEntry {
   std::unique_ptr<Page> (*make)();
 };
 
-/// Lies beside the desk, over neither a position nor a control that moves metal, until it is put away.
+/// Lies beside the desk until it is put away, and covers neither a position nor a control that moves metal.
 class Sheet {
  public:
   virtual ~Sheet() = default;
   virtual void draw(PageFrame& frame) = 0;
 };
 
-/// What the console shows, in this order.
+/// The contents of the console, in this order.
 struct PanelList {
   std::span<const PanelEntry> panels;
   std::span<const PageEntry> pages;                 ///< the first is shown when no controller is open

@@ -1,6 +1,6 @@
 #pragma once
-// What this computer knows of a port beside the controller behind it, as the link doctor sees it. Who looks
-// stands behind this interface, on another thread.
+// The link doctor's interface to facts about a port itself, apart from its controller. They are examined on
+// another thread.
 #include <optional>
 #include <string>
 
@@ -9,9 +9,9 @@
 namespace hw::gui {
 
 struct ExaminedPort {
-  std::string holder;                     ///< another program that has it open
+  std::string holder;                     ///< another program that has the port open
   std::optional<Duration> adapter_waits;  ///< the latency timer of a USB adapter
-  std::string adapter_timer;              ///< the file that sets it
+  std::string adapter_timer;              ///< file that sets the latency timer
   bool adapter_timer_can_be_set = false;
   std::string refused;  ///< why the timer was not set
 };
@@ -19,11 +19,11 @@ struct ExaminedPort {
 class PortExaminer {
  public:
   virtual ~PortExaminer() = default;
-  /// Looks at it; what was found is announced by the console's wake(). GUI thread.
+  /// Examines the port; the console's wake() announces the findings. GUI thread.
   virtual void examine(const std::string& path) = 0;
-  /// Null: it has not been looked at yet.
+  /// Null: not examined yet.
   virtual const ExaminedPort* find(const std::string& path) = 0;
-  /// Then looks at it again.
+  /// Sets the timer, then examines the port again.
   virtual void set_adapter_timer(const std::string& path, int milliseconds) = 0;
 };
 

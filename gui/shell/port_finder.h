@@ -1,6 +1,6 @@
 #pragma once
-// What is plugged in, as the connection page sees it. The page asks and draws; who looks (serial ports, USB
-// names, a harmless question at each rate) stands behind this interface, on other threads.
+// The connection page's interface to the search for controllers that are plugged in. Other threads look
+// (serial ports, USB names, a harmless question at each rate).
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,52 +12,52 @@ namespace hw::gui {
 class EmulatorServer;
 class PortExaminer;
 
-/// One way that may lead to a controller.
+/// A possible way to a controller.
 struct FoundPort {
   enum class State : std::uint8_t {
-    not_asked,  ///< listed, not opened
+    not_asked,  ///< listed, but not opened
     asking,     ///< being asked now
     answers,    ///< `address` opens it
     busy,       ///< another program holds it, or it is open here
-    forbidden,  ///< no permission
-    silent,     ///< opened and asked, nothing came back
+    forbidden,  ///< permission denied
+    silent,     ///< opened and asked; no reply
     failed,     ///< could not be opened for another reason
   };
-  /// One link of the chain of a test: "Port opens", "nobody else holds it".
+  /// One step of a test: "Port opens", "nobody else holds it".
   struct Check {
     enum class Result : std::uint8_t { good, bad, not_reached };
     Result result = Result::not_reached;
     std::string what, found;
   };
 
-  std::string path;      ///< "/dev/ttyUSB0": its id as long as it is plugged in
+  std::string path;      ///< "/dev/ttyUSB0": the port's id while it is plugged in
   std::string hardware;  ///< "FTDI FT232R, A10K2LQX"
   std::string usb_serial;
   State state = State::not_asked;
-  std::string title;     ///< the catalog's name of what answers; empty while unknown
+  std::string title;     ///< catalog name of the controller that answers; empty while unknown
   std::string sentence;  ///< "answers at 9600 baud in 11 ms"; busy, forbidden, silent: why and what to do
-  std::string address;   ///< answers: what Connect opens
+  std::string address;   ///< if it answers: address for Connect
   std::vector<Check> checks;        ///< of the last test
-  std::vector<std::string> advice;  ///< silent: what to look at, in this order
+  std::vector<std::string> advice;  ///< if silent: what to check, in this order
 };
 
 class PortFinder {
  public:
   virtual ~PortFinder() = default;
 
-  /// GUI thread. The list as it is now; changes are announced by the console's wake().
+  /// GUI thread. The present list; the console's wake() announces changes.
   virtual const std::vector<FoundPort>& ports() = 0;
-  /// Looks again which ports exist, and asks each. One that is open here is locked, so it only says so.
+  /// Lists the ports anew, and asks each. A port that is open here is locked, and reported as busy.
   virtual void look() = 0;
-  /// While on, new cables appear by themselves and are asked. On while the connection page is open.
+  /// While on, newly plugged cables are found and asked. On while the connection page is open.
   virtual void watch(bool on) = 0;
-  /// Asks one port afresh: opens it, a lone harmless question at each rate, closes it.
+  /// Asks one port again: opens it, sends one harmless question at each rate, closes it.
   virtual void ask(const std::string& path) = 0;
-  /// Something is being looked for or asked.
+  /// Returns whether a search or a question is under way.
   [[nodiscard]] virtual bool busy() const = 0;
-  /// For the link doctor; null: nobody looks.
+  /// For the link doctor; null: not available.
   [[nodiscard]] virtual PortExaminer* examiner() { return nullptr; }
-  /// Null: nobody serves emulators.
+  /// Null: emulators cannot be served.
   [[nodiscard]] virtual EmulatorServer* server() { return nullptr; }
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 void stand_at(Ui& ui, float x, float y) { ImGui::SetCursorScreenPos(ui.px(x, y)); }
 
-/// Whom Stop does not reach, or how many where there is no room for their names; empty: it reaches all.
+/// The controllers that Stop does not reach, or their number if the names do not fit; empty: it reaches all.
 std::string not_reached(const Ui& ui, const Console& console, float room_px) {
   std::string names;
   int lost = 0;
@@ -36,7 +36,7 @@ void draw_stop(Ui& ui, Console& console, const Layout& layout) {
   stand_at(ui, layout.stop.x, layout.stop.y);
   const Touch t = stop_button(ui, ui.px(layout.stop.width, layout.stop.height),
                               not_reached(ui, console, ui.px(layout.stop.width - 16)));
-  if (t.clicked) console.stop_all();  // with the press already
+  if (t.clicked) console.stop_all();  // set on the press
 }
 
 void draw_menu(Ui& ui, Console& console, const Touch& opener) {
@@ -64,21 +64,36 @@ void draw_menu(Ui& ui, Console& console, const Touch& opener) {
   if (close) console.dialogs.close_controller(console, *tab);
 }
 
-void draw_brand_and_menu(Ui& ui, Console& console, const Layout& layout) {
+void draw_help(Ui& ui, Console& console, float x) {
+  ButtonOptions o;
+  o.style = ButtonStyle::quiet;
+  o.width = 32;
+  o.tip = "Keys and the manual";
+  o.on = console.help_open();
+  stand_at(ui, x, 12);
+  if (button(ui, "help", "?", o).clicked) console.toggle_help();
+}
+
+/// The logo opens the menu; the help is beside it if there is room.
+void draw_sign(Ui& ui, Console& console, const Layout& layout) {
   ImDrawList* list = ImGui::GetWindowDrawList();
+  const bool help = layout.tier == Tier::medium;
+  const float width = help ? 52 : layout.brand.width;
+  stand_at(ui, 0, 0);
+  const Touch t =
+      touch(ui, {"menu", Kind::button, "Menu", {}, {}, false, "Menu"}, ui.px(width, layout.brand.height));
+  if (t.hovered || t.held) list->AddRectFilled(t.rect.min, t.rect.max, ui[Tone::hover]);
+  draw_brand(list, ui.px(width / 2, layout.brand.height / 2), ui.px(28), ui[Tone::ink], ui[Tone::motion]);
+  if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 0, ui.px(2));
+  draw_menu(ui, console, t);
+  if (help) draw_help(ui, console, width);
+}
+
+void draw_brand_and_menu(Ui& ui, Console& console, const Layout& layout) {
+  if (layout.tier != Tier::wide) return draw_sign(ui, console, layout);
   const float middle = ui.px(layout.brand.height / 2);
-  const bool only_sign = layout.brand.width < 100;
-  const ImVec2 sign(ui.px(only_sign ? layout.brand.width / 2 : 30), middle);
-  if (only_sign) {
-    stand_at(ui, 0, 0);
-    const Touch t = touch(ui, {"menu", Kind::button, "Menu", {}, {}, false, "Menu"},
-                          ui.px(layout.brand.width, layout.brand.height));
-    if (t.hovered || t.held) list->AddRectFilled(t.rect.min, t.rect.max, ui[Tone::hover]);
-    draw_brand(list, sign, ui.px(28), ui[Tone::ink], ui[Tone::motion]);
-    if (t.ring) draw_outline(ui, t.rect, ui[Tone::ink], 0, ui.px(2));
-    return draw_menu(ui, console, t);
-  }
-  draw_brand(list, sign, ui.px(28), ui[Tone::ink], ui[Tone::motion]);
+  draw_brand(ImGui::GetWindowDrawList(), ImVec2(ui.px(30), middle), ui.px(28), ui[Tone::ink],
+             ui[Tone::motion]);
   draw_text_line(ui, ui.px(56), ui.px(layout.brand.width), middle, Face::title_bold, ui[Tone::ink],
                  "Handwheel");
   ButtonOptions quiet;
@@ -87,11 +102,7 @@ void draw_brand_and_menu(Ui& ui, Console& console, const Layout& layout) {
   stand_at(ui, layout.brand.right() - 4 - menu_width, 12);
   const Touch menu = button(ui, "menu", "Menu", quiet);
   draw_menu(ui, console, menu);
-  stand_at(ui, layout.brand.right() - 8 - menu_width - 32, 12);
-  quiet.width = 32;
-  quiet.tip = "Keys and the manual";
-  quiet.on = console.help_open();
-  if (button(ui, "help", "?", quiet).clicked) console.toggle_help();
+  draw_help(ui, console, layout.brand.right() - 8 - menu_width - 32);
 }
 
 ControllerTab tab_face(Console& console, Tab& tab) {
@@ -118,7 +129,7 @@ void draw_page_tab(Ui& ui, Console& console, float x, float width, float height)
   }
 }
 
-/// One button with the controller in front, or the worst of all; its list has every controller.
+/// One button with the controller in front, or the worst of all; its list shows every controller.
 void draw_controller_menu(Ui& ui, Console& console, const Layout& layout) {
   ControllerTab face{"Controllers", Icon::none};
   face.active = true;

@@ -30,13 +30,13 @@ struct Work {
     auto& panel = of.panels[index];
     if (!panel) panel = entry.make();
     Frame frame{{ui, console, area, layout.tier, rail, of.clock()}, of, of.catalog(), of.now(), of.bench()};
-    ImGui::PushID(&of);  // the same button of another controller is another button: standing.h
+    ImGui::PushID(&of);  // the same button of another controller is a different button: standing.h
     ImGui::PushID(entry.id.data(), entry.id.data() + entry.id.size());
     panel->draw(frame);
     ImGui::PopID();
     ImGui::PopID();
   }
-  /// All panels of a place, one under the other.
+  /// All panels of a place, one below another.
   void draw_all(Place place, const Box& area, bool rail = false) const {
     for (std::size_t i = 0; i < console.list().panels.size(); ++i)
       if (console.list().panels[i].place == place && wanted(console.list().panels[i])) draw(i, area, rail);
@@ -46,7 +46,7 @@ struct Work {
     return std::any_of(panels.begin(), panels.end(),
                        [&](const PanelEntry& entry) { return entry.place == place && wanted(entry); });
   }
-  /// A part that moves with a scroll bar is this controller's, or this bus's: another one has another place.
+  /// A scrolling part has its own scroll position for each controller or bus.
   void begin_own_part(const char* name, float width, float height, float padding, bool scrolls = true) const {
     ImGui::PushID(tab.bus ? static_cast<const void*>(tab.bus.get()) : &tab);
     begin_part(ui, name, width, height, Tone::panel, padding, scrolls);
@@ -112,7 +112,7 @@ bool stands_in(Place side, Place place) {
   return place == side || (side == Place::right && place == Place::lower_right);
 }
 
-/// One of the columns that a side column becomes as a tab: its panels from `first` up to `end` of the list.
+/// A column of a side column shown as a tab: its panels in the list from `first` up to `end`.
 void draw_tab_column(const Work& w, const char* name, Place side, const Box& area, std::size_t first,
                      std::size_t end) {
   ImGui::SetCursorScreenPos(w.ui.px(area.x, area.y));
@@ -124,7 +124,7 @@ void draw_tab_column(const Work& w, const char* name, Place side, const Box& are
   Work::end_own_part();
 }
 
-/// A side column as a tab. Its last panel stands beside the others where there is room for both.
+/// A side column shown as a tab. Its last panel is beside the others if there is room for both.
 void draw_side_tab(const Work& w, Place side, const Box& area) {
   constexpr float column_at_least = 264;
   const auto panels = w.console.list().panels;
@@ -138,7 +138,7 @@ void draw_side_tab(const Work& w, Place side, const Box& area) {
   draw_tab_column(w, "last", side, {area.x + half, area.y, area.width - half, area.height}, last, last + 1);
 }
 
-/// A panel that has less than it needs is drawn in comfort and moves with the scroll bar.
+/// A panel with less than its least height is drawn at a comfortable height and scrolls.
 void draw_scrolled(const Work& w, std::size_t panel, const Box& area) {
   const float comfort = std::max(320.0f, w.console.list().panels[panel].least_height);
   const float scrolled = ImGui::GetScrollY() / w.ui.scale;
@@ -224,8 +224,8 @@ void draw_left(const Work& w) {
   end_region();
 }
 
-/// What is pinned shows all it has, unless somebody opened the part below where there is no room for both.
-/// Returns its height, logical.
+/// Pinned panels show everything, unless the user opened the part below and there is no room for both.
+/// Returns their height, logical.
 float draw_pinned(const Work& w, const Box& box, float left, float width, float below) {
   Ui& ui = w.ui;
   const float room = std::max(1.0f, box.height - below);
@@ -237,7 +237,7 @@ float draw_pinned(const Work& w, const Box& box, float left, float width, float 
   return std::min(room, std::ceil(end / ui.scale - box.y));
 }
 
-/// The part below takes what is left, scrolls alone, and is folded by itself where that is too little.
+/// The part below gets the remaining height, scrolls separately, and folds by itself if there is too little.
 void draw_right_parts(const Work& w, const Box& box, float left, float width) {
   Ui& ui = w.ui;
   constexpr float open_from = 160, open_least = 280;
@@ -252,7 +252,7 @@ void draw_right_parts(const Work& w, const Box& box, float left, float width) {
   const float rest = box.height - pinned;
   const bool folded = fold == Fold::folded || (fold == Fold::automatic && rest < open_from);
   const Box area{box.x, box.y + pinned, box.width, folded ? lower_right_title : rest};
-  if (pinned >= box.height - least)  // what is pinned goes on beneath
+  if (pinned >= box.height - least)  // the pinned part continues underneath
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left, ui.px(area.y) - ui.hair()),
                                               ImVec2(left + width, ui.px(area.y)), ui[Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(left, ui.px(area.y)));
@@ -264,7 +264,7 @@ void draw_right_parts(const Work& w, const Box& box, float left, float width) {
 void draw_right(const Work& w, const Box& box, bool over_centre) {
   Ui& ui = w.ui;
   begin_region(ui, over_centre ? "right over" : "right", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
-  // A region that comes later than the others would lie under them.
+  // A region that appears later than the others would be drawn under them.
   if (over_centre && ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   const Rect r = in_pixels(ui, box);
   ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y),
@@ -315,7 +315,7 @@ void draw_page(Ui& ui, Console& console, const Layout& layout) {
   end_region();
 }
 
-/// Beside the left column, and where there is one also beside what is at the right: limits stay in sight.
+/// Beside the left column, and beside the right one if there is one: limits stay visible.
 Box place_of_sheet(const Layout& layout, const Console& console, bool controller) {
   constexpr float wanted = 440;
   if (controller && layout.tier == Tier::narrow) return layout.centre;

@@ -9,9 +9,9 @@ class Tab;
 class Ui;
 
 void draw_workspace(Ui& ui, Console& console, const Layout& layout);
-/// The help, beside the positions and what moves metal. After the workspace: it lies over that.
+/// Draws the help, beside the positions and motion controls. Call after the workspace: it lies over that.
 void draw_sheet(Ui& ui, Console& console, const Layout& layout);
-/// Narrow: what the positions of this controller need, logical.
+/// Narrow: the height that the positions of this controller need, logical.
 float strip_height(const Tab& tab);
 
 }  // namespace hw::gui

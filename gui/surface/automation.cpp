@@ -37,7 +37,7 @@ void Automation::take_input() {
   while (surface_.screen().more_input() && !over_());
 }
 
-/// Until all input has had its frame, and one more in which its effects are drawn.
+/// Draws frames until all input is processed, and one more to show its effects.
 void Automation::settle() {
   take_input();
   frame();
@@ -54,7 +54,7 @@ Result<> Automation::usable(std::string_view id) {
   return {};
 }
 
-/// What can start motion takes a press only when it has stood still for a while: see standing.h.
+/// A button that can start motion accepts a press only after it has stood still for a while: see standing.h.
 Result<> Automation::wait_until_it_stands(std::string_view id) {
   constexpr int frames_at_most = 90;
   for (int n = 0; n < frames_at_most && !over_(); ++n) {
@@ -64,16 +64,16 @@ Result<> Automation::wait_until_it_stands(std::string_view id) {
     frame();
   }
   const Widget* w = surface_.screen().registry().find(id);
-  if (w && w->layer < surface_.screen().registry().top_layer()) return {};  // covered: who presses says so
+  if (w && w->layer < surface_.screen().registry().top_layer()) return {};  // covered: the press reports it
   return refuse(quoted(id) + " does not stand still: a press on it would not be taken.");
 }
 
-/// Brings the widget into view and under the mouse.
+/// Brings the widget into view and moves the mouse over it.
 Result<const Widget*> Automation::reach(std::string_view id) {
   Registry& registry = surface_.screen().registry();
   const Widget* drawn = registry.find(id);
   if (!drawn || !drawn->enabled)
-    frame();  // the last one may be older than what the script has just waited for
+    frame();  // the last frame may be older than the event the script has waited for
   if (Result<> ok = usable(id); !ok) return fail(ok.error());
   if (!registry.find(id)->in_view()) {
     registry.scroll_to(id);
@@ -86,6 +86,14 @@ Result<const Widget*> Automation::reach(std::string_view id) {
   if (Result<> ok = wait_until_it_stands(id); !ok) return fail(ok.error());
   point_at(registry.find(id)->rect.centre());
   if (Result<> ok = usable(id); !ok) return fail(ok.error());
+  if (const Widget* cut = registry.find(id); !cut->hovered && !cut->wholly_in_view()) {
+    // Half of it is out of view, and a neighbour of the view (a splitter) covers the rest.
+    registry.scroll_to(id);
+    frame(3);
+    if (Result<> ok = wait_until_it_stands(id); !ok) return fail(ok.error());
+    point_at(registry.find(id)->rect.centre());
+    if (Result<> ok = usable(id); !ok) return fail(ok.error());
+  }
   const Widget* w = registry.find(id);
   if (!w->hovered)
     return refuse(quoted(id) + " is covered by something else: a dialog, a list or a message.");

@@ -1,7 +1,7 @@
 #pragma once
-// Hands for scripts and tests: finds a widget by its path and presses, types and reads as a person would,
-// through the same input queue. What a person could not do (unknown, disabled, covered, out of reach) fails
-// with a sentence.
+// User input for scripts and tests: finds a widget by its path and presses, types and reads as a user would,
+// through the same input queue. What a user could not do (widget unknown, disabled, covered, out of reach)
+// fails with a sentence.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -14,28 +14,28 @@ namespace hw::gui {
 
 class Automation {
  public:
-  /// `run_frame` advances the clock by one frame and draws it; `now_s` reads that clock; once `over`, no
-  /// further frame is drawn.
+  /// `run_frame` advances the clock by one frame and draws it; `now_s` reads that clock; once `over` returns
+  /// true, no further frame is drawn.
   Automation(
       Surface& surface, std::function<void()> run_frame, std::function<double()> now_s,
       std::function<bool()> over = [] { return false; });
 
-  // A press on what can start motion waits until that has stood still long enough to take it: standing.h.
+  // A press on a button that can start motion waits until it has stood still long enough: standing.h.
 
   Result<> click(std::string_view id);
-  /// Mouse down on it, and it stays down until release().
+  /// Presses the mouse button on the widget and keeps it down until release().
   Result<> press(std::string_view id);
   Result<> release(std::string_view id);
-  /// Replaces what a field holds; '\n' is Enter. For an editor: types at the end of the text.
+  /// Replaces the content of a field; '\n' is Enter. In an editor: types at the end of the text.
   Result<> type(std::string_view id, std::string_view text);
   /// "Escape", "Ctrl+Enter", "F5", "Left", "?", "a": down and up.
   Result<> key(std::string_view chord);
-  /// Only one half, for holding a jog key.
+  /// Only the press or the release, for holding a jog key.
   Result<> key_down(std::string_view chord);
   Result<> key_up(std::string_view chord);
-  // A look at the screen draws it first: what is seen is never older than the look.
+  // Reading the screen draws a frame first, so the result is never out of date.
 
-  /// What it shows or holds, plain ASCII.
+  /// The shown or held value, plain ASCII.
   Result<std::string> value(std::string_view id);
   bool exists(std::string_view id);
 
@@ -50,7 +50,7 @@ class Automation {
   Result<> screenshot(const std::string& path);
   Result<> window(int width, int height, float scale = 1);
   Result<> theme(std::string_view name);
-  /// The window loses the keyboard, as when another is clicked.
+  /// The window loses the keyboard, as when another window is clicked.
   void lose_focus();
 
  private:
@@ -71,11 +71,11 @@ class Automation {
   std::string pressed_;
 };
 
-/// GLFW key and modifiers of "Ctrl+Shift+Tab"; nothing when there is no such key.
+/// GLFW key and modifiers of "Ctrl+Shift+Tab"; a fault when there is no such key.
 struct Chord {
   int key = 0;
   bool ctrl = false, shift = false, alt = false;
-  unsigned text = 0;  ///< the character it writes, if any
+  unsigned text = 0;  ///< the character it types, if any
 };
 Result<Chord> read_chord(std::string_view text);
 

@@ -12,7 +12,7 @@ std::function<void()> when_lost, when_failed;
 
 int on_lost(void*) {
   if (const auto act = std::exchange(when_lost, nullptr)) act();
-  std::_Exit(1);  // X would call exit(), which takes things away from threads that still run
+  std::_Exit(1);  // X would call exit(), which destroys objects that running threads still use
 }
 
 int on_failed(void*, void*) {
@@ -20,7 +20,8 @@ int on_failed(void*, void*) {
   return 0;
 }
 
-/// From Xlib, which is in the process when GLFW has opened an X window. Its headers are not needed to build.
+/// Xlib functions, present in the process once GLFW has opened an X window. Xlib's headers are not needed to
+/// build.
 template <class Handler>
 void set_handler(const char* setter, Handler handler) {
   using Setter = Handler (*)(Handler);
@@ -36,7 +37,7 @@ DisplayGuard::DisplayGuard(std::function<void()> lost, std::function<void()> fai
   set_handler("XSetErrorHandler", &on_failed);
 }
 
-// The handlers stay: without them X would end the program in its own way while the window is closed.
+// The handlers stay: without them X would terminate the program while the window is being closed.
 DisplayGuard::~DisplayGuard() {
   when_lost = nullptr;
   when_failed = nullptr;

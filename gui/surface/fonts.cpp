@@ -58,12 +58,12 @@ constexpr Spec specs[] = {
 };
 static_assert(std::size(specs) == static_cast<std::size_t>(Face::count));
 
-// Without the figures: these are merged from the same file in cells of one width. (Thin space, dashes,
-// ellipsis, minus, comparison, single angle quotes: what the sentences of the console use.)
+// Without the figures: these are merged from the same file in cells of equal width. (Thin space, dashes,
+// ellipsis, minus, comparison, single angle quotes: the characters of the console's sentences.)
 constexpr ImWchar text_but_figures[] = {0x20,   0x2F,   0x3A,   0x17F,  0x2009, 0x2009,
                                         0x2013, 0x2013, 0x2026, 0x2026, 0x2039, 0x203A,
                                         0x2212, 0x2212, 0x2264, 0x2265, 0};
-// Large sizes carry the top bar's words and a time: Latin-1 is enough.
+// Large sizes are used for the top bar's words and a time: Latin-1 is enough.
 constexpr ImWchar large_but_figures[] = {0x20,   0x2F,   0x3A,   0x7E,   0xA0, 0xFF,
                                          0x2009, 0x2009, 0x2212, 0x2212, 0};
 constexpr ImWchar signs_of_digits[] = {0x20, 0x20, 0x2D, 0x2E, 0x2212, 0x2212, 0};

@@ -1,6 +1,6 @@
 #pragma once
-// The type of the look: what a person reads is Inter, what the wire speaks is JetBrains Mono. One atlas per
-// scale, built from faces inside the binary. Figures of every Inter face are tabular.
+// The typefaces: Inter for text, JetBrains Mono for wire text. One atlas per scale, built from fonts inside
+// the binary. Figures of every Inter face are tabular.
 #include <array>
 #include <cstdint>
 #include <memory>

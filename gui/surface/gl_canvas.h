@@ -12,15 +12,15 @@ namespace hw::gui {
 
 class GlCanvas {
  public:
-  /// Null when this machine has no such GL.
+  /// Null when this machine has no surfaceless GL.
   static std::unique_ptr<GlCanvas> open();
   ~GlCanvas();
   GlCanvas(const GlCanvas&) = delete;
   GlCanvas& operator=(const GlCanvas&) = delete;
 
-  /// Draws through ImGui's GL3 backend, to the end. False when GL failed.
+  /// Draws through ImGui's GL3 backend and waits until it is finished. False when GL failed.
   bool draw(ImDrawData& data, const Pictures& pictures, int atlas_generation, ImU32 ground);
-  /// What was drawn last, rows from the top. False when GL failed.
+  /// The last drawing, rows from the top. False when GL failed.
   bool read(std::vector<std::uint32_t>& pixels);
 
  private:

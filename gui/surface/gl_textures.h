@@ -1,6 +1,6 @@
 #pragma once
-// Draws with GL what the draw lists of a frame show: the font atlas, and pictures, which it brings to GL when
-// they are first seen. A GL context has one of these and is current whenever it is used.
+// Draws the draw lists of a frame with GL: the font atlas, and pictures, which are uploaded when first seen.
+// One object per GL context, which is current whenever the object is used.
 #include <map>
 #include <memory>
 #include <utility>
@@ -14,10 +14,10 @@ namespace hw::gui {
 
 class GlTextures {
  public:
-  /// Through ImGui's GL3 backend. The draw lists are as before afterwards, but for the atlas: what was drawn
-  /// with an older one has the name of the present one.
+  /// Draws through ImGui's GL3 backend. The draw lists are restored afterwards, except for the atlas:
+  /// commands with an older one get the name of the present one.
   void render(ImDrawData& data, const Pictures& pictures);
-  void forget();  ///< the context goes
+  void forget();  ///< the context is about to be destroyed
 
  private:
   struct Known {

@@ -1,5 +1,5 @@
 #pragma once
-// Where everything stands, from the size of the window alone. Pure: logical pixels in, rectangles out.
+// The place of everything, from the window size alone. Pure: logical pixels in, rectangles out.
 #include <cstddef>
 #include <cstdint>
 
@@ -21,7 +21,7 @@ struct Box {
 /// Narrow: two axes a row in the strip of positions; of more than four each has one line only.
 constexpr float strip_row_height(std::size_t axes) { return axes > 4 ? 40 : 64; }
 
-/// What the user has dragged; a double click restores. Kept from run to run.
+/// Sizes dragged by the user; a double click restores them. Kept between runs.
 struct Splitters {
   float left = 304, right = 272, below = 300, below_medium = 116;
   bool operator==(const Splitters&) const = default;
@@ -38,14 +38,14 @@ struct Layout {
 
 struct LayoutWishes {
   float width = 1440, height = 900;  ///< of the window
-  int controllers = 1;               ///< how many tabs (the connection page counts when it is shown)
-  float strip_height = 0;            ///< narrow: what the positions need
+  int controllers = 1;               ///< number of tabs (including the connection page while it is shown)
+  float strip_height = 0;            ///< narrow: height that the positions need
   Splitters splitters;
 };
 
 Layout lay_out(const LayoutWishes& wishes);
 
-/// Height of the part below in a centre of that height, at least three rows of traffic; 0: no room, it
+/// Height of the lower part in a centre of that height, at least three rows of traffic; 0: no room, it
 /// becomes a tab. `wish`: of the panel above it, see PanelEntry::good_height.
 float below_height(float centre_height, const Splitters& splitters, Tier tier, float wish = 0);
 

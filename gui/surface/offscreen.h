@@ -1,6 +1,6 @@
 #pragma once
-// The console without a display: the same frames, laid out and driven, and drawn only when a picture is asked
-// for: through GL when there is one without a display (EGL surfaceless), else by the software rasteriser.
+// The console without a display: the same frames, layout and input, drawn only when a picture is requested:
+// through GL if available without a display (EGL surfaceless), else by the software rasteriser.
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -30,14 +30,14 @@ class Offscreen : public Surface {
   void frame(double now_s, const Draw& draw) override;
   Result<> screenshot(const std::string& path) override;
 
-  /// The last frame as a window draws it; its pixels stay where they are. False: this machine has no GL.
+  /// Draws the last frame as a window would; the pixels stay in GL. False: this machine has no GL.
   bool draw_with_gl();
-  /// Renders the last frame and gives its pixels, rows from the top.
+  /// Renders the last frame and returns its pixels, rows from the top.
   std::span<const std::uint32_t> render();
   [[nodiscard]] ImU32 pixel(int x, int y) const;
   [[nodiscard]] int width_px() const { return static_cast<int>(size_px_.x); }
   [[nodiscard]] int height_px() const { return static_cast<int>(size_px_.y); }
-  /// Which renderer render() used last: "gl" or "software".
+  /// The renderer that render() used last: "gl" or "software".
   [[nodiscard]] std::string_view renderer() const { return gl_ ? "gl" : "software"; }
 
  private:

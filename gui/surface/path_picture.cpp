@@ -13,7 +13,7 @@ using drawing::Point;
 using drawing::Point3;
 using drawing::ToolPath;
 
-/// How much of each pixel lines cover, of 255: what lies over itself covers no more than once.
+/// How much of each pixel the lines cover, of 255: overlapping lines cover no more than one.
 class Coverage {
  public:
   Coverage(int width, int height)
@@ -24,9 +24,9 @@ class Coverage {
     half_ = width / 2, dash_ = dash, period_ = dash + dash_gap;
     nothing_ = half_ + 0.5f;
   }
-  /// Round ends, soft edges. `walked`: how far its dashes have come before it, pixels.
+  /// Round ends, soft edges. `walked`: length of the path before it, for the dashes, in pixels.
   void line(Point a, Point b, double walked);
-  /// Of what of it lies in the picture; none: nothing.
+  /// The middle of the part inside the picture; none: no part is.
   [[nodiscard]] std::optional<Point> middle(Point a, Point b) const {
     double cut = 0;
     if (!clip(a, b, cut)) return std::nullopt;
@@ -35,7 +35,7 @@ class Coverage {
   [[nodiscard]] const std::vector<std::uint8_t>& values() const { return of_; }
 
  private:
-  /// From a pixel's centre, in single precision: it lies within the picture.
+  /// From a pixel's centre, in single precision: the line is within the picture.
   struct Line {
     float x, y, unit_x, unit_y, length, walked;
   };
@@ -58,11 +58,11 @@ class Coverage {
 
   int width_, height_;
   float half_ = 0.5f, dash_ = 0, period_ = 0;
-  float nothing_ = 1;  ///< of a pixel whose centre lies so far off its middle
+  float nothing_ = 1;  ///< no coverage at this distance of a pixel's centre from the line
   std::vector<std::uint8_t> of_;
 };
 
-/// To the picture and a little around it (Liang and Barsky): what is near may be far longer than it.
+/// Clips to the picture and a margin (Liang and Barsky): a line that touches it may be far longer.
 bool Coverage::clip(Point& a, Point& b, double& cut) const {
   const double edge = half_ + 1, dx = b.x - a.x, dy = b.y - a.y;
   double enter = 0, leave = 1;
@@ -95,7 +95,7 @@ void Coverage::line(Point a, Point b, double walked) {
                length > 0 ? single(dy / length) : 0,
                single(length),
                period_ > 0 ? single(std::fmod(walked + cut, static_cast<double>(period_))) : 0};
-  // Along the longer of its two directions, and at each step across as far as the line is wide there.
+  // Steps along the longer of its two directions, and across by the line's width there.
   const bool flat = std::fabs(dx) >= std::fabs(dy);
   const double slope = flat ? (dx == 0 ? 0 : dy / dx) : dx / dy;
   const double along = (flat ? a.x : a.y) - 0.5, side = (flat ? a.y : a.x) - 0.5;
@@ -113,12 +113,12 @@ void Coverage::line(Point a, Point b, double walked) {
   }
 }
 
-/// Draws what follows on itself; points that no pixel tells apart are passed over.
+/// Draws consecutive runs; skips points that fall on the same pixel.
 class Stroke {
  public:
   Stroke(const PathView& view, Coverage& coverage, double arrow_every, double arrow)
       : view_(view), coverage_(coverage), arrow_every_(arrow_every), arrow_(arrow) {}
-  /// `points`: of the path; a run that goes on where the one before ended draws on.
+  /// `points`: of the path; a run that begins where the previous one ended continues its stroke.
   void run(const std::vector<Point3>& points, const ToolPath::Run& run) {
     constexpr double apart = 0.35;
     if (run.first != end_) {
@@ -131,7 +131,7 @@ class Stroke {
       if (std::fabs(latest_.x - from_.x) >= apart || std::fabs(latest_.y - from_.y) >= apart) lift();
     }
   }
-  /// Draws as far as it has come.
+  /// Draws the stroke so far.
   void lift() {
     if (latest_ == from_) return;
     coverage_.line(from_, latest_, walked_);
@@ -163,7 +163,7 @@ class Stroke {
   std::size_t end_ = std::numeric_limits<std::size_t>::max();  ///< index of `latest_`; of none yet
 };
 
-/// Straight alpha over what is there, which may let the ground through too.
+/// Straight alpha over the present pixel, which may be transparent too.
 void lay_over(std::uint32_t& there, ImU32 colour, unsigned coverage) {
   const unsigned above = (colour >> IM_COL32_A_SHIFT & 255u) * coverage / 255,
                  below = there >> IM_COL32_A_SHIFT & 255u;

@@ -12,9 +12,9 @@ namespace hw::gui {
 struct PathLook {
   ImU32 tool_on = 0, tool_off = 0;
   float on_width = 2, off_width = 1;  ///< pixels
-  float dash = 0, dash_gap = 0;       ///< of the ways with the tool off; 0: no dashes
-  /// Of the signs of direction, pixels of way from one to the next, and their length; where the way is very
-  /// long they are rarer. 0: none.
+  float dash = 0, dash_gap = 0;       ///< of moves with the tool off; 0: no dashes
+  /// Of the direction signs, in pixels: their spacing along the path, which is larger on very long paths, and
+  /// their length. 0: none.
   float arrow_every = 0, arrow = 0;
   bool operator==(const PathLook&) const = default;
 };
@@ -22,10 +22,10 @@ struct PathLook {
 struct PathLayer {
   const drawing::ToolPath* path = nullptr;
   PathLook look;
-  /// Of its runs only these.
+  /// Only these runs of the path.
   std::size_t first_run = 0, end_run = std::numeric_limits<std::size_t>::max();
 };
-/// The size of the view; later layers lie over earlier ones. Pure and perhaps long.
+/// The picture has the size of the view; later layers cover earlier ones. Pure and possibly slow.
 Picture path_picture(std::span<const PathLayer> layers, const drawing::PathView& view);
 
 }  // namespace hw::gui

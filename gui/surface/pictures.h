@@ -1,6 +1,6 @@
 #pragma once
-// Pictures among what ImGui draws: pixels that somebody has made, shown by GL and by the software rasteriser
-// alike. A picture never changes; another one is another picture.
+// Pictures among ImGui's drawing: pixels made elsewhere, shown by GL and by the software rasteriser alike. A
+// picture never changes; a new content is a new picture.
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -14,12 +14,12 @@ struct Picture {
   std::vector<std::uint32_t> pixels;  ///< rows from the top, R G B A in memory, straight alpha
 };
 
-/// Those of one frame: they live until the next one is drawn.
+/// The pictures of one frame: they live until the next frame is drawn.
 class Pictures {
  public:
-  /// In this frame; for ImDrawList::AddImage.
+  /// Adds a picture to this frame; for ImDrawList::AddImage.
   ImTextureID show(std::shared_ptr<const Picture> picture);
-  /// Null: it is none of them (but the font atlas).
+  /// Null: not a picture of this frame (but the font atlas).
   [[nodiscard]] const Picture* find(ImTextureID id) const;
   [[nodiscard]] const std::vector<std::shared_ptr<const Picture>>& shown() const { return shown_; }
   void begin_frame() { shown_.clear(); }

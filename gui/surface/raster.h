@@ -1,7 +1,7 @@
 #pragma once
-// Draws ImGui's draw lists into memory without a GPU: the triangles that GL would get, with clip rectangles,
-// interpolated colours, the font atlas filtered as GL does, and straight alpha blending. Always the same
-// pixels.
+// Draws ImGui's draw lists into memory without a GPU: the same triangles as in GL, with clip rectangles,
+// interpolated colours, the font atlas filtered as in GL, and straight alpha blending. The pixels are always
+// the same.
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -17,7 +17,7 @@ Screen::Screen(Fonts fonts, bool dark)
   map_keys(io);
   input_.set_listeners(
       [this](const InputEvent& event) {
-        const bool taken = keyboard_.on_arrival(event);  // Esc stops before anything else is thought of
+        const bool taken = keyboard_.on_arrival(event);  // Esc stops before anything else is handled
         return gamepad_.on_arrival(event) || taken;
       },
       [this](const InputEvent& event) { return gamepad_.in_turn(event) || keyboard_.in_turn(event); });
@@ -52,7 +52,7 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   keyboard_.begin_frame();
   gamepad_.begin_frame(now_s);
   ImGui::NewFrame();
-  focus_.begin_frame(registry_, now_s, typing_, tab_taken_);
+  focus_.begin_frame(registry_, {now_s, input_.key_moved_at_s()}, typing_, tab_taken_);
   registry_.begin_frame();
   pictures_.begin_frame();
   Ui ui(*theme_, fonts_, registry_, focus_, standing_, keyboard_, gamepad_, input_, pictures_, now_s,
@@ -68,7 +68,7 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   const bool covered = registry_.top_layer() > 0;
   keyboard_.set_typing(typing_ || ui.takes_arrows() || covered);
   keyboard_.set_covered(covered);
-  if (keyboard_.jogging()) ui.wake_in(1.0 / 30);  // whoever holds sends keep-alives: frames go on
+  if (keyboard_.jogging()) ui.wake_in(1.0 / 30);  // a hold sends keep-alives: keep drawing frames
   wake_in_s_ = input_.empty() && !focus_.entering() ? ui.wake_in_s() : 0;
 }
 

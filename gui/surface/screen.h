@@ -1,6 +1,6 @@
 #pragma once
-// One ImGui context with its theme, fonts, input and registry: what the window and the offscreen surface
-// share. The same frame runs in both; only where it is shown differs.
+// One ImGui context with its theme, fonts, input and registry, shared by the window and the offscreen
+// surface. The same frame runs in both; only its display differs.
 #include <functional>
 #include <string>
 
@@ -15,7 +15,7 @@ using Draw = std::function<void(Ui&)>;
 
 class Screen {
  public:
-  /// `fonts` are built already (they can be while the window opens).
+  /// `fonts` must be built already (possible while the window opens).
   Screen(Fonts fonts, bool dark);
   ~Screen();
   Screen(const Screen&) = delete;
@@ -27,16 +27,16 @@ class Screen {
   [[nodiscard]] bool dark() const { return theme_->dark; }
   [[nodiscard]] float scale() const { return fonts_.scale(); }
 
-  /// Draws one frame at `now_s`. What ImGui made of it is in draw_data() until the next.
+  /// Draws one frame at `now_s`. ImGui's result is in draw_data() until the next frame.
   void frame(double now_s, ImVec2 size_px, const Draw& draw);
-  /// Several screens may live in one process (tests): this one is meant now.
+  /// Selects this screen: several may live in one process (tests).
   void make_current() const { ImGui::SetCurrentContext(context_); }
   [[nodiscard]] ImDrawData* draw_data() const;
   /// Input is waiting for a frame of its own.
   [[nodiscard]] bool more_input() const { return !input_.empty(); }
-  /// When a frame is wanted even if nothing happens: seconds after the last one.
+  /// Seconds after the last frame at which another is wanted even if nothing happens.
   [[nodiscard]] double wake_in_s() const { return wake_in_s_; }
-  /// Counts atlas builds, so that whoever holds the texture knows when it is old.
+  /// Counts atlas builds: a texture of an older generation is out of date.
   [[nodiscard]] int atlas_generation() const { return atlas_generation_; }
 
   InputQueue& input() { return input_; }

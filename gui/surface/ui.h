@@ -1,5 +1,5 @@
 #pragma once
-// What every widget and panel draws with: theme, type, scale, clock, input of one frame.
+// Everything a widget or panel draws with: theme, type, scale, clock and input of one frame.
 //
 // How a panel uses the toolkit
 //   - A panel gets a `Ui& ui` and draws with plain functions, one call per widget, each frame anew:
@@ -92,23 +92,23 @@ class Ui {
   /// Line height of a face in pixels.
   [[nodiscard]] float line(Face f) const { return px(size_of(f).line); }
 
-  /// Another frame is wanted after this time even if nothing happens.
+  /// Requests another frame after this time even if nothing happens.
   void wake_in(double seconds) { wake_in_s_ = std::min(wake_in_s_, std::max(0.0, seconds)); }
   [[nodiscard]] double wake_in_s() const { return wake_in_s_; }
 
-  /// Draws the next widgets as if they were touched so: for pictures of all states (tests/gui gallery).
+  /// Draws the next widgets as if touched in this way: for pictures of all states (tests/gui gallery).
   enum class Pretend : std::uint8_t { nothing, hovered, held, ring };
   Pretend pretend = Pretend::nothing;
 
-  /// This frame somebody types into something that is not ImGui's InputText.
+  /// In this frame the user types into something other than ImGui's InputText.
   void say_typing() { typing_ = true; }
-  /// What is being typed into wants Tab for itself, or Shift Tab too.
+  /// The field being typed into keeps Tab for itself, or Shift Tab too.
   void take_tab(TabTaken taken = TabTaken::forward) { tab_taken_ = taken; }
   void take_arrows() { takes_arrows_ = true; }
   [[nodiscard]] bool typing() const { return typing_; }
   [[nodiscard]] TabTaken tab_taken() const { return tab_taken_; }
   [[nodiscard]] bool takes_arrows() const { return takes_arrows_; }
-  // A text that had to be cut is told whole under the mouse, unless its widget has a tip of its own.
+  // A text that was cut is shown whole under the mouse, unless its widget has a tip of its own.
   void say_cut(std::string_view whole) const { cut_ = whole; }
   [[nodiscard]] std::string_view cut() const { return tip_shown_ ? std::string_view() : cut_.view(); }
   void say_tip() { tip_shown_ = true; }

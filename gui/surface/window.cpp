@@ -71,7 +71,7 @@ struct Window::Callbacks {
     of(w).push(InputEvent::wheel(static_cast<float>(x), static_cast<float>(y), of(w).now_s()));
   }
   static void focus(GLFWwindow* w, int focused) { focused ? of(w).regain_keyboard() : of(w).lose_keyboard(); }
-  // The window goes, and the pointer that rests is over something else: no move tells.
+  // The window moves under a resting pointer: no mouse move is reported.
   static void position(GLFWwindow* w, int, int) { of(w).look_for_pointer(); }
   static void size(GLFWwindow* w, int, int) {
     of(w).look_for_pointer();
@@ -104,8 +104,8 @@ static std::future<Fonts> build_fonts(float scale) {
 }
 
 Result<std::unique_ptr<Window>> Window::open(WindowOptions options) {
-  // The atlas takes about as long as GLFW, the window and its GL: both at once. What scale the monitor has is
-  // known later; most have 1.
+  // The atlas takes about as long as GLFW, the window and its GL: both run at once. The monitor's scale is
+  // known later; usually it is 1.
   std::future<Fonts> fonts = build_fonts(options.scale);
   if (!glfwInit())
     return fail(FaultKind::port, "No window can be opened: there is no display" + glfw_says() + ".",
@@ -135,7 +135,7 @@ Result<> Window::create(std::future<Fonts> unscaled) {
     return fail(FaultKind::port, "The window could not be opened: no OpenGL 3.2" + glfw_says() + ".",
                 "Nothing was started.", "Install a graphics driver or Mesa (libgl1-mesa-dri).");
   glfwMakeContextCurrent(window_);
-  glfwSwapInterval(0);  // a swap that waits would keep Esc waiting; the loop itself keeps 60 frames a second
+  glfwSwapInterval(0);  // a waiting swap would delay Esc; the loop itself keeps 60 frames a second
   screen_ = std::make_unique<Screen>(fonts.get(), options_.dark);
   gl_ready_ = ImGui_ImplOpenGL3_Init("#version 150");
   ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_HasMouseCursors;

@@ -1,6 +1,6 @@
 #pragma once
-// The window: GLFW and GL, an event-driven loop. Frames are drawn on events and at most 60 times a second; at
-// rest none. Keys and buttons go from the callbacks into the input queue, so that Esc acts in its callback.
+// The window: GLFW and GL, an event-driven loop. Frames are drawn on events, at most 60 times a second, and
+// none at rest. The callbacks put keys and buttons into the input queue, so that Esc acts in its callback.
 #include <atomic>
 #include <functional>
 #include <future>
@@ -32,21 +32,21 @@ struct WindowOptions {
 
 class Window : public Surface {
  public:
-  /// The fonts are built on a thread of their own while the window opens.
+  /// The fonts are built on a separate thread while the window opens.
   static Result<std::unique_ptr<Window>> open(WindowOptions options);
   ~Window() override;
 
-  /// Until the window is closed (and on_close agrees) or close() is called.
+  /// Runs until the window is closed (and on_close agrees) or close() is called.
   void run(const Draw& draw);
   void close() { closing_ = true; }
-  /// From any thread: what is drawn would differ now.
+  /// Any thread: the display is out of date.
   void wake();
 
   Screen& screen() override { return *screen_; }
   void resize(int width, int height, float scale) override;
   void frame(double now_s, const Draw& draw) override;
   Result<> screenshot(const std::string& path) override;
-  /// How much larger than usual, times the monitor's; the window itself keeps its size.
+  /// The user's scale, multiplied by the monitor's; the window itself keeps its size.
   void set_user_scale(float scale);
   /// Logical size, for the session file.
   [[nodiscard]] ImVec2 logical_size() const;
@@ -87,7 +87,7 @@ class Window : public Surface {
   PhysicalKeys keys_;
   KeyboardGrabs grabs_;
   GamepadSource gamepads_;
-  std::optional<ImVec2> pointer_;  ///< where the events have brought it; none: they have not told
+  std::optional<ImVec2> pointer_;  ///< position by the events; none: not reported yet
   FramePacer pacer_;
   std::atomic<bool> closing_{false};
   bool gl_ready_ = false;

@@ -7,7 +7,7 @@ namespace hw::gui {
 void begin_part(Ui& ui, const char* name, float width, float height, Tone ground, float padding,
                 bool scrolls) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(padding), 0));
-  // Regions are of that tone already. Without a graphics card each filled pixel costs time.
+  // Regions have that tone already. Without a graphics card each filled pixel costs time.
   const bool shines_through = ground == Tone::panel;
   ImGui::PushStyleColor(ImGuiCol_ChildBg, shines_through ? 0 : ui[ground]);
   ImGuiWindowFlags flags =
@@ -17,7 +17,7 @@ void begin_part(Ui& ui, const char* name, float width, float height, Tone ground
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   use_whole_window();
-  // A scrollbar stands in the padding: nothing moves when it comes or goes.
+  // A scrollbar is inside the padding: nothing moves when it appears or disappears.
   ImGuiWindow* window = ImGui::GetCurrentWindow();
   const float right = window->Pos.x + window->SizeFull.x - ui.px(padding);
   if (window->ScrollbarSizes.x > 0 && padding > 12) {

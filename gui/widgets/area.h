@@ -10,8 +10,8 @@ inline Rect in_pixels(const Ui& ui, const Box& box) {
   return {ui.px(box.x, box.y), ImVec2(ui.px(box.right()), ui.px(box.bottom()))};
 }
 
-/// A child of the current window from the cursor to the given height (0: the rest), scrolling when it must.
-/// `padding` at left and right.
+/// Begins a child of the current window from the cursor to the given height (0: the rest), scrolling when
+/// needed. `padding` at left and right.
 void begin_part(Ui& ui, const char* name, float width, float height, Tone ground, float padding = 16,
                 bool scrolls = true);
 void end_part();

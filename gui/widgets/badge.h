@@ -13,7 +13,7 @@ void badge(Ui& ui, std::string_view id, BadgeTone tone, Icon icon, std::string_v
            std::string_view tip = {});
 float badge_width(const Ui& ui, Icon icon, std::string_view words);
 
-/// EMULATED with its shape; where there is less room the word alone, then the shape alone.
+/// EMULATED with its shape; with less room the word alone, then the shape alone.
 enum class EmulatedForm : std::uint8_t { whole, word, shape };
 EmulatedForm emulated_form(const Ui& ui, float room_px);
 float emulated_width(const Ui& ui, EmulatedForm form);

@@ -1,5 +1,5 @@
 #pragma once
-// Buttons. What can start motion wears the cyan edge; nothing else does.
+// Buttons. Those that can start motion have the cyan edge; nothing else does.
 #include <string_view>
 
 #include "gui/widgets/icons.h"
@@ -19,7 +19,7 @@ enum class ButtonStyle : std::uint8_t {
 struct ButtonOptions {
   ButtonStyle style = ButtonStyle::normal;
   Icon icon = Icon::none;
-  Tone icon_tone = Tone::ink;  ///< of `icon` while enabled; ink: as the words
+  Tone icon_tone = Tone::ink;  ///< of `icon` while enabled; ink: as the label
   Icon icon_after = Icon::none;
   std::string_view keys = {};      ///< key hint in ink3: "F5"; "ctrl \n" draws the Enter sign
   std::string_view disabled = {};  ///< why, and when it ends
@@ -36,7 +36,7 @@ Touch button(Ui& ui, std::string_view id, std::string_view label, const ButtonOp
 float button_width(const Ui& ui, std::string_view label, const ButtonOptions& options = {});
 /// Underlined small text within a line: "Show".
 bool link(Ui& ui, std::string_view id, std::string_view label, std::string_view disabled = {});
-/// STOP ALL: fills the rectangle of the given size, never disabled; `clicked` comes with the press already,
+/// STOP ALL: fills the rectangle of the given size, never disabled; `clicked` is set on the press already,
 /// also while a dialog or list is open. `second`: "does not reach 03".
 Touch stop_button(Ui& ui, ImVec2 size, std::string_view second = {});
 

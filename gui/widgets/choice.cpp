@@ -71,7 +71,7 @@ int draw_list(Ui& ui, std::string_view id, std::span<const std::string_view> nam
   return picked;
 }
 
-/// The list under a button that was clicked. Keeps itself open until something is chosen or Esc.
+/// The list under a clicked button. Stays open until a choice or Esc.
 int list_under(Ui& ui, std::string_view id, const Touch& t, std::span<const std::string_view> names,
                int chosen) {
   ImGui::PushID(id.data(), id.data() + id.size());

@@ -1,5 +1,5 @@
 #pragma once
-// One of several: a segment when they fit on a line, a drop-down when not.
+// A choice of one: a segment when the names fit on a line, else a drop-down.
 #include <span>
 #include <string_view>
 
@@ -7,8 +7,8 @@
 
 namespace hw::gui {
 
-/// Where a list opens, in pixels: under its opener, else over it, else as far down as it fits. Never over the
-/// top bar, where STOP ALL is.
+/// Place of an open list, in pixels: under its opener, else over it, else as far down as it fits. Never over
+/// the top bar, where STOP ALL is.
 Rect place_list(const Ui& ui, const Rect& opener, float width, float height);
 
 struct SegmentOptions {
@@ -26,10 +26,10 @@ struct DropdownOptions {
   float width = 0;  ///< 0: as wide as the longest name
   float height = 32;
   bool error = false;
-  std::string_view none = {};  ///< said while none is chosen
+  std::string_view none = {};  ///< shown while none is chosen
 };
 /// Button with the chosen name and a chevron; opens rows of 32 whose ids are `id/<name>`. Returns the index
-/// just chosen, or -1. With the list open Up, Down, Enter choose.
+/// just chosen, or -1. In the open list Up, Down and Enter choose.
 int dropdown(Ui& ui, std::string_view id, std::string_view label, std::span<const std::string_view> names,
              int chosen, const DropdownOptions& options = {});
 

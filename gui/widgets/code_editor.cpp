@@ -98,10 +98,10 @@ EditorEvent CodeEditor::draw(Ui& ui, std::string_view id, const EditorLook& look
   if (std::exchange(find_asked_, false)) find_.open(ui, id, model_);
   reveal_ |= find_.draw(ui, id, model_);
   collect_problems(look);
-  const float room = ImGui::GetContentRegionAvail().y;  // the find bar may have taken some
+  const float room = ImGui::GetContentRegionAvail().y;  // the find bar may take part of the height
   const float height = look.height < 0 ? room : std::min(room, ui.px(look.height));
   const std::uint64_t version = model_.version();
-  ImGui::PushID(this);  // each text keeps its own scrolling
+  ImGui::PushID(this);  // each text has its own scroll position
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[Tone::well]);
   ImGui::BeginChild(
@@ -112,18 +112,18 @@ EditorEvent CodeEditor::draw(Ui& ui, std::string_view id, const EditorLook& look
   const Metrics m = measure(ui);
   const float whole = top_of(m, model_.line_count()) - m.origin.y + 2 * ui.px(top_gap);
   const float wide = m.text_x + widest_ * m.advance + ui.px(96);
-  // The fix buttons lie over the ground on which the caret is placed.
+  // The fix buttons lie over the area in which a click places the caret.
   ImGui::SetCursorScreenPos(m.view.min);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const ImVec2 content_end = ImGui::GetCurrentWindow()->DC.CursorMaxPos;
   const Touch t = touch(ui, {id, Kind::editor, "program text", text_, {}, false, {}},
                         ImVec2(std::max(1.0f, m.view.width()), std::max(1.0f, m.view.height())));
   ImGui::SetItemAllowOverlap();
-  // It covers what is in sight, wherever that is scrolled to: it is no part of what there is to scroll.
+  // It covers the visible part, wherever that is scrolled to, and does not add to the scrolling range.
   ImGui::GetCurrentWindow()->DC.CursorMaxPos = content_end;
   if (t.hovered && mouse.x > m.view.min.x + m.text_x) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   use_mouse(ui, m, t);
-  // Tab goes on to the next control as everywhere else; lines that are chosen it moves.
+  // Tab moves to the next control as everywhere else; with lines selected it indents them.
   if (typing_ && model_.has_selection() && look.read_only.empty()) ui.take_tab(TabTaken::both);
   if (ui.focus.take_entry(id)) typing_ = true;
   if (typing_ && !ui.focus.is(id)) typing_ = false;
@@ -247,7 +247,7 @@ void CodeEditor::keep_caret_in_sight(const Metrics& m) {
   if (x > right) ImGui::SetScrollX(ImGui::GetScrollX() + (x - right));
 }
 
-/// While a program runs its line stays in sight, but only when it or the size changes: scrolling away is
+/// Keeps the line of a running program visible, but only when it or the size changes: scrolling away is
 /// allowed.
 void CodeEditor::follow_live_line(const EditorLook& look, const Metrics& m) {
   if (look.live_line == followed_line_ && m.view.height() == followed_height_) return;

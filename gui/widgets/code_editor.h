@@ -1,7 +1,7 @@
 #pragma once
-// The program editor: numbers, marks, coloured text, the cost of each line at the right, the live line,
-// problems with a sentence and a mend below the line. Only visible lines are drawn. The text and its undo
-// live in TextModel; colours, costs and problems come from the language's report.
+// The program editor: line numbers, marks, coloured text, the cost of each line at the right, the live line,
+// and problems with a sentence and a fix below their line. Only visible lines are drawn. The text and its
+// undo live in TextModel; colours, costs and problems come from the language's report.
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,11 +23,11 @@ struct EditorLook {
   std::string_view cost_title = {};               ///< "bytes"; empty: no costs
   std::string_view comment_mark = "; ";
   int live_line = -1;                      ///< from 0; -1: none
-  std::span<const int> also_live = {};     ///< of other programs that run at once
-  bool live_told = false;                  ///< the controller said so; false: worked out
+  std::span<const int> also_live = {};     ///< of other programs running at the same time
+  bool live_told = false;                  ///< reported by the controller; false: worked out
   std::string_view live = "program/live";  ///< path of the live line
   std::string_view live_words = {};        ///< at the right of the live line: "pass 7 of 20"
-  std::string_view read_only = {};         ///< why; empty: may be edited
+  std::string_view read_only = {};         ///< why; empty: editable
   std::string_view placeholder = {};       ///< shown while the text is empty
   float height = fill;                     ///< logical
 };
@@ -41,13 +41,13 @@ class CodeEditor {
  public:
   EditorEvent draw(Ui& ui, std::string_view id, const EditorLook& look);
 
-  /// Shows another text; nothing happens when it is the same.
+  /// Shows another text; does nothing when it is the same.
   void load(std::string_view text);
   [[nodiscard]] const std::string& text() const { return text_; }
   TextModel& model() { return model_; }
-  /// Puts the caret there and brings the line into sight.
+  /// Moves the caret there and scrolls to the line.
   void go_to(TextPlace place);
-  /// As Ctrl+F and Ctrl+/ do, for whoever does not know the keys. Take effect in the next draw().
+  /// As Ctrl+F and Ctrl+/, for users who do not know the keys. Take effect in the next draw().
   void ask_find() { find_asked_ = true; }
   void toggle_comment() { comment_asked_ = true; }
 

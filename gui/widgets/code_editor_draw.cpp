@@ -81,7 +81,7 @@ void CodeEditor::draw_selection(const Metrics& m, int line, const Rect& row) {
   const Stretch chosen = model_.selection();
   if (!model_.has_selection() || line < chosen.begin.line || line > chosen.end.line) return;
   const float from = line == chosen.begin.line ? x_of(m, chosen.begin) : m.origin.x;
-  // A chosen line end shows as half a character.
+  // A selected line end is drawn as half a character.
   const int size = static_cast<int>(model_.line(line).size());
   const float to =
       line == chosen.end.line ? x_of(m, chosen.end) : x_of(m, {line, size}) + std::floor(m.advance * 0.5f);

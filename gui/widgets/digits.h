@@ -1,5 +1,5 @@
 #pragma once
-// The number is the hero: right aligned tabular figures with the unit in a slot of 36 beside them.
+// Large numbers: right-aligned tabular figures with the unit in a slot of 36 beside them.
 #include <span>
 #include <string_view>
 
@@ -10,7 +10,7 @@ namespace hw::gui {
 enum class DigitsState : std::uint8_t {
   good,
   off,        ///< ink3
-  stale,      ///< ink3; the age stands below
+  stale,      ///< ink3; the age is shown below
   untrusted,  ///< ink3 on diagonal hatching
 };
 
@@ -21,15 +21,15 @@ struct DigitsOptions {
   float width = fill;
 };
 
-/// `number` as it shall be read ("−150.000"); registers as a button: a click copies or sets.
+/// `number`: as shown ("−150.000"); registers as a button: a click copies or sets.
 Touch digits(Ui& ui, std::string_view id, std::string_view label, std::string_view number,
              std::string_view unit, const DigitsOptions& options = {});
 
-/// The largest of `wanted` and smaller in which all numbers fit beside their unit, so that the points of all
-/// axes stay in one column.
+/// The largest face, `wanted` or smaller, in which all numbers fit beside their unit, so that the decimal
+/// points of all axes stay in one column.
 Face digits_face(const Ui& ui, std::span<const std::string_view> numbers, std::string_view unit, Face wanted,
                  float width_px);
-/// Of figures and unit, in pixels.
+/// Width of figures and unit, in pixels.
 float digits_width(const Ui& ui, Face face, std::string_view number, std::string_view unit);
 
 }  // namespace hw::gui

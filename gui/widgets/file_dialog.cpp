@@ -126,7 +126,7 @@ fs::path FileDialog::typed() const {
   return (p.is_absolute() ? p : folder_ / p).lexically_normal();
 }
 
-/// Enter, or the button: goes into a folder, else gives the path when it can be one.
+/// Enter, or the button: enters a folder, else returns the path if it is valid.
 std::optional<fs::path> FileDialog::accept() {
   fs::path path = typed();
   if (is_folder(path)) {
@@ -156,7 +156,7 @@ std::optional<fs::path> FileDialog::accept() {
   return path;
 }
 
-/// Tab: the longest beginning that all matching names share.
+/// Tab: completes the longest common beginning of all matching names.
 bool FileDialog::complete(std::string& text, std::size_t& cursor) {
   const fs::path whole = expanded(text);
   const fs::path folder = (whole.is_absolute() ? whole : folder_ / whole).parent_path();

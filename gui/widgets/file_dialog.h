@@ -1,6 +1,6 @@
 #pragma once
-// Our own file dialog: a path that may be typed (Tab completes, Up and Down walk the list), the folder's
-// content, and errors in sentences. Modal; Esc closes.
+// The file dialog: a path to type (Tab completes, Up and Down move in the list), the folder's content, and
+// errors in sentences. Modal; Esc closes.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,18 +14,18 @@ namespace hw::gui {
 
 class FileDialog {
  public:
-  /// `start`: a folder, or a file whose folder is shown. `suffixes` like {".prg", ".txt"}: others are hidden
-  /// until asked for; empty: all are shown.
+  /// `start`: a folder, or a file in the folder to show. `suffixes` like {".prg", ".txt"}: other files are
+  /// hidden until asked for; empty: all are shown.
   void ask_open(std::string title, const std::filesystem::path& start,
                 std::vector<std::string> suffixes = {});
   /// `start`: folder and suggested name. A name without suffix gets the first one.
   void ask_save(std::string title, const std::filesystem::path& start,
                 std::vector<std::string> suffixes = {});
   [[nodiscard]] bool is_open() const { return open_; }
-  /// Each frame. The path, once, when it was chosen; `is_open()` is false then. Ids: `file/path`,
-  /// `file/open`, `file/save`, `file/cancel`, `file/up`, `file/all`, `file/NAME`.
+  /// Each frame. Returns the chosen path, once; `is_open()` is false then. Ids: `file/path`, `file/open`,
+  /// `file/save`, `file/cancel`, `file/up`, `file/all`, `file/NAME`.
   std::optional<std::filesystem::path> draw(Ui& ui);
-  /// The last folder looked at.
+  /// The last folder shown.
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:

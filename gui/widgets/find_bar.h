@@ -1,6 +1,6 @@
 #pragma once
-// Find within an editor: a row above the text. Ctrl+F opens it, Enter and F3 go on, Esc or its cross closes
-// it.
+// Search in an editor: a row above the text. Ctrl+F opens it, Enter and F3 find the next place, Esc or its
+// cross closes it.
 #include <string>
 #include <string_view>
 
@@ -14,9 +14,9 @@ class FindBar {
   void open(Ui& ui, std::string_view id, const TextModel& model);
   [[nodiscard]] bool is_open() const { return open_; }
   [[nodiscard]] const std::string& needle() const { return needle_; }
-  /// Draws the row of 40 when open. True: the caret went to a place found.
+  /// Draws the row of 40 when open. True: the caret moved to a found place.
   bool draw(Ui& ui, std::string_view id, TextModel& model);
-  /// True when there was one.
+  /// True when a place was found.
   bool next(TextModel& model, bool forward);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// A button that acts as long as it is held: the jog buttons. Leaving it with the mouse does not stop, letting
-// go does; there is no repeat.
+// A button that acts while held: the jog buttons. Leaving it with the mouse does not stop, releasing it does;
+// there is no repeat.
 #include <string_view>
 
 #include "gui/widgets/icons.h"
@@ -15,16 +15,16 @@ struct HoldOptions {
   float width = 56, height = 56;  ///< 48 in medium windows
   bool moving = true;             ///< false: front panel buttons of a bench
   bool stops = false;             ///< a Stop: fault outline and words
-  bool lit = false;               ///< held by something else (its key): drawn as held
+  bool lit = false;               ///< held by other means (its key): drawn as held
 };
 
 struct Hold {
   Touch touch;
-  /// ended may come without started (pressed while disabled): stopping what does not move is harmless.
+  /// `ended` may come without `started` (pressed while disabled): stopping an axis at rest is harmless.
   bool started = false;  ///< this frame
   bool held = false;
   bool ended = false;                          ///< this frame; also when it became disabled while held
-  double pressed_at_s = 0, released_at_s = 0;  ///< of the hand: for telling a tap from a hold
+  double pressed_at_s = 0, released_at_s = 0;  ///< of the input: to tell a tap from a hold
 };
 
 Hold hold_button(Ui& ui, std::string_view id, std::string_view label, const HoldOptions& options = {});

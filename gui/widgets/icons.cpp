@@ -7,7 +7,7 @@
 namespace hw::gui {
 namespace {
 
-/// Draws on a grid of 12 x 12 whose middle is 0, 0. Straight edges land on whole pixels.
+/// Draws on a grid of 12 x 12 with its centre at 0, 0. Straight edges are on whole pixels.
 struct Pen {
   ImDrawList* list;
   ImVec2 centre;

@@ -1,5 +1,5 @@
 #pragma once
-// All shapes of the console, drawn, not glyphs: each state has a shape beside its word and its colour.
+// All shapes of the console, drawn, not glyphs: each state has a shape in addition to its word and colour.
 #include <cstdint>
 
 #include <imgui.h>
@@ -52,9 +52,9 @@ enum class Icon : std::uint8_t {
   count
 };
 
-/// `size` in pixels is the side of the square it fits into; 12 logical pixels as a rule.
+/// `size`: side of the enclosing square in pixels; 12 logical pixels as a rule.
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 centre, float size, ImU32 colour);
-/// The sign of the house: a handwheel with its knob in the motion colour.
+/// The program's logo: a handwheel with its knob in the motion colour.
 void draw_brand(ImDrawList* list, ImVec2 centre, float size, ImU32 ink, ImU32 knob);
 /// Four bars, `lit` of them in colour.
 void draw_signal(ImDrawList* list, ImVec2 top_left, float size, int lit, ImU32 colour, ImU32 off);

@@ -1,6 +1,6 @@
 #pragma once
-// Inputs, limits, latches: shape, name and word. Outputs: a toggle that changes when the controller has said
-// so.
+// Inputs, limits, latches: shape, name and word. Outputs: a toggle that changes when the controller has
+// confirmed it.
 #include <string_view>
 
 #include "gui/widgets/touch.h"
@@ -21,7 +21,7 @@ struct LampOptions {
   LampShape shape = LampShape::round;
   LampState state = LampState::off;
   std::string_view word = {};  ///< "clear", "HIT", "high"
-  bool word_shown = true;      ///< false: the lamp must do
+  bool word_shown = true;      ///< false: only the lamp
   std::string_view tip = {};
   float width = 0, height = 32;
 };
@@ -34,7 +34,7 @@ enum class ToggleState : std::uint8_t { off, on, sending, refused, stale };
 struct ToggleOptions {
   ToggleState state = ToggleState::off;
   std::string_view word = {};      ///< instead of off, on, sending, refused, on?
-  std::string_view disabled = {};  ///< owned by something: who
+  std::string_view disabled = {};  ///< why, naming its owner
   std::string_view tip = {};
   float width = fill;
   bool narrow = false;  ///< only lamp and name

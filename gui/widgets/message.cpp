@@ -12,7 +12,7 @@
 namespace hw::gui {
 namespace {
 
-/// Dims the screen but for the modal itself and STOP ALL, which works under it.
+/// Dims the screen except the modal itself and STOP ALL, which still works.
 void dim_around_modal(Ui& ui) {
   const ImGuiWindow* window = ImGui::GetCurrentWindow();
   Rect holes[2] = {{window->Pos, ImVec2(window->Pos.x + window->Size.x, window->Pos.y + window->Size.y)}, {}};
@@ -128,7 +128,7 @@ int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const 
   float width = 0;
   for (const Action& a : actions) width += ui.px(button_width(ui, a.label)) + ui.px(8);
   const float left = at.x + 2 * side, right = all.max.x - width - ui.px(8);
-  std::string words(what.sentences);
+  std::string words(what.brief.empty() ? what.sentences : what.brief);
   std::replace(words.begin(), words.end(), '\n', ' ');
   const std::string title = std::string(what.title) + " " + std::string(what.aside);
   draw_text_line(ui, left, right, middle - line / 2, Face::small_bold, ui[Tone::ink], title);
@@ -149,8 +149,8 @@ int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const 
 
 namespace {
 
-/// A dialog is drawn, in this frame or in the one before. One whose owner has gone away without closing it
-/// may still stand in ImGui's stack: nobody has to wait for that.
+/// A dialog is drawn, in this frame or in the previous one. A dialog whose owner disappeared without closing
+/// it may remain in ImGui's stack: it is not waited for.
 bool a_dialog_is_up() {
   for (const ImGuiPopupData& popup : GImGui->OpenPopupStack)
     if (const ImGuiWindow* w = popup.Window; w && (w->Flags & ImGuiWindowFlags_Modal))
@@ -164,16 +164,16 @@ bool begin_modal(Ui& ui, std::string_view id, bool open, float width, float heig
   char name[96];
   std::snprintf(name, sizeof name, "##%.*s", static_cast<int>(id.size()), id.data());
   if (!open) return false;
-  // At one level ImGui knows one: a second would close the first, and the first the second, for ever.
+  // ImGui has one popup per level: a second would close the first, and the first the second, for ever.
   if (!ImGui::IsPopupOpen(name) && !a_dialog_is_up()) ImGui::OpenPopup(name);
   const float w = std::min(ui.px(width), ui.size_px.x - ui.px(32));
-  // In the middle of what is under the top bar: STOP ALL stays in sight.
+  // Centred below the top bar: STOP ALL stays visible.
   const float top = ui.px(top_bar_height), room = ui.size_px.y - top;
   const float h = height > 0 ? std::min(ui.px(height), room - ui.px(16)) : 0;
   ImGui::SetNextWindowPos(ImVec2(std::floor(ui.size_px.x * 0.5f), std::floor(top + room * 0.5f)),
                           ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(ImVec2(w, h));
-  // What is as high as its contents scrolls where the window is lower.
+  // A modal as high as its content scrolls in a lower window.
   if (height == 0) ImGui::SetNextWindowSizeConstraints(ImVec2(w, 0), ImVec2(w, room - ui.px(16)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.px(24, 20));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));

@@ -1,6 +1,6 @@
 #pragma once
-// What the console says by itself: a banner for the worst that is true, toasts for what was done, a dialog
-// before what cannot be undone.
+// The console's own messages: a banner for the worst fact, toasts for what was done, a dialog before anything
+// that cannot be undone.
 #include <span>
 #include <string_view>
 
@@ -19,7 +19,7 @@ MoodMark mood_mark(Mood mood);
 
 struct Action {
   std::string_view id, label;
-  std::string_view brief = {};  ///< label where there is little room; empty: the same
+  std::string_view brief = {};  ///< label where there is little room; empty: as `label`
   std::string_view disabled = {};
   bool main = false;  ///< a raised button; others are quiet
   bool moving = false;
@@ -30,24 +30,25 @@ struct Banner {
   std::string_view title;
   std::string_view sentences;   ///< lines broken by '\n'
   std::string_view aside = {};  ///< beside the actions: "Attempt 5 in 3 s."
+  std::string_view brief = {};  ///< text for a bar; empty: as much of `sentences` as fits
 };
 /// Across the full width of the window, bar 3. Returns the index of the action just clicked, or -1.
 int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions);
-/// Of the same banner, logical, in that width.
+/// Height of that banner in this width, logical.
 float banner_height(const Ui& ui, const Banner& what, float width, bool actions);
-/// The same in one bar that fills the current window: title and aside over the sentences, in small type; what
-/// is cut is told whole under the mouse.
+/// The same in one bar that fills the current window: title and aside over the sentences, in small type; a
+/// cut text is shown whole under the mouse.
 int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions);
-/// Tint of a row or card with its bar at the left, from the cursor down `height` pixels; draws nothing else.
+/// Tints a row or card and its bar at the left, from the cursor down `height_px`; draws nothing else.
 void tinted(Ui& ui, Mood mood, float height_px);
 
-/// The newest message in `place`, for whoever has room for it beside all else: mark, sentence, how often,
-/// age, how many more stand, and a cross; in less than 160 its mark and their number. A press opens the list
-/// of all. Ids: `toast/NUMBER` (those that wait behind the newest too), `message/strip`, `message/more`,
+/// The newest message in `place`, for any view with room for it: mark, sentence, count, age, number of
+/// further messages, and a cross; in a width below 160 only its mark and their number. A press opens the list
+/// of all. Ids: `toast/NUMBER` (also for the messages behind the newest), `message/strip`, `message/more`,
 /// `message/close/NUMBER`.
 void draw_messages(Ui& ui, Toasts& toasts, const Rect& place);
-/// Last in a frame: lets the time of messages pass, and draws their list while it is open: by the strip, in
-/// `within`, over nothing of the line `status`. Ids: `message/list/NUMBER`, `message/list/NUMBER/close`,
+/// Last in a frame: expires messages, and draws their list while it is open: by the strip, in `within`,
+/// covering nothing of the line `status`. Ids: `message/list/NUMBER`, `message/list/NUMBER/close`,
 /// `message/close_all`.
 void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within, const Rect& status);
 
@@ -56,15 +57,15 @@ struct Dialog {
   std::string_view sentences;
   std::string_view yes;  ///< a verb: "Store in controller"
   std::string_view no = "Cancel";
-  bool moving = false;  ///< yes can start motion
+  bool moving = false;  ///< `yes` can start motion
 };
 enum class Answer : std::uint8_t { none, yes, no };
-/// Modal while `open`; Esc is no. The focus stands on no, so Enter by accident does nothing.
+/// Modal while `open`; Esc is no. The focus is on no, so an accidental Enter does nothing.
 /// Ids: `id/yes`, `id/no`, `id/says`.
 Answer dialog(Ui& ui, std::string_view id, bool& open, const Dialog& what);
 
 /// The frame of a modal window, centred; true: draw its content, then end_modal(). Width and height logical;
-/// height 0: as its content needs.
+/// height 0: the height of its content.
 bool begin_modal(Ui& ui, std::string_view id, bool open, float width, float height = 0);
 void end_modal();
 

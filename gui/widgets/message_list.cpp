@@ -18,13 +18,13 @@ using Message = Toasts::Toast;
 constexpr const char* message_popup = "##messages";
 constexpr float cross_width = 28, mark_width = 34;
 
-/// `head` with the number behind it, and `tail`.
+/// `head`, the number and `tail`.
 std::string_view message_id(std::span<char> buffer, const char* head, int number, const char* tail = "") {
   const int n = std::snprintf(buffer.data(), buffer.size(), "%s%d%s", head, number, tail);
   return {buffer.data(), static_cast<std::size_t>(std::clamp(n, 0, static_cast<int>(buffer.size()) - 1))};
 }
 
-/// "now", "2 min": no shorter step, so a console at rest draws one frame a minute for it.
+/// "now", "2 min": no finer steps, so that a console at rest draws one frame a minute for it.
 std::string_view age_of(Ui& ui, const Message& message, std::span<char> buffer) {
   const double age = message.until_s < 0 ? 0 : std::max(0.0, ui.now_s - message.since_s);
   const bool hours = age >= 3600;
@@ -69,7 +69,7 @@ bool close_button(Ui& ui, std::string_view id, float right, float middle) {
       .clicked;
 }
 
-/// Those that wait behind the newest: on the screen only as a number, and yet there.
+/// Registers the messages behind the newest: the screen shows only their number.
 void name_waiting(Ui& ui, const Toasts& toasts, const Rect& place) {
   char id[24];
   for (std::size_t i = 0; i + 1 < toasts.list().size(); ++i) {
@@ -78,7 +78,7 @@ void name_waiting(Ui& ui, const Toasts& toasts, const Rect& place) {
   }
 }
 
-/// Where there is next to no room: mark and number, and the sentence under the mouse.
+/// For very little room: mark and number, with the sentence under the mouse.
 void draw_brief(Ui& ui, Toasts& toasts, const Rect& place) {
   const Message& newest = toasts.list().back();
   char id[24], count[12];
@@ -99,7 +99,7 @@ void draw_brief(Ui& ui, Toasts& toasts, const Rect& place) {
   toasts.in_frame.list_wanted |= t.clicked;
 }
 
-/// "1 more", right-aligned; returns where it begins.
+/// "1 more", right-aligned; returns its left edge.
 float draw_more(Ui& ui, Toasts& toasts, float right, float middle) {
   const int waiting = static_cast<int>(toasts.list().size()) - 1;
   if (waiting == 0) return right;
@@ -156,7 +156,7 @@ void draw_messages(Ui& ui, Toasts& toasts, const Rect& place) {
     toasts.dismiss(number);
 }
 
-// ---- the list
+// ---- list
 
 namespace {
 
@@ -185,7 +185,7 @@ bool draw_row(Ui& ui, const Message& message, float width) {
   return closed;
 }
 
-/// Under the strip, else over it.
+/// Below the strip, else above it.
 Rect place_message_list(const Ui& ui, const Rect& within, const Rect& status, float height) {
   const Widget* strip = ui.registry.find("message/strip");
   const Rect at = strip ? strip->rect : status;
@@ -236,7 +236,7 @@ void draw_message_list(Ui& ui, Toasts& toasts, const Rect& within, const Rect& s
 void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within, const Rect& status) {
   draw_message_list(ui, toasts, within, status);
   toasts.in_frame = {};
-  if (toasts.tick(ui.now_s)) ui.wake_in(0);  // the strip of this frame was drawn before
+  if (toasts.tick(ui.now_s)) ui.wake_in(0);  // the strip of this frame is already drawn
   ui.wake_in(toasts.due_in_s(ui.now_s));
 }
 

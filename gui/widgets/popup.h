@@ -9,7 +9,7 @@ namespace hw::gui {
 /// True while it is open: draw popup_row()s, then end_popup(). `name`: unique; `rows`: its height in rows,
 /// whole or not. `right`: its right edge is the button's.
 bool begin_popup(Ui& ui, const char* name, const Touch& button, float width, float rows, bool right = false);
-/// True when it was chosen; the list closes by itself.
+/// True when the row was chosen; the list closes by itself.
 bool popup_row(Ui& ui, std::string_view id, std::string_view label, std::string_view caption = {},
                bool on = false, std::string_view disabled = {});
 /// A hairline between groups of rows; counts as no row.

@@ -36,7 +36,7 @@ void use_whole_window() {
   ImGui::PushClipRect(inside.Min, inside.Max, false);
 }
 
-/// A window of its own over the border, since the parts on both sides reach up to it.
+/// A separate window over the border, since the parts on both sides extend up to it.
 static void begin_border(std::string_view id, const Rect& hit) {
   char name[64];
   std::snprintf(name, sizeof name, "##%.*s", static_cast<int>(id.size()), id.data());

@@ -13,15 +13,15 @@ inline constexpr float top_bar_height = 56;
 void begin_region(Ui& ui, const char* name, const Rect& where, Tone ground, ImVec2 padding = ImVec2(16, 0),
                   bool scrolls = false);
 void end_region();
-/// ImGui cuts half of a window's padding off: from here on its whole inside is drawn on and pressed. The
-/// window's end must pop the clip rectangle.
+/// ImGui clips half of a window's padding: from here on its whole inside can be drawn on and pressed. Pop the
+/// clip rectangle at the window's end.
 void use_whole_window();
 
 struct SplitRange {
   float min, max, normal;
 };
-/// A border that is dragged; double click restores. `size` is logical; `towards`: +1 when dragging right
-/// (down) makes it larger. With the focus ring + and - move it. True when it changed.
+/// A draggable border; double click restores. `size` is logical; `towards`: +1 when dragging right (down)
+/// makes it larger. With the focus ring, + and - move it. True when it changed.
 bool splitter(Ui& ui, std::string_view id, const Rect& border, bool vertical, float& size,
               const SplitRange& range, int towards);
 

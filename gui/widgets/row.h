@@ -9,11 +9,11 @@ namespace hw::gui {
 
 struct Column {
   std::string_view title;
-  float width = 0;     ///< logical; 0: an equal share of what is left
+  float width = 0;     ///< logical; 0: an equal share of the remaining width
   bool right = false;  ///< numbers
 };
 
-/// Places of columns within a line.
+/// The places of the columns within a line.
 class Columns {
  public:
   Columns(const Ui& ui, std::span<const Column> columns, float left_px, float right_px);
@@ -39,8 +39,8 @@ struct RowOptions {
   std::string_view value = {};
   std::string_view disabled = {};
 };
-/// Ground of a row over the full width of the window; the panel draws into touch.rect. Rows that hold
-/// controls: pressable false, or draw the controls after SetItemAllowOverlap.
+/// Background of a row over the full width of the window; the panel draws into touch.rect. For rows that hold
+/// controls: set `pressable` to false, or draw the controls after SetItemAllowOverlap.
 Touch row(Ui& ui, std::string_view id, std::string_view label, const RowOptions& options = {});
 
 }  // namespace hw::gui

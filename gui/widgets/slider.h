@@ -1,5 +1,6 @@
 #pragma once
-// Speed: a line with a grip of 16 x 24. The mouse drags or clicks, with the focus ring + and - step.
+// The speed slider: a line with a grip of 16 x 24. The mouse drags or clicks; with the focus ring, + and -
+// step.
 #include <string_view>
 
 #include "gui/widgets/touch.h"
@@ -8,9 +9,9 @@ namespace hw::gui {
 
 struct SliderOptions {
   double min = 0, max = 1;
-  double step = 0;     ///< what + and - add, and what values are rounded to; 0: a hundredth of the range
-  double normal = -1;  ///< within the range: what a double click sets
-  bool logarithmic = false;  ///< for speeds over decades; min must be above 0
+  double step = 0;           ///< of + and -, and of rounding; 0: a hundredth of the range
+  double normal = -1;        ///< within the range: set by a double click
+  bool logarithmic = false;  ///< for speeds over decades; `min` must be above 0
   std::string_view disabled = {};
   std::string_view tip = {};
   std::string_view value_text = {};  ///< for scripts and readers
@@ -19,7 +20,7 @@ struct SliderOptions {
 /// True when `value` changed in this frame.
 bool slider(Ui& ui, std::string_view id, std::string_view label, double& value, const SliderOptions& options);
 
-/// 8 high, radius 2, numbers in words beside it are the panel's.
+/// 8 high, radius 2; the panel writes the numbers beside it.
 struct MeterOptions {
   Tone tone = Tone::ink2;       ///< motion for progress
   bool over = false;            ///< more than full: fault

@@ -20,7 +20,7 @@ constexpr StateLook looks[] = {
     {Icon::diamond, "UNTRUSTED", "untrusted", Tone::warn},
     {Icon::plug, "LOST", "link lost", Tone::fault},
     {Icon::diamond_solid, "FAULT", "fault", Tone::fault},
-    {Icon::pause, "WAITING", "waiting", Tone::warn},
+    {Icon::pause, "WAITING", "waiting", Tone::ink2},
     {Icon::clock, "CONNECTING", "asking", Tone::ink2},
     {Icon::warning, "SLIP", "slip", Tone::warn},
     {Icon::ring_dot, "IN PLACE", "in place", Tone::ink2},

@@ -1,5 +1,5 @@
 #pragma once
-// What an axis or controller does, by shape, word and colour at once: a grey print must still be readable.
+// The state of an axis or controller by shape, word and colour at once: a grey print must still be readable.
 #include <string_view>
 
 #include "gui/model/axis_look.h"
@@ -11,20 +11,20 @@ namespace hw::gui {
 struct StateLook {
   Icon icon;
   std::string_view word;   ///< capitals, for an axis
-  std::string_view small;  ///< as the second line of a tab writes it
+  std::string_view small;  ///< for the second line of a tab
   Tone tone;
 };
 const StateLook& look_of(State state);
 
 /// Shape, gap 8, word in capitals; right aligned at `right` when drawn with draw_state_right.
 void state_word(Ui& ui, std::string_view id, State state, Face face = Face::body_bold);
-/// Of shape and word, in pixels.
+/// Width of shape and word, in pixels.
 float state_word_width(const Ui& ui, State state, Face face);
-/// At an exact place: ends at `right.x`, in a line of the face. Registers id when it is not empty. In less
-/// than `room_px` it takes smaller type, then its shape must do.
+/// At an exact place: ends at `right.x`, in a line of the face. Registers `id` when it is not empty. With
+/// less than `room_px` it uses smaller type, then only the shape.
 void draw_state_right(Ui& ui, std::string_view id, ImVec2 right, State state, Face face = Face::title_bold,
                       float room_px = 1e6f);
-/// Shape and a sentence of the panel's own: status line, tab, badge row.
+/// A shape and a sentence of the panel's own: status line, tab, badge row.
 void shape_and_words(Ui& ui, std::string_view id, Icon icon, Tone icon_tone, std::string_view words,
                      Tone tone, Face face = Face::body);
 

@@ -31,7 +31,7 @@ Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, floa
     if (left + state + ui.px(6) + word <= right) {
       end -= word;
       draw_text_line(ui, end, t.rect.max.x, second, Face::small_bold, ui[Tone::emu], "EMULATED");
-    } else {  // its shape, so that what the controller does is not cut
+    } else {  // its shape, so that the state is not cut
       end -= ui.px(12);
       draw_icon(list, Icon::emulated, ImVec2(end + ui.px(6), second), ui.px(11), ui[Tone::emu]);
     }
@@ -50,8 +50,8 @@ int panel_tabs(Ui& ui, std::span<const PanelTab> tabs, int active) {
     return std::ceil(text_width(ui, i == active ? Face::body_bold : Face::body_medium,
                                 tabs[static_cast<std::size_t>(i)].name));
   };
-  // In less room than they need they move closer. Where that is not enough the chosen one stands in the
-  // middle, so that all can be reached.
+  // With too little room the tabs move closer. If that is not enough, the chosen tab is centred, so that all
+  // can be reached.
   const float room = window->InnerRect.Max.x - at.x;
   float bare = 0;
   for (int i = 0; i < static_cast<int>(tabs.size()); ++i) bare += words_of(i);

@@ -24,8 +24,8 @@ struct PanelTab {
   std::string_view name;  ///< "Program"
   std::string_view disabled = {};
 };
-/// A row of 40 with a hairline below. Returns the index just chosen, or -1. Scrolls with the wheel when too
-/// long.
+/// A row of 40 with a hairline below. Returns the index just chosen, or -1. When too long, it scrolls with
+/// the wheel.
 int panel_tabs(Ui& ui, std::span<const PanelTab> tabs, int active);
 
 }  // namespace hw::gui

@@ -11,7 +11,7 @@ constexpr std::string_view ellipsis = "\xE2\x80\xA6";
 
 ImVec2 snapped(ImVec2 at) { return ImVec2(std::floor(at.x), std::floor(at.y)); }
 
-/// The line of the face is higher than its box: where the box starts in it.
+/// Where the font's box starts within the face's line, which is higher.
 float box_top(const Ui& ui, Face face, float line_px) {
   return std::floor((line_px - ui.font(face)->FontSize) * 0.5f + 0.5f);
 }
@@ -20,7 +20,7 @@ float box_top(const Ui& ui, Face face, float line_px) {
 
 float text_width(const Ui& ui, Face face, std::string_view s) {
   ImFont* font = ui.font(face);
-  if (s.empty()) return 0;  // an empty view may have no address, and ImGui would look for an end
+  if (s.empty()) return 0;  // an empty view may have a null address, and ImGui would search for the end
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, s.data(), s.data() + s.size()).x;
 }
 
@@ -158,7 +158,7 @@ void gap(Ui& ui, float height) {
 }
 
 Rect draw_across(const Ui& ui, float top, float bottom, ImU32 colour, ImU32 bar) {
-  // A window's own clip rectangle leaves half of its padding out.
+  // A window's own clip rectangle excludes half of its padding.
   const ImGuiWindow* window = ImGui::GetCurrentWindow();
   ImRect clip = window->InnerRect;
   clip.ClipWith(window->OuterRectClipped);
@@ -182,7 +182,7 @@ void section_title(Ui& ui, std::string_view title, std::string_view caption, flo
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float h = ui.px(height), width = ImGui::GetContentRegionAvail().x;
   draw_text_line(ui, at.x, at.x + width, at.y + h * 0.5f, Face::body_bold, ui[Tone::ink], title);
-  if (!caption.empty()) {  // at the right, cut where the title would be in its way
+  if (!caption.empty()) {  // at the right, cut where it would reach the title
     const float first = at.x + std::ceil(text_width(ui, Face::body_bold, title)) + ui.px(8);
     const float wanted = at.x + width - std::ceil(text_width(ui, Face::small, caption));
     draw_text_line(ui, std::max(first, wanted), at.x + width + 1, at.y + h * 0.5f + 1, Face::small,
@@ -194,7 +194,7 @@ void section_title(Ui& ui, std::string_view title, std::string_view caption, flo
 void key_value(Ui& ui, std::string_view id, std::string_view key, std::string_view value, Tone tone) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, h = ui.px(24);
-  // A long value leaves the key its place, and is cut.
+  // A long value leaves room for the key, and is cut.
   const float key_width = std::min(std::ceil(text_width(ui, Face::body, key)), std::floor(width * 0.6f));
   const float value_width =
       std::min(std::ceil(text_width(ui, Face::body, value)), width - key_width - ui.px(8));

@@ -9,7 +9,7 @@
 namespace hw::gui {
 namespace {
 
-struct Call {  // what ImGui's callback needs to reach
+struct Call {  // what ImGui's callback uses
   std::string* text;
   const LineHelp* help;
   bool tab;
@@ -67,13 +67,13 @@ struct Insets {
   float left, right;
 };
 
-/// A number is not cut for the sake of its unit.
+/// A number is never cut to fit its unit.
 bool unit_fits(const Ui& ui, float width, const std::string& text, const FieldOptions& o) {
   const float unit = std::ceil(text_width(ui, Face::small, o.unit)) + ui.px(6);
   return std::ceil(text_width(ui, value_face(o), text)) + unit + ui.px(20) <= width;
 }
 
-/// Where the text may stand within the frame. ImGui knows no right alignment: the left padding does it.
+/// Place of the text within the frame. ImGui has no right alignment: the left padding provides it.
 Insets insets_of(const Ui& ui, float width, const std::string& text, const FieldOptions& o) {
   Insets in{ui.px(10), ui.px(10)};
   if (o.prompt != Icon::none) in.left += ui.px(14);
@@ -83,8 +83,8 @@ Insets insets_of(const Ui& ui, float width, const std::string& text, const Field
   return in;
 }
 
-/// ImGui types into a copy of its own and would write that over what the panel has put in its place: a number
-/// in another unit, or what the controller has now. A copy that was chosen whole stays so.
+/// ImGui edits its own copy, and would overwrite a text that the panel has set meanwhile: a number in another
+/// unit, or the controller's new value. A copy selected whole stays selected.
 void follow_text(const std::string& text) {
   const ImGuiID item = ImGui::GetID("");
   auto* const state = ImGui::GetInputTextState(item);
@@ -96,13 +96,13 @@ void follow_text(const std::string& text) {
       ImTextStrFromUtf8(state->TextW.Data, state->TextW.Size, text.data(), text.data() + text.size());
   state->SelectAll();
   if (!all) state->ClearSelection();
-  auto& undo = state->Stb.undostate;  // was done to the text before
+  auto& undo = state->Stb.undostate;  // its steps apply to the former text
   undo.undo_point = undo.undo_char_point = 0;
   undo.redo_point = STB_TEXTEDIT_UNDOSTATECOUNT;
   undo.redo_char_point = STB_TEXTEDIT_UNDOCHARCOUNT;
 }
 
-/// ImGui's InputText without a frame of its own, placed so that its text starts after the left inset.
+/// ImGui's InputText without its own frame, placed so that the text starts after the left inset.
 bool edit(Ui& ui, const Rect& r, std::string& text, const FieldOptions& o, const Insets& in) {
   Call call{&text, o.help, ImGui::IsKeyPressed(GLFW_KEY_TAB, true) && !ImGui::GetIO().KeyShift};
   ImFont* font = ui.font(value_face(o));
@@ -119,9 +119,9 @@ bool edit(Ui& ui, const Rect& r, std::string& text, const FieldOptions& o, const
   auto* const state = ImGui::GetInputTextState(ImGui::GetItemID());
   if (state && o.whole && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
     state->SelectAll();
-    state->SelectedAllMouseLock = true;  // a hand that trembles takes nothing of it away
+    state->SelectedAllMouseLock = true;  // a trembling hand does not change the selection
   }
-  // What fits is not scrolled: the left padding follows a text at the right one frame later.
+  // A text that fits is not scrolled: the left padding follows a right-aligned text one frame later.
   if (state && o.right &&
       std::ceil(text_width(ui, value_face(o), text)) + ui.px(20) <= r.width() - in.right + ui.px(10))
     state->ScrollX = 0;
@@ -183,7 +183,7 @@ Field text_field(Ui& ui, std::string_view id, std::string_view label, std::strin
   ImGui::Dummy(ImVec2(r.width(), r.height()));
   const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   if (over && enabled) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
-  // The unit and the insets belong to the field's hit area, though ImGui's item ends before them.
+  // The unit and the insets belong to the field's hit area, though not to ImGui's item.
   if (over && enabled && !f.typing && ImGui::IsMouseClicked(0)) ui.focus.move_to(id);
   ImGui::PopID();
   draw_extras(ui, r, text, o, in, f.typing);

@@ -1,6 +1,6 @@
 #pragma once
-// A line of text. The panel owns the text: nothing typed is lost when the focus goes, and what the panel puts
-// in its place holds, whoever has the caret.
+// A line of text. The panel owns the text: typed text is kept when the focus is lost, and a text set by the
+// panel holds, whatever has the caret.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -10,7 +10,8 @@
 
 namespace hw::gui {
 
-/// What Up, Down and Tab do while a field is typed into (terminal). Each returns true when it changed `text`.
+/// The effect of Up, Down and Tab while typing into a field (terminal). Each returns true when it changed
+/// `text`.
 struct LineHelp {
   std::function<bool(std::string& text, int direction)> history;         ///< -1 older, +1 newer
   std::function<bool(std::string& text, std::size_t& cursor)> complete;  ///< Tab
@@ -21,16 +22,16 @@ struct FieldOptions {
   std::string_view tip = {};
   std::string_view unit = {};         ///< in ink3 at the right inside
   std::string_view placeholder = {};  ///< shown while empty
-  std::string_view hint = {};         ///< behind the caret while typing: what Enter would do
+  std::string_view hint = {};         ///< behind the caret while typing: the effect of Enter
   Icon prompt = Icon::none;
-  Face face = Face::body;  ///< code_field for what goes to the wire
+  Face face = Face::body;  ///< code_field for wire text
   float width = fill, height = 32;
   bool right = false;  ///< right aligned: numbers
-  bool whole = false;  ///< a double click chooses all of it, not a word
+  bool whole = false;  ///< a double click selects the whole text, not a word
   bool error = false;
   bool changed = false;  ///< ink outline, value 600
   bool stale = false;
-  bool keep_focus = false;  ///< after Enter: the terminal goes on typing
+  bool keep_focus = false;  ///< after Enter: the terminal keeps the caret
   bool password = false;
   const LineHelp* help = nullptr;
 };
@@ -40,13 +41,13 @@ struct Field {
   bool typing = false;   ///< has the caret now
   bool edited = false;   ///< the text changed in this frame
   bool entered = false;  ///< Enter
-  bool left = false;     ///< the caret went elsewhere in this frame
+  bool left = false;     ///< lost the caret in this frame
 };
 
 Field text_field(Ui& ui, std::string_view id, std::string_view label, std::string& text,
                  const FieldOptions& options = {});
 
-/// Gives the field the caret in the next frame in which it is drawn.
+/// Gives the field the caret in the next frame that draws it.
 inline void type_into(Ui& ui, std::string_view id) { ui.focus.move_to(id); }
 
 }  // namespace hw::gui

@@ -10,14 +10,14 @@ namespace {
 
 bool is_inside_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || (c & 0x80); }
-/// Where text ends that is put at `at`.
+/// The end of `text` inserted at `at`.
 TextPlace end_of(TextPlace at, std::string_view text) {
   const auto newlines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
   if (newlines == 0) return {at.line, at.byte + static_cast<int>(text.size())};
   return {at.line + newlines, static_cast<int>(text.size() - text.rfind('\n') - 1)};
 }
 
-/// Files of other systems end lines by CR LF or CR.
+/// Files of other systems end lines with CR LF or CR.
 std::string with_unix_lines(std::string_view text) {
   std::string out;
   out.reserve(text.size());
@@ -144,7 +144,7 @@ void TextModel::left(Step step, bool extend) {
     case Step::text_end: return move_to({0, 0}, extend);
     case Step::line_end: break;
   }
-  // First to the first letter, then to the margin.
+  // First to the first letter, then to the line start.
   const std::size_t indent = std::min(line(caret_.line).find_first_not_of(" \t"), line(caret_.line).size());
   move_to({caret_.line, caret_.byte == static_cast<int>(indent) ? 0 : static_cast<int>(indent)}, extend);
 }
@@ -258,7 +258,7 @@ void TextModel::replace(const Stretch& what, std::string_view by) {
 
 TextModel::Lines TextModel::chosen_lines() const {
   const Stretch chosen = selection();
-  // A selection that ends before the first letter of a line does not mean that line.
+  // A selection that ends before the first letter of a line does not include that line.
   const bool before_it = chosen.end.byte == 0 && chosen.end.line > chosen.begin.line;
   return {chosen.begin.line, chosen.end.line - before_it};
 }
@@ -276,7 +276,7 @@ void TextModel::change_lines(const Lines& which, Change change) {
   const auto size_of = [this](const TextPlace& p) { return static_cast<int>(line(p.line).size()); };
   const int caret_line = size_of(caret), anchor_line = size_of(anchor);
   replace(whole, changed);
-  // Both stay with their letter, but one that stands before the line's first has none.
+  // Both stay at their letter, except at the beginning of the line.
   if (caret.byte > 0) caret.byte = std::max(0, caret.byte + size_of(caret) - caret_line);
   if (anchor.byte > 0) anchor.byte = std::max(0, anchor.byte + size_of(anchor) - anchor_line);
   caret_ = clamp(caret);

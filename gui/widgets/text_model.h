@@ -1,6 +1,6 @@
 #pragma once
 // A text of lines with a caret, a selection and undo. Knows nothing of drawing. Places count bytes within a
-// line and always stand between characters.
+// line and are always between characters.
 #include <compare>
 #include <cstdint>
 #include <optional>
@@ -23,7 +23,7 @@ class TextModel {
  public:
   TextModel() : lines_(1) {}
 
-  /// Another text: undo is forgotten, the caret stays as near as it can.
+  /// Replaces the text: clears undo and keeps the caret as near as possible.
   void set_text(std::string_view text);
   [[nodiscard]] std::string text() const;
   [[nodiscard]] int line_count() const { return static_cast<int>(lines_.size()); }
@@ -46,25 +46,25 @@ class TextModel {
   void select_word();  ///< around the caret
   void select_line();
 
-  // ---- changes; each one is one undo step, but typed characters join
+  // ---- changes; each one is one undo step, except that typed characters join
   void insert(std::string_view typed);
   void backspace(bool word);
   void erase(bool word);
   void replace(const Stretch& what, std::string_view by);
-  /// Puts `mark` before each chosen line, or takes it away when all have it. Empty lines stay.
+  /// Puts `mark` before each selected line, or removes it when all have it. Empty lines are left alone.
   void toggle_comment(std::string_view mark);
-  /// Moves the chosen lines by two columns, to the right or (direction < 0) back.
+  /// Moves the selected lines by two columns to the right, or (direction < 0) back.
   void indent(int direction);
   bool undo();
   bool redo();
 
-  /// The next place after (before) `from`, going round; letters of either case match.
+  /// The next place after (before) `from`, wrapping around; ignores case.
   [[nodiscard]] std::optional<Stretch> find(std::string_view needle, TextPlace from, bool forward) const;
   [[nodiscard]] std::string text_of(const Stretch& s) const;
-  /// Nearest place that exists.
+  /// The nearest existing place.
   [[nodiscard]] TextPlace clamp(TextPlace p) const;
   [[nodiscard]] TextPlace end() const;
-  /// Characters before a byte, a tab counting four; and back.
+  /// Characters before a byte, a tab counting four; and the reverse.
   [[nodiscard]] int column(TextPlace p) const;
   [[nodiscard]] TextPlace at_column(int line, int column) const;
   static constexpr int tab_columns = 4;
@@ -80,7 +80,7 @@ class TextModel {
     int first, last;
   };
   [[nodiscard]] Lines chosen_lines() const;
-  /// Puts in place of each of these lines what `change(out, line)` makes of it: one undo step.
+  /// Replaces each of these lines by the output of `change(out, line)`: one undo step.
   template <class Change>
   void change_lines(const Lines& which, Change change);
   TextPlace put(TextPlace at, std::string_view text);
@@ -96,7 +96,7 @@ class TextModel {
 
   std::vector<std::string> lines_;
   TextPlace caret_, anchor_;
-  int wanted_column_ = -1;  // of a way up or down through shorter lines
+  int wanted_column_ = -1;  // kept while moving up or down through shorter lines
   std::vector<Edit> done_, undone_;
   std::uint64_t version_ = 1;
 };

@@ -47,7 +47,7 @@ void press_by_mouse(const Ui& ui, Touch& t) {
 void press_by_keyboard(Ui& ui, std::string_view id, Touch& t) {
   if (ui.focus.key_held(id) || ui.focus.key_ended(id)) {
     t.pressed_at_s = ui.focus.key_pressed_at_s();
-    t.released_at_s = ui.now_s;
+    t.released_at_s = ui.focus.key_ended(id) ? ui.focus.key_released_at_s() : ui.now_s;
   }
   t.started |= ui.focus.key_started(id);
   t.held |= ui.focus.key_held(id);
@@ -57,7 +57,7 @@ void press_by_keyboard(Ui& ui, std::string_view id, Touch& t) {
   if (t.armed) ui.wake_in(2.0);
 }
 
-/// A press on what has only just come under the hand is none, and neither is letting go of it.
+/// A press on a widget that has only just come under the pointer is ignored, and so is its release.
 void refuse_early_press(Ui& ui, Standing::Place& place, Touch& t) {
   if (t.started) place.not_taken_until_s = 0;
   if (t.started && place.too_early(t.pressed_at_s)) {
@@ -70,11 +70,11 @@ void refuse_early_press(Ui& ui, Standing::Place& place, Touch& t) {
 }
 
 std::string_view why_not_taken(const Standing::Place& place) {
-  return place.came_alive ? "Not taken: it had come alive only just before. Press again."
-                          : "Not taken: it had only just come here. Press again.";
+  return place.came_alive ? "Ignored: it was enabled only a moment ago. Press again."
+                          : "Ignored: it appeared here only a moment ago. Press again.";
 }
 
-/// Why it cannot be pressed, what it does, or what a press has done to it.
+/// Shows why it cannot be pressed, what it does, or why a press had no effect.
 void tell(Ui& ui, const About& about, const Touch& t, bool over, const Standing::Place* place) {
   const std::string_view said = !t.enabled ? about.disabled : about.tip;
   const bool told_by_ring = t.ring && !t.armed && !t.enabled;
@@ -92,7 +92,7 @@ Touch touch(Ui& ui, const About& about, ImVec2 size) {
   Touch t;
   t.enabled = about.disabled.empty();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  // A narrow window at a large scale leaves no room: ImGui refuses what has no size.
+  // A narrow window at a large scale leaves no room: ImGui rejects an empty size.
   size = ImVec2(std::max(size.x, 1.0f), std::max(size.y, 1.0f));
   t.rect = {at, ImVec2(at.x + size.x, at.y + size.y)};
   const char* begin = about.id.data();

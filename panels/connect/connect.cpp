@@ -67,14 +67,16 @@ StatusSentence Connect::status(Console& console) {
   const auto answering = std::count_if(
       ports.begin(), ports.end(), [](const FoundPort& p) { return p.state == FoundPort::State::answers; });
   if (answering > 0)
-    return {Mood::ok, fmt::format("{} {} on {} {}. Choose one, or start an emulator.", answering,
-                                  answering == 1 ? "controller answers" : "controllers answer", ports.size(),
-                                  ports.size() == 1 ? "port" : "ports")};
-  if (console.ports().busy()) return {Mood::plain, "Looking which ports there are, and who answers."};
-  if (const int open = console.faces(); open > 0)
-    return {Mood::plain, fmt::format("{} open. Plug in another, type its address, or start an emulator.",
-                                     open == 1 ? std::string("One controller is")
-                                               : fmt::format("{} controllers are", open))};
+    return {Mood::ok, Path("{} {} on {} {}. Choose one, or start an emulator.", answering,
+                           answering == 1 ? "controller answers" : "controllers answer", ports.size(),
+                           ports.size() == 1 ? "port" : "ports")
+                          .view()};
+  if (console.ports().busy()) return {Mood::plain, "Looking for ports, and for controllers that answer."};
+  constexpr std::string_view another = "Plug in another, type its address, or start an emulator.";
+  if (const int open = console.faces(); open > 1)
+    return {Mood::plain, Path("{} controllers are open. {}", open, another).view()};
+  else if (open == 1)
+    return {Mood::plain, Path("One controller is open. {}", another).view()};
   return {Mood::plain, "No controller is found yet. Plug one in, type its address, or start an emulator."};
 }
 
@@ -83,7 +85,7 @@ void Connect::open(PageFrame& f, const std::string& address) {
   if (auto opened = f.console.open(address); !opened) refused_ = opened.error().sentence();
 }
 
-/// What is open already stays as it is. The first of them comes to the front.
+/// Connections that are open already stay as they are. The first one comes to the front.
 void Connect::open_last_time(PageFrame& f) {
   std::vector<std::string> all;
   for (const Recent& r : recent_)
@@ -99,7 +101,7 @@ void Connect::open_last_time(PageFrame& f) {
   if (front) f.console.activate(*front);
 }
 
-/// Only when the list has changed.
+/// Works only when the list has changed.
 void Connect::look_at_recent(Console& console) {
   const auto& list = console.recent().list();
   const auto same = [&](const Recent& r, const RecentConnection& c) {
@@ -126,7 +128,7 @@ void Connect::look_at_recent(Console& console) {
   }
 }
 
-// ---- left: what was used before
+// ---- left: used before
 
 void Connect::draw_left(PageFrame& f, float width) {
   Ui& ui = f.ui;
@@ -144,8 +146,8 @@ void Connect::draw_left(PageFrame& f, float width) {
     if (!last_time) continue;
     gap(ui, 8);
     wrapped(ui, Face::small, Tone::ink2,
-            "Opening all brings tabs, units, names and limits back. What does not answer yet opens when it "
-            "does. Nothing moves by opening.",
+            "Opening all restores tabs, units, names and limits. A controller that does not answer yet opens "
+            "when it does. Opening moves nothing.",
             width);
     gap(ui, 8);
   }
@@ -185,7 +187,7 @@ void Connect::draw_recent(PageFrame& f, std::size_t i, float width) {
   ButtonOptions o;
   o.width = open_width;
   o.tip = r.entry.address;
-  const std::string address = r.entry.address;  // opening one changes the list
+  const std::string address = r.entry.address;  // a copy: opening changes the list
   const bool opens = button(ui, Path("connect/recent/{}", i), tab ? "Show" : "Open", o).clicked;
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - open_width - cross_width - 4), at.y + ui.px(12)));
   o = ButtonOptions();
@@ -221,7 +223,7 @@ void Connect::draw_newcomer(PageFrame& f, float width) {
   draw_point(ui, 3, "Esc stops everything, at any time.", width);
 }
 
-// ---- below: what nobody has found
+// ---- below: not found automatically
 
 void Connect::draw_address(PageFrame& f, float width) {
   Ui& ui = f.ui;

@@ -11,8 +11,8 @@
 
 namespace hw::panels {
 
-/// Where a controller is found, remembered or started. In the centre stands what is here: controllers that
-/// are open, ports of this computer, places that were used before.
+/// Finds, reopens or starts a controller. In the centre: open controllers, ports of this computer, and
+/// connections used before.
 class Connect final : public gui::Page {
  public:
   void draw(gui::PageFrame& frame) override;
@@ -39,12 +39,12 @@ class Connect final : public gui::Page {
   // connect_emulators.cpp
   void draw_emulators(gui::PageFrame& frame, float width);
   void draw_emulator(gui::PageFrame& frame, const Catalog& catalog, float width);
-  std::string draw_options(gui::PageFrame& frame, const Catalog& catalog, float width);
+  const std::string& draw_options(gui::PageFrame& frame, const Catalog& catalog, float width);
 
-  /// A connection that was used before, understood once and not in each frame.
+  /// A connection used before, parsed once and not in each frame.
   struct Recent {
     RecentConnection entry;
-    std::string name, place;  ///< as they are shown
+    std::string name, place;  ///< as shown
     Address address;
     bool understood = false, last_time = false;
   };
@@ -59,8 +59,9 @@ class Connect final : public gui::Page {
   std::vector<Recent> recent_;
   std::string address_, refused_;
   std::string opened_path_;  ///< the port whose test is unfolded
-  bool form_shown_ = false;  ///< also while a card needs the room
+  bool form_shown_ = false;  ///< even while a card needs the room
   std::vector<Choice> choices_;
+  std::string emulator_address_;  ///< of the emulator being drawn; kept for its memory
 };
 
 }  // namespace hw::panels

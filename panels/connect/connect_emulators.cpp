@@ -1,7 +1,8 @@
 // The right column of the connection page: emulators to start, and to serve to other programs.
 #include <algorithm>
+#include <iterator>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "gui/shell/console.h"
 #include "gui/shell/emulator_server.h"
@@ -12,6 +13,7 @@
 #include "gui/widgets/text.h"
 #include "panels/connect/connect.h"
 #include "panels/connect/served_lines.h"
+#include "panels/names.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -22,7 +24,7 @@ namespace {
 
 constexpr float option_row = 36, start_width = 64;
 
-/// Without the maker. Of a board its options say which one it is.
+/// Without the maker. A board is identified by its options.
 std::string_view title_of(const Catalog& c) {
   return c.can.window ? std::string_view(c.short_name)
                       : std::string_view(c.name).substr(c.name.rfind(' ') + 1);
@@ -48,8 +50,10 @@ void Connect::draw_emulators(PageFrame& f, float width) {
   text(ui, Face::body_bold, Tone::ink, "For your own programs");
   gap(ui, 4);
   wrapped(ui, Face::small, Tone::ink2,
-          "A served emulator answers EPICS, Python or LabVIEW as the real one would. It ends with Handwheel; "
-          "for one that goes on, use \"handwheel emulate\".",
+          f.console.ports().server()
+              ? "A served emulator answers EPICS, Python or LabVIEW as the real one would. It ends with "
+                "Handwheel; for one that goes on, use \"handwheel emulate\"."
+              : nobody_serves,
           width);
   gap(ui, 12);
 }
@@ -62,7 +66,7 @@ void Connect::draw_emulator(PageFrame& f, const Catalog& catalog, float width) {
   draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(40), Face::small, ui[Tone::ink2],
                  catalog.summary);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(52)));
-  const std::string address = draw_options(f, catalog, width);
+  const std::string& address = draw_options(f, catalog, width);
   const float below = ImGui::GetCursorScreenPos().y;
   EmulatorServer* server = f.console.ports().server();
   const ServedEmulator* served = server ? server->find(catalog.model) : nullptr;
@@ -73,24 +77,25 @@ void Connect::draw_emulator(PageFrame& f, const Catalog& catalog, float width) {
   const bool starts =
       button(ui, Path("connect/emulator/{}", catalog.model), is_served ? "Open" : "Start", start).clicked;
   ImGui::SetCursorScreenPos(ImVec2(at.x, below));
-  if (server) {
-    const Address own = Address::parse(address).value_or(Address());
-    served = serve_switch(ui, Path("connect/emulator/{}/serve", catalog.model), "Serve to other programs",
-                          *server, catalog.model, own, nullptr, width);
-    ImGui::SetCursorScreenPos(ImVec2(at.x, below + ui.px(36)));
-    if (served) draw_served(ui, Path("connect/emulator/{}", catalog.model), *served, width, false);
+  if (serve_switch(ui, Path("connect/emulator/{}/serve", catalog.model),
+                   width > 220 ? "Serve to other programs" : "Serve to others", served,
+                   server ? std::string_view() : nobody_serves, width)) {
+    turn_serving(ui, *server, catalog.model, Address::parse(address).value_or(Address()), nullptr);
+    served = server->find(catalog.model);
   }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, below + ui.px(36)));
+  if (served) draw_served(ui, Path("connect/emulator/{}", catalog.model), *served, width, false);
   gap(ui, 8);
   if (!starts) return;
   open(f, is_served ? fmt::format("{}@{}:{}", catalog.model, catalog.can.window ? "bus" : "tcp", served->tcp)
                     : address);
 }
 
-/// Its options as they are chosen, one under the other, the first beside Start. The address that they make.
-std::string Connect::draw_options(PageFrame& f, const Catalog& catalog, float width) {
+/// Draws the chosen options below each other, the first beside Start. Returns the resulting address.
+const std::string& Connect::draw_options(PageFrame& f, const Catalog& catalog, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  std::string address = fmt::format("{}@emulator", catalog.model);
+  emulator_address_.assign(catalog.model).append("@emulator");
   float below = 0;
   for (const OptionInfo& option : catalog.options) {
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(below)));
@@ -101,20 +106,20 @@ std::string Connect::draw_options(PageFrame& f, const Catalog& catalog, float wi
       choices_.push_back({catalog.model, option.key, 0});
       choice = choices_.end() - 1;
     }
-    std::vector<std::string_view> names;
-    for (const auto& [value, label] : option.choices) names.push_back(label);
+    Names names;
+    for (const auto& [value, label] : option.choices) names.add(label);
     DropdownOptions o;
     o.width = below > 0 ? width : width - start_width - 8;
     const int picked = dropdown(ui, Path("connect/emulator/{}/{}", catalog.model, option.key), option.key,
                                 names, choice->chosen, o);
     if (picked >= 0) choice->chosen = picked;
     if (choice->chosen > 0)
-      address +=
-          fmt::format(",{}={}", option.key, option.choices[static_cast<std::size_t>(choice->chosen)].first);
+      fmt::format_to(std::back_inserter(emulator_address_), ",{}={}", option.key,
+                     option.choices[static_cast<std::size_t>(choice->chosen)].first);
     below += option_row;
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(std::max(option_row, below))));
-  return address;
+  return emulator_address_;
 }
 
 }  // namespace hw::panels

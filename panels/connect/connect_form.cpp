@@ -4,8 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,7 @@
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
 #include "panels/measures.h"
+#include "panels/names.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -25,7 +28,7 @@ using namespace gui;
 namespace {
 
 constexpr float option_width = 184, rate_width = 92, id_width = 72, least_port = 120;
-/// What the fields of a search and its button take in one line.
+/// Width of the search fields and the button in one line.
 constexpr float search_in_one_line = 500;
 
 int number_of(const std::string& text, int fallback) {
@@ -42,27 +45,39 @@ void ConnectForm::make() {
   for (const Catalog& c : catalogs_.all())
     if (c.addressed()) rates.insert(c.can.bauds.begin(), c.can.bauds.end());
   rates_.assign(rates.begin(), rates.end());
+  for (const int rate : rates_) rate_words_.push_back(fmt::format("{}", rate));
+  for (const Catalog& c : catalogs_.all()) {
+    std::vector<std::string>& words = baud_words_.emplace_back();
+    for (const int baud : c.can.bauds) words.push_back(fmt::format("{}", baud));
+  }
 }
 
-// A controller that is called by an id has one in its catalog.
+// A controller addressed by an id has ids in its catalog.
 bool ConnectForm::has_ids() const { return catalog().addressed(); }
 
 const TransportInfo& ConnectForm::way() const { return *ways_to(catalog())[static_cast<std::size_t>(way_)]; }
 
-std::string ConnectForm::address() const {
+const std::string& ConnectForm::address() {
   const Catalog& c = catalog();
-  if (way().is_usb) return c.model + "@usb" + (port_.empty() || port_.starts_with('/') ? "" : ":" + port_);
-  std::string text = fmt::format("{}@{}:{}", c.model, way().name, port_);
-  if (way().has_base) text += ",base=" + base_;
+  made_address_.clear();
+  const auto put = [&]<class... Args>(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(made_address_), format, std::forward<Args>(args)...);
+  };
+  if (way().is_usb) {
+    put("{}@usb", c.model);
+    if (!port_.empty() && !port_.starts_with('/')) put(":{}", port_);
+    return made_address_;
+  }
+  put("{}@{}:{}", c.model, way().name, port_);
+  if (way().has_base) put(",base={}", base_);
   if (way().has_rate && baud_ < static_cast<int>(c.can.bauds.size()))
-    text += fmt::format(",baud={}", c.can.bauds[static_cast<std::size_t>(baud_)]);
-  if (has_ids() && !id_.empty()) text += ",id=" + id_;
-  if (!has_options()) return text;
+    put(",baud={}", c.can.bauds[static_cast<std::size_t>(baud_)]);
+  if (has_ids() && !id_.empty()) put(",id={}", id_);
+  if (!has_options()) return made_address_;
   for (const OptionInfo& option : c.options)
     if (const auto chosen = chosen_.find(option.key); chosen != chosen_.end() && chosen->second > 0)
-      text +=
-          fmt::format(",{}={}", option.key, option.choices[static_cast<std::size_t>(chosen->second)].first);
-  return text;
+      put(",{}={}", option.key, option.choices[static_cast<std::size_t>(chosen->second)].first);
+  return made_address_;
 }
 
 std::string ConnectForm::draw(PageFrame& f, float width) {
@@ -74,11 +89,10 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
                  "By its parts");
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(104), at.y));
   const bool opened = draw_parts(f, width - 104);
-  const std::string made = address();
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(has_options() ? 120 : 80)));
   draw_guide(f, width);
   std::string chosen = draw_search(f, width);
-  return opened ? made : chosen;
+  return opened ? address() : chosen;
 }
 
 void ConnectForm::choose(int picked) {
@@ -86,14 +100,14 @@ void ConnectForm::choose(int picked) {
   port_ = way().example;
 }
 
-/// Two lines: model, way, port; Open and what it would open. Rate and id stand in the first where it has
-/// room, else in the second.
+/// Two lines: model, way, port; Open and its address. Rate and id stand in the first if there is room, else
+/// in the second.
 bool ConnectForm::draw_parts(PageFrame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  std::vector<std::string_view> names;
-  for (const Catalog& c : catalogs_.all()) names.push_back(c.short_name);
-  const int model = dropdown(ui, "connect/form/model", "Model", names, model_);
+  Names models;
+  for (const Catalog& c : catalogs_.all()) models.add(c.short_name);
+  const int model = dropdown(ui, "connect/form/model", "Model", models, model_);
   if (model >= 0) {
     const TransportInfo* before = &way();
     model_ = model;
@@ -104,9 +118,9 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
     same == has.end() ? choose(0) : void(way_ = static_cast<int>(same - has.begin()));
   }
   ImGui::SameLine(0, ui.px(between));
-  names.clear();
-  for (const TransportInfo* w : ways_to(catalog())) names.push_back(w->title);
-  const int picked = dropdown(ui, "connect/form/way", "Way", names, way_);
+  Names ways;
+  for (const TransportInfo* w : ways_to(catalog())) ways.add(w->title);
+  const int picked = dropdown(ui, "connect/form/way", "Way", ways, way_);
   if (picked >= 0) choose(picked);
   ImGui::SameLine(0, ui.px(between));
   const bool by_usb = way().is_usb, has_id = has_ids() && !by_usb,
@@ -127,14 +141,14 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   if (one_line) draw_numbers(false);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
   if (!one_line) draw_numbers(true);
-  const std::string made = address();
+  const std::string& made = address();
   ButtonOptions open;
   open.width = 88;
   open.tip = made;
   const bool opened = button(ui, "connect/form/open", "Open", open).clicked;
   ImGui::SameLine(0, ui.px(between));
   const ImVec2 words = ImGui::GetCursorScreenPos();
-  if (words.x + text_width(ui, Face::code_field, made) <= at.x + ui.px(width))  // else under the mouse only
+  if (words.x + text_width(ui, Face::code_field, made) <= at.x + ui.px(width))  // else only in the tooltip
     draw_text_line(ui, words.x, at.x + ui.px(width), at.y + ui.px(56), Face::code_field, ui[Tone::ink2],
                    made);
   show(ui, {"connect/form/address", Kind::text, "Address", made, {}, false, {}},
@@ -144,11 +158,11 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   return opened;
 }
 
-/// What a board does not tell before it is opened.
+/// Facts that a board does not tell before it is opened.
 void ConnectForm::draw_options(Ui& ui) {
   for (const OptionInfo& option : catalog().options) {
-    std::vector<std::string_view> names;
-    for (const auto& [value, label] : option.choices) names.push_back(label);
+    Names names;
+    for (const auto& [value, label] : option.choices) names.add(label);
     DropdownOptions o;
     o.width = option_width;
     o.tip = option.key;
@@ -161,7 +175,7 @@ void ConnectForm::draw_options(Ui& ui) {
   ImGui::NewLine();
 }
 
-/// Of a serial line its rate, of a board the place of its window.
+/// The rate of a serial line, or the window address of a board.
 void ConnectForm::draw_rate_or_base(Ui& ui) {
   if (way().has_base) {
     FieldOptions base;
@@ -171,13 +185,12 @@ void ConnectForm::draw_rate_or_base(Ui& ui) {
     text_field(ui, "connect/form/base", "Base", base_, base);
     return;
   }
-  std::vector<std::string> rates;
-  for (const int b : catalog().can.bauds) rates.push_back(fmt::format("{}", b));
-  const std::vector<std::string_view> views(rates.begin(), rates.end());
+  Names rates;
+  for (const std::string& baud : baud_words_[static_cast<std::size_t>(model_)]) rates.add(baud);
   DropdownOptions o;
   o.width = rate_width;
   o.tip = "Baud rate";
-  if (const int b = dropdown(ui, "connect/form/baud", "Baud rate", views, baud_, o); b >= 0) baud_ = b;
+  if (const int b = dropdown(ui, "connect/form/baud", "Baud rate", rates, baud_, o); b >= 0) baud_ = b;
 }
 
 void ConnectForm::draw_id(Ui& ui) {
@@ -188,21 +201,23 @@ void ConnectForm::draw_id(Ui& ui) {
   text_field(ui, "connect/form/id", "Id", id_, id);
 }
 
-/// For a model that leaves the factory on another line: how it comes onto the shared one, in the words of its
-/// own setting. Empty: it need not.
-std::string ConnectForm::guide() const {
+/// For a model that leaves the factory on another line: how to bring it onto the shared line, in the words of
+/// its own setting. Empty: not needed.
+const std::string& ConnectForm::guide() {
+  if (std::exchange(guide_of_, model_) == model_) return guide_;
+  guide_.clear();
   for (const ParamInfo& p : catalog().params)
     for (const ParamChoice& choice : p.choices)
-      if (choice.value != p.fallback && choice.label.find("RS-485") != std::string::npos)
-        return fmt::format(
+      if (guide_.empty() && choice.value != p.fallback && choice.label.find("RS-485") != std::string::npos)
+        guide_ = fmt::format(
             "From RS-232 to RS-485: open it as it is, choose \"{}\" for {} ({}) in Setup, write it, store it "
             "in the controller, switch the controller off and on, and open it again with its id.",
             choice.label, p.label, p.mnemonic);
-  return {};
+  return guide_;
 }
 
 void ConnectForm::draw_guide(PageFrame& f, float width) {
-  const std::string words = guide();
+  const std::string& words = guide();
   if (words.empty()) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(104), at.y));
@@ -217,7 +232,7 @@ float ConnectForm::height(PageFrame& f, float width) {
   make();
   if (catalogs_.all().empty()) return 0;
   const DeviceSearchState& state = f.console.devices().state();
-  const std::string words = guide();
+  const std::string& words = guide();
   const float guide_height =
       words.empty() ? 0 : wrapped_height(f.ui, Face::small, words, f.ui.px(width - 104)) / f.ui.scale + 8;
   const float search = (width - 104 >= search_in_one_line ? 40 : 80) + (words_of(state).empty() ? 0 : 24);
@@ -239,11 +254,12 @@ std::string ConnectForm::words_of(const DeviceSearchState& state) const {
                      state.asked, state.of, devices);
 }
 
-/// What is not known is asked for: port, rate, id.
+/// Fields for the unknown parts: port, rate, id.
 void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  std::vector<std::string_view> places = {"every port"};
-  if (way().is_port && !port_.empty()) places.push_back(port_);
+  Names places;
+  places.add("every port");
+  if (way().is_port && !port_.empty()) places.add(port_);
   one_port_ = one_port_ && places.size() > 1;
   DropdownOptions o;
   o.width = 132;
@@ -251,12 +267,12 @@ void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
   if (const int i = dropdown(ui, "connect/search/port", "Ports", places, one_port_, o); i >= 0)
     one_port_ = i == 1;
   ImGui::SameLine(0, ui.px(between));
-  std::vector<std::string> words = {"every rate"};
-  for (const int rate : rates_) words.push_back(fmt::format("{}", rate));
-  const std::vector<std::string_view> names(words.begin(), words.end());
+  Names rates;
+  rates.add("every rate");
+  for (const std::string& rate : rate_words_) rates.add(rate);
   o.width = 116;
   o.tip = "The rates that are searched";
-  if (const int i = dropdown(ui, "connect/search/baud", "Rates", names, rate_, o); i >= 0) rate_ = i;
+  if (const int i = dropdown(ui, "connect/search/baud", "Rates", rates, rate_, o); i >= 0) rate_ = i;
   if (in_one_line)
     ImGui::SameLine(0, ui.px(between));
   else

@@ -1,7 +1,6 @@
 #pragma once
-// A connection put together from its parts, for whoever knows no address by heart: model, way, port, rate,
-// id; and the search for devices when some of them are not known. Ids: `connect/form/...`,
-// `connect/search/...`.
+// Builds an address from its parts: model, way, port, rate, id; and searches for devices when some of them
+// are unknown. Ids: `connect/form/...`, `connect/search/...`.
 #include <map>
 #include <string>
 #include <vector>
@@ -18,11 +17,12 @@ namespace hw::panels {
 class ConnectForm {
  public:
   explicit ConnectForm(const UsualCatalogs& catalogs) : catalogs_(catalogs) {}
-  /// At ImGui's cursor. The address to open, when Open was pressed or a found device chosen; else empty.
+  /// Draws at ImGui's cursor. Returns the address to open when Open was pressed or a found device chosen;
+  /// else empty.
   std::string draw(gui::PageFrame& frame, float width);
-  /// What the parts say now: "MODEL@serial:/dev/ttyUSB0,baud=9600,id=01".
-  [[nodiscard]] std::string address() const;
-  /// What it takes; logical.
+  /// The address from the present parts: "MODEL@serial:/dev/ttyUSB0,baud=9600,id=01".
+  [[nodiscard]] const std::string& address();
+  /// Logical.
   float height(gui::PageFrame& frame, float width);
 
  private:
@@ -36,7 +36,7 @@ class ConnectForm {
   void draw_id(gui::Ui& ui);
   [[nodiscard]] bool has_options() const { return catalog().can.window && !catalog().options.empty(); }
   void draw_options(gui::Ui& ui);
-  [[nodiscard]] std::string guide() const;
+  [[nodiscard]] const std::string& guide();
   void draw_guide(gui::PageFrame& frame, float width);
   std::string draw_search(gui::PageFrame& frame, float width);
   void draw_search_fields(gui::Ui& ui, bool in_one_line);
@@ -46,10 +46,14 @@ class ConnectForm {
   const UsualCatalogs& catalogs_;
   int model_ = 0, baud_ = 0;
   std::map<std::string, int> chosen_;  ///< of Catalog::options, by key
-  int way_ = 0;                        ///< of those that the controller has
+  int way_ = 0;                        ///< among the ways that the controller has
   std::string port_ = "/dev/ttyUSB0", id_ = "01", base_ = "0xF000", first_ = "00", last_ = "99";
   std::vector<int> rates_;  ///< of the controllers that can share a line
-  int rate_ = 0;            ///< 0: every one
+  std::vector<std::string> rate_words_;
+  std::vector<std::vector<std::string>> baud_words_;  ///< of each catalog
+  std::string made_address_, guide_;                  ///< kept for their memory
+  int guide_of_ = -1;
+  int rate_ = 0;  ///< 0: all
   bool one_port_ = false, searched_ = false;
 };
 

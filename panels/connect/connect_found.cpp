@@ -1,4 +1,4 @@
-// The centre of the connection page: what is open, what is plugged in, and what was used before.
+// The centre of the connection page: open controllers, plugged-in ports, and connections used before.
 #include <algorithm>
 
 #include "core/session/session.h"
@@ -80,7 +80,7 @@ Tab* find_open(const Console& console, std::string_view address) {
   for (const auto& tab : console.tabs()) {
     if (!Console::is_face(*tab)) continue;
     const Address& own = address_of_all(*tab);
-    // Of an emulator any that is like it: each start makes another one.
+    // Any emulator of the same kind matches: each start makes a new one.
     if (own.text() == address) return tab.get();
   }
   return nullptr;
@@ -121,7 +121,7 @@ void Connect::draw_found_title(PageFrame& f, float width) {
   all.disabled = all_open ? "All of them are open." : "";
   ButtonOptions look;
   look.style = has_last ? ButtonStyle::quiet : ButtonStyle::normal;
-  look.disabled = finder.busy() ? "It is looking already." : "";
+  look.disabled = finder.busy() ? "The search is running." : "";
   float right = width;
   const auto stand = [&](float wide) {
     right -= wide;
@@ -153,7 +153,8 @@ void Connect::draw_found_title(PageFrame& f, float width) {
   if (opens_all) open_last_time(f);
 }
 
-/// Open ones that no port of this list leads to, ports, and what is not in sight but was used before.
+/// Open controllers that no port of this list leads to, ports, and connections used before that are not
+/// visible now.
 void Connect::draw_rows(PageFrame& f, float width) {
   Ui& ui = f.ui;
   const auto& ports = f.console.ports().ports();
@@ -192,7 +193,7 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
   const bool wide = width > 640, connected = shown.now().link.connected();
   const float show_width = wide ? 112 : 64;
   EmulatorServer* server = f.console.ports().server();
-  const bool serves = tab.emulated() && server && !tab.bus && tab.session();
+  const bool serves = tab.emulated() && tab.session();
   const float own = serves ? serve_width : wide && !connected ? change_width : 0;
   const float used = show_width + between + doctor_width + (own > 0 ? between + own : 0);
   const float height = draw_place_row(ui, row, width, used);
@@ -208,8 +209,15 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
   const ServedEmulator* served = nullptr;
   if (serves) {
     buttons.stand(serve_width);
-    served = serve_switch(ui, Path("connect/here/{}/serve", index), "Serve", *server, tab.profile_key,
-                          tab.address(), tab.session(), serve_width);
+    served = server ? server->find(tab.profile_key) : nullptr;
+    const std::string_view why_not = !server   ? nobody_serves
+                                     : tab.bus ? "A bus that is open here is not served: its devices answer "
+                                                 "this console. Serve another at the right."
+                                               : std::string_view();
+    if (serve_switch(ui, Path("connect/here/{}/serve", index), "Serve", served, why_not, serve_width)) {
+      turn_serving(ui, *server, tab.profile_key, tab.address(), tab.session());
+      served = server->find(tab.profile_key);
+    }
   } else if (own > 0) {
     changes = buttons.press(Path("connect/here/{}/change", index), "Change address", change_width, quiet);
   }
@@ -225,7 +233,7 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
   if (shows) f.console.activate(tab);
 }
 
-/// One of the network, or a board: nobody can look whether it is there without opening it.
+/// A network connection, or a board: only opening it tells whether it is there.
 void Connect::draw_place(PageFrame& f, std::size_t index, float width) {
   Ui& ui = f.ui;
   const Recent& r = recent_[index];
@@ -254,13 +262,17 @@ void Connect::draw_port(PageFrame& f, std::size_t index, const FoundPort& port, 
   PlaceRow row;
   if (open_here) row = row_of(open_here->now().link);
   if (!open_here) row.mark = look.icon, row.tone = look.tone;
-  std::string facts = port.path;
-  char room[160];
-  if (!port.hardware.empty()) facts += ", " + port.hardware;
-  if (!open_here && !port.sentence.empty()) facts += (answers ? ", " : ". ") + port.sentence;
-  if (open_here)
-    facts =
-        fmt::format("{}{}{}", facts_of(*open_here, room), port.hardware.empty() ? "" : ", ", port.hardware);
+  char room[160], words[400];
+  const std::string_view comma = port.hardware.empty() ? "" : ", ";
+  const auto end =
+      open_here
+          ? fmt::format_to_n(words, sizeof words, "{}{}{}", facts_of(*open_here, room), comma, port.hardware)
+          : fmt::format_to_n(words, sizeof words, "{}{}{}{}{}", port.path, comma, port.hardware,
+                             port.sentence.empty() ? ""
+                             : answers             ? ", "
+                                                   : ". ",
+                             port.sentence);
+  const std::string_view facts(words, std::min(end.size, sizeof words));
   row.title = open_here ? (open_here->bus ? open_here->bus->name() : open_here->name()) : look.title;
   row.facts = facts;
   row.chosen = open_here && card_.is_of(*open_here);

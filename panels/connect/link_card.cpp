@@ -75,7 +75,7 @@ void LinkCard::toggle(PageFrame& f, const Tab& tab, bool address) {
     examiner->examine(tab.address().where);
 }
 
-/// What it does outlives the controller's tab, which is closed and opened on the way.
+/// The raise outlives the controller's tab, which is closed and reopened on the way.
 void LinkCard::follow_raise(PageFrame& f) {
   if (!raise_.under_way()) return;
   f.ui.wake_in(0.1);
@@ -86,7 +86,7 @@ void LinkCard::follow_raise(PageFrame& f) {
   if (const Tab* there = raise_.tab(f.console)) of_ = address_ = address_of_all(*there).text();
 }
 
-/// Facts once a second, not once a frame.
+/// Updates the facts once a second, not once a frame.
 void LinkCard::look(PageFrame& f, Tab& tab) {
   f.ui.wake_in(look_every_s);
   if (looked_at_s_ >= 0 && f.ui.now_s - looked_at_s_ < look_every_s) return;
@@ -187,7 +187,7 @@ void LinkCard::draw_budget(Ui& ui, float width) {
 
 void LinkCard::draw_finding(PageFrame& f, Tab& tab, std::size_t index, float width) {
   Ui& ui = f.ui;
-  const LinkFinding finding = findings_[index];  // mending changes the list
+  const LinkFinding finding = findings_[index];  // a copy: the remedy changes the list
   using State = LinkFinding::State;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool has_fix = finding.fix != LinkFinding::Fix::none;
@@ -238,7 +238,7 @@ void LinkCard::mend(PageFrame& f, Tab& tab, const LinkFinding& finding) {
   }
 }
 
-/// What raising the rate takes, with ticks as it is done; the last one is the way back.
+/// The steps of raising the rate, each ticked when done; the last one is the way back.
 void LinkCard::draw_steps(PageFrame& f, float width) {
   Ui& ui = f.ui;
   using Step = RateRaise::Step;

@@ -1,7 +1,7 @@
 #pragma once
-// The link doctor's card under a controller of the connection page: where the time of a question goes, what
-// was found on the link, what mends it, and, where nobody answers, its address to be changed. Ids:
-// `connect/doctor/...`.
+// The link doctor's card under a controller of the connection page: how the time of a question is spent, what
+// was found on the link, what mends it, and, if the controller does not answer, an editor for its address.
+// Ids: `connect/doctor/...`.
 #include <string>
 #include <vector>
 
@@ -14,15 +14,15 @@ namespace hw::panels {
 
 class LinkCard {
  public:
-  /// Unfolds the card of this controller, or folds it. `address`: with its address to be changed.
+  /// Unfolds the card of this controller, or folds it. `address`: with its address editor.
   void toggle(gui::PageFrame& frame, const gui::Tab& tab, bool address = false);
-  /// Unfolds it, as it stands if it is unfolded.
+  /// Unfolds the card; leaves an unfolded one as it is.
   void unfold(gui::PageFrame& frame, const gui::Tab& tab) {
     if (!is_of(tab)) toggle(frame, tab);
   }
   void fold() { *this = LinkCard(); }
   [[nodiscard]] bool is_of(const gui::Tab& tab) const;
-  /// Of a controller that is open still; what it has begun goes on while it is not looked at.
+  /// A card of a still open controller is unfolded. Work it has begun continues while it is not visible.
   [[nodiscard]] bool is_open(gui::PageFrame& frame);
   void draw(gui::PageFrame& frame, gui::Tab& tab, float width);
 
@@ -42,11 +42,11 @@ class LinkCard {
   std::string summary_;
   std::vector<LinkFinding> findings_;
   double looked_at_s_ = -1;
-  float height_ = 0;  ///< pixels that it took in the last frame
+  float height_ = 0;  ///< pixels taken in the last frame
   bool changes_address_ = false;
   std::string address_, refused_;
   RateRaise raise_;
-  bool wants_back_ = false;  ///< asked for while the controller is drawn, which the way back closes
+  bool wants_back_ = false;  ///< requested while drawing the controller that the way back closes
 };
 
 }  // namespace hw::panels

@@ -1,5 +1,5 @@
 #pragma once
-// A row of what is found: mark, name, facts under it, a word for its state, and the buttons at its right.
+// A row of the list of places: mark, name, facts under it, a word for its state, and buttons at the right.
 #include <string_view>
 
 #include "gui/surface/ui.h"
@@ -17,17 +17,17 @@ struct PlaceRow {
 
 constexpr float place_mark = 28;  ///< logical, from the row's left to its words
 
-/// Draws at ImGui's cursor, `buttons` logical kept free at the right; returns the height in pixels: two lines
-/// of facts where it takes them. The cursor stays.
+/// Draws at ImGui's cursor, keeping `buttons` logical pixels free at the right. Returns the height in pixels;
+/// the facts take two lines if needed. The cursor stays.
 float draw_place_row(gui::Ui& ui, const PlaceRow& row, float width, float buttons);
 
-/// Buttons of a row, from its right edge to the left. Each is drawn where it is called.
+/// Buttons of a row, from its right edge to the left, in the order of the calls.
 class RowButtons {
  public:
   RowButtons(gui::Ui& ui, float width);
-  /// True when it was pressed. `width` logical.
+  /// True: pressed. `width` logical.
   bool press(std::string_view id, std::string_view label, float width, gui::ButtonOptions options = {});
-  /// Places what is drawn next.
+  /// Positions the next item.
   void stand(float width);
 
  private:
@@ -36,7 +36,7 @@ class RowButtons {
   float right_;
 };
 
-/// Of an address, for a person: without "/dev/".
+/// An address for people: without "/dev/".
 std::string_view short_place(std::string_view where);
 
 }  // namespace hw::panels

@@ -12,7 +12,7 @@ namespace hw::panels {
 
 /// A numbered sentence.
 void draw_point(gui::Ui& ui, int number, std::string_view words, float width);
-/// The tab of what was opened by this address, of a bus the chosen one's; null: it is not open.
+/// The tab opened with this address, of a bus the chosen tab; null: not open.
 gui::Tab* find_open(const gui::Console& console, std::string_view address);
 
 }  // namespace hw::panels

@@ -166,9 +166,9 @@ void RateRaise::tick(Console& console) {
     if (step_ == Step::store) stored_ = true;
     if (step_ == Step::store) return enter(console, Step::ask);
     if (step_ == Step::set_back && stored_) return enter(console, Step::store_back);
-    return fail(words_);  // everything is as it was
+    return fail(words_);  // everything is as before
   }
-  // What was set and is not stored is set back; more can be done for none.
+  // A setting that is not stored yet is set back; otherwise nothing more can be done.
   if (step_ == Step::set || step_ == Step::store) return enter(console, Step::set_back);
   fail(words_);
 }

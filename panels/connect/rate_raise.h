@@ -1,6 +1,6 @@
 #pragma once
-// A controller, or all of a line, is brought to a higher rate: set, stored, opened again at the new rate, and
-// all of it taken back when nobody answers there. GUI thread; nothing waits in a frame.
+// Raises the rate of a controller, or of all controllers of a line: sets it, stores it, reopens at the new
+// rate, and undoes all of it if there is no reply. GUI thread; never blocks a frame.
 #include <array>
 #include <string>
 #include <string_view>
@@ -15,34 +15,34 @@ class Console;
 
 namespace hw::panels {
 
-/// The parameter of a line's rate: its choices are rates. -1: the console cannot set it.
+/// The parameter for a line's rate: its choices are rates. -1: the console cannot set the rate.
 int find_rate_param(const Catalog& catalog);
-/// What the parameter is set to for this rate; -1: nothing.
+/// The parameter's value for this rate; -1: none.
 std::int64_t rate_choice(const ParamInfo& param, int rate);
-/// The address that was opened: of a bus that of all its controllers.
+/// The address that was opened; on a bus, the address of all its controllers.
 const Address& address_of_all(const gui::Tab& tab);
-/// Rate of the wire as the address says it; 0: it has none.
+/// Rate of the wire from the address; 0: none.
 int rate_of(const gui::Tab& tab);
-/// The controller is opened afresh at another address, and the connection page stays in front. The fault says
-/// why that makes no sense; then it stays open where it is.
+/// Reopens the controller at another address; the connection page stays in front. On a fault the address
+/// makes no sense, and the controller stays open where it is.
 Result<gui::Tab*> open_elsewhere(gui::Console& console, gui::Tab& tab, const std::string& address);
 
 class RateRaise {
  public:
   void start(gui::Console& console, gui::Tab& tab, int rate);
-  /// Once a frame.
+  /// Call once a frame.
   void tick(gui::Console& console);
-  /// The user has had enough of waiting.
+  /// The user cancels the wait.
   void go_back(gui::Console& console);
 
   enum class Step : std::uint8_t { idle, set, store, ask, back, set_back, store_back, done, failed };
   [[nodiscard]] Step step() const { return step_; }
   [[nodiscard]] bool under_way() const { return step_ > Step::idle && step_ < Step::done; }
-  /// Long enough without an answer at the new rate that the power must be switched by hand.
+  /// There was no reply at the new rate for so long that the power must be switched by hand.
   [[nodiscard]] bool waits_for_power(const gui::Console& console) const;
-  /// How it ended, or why it goes back.
+  /// The result, or why the rate is being restored.
   [[nodiscard]] const std::string& words() const { return words_; }
-  /// Where it is open now; null: it was closed.
+  /// The tab that is open now; null: closed.
   [[nodiscard]] gui::Tab* tab(gui::Console& console) const;
   [[nodiscard]] int old_rate() const { return old_rate_; }
   [[nodiscard]] int new_rate() const { return new_rate_; }
@@ -67,7 +67,7 @@ class RateRaise {
   int old_rate_ = 0, new_rate_ = 0;
   bool stored_ = false;  ///< the new rate
   Instant since_{};
-  std::vector<IntentId> asked_;  ///< of each controller on the wire
+  std::vector<IntentId> asked_;  ///< to each controller on the wire
 };
 
 }  // namespace hw::panels

@@ -11,29 +11,31 @@ namespace hw::panels {
 
 using namespace gui;
 
-const ServedEmulator* serve_switch(Ui& ui, std::string_view id, std::string_view label,
-                                   EmulatorServer& server, const std::string& key, const Address& address,
-                                   std::shared_ptr<Session> session, float width) {
-  const ServedEmulator* served = server.find(key);
+bool serve_switch(Ui& ui, std::string_view id, std::string_view label, const ServedEmulator* served,
+                  std::string_view why_not, float width) {
   ToggleOptions o;
   o.width = width;
   o.tip = "Other programs on this computer reach this emulator by TCP, or as a serial port.";
+  o.disabled = why_not;
   o.state = !served                    ? ToggleState::off
             : !served->trouble.empty() ? ToggleState::refused
             : served->tcp.empty()      ? ToggleState::sending
                                        : ToggleState::on;
-  if (!toggle_lamp(ui, id, label, o).clicked) return served;
-  if (served)
+  return toggle_lamp(ui, id, label, o).clicked;
+}
+
+void turn_serving(Ui& ui, EmulatorServer& server, const std::string& key, const Address& address,
+                  std::shared_ptr<Session> session) {
+  if (server.find(key))
     server.end(key);
   else
     server.serve(key, address, std::move(session));
   ui.wake_in(0);
-  return server.find(key);
 }
 
 namespace {
 
-/// A place in mono with Copy at its right.
+/// An address in monospace with Copy at its right.
 void draw_served_place(Ui& ui, std::string_view id, std::string_view kind, const std::string& place,
                        float width) {
   constexpr float copy_width = 56;

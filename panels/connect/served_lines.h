@@ -1,5 +1,5 @@
 #pragma once
-// The switch that serves an emulator to other programs, and where they find it.
+// The switch that serves an emulator to other programs, and the addresses where they find it.
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,14 +11,18 @@ namespace hw::panels {
 
 constexpr float serve_width = 104;
 
-/// At ImGui's cursor. What is served now; null: nothing. `session`: of the emulator that is open; null: one
-/// of its own.
-const gui::ServedEmulator* serve_switch(gui::Ui& ui, std::string_view id, std::string_view label,
-                                        gui::EmulatorServer& server, const std::string& key,
-                                        const Address& address, std::shared_ptr<Session> session,
-                                        float width);
-/// Places with a button that copies each, how many programs are there, or why it is not served. Ids begin
-/// with `id`. `shared`: the console speaks on the same wire.
+/// Draws at ImGui's cursor. True: just pressed. `served`: what is served now; null: nothing. `why_not`: why
+/// serving is impossible.
+bool serve_switch(gui::Ui& ui, std::string_view id, std::string_view label, const gui::ServedEmulator* served,
+                  std::string_view why_not, float width);
+/// Starts or ends serving. `session`: of the open emulator; null: serve a separate one.
+void turn_serving(gui::Ui& ui, gui::EmulatorServer& server, const std::string& key, const Address& address,
+                  std::shared_ptr<Session> session);
+/// Shown where the console cannot serve.
+inline constexpr std::string_view nobody_serves =
+    "This console keeps the time of a script, so it serves no emulator. \"handwheel emulate\" does.";
+/// Draws each address with a copy button, the number of connected programs, or why nothing is served. Ids
+/// begin with `id`. `shared`: the console uses the same wire.
 void draw_served(gui::Ui& ui, std::string_view id, const gui::ServedEmulator& served, float width,
                  bool shared);
 

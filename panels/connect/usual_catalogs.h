@@ -1,6 +1,6 @@
 #pragma once
-// The catalogs of all controllers as they usually are: what the connection page offers. A catalog is long,
-// so each is made once, when the page is first shown.
+// The default catalogs of all controllers, as offered by the connection page. Making a catalog is slow, so
+// each is made once, when the page is first shown.
 #include <span>
 #include <vector>
 

@@ -24,10 +24,10 @@ namespace {
 constexpr float text_height = 148;
 
 tl::unexpected<Fault> no_number(std::string what) {
-  return fail(FaultKind::text, what + " is no number.", "Nothing was sent.");
+  return fail(FaultKind::text, what + " is not a number.", "Nothing was sent.");
 }
 
-/// What is said of the steps of a sequence, said of the rows of this list.
+/// Rewords messages about the steps of a sequence for the rows of this list.
 std::string in_rows(std::string_view what) {
   constexpr std::string_view of_step = "Step 1.", of_all = "Step 1 (";
   if (what.starts_with(of_step)) return fmt::format("Piece {}", what.substr(of_step.size()));
@@ -56,7 +56,7 @@ void Contour::make(const Frame& f) {
   stop_at_.set(10'000, 0);
 }
 
-/// What is typed stays where it is when another unit is chosen.
+/// Converts typed numbers when the unit changes.
 void Contour::follow_units(const Frame& f) {
   ContourUnit before = std::exchange(unit_, contour_unit(f, first_, second_));
   const auto place = [&](NumberField& field, const ContourUnit& unit) {
@@ -103,7 +103,7 @@ void Contour::draw(Frame& f) {
   draw_dialogs(f);
 }
 
-// ---- what the fields say
+// ---- contents of the fields
 
 Result<sequence::Sequence> Contour::contour() const {
   const auto speed = unit_.steps_long(speed_), lead = unit_.steps_long(lead_in_);
@@ -160,7 +160,7 @@ Result<sequence::Sequence> Contour::staircase() const {
   return s;
 }
 
-/// Only when something has changed: a panel at rest works nothing out and allocates nothing.
+/// Runs only on a change: a panel at rest computes and allocates nothing.
 void Contour::work_out(Frame& f) {
   const Steps stands = f.now.axes[static_cast<std::size_t>(stair_axis_)].commanded();
   if (stairs_shown_ && stands != worked_out_from_ && !f.now.any_axis_moving()) changed_ = true;
@@ -186,7 +186,7 @@ void Contour::work_out(Frame& f) {
     if (p.error) return problem_.assign(fmt::format("Line {}: {}", p.line + 1, p.sentence)), void();
 }
 
-/// What is refused is refused in the unit that it was typed in.
+/// Refusals use the unit that was typed.
 Result<SequenceText> Contour::write(const sequence::Sequence& plan, const Catalog& catalog) const {
   auto written = language_->write(plan, catalog);
   const double per_step = (stairs_shown_ ? stairs_unit_ : unit_).per_step;
@@ -217,7 +217,7 @@ Result<> Contour::draw_step(const sequence::Step& step) {
   return {};
 }
 
-/// As far as it comes in each of its axes.
+/// As far as the plan reaches in each of its axes.
 void Contour::add_places(const sequence::Sequence& plan, const Catalog& catalog) {
   const sequence::Reach reach = reaches_between(plan, {0, 1}).front();
   for (std::size_t a = 0; a < plan.axes.size(); ++a)
@@ -227,7 +227,7 @@ void Contour::add_places(const sequence::Sequence& plan, const Catalog& catalog)
                            Steps(std::llround(*place))});
 }
 
-/// Speeds over positions, as steps.
+/// Speeds over positions, as a staircase.
 void Contour::draw_staircase_line(const sequence::SpeedStairs& stairs, double from) {
   const auto put = [&](double x, double y) {
     stair_x_.push_back(static_cast<float>(stairs_unit_.shown(x)));
@@ -261,7 +261,7 @@ void Contour::run(Frame& f) {
   go_ahead_ = f.tab.desk().until_stopped();
 }
 
-/// Its text is kept with the others from then on.
+/// From then on its text is kept with the others.
 void Contour::put_into_program(Frame& f) {
   f.tab.desk().texts.set_text(0, text_);
   (stairs_shown_ ? stairs_unkept_ : contour_unkept_) = false;
@@ -284,7 +284,7 @@ void Contour::follow(Frame& f) {
     if (&id != &starting_ || !doubt_.hear(f, *fate)) f.toast(Mood::fault, std::string(fate->sentence.view()));
     return false;
   };
-  // A stop, or another panel in front meanwhile: what is loaded is not started any more.
+  // After a stop, or with another panel in front, the loaded program is not started.
   const int frame = ImGui::GetFrameCount();
   const bool was_away = frame - std::exchange(drawn_frame_, frame) > 1;
   if (was_away && loading_ != 0 && !go_ahead_.expired())
@@ -354,7 +354,7 @@ void Contour::draw_preview(Frame& f, float width, float height) {
   if (!stairs_shown_) {
     PathSubject subject;
     subject.path = path_;
-    subject.none = "Nothing to draw yet.";
+    subject.none = problem_.empty() ? "Nothing to draw yet." : std::string_view();  // it stands below
     subject.axes = {AxisId{static_cast<std::uint8_t>(first_)}, AxisId{static_cast<std::uint8_t>(second_)}};
     subject.words = facts_;
     return canvas_.draw(f, "contour/view", subject, width, height);
@@ -381,7 +381,8 @@ void Contour::draw_text(Frame& f, float width) {
   gap(ui, 8);
   if (!problem_.empty()) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    wrapped(ui, Face::body, Tone::fault, problem_, width);
+    const bool begun = stairs_shown_ ? !stairs_.empty() : !pieces_.empty();  // empty input is no fault
+    wrapped(ui, Face::body, begun ? Tone::fault : Tone::ink2, problem_, width);
     show(ui, {"contour/problem", Kind::text, "Problem", problem_},
          {at, ImVec2(at.x + ui.px(width), ImGui::GetCursorScreenPos().y)});
   } else if (!facts_.empty()) {
@@ -389,7 +390,7 @@ void Contour::draw_text(Frame& f, float width) {
   }
   gap(ui, 4);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  // The lines of the text, on as many columns as they need.
+  // The lines of the text, in as many columns as needed.
   std::string_view rest = text_;
   float x = at.x, y = at.y, deepest = at.y, widest = 0;
   const float bottom = at.y + 5 * ui.line(Face::code_field);

@@ -1,7 +1,7 @@
 #pragma once
-// Paths at constant speed and staircases of speeds: edited as a list, drawn, checked, and run as the
-// controller's own text. Ids: `contour/kind`, `contour/first`, `contour/speed`, `contour/ROW/x` (rows from
-// 1), `contour/add/line`, `contour/run`, `contour/to_program`, `contour/open`, `contour/save`,
+// Paths at constant speed and staircases of speeds: edited as a list, drawn, checked, and run in the
+// controller's own language. Ids: `contour/kind`, `contour/first`, `contour/speed`, `contour/ROW/x` (rows
+// from 1), `contour/add/line`, `contour/run`, `contour/to_program`, `contour/open`, `contour/save`,
 // `contour/text`, `contour/problem`, `contour/view`; `stairs/...` alike.
 #include <memory>
 #include <optional>
@@ -31,7 +31,7 @@ class Contour final : public gui::Panel {
   struct Piece {
     PieceKind kind = PieceKind::line;
     gui::NumberField x, y, degrees;
-    int output = 0;  ///< among `outputs_`
+    int output = 0;  ///< index into `outputs_`
     bool on = true;
   };
   struct Stair {
@@ -40,16 +40,16 @@ class Contour final : public gui::Panel {
   void make(const gui::Frame& frame);
   void follow_units(const gui::Frame& frame);
   void work_out(gui::Frame& frame);
-  /// A sequence of one step, a contour, in steps of its two axes.
+  /// A sequence of one contour, in steps of its two axes.
   Result<sequence::Sequence> contour() const;
-  /// The same of stairs of speeds.
+  /// A sequence of one staircase of speeds, in steps.
   Result<sequence::Sequence> staircase() const;
   void draw_staircase_line(const sequence::SpeedStairs& stairs, double from);
-  /// Why it cannot be drawn; else `path_` or the plot are those of the step.
+  /// The fault: why the step cannot be drawn. Else sets `path_` or the plot.
   Result<> draw_step(const sequence::Step& step);
   Result<SequenceText> write(const sequence::Sequence& plan, const Catalog& catalog) const;
   void add_places(const sequence::Sequence& plan, const Catalog& catalog);
-  /// What is shown, in its unit, for a file.
+  /// The list shown, in its unit, for a file.
   Result<sequence::Sequence> shown_list() const;
   void opened(gui::Frame& frame, const sequence::Sequence& sequence);
   bool take_contour(const sequence::Sequence& sequence);
@@ -79,34 +79,34 @@ class Contour final : public gui::Panel {
   int axis_choice(gui::Frame& frame, std::string_view id, std::string_view label, int chosen, ImVec2 at,
                   std::string_view words);
 
-  const Language* language_ = nullptr;  ///< the tab's, or null
+  const Language* language_ = nullptr;  ///< of the tab, or null
   bool made_ = false, changed_ = true;
   bool stairs_shown_ = false;
-  bool contour_unkept_ = false, stairs_unkept_ = false;  ///< edited since it was put into the program
+  bool contour_unkept_ = false, stairs_unkept_ = false;  ///< edited since last put into the program
   std::vector<std::string_view> axis_names_, output_names_;
   std::vector<int> outputs_;  ///< the maker's numbers
 
   int first_ = 0, second_ = 1, stair_axis_ = 0;
-  ContourUnit unit_, stairs_unit_;  ///< of what stands in the fields
+  ContourUnit unit_, stairs_unit_;  ///< of the numbers in the fields
   bool ramp_ = true;
   gui::NumberField speed_, x_, y_, lead_in_, stop_at_;
   std::vector<Piece> pieces_;
   std::vector<Stair> stairs_;
 
-  // what it comes to, worked out when something has changed
+  // The results, recomputed when something has changed.
   std::shared_ptr<const drawing::ToolPath> path_;
-  drawing::Point scale_;  ///< units of the view in a step
+  drawing::Point scale_;  ///< units of the view per step
   PathCanvas canvas_;
-  std::vector<AxisTarget> places_;  ///< that its text goes to
+  std::vector<AxisTarget> places_;  ///< targets of its text
   std::string text_, problem_, facts_;
   std::vector<float> stair_x_, stair_y_;
-  Steps worked_out_from_{};  ///< where the staircase's axis stood
+  Steps worked_out_from_{};  ///< position of the staircase's axis at that time
   gui::PlotCursor cursor_;
 
   ContourFile file_;
   IntentId loading_ = 0, starting_ = 0;
   DoubtWays doubt_;
-  std::weak_ptr<void> go_ahead_;  ///< of the latest Run: a stop takes it away
+  std::weak_ptr<void> go_ahead_;  ///< of the latest Run; expires on a stop
   int drawn_frame_ = 0;
   bool asking_ = false;
 };

@@ -33,7 +33,7 @@ bool remove_button(Ui& ui, std::string_view id, ImVec2 at) {
   o.style = ButtonStyle::quiet;
   o.icon = Icon::cross;
   o.width = 32;
-  o.tip = "Takes this row out of the list.";
+  o.tip = "Removes this row from the list.";
   return button(ui, id, "", o).clicked;
 }
 
@@ -92,7 +92,8 @@ void Contour::draw_contour_list(Frame& f, float width) {
 void Contour::draw_contour_head(Frame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float cell = cell_width(width, 2);
+  // No remove button here: the cells take its room too, for units as long as "counts/s".
+  const float cell = std::floor((width - head_width - between) / 2);
   const auto place = [&](int row, float x) {
     return ImVec2(at.x + ui.px(x), at.y + ui.px(static_cast<float>(row) * list_row_height));
   };
@@ -114,7 +115,7 @@ void Contour::draw_contour_head(Frame& f, float width) {
   ImGui::SetCursorScreenPos(place(3, 0));
 }
 
-/// True: it shall go.
+/// True: remove this row.
 bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
   Ui& ui = f.ui;
   Piece& p = pieces_[row];
@@ -166,7 +167,7 @@ void Contour::draw_adders(Frame& f) {
   if (button(ui, "contour/add/output", "Add output", o).clicked) add(PieceKind::output);
 }
 
-/// A new row goes on from the one before.
+/// A new row continues from the previous one.
 void Contour::add(PieceKind kind) {
   Piece p;
   p.kind = kind;

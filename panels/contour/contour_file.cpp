@@ -25,7 +25,7 @@ tl::unexpected<Fault> not_this(const std::string& file, std::string_view what) {
               "Open it in Blocks.");
 }
 
-/// Lengths and places by the first, speeds by how large it is.
+/// Lengths and places are scaled by the first factor, speeds by its magnitude.
 void scale(sequence::Contour& c, double by, double up_by) {
   c.x *= by, c.y *= up_by, c.lead_in *= std::abs(by);
   if (c.own) c.own->high *= std::abs(by), c.own->low *= std::abs(by);
@@ -43,7 +43,7 @@ void scale(sequence::SpeedStairs& s, double by) {
   for (auto& stair : s.stairs) stair.until *= by, stair.speed *= std::abs(by);
 }
 
-/// What a row of the list can be.
+/// The step can be a row of the list.
 bool has_a_row(const sequence::Step& step, const sequence::Plane& plane) {
   if (step.skipped) return false;
   if (const auto* output = std::get_if<sequence::Output>(&step.body)) return output->output >= 0;
@@ -54,7 +54,7 @@ bool has_a_row(const sequence::Step& step, const sequence::Plane& plane) {
   return !move->relative;
 }
 
-/// In the plane of the list, each line with both of its places: one that a line leaves out stays as it is.
+/// Into the plane of the list, each line with both coordinates: a coordinate left out keeps its value.
 void lay_out(sequence::Contour& c) {
   const auto right = static_cast<std::size_t>(c.plane.right), up = static_cast<std::size_t>(c.plane.up);
   double x = c.x, y = c.y;
@@ -81,7 +81,7 @@ Result<sequence::Sequence> with_rows(const sequence::Sequence& s, const sequence
   const auto right = static_cast<std::size_t>(c.plane.right), up = static_cast<std::size_t>(c.plane.up);
   if (right >= s.axes.size() || up >= s.axes.size() || right == up)
     return not_this(file, "names no two axes for its contour");
-  // A path has one speed: steps of both axes are as long.
+  // A path has one speed, so the steps of both axes must be equally long.
   if (std::abs(s.axes[right].per_unit) != std::abs(s.axes[up].per_unit))
     return not_this(file, "has two axes whose steps are not as long as each other's");
   scale(c, s.axes[right].per_unit, s.axes[up].per_unit);

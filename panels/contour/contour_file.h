@@ -1,6 +1,5 @@
 #pragma once
-// The list of the contour panel as a file: a sequence of one step, a contour or a staircase, that Blocks
-// opens too.
+// The list of the contour panel as a file: a sequence of one contour or staircase, which Blocks opens too.
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,21 +12,21 @@
 
 namespace hw::panels {
 
-/// A sequence of one contour or staircase in a unit of `per_step`, from one in steps.
+/// Converts a sequence of one contour or staircase from steps to a unit of `per_step`.
 sequence::Sequence in_unit(sequence::Sequence in_steps, double per_step, const std::string& unit);
-/// Back: one step, whose numbers are steps of its axes. Whatever else the file would do is a fault.
+/// The reverse: one step, in steps of its axes. The fault: the file holds anything else.
 Result<sequence::Sequence> only_step_of(const sequence::Sequence& sequence, const std::string& file);
 
 class ContourFile {
  public:
-  /// Open and Save at the right end of the toolbar, or below where there is no room.
+  /// Draws Open and Save at the right end of the toolbar, or below if there is no room.
   void draw_buttons(gui::Frame& frame, std::string_view why_not_save, std::string_view name);
-  /// What was opened, once, in steps; a fault is told as a toast.
+  /// The opened sequence, in steps, returned once. A toast tells a fault.
   std::optional<sequence::Sequence> draw_open(gui::Frame& frame);
-  /// Where to, once.
+  /// The file to save to, returned once.
   std::optional<std::filesystem::path> draw_save(gui::Frame& frame) { return save_.draw(frame.ui); }
   void save(gui::Frame& frame, const std::filesystem::path& path, const sequence::Sequence& sequence);
-  /// Once: it is in the file.
+  /// True once: the list is in the file.
   bool take_saved();
 
  private:

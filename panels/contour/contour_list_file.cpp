@@ -1,4 +1,4 @@
-// The lists of the contour panel out of a file and into one.
+// Reads the lists of the contour panel from a file and writes them to one.
 #include <algorithm>
 
 #include "gui/model/tab.h"
@@ -15,13 +15,13 @@ Result<sequence::Sequence> Contour::shown_list() const {
   });
 }
 
-/// What is there stays as it is where an axis or output of the file is not.
+/// If the file names an axis or output that this controller lacks, the list stays as it is.
 void Contour::opened(Frame& f, const sequence::Sequence& s) {
   const bool stairs = std::holds_alternative<sequence::SpeedStairs>(s.steps.front().body);
   if (!(stairs ? take_staircase(s) : take_contour(s)))
     return f.toast(Mood::fault,
-                   "The file names an axis or an output that this controller has not. The list here is as it "
-                   "was.");
+                   "The file names an axis or an output that this controller does not have. The list here is "
+                   "as it was.");
   stairs_shown_ = stairs;
   (stairs ? stairs_unkept_ : contour_unkept_) = false;
   changed_ = true;

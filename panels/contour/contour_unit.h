@@ -1,5 +1,5 @@
 #pragma once
-// In what a list of the contour panel is typed: the unit that its axes are shown in, where they share one.
+// The unit in which a list of the contour panel is typed: the display unit of its axes, if they share one.
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -19,9 +19,9 @@ struct ContourUnit {
 
   [[nodiscard]] double shown(double steps) const { return steps * per_step; }
   [[nodiscard]] double shown_length(double steps) const { return steps * std::abs(per_step); }
-  /// As somebody would type it: rounded to the unit's decimals.
+  /// As a user would type it: rounded to the unit's decimals.
   [[nodiscard]] double typed(double steps) const;
-  /// What stands in a field, in whole steps; nothing while it is no number.
+  /// The content of a field in whole steps; nothing: not a number.
   [[nodiscard]] std::optional<double> steps(const gui::NumberField& field) const;
   [[nodiscard]] std::optional<double> steps_long(const gui::NumberField& field) const;
   void put(gui::NumberField& field, double steps) const { field.set(shown(steps), decimals); }
@@ -32,7 +32,7 @@ struct ContourUnit {
   [[nodiscard]] gui::NumberRange speeds(const Catalog& catalog) const;
 };
 
-/// Of one axis; of two, steps where they are shown in different units: a path has one speed.
+/// Of one axis, or of two. Two axes shown in different units get steps: a path has one speed.
 ContourUnit contour_unit(const gui::Frame& frame, int axis);
 ContourUnit contour_unit(const gui::Frame& frame, int right, int up);
 

@@ -24,7 +24,7 @@ int its_readout(const Catalog& c, const ActionForm& action) {
   return c.find_readout(its_info(c, action).sets);
 }
 
-/// The name of a readout at the cursor.
+/// The name of a readout, at the cursor.
 void draw_choice_name(Frame& f, const ReadoutInfo& readout, ImVec2 at, float width) {
   f.tab.look_at_group(readout.group);
   draw_text_line(f.ui, at.x, at.x + f.ui.px(width), std::floor(at.y + f.ui.px(choice_line_height / 2)),
@@ -60,7 +60,7 @@ void draw_action_choice(Frame& f, std::vector<ActionForm>& actions, std::size_t 
   for (std::size_t i = first; i < end; ++i) {
     const ActionInfo& info = its_info(f.catalog, actions[i]);
     const bool is = now.known() && f.now.readouts[readout] == info.sets_to;
-    if (lamp && is) continue;  // the lamp's press is the other one
+    if (lamp && is) continue;  // a press of the lamp sends the opposite action
     ImGui::SetCursorScreenPos(ImVec2(x, at.y));
     actions[i].draw_choice(f, lamp ? now.view() : std::string_view(info.label), lamp, is);
     x = ImGui::GetItemRectMax().x + ui.px(lamp ? between : 0);

@@ -31,13 +31,13 @@ FieldGrid cells_of(std::size_t cells, float width, float least) {
   return c;
 }
 
-/// A short button takes the place of one more field, a long one a line of its own.
+/// A short button takes the place of one field, a long one a line of its own.
 bool fits_a_cell(std::string_view label) { return label.size() <= 14; }
 
 bool is_axis(const ActionField& info) { return info.id == "axis"; }
 bool is_switch(const ActionField& info) { return info.id == "on"; }
 
-/// What is one value for all rows, and what the row itself says, has no field in it.
+/// Values common to all rows, and values given by the row itself, have no field in the row.
 bool has_row_field(const ActionField& info) {
   return !is_axis(info) && !is_switch(info) && !info.for_all_rows;
 }
@@ -82,7 +82,8 @@ void ActionForm::fill_in() {
     for (const ParamChoice& choice : info.choices) {
       if (choice.value == info.fallback) fields_[i].chosen = static_cast<int>(fields_[i].names.size());
       fields_[i].names.push_back(choice.label);
-      // Wide enough for the longest value of a list; figured before there are fonts to measure with.
+      // Wide enough for the longest list value; estimated, as it is needed before fonts exist to measure
+      // with.
       least_ = std::max(least_, std::min(190.0f, 46 + 7.2f * static_cast<float>(choice.label.size())));
     }
     fields_[i].unit.decimals = fields_[i].unit.own_decimals = info.decimals;
@@ -91,7 +92,7 @@ void ActionForm::fill_in() {
 }
 
 std::string_view ActionForm::why_not(const Frame& f) const {
-  if (!f.connected()) return "There is no link. It comes back when the controller answers.";
+  if (!f.connected()) return "There is no link. It is available again when the controller answers.";
   if (info_.moves && !info_.while_busy) return f.tab.why_not_move();
   return {};
 }
@@ -179,7 +180,7 @@ int ActionForm::axis_of(const ActionField& info) const {
   return axis;
 }
 
-// The number stays what it is when another axis, or another unit, is chosen.
+// The typed quantity stays the same when the axis or its unit changes.
 void ActionForm::follow_unit(const Frame& f, std::size_t i) {
   Field& field = fields_[i];
   ShownUnit unit = shown_unit(f, info_.fields[i], axis_of(info_.fields[i]));

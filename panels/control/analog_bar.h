@@ -5,8 +5,8 @@
 namespace hw::panels {
 
 inline constexpr float analog_bar_height = 28;
-/// At ImGui's cursor; `number` is the maker's, from 1. `id`: path of the bar. Has it asked for while in
-/// sight.
+/// Draws at ImGui's cursor and polls the input while it is visible. `number`: the maker's, from 1. `id`: path
+/// of the bar.
 void draw_analog_bar(gui::Frame& frame, std::string_view id, int number, float width);
 
 }  // namespace hw::panels

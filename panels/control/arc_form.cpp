@@ -35,7 +35,7 @@ bool ArcPath::read(const Frame& f, const ActionForm& form, Arc& arc) {
   return f.now.axes[0].position_known && f.now.axes[1].position_known;
 }
 
-/// Only when something has changed: it allocates.
+/// Runs only on a change, because it allocates.
 void ArcPath::work_out(const Frame& f, const ActionForm& form, const Arc& arc) {
   const double radius = std::hypot(arc.from_x - arc.centre_x, arc.from_y - arc.centre_y);
   const double length = radius * std::abs(radians(arc.sweep));
@@ -126,7 +126,7 @@ void ArcPath::draw_path(Frame& f, const Rect& in) const {
     return ImVec2(c.x + r * static_cast<float>(std::cos(angle)),
                   c.y - r * static_cast<float>(std::sin(angle)));
   };
-  // Where its limits lie, as far as they are in the picture.
+  // Limits of the axes, if they are within the picture.
   for (int axis = 0; axis < 2; ++axis) {
     const AxisState& a = f.now.axes[static_cast<std::size_t>(axis)];
     for (const Sign side : {Sign::minus, Sign::plus}) {
@@ -155,7 +155,7 @@ void ArcPath::draw_path(Frame& f, const Rect& in) const {
   list->AddCircle(start, ui.px(5), ui[Tone::motion], 0, ui.px(2));
   const float half = ui.px(3);
   list->AddRectFilled(ImVec2(end.x - half, end.y - half), ImVec2(end.x + half, end.y + half), ui[Tone::ink]);
-  // The way it goes, at its middle.
+  // The direction of travel, at mid-arc.
   const double heading = begin + turn * 0.5 + (turn < 0 ? -1 : 1) * std::numbers::pi / 2;
   const auto tip = [&](double angle, float far) {
     return ImVec2(mid.x + far * static_cast<float>(std::cos(angle)),

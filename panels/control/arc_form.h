@@ -1,5 +1,5 @@
 #pragma once
-// The arc of an action (ActionInfo::is_arc): centre, way round and "Full", what it comes to, and the path
+// The arc of an action (ActionInfo::is_arc): centre, direction and "Full", the resulting values, and the path
 // drawn. Ids: those of its ActionForm, `action/ID/full`, `action/ID/path`.
 #include <string>
 
@@ -11,13 +11,13 @@ inline constexpr float arc_height = 160;
 
 class ArcPath {
  public:
-  /// At ImGui's cursor; leaves it arc_height below.
+  /// Draws at ImGui's cursor and leaves it arc_height below.
   void draw(gui::Frame& frame, ActionForm& form, float width);
 
  private:
   struct Arc {
     double centre_x = 0, centre_y = 0, from_x = 0, from_y = 0;
-    double sweep = 0;  ///< degrees, + against the clock
+    double sweep = 0;  ///< degrees, + counterclockwise
     bool operator==(const Arc&) const = default;
   };
   static bool read(const gui::Frame& frame, const ActionForm& form, Arc& arc);

@@ -20,7 +20,7 @@ namespace {
 constexpr float band_title = 32, band_heads = 20, band_row = 32, name_column = 30;
 constexpr float speed_width = 84, does_width = 108, least_between = 16, most_between = 40;
 
-/// The id of a column for one axis: '*' is its name, or nothing where there is only one.
+/// The id of a column for one axis: '*' becomes its name, or nothing if there is only one axis.
 std::string id_of_axis(const Catalog& c, std::string id, std::size_t axis) {
   if (const auto star = id.find('*'); star != id.npos)
     id.replace(star, 1, c.axes.size() > 1 ? c.axes[axis].name : std::string());
@@ -32,7 +32,7 @@ bool has_value(const ActionField& field, std::int64_t value) {
                      [&](const ParamChoice& c) { return c.value == value; });
 }
 
-/// It can be told to this axis.
+/// The action can be sent to this axis.
 bool takes_axis(const ActionInfo& action, std::size_t axis) {
   for (const ActionField& field : action.fields)
     if (field.id == "axis") return has_value(field, static_cast<std::int64_t>(axis));
@@ -44,7 +44,7 @@ bool is_of_axis(const ActionInfo& action) {
                      [](const ActionField& field) { return field.id == "axis"; });
 }
 
-/// An action with a state and no word for switching off does away with what that state says.
+/// An action with a state but no word for switching off clears what that state reports.
 bool only_while_on(const AxisColumn& column) {
   return column.shows == AxisColumn::Shows::action && !column.state.empty() && column.verb_off.empty();
 }
@@ -57,9 +57,9 @@ struct Does {
 
 std::string_view error_word(AxisError error) {
   switch (error) {
-    case AxisError::limit_minus: return "ended by \u2212 limit";
-    case AxisError::limit_plus: return "ended by + limit";
-    case AxisError::limit: return "ended by a limit";
+    case AxisError::limit_minus: return "hit \u2212 limit";
+    case AxisError::limit_plus: return "hit + limit";
+    case AxisError::limit: return "hit a limit";
     case AxisError::alarm: return "ended by alarm";
     case AxisError::stalled: return "stalled";
     case AxisError::too_far: return "too far off";
@@ -74,6 +74,7 @@ Does what_it_does(const Frame& f, int axis) {
   const State state = state_of(f.now, axis, f.clock);
   if (a.activity == Activity::error && f.connected())
     return {Icon::diamond_solid, error_word(a.error), Tone::fault};
+  if (a.alarm && f.connected()) return {Icon::diamond_solid, "alarm is on", Tone::fault};
   if (is_motion(state)) {
     std::string_view word = look_of(state).small;
     if (a.phase == Phase::accelerating) word = "ramping up";
@@ -156,7 +157,7 @@ bool AxisTables::has_title(std::string_view title) const {
                      [&](const Table& table) { return table.info->title == title; });
 }
 
-// What is of the whole controller is in a row only at times, and has its place elsewhere.
+// An action of the whole controller is in a row only at times, and has its place elsewhere.
 bool AxisTables::has_action(const Catalog& catalog, int action) const {
   if (catalog.axes.size() > 1 && !is_of_axis(catalog.actions[static_cast<std::size_t>(action)])) return false;
   for (const Table& table : tables_)
@@ -166,7 +167,7 @@ bool AxisTables::has_action(const Catalog& catalog, int action) const {
   return false;
 }
 
-/// By the longest that can stand in a column, so that nothing moves when a value comes.
+/// Measures each column by its longest possible content, so that new values move nothing.
 void AxisTables::measure(const Frame& f, Table& table) {
   using Shows = AxisColumn::Shows;
   const Ui& ui = f.ui;
@@ -205,7 +206,7 @@ void AxisTables::measure(const Frame& f, Table& table) {
         break;
       }
     }
-    // A head over numbers ends where they end, and may begin over the words of the column before.
+    // A head over numbers is right-aligned with them, and may begin over the words of the previous column.
     const bool numbers = has_numbers(c, column);
     const bool may_reach_over = numbers && !after_numbers;
     column.width =
@@ -255,7 +256,7 @@ void AxisTables::draw_band(Frame& f, std::size_t first, std::size_t end, float w
   float x = name_column;
   for (std::size_t i = first; i < end; ++i) {
     Table& table = tables_[i];
-    // The first title stands at the edge, over the names of the axes.
+    // The first title stands at the left edge, over the names of the axes.
     const float title_x = at.x + (i == first ? 0 : ui.px(x));
     const float right = at.x + ui.px(i + 1 == end ? width : x + table.width);
     const float middle = std::floor(at.y + ui.px(band_title / 2));
@@ -274,7 +275,7 @@ void AxisTables::draw_band(Frame& f, std::size_t first, std::size_t end, float w
   ImGui::SetCursorScreenPos(ImVec2(at.x, bottom + ui.px(between)));
 }
 
-/// What stands over a column, with the unit of what is in it.
+/// The head of a column, with the unit of its content.
 Path AxisTables::head_of(const Frame& f, const Column& column) {
   using Shows = AxisColumn::Shows;
   UnitsOfRows units;
@@ -286,7 +287,7 @@ Path AxisTables::head_of(const Frame& f, const Column& column) {
       cell.form->add_units(f, units);
     else if (column.info->shows == Shows::param)
       units.add(shown_unit(f, f.catalog.params[i]).name);
-    else if (column.info->shows == Shows::readout && several)  // a single one has it beside its value
+    else if (column.info->shows == Shows::readout && several)  // a single axis has the unit beside its value
       units.add(shown_unit(f, f.catalog.readouts[i]).name);
   }
   const std::string_view title = column.info->title;
@@ -324,7 +325,7 @@ void AxisTables::draw_heads(Frame& f, const Table& table, ImVec2 at) {
 
 void AxisTables::draw_row(Frame& f, Table& table, std::size_t axis, ImVec2 at) {
   Ui& ui = f.ui;
-  const bool moves = f.now.axis_moves(static_cast<int>(axis));
+  const bool moves = f.now.axis_moves(static_cast<int>(axis)) && !only_goes_along(f.now.axes[axis]);
   const float end = at.x + ui.px(table.width);
   float x = at.x;
   bool said = false;
@@ -381,7 +382,7 @@ void AxisTables::draw_motion(Frame& f, Cell& cell, std::size_t i, const Rect& in
   const DisplayUnit& unit = f.tab.unit(axis);
   const NumberText speed =
       format_number(f.now.axes[i].speed.value * (unit.real ? std::abs(unit.per_step) : 1), unit.decimals);
-  const bool moves = f.now.axis_moves(static_cast<int>(i));
+  const bool moves = f.now.axis_moves(static_cast<int>(i)) && !only_goes_along(f.now.axes[i]);
   const Face number = moves ? Face::body_bold : Face::body;
   const float wide = std::ceil(text_width(ui, number, speed));
   draw_text_line(ui, std::max(words_end, in.max.x - wide), in.max.x + 1, middle, number,
@@ -454,7 +455,7 @@ void AxisTables::draw_param(Frame& f, Column& column, Cell& cell, const Rect& in
     return;
   }
   const ShownUnit unit = shown_unit(f, p);
-  if (unit != cell.unit) cell.number.reset(), cell.unit = unit;  // what was typed was meant otherwise
+  if (unit != cell.unit) cell.number.reset(), cell.unit = unit;  // typed in another unit
   NumberOptions o;
   const double a = unit.shown(p.minimum), b = unit.shown(p.maximum);
   o.range = {std::min(a, b), std::max(a, b), unit.decimals, {}};

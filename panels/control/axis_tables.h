@@ -1,6 +1,6 @@
 #pragma once
-// Catalog::axis_tables: a row per axis, everything about an axis found by going right. As many tables beside
-// each other as fit. Ids: `readout/ID`, `control/PARAM`, `action/ID/AXIS/go`, `control/X/does`.
+// Catalog::axis_tables: a row per axis with everything about it. As many tables stand beside each other as
+// fit. Ids: `readout/ID`, `control/PARAM`, `action/ID/AXIS/go`, `control/X/does`.
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,9 +17,9 @@ namespace hw::panels {
 class AxisTables {
  public:
   explicit AxisTables(const Catalog& catalog);
-  /// At ImGui's cursor; leaves it below.
+  /// Draws at ImGui's cursor and leaves it below.
   void draw(gui::Frame& frame, float width);
-  /// What stands in them, and so nowhere else.
+  /// The readouts in the tables, which stand nowhere else.
   [[nodiscard]] const ReadoutSet& readouts() const { return readouts_; }
   [[nodiscard]] bool has_title(std::string_view title) const;
   [[nodiscard]] bool has_action(const Catalog& catalog, int action) const;
@@ -27,13 +27,13 @@ class AxisTables {
  private:
   /// One axis in one column.
   struct Cell {
-    int index = -1;  ///< of its readout, param or action; -1: nothing is there
+    int index = -1;  ///< of its readout, param or action; -1: empty cell
     int state = -1;  ///< of the readout or param that tells whether it is on
     bool state_is_param = false;
     std::int64_t state_bits = -1;      ///< of that param
     std::unique_ptr<ActionForm> form;  ///< of an action
     gui::NumberField number;           ///< of a param
-    ShownUnit unit;                    ///< of what stands in `number`
+    ShownUnit unit;                    ///< of the content of `number`
   };
   struct Column {
     const AxisColumn* info = nullptr;
@@ -64,8 +64,8 @@ class AxisTables {
 
   std::vector<Table> tables_;
   ReadoutSet readouts_;
-  float scale_ = 0;    ///< they were measured at it ...
-  std::string units_;  ///< ... and with these
+  float scale_ = 0;    ///< scale at which they were measured ...
+  std::string units_;  ///< ... and units shown then
 };
 
 }  // namespace hw::panels

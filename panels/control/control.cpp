@@ -18,13 +18,13 @@ namespace {
 
 constexpr float below_section = 12;
 
-/// Bars of the analog inputs stand where an axis can be made to follow them.
+/// Bars of the analog inputs are shown if an axis can be made to follow them.
 bool any_follows_analog(const Catalog& c) {
   return std::any_of(c.actions.begin(), c.actions.end(),
                      [](const ActionInfo& a) { return a.follows_analog; });
 }
 
-/// Settings of the manual that the controller did not answer: an older firmware does not know them.
+/// Parameters of the manual that the controller did not answer: an older firmware lacks them.
 Path unanswered(const Frame& f) {
   char names[72];
   std::size_t size = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// What a controller can do and tell beside moving: tables with a row per axis, and under them what is left,
-// by the catalog's headings.
+// Everything a controller can do and tell apart from moving: tables with a row per axis, and under them the
+// rest, by the catalog's headings.
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,15 +19,15 @@ class Control final : public gui::Panel {
  private:
   struct Section {
     std::string title;
-    bool titled = true;  ///< false: a table has that title already
+    bool titled = true;  ///< false: a table already has that title
     int readouts = -1;   ///< index into Catalog::readout_groups
-    int analog = 0;      ///< so many bars
+    int analog = 0;      ///< number of bars
     std::vector<ActionForm> actions;
   };
   void make_sections(const Catalog& catalog);
   Section& section(const std::string& title);
   [[nodiscard]] float height_of(const gui::Frame& frame, const Section& section, float width) const;
-  /// The sections that stand in the first of two columns.
+  /// Number of sections in the first of two columns.
   [[nodiscard]] std::size_t first_column(const gui::Frame& frame, float width) const;
   void draw_section(gui::Frame& frame, Section& section, float width);
   void draw_actions(gui::Frame& frame, Section& section, float width);
@@ -36,7 +36,7 @@ class Control final : public gui::Panel {
   bool made_ = false;
   std::vector<Section> sections_;
   std::optional<AxisTables> tables_;
-  ReadoutSet elsewhere_;  ///< readouts that stand in a table or beside their switch
+  ReadoutSet elsewhere_;  ///< readouts shown in a table or beside their switch
   ArcPath arc_;
 };
 

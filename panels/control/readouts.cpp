@@ -19,10 +19,10 @@ namespace {
 
 constexpr float readout_row_height = 28, head_height = 24, axis_width = 32, most_columns = 8;
 
-// Groups are asked one after the other when there are many: younger than this is fresh enough.
+// Many groups are polled in turn: younger values are fresh enough.
 constexpr Duration patience = Millis(3000);
 
-/// Readouts that say the same of one axis after the other stand side by side in the catalog.
+/// Readouts with the same meaning for successive axes are adjacent in the catalog.
 struct Run {
   std::size_t first = 0, size = 0;
 };
@@ -43,7 +43,7 @@ std::string_view without_axis(const Catalog& c, const ReadoutInfo& r) {
   return label;
 }
 
-/// The columns of a group's table. Returns how many.
+/// Finds the columns of a group's table. Returns their number.
 std::size_t find_columns(const Catalog& c, int group, const ReadoutSet& elsewhere,
                          Run (&columns)[static_cast<std::size_t>(most_columns)]) {
   std::size_t n = 0;
@@ -67,7 +67,7 @@ std::size_t count_single(const Catalog& c, int group, const ReadoutSet& elsewher
   return n;
 }
 
-/// The value, ending at `right` or beginning at `left`.
+/// Draws the value, ending at `right` or beginning at `left`.
 void draw_value(Frame& f, std::size_t i, const Rect& in, bool right_aligned) {
   Ui& ui = f.ui;
   const ReadoutInfo& info = f.catalog.readouts[i];
@@ -107,7 +107,7 @@ void draw_table(Frame& f, std::span<const Run> columns, float width) {
     const float end = column + 1 < columns.size() ? share - 8 : share;  // the last ends where the lines end
     return Rect{ImVec2(x, y), ImVec2(x + ui.px(end), y + ui.px(height))};
   };
-  float free_from = cell(0, at.y, head_height).min.x;  // a head may begin over the end of the column before
+  float free_from = cell(0, at.y, head_height).min.x;  // a head may begin over the end of the previous column
   for (std::size_t n = 0; n < columns.size(); ++n) {
     const ReadoutInfo& info = c.readouts[columns[n].first];
     const Rect r = cell(n, at.y, head_height);
@@ -185,7 +185,7 @@ void draw_readouts(Frame& f, int group, float width, const ReadoutSet& elsewhere
   if (n > 0) draw_table(f, {columns, n}, width);
 }
 
-// Off, waiting and done are lamps too: a state is never told by a word alone.
+// Off, waiting and done also have lamps: a word alone never tells a state.
 void draw_readout(Frame& f, std::size_t i, const Rect& in) {
   Ui& ui = f.ui;
   const ReadoutInfo& info = f.catalog.readouts[i];

@@ -1,6 +1,6 @@
 #pragma once
-// What a controller tells beside positions and inputs (Catalog::readouts), by group: values of the whole
-// controller as rows, values of each axis as a table. Ids: `readout/ID`.
+// Values a controller reports apart from positions and inputs (Catalog::readouts), by group: those of the
+// whole controller as rows, those of each axis as a table. Ids: `readout/ID`.
 #include <bitset>
 #include <string_view>
 
@@ -9,13 +9,13 @@
 
 namespace hw::panels {
 
-/// The words of a value, with its unit: "waiting", "1 284 pulses", "?".
+/// A value in words, with its unit: "waiting", "1 284 pulses", "?".
 class ReadoutText {
  public:
   ReadoutText(const gui::Frame& frame, std::size_t readout);
   [[nodiscard]] std::string_view view() const { return {bytes_, size_}; }
   [[nodiscard]] bool known() const { return known_; }
-  [[nodiscard]] bool old() const { return old_; }  ///< nobody has told it lately
+  [[nodiscard]] bool old() const { return old_; }  ///< not reported lately
   [[nodiscard]] bool bad() const { return bad_; }  ///< a fault
 
  private:
@@ -27,12 +27,12 @@ class ReadoutText {
 /// By index in Catalog::readouts.
 using ReadoutSet = std::bitset<max_readouts>;
 
-/// The readouts of a group at ImGui's cursor, `width` logical, but for those that are `elsewhere`; has them
-/// polled while they are in sight.
+/// Draws the readouts of a group at ImGui's cursor, except those `elsewhere`, and polls them while they are
+/// visible. `width` logical.
 void draw_readouts(gui::Frame& frame, int group, float width, const ReadoutSet& elsewhere = {});
-/// What draw_readouts() takes, logical.
+/// Height of draw_readouts(), logical.
 float readouts_height(const Catalog& catalog, int group, const ReadoutSet& elsewhere = {});
-/// One value within `in`: a number ends at its right border, a word begins at the left one. Has it polled.
+/// Draws one value within `in` and polls it. Numbers are right-aligned, words left-aligned.
 void draw_readout(gui::Frame& frame, std::size_t readout, const gui::Rect& in);
 
 }  // namespace hw::panels

@@ -16,15 +16,15 @@ namespace {
 
 constexpr int most_decimals = 6;
 
-/// What a number of the catalog is.
+/// The quantity of a number of the catalog.
 struct OwnNumber {
   std::string_view unit;
   int axis, decimals;
   bool follows_loop;
-  bool is_signed;  ///< + is a way to go, else it is how much
+  bool is_signed;  ///< its + is a direction; else an amount
 };
 
-/// Behind the word for a step: "" of a place, "/s" of a speed. Nothing where it is neither.
+/// The suffix of the step unit: "" of a position, "/s" of a speed. Nothing for other units.
 std::optional<std::string_view> behind_step(const Catalog& c, std::string_view unit) {
   if (!unit.starts_with(c.step_word)) return {};
   const std::string_view rest = unit.substr(c.step_word.size());

@@ -1,6 +1,6 @@
 #pragma once
-// A number of the catalog (steps, steps/s, or something of its own) as it is shown and typed: in the unit
-// that the user has chosen for its axis, as everywhere in the console.
+// A number of the catalog (steps, steps/s, or another quantity) as shown and typed: in the unit the user has
+// chosen for its axis, as everywhere in the console.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -14,7 +14,7 @@ struct ShownUnit {
   std::string name;  ///< "mm/s"; empty: a bare number
   double per = 1;    ///< shown units of one unit of the catalog
   int decimals = 0;
-  int own_decimals = 0;  ///< the catalog's whole numbers count the last of so many
+  int own_decimals = 0;  ///< the catalog's integers count units of 10^-own_decimals
   bool operator==(const ShownUnit&) const = default;
 
   [[nodiscard]] double shown(std::int64_t value) const;
@@ -23,14 +23,14 @@ struct ShownUnit {
 
 ShownUnit shown_unit(const gui::Frame& frame, const ParamInfo& param);
 ShownUnit shown_unit(const gui::Frame& frame, const ReadoutInfo& readout);
-/// "2.5000", without its unit; what is no number of steps as the controller writes it: "4EX07".
+/// "2.5000", without its unit. A value that is not a number of steps as the controller writes it: "4EX07".
 std::string text_in(const ShownUnit& unit, const ParamInfo& param, std::int64_t value);
 /// "0 or 0.0025 to 15", without its unit.
 std::string range_in(const ShownUnit& unit, const ParamInfo& param);
-/// `axis` -1: of no axis, so as the catalog has it.
+/// `axis` -1: no axis, so the catalog's own unit.
 ShownUnit shown_unit(const gui::Frame& frame, const ActionField& field, int axis);
 
-/// Of the rows of a column, each once: "mm/s", or "mm/s, °/s".
+/// The units of a column's rows, each once: "mm/s", or "mm/s, °/s".
 class UnitsOfRows {
  public:
   void add(std::string_view name);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float sheet_head = 48, sheet_side = 16;
 
-/// The page about the controller in front has the name of its model.
+/// The page about the controller in front is named after its model.
 std::string_view page_of(Console& console) {
   const Tab* tab = console.active();
   return tab ? std::string_view(tab->catalog().model) : std::string_view();

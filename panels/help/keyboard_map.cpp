@@ -15,7 +15,7 @@ using namespace gui;
 
 namespace {
 
-/// A key in its frame, as a caption on a keyboard.
+/// A key in a frame, like a keycap.
 void draw_key(Ui& ui, ImVec2 at, std::string_view keys) {
   const float width = std::ceil(text_width(ui, Face::body_bold, keys)) + ui.px(16);
   const Rect r{ImVec2(at.x, at.y + ui.px(4)), ImVec2(at.x + width, at.y + ui.px(28))};
@@ -64,7 +64,7 @@ constexpr std::string_view pad_rules[] = {
     "is pulled out, when it does not answer, and when nothing on it has changed for 5 s while it jogs.",
 };
 
-/// A row of 32: the key in its frame, what it does, a hairline above.
+/// A row of 32: the framed key, its function, a hairline above.
 void draw_row(Ui& ui, const Key& key, float width, int number) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.px(width), at.y + ui.hair()),

@@ -12,7 +12,7 @@ using namespace gui;
 
 namespace {
 
-/// What a line is set in where it says nothing else.
+/// The default style of a line.
 struct ManualType {
   Face plain = Face::body, strong = Face::body_bold;
   Tone tone = Tone::ink2;
@@ -20,13 +20,13 @@ struct ManualType {
 constexpr ManualType of_words, of_cells{Face::small, Face::small_bold, Tone::ink2},
     of_titles{Face::small_bold, Face::small_bold, Tone::ink};
 
-/// A word, or the part of one that is set in one way.
+/// A word, or the part of it in one style.
 struct ManualWord {
   std::string_view text;
   Face face;
   Tone tone;
   int link;
-  float width, space;  ///< before it; 0: it belongs to the word before it
+  float width, space;  ///< before it; 0: joined to the previous word
 };
 
 class ManualSetter {
@@ -77,7 +77,7 @@ class ManualSetter {
     for (const std::string& line : block.code) {
       std::string_view rest = line;
       float x = inset;
-      do {  // what is longer goes on in the next row, further right
+      do {  // longer lines continue in the next row, indented
         const std::size_t fits = code_fit(rest, face, out_.width - inset - x);
         out_.runs.push_back({x, y_, 0, face, Tone::ink, rest.substr(0, fits)});
         rest = rest.substr(fits);
@@ -89,7 +89,7 @@ class ManualSetter {
     out_.wells.push_back({ImVec2(0, top), ImVec2(out_.width, y_)});
   }
 
-  /// Of a line of code, up to a blank where there is one not too far back.
+  /// Length of a line of code that fits; breaks at a blank if one is near.
   std::size_t code_fit(std::string_view line, Face face, float room) const {
     const std::size_t fits = std::max<std::size_t>(text_fit(ui_, face, line, room), 1);
     if (fits >= line.size()) return line.size();
@@ -120,7 +120,7 @@ class ManualSetter {
                      [](const ManualRun& a, const ManualRun& b) { return a.y < b.y; });
   }
 
-  /// Each row as a paragraph, where the columns have no room beside each other.
+  /// Sets each row as a paragraph if the columns do not fit side by side.
   void set_stacked(const ManualBlock& block) {
     for (std::size_t r = 1; r < block.rows.size(); ++r) {
       const auto& row = block.rows[r];
@@ -137,8 +137,8 @@ class ManualSetter {
 
   [[nodiscard]] float gutter() const { return ui_.px(12); }
 
-  /// Of the columns, in pixels: each its longest word at least, the rest by how much they have to say. Empty:
-  /// they do not fit.
+  /// Column widths in pixels: each at least its longest word, the rest in proportion to the text. Empty: the
+  /// columns do not fit.
   std::vector<float> widths_of(const ManualBlock& block) {
     std::vector<float> least, wanted;
     for (const auto& row : block.rows)
@@ -167,7 +167,7 @@ class ManualSetter {
     float word = 0;
     const std::size_t links = out_.links.size();
     const std::vector<ManualWord>& words = words_of(line, type);
-    out_.links.resize(links);  // they are numbered where they are set
+    out_.links.resize(links);  // they are numbered when set
     for (const ManualWord& w : words) {
       word = w.space > 0 ? w.width : word + w.width;
       m.longest = std::max(m.longest, word);
@@ -185,7 +185,7 @@ class ManualSetter {
     row_ = row;
     float x = left;
     for (std::size_t i = 0; i < words.size();) {
-      std::size_t end = i + 1;  // of what must stand together
+      std::size_t end = i + 1;  // of the words that must stand together
       float width = words[i].width;
       while (end < words.size() && words[end].space == 0) width += words[end++].width;
       if (x > left && x + words[i].space + width > right) x = left, y_ += row;
@@ -195,7 +195,7 @@ class ManualSetter {
     y_ += row;
   }
 
-  /// What is too long for a line of its own goes on in the next. Returns where it ends.
+  /// Words too long for a line continue on the next. Returns where the word ends.
   float put(const ManualWord& word, float x, float left, float right, float row) {
     std::string_view rest = word.text;
     float width = word.width;
@@ -216,7 +216,7 @@ class ManualSetter {
     return x + width;
   }
 
-  /// Faces of other heights stand in the middle of the row.
+  /// Faces of different height are centred in the row.
   [[nodiscard]] float top_of(Face face) const { return y_ + std::floor((row_ - ui_.line(face)) / 2); }
 
   void add(const ManualWord& word, float x, float width, std::string_view text) {
@@ -225,7 +225,7 @@ class ManualSetter {
     last_link_ = word.link;
   }
 
-  /// Words beside each other that are set alike are one run.
+  /// Adjacent words in the same style form one run.
   bool goes_on(const ManualWord& word, float x, std::string_view rest) {
     if (out_.runs.empty()) return false;
     ManualRun& last = out_.runs.back();
@@ -240,7 +240,7 @@ class ManualSetter {
 
   const std::vector<ManualWord>& words_of(const ManualLine& line, const ManualType& type) {
     words_.clear();
-    float space = 0;  // as wide as the span draws it that it stands in
+    float space = 0;  // as wide as in the span that contains it
     for (const ManualSpan& span : line) {
       const bool code = span.kind == SpanKind::code, link = span.kind == SpanKind::link;
       const bool strong = span.kind == SpanKind::strong;
@@ -267,7 +267,7 @@ class ManualSetter {
     return words_;
   }
 
-  /// Each place that leads somewhere has a number of its own.
+  /// Each link of the page has its own number.
   int link_number(std::string_view target) {
     out_.links.push_back(target);
     return static_cast<int>(out_.links.size()) - 1;

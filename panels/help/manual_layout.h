@@ -1,6 +1,6 @@
 #pragma once
-// A page of the manual in a column: where each run of words stands. Made when the page or the column changes,
-// so that a frame only draws what is in sight.
+// Layout of a manual page in a column: the position of each run of words. Made when the page or the column
+// changes, so that a frame only draws what is visible.
 #include <string_view>
 #include <vector>
 
@@ -16,9 +16,9 @@ struct ManualRun {
   float x, y, width;
   gui::Face face;
   gui::Tone tone;
-  std::string_view text;  ///< of the ManualText
-  int link = -1;          ///< which of ManualLayout::links
-  bool begins = false;    ///< the first of its link
+  std::string_view text;  ///< in the ManualText
+  int link = -1;          ///< index into ManualLayout::links
+  bool begins = false;    ///< first run of its link
 };
 
 struct ManualMark {  ///< a heading
@@ -31,11 +31,11 @@ struct ManualLayout {
   std::vector<gui::Rect> wells;  ///< behind code
   std::vector<float> hairlines;  ///< y, across the column
   std::vector<ManualMark> marks;
-  std::vector<std::string_view> links;  ///< their targets
+  std::vector<std::string_view> links;  ///< targets
   float width = 0, scale = 0, height = 0;
 };
 
-/// `text` must outlive what is returned.
+/// `text` must outlive the result.
 ManualLayout lay_out_manual(const gui::Ui& ui, const ManualText& text, float width_px);
 
 }  // namespace hw::panels

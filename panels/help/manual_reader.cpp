@@ -21,7 +21,7 @@ const ManualPage* page_named(std::string_view name) {
   return found == pages.end() ? nullptr : &*found;
 }
 
-/// "scripts.md#read" taken apart.
+/// "scripts.md#read" split into page and anchor.
 struct ManualTarget {
   std::string_view page, anchor;
 };
@@ -32,7 +32,7 @@ ManualTarget target_of(std::string_view s) {
   return {page, hash == s.npos ? std::string_view() : s.substr(hash + 1)};
 }
 
-/// Whether it is of the manual: what is elsewhere is named only.
+/// The target is in the manual: other targets are only named.
 bool leads_somewhere(std::string_view target) {
   const ManualTarget to = target_of(target);
   return to.page.empty() ? !to.anchor.empty() : page_named(to.page) != nullptr;
@@ -59,7 +59,7 @@ void ManualReader::show(Place place) {
 void ManualReader::open(std::string_view target) {
   const ManualTarget to = target_of(target);
   const ManualPage* page = to.page.empty() && !to.anchor.empty() ? now_.page : page_named(to.page);
-  const std::string anchor(to.anchor);  // the target may be of the page that goes
+  const std::string anchor(to.anchor);  // the target may belong to the page that is replaced
   constexpr std::size_t remembered = 64;
   if (before_.size() == remembered) before_.erase(before_.begin());
   before_.push_back(now_);
@@ -89,7 +89,7 @@ void ManualReader::draw(PageFrame& f, std::string_view own) {
   if (!wishes_scroll_) now_.scroll = ImGui::GetScrollY() / f.ui.scale;
 }
 
-/// The window's part is as long as what was drawn in it last: one frame later it can be moved there.
+/// The scroll range is that of the last drawing, so scrolling works one frame later.
 void ManualReader::follow_wish(float scale) {
   if (!wishes_scroll_ || (now_.page && layout_.width == 0)) return;
   wishes_scroll_ = false;
@@ -100,7 +100,7 @@ void ManualReader::follow_wish(float scale) {
   ImGui::SetScrollY(to);
 }
 
-// ---- what it holds
+// ---- contents
 
 void ManualReader::draw_contents(PageFrame& f, std::string_view own) {
   const auto pages = manual_pages();
@@ -142,7 +142,7 @@ void ManualReader::draw_page(PageFrame& f) {
   const float width = std::floor(ImGui::GetContentRegionAvail().x);
   if (layout_.width != width || layout_.scale != ui.scale) {
     layout_ = lay_out_manual(ui, text_, width);
-    wishes_scroll_ = true;  // to where it was, in the new measure
+    wishes_scroll_ = true;  // to its previous position, in the new scale
   }
   gap(ui, 12);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -163,7 +163,7 @@ void ManualReader::draw_page(PageFrame& f) {
   if (!target.empty()) open(target);
 }
 
-/// What is in sight. Returns where a link that was pressed leads.
+/// Draws the visible runs. Returns the target of a pressed link.
 std::string_view ManualReader::draw_runs(PageFrame& f, ImVec2 at) {
   Ui& ui = f.ui;
   const Rect sight{ImGui::GetWindowPos(), ImVec2(ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
@@ -173,7 +173,7 @@ std::string_view ManualReader::draw_runs(PageFrame& f, ImVec2 at) {
     const ImVec2 place(at.x + run.x, at.y + run.y);
     const float line = ui.line(run.face);
     const bool in_sight = place.y + line >= sight.min.y && place.y <= sight.max.y;
-    // A link that goes on in the next line is pressed there too, under the same name as its beginning.
+    // A link continued on the next line can be pressed there too, with the id of its beginning.
     const bool leads = run.link >= 0 && leads_somewhere(layout_.links[static_cast<std::size_t>(run.link)]);
     if (leads && (in_sight || run.begins)) {
       ImGui::SetCursorScreenPos(place);

@@ -9,23 +9,23 @@
 
 namespace hw::panels {
 
-/// The manual, a page at a time, and what it holds. `help/page/scripts` opens a page, `help/heading/connect`
-/// is a heading of the one that is shown, `help/link/0` the first link of it.
+/// The manual, one page at a time, and its table of contents. `help/page/scripts` opens a page,
+/// `help/heading/connect` is a heading of the page shown, `help/link/0` its first link.
 class ManualReader {
  public:
-  /// `own`: the page of the controller in front, which stands first; empty: none.
+  /// `own`: the page of the controller in front, listed first; empty: none.
   void draw(gui::PageFrame& frame, std::string_view own);
-  /// "scripts", "scripts#read", "scripts.md#read", "#read" on the page that is shown; empty: what it holds.
+  /// "scripts", "scripts#read", "scripts.md#read", "#read" on the page shown; empty: the contents.
   void open(std::string_view target);
   [[nodiscard]] bool can_go_back() const { return !before_.empty(); }
   void go_back();
   [[nodiscard]] bool shows_contents() const { return !now_.page; }
-  /// Of what is shown.
+  /// Of the page shown.
   [[nodiscard]] std::string_view title() const;
 
  private:
   struct Place {
-    const ManualPage* page = nullptr;  ///< null: what it holds
+    const ManualPage* page = nullptr;  ///< null: the contents
     float scroll = 0;                  ///< logical
   };
   void show(Place place);
@@ -37,10 +37,10 @@ class ManualReader {
 
   Place now_;
   std::vector<Place> before_;
-  ManualText text_;  ///< of the page that is shown
+  ManualText text_;  ///< of the page shown
   ManualLayout layout_;
   std::vector<std::string> titles_;  ///< of all pages
-  std::string wished_anchor_;        ///< to be scrolled to when the page has been laid out
+  std::string wished_anchor_;        ///< to scroll to once the page is laid out
   bool wishes_scroll_ = false;
 };
 

@@ -44,7 +44,7 @@ std::string without_marks(std::string_view words) {
   return s;
 }
 
-/// "- ", "1. " at the start; what is behind it.
+/// "- ", "1. " at the start, and the text after it.
 struct ItemParts {
   std::string mark;
   std::string_view rest;
@@ -57,7 +57,7 @@ std::optional<ItemParts> item_at(std::string_view line) {
   return ItemParts{std::string(line.substr(0, digits + 1)), line.substr(digits + 2)};
 }
 
-/// Its lines one after the other, each belonging to the block that is open or opening one.
+/// Reads lines in order; each belongs to the open block or opens one.
 class BlockReader {
  public:
   void take(std::string_view line) {
@@ -90,7 +90,7 @@ class BlockReader {
     text_.blocks.push_back({kind});
     return text_.blocks.back();
   }
-  /// What was gathered of it becomes its line.
+  /// Turns the collected text into the line of the block.
   void finish() {
     if (!gathered_.empty()) text_.blocks.back().line = read_manual_line(gathered_);
     gathered_.clear();
@@ -140,7 +140,7 @@ class BlockReader {
     block.mark = item.mark;
     gathered_ = item.rest;
   }
-  /// Of the paragraph or the item that is open; else a paragraph begins.
+  /// Continues the open paragraph or item; else begins a paragraph.
   void go_on(std::string_view words) {
     if (gathered_.empty()) open(BlockKind::paragraph);
     if (!gathered_.empty()) gathered_ += ' ';
@@ -188,7 +188,7 @@ ManualLine read_manual_line(std::string_view s) {
       i = from = i + link->size;
       continue;
     }
-    // One star or two, around words: strong. A star between spaces is a star.
+    // One star or two around words: strong. A star between spaces is a literal star.
     if (s[i] == '*') {
       if (i + 1 < s.size() && s[i + 1] == '*') marks = 2;
       const bool opens =

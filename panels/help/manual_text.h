@@ -1,6 +1,5 @@
 #pragma once
-// A page of the manual as headings, paragraphs, lists, tables and code: as much Markdown as the manual uses.
-// No ImGui.
+// A manual page as headings, paragraphs, lists, tables and code: the Markdown that the manual uses. No ImGui.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -8,7 +7,7 @@
 
 namespace hw::panels {
 
-/// A piece of a line that is set in one way.
+/// A piece of a line in one style.
 struct ManualSpan {
   enum class Kind : std::uint8_t { plain, strong, code, link };
   Kind kind = Kind::plain;
@@ -21,11 +20,11 @@ using ManualLine = std::vector<ManualSpan>;
 struct ManualBlock {
   enum class Kind : std::uint8_t { heading, paragraph, item, code, table, picture };
   Kind kind = Kind::paragraph;
-  int level = 0;                                   ///< of a heading from 1; of an item how far it is indented
-  std::string mark = {};                           ///< of an item: "1.", or a dot; of a heading its anchor
-  ManualLine line = {};                            ///< all but of tables and code
+  int level = 0;                                   ///< of a heading, from 1; of an item, its indentation
+  std::string mark = {};                           ///< of an item: "1." or a dot; of a heading: its anchor
+  ManualLine line = {};                            ///< of all but tables and code
   std::vector<std::string> code = {};              ///< its lines
-  std::vector<std::vector<ManualLine>> rows = {};  ///< of a table; the first is its titles
+  std::vector<std::vector<ManualLine>> rows = {};  ///< of a table; the first row holds its titles
 };
 using BlockKind = ManualBlock::Kind;
 
@@ -35,9 +34,9 @@ struct ManualText {
 };
 
 ManualText read_manual(std::string_view markdown);
-/// "Holding a jog, and leaving" -> "holding-a-jog-and-leaving": what links say behind the #.
+/// The part of a link after the #: "Holding a jog, and leaving" -> "holding-a-jog-and-leaving".
 std::string manual_anchor(std::string_view heading);
-/// Code, links and strong words within a line.
+/// Parses code, links and strong words within a line.
 ManualLine read_manual_line(std::string_view line);
 
 }  // namespace hw::panels

@@ -1,6 +1,6 @@
 #pragma once
-// `jog/gamepad`: arms the gamepad, where one is plugged in. It has a place beside the buttons that nothing
-// else takes, so that plugging one in moves none of them.
+// `jog/gamepad`: arms the gamepad, if one is plugged in. Its place beside the buttons is reserved, so that
+// plugging in a gamepad moves none of them.
 #include <imgui.h>
 
 #include "gui/shell/frame.h"
@@ -8,9 +8,9 @@
 
 namespace hw::panels {
 
-/// At `at`, a square of `side`, logical. Draws nothing where there is no gamepad.
+/// At `at`, a square of `side`, logical. Draws nothing without a gamepad.
 void draw_gamepad_switch(gui::Frame& frame, ImVec2 at, float side);
-/// How it jogs, while it is armed.
+/// How the armed gamepad jogs.
 Path gamepad_hint(const gui::Frame& frame);
 
 }  // namespace hw::panels

@@ -17,15 +17,15 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr double longest_silence_s = 1.3;  // until the watchdog has spoken for a program that stands still
+constexpr double longest_silence_s = 1.3;  // until the watchdog acts for a hung program
 
-/// The guard is the controller's too, and only a guess: JogGuardFacts::doubt.
+/// The guard also runs in the controller, but is only a guess: JogGuardFacts::doubt.
 enum class Who : std::uint8_t { controller, guard, watchdog, program, nobody };
 
-/// The weakest of all axes that the pad jogs.
+/// The weakest among all axes that the pad jogs.
 struct Guarantee {
   Who who = Who::controller;
-  Steps way{};  ///< the longest
+  Steps way{};  ///< the longest; with nobody, per second
 };
 
 Guarantee of_axis(const Tab& tab, AxisId id) {
@@ -38,7 +38,7 @@ Guarantee of_axis(const Tab& tab, AxisId id) {
   if (now.jog_guard.state == JogGuard::State::installed)
     return {Who::guard, Steps(std::llround(speed * seconds(now.jog_guard.silence)))};
   if (now.link.jog_ends == JogEnds::with_program) return {Who::program, {}};
-  if (now.link.jog_ends == JogEnds::by_nobody) return {Who::nobody, {}};
+  if (now.link.jog_ends == JogEnds::by_nobody) return {Who::nobody, Steps(std::llround(speed))};
   return {Who::watchdog, Steps(std::llround(speed * longest_silence_s))};
 }
 
@@ -91,7 +91,7 @@ Words words_of(Who who) {
       Tone::fault};
 }
 
-/// Of what lies there; ImGui's cursor stays where it is.
+/// Touch of this area; ImGui's cursor stays where it is.
 Touch touch_at(Ui& ui, const About& about, const Rect& rect) {
   const ImVec2 cursor = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(rect.min);
@@ -111,8 +111,9 @@ bool draw_guarantee(const Frame& f, const Rect& place) {
   const bool known = guarantee.way > Steps(0);
   const NumberText way = format_with_unit(guarantee.way, common_unit(f));
   const std::string_view bound = guarantee.who == Who::controller ? "within " : "";
-  const Path whole = guarantee.who == Who::guard ? Path("{}, {}", way.view(), words.verb)
-                                                 : Path("{}: {}{}", words.verb, bound, way.view()),
+  const Path whole = guarantee.who == Who::guard    ? Path("{}, {}", way.view(), words.verb)
+                     : guarantee.who == Who::nobody ? Path("{} a second", way.view())
+                                                    : Path("{}: {}{}", words.verb, bound, way.view()),
              longest("{} at this speed", whole.view());
   const bool opens = f.catalog.jog_guard.offered();
   const float chevron = opens ? ui.px(14) : 0;

@@ -25,7 +25,7 @@ void for_each_device(Frame& f, Act act) {
   for (Tab* member : f.tab.bus->members) act(*member);
 }
 
-/// The one that is furthest from being guarded.
+/// The device with the weakest guard.
 Tab& weakest(Frame& f) {
   Tab* found = &f.tab;
   for_each_device(f, [&](Tab& tab) {
@@ -46,7 +46,7 @@ std::string_view state_of(const Tab& tab) {
     case JogGuard::State::no_room:
       return "The program memory holds a program. Save it and clear it, if this guard is to take its place.";
     case JogGuard::State::installed: break;
-    case JogGuard::State::unknown: return "What the program memory holds is read while the axes stand.";
+    case JogGuard::State::unknown: return "The program memory is read while the axes are at rest.";
   }
   return {};
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The sheet behind the badge by the jog pad: a guard in the controller itself, with what it does, where it is
-// kept and what is not known of it; installed and taken away here. Of all devices that the pad jogs. Ids:
+// The sheet behind the badge by the jog pad: a guard in the controller itself, its effect, where it is stored
+// and what is unknown about it. Installs and removes the guard on all devices that the pad jogs. Ids:
 // `jog/guard/state`, `jog/guard/install`, `jog/guard/remove`, `jog/guard/close`.
 #include <string_view>
 
@@ -11,7 +11,7 @@ namespace hw::panels {
 class GuardOffer {
  public:
   void open() { open_ = true; }
-  /// Each frame; nothing is drawn while it is closed.
+  /// Call each frame; draws nothing while closed.
   void draw(gui::Frame& frame);
 
  private:

@@ -31,7 +31,7 @@ struct Cell {
   float column, row;
   Icon icon;
 };
-/// A cross for the first two axes; the third and fourth stand as columns beside it.
+/// The first two axes form a cross; the third and fourth are columns beside it.
 Cell cell_of(AxisId axis, Sign sign) {
   const bool plus = sign == Sign::plus;
   if (axis.index == 0) return {plus ? 2.0f : 0.0f, 1, plus ? Icon::play : Icon::back};
@@ -44,7 +44,7 @@ bool jogs_in_rows(const Frame& f) {
   return f.tier == Tier::narrow ? f.tab.bus && f.catalog.axes.size() == 1
                                 : f.tab.bus || f.catalog.axes.size() > 4;
 }
-/// A second Stop is another one.
+/// A second Stop has another effect.
 bool stops_now(const Frame& f) {
   bool stops = false;
   for_each_axis(f, [&](const Tab& tab, AxisId axis) {
@@ -56,7 +56,7 @@ bool in_pairs(const Frame& f) { return f.catalog.axes.size() > 4 && !jogs_in_row
 
 }  // namespace
 
-// Each part has its place by the column's measures; nothing that is said or chosen in one moves the next.
+// Each part has its place from the column's measures; no text or choice in one part moves the next.
 void Jog::draw(Frame& f) {
   follow_unit(f);
   const Column column = column_of(f);
@@ -76,7 +76,7 @@ void Jog::draw(Frame& f) {
   guard_.draw(f);
 }
 
-/// Each device or axis has its jog buttons in its own row: what is left is for all of them.
+/// Each device or axis has its jog buttons in its own row: the rest applies to all of them.
 float Jog::draw_stop_and_steps(Frame& f, const Column& column) {
   const float for_pad = f.ui.gamepad.present() ? stop_height + close_between : 0;
   draw_stop(f, 0, 0, ImVec2(f.area.width - for_pad, stop_height));
@@ -86,8 +86,8 @@ float Jog::draw_stop_and_steps(Frame& f, const Column& column) {
   return steps + steps_height + column.below_steps;
 }
 
-/// In a narrow window the strip of positions has no room for the unit: it stands here, and the reason with
-/// it.
+/// In a narrow window the strip of positions has no room for the unit, so it stands here together with the
+/// reason.
 void Jog::draw_title(Frame& f, const Column& column) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -108,7 +108,7 @@ void Jog::draw_title(Frame& f, const Column& column) {
   }
 }
 
-/// Why nothing may be jogged, or how it is done: as many lines as there is place for, said or not.
+/// Why jogging is impossible, or how to jog; always reserves the same number of lines.
 void Jog::draw_reason(Frame& f, const Rect& place) {
   Ui& ui = f.ui;
   const std::string_view flaw = speed_.flaw();
@@ -143,7 +143,7 @@ void Jog::draw_guarantee_here(Frame& f, const Rect& place) {
   if (draw_guarantee(f, place)) guard_.open();
 }
 
-/// Where the title is the speed's.
+/// For layouts whose title belongs to the speed.
 void Jog::draw_hint_over_guarantee(Frame& f, const Rect& place) {
   const float line = f.ui.line(Face::small), badge = place.min.y + line + f.ui.px(3);
   draw_text_line(
@@ -152,7 +152,7 @@ void Jog::draw_hint_over_guarantee(Frame& f, const Rect& place) {
   draw_guarantee_here(f, {ImVec2(place.min.x, badge), ImVec2(place.max.x, badge + f.ui.px(18))});
 }
 
-/// The most words with which every step has room in its button.
+/// The most words with which every step fits its button.
 template <class Width>
 int Jog::words_that_fit(const Frame& f, const Width& width) const {
   const auto fits = [&](int room) {
@@ -171,7 +171,8 @@ float Jog::draw_cross(Frame& f, const Column& column) {
   const bool flat = axes == 1, beside = axes == 2;
   const float cell = column.cell, pitch = cell + close_between;
   const float left_over = f.area.width - (static_cast<float>(axes) + 1) * pitch + close_between;
-  const float apart = std::clamp(left_over, 0.0f, 16.0f);  // the columns beside the cross stand apart from it
+  const float apart =
+      std::clamp(left_over, 0.0f, 16.0f);  // the columns beside the cross are set apart from it
   for (std::size_t i = 0; i < axes; ++i)
     for (const Sign sign : {Sign::minus, Sign::plus}) {
       const AxisId axis{static_cast<std::uint8_t>(i)};
@@ -194,7 +195,7 @@ float Jog::draw_cross(Frame& f, const Column& column) {
   return below;
 }
 
-/// Many axes where their rows have no room for buttons: two beside each other for each.
+/// Many axes whose rows have no room for buttons: two side by side for each.
 float Jog::draw_pairs(Frame& f) {
   const ImVec2 size(44, 40);
   const float pair = 2 * size.x + close_between + 12, row = size.y + 8;
@@ -242,7 +243,7 @@ void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
   const bool again = stops_now(f), wide = size.x > 1.5f * size.y;
   const std::string_view word = !again ? "Stop" : wide ? "Stop at once" : "At once";
   const float middle = t.rect.centre().y;
-  if (wide) {  // beside each other
+  if (wide) {  // side by side
     const float words = text_width(ui, Face::body_bold, word),
                 left = t.rect.centre().x - words / 2 + ui.px(8);
     draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
@@ -259,7 +260,7 @@ void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
   if (t.started) f.tab.stop_all();  // on the press, not on the release
 }
 
-/// In the empty cell beside Stop: what a second press does.
+/// In the empty cell beside Stop: the effect of a second press.
 void Jog::draw_stop_again(Frame& f, float x, float y, ImVec2 size) {
   const ImVec2 at(origin_.x + f.ui.px(x), origin_.y + f.ui.px(y));
   const Rect place{ImVec2(at.x, at.y + f.ui.px(size.y / 2) - f.ui.line(Face::small)),
@@ -280,13 +281,14 @@ void Jog::follow_unit(Frame& f) {
   steps_ = jog_steps(unit, 5);
   // Never drop the chosen one.
   if (many < 5) steps_.erase(chosen(steps_.back()) ? steps_.begin() + 1 : steps_.end() - 1);
-  // A tap never moves what no button shows: what was chosen in another unit gives way to the least.
+  // A tap never moves by a step that no button shows: a step chosen in another unit is replaced by the
+  // smallest.
   if (std::none_of(steps_.begin(), steps_.end(), chosen))
     f.tab.choose_jog(steps_.front().steps, f.tab.jog_speed());
 }
 
 std::string_view Jog::label_of(const JogStep& step, int room) const {
-  if (room >= 3 || (room >= 1 && &step == &steps_.back())) return step.label;  // one unit says it for all
+  if (room >= 3 || (room >= 1 && &step == &steps_.back())) return step.label;  // one unit stands for all
   if (step.id != "step") return step.number;
   return room >= 2 ? std::string_view(step.label) : std::string_view("1 st.");
 }

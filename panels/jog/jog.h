@@ -12,8 +12,8 @@
 
 namespace hw::panels {
 
-/// Hold to move, tap for one step. Up to four axes: a pad; where each axis has a row with its own two
-/// buttons: Stop and the steps.
+/// Hold to move, tap for one step. Up to four axes: a pad. If each axis has a row with its own two buttons:
+/// Stop and the steps.
 class Jog final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
@@ -23,7 +23,7 @@ class Jog final : public gui::Panel {
   void draw_reason(gui::Frame& frame, const gui::Rect& place);
   void draw_guarantee_here(gui::Frame& frame, const gui::Rect& place);
   void draw_hint_over_guarantee(gui::Frame& frame, const gui::Rect& place);
-  // Each leaves how high it is.
+  // Each returns its height.
   [[nodiscard]] float draw_cross(gui::Frame& frame, const Column& column);
   [[nodiscard]] float draw_pairs(gui::Frame& frame);
   [[nodiscard]] float draw_stop_and_steps(gui::Frame& frame, const Column& column);
@@ -35,7 +35,7 @@ class Jog final : public gui::Panel {
   void draw_step(gui::Frame& frame, const gui::JogStep& step, std::string_view label, float width);
   template <class Width>
   [[nodiscard]] int words_that_fit(const gui::Frame& frame, const Width& width) const;
-  /// What a step is called where `room` (0: least) words have room.
+  /// The label of a step that fits `room` (0: least) words.
   [[nodiscard]] std::string_view label_of(const gui::JogStep& step, int room) const;
   void follow_unit(gui::Frame& frame);
 

@@ -31,7 +31,7 @@ void draw_jog_button(Ui& ui, Tab& tab, AxisId axis, Sign sign, std::string_view 
   if (o.disabled.empty())
     tab.jog.release(control, hold.released_at_s);
   else if (held == control)
-    tab.jog.let_go();  // it became disabled under the hand
+    tab.jog.let_go();  // it was disabled while held
 }
 
 }  // namespace hw::panels

@@ -1,12 +1,11 @@
 #pragma once
-// One hold-to-move button of any controller: `jog/AXIS/+`.
+// A hold-to-move button of any controller: `jog/AXIS/+`.
 #include "gui/model/tab.h"
 #include "gui/widgets/hold_button.h"
 
 namespace hw::panels {
 
-/// At ImGui's cursor. Acts on `tab`, whether it is the one in front or not. `options.disabled` and `.lit` are
-/// set here.
+/// Draws at ImGui's cursor. Acts on `tab`, in front or not. Sets `options.disabled` and `.lit`.
 void draw_jog_button(gui::Ui& ui, gui::Tab& tab, AxisId axis, Sign sign, std::string_view label,
                      gui::HoldOptions options);
 

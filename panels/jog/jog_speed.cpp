@@ -13,12 +13,12 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float slider_height = 32, number_height = 26, speed_number_width = 112;  // whatever it says
+constexpr float slider_height = 32, number_height = 26, speed_number_width = 112;  // whatever its text
 
-/// How fast the axes go where nobody asks for a speed.
+/// The speed of the axes without a requested speed.
 struct OwnSpeed {
   bool alike = true;  ///< the same for all axes
-  Pps speed{};        ///< the highest; 0: not known yet
+  Pps speed{};        ///< the highest; 0: unknown yet
 };
 OwnSpeed own_speed(const Frame& f) {
   bool any_on = false, known = true;
@@ -52,7 +52,7 @@ NumberText speed_in_words(const Frame& f) {
 double slowest(const Frame& f) { return std::max(1.0, f.catalog.jog_speed_min.value); }
 double fastest(const Frame& f) { return f.catalog.jog_speed_max.value; }
 
-/// The one that the controller has by itself, as far as it is known.
+/// The controller's own speed, if known.
 double usual(const Frame& f) {
   const OwnSpeed own = own_speed(f);
   const double speed = own.speed.value > 0 ? own.speed.value : f.catalog.jog_speed.value;
@@ -70,7 +70,7 @@ double per_step(const DisplayUnit& unit) { return unit.real ? unit.per_step : 1;
 
 namespace {
 
-/// At the right; in less room without the name of its unit, which stands beside the positions too.
+/// Right-aligned; in less room without the unit, which the positions show too.
 void draw_number_words(const Frame& f, const Rect& r, std::string_view words) {
   const Ui& ui = f.ui;
   const auto fits = [&](std::string_view s) { return text_width(ui, Face::body_bold, s) <= r.width(); };
@@ -112,7 +112,7 @@ void JogSpeed::begin_typing(Frame& f) {
   type_into(f.ui, "jog/speed/field");
 }
 
-/// The number at the right end of its place; a click makes a field of it.
+/// The number at the right end of its place; a click turns it into a field.
 void JogSpeed::draw_number(Frame& f, ImVec2 at, float width, float height) {
   Ui& ui = f.ui;
   ImGui::SetCursorScreenPos(at);
@@ -147,7 +147,7 @@ void JogSpeed::draw_field(Frame& f, float width, float height) {
   o.tip = "Enter takes it.";
   const NumberEvent e = number_field(f.ui, "jog/speed/field", "Speed while held", std::nullopt, field_, o);
   if (e.entered || e.committed) choose(f, e.value / k);
-  if (e.field.entered && !e.entered) {  // it does not go: to be mended where it stands
+  if (e.field.entered && !e.entered) {  // invalid: to be corrected in the field
     type_into(f.ui, "jog/speed/field");
     was_typing_ = false;
     return;

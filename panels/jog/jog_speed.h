@@ -1,5 +1,5 @@
 #pragma once
-// How fast a held jog goes: a slider for the hand, and behind its number a field for who knows what he wants.
+// Speed of a held jog: a slider, and a field behind its number for exact values.
 #include "gui/model/units_format.h"
 #include "gui/shell/panel_entry.h"
 #include "gui/widgets/number_field.h"
@@ -10,9 +10,9 @@ class JogSpeed {
  public:
   /// `roomy`: the words stand over the slider, else beside it.
   void draw(gui::Frame& frame, bool roomy);
-  /// At the cursor, all in one line.
+  /// Draws all of it in one line, at the cursor.
   void draw_line(gui::Frame& frame, float width);
-  /// Why the speed that is typed does not go; empty: it does, or none is typed.
+  /// Why the typed speed is invalid; empty: valid, or none typed.
   [[nodiscard]] std::string_view flaw() const { return typing_ ? field_.sentence : std::string_view(); }
 
  private:

@@ -8,7 +8,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// What the controllers count in: no word, where some count pulses and others counts.
+/// The controllers' own unit: no word if some count pulses and others counts.
 DisplayUnit counted_by_all(const Frame& f) {
   DisplayUnit unit;
   bool first = true;

@@ -1,12 +1,12 @@
 #pragma once
-// What the steps and the speed of jogging are for, and are shown in.
+// What the jog steps and speed apply to, and their display units.
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/shell/frame.h"
 
 namespace hw::panels {
 
-/// All that the steps and the speed are for: on a bus the axes of all its devices.
+/// Acts on everything that steps and speed apply to: on a bus the axes of all its devices.
 template <class Act>
 void for_each_axis(const gui::Frame& f, Act act) {
   const auto of = [&](const gui::Tab& tab) {
@@ -17,8 +17,8 @@ void for_each_axis(const gui::Frame& f, Act act) {
   for (const gui::Tab* member : f.tab.bus->members) of(*member);
 }
 
-/// For steps and speed of all axes: the real unit that all have in common, without the sign of those that
-/// count against their steps, or else what the controllers themselves count in.
+/// For steps and speed of all axes: the real unit they have in common, without the sign of axes that count
+/// against their steps; else the controllers' own unit.
 [[nodiscard]] gui::DisplayUnit common_unit(const gui::Frame& frame);
 
 }  // namespace hw::panels

@@ -27,7 +27,7 @@ std::string_view powerless_words(const Frame& f, std::uint32_t axes) {
   if (axes == 0) return {};
   if (std::popcount(axes) > 1) return "Motor power is off. Switch on:";
   const std::string_view why = f.tab.why_not_move(AxisId{static_cast<std::uint8_t>(std::countr_zero(axes))});
-  return why.substr(0, why.find(". ") + 1);  // what to do stands beside it
+  return why.substr(0, why.find(". ") + 1);  // the remedy stands beside it
 }
 
 Rect draw_power_switches(Frame& f, const Rect& place, std::uint32_t axes) {

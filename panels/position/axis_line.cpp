@@ -31,7 +31,7 @@ void draw_jogs(Ui& ui, Tab& tab, AxisId axis, const Rect& r) {
   }
 }
 
-/// The name that the user gave, and the position.
+/// The user's name, and the position.
 Touch draw_number(Ui& ui, Tab& tab, AxisId axis, const AxisLine& line, float left, float right, float top) {
   const DisplayUnit& unit = tab.unit(axis);
   const NumberText number = shown_position(tab.now().axes[axis.index], unit);
@@ -51,7 +51,7 @@ Touch draw_number(Ui& ui, Tab& tab, AxisId axis, const AxisLine& line, float lef
                 d);
 }
 
-/// Under the number, so that a long one does not run into it. Returns where it ends.
+/// Below the number, so that a long one does not run into it. Returns the end of the state.
 float draw_state(Ui& ui, const AxisLine& line, float left, float right, const Rect& row) {
   const float middle = row.min.y + ui.px(state_middle);
   const StateLook& state = look_of(line.state);

@@ -1,6 +1,6 @@
 #pragma once
-// One of many in a row: a device of a bus, or an axis of a controller with more than four. Its name and
-// position, under them its state, at the right two jog buttons. A press on the row chooses it.
+// The row of a device of a bus, or of an axis of a controller with more than four. Name and position, below
+// them the state, at the right two jog buttons. A press on the row chooses it.
 #include <string_view>
 
 #include "gui/model/axis_look.h"
@@ -15,23 +15,23 @@ inline constexpr float axis_line_height = 44;
 struct AxisLine {
   std::string_view id;     ///< of the row: "bus/03", "axis/X"
   std::string_view name;   ///< of its widgets: "03" in `dro/03/position`
-  std::string_view label;  ///< what the user calls it
+  std::string_view label;  ///< the user's name
   std::string_view tip;    ///< of the number
   gui::State state;
   bool chosen = false;
   gui::Face face = gui::Face::digits26;  ///< of the number: see axis_line_face
 };
 
-/// The face in which a number that wide at digits26 stands clear of the name, in a line of that width.
+/// The face in which a number of this width at digits26 keeps clear of the name, in a line of that width.
 gui::Face axis_line_face(const gui::Ui& ui, float number_px, float width);
 
 struct AxisLineTouch {
   bool pressed = false;
   gui::Touch number;
-  gui::Rect aside;  ///< what is free of the second line, from the state word to where the number ends
+  gui::Rect aside;  ///< free part of the second line, from the state word to the end of the number
 };
 
-/// At the cursor, `width` logical pixels wide; leaves it under the row.
+/// Draws at the cursor, `width` logical pixels wide; leaves it under the row.
 AxisLineTouch draw_axis_line(gui::Ui& ui, gui::Tab& tab, AxisId axis, const AxisLine& line, float width);
 
 }  // namespace hw::panels

@@ -5,6 +5,7 @@
 #include "core/device/backlash_moves.h"
 #include "core/device/refusals.h"
 #include "core/device/travel_check.h"
+#include "gui/model/clearing.h"
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/popup.h"
@@ -17,7 +18,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// "It stands at [     ]": the text, once, when Enter was pressed.
+/// "It stands at [     ]": returns the text once, when Enter was pressed.
 bool set_field(Frame& f, std::string_view id, std::string_view label, std::string& typed,
                const DisplayUnit& unit, std::string_view disabled) {
   Ui& ui = f.ui;
@@ -39,9 +40,15 @@ bool set_field(Frame& f, std::string_view id, std::string_view label, std::strin
 
 void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
   const AxisInfo& info = f.catalog.axes[axis.index];
-  const float rows = 7.25f + (info.encoder ? 2.25f : 0) + (info.switchable ? 1 : 0);
+  const std::optional<Clearing> clearing = clearing_of(f.catalog, f.now, axis);
+  const float rows = 7.25f + (info.encoder ? 2.25f : 0) + (info.switchable ? 1 : 0) + (clearing ? 1.25f : 0);
   ImGui::PushID(axis.index);
   if (begin_popup(f.ui, "axis", opener, 288, rows)) {
+    if (clearing) {
+      const char* words = clearing->stops_all() ? "Stop, to clear its error" : "Clear its error";
+      if (popup_row(f.ui, Path("dro/{}/menu/clear", info.name), words)) f.send(clearing->wish);
+      popup_line(f.ui);
+    }
     draw_position_rows(f, axis);
     if (info.encoder) {
       popup_line(f.ui);
@@ -79,7 +86,7 @@ void AxisMenu::draw_position_rows(Frame& f, AxisId axis) {
   ImGui::CloseCurrentPopup();
 }
 
-/// "- limit [     ] Here  None", and the same of the other end.
+/// "- limit [     ] Here  None", and the same for the other end.
 void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
   Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
@@ -106,7 +113,7 @@ void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
     if (typed.committed) has = true, end = to_steps(typed.value, unit);
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(172), at.y));
     ButtonOptions small{.style = ButtonStyle::quiet, .tip = "The limit lies where the axis stands now."};
-    small.disabled = state.position_known && !state.trust.doubtful() ? "" : "Where it stands is not known.";
+    small.disabled = state.position_known && !state.trust.doubtful() ? "" : "Its position is not known.";
     small.width = 44;
     if (button(ui, Path("dro/{}/limit/{}/here", name, letter(sign)), "Here", small).clicked)
       has = true, end = state.commanded();
@@ -142,7 +149,7 @@ void AxisMenu::draw_backlash_row(Frame& f, AxisId axis) {
   o.sentence_below = false;
   o.tip =
       "A move of the console that would end the other way goes this far past its target and comes back. 0: "
-      "not.";
+      "off.";
   const double sense = unit.per_step < 0 ? -1 : 1;
   const NumberEvent typed = number_field(ui, Path("dro/{}/backlash", name), "Backlash",
                                          from_steps(backlash.by, unit) * sense, backlash_, o);

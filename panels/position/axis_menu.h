@@ -1,8 +1,7 @@
 #pragma once
-// What can be done to the number of an axis: copy it, make it zero, say where the axis stands; the same for
-// its encoder; how far it may go; motor power. Ids: `dro/X/copy`, `/zero`, `/set`, `/encoder/zero`,
-// `/encoder/set`, `/limit/-`, `/limit/-/here`, `/limit/-/none`, `/backlash`,
-// `/backlash/way`, `/menu/power`.
+// The menu of an axis position: copy, zero, set; the same for its encoder; travel limits; motor power. Ids:
+// `dro/X/copy`, `/zero`, `/set`, `/encoder/zero`, `/encoder/set`, `/limit/-`, `/limit/-/here`,
+// `/limit/-/none`, `/backlash`, `/backlash/way`, `/menu/power`.
 #include <array>
 #include <string>
 
@@ -14,7 +13,7 @@ namespace hw::panels {
 
 class AxisMenu {
  public:
-  /// `digits`: opens it with a click.
+  /// A click on `digits` opens it.
   void draw(gui::Frame& frame, AxisId axis, const gui::Touch& digits);
 
  private:
@@ -23,7 +22,7 @@ class AxisMenu {
   void draw_limit_rows(gui::Frame& frame, AxisId axis);
   void draw_backlash_row(gui::Frame& frame, AxisId axis);
 
-  std::string position_, encoder_;            ///< typed, in the menu that is open
+  std::string position_, encoder_;            ///< typed in the open menu
   std::array<gui::NumberField, 2> limits_{};  ///< -, +
   gui::NumberField backlash_;
 };

@@ -23,7 +23,7 @@ namespace {
 constexpr float bus_row_height = axis_line_height, most_of_column = 0.55f, margin = 16;
 constexpr AxisId only{0};
 
-/// What needs somebody: faults, lost and stale ones.
+/// Needs attention: faults, lost and stale controllers.
 bool in_trouble(const Tab& tab) {
   return badness(worst_state(tab.now(), tab.clock())) >= badness(State::stale);
 }
@@ -58,7 +58,7 @@ void BusRows::draw_title(Frame& f) {
   draw_summary(f, f.area.width);
 }
 
-/// How many answer; and what can be done to the position of the chosen one.
+/// Number of responding controllers; and the menu for the position of the chosen one.
 void BusRows::draw_summary(Frame& f, float width) {
   Ui& ui = f.ui;
   constexpr float height = 32;
@@ -97,12 +97,13 @@ void BusRows::draw_summary(Frame& f, float width) {
 void BusRows::draw_rows(Frame& f, float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect all{at, ImVec2(at.x + f.ui.px(f.area.width), at.y + f.ui.px(height))};
-  // From border to border of the column: what is chosen is seen from afar.
+  // The highlight spans the column from border to border, to be visible from afar.
   ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x - margin), at.y));
   begin_part(f.ui, "bus/rows", f.ui.px(f.area.width + 2 * margin) - f.ui.hair(), f.ui.px(height), Tone::panel,
              margin);
   const float width = ImGui::GetContentRegionAvail().x / f.ui.scale;
-  // In the order of their ids whoever is in trouble: each row has jog buttons, and they do not change places.
+  // Always in the order of their ids, in trouble or not: the rows have jog buttons and must not change
+  // places.
   for (Tab* member : f.tab.bus->members) draw_row(f, *member, width);
   end_part();
   ImGui::SetCursorScreenPos(ImVec2(at.x, all.max.y));
@@ -124,7 +125,7 @@ void BusRows::draw_row(Frame& f, Tab& member, float width) {
   if (touched.pressed || touched.number.clicked) f.console.activate(member);
 }
 
-/// A narrow window: the chosen one, and a list to choose another from.
+/// In a narrow window: the chosen controller, and a list to choose another.
 void BusRows::draw_strip(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -1,7 +1,7 @@
 #pragma once
-// All controllers of a bus, a row each: id, state, position and jog. A press chooses the one that the other
-// panels act on. Whoever is in trouble is counted above, and shown by a press: rows do not change places.
-// Ids: `bus/03`, `bus/trouble`, `dro/03/position`, `dro/03/state`, `jog/03/+`.
+// All controllers of a bus, a row each: id, state, position and jog. A press chooses the controller that the
+// other panels act on. Controllers in trouble are counted above, and a press shows them: rows do not change
+// places. Ids: `bus/03`, `bus/trouble`, `dro/03/position`, `dro/03/state`, `jog/03/+`.
 #include "gui/model/bus.h"
 #include "gui/model/tab.h"
 #include "gui/shell/panel_entry.h"

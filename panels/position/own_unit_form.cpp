@@ -99,7 +99,7 @@ bool OwnUnitForm::draw_drive(Frame& f, AxisId axis, OwnUnit& own) {
   return true;
 }
 
-/// Two places read at the machine, each with the count at that moment.
+/// Two positions read at the machine, each with the count at that moment.
 bool OwnUnitForm::draw_points(Frame& f, AxisId axis, OwnUnit& own) {
   const FormLine line(f, axis);
   line.words(0, "measured at");
@@ -129,7 +129,7 @@ void OwnUnitForm::draw_point(Frame& f, AxisId axis, Point& point, std::string_vi
   number_field(f.ui, Path("dro/unit/own/{}/{}", name, id), "Measured place", std::nullopt, point.place, o);
   ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(x + 88), at.y));
   ButtonOptions here{.tip = "The axis stands there now.", .width = 50, .on = point.steps.has_value()};
-  here.disabled = !state.position_known          ? "Where it counts is not known."
+  here.disabled = !state.position_known          ? "Its count is not known."
                   : f.now.axis_moves(axis.index) ? "It moves."
                                                  : "";
   if (button(f.ui, Path("dro/unit/own/{}/{}/here", name, id), "Here", here).clicked)

@@ -1,7 +1,6 @@
 #pragma once
-// What hangs on an axis where no catalog knows it: told as units a step, by its drive, or by two points that
-// somebody has measured. Ids: `dro/unit/own/X/step`, `/name`, `/full`, `/micro`, `/gear`, `/travel`,
-// `/drive`,
+// The load of an axis that the catalog does not know: given as units per step, by its drive, or by two
+// measured points. Ids: `dro/unit/own/X/step`, `/name`, `/full`, `/micro`, `/gear`, `/travel`, `/drive`,
 // `/first`, `/first/here`, `/second`, `/second/here`, `/measured`.
 #include <array>
 #include <optional>
@@ -17,13 +16,13 @@ class OwnUnitForm {
  public:
   static constexpr float rows = 3.6f;  ///< its height in rows of 32
 
-  /// True: `own` is another one now.
+  /// True: `own` has changed.
   bool draw(gui::Frame& frame, AxisId axis, OwnUnit& own);
 
  private:
   struct Point {
     gui::NumberField place;
-    std::optional<Steps> steps;  ///< where the axis stood when it was measured
+    std::optional<Steps> steps;  ///< position of the axis when measured
   };
   bool draw_step(gui::Frame& frame, AxisId axis, OwnUnit& own);
   bool draw_drive(gui::Frame& frame, AxisId axis, OwnUnit& own);

@@ -29,24 +29,25 @@ using namespace gui;
 namespace {
 
 constexpr float between_strip_columns = 24;
-/// Left of a number: room for an encoder position, so that numbers take smaller type before it is cut.
+/// Room left of a number for an encoder position, so that numbers take smaller type before the encoder is
+/// cut.
 constexpr float room_beside = 80;
 
 AxisId axis_id(std::size_t i) { return AxisId{static_cast<std::uint8_t>(i)}; }
 
 bool in_strip(const Frame& f) { return f.tier == Tier::narrow; }
-/// A row with jog buttons for each axis.
+/// Each axis has a row with jog buttons.
 bool as_lines(const Frame& f) { return f.catalog.axes.size() > 4; }
 /// Captions stand beside the number, not under it.
 bool captions_beside(const Frame& f) {
   return in_strip(f) || (f.catalog.axes.size() > 2 && f.tier != Tier::wide);
 }
-/// Power stands beside the name, for there is no line for it.
+/// Power stands beside the name, because it has no line of its own.
 bool power_in_head(const Frame& f) { return in_strip(f) || f.catalog.axes.size() > 2; }
-/// Under the number: its encoder at the right, what is to be said of it at the left.
+/// Under the number: the encoder at the right, the caption at the left.
 constexpr float encoder_slot = 112;
 
-/// What they all share stands in the title of the column when it is a word: many numbers need the room.
+/// A unit common to all axes stands in the title of the column if it is a word: many numbers need the room.
 std::string_view unit_beside(const Frame& f, AxisId axis) {
   const DisplayUnit& unit = f.tab.unit(axis);
   const bool said =
@@ -54,7 +55,7 @@ std::string_view unit_beside(const Frame& f, AxisId axis) {
   return said ? std::string_view() : std::string_view(unit.name);
 }
 
-/// One size for all axes, so that the points stay in one column.
+/// One size for all axes, so that their decimal points stay aligned.
 Face face_for_all(const Frame& f, Face wanted, float width) {
   std::array<NumberText, max_axes> numbers;
   std::array<std::string_view, max_axes> views;
@@ -129,7 +130,7 @@ void Position::draw_lines(Frame& f) {
                            : "Click to choose it.";
     AxisLineTouch touched = draw_axis_line(f.ui, f.tab, axis, line, f.area.width);
     if (touched.pressed || touched.number.clicked) f.tab.chosen_axis = axis;
-    if (!line.chosen) touched.number.clicked = false;  // the first press only chooses
+    if (!line.chosen) touched.number.clicked = false;  // the first press only chooses the row
     const Rect& aside = touched.aside;
     show_steps(f, axis, touched.number.rect);
     show_phase(f, axis, aside);
@@ -174,7 +175,7 @@ void Position::draw_strip(Frame& f) {
   const float column = std::floor((f.area.width - between_strip_columns) / 2);
   const Face face = as_lines(f) ? Face::digits26 : face_for_all(f, Face::digits32, column);
   const Column measures = column_of(f);
-  const float widest = widest_number(f, face);  // so that what stands beside a number keeps its place
+  const float widest = widest_number(f, face);  // so that items beside a number keep their place
   for (std::size_t i = 0; i < axes; ++i) {
     const float x = (i % 2) * (column + between_strip_columns), y = static_cast<float>(i / 2) * row_height;
     const ImVec2 corner(at.x + ui.px(x), at.y + ui.px(y));
@@ -221,8 +222,8 @@ void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, const Co
   draw_axis_extras(f, axis, ImVec2(at.x, below_digits + ui.line(Face::small)), w);
 }
 
-/// Name, what the user calls it, and its state; where rows are close also its power, in the strip its limits.
-/// The user's name gets what the others leave.
+/// Name, user's name and state; in close rows also power, in the strip the limits. The user's name gets the
+/// remaining room.
 void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w, float height) {
   Ui& ui = f.ui;
   const AxisInfo& info = f.catalog.axes[axis.index];
@@ -230,12 +231,12 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w, float height
   const float middle = at.y + ui.px(height / 2), line = middle - std::floor(ui.line(Face::title_bold) / 2);
   draw_text_line(ui, at.x, at.x + w, middle, Face::title_bold, ui[Tone::ink], info.name);
   float left = at.x + std::ceil(text_width(ui, Face::title_bold, info.name)) + ui.px(8);
-  // In less than the smallest window of the look its state says it alone.
+  // Narrower than the smallest window of the look, the state alone tells a limit.
   const bool has_room = left + ui.px(strip_limits_width + 16) <= at.x + w;
   const float limits = in_strip(f) && has_room ? ui.px(strip_limits_width) : 0;
   draw_state_right(ui, Path("dro/{}/state", info.name), ImVec2(at.x + w, line), state, Face::title_bold,
                    at.x + w - left - limits);
-  // What a hand presses stands still while the state word changes.
+  // Buttons stay in place while the state word changes.
   const State longest = info.servo ? State::open_loop : State::moving_plus;
   const float widest = std::max(state_word_width(ui, state, Face::title_bold),
                                 info.switchable ? state_word_width(ui, longest, Face::title_bold) : 0);
@@ -261,7 +262,7 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w, float height
   const std::string_view label = users.empty() ? std::string_view(info.description) : std::string_view(users);
   const float whole = std::ceil(text_width(ui, Face::body, label));
   const float words = std::min(whole, right - left - limits);
-  if (words == whole || (!users.empty() && words > ui.px(32))) {  // a piece of the maker's word says nothing
+  if (words == whole || (!users.empty() && words > ui.px(32))) {  // part of the maker's word says nothing
     draw_text_line(ui, left, left + words + 1, middle, Face::body, ui[Tone::ink2], label);
     left += words + ui.px(12);
   }
@@ -285,7 +286,7 @@ Touch Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
 void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   Ui& ui = f.ui;
   show_steps(f, axis, {at, ImVec2(at.x + width * 0.6f, at.y + ui.line(Face::small))});
-  // What stands left is about the number, so it goes first: the right one is shortened, then left out.
+  // The left caption is about the number, so it comes first: the right one is shortened, then left out.
   const float left_width = draw_about_number(f, axis, at, width);
   const float room = width - left_width - ui.px(12);
   const ImVec2 right(at.x + width - room, at.y);
@@ -295,8 +296,8 @@ void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   if (wide <= room) draw_text(ui, ImVec2(at.x + width - wide, at.y), Face::small, ui[Tone::ink2], steps);
 }
 
-/// What is wrong with the number, or what its axis does, or (`origin_too`) where the number comes from: of
-/// that at least its mark, beside what the axis does.
+/// The fault of the number, or the activity of its axis, or (`origin_too`) the origin of the number: of the
+/// latter at least its mark, beside the activity.
 void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool origin_too) {
   Ui& ui = f.ui;
   const Caption about = about_number(f, axis);
@@ -311,7 +312,7 @@ void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool ori
   if (about.tone == Tone::warn) return (void)draw_about_number(f, axis, at, room);
   const bool does_nothing = phase.empty() && !says_something(f, axis);
   if (origin_too) draw_about_number(f, axis, at, does_nothing ? room : ui.px(12));
-  if (does_nothing) return (void)draw_at_work(f, axis, at, room, false);  // which scripts may read
+  if (does_nothing) return (void)draw_at_work(f, axis, at, room, false);  // registered for scripts
   const float mark = origin_too ? ui.px(16) : 0;
   at.x += mark, room -= mark;
   if (!is_motion(state) && !phase.empty()) return say(Tone::fault, phase);
@@ -330,15 +331,15 @@ void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool ori
   draw_at_work(f, axis, at, room, false);
 }
 
-/// One line under the number: at the right the place of its encoder, whatever is said at the left.
+/// One line under the number: the encoder has a fixed place at the right, whatever the caption at the left.
 void Position::draw_provenance(Frame& f, AxisId axis, ImVec2 at, float width) {
   const float slot = f.catalog.axes[axis.index].encoder ? f.ui.px(encoder_slot) : 0;
   draw_about(f, axis, at, width - slot - (slot > 0 ? f.ui.px(8) : 0), true);
   if (slot > 0) draw_encoder(f, axis, ImVec2(at.x + width - slot, at.y), slot, true);
 }
 
-/// Two lines in what the number leaves at its left: what is wrong with it or what the axis does; under it the
-/// encoder, or where the number comes from.
+/// Two lines in the room left of the number: its fault or the axis's activity; below, the encoder or the
+/// origin of the number.
 void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room) {
   Ui& ui = f.ui;
   const float line = ui.line(Face::small);

@@ -9,9 +9,9 @@
 
 namespace hw::panels {
 
-/// Where each axis stands, what it does, and how far that is to be believed: a block for each, whose places
-/// are fixed (column.h). Captions stand under the number, where room is short beside it; more than four axes
-/// are rows with jog buttons of their own.
+/// The position, state and trustworthiness of each axis: a block per axis at a fixed place (column.h).
+/// Captions stand under the number, or beside it if room is short. More than four axes are rows with their
+/// own jog buttons.
 class Position final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;

@@ -19,7 +19,7 @@ using namespace gui;
 
 namespace {
 
-/// Its state; then EMULATED at the first axis, what the user calls it at the others, where there is room.
+/// The state; then EMULATED at the first axis, the user's name at the others, if there is room.
 void draw_strip_state(Frame& f, AxisId axis, ImVec2 at, float end) {
   Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
@@ -45,13 +45,13 @@ void draw_strip_state(Frame& f, AxisId axis, ImVec2 at, float end) {
   const std::string_view label =
       users.empty() ? std::string_view(f.catalog.axes[axis.index].description) : std::string_view(users);
   const bool whole = left + std::ceil(text_width(ui, Face::small, label)) <= end;
-  if (whole || (!users.empty() && end - left > ui.px(40)))  // a piece of the maker's word says nothing
+  if (whole || (!users.empty() && end - left > ui.px(40)))  // part of the maker's word says nothing
     draw_text_line(ui, left, end, middle, Face::small, ui[Tone::ink2], label);
 }
 
 }  // namespace
 
-/// Limit lamps of one axis where there is no room for the panel of limits.
+/// Limit lamps of one axis if there is no room for the limits panel.
 void draw_strip_limits(Frame& f, AxisId axis, ImVec2 at) {
   const AxisState& a = f.now.axes[axis.index];
   const std::string& name = f.catalog.axes[axis.index].name;

@@ -36,7 +36,7 @@ float draw_about_number(Frame& f, AxisId axis, ImVec2 at, float room) {
   const NumberText whole = said.words;
   const auto width_of = [&] { return mark + gap + std::ceil(text_width(ui, Face::small, said.words)); };
   if (width_of() > room) said = about_number(f, axis, true);
-  const bool warns = said.tone == Tone::warn;  // of that also a part is told
+  const bool warns = said.tone == Tone::warn;  // a warning is shown even in part
   const bool with_words = width_of() <= room || (warns && room > ui.px(48));
   const float width = with_words ? std::min(width_of(), room) : mark;
   draw_icon(ImGui::GetWindowDrawList(), said.mark, ImVec2(at.x + mark / 2, middle), mark, ui[said.tone]);
@@ -53,7 +53,7 @@ NumberText steps_behind(const Frame& f, AxisId axis) {
   return f.tab.unit(axis).real ? format_with_unit(f.now.axes[axis.index].position, steps) : NumberText();
 }
 
-// A held jog has no target that the hand means, and what comes to a stop will not reach its own.
+// A held jog has no intended target, and a stopping axis will not reach its own.
 NumberText where_to(const Frame& f, AxisId axis, bool whole) {
   const AxisState& a = f.now.axes[axis.index];
   const DisplayUnit& unit = f.tab.unit(axis);
@@ -88,13 +88,14 @@ NumberText format_brief_speed(Pps speed, const DisplayUnit& unit) {
 
 namespace {
 
-/// How many entries of its queue are taken; 0: none, not known, or it has none.
+/// Number of queue entries in use; 0: none, unknown, or no queue.
 int queued(const Frame& f, AxisId axis) {
   const bool known = f.connected() && ((f.now.queue_known >> axis.index) & 1u);
   return known ? std::max(0, f.catalog.queue_depth - f.now.queue_free[axis.index]) : 0;
 }
 
-/// Of a servo axis that can be seen: how far it is from its command, and in many words where that stands.
+/// For a connected servo axis with a known position: its distance from the command, and in the wordy form the
+/// commanded position.
 NumberText behind(const Frame& f, AxisId axis, int brevity) {
   const AxisState& a = f.now.axes[axis.index];
   const DisplayUnit& unit = f.tab.unit(axis);
@@ -111,8 +112,8 @@ NumberText behind(const Frame& f, AxisId axis, int brevity) {
   return words;
 }
 
-// Less at each next brevity. The unit of a speed is that of the position beside it; it goes first, then the
-// speed. How far a servo axis is behind goes last.
+// Each brevity shows less. The unit of a speed is that of the position beside it; the unit goes first, then
+// the speed. The lag of a servo axis goes last.
 Path at_work(const Frame& f, AxisId axis, int brevity) {
   const Pps speed = f.now.axes[axis.index].speed;
   const bool runs = speed.value > 0 && is_motion(state_of(f.now, axis.index, f.clock));
@@ -133,7 +134,7 @@ Path at_work(const Frame& f, AxisId axis, int brevity) {
   return Path("{}{}queue {}", said.view(), comma(said, true), waiting);
 }
 
-/// `dro/X/queue`, where the axis says what it does.
+/// Registers `dro/X/queue` at the place of the activity.
 void show_queue(Frame& f, AxisId axis, const Rect& where) {
   if (f.catalog.queue_depth <= 0) return;
   const bool known = f.connected() && ((f.now.queue_known >> axis.index) & 1u);
@@ -144,7 +145,7 @@ void show_queue(Frame& f, AxisId axis, const Rect& where) {
        where);
 }
 
-/// `dro/X/command`, `dro/X/error`, there too.
+/// Registers `dro/X/command` and `dro/X/error` there too.
 void show_servo(Frame& f, AxisId axis, const Rect& where) {
   const AxisState& a = f.now.axes[axis.index];
   if (a.loop == Loop::none) return;

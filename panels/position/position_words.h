@@ -1,5 +1,5 @@
 #pragma once
-// What stands in small type beside or under the number of an axis.
+// Small type beside or under the number of an axis.
 #include <imgui.h>
 
 #include "gui/model/units_format.h"
@@ -15,26 +15,26 @@ struct Caption {
   gui::Tone tone = gui::Tone::ink2;
   gui::Icon mark = gui::Icon::none;
 };
-/// About the number: where it comes from, or what is wrong with it. `brief`: without when.
+/// The origin of the number, or its fault. `brief`: without the time.
 Caption about_number(gui::Frame& frame, AxisId axis, bool brief = false);
-/// Mark and words, from `at` on; the brief words where the others do not fit. Registers `dro/X/provenance`.
+/// Draws mark and words from `at` on; the brief words if the others do not fit. Registers `dro/X/provenance`.
 /// Returns their width in pixels.
 float draw_about_number(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px);
-/// "2400 steps" of a real unit; else empty.
+/// "2400 steps" behind a real unit; else empty.
 gui::NumberText steps_behind(const gui::Frame& frame, AxisId axis);
-/// Where it goes and how fast, or what a limit still lets it do. `whole`: with the target.
+/// Target and speed, or the motion that a limit still allows. `whole`: with the target.
 gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
-/// What it does and how many commands wait in its queue, as wordy as there is room: "200 000 counts/s, queue
-/// 12 of 200", "200 000/s, queue 12", "queue 12"; of a servo axis also how far it is from its command.
-/// Returns its width in pixels; 0: nothing, or no room for any.
+/// Activity and number of queued commands, in as many words as fit: "200 000 counts/s, queue 12 of 200", "200
+/// 000/s, queue 12", "queue 12"; a servo axis adds its distance from the command. Returns its width in
+/// pixels; 0: nothing, or no room for any.
 float draw_at_work(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px, bool right_aligned);
-/// draw_at_work() has anything to say.
+/// draw_at_work() has something to show.
 bool says_something(const gui::Frame& frame, AxisId axis);
-/// "5.000/s", beside a position that says the unit.
+/// "5.000/s", beside a position that shows the unit.
 gui::NumberText format_brief_speed(Pps speed, const gui::DisplayUnit& unit);
-/// How far the number is to be believed.
+/// The trustworthiness of the number.
 gui::DigitsState digits_state(const Snapshot& now, std::size_t axis, Instant clock);
-/// The number as it shall be read: "-" while nothing was ever heard.
+/// The number to show: "-" before any was received.
 gui::NumberText shown_position(const AxisState& state, const gui::DisplayUnit& unit);
 /// Registers `dro/X/steps`.
 void show_steps(gui::Frame& frame, AxisId axis, const gui::Rect& where);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float height = 16, numbers = 44, beside_numbers = 6;
 
-/// Places as they lie on the bar: the smaller shown number at the left.
+/// Positions along the bar: the smaller shown number at the left.
 struct Scale {
   double low = 0, high = 1;  ///< as shown
   float left = 0, right = 1;
@@ -32,7 +32,7 @@ struct End {
   double at = 0;
 };
 
-/// An end that is not set lies as far off as the axis, or zero.
+/// An end that is not set is drawn at the axis position or zero, whichever is further.
 Scale scale_of(const AxisState& axis, const DisplayUnit& unit, End& low, End& high) {
   const double here = from_steps(axis.position, unit);
   low = {axis.travel.has_minus, from_steps(axis.travel.minus, unit)};
@@ -63,7 +63,7 @@ void draw_triangle(Ui& ui, float x, float top, ImU32 colour) {
                                                 ImVec2(x - w, top + h), colour);
 }
 
-/// Where it would stand if it was stopped now, with its ramp; nothing while nobody knows its ramp.
+/// Where the axis would come to rest if stopped now, with its ramp; nothing while the ramp is unknown.
 std::optional<Steps> would_stop_at(const Frame& f, AxisId axis) {
   const AxisState& a = f.now.axes[axis.index];
   if (!f.catalog.stopping_way || !a.position_known || a.direction == 0 || !f.now.axis_moves(axis.index))
@@ -73,7 +73,7 @@ std::optional<Steps> would_stop_at(const Frame& f, AxisId axis) {
   return Steps(a.position.value + std::llround(*way * a.direction));
 }
 
-/// A tick of two halves, so that it is told from the target: past an end it turns red.
+/// A split tick, distinct from the target; red beyond an end.
 void draw_stop_mark(Ui& ui, float x, float middle, ImU32 colour) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   for (const float side : {-1.0f, 1.0f})
@@ -104,9 +104,9 @@ NumberText travel_words(const Frame& f, AxisId axis) {
 std::string_view why_travel_does_not_hold(const Frame& f, AxisId axis) {
   const AxisState& a = f.now.axes[axis.index];
   if (!a.travel.any() || a.travel_holds()) return {};
-  if (!a.position_known) return "The limits do not hold: where the axis stands is not known.";
-  if (a.trust.doubtful()) return "The limits do not hold: the position is not to be trusted.";
-  return "The limits do not hold: they were set in other units than the axis counts in now.";
+  if (!a.position_known) return "The limits do not apply: the position of the axis is not known.";
+  if (a.trust.doubtful()) return "The limits do not apply: the position cannot be trusted.";
+  return "The limits do not apply: they were set in other units than the axis counts in now.";
 }
 
 void draw_travel_bar(Frame& f, AxisId axis, ImVec2 at, float width) {

@@ -1,6 +1,5 @@
 #pragma once
-// How far an axis may go and where it is between: the ends that are set for it, zero, where it is sent and
-// where it stands. Id `dro/X/travel`.
+// The travel of an axis as a bar: the ends set for it, zero, target and position. Id `dro/X/travel`.
 #include <imgui.h>
 
 #include "gui/model/units_format.h"
@@ -8,11 +7,11 @@
 
 namespace hw::panels {
 
-/// In one line of small type, `width_px` wide; nothing where no end is set.
+/// Draws one line of small type, `width_px` wide; nothing if no end is set.
 void draw_travel_bar(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px);
 /// "0.000 to 300.000 mm", "up to 300.000 mm", "none".
 gui::NumberText travel_words(const gui::Frame& frame, AxisId axis);
-/// Why limits that are set do not hold now; empty: they do, or none is set.
+/// Why the limits set have no effect now; empty: they have, or none is set.
 std::string_view why_travel_does_not_hold(const gui::Frame& frame, AxisId axis);
 
 }  // namespace hw::panels

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view own_conversion = "another conversion";
 
-/// What its profile says that hangs on the axis; empty: nothing, or nothing that is told yet.
+/// The axis's load by its profile; empty: none, or incomplete.
 std::string_view unit_chosen(const Frame& f, std::size_t axis) {
   const AxisProfile& wish = f.tab.profile.axes[axis];
   if (wish.unit_choice == own_unit_choice && wish.own_unit.per_step != 0) return wish.own_unit.name;
@@ -28,7 +28,7 @@ std::string_view unit_chosen(const Frame& f, std::size_t axis) {
   return {};
 }
 
-/// The real unit of all axes that have one: "mm"; "real units" when they differ; empty when none has.
+/// The common real unit of all axes that have one: "mm"; "real units" if they differ; empty if none has one.
 std::string_view real_unit(const Frame& f) {
   std::string_view found;
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
@@ -40,7 +40,7 @@ std::string_view real_unit(const Frame& f) {
   return found;
 }
 
-/// What the controller itself counts in.
+/// The controller's own unit.
 std::string own_unit(const Frame& f) {
   const std::string unit = counted_unit(f.catalog, f.now, f.catalog.step_word);
   return unit.empty() ? f.catalog.step_word : unit;
@@ -64,7 +64,7 @@ void use(Frame& f, std::string unit) {
 
 }  // namespace
 
-// An axis with a closed loop counts in other steps than one without.
+// A closed-loop axis counts in other steps than an open-loop one.
 std::string_view shown_unit(const Frame& f) {
   const std::string_view real = real_unit(f);
   if (shows_real(f) && !real.empty()) return real;
@@ -131,14 +131,14 @@ void UnitChooser::draw(Frame& f) {
   if (popup_row(ui, "dro/unit/steps", own_unit(f), "as the controller counts", !shows_real(f)))
     use(f, f.catalog.step_word);
   if (popup_row(ui, "dro/unit/real", real.empty() ? "real units" : real, {}, shows_real(f) && !real.empty(),
-                real.empty() ? "Choose below what hangs on an axis first." : ""))
+                real.empty() ? "Choose below what an axis drives first." : ""))
     use(f, "real");
   popup_line(ui);
   ImGui::SetCursorScreenPos(ImVec2(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ui.px(8, 4));
   ImGui::BeginGroup();
   gap(ui, 8);
-  text(ui, Face::body_bold, Tone::ink, "What hangs on each axis");
+  text(ui, Face::body_bold, Tone::ink, "What each axis drives");
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) draw_axis(f, i);
   ImGui::EndGroup();
   ImGui::PopStyleVar();

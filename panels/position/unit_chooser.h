@@ -1,5 +1,5 @@
 #pragma once
-// Steps or real units, and what hangs on each axis (`dro/unit`).
+// Chooses steps or real units, and the load of each axis (`dro/unit`).
 #include <array>
 #include <string_view>
 
@@ -16,7 +16,7 @@ class UnitChooser {
   void draw_axis(gui::Frame& frame, std::size_t axis);
   std::array<OwnUnitForm, max_axes> own_;
 };
-/// What positions are shown in: "mm", "pulses"; of axes that differ what most of them would say.
+/// The unit of positions: "mm", "pulses"; if the axes differ, the unit of most of them.
 std::string_view shown_unit(const gui::Frame& frame);
 /// Logical.
 float unit_chooser_width(const gui::Frame& frame);

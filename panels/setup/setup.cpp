@@ -26,7 +26,7 @@ void column_line(Ui& ui, float x, float top, float bottom) {
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, top), ImVec2(x + ui.hair(), bottom), ui[Tone::line]);
 }
 
-/// Where programs are stored compiled, loading one has written it there already.
+/// Where programs are stored compiled, loading one has already stored it.
 Path what_store_keeps(const Frame& f) {
   const Catalog& c = f.catalog;
   if (c.program.compiled && c.variables.count > 0)
@@ -34,7 +34,8 @@ Path what_store_keeps(const Frame& f) {
                 c.variables.prefix, c.variables.stored_from);
   if (c.can.store_life == 0) return Path("Keeps set-up and programs over power-off.");
   if (f.now.store_count < 0)
-    return Path("Keeps set-up and programs over power-off. The memory bears {} writes.", c.can.store_life);
+    return Path("Keeps set-up and programs over power-off. The memory is rated for {} writes.",
+                c.can.store_life);
   return Path("Keeps set-up and programs over power-off. {} of {} writes used.", f.now.store_count,
               c.can.store_life);
 }
@@ -65,9 +66,9 @@ void Setup::draw(Frame& f) {
   draw_files(f);
 }
 
-// What is under way, and the first reading.
+// The commands under way, and the first reading.
 void Setup::follow(Frame& f) {
-  if (f.tab.desk().setup.changes(f.now) == 0) from_file_.clear();  // its values are written, or undone
+  if (f.tab.desk().setup.changes(f.now) == 0) from_file_.clear();  // its values have been written or undone
   if (f.connected() && !asked_to_read_) {
     asked_to_read_ = true;
     for (std::size_t i = 0; i < f.catalog.params.size(); ++i)
@@ -239,7 +240,7 @@ void Setup::draw_list(Frame& f, float width) {
   const float top = ImGui::GetCursorScreenPos().y;
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), top));
   begin_part(ui, "setup/list", ui.px(width) - ui.hair(), ui.px(f.area.bottom()) - top, Tone::panel, 16);
-  if (std::exchange(list_changed_, false)) ImGui::SetScrollY(0);  // what was looked for stands at the top
+  if (std::exchange(list_changed_, false)) ImGui::SetScrollY(0);  // search results begin at the top
   const float left = ImGui::GetCursorScreenPos().x;
   const float right = left + ImGui::GetContentRegionAvail().x;
   const bool beside = f.area.width >= 760;
@@ -259,7 +260,7 @@ void Setup::draw_list(Frame& f, float width) {
     gap(ui, 16);
     wrapped(ui, Face::body, Tone::ink2,
             show_ == Show::changed && filter_.empty() ? "Nothing here differs from the controller."
-            : filter_.empty()                         ? "Every value is the factory's."
+            : filter_.empty()                         ? "Every value is the factory value."
                               : "No parameter has these words in its name or explanation.");
   }
   gap(ui, 24);
@@ -378,7 +379,7 @@ void Setup::taken_from_file(Frame& f, const Result<Backup>& file, const std::str
   from_file_ = name;
   for (SetupRowState& row : rows_) row.number.reset();
   if (differing == 0)
-    return f.toast(Mood::plain, fmt::format("{} says what the controller has already.", name));
+    return f.toast(Mood::plain, fmt::format("{} holds the values that the controller already has.", name));
   f.toast(Mood::plain, differing == 1
                            ? fmt::format("One value of {} differs from the controller. Write sends it.", name)
                            : fmt::format("{} values of {} differ from the controller. Write sends them.",

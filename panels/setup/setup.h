@@ -1,6 +1,6 @@
 #pragma once
-// Every parameter of the controller: what it has, what it shall have, what it means. Nothing goes out before
-// Write; what carries a warning is confirmed first.
+// Every parameter of the controller: present value, wanted value, meaning. Nothing is sent before Write;
+// parameters with a warning are confirmed first.
 #include <string>
 #include <vector>
 
@@ -41,7 +41,7 @@ class Setup final : public gui::Panel {
   SetupList order_;
   std::string filter_;
   Show show_ = Show::all;
-  bool list_changed_ = false;  ///< by search or choice: begin at its top
+  bool list_changed_ = false;  ///< by search or choice: scroll to its top
   std::size_t chosen_ = 0;
   std::vector<std::string> problems_;  ///< of the file opened last
   std::string from_file_;

@@ -13,10 +13,10 @@ namespace {
 
 constexpr float least_field = 152, chevron_and_edges = 38, most_of_a_row = 0.54f;
 
-/// Neighbours of one heading.
+/// Adjacent settings of one heading.
 struct Neighbours {
   std::size_t first, end;
-  int axis;  ///< of all of them; -1: of several, or of none
+  int axis;  ///< common to all; -1: of several axes, or of none
 };
 
 Neighbours neighbours_from(const Catalog& c, std::size_t first) {
@@ -45,7 +45,7 @@ const std::vector<SetupList::Section>& SetupList::sections(const Catalog& c) {
     if (section == sections_.end()) section = sections_.insert(section, {std::move(title), {}});
     for (; i < run.end; ++i) section->params.push_back(i);
   }
-  for (Section& s : sections_)  // what is of no axis comes first
+  for (Section& s : sections_)  // settings of no axis come first
     std::stable_sort(s.params.begin(), s.params.end(),
                      [&](std::size_t a, std::size_t b) { return c.params[a].axis < c.params[b].axis; });
   return sections_;

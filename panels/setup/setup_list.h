@@ -1,6 +1,6 @@
 #pragma once
-// The order in which the set-up is listed, and the one width of its fields. Settings of one heading stand
-// together, those of an axis beside each other in the catalog's order.
+// The order of the set-up list, and the common width of its fields. Settings of one heading stand together,
+// those of an axis beside each other in catalog order.
 #include <string>
 #include <vector>
 
@@ -17,7 +17,7 @@ class SetupList {
   };
   /// Made at the first call.
   const std::vector<Section>& sections(const Catalog& catalog);
-  /// Logical, of `room` for a whole row: as wide as the longest choice, if half of the row has place for it.
+  /// Logical, for a whole row of `room`: as wide as the longest choice, if half of the row can hold it.
   float field_width(const gui::Ui& ui, const Catalog& catalog, float room);
 
  private:

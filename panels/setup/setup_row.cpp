@@ -17,7 +17,7 @@ namespace {
 
 constexpr float setup_row_height = 40, bit_height = 32, mnemonic_width = 56;
 
-/// A box with a tick and its words; true when it was pressed.
+/// A box with a tick and its words; true: pressed.
 bool bit_box(Ui& ui, std::string_view id, std::string_view label, bool on, std::string_view disabled,
              float width) {
   const Touch t = touch(
@@ -76,7 +76,7 @@ bool SetupRow::draw(bool hover_counts) {
   return focused || (pointed && hover_counts);
 }
 
-// The note stands behind the name, or below it where there is no room: it is never left out.
+// The note stands after the name, or below it if there is no room: it is never left out.
 void SetupRow::draw_words(float right, float y) {
   const float middle = y + ui_.px(setup_row_height / 2);
   const bool off = edits_.off_factory(i_, f_.now);
@@ -97,7 +97,7 @@ void SetupRow::draw_words(float right, float y) {
   draw_note(words, tone, ImVec2(beside ? right - wide : x, middle + apart));
 }
 
-/// What the controller has instead, or what the factory had, or that it goes with the power.
+/// The controller's different value, or the factory's, or that the value is lost with the power.
 Path SetupRow::note(Tone& tone) const {
   const bool changed = edits_.changed(i_, f_.now);
   if (changed && has_.known) return Path("was {}", text_in(unit_, p_, has_.value));
@@ -107,7 +107,8 @@ Path SetupRow::note(Tone& tone) const {
     return Path("not stored");
   }
   if (edits_.off_factory(i_, f_.now)) return Path("factory {}", text_in(unit_, p_, p_.fallback));
-  if (!p_.stored && f_.catalog.can.store) return Path("not kept by Store");  // else it is so with all of them
+  if (!p_.stored && f_.catalog.can.store)
+    return Path("not kept by Store");  // else this applies to all parameters
   return Path("");
 }
 
@@ -139,7 +140,7 @@ void SetupRow::draw_control(float left, float y) {
     draw_number(y);
 }
 
-/// A name that ends in a number: typed whole, or the number alone.
+/// A name that ends in a number: typed in full, or only the number.
 void SetupRow::draw_name(float y) {
   const auto shown = edits_.shown(i_, f_.now);
   std::string& text = state_.number.text;
@@ -172,7 +173,7 @@ void SetupRow::draw_name(float y) {
 void SetupRow::draw_number(float y) {
   if (!p_.prefix.empty()) return draw_name(y);
   const auto shown = edits_.shown(i_, f_.now);
-  if (unit_ != state_.unit) state_.number.reset(), state_.unit = unit_;  // what was typed was meant otherwise
+  if (unit_ != state_.unit) state_.number.reset(), state_.unit = unit_;  // typed in another unit
   NumberOptions options;
   const double a = unit_.shown(p_.also_zero ? std::min<std::int64_t>(0, p_.minimum) : p_.minimum);
   const double b = unit_.shown(p_.maximum);

@@ -1,5 +1,6 @@
 #pragma once
-// One parameter of the set-up as a row: mnemonic, name, what it was, and the control that suits its values.
+// A row for one parameter of the set-up: mnemonic, name, previous value, and the control that suits its
+// values.
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,13 +17,13 @@ namespace hw::panels {
 /// View state of one row.
 struct SetupRowState {
   gui::NumberField number;
-  ShownUnit unit;                       ///< of what stands in `number`
+  ShownUnit unit;                       ///< of the content of `number`
   bool typing_name = false;             ///< a name is being typed into number.text
   std::vector<std::string> names;       ///< of the choices
   std::vector<std::string_view> views;  ///< into `names`
 };
 
-/// Where a row stands: its ends in pixels, and the width of its field, which ends where it ends.
+/// The place of a row: its ends in pixels, and the width of its field, which is right-aligned.
 struct SetupRowPlace {
   float left, right;
   float field;  ///< logical
@@ -32,7 +33,7 @@ class SetupRow {
  public:
   SetupRow(gui::Frame& frame, gui::SetupEdits& edits, std::size_t i, SetupRowState& state,
            const SetupRowPlace& place);
-  /// At ImGui's cursor. True: the caret or the ring is on it, or (if that counts) the mouse.
+  /// Draws at ImGui's cursor. True: the caret or focus ring is on it, or (if `hover_counts`) the mouse.
   bool draw(bool hover_counts);
 
  private:

@@ -22,7 +22,7 @@ struct Line {
   std::string_view id, label, brief, unit;
   int decimals;
   StepScatter::Of of;
-  std::string_view absent;  ///< said when there is none
+  std::string_view absent;  ///< shown if there is none
 };
 
 constexpr Line lines[] = {
@@ -42,13 +42,13 @@ constexpr Line lines[] = {
      [](const StepMeasures& m) { return std::optional(m.largest_error); }, ""},
 };
 
-/// " ms", " counts"; a bare number has none.
+/// " ms", " counts"; a bare number has no unit.
 Path unit_of(const Frame& f, const Line& m) {
   if (m.unit == bare) return Path("{}", "");
   return Path(" {}", m.unit.empty() ? std::string_view(f.catalog.step_word) : m.unit);
 }
 
-/// Without its unit: "12.0", "3.1 to 5.2", or "12.0 or more" where a gap has hidden what it was.
+/// Without unit: "12.0", "3.1 to 5.2", or "12.0 or more" if a gap hid the exact value.
 Path number_of(const Line& m, const StepMeasures& of) {
   const auto value = m.of(of);
   if (!of.any || !value) return Path("{}", of.any ? m.absent : "");
@@ -65,13 +65,13 @@ Path words_of(const Frame& f, const Line& m, const StepMeasures& of) {
 struct Change {
   Path words;
   Tone tone = Tone::ink2;
-  Path by;                        ///< the first part of the words: how much
-  std::string_view verdict = {};  ///< the second
+  Path by;                        ///< first part of the words: the amount
+  std::string_view verdict = {};  ///< the second part
 };
 Change change_in_words(std::string_view words) { return {Path("{}", words), Tone::ink2, Path("{}", words)}; }
 
-/// Less is better in all of them; errors count without their sign. A verdict needs to know how far two runs
-/// lie apart between which nothing was changed.
+/// Less is better in every line; errors count without their sign. A verdict requires the known scatter
+/// between runs without a change.
 Change change_of(const Frame& f, const Line& m, const TwoSteps& s, bool roomy) {
   const auto now = m.of(s.now), was = m.of(s.was);
   if (s.number == 0 || s.before == 0 || !s.now.any || !s.was.any || !now || !was) return change_in_words("");
@@ -130,7 +130,7 @@ void draw_step_table(Frame& f, const TwoSteps& s, float width) {
   gap(ui, 8);
 }
 
-/// A column for each measure; its unit stands under its name, and a change in two lines.
+/// A column for each measure; the unit stands under the name, and a change takes two lines.
 void draw_flat_step_table(Frame& f, const TwoSteps& s, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();

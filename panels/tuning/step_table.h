@@ -1,6 +1,6 @@
 #pragma once
-// What two recorded steps are in numbers, and whether the newer one is better: a row for each measure, or,
-// where plots need the height, a column. Ids: `tuning/measure/overshoot`, `/before`, `/change`.
+// Two recorded steps in numbers, and whether the newer one is better: a row for each measure, or a column if
+// the plots need the height. Ids: `tuning/measure/overshoot`, `/before`, `/change`.
 #include "gui/model/step_response.h"
 #include "gui/shell/frame.h"
 
@@ -14,9 +14,9 @@ struct TwoSteps {
   const gui::StepMeasures& now;
   int before = 0;  ///< 0: none
   const gui::StepMeasures& was;
-  const gui::StepScatter& scatter;  ///< what a difference has to be greater than, once it is known
+  const gui::StepScatter& scatter;  ///< a difference must exceed this, once known
 };
-/// At ImGui's cursor, `width` logical.
+/// Draws at ImGui's cursor, `width` logical.
 void draw_step_table(gui::Frame& frame, const TwoSteps& steps, float width);
 void draw_flat_step_table(gui::Frame& frame, const TwoSteps& steps, float width);
 

@@ -22,7 +22,7 @@ using namespace gui;
 namespace {
 
 constexpr std::size_t most_runs = 8;
-constexpr int arming_ms = 300;  // from the first sample to the step, at most
+constexpr int arming_ms = 300;  // longest time from the first sample to the step
 constexpr double pause_s = 0.3, patience_s = 2.0;
 constexpr double usual_step = 400, longest_ms = 10'000;
 
@@ -88,7 +88,7 @@ bool Tuning::was_away(const Frame& f) {
   return f.ui.now_s - std::exchange(drawn_s_, f.ui.now_s) > 1.0 || frames_missed;
 }
 
-/// What has come between since a step was asked for, so that no other is begun.
+/// The event since a step was requested that forbids the next one.
 std::string_view Tuning::interruption(const Frame& f, bool away) const {
   if (away) return "another panel was in front";
   if (f.now.link.state != LinkState::good || f.now.link.timeouts != timeouts_)
@@ -97,14 +97,14 @@ std::string_view Tuning::interruption(const Frame& f, bool away) const {
   return {};
 }
 
-/// Repeat is never carried on by itself after anything else has happened: a stop, somebody else's command, a
-/// refusal, a lost link, a reset, another panel in front.
+/// Any other event ends Repeat for good: a stop, another sender's command, a refusal, a lost link, a reset,
+/// another panel in front.
 void Tuning::follow(Frame& f) {
   take_samples(f.tab, [this](const AxisSample& s) { take(s); });
   const bool away = was_away(f);
   if (stage_ == Stage::idle) return;
   const std::string_view between = interruption(f, away);
-  // A stop that comes between the question for samples and the step: the step is not made any more.
+  // After a stop between the request for samples and the step, the step is not made.
   if (stage_ == Stage::arming && (f.ui.cancelled() || asked_by_others(f))) {
     runs_.pop_back();
     stage_ = Stage::idle;
@@ -150,7 +150,7 @@ void Tuning::end_repeat(Frame& f, std::string why) {
   if (!why.empty()) f.toast(Mood::plain, std::move(why));
 }
 
-/// `steps`: even; negative: until it is pressed again.
+/// `steps`: even; negative: until Repeat is pressed again.
 void Tuning::begin_repeat(Frame& f, int steps) {
   repeat_.on = true;
   repeat_.steps_left = steps;
@@ -158,14 +158,14 @@ void Tuning::begin_repeat(Frame& f, int steps) {
   record(f);
 }
 
-/// A step that leads away from there is followed by one back.
+/// A step away from the start is followed by one back.
 void Tuning::end_where_it_began(Frame& f) {
   const bool stands = stage_ == Stage::pausing, leads_away = sign_ > 0;
   repeat_.steps_left = (stands ? 0 : 1) + (leads_away == stands ? 0 : 1);
   if (repeat_.steps_left == 0) end_repeat(f, {});
 }
 
-/// Of the steps there; those back begin elsewhere.
+/// From steps away only; those back begin elsewhere.
 void Tuning::learn_scatter(Frame& f) {
   if (!repeat_.learns_scatter) return;
   if (sign_ > 0) scatter_.take(now_);
@@ -173,7 +173,7 @@ void Tuning::learn_scatter(Frame& f) {
   f.toast(Mood::ok, "Three repetitions are measured: a smaller difference than theirs is called the same.");
 }
 
-/// Then Repeat ends. One that has not come to its place is what is being tuned.
+/// Ends Repeat. A step that has not settled is the subject of the tuning, and ends nothing.
 bool Tuning::ended_early(Frame& f) {
   const EndedBy ended = f.now.axes[axis().index].ended_by;
   if (ended == EndedBy::target || ended == EndedBy::nothing || ended == EndedBy::not_in_place) return false;
@@ -233,7 +233,7 @@ std::string_view Tuning::why_not(const Frame& f) {
   return {};
 }
 
-/// The step waits for the first sample, so that the recording shows where the axis stood.
+/// The step waits for the first sample, so that the recording shows the initial position.
 void Tuning::record(Frame& f) {
   if (stage_ == Stage::pausing) stage_ = Stage::idle;
   if (const std::string_view why = why_not(f); !why.empty()) {
@@ -277,10 +277,10 @@ void Tuning::draw_toolbar(Frame& f) {
   }
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions again;
-  again.moving = !repeat_.on;  // a press that ends it waits for nothing
+  again.moving = !repeat_.on;  // a press that ends it takes effect at once
   again.height = 40;
   again.on = true;
-  again.width = button_width(ui, "Repeat", again);  // whether it is on or not
+  again.width = button_width(ui, "Repeat", again);  // the same width in both states
   again.on = repeat_.on;
   again.disabled = repeat_.on ? std::string_view() : why_not(f);
   again.tip =

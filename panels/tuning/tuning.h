@@ -1,6 +1,6 @@
 #pragma once
-// The step response of a servo axis: a step is made and recorded, drawn over the run before, and measured;
-// gains are edited beside it. Ids: `tuning/record`, `tuning/repeat`, `tuning/scatter`, `tuning/axis`,
+// The step response of a servo axis: makes and records a step, draws it over the previous run, and measures
+// it; gains are edited beside it. Ids: `tuning/record`, `tuning/repeat`, `tuning/scatter`, `tuning/axis`,
 // `tuning/step`, `tuning/length`, `tuning/compare`, `tuning/plot`, `tuning/error`, `tuning/output`,
 // `tuning/KPX`, `tuning/send`, `tuning/measure/overshoot` (`/before`, `/change`).
 #include <deque>
@@ -20,13 +20,13 @@ namespace hw::panels {
 class Tuning final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
-  /// A sample of the recording under way; others are dropped.
+  /// Takes a sample of the recording under way; drops others.
   void take(const AxisSample& sample);
 
  private:
   enum class Stage : std::uint8_t {
     idle,
-    arming,     ///< the recording is asked for; the step follows its first sample
+    arming,     ///< the recording is requested; the step follows its first sample
     recording,  ///< the step is made
     pausing     ///< between two steps of Repeat
   };
@@ -60,7 +60,7 @@ class Tuning final : public gui::Panel {
 
   [[nodiscard]] const gui::StepRun* latest() const { return runs_.empty() ? nullptr : &runs_.back(); }
   [[nodiscard]] bool shows_output() const;
-  /// What the latest is compared with; null: nothing.
+  /// The run that the latest is compared with; null: none.
   [[nodiscard]] const gui::StepRun* before() const;
   [[nodiscard]] AxisId axis() const { return axes_[static_cast<std::size_t>(chosen_)]; }
 
@@ -71,13 +71,14 @@ class Tuning final : public gui::Panel {
   std::vector<gui::NumberField> fields_;     ///< by parameter
   std::vector<std::string_view> run_names_;  ///< into `run_texts_`
   std::vector<std::string> run_texts_;
-  int chosen_ = 0, compare_ = 0;  ///< compare_: number of a run; 0: the one before
+  int chosen_ = 0, compare_ = 0;  ///< compare_: number of a run; 0: the previous one
   gui::NumberField step_, length_;
 
   Stage stage_ = Stage::idle;
   struct Repeat {
     bool on = false;
-    int steps_left = 0;  ///< even, so that it ends where it began; negative: until it is pressed
+    int steps_left =
+        0;  ///< even, so that the axis returns to its start; negative: until Repeat is pressed again
     bool learns_scatter = false;
   };
   Repeat repeat_;
@@ -87,21 +88,21 @@ class Tuning final : public gui::Panel {
   Instant first_at_{}, last_at_{};
   bool any_sample_ = false;
   int drawn_frame_ = 0;
-  std::uint64_t timeouts_ = 0;      ///< of the link, when the latest step was asked for
+  std::uint64_t timeouts_ = 0;      ///< of the link, when the latest step was requested
   std::uint32_t restarts_ = 0;      ///< of the controller, likewise
-  IntentId move_ = 0, newest_ = 0;  ///< newest_: the latest that this panel sent
+  IntentId move_ = 0, newest_ = 0;  ///< newest_: the latest move sent by this panel
   std::deque<gui::StepRun> runs_;   ///< oldest first
-  // Of the latest that is whole, and of what it is compared with; number 0: there is none.
+  // Of the latest complete run, and of the run it is compared with; number 0: none.
   gui::StepMeasures now_, was_;
   gui::StepScatter scatter_;  ///< of this axis, step and length
   int now_number_ = 0, was_number_ = 0;
   gui::PlotCursor cursor_;
 };
 
-/// Milliseconds that are recorded unless somebody types another number.
+/// Recorded milliseconds unless the user types another number.
 inline constexpr double usual_length_ms = 230;
 
-/// It has servo axes with gains.
+/// The controller has servo axes with gains.
 bool can_tune(const Catalog& catalog);
 
 }  // namespace hw::panels

@@ -1,4 +1,4 @@
-// What the tuning panel draws: plots, measures, gains.
+// The drawing of the tuning panel: plots, measures, gains.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,15 +18,15 @@ using namespace gui;
 namespace {
 
 constexpr float gain_row = 36;
-// Heights at which a plot can be read from where the machine is; and the least.
+// Heights at which a plot is readable from beside the machine; and the minimum.
 constexpr float good_plot = 250, good_small_plot = 90;
 constexpr float least_plot = 140, least_small_plot = 84;
 
-/// How the height is shared. In too little of it the measurements scroll out of sight.
+/// How the height is shared. If it is too small, the measurements scroll out of sight.
 struct WorkHeights {
   float plot, small_plot;
-  bool stacked;  ///< the small plots under each other, else beside each other
-  bool flat;     ///< the table of measurements
+  bool stacked;  ///< small plots below each other, else side by side
+  bool flat;     ///< the table of measurements as columns
 };
 WorkHeights share(float height, bool output) {
   const float small_plots = output ? 2 : 1;
@@ -42,7 +42,7 @@ WorkHeights share(float height, bool output) {
   return h;
 }
 
-/// "Proportional gain of X" under the title "Gains of X" is "Proportional".
+/// "Proportional gain of X" under the title "Gains of X" becomes "Proportional".
 std::string_view without_axis(const Frame& f, const ParamInfo& p) {
   const std::string& axis = f.catalog.axes[static_cast<std::size_t>(p.axis)].name;
   std::string_view label = p.label;
@@ -52,7 +52,7 @@ std::string_view without_axis(const Frame& f, const ParamInfo& p) {
   return label;
 }
 
-/// Both plots have the times of both runs.
+/// Both plots span the times of both runs.
 PlotRange times(const StepRun* run, const StepRun* old, double usual) {
   PlotRange r{-20, static_cast<float>(usual)};
   if (!run || run->empty()) return r;
@@ -63,7 +63,7 @@ PlotRange times(const StepRun* run, const StepRun* old, double usual) {
 
 }  // namespace
 
-/// A run that has just begun shows what the one before it did.
+/// A run that has just begun keeps the choice of the previous one.
 bool Tuning::shows_output() const {
   const StepRun* run = latest();
   if (run && run->empty()) run = before();
@@ -164,12 +164,12 @@ void Tuning::draw_error(Frame& f, float width, float height, bool lowest) {
   plot(f.ui, "tuning/error", "Following error", {traces.data(), n}, o, cursor_);
 }
 
-/// No controller tells its output: the title says where this comes from, the side what is not in it.
+/// No controller reports its output: the title tells how it is computed, the side what it leaves out.
 void Tuning::draw_output(Frame& f, float height) {
   const StepRun* run = latest();
   const StepRun* old = before();
   PlotOptions o;
-  o.title = "output, % (worked out)";
+  o.title = "output, % (calculated)";
   o.x_unit = "ms";
   o.x = times(run, old, length_.value().value_or(usual_length_ms));
   o.height = height;
@@ -182,9 +182,9 @@ void Tuning::draw_output(Frame& f, float height) {
   traces[n++] = {run->t_ms(), run->output(), Tone::ink, 2, false, largest, true, run->longest_joined_ms()};
   for (std::size_t i = 0; i < n; ++i) o.y.take(traces[i].y);
   o.y.widen(0.15f);
-  const Path words("worked out, not read: {}", largest.view());
+  const Path words("calculated, not read: {}", largest.view());
   o.words = words;
-  plot(f.ui, "tuning/output", "Output, worked out", {traces.data(), n}, o, cursor_);
+  plot(f.ui, "tuning/output", "Output, calculated", {traces.data(), n}, o, cursor_);
 }
 
 // ---- gains
@@ -221,14 +221,14 @@ void Tuning::draw_side(Frame& f, float width) {
   if (shows_output()) {
     gap(ui, 8);
     wrapped(ui, Face::small, Tone::ink2,
-            "The controller does not tell its output. The console works it out from error, speed and these "
+            "The controller does not tell its output. The console calculates it from error, speed and these "
             "gains; an integral counts from the start of the recording.",
             width);
   }
   gap(ui, 16);
 }
 
-/// What a change of a gain has to be greater than to be one.
+/// The scatter that a change must exceed to count.
 void Tuning::draw_scatter(Frame& f, float width) {
   Ui& ui = f.ui;
   wrapped(ui, Face::small, Tone::ink2,

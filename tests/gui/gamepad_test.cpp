@@ -262,27 +262,27 @@ TEST_F(GamepadTest, OneOnWhichNothingChangesIsTakenForLeftAlone) {  // out of re
   hold(lb, true);
   push_stick(left_x, 0.8f);
   told();
-  run(4.5);
+  run(2.5);
   EXPECT_EQ(told(), "");
   push_stick(left_y, 0.01f);  // a hand
-  run(4.5);
+  run(2.5);
   EXPECT_EQ(told(), "");
   run(1);
   EXPECT_EQ(told(), "xright");
   EXPECT_FALSE(pad.armed());
-  EXPECT_NE(pad.take_words().find("has changed for 5 s"), std::string::npos);
+  EXPECT_NE(pad.take_words().find("has changed for 3 s"), std::string::npos);
 }
 
 TEST_F(GamepadTest, AStickAtItsEndAndTheDPadAreStillInAHandTooAndMayBeForLonger) {
   const auto held_still = [this](const std::string& jog) {
     told();
-    run(29);
+    run(9);
     EXPECT_EQ(told(), "");
     EXPECT_TRUE(pad.armed());
     run(1.5);
     EXPECT_EQ(told(), "x" + jog);
     EXPECT_FALSE(pad.armed());
-    EXPECT_NE(pad.take_words().find("has changed for 30 s"), std::string::npos);
+    EXPECT_NE(pad.take_words().find("has changed for 10 s"), std::string::npos);
   };
   hold(lb, true);
   push_stick(left_x, 1);

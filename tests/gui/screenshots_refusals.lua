@@ -4,7 +4,7 @@ require("lib.pictures")
 
 local function pad() tab("jog") ui.frame(2) end  -- in a narrow window the pad is a tab
 
--- ---- motors without current, then positions that are not to be trusted
+-- ---- motors without current, then positions that cannot be trusted
 local c = assert(hw.open("pmx-4ex-sa@emulator"))
 hw.sleep(2)
 pictures("refusal-power-off", pad, aside)

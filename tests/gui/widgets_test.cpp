@@ -75,7 +75,7 @@ TEST(Text, ASentenceThatIsTooLongForItsLineTakesTwoSmallOnes) {
   stage.frames(3);
   const auto one = inked(stage, 30, 90);
   EXPECT_LT(one.second - one.first, 16);
-  sentence = "Two does not answer since 14:20:08. Stop does not reach it: use its power switch.";
+  sentence = "No answer from Two since 14:20:08. Stop does not reach it: use its power switch.";
   stage.frames(3);
   const auto two = inked(stage, 30, 90);
   EXPECT_LT(two.first, 56) << "a line above the middle";

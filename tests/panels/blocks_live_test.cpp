@@ -61,7 +61,7 @@ TEST_F(BoundBlocks, WhatLeavesALimitIsRefusedWithHowFarBeforeAnythingIsSent) {
   EXPECT_THAT(s.toast(), ::testing::HasSubstr("1200 pulses lies 200 pulses past the + limit of axis X"));
   load({{sequence::Repeat{0, {by(1)}}}});
   s.click("blocks/run");
-  EXPECT_THAT(s.toast(), ::testing::HasSubstr("A loop that has no end moves axis X on"));
+  EXPECT_THAT(s.toast(), ::testing::HasSubstr("An endless loop moves axis X further"));
   EXPECT_TRUE(s.sent.empty());
 }
 
@@ -110,15 +110,50 @@ TEST_F(LiveBlocks, BehindAContourThatRampsOutNoRehearsalHasShownWhereTheAxesStan
   load({{sequence::Speed{{1000, 0, 500}}}, {c}, {on}});
   s.click("blocks/4");
   s.click("blocks/run_here");
-  EXPECT_THAT(s.toast(), ::testing::HasSubstr("Nobody knows where X stands before step 3"));
+  EXPECT_THAT(s.toast(), ::testing::HasSubstr("It is not known where X stands before step 3"));
   EXPECT_FALSE(s.stage.find("blocks/run_from/yes"));
+}
+
+struct RestOfBlocks : test_blocks::BlocksStage {
+  RestOfBlocks() : BlocksStage("vxm") { s.now.slot_bytes_used[0] = 0; }
+  void runs(int command) {
+    s.now.program = {
+        .run = RunState::running, .owned = true, .slot = 0, .command = command, .command_told = true};
+    s.stage.frames(3);
+  }
+};
+
+TEST_F(RestOfBlocks, OfARestThatRunsTheBlockAtWorkIsLit) {
+  sequence::Move there, back;
+  there.to[0] = 400, back.to[0] = 0;
+  load({{there}, {sequence::Delay{500}}, {sequence::Repeat{2, {{back}, {sequence::Delay{300}}}}}});
+  s.click("blocks/2");
+  s.click("blocks/run_here");
+  s.click("blocks/run_from/yes");
+  ASSERT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
+  s.settle(Fate::done);
+  s.settle(Fate::done);
+  // IA1M400 leads there; P5; LM0 IA1M0 P3 LA2.
+  runs(0);
+  EXPECT_EQ(value("blocks/2/time"), "on its way there");
+  runs(1);
+  EXPECT_EQ(value("blocks/2/time"), "runs");
+  runs(3);
+  EXPECT_EQ(value("blocks/4/time"), "runs");
+  EXPECT_NE(value("blocks/2/time"), "runs");
+  s.now.program.run = RunState::held;
+  s.stage.frames(3);
+  EXPECT_EQ(value("blocks/4/time"), "held here");
+  s.click("blocks/4");
+  s.type("blocks/4/to/1", "7\n");
+  EXPECT_NE(value("blocks/4/time"), "held here") << "what runs is not what these blocks are now";
 }
 
 TEST_F(BoundBlocks, WithinALoopNobodyKnowsWhichRoundIsMeant) {
   load({to(0), {sequence::Repeat{3, {by(10), to({}, 5)}}}});
   s.click("blocks/3");
   s.click("blocks/run_here");
-  EXPECT_THAT(s.toast(), ::testing::HasSubstr("nobody knows how many of its rounds have been made"));
+  EXPECT_THAT(s.toast(), ::testing::HasSubstr("it is not known how many of its passes have been made"));
   EXPECT_FALSE(s.stage.find("blocks/run_from/yes"));
 }
 

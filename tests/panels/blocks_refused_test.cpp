@@ -95,7 +95,7 @@ TEST_F(RefusedBlocks, OfAnOwnTextThatSpoilsAnotherBlockThatOneIsNamed) {
   load({{loop}, {sequence::Delay{500}}});
   s.stage.frames(10);
   EXPECT_EQ(value("blocks/2/time"), "not written");
-  EXPECT_EQ(value("blocks/2/refusal"), "Block 1 cannot be with it: ENDWHILE has no WHILE above it.");
+  EXPECT_EQ(value("blocks/2/refusal"), "Block 1 cannot be written with it: ENDWHILE has no WHILE above it.");
   EXPECT_EQ(value("blocks/4/time"), "0.5 s");
   EXPECT_EQ(s.stage.find("blocks/total")->label, "Rehearsed without 1.1");
 }

@@ -246,6 +246,22 @@ TEST(NarrowBlocks, AreAddedByTheirNames) {
   EXPECT_FALSE(s.stage.find("blocks/add/delay")) << "the name has been used";
 }
 
+TEST(BlocksInASmallWindow, ShowTheirTextAndPathInThePlaceOfThePalette) {
+  const DeviceType& type = *find_device_type("pmx-4ex-sa");
+  Blocks panel;
+  test::PanelStage s(panel, 704, 460, 1, gui::Tier::medium, true, *type.make_catalog({}), &type.language());
+  s.stage.frames(2);
+  s.click("blocks/add/delay");
+  EXPECT_FALSE(s.stage.find("blocks/text"));
+  s.click("blocks/aside");
+  EXPECT_EQ(s.value("blocks/text"), "DELAY=500\nEND\n");
+  EXPECT_TRUE(s.stage.find("blocks/path"));
+  s.type("blocks/add_by_name", "comm\n");
+  EXPECT_THAT(s.value("blocks/text"), HasSubstr("; what comes now"));
+  s.click("blocks/aside");
+  EXPECT_TRUE(s.stage.find("blocks/add/delay"));
+}
+
 TEST_F(BlocksTest, ABlockIsCarriedWithTheMouse) {
   for (const char* words : {"first", "second", "third"}) {
     s.click("blocks/end");

@@ -124,7 +124,7 @@ TEST_F(BusTest, TheStatusLineCallsADeviceByItsIdAndNotItsOnlyAxis) {
   b.now.axes[0].activity = Activity::idle;
   a.now.axes[0].position_known = false;
   s.run(0.2);
-  EXPECT_EQ(s.value("status/text"), "Where 01 stands is not known. Home it, or say where it is.");
+  EXPECT_EQ(s.value("status/text"), "The position of 01 is not known. Home it, or say where it stands.");
 }
 
 TEST_F(BusTest, TheTerminalSpeaksToOneOrToAll) {

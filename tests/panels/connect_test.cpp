@@ -170,5 +170,14 @@ TEST(ConnectPage, Pictures) {
   }
 }
 
+TEST(ConnectEmulators, WhereNobodyServesTheSwitchSaysWhoDoes) {
+  ConsoleStage s;
+  s.run(0.2);
+  const Widget* serve = s.stage.find("connect/emulator/vxm/serve");
+  ASSERT_TRUE(serve);
+  EXPECT_FALSE(serve->enabled);
+  EXPECT_NE(serve->reason.find("handwheel emulate"), std::string_view::npos);
+}
+
 }  // namespace
 }  // namespace hw::panels

@@ -57,8 +57,7 @@ TEST_F(DoubtTest, TheRefusalSpeaksTheConsolesUnitsAndClock) {
   s.run(0.1);
   refuse(1);
   const std::string words = s.value("goto/1/refused");
-  EXPECT_TRUE(words.starts_with("The position of motor 1 is not to be trusted: its power was cut ("))
-      << words;
+  EXPECT_TRUE(words.starts_with("The position of motor 1 cannot be trusted: its power was cut (")) << words;
   EXPECT_TRUE(
       words.ends_with("). 240.000 mm may lie elsewhere than before. Nothing was sent. Home it, say "
                       "where it stands, or go on for this once."))
@@ -126,7 +125,7 @@ TEST_F(DoubtTest, ReturnToZeroAndGoTogetherSayWhichOfThemIsDoubted) {
   ASSERT_TRUE(a.last<intent::MoveTo>());
   EXPECT_EQ(a.last<intent::MoveTo>()->targets.size(), 2u);
   refuse(2);
-  EXPECT_TRUE(s.value("goto/2/refused").starts_with("The position of motor 2 is not to be trusted"));
+  EXPECT_TRUE(s.value("goto/2/refused").starts_with("The position of motor 2 cannot be trusted"));
   MUST(s.hand.click("goto/2/once"));
   EXPECT_EQ(a.last<intent::MoveTo>()->targets.size(), 2u) << "all of it";
   EXPECT_TRUE(a.last<intent::MoveTo>()->despite_doubt);
@@ -139,10 +138,10 @@ TEST_F(DoubtTest, OfSeveralOneIsDealtWithAfterTheOther) {
   MUST(s.hand.click("goto/2/with"));
   MUST(s.hand.click("goto/zero"));
   refuse(3);
-  EXPECT_TRUE(s.value("goto/1/refused").starts_with("The positions of motor 1 and motor 2 are not"));
+  EXPECT_TRUE(s.value("goto/1/refused").starts_with("The positions of motor 1 and motor 2 cannot"));
   a.now.axes[0].trust.settle(Trust::homed, s.scheduler.now());
   s.run(0.1);
-  EXPECT_TRUE(s.value("goto/2/refused").starts_with("The position of motor 2 is not"));
+  EXPECT_TRUE(s.value("goto/2/refused").starts_with("The position of motor 2 cannot"));
   EXPECT_TRUE(s.hand.exists("goto/2/home/+"));
 }
 
@@ -159,7 +158,7 @@ TEST_F(DoubtTest, AnActionThatGoesToAPlaceHasThemToo) {
   b.fate(Fate::refused, "in the controller's own words", 2);
   s.run(0.1);
   EXPECT_TRUE(s.value("action/arc/Y/refused")
-                  .starts_with("The position of axis Y is not to be trusted: it was stopped without a ramp"));
+                  .starts_with("The position of axis Y cannot be trusted: it was stopped without a ramp"));
   MUST(s.hand.click("action/arc/Y/once"));
   EXPECT_EQ(b.count<intent::Act>(), 2);
   EXPECT_TRUE(b.last<intent::Act>()->despite_doubt);

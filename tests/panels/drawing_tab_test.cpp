@@ -13,10 +13,10 @@ using ::testing::HasSubstr;
 TEST_F(DrawingTabTest, ADroppedFileIsMeasuredAndWhatIsLeftOutNamed) {
   EXPECT_THAT(s.reason("drawing/to_program"), HasSubstr("No drawing"));
   drop();
-  EXPECT_EQ(s.value("drawing/file_unit"), "mm");
+  EXPECT_EQ(s.value("drawing/unit"), "mm, by the file");
   EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
   EXPECT_EQ(s.value("drawing/drawn"), "42.6 mm") << "30 and a circle of radius 2";
-  EXPECT_THAT(s.value("drawing/left_out"), HasSubstr("TEXT"));
+  EXPECT_THAT(s.value("drawing/left_out"), HasSubstr("TEXT 4 at 0, 0, line "));
   EXPECT_THAT(s.value("drawing/time"), HasSubstr(" s"));
   EXPECT_FALSE(s.stage.find("drawing/problem"));
 }
@@ -267,7 +267,7 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   s.stage.frames(2);
   s.click("drawing/cut_on");
   s.stage.frames(6);
-  EXPECT_THAT(s.value("drawing/ask_cut/says"), HasSubstr("First, with the tool off: from X 4000 pulses"))
+  EXPECT_THAT(s.value("drawing/ask_cut/says"), HasSubstr("First, with the tool off: from X at 4000 pulses"))
       << "the way there is shown";
   s.click("drawing/ask_cut/yes");
   const auto* asked = s.last<intent::RunInPieces>();
@@ -282,7 +282,7 @@ TEST_F(DrawingTabTest, WhereNobodyKnowsWhereAnAxisStandsNothingIsCut) {
   s.stage.frames(6);
   s.now.axes[1].position_known = false;
   s.stage.frames(3);
-  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("Nobody knows where one of its axes stands."));
+  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("The position of one of its axes is not known."));
 }
 
 TEST_F(DrawingTabTest, HowLongItStillTakesIsTold) {
@@ -330,7 +330,7 @@ TEST_F(DrawingTabTest, AFileThatSaysNoUnitIsNotCutBeforeOneWasChosen) {
   ASSERT_TRUE(write_file(file, text));
   drop();
   for (const char* id : {"drawing/cut", "drawing/frame", "drawing/to_program", "drawing/to_blocks"})
-    EXPECT_THAT(s.reason(id), HasSubstr("does not say in which unit")) << id;
+    EXPECT_THAT(s.reason(id), HasSubstr("does not name its unit")) << id;
   s.click("drawing/unit");
   s.click("drawing/unit/in");
   s.stage.frames(10);
@@ -339,19 +339,67 @@ TEST_F(DrawingTabTest, AFileThatSaysNoUnitIsNotCutBeforeOneWasChosen) {
   EXPECT_TRUE(s.stage.find("drawing/ask_cut/yes"));
   s.click("drawing/ask_cut/no");
   drop();
-  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("does not say in which unit")) << "it may be another file";
+  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("does not name its unit")) << "it may be another file";
 }
 
 TEST_F(VxmDrawingTabTest, NobodyButTheUserSaysHowFarStairsMayLieBesideTheLine) {
   drop();
   for (const char* id : {"drawing/cut", "drawing/frame", "drawing/to_program"})
-    EXPECT_THAT(s.reason(id), HasSubstr("how far its corners may lie beside the line")) << id;
+    EXPECT_THAT(s.reason(id), HasSubstr("how far its corners may lie from the line")) << id;
   s.type("drawing/tolerance", "0.5\n");
   s.stage.frames(10);
   EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
   s.type("drawing/tolerance", "\n");
   s.stage.frames(10);
-  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("how far its corners may lie beside the line"));
+  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("how far its corners may lie from the line"));
+}
+
+TEST_F(DrawingTabTest, WhoeverKnowsTheUnitBetterThanTheFileSaysIt) {
+  drop();
+  s.click("drawing/unit");
+  s.click("drawing/unit/in");
+  s.stage.frames(10);
+  EXPECT_EQ(s.value("drawing/size"), "508.000 x 254.000 mm");
+  s.type("drawing/times", "0.5\n");
+  s.stage.frames(10);
+  EXPECT_EQ(s.value("drawing/size"), "254.000 x 127.000 mm");
+  s.click("drawing/unit");
+  s.click("drawing/unit/mm, by the file");
+  s.stage.frames(10);
+  EXPECT_EQ(s.value("drawing/size"), "10.000 x 5.000 mm");
+  s.click("drawing/unit");
+  s.click("drawing/unit/in");
+  drop();
+  EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm") << "another file says its own";
+}
+
+TEST_F(VxmDrawingTabTest, BeforeTheToleranceIsGivenItsOutlineIsShownAndWhatIsMissing) {
+  drop();
+  s.type("drawing/per_unit/1", "1000\n");
+  s.type("drawing/per_unit/2", "1000\n");
+  s.stage.frames(6);
+  s.click("drawing/fit");
+  s.stage.frames(3);
+  EXPECT_THAT(s.value("drawing/outline"), HasSubstr("one axis at a time"));
+  EXPECT_GT(std::stod(s.value("drawing/view")), 40) << "all of its 30,000 steps are to be seen";
+  s.type("drawing/travel_speed", "5\n");
+  s.type("drawing/tolerance", "0.5\n");
+  s.stage.frames(10);
+  EXPECT_FALSE(s.stage.find("drawing/outline")) << s.value("drawing/outline");
+  EXPECT_TRUE(s.stage.find("drawing/size"));
+}
+
+TEST_F(DrawingTabTest, AFileWithoutAUnitIsShownAsIfThatWereMm) {
+  std::string text(square_and_text);
+  text.replace(text.find("70\n4\n"), 5, "70\n0\n");
+  ASSERT_TRUE(write_file(file, text));
+  drop();
+  EXPECT_THAT(s.value("drawing/outline"), HasSubstr("shown as if it were in mm"));
+  s.click("drawing/unit");
+  s.click("drawing/unit/mm");
+  s.stage.frames(10);
+  EXPECT_FALSE(s.stage.find("drawing/outline"));
+  EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
 }
 
 TEST_F(VxmDrawingTabTest, StairsWithinTheTolerance) {

@@ -58,5 +58,46 @@ TEST(TimeLeft, OfAStepIsCountedFromWhereItWasToldFirst) {
   EXPECT_DOUBLE_EQ(at(23), 1);
 }
 
+TEST(TimeLeft, IsNotCountedFromBeforeItWasSeenNorWhileItIsOnlySent) {
+  StepClock clock;
+  PiecesState pieces;
+  pieces.running = true;  // at no step yet, as when nothing runs
+  const auto at = [&](double s, bool at_work) {
+    clock.follow(pieces, Instant(from_seconds(s)), at_work);
+    return clock.at_it_s();
+  };
+  EXPECT_DOUBLE_EQ(at(100, false), 0);
+  EXPECT_DOUBLE_EQ(at(130, false), 0) << "it is being sent";
+  EXPECT_DOUBLE_EQ(at(131, true), 1);
+  pieces.running = false;
+  EXPECT_DOUBLE_EQ(at(140, true), 1);
+  pieces.running = true;
+  EXPECT_DOUBLE_EQ(at(150, true), 0) << "it begins anew";
+}
+
+TEST_F(DrawingTabTest, TheBarGoesOnWhereTheControllerTellsNoSteps) {
+  drop();
+  two_hundred_pulses_in_a_mm();
+  s.stage.frames(6);
+  s.click("drawing/cut");
+  EXPECT_THAT(s.value("drawing/ask_cut/says"), HasSubstr("once the controller has it"));
+  s.click("drawing/ask_cut/yes");
+  s.settle(Fate::done);
+  s.now.pieces.running = true;
+  s.now.pieces.total = 1, s.now.pieces.step = 0;
+  s.stage.frames(3);
+  EXPECT_THAT(s.value("drawing/cut_progress"), HasSubstr("is being sent the drawing"));
+  s.now.program.run = RunState::running;
+  s.stage.frames(3);
+  EXPECT_THAT(s.value("drawing/cut_progress"), HasSubstr("The drawing is being cut, "));
+  s.now.program.run = RunState::waiting;
+  s.stage.frames(3);
+  EXPECT_THAT(s.value("drawing/cut_progress"), HasSubstr("The drawing is being cut, ")) << "it waits there";
+  s.now.pieces.running = false, s.now.pieces.done = 1;
+  s.now.program.run = RunState::idle;
+  s.stage.frames(3);
+  EXPECT_EQ(s.value("drawing/cut_progress"), "All of it is done");
+}
+
 }  // namespace
 }  // namespace hw::panels

@@ -2,6 +2,7 @@
 // while it is drawn, in the panel of drawings and on the path of their bus.
 #include <gmock/gmock.h>
 
+#include "core/sequence/sequence.h"
 #include "core/session/session.h"
 #include "core/time/virtual_scheduler.h"
 #include "gui/model/bus.h"
@@ -104,6 +105,72 @@ TEST_F(DrawnBusTest, WhileItIsDrawnBothTellWhatIsLeft) {
   EXPECT_NE(value("path/left"), before);
   run(60);
   EXPECT_FALSE(stage.find("path/left"));
+}
+
+TEST_F(DrawnBusTest, OfWhatWasBegunElsewhereItDoesNotTellWhatIsLeft) {
+  ASSERT_NO_FATAL_FAILURE(cut());
+  ASSERT_THAT(value("drawing/cut_progress"), HasSubstr(" left"));
+  console.active()->bus->begun = std::make_shared<const sequence::Sequence>();
+  run(0.1);
+  EXPECT_THAT(value("drawing/cut_progress"), testing::Not(HasSubstr(" left")));
+}
+
+TEST_F(DrawnBusTest, FromAPlaceOnItsPathTheRestIsDrawnBehindTheWayThere) {
+  const std::vector<gui::Tab*> members = console.active()->bus->members;
+  MUST(stage.hand.click("tab/path"));
+  run(0.5);
+  // The side that goes up at 30 mm; all of it lies between 0, 0 and 3000, 2000.
+  const gui::Rect view = stage.find("path/view")->rect;
+  const double per_px = std::stod(value("path/view"));
+  const ImVec2 side(view.centre().x + static_cast<float>(1500 / per_px),
+                    view.centre().y - static_cast<float>(600 / per_px));
+  stage.push(gui::InputEvent::mouse_move(side.x, side.y, stage.now_s));
+  run(0.1);
+  stage.push(gui::InputEvent::mouse_button(0, true, side, stage.now_s));
+  run(0.05);
+  stage.push(gui::InputEvent::mouse_button(0, false, side, stage.now_s));
+  run(0.2);
+  ASSERT_THAT(value("path/hit"), HasSubstr("Step ")) << value("path/hit");
+  MUST(stage.hand.click("path/run_here"));
+  run(0.3);
+  const std::string asked = value("path/run_from/says");
+  EXPECT_THAT(asked, HasSubstr("The axes stand here: 01 at 0 pulses, 02 at 0 pulses."));
+  EXPECT_THAT(asked, HasSubstr("and all behind it."));
+  EXPECT_FALSE(console.active()->bus->pieces().running) << "nothing is done before it is agreed to";
+  MUST(stage.hand.click("path/run_from/yes"));
+  run(2);
+  EXPECT_TRUE(console.active()->bus->pieces().running);
+  EXPECT_TRUE(stage.find("path/left"));
+  run(60);
+  EXPECT_FALSE(console.active()->bus->pieces().running);
+  EXPECT_GT(members[0]->now().axes[0].position.value, 1500) << "it has been there";
+}
+
+TEST_F(DrawnBusTest, OnItsPathTheMarkOfTheToolTellsWhetherItIsOn) {
+  ASSERT_NO_FATAL_FAILURE(cut());
+  MUST(stage.hand.click("tab/path"));
+  bool on = false, off = false;
+  for (int i = 0; i < 60; ++i) {
+    run(0.5);
+    const std::string here = value("path/view/here");
+    on = on || here.find("tool on") != std::string::npos;
+    off = off || here.find("tool off") != std::string::npos;
+  }
+  EXPECT_TRUE(on);
+  EXPECT_TRUE(off);
+}
+
+TEST_F(DrawnBusTest, ADotIsDrawnWithWhatFollowsItAndTakesNoTimesAway) {
+  std::string with_dot(square_and_text);
+  with_dot.insert(with_dot.find("0\nTEXT"), "0\nPOINT\n8\ncut\n10\n25\n20\n18\n");
+  ASSERT_TRUE(write_file(file, with_dot));
+  console.active()->desk().dropped["drawing"].push_back(file);
+  run(0.5);
+  ASSERT_THAT(value("drawing/chains"), testing::StartsWith("3"));
+  for (const char* chain : {"drawing/chain/1", "drawing/chain/2", "drawing/chain/3"})
+    EXPECT_EQ(value(chain).find("?"), std::string::npos) << value(chain);
+  ASSERT_NO_FATAL_FAILURE(cut());
+  EXPECT_THAT(value("drawing/cut_progress"), HasSubstr(" left"));
 }
 
 TEST_F(DrawnBusTest, ProgramsThatAreSimulatedComeInItsPlace) {

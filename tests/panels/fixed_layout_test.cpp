@@ -106,6 +106,7 @@ class FixedStage {
     s.stage.frames(3);
     return places();
   }
+  /// The frames that draw it are those of what is said next.
   void as_at_first() {
     for (std::size_t i = 0; i < s.examples.size(); ++i) {
       Example& e = s.examples[i];
@@ -116,7 +117,6 @@ class FixedStage {
       write(e, "");
     }
     s.stale = false;
-    s.stage.frames(3);
   }
   static void write(Example& e, const char* text) {
     Desk& desk = e.tab->desk();
@@ -179,7 +179,7 @@ void link_is(FixedStage& f, LinkState state, bool all) {
     if (!all && &e == &f.front()) continue;
     e.now.link.state = state;
     e.now.link.sentence = "The cable of /dev/ttyUSB0 was pulled. No command was repeated. " +
-                          std::string("What was under way may have gone on. Look at the cable.");
+                          std::string("What was under way may have gone on. Check the cable.");
   }
 }
 void run_programs(FixedStage& f, RunState state) {
@@ -324,7 +324,10 @@ class FixedLayout : public testing::TestWithParam<FixedWindow> {
       const auto was = f.places_in(panel);
       ASSERT_FALSE(was.empty());
       for (const Said& said : all_said()) {
-        if (said.in_go) f.go_to("");
+        if (said.in_go) {
+          f.s.stage.frames(3);
+          f.go_to("");
+        }
         const auto before = said.in_go ? f.places() : was;
         said.say(f);
         f.s.stage.frames(3);

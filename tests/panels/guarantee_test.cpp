@@ -1,6 +1,10 @@
 // The badge by the jog pad: who ends a held jog when the program dies.
+#include <algorithm>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/device/registry.h"
 #include "tests/panels/console_stage.h"
 #include "tests/panels/must.h"
 
@@ -54,12 +58,51 @@ TEST_F(GuaranteeTest, TheControllerDoesWhereEveryAxisHasItsLimits) {
 TEST_F(GuaranteeTest, NobodyIsSaidAsWhatItIs) {
   ends(JogEnds::by_nobody);
   EXPECT_EQ(label(), "nobody");
+  EXPECT_EQ(s.value("jog/guarantee"), "1000 steps a second");
   ends(JogEnds::with_program);
   EXPECT_EQ(label(), "this program");
   a.now.link.state = LinkState::lost;
   s.run(0.1);
   EXPECT_EQ(label(), "(absent)") << "nothing is jogged there";
 }
+
+/// Each controller that there is, by its own catalog, in the unit that its user has chosen.
+class EveryBadge : public testing::TestWithParam<const DeviceType*> {};
+
+TEST_P(EveryBadge, SaysWhoAndHowFarInMillimetresAtTheChosenSpeed) {
+  ConsoleStage s;
+  Example& a = s.add(*GetParam()->make_catalog({}));
+  a.now.link.jog_ends = JogEnds::by_watchdog;
+  for (std::size_t i = 0; i < a.tab->catalog().axes.size(); ++i) {
+    AxisProfile& axis = a.tab->profile.axes[i];
+    axis.unit_choice = own_unit_choice;
+    axis.own_unit.name = "mm";
+    axis.own_unit.per_step = 0.01;
+  }
+  a.tab->profile.unit = "mm";
+  a.tab->profile_edited();
+  a.tab->choose_jog(Steps(100), Pps(1000));
+  s.run(0.2);
+  const Widget* badge = s.stage.find("jog/guarantee");
+  ASSERT_TRUE(badge);
+  EXPECT_EQ(badge->label, "watchdog");
+  EXPECT_THAT(std::string(badge->value), testing::StartsWith("stops it: 13.0"));
+  EXPECT_THAT(std::string(badge->value), testing::HasSubstr(" mm"));
+  a.tab->choose_jog(Steps(100), Pps(500));
+  s.run(0.2);
+  EXPECT_THAT(s.value("jog/guarantee"), testing::StartsWith("stops it: 6.5"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Controllers, EveryBadge, testing::ValuesIn([] {
+                           std::vector<const DeviceType*> all;
+                           for (const DeviceType& type : device_types()) all.push_back(&type);
+                           return all;
+                         }()),
+                         [](const auto& info) {
+                           std::string name(info.param->model);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 /// Of a controller that can run a guard itself.
 class GuardOfferTest : public testing::Test {

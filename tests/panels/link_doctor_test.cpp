@@ -362,6 +362,15 @@ TEST(UsualCatalogs, EachIsMadeOnceAndNotInEachFrame) {
 }
 
 // To be looked at: build/pictures/doctor-*.png
+TEST(ServeEmulator, ABusThatIsOpenSaysWhyItIsNotServed) {
+  Desk d("dmx-k-sa", {"01", "02"});
+  d.open("dmx-k-sa@emulator,id=01-02");
+  const gui::Widget* serve = d.stage.find("connect/here/0/serve");
+  ASSERT_TRUE(serve);
+  EXPECT_FALSE(serve->enabled);
+  EXPECT_THAT(std::string(serve->reason), HasSubstr("Serve another at the right."));
+}
+
 TEST(LinkDoctorCard, Pictures) {
   const std::filesystem::path folder = HW_BINARY_DIR "/pictures";
   std::filesystem::create_directories(folder);

@@ -118,5 +118,23 @@ TEST(MessagePlace, WhatWantedALinkGoesWhenThereIsOne) {
   EXPECT_FALSE(s.stage.find("toast/2"));
 }
 
+TEST(MessagePlace, AFoldedBannerKeepsWhatMattersAndCanBeUnfolded) {
+  ConsoleStage s(1024, 700);
+  Example& a = s.add();
+  a.now.axes[0].activity = Activity::moving;
+  s.run(0.2);
+  a.now.link.state = LinkState::lost;
+  s.run(0.2);
+  ASSERT_TRUE(s.hand.click("fault/fold").has_value());
+  s.run(0.2);
+  EXPECT_FALSE(s.stage.find("fault/report")) << "its words need the room";
+  EXPECT_TRUE(s.stage.find("fault/try_now"));
+  EXPECT_EQ(s.stage.find("fault/fold")->label, "Unfold");
+  EXPECT_LE(s.stage.find("fault/lost")->rect.height(), 48) << "one line";
+  ASSERT_TRUE(s.hand.click("fault/fold").has_value());
+  s.run(0.2);
+  EXPECT_EQ(s.stage.find("fault/fold")->label, "Fold");
+}
+
 }  // namespace
 }  // namespace hw::panels

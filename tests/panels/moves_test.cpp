@@ -60,7 +60,7 @@ TEST_F(MovesTest, ProgressIsToldAndAbortStops) {
   s.now.feed = {true, 12, 100};
   s.stage.frames(2);
   EXPECT_EQ(s.value("list/progress"), "12 of 100 moves sent");
-  EXPECT_THAT(s.reason("list/start"), HasSubstr("on its way"));
+  EXPECT_THAT(s.reason("list/start"), HasSubstr("is being sent"));
   const std::size_t before = s.sent.size();
   s.click("list/abort");
   ASSERT_EQ(s.sent.size(), before + 2);
@@ -74,7 +74,7 @@ TEST_F(MovesTest, AbortWorksUntilTheBufferIsEmpty) {
   s.now.feed = {false, 100, 100};
   s.now.axes[0].activity = Activity::moving;
   s.stage.frames(60);
-  EXPECT_EQ(s.reason("list/abort"), "No list is on its way.") << "it moves for another reason";
+  EXPECT_EQ(s.reason("list/abort"), "No list is being sent.") << "it moves for another reason";
   s.now.feed = {true, 99, 100};
   s.stage.frames(2);
   s.now.feed = {false, 100, 100};
@@ -84,7 +84,7 @@ TEST_F(MovesTest, AbortWorksUntilTheBufferIsEmpty) {
   ASSERT_TRUE(s.last<intent::Act>());
   s.now.axes[0].activity = Activity::idle;
   s.stage.frames(2);
-  EXPECT_EQ(s.reason("list/abort"), "No list is on its way.");
+  EXPECT_EQ(s.reason("list/abort"), "No list is being sent.");
 }
 
 TEST_F(MovesTest, TheBufferStandsBesideTheList) {

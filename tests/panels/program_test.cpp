@@ -98,7 +98,7 @@ TEST_F(ProgramTest, WhatTheControllerCanTellIsReadBeforeARehearsal) {
   s.now.params[1].known = false;
   s.click("program/simulate");
   EXPECT_TRUE(s.last<intent::ReadParams>());
-  EXPECT_EQ(s.reason("program/simulate"), "It is being worked out.");
+  EXPECT_EQ(s.reason("program/simulate"), "It is being calculated.");
   EXPECT_EQ(s.value("program/rehearsed"), "It is being rehearsed.");
   const auto asked = s.sent.size();
   s.settle(Fate::pending);
@@ -150,9 +150,9 @@ TEST_F(ProgramTest, SlotInUseByAnotherProgramIsAskedAbout) {
 TEST_F(ProgramTest, ErrorHasASentenceAndAMend) {
   write("I1\nBAD");
   ASSERT_TRUE(s.stage.find("program/problem/1"));
-  EXPECT_THAT(s.value("program/note"), HasSubstr("Mend line 2"));
+  EXPECT_THAT(s.value("program/note"), HasSubstr("Correct line 2"));
   EXPECT_THAT(s.reason("program/run"), HasSubstr("Line 2: BAD is no command."));
-  EXPECT_THAT(s.reason("program/step"), HasSubstr("Run comes back when it is mended."));
+  EXPECT_THAT(s.reason("program/step"), HasSubstr("Run is available again when it is corrected."));
   ASSERT_TRUE(s.stage.hand.key("Ctrl+Enter"));
   s.stage.frames(3);
   EXPECT_TRUE(s.sent.empty());
@@ -174,7 +174,7 @@ TEST_F(ProgramTest, WhatIsHeldGoesOnWhateverIsTypedMeanwhile) {
 TEST_F(ProgramTest, TooLongIsSaidByMeterAndRefusedByRun) {
   write("A,B,C,D,E,F,G,H,J,K,M");
   EXPECT_EQ(s.value("program/memory"), "22 of 20: 2 too many");
-  EXPECT_THAT(s.reason("program/run"), HasSubstr("2 too many. Run comes back when it is shorter."));
+  EXPECT_THAT(s.reason("program/run"), HasSubstr("2 too many. Run is available again when it is shorter."));
   s.click("program/store");
   EXPECT_TRUE(s.sent.empty());
   EXPECT_THAT(s.toast(), HasSubstr("2 too many. Shorten it."));
@@ -233,6 +233,7 @@ TEST_F(ProgramTest, ButtonsFollowTheRun) {
   EXPECT_TRUE(s.last<intent::Pause>());
   s.now.program.run = RunState::held;
   s.stage.frames(2);
+  EXPECT_EQ(s.reason("program/hold"), "The program is held. Go on continues it.");
   s.click("program/step");
   EXPECT_TRUE(s.last<intent::SingleStep>());
   s.click("program/run");

@@ -37,7 +37,7 @@ TEST_F(RehearsalReads, EachProgramThatTheRunComesTo) {
   rehearse("I1M400,JM2");
   ASSERT_TRUE(s.last<intent::UploadProgram>());
   EXPECT_EQ(s.last<intent::UploadProgram>()->slot, 2);
-  EXPECT_EQ(s.reason("program/simulate"), "It is being worked out.");
+  EXPECT_EQ(s.reason("program/simulate"), "It is being calculated.");
   listed(2, "I2M300,JM1");
   ASSERT_EQ(s.last<intent::UploadProgram>()->slot, 1);
   listed(1, "I1M100");

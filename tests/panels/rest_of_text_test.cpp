@@ -64,7 +64,7 @@ TEST(RestOfText, TwoCommandsThatAreOneStepAreBegunTogether) {
   const auto rest = rest_at("vme58", "AA\nMR500; GO MR250; GO\n", 2, {}, 3);
   ASSERT_TRUE(rest) << rest.error().sentence();
   EXPECT_EQ(*rest->rest.start[0], 500);
-  EXPECT_THAT(written("vme58", *rest), HasSubstr("MA500; GO\nWA\nMR250; GO\n"));
+  EXPECT_THAT(written("vme58", *rest), HasSubstr("MA500; GO\nWA\n# Here the rest begins.\nMR250; GO\n"));
 }
 
 /// On its last pass L leaves the command before it out, which no loop of blocks does.
@@ -80,10 +80,10 @@ TEST(RestOfText, WhatNoBlockCanHoldIsRefused) {
 TEST(RestOfText, WhatIsNotKnownIsNamedWithItsLine) {
   const auto own = rest_at("pmx-4ex-sa", "ABS\nV1=5\nX1000\nWAITX\nX0\nWAITX\nEND\n", 5);
   ASSERT_FALSE(own);
-  EXPECT_THAT(own.error().what, HasSubstr("\"V1=5\" above line 5 leaves behind is not known."));
+  EXPECT_THAT(own.error().what, HasSubstr("It is not known what \"V1=5\" above line 5 leaves behind."));
   const auto homed = rest_at("pmx-4ex-sa", "ABS\nHOMEX-\nWAITX\nX1000\nWAITX\nEND\n", 4);
   ASSERT_FALSE(homed);
-  EXPECT_THAT(homed.error().what, HasSubstr("Nobody knows where the axes stand before line 4"));
+  EXPECT_THAT(homed.error().what, HasSubstr("It is not known where the axes stand before line 4"));
 }
 
 TEST(RestOfText, WhereAnAxisIsStillMovingNothingIsBegun) {

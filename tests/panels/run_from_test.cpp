@@ -72,7 +72,7 @@ TEST_F(RunFromTest, TellsTheWayThereAndDoesNothingBeforeItIsAgreedTo) {
   EXPECT_THAT(asked, HasSubstr("The axes stand at 1 250 steps"));
   EXPECT_THAT(asked, HasSubstr("First: Tool up. Speed 2000 steps/s. Move to 1 400, 2 0. Tool down."));
   EXPECT_THAT(asked, HasSubstr("Then step 6, Move to 2 400, and all behind it."));
-  EXPECT_THAT(asked, Not(HasSubstr("No step speaks of a tool")));
+  EXPECT_THAT(asked, Not(HasSubstr("No step mentions a tool")));
   EXPECT_TRUE(s.sent.empty());
   const std::string before = s.tab.desk().texts.text(0);
   s.click("path/run_from/no");
@@ -109,13 +109,13 @@ TEST_F(RunFromTest, WhereNobodyKnowsWhereAnAxisStandsNothingIsBegun) {
   s.stage.frames(2);
   click_on_second_side();
   s.click("path/run_here");
-  EXPECT_THAT(s.toast(), HasSubstr("Nobody knows where motor 2 stands. Nothing was begun."));
+  EXPECT_THAT(s.toast(), HasSubstr("The position of motor 2 is not known. Nothing was begun."));
   EXPECT_FALSE(s.stage.find("path/run_from/yes"));
   s.now.axes[1].position_known = true;
   s.now.axes[0].trust.doubt(Doubt::power_cut, {});
   s.stage.frames(2);
   s.click("path/run_here");
-  EXPECT_THAT(s.toast(), HasSubstr("The position of motor 1 is not to be trusted: its power was cut."));
+  EXPECT_THAT(s.toast(), HasSubstr("The position of motor 1 cannot be trusted: its power was cut."));
   EXPECT_FALSE(s.stage.find("path/run_from/yes"));
   EXPECT_TRUE(s.sent.empty());
 }
@@ -158,7 +158,7 @@ TEST_F(RunFromTest, ATypedTextIsBegunWhereItsRehearsalCameTo) {
   EXPECT_THAT(asked, HasSubstr("The axes stand at 1 0 steps, 2 70 steps")) << s.toast();
   EXPECT_THAT(asked, HasSubstr("First: Move to 1 400, 2 50.")) << "where it was rehearsed";
   EXPECT_THAT(asked, HasSubstr("Then line 2, I2M400, and all behind it."));
-  EXPECT_THAT(asked, HasSubstr("No step speaks of a tool"));
+  EXPECT_THAT(asked, HasSubstr("No step mentions a tool"));
   EXPECT_TRUE(s.sent.empty());
   s.click("path/run_from/yes");
   s.stage.frames(4);
@@ -184,8 +184,8 @@ TEST_F(RunFromTest, WhatATypedTextLeavesBehindThatNobodyKnowsIsNamed) {
   ASSERT_THAT(s.value("path/hit"), HasSubstr("Line 3"));
   s.click("path/run_here");
   s.stage.frames(3);
-  EXPECT_THAT(s.toast(), HasSubstr("What \"U99"));
-  EXPECT_THAT(s.toast(), HasSubstr("above line 3 leaves behind is not known."));
+  EXPECT_THAT(s.toast(), HasSubstr("It is not known what \"U99"));
+  EXPECT_THAT(s.toast(), HasSubstr("above line 3 leaves behind."));
   EXPECT_FALSE(s.stage.find("path/run_from/yes"));
   EXPECT_TRUE(s.sent.empty());
 }

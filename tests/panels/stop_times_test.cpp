@@ -1,6 +1,8 @@
 // The time of a stop counts from the press of the mouse itself, however late the frame that hears of it.
 #include <cstdio>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -67,6 +69,24 @@ TEST_P(StopTimesTest, CountFromThePress) {
   stage.push(gui::InputEvent::mouse_button(0, true, at, pressed_at_s));
   stage.frame();
   stage.push(gui::InputEvent::mouse_button(0, false, at, stage.now_s));
+  run(4);
+  ASSERT_FALSE(tab().now().axis_moves(0));
+  EXPECT_GE(first_byte_after(), 1000 * frame_is_late_by_s) << tab().desk().stop_times.words();
+  EXPECT_LE(first_byte_after(), 1000 * frame_is_late_by_s + 60) << tab().desk().stop_times.words();
+}
+
+TEST_P(StopTimesTest, CountFromTheKeyThatPressesTheFocusedStop) {
+  tab().send(intent::MoveBy({{AxisId{0}, Steps(20'000)}}));
+  run(1);
+  ASSERT_TRUE(tab().now().axis_moves(0));
+  stage.surface.screen().focus().move_to(GetParam());
+  run(0.1);
+  constexpr double frame_is_late_by_s = 0.12;
+  const double pressed_at_s = stage.now_s;
+  stage.now_s += frame_is_late_by_s;
+  stage.push(gui::InputEvent::key(GLFW_KEY_ENTER, true, pressed_at_s));
+  stage.frame();
+  stage.push(gui::InputEvent::key(GLFW_KEY_ENTER, false, stage.now_s));
   run(4);
   ASSERT_FALSE(tab().now().axis_moves(0));
   EXPECT_GE(first_byte_after(), 1000 * frame_is_late_by_s) << tab().desk().stop_times.words();

@@ -116,7 +116,7 @@ TEST_F(TuningTest, TheOutputIsShownAsWorkedOutAndOnlyWhereItIsKnown) {
   for (const int step : {400, -400}) {
     s.click("tuning/record");
     samples(0.5, 0, step);
-    EXPECT_EQ(s.value("tuning/output"), "worked out, not read: at most 50 %");
+    EXPECT_EQ(s.value("tuning/output"), "calculated, not read: at most 50 %");
   }
   s.click("tuning/record");
   EXPECT_TRUE(s.stage.find("tuning/output")) << "nothing jumps while the next one begins";

@@ -35,7 +35,7 @@ TEST_F(CommandHelpTest, OneMovingCommandMakesTheLineMove) {
 
 TEST_F(CommandHelpTest, UnknownCommandIsSaidSo) {
   EXPECT_TRUE(help.hint("zzz").unknown);
-  EXPECT_THAT(hint("zzz"), HasSubstr("no command of this controller begins so"));
+  EXPECT_THAT(hint("zzz"), HasSubstr("no command of this controller begins like this"));
   EXPECT_TRUE(help.hint("r").unknown == false) << "rsm begins with r";
   EXPECT_TRUE(help.hint("S1M5x").unknown);
   EXPECT_EQ(hint(""), "");

@@ -52,7 +52,7 @@ TEST(EndingWords, NameTheLimitAndTheError) {
   EXPECT_EQ(words(e), "Y motion ended on a limit, at 85 mm");
   e = motion(EndedBy::error);
   e.error = AxisError::alarm;
-  EXPECT_EQ(words(e), "Y motion ended in error: its driver gave an alarm, at 85 mm");
+  EXPECT_EQ(words(e), "Y motion ended with an error: its driver gave an alarm, at 85 mm");
   e = motion(EndedBy::not_in_place);
   e.off = Steps(-300);
   EXPECT_EQ(words(e), "Y motion ended 3 mm from its command, at 85 mm");
@@ -77,11 +77,11 @@ TEST(EndingWords, TellAJogAHomingAndARunApart) {
 TEST(EndingWords, OfAProgramInErrorTellTheLineAndTheAxisAsFarAsTheyAreKnown) {
   Ending run;
   run.what = Ending::What::program, run.slot = 1, run.by = EndedBy::error;
-  EXPECT_EQ(words(run), "Program 1 stopped in error");
+  EXPECT_EQ(words(run), "Program 1 stopped with an error");
   run.line = 12;
-  EXPECT_EQ(words(run), "Program 1 stopped in error at line 12 of its stored code");
+  EXPECT_EQ(words(run), "Program 1 stopped with an error at line 12 of its stored code");
   run.failed_axis = 0, run.error = AxisError::limit_plus;
-  EXPECT_EQ(words(run), "Program 1 stopped in error at line 12 of its stored code: X hit its + limit");
+  EXPECT_EQ(words(run), "Program 1 stopped with an error at line 12 of its stored code: X hit its + limit");
 }
 
 class EventLogTest : public testing::Test {

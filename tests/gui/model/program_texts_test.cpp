@@ -150,7 +150,7 @@ TEST_F(ProgramTextsTest, NoteSaysWhoHoldsWhat) {
   now.program.run = RunState::running, now.program.owned = true, now.program.slot = 0;
   texts.set_text(0, "I1\nBAD");
   EXPECT_EQ(note(),
-            "The controller runs the text loaded at 14:02:04. It has changed since. Mend line 2 before the "
+            "The controller runs the text loaded at 14:02:04. It has changed since. Correct line 2 before the "
             "next run.");
 }
 
@@ -170,7 +170,7 @@ TEST_F(ProgramTextsTest, CodeThatMeansNothingHereIsNeverTheSameProgram) {
   texts.listed(0, "I1M400,L0", Instant(), false);
   EXPECT_FALSE(texts.controller_has(0)) << "the text leaves something out";
   EXPECT_EQ(texts.live_line(0, 0), -1) << "its lines are not those of the text";
-  EXPECT_THAT(note(), HasSubstr("means nothing here and is not in this text"));
+  EXPECT_THAT(note(), HasSubstr("cannot be read here and is not in this text"));
   texts.listed(0, "I1M400,L0", Instant());
   EXPECT_TRUE(texts.controller_has(0));
 }

@@ -9,6 +9,7 @@ namespace {
 class Clockwork final : public Language {
  public:
   mutable std::vector<std::int64_t> begun_at;
+  mutable int slot = -1;
   std::vector<RehearsedTurn> turns;
   [[nodiscard]] ProgramReport analyse(std::string_view text, int slot) const override {
     ProgramReport report;
@@ -22,6 +23,7 @@ class Clockwork final : public Language {
   }
   [[nodiscard]] Result<Rehearsal> rehearse(std::string_view, const RehearseOptions& options) const override {
     begun_at.clear();
+    slot = options.slot;
     for (int i = 0; i < options.from->now.axis_count; ++i)
       begun_at.push_back(options.from->now.axes[i].commanded().value);
     Rehearsal r;
@@ -99,6 +101,26 @@ TEST_F(RunFollowerTest, ACommandOfWhichNothingHappensHasItsTurn) {
   EXPECT_NEAR(follower.place().next_in_s, 0.2, 1e-6);
   EXPECT_EQ(when(21.6).command, 2);
   EXPECT_EQ(when(23.2).command, 1) << "what has happened since is newer than the latest turn";
+}
+
+// "X moves" and "Y moves" are one pass of a contour.
+TEST_F(RunFollowerTest, WhatHappensInOneTurnIsOnePass) {
+  language.turns = {{0, 0}, {1, 1}};
+  now.program.started_at = at(20);
+  follower.follow(now, {}, at(20), texts, &language, worker);
+  worker.deliver();
+  const auto last = when(23.2);
+  EXPECT_EQ(last.command, 1);
+  EXPECT_EQ(last.passes, 1) << "two things happen of it";
+}
+
+TEST_F(RunFollowerTest, OfThreadsTheOneThatRunsIsRehearsed) {
+  catalog.program.threads = 4;
+  now.threads[2].run = RunState::running;
+  now.program.started_at = at(20);
+  follower.follow(now, {}, at(20), texts, &language, worker);
+  worker.deliver();
+  EXPECT_EQ(language.slot, 2);
 }
 
 TEST_F(RunFollowerTest, TimeStandsStillWhileItIsHeld) {

@@ -16,6 +16,7 @@ class StatusSentenceTest : public testing::Test {
   std::optional<JogHold::Control> held;
   RunPlace run;
   std::string failed;
+  bool unset_read = false;
 
   StatusSentenceTest() {
     catalog.name = "Example Two";
@@ -43,7 +44,7 @@ class StatusSentenceTest : public testing::Test {
     return status_sentence({catalog, now, clock, held, held.has_value(),
                             [](AxisId, Steps s) { return fmt::format("{} steps", s.value); },
                             [](AxisId, Pps v) { return fmt::format("{} steps/s", v.value); },
-                            [](Instant) { return std::string("14:20:08"); }, run, failed});
+                            [](Instant) { return std::string("14:20:08"); }, run, failed, unset_read});
   }
 };
 
@@ -65,7 +66,7 @@ TEST_F(StatusSentenceTest, BetweenTwoMotionsOfADrawingItIsNotIdle) {
 TEST_F(StatusSentenceTest, ASlipIsSaidWhileNothingMoves) {
   now.axes[1].slipped = true;
   EXPECT_EQ(say().mood, Mood::warn);
-  EXPECT_EQ(say().text.view().find("Motor 2 has slipped: its encoder lay further off than is allowed."), 0u);
+  EXPECT_EQ(say().text.view().find("Motor 2 has slipped: its encoder was further off than is allowed."), 0u);
   EXPECT_EQ(state_of(now, 1, clock), State::slipped);
   EXPECT_EQ(worst_state(now, clock), State::slipped) << "its tab says so too";
   now.axes[1].enabled = false;
@@ -93,8 +94,8 @@ TEST_F(StatusSentenceTest, AServoAxisSaysHowItStandsToItsCommand) {
   EXPECT_EQ(state_of(now, 1, clock), State::not_in_place);
   EXPECT_EQ(worst_state(now, clock), State::not_in_place);
   EXPECT_EQ(say(), (StatusSentence{Mood::warn,
-                                   "Motor 2 is not in place: it stands 5000 steps from its command, "
-                                   "5000 steps. Look what holds it, and at its gains."}));
+                                   "Motor 2 is not in place: it stands 5000 steps from its command, 5000 "
+                                   "steps. Check what holds it, and its gains."}));
   now.params[1].value = 0;
   EXPECT_NE(say().text.view().find("Nothing drives it while KP2 and KI2 are 0."), std::string::npos);
   a.loop = Loop::open;
@@ -117,8 +118,8 @@ TEST_F(StatusSentenceTest, Moving) {
 }
 
 TEST_F(StatusSentenceTest, AProgramInErrorIsSaidWhileOthersRun) {
-  failed = "Program 2 has stopped in error in line 19: V2=5/V1.";
-  EXPECT_EQ(say(), (StatusSentence{Mood::fault, failed + " Run begins it anew, Stop puts the error away."}));
+  failed = "Program 2 stopped with an error in line 19: V2=5/V1.";
+  EXPECT_EQ(say(), (StatusSentence{Mood::fault, failed + " Run starts it again, Stop clears the error."}));
   now.program.owned = true;
   now.program.run = RunState::running;
   run.who = "Programs 0, 1 are";
@@ -214,7 +215,7 @@ TEST_F(StatusSentenceTest, LostIsTheWorstAndNamesTheWayOut) {
   now.link.state = LinkState::lost;
   now.link.sentence = "The cable is gone.";
   EXPECT_EQ(say(), (StatusSentence{Mood::fault,
-                                   "Two does not answer since 14:20:08. Stop does not reach it: use its "
+                                   "No answer from Two since 14:20:08. Stop does not reach it: use its "
                                    "power switch. The cable is gone."}));
 }
 
@@ -230,7 +231,7 @@ TEST_F(StatusSentenceTest, LimitSaysWhereItCanGo) {
   EXPECT_EQ(say(), (StatusSentence{Mood::warn, "Motor 2 stands on its + limit. It can only move −."}));
   now.axes[1].limit_minus = true;
   EXPECT_EQ(say().text,
-            "Both limits of motor 2 are operated, so it cannot move. Look at its switches and their cable.");
+            "Both limits of motor 2 are active, so it cannot move. Check its switches and their cable.");
 }
 
 TEST_F(StatusSentenceTest, MotorThatIsNotChosenIsSaidBeforeTheFirstMove) {
@@ -247,7 +248,7 @@ TEST_F(StatusSentenceTest, DoubtIsSaid) {
   now.axes[0].trust.doubt(Doubt::power_cut, {});
   EXPECT_EQ(say().mood, Mood::warn);
   now.axes[0].position_known = false;
-  EXPECT_EQ(say().text, "Where motor 1 stands is not known. Home it, or say where it is.");
+  EXPECT_EQ(say().text, "The position of motor 1 is not known. Home it, or say where it stands.");
 }
 
 TEST_F(StatusSentenceTest, OldValuesAreNotTakenForNew) {
@@ -255,9 +256,60 @@ TEST_F(StatusSentenceTest, OldValuesAreNotTakenForNew) {
   EXPECT_EQ(say(), (StatusSentence{Mood::warn, "The position of motor 1 is 5.0 s old."}));
 }
 
-TEST_F(StatusSentenceTest, WhatIsNotStoredIsSaidAtRest) {
+TEST_F(StatusSentenceTest, WhatIsNotStoredIsSaidByItsMarkOnly) {
   now.unsaved_setup = true;
-  EXPECT_EQ(say().text, "Idle. The set-up is in RAM only: Store keeps it over power-off.");
+  EXPECT_EQ(say().text, "Idle. Hold a jog button, type where to go, or run a program.");
+}
+
+TEST_F(StatusSentenceTest, NobodyIsToldToJogMotorsWithoutPower) {
+  for (int i = 0; i < 2; ++i) {
+    catalog.axes[static_cast<std::size_t>(i)].switchable = true;
+    now.axes[i].enabled = false;
+  }
+  EXPECT_EQ(say().text, "Motor power is off. Switch it on to move.");
+  now.axes[1].enabled = true;
+  EXPECT_EQ(say().text, "Idle. Hold a jog button, type where to go, or run a program.") << "one of them can";
+  now.axes[1].enabled = false;
+  now.axes[0].position_known = false;
+  EXPECT_EQ(say().mood, Mood::warn) << "what is worse is said first";
+  now.axes[0].position_known = true;
+  now.axis_count = 1;
+  EXPECT_EQ(say().text, "Motor power of motor 1 is off. Switch it on to move it.");
+}
+
+TEST_F(StatusSentenceTest, AnAxisWithNoWayToGoInAMoveIsNotCalledMoving) {
+  for (int i = 0; i < 2; ++i) {
+    now.axes[i].activity = Activity::moving;
+    now.axes[i].phase = Phase::constant;
+  }
+  now.axes[0].speed = Pps(1'000);
+  now.axes[0].direction = now.axes[1].direction = 1;
+  now.axes[1].has_target = true;
+  EXPECT_EQ(state_of(now, 0, clock), State::moving_plus);
+  EXPECT_EQ(state_of(now, 1, clock), State::waiting) << "it is where it goes";
+  EXPECT_EQ(say().text, "Motor 1 moves +. Esc stops everything.");
+  now.axes[1].target = Steps(3);
+  EXPECT_EQ(state_of(now, 1, clock), State::moving_plus) << "so slowly that its speed is rounded to 0";
+  now.axes[1].has_target = false;
+  EXPECT_EQ(state_of(now, 1, clock), State::moving_plus) << "nobody knows where it goes";
+  now.axes[1].has_target = true;
+  now.axes[1].target = Steps(0);
+  now.axes[1].direction = 0;
+  now.axes[1].phase = Phase::unknown;
+  EXPECT_EQ(state_of(now, 1, clock), State::moving) << "of a controller that tells no speed";
+}
+
+TEST_F(StatusSentenceTest, AnAlarmThatStandsIsNoErrorToClear) {
+  now.axes[1].alarm = true;
+  EXPECT_EQ(say(), (StatusSentence{Mood::fault,
+                                   "The alarm input of motor 2 is active, so it takes no move. "
+                                   "Look at its motor driver."}));
+}
+
+TEST_F(StatusSentenceTest, WhatABannerTellsIsNotSaidAgain) {
+  now.params[0].value = 0;
+  unset_read = true;
+  EXPECT_EQ(say().text, "Idle. Hold a jog button, type where to go, or run a program.");
 }
 
 TEST_F(StatusSentenceTest, ProgramThatWaits) {
@@ -265,7 +317,7 @@ TEST_F(StatusSentenceTest, ProgramThatWaits) {
   now.program.slot = 2;
   now.program.run = RunState::waiting;
   EXPECT_EQ(say().text,
-            "Program 2 waits. It goes on by itself when what it waits for comes. Esc stops everything.");
+            "Program 2 waits. It continues by itself when its condition is met. Esc stops everything.");
 }
 
 }  // namespace

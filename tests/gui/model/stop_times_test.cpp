@@ -31,6 +31,17 @@ TEST(StopTimes, TellTheLastOneAndWhatAlmostAllKeep) {
       "at rest within 100 ms and 680 steps.");
 }
 
+TEST(StopTimes, WhereTheControllerTellsItSlowingDownIsAFigureOfItsOwn) {
+  StopTimes times;
+  Ending seen = stop(0, Millis(84), 680);
+  seen.to_slowing = Millis(31);
+  times.add(seen, in_steps);
+  EXPECT_EQ(
+      times.words(),
+      "Last stop: first byte after 0.2 ms, slowing down seen after 31 ms, at rest after 84 ms, 680 steps "
+      "on.");
+}
+
 TEST(StopTimes, WhatNobodyHasTimedIsNoneOfThem) {
   StopTimes times;
   Ending untimed = stop(0, Millis(84), 680);

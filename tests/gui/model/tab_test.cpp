@@ -120,10 +120,11 @@ TEST_F(TabTest, SaysWhyNothingMayMove) {
   now.program.run = RunState::running;
   show();
   EXPECT_EQ(tab.why_not_move(),
-            "Program 0 is running. Jog, Go and Home come back when it ends or is stopped.");
+            "Program 0 is running. Jog, Go and Home are available again when it ends or is stopped.");
   now.link.state = LinkState::lost;
   show();
-  EXPECT_EQ(tab.why_not_move(), "There is no link. Jog, Go and Home come back when the controller answers.");
+  EXPECT_EQ(tab.why_not_move(),
+            "There is no link. Jog, Go and Home are available again when the controller answers.");
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+#include "gui/model/clearing.h"
+
+#include <vector>
+
+namespace hw::gui {
+namespace {
+
+IntentBody told_to(const Catalog& catalog, int action, AxisId axis) {
+  std::vector<std::int64_t> values;
+  for (const ActionField& field : catalog.actions[static_cast<std::size_t>(action)].fields)
+    values.push_back(field.id == "axis" ? axis.index : field.fallback);
+  return intent::Act(action, std::move(values));
+}
+
+/// The clearing action in the table of its axes; -1: none.
+int action_for(const Catalog& catalog, bool error) {
+  using Shows = AxisColumn::Shows;
+  for (const AxisTable& table : catalog.axis_tables)
+    for (const AxisColumn& column : table.columns) {
+      const bool clears_flag =
+          column.shows == Shows::action && !column.state.empty() && column.verb_off.empty();
+      if (error ? column.shows == Shows::motion : clears_flag) return catalog.find_action(column.id);
+    }
+  return -1;
+}
+
+}  // namespace
+
+std::optional<Clearing> clearing_of(const Catalog& catalog, const Snapshot& now, AxisId axis) {
+  const AxisState& a = now.axes[axis.index];
+  const bool error = a.activity == Activity::error;
+  if (!now.link.connected() || (!error && !a.slipped)) return {};
+  const int action = action_for(catalog, error);
+  if (action >= 0)
+    return Clearing{axis, told_to(catalog, action, axis),
+                    catalog.actions[static_cast<std::size_t>(action)].help};
+  if (!error) return {};
+  return Clearing{axis, intent::Stop(), "Stops the controller: that clears its error."};
+}
+
+std::optional<Clearing> first_clearing(const Catalog& catalog, const Snapshot& now) {
+  for (int i = 0; i < now.axis_count; ++i)
+    if (auto way = clearing_of(catalog, now, AxisId{static_cast<std::uint8_t>(i)})) return way;
+  return {};
+}
+
+}  // namespace hw::gui
