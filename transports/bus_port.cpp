@@ -30,7 +30,7 @@ std::uint32_t number(std::string_view bytes) {
   return value;
 }
 
-/// As the kernel writes it; empty: no connection to another end.
+/// The peer's raw socket address; empty: not connected.
 std::string peer_of(int socket) {
   sockaddr_storage peer{};
   socklen_t length = sizeof peer;
@@ -52,7 +52,8 @@ class BusPort final : public Window, private Stream::Listener {
   }
 
   void listen(Window::Listener* listener) override { listener_ = listener; }
-  // Bytes of a burst that was cut short must not be taken for those of the next: a connection of its own.
+  // The watchdog dials a connection of its own: after a burst cut short, its bytes would be taken for the
+  // rest of that burst.
   [[nodiscard]] WireShare share() const override {
     WireShare share = stream_ ? stream_->share() : WireShare();
     if (share.how != WireShare::How::bytes) return {};
@@ -94,17 +95,17 @@ class BusPort final : public Window, private Stream::Listener {
   }
 
   void bytes_arrived(std::string_view bytes) override {
-    if (received_.size() >= expected_) return;  // nobody asked
+    if (received_.size() >= expected_) return;  // unsolicited
     received_ += bytes;
     deadline_.arm(scheduler_.now() + longest_silence);
     if (received_.size() >= expected_) answered_.resume(scheduler_.executor());
   }
   void stream_closed(const Fault& why) override { end(why); }
 
-  // Which answer a later byte would belong to cannot be told: the connection has to be made afresh.
+  // A later byte could not be assigned to a reply: a new connection is needed.
   void give_up() {
     end(gone(fmt::format("The bus port {} has not answered for {:.0f} s.", where_, seconds(longest_silence)),
-             "Look at the program that serves it; it is tried again."));
+             "Check the program that serves it; it is tried again."));
   }
   void close(Fault why) {
     if (!stream_) return;

@@ -1,7 +1,7 @@
 #pragma once
-// A bus over TCP: each cycle is a message. Op (01, 02, 04: read so many bytes; 81, 82, 84: write), two bytes
-// of offset within the window, for writes the value; the answer to a read is the value, a write has none. All
-// big-endian. Interrupts do not pass.
+// A bus over TCP, one message a cycle: op (01, 02, 04: read so many bytes; 81, 82, 84: write), two bytes of
+// offset within the window, and for writes the value. The reply to a read is the value; a write has no reply.
+// All big-endian. Interrupts are not transmitted.
 #include <functional>
 #include <memory>
 #include <span>
@@ -16,18 +16,18 @@ namespace hw {
 /// Connects to "HOST:PORT".
 Task<Result<std::unique_ptr<Window>>> open_bus_port(Scheduler& scheduler, std::string where,
                                                     Duration patience = Millis(5000));
-/// The same over a connection that is already made.
+/// The same over an existing connection.
 std::unique_ptr<Window> make_bus_port(Scheduler& scheduler, std::unique_ptr<Stream> stream,
                                       std::string where);
 
 /// The message of one cycle.
 void append_bus_message(std::string& bytes, const BusCycle& cycle);
 
-/// The board's side of one connection: takes messages apart and puts answers together. No I/O.
+/// The board's side of one connection: parses messages and builds replies. No I/O.
 class BusPortTalk {
  public:
-  /// Gives each cycle to `perform`, adds what a read brought to `answers`. A fault: the bytes are no messages
-  /// of a bus port, and where the next one begins cannot be known; or a cycle lies beyond the window.
+  /// Gives each cycle to `perform` and appends the values read to `answers`. Fault: the bytes are not bus
+  /// port messages, so the start of the next message is unknown; or a cycle lies beyond the window.
   Result<> take(std::string_view bytes, const std::function<void(BusCycle&)>& perform, std::string& answers);
 
  private:

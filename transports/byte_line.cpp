@@ -16,7 +16,7 @@ struct Waveform {
     const std::int64_t n = t / bit;
     return n >= 10 || ((frame >> n) & 1u) != 0;
   }
-  // Start of the first low bit that begins at or after `t` behind a high one; negative: none.
+  // Start of the first low bit at or after `t` that follows a high level; negative: none.
   [[nodiscard]] std::int64_t next_fall(std::int64_t t) const {
     for (std::int64_t n = (t + bit - 1) / bit; n < 10; ++n)
       if (!high_at(n * bit) && (n == 0 || high_at(n * bit - 1))) return n * bit;
@@ -24,10 +24,10 @@ struct Waveform {
   }
 };
 
-// ---- two that speak at once
+// ---- two senders at once
 
 constexpr std::size_t parts_of_bit = 10;
-constexpr std::size_t behind = 24;  // so much later, in parts of a bit, the second one begins
+constexpr std::size_t behind = 24;  // delay of the second sender, in parts of a bit
 
 std::size_t length(std::string_view bytes) { return bytes.size() * 10 * parts_of_bit; }
 
@@ -44,7 +44,7 @@ void pull_low(std::vector<bool>& low, std::string_view bytes, std::size_t from) 
 
 std::string misread(unsigned char byte, int sender_baud, int receiver_baud) {
   const Waveform sent{(unsigned{byte} << 1) | 0x200u, 2 * receiver_baud};
-  const std::int64_t half = sender_baud, bit = 2 * half;  // the receiver's
+  const std::int64_t half = sender_baud, bit = 2 * half;  // of the receiver
   std::string got;
   for (std::int64_t fall = sent.next_fall(0); fall >= 0;) {
     unsigned value = 0;
@@ -57,7 +57,7 @@ std::string misread(unsigned char byte, int sender_baud, int receiver_baud) {
 }
 
 std::string collided(std::string_view first, std::string_view second) {
-  constexpr std::size_t room = 20 * parts_of_bit;  // for a last frame that begins late
+  constexpr std::size_t room = 20 * parts_of_bit;  // for a late last frame
   std::vector<bool> low(std::max(length(first), length(second) + behind) + room);
   pull_low(low, first, 0);
   pull_low(low, second, behind);

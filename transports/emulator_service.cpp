@@ -16,7 +16,7 @@ namespace hw {
 
 class Guest;
 
-/// Those who are connected. Each is a stream that the host owns; it can be told that the service has ended.
+/// The connected clients. Each is a stream owned by the host, and can be told that the service has ended.
 struct EmulatorService::Guests {
   std::vector<Guest*> all;
   std::function<void(int)> changed;
@@ -28,7 +28,7 @@ struct EmulatorService::Guests {
   }
 };
 
-/// What a client says and hears, handed on.
+/// Forwards a client's bytes in both directions.
 class Guest final : public Stream, private Stream::Listener {
  public:
   Guest(std::shared_ptr<EmulatorService::Guests> guests, std::unique_ptr<Stream> inner, bool counts)
@@ -40,7 +40,7 @@ class Guest final : public Stream, private Stream::Listener {
     std::erase(guests_->all, this);
     if (counts_) guests_->count(-1);
   }
-  /// The host lets go of it: it is gone after this.
+  /// The host releases it: *this is gone afterwards.
   void leave() {
     if (listener_) listener_->stream_closed(Fault(FaultKind::lost, "The emulator is no longer served."));
   }
@@ -77,7 +77,7 @@ EmulatorService::~EmulatorService() {
   while (!guests_->all.empty()) {
     Guest* guest = guests_->all.back();
     guest->leave();
-    std::erase(guests_->all, guest);  // one to whom nobody listens goes later
+    std::erase(guests_->all, guest);  // one without a listener is destroyed later
   }
 }
 

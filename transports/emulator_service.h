@@ -1,7 +1,6 @@
 #pragma once
-// An emulator that other programs reach while it is served: by TCP, and where it hangs on a line by a
-// pseudo-terminal too, as `handwheel emulate` does it. Clients are on its one wire together with whoever is
-// there already. Io thread only.
+// Serves an emulator to other programs: by TCP, and for a device on a line by a pseudo-terminal too, as
+// `handwheel emulate` does. Clients share its one wire with those already attached. Io thread only.
 #include <functional>
 #include <memory>
 #include <string>
@@ -17,15 +16,15 @@ class TcpEndpoint;
 class EmulatorService {
  public:
   struct Place {
-    int port = 0;          ///< of TCP on this computer; taken or 0: any free one
+    int port = 0;          ///< TCP port on this computer; taken or 0: any free one
     std::string terminal;  ///< path of the pseudo-terminal; empty: none
   };
-  /// `clients_changed` hears how many programs are connected by TCP.
+  /// `clients_changed` is called with the number of TCP clients.
   static Result<std::unique_ptr<EmulatorService>> start(Scheduler& scheduler,
                                                         std::shared_ptr<EmulatorHost> host,
                                                         const Place& place,
                                                         std::function<void(int)> clients_changed);
-  /// Nobody can connect any more, and whoever is connected is sent away.
+  /// Closes the endpoints and disconnects the clients.
   ~EmulatorService();
 
   [[nodiscard]] std::string address() const;  ///< "127.0.0.1:5801"
@@ -43,12 +42,11 @@ class EmulatorService {
   std::string terminal_;
 };
 
-/// A host with emulators of its own, as an address names them: "dmx-k-sa@emulator,id=01-04". One alone is
-/// spoken to without its id too.
+/// A new host with the emulators that an address names: "dmx-k-sa@emulator,id=01-04". A single one also
+/// answers without its id.
 Result<std::shared_ptr<EmulatorHost>> host_of_its_own(Scheduler& scheduler, const Address& address);
 
-/// Where a pseudo-terminal of this name is put for the user: in his folder for what lives as long as he is
-/// logged in, else among the temporary files.
+/// Path for a pseudo-terminal of this name: in the user's runtime folder, else in the temporary folder.
 std::string terminal_for(const std::string& name);
 
 }  // namespace hw

@@ -38,8 +38,8 @@ struct FdStream::Io : std::enable_shared_from_this<Io> {
     });
   }
 
-  // Behind whatever these bytes have set going: what is said next goes out before the kernel is asked for
-  // more.
+  // Posted behind the work that these bytes have started, so that the next text is sent before the kernel is
+  // asked for more.
   void read_soon() {
     if (std::exchange(reading, true)) return;
     asio::post(descriptor.get_executor(), [self = shared_from_this()] {
@@ -48,7 +48,7 @@ struct FdStream::Io : std::enable_shared_from_this<Io> {
     });
   }
 
-  // How much the kernel took; negative: an errno.
+  // Number of bytes taken by the kernel; negative: an errno.
   ssize_t write_now(std::string_view bytes) {
     for (;;) {
       const int fd = descriptor.native_handle();
@@ -145,7 +145,7 @@ void FdStream::discard_unsent() {
     ::tcflush(fd(), TCOFLUSH);
     return;
   }
-  const linger at_once{1, 0};  // else the kernel goes on trying for minutes
+  const linger at_once{1, 0};  // otherwise the kernel retries for minutes
   ::setsockopt(fd(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What every transport that is a file descriptor shares: it always reads, into one fixed buffer; it writes at
-// once and queues only what the kernel does not take; neither allocates as long as the queue is empty.
+// Base of every transport on a file descriptor. Always reads, into one fixed buffer. Writes at once and
+// queues only bytes that the kernel does not take. Neither allocates while the queue is empty.
 #include <memory>
 
 #include "core/link/stream.h"
@@ -11,7 +11,7 @@ namespace hw {
 class FdStream : public Stream {
  public:
   enum class Kind { tty, socket };
-  /// When the other side has not read a megabyte: give up, or lose what is new, as a serial line would.
+  /// When a megabyte is unread by the other side: close, or lose new bytes as a serial line does.
   enum class WhenStuck { close, lose };
 
   ~FdStream() override;
@@ -29,18 +29,19 @@ class FdStream : public Stream {
 
   [[nodiscard]] Scheduler& scheduler() const { return scheduler_; }
   [[nodiscard]] int fd() const;  ///< -1 once closed
-  /// Ends the stream as if the other side had: the listener hears `why` from the io thread's loop.
+  /// Ends the stream as if the other side had; the listener gets `why` from the io thread's loop.
   void end_soon(Fault why);
-  /// Bytes off the descriptor. What is for the listener goes to deliver(), after which *this may be gone.
+  /// Called with bytes from the descriptor. Pass the listener's bytes to deliver(), after which *this may be
+  /// gone.
   virtual void received(std::string_view bytes) { deliver(bytes); }
   void deliver(std::string_view bytes) {
     if (listener_) listener_->bytes_arrived(bytes);
   }
-  /// Errors that do not end the stream: what was being written is lost, reading stops until read_on().
+  /// True: the error does not end the stream; unsent bytes are lost, and reading stops until read_on().
   [[nodiscard]] virtual bool survives(int error) const { return (void)error, false; }
   virtual void reading_stopped() {}
   void read_on();
-  /// Goes on with another descriptor.
+  /// Continues with another descriptor.
   void replace(int fd);
   /// `error`: an errno; 0: the other side closed.
   [[nodiscard]] virtual Fault why_ended(int error) const = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// The fault of a way to a controller that has gone: the cable, the other side, the device. Whether what was
-// sent last has come there, and was carried out, nobody on this side can know.
+// The fault of a lost wire: cable, other side or device gone. Whether the last bytes sent arrived and were
+// carried out is unknown.
 #include <string>
 
 #include "core/base/result.h"

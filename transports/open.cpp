@@ -34,7 +34,7 @@ tl::unexpected<Fault> bad(std::string what, std::string advice) {
 
 Result<int> read_baud(const std::string& text) {
   if (const int baud = whole_number<int>(text).value_or(0); baud > 0) return baud;
-  return bad(fmt::format("baud={} is no rate.", text), "Give a whole number, for example baud=9600.");
+  return bad(fmt::format("baud={} is not a rate.", text), "Give a whole number, for example baud=9600.");
 }
 
 Result<HostOptions> take_host_options(std::string_view model, DeviceOptions& keys) {
@@ -49,7 +49,7 @@ Result<HostOptions> take_host_options(std::string_view model, DeviceOptions& key
   char* end = nullptr;
   host.speed = std::strtod(speed.c_str(), &end);
   if (*end != '\0' || !std::isfinite(host.speed) || host.speed <= 0)
-    return bad(fmt::format("speed={} is no speed.", speed), "Use a number above 0; speed=1 is real time.");
+    return bad(fmt::format("speed={} is not a speed.", speed), "Use a number above 0; speed=1 is real time.");
   return host;
 }
 
@@ -60,7 +60,7 @@ Result<BenchFile> read_bench(const std::string& file, const DeviceType& type, co
   const auto catalog = type.make_catalog(keys);
   if (!catalog) return fail(catalog.error());
   auto bench = parse_bench_file(*text, *catalog, file);
-  if (!bench) bench.error().kind = FaultKind::port;  // not the address is wrong: the file is
+  if (!bench) bench.error().kind = FaultKind::port;  // the file is wrong, not the address
   return bench;
 }
 
@@ -107,7 +107,7 @@ Task<Result<Wire>> open_emulator(Scheduler& scheduler, const DeviceType& type, A
   co_return plug_in(host, baud);
 }
 
-// The keys of a device type are those that its emulator takes; a misspelt one would go unnoticed otherwise.
+// Checks the keys of a device type by its emulator; otherwise a misspelt key would go unnoticed.
 Result<> check_device_keys(const DeviceType& type, const Address& address) {
   if (address.options.empty() || !type.make_emulator) return {};
   for (const Address& device : address.devices())
@@ -128,7 +128,7 @@ Wire real_wire(std::unique_ptr<Stream> stream) {
   return wire;
 }
 
-// baud=, or the rate that this model usually has.
+// baud=, or the model's usual rate.
 Result<int> take_baud(const DeviceType& type, DeviceOptions& keys) {
   if (const std::string text = take(keys, "baud"); !text.empty()) return read_baud(text);
   const auto catalog = type.make_catalog(keys);
@@ -198,7 +198,7 @@ Result<std::uint32_t> take_base(DeviceOptions& keys) {
   char* end = nullptr;
   const unsigned long base = std::strtoul(text.c_str(), &end, 0);
   if (*end == '\0' && base <= 0xFFFF) return static_cast<std::uint32_t>(base);
-  return bad(fmt::format("base={} is no place in the short address space.", text),
+  return bad(fmt::format("base={} is not a place in the short address space.", text),
              "Give what the board's jumpers say, for example base=0xF000.");
 }
 
@@ -220,7 +220,7 @@ constexpr std::pair<std::string_view, Open> openers[] = {
     {"vme", open_vme_wire},
 };
 
-// A board in a memory window and a device that is spoken to in bytes cannot be reached the same ways.
+// A board in a memory window and a byte-stream device need different transports.
 Result<> check_kind(const TransportInfo& transport, const DeviceType& type) {
   using Reaches = TransportInfo::Reaches;
   if (transport.reaches == Reaches::both) return {};
@@ -231,7 +231,7 @@ Result<> check_kind(const TransportInfo& transport, const DeviceType& type) {
       catalog->can.window
           ? fmt::format("The {} is a board on a bus, not at the end of a line: \"{}\" does not reach it.",
                         catalog->short_name, transport.name)
-          : fmt::format("The {} is no board on a bus: \"{}\" does not reach it.", catalog->short_name,
+          : fmt::format("The {} is not a board on a bus: \"{}\" does not reach it.", catalog->short_name,
                         transport.name),
       use_one_for(*catalog));
 }
@@ -251,7 +251,7 @@ Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_
     }
   }
   co_return bad(fmt::format("The {} cannot be reached by \"{}\".", type->model, address.transport),
-                "Look at the name of the way in its address.");
+                "Check the name of the transport in its address.");
 }
 
 }  // namespace

@@ -13,14 +13,14 @@ namespace hw {
 struct OpenOptions {
   /// Failures beside the wire (a state file that cannot be written).
   Trouble trouble;
-  /// Who ends a held jog when this program dies; null: nobody.
+  /// Ends a held jog when this program dies; null: no watchdog runs.
   std::shared_ptr<WillKeeper> keeper;
 };
 
 WireOpener make_wire_opener(OpenOptions options = {});
 
-/// Emulated controllers ready to be served or plugged in: one for each of `ids`, all on one wire; none given:
-/// one with its usual id. `keys`: those of the emulator transport and those of the device type, as in an
+/// Emulated controllers ready to be served or plugged in: one for each of `ids`, all on one wire; `ids`
+/// empty: one with its usual id. `keys`: keys of the emulator transport and of the device type, as in an
 /// address.
 Result<std::shared_ptr<EmulatorHost>> make_emulator_host(Scheduler& scheduler, const DeviceType& type,
                                                          DeviceOptions keys,

@@ -35,7 +35,7 @@ constexpr std::size_t transfer_size = 64;
 constexpr std::uint8_t request_type = 0x40, request = 0x02;
 enum Control : std::uint16_t { control_flush = 1, control_open = 2, control_close = 4 };
 
-constexpr unsigned patience_ms = 500;  // of a control transfer, and of a command that must get out
+constexpr unsigned patience_ms = 500;  // for a control transfer, and for sending a command
 constexpr unsigned drain_ms = 40;
 
 struct FreeTransfer {
@@ -45,14 +45,13 @@ using Transfer = std::unique_ptr<libusb_transfer, FreeTransfer>;
 
 }  // namespace
 
-// One open controller: transfers, and the way to a clean end. The handlers of what is under way keep it
-// alive.
+// One open controller: transfers and a clean close. The handlers of pending transfers keep it alive.
 struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
   Scheduler& scheduler;
   std::unique_ptr<UsbLoop> loop;
   std::string name;  // "USB 4ex00"
   libusb_device_handle* handle = nullptr;
-  int file = -1;  // the library's own, for the watchdog; -1: not found
+  int file = -1;  // the library's descriptor, for the watchdog; -1: not found
   std::function<void(std::string_view)> heard;
   std::function<void(const Fault&)> ended;
 
@@ -71,7 +70,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
     libusb_close(std::exchange(handle, nullptr));
   }
 
-  /// One transfer that is waited for; how many bytes it carried, or a libusb_transfer_status.
+  /// One pending transfer; its length, or a libusb_transfer_status.
   struct Under {
     Transfer transfer{libusb_alloc_transfer(0)};
     std::array<unsigned char, LIBUSB_CONTROL_SETUP_SIZE + transfer_size> bytes{};
@@ -94,7 +93,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
     auto& under = *static_cast<Under*>(transfer->user_data);
     under.under_way = false;
     PerformaxWire& wire = *under.wire;
-    if (wire.weak_from_this().expired()) return;  // at the very end
+    if (wire.weak_from_this().expired()) return;  // during destruction
     const auto keep = wire.shared_from_this();
     if (under.done && !wire.closing) (wire.*under.done)();
     wire.moved.notify();
@@ -114,7 +113,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
     while (control_.under_way) co_await moved.wait();
     co_return control_.transfer->status == LIBUSB_TRANSFER_COMPLETED;
   }
-  // What was asked before us and has not been fetched.
+  // Discards replies to earlier questions that were not fetched.
   Task<> drain() {
     const auto self = shared_from_this();
     for (bool more = true; more;) {
@@ -136,7 +135,8 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
                               finished, &in_, 0);
     if (!submit(in_)) end_soon("it does not take part any more");
   }
-  // With its closing zero. A transfer without one was cut off: half a number must not pass for a whole one.
+  // A reply includes its closing zero. A transfer without one was cut off: half a number must not be taken
+  // for a whole one.
   void reply_came() {
     const auto status = in_.transfer->status;
     if (status == LIBUSB_TRANSFER_COMPLETED) {
@@ -169,18 +169,18 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
   }
   void written() {
     if (out_.transfer->status == LIBUSB_TRANSFER_NO_DEVICE) return end_soon("it was unplugged");
-    write_next();  // what did not get out is missed by whoever waits for its answer
+    write_next();  // an unsent text is noticed by its missing reply
   }
 
   void end_soon(const char* why) {
     if (std::exchange(over, true)) return;
-    Fault fault = gone(fmt::format("{} is gone: {}.", name, why), "Look at its USB cable and its power.");
+    Fault fault = gone(fmt::format("{} is gone: {}.", name, why), "Check its USB cable and its power.");
     asio::post(scheduler.executor(), [self = shared_from_this(), fault = std::move(fault)] {
       if (self->ended) self->ended(fault);
     });
   }
 
-  // Nobody listens any more: ends what is under way, says good-bye, closes.
+  // Without a listener: cancels pending transfers, sends the closing request, closes.
   static Task<> close(std::shared_ptr<PerformaxWire> wire) {
     wire->heard = nullptr, wire->ended = nullptr;
     wire->closing = true;
@@ -234,7 +234,7 @@ std::string serials(const std::vector<PerformaxDevice>& devices) {
 Result<PerformaxDevice> choose(const std::vector<PerformaxDevice>& there, const std::string& serial) {
   if (there.empty())
     return not_opened("No Performax controller is connected by USB.",
-                      "Look at its USB cable and its power; lsusb shows it as 1589:a101.");
+                      "Check its USB cable and its power; lsusb shows it as 1589:a101.");
   if (serial.empty()) {
     if (there.size() == 1) return there.front();
     return not_opened(
@@ -255,7 +255,7 @@ tl::unexpected<Fault> why_not_opened(int error, const PerformaxDevice& device) {
     return not_opened(fmt::format("{} is in use by another program.", name),
                       "Close that program, then connect again.");
   return not_opened(fmt::format("{} cannot be opened: {}.", name, usb_error(error)),
-                    "Look at its USB cable and its power.");
+                    "Check its USB cable and its power.");
 }
 
 int claim(libusb_device_handle* handle) {
@@ -269,7 +269,8 @@ std::string node_of(const PerformaxDevice& device) {
   return fmt::format("/dev/bus/usb/{:03}/{:03}", device.bus, device.number);
 }
 
-// The library does not tell it. Who shares the open file may write where it has claimed the interface.
+// The library does not give its descriptor. A process that shares the open file may write to the interface
+// claimed through it.
 int file_of(const std::string& node) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator("/proc/self/fd", error))

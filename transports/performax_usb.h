@@ -1,6 +1,6 @@
 #pragma once
-// The USB wire of Performax controllers, as their maker's library speaks on it: one command in one transfer
-// of 64 bytes, zero-filled; one reply in another, up to its first zero. No address, no terminator.
+// The USB wire of Performax controllers, in the format of the maker's library: one command in a transfer of
+// 64 bytes, zero-filled; one reply in another, up to its first zero. No address, no terminator.
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,7 +13,7 @@
 namespace hw {
 
 struct PerformaxDevice {
-  std::string serial;   ///< the device's name in lower case, "4ex00": what an address gives
+  std::string serial;   ///< the device's name in lower case, as in an address: "4ex00"
   std::string product;  ///< "Performax USB"
   int bus = 0, number = 0;
   bool permitted = true;  ///< this user may open it
@@ -22,15 +22,15 @@ struct PerformaxDevice {
 /// What to do when a user may not open one.
 extern const char* const udev_advice;
 
-/// Those that are plugged in now, whether they may be opened or not. Opens none; any thread.
+/// The devices plugged in now, permitted or not. Opens none; any thread.
 std::vector<PerformaxDevice> list_performax(const std::string& sys = "/sys");
 
-/// `serial` empty: the only one. Resumes when the controller listens and what it had to say before is gone.
-/// The fault is a sentence that says what to do, also where the user may not open it.
+/// `serial` empty: the only device. Resumes when the controller listens and its old output is discarded. The
+/// fault includes the remedy, also for missing permission.
 Task<Result<std::unique_ptr<Stream>>> open_performax_usb(Scheduler& scheduler, std::string serial);
 
-/// Calls `changed` (io thread) whenever one is plugged in or pulled out, until it is destroyed (there too);
-/// and once to begin with, because nothing tells of what happened before it watched.
+/// Calls `changed` (io thread) whenever a device is plugged in or unplugged, and once at the start, as
+/// earlier changes were not seen. Destroy it on the io thread.
 class PerformaxWatch {
  public:
   virtual ~PerformaxWatch() = default;

@@ -14,8 +14,7 @@ namespace fs = std::filesystem;
 
 int hex(const std::string& digits) { return static_cast<int>(std::strtol(digits.c_str(), nullptr, 16)); }
 
-// The kernel lists 8250 ports that the machine may have; type 0 (PORT_UNKNOWN) means that none was found
-// there.
+// The kernel lists all possible 8250 ports; type 0 (PORT_UNKNOWN): no port was found.
 bool is_real(const fs::path& tty) {
   const std::string name = tty.filename();
   std::error_code error;

@@ -43,7 +43,7 @@ struct Terminal {
   std::string name;
 };
 
-// Nothing unread, raw, at `baud`, and no exclusive mode left by the client before.
+// Resets the terminal: no unread bytes, raw, at `baud`, no exclusive mode left by the last client.
 bool make_as_new(const std::string& name, int baud) {
   const int slave = ::open(name.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (slave < 0) return false;
@@ -84,7 +84,7 @@ class OpenNotice : public std::enable_shared_from_this<OpenNotice> {
       : notices_(scheduler.executor()), opened_(std::move(opened)) {
     if (const int fd = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC); fd >= 0) notices_.assign(fd);
   }
-  /// False: the system has run out of watches.
+  /// False: no watch left in the system.
   bool watch(const std::string& file) {
     if (!notices_.is_open()) return false;
     watch_ = ::inotify_add_watch(notices_.native_handle(), file.c_str(), IN_OPEN);
@@ -114,7 +114,7 @@ class OpenNotice : public std::enable_shared_from_this<OpenNotice> {
     for (ssize_t size; (size = ::read(notices_.native_handle(), notes, sizeof notes)) > 0;)
       for (ssize_t at = 0; at < size;) {
         const auto& note = *reinterpret_cast<const inotify_event*>(notes + at);
-        opened = opened || (note.mask & IN_OPEN) != 0;  // else: that a watch has ended
+        opened = opened || (note.mask & IN_OPEN) != 0;  // otherwise a watch has ended
         at += static_cast<ssize_t>(sizeof note + note.len);
       }
     if (opened) opened_();
@@ -126,8 +126,8 @@ class OpenNotice : public std::enable_shared_from_this<OpenNotice> {
   bool waiting_ = false;
 };
 
-// The kernel itself knows whether a client is there: without one, the master reads EIO and is hung up. What
-// is sent to nobody is lost, as on a serial line, and reading stops until the next one opens.
+// The kernel shows whether a client is there: without one, the master reads EIO and is hung up. Bytes sent
+// without a client are lost, as on a serial line, and reading stops until the next client opens.
 class PtyEndpoint final : public FdStream {
  public:
   PtyEndpoint(Scheduler& scheduler, const Terminal& terminal, std::string link, int baud)
@@ -144,14 +144,14 @@ class PtyEndpoint final : public FdStream {
     if (n > 0 && terminal_ == std::string_view(target, static_cast<std::size_t>(n))) ::unlink(link_.c_str());
   }
 
-  // Linux keeps what is written without a client, for whoever comes next.
+  // Linux would keep bytes written without a client for the next one.
   void send(std::string_view bytes) override {
     if (!hung_up()) FdStream::send(bytes);
   }
 
-  Result<> set_rate(int) override { return {}; }  // the client's business
+  Result<> set_rate(int) override { return {}; }  // the client sets the rate
   [[nodiscard]] int rate() const override {
-    termios settings{};  // asked of the master, Linux answers for the other side
+    termios settings{};  // on the master, Linux gives the client's settings
     return ::tcgetattr(fd(), &settings) == 0 ? baud_of(::cfgetospeed(&settings)) : 0;
   }
   [[nodiscard]] std::string describe() const override { return "pty:" + link_; }
@@ -163,8 +163,8 @@ class PtyEndpoint final : public FdStream {
                  fmt::format("The pseudo-terminal {} failed ({}).", link_, std::strerror(error)));
   }
   void reading_stopped() override {
-    if (!hung_up()) return read_on();  // the next client is there already: its settings are its own
-    notice_->unwatch();                // or it would see us
+    if (!hung_up()) return read_on();  // the next client is there already: keep its settings
+    notice_->unwatch();                // else it would notice our own open
     if (!make_as_new(terminal_, baud_) && errno == EBUSY) renew();
     if (!notice_->watch(terminal_)) look_again_.arm(scheduler().now() + Millis(50));
     if (!hung_up()) read_on();
@@ -174,7 +174,8 @@ class PtyEndpoint final : public FdStream {
     ::poll(&master, 1, 0);
     return (master.revents & POLLHUP) != 0;
   }
-  // A client died with the terminal in exclusive mode, which shuts out all but root for good.
+  // Replaces a terminal that a client left in exclusive mode when it died, which locks out all but root for
+  // good.
   void renew() {
     const auto fresh = make_terminal(link_, baud_);
     if (!fresh) return;
@@ -185,7 +186,7 @@ class PtyEndpoint final : public FdStream {
   std::string terminal_, link_;
   int baud_;
   std::shared_ptr<OpenNotice> notice_;
-  Timer look_again_;  // in place of the notice
+  Timer look_again_;  // polls when there is no notice
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ class Rfc2217Stream final : public FdStream {
     telnet::escape(bytes, wire_);
     FdStream::send(wire_);
   }
-  // Goes out behind what was sent before. A server that then confirms another rate ends the stream.
+  // Sent after all earlier bytes. If the server confirms another rate, the stream ends.
   Result<> set_rate(int baud) override {
     if (baud == baud_) return {};
     baud_ = baud;
@@ -45,7 +45,7 @@ class Rfc2217Stream final : public FdStream {
                  fmt::format("{} does not do {} baud (it says {}).", server_, baud_, *word().baud),
                  "The connection was closed.", "Choose another rate, or set the port of the server.");
   }
-  std::function<void()> negotiated;  ///< the server said something about its port
+  std::function<void()> negotiated;  ///< called when the server has reported on its port
 
  private:
   void received(std::string_view bytes) override {
@@ -57,7 +57,7 @@ class Rfc2217Stream final : public FdStream {
     if (!reply_.empty()) FdStream::send(reply_);
     if (negotiated) {
       negotiated();
-    } else if (said > 0) {  // only the last answer is to the last question
+    } else if (said > 0) {  // only the last reply answers the last request
       rates_owed_ = std::max(0, rates_owed_ - said);
       if (rates_owed_ == 0 && word().baud != baud_) end_soon(wrong_rate());
     }
@@ -67,12 +67,12 @@ class Rfc2217Stream final : public FdStream {
 
   std::string server_;
   int baud_;
-  int rates_owed_ = 0;  ///< asked for with set_rate() and not yet answered
+  int rates_owed_ = 0;  ///< set_rate() requests without a reply yet
   telnet::Receiver receiver_;
   std::string wire_, data_, reply_;  // keep their capacity
 };
 
-/// Hears of the end while the settings are negotiated.
+/// Notices the end of the stream while the settings are negotiated.
 struct Attendant final : Stream::Listener {
   std::optional<Fault> closed;
   std::function<void()> news;

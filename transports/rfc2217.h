@@ -10,7 +10,7 @@
 
 namespace hw {
 
-/// Resumes when the server has confirmed `baud` and 8N1. Modem lines are neither asked for nor waited for.
+/// Resumes when the server has confirmed `baud` and 8N1. Ignores modem lines.
 Task<Result<std::unique_ptr<Stream>>> open_rfc2217(Scheduler& scheduler, std::string where, int baud,
                                                    Duration patience = Millis(5000));
 

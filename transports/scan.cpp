@@ -14,9 +14,8 @@
 namespace hw {
 namespace {
 
-constexpr Duration patience =
-    Millis(150);  // for the first byte: a controller that is busy, an adapter that waits
-constexpr Duration quiet = Millis(25);  // an answer has ended; an adapter may hand it over in pieces
+constexpr Duration patience = Millis(150);  // for the first byte, with a busy controller or a slow adapter
+constexpr Duration quiet = Millis(25);      // ends a reply; an adapter may deliver it in pieces
 
 struct Heard final : Stream::Listener {
   explicit Heard(Scheduler& s) : scheduler(s), news(s) {}
@@ -36,7 +35,7 @@ struct Heard final : Stream::Listener {
   }
 };
 
-// Waits for an answer and its end, not for ever: something may talk by itself.
+// Waits for a reply and its end; bounded, as a device may send unasked.
 Task<> hear_out(Scheduler& scheduler, Heard& heard, Duration first_byte, int baud) {
   const Instant at_most = scheduler.now() + Millis(400);
   Instant until = scheduler.now() + first_byte;
@@ -60,7 +59,7 @@ std::string question_to(std::string_view probe, const std::string& id) {
   return text;
 }
 
-// Whose answer it is among those who are asked the same way.
+// The type that recognises a reply, among those with the same probe.
 const DeviceType* find_author(std::string_view probe, std::string_view reply) {
   for (const DeviceType& type : device_types())
     if (type.probe == probe && type.recognises && type.recognises(reply)) return &type;
@@ -200,9 +199,9 @@ Task<std::vector<PortReport>> scan_ports(Scheduler& scheduler, std::vector<Seria
 
 namespace {
 
-constexpr Duration patience_of_search = Millis(50);  // a line of addressed devices is quick or silent
+constexpr Duration patience_of_search = Millis(50);  // addressed devices answer fast or not at all
 
-// The ways in which devices on a shared line are asked, each with the rates of those who are asked so.
+// The probes for devices on a shared line, each with the rates of its types.
 std::map<std::string_view, std::set<int>> addressed_probes(const std::vector<int>& bauds) {
   std::map<std::string_view, std::set<int>> probes;
   for (const DeviceType& type : device_types()) {
@@ -214,7 +213,7 @@ std::map<std::string_view, std::set<int>> addressed_probes(const std::vector<int
   return probes;
 }
 
-// A controller that has a line for itself is asked first: it might take the others' questions for commands.
+// Asks first for a controller without an address: it might take the others' questions for commands.
 Task<bool> line_is_taken(Scheduler& scheduler, Stream& stream, PortReport& report) {
   for (const DeviceType& type : device_types()) {
     const auto catalog = type.make_catalog({});

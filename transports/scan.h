@@ -1,8 +1,8 @@
 #pragma once
-// Which controllers answer on which ports. A question here must move nothing whatever hears it: each type's
-// probe, a lone `V` first, at each of its rates; the next type's only where all rates stayed silent. So
-// whatever would take an addressed question for commands has answered, and been left alone, before one goes
-// out.
+// Finds which controllers answer on which ports. A question must move nothing, whatever device receives it.
+// Each type's probe is sent at each of its rates, a lone `V` first; the next type's probe follows only when
+// all rates were silent. So a device that would take an addressed question for commands has answered, and is
+// asked no more, before such a question is sent.
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,35 +19,35 @@ enum class PortFinding {
   busy,     ///< another program holds the port
   not_permitted,
   unusable,  ///< not there, no serial port, no hardware
-  silent,    ///< open, asked, nothing came back
-  garbled,   ///< bytes came that make no sense
+  silent,    ///< opened and asked; no reply
+  garbled,   ///< unintelligible bytes received
 };
 
 struct PortReport {
   SerialPort port;
   PortFinding finding = PortFinding::silent;
   std::string model, name;  ///< answers: "vxm", "Velmex VXM"
-  std::string id;           ///< answers or garbled, where several share a line: which was asked, "07"
+  std::string id;           ///< answers or garbled, on a shared line: the id asked, "07"
   int baud = 0;             ///< answers, garbled: the rate
-  Duration round_trip{};    ///< answers: from the question to the last byte of the answer
-  std::string reply;        ///< answers, garbled: as it came
-  bool echo = false;        ///< answers: the question came back in front of the answer
-  std::vector<int> asked;   ///< the rates that were tried
+  Duration round_trip{};    ///< answers: from the question to the last byte of the reply
+  std::string reply;        ///< answers, garbled: as received
+  bool echo = false;        ///< answers: the question was echoed before the reply
+  std::vector<int> asked;   ///< rates tried
   Fault fault;              ///< busy, not_permitted, unusable
 
-  /// What opens it: "vxm@serial:/dev/ttyUSB0,baud=9600"; empty unless it answers.
+  /// Its address: "vxm@serial:/dev/ttyUSB0,baud=9600"; empty unless it answers.
   [[nodiscard]] std::string address() const;
-  /// What was found and, where something is amiss, what to do.
+  /// The finding and, if something is wrong, the remedy.
   [[nodiscard]] std::string sentence() const;
 };
 
-/// Asks one port: opens it, leaves it closed. Of controllers that share a line the one with the usual id.
+/// Opens one port, asks, and closes it. On a shared line only the controller with the usual id is asked.
 Task<PortReport> probe_port(Scheduler& scheduler, SerialPort port);
-/// One after the other, in their order. `found` (may be empty) hears of each as soon as it is known.
+/// Probes the ports in order. `found` (may be empty) is called with each report at once.
 Task<std::vector<PortReport>> scan_ports(Scheduler& scheduler, std::vector<SerialPort> ports,
                                          std::function<void(const PortReport&)> found);
 
-/// Every device on lines that several can share: each id at each rate.
+/// A search for every device on shared lines: each id at each rate.
 struct DeviceSearch {
   std::vector<SerialPort> ports;
   std::vector<int> bauds;  ///< empty: those of the catalogs
@@ -56,11 +56,11 @@ struct DeviceSearch {
 struct SearchProgress {
   std::string port, id;  ///< asked next
   int baud = 0;
-  int asked = 0, of = 0;  ///< questions; what stands before the first id is not counted
+  int asked = 0, of = 0;  ///< questions; those sent before the first id do not count
 };
-/// Answers those that were found. `go_on` is asked before each question and ends the search by false; `found`
-/// hears of each device at once, of each port that could not be asked, and of each id to which something came
-/// that makes no sense. Both may be empty.
+/// Returns the devices found. `go_on` is called before each question; false ends the search. `found` is
+/// called at once for each device, each port that could not be asked, and each id whose reply was
+/// unintelligible. Both may be empty.
 Task<std::vector<PortReport>> search_devices(Scheduler& scheduler, DeviceSearch search,
                                              std::function<bool(const SearchProgress&)> go_on,
                                              std::function<void(const PortReport&)> found);

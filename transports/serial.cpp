@@ -51,7 +51,7 @@ std::string group_of(const std::string& path) {
   return owner ? owner->gr_name : std::to_string(there.st_gid);
 }
 
-/// root's own group is nobody to join, and a group without rights is of no use.
+/// Users do not join root's group, and a group without rights does not help.
 bool group_helps(const std::string& path) {
   struct stat there {};
   if (::stat(path.c_str(), &there) != 0) return true;
@@ -100,8 +100,8 @@ Refused why_port_not_opened(const std::string& path, int error) {
   }
 }
 
-// Held by another program that locked nothing but took the port for itself, which would not stop root. (A
-// pseudo-terminal may keep that mode of a client that is gone, so it is not asked there.)
+// Whether a program holds the port by TIOCEXCL without a lock, which would not stop root. (Not checked on a
+// pseudo-terminal, which may keep that mode after its client has gone.)
 bool taken_exclusively(int fd, const std::string& path) {
   int exclusive = 0;
   char real[512];
@@ -109,7 +109,7 @@ bool taken_exclusively(int fd, const std::string& path) {
   return !pty && ::ioctl(fd, TIOCGEXCL, &exclusive) == 0 && exclusive != 0 && !port_holder(path).empty();
 }
 
-// USB adapters hold bytes back up to 16 ms unless told not to. Best effort: not every driver knows it.
+// USB adapters delay bytes by up to 16 ms unless told not to. Best effort: not every driver supports it.
 void ask_for_low_latency(int fd) {
   serial_struct settings{};
   if (::ioctl(fd, TIOCGSERIAL, &settings) != 0) return;
@@ -145,7 +145,7 @@ class SerialStream final : public FdStream {
     ::tcflush(fd(), TCIFLUSH);
   }
 
-  // What is still in the kernel leaves at the old rate first; a few bytes at most, as one is in flight.
+  // Bytes still in the kernel are sent at the old rate first; a few at most, as one transaction is in flight.
   Result<> set_rate(int baud) override {
     if (fd() < 0) return fail(why_ended(EIO));
     int waiting = 0;
@@ -202,7 +202,7 @@ Result<std::unique_ptr<Stream>> open_serial(Scheduler& scheduler, const std::str
     return fail(set.error());
   }
   ask_for_low_latency(*fd);
-  ::tcflush(*fd, TCIOFLUSH);  // what came before we listened answers no question of ours
+  ::tcflush(*fd, TCIOFLUSH);  // bytes from before are no replies to us
   return stream;
 }
 

@@ -34,7 +34,7 @@ struct EmulatorHost::Client final : Stream::Listener {
   }
 };
 
-/// A file that is not there yet must be possible to write later.
+/// Checks the folder of a file that will be written later.
 static Result<> check_folder(const std::filesystem::path& path) {
   const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   std::error_code error;
@@ -44,7 +44,7 @@ static Result<> check_folder(const std::filesystem::path& path) {
               "Nothing is served.", "Make the folder, or choose another place.");
 }
 
-// One controller on the wire, with what surrounds it and where its memory is kept.
+// One controller on the wire, with its bench and its state file.
 class EmulatorHost::Device final : public BenchAccess {
  public:
   Device(EmulatorHost& host, std::unique_ptr<Emulator> e) : host_(host), emulator_(std::move(e)) {}
@@ -56,7 +56,7 @@ class EmulatorHost::Device final : public BenchAccess {
     auto loaded = emulator_->load_memory(*text);
     if (loaded) return {};
     Fault fault = loaded.error();
-    fault.kind = FaultKind::port;  // not the option is wrong: the file is
+    fault.kind = FaultKind::port;  // the file is wrong, not the option
     fault.what = fmt::format("{} is not the saved memory of this controller: {}", path, fault.what);
     return fail(std::move(fault));
   }
@@ -191,7 +191,7 @@ int EmulatorHost::line_rate() const { return devices_.front()->own().rate(); }
 
 void EmulatorHost::alarm() {
   const auto keep = shared_from_this();
-  run_until(std::max(emulator_time(), armed_for_));  // scaling rounds; what is due is due
+  run_until(std::max(emulator_time(), armed_for_));  // scaling rounds; the armed time is due in any case
 }
 
 void EmulatorHost::advance(Instant when) const {
@@ -199,7 +199,7 @@ void EmulatorHost::advance(Instant when) const {
   for (const auto& device : devices_) device->own().advance_to(reached_);
 }
 
-// Everything due, in its order and at its own time however late the alarm came, then the present.
+// Runs everything due, in order and at its own time however late the alarm, then goes to the present.
 void EmulatorHost::catch_up(Instant now) {
   for (Instant next = next_due(); next <= now; next = next_due()) step_to(next);
   step_to(now);
@@ -215,10 +215,10 @@ void EmulatorHost::step_to(Instant when) {
   while (!plan_.empty() && Instant(plan_.front().at) <= when) {
     const BenchCommand command = std::move(plan_.front().command);
     plan_.pop_front();
-    for (const auto& device : devices_) (void)apply(*device, command);  // nobody waits for the answer
+    for (const auto& device : devices_) (void)apply(*device, command);  // no caller waits for the result
   }
   while (incoming_.due() <= when) {
-    heard_late_ = reached_ - incoming_.due();  // by a question that was asked late
+    heard_late_ = reached_ - incoming_.due();  // by a late question
     land(incoming_.first());
     incoming_.pop(line_rate());
   }
@@ -264,7 +264,7 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   } else if (devices_.size() == 1) {
     devices_.front()->own().receive(bytes);
   } else {
-    for (const char c : bytes) {  // so that those who answer the same question are seen to do it
+    for (const char c : bytes) {  // byte by byte, so that simultaneous replies collide
       for (const auto& device : devices_) device->own().receive(std::string_view(&c, 1));
       take_output();
     }
@@ -272,9 +272,9 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   run_until(now);
 }
 
-// A real timer fires late, so the client had its reply late; and the kernel takes its time to wake it and to
-// bring back what it asks. When it asks its next question at once, that is our doing and the machine's, and
-// not counted as time on the wire. A client that took its time has waited for nothing.
+// A real timer fires late, so the client gets its reply late, and the kernel takes time to wake it and to
+// return its next question. If the client asks at once, this delay is ours and the kernel's and does not
+// count as time on the wire. A client that asks later was not delayed.
 Duration EmulatorHost::time_off_the_wire(Instant now) {
   const std::optional<Duration> late = std::exchange(late_, std::nullopt);
   if (!late) return {};
@@ -369,7 +369,7 @@ Result<> EmulatorHost::operate(Device& device, const BenchCommand& command) {
   return done;
 }
 
-// A device has its own switches, the wire is everybody's.
+// Switches belong to one device, the wire to all.
 Result<> EmulatorHost::apply(Device& device, const BenchCommand& command) {
   if (const auto* unplug = std::get_if<bench::Unplug>(&command)) {
     pull_cable(unplug->on);

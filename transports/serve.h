@@ -1,13 +1,12 @@
 #pragma once
-// Gives emulators a clock and a wire: one controller, or several that hang on the same line (RS-485). Every
-// attached stream is an end of that one wire: what any client sends reaches each controller, what a
-// controller sends reaches every client; what two controllers say at once reaches them as garbage. Io thread
-// only.
+// Gives emulators a clock and a wire: one controller, or several on the same line (RS-485). Every attached
+// stream is an end of that wire: bytes of any client reach each controller, bytes of a controller reach every
+// client, and bytes that two controllers send at once arrive as garbage. Io thread only.
 //
 // Time: the emulators' time is zero when their host is made and runs `speed` times as fast as the
 // scheduler's. With `byte_times` a byte takes effect when its last bit has arrived and leaves ten bit times
-// after the one before it, at the rate of the first controller; whoever is at another rate garbles both ways.
-// Without, the wire has no rate and no delay.
+// after the byte before it, at the rate of the first controller; an end at another rate garbles both ways.
+// Without `byte_times` the wire has no rate and no delay.
 #include <deque>
 #include <memory>
 #include <string>
@@ -22,11 +21,11 @@
 namespace hw {
 
 struct HostOptions {
-  std::string name = "emulator";  ///< for sentences: "vxm emulator"
+  std::string name = "emulator";  ///< for messages: "vxm emulator"
   bool byte_times = false;
   double speed = 1;
-  /// Empty: the memory is forgotten at the end. With several controllers each has a file of its own, this
-  /// name with a dot and its id behind.
+  /// Empty: the memory is lost at the end. Each of several controllers has its own file: this name, a dot and
+  /// its id.
   std::string state_file;
 };
 
@@ -37,34 +36,34 @@ struct HostedDevice {
 
 class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
  public:
-  /// At least one device. Loads the state files that there are. `trouble` hears of a state file that could
-  /// not be written, and of a client of a bus port that was sent away.
+  /// At least one device. Loads existing state files. `trouble` is called for a state file that could not be
+  /// written, and for a bus port client that was disconnected.
   static Result<std::shared_ptr<EmulatorHost>> make(Scheduler& scheduler, std::vector<HostedDevice> devices,
                                                     HostOptions options, Trouble trouble = {});
   static Result<std::shared_ptr<EmulatorHost>> make(Scheduler& scheduler, std::unique_ptr<Emulator> emulator,
                                                     HostOptions options, Trouble trouble = {});
   ~EmulatorHost();
 
-  /// A client's end (an accepted connection, a pty's master side); stays until it closes. While the cable is
-  /// pulled it stays open and its bytes are lost.
+  /// Adds a client's end (an accepted connection, a pty's master side) until it closes. While the cable is
+  /// pulled the client stays open and its bytes are lost.
   void attach(std::unique_ptr<Stream> client);
   /// The end of a new cable in this process. It closes when the cable is pulled; a fault while it is.
   /// `baud` is the rate of the client's port; 0: that of the controller.
   Result<std::unique_ptr<Stream>> plug_in(int baud = 0);
 
-  /// The device is a board in a memory window: it is reached by these two and not by those above.
+  /// The device is a board in a memory window, reached by the next two functions only.
   [[nodiscard]] bool is_board() const { return board() != nullptr; }
   /// The window of a new host in this process. It closes when the cable is pulled; a fault while it is.
   Result<std::unique_ptr<Window>> plug_in_window();
-  /// A client of a bus port; stays until it closes or sends what is no message of a bus port.
+  /// Adds a client of a bus port until it closes or sends an invalid message.
   void attach_bus(std::unique_ptr<Stream> client);
 
-  /// What surrounds one of the devices. It keeps the host alive.
+  /// The bench of one device. It keeps the host alive.
   [[nodiscard]] std::shared_ptr<BenchAccess> bench(std::size_t device = 0);
   [[nodiscard]] std::size_t device_count() const { return devices_.size(); }
-  /// The host that a bench belongs to; null: it is none of ours.
+  /// The host of a bench; null: the bench has no EmulatorHost.
   static std::shared_ptr<EmulatorHost> of(const std::shared_ptr<BenchAccess>& bench);
-  /// Each device stands on a bench like this: what the file says of the start happens now, the rest in the
+  /// Sets each device on such a bench: start commands of the file are carried out now, the rest in the
   /// emulators' time from now on.
   Result<> set_up(const BenchFile& bench);
 
@@ -78,7 +77,7 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   class HostWindow;
   struct BusClient;
   static constexpr Duration at_once = Millis(2);
-  /// What the kernel needs to hand a reply to another program and its next question back to this one.
+  /// Time the kernel takes to pass a reply to another program and the next question back to this one.
   static constexpr Duration hand_over = std::chrono::microseconds(400);
 
   EmulatorHost(Scheduler& scheduler, HostOptions options);
@@ -116,16 +115,16 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   Trouble trouble_;
   Instant began_;
   Timer timer_;
-  Instant armed_for_{};        // this and the next in emulated time
-  mutable Instant reached_{};  // looking moves time on too
+  Instant armed_for_{};        // this and `reached_` in emulated time
+  mutable Instant reached_{};  // reading advances time too
   ByteLine incoming_, outgoing_;
-  // Of the last reply, until the next question: when its last byte left (emulated time), how much later that
-  // was done.
+  // Of the last reply, until the next question: when its last byte was due to leave (emulated time), and how
+  // late it was sent.
   Instant left_at_{};
   std::optional<Duration> late_;
   Duration heard_late_{};
   std::string fresh_, leaving_;  // output just taken; output at the end of the wire, ...
-  int leaving_baud_ = 0;         // ... all of it sent at this rate
+  int leaving_baud_ = 0;         // ... all sent at this rate
   std::vector<std::unique_ptr<Device>> devices_;
   std::vector<std::unique_ptr<Client>> clients_;
   std::vector<HostWindow*> windows_;

@@ -1,5 +1,5 @@
-// An emulated board in a memory window: whoever has a window onto it, in this process or over a bus port,
-// runs cycles on the one board, at the present time.
+// An emulated board in a memory window: all windows onto it, in this process or over a bus port, run cycles
+// on the same board, at the present time.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -124,7 +124,7 @@ void EmulatorHost::run_cycle(BusCycle& cycle) {
   for (const char c : bytes) cycle.value = cycle.value << 8 | static_cast<unsigned char>(c);
 }
 
-// Every host on the bus hears it; one acknowledges for all.
+// Every host on the bus gets the interrupt; one acknowledges for all.
 void EmulatorHost::tell_interrupt() {
   BusTarget* target = board();
   if (!target || windows_.empty()) return;

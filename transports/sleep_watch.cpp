@@ -17,7 +17,7 @@ namespace {
 constexpr const char *service = "org.freedesktop.login1", *object = "/org/freedesktop/login1",
                      *manager_interface = "org.freedesktop.login1.Manager";
 
-/// A lock of logind's, held as long as its descriptor is open.
+/// A logind lock, held while its descriptor is open.
 struct Lock {
   int fd = -1;
   bool wanted = false;
@@ -71,7 +71,7 @@ class SleepWatch::Logind : public std::enable_shared_from_this<Logind> {
   }
 
  private:
-  /// Answers come to on_lock().
+  /// The reply comes to on_lock().
   void take(Lock& lock) {
     if (lock.wanted || !descriptor_.is_open()) return;
     lock.wanted = true;
@@ -106,7 +106,7 @@ class SleepWatch::Logind : public std::enable_shared_from_this<Logind> {
     return 0;
   }
 
-  // What the bus has for us, and what it still has to send.
+  // Handles messages from the bus and sends queued ones.
   void serve() {
     int more = 1;
     while (more > 0) more = sd_bus_process(bus_, nullptr);

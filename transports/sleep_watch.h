@@ -1,7 +1,6 @@
 #pragma once
-// The sleep of this computer, as systemd-logind tells of it: a held jog is let go before, nothing sleeps
-// while something moves, and afterwards everything is read afresh. Where there is no logind, none of that
-// happens.
+// Follows this computer's sleep through systemd-logind: a held jog is released before sleep, sleep is
+// inhibited while something moves, and everything is read again after waking. Without logind nothing is done.
 #include <functional>
 #include <memory>
 
@@ -13,12 +12,12 @@ class SleepWatch {
  public:
   /// Both are called on the io thread.
   struct Heard {
-    /// The computer waits for may_sleep(), for some seconds at most.
+    /// The computer waits a few seconds at most for may_sleep().
     std::function<void()> wants_to_sleep;
     std::function<void()> has_woken;
   };
   SleepWatch(Scheduler& scheduler, Heard heard);
-  /// When the io thread has ended, or on it.
+  /// On the io thread, or after it has ended.
   ~SleepWatch();
   SleepWatch(const SleepWatch&) = delete;
   SleepWatch& operator=(const SleepWatch&) = delete;

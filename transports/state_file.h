@@ -1,7 +1,6 @@
 #pragma once
-// The file behind --state: an emulated controller's non-volatile memory. A worker thread writes it, so that
-// the wire does not wait for the disk; texts are written in their order, the last one before destruction
-// ends.
+// The file of --state: an emulated controller's non-volatile memory. A worker thread writes it, so that the
+// wire does not wait for the disk. Texts are written in order; the destructor waits for the last one.
 #include <boost/asio/thread_pool.hpp>
 #include <functional>
 #include <memory>
@@ -12,14 +11,14 @@
 
 namespace hw {
 
-/// What went wrong beside the wire, for a log or a status line. Io thread.
+/// Reports faults that are not the wire's, for a log or a status line. Io thread.
 using Trouble = std::function<void(const Fault&)>;
 
 class StateFile {
  public:
   StateFile(Scheduler& scheduler, std::string path, Trouble trouble);
   ~StateFile();
-  /// Returns at once. A failure is told to `trouble`; the file then still holds the text before.
+  /// Returns at once. On failure `trouble` is called, and the file keeps its previous text.
   void keep(std::string text);
 
  private:

@@ -1,12 +1,12 @@
 #pragma once
-// What the kernel says of a device, one file a fact.
+// Reads the kernel's files about a device, one fact a file.
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 namespace hw {
 
-/// The first line without the blanks at its end; empty when there is no such file.
+/// The first line without trailing blanks; empty: no such file.
 inline std::string first_line(const std::filesystem::path& file) {
   std::string line;
   std::getline(std::ifstream(file), line);

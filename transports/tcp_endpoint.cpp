@@ -23,7 +23,7 @@ struct Listening : std::enable_shared_from_this<Listening> {
   Scheduler& scheduler;
   Acceptor acceptor;
   TcpEndpoint::Accepted accepted;
-  Timer again;  // when the system has no descriptor left for a connection
+  Timer again;  // retries when no descriptor is left
 
   Listening(Scheduler& s, TcpEndpoint::Accepted a)
       : scheduler(s), acceptor(s.executor()), accepted(std::move(a)), again(s, [this] { accept(); }) {}
@@ -71,7 +71,7 @@ Result<Tcp::endpoint> find_place(Scheduler& scheduler, const std::string& where)
   const auto found = resolver.resolve(place->first, std::to_string(place->second), error);
   if (error || found.empty())
     return fail(FaultKind::port,
-                fmt::format("{} is no place on this machine: {}.", place->first, error.message()),
+                fmt::format("{} is not an address of this machine: {}.", place->first, error.message()),
                 "Nothing is served.", "Use 127.0.0.1 or localhost.");
   for (const auto& entry : found)
     if (entry.endpoint().address().is_v4()) return entry.endpoint();

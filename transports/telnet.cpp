@@ -101,7 +101,7 @@ void Receiver::take(std::string_view wire, std::string& data, std::string& reply
   }
 }
 
-// Our offers are already made, so agreement to them needs no answer; all else is declined, once.
+// Agreement to our own offers needs no reply; every other option is declined once.
 void Receiver::negotiate(unsigned char verb, unsigned char option, std::string& reply) {
   if (option == com_port && (verb == do_ || verb == dont)) word_.com_port = verb == do_;
   if (ours(option)) return;
@@ -121,7 +121,7 @@ void Receiver::take_suboption() {
     case set_datasize + answered: word_.datasize = at(2); break;
     case set_parity + answered: word_.parity = at(2); break;
     case set_stopsize + answered: word_.stopsize = at(2); break;
-    default: break;  // states and modem lines: nothing that we wait for
+    default: break;  // states and modem lines: ignored
   }
 }
 

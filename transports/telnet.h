@@ -1,6 +1,6 @@
 #pragma once
-// The telnet inside RFC 2217: a stream of data with commands in it that begin with IAC. Pure; both ends of a
-// conversation can be played in a test.
+// The telnet layer of RFC 2217: a data stream with embedded commands that begin with IAC. Pure, so that a
+// test can play both ends.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -24,27 +24,27 @@ enum ComPort : unsigned char {
 };
 inline constexpr unsigned char answered = 100;
 
-/// Data as it goes on the wire: IAC doubled. Appends.
+/// Appends the data as sent on the wire: IAC doubled.
 void escape(std::string_view data, std::string& wire);
 /// The client's opening words.
 std::string offer();
 /// Asks for a rate. Appends.
 void ask_rate(int baud, std::string& wire);
-/// Asks for `baud`, 8N1, no flow control, and not to be told of line and modem states.
+/// Requests `baud`, 8N1, no flow control and no reports of line and modem states.
 std::string ask_settings(int baud);
 
-/// What the server has said so far.
+/// The server's statements so far.
 struct ServerWord {
-  std::optional<bool> com_port;                         ///< whether it lets its port be set
+  std::optional<bool> com_port;                         ///< whether its port can be set
   std::optional<int> baud, datasize, parity, stopsize;  ///< as it confirmed them
-  int rates = 0;                                        ///< how often it said a rate
+  int rates = 0;                                        ///< number of rates it has reported
   [[nodiscard]] bool settings_complete() const { return baud && datasize && parity && stopsize; }
 };
 
-/// Takes a received stream apart.
+/// Parses a received stream.
 class Receiver {
  public:
-  /// Appends the data in `wire` to `data`, and to `reply` what must be answered.
+  /// Appends the data in `wire` to `data` and the necessary answers to `reply`.
   void take(std::string_view wire, std::string& data, std::string& reply);
   [[nodiscard]] const ServerWord& word() const { return word_; }
   ServerWord& word() { return word_; }

@@ -19,7 +19,7 @@ struct UsbLoop::State : std::enable_shared_from_this<State> {
   std::function<void()> changed;
   libusb_hotplug_callback_handle hotplug = 0;
 
-  std::set<int> plain;  // descriptors that epoll does not take (the file behind an emulated device) ...
+  std::set<int> plain;  // descriptors not supported by epoll (the file of an emulated device) ...
   Timer often;          // ... count as always ready
 
   explicit State(Scheduler& s)
@@ -66,7 +66,7 @@ struct UsbLoop::State : std::enable_shared_from_this<State> {
     static_cast<State*>(state)->add(fd, events);
   }
   static void LIBUSB_CALL fd_removed(int fd, void* state) { static_cast<State*>(state)->remove(fd); }
-  // Posted: nothing of libusb may be called from inside.
+  // Posted: libusb must not be called from its own callback.
   static int LIBUSB_CALL plugged(libusb_context*, libusb_device*, libusb_hotplug_event, void* state) {
     static_cast<State*>(state)->tell_soon();
     return 0;

@@ -1,6 +1,6 @@
 #pragma once
-// libusb on the io thread: its descriptors wait in the io loop beside all others, its callbacks come from
-// there. No thread, no polling. Io thread only.
+// Runs libusb in the io loop: descriptors are waited for and callbacks made there. No thread, no polling. Io
+// thread only.
 #include <functional>
 #include <memory>
 
@@ -20,10 +20,10 @@ class UsbLoop {
   UsbLoop& operator=(const UsbLoop&) = delete;
 
   [[nodiscard]] libusb_context* context() const;
-  /// Calls `changed` once soon, and whenever a device with these numbers is plugged in or pulled out, as long
-  /// as this lives.
+  /// Calls `changed` once soon, and whenever a device with these ids is plugged in or unplugged, for the
+  /// lifetime of this object.
   Result<> watch(int vendor, int product, std::function<void()> changed);
-  /// Waits (for the end of a program only) until `done` or the patience is over.
+  /// Blocks until `done` or until `patience` is over. At program end only.
   void run_until(const std::function<bool()>& done, Millis patience);
 
  private:
@@ -32,7 +32,7 @@ class UsbLoop {
   std::shared_ptr<State> state_;
 };
 
-/// A sentence for an error number of libusb.
+/// The message for a libusb error number.
 std::string usb_error(int number);
 
 }  // namespace hw

@@ -34,7 +34,7 @@ constexpr unsigned long set_master_window = _IOW(0xAE, 4, MasterWindow);
 constexpr std::uint32_t space_a16 = 0x1, single_cycles = 0x1, supervisory = 0x1000, data = 0x8000,
                         width_16 = 0x2;
 
-// Bridges give out windows in pieces of 64 KiB: all of the short space.
+// Requests all of the short space: bridges assign windows in units of 64 KiB.
 int ask_for_short_space(int fd, DeviceRequest request) {
   MasterWindow window{1, 0, short_space_bytes, space_a16, single_cycles | supervisory | data, width_16};
   return request(fd, set_master_window, &window);
@@ -43,8 +43,8 @@ int ask_the_kernel(int fd, unsigned long request, void* argument) { return ::ioc
 
 // ---- access to memory that may go away
 
-// What is mapped may cease to be there (a bridge is removed, a file cut short): an access then raises SIGBUS.
-// Within a Guard that ends the accesses and nothing else.
+// Mapped memory may vanish (a bridge removed, a file truncated): an access then raises SIGBUS. Within a Guard
+// this ends only the accesses.
 thread_local sigjmp_buf* volatile way_out = nullptr;  // volatile: the handler reads it between two accesses
 struct sigaction before_us;
 
@@ -139,7 +139,7 @@ class VmeDevice final : public Window {
     if (!gone_ && access_all(static_cast<volatile std::uint8_t*>(memory_), cycles)) co_return Result<>();
     const Fault why =
         gone(fmt::format("The window {} is gone.", place_),
-             "Look whether the VME bridge and its driver are still there; it is opened again by itself.");
+             "Check that the VME bridge and its driver are still there; it is opened again by itself.");
     if (!std::exchange(gone_, true))
       asio::post(scheduler_.executor(), [tell = tell_, why] {
         if (tell->listener) tell->listener->window_closed(why);
@@ -179,7 +179,7 @@ tl::unexpected<Fault> cannot_open(const std::string& device, int error) {
     case EISDIR: return no(fmt::format("{} is a folder, not a device.", device), "Choose a device in it.");
     default:
       return no(fmt::format("{} cannot be opened: {}.", device, std::strerror(error)),
-                "Look whether the VME bridge and its driver are there.");
+                "Check that the VME bridge and its driver are there.");
   }
 }
 
@@ -190,7 +190,7 @@ tl::unexpected<Fault> held_elsewhere(const std::string& device) {
               "Two programs at one board would take each other's replies: close the other.");
 }
 
-// Where in the file the window begins.
+// Offset of the window in the file.
 Result<std::uint32_t> place_in(int fd, const std::string& device, std::uint32_t base, DeviceRequest request) {
   struct stat info {};
   if (::fstat(fd, &info) != 0) return cannot_open(device, errno);
@@ -231,7 +231,7 @@ Result<std::unique_ptr<Window>> map_window(Scheduler& scheduler, int fd, const s
 Result<std::unique_ptr<Window>> open_vme_device(Scheduler& scheduler, const std::string& device,
                                                 std::uint32_t base, DeviceRequest request) {
   if (base % window_bytes != 0 || base >= short_space_bytes)
-    return fail(FaultKind::text, fmt::format("base=0x{:X} is no place for a board.", base),
+    return fail(FaultKind::text, fmt::format("base=0x{:X} is not an address for a board.", base),
                 "Nothing was opened.",
                 "It is a multiple of 0x1000 from 0 to 0xF000, set by the board's jumpers.");
   const int fd = ::open(device.c_str(), O_RDWR | O_SYNC | O_CLOEXEC);

@@ -43,16 +43,16 @@ class BusStage {
     members.push_back(std::make_unique<Member>());
     Member& member = *members.back();
     member.catalog = std::move(catalog);
-    Pump::Ways ways;
-    ways.open_wire = [this] { return wire->link(); };
-    ways.line = wire->line();
-    ways.publish = [&member](const Snapshot& s) {
+    Pump::Callbacks callbacks;
+    callbacks.open_wire = [this] { return wire->link(); };
+    callbacks.line = wire->line();
+    callbacks.publish = [&member](const Snapshot& s) {
       member.latest = s;
       if (member.published) member.published(s);
     };
-    ways.notify = [&member](Notice n) { member.notices.push_back(std::move(n.text)); };
-    ways.traffic = &member.traffic;
-    member.pump = std::make_unique<Pump>(time, type, member.catalog, std::move(ways));
+    callbacks.notify = [&member](Notice n) { member.notices.push_back(std::move(n.text)); };
+    callbacks.traffic = &member.traffic;
+    member.pump = std::make_unique<Pump>(time, type, member.catalog, std::move(callbacks));
     member.pump->start();
     return member;
   }

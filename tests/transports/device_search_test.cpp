@@ -8,6 +8,7 @@
 #include "core/device/registry.h"
 #include "core/time/real_scheduler.h"
 #include "tests/transports/ear.h"
+#include "tests/transports/pseudo_terminal.h"
 #include "transports/pty_endpoint.h"
 #include "transports/scan.h"
 #include "transports/serve.h"
@@ -22,6 +23,7 @@ using testing::HasSubstr;
 class SearchOnALine : public ::testing::Test {
  protected:
   SearchOnALine() { std::filesystem::create_directories(folder); }
+  void SetUp() override { HW_NEEDS_PSEUDO_TERMINAL(); }
   ~SearchOnALine() override { std::filesystem::remove_all(folder); }
 
   /// A line of DMX-K-SA whose rate was stored before. Names that are equal: as they come out of a careless

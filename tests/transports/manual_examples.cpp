@@ -84,7 +84,7 @@ Result<Manual> read_manual(std::string_view model) {
   const toml::array* entries = parsed.table()["example"].as_array();
   if (entries == nullptr) return fault_in(model, "it holds no example");
   for (const toml::node& node : *entries) {
-    if (!node.is_table()) return fault_in(model, "an example is no table");
+    if (!node.is_table()) return fault_in(model, "an example is not a table");
     auto example = read_example(*node.as_table());
     if (!example)
       return fault_in(model, fmt::format("line {}: {}", node.source().begin.line, example.error().what));

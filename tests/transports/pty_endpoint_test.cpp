@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "tests/transports/ear.h"
+#include "tests/transports/pseudo_terminal.h"
 #include "tests/transports/toy_emulator.h"
 #include "transports/serve.h"
 
@@ -21,6 +22,7 @@ using test::poll_until;
 class PtyEndpoint : public ::testing::Test {
  protected:
   PtyEndpoint() { std::filesystem::create_directories(folder); }
+  void SetUp() override { HW_NEEDS_PSEUDO_TERMINAL(); }
   ~PtyEndpoint() override {
     host.reset();
     std::filesystem::remove_all(folder);

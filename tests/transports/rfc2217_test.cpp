@@ -14,6 +14,7 @@
 
 #include "core/base/asio.h"
 #include "tests/transports/ear.h"
+#include "tests/transports/pseudo_terminal.h"
 #include "transports/tcp_endpoint.h"
 #include "transports/tty.h"
 
@@ -35,6 +36,7 @@ class Ser2net : public Rfc2217 {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists("/usr/sbin/ser2net")) GTEST_SKIP() << "ser2net is not installed";
+    HW_NEEDS_PSEUDO_TERMINAL();
     char name[64];
     ASSERT_EQ(::openpty(&master, &slave, name, nullptr, nullptr), 0);
     ::fcntl(master, F_SETFL, O_NONBLOCK);

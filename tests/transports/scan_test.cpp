@@ -9,6 +9,7 @@
 
 #include "core/device/registry.h"
 #include "tests/transports/ear.h"
+#include "tests/transports/pseudo_terminal.h"
 #include "tests/transports/toy_emulator.h"
 #include "transports/pty_endpoint.h"
 #include "transports/serial.h"
@@ -26,6 +27,7 @@ class Scan : public ::testing::Test {
     if (const DeviceType* type = find_device_type("vxm")) bauds = type->make_catalog({})->can.bauds;
   }
   ~Scan() override { std::filesystem::remove_all(folder); }
+  void SetUp() override { HW_NEEDS_PSEUDO_TERMINAL(); }
 
   // The toy answers V as a VXM does.
   std::shared_ptr<EmulatorHost> serve(const std::string& name, int baud) {

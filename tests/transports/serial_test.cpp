@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "tests/transports/ear.h"
+#include "tests/transports/pseudo_terminal.h"
 #include "transports/port_holder.h"
 #include "transports/tty.h"
 
@@ -26,15 +27,18 @@ using test::poll_until;
 // The controller's end is the master of a pty, the port its slave.
 class Serial : public ::testing::Test {
  protected:
-  Serial() {
+  void SetUp() override {
+    HW_NEEDS_PSEUDO_TERMINAL();
     int slave = -1;
     char name[64];
-    EXPECT_EQ(::openpty(&master, &slave, name, nullptr, nullptr), 0);
+    ASSERT_EQ(::openpty(&master, &slave, name, nullptr, nullptr), 0);
     port = name;
     ::close(slave);
     ::fcntl(master, F_SETFL, O_NONBLOCK);
   }
-  ~Serial() override { ::close(master); }
+  ~Serial() override {
+    if (master >= 0) ::close(master);
+  }
 
   std::string read_master(std::size_t enough) {
     std::string got;

@@ -13,6 +13,7 @@
 #include "core/time/virtual_scheduler.h"
 #include "tests/core/device/emulator_around.h"
 #include "tests/talk/talk_test.h"
+#include "tests/transports/pseudo_terminal.h"
 #include "transports/pty_endpoint.h"
 #include "transports/serve.h"
 
@@ -152,6 +153,7 @@ std::vector<std::string> transcripts() {
 class TalkOverPty : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(TalkOverPty, GoesAsWritten) {
+  HW_NEEDS_PSEUDO_TERMINAL();
   const DeviceType& type = *find_device_type(GetParam().substr(0, GetParam().find('/')));
   talk::goes_as_written(GetParam(), [&](const DeviceOptions& options) { return PtyPartner(type, options); });
 }

@@ -21,7 +21,7 @@ namespace {
 using watchdog::Kind;
 using watchdog::Message;
 
-// As the watchdog counts: time asleep too.
+// The watchdog's clock: includes time asleep.
 std::int64_t boot_time_ms() {
   timespec now{};
   ::clock_gettime(CLOCK_BOOTTIME, &now);
@@ -32,7 +32,7 @@ constexpr std::array fatal_signals{SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT};
 std::atomic<int> dying_to{-1};
 std::array<struct sigaction, fatal_signals.size()> handled_before;
 
-// Async-signal-safe. Whoever handled it before does so next: it is raised again.
+// Async-signal-safe. Restores the previous handler and raises the signal again.
 void tell_watchdog(int number) {
   const char word = static_cast<char>(Kind::dying);
   (void)::send(dying_to, &word, 1, MSG_NOSIGNAL | MSG_DONTWAIT);
@@ -66,7 +66,7 @@ struct JogWatchdog::Talk {
   bool dead = false;
   int wills = 0;
   std::int64_t spoke_at_ms = 0;
-  bool was_silent = false;  ///< since there are wills
+  bool was_silent = false;  ///< since the first of the present wills
 
   explicit Talk(int s) : socket(s) {}
   ~Talk() {
@@ -100,7 +100,7 @@ struct JogWatchdog::Talk {
   }
 };
 
-/// Says that the console lives as long as it is left.
+/// Sends `alive` as long as the will exists.
 class JogWatchdog::Left final : public Will {
  public:
   Left(std::shared_ptr<Talk> talk, Scheduler& scheduler, const Message& will, int fd)

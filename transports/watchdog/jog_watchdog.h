@@ -1,5 +1,5 @@
 #pragma once
-// The console's end of its watchdog: a process that outlives this one for a moment, see will_message.h.
+// The console's end of its watchdog, a process that briefly outlives this one; see will_message.h.
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@ namespace hw {
 
 class JogWatchdog final : public WillKeeper {
  public:
-  /// Starts the first program of `places` that is there. Before any thread begins, so that nothing is
-  /// inherited half-way. A console whose watchdog does not start works without one, and says so.
+  /// Starts the first existing program of `places`. Call before any thread begins, so that no half-made state
+  /// is inherited. If the watchdog does not start, the console says so and works without.
   static std::shared_ptr<JogWatchdog> start(const std::vector<std::string>& places);
   ~JogWatchdog() override;
   JogWatchdog(const JogWatchdog&) = delete;
@@ -19,7 +19,7 @@ class JogWatchdog final : public WillKeeper {
 
   std::shared_ptr<Will> leave(Scheduler& scheduler, const WireShare& wire, const LastWill& will) override;
   [[nodiscard]] bool is_there() const override;
-  /// A fatal signal of this process is told to the watchdog at once: a core dump takes its time.
+  /// From now on reports a fatal signal of this process to the watchdog at once, as a core dump takes time.
   void tell_fatal_signals() const;
 
  private:

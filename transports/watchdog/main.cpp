@@ -1,5 +1,5 @@
-// The watchdog of held jogs. It knows no protocol: it keeps the last words that the console leaves before
-// each held jog, and says them when the console has died or is silent. It ends with the console.
+// The watchdog of held jogs. It knows no protocol: it keeps the last bytes that the console deposits before
+// each held jog, and sends them when the console has died or is silent. It ends with the console.
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -17,7 +17,7 @@
 namespace hw::watchdog {
 namespace {
 
-// Goes on while the computer sleeps.
+// Includes time asleep.
 std::int64_t now_ms() {
   timespec now{};
   ::clock_gettime(CLOCK_BOOTTIME, &now);
@@ -38,7 +38,7 @@ class Wills {
   }
   [[nodiscard]] bool any() const { return !kept_.empty(); }
 
-  // The first words of each go out before anything waits.
+  // Sends the first bytes of every will before any delay.
   void carry_out() {
     struct Due {
       const Words* words;
@@ -120,11 +120,11 @@ int watch() {
 }  // namespace
 }  // namespace hw::watchdog
 
-// What ends a console from its terminal must not end this before it.
+// Terminal signals that end the console must not end the watchdog first.
 int main() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU})
     std::signal(number, SIG_IGN);
   ::close_range(hw::watchdog::socket_number + 1, ~0U, 0);
-  ::mlockall(MCL_CURRENT | MCL_FUTURE);  // no waiting for a disk; where it is not allowed, without
+  ::mlockall(MCL_CURRENT | MCL_FUTURE);  // never wait for the disk; optional, needs permission
   return hw::watchdog::watch();
 }

@@ -68,7 +68,7 @@ void store(volatile std::uint8_t* at, std::string_view value) {
   }
 }
 
-// Messages of the bus port: an operation, where, what. A will has no reads.
+// Bus port messages: op, offset, value. A will has no reads.
 void run_cycles(int fd, std::uint32_t base, std::string_view messages) {
   void* memory = ::mmap(nullptr, window_bytes, PROT_READ | PROT_WRITE, MAP_SHARED, fd, base);
   if (memory == MAP_FAILED) return;

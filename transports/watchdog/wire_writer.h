@@ -1,12 +1,12 @@
 #pragma once
-// Puts bytes on a wire that another program has opened, in whichever way that goes. In the watchdog only.
+// Writes bytes to a wire that another program has opened. In the watchdog only.
 #include <string_view>
 
 #include "transports/watchdog/will_message.h"
 
 namespace hw::watchdog {
 
-/// `fd`: that of the will, or -1. Gives up after a moment: there is nobody to tell.
+/// `fd`: the will's descriptor, or -1. Gives up after a moment, without a report.
 void write_to_wire(const Message& will, int fd, std::string_view bytes);
 
 }  // namespace hw::watchdog
