@@ -5,7 +5,7 @@ import re
 import sys
 
 root = pathlib.Path(sys.argv[1])
-listed = re.findall(r"^- (\S+) ", (root / "tests/checklist/arcus.md").read_text(), re.M)
+listed = re.findall(r"^- (\S+) ", (root / "tests/checklist/makers.md").read_text(), re.M)
 blocks = []
 for script in sorted((root / "tests/scripts/gui").glob("checklist_*.lua")):
     blocks += re.findall(r'^block\("([^"]+)"', script.read_text(), re.M)

@@ -116,7 +116,7 @@ y:send("CLR") -- the error that a limit leaves
 hw.check(c:jog("02", "-"))
 hw.sleep(0.3)
 ok, why = c:run_in_pieces(two_chains)
-hw.check(not ok and why:find("Something runs or moves", 1, true), tostring(why))
+hw.check(not ok and why:find("A program is running or an axis is moving", 1, true), tostring(why))
 hw.sleep(3)
 hw.check(not runs(), "the other has not begun either")
 hw.check(c:stop())

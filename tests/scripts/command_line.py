@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import select
 import signal
 import socket
@@ -16,6 +17,7 @@ import termios
 import threading
 import time
 import unittest
+import unittest.mock
 
 PROGRAM = os.environ.get("HANDWHEEL", "build/handwheel")
 HERE = pathlib.Path(__file__).resolve().parent
@@ -128,7 +130,7 @@ class Usage(Case):
         for where in ("127.0.0.1", "127.0.0.1:", "127.0.0.1:lots", "127.0.0.1:70000", ""):
             self.expect(run("emulate", "dmx-k-sa", "--tcp", where), 2, "--tcp", "Give a port too")
         self.expect(run("emulate", "pxm", "--tcp", "127.0.0.1:0"), 2, 'no controller model "pxm"')
-        self.expect(run("send", "vxm@nowhere", "V"), 2, '"nowhere" is no way')
+        self.expect(run("send", "vxm@nowhere", "V"), 2, '"nowhere" is not a transport')
         self.expect(run("send", "vxm@emulator"), 2, "TEXT")
         self.expect(run("simulate", "x.vxm"), 2, "--for")
         self.expect(run("simulate", "x.vxm", "--for", "vxm", "--for-seconds", "soon"), 2, "--for-seconds soon")
@@ -469,6 +471,35 @@ class Output(Case):
         self.assertIn("/dev/full cannot be written: the disk is full. The controllers were told to stop.", result.stderr)
         short = self.file("short.lua", "print(hw.open('vxm@emulator'):query('X'))")
         self.expect(run("run", short, "--traffic", "/dev/full"), 1, "/dev/full cannot be written: the disk is full.")
+
+    def test_files_that_may_not_grow(self):
+        """Screenshots, tables, backups and traffic: a sentence, and nothing half written."""
+        def small(*arguments):
+            return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=60,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
+        why = "the file would be larger than is allowed there."
+        said = "was not written: " + why
+        shot = self.folder / "a.png"
+        result = small("run", "--gui", self.file("shot.lua", f"ui.screenshot('{shot}')"))
+        self.expect(result, 1, "a.png " + said)
+        result = small("run", self.file("a.lua", """
+          local rows = {}
+          for i = 1, 20000 do rows[i] = {i, i * 2} end
+          local c = assert(hw.open("vme58@emulator"))
+          for file, write in pairs{["a.csv"] = function() return hw.write_csv("a.csv", rows) end,
+                                   ["b.toml"] = function() return c:backup("b.toml") end} do
+            local done, why, more = write()
+            hw.check(done == nil and more.kind == "port" and why:find(file, 1, true), why)
+            print(why)
+          end"""))
+        self.expect(result, 0)
+        self.assertEqual(result.stdout.count(said), 2, result)
+        result = small("run", self.file("t.lua", "local c = assert(hw.open('vxm@emulator')) assert(c:jog(1, '+')) "
+                                                 "for i = 1, 3000 do c:query('X') end print('end')"),
+                       "--traffic", self.folder / "t.txt")
+        self.expect(result, 1, "t.txt cannot be written: " + why, "The controllers were told to stop.")
+        left = {path.name for path in self.folder.iterdir()}
+        self.assertEqual(left, {"shot.lua", "a.lua", "t.lua", "t.txt"}, "what was begun is taken away")
 
     def test_nobody_reads_the_complaints_either(self):
         script = self.file("s.lua", "for i = 1, 100 do hw.log('a') print('b') end error('c')")
@@ -1190,7 +1221,7 @@ class Convert(Case):
         file = self.drawing(self.line(0, 0, 5, 5), ((0, "TEXT"), (8, "0"), (10, 1), (20, 1), (40, 2), (1, "word")))
         result = self.convert(file, "pmx-4ex-sa")
         self.expect(result, 0)
-        self.assertIn("TEXT 2 was left out", result.stderr)
+        self.assertIn("TEXT 2 at 1, 1 was left out", result.stderr)
         self.assertEqual(json.loads(result.stdout)["left_out"][0]["what"], "TEXT")
 
     def test_layers_that_are_frozen_or_off_are_named(self):
@@ -1260,14 +1291,14 @@ class Convert(Case):
             result = self.convert(file, "pmx-4ex-sa", *passed_over)
             self.expect(result, 0)
             self.assertIn(says, result.stderr)
-        self.expect(self.convert(file, "vme58", "--per-unit", "100"), 1, "Say how fast it goes with the tool on.")
+        self.expect(self.convert(file, "vme58", "--per-unit", "100"), 1, "Give the speed with the tool on.")
         self.expect(self.convert(file, "dmx-k-sa"), 1, "Two controllers of one axis each on a bus draw together.")
 
     def test_what_cannot_be_converted_is_1(self):
         file = self.drawing(self.line(0, 0, 5, 5), header="")
-        self.expect(self.convert(file, "pmx-4ex-sa"), 1, "does not say in which unit")
+        self.expect(self.convert(file, "pmx-4ex-sa"), 1, "does not name its unit")
         self.expect(self.convert(file, "pmx-4ex-sa", "--unit", "in"), 0)
-        self.expect(self.convert(file, "vxm", "--unit", "mm"), 1, "how far its corners may lie beside the line")
+        self.expect(self.convert(file, "vxm", "--unit", "mm"), 1, "how far its corners may lie from the line")
         self.expect(self.convert(file, "dmx-k-sa", "--unit", "mm"), 1, "A drawing needs two axes")
         self.expect(self.convert(file, "pmx-4ex-sa", "--unit", "mm", "--layer", "cut"), 1, 'no layer "cut"')
         self.expect(self.convert(self.folder / "none.dxf", "vxm"), 1, "none.dxf")
@@ -1289,9 +1320,18 @@ class Jobs(Case):
                 script = self.file(name + ".lua", (Examples.FOLDER / (name + ".lua")).read_text())
                 self.expect(run("run", script), 0, told)
         rows = (self.folder / "grid.csv").read_text().splitlines()
-        self.assertEqual((rows[0], len(rows), rows[4].rsplit(",", 1)[0]), ("x,y,millivolts", 17, "1500,0"))
+        self.assertEqual((rows[0], len(rows), rows[4].rsplit(",", 1)[0]), ("x (mm),y (mm),millivolts", 17, "3.75,0.0"))
+        for table, head, lines in (("home_repeat", "run,steps", 11), ("soak", "s,steps,encoder", 105)):
+            rows = (self.folder / (table + ".csv")).read_text().splitlines()
+            self.assertEqual((rows[0], len(rows)), (head, lines))
         for file in ("stage", "table", "slide", "board"):
             self.assertIn("[parameters]", (self.folder / (file + ".toml")).read_text())
+
+    def test_each_tells_what_it_takes(self):
+        for path in Examples.FOLDER.glob("*.lua"):
+            with self.subTest(path.name):
+                self.expect(run("run", path, "--", "--help"), 0, f"handwheel run {path} [-- OPTIONS]\n", "(default ")
+                self.expect(run("run", path, "--", "--sped=1"), 2, 'There is no "--sped".')
 
     def test_files_stay_in_the_scripts_folder(self):
         outside = self.folder / "outside"
@@ -1324,6 +1364,24 @@ class Jobs(Case):
             result = run("run", script)
             self.expect(result, 0)
             self.assertIn("a.toml (", result.stderr, "a script says what it has written")
+
+    def test_units_that_the_console_keeps(self):
+        key = "vxm@emulator"
+        name = "vxm-emulator-"
+        total = 2166136261
+        for byte in key.encode():
+            total = (total ^ byte) * 16777619 & 0xFFFFFFFF
+        axis = {"unit_choice": "own", "own_unit": {"name": "mm", "per_step": 0.005}}
+        self.file(f"handwheel/profiles/{name}{total:08x}.json", json.dumps({"controller": key, "axes": [axis]}))
+        script = self.file("a.lua", """
+          local c = assert(hw.open("vxm@emulator"))
+          c:set("M1M", 4)
+          assert(c:move_to({[1] = 2.5}, {unit = true}) and c:wait(30))
+          print(c:position(1), c:units(1).unit)""")
+        with unittest.mock.patch.dict(os.environ, XDG_CONFIG_HOME=str(self.folder)):
+            self.expect(run("run", "--profile", script), 0, "500\tmm\n")
+            self.expect(run("run", "--gui", "--profile", script), 0, "500\tmm\n")
+            self.expect(run("run", script), 1, "axis 1 has no unit yet")  # else a run is the same on every machine
 
     def test_an_error_side_by_side_ends_the_script(self):
         script = self.file("a.lua", "hw.spawn(function() hw.sleep(1) error('beside') end)\nhw.sleep(9)\nprint('on')")
@@ -1459,6 +1517,39 @@ class Simulate(Case):
         wrong = self.file("wrong.toml", 'model = "dmx-k-sa"\n')
         self.expect(run("simulate", file, "--for", "vxm", "--like", wrong), 1, 'a controller "dmx-k-sa"')
 
+    # Of each controller: one that does its work, one that goes on behind a limit switch, one without end, one
+    # that stops in error (a VME58 rejects what it does not know before it begins).
+    ENDS = {
+        "vxm": ("I1M400\n", "I1M4000\n", "P5\nL0\n", "U7,I1M400,I2M400,U9\n"),
+        "pmx-4ex-sa": ("PRG 0\nEO=15\nX400\nWAITX\nEND\n", "PRG 0\nEO=15\nX4000\nEND\n",
+                       "PRG 0\nWHILE 1=1\nDELAY=10\nENDWHILE\nEND\n", "PRG 0\nV1=0\nV2=5/V1\nEND\n"),
+        "dmx-k-sa": ("EO=1\nX400\nWAITX\nEND\n", "EO=1\nX4000\nEND\n",
+                     "WHILE 1=1\nDELAY=10\nENDWHILE\nEND\n", "V1=0\nV2=5/V1\nEND\n"),
+        "vme58": ("AX VL5000 AC50000 MR400 GO ID\n", "AX VL5000 AC50000 MR4000 GO ID\n",
+                  "AX WH WT100 WG\n", "AX XQ\n"),
+    }
+
+    def test_each_controller_ends_with_what_became_of_it(self):
+        for model, texts in self.ENDS.items():
+            axis = "1" if model == "vxm" else "X"
+            bench = self.file("bench.toml", f"[axis.{axis}]\nplus = 500\n")
+            for text, plain, strict in zip(texts, (0, 0, 1, 1), (0, 1, 1, 1)):
+                with self.subTest(model=model, text=text):
+                    job = ("simulate", self.file("a.txt", text), "--for", model, "--bench", bench, "--for-seconds", 30)
+                    self.expect(run(*job), plain)
+                    result = run(*job, "--strict")
+                    self.expect(result, strict)
+                    self.assertEqual(bool(result.stderr), strict == 1)
+            job = ("simulate", self.file("a.txt", texts[1]), "--for", model, "--bench", bench)
+            self.expect(run(*job, "--strict"), 1, "plus limit switch")
+
+    def test_how_much_of_the_memory_it_takes(self):
+        text = "PRG 0\nSR1=1\nEND\nPRG 1\nV1=1\nEND\n"
+        self.expect(run("simulate", self.file("a.prg", text), "--for", "pmx-4ex-sa"), 0,
+                    "whole text: 6 lines of 1275")
+        self.expect(run("simulate", self.file("a.vxm", "I1M400\n"), "--for", "vxm"), 0,
+                    "Program 0: 4 bytes of 256")
+
     def test_a_text_with_errors(self):
         result, got = self.simulate("PM1,P5\nPM0,S1M9000\n")
         self.expect(result, 1, "Line 2", "9000")
@@ -1563,6 +1654,18 @@ class BadInput(Case):
             self.says(1, "binary", *command(self.binary))
         self.says(1, "does not say for which controller", "restore", "vxm@emulator", self.empty)
 
+    def test_programs_that_nobody_writes_in_good_faith(self):
+        many = 100_000
+        for model, text in (("vxm", "PM0," + "(" * many), ("vxm", "J0" * many), ("vxm", "U" * 10_000_000),
+                            ("pmx-4ex-sa", "PRG 0\nV1=" + "(" * many + "\nEND\n"), ("dmx-k-sa", "PRG 0\nV1=" + "-" * many),
+                            ("pmx-4ex-sa", "PRG 0\n" + "WHILE 1=1\n" * 50_000), ("pmx-4ex-sa", "\x1b[2J"),
+                            ("vme58", "AX LS2 " * many), ("vme58", "AX MR1 GO " * 30_000 + "XX"), ("vme58", "A" * 10_000_000),
+                            ("vxm", "[" + "a." * many + "a]\n"), ("vme58", "format = " + "[" * many)):
+            result = run("check", self.file("a.txt", text), "--for", model, timeout=30)
+            self.assertEqual(result.returncode, 1, (model, text[:30]))
+            self.assertTrue(result.stdout + result.stderr)
+            self.assertNotIn("\x1b", result.stdout + result.stderr)
+
     def test_places_that_cannot_be_written(self):
         for place, why in ((self.folder_itself, "it is a folder"), (self.folder / "no/file", "there is no such folder")):
             self.says(1, why, "backup", "vxm@emulator", "-o", place)
@@ -1588,8 +1691,8 @@ class BadInput(Case):
                 (("send", "vxm@emulator", "--wait", "soon", "V"), "--wait soon"),
                 (("backup", "vxm@emulator", "-o", "a", "-o", "b"), "--output"),
                 (("emulate", "vxm"), "--tcp 127.0.0.1:4001"),
-                (("emulate", "vxm", "--tcp", "127.0.0.1"), "no HOST:PORT"),
-                (("emulate", "vxm", "--tcp", "127.0.0.1:99999"), "no port number"),
+                (("emulate", "vxm", "--tcp", "127.0.0.1"), "is not HOST:PORT"),
+                (("emulate", "vxm", "--tcp", "127.0.0.1:99999"), "not a port number"),
                 (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--motors", "5"), "1 to 4 motors"),
                 (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--speed", "0"), "speed=0"),
                 (("emulate", "vxm", "--tcp", "127.0.0.1:0", "--wire", "maybe"), "wire=maybe"),
@@ -1600,10 +1703,10 @@ class BadInput(Case):
 
     def test_addresses(self):
         for address, words in (
-                ("vxm", "it has no @"), ("vxm@", "no way to a controller"), ("@emulator", "no controller model"),
-                ("vxm@serial", "does not say where"), ("vxm@usb", "has no USB"), ("vxm@tcp:localhost", "no HOST:PORT"),
+                ("vxm", "it has no @"), ("vxm@", "is not a transport"), ("@emulator", "no controller model"),
+                ("vxm@serial", "does not say where"), ("vxm@usb", "has no USB"), ("vxm@tcp:localhost", "is not HOST:PORT"),
                 ("vxm@emulator,motors=9", "motors=9"), ("vxm@emulator,foo=1", 'no option "foo"'),
-                ("vxm@emulator,baud=x", "baud=x is no rate"), ("dmx-k-sa@emulator,id=1", "two digits"),
+                ("vxm@emulator,baud=x", "baud=x is not a rate"), ("dmx-k-sa@emulator,id=1", "two digits"),
                 ("dmx-k-sa@emulator,id=01-02", "Here it takes one")):
             self.says(2, words, "send", address, "V")
             self.says(2, words, "backup", address, "-o", self.folder / "out")

@@ -59,7 +59,7 @@ for _, kind in ipairs{
   near(seconds_of(c, axis, {speed = 3000}), plain, address .. ": and so has the move behind a jog")
   for _, value in ipairs(beyond) do
     local ok, why, more = c:move_by({[axis] = 10}, {acceleration = value})
-    hw.check(not ok and why:find("is no acceleration", 1, true) and why:find("Nothing was sent.", 1, true), why)
+    hw.check(not ok and why:find("is not an acceleration", 1, true) and why:find("Nothing was sent.", 1, true), why)
     hw.check(more.kind == "refused" and more.axis == tostring(axis), more.axis)
   end
 
@@ -81,7 +81,7 @@ for _, kind in ipairs{
   wrong("must be a table like {speed=...}", c.move_to, c, {[axis] = 1}, 10)
   wrong('It takes mode, speed, acceleration, unit. Did you mean "mode"?', c.home, c, axis, "-", {mod = "limit"})
   local ok, why = c:home(axis, "-", {mode = "nowhere"})
-  hw.check(not ok and why:find('no way of homing "nowhere"', 1, true), why)
+  hw.check(not ok and why:find('no homing mode "nowhere"', 1, true), why)
   hw.check(c:position(axis) and not c:status(axis).moving, "nothing of that has moved it")
 end
 local vxm = hw.open("vxm@emulator")

@@ -1,4 +1,4 @@
--- Every line of the DMX-K-SA's sections of tests/checklist/arcus.md but the connection's, which need real ports
+-- Every line of the DMX-K-SA's sections of tests/checklist/makers.md but the connection's, which need real ports
 -- (../wires): the widget is worked and the wire looked at, or what a readout tells is changed and the readout looked at.
 require("lib.checklist")
 local arcus = require("lib.arcus")

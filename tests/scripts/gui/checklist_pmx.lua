@@ -1,4 +1,4 @@
--- Every line of the PMX-4EX-SA's sections of tests/checklist/arcus.md but the connection's, which need real ports
+-- Every line of the PMX-4EX-SA's sections of tests/checklist/makers.md but the connection's, which need real ports
 -- (../wires): the widget is worked and the wire looked at, or what a readout tells is changed and the readout looked at.
 require("lib.checklist")
 local arcus = require("lib.arcus")
@@ -621,7 +621,7 @@ block("PMX-J1", function()
   tab("program")
   fill("program/text", "V1=1\nNONSENSE\nEND\n")
   is("program/memory", "2 of 1275 lines")
-  is("program/note", "Mend line 2 before the program can run.")
+  is("program/note", "Correct line 2 before the program can run.")
 end)
 block("PMX-L1", function()
   ui.click("program/compile")

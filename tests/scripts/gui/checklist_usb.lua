@@ -1,4 +1,4 @@
--- The line of tests/checklist/arcus.md about USB: tests/usb runs this beside an emulated USB device, which has heard ID
+-- The line of tests/checklist/makers.md about USB: tests/usb runs this beside an emulated USB device, which has heard ID
 -- and EO1=1 then.
 require("lib.checklist")
 ui.window(1440, 900)

@@ -1,4 +1,4 @@
--- The lines of tests/checklist/arcus.md about connections, against emulators that other processes serve on ports:
+-- The lines of tests/checklist/makers.md about connections, against emulators that other processes serve on ports:
 -- command_line.py starts them and gives the paths. A PMX that is called 07 at 38400 baud, and a DMX 05 at 9600.
 require("lib.checklist")
 local pmx, dmx = hw.args[1], hw.args[2]
