@@ -13,7 +13,7 @@ HOUSE = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 # Folders whose files may share a batch, and what of them belongs to another library or is compiled by itself.
 LIBRARIES = {
     "core": [], "transports": [], "gui": ["gui/app", "gui/model"], "gui/app": [], "gui/model": [], "panels": [],
-    "tests/core": [], "tests/transports": [], "tests/contract": [], "tests/gui": ["tests/gui/model"], "tests/gui/model": [], "tests/panels": [],
+    "tests/core": [], "tests/transports": [], "tests/contract": [], "tests/gui": ["tests/gui/model"], "tests/gui/model": [], "tests/panels": [], "tests/simulation": [],
 }
 
 

@@ -139,7 +139,7 @@ void open(Stage& stage, const Step&) { stage.open(); }
 
 constexpr auto action = Verb::Kind::action, stops = Verb::Kind::stop;
 // clang-format off
-constexpr Verb verbs[] = {
+constexpr Verb operator_table[] = {
     {"stop", 1, stops, stop},                 // AXIS
     {"abort", 1, stops, abort},               // AXIS
     {"stop_wire", 1, stops, stop_wire},       // AT_ONCE
@@ -189,7 +189,7 @@ constexpr Verb verbs[] = {
 
 }  // namespace
 
-std::span<const Verb> operator_verbs() { return verbs; }
+std::span<const Verb> operator_verbs() { return operator_table; }
 
 const Verb* find_verb(std::string_view name) {
   for (const auto table : {operator_verbs(), world_verbs()})

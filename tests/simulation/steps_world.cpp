@@ -68,7 +68,7 @@ void bus_error(Stage& stage, const Step& s) { stage.faults().cycle_faults = stat
 
 constexpr auto on_bench = Verb::Kind::bench, fault = Verb::Kind::fault;
 // clang-format off
-constexpr Verb verbs[] = {
+constexpr Verb world_table[] = {
     {"limit", 3, on_bench, limit},          // AXIS SIDE ON
     {"jam", 2, on_bench, jam},              // AXIS ON
     {"input", 2, on_bench, input},          // NUMBER ON
@@ -93,6 +93,6 @@ constexpr Verb verbs[] = {
 
 }  // namespace
 
-std::span<const Verb> world_verbs() { return verbs; }
+std::span<const Verb> world_verbs() { return world_table; }
 
 }  // namespace hw::simulation
