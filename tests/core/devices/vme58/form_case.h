@@ -1,13 +1,9 @@
 #pragma once
 // One case for each row of vme58.tsv: the 139 command forms with the part of the data sheet that they stand
-// in, and the places of the window and the bits of its registers. It is text in vme58.forms (see
-// form_session.h) or, where it loops and computes,
-//
-//   VME58_FORM("vme58.sync.SW") { ... }
-//
-// Both register a test for that id. Before the case runs, what the table says of a command is checked: the
-// modes in which it is taken, the room that it needs in a queue, whether it is answered. The case asserts one
-// effect: reply, register or memory contents, motion.
+// in, and the places of the window and the bits of its registers. It is text in vme58.forms, see
+// form_session.h, which registers a test for each id. Before the case runs, what the table says of a command
+// is checked: the modes in which it is taken, the room that it needs in a queue, whether it is answered. The
+// case asserts one effect: reply, register or memory contents, motion.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -37,15 +33,5 @@ bool register_form(const std::string& id, FormBody body, const char* file, int l
 bool has_case(std::string_view id);
 /// Ids that have a case but no row.
 std::vector<std::string> cases_without_row();
-
-#define HW_JOIN58_(a, b) a##b
-#define HW_JOIN58(a, b) HW_JOIN58_(a, b)
-// __COUNTER__ and not the line: files may be compiled in batches.
-#define VME58_FORM(id) VME58_FORM_(id, __COUNTER__)
-#define VME58_FORM_(id, n)                                                                        \
-  static void HW_JOIN58(vme58_form_body_, n)(const ::hw::vme58::proof::Form&);                    \
-  static const bool HW_JOIN58(vme58_form_registered_, n) =                                        \
-      ::hw::vme58::proof::register_form(id, &HW_JOIN58(vme58_form_body_, n), __FILE__, __LINE__); \
-  static void HW_JOIN58(vme58_form_body_, n)([[maybe_unused]] const ::hw::vme58::proof::Form& form)
 
 }  // namespace hw::vme58::proof

@@ -1,5 +1,5 @@
 // The motion of the board by itself: ramps, lines, jogs, limits, counters. What the text of the
-// commands does with it is tested by emulator_forms_*_test.cpp.
+// commands does with it is tested by vme58.forms.
 #include <cmath>
 
 #include <gtest/gtest.h>
