@@ -31,21 +31,21 @@ std::string what_it_takes(const ActionField& field) {
 
 }  // namespace
 
-Result<> check_action(const Catalog& catalog, const intent::Act& wish) {
-  if (wish.action < 0 || wish.action >= static_cast<int>(catalog.actions.size()))
+Result<> check_action(const Catalog& catalog, const intent::Act& request) {
+  if (request.action < 0 || request.action >= static_cast<int>(catalog.actions.size()))
     return fail(FaultKind::refused, "There is no such action.", "Nothing was sent.");
-  const ActionInfo& info = catalog.actions[ix(wish.action)];
-  if (wish.values.size() != info.fields.size())
+  const ActionInfo& info = catalog.actions[ix(request.action)];
+  if (request.values.size() != info.fields.size())
     return fail(
         FaultKind::refused,
-        fmt::format("{} takes {} values, not {}.", info.label, info.fields.size(), wish.values.size()),
+        fmt::format("{} takes {} values, not {}.", info.label, info.fields.size(), request.values.size()),
         "Nothing was sent.");
-  for (std::size_t i = 0; i < wish.values.size(); ++i) {
+  for (std::size_t i = 0; i < request.values.size(); ++i) {
     const ActionField& field = info.fields[i];
-    if (takes(field, wish.values[i])) continue;
+    if (takes(field, request.values[i])) continue;
     return fail(
         FaultKind::refused,
-        fmt::format("{} is not possible as {} of {}. It takes {}.", number(wish.values[i], field.decimals),
+        fmt::format("{} is not possible as {} of {}. It takes {}.", number(request.values[i], field.decimals),
                     field.label, info.label, what_it_takes(field)),
         "Nothing was sent.");
   }

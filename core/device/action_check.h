@@ -7,6 +7,6 @@
 namespace hw {
 
 /// Refuses an unknown action, and a value that its field does not take.
-Result<> check_action(const Catalog& catalog, const intent::Act& wish);
+Result<> check_action(const Catalog& catalog, const intent::Act& request);
 
 }  // namespace hw

@@ -74,9 +74,9 @@ std::optional<intent::RunInPieces> with_backlash_taken_up(const Snapshot& now, c
   return {};
 }
 
-std::string say_no_backlash(const intent::SetBacklash& wish, std::size_t axes) {
-  if (wish.axis.index >= axes) return fmt::format("There is no axis {}.", wish.axis.index + 1);
-  if (wish.backlash.by < Steps(0))
+std::string describe_no_backlash(const intent::SetBacklash& request, std::size_t axes) {
+  if (request.axis.index >= axes) return fmt::format("There is no axis {}.", request.axis.index + 1);
+  if (request.backlash.by < Steps(0))
     return "The backlash is how far a move goes past its target: it cannot be negative. Nothing was changed.";
   return {};
 }

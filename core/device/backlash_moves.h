@@ -12,6 +12,6 @@ namespace hw {
 std::optional<intent::RunInPieces> with_backlash_taken_up(const Snapshot& now, const IntentBody& body);
 
 /// Why these values are not possible; empty: they are.
-std::string say_no_backlash(const intent::SetBacklash& wish, std::size_t axes);
+std::string describe_no_backlash(const intent::SetBacklash& request, std::size_t axes);
 
 }  // namespace hw

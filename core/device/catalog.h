@@ -37,10 +37,12 @@ struct UnitChoice {
 };
 
 struct HomingMode {
-  std::string id;             ///< for scripts: "limit"
-  std::string label;          ///< "to the limit switch"
-  std::string maker = {};     ///< the maker's word, if any: "ZH"
-  bool sets_position = true;  ///< homing sets the count where it ends
+  std::string id;                           ///< for scripts: "limit"
+  std::string label;                        ///< "to the limit switch"
+  std::string maker = {};                   ///< the maker's word, if any: "ZH"
+  bool sets_position = true;                ///< homing sets the count where it ends
+  std::optional<Sign> only_direction = {};  ///< none: it homes in both directions
+  [[nodiscard]] bool allows(Sign sign) const { return !only_direction || *only_direction == sign; }
 };
 
 struct InputInfo {
@@ -297,6 +299,7 @@ struct Capabilities {
   bool one_axis_at_a_time = false;
   bool homes = true;
   bool reset = false;
+  bool tells_slowing = true;  ///< reports the speed of an axis, or that it slows down
   bool interpolates = false;  ///< moves several axes together on a straight line
   bool arcs = false;          ///< moves its first two axes along an arc, from rest to rest
   bool broadcast = false;     ///< accepts text sent to all devices on a wire, without replies

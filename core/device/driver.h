@@ -90,7 +90,7 @@ class Driver {
   virtual Task<Result<std::string>> query(std::string text, Duration patience) = 0;
   [[nodiscard]] virtual TextMeaning meaning_of(const intent::SendText& text) const = 0;
   /// Another session on this wire sends this text to all its controllers, and so to this one.
-  virtual void overhear(const std::string& /*text*/) {}
+  virtual void note_broadcast(const std::string& /*text*/) {}
 
   /// Something that the console put into the controller for its own use is still there, and the next status
   /// rounds remove it: the wire stays open for that.

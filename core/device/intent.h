@@ -313,8 +313,8 @@ inline intent::Closing* closing_of(IntentBody& body) {
 /// Notes who requested a stop; does nothing to any other intent.
 inline void asked_by(IntentBody& body, StoppedBy who) {
   std::visit(
-      [who](auto& wish) {
-        if constexpr (requires { wish.by; }) wish.by = who;
+      [who](auto& request) {
+        if constexpr (requires { request.by; }) request.by = who;
       },
       body);
 }

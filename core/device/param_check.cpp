@@ -18,22 +18,22 @@ std::string range_words(const ParamInfo& info, decltype(ParamRules::write) write
 
 }  // namespace
 
-Result<std::size_t> check_param(const Catalog& catalog, const intent::SetParam& wish,
+Result<std::size_t> check_param(const Catalog& catalog, const intent::SetParam& request,
                                 const ParamRules& rules) {
-  const int place = catalog.find_param(wish.mnemonic);
+  const int place = catalog.find_param(request.mnemonic);
   if (place < 0)
-    return fail(FaultKind::refused, fmt::format("{} has no parameter {}.", rules.who, wish.mnemonic),
+    return fail(FaultKind::refused, fmt::format("{} has no parameter {}.", rules.who, request.mnemonic),
                 "Nothing was sent.");
   const ParamInfo& info = catalog.params[static_cast<std::size_t>(place)];
   const auto write = rules.write != nullptr ? rules.write : plain;
-  if (!info.accepts(wish.value))
+  if (!info.accepts(request.value))
     return fail(FaultKind::refused,
-                fmt::format("{} is not possible for {} ({}): it takes {}.", write(info, wish.value),
+                fmt::format("{} is not possible for {} ({}): it takes {}.", write(info, request.value),
                             info.mnemonic, info.label, range_words(info, write)),
                 "Nothing was sent.");
   if (rules.may_now)
     if (auto may = rules.may_now(info); !may) return fail(may.error());
-  if (!info.warning.empty() && !wish.confirmed && wish.value != info.harmless)
+  if (!info.warning.empty() && !request.confirmed && request.value != info.harmless)
     return fail(FaultKind::refused, info.warning, "Nothing was sent.", "Confirm it to go on.");
   return static_cast<std::size_t>(place);
 }

@@ -20,7 +20,7 @@ struct ParamRules {
 };
 
 /// The parameter's place in the catalog, or why it was refused.
-Result<std::size_t> check_param(const Catalog& catalog, const intent::SetParam& wish,
+Result<std::size_t> check_param(const Catalog& catalog, const intent::SetParam& request,
                                 const ParamRules& rules);
 
 }  // namespace hw

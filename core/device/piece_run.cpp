@@ -9,16 +9,16 @@
 
 namespace hw {
 
-Result<> PieceRun::begin(const intent::RunInPieces& wish) {
-  if (!wish.pieces || wish.pieces->all.empty())
+Result<> PieceRun::begin(const intent::RunInPieces& request) {
+  if (!request.pieces || request.pieces->all.empty())
     return fail(FaultKind::refused, "There are no pieces.", "Nothing was sent.");
   if (!running() && !at_rest())
     return fail(FaultKind::refused, "A program is running or an axis is moving.", "Nothing was sent.",
                 "Stop it first.");
-  if (std::string why = why_not_begun(*wish.pieces, catalog_, draft_); !why.empty())
+  if (std::string why = why_not_begun(*request.pieces, catalog_, draft_); !why.empty())
     return fail(FaultKind::refused, std::move(why), "Nothing was sent.", "Switch it off first.");
   end();  // what is left of another one
-  pieces_ = wish.pieces, seat_ = wish.seat;
+  pieces_ = request.pieces, seat_ = request.seat;
   if (seat_) seat_->take(wake_);
   piece_ = step_ = acts_before_ = 0;
   doubts_ = false;
@@ -149,6 +149,7 @@ std::string PieceRun::watch(std::uint64_t rounds) {
   if (step_ == 0) return {};
   show_step();
   const Piece& piece = pieces_->all[piece_];
+  if (list_broke_off(piece)) return end_now("was not taken whole by the controller.");
   if (rounds < shows_in_ || !at_rest()) return {};
   const bool whole = step_ == piece.does.size();
   std::string why = why_not_done(piece);
@@ -159,7 +160,10 @@ std::string PieceRun::watch(std::uint64_t rounds) {
   acts_before_ += std::exchange(step_, 0);
   if (seat_) seat_->has_done(acts_before_);
   draft_.pieces.done = static_cast<std::int32_t>(++piece_);
-  if (piece_ < pieces_->all.size()) return {};
+  if (piece_ < pieces_->all.size()) {
+    draft_.pieces.step = std::max(draft_.pieces.step, pieces_->all[piece_].first_step);
+    return {};
+  }
   if (seat_) seat_->finish();
   end();
   return {};
@@ -173,11 +177,20 @@ void PieceRun::show_others() {
 
 /// In two rounds: in the first a position may have been read in the moment before all came to rest.
 std::string PieceRun::end_because(std::string_view what) {
-  if (!std::exchange(doubts_, true)) return {};
+  return std::exchange(doubts_, true) ? end_now(what) : std::string();
+}
+
+std::string PieceRun::end_now(std::string_view what) {
   std::string why =
       fmt::format("Piece {} of {} {} Nothing follows it.", piece_ + 1, pieces_->all.size(), what);
   end();
   return why;
+}
+
+/// What drives the list has said why; what is in the buffer would go on, with the tool.
+bool PieceRun::list_broke_off(const Piece& piece) const {
+  const FeedState& list = draft_.feed;
+  return piece.draws >= 0 && step_ == ix(piece.draws) + 1 && !list.running && list.sent < list.total;
 }
 
 std::string PieceRun::why_not_whole(const Piece& piece) const {

@@ -18,7 +18,7 @@ class PieceRun {
   ~PieceRun() { end(); }
 
   /// Replaces what is left of a sequence that runs, after its present piece.
-  [[nodiscard]] Result<> begin(const intent::RunInPieces& wish);
+  [[nodiscard]] Result<> begin(const intent::RunInPieces& request);
   [[nodiscard]] bool running() const { return pieces_ != nullptr; }
   /// The pieces are two halves of one move, which a typed command may have changed.
   [[nodiscard]] bool is_one_move() const { return pieces_ && pieces_->one_move; }
@@ -56,7 +56,9 @@ class PieceRun {
   [[nodiscard]] std::string why_not_whole(const Piece& piece) const;
   [[nodiscard]] std::string why_not_there(const AxisTarget& end) const;
   [[nodiscard]] std::string why_not_done(const Piece& piece) const;
+  [[nodiscard]] bool list_broke_off(const Piece& piece) const;
   std::string end_because(std::string_view what);
+  std::string end_now(std::string_view what);
 
   const Catalog& catalog_;
   Snapshot& draft_;

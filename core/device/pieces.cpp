@@ -12,7 +12,7 @@
 #include "core/device/language.h"
 #include "core/device/sequence_travel.h"
 #include "core/device/snapshot.h"
-#include "core/device/told_speeds.h"
+#include "core/device/written_speeds.h"
 #include "core/sequence/arc_shape.h"
 #include "core/sequence/places_before.h"
 #include "core/sequence/steps_in.h"
@@ -185,9 +185,30 @@ class Cutter {
                                          [&](const auto& c) { return c.second <= capacity; }));
   }
 
+  static bool draws_by_itself(const seq::Step& step) {
+    const auto* contour = std::get_if<seq::Contour>(&step.body);
+    return contour && !step.skipped &&
+           std::any_of(contour->steps.begin(), contour->steps.end(), [](const seq::Step& each) {
+             const auto* output = std::get_if<seq::Output>(&each.body);
+             return output && output->on;
+           });
+  }
+  /// Behind the first chain: text that is fed on and on could be held nowhere else. None: no chain ends by
+  /// `last`.
+  [[nodiscard]] std::optional<std::size_t> end_of_chain(std::size_t begin, std::size_t last) const {
+    for (std::size_t end = begin + 1; end <= last; ++end)
+      if (!before_[end].tool_down &&
+          (before_[end - 1].tool_down || draws_by_itself(sequence_.steps[end - 1])))
+        return end;
+    return std::nullopt;
+  }
+
   /// As far as fits; back to where the tool is up, if it is so anywhere in between.
   Result<std::size_t> end_of_piece(std::size_t begin) {
-    const std::size_t last = catalog_.program.capacity > 0 ? size() : std::min(size(), begin + longest_fed);
+    const bool is_fed = catalog_.program.capacity == 0;
+    const std::size_t last = is_fed ? std::min(size(), begin + longest_fed) : size();
+    if (is_fed)
+      if (const auto end = end_of_chain(begin, last); end && fits(begin, *end)) return *end;
     std::size_t good = begin, ahead = std::max<std::size_t>(latest_size_, 1);
     while (good + ahead < last && fits(begin, good + ahead)) good += ahead, ahead *= 2;
     if (good + ahead >= last && fits(begin, last)) good = last;
@@ -319,7 +340,7 @@ Result<Pieces> cut_by_text(const Language& language, const seq::Sequence& sequen
   if (auto has = has_step(sequence, from_step); !has) return fail(has.error());
   const auto cutter = std::make_shared<Cutter>(language, sequence, catalog);
   auto pieces = cutter->run(ix(from_step));
-  if (pieces && says_speeds(sequence.steps))
+  if (pieces && sets_speeds(sequence.steps))
     pieces->text_at = [cutter](const Piece& piece, int percent) { return cutter->text_at(piece, percent); };
   return pieces;
 }

@@ -14,6 +14,14 @@ constexpr int times_blind = 3;  // a stop goes out to a controller that has not 
 constexpr Duration others_take = std::chrono::seconds(1);  // to end the round that they are in
 constexpr Duration longest_end_of_a_command = std::chrono::seconds(1), longest_last_look = Millis(500);
 
+/// It moves nothing and sets no count.
+bool only_looks(const Job& job) {
+  const IntentBody& body = job.intent.body;
+  return job.meaning.only_asks || std::holds_alternative<intent::ReadParams>(body) ||
+         std::holds_alternative<intent::ReadAnalog>(body) || std::holds_alternative<intent::Watch>(body) ||
+         std::holds_alternative<intent::SetOutput>(body);
+}
+
 }  // namespace
 
 Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog, Callbacks callbacks)
@@ -26,12 +34,13 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
       endings_(catalog, callbacks_.ended),
       travel_(catalog),
       counts_(catalog),
+      loaded_(catalog, type.language ? &type.language() : nullptr),
       wake_(scheduler),
       published_(scheduler),
       ended_(scheduler),
       silence_(scheduler, [this] {
         if (!station_) return;
-        const bool silent = station_->heard_at() < outage_.attempt_at();
+        const bool silent = station_->received_at() < outage_.attempt_at();
         if (!silent && !outage_.takes_too_long(scheduler_.now())) return silence_.arm(outage_.latest());
         pump_log().debug("{}: nothing comes while a stop is owed; connecting begins anew", Whose{catalog_});
         station_->preempt();
@@ -62,10 +71,11 @@ void Pump::start() {
 Task<> Pump::shut_down() {
   if (!runs()) co_return;
   life_ = Life::leaves;
+  pump_log().debug("{}: is closed", Whose{catalog_});
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogs_.any()) post_stop(StopOrder());
   co_await let_end();
-  for (std::string left : {driver_->leaves_behind(), say_torn_is_left(catalog_, draft_)})
+  for (std::string left : {driver_->leaves_behind(), describe_torn_is_left(catalog_, draft_)})
     if (!left.empty())  // a lost link takes nothing away
       callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   life_ = Life::closes;
@@ -160,7 +170,7 @@ Task<bool> Pump::open_and_connect() {
 }
 
 /// Behind a wire that was lost, or in a controller that has been heard and not yet been seen.
-bool Pump::something_may_run() const { return outage_.may_run() || (station_ && station_->was_heard()); }
+bool Pump::something_may_run() const { return outage_.may_run() || (station_ && station_->has_received()); }
 
 /// Where nobody has ever been heard, a few times: there may be nobody.
 bool Pump::stop_goes_out_again() const {
@@ -238,6 +248,9 @@ Task<> Pump::wait_for_retry() {
     return desk_.any() ? outage_.attempt_at() + retry_with_a_stop : scheduler_.now() + outage_.back_off();
   };
   draft_.link.next_attempt = next();
+  if (!outage_.hurries())
+    pump_log().debug("{}: the next attempt to connect is in {:.1f} s", Whose{catalog_},
+                     seconds(draft_.link.next_attempt - scheduler_.now()));
   publish();
   while (!closes() && !outage_.hurries() && scheduler_.now() < draft_.link.next_attempt) {
     co_await wake_.wait_until(draft_.link.next_attempt);
@@ -265,7 +278,7 @@ void Pump::lose_wire(const Fault& why) {
     callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), why.sentence()));
   const bool together = pieces_.runs_together();
   pieces_.end();
-  owe_stops_at_loss(why, together);
+  keep_stops_at_loss(why, together);
   jogs_.stop(-1);
   if (station_) station_->give_up(why);
   driver_->wire_lost();
@@ -276,11 +289,11 @@ Task<> Pump::serve() {
   while (!closes() && station_->is_open()) {
     station_->begin_procedure();
     if (StopOrder* stop = desk_.due()) {
-      counts_.disturbed();
+      if (stop->what == StopOrder::What::words) counts_.disturbed();  // they may say more than the stop
       co_await send_stop(*stop);
       rounds_.due_at(scheduler_.now() + driver_->moving_period());
     } else if (!desk_.any() && !jobs_.empty() && !tool_is_seen_first()) {
-      counts_.disturbed();
+      if (!only_looks(jobs_.next())) counts_.disturbed();
       co_await perform_next();
       rounds_.look_often(scheduler_.now());
     } else if (const IntentBody* piece = pieces_.due(rounds_.ended(), scheduler_.now());
@@ -315,6 +328,7 @@ Task<> Pump::run_round() {
   auto polled = co_await driver_->poll(round);
   if (!station_->is_open()) co_return;  // lose_wire() has said it all
   if (station_->preempted()) {          // a stop has cut it short: it is no round
+    pump_log().debug("{}: a stop has cut a status round short", Whose{catalog_});
     if (round != Round::stopping) rounds_.cut();
     co_return;
   }
@@ -324,8 +338,12 @@ Task<> Pump::run_round() {
   if (round != Round::stopping) watch_counts();
   watch_tool();
   // This one would drive on to the end of its line, alone. A pending stop of all axes does it already.
-  if (pieces_.others_have_ended() && draft_.any_axis_moving() && !desk_.stops_all()) post_stop(StopOrder());
-  if (std::string why = pieces_.watch(rounds_.ended()); !why.empty()) pieces_end(std::move(why));
+  if (pieces_.others_have_ended() && draft_.any_axis_moving() && !desk_.stops_all()) {
+    pump_log().debug("{}: another controller of the drawing has ended: this one is stopped", Whose{catalog_});
+    post_stop(StopOrder());
+  }
+  const bool cuts = draft_.pieces.draws;
+  if (std::string why = pieces_.watch(rounds_.ended()); !why.empty()) pieces_end(std::move(why), cuts);
 }
 
 bool Pump::nobody_answers() const {
@@ -381,8 +399,13 @@ void Pump::watch_counts() {
   const std::uint32_t set = counts_.look(draft_);
   for (int axis = 0; set != 0 && axis < draft_.axis_count; ++axis) {
     if ((set >> axis & 1u) == 0) continue;
+    pump_log().debug("{}: the count of axis {} has changed without a motion: another program set it",
+                     Whose{catalog_}, axis + 1);
+    pump_log().debug("{}: the count of axis {} was set elsewhere, to {} now", Whose{catalog_}, axis + 1,
+                     draft_.axes[axis].commanded().value);
     draft_.axes[axis].trust.doubt(Doubt::another, scheduler_.now());
-    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), say_count_was_set(catalog_, axis)));
+    callbacks_.notify(
+        Notice(Notice::Kind::warning, scheduler_.now(), describe_count_was_set(catalog_, axis)));
   }
   if (set != 0) publish();
 }
@@ -430,7 +453,7 @@ void Pump::set_fate(const IntentFate& told) {
   *at = told;
 }
 
-void Pump::tell_fault(IntentId id, const Fault& fault, IntentFate told) {
+void Pump::report_fault(IntentId id, const Fault& fault, IntentFate told) {
   told.id = id;
   told.asks = fault.kind == FaultKind::asks;
   told.fate = told.asks || fault.kind == FaultKind::refused ? Fate::refused : Fate::failed;

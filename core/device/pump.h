@@ -13,6 +13,7 @@
 #include "core/device/job_queue.h"
 #include "core/device/jog_will.h"
 #include "core/device/line.h"
+#include "core/device/loaded_texts.h"
 #include "core/device/outage.h"
 #include "core/device/piece_run.h"
 #include "core/device/registry.h"
@@ -126,7 +127,7 @@ class Pump {
   [[nodiscard]] bool closes() const { return life_ >= Life::closes; }
   void set_fate(IntentId id, Fate fate, std::string_view sentence = {});
   void set_fate(const IntentFate& told);
-  void tell_fault(IntentId id, const Fault& fault, IntentFate told = {});
+  void report_fault(IntentId id, const Fault& fault, IntentFate told = {});
 
   // ---- pump_stops.cpp
   void post_stop(StopOrder order);
@@ -144,8 +145,8 @@ class Pump {
   void stop_failed(StopOrder& order, const Fault& why);
   void close_stop(StopOrder& order);
   void stops_did_not_arrive(const Fault* why = nullptr);
-  void owe_stops_at_loss(const Fault& why, bool drew_together);
-  void hear_text_to_all(const std::string& text, const TextMeaning& meaning);
+  void keep_stops_at_loss(const Fault& why, bool drew_together);
+  void note_broadcast(const std::string& text, const TextMeaning& meaning);
   Task<Result<std::string>> query_stop(std::string text, TextMeaning meaning, Duration patience);
 
   // ---- pump_intents.cpp: what is asked of the controller
@@ -157,13 +158,13 @@ class Pump {
   Task<Result<>> perform_beside_pieces(const IntentBody& body);
   Task<> perform_piece(const IntentBody& body);
   void tell_hold_behind_piece();
-  void pieces_end(std::string why);
+  void pieces_end(std::string why, bool cuts);
   void words_come_between(const TextMeaning& words);
   void words_were_sent(const Job& job, const Result<>& performed);
   Result<> trust_position(AxisId axis);
   void recall_positions(const std::vector<KeptPosition>& kept);
-  void set_travel(IntentId id, const intent::SetTravel& wish);
-  void set_backlash(IntentId id, const intent::SetBacklash& wish);
+  void set_travel(IntentId id, const intent::SetTravel& request);
+  void set_backlash(IntentId id, const intent::SetBacklash& request);
   Result<> take_up_backlash(IntentBody& body, IntentFate& told) const;
   [[nodiscard]] Result<> admit(Job& job, IntentFate& told) const;
   Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
@@ -198,6 +199,7 @@ class Pump {
   EndingWatch endings_;
   TravelWatch travel_;
   CountWatch counts_;
+  LoadedTexts loaded_;
   std::unique_ptr<Driver> driver_;
   std::unique_ptr<Station> station_;
   std::unique_ptr<JogWill> will_;

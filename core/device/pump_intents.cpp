@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/device/backlash_moves.h"
+#include "core/device/homing.h"
 #include "core/device/pump_job.h"
 #include "core/device/refusals.h"
 
@@ -49,9 +50,10 @@ void Pump::post(Intent intent) {
     wake_.notify();
     return;
   }
-  if (const auto* wish = std::get_if<intent::SetTravel>(&intent.body)) return set_travel(intent.id, *wish);
-  if (const auto* wish = std::get_if<intent::SetBacklash>(&intent.body))
-    return set_backlash(intent.id, *wish);
+  if (const auto* request = std::get_if<intent::SetTravel>(&intent.body))
+    return set_travel(intent.id, *request);
+  if (const auto* request = std::get_if<intent::SetBacklash>(&intent.body))
+    return set_backlash(intent.id, *request);
   if (std::holds_alternative<intent::SendText>(intent.body)) return post_text(std::move(intent));
   if (leaves()) {
     set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
@@ -73,13 +75,15 @@ void Pump::post_text(Intent intent) {
   set_fate(intent.id, Fate::pending);
   if (meaning.whom == TextMeaning::For::another && callbacks_.line) {
     if (Pump* other = callbacks_.line->at(meaning.address)) {
+      pump_log().debug("{}: \"{}\" is for device {:02} and goes by its session", Whose{catalog_},
+                       log::Bytes{text.text}, meaning.address);
       asio::co_spawn(scheduler_.executor(), pass_on(std::move(intent), *other), asio::detached);
       return;
     }
   }
   if (meaning.is_stop()) {
     if (meaning.whom == TextMeaning::For::everybody && callbacks_.line)
-      callbacks_.line->for_each_but(*this, [&](Pump& other) { other.hear_text_to_all(text.text, meaning); });
+      callbacks_.line->for_each_but(*this, [&](Pump& other) { other.note_broadcast(text.text, meaning); });
     StopOrder order;
     order.what = StopOrder::What::words;
     order.words = text.text;
@@ -126,7 +130,7 @@ Task<> Pump::pass_on(Intent intent, Pump& other) {
   if (reply)
     set_fate(intent.id, Fate::done);
   else
-    tell_fault(intent.id, reply.error());
+    report_fault(intent.id, reply.error());
   publish();
 }
 
@@ -193,6 +197,7 @@ void Pump::jog_failed(const Intent& intent, FaultKind kind) {
   const bool rejected =
       kind == FaultKind::refused || kind == FaultKind::stopped || kind == FaultKind::controller;
   if (rejected) return jog_not_begun(intent);
+  pump_log().debug("{}: command {}: the jog may have begun, so it is stopped", Whose{catalog_}, intent.id);
   callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                            "It is not known whether the jog began, so the axis was told to stop."));
   StopOrder lets_go;
@@ -214,6 +219,8 @@ void Pump::jog_let_go() {
 // Nobody sees where a held jog goes. One that still waits for its turn moves nothing.
 void Pump::stop_jogs_out_of_sight() {
   for (const int axis : jogs_.axes_if([this](IntentId id) { return !jobs_.has(id); })) {
+    pump_log().debug("{}: {} answers were missed: the jog of axis {} is stopped", Whose{catalog_},
+                     station_->statistics().misses_in_a_row, axis + 1);
     callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                              "The controller does not answer, so the jog was stopped."));
     StopOrder lets_go;
@@ -250,6 +257,7 @@ void Pump::count_program_change(const Intent& intent) {
                                  std::holds_alternative<intent::GuardJogs>(body) ||
                                  std::holds_alternative<intent::Reset>(body);
   if (!changes) return;
+  loaded_.forget(body);
   ++draft_.program_changes;
   draft_.program_changed_by = intent.id;
 }
@@ -271,22 +279,27 @@ void Pump::recall_positions(const std::vector<KeptPosition>& kept) {
   for (std::size_t i = 0; i < kept.size() && static_cast<int>(i) < draft_.axis_count; ++i) {
     AxisState& axis = draft_.axes[i];
     const bool nothing_better = axis.trust == PositionTrust();
-    if (axis.position_known && nothing_better)
-      axis.trust = recalled(kept[i], axis.commanded(), scheduler_.now());
+    if (!axis.position_known || !nothing_better) {
+      pump_log().debug(
+          "{}: the kept position of axis {} is not used: {}", Whose{catalog_}, i + 1,
+          axis.position_known ? "its count is known to be better" : "it does not tell its count");
+      continue;
+    }
+    axis.trust = recalled(kept[i], axis.commanded(), scheduler_.now());
   }
 }
 
 /// At once, also without a connection: what waits goes by it.
-void Pump::set_travel(IntentId id, const intent::SetTravel& wish) {
-  const std::string why_not = say_no_travel(catalog_, wish);
-  if (why_not.empty()) draft_.axes[wish.axis.index].travel = wish.travel;
+void Pump::set_travel(IntentId id, const intent::SetTravel& request) {
+  const std::string why_not = describe_no_travel(catalog_, request);
+  if (why_not.empty()) draft_.axes[request.axis.index].travel = request.travel;
   set_fate(id, why_not.empty() ? Fate::done : Fate::refused, why_not);
   publish();
 }
 
-void Pump::set_backlash(IntentId id, const intent::SetBacklash& wish) {
-  const std::string why_not = say_no_backlash(wish, catalog_.axes.size());
-  if (why_not.empty()) draft_.axes[wish.axis.index].backlash = wish.backlash;
+void Pump::set_backlash(IntentId id, const intent::SetBacklash& request) {
+  const std::string why_not = describe_no_backlash(request, catalog_.axes.size());
+  if (why_not.empty()) draft_.axes[request.axis.index].backlash = request.backlash;
   set_fate(id, why_not.empty() ? Fate::done : Fate::refused, why_not);
   publish();
 }
@@ -299,7 +312,9 @@ Result<> Pump::take_up_backlash(IntentBody& body, IntentFate& told) const {
   if (told.past)
     return fail(FaultKind::refused,
                 fmt::format("To take up backlash the move would pass a place that cannot be reached. {}",
-                            say_past(catalog_, *told.past, words_in_steps(catalog_, draft_).position)));
+                            describe_past(catalog_, *told.past, words_in_steps(catalog_, draft_).position)));
+  pump_log().debug("{}: command {}: the move is made in two parts, to take up backlash", Whose{catalog_},
+                   told.id);
   body = std::move(*in_two);
   return {};
 }
@@ -312,13 +327,17 @@ Result<> Pump::admit(Job& job, IntentFate& told) const {
   if (says_where_it_stands(body) && job.restarts_before != draft_.restarts)
     return fail(FaultKind::refused, "The controller was switched off and on after this command was given.",
                 "Nothing was sent.", "Check where it stands, then give the command again.");
+  if (const auto* home = std::get_if<intent::Home>(&body))
+    if (auto possible = check_home(catalog_, *home); !possible) return possible;
+  if (auto* run = std::get_if<intent::RunProgram>(&body); run && run->places.empty() && !run->despite_doubt)
+    run->places = loaded_.places_in_doubt(run->slot, draft_);
   told.doubtful = doubtful_axes(catalog_, draft_, body);
   if (told.doubtful != 0)
-    return fail(FaultKind::refused, say_doubtful(catalog_, draft_, body, told.doubtful, steps));
+    return fail(FaultKind::refused, describe_doubtful(catalog_, draft_, body, told.doubtful, steps));
   if (const int torn = torn_program(catalog_, draft_, body); torn >= 0)
-    return fail(FaultKind::refused, say_torn(catalog_, torn));
+    return fail(FaultKind::refused, describe_torn(catalog_, torn));
   told.past = past_travel(catalog_, draft_, body);
-  if (told.past) return fail(FaultKind::refused, say_past(catalog_, *told.past, steps.position));
+  if (told.past) return fail(FaultKind::refused, describe_past(catalog_, *told.past, steps.position));
   if (auto* jog = std::get_if<intent::JogStart>(&body))
     if (std::string end = bound_by_travel(catalog_, draft_, *jog); !end.empty())
       return fail(FaultKind::refused, std::move(end));
@@ -358,7 +377,7 @@ Task<> Pump::perform_next() {
   const bool to_all = performed && jobs_.performs_for_all_on_the_wire() && callbacks_.line;
   if (to_all)
     callbacks_.line->for_each_but(*this, [&](Pump& other) {
-      other.hear_text_to_all(std::get<intent::SendText>(job->intent.body).text, job->meaning);
+      other.note_broadcast(std::get<intent::SendText>(job->intent.body).text, job->meaning);
     });
   if (performed && job->meaning.runs_program) tool_.program_may_run(draft_);
   if (performed && job->is_query) {
@@ -368,8 +387,8 @@ Task<> Pump::perform_next() {
     job->reply = fail(performed.error());
   } else if (auto admitted = admit(*job, told); performed && !admitted) {
     performed = std::move(admitted);
-  } else if (const auto* wish = std::get_if<intent::TrustPosition>(&job->intent.body)) {
-    performed = trust_position(wish->axis);
+  } else if (const auto* request = std::get_if<intent::TrustPosition>(&job->intent.body)) {
+    performed = trust_position(request->axis);
   } else if (const auto* memory = std::get_if<intent::RecallPositions>(&job->intent.body)) {
     recall_positions(memory->kept);
   } else if (performed) {
@@ -386,6 +405,8 @@ Task<> Pump::perform_next() {
     job.release();  // its asker owns it from here
     co_return;
   }
+  if (const auto* load = std::get_if<intent::LoadProgram>(&job->intent.body); load && performed)
+    loaded_.loaded(*load);
   if (const auto* read = std::get_if<intent::UploadProgram>(&job->intent.body); read && performed)
     draft_.slots_torn = static_cast<std::uint8_t>(draft_.slots_torn & ~torn_bit(catalog_, read->slot));
   if (performed && desk_.epoch() != epoch && leads_to_a_start(job->intent.body))
@@ -394,7 +415,7 @@ Task<> Pump::perform_next() {
   if (performed)
     set_fate(job->intent.id, Fate::done);
   else
-    tell_fault(job->intent.id, performed.error(), told);
+    report_fault(job->intent.id, performed.error(), told);
   if (!performed) jog_failed(job->intent, performed.error().kind);
   publish();
 }
@@ -411,7 +432,7 @@ Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
       co_return co_await other->query(std::move(text), patience);
   if (meaning.is_stop()) {
     if (meaning.whom == TextMeaning::For::everybody && callbacks_.line)
-      callbacks_.line->for_each_but(*this, [&](Pump& other) { other.hear_text_to_all(text, meaning); });
+      callbacks_.line->for_each_but(*this, [&](Pump& other) { other.note_broadcast(text, meaning); });
     co_return co_await query_stop(std::move(text), meaning, patience);
   }
   if (leaves()) co_return fail(FaultKind::refused, "The controller was closed.", "Nothing was sent.");

@@ -29,6 +29,8 @@ void Pump::post_stop(StopOrder order) {
   set_fate(order.intent, Fate::pending);
   const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
   const StopOrder& asked = ask(std::move(order));
+  pump_log().debug("{}: {} is asked for{}", Whose{catalog_}, asked,
+                   another ? "" : "; what waits is dropped and what is under way ends");
   if (!another) drop_what_waits();
   const StopOrder* sending = desk_.sending();
   if (station_ && !(sending && sending->outlasts(asked))) station_->preempt();
@@ -47,6 +49,7 @@ StopOrder& Pump::ask(StopOrder order) {
   if (!leaves_tool) pieces_.end();
   if (leaves_tool || !tool_.may_be_on(draft_)) return asked;
   tool_.forget_hold();
+  pump_log().debug("{}: the tool is switched off behind {}", Whose{catalog_}, asked);
   desk_.ask_tool(tool_.outputs());
   return asked;
 }
@@ -118,7 +121,10 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
     if (sent.error().kind != FaultKind::refused) follow_words(order);  // kept out
     return close_stop(order);
   }
-  if (cut) return;  // it is due again behind the one that came
+  if (cut) {  // it is due again behind the one that came
+    pump_log().debug("{}: {} was cut short by another stop and is due again", Whose{catalog_}, order);
+    return;
+  }
   order.confirmed = sent.has_value();
   const bool connected_now = connected();
   const bool tool = order.what == What::tool;  // not in a row: what stops the motion may be needed first
@@ -132,6 +138,8 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
 
 /// The console's own stop of the same follows words that may not have arrived, until it shows.
 void Pump::follow_words(const StopOrder& words) {
+  pump_log().debug("{}: \"{}\" may not have arrived: the console's own stop follows", Whose{catalog_},
+                   log::Bytes{words.words});
   StopOrder own;
   own.intent = words.intent;
   own.told = true;
@@ -164,7 +172,10 @@ void Pump::look_at_stop(StopOrder& order) {
   if (progress.now == StopProgress::Now::wait && !order.confirmed) progress = StopProgress::again();
   switch (progress.now) {
     case StopProgress::Now::wait: return;
-    case StopProgress::Now::at_once: order.at_once = true; [[fallthrough]];
+    case StopProgress::Now::at_once:
+      pump_log().debug("{}: {} goes on at once, without a ramp", Whose{catalog_}, order);
+      order.at_once = true;
+      [[fallthrough]];
     case StopProgress::Now::again:
       pump_log().debug("{}: {} shows no effect", Whose{catalog_}, order);
       order.sent = order.confirmed = false;
@@ -207,7 +218,7 @@ void Pump::stops_did_not_arrive(const Fault* why) {
   publish();
 }
 
-void Pump::owe_stops_at_loss(const Fault& why, bool drew_together) {
+void Pump::keep_stops_at_loss(const Fault& why, bool drew_together) {
   using What = StopOrder::What;
   stops_did_not_arrive(outage_.may_run() ? nullptr : &why);
   desk_.orders().remove_if([this](const StopOrder& order) {
@@ -215,6 +226,8 @@ void Pump::owe_stops_at_loss(const Fault& why, bool drew_together) {
         order.what == What::broadcast || (order.what == What::words && !order.meaning.stops_here());
     return !outage_.may_run() || other;
   });
+  for (const StopOrder& order : desk_.orders())
+    pump_log().debug("{}: {} stays owed until the link is back", Whose{catalog_}, order);
   const bool tool = tool_.at_work();
   if ((tool || drew_together) && !desk_.stops_all()) {  // the others do not go on either
     StopOrder ends;
@@ -238,7 +251,9 @@ void Pump::owe_stops_at_loss(const Fault& why, bool drew_together) {
 }
 
 /// Another session of the wire says it to all.
-void Pump::hear_text_to_all(const std::string& text, const TextMeaning& meaning) {
+void Pump::note_broadcast(const std::string& text, const TextMeaning& meaning) {
+  pump_log().debug("{}: \"{}\" was sent to all on the wire{}", Whose{catalog_}, log::Bytes{text},
+                   meaning.is_stop() ? ", a stop" : "");
   words_come_between(meaning);
   if (meaning.is_stop()) {
     if (meaning.stops == TextMeaning::Stops::all) {  // whether it has come here, the next rounds show
@@ -249,15 +264,16 @@ void Pump::hear_text_to_all(const std::string& text, const TextMeaning& meaning)
       order.sent_at = order.first_sent_at = scheduler_.now();
       ask(std::move(order)).at_once = false;
     } else {
-      desk_.heard_another();
+      desk_.note_another();
     }
     refuse_queued(stopped_first);
     if (station_) station_->preempt();
   }
   counts_.disturbed();
-  driver_->overhear(text);
+  driver_->note_broadcast(text);
   if (meaning.runs_program) tool_.program_may_run(draft_);
   if (meaning.changes_programs) {
+    loaded_.forget();
     ++draft_.program_changes;
     draft_.program_changed_by = 0;
   }

@@ -69,13 +69,13 @@ Task<Result<>> Pump::perform_guarding_tool(const IntentBody& body) {
 }
 
 Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
-  if (const auto* wish = std::get_if<intent::RunInPieces>(&body)) {
-    auto begun = pieces_.begin(*wish);
-    if (begun) tool_.pieces_begin(wish->pieces->tool, draft_);
+  if (const auto* request = std::get_if<intent::RunInPieces>(&body)) {
+    auto begun = pieces_.begin(*request);
+    if (begun) tool_.pieces_begin(request->pieces->tool, draft_);
     co_return begun;
   }
-  if (const auto* wish = std::get_if<intent::OverrideSpeed>(&body))
-    co_return pieces_.override_speed(wish->percent);
+  if (const auto* request = std::get_if<intent::OverrideSpeed>(&body))
+    co_return pieces_.override_speed(request->percent);
   if (auto may = pieces_.allows(body); !may) co_return may;
   const bool holds = std::holds_alternative<intent::Pause>(body);
   if (pieces_.running() && (holds || std::holds_alternative<intent::Resume>(body))) {
@@ -97,7 +97,8 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
 void Pump::words_come_between(const TextMeaning& words) {
   if (words.only_asks || !pieces_.is_one_move()) return;
   pieces_end(
-      "Move there again: a text was sent while the move took up backlash, so its last part was not done.");
+      "Move there again: a text was sent while the move took up backlash, so its last part was not done.",
+      false);
 }
 
 /// Where a program cannot be held within itself, or its tool would stay on.
@@ -110,19 +111,23 @@ void Pump::tell_hold_behind_piece() {
 
 /// A stop that comes meanwhile has ended them.
 Task<> Pump::perform_piece(const IntentBody& body) {
+  const bool cuts = draft_.pieces.draws;
   const auto asked = pieces_.at_speed(body);  // a copy: theirs may go with them
-  if (!asked) co_return pieces_end(asked.error().sentence());
+  if (!asked) co_return pieces_end(asked.error().sentence(), cuts);
   count_program_change(Intent(0, *asked));
   auto performed = co_await perform_guarding_tool(*asked);
   if (!pieces_.running()) co_return;
   if (performed)
     pieces_.done(rounds_.want(scheduler_.now()), scheduler_.now());
   else
-    pieces_end(performed.error().sentence());
+    pieces_end(performed.error().sentence(), cuts);
   publish();
 }
 
-void Pump::pieces_end(std::string why) {
+/// `cuts`: its tool may be on, and what was not answered may have begun, so a stop ends it.
+void Pump::pieces_end(std::string why, bool cuts) {
+  pump_log().debug("{}: the rest of the pieces is dropped: {}", Whose{catalog_}, why);
+  if (cuts) post_stop(StopOrder());
   pieces_.end();
   draft_.pieces.ended_because = why;
   callbacks_.notify(Notice(Notice::Kind::error, scheduler_.now(), std::move(why)));

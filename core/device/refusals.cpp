@@ -33,9 +33,9 @@ void add_places(std::vector<AxisTarget>& places, const std::vector<ActionField>&
   }
 }
 
-template <class Wish>
-bool goes_despite_doubt(const Wish& wish) {
-  if constexpr (requires { wish.despite_doubt; }) return wish.despite_doubt;
+template <class Request>
+bool goes_despite_doubt(const Request& request) {
+  if constexpr (requires { request.despite_doubt; }) return request.despite_doubt;
   return false;
 }
 
@@ -66,7 +66,7 @@ std::vector<AxisTarget> places_of(const Catalog& catalog, const IntentBody& body
 }
 
 std::uint32_t doubtful_axes(const Catalog& catalog, const Snapshot& now, const IntentBody& body) {
-  if (std::visit([](const auto& wish) { return goes_despite_doubt(wish); }, body)) return 0;
+  if (std::visit([](const auto& request) { return goes_despite_doubt(request); }, body)) return 0;
   std::uint32_t doubtful = 0;
   for (const AxisTarget& place : places_of(catalog, body))
     if (place.axis.index < catalog.axes.size() && now.axes[place.axis.index].trust.doubtful())
@@ -124,8 +124,8 @@ namespace {
 
 constexpr std::string_view may_lie_elsewhere = "may lie elsewhere than before. Nothing was sent.";
 
-std::string say_of_one(const Catalog& catalog, const PositionTrust& trust, const AxisTarget& place,
-                       const DoubtWords& words) {
+std::string describe_of_one(const Catalog& catalog, const PositionTrust& trust, const AxisTarget& place,
+                            const DoubtWords& words) {
   return fmt::format(
       "The position of {} cannot be trusted: {}{}. {} {} Home it, say where it stands, or go on for this "
       "once.",
@@ -133,8 +133,8 @@ std::string say_of_one(const Catalog& catalog, const PositionTrust& trust, const
       words.position(place.axis, place.value), may_lie_elsewhere);
 }
 
-std::string say_of_several(const Catalog& catalog, const Snapshot& now, const std::vector<AxisTarget>& places,
-                           const DoubtWords& words) {
+std::string describe_of_several(const Catalog& catalog, const Snapshot& now,
+                                const std::vector<AxisTarget>& places, const DoubtWords& words) {
   const auto trust_of = [&now](const AxisTarget& place) { return now.axes[place.axis.index].trust; };
   const PositionTrust first = trust_of(places.front());
   const bool one_cause = std::all_of(places.begin(), places.end(), [&](const AxisTarget& place) {
@@ -159,8 +159,8 @@ std::string DoubtWords::when(Instant since) const {
   return time_of_day ? fmt::format(" ({})", time_of_day(since)) : std::string();
 }
 
-std::string say_doubtful(const Catalog& catalog, const Snapshot& now, const IntentBody& body,
-                         std::uint32_t doubtful, const DoubtWords& words) {
+std::string describe_doubtful(const Catalog& catalog, const Snapshot& now, const IntentBody& body,
+                              std::uint32_t doubtful, const DoubtWords& words) {
   std::vector<AxisTarget> places = places_of(catalog, body);
   std::erase_if(places, [&](const AxisTarget& p) { return (doubtful >> p.axis.index & 1u) == 0; });
   const auto same_axis = [](const AxisTarget& a, const AxisTarget& b) { return a.axis == b.axis; };
@@ -168,14 +168,14 @@ std::string say_doubtful(const Catalog& catalog, const Snapshot& now, const Inte
                    [](const AxisTarget& a, const AxisTarget& b) { return a.axis.index < b.axis.index; });
   places.erase(std::unique(places.begin(), places.end(), same_axis), places.end());
   if (places.empty()) return {};
-  return places.size() == 1 ? say_of_one(catalog, now.axes[places[0].axis.index].trust, places[0], words)
-                            : say_of_several(catalog, now, places, words);
+  return places.size() == 1 ? describe_of_one(catalog, now.axes[places[0].axis.index].trust, places[0], words)
+                            : describe_of_several(catalog, now, places, words);
 }
 
 void go_despite_doubt(IntentBody& body) {
   std::visit(
-      [](auto& wish) {
-        if constexpr (requires { wish.despite_doubt; }) wish.despite_doubt = true;
+      [](auto& request) {
+        if constexpr (requires { request.despite_doubt; }) request.despite_doubt = true;
       },
       body);
 }
@@ -202,14 +202,14 @@ int torn_program(const Catalog& catalog, const Snapshot& now, const IntentBody& 
   return (now.slots_torn & torn_bit(catalog, started)) != 0 ? started : -1;
 }
 
-std::string say_torn(const Catalog& catalog, int slot) {
+std::string describe_torn(const Catalog& catalog, int slot) {
   return fmt::format(
       "{} {} in the controller is not what was sent last: its transfer was broken off, or it reads back "
       "differently. Nothing was started. Load it again, read it, or run it as it is for this once.",
       catalog.program.slot_word, slot);
 }
 
-std::string say_torn_is_left(const Catalog& catalog, const Snapshot& now) {
+std::string describe_torn_is_left(const Catalog& catalog, const Snapshot& now) {
   if (now.slots_torn == 0) return {};
   if (catalog.program.threads > 0)
     return "What is stored in the controller is not what was sent last. Load it again before it is run.";

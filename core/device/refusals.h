@@ -37,8 +37,8 @@ struct DoubtWords {
 /// In the controller's own steps, without a clock.
 DoubtWords words_in_steps(const Catalog& catalog, const Snapshot& now);
 /// The refusal for these axes, with the ways out.
-std::string say_doubtful(const Catalog& catalog, const Snapshot& now, const IntentBody& body,
-                         std::uint32_t doubtful, const DoubtWords& words);
+std::string describe_doubtful(const Catalog& catalog, const Snapshot& now, const IntentBody& body,
+                              std::uint32_t doubtful, const DoubtWords& words);
 std::string_view words_of(Doubt cause, bool several = false);  ///< "its power was cut", "their ..."
 std::string_view brief_words_of(Doubt cause);                  ///< "power was cut"
 
@@ -54,9 +54,9 @@ IntentBody stands_at(const Snapshot& now, AxisId axis, Steps place);
 /// is not checked.
 int torn_program(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
 /// The refusal, with the ways out.
-std::string say_torn(const Catalog& catalog, int slot);
+std::string describe_torn(const Catalog& catalog, int slot);
 /// Told when the controller is closed; empty: all programs are as sent.
-std::string say_torn_is_left(const Catalog& catalog, const Snapshot& now);
+std::string describe_torn_is_left(const Catalog& catalog, const Snapshot& now);
 /// The bit of program `n` in Snapshot::slots_torn.
 std::uint8_t torn_bit(const Catalog& catalog, int n);
 

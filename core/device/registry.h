@@ -26,7 +26,8 @@ struct AccelerationUnit {
   std::int64_t minimum = 0, maximum = 0;
 };
 
-/// All of it is constant. Members that may be null or empty say so, and all callers handle that.
+/// All of it is constant. Members that may be null or empty say so, and all callers handle that. The least
+/// that a controller needs is in tests/example: model, make_catalog and make_driver.
 struct DeviceType {
   std::string_view model;
   Result<Catalog> (*make_catalog)(const DeviceOptions&);
@@ -34,8 +35,10 @@ struct DeviceType {
   /// Null: there is no emulator, so its address is refused, programs are not rehearsed, and there is no
   /// bench.
   Result<std::unique_ptr<Emulator>> (*make_emulator)(const DeviceOptions&);
+  /// Null: it has no programs, so none is checked, written, rehearsed or sent in pieces.
   const Language& (*language)();
-  /// Explains bytes on the wire in a sentence, for the terminal. Pure; any thread.
+  /// Explains bytes on the wire in a sentence, for the terminal. Pure; any thread. Null: nothing is
+  /// explained.
   std::string (*explain)(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
   /// A harmless question for `scan`, sent at each rate of the catalog. NN stands for the two digits of a
   /// device on a shared line. Empty: the model is not searched for.
@@ -50,5 +53,8 @@ struct DeviceType {
 /// In the order of the address table. From core/devices/registry.cpp.
 std::span<const DeviceType> device_types();
 const DeviceType* find_device_type(std::string_view model);
+/// Lists one more, as the tests do with a controller that is not in the product. Only at the start of a
+/// program, before anybody holds what the two functions above return.
+void add_device_type(const DeviceType& type);
 
 }  // namespace hw

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "core/device/told_speeds.h"
 #include "core/device/tool_off.h"
+#include "core/device/written_speeds.h"
 #include "core/sequence/fields.h"
 #include "core/sequence/speed_stairs.h"
 
@@ -27,11 +27,11 @@ bool has_speeds(const Body& body) {
 
 std::string_view kind_of(const seq::Step& step) { return seq::kind_names[step.body.index()]; }
 
-bool says_speeds(const seq::StepList& steps) {
+bool sets_speeds(const seq::StepList& steps) {
   return std::any_of(steps.begin(), steps.end(), [](const seq::Step& step) {
     const seq::StepList* inner = steps_in(step);
     return !step.skipped && (std::visit([](const auto& body) { return has_speeds(body); }, step.body) ||
-                             (inner && says_speeds(*inner)));
+                             (inner && sets_speeds(*inner)));
   });
 }
 

@@ -52,7 +52,7 @@ class Proof {
       : read_(std::move(read)), text_(text), language_(language) {}
 
   Result<SequenceRead> run() {
-    const Deeds ours = essentials(language_.deeds(text_), read_.assumed);
+    const Operations ours = essentials(language_.operations(text_), read_.assumed);
     for (round_ = 0;; ++round_) {
       for (ReadSteps* list : lists()) merge(*list);
       sequence::Sequence made = sequence();
@@ -61,9 +61,10 @@ class Proof {
         if (!leave_refused(written.error().what)) return fail(written.error());
         continue;
       }
-      const Deeds theirs = essentials(language_.deeds(written->text), {});
-      const auto [our, their] = std::mismatch(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
-                                              [](const Deed& a, const Deed& b) { return a.text == b.text; });
+      const Operations theirs = essentials(language_.operations(written->text), {});
+      const auto [our, their] =
+          std::mismatch(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                        [](const Operation& a, const Operation& b) { return a.text == b.text; });
       if (our == ours.end() && their == theirs.end()) return finish(std::move(made));
       if (!leave_what_differs(our == ours.end() ? nullptr : &*our, their == theirs.end() ? nullptr : &*their,
                               *written))
@@ -174,10 +175,10 @@ class Proof {
     return true;
   }
   /// Once: then that place is taken.
-  static bool leave_between(const Spot& spot, const Deed& deed) {
-    if (deed.at.begin == deed.at.end) return false;
+  static bool leave_between(const Spot& spot, const Operation& operation) {
+    if (operation.at.begin == operation.at.end) return false;
     spot.list->insert(spot.list->begin() + static_cast<std::ptrdiff_t>(spot.i),
-                      own_text("no block says this by itself", deed.at));
+                      own_text("no block says this by itself", operation.at));
     return true;
   }
   bool leave_refused(std::string_view refusal) {
@@ -194,7 +195,7 @@ class Proof {
     if (why.ends_with('.')) why.remove_suffix(1);
     return leave(spot, why);
   }
-  bool leave_what_differs(const Deed* our, const Deed* their, const SequenceText& written) {
+  bool leave_what_differs(const Operation* our, const Operation* their, const SequenceText& written) {
     constexpr std::string_view why = "blocks would write it differently";
     if (((our && our->speed) || (their && their->speed)) && leave_speeds()) return true;
     if (our) {
@@ -257,29 +258,29 @@ class Settings {
   explicit Settings(const std::map<std::string, std::string>& assumed) {
     for (const auto& [name, value] : assumed) known_[name] = {value, {}};
   }
-  void set(const Deed& deed) {
-    if (deed.constant)
-      known_[deed.sets] = {deed.text, deed.at};
+  void set(const Operation& operation) {
+    if (operation.constant)
+      known_[operation.sets] = {operation.text, operation.at};
     else
-      known_.erase(deed.sets);
+      known_.erase(operation.sets);
   }
-  [[nodiscard]] bool is_set(const Deed& deed) const {
-    const auto found = known_.find(deed.sets);
-    return deed.constant && found != known_.end() && found->second.value == deed.text;
+  [[nodiscard]] bool is_set(const Operation& operation) const {
+    const auto found = known_.find(operation.sets);
+    return operation.constant && found != known_.end() && found->second.value == operation.text;
   }
   /// False: nobody knows.
-  bool put_into(Deed& deed) const {
-    const auto found = known_.find(deed.uses);
+  bool put_into(Operation& operation) const {
+    const auto found = known_.find(operation.uses);
     const bool known = found != known_.end();
-    deed.text.insert(0, (known ? found->second.value : "?") + " ");
-    if (known) deed.set_at = found->second.at;
+    operation.text.insert(0, (known ? found->second.value : "?") + " ");
+    if (known) operation.set_at = found->second.at;
     return known;
   }
   /// A block that is left out, or done again and again, leaves known only what it does not set otherwise.
-  void forget_what_changes(const Deeds& deeds, std::size_t from, std::size_t to) {
+  void forget_what_changes(const Operations& operations, std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
-      if (deeds[i].flow == Deed::Flow::changes_all) return known_.clear();
-      if (!deeds[i].sets.empty() && !is_set(deeds[i])) known_.erase(deeds[i].sets);
+      if (operations[i].flow == Operation::Flow::changes_all) return known_.clear();
+      if (!operations[i].sets.empty() && !is_set(operations[i])) known_.erase(operations[i].sets);
     }
   }
   void forget() { known_.clear(); }
@@ -292,46 +293,47 @@ class Settings {
   std::map<std::string, Value> known_;
 };
 
-/// By deed: where the block ends that it begins.
-std::vector<std::size_t> ends_of_blocks(const Deeds& deeds) {
-  std::vector<std::size_t> ends(deeds.size(), deeds.size()), open;
-  for (std::size_t i = 0; i < deeds.size(); ++i) {
-    if (deeds[i].flow == Deed::Flow::begins_block) open.push_back(i);
-    if (deeds[i].flow == Deed::Flow::ends_block && !open.empty()) ends[open.back()] = i, open.pop_back();
+/// By operation: where the block ends that it begins.
+std::vector<std::size_t> ends_of_blocks(const Operations& operations) {
+  std::vector<std::size_t> ends(operations.size(), operations.size()), open;
+  for (std::size_t i = 0; i < operations.size(); ++i) {
+    if (operations[i].flow == Operation::Flow::begins_block) open.push_back(i);
+    if (operations[i].flow == Operation::Flow::ends_block && !open.empty())
+      ends[open.back()] = i, open.pop_back();
   }
   return ends;
 }
 
 }  // namespace
 
-Deeds essentials(const Deeds& deeds, const std::map<std::string, std::string>& assumed) {
-  const std::vector<std::size_t> ends = ends_of_blocks(deeds);
-  Deeds kept;
+Operations essentials(const Operations& operations, const std::map<std::string, std::string>& assumed) {
+  const std::vector<std::size_t> ends = ends_of_blocks(operations);
+  Operations kept;
   Settings now(assumed);
   std::vector<Settings> throughout;       // of the blocks that are open
   std::map<std::string, bool> all_known;  // by what is used
-  for (std::size_t i = 0; i < deeds.size(); ++i) {
-    Deed deed = deeds[i];
-    if (deed.flow == Deed::Flow::begins_block) {
-      now.forget_what_changes(deeds, i + 1, ends[i]);
+  for (std::size_t i = 0; i < operations.size(); ++i) {
+    Operation operation = operations[i];
+    if (operation.flow == Operation::Flow::begins_block) {
+      now.forget_what_changes(operations, i + 1, ends[i]);
       throughout.push_back(now);
-    } else if (deed.flow == Deed::Flow::changes_all) {
+    } else if (operation.flow == Operation::Flow::changes_all) {
       now.forget();
-    } else if (deed.flow != Deed::Flow::on && !throughout.empty()) {
+    } else if (operation.flow != Operation::Flow::on && !throughout.empty()) {
       now = throughout.back();
-      if (deed.flow == Deed::Flow::ends_block) throughout.pop_back();
+      if (operation.flow == Operation::Flow::ends_block) throughout.pop_back();
     }
-    if (!deed.uses.empty()) {
-      const bool known = now.put_into(deed);
-      const auto [used, first] = all_known.try_emplace(deed.uses, known);
+    if (!operation.uses.empty()) {
+      const bool known = now.put_into(operation);
+      const auto [used, first] = all_known.try_emplace(operation.uses, known);
       if (!first) used->second = used->second && known;
     }
-    if (!deed.sets.empty() && now.is_set(deed)) continue;
-    if (!deed.sets.empty()) now.set(deed);
-    kept.push_back(std::move(deed));
+    if (!operation.sets.empty() && now.is_set(operation)) continue;
+    if (!operation.sets.empty()) now.set(operation);
+    kept.push_back(std::move(operation));
   }
-  std::erase_if(kept, [&all_known](const Deed& deed) {
-    const auto used = all_known.find(deed.sets);
+  std::erase_if(kept, [&all_known](const Operation& operation) {
+    const auto used = all_known.find(operation.sets);
     return used != all_known.end() && used->second;
   });
   return kept;

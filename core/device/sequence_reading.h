@@ -55,7 +55,7 @@ struct ReadText {
 };
 
 /// The essence of a command: decides whether two texts are the same program.
-struct Deed {
+struct Operation {
   enum class Flow : std::uint8_t {
     on,
     begins_block,  ///< of a branch or a loop
@@ -72,16 +72,17 @@ struct Deed {
   std::string uses{};  ///< not empty: its effect depends on this setting
   Stretch set_at{};    ///< the value that it depends on; found by essentials()
 };
-using Deeds = std::vector<Deed>;
+using Operations = std::vector<Operation>;
 
 /// The commands with an effect, each with the settings that it uses in front ("?": unknown). If all are
 /// known, the commands that set them are dropped. `assumed`: set at the beginning.
-[[nodiscard]] Deeds essentials(const Deeds& deeds, const std::map<std::string, std::string>& assumed);
+[[nodiscard]] Operations essentials(const Operations& operations,
+                                    const std::map<std::string, std::string>& assumed);
 
 /// What prove() asks of a language.
 struct ReadingLanguage {
   std::function<Result<SequenceText>(const sequence::Sequence&)> write;
-  std::function<Deeds(std::string_view text)> deeds;
+  std::function<Operations(std::string_view text)> operations;
   char comment_mark = ';';  ///< begins a comment to the end of the line
 };
 

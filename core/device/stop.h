@@ -97,7 +97,7 @@ class StopDesk {
   /// The number of stops requested so far; an intent from an older epoch must not start anything.
   [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
   /// Another session on this wire sends a stop: begins a new epoch.
-  void heard_another() { ++epoch_; }
+  void note_another() { ++epoch_; }
 
   [[nodiscard]] bool any() const { return !orders_.empty(); }
   /// Everything is at rest, and only a tool is still being switched off.

@@ -92,7 +92,7 @@ std::optional<PastTravel> past_travel(const Catalog& catalog, const Snapshot& no
   return {};
 }
 
-std::string say_past(const Catalog& catalog, const PastTravel& past, const PlaceWords& place) {
+std::string describe_past(const Catalog& catalog, const PastTravel& past, const PlaceWords& place) {
   if (past.place == without_end || past.place == Steps(0) - without_end)
     return fmt::format(
         "An endless loop moves {} further in each pass, and so past its {} limit, {}. Nothing was sent.",
@@ -122,12 +122,13 @@ std::string bound_by_travel(const Catalog& catalog, const Snapshot& now, intent:
       words_in_steps(catalog, now).position(jog.axis, end));
 }
 
-std::string say_no_travel(const Catalog& catalog, const intent::SetTravel& wish) {
-  if (wish.axis.index >= catalog.axes.size()) return fmt::format("There is no axis {}.", wish.axis.index + 1);
-  const Travel& t = wish.travel;
+std::string describe_no_travel(const Catalog& catalog, const intent::SetTravel& request) {
+  if (request.axis.index >= catalog.axes.size())
+    return fmt::format("There is no axis {}.", request.axis.index + 1);
+  const Travel& t = request.travel;
   if (t.has_minus && t.has_plus && t.minus >= t.plus)
     return fmt::format("The \u2212 limit of {}, {}, must lie below its + limit, {}. Nothing was changed.",
-                       spoken_name(catalog, wish.axis.index), t.minus.value, t.plus.value);
+                       spoken_name(catalog, request.axis.index), t.minus.value, t.plus.value);
   return {};
 }
 

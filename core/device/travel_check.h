@@ -15,13 +15,13 @@ namespace hw {
 /// The first place past a limit to which it would send an axis. On the way back, from further out, none is.
 std::optional<PastTravel> past_travel(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
 /// "168.000 mm lies 18.000 mm past the + limit of axis X, 150.000 mm. Nothing was sent."
-std::string say_past(const Catalog& catalog, const PastTravel& past, const PlaceWords& place);
+std::string describe_past(const Catalog& catalog, const PastTravel& past, const PlaceWords& place);
 
 /// Fills in JogStart::up_to. Not empty: the refusal of an axis at its limit, or past it.
 std::string bound_by_travel(const Catalog& catalog, const Snapshot& now, intent::JogStart& jog);
 
 /// Checks limits to be set. Not empty: why they are not possible.
-std::string say_no_travel(const Catalog& catalog, const intent::SetTravel& wish);
+std::string describe_no_travel(const Catalog& catalog, const intent::SetTravel& request);
 
 /// Reports once when an axis has passed a limit, whoever sent it there.
 class TravelWatch {

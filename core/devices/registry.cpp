@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <vector>
 
 #include "core/devices/dmx_k_sa/device_type.h"
 #include "core/devices/pmx_4ex_sa/device_type.h"
@@ -9,9 +10,10 @@
 #include "core/devices/vxm/device_type.h"
 
 namespace hw {
+namespace {
 
-std::span<const DeviceType> device_types() {
-  static const DeviceType all[] = {
+std::vector<DeviceType>& listed_types() {
+  static std::vector<DeviceType> all = {
       vxm::device_type(),
       pmx_4ex_sa::device_type(),
       dmx_k_sa::device_type(),
@@ -19,6 +21,11 @@ std::span<const DeviceType> device_types() {
   };
   return all;
 }
+
+}  // namespace
+
+std::span<const DeviceType> device_types() { return listed_types(); }
+void add_device_type(const DeviceType& type) { listed_types().push_back(type); }
 
 const DeviceType* find_device_type(std::string_view model) {
   for (const DeviceType& type : device_types())

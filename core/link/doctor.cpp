@@ -38,11 +38,20 @@ std::string per_second(Duration time) {
 
 // ---- wrong replies, or none
 
+// One echo may be chance; a wire that echoes does so each time.
+bool echoes(const LinkFacts& f) { return f.talk.echoes > 2; }
+bool two_answer(const LinkFacts& f) { return f.talk.second_answers > 2; }
+
 Finding silence(const LinkFacts& f) {
   if (f.talk.received == 0)
-    return {Kind::silence, State::wrong, "Nothing comes back",
-            "Look at these in turn: the controller's supply; the cable, also with RX and TX swapped; the "
-            "address, which says where it is looked for."};
+    return {
+        Kind::silence, State::wrong, "Nothing comes back",
+        fmt::format("Look at these in turn: the controller's supply; the cable, also with RX and TX "
+                    "swapped; {}the address, which says where it is looked for.",
+                    f.rate > 0 ? fmt::format("the rate, {} here, which must be the one that it is set to; ",
+                                             in_baud(f.rate))
+                               : std::string()),
+        Fix::change_address};
   return {Kind::silence, State::wrong, "What comes back makes no sense",
           f.rate > 0 ? fmt::format("Most likely the controller speaks at another rate than {}. Give the rate "
                                    "that it is set to.",
@@ -55,8 +64,7 @@ Finding silence(const LinkFacts& f) {
 std::vector<Finding> strange_bytes(const LinkFacts& f) {
   std::vector<Finding> found;
   const TalkMeasure& t = f.talk;
-  // One echo may be chance; a wire that echoes does so each time.
-  if (t.echoes > 2)
+  if (echoes(f))
     found.push_back({Kind::bytes, State::wrong, "The console receives its own bytes",
                      fmt::format("{} answers began with the question. Switch the converter's echo off, or "
                                  "look for RX and TX that touch.",
@@ -178,7 +186,7 @@ std::string link_summary(const LinkFacts& f) {
 
 std::vector<LinkFinding> examine_link(const LinkFacts& f) {
   std::vector<Finding> found;
-  if (!f.answers) found.push_back(silence(f));
+  if (!f.answers && !echoes(f) && !two_answer(f)) found.push_back(silence(f));  // those are reason enough
   for (Finding& finding : strange_bytes(f)) found.push_back(std::move(finding));
   for (Finding& finding : answers_in_time(f)) found.push_back(std::move(finding));
   if (f.port_looked_at) found.push_back(holder(f));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/log.h"
+#include "core/link/link_log.h"
 #include "core/link/station.h"
 
 namespace hw {
@@ -18,11 +18,6 @@ struct Link::Pending {
   Pending(Station& s, Transaction t) : station(s), transaction(std::move(t)) {}
   [[nodiscard]] bool is_question() const { return transaction.reply.kind != ReplyShape::Kind::none; }
 };
-
-static log::Subject& link_log() {
-  static log::Subject& one = log::subject("link");
-  return one;
-}
 
 Fault stop_came_first() { return Fault(FaultKind::stopped, "A stop came first.", "This was not sent."); }
 
@@ -90,7 +85,11 @@ void Link::hurry_for_a_stop() {
   const Duration on_wire = wire_time(in_flight_->transaction.bytes.size() + usual_answer);
   const Instant latest = std::max(scheduler_.now(), sent_at_ + on_wire) + longest_wait_of_a_stop;
   latest_end_ = std::min(latest_end_, latest);
-  if (latest_end_ < deadline_at_) deadline_.arm(deadline_at_ = latest_end_);
+  if (latest_end_ >= deadline_at_) return;
+  link_log().debug("a stop waits: the answer to \"{}\" is waited for {:.0f} ms more, not {:.0f} ms",
+                   log::Bytes{in_flight_->transaction.bytes}, 1e3 * seconds(latest_end_ - scheduler_.now()),
+                   1e3 * seconds(deadline_at_ - scheduler_.now()));
+  deadline_.arm(deadline_at_ = latest_end_);
 }
 
 // A window has a deadline of its own, so that a burst under way always ends.
@@ -179,11 +178,12 @@ Duration Link::patience_for(const Station& station, const Transaction& t) const 
   return std::min(t.patience, std::max(least_patience, 3 * slowest_prompt_)) + late;
 }
 
-bool Link::owed_by_others(const Station& asking, Look look) const {
+bool Link::outstanding_by_others(const Station& asking, ReplyKind reply_kind) const {
   const Instant now = scheduler_.now();
-  return left_owed_.may_look(look, now) ||
-         std::any_of(stations_.begin(), stations_.end(),
-                     [&](const Station* s) { return s != &asking && s->owed_.may_look(look, now); });
+  return left_outstanding_.may_be_outstanding(reply_kind, now) ||
+         std::any_of(stations_.begin(), stations_.end(), [&](const Station* s) {
+           return s != &asking && s->outstanding_.may_be_outstanding(reply_kind, now);
+         });
 }
 
 void Link::learn_from_answer(const Transaction& t, std::size_t answer_bytes, Instant now) {
@@ -197,10 +197,10 @@ void Link::finish(Result<std::string> result) {
   Pending* done = std::exchange(in_flight_, nullptr);
   deadline_.disarm();
   const Instant now = scheduler_.now();
-  if (done->its_turn && result) done->station.heard_at_ = now;
+  if (done->its_turn && result) done->station.received_at_ = now;
   if (done->is_question() && result) {
     done->station.answered_at_ = now;
-    done->station.owed_.take(done->transaction.look, now);
+    done->station.outstanding_.take(done->transaction.reply_kind, now);
   }
   if (done->its_turn)
     done->station.count_burst(result.has_value());
@@ -227,15 +227,15 @@ void Link::on_deadline() {
   }
   if (in_flight_->transaction.may_be_silent && received_.empty())
     return finish(fail(FaultKind::no_answer, "The controller did not answer."));
-  link_log().debug("no answer to \"{}\" in {:.0f} ms; came: \"{}\"",
+  link_log().debug("{}no answer to \"{}\" in {:.0f} ms; came: \"{}\"", OfDevice{in_flight_->station.address},
                    log::Bytes{in_flight_->transaction.bytes}, 1e3 * seconds(scheduler_.now() - sent_at_),
                    log::Bytes{received_});
   StationStatistics& statistics = in_flight_->station.statistics_;
   ++statistics.timeouts;
   ++statistics.misses_in_a_row;
   ++silent_in_a_row_;
-  in_flight_->station.owed_.add(in_flight_->transaction.look, scheduler_.now());
-  if (!received_.empty()) in_flight_->station.owed_.tear(scheduler_.now());
+  in_flight_->station.outstanding_.add(in_flight_->transaction.reply_kind, scheduler_.now());
+  if (!received_.empty()) in_flight_->station.outstanding_.tear(scheduler_.now());
   if (!in_flight_->station.unmistakable) settle_until_ = scheduler_.now() + settle_time;
   Fault fault(FaultKind::no_answer, "The controller did not answer in time.");
   if (!received_.empty()) {
@@ -250,7 +250,8 @@ void Link::drop_waiting(const Station& station, const Fault& why) {
   for (auto& queue : waiting_)
     std::erase_if(queue, [&](Pending* p) {
       if (&p->station != &station) return false;
-      link_log().debug("\"{}\" dropped before it was sent: {}", log::Bytes{p->transaction.bytes}, why.what);
+      link_log().debug("{}\"{}\" dropped before it was sent: {}", OfDevice{station.address},
+                       log::Bytes{p->transaction.bytes}, why.what);
       end(*p, fail(why));
       return true;
     });
@@ -261,7 +262,7 @@ void Link::drop_waiting(const Station& station, const Fault& why) {
 void Link::bytes_arrived(std::string_view bytes) {
   const auto keep = shared_from_this();
   if (Station* station = in_flight_ ? &in_flight_->station : spoke_last_)
-    station->heard_at_ = scheduler_.now();
+    station->received_at_ = scheduler_.now();
   while (!bytes.empty()) {
     const std::string_view part = bytes.substr(0, longest_unfinished);
     bytes.remove_prefix(part.size());
@@ -298,7 +299,7 @@ bool Link::take_unsolicited() {
 
 // Bytes may come with gaps: a reply that is coming in is waited for, unless a stop waits. A babbling device
 // must not hold the wire for ever.
-void Link::hear_it_out() {
+void Link::receive_to_end() {
   constexpr Duration longest_gap = Millis(60), longest_answer = std::chrono::seconds(1);
   const Transaction& t = in_flight_->transaction;
   const bool is_stop = t.priority == Priority::stop && !t.own_question;  // a stop is repeated
@@ -310,8 +311,8 @@ void Link::hear_it_out() {
 void Link::take_received() {
   while (!received_.empty()) {
     if (!in_flight_ || in_flight_->transaction.reply.kind == ReplyShape::Kind::none) {
-      const std::string unasked = std::exchange(received_, {});
-      received_ = unasked.substr(give_unsolicited(unasked));
+      const std::string unsolicited = std::exchange(received_, {});
+      received_ = unsolicited.substr(give_unsolicited(unsolicited));
       if (!received_.empty()) unfinished_.arm(scheduler_.now() + settle_time);
       return;
     }
@@ -323,7 +324,7 @@ void Link::take_received() {
       return;
     }
     const auto length = t.reply.complete(received_);
-    if (!length) return hear_it_out();
+    if (!length) return receive_to_end();
     std::string reply = received_.substr(0, *length);
     received_.erase(0, *length);
     const Instant now = scheduler_.now();
@@ -378,7 +379,7 @@ void Link::give_up_on(std::string_view bytes) {
   if (stations_.empty()) return;
   Station& station = spoke_last_ ? *spoke_last_ : *stations_.front();
   station.statistics_.unparsed_bytes += bytes.size();
-  link_log().debug("bytes that mean nothing: \"{}\"", log::Bytes{bytes});
+  link_log().debug("{}bytes that mean nothing: \"{}\"", OfDevice{station.address}, log::Bytes{bytes});
   station.record(scheduler_.now(), Way::received, TrafficKind::unparsed, bytes);
 }
 
@@ -390,11 +391,13 @@ void Link::leave(Station& station, const Fault& why, Leaving leaving) {
   if (spoke_last_ == &station) spoke_last_ = nullptr;
   const Fault lost(FaultKind::lost, why.what, why.done, why.advice);
   drop_waiting(station, lost);
-  left_owed_.add(station.owed_);
+  left_outstanding_.add(station.outstanding_);
   if (!in_flight_ || &in_flight_->station != &station) return start_next();
   deadline_.disarm();
   if (window_) window_->abandon();
-  left_owed_.add(in_flight_->transaction.look, scheduler_.now());  // its reply may still come
+  link_log().debug("{}\"{}\" was on the wire and is given up: {}", OfDevice{station.address},
+                   log::Bytes{in_flight_->transaction.bytes}, why.what);
+  left_outstanding_.add(in_flight_->transaction.reply_kind, scheduler_.now());  // its reply may still come
   end(*std::exchange(in_flight_, nullptr), fail(lost));
   settle_until_ = scheduler_.now() + settle_time;
   start_next();
@@ -430,8 +433,14 @@ WireShare Link::share() const {
 
 std::shared_ptr<WillKeeper::Will> Link::leave_will(const LastWill& will) {
   const WireShare wire = share();
-  if (!keeper_ || wire.how == WireShare::How::none) return nullptr;
+  if (!keeper_ || wire.how == WireShare::How::none) {
+    link_log().debug("no watchdog guards the held jog: {}",
+                     keeper_ ? "this wire cannot be shared with it" : "there is none");
+    return nullptr;
+  }
   auto left = keeper_->leave(scheduler_, wire, will);
+  link_log().debug(
+      "{}", left ? "the watchdog guards a held jog" : "the watchdog does not take the last will of a jog");
   if (left) wills_.push_back(left);
   return left;
 }
@@ -459,7 +468,7 @@ void Link::give_up_soon(Fault why) {
 }
 
 void Link::close_all(const Fault& why) {
-  link_log().debug("closed: {}", why.what);
+  link_log().debug("the wire is closed, devices on it: {}: {}", station_count(), why.sentence());
   while (!stations_.empty()) {
     Station* station = stations_.back();
     station->give_up(why);

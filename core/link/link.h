@@ -12,7 +12,7 @@
 #include "core/base/asio.h"
 #include "core/link/framing.h"
 #include "core/link/last_will.h"
-#include "core/link/owed_answers.h"
+#include "core/link/outstanding_replies.h"
 #include "core/link/stream.h"
 #include "core/link/traffic.h"
 #include "core/link/window.h"
@@ -36,7 +36,7 @@ struct Transaction {
   /// never below 50 ms, never above `patience`.
   bool prompt = false;
   /// The look of its reply: a late reply is never taken for one with a different look.
-  Look look = Look::any;
+  ReplyKind reply_kind = ReplyKind::any;
   /// Sent even while the line is dirty: the sender handles late replies, or cleans the line with this one.
   bool on_dirty_line = false;
   /// Silence does not count as a miss: the controller may be in a state in which it does not answer.
@@ -109,7 +109,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   void drop_waiting(const Station& station, const Fault& why);
   void hurry_for_a_stop();
   [[nodiscard]] Duration patience_for(const Station& station, const Transaction& transaction) const;
-  [[nodiscard]] bool owed_by_others(const Station& asking, Look look) const;
+  [[nodiscard]] bool outstanding_by_others(const Station& asking, ReplyKind reply_kind) const;
   void learn_from_answer(const Transaction& transaction, std::size_t answer_bytes, Instant now);
 
   void bytes_arrived(std::string_view bytes) override;
@@ -124,7 +124,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   void end(Pending& pending, Result<std::string> result);
   void on_deadline();
   void take_received();
-  void hear_it_out();
+  void receive_to_end();
   bool take_unsolicited();
   std::size_t give_unsolicited(std::string_view bytes);
   std::size_t offer(std::string_view bytes, const Station*& took);
@@ -149,9 +149,9 @@ class Link final : public std::enable_shared_from_this<Link>,
   /// Slowest recent delay of a prompt reply, beyond its time on the wire; decays slowly.
   Duration slowest_prompt_{};
   int prompt_answers_ = 0;
-  int silent_in_a_row_ = 0;  ///< questions in a row that no station answered
-  Instant settle_until_{};   ///< after a miss: a late reply must not be taken for the next one
-  OwedAnswers left_owed_;    ///< replies owed to stations that have left
+  int silent_in_a_row_ = 0;              ///< questions in a row that no station answered
+  Instant settle_until_{};               ///< after a miss: a late reply must not be taken for the next one
+  OutstandingReplies left_outstanding_;  ///< replies outstanding to stations that have left
   std::shared_ptr<WillKeeper> keeper_;
   bool emulated_here_ = false, shared_ = false;
   std::vector<std::weak_ptr<WillKeeper::Will>> wills_;

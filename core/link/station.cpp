@@ -1,6 +1,6 @@
 #include "core/link/station.h"
 
-#include "core/base/log.h"
+#include "core/link/link_log.h"
 
 namespace hw {
 namespace {
@@ -45,6 +45,7 @@ Task<Result<>> Station::bus(std::span<BusCycle> cycles, Priority priority) {
 void Station::preempt() {
   if (uncut_ > 0) {
     preempt_due_ = true;
+    link_log().debug("{}a stop waits until what must not be cut has been sent", OfDevice{address});
     return;
   }
   preempted_ = true;
@@ -71,11 +72,17 @@ Task<Result<>> Station::pause(Duration time) {
 
 // ---- the dirty line
 
-bool Station::is_dirty() const { return link_ && !owed_.never() && owed_.any(link_->scheduler_.now()); }
-bool Station::others_owe(Look look) const { return link_ && link_->owed_by_others(*this, look); }
+bool Station::is_dirty() const {
+  return link_ && !outstanding_.never() && outstanding_.any(link_->scheduler_.now());
+}
+bool Station::others_outstanding(ReplyKind reply_kind) const {
+  return link_ && link_->outstanding_by_others(*this, reply_kind);
+}
 
-void Station::doubt(Look look) {
-  if (link_) owed_.add(look, link_->scheduler_.now());
+void Station::doubt(ReplyKind reply_kind) {
+  if (!link_) return;
+  link_log().debug("{}an answer may still come that nobody asks for any more", OfDevice{address});
+  outstanding_.add(reply_kind, link_->scheduler_.now());
 }
 
 Task<Result<>> Station::come_clean(Priority priority) {
@@ -95,7 +102,7 @@ Task<Result<std::string>> Station::transact_when_clean(Transaction transaction) 
 // No question is repeated on a dirty line: each attempt asks another one and waits longer.
 Task<Result<>> Station::clean(Priority priority) {
   while (is_dirty()) {
-    auto asked = unmistakable(owed_, link_->scheduler_.now());
+    auto asked = unmistakable(outstanding_, link_->scheduler_.now());
     Result<> step;
     if (asked)
       step = co_await clean_by(std::move(*asked), priority);
@@ -106,13 +113,13 @@ Task<Result<>> Station::clean(Priority priority) {
   co_return Result<>();
 }
 
-/// Waits until one of the owed replies can no longer come. A stop is repeated meanwhile.
+/// Waits until one of the outstanding replies can no longer come. A stop is repeated meanwhile.
 Task<Result<>> Station::outwait(Priority priority) {
   if (priority == Priority::stop) {
     count_miss();
     co_return fail(FaultKind::no_answer, "The controller did not answer in time.");
   }
-  co_return co_await pause(owed_.next_end(link_->scheduler_.now()) - link_->scheduler_.now());
+  co_return co_await pause(outstanding_.next_end(link_->scheduler_.now()) - link_->scheduler_.now());
 }
 
 Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
@@ -121,7 +128,7 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   auto silent = co_await wait_for_silence();
   if (!silent) co_return silent;
   Transaction question = std::move(asked.question);
-  const Look look = question.look;
+  const ReplyKind reply_kind = question.reply_kind;
   const bool may_be_silent = question.may_be_silent && priority != Priority::stop;
   question.may_be_silent = may_be_silent;
   question.priority = priority;
@@ -130,21 +137,23 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   const bool soon = may_be_silent || statistics_.misses_in_a_row < 2;
   question.patience = priority == Priority::stop ? patience_of_a_stop
                       : soon                     ? first_patience
-                                                 : OwedAnswers::longest_delay;
+                                                 : OutstandingReplies::longest_delay;
   auto answer = co_await send(std::move(question));
   if (!answer && answer.error().kind == FaultKind::no_answer && may_be_silent) {
-    doubt(look);
+    doubt(reply_kind);
     co_return Result<>();
   }
   if (!answer) co_return fail(answer.error());
   if (!asked.is_answer(*answer)) {  // not a miss: a device answered
-    doubt(look);
+    link_log().debug("{}not the answer that was asked for: \"{}\"", OfDevice{address}, log::Bytes{*answer});
+    doubt(reply_kind);
     co_return fail(FaultKind::garbled, "The controller's answer makes no sense.", "It was not used.",
                    "Check the cable and the line rate, and whether two devices have one address or another "
                    "program talks on this line.");
   }
-  owed_.clear();
-  log::subject("link").debug("answers have their questions again: cleaned {} times", times_cleaned_ + 1);
+  outstanding_.clear();
+  link_log().debug("{}answers have their questions again: cleaned {} times", OfDevice{address},
+                   times_cleaned_ + 1);
   ++times_cleaned_;
   learn_lateness(statistics_.last_round_trip);
   co_return Result<>();
@@ -158,9 +167,11 @@ Task<Result<>> Station::wait_for_silence() {
     auto waited = co_await pause(left);
     if (!waited) co_return waited;
     const Instant now = link_->scheduler_.now();
-    left = std::max(began, heard_at_) + long_enough - now;
+    left = std::max(began, received_at_) + long_enough - now;
     if (left <= Duration::zero() || now - began < at_most) continue;
     count_miss();
+    link_log().debug("{}the line has not been silent for {} ms within a second", OfDevice{address},
+                     long_enough / Millis(1));
     co_return fail(FaultKind::garbled, "The line is never silent.", "Nothing was asked.",
                    "Check the cable, the baud rate, and whether another program talks to the controller.");
   }
@@ -170,16 +181,21 @@ Task<Result<>> Station::wait_for_silence() {
 // A reply after the usual patience shows how slow this device is. Decays as replies come faster.
 void Station::learn_lateness(Duration round_trip) {
   constexpr Duration usual = Millis(100);
+  const Duration before = lateness_;
   if (round_trip >= lateness_)
     lateness_ = round_trip > usual ? round_trip : Duration::zero();
   else if (lateness_ = (lateness_ + round_trip) / 2; lateness_ < usual)
     lateness_ = Duration::zero();
+  if ((before == Duration::zero()) != (lateness_ == Duration::zero()))
+    link_log().debug("{}answers are waited for {} ms longer than usual", OfDevice{address},
+                     lateness_ / Millis(1));
 }
 
 Result<> Station::set_rate(int baud) {
   if (!link_) return fail(no_connection());
   if (!link_->stream_) return {};
   auto set = link_->stream_->set_rate(baud);
+  link_log().debug("{}rate {} baud: {}", OfDevice{address}, baud, set ? "set" : set.error().what);
   if (set && link_->rate() > 0 && link_->rate_set) link_->rate_set(baud);
   return set;
 }

@@ -67,10 +67,10 @@ class Station {
   /// Address of this device on a shared wire; -1: it has none.
   int address = -1;
   /// When a byte for this device was last received.
-  [[nodiscard]] Instant heard_at() const { return heard_at_; }
-  [[nodiscard]] bool was_heard() const { return heard_at_ > Instant{}; }
-  /// The bytes just received were not from this device: takes back heard_at().
-  void has_not_heard_it() { heard_at_ = answered_at_; }
+  [[nodiscard]] Instant received_at() const { return received_at_; }
+  [[nodiscard]] bool has_received() const { return received_at_ > Instant{}; }
+  /// The bytes just received were not from this device: takes back received_at().
+  void disown_received() { received_at_ = answered_at_; }
   /// Called when a stop, or the loss of the wire, ends the procedure under way, so that other waits can be
   /// checked.
   std::function<void()> procedure_ended;
@@ -89,33 +89,33 @@ class Station {
 
   [[nodiscard]] const StationStatistics& statistics() const { return statistics_; }
   [[nodiscard]] bool is_open() const { return link_ != nullptr; }
-  // ---- the dirty line: see OwedAnswers
+  // ---- the dirty line: see OutstandingReplies
   /// A question, and a test whether a reply is its own.
   struct Unmistakable {
     Transaction question;
     std::function<bool(std::string_view answer)> is_answer;
   };
-  /// Set by the driver: returns a question whose reply cannot be mistaken for an owed one (another follows if
-  /// it may stay silent); none: only time helps. Null: the driver handles late replies itself.
-  std::function<std::optional<Unmistakable>(const OwedAnswers& owed, Instant now)> unmistakable;
+  /// Set by the driver: returns a question whose reply cannot be mistaken for an outstanding one (another
+  /// follows if it may stay silent); none: only time helps. Null: the driver handles late replies itself.
+  std::function<std::optional<Unmistakable>(const OutstandingReplies& outstanding, Instant now)> unmistakable;
   /// This device owes a late reply, so that its next reply cannot be trusted.
   [[nodiscard]] bool is_dirty() const;
   /// The reply made no sense. The reply to this question may still come, or come in place of the next one.
-  void doubt(Look look);
-  /// A greeting has shown that all owed replies have come.
-  void has_caught_up() { owed_.clear(); }
+  void doubt(ReplyKind reply_kind);
+  /// A greeting has shown that all outstanding replies have come.
+  void has_caught_up() { outstanding_.clear(); }
   /// Cleans the line now, if it is dirty, by the unmistakable question: before a text whose sending must be
   /// certain.
   Task<Result<>> come_clean(Priority priority);
-  [[nodiscard]] const OwedAnswers& owed() const { return owed_; }
+  [[nodiscard]] const OutstandingReplies& outstanding() const { return outstanding_; }
   /// How this device answers, for the station that replaces this one on the same wire.
   struct Manner {
-    OwedAnswers owed;
+    OutstandingReplies outstanding;
     Duration lateness{};
   };
-  [[nodiscard]] Manner manner() const { return {owed_, lateness_}; }
+  [[nodiscard]] Manner manner() const { return {outstanding_, lateness_}; }
   void take_over(const Manner& manner) {
-    owed_.add(manner.owed);
+    outstanding_.add(manner.outstanding);
     lateness_ = manner.lateness;
   }
   /// How often the line was cleaned: a reading from before may have been mistaken.
@@ -123,7 +123,7 @@ class Station {
   /// The extra patience that this device needs because it answers late; 0: it does not.
   [[nodiscard]] Duration lateness() const { return lateness_; }
   /// Another device on this wire owes a reply that may look like this, so that a received one may be its.
-  [[nodiscard]] bool others_owe(Look look = Look::any) const;
+  [[nodiscard]] bool others_outstanding(ReplyKind reply_kind = ReplyKind::any) const;
   /// Line rate in baud; 0: the wire has none, or is gone.
   [[nodiscard]] int rate() const { return link_ ? link_->rate() : 0; }
   /// The wire carries whole messages to this device alone (Stream::carries_messages).
@@ -163,12 +163,12 @@ class Station {
   std::shared_ptr<Link> link_;
   TrafficRing* traffic_;
   StationStatistics statistics_;
-  OwedAnswers owed_;
+  OutstandingReplies outstanding_;
   Duration lateness_{};
   std::uint32_t times_cleaned_ = 0;
   Instant count_began_{};
   int polls_counted_ = 0;
-  Instant heard_at_{}, answered_at_{};
+  Instant received_at_{}, answered_at_{};
   Event ended_;  ///< notified when a stop, or the end of the wire, ends the waits of this station
   bool preempted_ = false, preempt_due_ = false;
   int uncut_ = 0;

@@ -23,7 +23,7 @@ struct TalkMeasure {
 
 class TalkRecorder {
  public:
-  void hear(Instant at, Way way, TrafficKind kind, std::string_view bytes);
+  void record(Instant at, Way way, TrafficKind kind, std::string_view bytes);
   [[nodiscard]] TalkMeasure measure() const;
 
   static constexpr std::size_t most_questions = 512;  ///< only the latest are kept
@@ -39,6 +39,7 @@ class TalkRecorder {
   std::vector<Question> questions_;
   std::size_t next_ = 0;  ///< place of the next, once there are most_questions
   std::string asked_, answer_;
+  bool echoed_ = false;  ///< the latest text sent has come back
   Instant asked_at_{};
   bool poll_waits_ = false;  ///< the latest text sent was a question, not answered yet
 };

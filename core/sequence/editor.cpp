@@ -234,13 +234,6 @@ std::optional<StepPath> Editor::replace(const StepPath& at, Step::Body body) {
   return keep(std::move(s), &at) ? std::optional(at) : std::nullopt;
 }
 
-void Editor::set_frame(std::string unit, std::vector<Axis> axes, StepList pen_up, StepList pen_down) {
-  Sequence s = *now_;
-  s.unit = std::move(unit), s.axes = std::move(axes);
-  s.pen_up = std::move(pen_up), s.pen_down = std::move(pen_down);
-  if (s != *now_) keep(std::move(s));
-}
-
 void Editor::go(std::vector<Change>& from, std::vector<Change>& to, bool back) {
   if (from.empty()) return;
   Change change = std::move(from.back());

@@ -65,8 +65,6 @@ class Editor {
   std::optional<StepPath> skip(const StepSpan& which, bool skipped);
   /// Consecutive changes of one step are undone together, like a typed word.
   std::optional<StepPath> replace(const StepPath& at, Step::Body body);
-  /// Sets everything but the steps: unit, axes, the tool's routines.
-  void set_frame(std::string unit, std::vector<Axis> axes, StepList pen_up, StepList pen_down);
 
   [[nodiscard]] bool can_undo() const { return !done_.empty(); }
   [[nodiscard]] bool can_redo() const { return !undone_.empty(); }

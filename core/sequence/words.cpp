@@ -25,6 +25,12 @@ std::string axis_of(int axis, const Sequence& of) {
   return axis < 0 ? "all" : axis < static_cast<int>(of.axes.size()) ? of.axes[ix(axis)].name : "?";
 }
 
+/// Before a number, which follows a name like "1" behind a colon.
+std::string before_number(const std::string& axis) {
+  const bool digit = !axis.empty() && axis.back() >= '0' && axis.back() <= '9';
+  return digit ? axis + ":" : axis;
+}
+
 std::string number(double value, const Scale& scale) { return number(scale.shown(value)); }
 /// No space before the degree sign.
 std::string_view space_before(const Scale& scale) { return scale.unit == "\u00b0" ? "" : " "; }
@@ -57,14 +63,15 @@ struct Summary {
   [[nodiscard]] std::string point(double x, double y, const Plane& plane) const {
     const auto [right, up] = plane;
     if (plane == Plane()) return fmt::format("{}, {}", place(x, right), place(y, up));
-    return fmt::format("{} {}, {} {}", axis_of(right, of), place(x, right), axis_of(up, of), place(y, up));
+    return fmt::format("{} {}, {} {}", before_number(axis_of(right, of)), place(x, right),
+                       before_number(axis_of(up, of)), place(y, up));
   }
   std::string operator()(const Speed& s) const { return speeds_of(s.speeds, look.all); }
   std::string operator()(const Move& m) const {
     std::string all;
     for (std::size_t a = 0; a < of.axes.size(); ++a)
       if (m.to[a])
-        all += fmt::format("{}{} {}", all.empty() ? "" : ", ", of.axes[a].name,
+        all += fmt::format("{}{} {}", all.empty() ? "" : ", ", before_number(of.axes[a].name),
                            place(*m.to[a], static_cast<int>(a)));
     return all.empty() ? "no axis yet" : all;
   }

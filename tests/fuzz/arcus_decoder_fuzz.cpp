@@ -23,7 +23,7 @@ static void require(bool held) {
 static void read_as(const Forms& forms, const std::vector<CommandInfo>& known, std::string_view bytes) {
   (void)may_move(forms, bytes);
   require(!explain_refusal(*forms.model, bytes).empty());
-  for (const auto of_a_name : {unasked_or_name_at_front, no_name_at_front}) {
+  for (const auto of_a_name : {unsolicited_or_name_at_front, no_name_at_front}) {
     const std::size_t strange = of_a_name(*forms.model, bytes);
     require(strange == std::string_view::npos || strange <= bytes.size());
   }
@@ -37,9 +37,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Catalog pmx = *pmx_4ex_sa::make_catalog({}), dmx = *dmx_k_sa::make_catalog({});
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
 
-  const std::size_t unasked = unasked_at_front(bytes);
-  require(unasked == 0 || unasked == 5 || unasked == std::string_view::npos);
-  if (unasked == 5) require(in_position(bytes.substr(0, 5)).has_value());
+  const std::size_t unsolicited = unsolicited_at_front(bytes);
+  require(unsolicited == 0 || unsolicited == 5 || unsolicited == std::string_view::npos);
+  if (unsolicited == 5) require(in_position(bytes.substr(0, 5)).has_value());
   const Reply reply = decode_reply(bytes);
   require(reply.text.find('\r') == std::string::npos && reply.text.find('\0') == std::string::npos);
   if (reply.id) require(*reply.id >= 0 && *reply.id <= 99);

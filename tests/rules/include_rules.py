@@ -54,7 +54,7 @@ def check(path):
                 say("a device knows no other device")
             told = header.rsplit("/", 1)[1]
             controller_side = ("emulator", "program", "report")
-            host_side = ("driver", "codec", "conversation", "signals", "parameters", "slots", "nameplate", "looks")
+            host_side = ("driver", "codec", "conversation", "signals", "parameters", "slots", "identification", "reply_kinds")
             if stem.startswith(controller_side) and told.startswith(host_side):
                 say("emulator and driver share facts.h only")
             if stem.startswith(host_side) and told.startswith(("emulator", "report")):

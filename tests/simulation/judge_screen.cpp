@@ -119,6 +119,11 @@ void Judge::judge_trust(int device) {
     if (!d.ever_restarted && !spoilt && (trust.cause == Doubt::power_cut || trust.cause == Doubt::restarted))
       accuse("true",
              fmt::format("Device {} is said to have been switched off and on, and it was not.", device));
+    // A word of the console's own that was spoilt on its way may set a count.
+    const bool misread = trust.since <= faults_.out.spoilt() + restart_shows;
+    if (!d.ever_restarted && !misread && trust.cause == Doubt::another)
+      accuse("true", fmt::format("Device {}: the count of axis {} is said to have been set, and it was not.",
+                                 device, a));
     if (!axis.restarted || !d.first_connected || *axis.restarted < *d.first_connected) continue;
     if (now < std::max(quiet, *axis.restarted) + restart_shows) continue;
     // The one answer that tells it may be lost where a stop must not wait for another one.

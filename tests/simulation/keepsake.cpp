@@ -53,8 +53,8 @@ std::vector<std::string> settings_of(const Emulator& controller, Instant now,
   constexpr Duration longest_answer = std::chrono::seconds(2);
   const auto copy = controller.clone();
   copy->advance_to(now);
-  std::string unasked;
-  copy->take_output(unasked);
+  std::string unsolicited;
+  copy->take_output(unsolicited);
   std::vector<std::string> answers;
   for (const std::string& question : questions) {
     copy->receive(question);

@@ -100,7 +100,7 @@ FAULTS = [
           ("devices/vxm", "Stops::send(", "order.times_sent > 1", "false")),
     # ---- Arcus
     fault("Arcus: the second STOP is left out (row 19)", ("pmx-4ex-sa", "dmx-k-sa"),
-          ("devices/arcus", "Stops::stop_all(", "auto said = co_await talk_.command(word, Priority::stop, patience);",
+          ("devices/arcus", "Stops::stop_all(", "auto said = co_await conversation_.command(word, Priority::stop, patience);",
            "auto said = Result<>();")),
     fault("Arcus: programs are not halted by a stop", ("pmx-4ex-sa", "dmx-k-sa"),
           ("devices/arcus", "::halt_thread(", "{", NOTHING_DONE)),

@@ -22,10 +22,10 @@ std::int64_t field(const ActionInfo& info, const std::vector<std::int64_t>& valu
 
 }  // namespace
 
-Task<Result<>> Actions::act(intent::Act wish) {
-  if (auto possible = check_action(console_.catalog, wish); !possible) co_return possible;
-  const ActionInfo& info = console_.catalog.actions[ix(wish.action)];
-  const auto value = [&](std::string_view id) { return field(info, wish.values, id); };
+Task<Result<>> Actions::act(intent::Act request) {
+  if (auto possible = check_action(console_.catalog, request); !possible) co_return possible;
+  const ActionInfo& info = console_.catalog.actions[ix(request.action)];
+  const auto value = [&](std::string_view id) { return field(info, request.values, id); };
   const int axis = static_cast<int>(value("axis"));
   const bool on = value("on") != 0;
   const std::string& id = info.id;
@@ -45,7 +45,7 @@ Task<Result<>> Actions::act(intent::Act wish) {
   if (id == "buffer_on") text = "BO";
   if (id == "buffer_off") text = "BF";
   if (id == "timer") text = set_command("TR", value("time"));
-  auto done = co_await talk_.command(text, Priority::intent);
+  auto done = co_await conversation_.command(text, Priority::intent);
   if (!done) {
     if (info.moves) {
       Fault fault = co_await status_.after_doubt(std::move(done.error()), text);
@@ -62,7 +62,7 @@ Task<Result<>> Actions::act(intent::Act wish) {
 Task<Result<>> Actions::clear_errors(std::string_view form, int axis) {
   const bool all = axis < 0 || console_.axes() == 1;
   std::string text = all ? std::string(form.substr(0, form.find('a'))) : fill(console_.forms, form, axis);
-  auto done = co_await talk_.command(std::move(text), Priority::intent);
+  auto done = co_await conversation_.command(std::move(text), Priority::intent);
   if (!done) co_return done;
   for (int i = 0; i < console_.axes(); ++i)
     if (all || i == axis) motions_.loop_is_unknown(i);
@@ -76,8 +76,8 @@ Task<Result<>> Actions::change_speed(int axis, std::int64_t speed, std::int64_t 
   if (accel_ms > 0) {
     std::string name(console_.forms.accel);
     if (console_.forms.axis_speeds) {
-      auto own =
-          co_await talk_.ask_number(fill(console_.forms, console_.forms.axis_accel, axis), Priority::intent);
+      auto own = co_await conversation_.ask_number(fill(console_.forms, console_.forms.axis_accel, axis),
+                                                   Priority::intent);
       if (!own) co_return fail(own.error());
       if (*own != 0) name = fill(console_.forms, console_.forms.axis_accel, axis);
     }
@@ -86,7 +86,7 @@ Task<Result<>> Actions::change_speed(int axis, std::int64_t speed, std::int64_t 
     if (!borrowed) co_return borrowed;
   }
   const std::string text = fill(console_.forms, console_.forms.change_speed, axis, Sign::plus, speed);
-  auto changed = co_await talk_.command(text, Priority::intent);
+  auto changed = co_await conversation_.command(text, Priority::intent);
   auto returned = co_await borrowed_.give_back();
   if (changed && !returned) co_return returned;
   if (!changed && changed.error().kind == FaultKind::refused)
@@ -96,7 +96,7 @@ Task<Result<>> Actions::change_speed(int axis, std::int64_t speed, std::int64_t 
 
 Task<Result<>> Actions::change_target(int axis, std::int64_t target) {
   const std::string text = fill(console_.forms, console_.forms.change_target, axis, Sign::plus, target);
-  auto done = co_await talk_.command(text, Priority::intent);
+  auto done = co_await conversation_.command(text, Priority::intent);
   if (!done) {
     Fault fault = co_await status_.after_doubt(std::move(done.error()), text);
     co_return fail(std::move(fault));
@@ -141,10 +141,11 @@ Task<Result<>> Actions::draw_arc(std::int64_t centre_x, std::int64_t centre_y, s
 }
 
 Task<Result<>> Actions::joystick(int axis, bool on) {
-  auto mask = co_await talk_.ask_number("JE", Priority::intent);
+  auto mask = co_await conversation_.ask_number("JE", Priority::intent);
   if (!mask) co_return fail(mask.error());
   const std::int64_t bit = std::int64_t{1} << axis;
-  auto set = co_await talk_.command(set_command("JE", on ? *mask | bit : *mask & ~bit), Priority::intent);
+  auto set =
+      co_await conversation_.command(set_command("JE", on ? *mask | bit : *mask & ~bit), Priority::intent);
   if (!set) co_return set;
   const int index = console_.catalog.find_param("JE");
   setup_.changed(index);

@@ -10,10 +10,10 @@ namespace hw::arcus {
 
 class Actions {
  public:
-  Actions(const Console& console, Conversation& talk, SetUp& setup, BorrowedSetting& borrowed, MoveList& list,
-          Readouts& readouts, Motions& motions, MotionStatus& status, Moves& moves)
+  Actions(const Console& console, Conversation& conversation, SetUp& setup, BorrowedSetting& borrowed,
+          MoveList& list, Readouts& readouts, Motions& motions, MotionStatus& status, Moves& moves)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         setup_(setup),
         borrowed_(borrowed),
         list_(list),
@@ -22,7 +22,7 @@ class Actions {
         status_(status),
         moves_(moves) {}
 
-  Task<Result<>> act(intent::Act wish);
+  Task<Result<>> act(intent::Act request);
 
  private:
   Task<Result<>> change_speed(int axis, std::int64_t speed, std::int64_t accel_ms);
@@ -32,7 +32,7 @@ class Actions {
   Task<Result<>> joystick(int axis, bool on);
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   SetUp& setup_;
   BorrowedSetting& borrowed_;
   MoveList& list_;

@@ -10,14 +10,14 @@ Task<Result<>> BorrowedSetting::borrow(std::string name, std::int64_t value,
                                        std::optional<std::int64_t> shown) {
   const auto is_it = [&name](const Borrowed& one) { return one.name == name; };
   Conversation::Decode decode = decode_number;
-  auto before = co_await talk_.ask_surely(name, std::move(decode), shown, Priority::intent);
+  auto before = co_await conversation_.ask_surely(name, std::move(decode), shown, Priority::intent);
   if (!before) co_return fail(before.error());
   if (*before == value) co_return Result<>();
   if (const auto out = std::find_if(borrowed_.begin(), borrowed_.end(), is_it); out != borrowed_.end())
     out->for_now = value;
   else
     borrowed_.push_back({name, *before, value});
-  co_return co_await talk_.command(set_command(name, value), Priority::intent);
+  co_return co_await conversation_.command(set_command(name, value), Priority::intent);
 }
 
 Task<Result<>> BorrowedSetting::give_back() {
@@ -33,7 +33,8 @@ Task<Result<>> BorrowedSetting::give_back_last() {
   const Borrowed last = borrowed_.back();
   if (last.left_alone) {
     Conversation::Decode decode = decode_number;
-    auto present = co_await talk_.ask_surely(last.name, std::move(decode), last.for_now, Priority::intent);
+    auto present =
+        co_await conversation_.ask_surely(last.name, std::move(decode), last.for_now, Priority::intent);
     if (!present) co_return fail(present.error());
     const bool anothers = *present != last.for_now;
     if (anothers && is_out()) borrowed_.pop_back();
@@ -53,11 +54,11 @@ Task<Result<>> BorrowedSetting::give_back_last() {
 Task<Result<>> BorrowedSetting::put_back(Borrowed setting) {
   constexpr int attempts = 3;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    auto set = co_await talk_.command(set_command(setting.name, setting.before), Priority::intent);
+    auto set = co_await conversation_.command(set_command(setting.name, setting.before), Priority::intent);
     if (!set) co_return set;
     Conversation::Decode decode = decode_number;
     auto present =
-        co_await talk_.ask_surely(setting.name, std::move(decode), setting.before, Priority::intent);
+        co_await conversation_.ask_surely(setting.name, std::move(decode), setting.before, Priority::intent);
     if (!present) co_return fail(present.error());
     if (*present == setting.before) co_return Result<>();
   }

@@ -13,8 +13,8 @@ namespace hw::arcus {
 class BorrowedSetting {
  public:
   /// `given_back` gets the name: the last reading may be the borrowed value.
-  BorrowedSetting(Conversation& talk, std::function<void(std::string_view name)> given_back)
-      : talk_(talk), given_back_(std::move(given_back)) {}
+  BorrowedSetting(Conversation& conversation, std::function<void(std::string_view name)> given_back)
+      : conversation_(conversation), given_back_(std::move(given_back)) {}
 
   /// `shown`: the value last known. The value read now is the one restored later.
   Task<Result<>> borrow(std::string name, std::int64_t value, std::optional<std::int64_t> shown);
@@ -40,7 +40,7 @@ class BorrowedSetting {
   /// If a stop comes first, the setting stays borrowed.
   Task<Result<>> give_back_last();
   Task<Result<>> put_back(Borrowed setting);
-  Conversation& talk_;
+  Conversation& conversation_;
   std::function<void(std::string_view)> given_back_;
   std::vector<Borrowed> borrowed_;
 };

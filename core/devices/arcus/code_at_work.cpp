@@ -56,8 +56,8 @@ StopProgress CodeAtWork::outlast(const StopOrder& order, bool turns) {
               "STOP ends only the move that it has begun; no command ends a subroutine.",
               "Switch the power off to end it.");
   if (turns || !std::exchange(called_->told, true)) return StopProgress::failed(std::move(fault));
-  console_.tell(Notice::Kind::warning,
-                fault.sentence());  // all stood through two stops: later ones need not fail
+  console_.report(Notice::Kind::warning,
+                  fault.sentence());  // all stood through two stops: later ones need not fail
   return StopProgress::stands();
 }
 

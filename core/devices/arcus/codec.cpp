@@ -63,7 +63,7 @@ std::size_t fit_at_front(std::string_view bytes, std::string_view pattern) {
 
 }  // namespace
 
-std::size_t unasked_at_front(std::string_view bytes) { return fit_at_front(bytes, "$ddP\r"); }
+std::size_t unsolicited_at_front(std::string_view bytes) { return fit_at_front(bytes, "$ddP\r"); }
 
 std::size_t refusal_of_cut_at_front(std::string_view bytes) {
   constexpr std::size_t id = 3;  // #NN
@@ -75,7 +75,7 @@ std::size_t refusal_of_cut_at_front(std::string_view bytes) {
   return bytes[end - 1] == cut_off.front() ? end + 1 : 0;
 }
 
-std::size_t unasked_or_name_at_front(const Model& model, std::string_view bytes) {
+std::size_t unsolicited_or_name_at_front(const Model& model, std::string_view bytes) {
   const std::string name = std::string(model.name_prefix) + "dd|";
   std::size_t found = 0;
   for (const std::string& pattern : {std::string("$ddP\r"), name, "#dd" + name}) {
@@ -87,7 +87,7 @@ std::size_t unasked_or_name_at_front(const Model& model, std::string_view bytes)
 }
 
 std::size_t no_name_at_front(const Model& model, std::string_view bytes) {
-  if (const std::size_t unasked = unasked_at_front(bytes); unasked != 0) return unasked;
+  if (const std::size_t unsolicited = unsolicited_at_front(bytes); unsolicited != 0) return unsolicited;
   const auto end = bytes.find_first_of(std::string_view("\r\0", 2));
   if (end == bytes.npos) return 0;
   return number_in_name(model, decode_reply(bytes.substr(0, end)).text) ? 0 : end + 1;
@@ -100,7 +100,7 @@ std::optional<int> number_in_name(const Model& model, std::string_view name) {
 }
 
 std::optional<int> in_position(std::string_view message) {
-  if (message.size() != 5 || unasked_at_front(message) != message.size()) return std::nullopt;
+  if (message.size() != 5 || unsolicited_at_front(message) != message.size()) return std::nullopt;
   return (message[1] - '0') * 10 + message[2] - '0';
 }
 

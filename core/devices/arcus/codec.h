@@ -41,11 +41,11 @@ inline constexpr std::string_view cut_off = "~\r";
 
 /// Length of the unsolicited message ($NNP CR) at the front. npos: more bytes are needed to tell. 0: there is
 /// none.
-std::size_t unasked_at_front(std::string_view bytes);
+std::size_t unsolicited_at_front(std::string_view bytes);
 /// The same for the refusal of a command that `cut_off` ended.
 std::size_t refusal_of_cut_at_front(std::string_view bytes);
 /// The same for an unsolicited message or a complete device name, which answers only DN.
-std::size_t unasked_or_name_at_front(const Model& model, std::string_view bytes);
+std::size_t unsolicited_or_name_at_front(const Model& model, std::string_view bytes);
 /// The same for any complete text that is no device name, hence no reply to DN.
 std::size_t no_name_at_front(const Model& model, std::string_view bytes);
 /// The number in a device name: "DMK07" -> 7.

@@ -14,7 +14,7 @@ struct Console : DriverContext {
   Console(DriverContext context, const Forms& model_forms)
       : DriverContext(std::move(context)), forms(model_forms) {}
 
-  void tell(Notice::Kind kind, std::string text) const {
+  void report(Notice::Kind kind, std::string text) const {
     notify(Notice(kind, scheduler.now(), std::move(text)));
   }
   [[nodiscard]] const Model& model() const { return *forms.model; }

@@ -35,8 +35,10 @@ std::string printable(std::string_view bytes) {
 
 void Conversation::attach(Station& station) {
   station_ = &station;
-  station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
-  station.unmistakable = [this](const OwedAnswers& owed, Instant now) { return unmistakable(owed, now); };
+  station.unsolicited = [this](std::string_view bytes) { return receive_unsolicited(bytes); };
+  station.unmistakable = [this](const OutstandingReplies& outstanding, Instant now) {
+    return unmistakable(outstanding, now);
+  };
 }
 
 Framing Conversation::framing() const {
@@ -48,8 +50,8 @@ Framing Conversation::framing() const {
 std::string Conversation::framed(std::string_view text, Priority priority, int address) const {
   std::string bytes = frame(framing(), address, text);
   if (framing() == Framing::message || !station_) return bytes;
-  const bool first_of_all = priority == Priority::stop && !station_->was_heard();
-  if (first_of_all || station_->is_dirty() || station_->others_owe()) bytes.insert(0, cut_off);
+  const bool first_of_all = priority == Priority::stop && !station_->has_received();
+  if (first_of_all || station_->is_dirty() || station_->others_outstanding()) bytes.insert(0, cut_off);
   return bytes;
 }
 
@@ -66,17 +68,17 @@ Task<Result<Reply>> Conversation::exchange(std::string text, Priority priority, 
   if (!station_) co_return no_connection();
   const bool anothers = address_of(text) >= 0 && address_of(text) != console_.catalog.address;
   const std::string command = anothers ? std::string() : command_in(text);
-  const Look look =
-      own_question ? looks::of_question(console_.forms, text) : looks::of_text(console_.forms, command);
+  const ReplyKind reply_kind = own_question ? reply_kinds::of_question(console_.forms, text)
+                                            : reply_kinds::of_text(console_.forms, command);
   if (command.starts_with("DN=")) also_called_ = number_in_name(console_.model(), command.substr(3));
   if (goes_out) goes_out(command);
-  const int heard_before = texts_heard_;
-  auto reply = co_await say(text, priority, patience, own_question, false);
+  const int heard_before = texts_received_;
+  auto reply = co_await transmit(text, priority, patience, own_question, false);
   if (not_done && (reply ? reply->refused() : was_kept_back(reply.error()))) not_done(command);
-  if (!reply || !must_be_sure || !others_may_say(look)) co_return reply;
-  auto named = co_await hear_its_name(priority);
+  if (!reply || !must_be_sure || !others_may_say(reply_kind)) co_return reply;
+  auto named = co_await receive_its_name(priority);
   if (!named) co_return fail(named.error());
-  if (texts_heard_ == heard_before) co_return reply;
+  if (texts_received_ == heard_before) co_return reply;
   co_return fail(
       FaultKind::garbled,
       fmt::format("{} was answered twice: one of the answers came too late and is another's.", text),
@@ -99,8 +101,8 @@ Task<Result<>> Conversation::may_go_out(std::string_view text, Priority priority
                  fmt::format("{} was not sent.", kept));
 }
 
-Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Duration patience,
-                                      bool own_question, bool on_dirty_line) {
+Task<Result<Reply>> Conversation::transmit(std::string text, Priority priority, Duration patience,
+                                           bool own_question, bool on_dirty_line) {
   if (!station_) co_return no_connection();
   const bool usb = station_->carries_messages();
   Transaction t(framed(text, priority, console_.catalog.address),
@@ -110,18 +112,20 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
   t.prompt = own_question;
   t.own_question = own_question && priority != Priority::transfer;
   t.on_dirty_line = on_dirty_line;
-  t.look = own_question ? looks::of_question(console_.forms, text)
-                        : looks::of_text(console_.forms, command_in(text));
-  if (t.look == looks::name && station_->others_owe(looks::name))
+  t.reply_kind = own_question ? reply_kinds::of_question(console_.forms, text)
+                              : reply_kinds::of_text(console_.forms, command_in(text));
+  if (t.reply_kind == reply_kinds::name && station_->others_outstanding(reply_kinds::name))
     t.unsolicited_length = [this](std::string_view received) {
-      return looks::others_at_front(received, [this](std::string_view name) { return is_its_name(name); });
+      return reply_kinds::others_at_front(received,
+                                          [this](std::string_view name) { return is_its_name(name); });
     };
   else if (!usb)
-    t.unsolicited_length = [this, names = t.look != looks::name,
+    t.unsolicited_length = [this, names = t.reply_kind != reply_kinds::name,
                             its_own = text.ends_with(cut_off.front())](std::string_view received) {
       const std::size_t refusal = its_own ? 0 : refusal_of_cut_at_front(received);
       if (refusal != 0) return refusal;
-      return names ? unasked_or_name_at_front(console_.model(), received) : unasked_at_front(received);
+      return names ? unsolicited_or_name_at_front(console_.model(), received)
+                   : unsolicited_at_front(received);
     };
   auto bytes = co_await station_->transact(std::move(t));
   if (!bytes) co_return fail(bytes.error());
@@ -140,19 +144,20 @@ Task<Result<Reply>> Conversation::say(std::string text, Priority priority, Durat
 }
 
 Task<Result<Reply>> Conversation::greet(Duration patience) {
-  co_return co_await say("DN", Priority::intent, patience, true, true);
+  co_return co_await transmit("DN", Priority::intent, patience, true, true);
 }
 
 // ---- whose reply it is
 
-bool Conversation::others_may_say(Look look) const {
+bool Conversation::others_may_say(ReplyKind reply_kind) const {
   if (!station_) return false;
-  return look == looks::text ? station_->others_owe()
-                             : station_->others_owe(look) || station_->others_owe(looks::text);
+  return reply_kind == reply_kinds::text
+             ? station_->others_outstanding()
+             : station_->others_outstanding(reply_kind) || station_->others_outstanding(reply_kinds::text);
 }
 
-// Any text before its name is a late reply, whoever sent it, and is left to hear().
-Task<Result<>> Conversation::hear_its_name(Priority priority) {
+// Any text before its name is a late reply, whoever sent it, and is left to receive_unsolicited().
+Task<Result<>> Conversation::receive_its_name(Priority priority) {
   if (!station_) co_return no_connection();
   Transaction t = asks_who("DN", [this](std::string_view text) { return is_its_name(text); }).question;
   t.priority = priority;
@@ -165,14 +170,15 @@ Task<Result<>> Conversation::hear_its_name(Priority priority) {
 
 // Asks for its name, if it has one. On a shared line the others' late replies to ID and VER look like its
 // own.
-std::optional<Station::Unmistakable> Conversation::unmistakable(const OwedAnswers& owed, Instant now) const {
-  const auto may_ask = [&](Look look) { return !owed.may_look(look, now); };
-  if (named_ && may_ask(looks::name))
+std::optional<Station::Unmistakable> Conversation::unmistakable(const OutstandingReplies& outstanding,
+                                                                Instant now) const {
+  const auto may_ask = [&](ReplyKind reply_kind) { return !outstanding.may_be_outstanding(reply_kind, now); };
+  if (named_ && may_ask(reply_kinds::name))
     return asks_who("DN", [this](std::string_view text) { return is_its_name(text); });
-  if (product_known_ && may_ask(looks::product) && !station_->others_owe(looks::product))
+  if (product_known_ && may_ask(reply_kinds::product) && !station_->others_outstanding(reply_kinds::product))
     return asks_who("ID", [this](std::string_view text) { return text == console_.model().product; });
-  if (may_ask(looks::version) && !station_->others_owe(looks::version))
-    return asks_who("VER", looks::is_version);
+  if (may_ask(reply_kinds::version) && !station_->others_outstanding(reply_kinds::version))
+    return asks_who("VER", reply_kinds::is_version);
   return std::nullopt;
 }
 
@@ -180,9 +186,11 @@ Station::Unmistakable Conversation::asks_who(std::string_view question,
                                              std::function<bool(std::string_view)> is_it) const {
   Transaction t(framed(question, Priority::poll, console_.catalog.address),
                 framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(), Priority::poll);
-  t.look = looks::of_question(console_.forms, question);
+  t.reply_kind = reply_kinds::of_question(console_.forms, question);
   t.prompt = true;
-  t.unsolicited_length = [is_it](std::string_view bytes) { return looks::others_at_front(bytes, is_it); };
+  t.unsolicited_length = [is_it](std::string_view bytes) {
+    return reply_kinds::others_at_front(bytes, is_it);
+  };
   const auto is_answer = [is_it](std::string_view answer) { return is_it(decode_reply(answer).text); };
   return {std::move(t), is_answer};
 }
@@ -207,7 +215,7 @@ Task<Result<std::string>> Conversation::ask(std::string question, Priority prior
   auto reply = co_await exchange_question(question, priority, again);
   if (!reply && !again && worth_another_try(reply.error())) {
     if (station_ && reply.error().kind == FaultKind::garbled)
-      station_->doubt(looks::of_question(console_.forms, question));
+      station_->doubt(reply_kinds::of_question(console_.forms, question));
     reply = co_await exchange_question(question, priority, true);
   }
   if (!reply) co_return fail(reply.error());
@@ -235,7 +243,7 @@ Task<Result<std::string>> Conversation::ask_for(std::string question,
     if (reply && makes_sense(*reply)) co_return reply;
     if (reply) {
       text = *reply;
-      if (station_) station_->doubt(looks::of_question(console_.forms, question));
+      if (station_) station_->doubt(reply_kinds::of_question(console_.forms, question));
     } else {
       co_await wait_for_quiet();  // the question itself may have been garbled
     }
@@ -285,9 +293,9 @@ Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode
 // A stop is sent on a dirty line too: its OK may then belong to an older command.
 Task<Result<>> Conversation::command(std::string text, Priority priority, Duration patience) {
   const Instant now = console_.scheduler.now();
-  const bool may_be_older =
-      priority == Priority::stop && station_ &&
-      (station_->owed().may_look(looks::done, now) || station_->owed().may_look(looks::text, now));
+  const bool may_be_older = priority == Priority::stop && station_ &&
+                            (station_->outstanding().may_be_outstanding(reply_kinds::done, now) ||
+                             station_->outstanding().may_be_outstanding(reply_kinds::text, now));
   auto reply = co_await exchange(text, priority, patience);
   if (!reply) co_return fail(reply.error());
   if (may_be_older && (reply->text == "OK" || reply->refused()))
@@ -328,16 +336,16 @@ Task<> Conversation::wait_for_quiet() {
   while (station_ && console_.scheduler.now() < quiet_at) {
     auto waited = co_await station_->pause(quiet_at - console_.scheduler.now());
     if (!waited) co_return;
-    quiet_at = std::min(std::max(quiet_at, heard_at_ + quiet_time), give_up);
+    quiet_at = std::min(std::max(quiet_at, received_at_ + quiet_time), give_up);
   }
 }
 
 // $NNP of this device, or a complete text that no question waits for. Late replies do not count as
 // unexpected.
-std::size_t Conversation::hear(std::string_view bytes) {
-  heard_at_ = console_.scheduler.now();
+std::size_t Conversation::receive_unsolicited(std::string_view bytes) {
+  received_at_ = console_.scheduler.now();
   if (bytes.find_first_not_of('\n') == bytes.npos) return ++line_feeds_, 0;
-  if (const std::size_t length = unasked_at_front(bytes); length != 0) {
+  if (const std::size_t length = unsolicited_at_front(bytes); length != 0) {
     if (length == std::string_view::npos) return length;
     if (in_position(bytes.substr(0, length)) != console_.catalog.address) return 0;
     console_.texts.add(std::string(text_of(bytes.substr(0, length))));
@@ -345,12 +353,12 @@ std::size_t Conversation::hear(std::string_view bytes) {
     return length;
   }
   if (const std::size_t refusal = refusal_of_cut_at_front(bytes); refusal != 0) {
-    if (station_) station_->has_not_heard_it();
+    if (station_) station_->disown_received();
     return refusal;
   }
   if (is_anothers_name(bytes)) return 0;
-  ++texts_heard_;
-  if (station_ && !station_->is_dirty() && !station_->others_owe()) ++unexpected_;
+  ++texts_received_;
+  if (station_ && !station_->is_dirty() && !station_->others_outstanding()) ++unexpected_;
   return 0;
 }
 

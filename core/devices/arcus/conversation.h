@@ -1,9 +1,9 @@
 #pragma once
 // The traffic with one device: questions, commands, broadcasts, unsolicited messages. Bytes become texts only
-// here. Late replies: the station records those owed by their looks, and asks for the device's name, product
-// or version before anything else is sent. Replies carry no address (except with RT=1), so while another
-// device on the line owes one of the same look, a reply is accepted only if this device's own name follows
-// it.
+// here. Late replies: the station records those outstanding by their looks, and asks for the device's name,
+// product or version before anything else is sent. Replies carry no address (except with RT=1), so while
+// another device on the line owes one of the same look, a reply is accepted only if this device's own name
+// follows it.
 #include <functional>
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@
 #include "core/base/asio.h"
 #include "core/devices/arcus/codec.h"
 #include "core/devices/arcus/console.h"
-#include "core/devices/arcus/looks.h"
+#include "core/devices/arcus/reply_kinds.h"
 #include "core/link/station.h"
 
 namespace hw::arcus {
@@ -80,7 +80,7 @@ class Conversation {
   /// One command or question and its reply, refusals included.
   Task<Result<Reply>> exchange(std::string text, Priority priority, Duration patience,
                                bool own_question = false);
-  /// If a reply is owed, asks the device who it is, so that the next reply belongs to the next text.
+  /// If a reply is outstanding, asks the device who it is, so that the next reply belongs to the next text.
   Task<bool> come_clean(Priority priority);
   /// Sent to every device of the line; none replies.
   Task<Result<>> broadcast(std::string text, Priority priority);
@@ -102,25 +102,26 @@ class Conversation {
   [[nodiscard]] tl::unexpected<Fault> two_answer() const;
 
  private:
-  Task<Result<Reply>> say(std::string text, Priority priority, Duration patience, bool own_question,
-                          bool on_dirty_line);
+  Task<Result<Reply>> transmit(std::string text, Priority priority, Duration patience, bool own_question,
+                               bool on_dirty_line);
   Task<Result<Reply>> exchange_question(std::string question, Priority priority, bool again);
   Task<Result<>> may_go_out(std::string_view text, Priority priority);
-  Task<Result<>> hear_its_name(Priority priority);
-  [[nodiscard]] std::optional<Station::Unmistakable> unmistakable(const OwedAnswers& owed, Instant now) const;
+  Task<Result<>> receive_its_name(Priority priority);
+  [[nodiscard]] std::optional<Station::Unmistakable> unmistakable(const OutstandingReplies& outstanding,
+                                                                  Instant now) const;
   [[nodiscard]] Station::Unmistakable asks_who(std::string_view question,
                                                std::function<bool(std::string_view)> is_it) const;
   [[nodiscard]] std::string framed(std::string_view text, Priority priority, int address) const;
-  [[nodiscard]] bool others_may_say(Look look) const;
+  [[nodiscard]] bool others_may_say(ReplyKind reply_kind) const;
   [[nodiscard]] bool is_its_name(std::string_view text) const;
   [[nodiscard]] bool is_anothers_name(std::string_view bytes) const;
-  std::size_t hear(std::string_view bytes);
+  std::size_t receive_unsolicited(std::string_view bytes);
 
   const Console& console_;
   Station* station_ = nullptr;
-  Instant heard_at_{}, asked_at_{};
-  int texts_heard_ = 0;  ///< unsolicited texts, late replies included
-  int unexpected_ = 0;   ///< those that no late reply explains
+  Instant received_at_{}, asked_at_{};
+  int texts_received_ = 0;  ///< unsolicited texts, late replies included
+  int unexpected_ = 0;      ///< those that no late reply explains
   int line_feeds_ = 0;
   std::optional<int> also_called_;  ///< another number for its name, until a power cycle
   bool named_ = true;               ///< its name has a number

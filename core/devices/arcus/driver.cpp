@@ -9,26 +9,26 @@ namespace hw::arcus {
 
 ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const language::Dialect& dialect)
     : console_(std::move(context), forms),
-      talk_(console_),
-      known_(console_, talk_,
+      conversation_(console_),
+      known_(console_, conversation_,
              [this](std::string_view how_it_shows, unsigned moved) { restarted(how_it_shows, moved); }),
-      work_(console_, talk_, known_, dialect),
+      work_(console_, conversation_, known_, dialect),
       silence_(console_, known_.watch, known_.status, known_.threads, known_.lines),
-      stops_(console_, talk_, known_.code, known_.setup, known_.list, known_.motions, known_.status,
+      stops_(console_, conversation_, known_.code, known_.setup, known_.list, known_.motions, known_.status,
              known_.threads),
-      texts_(console_, talk_, known_.code, known_.borrowed, known_.setup, known_.list, known_.watch,
+      texts_(console_, conversation_, known_.code, known_.borrowed, known_.setup, known_.list, known_.watch,
              known_.motions, known_.threads, known_.lines, silence_),
-      finding_(console_, talk_) {
+      finding_(console_, conversation_) {
   console_.draft.axis_count = console_.axes();
   console_.draft.identity.model = console_.catalog.name;
   for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].enabled = false;
 }
 
-void ArcusDriver::attach(Station& station) { talk_.attach(station); }
+void ArcusDriver::attach(Station& station) { conversation_.attach(station); }
 
 Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   using namespace intent;
-  if (!talk_.is_open()) co_return talk_.no_connection();
+  if (!conversation_.is_open()) co_return conversation_.no_connection();
   if (auto looked = co_await silence_.look(); !looked) co_return looked;
   if (auto returned = co_await put_back_what_is_out(body); !returned) co_return returned;
   if (const auto* i = std::get_if<MoveTo>(&body))
@@ -65,7 +65,7 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
 }
 
 Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
-  if (!talk_.is_open())
+  if (!conversation_.is_open())
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
   if (order.what == StopOrder::What::words) co_return co_await texts_.stop(order);
@@ -83,14 +83,14 @@ LastWill ArcusDriver::last_will(unsigned axes) const { return stops_.last_will(a
 StopProgress ArcusDriver::stop_progress(const StopOrder& order) { return stops_.progress(order); }
 
 Task<Result<std::string>> ArcusDriver::query(std::string text, Duration patience) {
-  if (talk_.is_open())
+  if (conversation_.is_open())
     if (auto let = co_await work_.guard.let_go(); !let) co_return fail(let.error());
   if (auto may = guard_allows(text); !may) co_return fail(may.error());
   co_return co_await texts_.query(std::move(text), patience);
 }
 
-void ArcusDriver::overhear(const std::string& text) {
-  texts_.overhear(text);
+void ArcusDriver::note_broadcast(const std::string& text) {
+  texts_.note_broadcast(text);
   work_.guard.goes_out(command_in(text));
 }
 
@@ -105,8 +105,8 @@ std::string ArcusDriver::leaves_behind() const {
 }
 
 // Then reads what may follow from it: whether StepNLoop is on.
-Task<Result<>> ArcusDriver::set_param(intent::SetParam wish) {
-  auto exactly = co_await known_.setup.set(std::move(wish));
+Task<Result<>> ArcusDriver::set_param(intent::SetParam request) {
+  auto exactly = co_await known_.setup.set(std::move(request));
   if (!exactly) co_return fail(exactly.error());
   if (!*exactly) co_return Result<>();
   co_return co_await known_.status.read_loops(Priority::intent);
@@ -136,25 +136,25 @@ Result<> ArcusDriver::guard_allows(const std::string& text) const {
 }
 
 // A script's jog gets no guard: see Pump::keep_will().
-Task<Result<>> ArcusDriver::jog(intent::JogStart wish) {
-  if (wish.dead_man)
-    if (auto watched = co_await work_.guard.watch(wish.axis.index); !watched) co_return watched;
-  co_return co_await work_.moves.jog(std::move(wish));
+Task<Result<>> ArcusDriver::jog(intent::JogStart request) {
+  if (request.dead_man)
+    if (auto watched = co_await work_.guard.watch(request.axis.index); !watched) co_return watched;
+  co_return co_await work_.moves.jog(std::move(request));
 }
 
-Task<Result<>> ArcusDriver::set_variable(const intent::SetVariable& wish) {
+Task<Result<>> ArcusDriver::set_variable(const intent::SetVariable& request) {
   const VariableFacts& facts = console_.catalog.variables;
-  if (wish.number < 0 || wish.number >= facts.count || wish.value < facts.minimum ||
-      wish.value > facts.maximum)
+  if (request.number < 0 || request.number >= facts.count || request.value < facts.minimum ||
+      request.value > facts.maximum)
     co_return fail(FaultKind::refused,
-                   fmt::format("V{} cannot be set to {}: there are V0 to V{}, of {} to {}.", wish.number,
-                               wish.value, facts.count - 1, facts.minimum, facts.maximum),
+                   fmt::format("V{} cannot be set to {}: there are V0 to V{}, of {} to {}.", request.number,
+                               request.value, facts.count - 1, facts.minimum, facts.maximum),
                    "Nothing was sent.");
-  auto set =
-      co_await talk_.command(set_command(fmt::format("V{}", wish.number), wish.value), Priority::intent);
+  auto set = co_await conversation_.command(set_command(fmt::format("V{}", request.number), request.value),
+                                            Priority::intent);
   if (!set) co_return set;
-  if (wish.number >= facts.stored_from) known_.setup.variable_is_unsaved();
-  co_return co_await known_.readouts.read_variable(wish.number, Priority::intent);
+  if (request.number >= facts.stored_from) known_.setup.variable_is_unsaved();
+  co_return co_await known_.readouts.read_variable(request.number, Priority::intent);
 }
 
 Task<Result<>> ArcusDriver::read_params(std::string only) {

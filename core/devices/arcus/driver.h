@@ -53,17 +53,17 @@ class ArcusDriver final : public Driver {
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] TextMeaning meaning_of(const intent::SendText& text) const override;
-  void overhear(const std::string& text) override;
+  void note_broadcast(const std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return period_at_rest; }
 
  private:
   // ---- driver.cpp
-  Task<Result<>> jog(intent::JogStart wish);
+  Task<Result<>> jog(intent::JogStart request);
   Task<Result<>> put_back_what_is_out(const IntentBody& before);
   [[nodiscard]] Result<> guard_allows(const std::string& text) const;
-  Task<Result<>> set_param(intent::SetParam wish);
-  Task<Result<>> set_variable(const intent::SetVariable& wish);
+  Task<Result<>> set_param(intent::SetParam request);
+  Task<Result<>> set_variable(const intent::SetVariable& request);
   Task<Result<>> read_params(std::string only);
   Task<Result<>> read_again();
 
@@ -78,7 +78,7 @@ class ArcusDriver final : public Driver {
   void show_worst();
 
   const Console console_;
-  Conversation talk_;
+  Conversation conversation_;
   Known known_;
   Work work_;
   AfterSilence silence_;

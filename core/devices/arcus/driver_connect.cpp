@@ -7,18 +7,18 @@
 namespace hw::arcus {
 
 Task<Result<>> ArcusDriver::connect() {
-  talk_.forget_unexpected();
+  conversation_.forget_unexpected();
   const Instant began = console_.scheduler.now();
   known_.code.axis_moves();  // unseen
   auto found = co_await find();
   // A device is there, but a question or reply was lost or garbled: tries once more, since a real fault
   // persists.
-  const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
+  const bool heard = conversation_.is_open() && conversation_.station()->received_at() > began;
   const bool soon = console_.scheduler.now() - began < Finding::long_asked;
   if (!found && heard && soon &&
       (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
-    co_await talk_.wait_for_quiet();
-    talk_.forget_unexpected();
+    co_await conversation_.wait_for_quiet();
+    conversation_.forget_unexpected();
     found = co_await find();
   }
   if (!found) co_return found;
@@ -56,7 +56,7 @@ void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
   known_.list.end();
   known_.watch.forget();
   known_.motions.restarted(moved);
-  console_.tell(
+  console_.report(
       Notice::Kind::warning,
       fmt::format("{}: the controller was switched off and on, or another program did it. What was not "
                   "stored is gone; it is read afresh. Home the axes before the next absolute move.",
@@ -64,8 +64,8 @@ void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
 }
 
 void ArcusDriver::wire_lost() {
-  if (!talk_.is_open()) return;
-  talk_.wire_lost();
+  if (!conversation_.is_open()) return;
+  conversation_.wire_lost();
   finding_.wire_lost();
   known_.borrowed.leave_alone();
   work_.guard.forget();

@@ -15,7 +15,7 @@ namespace hw::arcus {
 /// What is known of the controller, and the status rounds that read it.
 struct Known {
   /// `restarted`: how it shows, and a bit for each axis that was moving.
-  Known(const Console& console, Conversation& talk,
+  Known(const Console& console, Conversation& conversation,
         std::function<void(std::string_view how_it_shows, unsigned moved)> restarted);
 
   CodeAtWork code;
@@ -33,7 +33,7 @@ struct Known {
 
 /// What the console's controls ask for.
 struct Work {
-  Work(const Console& console, Conversation& talk, Known& known, const language::Dialect& dialect);
+  Work(const Console& console, Conversation& conversation, Known& known, const language::Dialect& dialect);
 
   Moves moves;
   Feed feed;

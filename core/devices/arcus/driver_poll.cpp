@@ -16,7 +16,7 @@ constexpr int io_every = 4;    // rounds in motion per reading of inputs, output
 }  // namespace
 
 Task<Result<>> ArcusDriver::poll(Round round) {
-  if (!talk_.is_open()) co_return talk_.no_connection();
+  if (!conversation_.is_open()) co_return conversation_.no_connection();
   if (round == Round::stopping) co_return co_await stops_.look();
   ++round_;
   const RestartWatch::Look look = known_.watch.begin_look();
@@ -66,7 +66,8 @@ Task<Result<>> ArcusDriver::read_at_rest() {
 Duration ArcusDriver::moving_period() const {
   constexpr std::size_t bytes_of_a_round = 60;
   constexpr Duration without_wire = Millis(10);
-  const Duration round = talk_.is_open() ? talk_.station()->wire_time(bytes_of_a_round) : Duration::zero();
+  const Duration round =
+      conversation_.is_open() ? conversation_.station()->wire_time(bytes_of_a_round) : Duration::zero();
   if (round == Duration::zero()) return without_wire;
   return std::max(Duration::zero(), round - (console_.scheduler.now() - known_.status.round_began()));
 }

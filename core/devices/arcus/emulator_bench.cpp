@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/device/bench_hands.h"
+#include "core/device/bench_on_controller.h"
 #include "core/devices/arcus/emulator_arcus.h"
 
 namespace hw::arcus {
@@ -147,7 +147,7 @@ Result<> ArcusEmulator::act(const bench::PowerCycle&) {
 }
 
 Result<> ArcusEmulator::operate(const BenchCommand& command) {
-  auto result = by_hand(command, [this](const auto& hand) { return act(hand); });
+  auto result = on_controller(command, [this](const auto& hand) { return act(hand); });
   after();
   return result;
 }

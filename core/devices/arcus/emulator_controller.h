@@ -12,6 +12,7 @@
 #include "core/base/index.h"
 #include "core/device/bench.h"
 #include "core/devices/arcus/emulator_axis.h"
+#include "core/devices/arcus/emulator_controller_parts.h"
 #include "core/devices/arcus/emulator_settings.h"
 #include "core/devices/arcus/emulator_speeds.h"
 #include "core/devices/arcus/facts.h"
@@ -81,10 +82,10 @@ class Controller {
   std::string load_line(std::string_view line);
   Flash& flash() { return flash_; }
   [[nodiscard]] const Flash& flash() const { return flash_; }
-  [[nodiscard]] int address() const { return address_; }
-  [[nodiscard]] int rate() const { return rate_; }
-  [[nodiscard]] bool prefixes_replies() const { return prefixes_replies_; }
-  [[nodiscard]] bool announces_arrivals() const { return announces_arrivals_; }
+  [[nodiscard]] int address() const { return manners_.address; }
+  [[nodiscard]] int rate() const { return manners_.rate; }
+  [[nodiscard]] bool prefixes_replies() const { return manners_.prefixes_replies; }
+  [[nodiscard]] bool announces_arrivals() const { return manners_.announces_arrivals; }
 
   // Settings (emulator_registers.cpp).
   [[nodiscard]] const Model& model() const { return *model_; }
@@ -99,7 +100,7 @@ class Controller {
   void set_timer(std::int64_t ms);
   /// Call after a command for this unit was answered.
   void heard_from_host(bool timeout_was_shown);
-  [[nodiscard]] bool timed_out() const { return timed_out_; }
+  [[nodiscard]] bool timed_out() const { return timeout_.fired(); }
 
   // Moves (emulator_moves.cpp, emulator_homing.cpp, emulator_motion.cpp).
   Refusal move(const Targets& targets);
@@ -159,12 +160,11 @@ class Controller {
   [[nodiscard]] std::int64_t outputs() const;
   void set_outputs(std::int64_t value);
   void set_output(int number, bool on);
-  [[nodiscard]] std::int64_t output_register() const { return outputs_; }
-  [[nodiscard]] std::int64_t enables() const { return enables_; }
+  [[nodiscard]] std::int64_t enables() const { return terminals_.enables; }
   void set_enables(std::int64_t value);
   void set_enable(int number, bool on);
   [[nodiscard]] std::int64_t analog(int number) const {
-    return analog_[static_cast<std::size_t>(number - 1)];
+    return terminals_.analog[static_cast<std::size_t>(number - 1)];
   }
   void arm_latch(int axis, bool on);
   [[nodiscard]] const Latch& latch(int axis) const { return axes_[ix(axis)].latch; }
@@ -184,7 +184,7 @@ class Controller {
   Axis& axis(int n) { return axes_[ix(n)]; }
   [[nodiscard]] const Axis& axis(int n) const { return axes_[ix(n)]; }
   [[nodiscard]] int axes() const { return model_->axes(); }
-  [[nodiscard]] std::uint32_t inputs_operated() const { return inputs_; }
+  [[nodiscard]] std::uint32_t inputs_operated() const { return terminals_.inputs; }
   /// Levels at the terminals: outputs, then enables.
   [[nodiscard]] std::uint32_t output_levels() const;
   /// In Position and Alarm are shown by outputs (EDO=1 and StepNLoop on).
@@ -332,17 +332,12 @@ class Controller {
   std::array<Motion, most_axes> motions_;
   MoveBuffer buffer_;
   bool incremental_ = false;
-  std::int64_t outputs_ = 0, enables_ = 0;
-  std::uint32_t inputs_ = 0;
+  Terminals terminals_;
   bool load_needs_power_ = false;
-  std::array<std::int32_t, 8> analog_{};
-  int address_ = 0, rate_ = 9600;
-  bool prefixes_replies_ = false, announces_arrivals_ = false;
+  HostManners manners_;
   Instant timer_end_{};
-  std::optional<Instant> timeout_at_;
-  bool timed_out_ = false;
-  std::array<double, most_axes> joystick_speed_{};  ///< pulses/s, signed
-  std::optional<Instant> joystick_due_;
+  HostTimeout timeout_;
+  JoystickTurns joystick_;
 };
 
 }  // namespace hw::arcus

@@ -23,13 +23,13 @@ constexpr Duration update = std::chrono::milliseconds(10);
 
 void Controller::operate_analog(int number, std::int32_t millivolts) {
   bring_up_to_date();
-  analog_[ix(number - 1)] = millivolts;
+  terminals_.analog[ix(number - 1)] = millivolts;
   if (powered_ && number <= axes() && joystick_on(number - 1)) schedule_joystick();
 }
 
 void Controller::schedule_joystick() {
-  if (joystick_due_ && *joystick_due_ > now_) return;
-  joystick_due_ = Instant((now_.time_since_epoch() / update + 1) * update);
+  if (joystick_.due && *joystick_.due > now_) return;
+  joystick_.due = Instant((now_.time_since_epoch() / update + 1) * update);
 }
 
 /// Signed speed that the stick asks for here, the soft limits included.
@@ -40,7 +40,7 @@ double Controller::joystick_wish(int a) const {
   if (!joystick_on(a) || axis.plus_error || axis.minus_error || axis.alarm_error) return 0;
   const std::int64_t high = settings_.get(Setting::joystick_max, a),
                      low = settings_.get(Setting::joystick_min, a);
-  const std::int64_t middle = (high - low) / 2 + low, off = analog_[ix(a)] - middle;
+  const std::int64_t middle = (high - low) / 2 + low, off = terminals_.analog[ix(a)] - middle;
   const std::int64_t band = jv(2), reach = (off > 0 ? high - middle : middle - low) - band;
   if (std::abs(off) <= band || reach <= 0) return 0;
   const auto top = static_cast<double>(jv(0));
@@ -59,31 +59,31 @@ double Controller::joystick_wish(int a) const {
 bool Controller::joystick_slows(int a) const {
   const auto jl = [&](int n) { return settings_.get(Setting::joystick_limits, 4 * a + n); };
   if (motion_of(a) == nullptr || !(jl(0) < jl(1) && jl(1) < jl(2) && jl(2) < jl(3))) return false;
-  return joystick_speed_[ix(a)] > 0 ? axes_[ix(a)].pulses >= jl(2) : axes_[ix(a)].pulses <= jl(1);
+  return joystick_.speed[ix(a)] > 0 ? axes_[ix(a)].pulses >= jl(2) : axes_[ix(a)].pulses <= jl(1);
 }
 
 /// At the outer soft limit, on its way out: the speed is zero there (figure 6.10).
 bool Controller::joystick_at_end(int a) const {
   const auto jl = [&](int n) { return settings_.get(Setting::joystick_limits, 4 * a + n); };
   if (!(jl(0) < jl(1) && jl(1) < jl(2) && jl(2) < jl(3))) return false;
-  const double speed = joystick_speed_[ix(a)];
+  const double speed = joystick_.speed[ix(a)];
   return speed > 0 ? axes_[ix(a)].pulses >= jl(3) : axes_[ix(a)].pulses <= jl(0);
 }
 
 void Controller::joystick_tick() {
-  joystick_due_.reset();
+  joystick_.due.reset();
   for (int a = 0; a < axes(); ++a)
-    if (joystick_on(a) || joystick_speed_[ix(a)] != 0) joystick_turn(a);
+    if (joystick_on(a) || joystick_.speed[ix(a)] != 0) joystick_turn(a);
 }
 
 /// One reading of the stick: the speed approaches the wish by at most the largest change.
 void Controller::joystick_turn(int a) {
-  const double wish = joystick_wish(a), now = joystick_speed_[ix(a)];
+  const double wish = joystick_wish(a), now = joystick_.speed[ix(a)];
   const auto change = static_cast<double>(settings_.get(Setting::joystick_values, 4 + a));
   double next = change > 0 ? std::clamp(wish, now - change, now + change) : wish;
   if (wish == 0 && !joystick_on(a)) next = 0;
   if (next * now < 0) next = 0;  // through rest
-  joystick_speed_[ix(a)] = next;
+  joystick_.speed[ix(a)] = next;
   Motion* m = motion_of(a);
   if (m != nullptr && m->kind != MotionKind::joystick) return;
   if (next == 0) {
@@ -95,13 +95,13 @@ void Controller::joystick_turn(int a) {
     const Path path = Path::along(ix(a), next < 0 ? Sign::minus : Sign::plus, Profile::endless);
     begin(MotionKind::joystick, 1u << a, path, Profile::constant(now_, 0, Pps(std::abs(next)), path.steps()),
           order(a));
-    if (motion_of(a) == nullptr) joystick_speed_[ix(a)] = 0;  // into a switch
+    if (motion_of(a) == nullptr) joystick_.speed[ix(a)] = 0;  // into a switch
   }
-  if (wish != joystick_speed_[ix(a)] || joystick_slows(a)) schedule_joystick();
+  if (wish != joystick_.speed[ix(a)] || joystick_slows(a)) schedule_joystick();
 }
 
 void Controller::joystick_stops(int a) {
-  joystick_speed_[ix(a)] = 0;
+  joystick_.speed[ix(a)] = 0;
   if (Motion* m = motion_of(a)) finish(*m, End::cut);
   schedule_joystick();
 }

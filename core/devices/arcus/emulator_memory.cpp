@@ -9,7 +9,7 @@ namespace hw::arcus {
 Controller::Controller(const Model& model)
     : model_(&model), flash_(model), settings_(model), axes_(static_cast<std::size_t>(model.axes())) {
   constexpr std::int32_t middle_mv = 2500;
-  analog_.fill(middle_mv);
+  terminals_.analog.fill(middle_mv);
   for (Axis& axis : axes_) {
     axis.counts_per_pulse =
         static_cast<double>(model.counts_numerator) / static_cast<double>(model.counts_denominator);
@@ -33,19 +33,12 @@ void Controller::power_up() {
   for (Motion& m : motions_) m = Motion();
   buffer_ = MoveBuffer();
   incremental_ = false;
-  joystick_speed_ = {};
-  joystick_due_.reset();
-  timed_out_ = false;
-  timeout_at_.reset();
+  joystick_ = JoystickTurns();
+  timeout_.forget();
   timer_end_ = Instant{};
-  outputs_ = settings_.get(Setting::boot_outputs);
-  enables_ = settings_.get(Setting::boot_enables);
-  address_ = static_cast<int>(settings_.get(Setting::device_name));
-  const auto code = settings_.get(Setting::baud_code);
-  for (const Baud& b : bauds)
-    if (b.code == code) rate_ = b.rate;
-  prefixes_replies_ = settings_.on(Setting::response_type);
-  announces_arrivals_ = settings_.on(Setting::auto_response);
+  terminals_.outputs = settings_.get(Setting::boot_outputs);
+  terminals_.enables = settings_.get(Setting::boot_enables);
+  manners_.take(settings_);
   for (Axis& axis : axes_) {
     Axis fresh;
     fresh.plant = axis.plant, fresh.counts_per_pulse = axis.counts_per_pulse;

@@ -77,8 +77,8 @@ std::optional<Instant> Controller::next_event() const {
   for (const Motion& m : motions_) sooner(due(m));
   for (const Axis& a : axes_)
     if (a.sync.open && a.sync.pulse_until > now_) sooner(a.sync.pulse_until);
-  sooner(joystick_due_);
-  sooner(timeout_at_);
+  sooner(joystick_.due);
+  sooner(timeout_.due());
   sooner(program_turn());
   return next;
 }
@@ -98,12 +98,8 @@ void Controller::advance(Instant now) {
     const SyncOutput& s = axes_[ix(a)].sync;
     if (s.open && s.pulse_until > Instant{} && s.pulse_until <= now_) end_sync_pulse(a);
   }
-  if (joystick_due_ && *joystick_due_ <= now_) joystick_tick();
-  if (timeout_at_ && *timeout_at_ <= now_) {
-    timed_out_ = true;
-    timeout_at_.reset();
-    tell("the host has been silent for longer than TOC");
-  }
+  if (joystick_.due && *joystick_.due <= now_) joystick_tick();
+  if (timeout_.comes(now_)) tell("the host has been silent for longer than TOC");
   run_programs();
 }
 
@@ -209,7 +205,7 @@ void Controller::cut(Motion& m) {
     if (takes_part(m, a)) {
       axes_[ix(a)].then_target.reset();
       axes_[ix(a)].homing = Homing();
-      if (m.kind == MotionKind::joystick) joystick_speed_[ix(a)] = 0;
+      if (m.kind == MotionKind::joystick) joystick_.speed[ix(a)] = 0;
     }
   m.stopping = true;
   finish(m, End::cut);

@@ -46,9 +46,8 @@ Refusal Controller::write_setting(Setting id, std::int64_t value, int which) {
   settings_.set(id, value, which);
   switch (id) {
     case Setting::comm_timeout:
-      timed_out_ = false;
-      timeout_at_.reset();
-      if (value > 0 && !host_talks) timeout_at_ = now_ + std::chrono::milliseconds(value);
+      timeout_.forget();
+      if (!host_talks) timeout_.heard(value, now_);
       break;
     case Setting::joystick:
     case Setting::joystick_limits:
@@ -81,7 +80,7 @@ std::int64_t Controller::status(int a) const {
   if (const Motion* m = motion_of(a)) {
     motion::Phase phase = m->profile.phase(now_);
     if (m->kind == MotionKind::joystick) {
-      const double now = joystick_speed_[ix(a)], wish = joystick_wish(a);
+      const double now = joystick_.speed[ix(a)], wish = joystick_wish(a);
       const bool faster = wish * now > 0 && std::abs(wish) > std::abs(now);
       if (wish != now) phase = faster ? motion::Phase::accelerating : motion::Phase::decelerating;
     }
@@ -98,7 +97,7 @@ std::int64_t Controller::status(int a) const {
   set(bits.alarm_error, axis.alarm_error);
   if (bits.latch != no_bit) set(bits.latch, latch_input_active(a));
   if (bits.index != no_bit) set(bits.index, axis.index_operated());
-  set(bits.timed_out, timed_out_ && a == 0);
+  set(bits.timed_out, timeout_.fired() && a == 0);
   return word;
 }
 
@@ -153,7 +152,7 @@ Refusal Controller::set_encoder(int a, std::int64_t value) {
 /// Run current during a move and for CURT after it, then idle current. A correction for SLM uses idle
 /// current.
 std::int64_t Controller::current_ma() const {
-  if (enables_ == 0) return 0;  // DMX manual, ch. 7: EO switches the motor's power
+  if (terminals_.enables == 0) return 0;  // DMX manual, ch. 7: EO switches the motor's power
   const Axis& axis = axes_[0];
   const std::int64_t run = settings_.get(Setting::run_current), idle = settings_.get(Setting::idle_current);
   if (const Motion* m = motion_of(0))
@@ -168,11 +167,9 @@ std::int64_t Controller::timer_ms() const {
 
 void Controller::set_timer(std::int64_t ms) { timer_end_ = now_ + std::chrono::milliseconds(ms); }
 
-/// The bit is shown to the host once (decision AMB-044).
 void Controller::heard_from_host(bool timeout_was_shown) {
-  if (timeout_was_shown) timed_out_ = false;
-  const std::int64_t ms = settings_.get(Setting::comm_timeout);
-  if (ms > 0 && !host_talks) timeout_at_ = now_ + std::chrono::milliseconds(ms);
+  if (timeout_was_shown) timeout_.was_shown();
+  if (!host_talks) timeout_.heard(settings_.get(Setting::comm_timeout), now_);
 }
 
 void Controller::tell(std::string what, unsigned axes, int limit) {

@@ -36,14 +36,14 @@ bool Controller::alarm_active(int a) const {
 }
 
 bool Controller::latch_input_active(int a) const {
-  const bool operated = (inputs_ >> (model_->latch_inputs[ix(a)] - 1) & 1u) != 0;
+  const bool operated = (terminals_.inputs >> (model_->latch_inputs[ix(a)] - 1) & 1u) != 0;
   return operated != inverted(model_->polarity.latch, a);
 }
 
 std::int64_t Controller::inputs() const {
   const std::int64_t all = (std::int64_t{1} << model_->inputs) - 1;
   const bool turned = settings_.on(Setting::input_polarity) || inverted(model_->polarity.inputs, 0);
-  return turned ? ~static_cast<std::int64_t>(inputs_) & all : inputs_;
+  return turned ? ~static_cast<std::int64_t>(terminals_.inputs) & all : terminals_.inputs;
 }
 
 bool Controller::sync_output_on(int a) const {
@@ -56,7 +56,7 @@ bool Controller::sync_output_on(int a) const {
 
 /// The real states, also of outputs that sync drives, and of In Position and Alarm where the model has them.
 std::int64_t Controller::outputs() const {
-  std::int64_t seen = outputs_;
+  std::int64_t seen = terminals_.outputs;
   const auto show = [&seen](int number, bool on) {
     const std::int64_t bit = std::int64_t{1} << (number - 1);
     seen = on ? seen | bit : seen & ~bit;
@@ -83,13 +83,13 @@ std::uint32_t Controller::output_levels() const {
   if (inverted(model_->polarity.in_position, 0)) turned |= in_position;
   if (inverted(model_->polarity.alarm_output, 0)) turned |= alarm;
   const bool enables_turned = settings_.on(Setting::enable_polarity) || inverted(model_->polarity.enable, 0);
-  const auto on = static_cast<std::uint32_t>(enables_) ^ (enables_turned ? all_enables : 0);
+  const auto on = static_cast<std::uint32_t>(terminals_.enables) ^ (enables_turned ? all_enables : 0);
   const std::uint32_t out = static_cast<std::uint32_t>(outputs()) ^ turned;
   return (out & all_outputs) | (on & all_enables) << model_->outputs;
 }
 
 void Controller::set_outputs(std::int64_t value) {
-  const std::int64_t changed = std::exchange(outputs_, value) ^ value;
+  const std::int64_t changed = std::exchange(terminals_.outputs, value) ^ value;
   for (int n = 1; trace != nullptr && n <= model_->outputs; ++n) {
     if ((changed >> (n - 1) & 1) == 0) continue;
     const std::string name = "output " + std::to_string(n);
@@ -101,12 +101,12 @@ void Controller::set_outputs(std::int64_t value) {
 
 void Controller::set_output(int number, bool on) {
   const std::int64_t bit = std::int64_t{1} << (number - 1);
-  set_outputs(on ? outputs_ | bit : outputs_ & ~bit);
+  set_outputs(on ? terminals_.outputs | bit : terminals_.outputs & ~bit);
 }
 
 void Controller::set_enables(std::int64_t value) {
   bring_up_to_date();
-  enables_ = value;
+  terminals_.enables = value;
   if (load_needs_power_) hold_loads();
 }
 
@@ -124,7 +124,7 @@ void Controller::jam(int a, bool on) {
 void Controller::hold_loads() {
   for (int a = 0; a < axes(); ++a) {
     Axis& axis = axes_[ix(a)];
-    const bool held = axis.jammed_by_hand || (load_needs_power_ && (enables_ >> a & 1) == 0);
+    const bool held = axis.jammed_by_hand || (load_needs_power_ && (terminals_.enables >> a & 1) == 0);
     if (held == axis.plant.jammed()) continue;
     axis.plant.jam(held);
     bench_changed(a);
@@ -133,7 +133,7 @@ void Controller::hold_loads() {
 
 void Controller::set_enable(int number, bool on) {
   const std::int64_t bit = std::int64_t{1} << (number - 1);
-  set_enables(on ? enables_ | bit : enables_ & ~bit);
+  set_enables(on ? terminals_.enables | bit : terminals_.enables & ~bit);
 }
 
 // --- latch -------------------------------------------------------------------------------------------------
@@ -151,7 +151,7 @@ void Controller::operate_input(int number, bool active) {
   std::array<bool, most_axes> before{};
   for (int a = 0; a < axes(); ++a) before[ix(a)] = latch_input_active(a);
   const std::uint32_t bit = 1u << (number - 1);
-  inputs_ = active ? inputs_ | bit : inputs_ & ~bit;
+  terminals_.inputs = active ? terminals_.inputs | bit : terminals_.inputs & ~bit;
   if (!powered_) return;
   for (int a = 0; a < axes(); ++a) {
     Axis& axis = axes_[ix(a)];

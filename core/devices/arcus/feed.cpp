@@ -2,8 +2,8 @@
 
 namespace hw::arcus {
 
-Task<Result<>> Feed::start(intent::FeedMoves wish) {
-  if (auto may = list_.accepts(wish); !may) co_return may;
+Task<Result<>> Feed::start(intent::FeedMoves request) {
+  if (auto may = list_.accepts(request); !may) co_return may;
   auto read = co_await status_.read(Priority::intent);
   if (!read) co_return read;
   if (!list_.buffer_is_on()) {
@@ -12,7 +12,7 @@ Task<Result<>> Feed::start(intent::FeedMoves wish) {
     auto again = co_await status_.read(Priority::intent);
     if (!again) co_return again;
   }
-  list_.begin(std::move(wish.rows));
+  list_.begin(std::move(request.rows));
   co_return co_await go_on();
 }
 

@@ -9,7 +9,7 @@ class Feed {
   Feed(const Console& console, MoveList& list, Motions& motions, MotionStatus& status)
       : console_(console), list_(list), motions_(motions), status_(status) {}
 
-  Task<Result<>> start(intent::FeedMoves wish);
+  Task<Result<>> start(intent::FeedMoves request);
   /// Sends as many moves as the buffer has places for.
   Task<Result<>> go_on();
 

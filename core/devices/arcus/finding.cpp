@@ -27,10 +27,10 @@ constexpr Duration slow_from = Millis(150);
 Task<Result<>> Finding::identify() {
   if (was_lost_) {
     const Instant began = console_.scheduler.now();
-    const auto anybody = co_await talk_.greet(first_patience);
+    const auto anybody = co_await conversation_.greet(first_patience);
     if (!anybody && anybody.error().kind == FaultKind::lost) co_return fail(anybody.error());
-    const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
-    if (!anybody && heard) co_return talk_.two_answer();
+    const bool heard = conversation_.is_open() && conversation_.station()->received_at() > began;
+    if (!anybody && heard) co_return conversation_.two_answer();
     if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
   }
   auto reply = co_await ask_who_it_is("ID", [this](std::string_view text) {
@@ -45,17 +45,17 @@ Task<Result<>> Finding::identify() {
                                console_.model().title),
                    "Nothing more was sent.", "Open it as the other model.");
   const bool known = reply->text == console_.model().product;
-  auto version = co_await ask_who_it_is("VER", looks::is_version);
+  auto version = co_await ask_who_it_is("VER", reply_kinds::is_version);
   if (!version) co_return fail(version.error());
-  if (talk_.line_feeds() > 0) co_return line_feeds_come();
-  if (!looks::is_version(version->text)) co_return garbled(known ? version->text : reply->text);
-  co_await talk_.wait_for_quiet();  // a second device with this address would have spoken by now
-  if (talk_.unexpected() > 0) co_return talk_.two_answer();
-  talk_.know_product(known);
+  if (conversation_.line_feeds() > 0) co_return line_feeds_come();
+  if (!reply_kinds::is_version(version->text)) co_return garbled(known ? version->text : reply->text);
+  co_await conversation_.wait_for_quiet();  // a second device with this address would have spoken by now
+  if (conversation_.unexpected() > 0) co_return conversation_.two_answer();
+  conversation_.know_product(known);
   console_.draft.identity.model = known ? reply->text : hex_of(reply->text);
   console_.draft.identity.firmware = version->text;
   if (!known)
-    console_.tell(
+    console_.report(
         Notice::Kind::warning,
         fmt::format("It answers {} to ID where a {} says {}. It is used as a {}.", hex_of(reply->text),
                     console_.model().title, console_.model().product, console_.model().title));
@@ -71,15 +71,15 @@ Task<Result<Reply>> Finding::ask_who_it_is(std::string question,
   int silences = 0;
   std::string before;
   for (int attempt = 0; attempt < attempts_at_connect; ++attempt) {
-    reply = co_await talk_.exchange(question, Priority::intent, first_patience, true);
+    reply = co_await conversation_.exchange(question, Priority::intent, first_patience, true);
     if (reply && (is_it(reply->text) || reply->text == before)) break;
     if (!reply && !worth_another_try(reply.error())) break;
     silences += !reply && reply.error().kind == FaultKind::no_answer ? 1 : 0;
-    const bool heard = talk_.is_open() && talk_.station()->heard_at() > began;
+    const bool heard = conversation_.is_open() && conversation_.station()->received_at() > began;
     if ((silences > 1 && !heard) || console_.scheduler.now() - began > long_asked) break;
     if (reply) before = reply->text;
-    co_await talk_.wait_for_quiet();
-    talk_.forget_unexpected();
+    co_await conversation_.wait_for_quiet();
+    conversation_.forget_unexpected();
   }
   if (reply) note_how_slow();
   co_return reply;
@@ -87,13 +87,13 @@ Task<Result<Reply>> Finding::ask_who_it_is(std::string question,
 
 // Time to reply, beyond the time on the wire.
 void Finding::note_how_slow() {
-  if (!talk_.is_open()) return;
+  if (!conversation_.is_open()) return;
   constexpr std::size_t usual_bytes = 24;  // of ID and its answer
-  const Station& station = *talk_.station();
+  const Station& station = *conversation_.station();
   const Duration waited =
       std::max(station.lateness(), station.statistics().last_round_trip) - station.wire_time(usual_bytes);
   if (waited <= slow_from || std::exchange(slow_told_, true)) return;
-  console_.tell(
+  console_.report(
       Notice::Kind::warning,
       fmt::format(
           "It takes {:.1f} s to answer. The values shown are that old, and a stop is confirmed that late.",
@@ -101,14 +101,14 @@ void Finding::note_how_slow() {
 }
 
 Task<Result<>> Finding::read_name() {
-  auto name = co_await talk_.ask("DN", Priority::intent);
+  auto name = co_await conversation_.ask("DN", Priority::intent);
   if (!name) co_return fail(name.error());
   console_.draft.identity.serial = *name;
-  talk_.know_name(*name);
-  const bool usb = talk_.framing() == Framing::message;
+  conversation_.know_name(*name);
+  const bool usb = conversation_.framing() == Framing::message;
   const auto number = number_in_name(console_.model(), *name);
   if (!number && !usb && !std::exchange(name_told_, true))
-    console_.tell(
+    console_.report(
         Notice::Kind::warning,
         fmt::format(
             "It answers at {:02} and calls itself {}, where a {} calls itself {}{:02}. On a line with "
@@ -117,7 +117,7 @@ Task<Result<>> Finding::read_name() {
             console_.catalog.address, hex_of(*name), console_.model().title, console_.model().name_prefix,
             console_.catalog.address));
   if (number && *number != console_.catalog.address && !usb && !std::exchange(name_told_, true))
-    console_.tell(
+    console_.report(
         Notice::Kind::info,
         fmt::format("It answers at {:02} and is to be called {}: it will answer at {:02} after Store and "
                     "switching its power off and on.",
@@ -128,12 +128,12 @@ Task<Result<>> Finding::read_name() {
 // ---- why none was found
 
 tl::unexpected<Fault> Finding::silent() const {
-  if (talk_.framing() == Framing::message)
+  if (conversation_.framing() == Framing::message)
     return fail(FaultKind::no_answer, fmt::format("The {} does not answer on USB.", console_.model().title),
                 "Nothing was sent but the question for its name.",
                 fmt::format("Check its supply ({}) and the cable, and close other programs that use it.",
                             console_.forms.supply));
-  const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
+  const int rate = conversation_.is_open() ? conversation_.station()->rate() : 0;
   const std::string elsewhere = where_it_went(rate);
   return fail(
       FaultKind::no_answer,
@@ -175,7 +175,7 @@ std::string Finding::where_it_went(int rate) const {
 }
 
 tl::unexpected<Fault> Finding::garbled(std::string_view bytes) const {
-  const int rate = talk_.is_open() ? talk_.station()->rate() : 0;
+  const int rate = conversation_.is_open() ? conversation_.station()->rate() : 0;
   return fail(
       FaultKind::garbled,
       fmt::format("The device at address {:02} is not a {}: {} came back.", console_.catalog.address,

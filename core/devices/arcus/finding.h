@@ -11,7 +11,8 @@ namespace hw::arcus {
 
 class Finding {
  public:
-  Finding(const Console& console, Conversation& talk) : console_(console), talk_(talk) {}
+  Finding(const Console& console, Conversation& conversation)
+      : console_(console), conversation_(conversation) {}
 
   Task<Result<>> identify();
   Task<Result<>> read_name();
@@ -31,7 +32,7 @@ class Finding {
   [[nodiscard]] std::string where_it_went(int rate) const;
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   bool was_lost_ = false;
   bool name_told_ = false, slow_told_ = false;
 };

@@ -72,7 +72,7 @@ std::chrono::milliseconds GuardThread::silence() const {
 }
 
 Task<Result<>> GuardThread::set(std::string name, std::int64_t value) {
-  co_return co_await talk_.command(set_command(name, value), Priority::intent);
+  co_return co_await conversation_.command(set_command(name, value), Priority::intent);
 }
 
 Task<Result<>> GuardThread::may_install() {
@@ -100,12 +100,13 @@ Task<Result<>> GuardThread::may_install() {
 /// restores if a stop or a missed reply ends the test.
 Task<Result<std::int64_t>> GuardThread::try_time_out() {
   Conversation::Decode decode = decode_number;
-  auto before = co_await talk_.ask_surely("TOC", std::move(decode), setup_.param("TOC"), Priority::intent);
+  auto before =
+      co_await conversation_.ask_surely("TOC", std::move(decode), setup_.param("TOC"), Priority::intent);
   if (!before) co_return before;
   const std::int64_t wanted = silence().count();
   auto set_to = co_await borrowed_.borrow("TOC", wanted, *before);
   if (!set_to) co_return fail(set_to.error());
-  auto back = co_await talk_.ask_number("TOC", Priority::intent);
+  auto back = co_await conversation_.ask_number("TOC", Priority::intent);
   auto put_back = co_await borrowed_.give_back();
   if (!back) co_return back;
   if (!put_back) co_return fail(put_back.error());
@@ -126,7 +127,7 @@ Task<Result<>> GuardThread::install() {
   console_.draft.slots_torn = 0;
   code_.know(read_stored_code(language::decode(lines, dialect_), console_.model()));
   is_installed(std::move(lines), *time_out);
-  console_.tell(
+  console_.report(
       Notice::Kind::info,
       fmt::format("The guard is program {} of the controller now, and was compared. It stops a held "
                   "jog after a silence of {} ms.",
@@ -152,7 +153,7 @@ Task<Result<>> GuardThread::remove() {
   is(JogGuard::State::absent);
   for (const int number : {guard_axes_variable, guard_work_variable})
     if (auto zero = co_await set(variable(number), 0); !zero) co_return zero;
-  console_.tell(Notice::Kind::info, "The guard is gone, and the program memory is empty as before.");
+  console_.report(Notice::Kind::info, "The guard is gone, and the program memory is empty as before.");
   co_return Result<>();
 }
 
@@ -180,7 +181,7 @@ Task<Result<>> GuardThread::watch(int axis) {
 Task<Result<>> GuardThread::still_there() {
   const auto stops = std::find_if(lines_.begin(), lines_.end(),
                                   [](const std::string& line) { return line.starts_with("STOP"); });
-  auto line = co_await talk_.ask(fmt::format("SA{}", stops - lines_.begin()), Priority::intent);
+  auto line = co_await conversation_.ask(fmt::format("SA{}", stops - lines_.begin()), Priority::intent);
   if (!line) {
     line.error().kind = FaultKind::refused;
     line.error().done = "The jog was not sent.";
@@ -195,7 +196,7 @@ Task<Result<>> GuardThread::still_there() {
 /// Otherwise the program, which ends by itself, would replace the present value.
 Task<Result<>> GuardThread::time_out_is_as_it_was() {
   Conversation::Decode decode = decode_number;
-  auto now = co_await talk_.ask_surely("TOC", std::move(decode), time_out_, Priority::intent);
+  auto now = co_await conversation_.ask_surely("TOC", std::move(decode), time_out_, Priority::intent);
   if (!now) {
     now.error().kind = FaultKind::refused;
     now.error().done = "The jog was not sent.";
@@ -216,7 +217,7 @@ Task<Result<>> GuardThread::start(unsigned axes) {
   if (auto told = co_await set(variable(guard_axes_variable), axes); !told) co_return told;
   if (auto told = co_await set("TOC", silence().count()); !told) co_return told;
   if (auto told = co_await set(fmt::format("SR{}", program), 1); !told) co_return told;
-  auto runs = co_await talk_.ask_number(fmt::format("SASTAT{}", program), Priority::intent);
+  auto runs = co_await conversation_.ask_number(fmt::format("SASTAT{}", program), Priority::intent);
   if (!runs) co_return fail(runs.error());
   if (*runs == 1) co_return Result<>();
   co_return fail(FaultKind::controller, fmt::format("Program {} does not run.", program));
@@ -251,7 +252,8 @@ Task<Result<>> GuardThread::look() {
   for (int n = 0; guard.state == State::unknown && n < lines_a_round; ++n) {
     std::function<bool(std::string_view)> whatever = [](std::string_view) { return true; };
     auto line =  // only a second refusal counts: the question may have been garbled
-        co_await talk_.ask_for(fmt::format("SA{}", lines_.size()), std::move(whatever), Priority::poll);
+        co_await conversation_.ask_for(fmt::format("SA{}", lines_.size()), std::move(whatever),
+                                       Priority::poll);
     if (!line && line.error().kind != FaultKind::refused) co_return fail(line.error());
     if (!line) is(State::no_room);  // it has no program memory
     if (guard.state != State::unknown) co_return Result<>();
@@ -277,7 +279,7 @@ Task<Result<>> GuardThread::look() {
 
 /// From a console that died during a held jog: the next round restores V49 and TOC if all axes stand.
 Task<Result<>> GuardThread::take_over() {
-  auto axes = co_await talk_.ask_number(variable(guard_axes_variable), Priority::poll);
+  auto axes = co_await conversation_.ask_number(variable(guard_axes_variable), Priority::poll);
   if (!axes) co_return fail(axes.error());
   watches(static_cast<unsigned>(*axes) & ((1u << console_.axes()) - 1));
   co_return Result<>();

@@ -13,11 +13,12 @@ namespace hw::arcus {
 
 class GuardThread {
  public:
-  GuardThread(const Console& console, const language::Dialect& dialect, Conversation& talk, CodeAtWork& code,
-              BorrowedSetting& borrowed, SetUp& setup, Threads& threads, StoredLines& stored)
+  GuardThread(const Console& console, const language::Dialect& dialect, Conversation& conversation,
+              CodeAtWork& code, BorrowedSetting& borrowed, SetUp& setup, Threads& threads,
+              StoredLines& stored)
       : console_(console),
         dialect_(dialect),
-        talk_(talk),
+        conversation_(conversation),
         code_(code),
         borrowed_(borrowed),
         setup_(setup),
@@ -58,7 +59,7 @@ class GuardThread {
 
   const Console& console_;
   const language::Dialect& dialect_;
-  Conversation& talk_;
+  Conversation& conversation_;
   CodeAtWork& code_;
   BorrowedSetting& borrowed_;
   SetUp& setup_;

@@ -19,9 +19,9 @@ bool LimitSwitches::glance_is_due() const {
 // A fault here also shows on the question that follows.
 Task<> LimitSwitches::glance() {
   glanced_at_ = console_.scheduler.now();
-  auto words = co_await talk_.ask_numbers(std::string(console_.forms.status), fields_of_status(console_),
-                                          Priority::poll);
-  if (words) take(*words, talk_.asked_at());
+  auto words = co_await conversation_.ask_numbers(std::string(console_.forms.status),
+                                                  fields_of_status(console_), Priority::poll);
+  if (words) take(*words, conversation_.asked_at());
 }
 
 void LimitSwitches::take(const std::vector<std::int64_t>& words, Instant asked_at) {
@@ -31,7 +31,7 @@ void LimitSwitches::take(const std::vector<std::int64_t>& words, Instant asked_a
   for (int i = 0; i < console_.axes(); ++i)
     limits = limits << 2 | std::uint64_t{has_bit(words[ix(i)], bits.minus_limit)} << 1 |
              std::uint64_t{has_bit(words[ix(i)], bits.plus_limit)};
-  const bool agree = look_.agrees(limits, talk_.times_cleaned());
+  const bool agree = look_.agrees(limits, conversation_.times_cleaned());
   for (int i = 0; i < console_.axes(); ++i) {
     AxisState& axis = console_.draft.axes[i];
     axis.limit_minus = has_bit(words[ix(i)], bits.minus_limit);

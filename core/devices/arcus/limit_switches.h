@@ -11,7 +11,8 @@ namespace hw::arcus {
 
 class LimitSwitches {
  public:
-  LimitSwitches(const Console& console, Conversation& talk) : console_(console), talk_(talk) {}
+  LimitSwitches(const Console& console, Conversation& conversation)
+      : console_(console), conversation_(conversation) {}
 
   /// Takes the words asked for at `asked_at`, unless newer ones are shown. Watchers are told at once.
   void take(const std::vector<std::int64_t>& words, Instant asked_at);
@@ -22,7 +23,7 @@ class LimitSwitches {
 
  private:
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   SecondLook look_;
   Instant shown_of_{};  ///< when the words had been asked for
   Instant watched_until_{}, glanced_at_{};

@@ -15,15 +15,16 @@ bool Lines::glance_is_due() const {
 // A fault here also shows on the question that follows.
 Task<> Lines::glance() {
   glanced_at_ = console_.scheduler.now();
-  auto inputs = co_await talk_.ask_number("DI", Priority::poll);
+  auto inputs = co_await conversation_.ask_number("DI", Priority::poll);
   if (inputs) tell_who_watches(*inputs);
 }
 
 // Inputs are shown without waiting for the outputs that are read next.
 void Lines::tell_who_watches(std::int64_t inputs) {
   const bool watched = console_.scheduler.now() < watched_until_;
-  if (!watched || !glance_look_.agrees(static_cast<std::uint64_t>(inputs), talk_.times_cleaned())) return;
-  show_inputs(inputs, talk_.asked_at());
+  if (!watched || !glance_look_.agrees(static_cast<std::uint64_t>(inputs), conversation_.times_cleaned()))
+    return;
+  show_inputs(inputs, conversation_.asked_at());
   console_.changed();
 }
 
@@ -36,18 +37,18 @@ void Lines::show_inputs(std::int64_t inputs, Instant asked_at) {
 Task<Result<>> Lines::read(Priority priority) {
   for (const bool again : {false, true}) {
     glanced_at_ = console_.scheduler.now();  // no glance right after this reading
-    auto inputs = co_await talk_.ask_number("DI", priority);
+    auto inputs = co_await conversation_.ask_number("DI", priority);
     if (!inputs) co_return fail(inputs.error());
-    const Instant inputs_asked_at = talk_.asked_at();
+    const Instant inputs_asked_at = conversation_.asked_at();
     tell_who_watches(*inputs);
-    auto outputs = co_await talk_.ask_number("DO", priority);
+    auto outputs = co_await conversation_.ask_number("DO", priority);
     if (!outputs) co_return fail(outputs.error());
-    auto enables = co_await talk_.ask_number("EO", priority);
+    auto enables = co_await conversation_.ask_number("EO", priority);
     if (!enables) co_return fail(enables.error());
     const std::uint64_t lines = static_cast<std::uint64_t>(*inputs) << 16 ^
                                 static_cast<std::uint64_t>(*outputs) << 8 ^
                                 static_cast<std::uint64_t>(*enables);
-    if (!look_.agrees(lines, talk_.times_cleaned())) {
+    if (!look_.agrees(lines, conversation_.times_cleaned())) {
       if (!again) continue;
       break;  // what was shown keeps its age
     }
@@ -61,41 +62,44 @@ Task<Result<>> Lines::read(Priority priority) {
   co_return Result<>();
 }
 
-Task<Result<>> Lines::set_power(intent::SetPower wish) {
-  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
+Task<Result<>> Lines::set_power(intent::SetPower request) {
+  const int first = request.axis < 0 ? 0 : request.axis,
+            last = request.axis < 0 ? console_.axes() - 1 : request.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = console_.has_axis(axis); !may) co_return may;
-    auto set = co_await talk_.command(
-        set_command(fill(console_.forms, console_.forms.power, axis, Sign::plus, axis + 1), wish.on),
+    auto set = co_await conversation_.command(
+        set_command(fill(console_.forms, console_.forms.power, axis, Sign::plus, axis + 1), request.on),
         Priority::intent);
     if (!set) co_return set;
   }
   co_return co_await read(Priority::intent);
 }
 
-Task<Result<>> Lines::set_output(intent::SetOutput wish) {
-  if (wish.number < 1 || wish.number > console_.model().outputs)
-    co_return fail(
-        FaultKind::refused,
-        fmt::format("There is no output {}: there are DO1 to DO{}.", wish.number, console_.model().outputs),
-        "Nothing was sent.");
-  auto set = co_await talk_.command(set_command(fmt::format("DO{}", wish.number), wish.on), Priority::intent);
+Task<Result<>> Lines::set_output(intent::SetOutput request) {
+  if (request.number < 1 || request.number > console_.model().outputs)
+    co_return fail(FaultKind::refused,
+                   fmt::format("There is no output {}: there are DO1 to DO{}.", request.number,
+                               console_.model().outputs),
+                   "Nothing was sent.");
+  auto set = co_await conversation_.command(set_command(fmt::format("DO{}", request.number), request.on),
+                                            Priority::intent);
   if (!set) co_return set;
   auto seen = co_await read(Priority::intent);
   if (!seen) co_return seen;
-  const bool shows = (console_.draft.outputs >> (wish.number - 1) & 1) != 0;
-  if (shows == wish.on) co_return Result<>();
+  const bool shows = (console_.draft.outputs >> (request.number - 1) & 1) != 0;
+  if (shows == request.on) co_return Result<>();
   co_return fail(
       FaultKind::controller,
-      fmt::format("DO{} stays {}: {}.", wish.number, shows ? "on" : "off", who_has(wish.number)),
-      fmt::format("The controller has taken DO{}={} and remembers it.", wish.number, wish.on ? 1 : 0),
+      fmt::format("DO{} stays {}: {}.", request.number, shows ? "on" : "off", who_has(request.number)),
+      fmt::format("The controller has taken DO{}={} and remembers it.", request.number, request.on ? 1 : 0),
       "It shows as soon as the output is free.");
 }
 
 Task<Result<>> Lines::switch_tool_off(ToolOff tool) {
   Result<> all;
   for (const ToolOutput& o : tool) {
-    auto set = co_await talk_.command(set_command(fmt::format("DO{}", o.number), o.on), Priority::stop);
+    auto set =
+        co_await conversation_.command(set_command(fmt::format("DO{}", o.number), o.on), Priority::stop);
     if (all && !set) all = std::move(set);
   }
   co_return all;

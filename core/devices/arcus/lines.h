@@ -10,16 +10,16 @@ namespace hw::arcus {
 
 class Lines {
  public:
-  Lines(const Console& console, Conversation& talk, const SetUp& setup)
-      : console_(console), talk_(talk), setup_(setup) {}
+  Lines(const Console& console, Conversation& conversation, const SetUp& setup)
+      : console_(console), conversation_(conversation), setup_(setup) {}
 
   Task<Result<>> read(Priority priority);
   /// Until `until` the inputs are also read between the questions of a round, and told at once.
   void watch_inputs(Instant until) { watched_until_ = until; }
   [[nodiscard]] bool glance_is_due() const;
   Task<> glance();
-  Task<Result<>> set_output(intent::SetOutput wish);
-  Task<Result<>> set_power(intent::SetPower wish);
+  Task<Result<>> set_output(intent::SetOutput request);
+  Task<Result<>> set_power(intent::SetPower request);
   /// Sends each command even if another fails. The next round reads the outputs.
   Task<Result<>> switch_tool_off(ToolOff tool);
 
@@ -34,7 +34,7 @@ class Lines {
   void show_inputs(std::int64_t inputs, Instant asked_at);
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   const SetUp& setup_;
   SecondLook look_, glance_look_;
   bool due_ = false;

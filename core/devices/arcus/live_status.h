@@ -10,15 +10,15 @@ inline constexpr Duration period_at_rest = Millis(200);
 
 class LiveStatus {
  public:
-  LiveStatus(const Console& console, Conversation& talk, MotionStatus& status, Threads& threads)
-      : console_(console), talk_(talk), status_(status), threads_(threads) {}
+  LiveStatus(const Console& console, Conversation& conversation, MotionStatus& status, Threads& threads)
+      : console_(console), conversation_(conversation), status_(status), threads_(threads) {}
 
   /// Only if a round is due.
   Task<> read();
 
  private:
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   MotionStatus& status_;
   Threads& threads_;
 };

@@ -31,17 +31,17 @@ Task<Result<>> MotionStatus::read_counters(Priority priority) {
   round_began_ = console_.scheduler.now();
   const auto axes = ix(console_.axes());
   const Instant asked_at = console_.scheduler.now();
-  auto status =
-      co_await talk_.ask_numbers(std::string(console_.forms.status), fields_of_status(console_), priority);
+  auto status = co_await conversation_.ask_numbers(std::string(console_.forms.status),
+                                                   fields_of_status(console_), priority);
   if (!status) co_return fail(status.error());
-  limits_.take(*status, talk_.asked_at());
+  limits_.take(*status, conversation_.asked_at());
   watch_.first_answer_came();
-  auto positions = co_await talk_.ask_numbers(std::string(console_.forms.positions), axes, priority);
+  auto positions = co_await conversation_.ask_numbers(std::string(console_.forms.positions), axes, priority);
   if (!positions) co_return fail(positions.error());
-  const Instant seen_at = talk_.asked_at();  // this reply or a later one may have come late
-  auto encoders = co_await talk_.ask_numbers(std::string(console_.forms.encoders), axes, priority);
+  const Instant seen_at = conversation_.asked_at();  // this reply or a later one may have come late
+  auto encoders = co_await conversation_.ask_numbers(std::string(console_.forms.encoders), axes, priority);
   if (!encoders) co_return fail(encoders.error());
-  auto speeds = co_await talk_.ask_numbers(std::string(console_.forms.speeds), axes, priority);
+  auto speeds = co_await conversation_.ask_numbers(std::string(console_.forms.speeds), axes, priority);
   if (!speeds) co_return fail(speeds.error());
   if (asked_at < asked_at_) co_return Result<>();  // overtaken: a stop's own round is newer
   asked_at_ = asked_at;
@@ -96,7 +96,7 @@ Task<Result<>> MotionStatus::read_loops(Priority priority) {
     if (motions_.loop_is_off(i)) continue;
     const std::string question = fill(console_.forms, console_.forms.loop_state, i);
     const Instant asked_at = console_.scheduler.now();
-    auto state = co_await talk_.ask_number(question, priority);
+    auto state = co_await conversation_.ask_number(question, priority);
     const bool has_none = !state && state.error().kind == FaultKind::refused;  // a firmware without StepNLoop
     if (has_none) state = static_cast<std::int64_t>(LoopState::off);
     if (!state) co_return fail(state.error());

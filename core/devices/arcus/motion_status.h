@@ -13,10 +13,10 @@ namespace hw::arcus {
 
 class MotionStatus {
  public:
-  MotionStatus(const Console& console, Conversation& talk, CodeAtWork& code, MoveList& list,
+  MotionStatus(const Console& console, Conversation& conversation, CodeAtWork& code, MoveList& list,
                Readouts& readouts, RestartWatch& watch, Motions& motions, LimitSwitches& limits)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         code_(code),
         list_(list),
         readouts_(readouts),
@@ -38,7 +38,7 @@ class MotionStatus {
   void take_status(const std::vector<std::int64_t>& words);
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   CodeAtWork& code_;
   MoveList& list_;
   Readouts& readouts_;

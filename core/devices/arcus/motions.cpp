@@ -28,6 +28,11 @@ bool loop_sets_out(int state) {
   return loop_works(state) && !loop_stops(state) && state != static_cast<int>(LoopState::correcting);
 }
 
+/// The motor or its encoder did not follow: nobody can tell which of the two counts is true.
+bool loses_its_place(AxisError error) {
+  return error == AxisError::stalled || error == AxisError::too_far || error == AxisError::not_corrected;
+}
+
 Activity activity_of(int loop_state) {
   switch (static_cast<LoopState>(loop_state)) {
     case LoopState::jogging: return Activity::jogging;
@@ -113,7 +118,7 @@ void Motions::doubt_killed_position(int index) {
   const std::int64_t safe = setup_.start_speed(index);
   if (axis.in_counts || axis.trust.doubtful() || axis.speed.value <= static_cast<double>(safe)) return;
   axis.trust.doubt(Doubt::killed, console_.scheduler.now());
-  console_.tell(
+  console_.report(
       Notice::Kind::warning,
       fmt::format("Axis {} was stopped without a ramp at {:.0f} pulses/s. Above its low speed, {}, it may "
                   "have lost steps: its position is doubtful until it is homed or set.",
@@ -188,7 +193,9 @@ void Motions::show(int index, Instant asked_at) {
     return;
   }
   if (console_.draft.axis_moves(index) || axis.activity == Activity::unknown) show_ended(index);
-  axis.error = error_of(index);
+  const AxisError before = std::exchange(axis.error, error_of(index));
+  if (axis.error != before && loses_its_place(axis.error) && !axis.trust.doubtful())
+    axis.trust.doubt(Doubt::slipped, console_.scheduler.now());
   axis.activity = axis.error == AxisError::none ? Activity::idle : Activity::error;
   axis.phase = Phase::unknown;
   axis.direction = 0;

@@ -14,16 +14,16 @@ constexpr double status_takes_part = 1.3;
 
 }  // namespace
 
-Result<> MoveList::accepts(const intent::FeedMoves& wish) const {
+Result<> MoveList::accepts(const intent::FeedMoves& request) const {
   const auto& columns = console_.catalog.move_list.columns;
   if (columns.empty())
     return fail(FaultKind::refused, fmt::format("A {} has no buffer for moves.", console_.model().title),
                 "Nothing was sent.");
-  for (std::size_t row = 0; row < wish.rows.size(); ++row)
+  for (std::size_t row = 0; row < request.rows.size(); ++row)
     for (std::size_t c = 0; c < columns.size(); ++c)
-      if (wish.rows[row].size() != columns.size() ||
-          (wish.rows[row][c] != intent::FeedMoves::as_it_is &&
-           (wish.rows[row][c] < columns[c].minimum || wish.rows[row][c] > columns[c].maximum)))
+      if (request.rows[row].size() != columns.size() ||
+          (request.rows[row][c] != intent::FeedMoves::as_it_is &&
+           (request.rows[row][c] < columns[c].minimum || request.rows[row][c] > columns[c].maximum)))
         return fail(FaultKind::refused,
                     fmt::format("Move {} of the list cannot be sent: {} goes from {} to {}.", row + 1,
                                 columns[c].label, columns[c].minimum, columns[c].maximum),
@@ -32,11 +32,11 @@ Result<> MoveList::accepts(const intent::FeedMoves& wish) const {
 }
 
 Task<Result<>> MoveList::switch_buffer_on() {
-  auto on = co_await talk_.command("BO", Priority::intent);
+  auto on = co_await conversation_.command("BO", Priority::intent);
   if (!on && on.error().kind == FaultKind::refused)
     on.error().advice = "Buffered moves need StepNLoop of X, Y and Z switched off.";
   if (!on) co_return on;
-  console_.tell(
+  console_.report(
       Notice::Kind::info,
       console_.draft.pieces.running
           ? "Buffered mode is on while this is drawn. After a stop it stays on until you switch it off."
@@ -55,7 +55,8 @@ void MoveList::begin(std::vector<std::vector<std::int64_t>> rows) {
     }
   to_feed_.assign(std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
   for (std::size_t a = 0; a < behind_.size(); ++a) behind_[a] = console_.draft.axes[a].position.value;
-  if (row_takes_ == Duration::zero() && talk_.is_open()) row_takes_ = talk_.station()->wire_time(40);
+  if (row_takes_ == Duration::zero() && conversation_.is_open())
+    row_takes_ = conversation_.station()->wire_time(40);
   if (console_.draft.pieces.step < 0) slow_is_told_ = false;  // the first of all
   console_.draft.feed.running = !to_feed_.empty();
   console_.draft.feed.sent = 0;
@@ -72,22 +73,22 @@ Task<Result<>> MoveList::feed(std::function<void()> moves) {
   for (int n = 0; n < most && !to_feed_.empty() && buffer_free_ > 0; ++n) {
     if (!buffer_on_) {
       end();
-      console_.tell(Notice::Kind::warning,
-                    "Buffered mode was switched off, so the rest of the list was not sent.");
+      console_.report(Notice::Kind::warning,
+                      "Buffered mode was switched off, so the rest of the list was not sent.");
       co_return Result<>();
     }
     const std::vector<std::int64_t> row = std::move(to_feed_.front());
     to_feed_.pop_front();
     const std::string text = fmt::format("I{}:{}:{}:{}", row[0], row[1], row[2], speed_of(row));
     const Instant asked_at = console_.scheduler.now();
-    auto reply = co_await talk_.exchange(text, Priority::intent, Millis(200));
+    auto reply = co_await conversation_.exchange(text, Priority::intent, Millis(200));
     if (reply && reply->text == console_.model().refusal(Refusal::buffer_full)) {
       to_feed_.push_front(row);
       buffer_free_ = 0;
       break;
     }
     if (!reply || reply->text != "OK") {
-      Fault why = reply ? talk_.refusal(text, reply->text).value() : reply.error();
+      Fault why = reply ? conversation_.refusal(text, reply->text).value() : reply.error();
       broken_off(std::move(why));
       co_return Result<>();
     }
@@ -114,7 +115,7 @@ std::int64_t MoveList::speed_of(const std::vector<std::int64_t>& row) {
   const double at_least_s = status_takes_part * seconds(row_takes_);
   if (way >= at_least_s * static_cast<double>(speed)) return speed;
   if (!std::exchange(slow_is_told_, true))
-    console_.tell(
+    console_.report(
         Notice::Kind::info,
         fmt::format("Short lines go slower than asked: on this wire one takes {} ms to be sent, and "
                     "none may be over sooner.",
@@ -129,7 +130,7 @@ void MoveList::broken_off(Fault why) {
   end();
   if (why.kind == FaultKind::stopped) return;
   why.done = fmt::format("{} moves of the list were sent; the rest was not.", sent);
-  console_.tell(Notice::Kind::error, why.sentence());
+  console_.report(Notice::Kind::error, why.sentence());
 }
 
 void MoveList::end() {

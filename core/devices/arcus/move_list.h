@@ -12,13 +12,14 @@ namespace hw::arcus {
 
 class MoveList {
  public:
-  MoveList(const Console& console, Conversation& talk) : console_(console), talk_(talk) {}
+  MoveList(const Console& console, Conversation& conversation)
+      : console_(console), conversation_(conversation) {}
 
   // ---- from the status
   void buffer_is(bool on) { buffer_on_ = on; }
   void places_are(int free) { buffer_free_ = free; }
 
-  [[nodiscard]] Result<> accepts(const intent::FeedMoves& wish) const;
+  [[nodiscard]] Result<> accepts(const intent::FeedMoves& request) const;
   [[nodiscard]] bool buffer_is_on() const { return buffer_on_; }
   Task<Result<>> switch_buffer_on();
   /// The list begins where the axes stand.
@@ -34,7 +35,7 @@ class MoveList {
   void row_took(Duration time);
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   std::deque<std::vector<std::int64_t>> to_feed_;
   int buffer_free_ = 0;
   bool buffer_on_ = false;

@@ -11,7 +11,7 @@ namespace hw::arcus {
 
 Task<Result<>> Moves::start(std::string text, std::vector<int> axes, Activity activity) {
   const std::string sent = text;
-  auto done = co_await talk_.command(std::move(text), Priority::intent);
+  auto done = co_await conversation_.command(std::move(text), Priority::intent);
   if (!done) {
     Fault fault = co_await status_.after_doubt(std::move(done.error()), sent);
     co_return fail(std::move(fault));
@@ -22,7 +22,7 @@ Task<Result<>> Moves::start(std::string text, std::vector<int> axes, Activity ac
 
 Task<Result<bool>> Moves::ask_incremental() {
   if (!console_.forms.mode.empty()) {
-    auto mode = co_await talk_.ask_number(std::string(console_.forms.mode), Priority::intent);
+    auto mode = co_await conversation_.ask_number(std::string(console_.forms.mode), Priority::intent);
     if (!mode) co_return fail(mode.error());
     readouts_.put("MM", *mode);
   } else {
@@ -36,8 +36,8 @@ Task<Result<bool>> Moves::ask_incremental() {
 Task<Result<std::int64_t>> Moves::ask_position(int axis) {
   std::string question = fill(console_.forms, console_.forms.position, axis);
   Conversation::Decode decode = decode_number;
-  auto position = co_await talk_.ask_surely(std::move(question), std::move(decode),
-                                            console_.draft.axes[axis].position.value, Priority::intent);
+  auto position = co_await conversation_.ask_surely(
+      std::move(question), std::move(decode), console_.draft.axes[axis].position.value, Priority::intent);
   if (position || !console_.draft.axes[axis].position_known || position.error().kind != FaultKind::garbled)
     co_return position;
   co_return fail(FaultKind::garbled,
@@ -46,15 +46,15 @@ Task<Result<std::int64_t>> Moves::ask_position(int axis) {
                  "Nothing was moved.", "Wait until it stands, or stop it.");
 }
 
-Task<Result<>> Moves::move(std::vector<AxisTarget> wish, intent::Pace pace, bool relative,
+Task<Result<>> Moves::move(std::vector<AxisTarget> request, intent::Pace pace, bool relative,
                            Activity shown_as) {
-  if (wish.empty()) co_return Result<>();
+  if (request.empty()) co_return Result<>();
   auto incremental = co_await ask_incremental();
   if (!incremental) co_return fail(incremental.error());
   std::vector<AxisValue> values;
   std::vector<int> axes;
   std::vector<std::int64_t> goals;
-  for (const AxisTarget& t : wish) {
+  for (const AxisTarget& t : request) {
     const int axis = t.axis.index;
     if (auto may = console_.has_axis(axis); !may) co_return may;
     std::int64_t here = console_.draft.axes[axis].position.value;
@@ -85,14 +85,14 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> wish, intent::Pace pace, bool
   co_return started;
 }
 
-Task<Result<>> Moves::jog(intent::JogStart wish) {
-  if (wish.up_to) {
-    std::vector<AxisTarget> end(1, AxisTarget{wish.axis, *wish.up_to});
-    co_return co_await move(std::move(end), pace_of(wish), false, Activity::jogging);
+Task<Result<>> Moves::jog(intent::JogStart request) {
+  if (request.up_to) {
+    std::vector<AxisTarget> end(1, AxisTarget{request.axis, *request.up_to});
+    co_return co_await move(std::move(end), pace_of(request), false, Activity::jogging);
   }
-  const int axis = wish.axis.index;
+  const int axis = request.axis.index;
   if (auto may = console_.has_axis(axis); !may) co_return may;
-  auto borrowed = co_await borrow_pace(pace_of(wish), axis);
+  auto borrowed = co_await borrow_pace(pace_of(request), axis);
   if (!borrowed) {
     Fault why = borrowed.error();
     if (why.kind == FaultKind::no_answer || why.kind == FaultKind::garbled) {
@@ -102,29 +102,30 @@ Task<Result<>> Moves::jog(intent::JogStart wish) {
     co_return fail(std::move(why));
   }
   std::vector<int> axes{axis};
-  auto started = co_await start(fill(console_.forms, console_.forms.jog, axis, wish.sign), std::move(axes),
+  auto started = co_await start(fill(console_.forms, console_.forms.jog, axis, request.sign), std::move(axes),
                                 Activity::jogging);
   if (started) {
-    console_.draft.axes[axis].direction = static_cast<std::int8_t>(factor(wish.sign));
+    console_.draft.axes[axis].direction = static_cast<std::int8_t>(factor(request.sign));
     console_.draft.axes[axis].has_target = false;
-    watch_.jogs(axis, wish.sign);
+    watch_.jogs(axis, request.sign);
   }
   co_await give_back_pace();
   co_return started;
 }
 
-Task<Result<>> Moves::home(intent::Home wish) {
-  const int axis = wish.axis.index;
+Task<Result<>> Moves::home(intent::Home request) {
+  const int axis = request.axis.index;
   if (auto may = console_.has_axis(axis); !may) co_return may;
-  if (wish.mode < 0 || wish.mode >= static_cast<int>(console_.forms.homes.size()))
-    co_return fail(FaultKind::refused, fmt::format("There is no homing mode {}.", wish.mode),
+  if (request.mode < 0 || request.mode >= static_cast<int>(console_.forms.homes.size()))
+    co_return fail(FaultKind::refused, fmt::format("There is no homing mode {}.", request.mode),
                    "Nothing was sent.");
-  auto borrowed = co_await borrow_pace(wish.pace, axis);
+  auto borrowed = co_await borrow_pace(request.pace, axis);
   if (!borrowed) co_return borrowed;
   watch_.counters_may_be_set();  // also if the reply is lost and the state is read afresh
   std::vector<int> axes{axis};
-  auto started = co_await start(fill(console_.forms, console_.forms.homes[ix(wish.mode)], axis, wish.sign),
-                                std::move(axes), Activity::homing);
+  auto started =
+      co_await start(fill(console_.forms, console_.forms.homes[ix(request.mode)], axis, request.sign),
+                     std::move(axes), Activity::homing);
   co_await give_back_pace();
   if (!started) co_return started;
   console_.draft.axes[axis].has_target = false;
@@ -153,7 +154,7 @@ Task<Result<bool>> Moves::has_own_speeds(int axis) {
   bool own = true;
   for (const std::string_view form :
        {console_.forms.axis_high_speed, console_.forms.axis_low_speed, console_.forms.axis_accel}) {
-    auto value = co_await talk_.ask_number(fill(console_.forms, form, axis), Priority::intent);
+    auto value = co_await conversation_.ask_number(fill(console_.forms, form, axis), Priority::intent);
     if (!value) co_return fail(value.error());
     own = own && *value != 0;
   }
@@ -183,17 +184,19 @@ Task<Result<>> Moves::borrow_pace(intent::Pace pace, int axis) {
 
 Task<> Moves::give_back_pace() {
   auto returned = co_await borrowed_.give_back();
-  if (!returned) console_.tell(Notice::Kind::warning, returned.error().sentence());
+  if (!returned) console_.report(Notice::Kind::warning, returned.error().sentence());
 }
 
 // ---- counters
 
-Task<Result<>> Moves::set_position(intent::SetPosition wish) {
-  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
+Task<Result<>> Moves::set_position(intent::SetPosition request) {
+  const int first = request.axis < 0 ? 0 : request.axis,
+            last = request.axis < 0 ? console_.axes() - 1 : request.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = console_.has_axis(axis); !may) co_return may;
-    auto set = co_await talk_.command(
-        set_command(fill(console_.forms, console_.forms.position, axis), wish.value.value), Priority::intent);
+    auto set = co_await conversation_.command(
+        set_command(fill(console_.forms, console_.forms.position, axis), request.value.value),
+        Priority::intent);
     if (!set) {
       if (console_.draft.axes[axis].in_counts && set.error().kind == FaultKind::refused)
         set.error().advice = fmt::format(
@@ -201,21 +204,23 @@ Task<Result<>> Moves::set_position(intent::SetPosition wish) {
             console_.axis_name(axis));
       co_return set;
     }
-    watch_.position_was_set(axis, wish.value);
+    watch_.position_was_set(axis, request.value);
     console_.draft.axes[axis].trust.settle(Trust::set, console_.scheduler.now());
     console_.draft.axes[axis].has_target = false;  // the count has another origin now
   }
   co_return co_await status_.read(Priority::intent);
 }
 
-Task<Result<>> Moves::set_encoder(intent::SetEncoder wish) {
-  const int first = wish.axis < 0 ? 0 : wish.axis, last = wish.axis < 0 ? console_.axes() - 1 : wish.axis;
+Task<Result<>> Moves::set_encoder(intent::SetEncoder request) {
+  const int first = request.axis < 0 ? 0 : request.axis,
+            last = request.axis < 0 ? console_.axes() - 1 : request.axis;
   for (int axis = first; axis <= last; ++axis) {
     if (auto may = console_.has_axis(axis); !may) co_return may;
-    auto set = co_await talk_.command(
-        set_command(fill(console_.forms, console_.forms.encoder, axis), wish.value.value), Priority::intent);
+    auto set = co_await conversation_.command(
+        set_command(fill(console_.forms, console_.forms.encoder, axis), request.value.value),
+        Priority::intent);
     if (!set) co_return set;
-    watch_.encoder_was_set(axis, wish.value);
+    watch_.encoder_was_set(axis, request.value);
     console_.draft.axes[axis].has_target = false;
   }
   co_return co_await status_.read(Priority::intent);

@@ -10,10 +10,10 @@ namespace hw::arcus {
 
 class Moves {
  public:
-  Moves(const Console& console, Conversation& talk, const SetUp& setup, BorrowedSetting& borrowed,
+  Moves(const Console& console, Conversation& conversation, const SetUp& setup, BorrowedSetting& borrowed,
         Readouts& readouts, RestartWatch& watch, Motions& motions, MotionStatus& status)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         setup_(setup),
         borrowed_(borrowed),
         readouts_(readouts),
@@ -21,12 +21,12 @@ class Moves {
         motions_(motions),
         status_(status) {}
 
-  Task<Result<>> move(std::vector<AxisTarget> wish, intent::Pace pace, bool relative,
+  Task<Result<>> move(std::vector<AxisTarget> request, intent::Pace pace, bool relative,
                       Activity shown_as = Activity::moving);
-  Task<Result<>> jog(intent::JogStart wish);
-  Task<Result<>> home(intent::Home wish);
-  Task<Result<>> set_position(intent::SetPosition wish);
-  Task<Result<>> set_encoder(intent::SetEncoder wish);
+  Task<Result<>> jog(intent::JogStart request);
+  Task<Result<>> home(intent::Home request);
+  Task<Result<>> set_position(intent::SetPosition request);
+  Task<Result<>> set_encoder(intent::SetEncoder request);
 
   /// One command that moves these axes.
   Task<Result<>> start(std::string text, std::vector<int> axes, Activity activity);
@@ -45,7 +45,7 @@ class Moves {
   Task<> give_back_pace();
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   const SetUp& setup_;
   BorrowedSetting& borrowed_;
   Readouts& readouts_;

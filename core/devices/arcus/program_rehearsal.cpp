@@ -6,7 +6,7 @@
 
 #include "core/base/index.h"
 #include "core/device/bench_file.h"
-#include "core/device/planned_hands.h"
+#include "core/device/bench_schedule.h"
 #include "core/device/track_keeper.h"
 #include "core/devices/arcus/language/compiler.h"
 #include "core/devices/arcus/move_stream.h"
@@ -47,7 +47,7 @@ class Rehearsing {
     result_.outputs_at_first = outputs();
   }
 
-  Result<> set_bench() { return PlannedHands::act(options_.bench, emulator_); }
+  Result<> set_bench() { return BenchSchedule::act(options_.bench, emulator_); }
   Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
 
   Rehearsal run() {
@@ -136,7 +136,7 @@ class Rehearsing {
     for (Controller::Trace& t : trace) {
       const bool begins_a_motion = t.axes != 0 && t.limit == 0 && is_of_started(t.line);
       if (begins_a_motion) result_.at_work(seconds(t.at), t.line);
-      if (watch_.hear(t)) event(t);
+      if (watch_.observe(t)) event(t);
     }
     trace.clear();
     watch_.look_at_programs();
@@ -200,7 +200,7 @@ class Rehearsing {
   const Catalog& catalog_;
   const int program_;  ///< that is started
   ProgramWatch watch_;
-  PlannedHands hands_;
+  BenchSchedule hands_;
   TrackKeeper track_;
   Instant now_{};
   std::array<std::int64_t, max_axes> turned_{};  ///< pulses made until the last look

@@ -104,7 +104,7 @@ void ProgramWatch::stopped(int line, std::string reason, std::string axis, int d
                     direction, std::move(reason)});
 }
 
-bool ProgramWatch::hear(const Controller::Trace& t) {
+bool ProgramWatch::observe(const Controller::Trace& t) {
   if (t.reads) {
     std::string& before = last_read_[t.line];
     if (before == t.what) return false;

@@ -20,7 +20,7 @@ class ProgramWatch {
       : controller_(controller), made_(made), dialect_(dialect) {}
 
   /// Call in order of time. False: an input was read and was the same as at the last read there.
-  bool hear(const Controller::Trace& trace);
+  bool observe(const Controller::Trace& trace);
   /// Call after each event: notes programs that have stopped in error since.
   void look_at_programs();
   [[nodiscard]] const std::vector<RehearsedStop>& stops() const { return stops_; }

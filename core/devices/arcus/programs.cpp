@@ -67,7 +67,7 @@ Task<Result<>> Programs::control(int thread, int what) {
         "Nothing was sent.");
   const std::string text = fmt::format("SR{}={}", thread, what);
   if (what == thread_run) console_.draft.program.ended_by = EndedBy::nothing;
-  auto done = co_await talk_.command(text, Priority::intent);
+  auto done = co_await conversation_.command(text, Priority::intent);
   if (!done) {
     Fault fault = co_await status_.after_doubt(std::move(done.error()), text);
     co_return fail(std::move(fault));
@@ -187,7 +187,7 @@ Task<Result<>> Programs::load(int program, std::string text) {
   if (!written) co_return stored_.broken_off(std::move(written.error()));
   console_.draft.slots_torn = 0;
   note_stored(lines);
-  console_.tell(Notice::Kind::info, stored_lines(static_cast<int>(lines.size()), *written));
+  console_.report(Notice::Kind::info, stored_lines(static_cast<int>(lines.size()), *written));
   co_return Result<>();
 }
 
@@ -207,7 +207,7 @@ Task<Result<>> Programs::upload(int program) {
   notice.whole = source.bad_lines.empty();
   console_.notify(std::move(notice));
   if (!source.bad_lines.empty())
-    console_.tell(Notice::Kind::warning, foreign_lines(source.bad_lines, *lines));
+    console_.report(Notice::Kind::warning, foreign_lines(source.bad_lines, *lines));
   co_return Result<>();
 }
 

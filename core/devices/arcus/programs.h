@@ -11,11 +11,11 @@ namespace hw::arcus {
 
 class Programs {
  public:
-  Programs(const Console& console, const language::Dialect& dialect, Conversation& talk, CodeAtWork& code,
-           MotionStatus& status, Threads& threads, StoredLines& stored)
+  Programs(const Console& console, const language::Dialect& dialect, Conversation& conversation,
+           CodeAtWork& code, MotionStatus& status, Threads& threads, StoredLines& stored)
       : console_(console),
         dialect_(dialect),
-        talk_(talk),
+        conversation_(conversation),
         code_(code),
         status_(status),
         threads_(threads),
@@ -36,7 +36,7 @@ class Programs {
 
   const Console& console_;
   const language::Dialect& dialect_;
-  Conversation& talk_;
+  Conversation& conversation_;
   CodeAtWork& code_;
   MotionStatus& status_;
   Threads& threads_;

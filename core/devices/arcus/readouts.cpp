@@ -13,9 +13,9 @@ constexpr int variables_per_round = 10;
 }  // namespace
 
 // Readouts contained in the status need no questions.
-Readouts::Readouts(const Console& console, Conversation& talk,
+Readouts::Readouts(const Console& console, Conversation& conversation,
                    std::function<void(int axis, std::int64_t state)> loop_is)
-    : console_(console), talk_(talk), loop_is_(std::move(loop_is)) {
+    : console_(console), conversation_(conversation), loop_is_(std::move(loop_is)) {
   by_status_.assign(console_.catalog.readouts.size(), false);
   for (std::size_t i = 0; i < by_status_.size(); ++i) {
     const std::string& id = console_.catalog.readouts[i].id;
@@ -36,7 +36,7 @@ void Readouts::put(std::string_view id, std::int64_t value) {
 
 Task<Result<>> Readouts::read(int index, Priority priority) {
   const ReadoutInfo& info = console_.catalog.readouts[ix(index)];
-  auto value = co_await talk_.ask_number(info.id, priority);
+  auto value = co_await conversation_.ask_number(info.id, priority);
   if (!value) co_return fail(value.error());
   put(info.id, *value);
   if (info.group == loop && info.axis >= 0 &&
@@ -46,7 +46,7 @@ Task<Result<>> Readouts::read(int index, Priority priority) {
 }
 
 Task<Result<>> Readouts::read_analog(int number, Priority priority) {
-  auto value = co_await talk_.ask_number(fmt::format("AI{}", number), priority);
+  auto value = co_await conversation_.ask_number(fmt::format("AI{}", number), priority);
   if (!value) co_return fail(value.error());
   console_.draft.analog[ix(number - 1)] = static_cast<std::int32_t>(*value);
   console_.draft.analog_known |= 1u << (number - 1);
@@ -55,7 +55,7 @@ Task<Result<>> Readouts::read_analog(int number, Priority priority) {
 }
 
 Task<Result<>> Readouts::read_variable(int number, Priority priority) {
-  auto value = co_await talk_.ask_number(fmt::format("V{}", number), priority);
+  auto value = co_await conversation_.ask_number(fmt::format("V{}", number), priority);
   if (!value) co_return fail(value.error());
   console_.draft.variables[ix(number)] = static_cast<std::int32_t>(*value);
   console_.draft.variables_known.set(ix(number));

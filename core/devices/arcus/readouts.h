@@ -13,7 +13,7 @@ namespace hw::arcus {
 class Readouts {
  public:
   /// `loop_is` gets the StepNLoop state of an axis.
-  Readouts(const Console& console, Conversation& talk,
+  Readouts(const Console& console, Conversation& conversation,
            std::function<void(int axis, std::int64_t state)> loop_is);
 
   void watch(std::uint32_t groups) { watched_ = groups; }
@@ -32,7 +32,7 @@ class Readouts {
   Task<Result<>> read(int index, Priority priority);
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   std::function<void(int, std::int64_t)> loop_is_;
   std::vector<bool> by_status_;  ///< readouts contained in the status
   std::uint32_t watched_ = 0;

@@ -18,7 +18,7 @@ unsigned RestartWatch::Stood::moved() const {
 RestartWatch::Stood RestartWatch::where_all_stand() const {
   Stood stood;
   stood.seen_at = console_.scheduler.now();
-  stood.misses = talk_.misses();
+  stood.misses = conversation_.misses();
   stood.program_ran = console_.draft.program.run == RunState::running;
   for (int i = 0; i < console_.draft.axis_count; ++i) {
     const AxisNow now = callbacks_.axis_now(i);
@@ -132,10 +132,10 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   const bool changed = before && *before != on && unexplained;
   if (!changed && !zero_in_doubt_) co_return Result<>();
   motors_on_ = before;  // until it is sure: the next round asks again
-  auto again = co_await talk_.ask_number("EO", Priority::poll);  // a digit may have been garbled
+  auto again = co_await conversation_.ask_number("EO", Priority::poll);  // a digit may have been garbled
   if (!again) co_return fail(again.error());
   if (*again != on) co_return Result<>();
-  auto after_power_up = co_await talk_.ask_number("EOBOOT", Priority::poll);
+  auto after_power_up = co_await conversation_.ask_number("EOBOOT", Priority::poll);
   if (!after_power_up && after_power_up.error().kind != FaultKind::refused)
     co_return fail(after_power_up.error());
   motors_on_ = on;
@@ -191,15 +191,16 @@ void RestartWatch::tell_of_doubt(const Stood& before) {
     if (axis.position == Steps(0)) axis.trust.doubt(Doubt::unheard, console_.scheduler.now());
   }
   if (before.program_ran) console_.draft.program.ended_by = EndedBy::lost;
-  console_.tell(Notice::Kind::warning,
-                "Answers were missing, and then all positions read zero: what was sent has done that, or the "
-                "controller was switched off and on. Check where the axes stand, and home them before the "
-                "next absolute move.");
+  console_.report(
+      Notice::Kind::warning,
+      "Answers were missing, and then all positions read zero: what was sent has done that, or the "
+      "controller was switched off and on. Check where the axes stand, and home them before the "
+      "next absolute move.");
 }
 
 Task<Result<bool>> RestartWatch::a_program_runs() {
   for (int n = 0; n < console_.model().programs; ++n) {
-    auto state = co_await talk_.ask_number(fmt::format("SASTAT{}", n), Priority::poll);
+    auto state = co_await conversation_.ask_number(fmt::format("SASTAT{}", n), Priority::poll);
     if (!state) co_return fail(state.error());
     if (*state != 0) co_return true;
   }
@@ -207,14 +208,14 @@ Task<Result<bool>> RestartWatch::a_program_runs() {
 }
 
 Task<Result<bool>> RestartWatch::power_up_starts_a_program() {
-  auto started = co_await talk_.ask_number("SLOAD", Priority::poll);
+  auto started = co_await conversation_.ask_number("SLOAD", Priority::poll);
   if (!started && started.error().kind != FaultKind::refused) co_return fail(started.error());
   co_return started.value_or(0) != 0;
 }
 
 // A program that no command has started, and that power-up starts.
 Task<Result<>> RestartWatch::look_at_start(int thread, Priority priority) {
-  auto starts_at_power_up = co_await talk_.ask_number("SLOAD", priority);
+  auto starts_at_power_up = co_await conversation_.ask_number("SLOAD", priority);
   if (!starts_at_power_up && starts_at_power_up.error().kind != FaultKind::refused)
     co_return fail(starts_at_power_up.error());
   if ((starts_at_power_up.value_or(0) >> thread & 1) != 0)

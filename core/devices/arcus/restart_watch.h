@@ -32,9 +32,13 @@ class RestartWatch {
   struct Look {
     Unexplained::Mark counters, targets, motors;
   };
-  RestartWatch(const Console& console, Conversation& talk, const CodeAtWork& code, SetUp& setup,
+  RestartWatch(const Console& console, Conversation& conversation, const CodeAtWork& code, SetUp& setup,
                Callbacks callbacks)
-      : console_(console), talk_(talk), code_(code), setup_(setup), callbacks_(std::move(callbacks)) {}
+      : console_(console),
+        conversation_(conversation),
+        code_(code),
+        setup_(setup),
+        callbacks_(std::move(callbacks)) {}
 
   /// Call before each command is sent: a change that it explains is no power cycle.
   void goes_out(std::string_view command);
@@ -49,8 +53,8 @@ class RestartWatch {
 
   [[nodiscard]] Look begin_look() const { return {counters_.ask(), targets_.ask(), motors_.ask()}; }
   /// Call on the first motion reply of a round; motion_is_whole(): all later questions were answered.
-  void first_answer_came() { motion_misses_ = talk_.misses(); }
-  [[nodiscard]] bool motion_is_whole() const { return talk_.misses() == motion_misses_; }
+  void first_answer_came() { motion_misses_ = conversation_.misses(); }
+  [[nodiscard]] bool motion_is_whole() const { return conversation_.misses() == motion_misses_; }
   void look_at_counters(const Look& look, bool was_silent = false);
   Task<Result<>> look_at_motors(const Look& look);
   Task<Result<>> look_at_start(int thread, Priority priority);
@@ -58,7 +62,7 @@ class RestartWatch {
   /// All counters have come to zero unseen: check the motors.
   [[nodiscard]] bool in_doubt() const { return zero_in_doubt_.has_value(); }
   /// A reply was missed since the last look.
-  [[nodiscard]] bool was_silent() const { return stood_ && stood_->misses != talk_.misses(); }
+  [[nodiscard]] bool was_silent() const { return stood_ && stood_->misses != conversation_.misses(); }
   [[nodiscard]] bool has_looked() const { return stood_.has_value(); }
   [[nodiscard]] bool program_ran() const { return stood_ && stood_->program_ran; }
   void forget();
@@ -105,7 +109,7 @@ class RestartWatch {
   void tell_of_doubt(const Stood& before);
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   const CodeAtWork& code_;
   SetUp& setup_;
   Callbacks callbacks_;

@@ -396,7 +396,7 @@ Result<SequenceRead> read_sequence(std::string_view text, const seq::Sequence& f
   if (!read) return fail(read.error());
   ReadingLanguage language;
   language.write = [&](const seq::Sequence& made) { return write_sequence(made, catalog, dialect); };
-  language.deeds = [&](std::string_view of) { return deeds_of(of, dialect); };
+  language.operations = [&](std::string_view of) { return operations_of(of, dialect); };
   return prove(std::move(*read), text, language);
 }
 

@@ -113,38 +113,38 @@ Stretch StatementText::stretch(std::size_t i) const {
   return {line.begin + ix(statements[i].column), line.end};
 }
 
-Deeds deeds_of(std::string_view text, const language::Dialect& dialect) {
+Operations operations_of(std::string_view text, const language::Dialect& dialect) {
   const StatementText read(text, dialect);
-  Deeds deeds;
+  Operations operations;
   for (std::size_t i = 0; i < read.statements.size(); ++i) {
     const Instruction& s = read.at(i);
     if (i == 0 && s.op == Opcode::prg && is_number(s.values[0], 0)) continue;  // said or not
-    Deed deed;
-    deed.text = source_of(s, dialect);
-    deed.at = read.stretch(i);
+    Operation operation;
+    operation.text = source_of(s, dialect);
+    operation.at = read.stretch(i);
     if (opens(s.op))
-      deed.flow = Deed::Flow::begins_block;
+      operation.flow = Operation::Flow::begins_block;
     else if (closes(s.op))
-      deed.flow = Deed::Flow::ends_block;
+      operation.flow = Operation::Flow::ends_block;
     else if (s.op == Opcode::elseif || s.op == Opcode::else_)
-      deed.flow = Deed::Flow::next_branch;
+      operation.flow = Operation::Flow::next_branch;
     else if (s.op == Opcode::prg || s.op == Opcode::sub || s.op == Opcode::gosub)
-      deed.flow = Deed::Flow::changes_all;
-    if (s.op == Opcode::absolute || s.op == Opcode::incremental) deed.sets = "mode";
-    if (goes_by_mode(s.op)) deed.uses = "mode";
+      operation.flow = Operation::Flow::changes_all;
+    if (s.op == Opcode::absolute || s.op == Opcode::incremental) operation.sets = "mode";
+    if (goes_by_mode(s.op)) operation.uses = "mode";
     if (s.op == Opcode::set || s.op == Opcode::compute) {
-      deed.sets = speed_of(s.target);
-      deed.speed = !deed.sets.empty();
-      deed.constant = s.op == Opcode::set && s.values[0].kind == Operand::Kind::number;
+      operation.sets = speed_of(s.target);
+      operation.speed = !operation.sets.empty();
+      operation.constant = s.op == Opcode::set && s.values[0].kind == Operand::Kind::number;
     }
     if (const auto& loop = read.counted[i])  // whichever variable counts
-      deed.text = i == loop->set     ? "count=0"
-                  : i == loop->head  ? fmt::format("WHILE count<{}", loop->times)
-                  : i == loop->count ? "count=count+1"
-                                     : "ENDWHILE";
-    deeds.push_back(std::move(deed));
+      operation.text = i == loop->set     ? "count=0"
+                       : i == loop->head  ? fmt::format("WHILE count<{}", loop->times)
+                       : i == loop->count ? "count=count+1"
+                                          : "ENDWHILE";
+    operations.push_back(std::move(operation));
   }
-  return deeds;
+  return operations;
 }
 
 TextEffects effects_of(std::string_view text, const language::Dialect& dialect) {

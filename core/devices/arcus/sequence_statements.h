@@ -41,7 +41,7 @@ struct StatementText {
   [[nodiscard]] Stretch stretch(std::size_t i) const;
 };
 
-[[nodiscard]] Deeds deeds_of(std::string_view text, const language::Dialect& dialect);
+[[nodiscard]] Operations operations_of(std::string_view text, const language::Dialect& dialect);
 
 /// What lines within a program may leave changed.
 struct TextEffects {

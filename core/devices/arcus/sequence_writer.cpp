@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/device/sequence_draft.h"
-#include "core/device/told_speeds.h"
+#include "core/device/written_speeds.h"
 #include "core/devices/arcus/sequence_statements.h"
 
 namespace hw::arcus {
@@ -170,7 +170,7 @@ class Writer {
   /// Call after steps that are written elsewhere or run more than once.
   void behind_foreign(const seq::StepList& steps) {
     draft_.forget_what_moves(steps);
-    if (says_speeds(steps)) told_.begin_repeated();
+    if (sets_speeds(steps)) told_.begin_repeated();
     if (chooses_mode(steps)) mode_ = Mode::unknown;
   }
   Result<> write_routine(bool down) {
@@ -190,7 +190,7 @@ class Writer {
 
   SequenceDraft draft_;
   const language::Dialect& dialect_;
-  ToldSpeeds told_;
+  WrittenSpeeds told_;
   Mode mode_ = Mode::unknown;
   int depth_ = 0;
   bool calls_up_ = false, calls_down_ = false;

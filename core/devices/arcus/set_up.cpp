@@ -16,9 +16,13 @@ constexpr Duration store_patience = std::chrono::seconds(3);
 
 }  // namespace
 
-SetUp::SetUp(const Console& console, Conversation& talk, const CodeAtWork& code,
+SetUp::SetUp(const Console& console, Conversation& conversation, const CodeAtWork& code,
              const BorrowedSetting& borrowed, Callbacks callbacks)
-    : console_(console), talk_(talk), code_(code), borrowed_(borrowed), callbacks_(std::move(callbacks)) {
+    : console_(console),
+      conversation_(conversation),
+      code_(code),
+      borrowed_(borrowed),
+      callbacks_(std::move(callbacks)) {
   for (std::size_t i = 0; i < console_.catalog.params.size(); ++i)  // of what is not stored: decision AMB-034
     after_power_up_[i] = console_.catalog.params[i].fallback;
 }
@@ -88,7 +92,7 @@ Task<Result<>> SetUp::read(int index, Priority priority) {
   Conversation::Decode decode = [&info](std::string_view text) { return decode_value(info, text); };
   const ParamState& before = console_.draft.params[ix(index)];
   const std::int64_t expected = before.known ? before.value : after_power_up_[ix(index)];
-  auto reply = co_await talk_.ask_surely(info.mnemonic, std::move(decode), expected, priority);
+  auto reply = co_await conversation_.ask_surely(info.mnemonic, std::move(decode), expected, priority);
   if (!reply) co_return fail(reply.error());
   const std::int64_t value = *reply;
   const bool taken_back = before.known && before.value != value && nobody_sets_.test(ix(index)) &&
@@ -165,7 +169,7 @@ Task<Result<bool>> SetUp::something_is_kept() {
 Task<Result<bool>> SetUp::code_has_left_something() {
   if (!code_.known()) co_return false;
   const auto sets = code_.known()->sets;
-  auto started = co_await talk_.ask_number("SLOAD", Priority::poll);
+  auto started = co_await conversation_.ask_number("SLOAD", Priority::poll);
   if (!started || *started != 0) co_return false;
   for (std::size_t i = 0; i < console_.catalog.params.size(); ++i) {
     if (console_.catalog.params[i].stored || !sets.test(i)) continue;
@@ -219,29 +223,29 @@ void SetUp::changed(int index) {
   }
 }
 
-Task<Result<bool>> SetUp::set(intent::SetParam wish) {
+Task<Result<bool>> SetUp::set(intent::SetParam request) {
   const std::string who = fmt::format("A {}", console_.model().title);
-  const auto place = check_param(console_.catalog, wish, {who, encode_value});
+  const auto place = check_param(console_.catalog, request, {who, encode_value});
   if (!place) co_return fail(place.error());
   const int index = static_cast<int>(*place);
   const ParamInfo& info = console_.catalog.params[*place];
-  auto sent = co_await talk_.command(set_command(info, wish.value), Priority::intent);
+  auto sent = co_await conversation_.command(set_command(info, request.value), Priority::intent);
   if (!sent) co_return fail(sent.error());
   changed(index);
   auto read_back = co_await read(index, Priority::intent);
   if (!read_back) co_return fail(read_back.error());
   const std::int64_t kept = console_.draft.params[ix(index)].value;
-  if (kept == wish.value) co_return true;
+  if (kept == request.value) co_return true;
   const bool ramp = info.unit == "ms" && !info.stored;
   if (!ramp)
     co_return fail(FaultKind::controller,
                    fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic,
-                               encode_value(info, wish.value), encode_value(info, kept)),
+                               encode_value(info, request.value), encode_value(info, kept)),
                    "It was sent once.", "The controller's number is in force.");
-  console_.tell(
+  console_.report(
       Notice::Kind::info,
       fmt::format("{} was set to {} ms; with the present speeds the controller uses {} ms (table A.0).",
-                  info.mnemonic, wish.value, kept));
+                  info.mnemonic, request.value, kept));
   co_return false;
 }
 
@@ -257,7 +261,7 @@ void SetUp::is_stored() {
 }
 
 Task<Result<>> SetUp::store() {
-  auto done = co_await talk_.command("STORE", Priority::intent, store_patience);
+  auto done = co_await conversation_.command("STORE", Priority::intent, store_patience);
   if (!done && done.error().kind == FaultKind::no_answer)
     co_return fail(
         FaultKind::no_answer, "The controller did not confirm in time that it has stored.",
@@ -265,7 +269,7 @@ Task<Result<>> SetUp::store() {
         "Do not switch the controller off now. Compare the set-up before you store again.");
   if (!done) co_return done;
   is_stored();
-  console_.tell(
+  console_.report(
       Notice::Kind::info,
       "The set-up and the variables V50 to V99 are stored. Speeds, sync settings and V0 to V49 are never "
       "kept.");

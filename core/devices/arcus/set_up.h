@@ -19,8 +19,8 @@ class SetUp {
     std::function<void()> loops_unknown;                      ///< StepNLoop may have been switched
     std::function<void(std::string how_it_shows)> restarted;  ///< a value is as power-up makes it
   };
-  SetUp(const Console& console, Conversation& talk, const CodeAtWork& code, const BorrowedSetting& borrowed,
-        Callbacks callbacks);
+  SetUp(const Console& console, Conversation& conversation, const CodeAtWork& code,
+        const BorrowedSetting& borrowed, Callbacks callbacks);
 
   // ---- what is known
   [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
@@ -42,7 +42,7 @@ class SetUp {
 
   // ---- setting
   /// True: the controller holds exactly this value.
-  Task<Result<bool>> set(intent::SetParam wish);
+  Task<Result<bool>> set(intent::SetParam request);
   Task<Result<>> store();
   void is_stored();
   void variable_is_unsaved() { unsaved_variables_ = console_.draft.unsaved_setup = true; }
@@ -64,7 +64,7 @@ class SetUp {
   [[nodiscard]] const SettingFact* fact_of(int index) const;
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   const CodeAtWork& code_;
   const BorrowedSetting& borrowed_;
   Callbacks callbacks_;

@@ -27,11 +27,11 @@ Fault joystick_not_read(bool switched_off) {
 Task<Result<>> Stops::stop(const StopOrder& order) {
   const Instant began = console_.scheduler.now();
   auto sent = co_await send(order, until_next_of_stop);
-  const bool heard = talk_.is_open() && talk_.station()->heard_at() >= began;
+  const bool heard = conversation_.is_open() && conversation_.station()->received_at() >= began;
   const bool may_ask = heard && !order.in_haste;
   if (!sent && may_ask &&
       worth_another_try(sent.error())) {  // on a clean line the replies belong to the stop
-    const bool clean = co_await talk_.come_clean(Priority::stop);
+    const bool clean = co_await conversation_.come_clean(Priority::stop);
     if (clean) sent = co_await send(order, until_confirmed);
   }
   co_return sent;
@@ -49,10 +49,10 @@ Task<Result<>> Stops::send(const StopOrder& order, Duration patience) {
 Task<Result<>> Stops::stop_line(bool at_once) {
   if (console_.model().broadcast < 0) co_return Result<>();
   const std::string word = at_once ? "ABORT" : "STOP";
-  auto all = co_await talk_.broadcast(word, Priority::stop);
+  auto all = co_await conversation_.broadcast(word, Priority::stop);
   for (int n = 0; all && n < console_.model().programs; ++n)
-    all = co_await talk_.broadcast(fmt::format("SR{}=0", n), Priority::stop);
-  if (all) all = co_await talk_.broadcast(word, Priority::stop);
+    all = co_await conversation_.broadcast(fmt::format("SR{}=0", n), Priority::stop);
+  if (all) all = co_await conversation_.broadcast(word, Priority::stop);
   co_return all;
 }
 
@@ -70,7 +70,7 @@ Task<Result<>> Stops::stop_axes(const StopOrder& order, Duration patience) {
   if (axis < 0 && !motion_only)
     said = co_await stop_all(word, patience);
   else
-    said = co_await talk_.command(word, Priority::stop, patience);
+    said = co_await conversation_.command(word, Priority::stop, patience);
   const bool understood = said || said.error().kind == FaultKind::refused;
   if (motion_only || !understood) co_return said;
   if (order.in_haste)
@@ -89,7 +89,7 @@ Task<Result<>> Stops::stop_all(std::string word, Duration patience) {
     const RunState last = console_.draft.threads[ix(n)].run;  // even if no longer known
     running.set(ix(n), last == RunState::running || last == RunState::held);
   }
-  Result<> all = co_await talk_.command(word, Priority::stop, patience);
+  Result<> all = co_await conversation_.command(word, Priority::stop, patience);
   const auto note = [&all](Result<> next) {
     if (all && !next) all = std::move(next);
   };
@@ -102,7 +102,7 @@ Task<Result<>> Stops::stop_all(std::string word, Duration patience) {
       note(std::move(halted));
     }
     if (!told) continue;
-    auto said = co_await talk_.command(word, Priority::stop, patience);
+    auto said = co_await conversation_.command(word, Priority::stop, patience);
     note(std::move(said));
   }
   co_return all;
@@ -110,7 +110,7 @@ Task<Result<>> Stops::stop_all(std::string word, Duration patience) {
 
 Task<Result<>> Stops::halt_thread(int thread, Duration patience) {
   std::string text = fmt::format("SR{}=0", thread);
-  co_return co_await talk_.command(std::move(text), Priority::stop, patience);
+  co_return co_await conversation_.command(std::move(text), Priority::stop, patience);
 }
 
 // The program ends; the motion that it has begun goes on.
@@ -131,7 +131,7 @@ Task<Result<>> Stops::halt_program(int thread, Duration patience) {
 Task<Result<>> Stops::release_joystick(int axis, std::string stop) {
   if (!console_.forms.joystick) co_return Result<>();
   const int index = console_.catalog.find_param("JE");
-  const auto mask = co_await talk_.ask_number("JE", Priority::stop);
+  const auto mask = co_await conversation_.ask_number("JE", Priority::stop);
   if (!mask && (mask.error().kind == FaultKind::lost || mask.error().kind == FaultKind::stopped))
     co_return fail(mask.error());
   const std::int64_t kept = axis < 0 || !mask ? 0 : *mask & ~(std::int64_t{1} << axis);
@@ -140,14 +140,14 @@ Task<Result<>> Stops::release_joystick(int axis, std::string stop) {
     console_.draft.params[ix(index)].known = false;
     co_return fail(joystick_not_read(false));
   }
-  const auto set = co_await talk_.command(set_command("JE", kept), Priority::stop);
+  const auto set = co_await conversation_.command(set_command("JE", kept), Priority::stop);
   setup_.changed(index);
-  auto said = co_await talk_.command(stop, Priority::stop);
+  auto said = co_await conversation_.command(stop, Priority::stop);
   if (!set) co_return set;
   if (!mask) co_return fail(joystick_not_read(true));
   console_.draft.params[ix(index)].value = kept;
   console_.draft.params[ix(index)].known = true;
-  console_.tell(Notice::Kind::info, "The joystick was switched off by the stop.");
+  console_.report(Notice::Kind::info, "The joystick was switched off by the stop.");
   co_return said;
 }
 
@@ -159,8 +159,8 @@ LastWill Stops::last_will(unsigned axes) const {
   const bool one = console_.axes() > 1 && std::has_single_bit(axes);
   const std::string word =
       one ? fill(console_.forms, form, std::countr_zero(axes)) : std::string(form.substr(0, form.find('a')));
-  const std::string stop = frame(talk_.framing(), console_.catalog.address, word);
-  if (talk_.framing() == Framing::message) return {{Millis(0), stop}, {Millis(100), stop}};
+  const std::string stop = frame(conversation_.framing(), console_.catalog.address, word);
+  if (conversation_.framing() == Framing::message) return {{Millis(0), stop}, {Millis(100), stop}};
   return {{Millis(0), std::string(cut_off)}, {Millis(50), stop}, {Millis(150), stop}};
 }
 
@@ -191,8 +191,9 @@ StopProgress Stops::progress(const StopOrder& order) {
   }
   if (turns && !all && threads_.any_may_run() &&
       console_.scheduler.now() - order.sent_at > next_move_of_a_program) {
-    console_.tell(Notice::Kind::warning, fmt::format("A program moves {} again. Stop all axes to end it too.",
-                                                     console_.axis_name(order.axis)));
+    console_.report(Notice::Kind::warning,
+                    fmt::format("A program moves {} again. Stop all axes to end it too.",
+                                console_.axis_name(order.axis)));
     motions_.stands(order.axis);
     return StopProgress::stands();
   }

@@ -10,10 +10,10 @@ namespace hw::arcus {
 
 class Stops {
  public:
-  Stops(const Console& console, Conversation& talk, CodeAtWork& code, SetUp& setup, MoveList& list,
+  Stops(const Console& console, Conversation& conversation, CodeAtWork& code, SetUp& setup, MoveList& list,
         Motions& motions, MotionStatus& status, Threads& threads)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         code_(code),
         setup_(setup),
         list_(list),
@@ -39,7 +39,7 @@ class Stops {
   [[nodiscard]] StopProgress programs_end(const StopOrder& order) const;
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   CodeAtWork& code_;
   SetUp& setup_;
   MoveList& list_;

@@ -28,7 +28,7 @@ bool reads_first(int others_in_a_row) { return others_in_a_row < other_lines_are
 // ---- one line
 
 Task<Result<std::string>> StoredLines::read_line(int line) {
-  auto text = co_await talk_.ask(fmt::format("SA{}", line), Priority::transfer);
+  auto text = co_await conversation_.ask(fmt::format("SA{}", line), Priority::transfer);
   progress_.worked(console_.scheduler.now());
   if (text) code_.lines().was_read(line, *text);
   if (text && ix(line) < read_.size()) read_[ix(line)] = true;
@@ -41,7 +41,7 @@ Task<Result<>> StoredLines::write_line(int line) {
   read_[ix(line)] = false;
   const std::uint8_t before =
       std::exchange(console_.draft.slots_torn, stored_code);  // in case the console closes now
-  auto written = co_await talk_.command(std::move(sent), Priority::transfer, Millis(500));
+  auto written = co_await conversation_.command(std::move(sent), Priority::transfer, Millis(500));
   progress_.worked(console_.scheduler.now());
   // After an earlier stop or a refusal this line is not stored.
   if (!written && was_kept_back(written.error())) console_.draft.slots_torn = before;

@@ -11,9 +11,9 @@ namespace hw::arcus {
 
 class StoredLines {
  public:
-  StoredLines(const Console& console, Conversation& talk, CodeAtWork& code, LiveStatus& live)
+  StoredLines(const Console& console, Conversation& conversation, CodeAtWork& code, LiveStatus& live)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         code_(code),
         live_(live),
         progress_(console.draft.transfer, console.catalog) {}
@@ -51,10 +51,10 @@ class StoredLines {
     int unexpected = 0;
     bool operator==(const Heard&) const = default;
   };
-  [[nodiscard]] Heard now_heard() const { return {talk_.misses(), talk_.unexpected()}; }
+  [[nodiscard]] Heard now_heard() const { return {conversation_.misses(), conversation_.unexpected()}; }
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   CodeAtWork& code_;
   LiveStatus& live_;
   TransferProgress progress_;

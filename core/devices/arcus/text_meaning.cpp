@@ -43,13 +43,13 @@ int axis_named_in(const Forms& forms, std::string_view text) {
   return axis == std::string_view::npos ? -1 : static_cast<int>(axis);
 }
 
-TextMeaning meaning_of(const Forms& forms, const intent::SendText& wish, Addressing addressing) {
+TextMeaning meaning_of(const Forms& forms, const intent::SendText& request, Addressing addressing) {
   TextMeaning meaning;
   const Model& model = *forms.model;
-  const std::string word = command_in(wish.text);
-  const std::string_view text = text_of(wish.text);
-  const int to = address_of(wish.text);
-  const bool to_all = (to < 0 && wish.broadcast) || (to >= 0 && to == model.broadcast);
+  const std::string word = command_in(request.text);
+  const std::string_view text = text_of(request.text);
+  const int to = address_of(request.text);
+  const bool to_all = (to < 0 && request.broadcast) || (to >= 0 && to == model.broadcast);
   if (to_all) {
     meaning.whom = TextMeaning::For::everybody;
   } else if (to >= 0 && to != addressing.own) {

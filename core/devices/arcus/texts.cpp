@@ -43,7 +43,7 @@ Task<Result<std::string>> Texts::query(std::string text, Duration patience) {
   if (!looked && looked.error().kind == FaultKind::stopped) co_return fail(looked.error());
   auto returned = co_await borrowed_.give_back_first();
   if (!returned) co_return fail(returned.error());
-  co_return co_await say(std::move(text), Priority::intent, patience);
+  co_return co_await transmit(std::move(text), Priority::intent, patience);
 }
 
 Task<Result<std::string>> Texts::stop(const StopOrder& order) {
@@ -51,16 +51,16 @@ Task<Result<std::string>> Texts::stop(const StopOrder& order) {
   const bool more = cut_to_one_command(text);
   list_.end();
   if (order.meaning.whom == TextMeaning::For::everybody && address_of(text) < 0) {
-    auto sent = co_await talk_.broadcast(text, Priority::stop);
+    auto sent = co_await conversation_.broadcast(text, Priority::stop);
     if (!sent) co_return fail(sent.error());
     note_sent(text);
     co_return std::string();
   }
   // Limits the asker's patience: if a device that has answered before does not, the console repeats the stop.
-  const bool was_heard = talk_.is_open() && talk_.station()->was_heard();
+  const bool was_heard = conversation_.is_open() && conversation_.station()->has_received();
   const Duration asked = order.patience > Duration::zero() ? order.patience : typed_patience;
   const Duration patience = was_heard ? std::min(asked, typed_patience) : asked;
-  auto stopped = co_await say(text, Priority::stop, patience);
+  auto stopped = co_await transmit(text, Priority::stop, patience);
   if (stopped && stopped->starts_with('?'))  // it received something else
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
   const bool its_own = address_of(text) < 0 || address_of(text) == console_.catalog.address;
@@ -73,18 +73,18 @@ Task<Result<std::string>> Texts::stop(const StopOrder& order) {
                  "Send the other by itself.");
 }
 
-Task<Result<std::string>> Texts::say(std::string text, Priority priority, Duration patience) {
+Task<Result<std::string>> Texts::transmit(std::string text, Priority priority, Duration patience) {
   const std::string command = command_in(text);
   const int to = address_of(text);
   if (console_.model().broadcast >= 0 && to == console_.model().broadcast) {
-    auto sent = co_await talk_.broadcast(std::string(text_of(text)), priority);
+    auto sent = co_await conversation_.broadcast(std::string(text_of(text)), priority);
     if (!sent) co_return fail(sent.error());
     note_sent(command);
     note_done(command);
     co_return std::string();
   }
   const bool anothers = to >= 0 && to != console_.catalog.address;
-  auto reply = co_await talk_.exchange(text, priority, patience);
+  auto reply = co_await conversation_.exchange(text, priority, patience);
   if (!reply && anothers && reply.error().kind == FaultKind::no_answer)
     co_return fail(FaultKind::no_answer,
                    fmt::format("Device {:02} did not answer {} in time.", to, text_of(text)));
@@ -99,11 +99,11 @@ Task<Result<std::string>> Texts::say(std::string text, Priority priority, Durati
 }
 
 // Sent to all, unless the text has an address: then that device answers, or it is the address of all.
-Task<Result<>> Texts::send(const intent::SendText& wish) {
-  std::string text = wish.text;
-  if (wish.broadcast && address_of(text) < 0) {
-    if (console_.model().broadcast < 0 || talk_.framing() == Framing::message)
-      co_return co_await talk_.broadcast(std::move(text), Priority::intent);  // which says why not
+Task<Result<>> Texts::send(const intent::SendText& request) {
+  std::string text = request.text;
+  if (request.broadcast && address_of(text) < 0) {
+    if (console_.model().broadcast < 0 || conversation_.framing() == Framing::message)
+      co_return co_await conversation_.broadcast(std::move(text), Priority::intent);  // which says why not
     text.insert(0, fmt::format("@{:02}", console_.model().broadcast));
   }
   auto reply = co_await query(std::move(text), typed_patience);
@@ -113,7 +113,7 @@ Task<Result<>> Texts::send(const intent::SendText& wish) {
 }
 
 // State that the text may change is read afresh: intents go before polls.
-void Texts::overhear(const std::string& text) {
+void Texts::note_broadcast(const std::string& text) {
   const std::string command = command_in(text);
   watch_.goes_out(command);
   threads_.may_start(command);

@@ -11,11 +11,11 @@ namespace hw::arcus {
 
 class Texts {
  public:
-  Texts(const Console& console, Conversation& talk, CodeAtWork& code, BorrowedSetting& borrowed, SetUp& setup,
-        MoveList& list, RestartWatch& watch, Motions& motions, Threads& threads, Lines& lines,
+  Texts(const Console& console, Conversation& conversation, CodeAtWork& code, BorrowedSetting& borrowed,
+        SetUp& setup, MoveList& list, RestartWatch& watch, Motions& motions, Threads& threads, Lines& lines,
         AfterSilence& silence)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         code_(code),
         borrowed_(borrowed),
         setup_(setup),
@@ -27,19 +27,19 @@ class Texts {
         silence_(silence) {}
 
   Task<Result<std::string>> query(std::string text, Duration patience);
-  Task<Result<>> send(const intent::SendText& wish);
+  Task<Result<>> send(const intent::SendText& request);
   Task<Result<std::string>> stop(const StopOrder& order);
   /// Another session of this line has broadcast the text.
-  void overhear(const std::string& text);
+  void note_broadcast(const std::string& text);
 
  private:
-  Task<Result<std::string>> say(std::string text, Priority priority, Duration patience);
+  Task<Result<std::string>> transmit(std::string text, Priority priority, Duration patience);
   void note_done(std::string_view command);
   void note_sent(std::string_view as_typed);
   void note_stop(std::string_view text);
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   CodeAtWork& code_;
   BorrowedSetting& borrowed_;
   SetUp& setup_;

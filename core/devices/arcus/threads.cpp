@@ -58,7 +58,7 @@ Task<Result<>> Threads::read_one(int thread, Priority priority) {
     console_.draft.threads[ix(thread)] = ThreadState{RunState::idle, true};
     co_return Result<>();
   }
-  auto state = co_await talk_.ask_number(fmt::format("SASTAT{}", thread), priority);
+  auto state = co_await conversation_.ask_number(fmt::format("SASTAT{}", thread), priority);
   if (!state) co_return fail(state.error());
   const RunState run = run_state(*state);
   const bool nobody_started_it = !code_.program_may_run() && !code_.was_called();
@@ -77,7 +77,7 @@ Task<Result<>> Threads::read_one(int thread, Priority priority) {
     known.line = -1;
     co_return Result<>();
   }
-  auto line = co_await talk_.ask_number(fmt::format("SPC{}", thread), priority);
+  auto line = co_await conversation_.ask_number(fmt::format("SPC{}", thread), priority);
   if (!line) co_return fail(line.error());
   console_.draft.threads[ix(thread)].line = static_cast<std::int16_t>(*line);
   co_return Result<>();

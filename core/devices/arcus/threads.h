@@ -10,8 +10,9 @@ namespace hw::arcus {
 
 class Threads {
  public:
-  Threads(const Console& console, Conversation& talk, CodeAtWork& code, SetUp& setup, RestartWatch& watch)
-      : console_(console), talk_(talk), code_(code), setup_(setup), watch_(watch) {}
+  Threads(const Console& console, Conversation& conversation, CodeAtWork& code, SetUp& setup,
+          RestartWatch& watch)
+      : console_(console), conversation_(conversation), code_(code), setup_(setup), watch_(watch) {}
 
   /// Reads all, or those that run and one of the others in turn.
   Task<Result<>> read(bool all, Priority priority);
@@ -40,7 +41,7 @@ class Threads {
   }
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   CodeAtWork& code_;
   SetUp& setup_;
   RestartWatch& watch_;

@@ -8,38 +8,38 @@
 
 namespace hw::vme58 {
 
-Task<Result<>> Actions::act(intent::Act wish) {
+Task<Result<>> Actions::act(intent::Act request) {
   if (auto may = commands_.may_talk(); !may) co_return may;
-  if (auto possible = check_action(catalog_, wish); !possible) co_return possible;
-  const ActionInfo& info = catalog_.actions[ix(wish.action)];
+  if (auto possible = check_action(catalog_, request); !possible) co_return possible;
+  const ActionInfo& info = catalog_.actions[ix(request.action)];
   const bool of_axis = !info.fields.empty() && info.fields.front().id == "axis";
-  const int axis = of_axis ? static_cast<int>(wish.values[0]) : 0;
+  const int axis = of_axis ? static_cast<int>(request.values[0]) : 0;
   std::string text;
-  switch (static_cast<Action>(wish.action)) {
+  switch (static_cast<Action>(request.action)) {
     case Action::clear_flags:
       clear_flags();
       text = "IC\n";
-      co_return co_await commands_.say(std::move(text), Priority::intent);
+      co_return co_await commands_.transmit(std::move(text), Priority::intent);
     case Action::flush:
       speeds_.forget_put(axis);
       text = "FL";
       break;
-    case Action::fraction_jog: co_return co_await moves_.jog_slowly(axis, wish.values[1]);
+    case Action::fraction_jog: co_return co_await moves_.jog_slowly(axis, request.values[1]);
     case Action::remainder:
       motions_.counts(axis);
       next_.awaits_queues();
-      text = fmt::format("RM{}", wish.values[1]);
+      text = fmt::format("RM{}", request.values[1]);
       break;
     case Action::clear_while: text = "CW"; break;
     case Action::force_position:
       speeds_.forget_put(axis);  // it empties the queue too
-      text = fmt::format("FP{}", wish.values[1]);
+      text = fmt::format("FP{}", request.values[1]);
       break;
-    case Action::encoder_ratio: text = fmt::format("ER{},{}", wish.values[1], wish.values[2]); break;
+    case Action::encoder_ratio: text = fmt::format("ER{},{}", request.values[1], request.values[2]); break;
     case Action::hold:
       if (loops_.is_servo(axis))
-        co_return co_await drive_.switch_loop(axis, wish.values[1] != 0, wish.closing);
-      text = wish.values[1] != 0 ? "HN" : "HF";
+        co_return co_await drive_.switch_loop(axis, request.values[1] != 0, request.closing);
+      text = request.values[1] != 0 ? "HN" : "HF";
       break;
     case Action::track:
       loops_.leaves_its_place(axis);
@@ -48,7 +48,7 @@ Task<Result<>> Actions::act(intent::Act wish) {
     case Action::slip_interrupt: text = "IS"; break;
   }
   std::string whole = selection_.addressed(axis, text);
-  co_return co_await commands_.say(std::move(whole), Priority::intent);
+  co_return co_await commands_.transmit(std::move(whole), Priority::intent);
 }
 
 void Actions::clear_flags() {

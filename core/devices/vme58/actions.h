@@ -21,7 +21,7 @@ class Actions {
         catalog_(catalog),
         draft_(draft) {}
 
-  Task<Result<>> act(intent::Act wish);
+  Task<Result<>> act(intent::Act request);
 
  private:
   void clear_flags();

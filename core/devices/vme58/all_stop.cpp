@@ -60,7 +60,7 @@ void AllStop::another_was_sent() {
 
 void AllStop::in_vain() {
   if (std::exchange(mailbox_deaf_, true)) return;
-  wire_.tell(
+  wire_.report(
       Notice::Kind::warning,
       "The board has acknowledged a stop in its mailbox, and nothing came of it. From here on stops go "
       "through its command ring too.");

@@ -172,7 +172,7 @@ std::vector<ActionInfo> actions(const Variant& variant) {
   position.is_place = true;
   std::vector<ActionInfo> all;
   all.push_back(action("clear_flags", "Clear flags",
-                       "IC: clears the done, slip and command error flags of the board.", "Flags", {},
+                       "IC: clears the done, slip and command error flags of all axes.", "Flags", {},
                        "Move Synchronization"));
   all.push_back(
       action("flush", "Empty queue",

@@ -21,7 +21,7 @@ void add_axis_tables(Catalog& catalog) {
   stop_near.while_moving = true;
   AxisColumn hold{Shows::toggle, "hold", ""};
   hold.state = "HN*";
-  AxisColumn clear = verb("clear_flags", "", "Clear");
+  AxisColumn clear = verb("clear_flags", "", "Clear all");
   clear.state = "SLIP*";
   catalog.axis_tables = {
       {"Motion", "", {{Shows::motion, "", "what it does"}}},

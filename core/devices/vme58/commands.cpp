@@ -47,7 +47,7 @@ Result<> Commands::may_talk() const {
               "Nothing was sent.", "End it with CE or CK in the terminal first.");
 }
 
-Task<Result<>> Commands::say(std::string text, Priority priority) {
+Task<Result<>> Commands::transmit(std::string text, Priority priority) {
   auto settled = co_await settle_late(priority);
   if (!settled) co_return settled;
   const int end_before = conversation_.end();
@@ -74,7 +74,7 @@ void Commands::show_late() {
       fmt::format("The board reports a command error: of what waited in a queue, or of \"{}\".",
                   without_end(conversation_.last_said()));
   if (rejected_late) rejected_late(words);
-  wire_.tell(Notice::Kind::error, std::move(words));
+  wire_.report(Notice::Kind::error, std::move(words));
 }
 
 }  // namespace hw::vme58

@@ -21,7 +21,7 @@ class Commands {
         draft_(draft) {}
 
   /// Sends `text`. Succeeds once the board has taken it without a command error.
-  Task<Result<>> say(std::string text, Priority priority);
+  Task<Result<>> transmit(std::string text, Priority priority);
   /// Call before sending: reports the rejection of a queued command, so that the next text is not blamed for
   /// it.
   Task<Result<>> settle_late(Priority priority);

@@ -258,7 +258,7 @@ Task<Result<>> Conversation::let_owed_go(Priority priority) {
   auto fetched = co_await fetch_all(priority);
   if (!fetched) co_return fetched;
   if (owed_ && !owed_->greeting_asked) {
-    give_unasked();
+    give_unsolicited();
     const int put_before = put_;
     auto asked = co_await write(std::string(greeting_question) + "\n", priority);
     if (put_ != put_before && owed_) owed_->greeting_asked = wire_.now();
@@ -277,7 +277,7 @@ Task<Result<>> Conversation::let_owed_go(Priority priority) {
     if (!fetched) co_return fetched;
     if (owed_ && !owed_->greeting_asked) break;  // its WY was taken back with the ring
   }
-  give_unasked();
+  give_unsolicited();
   co_return Result<>();
 }
 
@@ -293,10 +293,10 @@ bool Conversation::take_greeting() {
   return false;
 }
 
-Task<Result<>> Conversation::hear(int input_put, Priority priority) {
+Task<Result<>> Conversation::receive(int input_put, Priority priority) {
   auto fetched = co_await fetch(input_put, priority);
   if (!fetched) co_return fetched;
-  if (!owed_ || take_greeting()) give_unasked();
+  if (!owed_ || take_greeting()) give_unsolicited();
   co_return Result<>();
 }
 
@@ -322,10 +322,10 @@ Task<Result<>> Conversation::fetch(int input_put, Priority priority) {
 }
 
 /// Unclaimed replies to raw text go to scripts; replies to abandoned questions are dropped.
-void Conversation::give_unasked() {
+void Conversation::give_unsolicited() {
   for (; !replies_.empty(); replies_.pop_front()) {
     if (owed_) continue;
-    wire_.record_unasked(replies_.front());
+    wire_.record_unsolicited(replies_.front());
     texts_.add(std::move(replies_.front()));
   }
 }

@@ -74,7 +74,7 @@ class Conversation {
   Task<Result<std::vector<std::string>>> ask_several(std::string text, std::size_t count, Priority priority,
                                                      ReplyForm form);
   /// Fetches unsolicited replies up to `input_put`.
-  Task<Result<>> hear(int input_put, Priority priority);
+  Task<Result<>> receive(int input_put, Priority priority);
   /// Echo is on (EN): sent text comes back between the reply frames.
   void echoes(bool on) { echo_ = on; }
 
@@ -93,7 +93,7 @@ class Conversation {
   Task<Result<>> collect(std::vector<std::string>& replies, std::size_t count, Priority priority,
                          Instant give_up, std::string_view question, bool closes);
   bool take_greeting();
-  void give_unasked();
+  void give_unsolicited();
 
   Wire& wire_;
   Readings& readings_;

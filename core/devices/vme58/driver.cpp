@@ -138,7 +138,7 @@ Task<Result<>> Vme58Driver::poll(Round round) {
 /// The rest of a round: unsolicited replies, and questions by command.
 Task<Result<>> Vme58Driver::read_more(Registers registers) {
   known_.questions.begins();
-  auto heard = co_await talk_.conversation.hear(registers.input_put, Priority::poll);
+  auto heard = co_await talk_.conversation.receive(registers.input_put, Priority::poll);
   if (!heard) co_return heard;
   if (known_.values.mark_is_due()) {
     auto marked = co_await finding_.leave_mark();

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "core/device/bench_hands.h"
+#include "core/device/bench_on_controller.h"
 #include "core/devices/vme58/emulator_vme58.h"
 
 namespace hw::vme58 {
@@ -102,7 +102,7 @@ Result<> Vme58Emulator::act(const bench::Breaker&) {
 }
 
 Result<> Vme58Emulator::operate(const BenchCommand& command) {
-  auto result = by_hand(command, [this](const auto& hand) { return act(hand); });
+  auto result = on_controller(command, [this](const auto& hand) { return act(hand); });
   board_.settle();
   advance_to(board_.now());
   return result;

@@ -58,8 +58,7 @@ void Board::reset() {
   replies_.clear();
   held_.reset();
   waits_empty_.reset();
-  contour_ = Contour();
-  recording_ = false;
+  recorder_ = ContourRecorder();
   update_due_.reset();
   mail_due_.reset();
   power_drops_at_ = {};
@@ -107,7 +106,7 @@ void Board::settle() {
 // --- text --------------------------------------------------------------------------------------------------
 
 unsigned Board::modes() const {
-  if (recording_) return where::contour;
+  if (recorder_.on()) return where::contour;
   if (context_ == context_all) return where::all;
   return context_ == context_tasks ? where::tasks : where::single;
 }
@@ -151,7 +150,7 @@ void Board::flush_replies() {
 /// Also spoils a recording: without the missing piece it would be another contour.
 void Board::text_error() {
   command_error();
-  if (recording_) spoil_recording();
+  if (recorder_.on()) recorder_.spoil();
 }
 
 // --- events of the motion ----------------------------------------------------------------------------------

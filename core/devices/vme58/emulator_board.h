@@ -176,8 +176,6 @@ class Board {
   // Contours (emulator_record.cpp).
   void begin_recording(const Command& c);
   void record(const Command& c);
-  void spoil_recording() { spoiled_ = true; }
-  void end_recording(bool kill);
 
   // Queries (emulator_queries.cpp).
   void answer(const Command& c);
@@ -228,9 +226,7 @@ class Board {
   std::optional<Command> held_;     ///< read, but its queue is full
   std::optional<int> waits_empty_;  ///< WQ: context whose queue must run empty
 
-  Contour contour_;
-  bool recording_ = false, spoiled_ = false;
-  int recorded_entries_ = 0;
+  ContourRecorder recorder_;
 
   std::optional<Instant> update_due_, mail_due_;
   std::array<std::optional<Instant>, most_axes> power_drops_at_{};

@@ -35,4 +35,37 @@ struct Contour {
   [[nodiscard]] int axis_count() const { return __builtin_popcount(axes); }
 };
 
+/// What stands between CD and its end, and what is left of it for CX.
+class ContourRecorder {
+ public:
+  /// CD: drops the contour before it.
+  void begin() { *this = ContourRecorder(), on_ = true; }
+  void goes(int axis, std::int64_t from) {
+    contour_.axes |= 1u << axis;
+    contour_.start[static_cast<std::size_t>(axis)] = from;
+  }
+  void add(const RecordedPiece& piece, int entries) {
+    contour_.pieces.push_back(piece);
+    entries_ += entries;
+  }
+  /// An error on the way: CX will refuse it.
+  void spoil() { spoiled_ = true; }
+  void end(bool kill) {
+    on_ = false;
+    contour_.kill = kill;
+    contour_.complete = !spoiled_;
+  }
+  /// A selector ends it: without CE or CK it is not complete.
+  void give_up() { on_ = false; }
+
+  [[nodiscard]] bool on() const { return on_; }
+  [[nodiscard]] int entries() const { return entries_; }
+  [[nodiscard]] const Contour& contour() const { return contour_; }
+
+ private:
+  Contour contour_;
+  bool on_ = false, spoiled_ = false;
+  int entries_ = 0;
+};
+
 }  // namespace hw::vme58

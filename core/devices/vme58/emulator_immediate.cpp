@@ -48,7 +48,7 @@ void Board::set_mode(const Command& c) {
 /// A selector ends the recording of a contour; without its CE or CK it is not complete.
 void Board::select(int context) {
   if (context < most_axes && (fitted_ >> context & 1u) == 0) return text_error();
-  recording_ = false;
+  recorder_.give_up();
   context_ = context;
 }
 

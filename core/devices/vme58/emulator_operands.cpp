@@ -48,8 +48,9 @@ bool Board::resolve(Command& c) const {
       return true;
     case Op::BL:
     case Op::BH: return io_.is_output(static_cast<int>(c.first()));
-    case Op::contour_MT: return c.operands() == contour_.axis_count() && contour_axis(c.operands() - 1) >= 0;
-    case Op::CR: return contour_.axis_count() == 2;
+    case Op::contour_MT:
+      return c.operands() == recorder_.contour().axis_count() && contour_axis(c.operands() - 1) >= 0;
+    case Op::CR: return recorder_.contour().axis_count() == 2;
     case Op::contour_AN:
     case Op::contour_AF:
       for (const auto& n : c.number)
@@ -62,7 +63,7 @@ bool Board::resolve(Command& c) const {
 /// The axis of an operand inside a contour: the first operand belongs to its first axis (decision M68).
 int Board::contour_axis(int place) const {
   for (int a = 0; a < most_axes; ++a)
-    if (contour_.has(a) && place-- == 0) return a;
+    if (recorder_.contour().has(a) && place-- == 0) return a;
   return -1;
 }
 

@@ -53,8 +53,8 @@ void Board::answer(const Command& c) {
     case Op::RV: text = values([this](int a) { return rounded(motion_.velocity(a)); }); break;
     case Op::RU: text = values([this](int a) { return user_position(a); }); break;
     case Op::RQ:
-      text = number(std::to_string(recording_ ? make_.contour_size - recorded_entries_
-                                              : tasks_[ix(context_)].queue.room()));
+      text = number(std::to_string(recorder_.on() ? make_.contour_size - recorder_.entries()
+                                                  : tasks_[ix(context_)].queue.room()));
       break;
     case Op::BX: text = number(lines_in_hex(io_.levels())); break;
     case Op::RB: text = number(lines_in_hex(io_.outputs())); break;

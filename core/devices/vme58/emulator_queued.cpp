@@ -122,9 +122,10 @@ Board::Step Board::staircase(int context, const Command& c) {
 }
 
 Board::Step Board::play_contour(int context) {
-  if (!contour_.complete || motion_.board().contour_velocity <= 0) return refused();  // decisions M21, M71
-  if (!motion_.play(contour_)) return refused();
-  return motion_began(context, contour_.axes);
+  if (!recorder_.contour().complete || motion_.board().contour_velocity <= 0)
+    return refused();  // decisions M21, M71
+  if (!motion_.play(recorder_.contour())) return refused();
+  return motion_began(context, recorder_.contour().axes);
 }
 
 // --- done flags --------------------------------------------------------------------------------------------

@@ -89,7 +89,7 @@ unsigned Board::waits_for(int context, const Command& c) const {
     case Op::GD: return t.prepared.axes();
     case Op::KM:
     case Op::KR: return fitted_;
-    case Op::CX: return contour_.axes;
+    case Op::CX: return recorder_.contour().axes;
     case Op::AC:
     case Op::VL:
     case Op::VB:

@@ -4,20 +4,14 @@
 namespace hw::vme58 {
 
 void Board::begin_recording(const Command& c) {
-  contour_ = Contour();
-  each(c, context_, [this](int a, double position) {
-    contour_.axes |= 1u << a;
-    contour_.start[ix(a)] = static_cast<std::int64_t>(position);
-  });
-  recording_ = true;
-  spoiled_ = false;
-  recorded_entries_ = 0;
+  recorder_.begin();
+  each(c, context_,
+       [this](int a, double position) { recorder_.goes(a, static_cast<std::int64_t>(position)); });
 }
 
 void Board::record(const Command& c) {
-  if (c.op() == Op::CE || c.op() == Op::CK) return end_recording(c.op() == Op::CK);
-  if (recorded_entries_ + c.entries() > make_.contour_size) return text_error();
-  recorded_entries_ += c.entries();
+  if (c.op() == Op::CE || c.op() == Op::CK) return recorder_.end(c.op() == Op::CK);
+  if (recorder_.entries() + c.entries() > make_.contour_size) return text_error();
   RecordedPiece piece;
   switch (c.op()) {
     case Op::contour_MT:
@@ -37,13 +31,7 @@ void Board::record(const Command& c) {
         if (port) piece.outputs |= 1u << static_cast<int>(*port);
       break;
   }
-  contour_.pieces.push_back(piece);
-}
-
-void Board::end_recording(bool kill) {
-  recording_ = false;
-  contour_.kill = kill;
-  contour_.complete = !spoiled_;
+  recorder_.add(piece, c.entries());
 }
 
 }  // namespace hw::vme58

@@ -121,7 +121,7 @@ struct MotionAxis {
   int arrived_by = 0;      ///< direction of the last count of its run
   int run = -1;            ///< index of the axis' run; -1: none
   bool under_way = false;  ///< between the `began` and `rested` events
-  bool was_holding = false, was_tracking = false;
+  bool was_holding = false;
   bool was_in_position = true, slipped = false;
 
   std::optional<HomeOrder> homing;     ///< the edge is still to come

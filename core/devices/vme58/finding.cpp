@@ -87,7 +87,7 @@ Task<Result<>> Finding::ask_axes(std::string_view told_variant) {
   const auto fields = decode_numbers(*positions);
   const int axes = fields ? static_cast<int>(fields->size()) : 0;
   if (axes != variant_.axes() || (!told_variant.empty() && find_variant(told_variant) != &variant_))
-    wire_.tell(
+    wire_.report(
         Notice::Kind::warning,
         fmt::format("The board says that it is a {} with {} axes; it was opened as an {}. Open it with "
                     "variant={} in its address.",

@@ -18,9 +18,9 @@ void Lines::go_these_ways(unsigned outputs) {
   std::string jumpers;
   for (int line = 0; line < first_fixed_output; line += lines_of_a_group)
     jumpers += bit(directions_, line) ? 'O' : 'I';
-  wire_.tell(Notice::Kind::warning, fmt::format("The general lines of the board do not have the directions "
-                                                "shown here. Open it with jumpers={} in its address.",
-                                                jumpers));
+  wire_.report(Notice::Kind::warning, fmt::format("The general lines of the board do not have the directions "
+                                                  "shown here. Open it with jumpers={} in its address.",
+                                                  jumpers));
 }
 
 void Lines::take(std::uint16_t levels) {
@@ -37,20 +37,20 @@ void Lines::take(std::uint16_t levels) {
   draft_.io_seen_at = wire_.now();
 }
 
-Task<Result<>> Lines::set(intent::SetOutput wish) {
+Task<Result<>> Lines::set(intent::SetOutput request) {
   if (auto may = commands_.may_talk(); !may) co_return may;
-  const int place = catalog_.find_output(wish.number);
+  const int place = catalog_.find_output(request.number);
   if (place < 0)
-    co_return fail(FaultKind::refused, fmt::format("There is no output {} on this board.", wish.number),
+    co_return fail(FaultKind::refused, fmt::format("There is no output {} on this board.", request.number),
                    "Nothing was sent.");
-  const int auxiliary = wish.number - first_auxiliary;
-  if (auxiliary >= 0) co_return co_await set_auxiliary(auxiliary, wish.on, 1u << place);
-  co_return co_await set_line(wish.number, wish.on, 1u << place);
+  const int auxiliary = request.number - first_auxiliary;
+  if (auxiliary >= 0) co_return co_await set_auxiliary(auxiliary, request.on, 1u << place);
+  co_return co_await set_line(request.number, request.on, 1u << place);
 }
 
 Task<Result<>> Lines::set_auxiliary(int axis, bool on, std::uint32_t mask) {
   std::string text = selection_.addressed(axis, on ? "AN" : "AF");
-  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
   if (sent) know_auxiliary(axis, on);
   if (!sent && wire_.perhaps_done(sent.error())) draft_.outputs_known &= ~mask;
   co_return sent;
@@ -58,7 +58,7 @@ Task<Result<>> Lines::set_auxiliary(int axis, bool on, std::uint32_t mask) {
 
 Task<Result<>> Lines::set_line(int line, bool on, std::uint32_t mask) {
   std::string text = fmt::format("{}{}\n", on ? "BL" : "BH", line);
-  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
   if (!sent) co_return sent;
   auto looked = co_await readings_.look_at_registers(Priority::intent);
   if (!looked) co_return looked;
@@ -81,7 +81,7 @@ Task<Result<>> Lines::switch_tool_off(ToolOff tool) {
       lines += fmt::format("{}{}{}", lines.empty() ? "" : " ", o.on ? "BL" : "BH", o.number);
   }
   if (!lines.empty()) text += through_free_queue(std::move(lines));
-  auto sent = co_await commands_.say(std::move(text), Priority::stop);
+  auto sent = co_await commands_.transmit(std::move(text), Priority::stop);
   if (!sent) co_return sent;
   for (const ToolOutput& o : tool)
     if (o.number >= first_auxiliary) know_auxiliary(o.number - first_auxiliary, o.on);

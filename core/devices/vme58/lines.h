@@ -23,7 +23,7 @@ class Lines {
   void go_these_ways(unsigned outputs);
   /// Takes the levels: bit per line that is high.
   void take(std::uint16_t levels);
-  Task<Result<>> set(intent::SetOutput wish);
+  Task<Result<>> set(intent::SetOutput request);
   /// Uses the queue of an axis at rest: in another the command would wait for the end of the motion.
   Task<Result<>> switch_tool_off(ToolOff tool);
   /// Notes the state of an auxiliary output, which the window does not show.

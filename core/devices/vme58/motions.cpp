@@ -369,7 +369,7 @@ void Motions::doubt_killed_position(int i, double speed) {
   const std::int64_t safe = readings_.value(i, AxisValue::base_velocity);
   if (catalog_.axes[ix(i)].switchable || speed <= static_cast<double>(safe)) return;
   draft_.axes[i].trust.doubt(Doubt::killed, wire_.now());
-  wire_.tell(
+  wire_.report(
       Notice::Kind::warning,
       fmt::format("Axis {} was stopped without a ramp at {:.0f} counts/s. Above {} (VB) it may have lost "
                   "steps: its position is doubtful until it is homed or set.",

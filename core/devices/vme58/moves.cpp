@@ -48,9 +48,9 @@ Result<WholePace> Moves::checked(const intent::Pace& pace) const {
   return WholePace{speed, acceleration};
 }
 
-Result<Moves::Wish> Moves::checked(const std::vector<AxisTarget>& targets, bool relative) const {
-  Wish wish;
-  wish.way.has_targets = true;
+Result<Moves::Request> Moves::checked(const std::vector<AxisTarget>& targets, bool relative) const {
+  Request request;
+  request.way.has_targets = true;
   for (const AxisTarget& t : targets) {
     const int axis = t.axis.index;
     if (auto may = may_move(axis); !may) return fail(may.error());
@@ -61,11 +61,11 @@ Result<Moves::Wish> Moves::checked(const std::vector<AxisTarget>& targets, bool 
                               position_max),
                   "Nothing was sent.");
     if (relative && t.value.value == 0) continue;
-    wish.operands[ix(axis)] = t.value.value;
-    wish.way.targets[ix(axis)] = Steps(goal);
-    wish.way.axes |= 1u << axis;
+    request.operands[ix(axis)] = t.value.value;
+    request.way.targets[ix(axis)] = Steps(goal);
+    request.way.axes |= 1u << axis;
   }
-  return wish;
+  return request;
 }
 
 // ---- moves
@@ -75,7 +75,7 @@ Task<Result<>> Moves::begin(std::string text, Motions::Way way) {
   forget_rejection(draft_);
   draft_.program.ended_by = EndedBy::nothing;  // from here on the end of this motion is reported
   const Motions::Before before = motions_.begin(way);
-  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
   if (!sent) motions_.did_not_begin(way, before, wire_.perhaps_done(sent.error()));
   co_return sent;
 }
@@ -84,17 +84,17 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> targets, intent::Pace pace_wi
                            Activity shown_as) {
   const auto pace = checked(pace_wish);
   if (!pace) co_return fail(pace.error());
-  auto wish = checked(targets, relative);
-  if (!wish) co_return fail(wish.error());
-  wish->way.activity = shown_as;
+  auto request = checked(targets, relative);
+  if (!request) co_return fail(request.error());
+  request->way.activity = shown_as;
   for (int i = 0; i < axes(); ++i) {
-    if ((wish->way.axes >> i & 1) == 0) continue;
+    if ((request->way.axes >> i & 1) == 0) continue;
     auto set = co_await speeds_.borrow(i, *pace);
     if (!set) co_return set;
   }
-  if (wish->way.axes == 0) co_return Result<>();
-  std::string text = move_text(*wish, *pace, relative);
-  co_return co_await begin(std::move(text), wish->way);
+  if (request->way.axes == 0) co_return Result<>();
+  std::string text = move_text(*request, *pace, relative);
+  co_return co_await begin(std::move(text), request->way);
 }
 
 namespace {
@@ -110,14 +110,14 @@ std::string pace_text(WholePace pace) {
 
 }  // namespace
 
-std::string Moves::move_text(const Wish& wish, WholePace pace, bool relative) const {
+std::string Moves::move_text(const Request& request, WholePace pace, bool relative) const {
   const std::string_view letters = relative ? "MR" : "MA";
-  const unsigned moved = wish.way.axes;
+  const unsigned moved = request.way.axes;
   int only = 0;
   while ((moved >> only & 1) == 0) ++only;
   if ((moved & (moved - 1)) == 0)
     return selection_.addressed(
-        only, fmt::format("{}{}{} GD ID", pace_text(pace), letters, *wish.operands[ix(only)]));
+        only, fmt::format("{}{}{} GD ID", pace_text(pace), letters, *request.operands[ix(only)]));
   const auto of_all = [&](std::string_view setting, std::int64_t value) {
     Operands values{};
     for (int i = 0; i < axes(); ++i)
@@ -125,17 +125,17 @@ std::string Moves::move_text(const Wish& wish, WholePace pace, bool relative) co
     return value > 0 ? encode_list(setting, values) + " " : std::string();
   };
   const std::string first = of_all("VL", pace.speed) + of_all("AC", pace.acceleration);
-  return selection_.addressed("AM", first + encode_list(letters, wish.operands) + " GD ID");
+  return selection_.addressed("AM", first + encode_list(letters, request.operands) + " GD ID");
 }
 
-Task<Result<>> Moves::jog(intent::JogStart wish) {
-  if (wish.up_to) {
-    std::vector<AxisTarget> end(1, AxisTarget{wish.axis, *wish.up_to});
-    co_return co_await move(std::move(end), pace_of(wish), false, Activity::jogging);
+Task<Result<>> Moves::jog(intent::JogStart request) {
+  if (request.up_to) {
+    std::vector<AxisTarget> end(1, AxisTarget{request.axis, *request.up_to});
+    co_return co_await move(std::move(end), pace_of(request), false, Activity::jogging);
   }
-  const int axis = wish.axis.index;
+  const int axis = request.axis.index;
   if (auto may = may_move(axis); !may) co_return may;
-  auto pace = checked(pace_of(wish));
+  auto pace = checked(pace_of(request));
   if (!pace) co_return fail(pace.error());
   if (pace->speed == 0) {
     auto read = co_await speeds_.velocity.read(axis, Priority::intent);
@@ -148,14 +148,15 @@ Task<Result<>> Moves::jog(intent::JogStart wish) {
   }
   motions_.will_jog(axis, static_cast<double>(pace->speed));
   const std::string ramp = pace_text({0, pace->acceleration});
-  std::string text = selection_.addressed(axis, fmt::format("{}JG{}", ramp, factor(wish.sign) * pace->speed));
+  std::string text =
+      selection_.addressed(axis, fmt::format("{}JG{}", ramp, factor(request.sign) * pace->speed));
   co_return co_await begin_jog(std::move(text), axis);
 }
 
 Task<Result<>> Moves::jog_slowly(int axis, std::int64_t thousandths) {
   if (auto may = may_move(axis); !may) co_return may;
   std::string text = selection_.addressed(axis, "JF" + encode_number(thousandths, 3));
-  if (thousandths == 0) co_return co_await commands_.say(std::move(text), Priority::intent);
+  if (thousandths == 0) co_return co_await commands_.transmit(std::move(text), Priority::intent);
   motions_.will_jog(axis, std::abs(static_cast<double>(thousandths)) / 1000);
   co_return co_await begin_jog(std::move(text), axis);
 }
@@ -184,27 +185,27 @@ Task<Result<>> Moves::begin_jog(std::string text, int axis) {
 }
 
 // CA first: clears the done flag of an earlier motion.
-Task<Result<>> Moves::home(intent::Home wish) {
-  const int axis = wish.axis.index;
+Task<Result<>> Moves::home(intent::Home request) {
+  const int axis = request.axis.index;
   if (auto may = may_move(axis); !may) co_return may;
-  const bool plus = wish.sign == Sign::plus;
+  const bool plus = request.sign == Sign::plus;
   std::string text;
-  switch (static_cast<HomeMode>(wish.mode)) {
+  switch (static_cast<HomeMode>(request.mode)) {
     case HomeMode::edge: text = plus ? "HM0 ID" : "HR0 ID"; break;
     case HomeMode::back_to_edge: text = plus ? "HM0 MA0 GO ID" : "HR0 MA0 GO ID"; break;
     case HomeMode::stop_dead: text = plus ? "KM ID" : "KR ID"; break;
     default:
-      co_return fail(FaultKind::refused, fmt::format("There is no homing mode number {}.", wish.mode),
+      co_return fail(FaultKind::refused, fmt::format("There is no homing mode number {}.", request.mode),
                      "Nothing was sent.");
   }
-  const auto pace = checked(wish.pace);
+  const auto pace = checked(request.pace);
   if (!pace) co_return fail(pace.error());
   auto set = co_await speeds_.borrow(axis, *pace);
   if (!set) co_return set;
   Motions::Way way;
   way.axes = 1u << axis;
   way.activity = Activity::homing;
-  const bool dead = static_cast<HomeMode>(wish.mode) == HomeMode::stop_dead;
+  const bool dead = static_cast<HomeMode>(request.mode) == HomeMode::stop_dead;
   way.at_home = dead ? AtHome::stops_dead : AtHome::sets_counter;
   text = selection_.addressed(axis, "CA " + pace_text(*pace) + text);
   co_return co_await begin(std::move(text), way);

@@ -26,21 +26,21 @@ class Moves {
   /// Moves one axis by itself, or several on a straight line as a group of AM, beside which others may run.
   Task<Result<>> move(std::vector<AxisTarget> targets, intent::Pace pace, bool relative,
                       Activity shown_as = Activity::moving);
-  Task<Result<>> jog(intent::JogStart wish);
+  Task<Result<>> jog(intent::JogStart request);
   /// Jogs by JF, in thousandths of a count per second; 0 ends the jog.
   Task<Result<>> jog_slowly(int axis, std::int64_t thousandths);
-  Task<Result<>> home(intent::Home wish);
+  Task<Result<>> home(intent::Home request);
 
  private:
   using Operands = std::array<std::optional<std::int64_t>, most_axes>;
-  struct Wish {
+  struct Request {
     Operands operands{};
     Motions::Way way;
   };
   [[nodiscard]] Result<> may_move(int axis) const;
   [[nodiscard]] Result<WholePace> checked(const intent::Pace& pace) const;
-  [[nodiscard]] Result<Wish> checked(const std::vector<AxisTarget>& targets, bool relative) const;
-  [[nodiscard]] std::string move_text(const Wish& wish, WholePace pace, bool relative) const;
+  [[nodiscard]] Result<Request> checked(const std::vector<AxisTarget>& targets, bool relative) const;
+  [[nodiscard]] std::string move_text(const Request& request, WholePace pace, bool relative) const;
   Task<Result<>> begin(std::string text, Motions::Way way);
   Task<Result<>> begin_jog(std::string text, int axis);
   [[nodiscard]] int axes() const { return static_cast<int>(catalog_.axes.size()); }

@@ -50,7 +50,7 @@ Task<Result<>> OwnSetting::give_back(int axis, Priority priority) {
     co_return Result<>();
   }
   std::string text = selection_.addressed(axis, fmt::format("{}{}", letters_, borrowed.before));
-  auto given = co_await commands_.say(std::move(text), priority);
+  auto given = co_await commands_.transmit(std::move(text), priority);
   if (!given && given.error().kind != FaultKind::controller) co_return given;  // must be tried again
   at(axis).borrowed.reset();
   if (draft_.working) at(axis).put = Put{borrowed.before};
@@ -74,7 +74,7 @@ Task<Result<>> OwnSetting::give_back_behind_motions(Priority priority) {
     const auto& borrowed = at(i).borrowed;
     if (!borrowed || borrowed->waits_behind || !motions_.ours(i) || motions_.in_company(i)) continue;
     std::string text = selection_.addressed(i, fmt::format("{}{}", letters_, borrowed->before));
-    auto given = co_await commands_.say(std::move(text), priority);
+    auto given = co_await commands_.transmit(std::move(text), priority);
     if (!given) co_return given;
     if (at(i).borrowed) at(i).borrowed->waits_behind = true;
   }

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/device/bench_file.h"
-#include "core/device/planned_hands.h"
+#include "core/device/bench_schedule.h"
 #include "core/device/track_keeper.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/command_text.h"
@@ -59,7 +59,7 @@ class Rehearsing {
         track_(emulator, options),
         watch_(board_, numbers_of(text_)) {}
 
-  Result<> set_bench() { return PlannedHands::act(options_.bench, emulator_); }
+  Result<> set_bench() { return BenchSchedule::act(options_.bench, emulator_); }
   Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
 
   Rehearsal run() {
@@ -179,11 +179,11 @@ class Rehearsing {
 
   void listen() {
     for (const Note& note : notes_.list)
-      if (result_.error.empty()) hear(note);
+      if (result_.error.empty()) observe(note);
     notes_.list.clear();
   }
-  void hear(const Note& note) {
-    watch_.hear(note);
+  void observe(const Note& note) {
+    watch_.observe(note);
     switch (note.what) {
       case Note::What::moves:
         ++result_.moves;
@@ -266,7 +266,7 @@ class Rehearsing {
   const Duration last_;
   std::vector<Line> text_;
   std::size_t next_ = 0;  ///< index in text_ of the next command to send
-  PlannedHands hands_;
+  BenchSchedule hands_;
   TrackKeeper track_;
   ProgramWatch watch_;
   Notes notes_;

@@ -19,7 +19,7 @@ void ProgramWatch::stopped(Instant at, int source, std::string reason, int axis,
   stops_.push_back({seconds(at.time_since_epoch()), line_of(source), name, direction, std::move(reason)});
 }
 
-void ProgramWatch::hear(const Note& note) {
+void ProgramWatch::observe(const Note& note) {
   if (note.what == Note::What::moves) sent_by_[ix(note.number)] = note.source;
   if (note.what != Note::What::limit) return;
   stopped(note.at, sent_by_[ix(note.number)],

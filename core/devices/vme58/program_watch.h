@@ -14,7 +14,7 @@ class ProgramWatch {
   /// `line_of`: line of the text, indexed by Note::source.
   ProgramWatch(const Board& board, std::vector<int> line_of) : board_(board), line_of_(std::move(line_of)) {}
 
-  void hear(const Note& note);
+  void observe(const Note& note);
   /// Whether a look at a line showed the same command the same level as its look before.
   [[nodiscard]] bool is_repeated(const Note& look);
   void stopped(Instant at, int source, std::string reason, int axis = -1, int direction = 0);

@@ -29,7 +29,7 @@ Result<> Programs::load(std::string text) {
 void Programs::show() {
   Notice listing(Notice::Kind::program, wire_.now(), text_);
   listing.slot = 0;
-  wire_.tell(std::move(listing));
+  wire_.report(std::move(listing));
 }
 
 Task<Result<>> Programs::run() {
@@ -76,7 +76,7 @@ Task<Result<>> Programs::end_rejected(std::string what) {
   rejection_ = what + " The program ends there, and all axes were stopped.";
   end(EndedBy::error);
   draft_.notice = rejection_;
-  wire_.tell(Notice::Kind::error, rejection_);
+  wire_.report(Notice::Kind::error, rejection_);
   co_return stopped;
 }
 

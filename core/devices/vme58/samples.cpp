@@ -2,10 +2,10 @@
 
 namespace hw::vme58 {
 
-void Samples::start(const intent::Sample& wish) {
-  const bool on = wish.length.count() > 0 && wish.axis.index < static_cast<int>(catalog_.axes.size());
-  axis_ = on ? wish.axis.index : -1;
-  until_ = wire_.now() + wish.length;
+void Samples::start(const intent::Sample& request) {
+  const bool on = request.length.count() > 0 && request.axis.index < static_cast<int>(catalog_.axes.size());
+  axis_ = on ? request.axis.index : -1;
+  until_ = wire_.now() + request.length;
   watch_.start();
 }
 

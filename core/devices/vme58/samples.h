@@ -19,7 +19,7 @@ class Samples {
         draft_(draft),
         sample_(std::move(sample)) {}
 
-  void start(const intent::Sample& wish);
+  void start(const intent::Sample& request);
   void end() { axis_ = -1; }
   [[nodiscard]] bool are_taken() const { return axis_ >= 0 && wire_.now() < until_; }
   /// The axes have been read.

@@ -22,7 +22,7 @@ class Selection {
   [[nodiscard]] bool recording() const { return context_.recording; }
   void set(const Context& context) { context_ = context; }
   /// Follows a command of the user's text.
-  void hear(const TextCommand& command) { follow(command, context_); }
+  void observe(const TextCommand& command) { follow(command, context_); }
   void set_recording(bool on) { context_.recording = on; }
 
   /// The board's selection may differ from that of the user's text: text was taken back, perhaps between two

@@ -21,32 +21,32 @@ std::string spelt(const TextCommand& command) {
 }
 
 /// Drops a trailing selector that no command follows.
-void drop_address(Deeds& deeds) {
-  if (!deeds.empty() && !deeds.back().sets.empty()) deeds.pop_back();
+void drop_address(Operations& operations) {
+  if (!operations.empty() && !operations.back().sets.empty()) operations.pop_back();
 }
 
 }  // namespace
 
-Deeds deeds_of(std::string_view text) {
+Operations operations_of(std::string_view text) {
   const std::string plain = without_comments(text);
   Context context;
-  Deeds deeds;
+  Operations operations;
   for (const TextCommand& command : read_commands(plain, context)) {
-    Deed deed;
-    deed.at = {command.begin, command.begin + command.length};
+    Operation operation;
+    operation.at = {command.begin, command.begin + command.length};
     if (selects(command) && !command.context.recording) {
-      drop_address(deeds);
-      deed.text = command.fact->letters;
-      deed.sets = "address";
+      drop_address(operations);
+      operation.text = command.fact->letters;
+      operation.sets = "address";
     } else {
-      deed.text = spelt(command);
-      deed.speed = command.fact && sets_speed(command.fact->op);
-      if (command.is(Op::RS)) deed.flow = Deed::Flow::changes_all;
+      operation.text = spelt(command);
+      operation.speed = command.fact && sets_speed(command.fact->op);
+      if (command.is(Op::RS)) operation.flow = Operation::Flow::changes_all;
     }
-    deeds.push_back(std::move(deed));
+    operations.push_back(std::move(operation));
   }
-  drop_address(deeds);
-  return deeds;
+  drop_address(operations);
+  return operations;
 }
 
 TextEffects effects_of(std::string_view text) {

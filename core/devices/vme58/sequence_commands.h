@@ -8,7 +8,7 @@
 
 namespace hw::vme58 {
 
-[[nodiscard]] Deeds deeds_of(std::string_view text);
+[[nodiscard]] Operations operations_of(std::string_view text);
 
 /// What a user's commands may change for the AA commands that follow.
 struct TextEffects {

@@ -289,7 +289,7 @@ Result<SequenceRead> read_sequence(std::string_view text, const seq::Sequence& f
                   "The blocks are as they were.");
   ReadingLanguage language;
   language.write = [&](const seq::Sequence& made) { return write_sequence(made, catalog); };
-  language.deeds = deeds_of;
+  language.operations = operations_of;
   language.comment_mark = '#';
   return prove(BlockReader(text, frame, catalog).run(), text, language);
 }

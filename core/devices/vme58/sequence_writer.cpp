@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/device/sequence_draft.h"
-#include "core/device/told_speeds.h"
+#include "core/device/written_speeds.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/contour_recording.h"
 #include "core/devices/vme58/facts.h"
@@ -108,7 +108,7 @@ class Writer {
     if (does.moves) draft_.nothing_known();
     if (does.records) ++recorded_;
     if (does.speeds)
-      for (ToldSpeeds& told : told_) told.doubt();
+      for (WrittenSpeeds& told : told_) told.doubt();
     return {};
   }
   Result<> write(const seq::Contour& c);
@@ -136,7 +136,7 @@ class Writer {
   Result<> switch_auxiliary(int axis, bool on);
 
   SequenceDraft draft_;
-  std::array<ToldSpeeds, max_axes> told_;
+  std::array<WrittenSpeeds, max_axes> told_;
   int depth_ = 0, recorded_ = 0;
 };
 
@@ -225,8 +225,8 @@ Result<> Writer::write(const seq::Repeat& l) {
     return draft_.refuse(
         fmt::format("loops of a VME58 stand in one another {} deep at most.", deepest_levels));
   draft_.forget_what_moves(l.steps);
-  if (says_speeds(l.steps))
-    for (ToldSpeeds& told : told_) told.begin_repeated();
+  if (sets_speeds(l.steps))
+    for (WrittenSpeeds& told : told_) told.begin_repeated();
   draft_.line(l.times == 0 ? "WH" : fmt::format("LS{}", l.times));
   ++depth_;
   auto written = write_steps(*this, draft_, l.steps);

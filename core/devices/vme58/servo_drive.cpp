@@ -10,16 +10,16 @@ namespace hw::vme58 {
 
 // ---- positions
 
-Task<Result<>> ServoDrive::set_position(intent::SetPosition wish) {
+Task<Result<>> ServoDrive::set_position(intent::SetPosition request) {
   if (auto may = commands_.may_talk(); !may) co_return may;
-  if (std::abs(wish.value.value) > position_max)
+  if (std::abs(request.value.value) > position_max)
     co_return fail(FaultKind::refused,
-                   fmt::format("{} lies outside the board's range, ±{}.", wish.value.value, position_max),
+                   fmt::format("{} lies outside the board's range, ±{}.", request.value.value, position_max),
                    "Nothing was sent.");
-  auto loaded = co_await load_positions(wish.axis, wish.value);
+  auto loaded = co_await load_positions(request.axis, request.value);
   if (!loaded) co_return loaded;
   for (int i = 0; i < axes(); ++i)
-    if (wish.axis < 0 || wish.axis == i) motions_.trust(i, Trust::set);
+    if (request.axis < 0 || request.axis == i) motions_.trust(i, Trust::set);
   co_return Result<>();
 }
 
@@ -37,7 +37,7 @@ Task<Result<>> ServoDrive::load_positions(int axis, Steps wanted) {
       motions_.counts(i);
     }
     std::string text = load_text(axis, loaded);
-    auto sent = co_await commands_.say(std::move(text), Priority::intent);
+    auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
     if (!sent) co_return sent;
     read = co_await readings_.read_axes(Priority::intent);
     if (!read) co_return read;
@@ -83,7 +83,7 @@ Task<Result<>> ServoDrive::switch_loop(int axis, bool on, intent::Closing answer
   }
   std::string text = selection_.addressed(axis, on ? "HN" : "HF");
   motions_.counts(axis);  // the board may take the shaft position as its command
-  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
   if (!sent) next_.asks_loops();
   if (!sent) co_return sent;
   loops_.know(axis, on);
@@ -91,17 +91,17 @@ Task<Result<>> ServoDrive::switch_loop(int axis, bool on, intent::Closing answer
   co_return sent;
 }
 
-Task<Result<>> ServoDrive::set_power(intent::SetPower wish) {
+Task<Result<>> ServoDrive::set_power(intent::SetPower request) {
   if (auto may = commands_.may_talk(); !may) co_return may;
   for (int i = 0; i < axes(); ++i) {
-    if (wish.axis >= 0 && wish.axis != i) continue;
+    if (request.axis >= 0 && request.axis != i) continue;
     if (!catalog_.axes[ix(i)].switchable) {
-      if (wish.axis < 0) continue;
+      if (request.axis < 0) continue;
       co_return fail(FaultKind::refused,
                      fmt::format("Axis {} is no servo axis: the board does not switch its motor.", name(i)),
                      "Nothing was sent.");
     }
-    auto switched = co_await switch_loop(i, wish.on, wish.closing);
+    auto switched = co_await switch_loop(i, request.on, request.closing);
     if (!switched) co_return switched;
   }
   co_return Result<>();
@@ -137,7 +137,7 @@ Task<Result<>> ServoDrive::take_place(int axis) {
       selection_.addressed(axis, closed ? fmt::format("HF LP{} HN", here) : fmt::format("LP{}", here));
   motions_.counts(axis);
   if (motions_.ours(axis)) motions_.end(axis, EndedBy::stop);  // its target is no longer wanted
-  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
   if (!sent) next_.asks_loops();
   if (!sent) co_return sent;
   auto read = co_await readings_.read_axes(Priority::intent);

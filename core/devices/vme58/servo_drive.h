@@ -24,11 +24,11 @@ class ServoDrive {
 
   /// HN closes the loop; HF opens it and leaves the motor free.
   Task<Result<>> switch_loop(int axis, bool on, intent::Closing answer);
-  Task<Result<>> set_power(intent::SetPower wish);
+  Task<Result<>> set_power(intent::SetPower request);
   /// Whether a gain may be set that makes a closed loop act on its error. A loop that follows its command, or
   /// settles, may be tuned.
   Task<Result<>> may_drive(const Parameter& parameter, std::int64_t value, intent::Closing answer);
-  Task<Result<>> set_position(intent::SetPosition wish);
+  Task<Result<>> set_position(intent::SetPosition request);
 
  private:
   Task<Result<>> may_close(int axis, intent::Closing answer, std::string state, std::string consequence);

@@ -11,25 +11,25 @@ std::string written(const ParamInfo& info, std::int64_t value) { return encode_n
 
 }  // namespace
 
-Task<Result<>> Setup::set(intent::SetParam wish) {
+Task<Result<>> Setup::set(intent::SetParam request) {
   ParamRules rules{"This board", written};
   rules.may_now = [this](const ParamInfo&) { return commands_.may_talk(); };
-  const auto place = check_param(catalog_, wish, rules);
+  const auto place = check_param(catalog_, request, rules);
   if (!place) co_return fail(place.error());
   const Parameter& parameter = values_.at(*place);
-  auto may = co_await drive_.may_drive(parameter, wish.value, wish.closing);
+  auto may = co_await drive_.may_drive(parameter, request.value, request.closing);
   if (!may) co_return may;
-  const std::string words = set_text(*parameter.fact, wish.value);
+  const std::string words = set_text(*parameter.fact, request.value);
   std::string text = parameter.axis >= 0 ? selection_.addressed(parameter.axis, words) : words + "\n";
-  values_.note_fraction(*parameter.fact, wish.value);
-  auto sent = co_await commands_.say(std::move(text), Priority::intent);
+  values_.note_fraction(*parameter.fact, request.value);
+  auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
   if (!sent && wire_.perhaps_done(sent.error())) draft_.params[*place].known = false;
   if (!sent) co_return sent;
-  values_.know(*place, wish.value);
-  const bool goes_there = wish.closing == intent::Closing::drive && parameter.fact->drives;
+  values_.know(*place, request.value);
+  const bool goes_there = request.closing == intent::Closing::drive && parameter.fact->drives;
   if (goes_there && draft_.axes[parameter.axis].far_off) motions_.begins_to_settle(parameter.axis);
   if (!parameter.fact->shown) co_return Result<>();
-  co_return co_await look_what_came(*place, wish.value);
+  co_return co_await look_what_came(*place, request.value);
 }
 
 /// AC, VL and VB wait in the axis' queue: the board may show the new value later.
@@ -45,8 +45,9 @@ Task<Result<>> Setup::look_what_came(std::size_t place, std::int64_t wanted) {
   if (own) own->was_put(parameter.axis, wanted, state.value != wanted);
   if (state.value == wanted) co_return Result<>();
   if (motions_.moving(parameter.axis)) {
-    wire_.tell(Notice::Kind::info,
-               fmt::format("{} takes effect when what is in the queue before it has ended.", info.mnemonic));
+    wire_.report(
+        Notice::Kind::info,
+        fmt::format("{} takes effect when what is in the queue before it has ended.", info.mnemonic));
     co_return Result<>();
   }
   co_return fail(FaultKind::controller,

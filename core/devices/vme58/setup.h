@@ -21,7 +21,7 @@ class Setup {
         catalog_(catalog),
         draft_(draft) {}
 
-  Task<Result<>> set(intent::SetParam wish);
+  Task<Result<>> set(intent::SetParam request);
 
  private:
   Task<Result<>> look_what_came(std::size_t place, std::int64_t wanted);

@@ -153,7 +153,7 @@ void StatusQuestions::slipped(int i) {
   if (!catalog_.axes[ix(i)].switchable) draft_.axes[i].trust.doubt(Doubt::slipped, wire_.now());
   const std::string& name = catalog_.axes[ix(i)].name;
   if (const int place = catalog_.find_readout("SLIP" + name); place >= 0) draft_.readouts[ix(place)] = 1;
-  wire_.tell(
+  wire_.report(
       Notice::Kind::warning,
       fmt::format("Axis {} has slipped: its encoder and its position differ by more than ES allows.", name));
 }

@@ -37,12 +37,12 @@ Task<Result<>> Stops::stop_motion(int axis, bool at_once, bool jog) {
   const bool one = axis >= 0 && !at_once && !widened_ && !motions_.in_company(axis) && !recorded;
   const bool alone = one && known && (jog || stops_alone(axis));
   if (one && !alone)
-    wire_.tell(
+    wire_.report(
         Notice::Kind::info,
         known ? fmt::format("A program or a text may move {} again, so all axes were stopped.", name(axis))
               : fmt::format("What moves {} is not known yet, so all axes were stopped.", name(axis)));
   if (axis >= 0 && at_once && !widened_)
-    wire_.tell(Notice::Kind::info, "The board's only stop without a ramp, KL, stops every axis.");
+    wire_.report(Notice::Kind::info, "The board's only stop without a ramp, KL, stops every axis.");
   if (!alone) programs_.end(at_once ? EndedBy::abort : EndedBy::stop);
   stopping(alone ? axis : -1, at_once);
   widened_ = widened_ || (axis >= 0 && !alone);
@@ -113,9 +113,9 @@ Task<Result<bool>> Stops::stop_axis(std::string selector) {
     }
   }
   const bool group = selector == "AA" || selector == "AM";
-  wire_.tell(Notice::Kind::warning,
-             fmt::format("The board takes no command for {} alone now, so all axes were stopped.",
-                         group ? "the axes of " + selector : "axis " + selector.substr(1)));
+  wire_.report(Notice::Kind::warning,
+               fmt::format("The board takes no command for {} alone now, so all axes were stopped.",
+                           group ? "the axes of " + selector : "axis " + selector.substr(1)));
   stopping(-1, false);
   auto stopped = co_await all_stop_.send("SA");
   if (!stopped) co_return fail(stopped.error());
@@ -174,8 +174,8 @@ StopProgress Stops::in_vain(int axis) {
     return StopProgress::again();
   }
   widened_ = true;
-  wire_.tell(Notice::Kind::warning,
-             fmt::format("Axis {} does not slow down behind ST, so all axes are stopped.", name(axis)));
+  wire_.report(Notice::Kind::warning,
+               fmt::format("Axis {} does not slow down behind ST, so all axes are stopped.", name(axis)));
   return StopProgress::again();
 }
 

@@ -26,7 +26,7 @@ Task<Result<std::string>> Texts::send(std::string text, Duration patience) {
   if (!prepared) co_return fail(prepared.error());
   std::string answers;
   for (const TextCommand& command : commands) {
-    auto said = co_await say(command, patience);
+    auto said = co_await transmit(command, patience);
     if (!said) co_return fail(said.error());
     if (!said->empty()) answers += (answers.empty() ? "" : "\n") + *said;
     note_sent(command);
@@ -45,7 +45,7 @@ Task<Result<>> Texts::prepare(const std::vector<TextCommand>& commands) {
 }
 
 /// Returns the reply, if there is one.
-Task<Result<std::string>> Texts::say(const TextCommand& command, Duration patience) {
+Task<Result<std::string>> Texts::transmit(const TextCommand& command, Duration patience) {
   std::string word(command.text);
   if (word.size() > longest_text)
     co_return fail(FaultKind::refused, "One command of this text is longer than the board's ring.",
@@ -134,7 +134,7 @@ void Texts::note_sent(const TextCommand& command) {
   if (!command.fact || !command.flaw.empty()) return;
   if (selects(command)) feed_.user_selects();
   const bool recorded = selection_.recording();
-  selection_.hear(command);
+  selection_.observe(command);
   if (recorded && !selection_.recording()) next_.awaits_queues();  // questions were not possible meanwhile
   effects_.note(command);
 }

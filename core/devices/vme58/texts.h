@@ -35,7 +35,7 @@ class Texts {
  private:
   Result<> may_say_while_feeding(const std::vector<TextCommand>& commands) const;
   Task<Result<>> prepare(const std::vector<TextCommand>& commands);
-  Task<Result<std::string>> say(const TextCommand& command, Duration patience);
+  Task<Result<std::string>> transmit(const TextCommand& command, Duration patience);
   Task<Result<>> put(const TextCommand& command, std::string word);
   Result<> cut_short(const TextCommand& command, Fault why);
   Task<Result<>> accepts(const TextCommand& command);

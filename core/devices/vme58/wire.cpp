@@ -85,7 +85,7 @@ void Wire::record(Way way, Priority priority, std::string_view text) {
   station_->record(now(), way, kind_of(priority), text);
 }
 
-void Wire::record_unasked(std::string_view text) {
+void Wire::record_unsolicited(std::string_view text) {
   if (station_) station_->record(now(), Way::received, TrafficKind::unsolicited, text);
 }
 
@@ -97,9 +97,9 @@ void Wire::count_miss() {
   if (station_) station_->count_miss();
 }
 
-void Wire::tell(Notice::Kind kind, std::string text) { tell(Notice(kind, now(), std::move(text))); }
+void Wire::report(Notice::Kind kind, std::string text) { report(Notice(kind, now(), std::move(text))); }
 
-void Wire::tell(Notice notice) {
+void Wire::report(Notice notice) {
   if (notify_) notify_(std::move(notice));
 }
 

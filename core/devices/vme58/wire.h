@@ -34,11 +34,11 @@ class Wire {
   [[nodiscard]] bool perhaps_done(const Fault& why) const;
 
   void record(Way way, Priority priority, std::string_view text);
-  void record_unasked(std::string_view text);
+  void record_unsolicited(std::string_view text);
   void count_answer(Instant asked_at, bool poll);
   void count_miss();
-  void tell(Notice::Kind kind, std::string text);
-  void tell(Notice notice);
+  void report(Notice::Kind kind, std::string text);
+  void report(Notice notice);
 
  private:
   Scheduler& scheduler_;

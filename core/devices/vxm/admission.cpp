@@ -41,7 +41,7 @@ Result<> Admission::may_run() const {
 Result<> Admission::may_move(int axis) const {
   if (axis < 0 || axis >= console_.draft.axis_count)
     return fail(FaultKind::refused, fmt::format("There is no motor {} here.", axis + 1), "Nothing was sent.");
-  if (axis >= motors_per_controller && !nameplate_.has_slave())
+  if (axis >= motors_per_controller && !identification_.has_slave())
     return fail(
         FaultKind::refused,
         fmt::format("Motor {} belongs to a second controller, and none answers on the VXM bus.", axis + 1),
@@ -62,7 +62,7 @@ Result<> Admission::may_change() const {
 void Admission::warn_of_motor_type(int axis) {
   if (std::exchange(type_warned_[ix(axis)], true) || parameters_.value(fmt::format("M{}M", axis + 1)) != 0)
     return;
-  console_.tell(
+  console_.report(
       Notice::Kind::warning,
       fmt::format("Motor {0} is set to type 0, the factory value for the smallest motors: a larger one only "
                   "buzzes. The "

@@ -4,7 +4,7 @@
 
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/facts.h"
-#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/identification.h"
 #include "core/devices/vxm/parameters.h"
 #include "core/devices/vxm/presence.h"
 #include "core/devices/vxm/under_way.h"
@@ -13,11 +13,11 @@ namespace hw::vxm {
 
 class Admission {
  public:
-  Admission(const Console& console, const Presence& presence, const Nameplate& nameplate,
+  Admission(const Console& console, const Presence& presence, const Identification& identification,
             const Parameters& setup, const UnderWay& under_way)
       : console_(console),
         presence_(presence),
-        nameplate_(nameplate),
+        identification_(identification),
         parameters_(setup),
         under_way_(under_way) {}
 
@@ -31,7 +31,7 @@ class Admission {
  private:
   const Console& console_;
   const Presence& presence_;
-  const Nameplate& nameplate_;
+  const Identification& identification_;
   const Parameters& parameters_;
   const UnderWay& under_way_;
   std::array<bool, max_motors> type_warned_{};

@@ -50,9 +50,9 @@ ParamInfo motor_type(int m) {
   p.choices = motor_types();
   p.warning = motor_warning(m);
   p.before_moving = fmt::format(
-      "No type is chosen for motor {0} (0, the factory value), so it gets the power of a very small motor: a "
-      "larger "
-      "one only buzzes and loses steps. Choose the type that stands on its label.",
+      "No type is chosen for motor {}. Any but a very small motor only buzzes and loses steps (0, the "
+      "factory "
+      "value). Choose the type that stands on its label.",
       m);
   p.unset_value = 0;
   p.manual = "Setup Commands p.25";
@@ -218,7 +218,8 @@ ParamInfo backlash() {
       row("Bx", "Precision", "Backlash compensation",
           "Each move in the negative direction overruns by so many steps and comes back, so that every "
           "position is reached from the same side and play in the screw does not show. 0 is off; 1 "
-          "means 20 steps. It holds for all motors. Sent as B and the number.");
+          "means 20 steps. It holds for all motors. Sent as B and the number. The manual does not say "
+          "whether Store keeps it, as it does what is sent by set: check it after the next power-up.");
   range(p, 0, 255, 0, "steps");
   p.manual = "Appendix F p.45";
   return p;
@@ -229,7 +230,8 @@ ParamInfo limit_report() {
       row("O", "Limit switches", "When a limit switch is hit",
           "A limit switch always stops the motor. This says whether the controller tells the computer "
           "by the letter O, and whether a running program ends there. Without it a program goes on "
-          "with its next command from the wrong place.");
+          "with its next command from the wrong place. The manual does not say whether Store keeps it, "
+          "as it does what is sent by set: check it after the next power-up.");
   range(p, 0, 3, 0);
   p.choices = {{0, "0: stop the motor only"},
                {1, "1: tell the computer"},
@@ -258,7 +260,8 @@ ParamInfo association() {
       row("PMA", "Two controllers", "Programs started together",
           "Lets the Slave run its own program of the same number whenever the Master runs that program. "
           "Commands for motors 3 and 4 use program 0 of the Slave and erase what stands there, so do "
-          "not couple program 0 in a system that uses them.");
+          "not couple program 0 in a system that uses them. The manual does not say that Store keeps it: "
+          "count on setting it again after each power-up.");
   range(p, -5, 255, 255);
   p.choices = {{255, "off"}};
   for (int x = 0; x <= 4; ++x) p.choices.push_back({x, fmt::format("program {}", x)});

@@ -9,7 +9,7 @@ namespace hw::vxm {
 
 struct Console : DriverContext {
   explicit Console(DriverContext context) : DriverContext(std::move(context)) {}
-  void tell(Notice::Kind kind, std::string text) const {
+  void report(Notice::Kind kind, std::string text) const {
     if (notify) notify(Notice(kind, scheduler.now(), std::move(text)));
   }
 };

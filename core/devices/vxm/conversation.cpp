@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include "core/devices/vxm/looks.h"
+#include "core/devices/vxm/reply_kinds.h"
 
 namespace hw::vxm {
 namespace {
@@ -26,10 +26,10 @@ using Unsolicited = std::size_t (*)(std::string_view);
 
 /// A question asked during a stop is not itself a stop.
 Transaction own_question(std::string text, ReplyShape shape, Priority priority,
-                         Unsolicited unsolicited_length, Look look) {
+                         Unsolicited unsolicited_length, ReplyKind reply_kind) {
   Transaction t(std::move(text), shape, priority);
   t.unsolicited_length = unsolicited_length;
-  t.look = look;
+  t.reply_kind = reply_kind;
   t.own_question = priority == Priority::stop;
   return t;
 }
@@ -44,15 +44,15 @@ void Conversation::attach(Station& station) {
   station_ = &station;
   echoes_ = false;
   prompt_greetings_ = 0;
-  station.unsolicited = [this](std::string_view bytes) { return hear(bytes); };
-  station.unmistakable = [this](const OwedAnswers& owed, Instant now) {
-    return unmistakable(owed, now, listening_(), echoes_);
+  station.unsolicited = [this](std::string_view bytes) { return receive_unsolicited(bytes); };
+  station.unmistakable = [this](const OutstandingReplies& outstanding, Instant now) {
+    return unmistakable(outstanding, now, listening_(), echoes_);
   };
 }
 
 void Conversation::lost() {
   station_ = nullptr;
-  unasked_.clear();
+  unsolicited_.clear();
   raw_asked_ = false;
 }
 
@@ -60,7 +60,7 @@ void Conversation::lost() {
 
 Task<Result<std::string>> Conversation::exchange(Transaction t) {
   // The rest of an incoming message would be taken for the reply.
-  while (station_ && !unasked_.empty() && scheduler_.now() - heard_at_ < longest_gap) {
+  while (station_ && !unsolicited_.empty() && scheduler_.now() - received_at_ < longest_gap) {
     auto paused = co_await station_->pause(Millis(2));
     if (!paused) co_return fail(paused.error());
   }
@@ -84,7 +84,7 @@ Task<Result<T>> Conversation::decoded(Transaction question,
     reply = co_await exchange(question);
     if (reply) {
       if (auto decoded = decode(*reply)) co_return std::move(*decoded);
-      if (station_) station_->doubt(question.look);
+      if (station_) station_->doubt(question.reply_kind);
     } else if (!worth_another_try(reply.error())) {
       break;
     }
@@ -102,22 +102,23 @@ Task<Result<T>> Conversation::decoded(Transaction question,
 }
 
 Task<Result<char>> Conversation::state(Priority priority) {
-  auto t = own_question("V", ReplyShape::bytes(1), priority, before_state, look::letter);
+  auto t = own_question("V", ReplyShape::bytes(1), priority, before_state, reply_kind::letter);
   co_return co_await decoded<char>(std::move(t), decode_state);
 }
 
 Task<Result<Steps>> Conversation::position(int motor, Priority priority) {
-  auto t = own_question(ask_position(motor), ReplyShape::line(), priority, before_number, look::position);
+  auto t =
+      own_question(ask_position(motor), ReplyShape::line(), priority, before_number, reply_kind::position);
   co_return co_await decoded<Steps>(std::move(t), decode_position);
 }
 
 Task<Result<std::int64_t>> Conversation::number(std::string question, Priority priority) {
-  auto t = own_question(std::move(question), ReplyShape::line(), priority, before_number, look::number);
+  auto t = own_question(std::move(question), ReplyShape::line(), priority, before_number, reply_kind::number);
   co_return co_await decoded<std::int64_t>(std::move(t), decode_number);
 }
 
 Task<Result<>> Conversation::confirm(std::string text, std::int64_t number, Priority priority) {
-  auto t = own_question(std::move(text), ReplyShape::line(), priority, before_number, look::number);
+  auto t = own_question(std::move(text), ReplyShape::line(), priority, before_number, reply_kind::number);
   const auto decode = [number](std::string_view reply) {
     const auto told = decode_number(reply);
     return told == number ? told : std::nullopt;
@@ -128,18 +129,19 @@ Task<Result<>> Conversation::confirm(std::string text, std::int64_t number, Prio
 }
 
 Task<Result<std::string>> Conversation::text(std::string question, Priority priority) {
-  auto t = own_question(std::move(question), ReplyShape::line(), priority, before_number, look::text);
+  auto t = own_question(std::move(question), ReplyShape::line(), priority, before_number, reply_kind::text);
   co_return co_await decoded<std::string>(std::move(t), decode_text_line);
 }
 
 Task<Result<Listing>> Conversation::listing(Priority priority) {
-  auto t = own_question("lst", ReplyShape::until_quiet(listing_quiet_ms), priority, nullptr, look::lines);
+  auto t =
+      own_question("lst", ReplyShape::until_quiet(listing_quiet_ms), priority, nullptr, reply_kind::lines);
   co_return co_await decoded<Listing>(std::move(t), decode_listing);
 }
 
 Task<Result<Listing>> Conversation::listing_of(std::size_t commands, Priority priority) {
   const auto lines = ReplyShape::several_lines(static_cast<std::uint16_t>(commands + 1));
-  auto t = own_question("lst", lines, priority, before_listing, look::lines);
+  auto t = own_question("lst", lines, priority, before_listing, reply_kind::lines);
   co_return co_await decoded<Listing>(std::move(t), decode_listing);
 }
 
@@ -148,7 +150,7 @@ Task<Result<Listing>> Conversation::listing_of(std::size_t commands, Priority pr
 Task<Result<unsigned char>> Conversation::raw(char question, Priority priority) {
   raw_asked_ = true;
   second_raw_.reset();
-  auto t = own_question(std::string(1, question), ReplyShape::bytes(1), priority, nullptr, look::raw);
+  auto t = own_question(std::string(1, question), ReplyShape::bytes(1), priority, nullptr, reply_kind::raw);
   auto reply = co_await exchange(std::move(t));
   const bool doubtful = reply && listening_().running && could_be_message(reply->front());
   Result<> waited;
@@ -161,13 +163,13 @@ Task<Result<unsigned char>> Conversation::raw(char question, Priority priority) 
   if (second_raw_ && doubtful) std::swap(answer, *second_raw_);
   if (const auto second = std::exchange(second_raw_, std::nullopt)) {
     const char other = *second;
-    hear(std::string_view(&other, 1));
+    receive_unsolicited(std::string_view(&other, 1));
   }
   co_return static_cast<unsigned char>(answer);
 }
 
 Task<Result<std::string>> Conversation::places(ReplyShape shape, Priority priority) {
-  auto t = own_question("D", shape, priority, nullptr, look::position);
+  auto t = own_question("D", shape, priority, nullptr, reply_kind::position);
   t.on_dirty_line = true;
   co_return co_await exchange(std::move(t));
 }
@@ -175,7 +177,8 @@ Task<Result<std::string>> Conversation::places(ReplyShape shape, Priority priori
 // Owed replies may merely be late. Two that come at once, with silence after each, are none of those: they
 // were not asked one behind the other.
 Task<Result<std::string>> Conversation::greet(std::uint16_t quiet_ms) {
-  auto t = own_question("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, look::letter);
+  auto t =
+      own_question("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, reply_kind::letter);
   t.patience = station_ && station_->is_dirty() ? late_greeting_patience : greeting_patience;
   t.on_dirty_line = true;
   const Instant asked_at = scheduler_.now();
@@ -190,7 +193,7 @@ Task<Result<std::string>> Conversation::greet(std::uint16_t quiet_ms) {
 }
 
 Task<Result<std::string>> Conversation::whether_it_hears() {
-  auto t = own_question("V", ReplyShape::bytes(1), Priority::poll, before_state, look::letter);
+  auto t = own_question("V", ReplyShape::bytes(1), Priority::poll, before_state, reply_kind::letter);
   t.may_be_silent = true;
   co_return co_await exchange(std::move(t));
 }
@@ -199,19 +202,19 @@ Task<Result<std::string>> Conversation::ask(std::string question, AnswerShape an
   Transaction t(std::move(question), answer.shape, priority);
   t.unsolicited_length = answer.unsolicited_length;
   t.patience = answer.patience;
-  t.look = answer.look;
+  t.reply_kind = answer.reply_kind;
   t.may_be_silent = answer.perhaps;
   co_return co_await exchange(std::move(t));
 }
 
 Task<Result<std::string>> Conversation::kill(Priority priority, Duration patience) {
-  const AnswerShape prompt{ReplyShape::bytes(1), before_prompt, patience, look::prompt};
+  const AnswerShape prompt{ReplyShape::bytes(1), before_prompt, patience, reply_kind::prompt};
   co_return co_await ask("K", prompt, priority);
 }
 
 // ---- commands without a reply
 
-Task<Result<>> Conversation::say(std::string text, Priority priority) {
+Task<Result<>> Conversation::transmit(std::string text, Priority priority) {
   auto sent = co_await exchange(Transaction(std::move(text), ReplyShape::nothing(), priority));
   if (!sent) co_return fail(sent.error());
   co_return Result<>();
@@ -231,45 +234,45 @@ Task<Result<>> Conversation::wait_for_quiet() {
   while (station_ && scheduler_.now() < quiet_at && scheduler_.now() - began < longest_noise) {
     auto paused = co_await station_->pause(quiet_at - scheduler_.now());
     if (!paused) co_return paused;
-    quiet_at = std::max(quiet_at, heard_at_ + quiet_time);
+    quiet_at = std::max(quiet_at, received_at_ + quiet_time);
   }
   co_return Result<>();
 }
 
 // ---- unsolicited messages
 
-std::size_t Conversation::hear(std::string_view bytes) {
-  if (scheduler_.now() - heard_at_ > longest_gap) unasked_.clear();
-  heard_at_ = scheduler_.now();
-  if (raw_asked_ && !second_raw_ && unasked_.empty()) {
+std::size_t Conversation::receive_unsolicited(std::string_view bytes) {
+  if (scheduler_.now() - received_at_ > longest_gap) unsolicited_.clear();
+  received_at_ = scheduler_.now();
+  if (raw_asked_ && !second_raw_ && unsolicited_.empty()) {
     second_raw_ = bytes.front();
-    return 1 + (bytes.size() > 1 ? hear(bytes.substr(1)) : 0);
+    return 1 + (bytes.size() > 1 ? receive_unsolicited(bytes.substr(1)) : 0);
   }
-  const std::size_t kept = unasked_.size();
-  unasked_ += bytes;
+  const std::size_t kept = unsolicited_.size();
+  unsolicited_ += bytes;
   std::size_t taken = 0;
   std::optional<std::size_t> first_unknown;
-  while (taken < unasked_.size()) {
-    const Message m = next_message(std::string_view(unasked_).substr(taken));
+  while (taken < unsolicited_.size()) {
+    const Message m = next_message(std::string_view(unsolicited_).substr(taken));
     if (m.kind == Message::Kind::unfinished) break;
     const bool unknown = m.kind == Message::Kind::unknown || !believes(m);
     if (unknown) ++unexpected_;
     if (unknown && !first_unknown) first_unknown = taken;
-    if (unknown && asked_ == "V" && unasked_[taken] == 'V') echoes_ = true;
+    if (unknown && asked_ == "V" && unsolicited_[taken] == 'V') echoes_ = true;
     taken += m.length;
     if (!unknown) heard_(m);
   }
-  unasked_.erase(0, taken);
+  unsolicited_.erase(0, taken);
   if (!first_unknown) return bytes.size();
   return *first_unknown > kept ? *first_unknown - kept : 0;
 }
 
-// An owed byte may look like a one-byte message, and a listing like many.
+// An outstanding byte may look like a one-byte message, and a listing like many.
 bool Conversation::believes(const Message& m) const {
   if (!station_ || !station_->is_dirty()) return true;
-  const OwedAnswers& owed = station_->owed();
-  if (owed.may_look(look::lines, scheduler_.now())) return false;
-  return m.length > 1 || !owed.may_look(look::raw, scheduler_.now());
+  const OutstandingReplies& outstanding = station_->outstanding();
+  if (outstanding.may_be_outstanding(reply_kind::lines, scheduler_.now())) return false;
+  return m.length > 1 || !outstanding.may_be_outstanding(reply_kind::raw, scheduler_.now());
 }
 
 }  // namespace hw::vxm

@@ -55,8 +55,8 @@ class Conversation {
   Task<Result<std::string>> kill(Priority priority, Duration patience);
 
   // ---- commands without a reply
-  Task<Result<>> say(std::string text, Priority priority);
-  /// Sent even while replies are owed: begins the conversation anew.
+  Task<Result<>> transmit(std::string text, Priority priority);
+  /// Sent even while replies are outstanding: begins the conversation anew.
   Task<Result<>> say_anyway(std::string text);
   /// Call after a reply that made no sense. Bytes still to come must not be taken for the next reply, and
   /// nothing may be sent while the controller sends (the overrun of the manual's p.30 locks it until
@@ -65,7 +65,7 @@ class Conversation {
 
   /// The state that decides which commands the controller takes now, as far as known.
   [[nodiscard]] Listening listens() const { return listening_(); }
-  [[nodiscard]] Instant heard_at() const { return heard_at_; }
+  [[nodiscard]] Instant received_at() const { return received_at_; }
   /// When the question answered last was sent: its reply may be that old.
   [[nodiscard]] Instant asked_at() const { return asked_at_; }
   /// Number of bytes received that belong to no reply and no message.
@@ -81,7 +81,7 @@ class Conversation {
   Task<Result<std::string>> exchange(Transaction transaction);
   template <class T>
   Task<Result<T>> decoded(Transaction question, std::function<std::optional<T>(std::string_view)> decode);
-  std::size_t hear(std::string_view bytes);
+  std::size_t receive_unsolicited(std::string_view bytes);
   [[nodiscard]] bool believes(const Message& message) const;
 
   Scheduler& scheduler_;
@@ -90,8 +90,8 @@ class Conversation {
   Station* station_ = nullptr;
   bool patient_ = false;
   int prompt_greetings_ = 0;  ///< in a row
-  std::string unasked_;       ///< an unfinished message
-  Instant heard_at_{}, asked_at_{};
+  std::string unsolicited_;   ///< an unfinished message
+  Instant received_at_{}, asked_at_{};
   std::string asked_;  ///< sent last; received back unchanged, it is an echo
   bool echoes_ = false;
   std::uint32_t unexpected_ = 0, repeats_ = 0;

@@ -14,13 +14,13 @@ std::unique_ptr<Driver> make_driver(DriverContext context) {
 
 VxmDriver::VxmDriver(DriverContext context)
     : console_(std::move(context)),
-      talk_(
+      conversation_(
           console_.scheduler, [this] { return listening(); },
-          [this](const Message& m) { watch_.unasked.heard(m); }),
-      known_(console_, talk_, [this] { return course_.admission.may_change(); }),
-      course_(console_, talk_, known_),
-      work_(console_, talk_, known_, course_),
-      watch_(console_, talk_, known_, course_, work_) {
+          [this](const Message& m) { watch_.unsolicited.received(m); }),
+      known_(console_, conversation_, [this] { return course_.admission.may_change(); }),
+      course_(console_, conversation_, known_),
+      work_(console_, conversation_, known_, course_),
+      watch_(console_, conversation_, known_, course_, work_) {
   console_.draft.axis_count = static_cast<int>(console_.catalog.axes.size());
   console_.draft.identity.model = console_.catalog.name;
   console_.draft.slot_bytes_used.fill(-1);
@@ -31,21 +31,21 @@ VxmDriver::VxmDriver(DriverContext context)
 void VxmDriver::attach(Station& station) {
   course_.presence.forget_mode();
   watch_.echo.begin();
-  talk_.attach(station);
+  conversation_.attach(station);
   known_.signals.begin();
   station.procedure_ended = [this] { course_.under_way.news().notify(); };
 }
 
 void VxmDriver::wire_lost() {
-  if (!talk_.station()) return;
-  talk_.lost();
+  if (!conversation_.station()) return;
+  conversation_.lost();
   course_.under_way.wire_lost();
 }
 
 Task<Result<>> VxmDriver::connect() {
-  talk_.be_patient(true);
+  conversation_.be_patient(true);
   auto made = co_await find_out_all();
-  talk_.be_patient(false);
+  conversation_.be_patient(false);
   co_return made;
 }
 
@@ -53,14 +53,14 @@ Task<Result<>> VxmDriver::find_out_all() {
   auto greeted = co_await watch_.opening.greet();
   if (!greeted) co_return greeted;
   course_.presence.is_found();
-  if (talk_.station()) known_.parameters.found_at(talk_.station()->rate());
-  if (!course_.under_way.busy() && !talk_.echoes()) {
+  if (conversation_.station()) known_.parameters.found_at(conversation_.station()->rate());
+  if (!course_.under_way.busy() && !conversation_.echoes()) {
     auto caught_up = co_await known_.knowledge.catch_up();
     if (!caught_up) co_return caught_up;
   }
   auto polled = co_await poll(Round::usual);
   if (polled || !worth_another_try(polled.error())) co_return polled;
-  auto quiet = co_await talk_.wait_for_quiet();  // a status byte is asked once a round
+  auto quiet = co_await conversation_.wait_for_quiet();  // a status byte is asked once a round
   if (!quiet) co_return quiet;
   co_return co_await poll(Round::usual);
 }
@@ -69,7 +69,7 @@ Listening VxmDriver::listening() const {
   Listening now;
   now.local = course_.presence.is_local(), now.running = course_.under_way.busy();
   now.halted = course_.presence.is_halted();
-  now.digitized_lines = known_.nameplate.has_slave() ? max_motors : motors_per_controller;
+  now.digitized_lines = known_.identification.has_slave() ? max_motors : motors_per_controller;
   return now;
 }
 
@@ -85,7 +85,7 @@ std::string VxmDriver::leaves_behind() const { return work_.legs.leaves_behind()
 
 Task<Result<std::string>> VxmDriver::stop(const StopOrder& order) {
   using What = StopOrder::What;
-  if (!talk_.station())
+  if (!conversation_.station())
     co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
   if (order.what == What::broadcast) co_return std::string();  // a VXM is alone on its wire
@@ -142,7 +142,7 @@ Task<Result<>> VxmDriver::perform(const IntentBody& body) {
   if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await work_.moves.set_position(*i);
   if (const auto* i = std::get_if<SetOutput>(&body)) co_return co_await work_.moves.set_output(*i);
   if (const auto* i = std::get_if<SetParam>(&body)) {
-    if (i->mnemonic == "DM") known_.nameplate.forget();  // it may become the Master
+    if (i->mnemonic == "DM") known_.identification.forget();  // it may become the Master
     co_return co_await known_.parameters.set(*i);
   }
   if (std::holds_alternative<ReadParams>(body)) co_return co_await known_.parameters.read_all();

@@ -67,7 +67,7 @@ class VxmDriver final : public Driver {
   [[nodiscard]] Listening listening() const;
 
   const Console console_;
-  Conversation talk_;
+  Conversation conversation_;
   Known known_;
   Course course_;
   Work work_;

@@ -11,21 +11,21 @@
 #include "core/devices/vxm/status_rounds.h"
 #include "core/devices/vxm/stops.h"
 #include "core/devices/vxm/texts.h"
-#include "core/devices/vxm/unasked.h"
+#include "core/devices/vxm/unsolicited_messages.h"
 
 namespace hw::vxm {
 
 /// Knowledge of the controller.
 struct Known {
   /// `may_change`: set-up and programs may be changed now.
-  Known(const Console& console, Conversation& talk, const std::function<Result<>()>& may_change);
+  Known(const Console& console, Conversation& conversation, const std::function<Result<>()>& may_change);
 
-  Nameplate nameplate;
+  Identification identification;
   Signals signals;
   Parameters parameters;
   Slots slots;
   Scratch scratch;
-  Sight sight;
+  MotorReadings readings;
   Speeds speeds;
   Hold hold;
   Knowledge knowledge;
@@ -33,7 +33,7 @@ struct Known {
 
 /// Tracks motions and runs, admits new ones, and ends them.
 struct Course {
-  Course(const Console& console, Conversation& talk, Known& known);
+  Course(const Console& console, Conversation& conversation, Known& known);
 
   Presence presence;
   Ramp ramp;
@@ -49,7 +49,7 @@ struct Course {
 
 /// Carries out requests.
 struct Work {
-  Work(const Console& console, Conversation& talk, Known& known, Course& course);
+  Work(const Console& console, Conversation& conversation, Known& known, Course& course);
 
   Legs legs;
   Moves moves;
@@ -60,12 +60,12 @@ struct Work {
 
 /// Follows the controller: on opening, in status rounds, and by unsolicited messages.
 struct Watch {
-  Watch(const Console& console, Conversation& talk, Known& known, Course& course, Work& work);
+  Watch(const Console& console, Conversation& conversation, Known& known, Course& course, Work& work);
 
   Echo echo;
   Opening opening;
   StatusRounds rounds;
-  Unasked unasked;
+  UnsolicitedMessages unsolicited;
 };
 
 }  // namespace hw::vxm

@@ -14,37 +14,37 @@ constexpr int attempts_to_end_echo = 4;
 Task<Result<>> Echo::end(char state) {
   if (state != ready) {
     if (!std::exchange(told_, true))
-      console_.tell(
+      console_.report(
           Notice::Kind::warning,
           "The controller echoes what it is sent, and does not end that while its program runs. Until then "
           "inputs, outputs and limits are not read, and it takes nothing but stops.");
     co_return Result<>();
   }
-  for (int n = 0; n < attempts_to_end_echo && talk_.echoes(); ++n) {
-    auto said = co_await talk_.say_anyway("F");
+  for (int n = 0; n < attempts_to_end_echo && conversation_.echoes(); ++n) {
+    auto said = co_await conversation_.say_anyway("F");
     if (!said) co_return said;
-    auto quiet = co_await talk_.wait_for_quiet();
+    auto quiet = co_await conversation_.wait_for_quiet();
     if (!quiet) co_return quiet;
-    auto reply = co_await talk_.greet(slow_greeting_quiet_ms);
+    auto reply = co_await conversation_.greet(slow_greeting_quiet_ms);
     if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
     const Greeting greeting = reply ? read_greeting(*reply) : Greeting();
-    if (greeting.is_a_vxm() && !greeting.echo) talk_.set_echoes(false);
+    if (greeting.is_a_vxm() && !greeting.echo) conversation_.set_echoes(false);
     if (greeting.is_a_vxm() && greeting.state != ready) co_return Result<>();  // something was begun
   }
-  if (talk_.echoes())
+  if (conversation_.echoes())
     co_return fail(FaultKind::garbled, "The controller echoes what it is sent although it was told F.", {},
                    "Check whether another program talks to it, or something on the way sends bytes back.");
   told_ = false;
-  console_.tell(Notice::Kind::info, "The controller echoed what it was sent. Echo has been switched off.");
+  console_.report(Notice::Kind::info, "The controller echoed what it was sent. Echo has been switched off.");
   co_return Result<>();
 }
 
 Task<Result<>> Echo::hear_without() {
-  if (!talk_.echoes()) co_return Result<>();
-  auto state = co_await talk_.state(Priority::intent);
+  if (!conversation_.echoes()) co_return Result<>();
+  auto state = co_await conversation_.state(Priority::intent);
   if (!state) co_return fail(state.error());
   auto ended = co_await end(*state);
-  if (!ended || !talk_.echoes()) co_return ended;
+  if (!ended || !conversation_.echoes()) co_return ended;
   co_return fail(FaultKind::refused,
                  "The controller echoes what it is sent, and does not end that while its program runs.",
                  "Nothing was sent.", "Wait until the program ends, or stop it by the Stop button.");

@@ -9,7 +9,7 @@ namespace hw::vxm {
 
 class Echo {
  public:
-  Echo(const Console& console, Conversation& talk) : console_(console), talk_(talk) {}
+  Echo(const Console& console, Conversation& conversation) : console_(console), conversation_(conversation) {}
 
   /// A new wire.
   void begin() { told_ = false; }
@@ -21,7 +21,7 @@ class Echo {
 
  private:
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   bool told_ = false;
 };
 

@@ -15,9 +15,9 @@ constexpr std::size_t pulses_kept = 100'000;
 
 VxmEmulator::VxmEmulator(const EmulatorOptions& options) : options_(options) {
   if (options.motors > motors_per_controller) box_.link(Box());
-  if (options.barred) box_.error_first = error_mark_barred;
-  box_.mode_while_running = options.mode_while_running;
-  if (options.old_firmware) box_.firmware = old_firmware;
+  if (options.barred) box_.quirks.error_first = error_mark_barred;
+  box_.quirks.mode_while_running = options.mode_while_running;
+  if (options.old_firmware) box_.quirks.firmware = old_firmware;
   AxisPlace slide;
   slide.minus = Steps(-default_travel), slide.plus = Steps(default_travel);
   for (int axis = 0; axis < boxes() * motors_per_controller; ++axis) {

@@ -19,18 +19,18 @@ void Box::set_line(int line, bool low) {
   Line& l = lines_[ix(line)];
   if (l.low == low) return;
   l.low = low, l.since = now_, l.used = false;
-  if (!powered_) return;
-  if (buttons_blocked_ && !any_button_low()) {
-    buttons_blocked_ = false;  // let go: it starts up now
-    powered_at_ = now_;
+  if (!supply_.on) return;
+  if (supply_.buttons_held && !any_button_low()) {
+    supply_.buttons_held = false;  // let go: it starts up now
+    supply_.since = now_;
   }
-  if (line == line_in_4 && low && !buttons_blocked_) {
+  if (line == line_in_4 && low && !supply_.buttons_held) {
     if (memory_.setup.inputs & inputs_capture) capture();
     if (memory_.setup.inputs & inputs_stop) stop_input();
   }
 }
 
-void Box::set_analog(int value) { analog_ = std::clamp(value, analog_min, analog_max); }
+void Box::set_analog(int value) { analog_.set(value); }
 
 /// Switches, jam or load of an axis have changed: the motion under way meets its limit elsewhere.
 void Box::plant_changed(int axis) {
@@ -41,20 +41,20 @@ void Box::plant_changed(int axis) {
   if (left) motion_.limit_at = motion_.applied + *left;
 }
 
-int Box::outputs() const { return outputs_ | (pulse_until_ > now_ ? 2 : 0); }
+int Box::outputs() const { return outputs_.at(now_); }
 
 Box::Lamps Box::lamps() const {
   Lamps l;
-  if (!powered_) return l;
-  const Duration since = now_ - powered_at_;
+  if (!supply_.on) return l;
+  const Duration since = now_ - supply_.since;
   l.power = true;
-  l.online = online_;
-  if (blocked_) {
+  l.online = mode_.online;
+  if (supply_.deaf) {
     l.online = flashes(since, power_flash), l.online_blinks = true;
   } else if (error_ != 0) {
     l.power = l.online = flashes(since, fast_flash);
     l.power_blinks = l.online_blinks = true;
-  } else if (buttons_blocked_) {
+  } else if (supply_.buttons_held) {
     l.power = flashes(since, fast_flash), l.power_blinks = true;
   } else if (since < power_lamps) {
     l.online = true;
@@ -66,13 +66,13 @@ Box::Lamps Box::lamps() const {
 }
 
 std::optional<Instant> Box::lamp_event() const {
-  if (!powered_) return std::nullopt;
-  const Duration since = now_ - powered_at_;
-  if (blocked_) return powered_at_ + next_flash(since, power_flash);
-  if (error_ != 0 || buttons_blocked_) return powered_at_ + next_flash(since, fast_flash);
-  if (since < power_lamps) return powered_at_ + power_lamps;
+  if (!supply_.on) return std::nullopt;
+  const Duration since = now_ - supply_.since;
+  if (supply_.deaf) return supply_.since + next_flash(since, power_flash);
+  if (error_ != 0 || supply_.buttons_held) return supply_.since + next_flash(since, fast_flash);
+  if (since < power_lamps) return supply_.since + power_lamps;
   if (!is_slave_ && since < power_lamps + power_flashes * power_flash)
-    return powered_at_ + power_lamps + next_flash(since - power_lamps, power_flash);
+    return supply_.since + power_lamps + next_flash(since - power_lamps, power_flash);
   return std::nullopt;
 }
 

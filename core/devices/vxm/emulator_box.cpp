@@ -17,15 +17,15 @@ void Box::link(Box slave) {
 }
 
 void Box::power(bool on, Instant now) {
-  if (on == powered_) return;
+  if (on == supply_.on) return;
   set_time(now);
   cut_motion(MotionEnd::stopped);
-  powered_ = on, blocked_ = false;
+  supply_.on = on, supply_.deaf = false;
   if (on) {
     power_up();
   } else {
-    run_ = Run(), jog_ = Jog(), motion_ended_ = false, error_ = 0, outputs_ = 0;
-    online_ = echo_ = group_cr_ = bracket_ = false;
+    run_ = Run(), jog_ = Jog(), motion_ended_ = false, error_ = 0, outputs_.set_all(0);
+    mode_.leave(), entry_.to_slave = false;
     out.clear(), replied = 0;
     if (Box* s = slave()) s->jog_by_master_ = true;  // no Master forbids it
   }
@@ -39,8 +39,8 @@ void Box::power_slave(bool on, Instant now) {
   const bool waits_there = run_.doing == Doing::waiting && run_.wait.on_slave;
   const bool at_work = run_.on && (s->motion_.active || s->run_.on || waits_there);
   s->power(on, now);
-  if (!on) bracket_ = false;
-  if (!on && at_work && powered_) (void)need_slave();
+  if (!on) entry_.to_slave = false;
+  if (!on && at_work && supply_.on) (void)need_slave();
 }
 
 void Box::reset() {
@@ -53,22 +53,20 @@ void Box::reset() {
 /// Forgets everything not in non-volatile memory.
 void Box::power_up() {
   memory_ = saved_;
-  powered_at_ = now_;
-  online_ = echo_ = group_cr_ = false;
+  supply_.since = now_;
+  mode_.leave();
   first_run_ = true;
-  reset_letters_ = 0;
-  reader_.reset(), bus_reader_.reset();
-  bracket_ = false, group_.reset();
-  selected_ = 0, current_motor_ = 1, error_ = 0;
+  reset_word_.forget();
+  entry_ = HostEntry(), bus_reader_.reset();
+  error_ = 0;
   hold_ = false, jog_in_waits_ = false, nf90_pause_out_ = true;
-  outputs_ = 0, pulse_until_ = never_changed;
+  outputs_.clear();
   motion_ = Motion(), motion_ended_ = false;
   jog_ = Jog(), run_ = Run();
   note_slowing(never_changed, 0);
-  captures_ = 0;
-  for (auto& list : captured_) list.fill(0);
-  analog_centre_ = analog_;  // the joystick's present place is its middle (App. J)
-  buttons_blocked_ = any_button_low();
+  captures_.clear();
+  analog_.take_as_centre();
+  supply_.buttons_held = any_button_low();
   for (int i = 0; i < motors_per_controller; ++i) {
     Axis& a = axes_[ix(i)];
     a.counter = 0, a.comb = 0, a.speed = default_speed, a.accel = default_accel;
@@ -100,7 +98,7 @@ bool Box::settle() {
 }
 
 bool Box::settle_own() {
-  if (!powered_) return false;
+  if (!supply_.on) return false;
   bool changed = end_motion_if_due();
   if (Box* s = slave(); s != nullptr && s->error_ != 0 && error_ == 0 && slave_found()) {
     raise(std::exchange(s->error_, '\0'));
@@ -110,7 +108,7 @@ bool Box::settle_own() {
   changed = run_button_if_due() || changed;
   if (Box* s = slave()) {
     const bool waits = run_.doing == Doing::waiting && run_.wait.on_slave;
-    const bool may_jog = !slave_found() || (run_.on ? waits && s->jog_in_waits_ : !online_);
+    const bool may_jog = !slave_found() || (run_.on ? waits && s->jog_in_waits_ : !mode_.online);
     changed = changed || may_jog != s->jog_by_master_;
     s->jog_by_master_ = may_jog;
   }
@@ -129,8 +127,8 @@ std::optional<Instant> Box::own_event() const {
 
 std::optional<Instant> Box::next_event() const {
   std::optional<Instant> next;
-  if (powered_) next = own_event();
-  if (const Box* s = slave(); s != nullptr && s->powered_) next = earlier(next, s->own_event());
+  if (supply_.on) next = own_event();
+  if (const Box* s = slave(); s != nullptr && s->supply_.on) next = earlier(next, s->own_event());
   return next;
 }
 

@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/devices/vxm/emulator_parts.h"
-#include "core/devices/vxm/program_syntax.h"
+#include "core/devices/vxm/emulator_box_parts.h"
 
 namespace hw::vxm {
 
@@ -21,7 +20,7 @@ class Box {
   // --- power and time: emulator_box.cpp
   void power(bool on, Instant now);        ///< of this controller alone
   void power_slave(bool on, Instant now);  ///< a supply of its own
-  [[nodiscard]] bool powered() const { return powered_; }
+  [[nodiscard]] bool powered() const { return supply_.on; }
   void reset();  ///< res: like power off and on, but lines and loads stay
   void set_time(Instant now);
   bool settle();  ///< true: something happened
@@ -31,9 +30,7 @@ class Box {
   void receive(char c);
   std::string out;          ///< bytes for the host, taken by the owner
   std::size_t replied = 0;  ///< bytes added to `out` by requests since last set to 0
-  char error_first = error_mark;
-  bool mode_while_running = false;  ///< quirk: E and F are taken during a run (decision V103)
-  int firmware = newest_firmware;   ///< in hundredths; features of later versions are unknown
+  Quirks quirks;
   [[nodiscard]] int rate() const;
 
   // --- hands on the bench: emulator_bench.cpp
@@ -45,13 +42,13 @@ class Box {
   [[nodiscard]] const Line& line(int line) const { return lines_[static_cast<std::size_t>(line)]; }
   [[nodiscard]] bool switch_operated(int axis, Sign side) const;
   void set_fitted(int axis, bool fitted) { axes_[static_cast<std::size_t>(axis)].fitted = fitted; }
-  [[nodiscard]] int analog() const { return analog_; }
+  [[nodiscard]] int analog() const { return analog_.value(); }
   [[nodiscard]] int outputs() const;
   struct Lamps {
     bool power = false, online = false, power_blinks = false, online_blinks = false;
   };
   [[nodiscard]] Lamps lamps() const;
-  void block() { blocked_ = true; }  ///< receive overrun: deaf until power-off
+  void block() { supply_.deaf = true; }  ///< receive overrun: deaf until power-off
 
   [[nodiscard]] Box* slave() { return linked_.empty() ? nullptr : &linked_.front(); }
   [[nodiscard]] const Box* slave() const { return linked_.empty() ? nullptr : &linked_.front(); }
@@ -73,8 +70,8 @@ class Box {
   [[nodiscard]] bool running() const { return run_.on; }
   [[nodiscard]] const Run& run() const { return run_; }
   [[nodiscard]] char error() const { return error_; }
-  [[nodiscard]] bool limit_was_hit() const { return limit_was_hit_; }
-  [[nodiscard]] int moves_begun() const { return moves_begun_; }
+  [[nodiscard]] bool limit_was_hit() const { return tally_.limit_was_hit; }
+  [[nodiscard]] int moves_begun() const { return tally_.moves_begun; }
   [[nodiscard]] const Program& program(int i) const { return memory_.programs[static_cast<std::size_t>(i)]; }
   void go() { go_signal(); }
   /// Sets the position where a rehearsal begins.
@@ -83,7 +80,7 @@ class Box {
     a.counter = value;
     a.unwrapped = a.lowest = a.highest = value;
   }
-  void set_outputs(int bits) { outputs_ = bits; }
+  void set_outputs(int bits) { outputs_.set_all(bits); }
   void has_run_before() { first_run_ = false; }
 
  private:
@@ -149,7 +146,7 @@ class Box {
   [[nodiscard]] bool limit_active(int axis, Sign side) const;
   [[nodiscard]] std::optional<std::int64_t> turns_until_stop(int axis, Sign sign, bool homing) const;
   void note_closed(int axis);
-  void note_slowing(Instant when, std::int32_t counter) { slowed_when_ = when, slowed_at_ = counter; }
+  void note_slowing(Instant when, std::int32_t counter) { slowing_ = {when, counter}; }
 
   // emulator_run.cpp
   void start_run(int program);
@@ -228,11 +225,10 @@ class Box {
 
   Instant now_{};
   std::vector<Box> linked_;
-  bool is_slave_ = false, powered_ = true, blocked_ = false;
-  Instant powered_at_{};
-  bool buttons_blocked_ = false;  ///< held low at power-up
-  bool online_ = false, echo_ = false, group_cr_ = false, first_run_ = true;
-  int reset_letters_ = 0;  ///< letters of `res` received so far
+  bool is_slave_ = false, first_run_ = true;
+  Supply supply_;
+  HostMode mode_;
+  ResetWord reset_word_;
 
   Memory memory_, saved_;
   struct Rules {  ///< for this controller's motors; a Slave's partly come from its Master
@@ -241,29 +237,23 @@ class Box {
     std::array<bool, 2> inverted{};
   } rules_;
 
-  Reader reader_, bus_reader_;
-  bool bracket_ = false;
-  std::optional<Command> group_;
-  int selected_ = 0, current_motor_ = 1;
+  HostEntry entry_;
+  Reader bus_reader_;
   char error_ = 0;
   bool hold_ = false, jog_in_waits_ = false, nf90_pause_out_ = true;
   bool jog_by_master_ = true;  ///< the Master allows the Slave's buttons to jog
-  int outputs_ = 0;
-  Instant pulse_until_ = never_changed;
+  Outputs outputs_;
 
   std::array<Axis, 2> axes_;
   std::array<Line, line_count> lines_;
-  int analog_ = analog_default, analog_centre_ = analog_default;
+  AnalogInput analog_;
   Motion motion_;
   bool motion_ended_ = false;  ///< not yet handled
   Jog jog_;
   Run run_;
-  std::int32_t slowed_at_ = 0;  ///< reply to `*`
-  Instant slowed_when_ = never_changed;
-  std::array<std::array<std::int32_t, 4>, 2> captured_{};
-  int captures_ = 0;
-  bool limit_was_hit_ = false;
-  int moves_begun_ = 0;  ///< in this run
+  Slowing slowing_;
+  Captures captures_;
+  RunTally tally_;
 };
 
 }  // namespace hw::vxm

@@ -175,7 +175,7 @@ void Box::do_speed(const Command& command) {
   Box* box = command.motor > motors_per_controller ? need_slave() : this;
   if (box == nullptr) return;
   if (box != this) box->memory_.programs[0].clear();
-  current_motor_ = command.motor;
+  entry_.motor = command.motor;
   Axis& axis = box->axes_[ix((command.motor - 1) % motors_per_controller)];
   switch (command.op) {
     case Op::speed:
@@ -183,7 +183,7 @@ void Box::do_speed(const Command& command) {
     case Op::accel: axis.accel = command.value; return;
     default:
       if (const AnalogRange* range = find_analog_range(command.value))
-        axis.speed = analog_speed(*range, analog_);
+        axis.speed = analog_speed(*range, analog_.value());
   }
 }
 
@@ -196,7 +196,7 @@ void Box::do_pause(const Command& command) {
   if (length == Duration{}) return;
   if (out_1 || (rules_.nf90 && nf90_pause_out_)) {
     run_.out_raised = true;
-    run_.out_before = (outputs_ & 1) != 0;
+    run_.out_before = outputs_.first_is_on();
     set_output(1, true);
     if (out_1) {
       Pulse pulse;
@@ -208,10 +208,7 @@ void Box::do_pause(const Command& command) {
   run_.until = now_ + length;
 }
 
-void Box::set_output(int number, bool on) {
-  const int bit = 1 << (number - 1);
-  outputs_ = on ? outputs_ | bit : outputs_ & ~bit;
-}
+void Box::set_output(int number, bool on) { outputs_.set(number, on); }
 
 void Box::do_user(const Command& command, int at) {
   const bool on_slave = command.value >= slave_u_offset;

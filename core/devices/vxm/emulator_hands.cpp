@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/base/index.h"
-#include "core/device/bench_hands.h"
+#include "core/device/bench_on_controller.h"
 #include "core/devices/vxm/emulator_vxm.h"
 
 namespace hw::vxm {
@@ -180,7 +180,7 @@ Result<> VxmEmulator::act(const bench::Alarm&) {
 }
 
 Result<> VxmEmulator::operate(const BenchCommand& command) {
-  auto result = by_hand(command, [this](const auto& hand) { return act(hand); });
+  auto result = on_controller(command, [this](const auto& hand) { return act(hand); });
   box_.settle();
   after();
   return result;

@@ -15,9 +15,9 @@ bool jogging_waits(int u) { return u == 0 || u == 1 || u == 30 || u == 31 || u =
 }  // namespace
 
 bool Box::jog_allowed() const {
-  if (!powered_ || blocked_ || error_ != 0 || buttons_blocked_) return false;
+  if (!supply_.works() || error_ != 0) return false;
   if (is_slave_) return !run_.on && jog_by_master_;
-  if (!run_.on) return !online_;
+  if (!run_.on) return !mode_.online;
   return jog_in_waits_ && run_.doing == Doing::waiting && jogging_waits(run_.wait.u);
 }
 
@@ -39,7 +39,7 @@ int Box::joystick_axis() const { return line(line_in_3).low ? 1 : 0; }
 int Box::joystick_speed(int axis) const {
   const Setup& s = memory_.setup;
   const int range = line(line_in_2).low ? s.joy_2[ix(axis)] : s.joy_1[ix(axis)];
-  const int deflection = analog_ - analog_centre_;
+  const int deflection = analog_.deflection();
   const int beyond = std::abs(deflection) - s.dead_zone;
   if (range == 0 || beyond <= 0) return 0;
   const int full = std::max(analog_max / 2 - s.dead_zone, 1);
@@ -93,7 +93,7 @@ void Box::jog_start() {
       jog_ = Jog();
       jog_.phase = Jog::Phase::stepped;
       jog_.axis = axis, jog_.sign = sign, jog_.since = now_;
-      current_motor_ = axis + 1;
+      entry_.motor = axis + 1;
       const auto free = turns_until_stop(axis, sign, false);
       if (free && *free == 0) {
         jog_.phase = Jog::Phase::blocked;
@@ -111,7 +111,7 @@ void Box::jog_start() {
 void Box::jog_turn(int axis, Sign sign, int speed, bool joystick) {
   jog_.phase = Jog::Phase::turning;
   jog_.axis = axis, jog_.sign = sign, jog_.speed = speed, jog_.joystick = joystick;
-  current_motor_ = axis + 1;
+  entry_.motor = axis + 1;
   const auto profile =
       motion::Profile::change(now_, 0, Pps(0), Pps(speed), ramp(axis), motion::Profile::endless);
   if (!start_motion(joystick ? MotionKind::joystick : MotionKind::jog, axis, sign, profile)) {
@@ -133,8 +133,7 @@ std::optional<Instant> Box::jog_event() const {
 /// Run, pressed for the valid time while nothing runs, starts a program (App. B, C).
 std::optional<Instant> Box::run_button_event() const {
   const Line& button = line(line_run);
-  if (!button.low || button.used || is_slave_ || !powered_ || blocked_ || buttons_blocked_)
-    return std::nullopt;
+  if (!button.low || button.used || is_slave_ || !supply_.works()) return std::nullopt;
   return button.since + valid_time();
 }
 
@@ -143,7 +142,7 @@ bool Box::run_button_if_due() {
   if (!due || *due > now_) return false;
   lines_[ix(line_run)].used = true;
   if (run_.on || error_ != 0 || (memory_.setup.inputs & inputs_run) == 0) return true;
-  int program = selected_;
+  int program = entry_.program;
   if (memory_.setup.inputs & inputs_select)
     program = (line(line_in_2).low ? 1 : 0) + (line(line_in_3).low ? 2 : 0);
   start_run(program);

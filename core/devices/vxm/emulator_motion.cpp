@@ -74,7 +74,7 @@ bool Box::start_motion(MotionKind kind, int axis, Sign sign, const Profile& prof
   if (limit && *limit == 0) {
     motion_.end = MotionEnd::limit;
     motion_ended_ = true;
-    limit_was_hit_ = true;
+    tally_.limit_was_hit = true;
     return false;
   }
   motion_.active = true;
@@ -147,7 +147,7 @@ void Box::note_pulses(int axis, Sign sign, std::int64_t steps) {
     pulse.output = 2, pulse.axis = axis, pulse.width = width;
     pulse.position = wrap_position(axes_[ix(axis)].counter + way * k);
     pulses.push_back(pulse);
-    pulse_until_ = pulse.at + width;
+    outputs_.pulse_until(pulse.at + width);
   }
 }
 
@@ -186,7 +186,7 @@ void Box::cut_motion(MotionEnd end) {
   motion_.active = false;
   motion_.end = end;
   motion_ended_ = true;
-  if (end == MotionEnd::limit) limit_was_hit_ = true;
+  if (end == MotionEnd::limit) tally_.limit_was_hit = true;
 }
 
 /// D, Stop: ramps down at the set rate from the present speed.

@@ -20,12 +20,10 @@ void Box::note(std::string what) {
 }
 
 void Box::start_run(int program) {
-  reader_.reset();
-  bracket_ = false, group_.reset();  // Run may be pressed in the middle of a text
-  for (auto& list : captured_) list.fill(0);
-  captures_ = 0;
-  limit_was_hit_ = false;
-  moves_begun_ = 0;
+  entry_.reader.reset();
+  entry_.drop_unfinished();  // Run may be pressed in the middle of a text
+  captures_.clear();
+  tally_ = RunTally();
   const bool stop_held = (memory_.setup.inputs & inputs_stop) != 0 && line(line_in_4).low && !is_slave_;
   if (stop_held) {  // no program runs while Stop is held (App. C); the host is told as if one were stopped
     send_error(error_stopped);
@@ -107,7 +105,7 @@ bool Box::execute_next() {
   }
   const Command command = program[frame.next];
   if (hold_ && !run_.step_allowed && !run_.nonstop.moving && !is_slave_) {
-    out += held + (firmware < firmware_of_listing ? "" : shown(command, analog_)) + '\r';
+    out += held + (quirks.firmware < firmware_of_listing ? "" : shown(command, analog_.value())) + '\r';
     run_.doing = Doing::held;
     return true;
   }
@@ -115,7 +113,7 @@ bool Box::execute_next() {
   // A coupled program uses the Slave's motors, or they ramp down after a jog.
   if (for_slave && slave() != nullptr && (slave()->run_.on || slave()->motion_.active)) return false;
   run_.step_allowed = false;
-  if (trace != nullptr) trace->push_back({now_, frame.program, frame.next, shown(command, analog_)});
+  if (trace != nullptr) trace->push_back({now_, frame.program, frame.next, shown(command, analog_.value())});
   const int at = frame.next++;
   perform(command, at);
   return true;
@@ -148,7 +146,7 @@ void Box::perform(const Command& command, int at) {
       Box* box = command.motor > motors_per_controller ? need_slave() : this;
       if (box == nullptr) return;
       box->axes_[ix((command.motor - 1) % motors_per_controller)].counter = 0;
-      current_motor_ = command.motor;
+      entry_.motor = command.motor;
       return;
     }
     case Op::jump: return do_jump(command.value);
@@ -184,8 +182,8 @@ void Box::begin_next_moves() {
       Box* box = move.motor > motors_per_controller ? need_slave() : this;
       if (box == nullptr) return;                         // everything is reset
       if (box != this) box->memory_.programs[0].clear();  // the Master works through it (App. G)
-      current_motor_ = move.motor;
-      ++moves_begun_;
+      entry_.motor = move.motor;
+      ++tally_.moves_begun;
       box->begin_index((move.motor - 1) % motors_per_controller, move.distance, move.home);
     }
     run_.doing = Doing::moving;
@@ -240,7 +238,7 @@ void Box::take_motion_end(Box& box) {
   if (!box.motion_ended_ || kind == MotionKind::jog || kind == MotionKind::joystick) return;
   box.motion_ended_ = false;
   if (box.motion_.end != MotionEnd::limit) return;
-  limit_was_hit_ = true;
+  tally_.limit_was_hit = true;
   if (trace != nullptr) {
     const int motor = box.motion_.axis + 1 + (&box == this ? 0 : motors_per_controller);
     const std::int32_t at = box.axes_[ix(box.motion_.axis)].counter;
@@ -266,8 +264,8 @@ void Box::kill() {
   motion_ended_ = false;
   jog_ = Jog();
   run_ = Run();
-  hold_ = false, error_ = 0, outputs_ = 0, pulse_until_ = never_changed;
-  reader_.reset(), group_.reset();
+  hold_ = false, error_ = 0, outputs_.clear();
+  entry_.reader.reset(), entry_.group.reset();
   if (Box* s = slave()) s->kill();
   prompt(vxm::prompt);
 }
@@ -278,7 +276,7 @@ void Box::raise(char letter) {
   motion_ended_ = false;
   run_ = Run();
   error_ = letter;
-  reset_letters_ = 0;
+  reset_word_.forget();
   send_error(letter);
   if (Box* s = slave(); s != nullptr && s->run_.on) {
     s->cut_motion(MotionEnd::stopped);

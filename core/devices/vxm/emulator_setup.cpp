@@ -15,7 +15,7 @@ bool within(std::int64_t v, std::int64_t min, std::int64_t max) { return v >= mi
 }  // namespace
 
 bool Box::slave_found() const {
-  return (memory_.setup.mode & mode_master) != 0 && slave() != nullptr && slave()->powered_;
+  return (memory_.setup.mode & mode_master) != 0 && slave() != nullptr && slave()->supply_.on;
 }
 
 Box* Box::need_slave() {
@@ -26,33 +26,33 @@ Box* Box::need_slave() {
 }
 
 void Box::store(const Reading& word) {
-  const auto what = meaning(word, current_motor_, rules_.nf90);
+  const auto what = meaning(word, entry_.motor, rules_.nf90);
   const Command* command = std::get_if<Command>(&what);
   if (command == nullptr) return;  // out of range: dropped without a word (V09)
-  if (command->motor != 0) current_motor_ = command->motor;
-  if (group_ && is_index(command->op)) {
-    group_->parts.push_back(*command);
-    if (bytes_of(*group_) <= memory_.programs[ix(selected_)].free()) return;
-    group_.reset();
+  if (command->motor != 0) entry_.motor = command->motor;
+  if (entry_.group && is_index(command->op)) {
+    entry_.group->parts.push_back(*command);
+    if (bytes_of(*entry_.group) <= memory_.programs[ix(entry_.program)].free()) return;
+    entry_.group.reset();
     return raise(error_memory);
   }
-  group_.reset();
-  if (!memory_.programs[ix(selected_)].add(*command)) raise(error_memory);
+  entry_.group.reset();
+  if (!memory_.programs[ix(entry_.program)].add(*command)) raise(error_memory);
 }
 
 void Box::store_group() {
-  if (!group_) return;
-  const Command group = *group_;
-  group_.reset();
+  if (!entry_.group) return;
+  const Command group = *entry_.group;
+  entry_.group.reset();
   if (group.parts.empty()) return;
-  if (!memory_.programs[ix(selected_)].add(group)) raise(error_memory);
+  if (!memory_.programs[ix(entry_.program)].add(group)) raise(error_memory);
 }
 
 void Box::select_program(const Reading& w) {
-  if (!w.has_value) return reply(number_reply(selected_));
+  if (!w.has_value) return reply(number_reply(entry_.program));
   if (w.value >= program_count) return;
-  selected_ = static_cast<int>(w.value);
-  if (w.minus) memory_.programs[ix(selected_)].clear();
+  entry_.program = static_cast<int>(w.value);
+  if (w.minus) memory_.programs[ix(entry_.program)].clear();
 }
 
 void Box::associate(const Reading& w) {
@@ -153,12 +153,12 @@ void Box::get_value(const Reading& w) {
   const Setup& mine = memory_.setup;
   switch (w.head) {
     case Head::get_DM: return reply(number_reply(mine.mode));
-    case Head::get_D0: return reply(fmt::format("{}.{:02}\r", firmware / 100, firmware % 100));
+    case Head::get_D0: return reply(fmt::format("{}.{:02}\r", quirks.firmware / 100, quirks.firmware % 100));
     case Head::get_D1: return reply(std::string(firmware_date) + '\r');
     case Head::get_D2: return reply(number_reply(slave_found() ? 4 : 2));
     case Head::get_DA: return reply(number_reply(mine.dead_zone));
     case Head::get_PA:
-      if (firmware >= firmware_of_pulses) reply(number_reply(mine.pulse_width));
+      if (quirks.firmware >= firmware_of_pulses) reply(number_reply(mine.pulse_width));
       return;
     case Head::get_I: return reply(number_reply(mine.inputs));
     default: break;

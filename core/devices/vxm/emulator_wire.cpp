@@ -20,28 +20,26 @@ int Box::rate() const {
 }
 
 void Box::receive(char c) {
-  if (!powered_ || blocked_) return;
+  if (!supply_.on || supply_.deaf) return;
   const std::size_t mark = out.size();
-  const bool echo_before = echo_;
+  const bool echo_before = mode_.echo;
   if (error_ != 0)
     error_letter(c);
   else if (run_.on)
     running_letter(c);
-  else if (!online_)
+  else if (!mode_.online)
     local_letter(c);
   else
     online_char(c);
   // All received bytes are echoed, even the E that turns echo on; F and G turn it off at once (V06).
-  const bool turned_off = echo_before && !echo_ && (c == 'F' || c == 'G');
-  if (echo_ || (echo_before && !turned_off)) out.insert(mark, 1, c);
+  const bool turned_off = echo_before && !mode_.echo && (c == 'F' || c == 'G');
+  if (mode_.echo || (echo_before && !turned_off)) out.insert(mark, 1, c);
   settle();
 }
 
 void Box::error_letter(char c) {  // only K and res are heard (V34)
   if (c == 'K') return kill();
-  constexpr std::string_view word = "res";
-  reset_letters_ = c == word[ix(reset_letters_)] ? reset_letters_ + 1 : c == 'r' ? 1 : 0;
-  if (reset_letters_ == 3) reset();
+  if (reset_word_.is_complete_with(c)) reset();
 }
 
 void Box::local_letter(char c) {
@@ -57,16 +55,14 @@ void Box::local_letter(char c) {
 }
 
 void Box::set_mode_letter(char c) {
-  online_ = true, echo_ = c == 'E', group_cr_ = c == 'G';
-  reader_.reset();
-  bracket_ = false, group_.reset();
-  if (Box* s = slave()) s->online_ = true;
+  mode_.enter(c);
+  entry_.reader.reset();
+  entry_.drop_unfinished();
+  if (Box* s = slave()) s->mode_.online = true;
 }
 
 void Box::running_letter(char c) {
-  constexpr std::string_view word = "res";
-  reset_letters_ = c == word[ix(reset_letters_)] ? reset_letters_ + 1 : c == 'r' ? 1 : 0;
-  if (reset_letters_ == 3) return reset();
+  if (reset_word_.is_complete_with(c)) return reset();
   if (is_one_of(accepted_while_running, c)) {
     switch (c) {
       case 'K': return kill();
@@ -79,7 +75,7 @@ void Box::running_letter(char c) {
       default: status_letter(c); return;
     }
   }
-  if (mode_while_running && is_one_of("EFG", c)) return set_mode_letter(c);
+  if (quirks.mode_while_running && is_one_of("EFG", c)) return set_mode_letter(c);
   if ((c == 'Z' || c == 'T') && !motion_.active && (slave() == nullptr || !slave()->motion_.active))
     send_slave_position(c == 'Z' ? 0 : 1);
 }
@@ -95,25 +91,25 @@ bool Box::status_letter(char c) {
     case '?': reply(std::string(1, static_cast<char>(limits_byte()))); return true;
     case '~': reply(std::string(1, static_cast<char>(inputs_byte()))); return true;
     case '$':
-      if (firmware < firmware_of_outputs) return false;
+      if (quirks.firmware < firmware_of_outputs) return false;
       reply(std::string(1, static_cast<char>(outputs() & 0x0F)));
       return true;
-    case '@': reply(number_reply(analog_)); return true;
+    case '@': reply(number_reply(analog_.value())); return true;
     default: return false;
   }
 }
 
 void Box::online_char(char c) {
-  if (bracket_) {
+  if (entry_.to_slave) {
     if (c == ']')
-      bracket_ = false;
-    else if (Box* s = slave(); s != nullptr && s->powered_)
+      entry_.to_slave = false;
+    else if (Box* s = slave(); s != nullptr && s->supply_.on)
       s->bus_char(c);
     return;
   }
-  for (const Reading& reading : reader_.feed(c)) {
+  for (const Reading& reading : entry_.reader.feed(c)) {
     obey(reading);
-    if (!online_ || run_.on || error_ != 0) reader_.reset();
+    if (!mode_.online || run_.on || error_ != 0) entry_.reader.reset();
   }
 }
 
@@ -124,38 +120,38 @@ void Box::obey(const Reading& reading) {
 
 void Box::obey_letter(char c) {
   if (c == ')') return store_group();
-  group_.reset();  // only indexes stand between ( and )
+  entry_.group.reset();  // only indexes stand between ( and )
   if (status_letter(c)) return;
   switch (c) {
     case 'E':
     case 'F':
     case 'G': return set_mode_letter(c);
     case 'Q':
-      online_ = echo_ = group_cr_ = false;
-      if (Box* s = slave()) s->online_ = false;
+      mode_.leave();
+      if (Box* s = slave()) s->mode_.online = false;
       return;
-    case 'R': return start_run(selected_);
+    case 'R': return start_run(entry_.program);
     case 'N': return zero_all();
     case 'K': return kill();
-    case 'C': return memory_.programs[ix(selected_)].clear();
+    case 'C': return memory_.programs[ix(entry_.program)].clear();
     case 'H': hold_ = !hold_; return;
     case 'Z': return send_slave_position(0);
     case 'T': return send_slave_position(1);
     case 'x':
     case 'y':
-      for (const std::int32_t p : captured_[c == 'y']) reply(position_reply(p));
+      for (const std::int32_t p : captures_.of(c == 'y' ? 1 : 0)) reply(position_reply(p));
       return;
-    case 'M': return reply(number_reply(memory_.programs[ix(selected_)].free()));
-    case '#': return reply(number_reply(current_motor_));
-    case '(': group_ = Command(Op::group, 0, 0); return;
-    case '[': bracket_ = need_slave() != nullptr; return;
+    case 'M': return reply(number_reply(memory_.programs[ix(entry_.program)].free()));
+    case '#': return reply(number_reply(entry_.motor));
+    case '(': entry_.group = Command(Op::group, 0, 0); return;
+    case '[': entry_.to_slave = need_slave() != nullptr; return;
     default: return;  // D without a motion
   }
 }
 
 void Box::obey_word(const Reading& w) {
   if (is_stored(w.head)) return store(w);
-  group_.reset();
+  entry_.group.reset();
   switch (w.head) {
     case Head::PM: return select_program(w);
     case Head::PMA: return associate(w);
@@ -163,8 +159,9 @@ void Box::obey_word(const Reading& w) {
     case Head::O:
       if (w.has_value) return set_value(w);
       return reply(number_reply(w.head == Head::B ? memory_.setup.backlash : memory_.setup.limit_report));
-    case Head::lst: return reply(program_listing(selected_, memory_.programs[ix(selected_)], analog_));
-    case Head::del: return memory_.programs[ix(selected_)].remove_last();
+    case Head::lst:
+      return reply(program_listing(entry_.program, memory_.programs[ix(entry_.program)], analog_.value()));
+    case Head::del: return memory_.programs[ix(entry_.program)].remove_last();
     case Head::res: return reset();
     case Head::rsm: return save();
     case Head::set_D0: return erase();
@@ -192,9 +189,9 @@ void Box::verify() {
   if (run_.on) return reply(std::string(1, busy));
   const Box* s = slave();
   const bool moving = motion_.active || (slave_found() && s->motion_.active);
-  if (!online_) return reply(std::string(1, moving ? jog_moving : jog_idle));
+  if (!mode_.online) return reply(std::string(1, moving ? jog_moving : jog_idle));
   if (moving) return reply(std::string(1, busy));
-  reply(group_cr_ ? "R\r" : "R");
+  reply(mode_.group_cr ? "R\r" : "R");
 }
 
 void Box::send_slave_position(int axis) {
@@ -210,11 +207,7 @@ void Box::digitize() {
   reply(text);
 }
 
-void Box::capture() {
-  if (captures_ == 4) return;  // the four are kept until the next run (V27)
-  for (int axis = 0; axis < 2; ++axis) captured_[ix(axis)][ix(captures_)] = axes_[ix(axis)].counter;
-  ++captures_;
-}
+void Box::capture() { captures_.take(axes_[0].counter, axes_[1].counter); }
 
 void Box::zero_all() {
   for (Axis& a : axes_) {
@@ -227,7 +220,7 @@ void Box::zero_all() {
 /// Of all motors, including the Slave's (V28).
 std::int32_t Box::last_slowed_at() const {
   const Box* s = slave_found() ? slave() : nullptr;
-  return s != nullptr && s->slowed_when_ > slowed_when_ ? s->slowed_at_ : slowed_at_;
+  return (s != nullptr && s->slowing_.when > slowing_.when ? s->slowing_ : slowing_).counter;
 }
 
 int Box::limits_byte() const {
@@ -261,12 +254,12 @@ void Box::reply(std::string_view text) {
 void Box::prompt(char c) {
   if (is_slave_) return;
   out += c;
-  if (group_cr_) out += '\r';
+  if (mode_.group_cr) out += '\r';
 }
 
 void Box::send_error(char letter) {
   if (is_slave_) return;
-  out += error_first;
+  out += quirks.error_first;
   out += letter;
 }
 

@@ -18,7 +18,7 @@ void Headline::show() const {
     return;
   }
   draft.notice.clear();
-  if (nameplate_.has_slave() && draft.axis_count <= motors_per_controller) draft.notice = unused_slave;
+  if (identification_.has_slave() && draft.axis_count <= motors_per_controller) draft.notice = unused_slave;
 }
 
 }  // namespace hw::vxm

@@ -11,9 +11,9 @@ Result<> HoldSwitch::may_switch() const {
               "Nothing was sent.", "Stop the program.");
 }
 
-Task<Result<>> HoldSwitch::say(std::string text, bool on, Priority priority) {
+Task<Result<>> HoldSwitch::transmit(std::string text, bool on, Priority priority) {
   const bool switches = text.starts_with('H');
-  auto said = co_await talk_.say(std::move(text), priority);
+  auto said = co_await conversation_.transmit(std::move(text), priority);
   if (said) hold_.was_switched(on);
   if (!said && switches && said.error().kind == FaultKind::lost) hold_.doubt();
   co_return said;

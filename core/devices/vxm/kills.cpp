@@ -8,7 +8,7 @@ namespace hw::vxm {
 
 Task<Result<>> Kills::kill(bool standing, Priority priority) {
   const bool something_ran = under_way_.busy() || presence_.is_halted();
-  auto reply = co_await talk_.kill(priority, kill_patience);
+  auto reply = co_await conversation_.kill(priority, kill_patience);
   if (!reply && reply.error().kind == FaultKind::stopped) co_return fail(reply.error());  // it was not sent
   under_way_.kill_was_said();
   if (!standing) doubt_positions();
@@ -22,7 +22,7 @@ Task<Result<>> Kills::kill(bool standing, Priority priority) {
   }
   under_way_.killed(ended_by);
   if (something_ran && console_.draft.outputs_known && console_.draft.outputs)
-    console_.tell(Notice::Kind::info, "K ended the run; it has also switched the outputs off.");
+    console_.report(Notice::Kind::info, "K ended the run; it has also switched the outputs off.");
   headline_.show();
   if (console_.changed) console_.changed();
   co_return Result<>();
@@ -36,19 +36,19 @@ void Kills::doubt_positions() const {
     AxisState& axis = console_.draft.axes[i];
     const bool turns = axis.activity == Activity::moving || axis.activity == Activity::jogging ||
                        axis.activity == Activity::homing || axis.activity == Activity::stopping;
-    const bool hidden = program_runs && i >= motors_per_controller && nameplate_.has_slave();
+    const bool hidden = program_runs && i >= motors_per_controller && identification_.has_slave();
     const bool unseen = axis.activity == Activity::unknown && under_way_.was_lost_while_busy() &&
                         (program_runs || under_way_.job().moves(i));
     if ((!turns && !hidden && !unseen) || axis.trust.doubtful()) continue;
     const double told = axis.speed.value;
-    const double speed = told > 0 ? told : program_runs && !hidden ? sight_.speed(i) : default_speed;
+    const double speed = told > 0 ? told : program_runs && !hidden ? readings_.speed(i) : default_speed;
     if (speed <= hard_stop_safe_speed) continue;
     axis.trust.doubt(Doubt::killed, console_.scheduler.now());
-    console_.tell(Notice::Kind::warning,
-                  fmt::format("Motor {} was stopped without a ramp at about {:.0f} steps/s. "
-                              "Above {} steps/s it may have lost steps: "
-                              "its position is doubtful until it is homed or set to zero.",
-                              i + 1, speed, hard_stop_safe_speed));
+    console_.report(Notice::Kind::warning,
+                    fmt::format("Motor {} was stopped without a ramp at about {:.0f} steps/s. "
+                                "Above {} steps/s it may have lost steps: "
+                                "its position is doubtful until it is homed or set to zero.",
+                                i + 1, speed, hard_stop_safe_speed));
   }
 }
 

@@ -3,9 +3,9 @@
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/headline.h"
-#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/identification.h"
+#include "core/devices/vxm/motor_readings.h"
 #include "core/devices/vxm/presence.h"
-#include "core/devices/vxm/sight.h"
 #include "core/devices/vxm/under_way.h"
 
 namespace hw::vxm {
@@ -15,13 +15,14 @@ inline constexpr Duration kill_patience = Millis(300);
 
 class Kills {
  public:
-  Kills(const Console& console, Conversation& talk, const Presence& presence, const Nameplate& nameplate,
-        const Sight& sight, UnderWay& under_way, const Headline& headline)
+  Kills(const Console& console, Conversation& conversation, const Presence& presence,
+        const Identification& identification, const MotorReadings& readings, UnderWay& under_way,
+        const Headline& headline)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         presence_(presence),
-        nameplate_(nameplate),
-        sight_(sight),
+        identification_(identification),
+        readings_(readings),
         under_way_(under_way),
         headline_(headline) {}
 
@@ -32,10 +33,10 @@ class Kills {
 
  private:
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   const Presence& presence_;
-  const Nameplate& nameplate_;
-  const Sight& sight_;
+  const Identification& identification_;
+  const MotorReadings& readings_;
   UnderWay& under_way_;
   const Headline& headline_;
 };

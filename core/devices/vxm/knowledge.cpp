@@ -3,8 +3,8 @@
 namespace hw::vxm {
 
 Task<Result<>> Knowledge::catch_up() {
-  if (!nameplate_.is_read()) {
-    auto read = co_await nameplate_.read();
+  if (!identification_.is_read()) {
+    auto read = co_await identification_.read();
     if (!read) co_return read;
   }
   if (!parameters_.knows_essentials()) {
@@ -19,19 +19,19 @@ Task<Result<>> Knowledge::catch_up() {
 }
 
 void Knowledge::doubt() {
-  nameplate_.forget();
+  identification_.forget();
   parameters_.doubt_essentials();
   slots_.doubt_all();
 }
 
 void Knowledge::may_be_of_before() {
-  nameplate_.forget();
+  identification_.forget();
   parameters_.forget();
   slots_.doubt_all();
 }
 
 void Knowledge::forget() {
-  nameplate_.forget();
+  identification_.forget();
   parameters_.forget();
   slots_.forget();
 }

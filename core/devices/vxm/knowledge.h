@@ -1,6 +1,6 @@
 #pragma once
 // Facts that are read once and hold until they change: identity, set-up, programs.
-#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/identification.h"
 #include "core/devices/vxm/parameters.h"
 #include "core/devices/vxm/slots.h"
 
@@ -8,8 +8,8 @@ namespace hw::vxm {
 
 class Knowledge {
  public:
-  Knowledge(Nameplate& nameplate, Parameters& setup, Slots& slots)
-      : nameplate_(nameplate), parameters_(setup), slots_(slots) {}
+  Knowledge(Identification& identification, Parameters& setup, Slots& slots)
+      : identification_(identification), parameters_(setup), slots_(slots) {}
 
   [[nodiscard]] bool suffices_for_a_move() const {
     return slots_.knows_sizes() && parameters_.knows_essentials();
@@ -24,7 +24,7 @@ class Knowledge {
   void forget();
 
  private:
-  Nameplate& nameplate_;
+  Identification& identification_;
   Parameters& parameters_;
   Slots& slots_;
 };

@@ -18,7 +18,7 @@ constexpr double longest_jog_s = 30;  // a jog that nobody ends (a pulled cable)
 constexpr Duration quick_patience = std::chrono::seconds(1);
 
 /// Value to set before a leg; 0: none.
-int to_set(const LastSaid& last, int axis, int of_leg) {
+int to_set(const LastSent& last, int axis, int of_leg) {
   if (of_leg > 0) return of_leg;
   return last.is_ours(axis) ? last.usual(axis) : 0;
 }
@@ -68,7 +68,7 @@ Task<Result<>> Legs::start_leg() {
   const bool held = hold_.is_on();  // it would hold before the first command
   hold_.was_switched(false);
   show_leg(leg);
-  auto sent = co_await talk_.say(held ? "HR" : "R", Priority::intent);
+  auto sent = co_await conversation_.transmit(held ? "HR" : "R", Priority::intent);
   if (sent) co_return sent;
   hold_.was_switched(held);
   if (held && sent.error().kind == FaultKind::lost) hold_.doubt();
@@ -116,7 +116,7 @@ double Legs::ramp_of(const Leg& leg, int axis) const {
 Task<Result<>> Legs::settle() {
   if (hold_.is_to_be_released()) {
     if (ramp_.is_expected()) co_return Result<>();  // the stop ends the move before it begins
-    auto released = co_await hold_switch_.say("H", false, Priority::intent);
+    auto released = co_await hold_switch_.transmit("H", false, Priority::intent);
     if (!released) co_return released;
   }
   hold_.was_released();
@@ -171,13 +171,14 @@ void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {
     if (leg.activity != Activity::idle) {
       axis.ended_by = ended_by;
       if (ended_by == EndedBy::limit && !under_way_.job().is_jog())
-        console_.tell(Notice::Kind::warning,
-                      fmt::format("The {} limit switch ended the move of motor {} at {} steps{}.",
-                                  axis.direction > 0 ? '+' : '-', index + 1, axis.position.value,
-                                  axis.has_target ? fmt::format(", {} steps before {}",
-                                                                std::abs((axis.target - axis.position).value),
-                                                                axis.target.value)
-                                                  : ""));
+        console_.report(
+            Notice::Kind::warning,
+            fmt::format("The {} limit switch ended the move of motor {} at {} steps{}.",
+                        axis.direction > 0 ? '+' : '-', index + 1, axis.position.value,
+                        axis.has_target
+                            ? fmt::format(", {} steps before {}",
+                                          std::abs((axis.target - axis.position).value), axis.target.value)
+                            : ""));
       axis.activity = Activity::idle;
       axis.direction = 0;
       axis.has_target = false;
@@ -253,12 +254,12 @@ Task<Result<>> Legs::run_quickly(Leg leg) {
   if (!begun) co_return begun;
   const Instant deadline = console_.scheduler.now() + quick_patience;
   bool in_time = true;
-  while (talk_.station() && !talk_.station()->preempted() && under_way_.job().active() &&
+  while (conversation_.station() && !conversation_.station()->preempted() && under_way_.job().active() &&
          !under_way_.job().is_leg_over() && in_time)
     in_time = co_await under_way_.news().wait_until(deadline);
   if (auto cut = cut_short(); !cut) co_return cut;
   if (!in_time) {
-    auto state = co_await talk_.state(Priority::intent);
+    auto state = co_await conversation_.state(Priority::intent);
     if (!state) co_return fail(state.error());
     auto taken = co_await status_.take(*state);
     if (!taken) co_return taken;
@@ -267,7 +268,7 @@ Task<Result<>> Legs::run_quickly(Leg leg) {
 }
 
 Result<> Legs::cut_short() const {
-  if (!talk_.station() || !talk_.station()->preempted()) return {};
+  if (!conversation_.station() || !conversation_.station()->preempted()) return {};
   return fail(FaultKind::stopped, "A stop came while this was under way.", "It was sent.");
 }
 

@@ -23,11 +23,11 @@ namespace hw::vxm {
 
 class Legs {
  public:
-  Legs(const Console& console, Conversation& talk, Signals& signals, Slots& slots, Scratch& scratch,
+  Legs(const Console& console, Conversation& conversation, Signals& signals, Slots& slots, Scratch& scratch,
        Speeds& speeds, Hold& hold, HoldSwitch& hold_switch, Knowledge& knowledge, const Presence& presence,
        UnderWay& under_way, Ramp& ramp, Positions& positions, Status& status)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         signals_(signals),
         slots_(slots),
         scratch_(scratch),
@@ -71,7 +71,7 @@ class Legs {
   [[nodiscard]] std::optional<Leg> next_jog_leg(const Leg& last, EndedBy ended_by) const;
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   Signals& signals_;
   Slots& slots_;
   Scratch& scratch_;

@@ -34,8 +34,8 @@ Result<LegPace> checked(const intent::Pace& pace) {
 
 }  // namespace
 
-Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, intent::Pace wish, bool relative) {
-  auto pace = checked(wish);
+Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, intent::Pace request, bool relative) {
+  auto pace = checked(request);
   if (!pace) co_return fail(pace.error());
   // Reads the positions first: the last round may have asked before a program ended.
   if (auto may = may_move_all(targets, relative); !may) co_return may;
@@ -105,23 +105,24 @@ void Moves::add_leg(Job& job, const AxisTarget& goal, LegPace pace, bool relativ
   job.add(std::move(leg));
 }
 
-Task<Result<>> Moves::jog(const intent::JogStart& wish) {
-  const int axis = wish.axis.index;
+Task<Result<>> Moves::jog(const intent::JogStart& request) {
+  const int axis = request.axis.index;
   if (auto may = admission_.may_move(axis); !may) co_return may;
-  intent::Pace wanted = pace_of(wish);
+  intent::Pace wanted = pace_of(request);
   if (wanted.speed.value == 0) wanted.speed = console_.catalog.jog_speed;
   auto pace = checked(wanted);
   if (!pace) co_return fail(pace.error());
-  if (wish.up_to) {
+  if (request.up_to) {
     auto read = co_await positions_.read(Priority::intent, true);
     if (!read) co_return read;
   }
   admission_.warn_of_motor_type(axis);
-  Job job = Job::jog(legs_.jog_leg(axis, wish.sign, *pace, wish.up_to));
-  if (*job.leg().target == console_.draft.axes[axis].position && wish.up_to)
-    co_return fail(FaultKind::refused,
-                   fmt::format("Motor {} stands at the end of its travel, {}.", axis + 1, wish.up_to->value),
-                   "Nothing was sent.", "Jog it the other way, or change the limit.");
+  Job job = Job::jog(legs_.jog_leg(axis, request.sign, *pace, request.up_to));
+  if (*job.leg().target == console_.draft.axes[axis].position && request.up_to)
+    co_return fail(
+        FaultKind::refused,
+        fmt::format("Motor {} stands at the end of its travel, {}.", axis + 1, request.up_to->value),
+        "Nothing was sent.", "Jog it the other way, or change the limit.");
   if (*job.leg().target == console_.draft.axes[axis].position)
     co_return fail(FaultKind::refused,
                    fmt::format("Motor {} stands at the end of the controller's position register.", axis + 1),
@@ -129,18 +130,18 @@ Task<Result<>> Moves::jog(const intent::JogStart& wish) {
   co_return co_await legs_.begin(std::move(job));
 }
 
-Task<Result<>> Moves::home(const intent::Home& wish) {
-  const int axis = wish.axis.index;
+Task<Result<>> Moves::home(const intent::Home& request) {
+  const int axis = request.axis.index;
   if (auto may = admission_.may_move(axis); !may) co_return may;
-  if (wish.mode < 0 || wish.mode >= static_cast<int>(console_.catalog.homing_modes.size()))
-    co_return fail(FaultKind::refused, fmt::format("There is no homing mode number {}.", wish.mode),
+  if (request.mode < 0 || request.mode >= static_cast<int>(console_.catalog.homing_modes.size()))
+    co_return fail(FaultKind::refused, fmt::format("There is no homing mode number {}.", request.mode),
                    "Nothing was sent.");
-  if (parameters_.value("DM").value_or(0) & mode_nf90 && wish.sign == Sign::plus)
+  if (parameters_.value("DM").value_or(0) & mode_nf90 && request.sign == Sign::plus)
     co_return fail(FaultKind::refused,
                    fmt::format("In NF90 emulation I{}M0 runs to zero, not to the + limit switch.", axis + 1),
                    "Nothing was sent.",
                    "Switch NF90 emulation off in Setup (DM), or home to the - limit switch.");
-  auto pace = checked(wish.pace);
+  auto pace = checked(request.pace);
   if (!pace) co_return fail(pace.error());
   if (pace->speed > homing_speed)
     co_return fail(FaultKind::refused,
@@ -153,40 +154,41 @@ Task<Result<>> Moves::home(const intent::Home& wish) {
   Leg to_switch;
   to_switch.axis = axis;
   to_switch.activity = Activity::homing;
-  to_switch.sign = wish.sign;
+  to_switch.sign = request.sign;
   to_switch.pace = *pace;
-  to_switch.text = vxm::home(axis + 1, wish.sign);
+  to_switch.text = vxm::home(axis + 1, request.sign);
   Leg zero;
   zero.axis = axis;
   zero.text = zero_here(axis + 1);
   zero.zeroes = Trust::homed;
   Leg off_switch = to_switch;
-  off_switch.sign = -wish.sign;
+  off_switch.sign = -request.sign;
   off_switch.text = index_by(axis + 1, Steps{factor(off_switch.sign) * off_switch_steps});
   Job job;
   job.add(to_switch);
-  if (wish.mode == 2) {  // Appendix N p.67: always the same direction at the end
+  if (request.mode == 2) {  // Appendix N p.67: always the same direction at the end
     job.add(off_switch);
     job.add(to_switch);
   }
-  if (wish.mode != 0) job.add(zero);
+  if (request.mode != 0) job.add(zero);
   co_return co_await legs_.begin(std::move(job));
 }
 
-Task<Result<>> Moves::set_position(const intent::SetPosition& wish) {
-  if (wish.value.value != 0)
+Task<Result<>> Moves::set_position(const intent::SetPosition& request) {
+  if (request.value.value != 0)
     co_return fail(FaultKind::refused,
-                   fmt::format("A VXM can only call the present position zero, not {}.", wish.value.value),
+                   fmt::format("A VXM can only call the present position zero, not {}.", request.value.value),
                    "Nothing was sent.", "Set zero here, or move to where zero shall be first.");
-  if (auto may = wish.axis < 0 ? admission_.may_run() : admission_.may_move(wish.axis); !may) co_return may;
-  if (wish.axis < 0) {
-    auto said = co_await talk_.say("N", Priority::intent);
+  if (auto may = request.axis < 0 ? admission_.may_run() : admission_.may_move(request.axis); !may)
+    co_return may;
+  if (request.axis < 0) {
+    auto said = co_await conversation_.transmit("N", Priority::intent);
     if (!said) co_return said;
     positions_.are_zero();
   } else {
     Leg leg;
-    leg.axis = wish.axis;
-    leg.text = zero_here(wish.axis + 1);
+    leg.axis = request.axis;
+    leg.text = zero_here(request.axis + 1);
     leg.zeroes = Trust::set;
     auto done = co_await legs_.run_quickly(std::move(leg));
     if (!done) co_return done;
@@ -194,7 +196,7 @@ Task<Result<>> Moves::set_position(const intent::SetPosition& wish) {
   auto read = co_await positions_.read(Priority::intent, true);
   if (!read) co_return read;
   for (int i = 0; i < console_.draft.axis_count; ++i)
-    if ((wish.axis < 0 || wish.axis == i) && console_.draft.axes[i].enabled &&
+    if ((request.axis < 0 || request.axis == i) && console_.draft.axes[i].enabled &&
         console_.draft.axes[i].position.value != 0)
       co_return fail(FaultKind::controller,
                      fmt::format("Motor {} was to read zero, but the controller says {}.", i + 1,
@@ -204,24 +206,24 @@ Task<Result<>> Moves::set_position(const intent::SetPosition& wish) {
 }
 
 // U4, U5 and the like are stored commands: they need a run too.
-Task<Result<>> Moves::set_output(const intent::SetOutput& wish) {
-  if (wish.number < 1 || wish.number > outputs_per_controller)
+Task<Result<>> Moves::set_output(const intent::SetOutput& request) {
+  if (request.number < 1 || request.number > outputs_per_controller)
     co_return fail(FaultKind::refused,
-                   fmt::format("There is no output {}: a VXM has outputs 1 to 4.", wish.number),
+                   fmt::format("There is no output {}: a VXM has outputs 1 to 4.", request.number),
                    "Nothing was sent.");
   if (auto may = admission_.may_run(); !may) co_return may;
   Leg leg;
-  leg.text = output(wish.number, wish.on);
+  leg.text = output(request.number, request.on);
   auto done = co_await legs_.run_quickly(std::move(leg));
   if (!done) co_return done;
   auto read = co_await signals_.read("$", Priority::intent);
   if (!read) co_return read;
-  if (!nameplate_.tells_outputs()) co_return Result<>();  // the outputs are not reported
-  const bool is_on = console_.draft.outputs >> (wish.number - 1) & 1;
-  if (is_on == wish.on) co_return Result<>();
+  if (!identification_.tells_outputs()) co_return Result<>();  // the outputs are not reported
+  const bool is_on = console_.draft.outputs >> (request.number - 1) & 1;
+  if (is_on == request.on) co_return Result<>();
   co_return fail(FaultKind::controller,
-                 fmt::format("Output {} was to go {}, but the controller says that it is {}.", wish.number,
-                             wish.on ? "on" : "off", is_on ? "on" : "off"),
+                 fmt::format("Output {} was to go {}, but the controller says that it is {}.", request.number,
+                             request.on ? "on" : "off", is_on ? "on" : "off"),
                  "It was asked for once.", "Check whether the Stop button is held, then try again.");
 }
 

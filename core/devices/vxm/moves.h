@@ -5,9 +5,9 @@
 #include "core/devices/vxm/admission.h"
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
+#include "core/devices/vxm/identification.h"
 #include "core/devices/vxm/job.h"
 #include "core/devices/vxm/legs.h"
-#include "core/devices/vxm/nameplate.h"
 #include "core/devices/vxm/parameters.h"
 #include "core/devices/vxm/positions.h"
 #include "core/devices/vxm/signals.h"
@@ -17,11 +17,12 @@ namespace hw::vxm {
 
 class Moves {
  public:
-  Moves(const Console& console, Conversation& talk, const Nameplate& nameplate, Signals& signals,
-        const Parameters& setup, const Speeds& speeds, Admission& admission, Positions& positions, Legs& legs)
+  Moves(const Console& console, Conversation& conversation, const Identification& identification,
+        Signals& signals, const Parameters& setup, const Speeds& speeds, Admission& admission,
+        Positions& positions, Legs& legs)
       : console_(console),
-        talk_(talk),
-        nameplate_(nameplate),
+        conversation_(conversation),
+        identification_(identification),
         signals_(signals),
         parameters_(setup),
         speeds_(speeds),
@@ -30,10 +31,10 @@ class Moves {
         legs_(legs) {}
 
   Task<Result<>> move(const std::vector<AxisTarget>& targets, intent::Pace pace, bool relative);
-  Task<Result<>> jog(const intent::JogStart& wish);
-  Task<Result<>> home(const intent::Home& wish);
-  Task<Result<>> set_position(const intent::SetPosition& wish);
-  Task<Result<>> set_output(const intent::SetOutput& wish);
+  Task<Result<>> jog(const intent::JogStart& request);
+  Task<Result<>> home(const intent::Home& request);
+  Task<Result<>> set_position(const intent::SetPosition& request);
+  Task<Result<>> set_output(const intent::SetOutput& request);
 
  private:
   [[nodiscard]] Result<> may_move_all(const std::vector<AxisTarget>& targets, bool relative) const;
@@ -41,8 +42,8 @@ class Moves {
   void add_leg(Job& job, const AxisTarget& goal, LegPace pace, bool relative) const;
 
   const Console& console_;
-  Conversation& talk_;
-  const Nameplate& nameplate_;
+  Conversation& conversation_;
+  const Identification& identification_;
   Signals& signals_;
   const Parameters& parameters_;
   const Speeds& speeds_;

@@ -18,13 +18,13 @@ Task<Result<std::string>> Opening::ask_who_listens() {
   int silences = 0;
   for (int n = 0; n < greetings && silences < silences_until_nobody; ++n) {
     if (n > 0) {
-      auto ended = co_await talk_.say_anyway("\r");
+      auto ended = co_await conversation_.say_anyway("\r");
       if (!ended) co_return fail(ended.error());
-      auto quiet = co_await talk_.wait_for_quiet();
+      auto quiet = co_await conversation_.wait_for_quiet();
       if (!quiet) co_return fail(quiet.error());
     }
     const auto quiet_ms = n > 0 ? slow_greeting_quiet_ms : greeting_quiet_ms;
-    auto reply = co_await talk_.greet(quiet_ms);
+    auto reply = co_await conversation_.greet(quiet_ms);
     if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
     if (!reply) ++silences;
     if (reply) bytes = *reply;
@@ -37,25 +37,26 @@ Task<Result<>> Opening::greet() {
   auto bytes = co_await ask_who_listens();
   if (!bytes) co_return fail(bytes.error());
   Greeting greeting = read_greeting(*bytes);
-  const int rate = talk_.station() ? talk_.station()->rate() : 0;
+  const int rate = conversation_.station() ? conversation_.station()->rate() : 0;
   if (bytes->empty()) co_return nobody_greets(rate);
   if (!greeting.is_a_vxm()) co_return no_vxm_greets(*bytes, rate);
   // It may be the reply to a V before a restart, and F removes the only sign of that.
-  for (int n = 0; n < greetings && talk_.station() && talk_.station()->is_dirty(); ++n) {
-    auto again = co_await talk_.greet(greeting_quiet_ms);
+  for (int n = 0; n < greetings && conversation_.station() && conversation_.station()->is_dirty(); ++n) {
+    auto again = co_await conversation_.greet(greeting_quiet_ms);
     if (!again && again.error().kind != FaultKind::no_answer) co_return fail(again.error());
     if (again && read_greeting(*again).is_a_vxm()) greeting = read_greeting(*again);
   }
-  if (talk_.station() && talk_.station()->is_dirty()) presence_.left_local(Presence::LeftLocal::perhaps);
-  talk_.set_echoes(greeting.echo);
+  if (conversation_.station() && conversation_.station()->is_dirty())
+    presence_.left_local(Presence::LeftLocal::perhaps);
+  conversation_.set_echoes(greeting.echo);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);
   if (presence_.is_halted()) under_way_.killed(EndedBy::error);  // it hears again
   presence_.seen_on_line();
   // F ends echo and carriage returns after prompts, whoever asked for them.
-  auto said = co_await talk_.say_anyway("F");
+  auto said = co_await conversation_.say_anyway("F");
   if (!said) co_return said;
-  auto state = co_await talk_.state(Priority::intent);
+  auto state = co_await conversation_.state(Priority::intent);
   if (!state) co_return fail(state.error());
   if (greeting.echo) {
     auto ended = co_await echo_.end(*state);
@@ -78,10 +79,10 @@ Task<Result<>> Opening::found_local(char state) {
   presence_.wants_on_line();
   auto on_line = co_await presence_.go_on_line();
   if (!on_line) co_return on_line;
-  console_.tell(Notice::Kind::info,
-                state == jog_moving
-                    ? "Somebody was jogging at the controller's buttons. It is on-line now: they are off."
-                    : "The controller was in Local mode. It is on-line now: its jog buttons are off.");
+  console_.report(Notice::Kind::info,
+                  state == jog_moving
+                      ? "Somebody was jogging at the controller's buttons. It is on-line now: they are off."
+                      : "The controller was in Local mode. It is on-line now: its jog buttons are off.");
   co_return Result<>();
 }
 

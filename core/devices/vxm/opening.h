@@ -16,10 +16,10 @@ namespace hw::vxm {
 
 class Opening {
  public:
-  Opening(const Console& console, Conversation& talk, Presence& presence, Hold& hold, UnderWay& under_way,
-          Positions& positions, Restarts& restarts, Echo& echo, Legs& legs)
+  Opening(const Console& console, Conversation& conversation, Presence& presence, Hold& hold,
+          UnderWay& under_way, Positions& positions, Restarts& restarts, Echo& echo, Legs& legs)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         presence_(presence),
         hold_(hold),
         under_way_(under_way),
@@ -36,7 +36,7 @@ class Opening {
   Task<Result<>> resume_after_loss(char state);
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   Presence& presence_;
   Hold& hold_;
   UnderWay& under_way_;

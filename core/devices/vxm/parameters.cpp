@@ -8,7 +8,7 @@
 #include "core/device/param_check.h"
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/facts.h"
-#include "core/devices/vxm/looks.h"
+#include "core/devices/vxm/reply_kinds.h"
 
 namespace hw::vxm {
 
@@ -43,14 +43,14 @@ std::optional<std::int64_t> Parameters::value(std::string_view mnemonic) const {
 
 // A set or get for motor 3 or 4 without a Slave would make the controller restart (EB).
 bool Parameters::reachable(const ParamInfo& info) const {
-  return nameplate_.has_slave() || (info.axis < motors_per_controller && info.mnemonic != "PMA");
+  return identification_.has_slave() || (info.axis < motors_per_controller && info.mnemonic != "PMA");
 }
 
 Task<Result<>> Parameters::read_one(int index, Priority priority) {
   const ParamInfo& info = console_.catalog.params[ix(index)];
   if (!info.readable || !reachable(info)) co_return Result<>();
-  if (info.mnemonic == "PA" && !nameplate_.tells_pulses()) co_return Result<>();
-  auto value = co_await talk_.number(get_param(info.mnemonic), priority);
+  if (info.mnemonic == "PA" && !identification_.tells_pulses()) co_return Result<>();
+  auto value = co_await conversation_.number(get_param(info.mnemonic), priority);
   if (!value) co_return fail(value.error());
   console_.draft.params[ix(index)].value = *value;
   console_.draft.params[ix(index)].known = true;
@@ -114,16 +114,16 @@ Result<> Parameters::may_set(const ParamInfo& info) const {
   return may_change_();
 }
 
-Task<Result<>> Parameters::set(const intent::SetParam& wish) {
+Task<Result<>> Parameters::set(const intent::SetParam& request) {
   ParamRules rules;
   rules.who = "A VXM";
   rules.may_now = [this](const ParamInfo& info) { return may_set(info); };
-  const auto place = check_param(console_.catalog, wish, rules);
+  const auto place = check_param(console_.catalog, request, rules);
   if (!place) co_return fail(place.error());
   const int index = static_cast<int>(*place);
   const ParamInfo& info = console_.catalog.params[*place];
-  if (info.mnemonic == "B") co_return co_await set_baud(wish.value);
-  auto sent = co_await talk_.say(vxm::set_param(info.mnemonic, wish.value), Priority::intent);
+  if (info.mnemonic == "B") co_return co_await set_baud(request.value);
+  auto sent = co_await conversation_.transmit(vxm::set_param(info.mnemonic, request.value), Priority::intent);
   if (!sent) co_return sent;
   ParamState& state = console_.draft.params[ix(index)];
   state.stored = !info.stored;
@@ -135,33 +135,34 @@ Task<Result<>> Parameters::set(const intent::SetParam& wish) {
   }
   auto read = co_await read_one(index, Priority::intent);
   if (!read) co_return read;
-  const auto expected = as_kept(info.mnemonic, wish.value);
+  const auto expected = as_kept(info.mnemonic, request.value);
   if (!info.readable || state.value == expected) co_return Result<>();
   co_return fail(
       FaultKind::controller,
-      fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic, wish.value, state.value),
+      fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic, request.value, state.value),
       "It was sent once.", "Read the set-up again; the controller's number is in force.");
 }
 
 // The controller changes its rate after the ender; then both sides must agree, or go back. A stop in between
 // would be sent at a rate that is not received.
 Task<Result<>> Parameters::set_baud(std::int64_t number) {
-  const Station::Uncut uncut(*talk_.station());
-  auto sent = co_await talk_.say(vxm::set_param("B", number), Priority::intent);
+  const Station::Uncut uncut(*conversation_.station());
+  auto sent = co_await conversation_.transmit(vxm::set_param("B", number), Priority::intent);
   if (!sent) co_return sent;
   co_return co_await follow_rate(number);
 }
 
 Task<Result<>> Parameters::follow_rate(std::int64_t number) {
-  if (!talk_.station())
+  if (!conversation_.station())
     co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
-  const int before = talk_.station()->rate(), wanted = baud_rate(number);
-  auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(10) + rate_change_pause);
-  if (!waited || !talk_.station())
+  const int before = conversation_.station()->rate(), wanted = baud_rate(number);
+  auto waited =
+      co_await conversation_.station()->pause(conversation_.station()->wire_time(10) + rate_change_pause);
+  if (!waited || !conversation_.station())
     co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
-  auto changed = talk_.station()->set_rate(wanted);
+  auto changed = conversation_.station()->set_rate(wanted);
   if (changed) {
-    auto state = co_await talk_.state(Priority::intent);
+    auto state = co_await conversation_.state(Priority::intent);
     if (state) {
       const int index = console_.catalog.find_param("B");
       console_.draft.params[ix(index)] = {number, true, false};
@@ -169,10 +170,10 @@ Task<Result<>> Parameters::follow_rate(std::int64_t number) {
       co_return Result<>();
     }
   }
-  if (!talk_.station())
+  if (!conversation_.station())
     co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
-  if (before > 0) (void)talk_.station()->set_rate(before);
-  auto state = co_await talk_.state(Priority::intent);
+  if (before > 0) (void)conversation_.station()->set_rate(before);
+  auto state = co_await conversation_.state(Priority::intent);
   co_return fail(
       FaultKind::controller,
       fmt::format("The controller was asked to change to {} baud but does not answer there.", wanted),
@@ -193,8 +194,8 @@ void Parameters::was_stored() {
 
 Task<Result<>> Parameters::store() {
   if (auto may = may_change_(); !may) co_return may;
-  const AnswerShape prompt{ReplyShape::bytes(1), before_prompt, store_patience, look::prompt};
-  auto reply = co_await talk_.ask("rsm", prompt, Priority::intent);
+  const AnswerShape prompt{ReplyShape::bytes(1), before_prompt, store_patience, reply_kind::prompt};
+  auto reply = co_await conversation_.ask("rsm", prompt, Priority::intent);
   if (!reply && reply.error().kind == FaultKind::no_answer)
     co_return fail(
         FaultKind::no_answer,
@@ -205,13 +206,13 @@ Task<Result<>> Parameters::store() {
   if (!reply) co_return fail(reply.error());
   was_stored();
   if (console_.draft.store_count >= 0) {
-    console_.tell(Notice::Kind::info,
-                  fmt::format("Set-up and programs are stored. {} of about {} writes are used.",
-                              console_.draft.store_count, store_life));
+    console_.report(Notice::Kind::info,
+                    fmt::format("Set-up and programs are stored. {} of about {} writes are used.",
+                                console_.draft.store_count, store_life));
   } else {
-    console_.tell(Notice::Kind::info, fmt::format("Set-up and programs are stored. The memory is rated for "
-                                                  "about {} writes; it is not known how many were used.",
-                                                  store_life));
+    console_.report(Notice::Kind::info, fmt::format("Set-up and programs are stored. The memory is rated for "
+                                                    "about {} writes; it is not known how many were used.",
+                                                    store_life));
   }
   co_return Result<>();
 }

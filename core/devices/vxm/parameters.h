@@ -6,16 +6,19 @@
 
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
-#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/identification.h"
 
 namespace hw::vxm {
 
 class Parameters {
  public:
   /// `may_change`: the controller takes such commands now.
-  Parameters(const Console& console, Conversation& talk, const Nameplate& nameplate,
+  Parameters(const Console& console, Conversation& conversation, const Identification& identification,
              std::function<Result<>()> may_change)
-      : console_(console), talk_(talk), nameplate_(nameplate), may_change_(std::move(may_change)) {}
+      : console_(console),
+        conversation_(conversation),
+        identification_(identification),
+        may_change_(std::move(may_change)) {}
 
   /// None: not known.
   [[nodiscard]] std::optional<std::int64_t> value(std::string_view mnemonic) const;
@@ -26,7 +29,7 @@ class Parameters {
   Task<Result<>> read_some();
   Task<Result<>> read_all();
 
-  Task<Result<>> set(const intent::SetParam& wish);
+  Task<Result<>> set(const intent::SetParam& request);
   Task<Result<>> store();
 
   /// Set by a text of the user.
@@ -48,8 +51,8 @@ class Parameters {
   [[nodiscard]] bool reachable(const ParamInfo& info) const;
 
   const Console& console_;
-  Conversation& talk_;
-  const Nameplate& nameplate_;
+  Conversation& conversation_;
+  const Identification& identification_;
   std::function<Result<>()> may_change_;
   bool essentials_read_ = false;
   int next_ = 0;

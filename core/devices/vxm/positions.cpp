@@ -7,12 +7,12 @@ namespace hw::vxm {
 // Z and T are answered at standstill only.
 Task<Result<>> Positions::read(Priority priority, bool at_rest, bool and_a_signal) {
   for (int i = 0; i < console_.draft.axis_count; ++i) {
-    if (i >= motors_per_controller && (!at_rest || !nameplate_.has_slave())) break;
+    if (i >= motors_per_controller && (!at_rest || !identification_.has_slave())) break;
     if (i == 1 && and_a_signal) {
       auto asked = co_await signals_.ask_next(priority);
       if (!asked) co_return asked;
     }
-    auto position = co_await talk_.position(i + 1, priority);
+    auto position = co_await conversation_.position(i + 1, priority);
     if (!position) co_return fail(position.error());
     show(i, *position);
     auto inputs = co_await signals_.glance(priority);
@@ -24,12 +24,12 @@ Task<Result<>> Positions::read(Priority priority, bool at_rest, bool and_a_signa
 
 void Positions::show(int index, Steps position) {
   AxisState& axis = console_.draft.axes[index];
-  const Sight::Change change = sight_.saw(index, axis, position, talk_.asked_at());
+  const MotorReadings::Change change = readings_.take(index, axis, position, conversation_.asked_at());
   const bool program_runs = under_way_.program_runs(), moves = under_way_.job().active();
   if (program_runs && (change.begun || change.reversed)) program_has_begun_a_way(change);
   if (program_runs && !moves) {  // motions of a program show in positions only
     constexpr Duration seems_moving = Millis(150);
-    const bool turns = sight_.has_turned_within(seems_moving, index);
+    const bool turns = readings_.has_turned_within(seems_moving, index);
     axis.ramp = 0;  // of the program's own speeds nothing is known
     if (change.moved) axis.direction = static_cast<std::int8_t>(position > axis.position ? 1 : -1);
     if (!turns) axis.direction = 0;
@@ -41,12 +41,12 @@ void Positions::show(int index, Steps position) {
   }
   axis.position = position;
   axis.position_known = true;
-  axis.seen_at = talk_.asked_at();  // the answer may have come late
+  axis.seen_at = conversation_.asked_at();  // the answer may have come late
   signals_.forget_what_is_doubted();
 }
 
 /// No held program begins a motion.
-void Positions::program_has_begun_a_way(const Sight::Change& way) {
+void Positions::program_has_begun_a_way(const MotorReadings::Change& way) {
   hold_.something_begins();
   if (way.reversed) ramp_.saw_one_turn_round(way.since);
   if (ramp_.is_expected() || hold_.is_known()) return;

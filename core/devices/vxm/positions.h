@@ -3,9 +3,9 @@
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/hold.h"
-#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/identification.h"
+#include "core/devices/vxm/motor_readings.h"
 #include "core/devices/vxm/ramp.h"
-#include "core/devices/vxm/sight.h"
 #include "core/devices/vxm/signals.h"
 #include "core/devices/vxm/under_way.h"
 
@@ -13,13 +13,13 @@ namespace hw::vxm {
 
 class Positions {
  public:
-  Positions(const Console& console, Conversation& talk, const Nameplate& nameplate, Signals& signals,
-            Sight& sight, Hold& hold, Ramp& ramp, const UnderWay& under_way)
+  Positions(const Console& console, Conversation& conversation, const Identification& identification,
+            Signals& signals, MotorReadings& readings, Hold& hold, Ramp& ramp, const UnderWay& under_way)
       : console_(console),
-        talk_(talk),
-        nameplate_(nameplate),
+        conversation_(conversation),
+        identification_(identification),
         signals_(signals),
-        sight_(sight),
+        readings_(readings),
         hold_(hold),
         ramp_(ramp),
         under_way_(under_way) {}
@@ -32,13 +32,13 @@ class Positions {
   void are_zero();
 
  private:
-  void program_has_begun_a_way(const Sight::Change& way);
+  void program_has_begun_a_way(const MotorReadings::Change& way);
 
   const Console& console_;
-  Conversation& talk_;
-  const Nameplate& nameplate_;
+  Conversation& conversation_;
+  const Identification& identification_;
   Signals& signals_;
-  Sight& sight_;
+  MotorReadings& readings_;
   Hold& hold_;
   Ramp& ramp_;
   const UnderWay& under_way_;

@@ -7,9 +7,9 @@ namespace hw::vxm {
 
 Task<Result<>> Presence::go_on_line() {
   for (const bool again : {false, true}) {
-    auto said = co_await talk_.say_anyway("F");
+    auto said = co_await conversation_.say_anyway("F");
     if (!said) co_return said;
-    auto state = co_await talk_.state(Priority::intent);
+    auto state = co_await conversation_.state(Priority::intent);
     if (!state) co_return fail(state.error());
     if (*state == ready || *state == busy) break;
     if (again)

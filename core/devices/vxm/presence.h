@@ -11,7 +11,8 @@ namespace hw::vxm {
 
 class Presence {
  public:
-  Presence(const Scheduler& scheduler, Conversation& talk) : scheduler_(scheduler), talk_(talk) {}
+  Presence(const Scheduler& scheduler, Conversation& conversation)
+      : scheduler_(scheduler), conversation_(conversation) {}
 
   /// Sends F until the controller is on-line.
   Task<Result<>> go_on_line();
@@ -74,7 +75,7 @@ class Presence {
   enum class Mode : std::uint8_t { unknown, on_line, local };
 
   const Scheduler& scheduler_;
-  Conversation& talk_;
+  Conversation& conversation_;
   Mode mode_ = Mode::unknown;
   LeftLocal left_local_ = LeftLocal::no;
   bool found_before_ = false, stay_local_ = false;

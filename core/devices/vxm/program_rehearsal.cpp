@@ -6,7 +6,7 @@
 
 #include "core/base/index.h"
 #include "core/device/bench_file.h"
-#include "core/device/planned_hands.h"
+#include "core/device/bench_schedule.h"
 #include "core/device/track_keeper.h"
 #include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/emulator_vxm.h"
@@ -56,7 +56,7 @@ class Rehearsing {
         track_(emulator_, options),
         watch_(analysis) {}
 
-  Result<> set_bench() { return PlannedHands::act(options_.bench, emulator_); }
+  Result<> set_bench() { return BenchSchedule::act(options_.bench, emulator_); }
   Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
 
   Rehearsal run() {
@@ -180,7 +180,7 @@ class Rehearsing {
   void collect() {
     Box& box = emulator_.box();
     for (Trace& t : trace_) {
-      watch_.hear(t, box);
+      watch_.observe(t, box);
       if (t.program == started_) result_.at_work(seconds(t.at), t.command);
       event(t.at, std::move(t.what), t.program, t.command);
     }
@@ -262,7 +262,7 @@ class Rehearsing {
   const Catalog& catalog_;
   int motors_;
   VxmEmulator emulator_;
-  PlannedHands hands_;
+  BenchSchedule hands_;
   TrackKeeper track_;
   ProgramWatch watch_;
   std::vector<Trace> trace_;

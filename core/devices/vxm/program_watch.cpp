@@ -54,7 +54,7 @@ RehearsedStop ProgramWatch::stop(Instant at, std::string reason) const {
   return stop;
 }
 
-void ProgramWatch::hear(const Trace& trace, const Box& box) {
+void ProgramWatch::observe(const Trace& trace, const Box& box) {
   if (trace.command >= 0) {
     program_ = trace.program, command_ = trace.command;
     const Program& program = box.program(program_);

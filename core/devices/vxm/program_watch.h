@@ -18,7 +18,7 @@ class ProgramWatch {
   explicit ProgramWatch(const Analysis& analysis) : analysis_(analysis) {}
 
   /// Call in order of time. `box`: the controller of the trace.
-  void hear(const Trace& trace, const Box& box);
+  void observe(const Trace& trace, const Box& box);
   /// For a program still running at the end of the rehearsal: its loop then. Empty: none is known.
   [[nodiscard]] std::string loop_words(const Box& box) const;
   /// True: nothing leaves that loop.

@@ -15,9 +15,9 @@ constexpr Duration to_see_a_ramp = Millis(300);
 }  // namespace
 
 void Ramp::expect() {
-  if (!state_) state_ = State{console_.scheduler.now(), sight_.fastest()};
+  if (!state_) state_ = State{console_.scheduler.now(), readings_.fastest()};
   state_->looked_at = console_.scheduler.now();
-  state_->speed = sight_.fastest();
+  state_->speed = readings_.fastest();
 }
 
 // A lost D shows by motors that lose no speed. A motor that still turns after the longest ramp is killed.
@@ -26,9 +26,9 @@ StopProgress Ramp::watch() {
   const Instant now = console_.scheduler.now();
   if (!state_) return StopProgress::again();
   if (now - state_->began > longest_ramp + to_see_a_ramp) return StopProgress::at_once();
-  state_->speed = std::max(state_->speed, sight_.fastest());  // the motion may not have been seen before
+  state_->speed = std::max(state_->speed, readings_.fastest());  // the motion may not have been seen before
   if (now - state_->looked_at < to_see_a_ramp) return StopProgress::wait();
-  const double before = std::exchange(state_->speed, sight_.fastest());
+  const double before = std::exchange(state_->speed, readings_.fastest());
   state_->looked_at = now;
   return state_->speed > before - least_loss ? StopProgress::again() : StopProgress::wait();
 }
@@ -37,12 +37,12 @@ StopProgress Ramp::watch() {
 
 void Ramp::expect_of_program() {
   if (state_) return;
-  state_ = State{console_.scheduler.now(), sight_.fastest(), hold_.is_on() || seems_to_stand()};
+  state_ = State{console_.scheduler.now(), readings_.fastest(), hold_.is_on() || seems_to_stand()};
   hold_.expect_nothing_to_begin();
 }
 
 bool Ramp::must_be_seen_first() const {
-  return !hold_.is_known() && !some_are_hidden() && sight_.fastest() <= 0;
+  return !hold_.is_known() && !some_are_hidden() && readings_.fastest() <= 0;
 }
 
 void Ramp::was_held() {
@@ -66,7 +66,7 @@ StopProgress Ramp::watch_program() {
   const StopProgress progress = watch();
   if (!goes_on(progress)) return progress;
   state_->holds = state_->reversed = false;
-  state_->from = state_->slowest = sight_.fastest();
+  state_->from = state_->slowest = readings_.fastest();
   return StopProgress::again();
 }
 
@@ -75,23 +75,23 @@ StopProgress Ramp::watch_program() {
 bool Ramp::goes_on(const StopProgress& progress) {
   if (hold_.is_surely_on()) return state_->reversed || has_begun_anew();
   if (hold_.something_has_begun()) return true;
-  const bool stands_as_held = hold_.is_on() && sight_.fastest() <= 0;
+  const bool stands_as_held = hold_.is_on() && readings_.fastest() <= 0;
   return !hold_.is_known() && !stands_as_held && progress.now == StopProgress::Now::again;
 }
 
 // A motor slowed down and turns faster again: the next command has begun, so no hold is on.
 bool Ramp::has_begun_anew() {
   constexpr double for_sure = 500;  // steps/s; twice the uncertainty of two successive readings
-  if (sight_.fastest() > state_->from) state_->from = state_->slowest = sight_.fastest();
-  state_->slowest = std::min(state_->slowest, sight_.fastest());
-  return state_->slowest < state_->from - for_sure && sight_.fastest() > state_->slowest + for_sure;
+  if (readings_.fastest() > state_->from) state_->from = state_->slowest = readings_.fastest();
+  state_->slowest = std::min(state_->slowest, readings_.fastest());
+  return state_->slowest < state_->from - for_sure && readings_.fastest() > state_->slowest + for_sure;
 }
 
 bool Ramp::stands_since() const {
   const Instant now = console_.scheduler.now();
   const int motors = std::min(console_.draft.axis_count, motors_per_controller);
   for (int i = 0; i < motors; ++i)
-    if (!sight_.has_stood_since(state_->began, i)) return false;
+    if (!readings_.has_stood_since(state_->began, i)) return false;
   return !some_are_hidden() || now - state_->began >= longest_ramp;
 }
 
@@ -100,7 +100,8 @@ bool Ramp::seems_to_stand() const {
   const Snapshot& draft = console_.draft;
   const int motors = std::min(draft.axis_count, motors_per_controller);
   for (int i = 0; i < motors; ++i) {
-    if (!draft.axes[i].position_known || !sight_.has_stood_since(draft.program.started_at, i)) return false;
+    if (!draft.axes[i].position_known || !readings_.has_stood_since(draft.program.started_at, i))
+      return false;
   }
   return !some_are_hidden();
 }
@@ -108,8 +109,8 @@ bool Ramp::seems_to_stand() const {
 /// Motors 3 and 4 cannot be read while something runs, nor whether they exist: that is known once the
 /// controller has been at rest.
 bool Ramp::some_are_hidden() const {
-  return nameplate_.has_slave() ||
-         (!nameplate_.is_read() && console_.draft.axis_count > motors_per_controller);
+  return identification_.has_slave() ||
+         (!identification_.is_read() && console_.draft.axis_count > motors_per_controller);
 }
 
 }  // namespace hw::vxm

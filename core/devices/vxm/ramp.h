@@ -6,15 +6,16 @@
 #include "core/device/stop.h"
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/hold.h"
-#include "core/devices/vxm/nameplate.h"
-#include "core/devices/vxm/sight.h"
+#include "core/devices/vxm/identification.h"
+#include "core/devices/vxm/motor_readings.h"
 
 namespace hw::vxm {
 
 class Ramp {
  public:
-  Ramp(const Console& console, const Nameplate& nameplate, const Sight& sight, Hold& hold)
-      : console_(console), nameplate_(nameplate), sight_(sight), hold_(hold) {}
+  Ramp(const Console& console, const Identification& identification, const MotorReadings& readings,
+       Hold& hold)
+      : console_(console), identification_(identification), readings_(readings), hold_(hold) {}
 
   [[nodiscard]] bool is_expected() const { return state_.has_value(); }
   void forget() { state_.reset(); }
@@ -55,8 +56,8 @@ class Ramp {
   [[nodiscard]] bool some_are_hidden() const;
 
   const Console& console_;
-  const Nameplate& nameplate_;
-  const Sight& sight_;
+  const Identification& identification_;
+  const MotorReadings& readings_;
   Hold& hold_;
   std::optional<State> state_;
 };

@@ -20,7 +20,7 @@ Task<Result<>> Restarts::found(const char* why) {
   if (!presence_.restart_is_counted()) {
     const bool was_moving = console_.draft.any_axis_moving() || under_way_.busy();
     under_way_.forget();
-    auto reply = co_await talk_.places(ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent);
+    auto reply = co_await conversation_.places(ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent);
     if (!reply && reply.error().kind != FaultKind::no_answer)
       co_return fail(reply.error());  // the next V finds it
     count(why, was_moving, reply ? decode_digitized(*reply, max_motors) : std::nullopt);
@@ -52,10 +52,11 @@ Task<Result<>> Restarts::may_have_left_local() {
   if (!zero) co_return Result<>();
   stands_since(Doubt::unheard);
   knowledge_.may_be_of_before();
-  console_.tell(Notice::Kind::warning,
-                "F put the controller on-line, and answers were missing or late: it is not known whether it "
-                "was switched off and on. All positions read zero. Check where the axes stand, and home them "
-                "before the next absolute move.");
+  console_.report(
+      Notice::Kind::warning,
+      "F put the controller on-line, and answers were missing or late: it is not known whether it "
+      "was switched off and on. All positions read zero. Check where the axes stand, and home them "
+      "before the next absolute move.");
   co_return Result<>();
 }
 
@@ -66,13 +67,13 @@ void Restarts::count(const char* why, bool was_moving, const std::optional<Digit
   ++console_.draft.restarts;
   stands_since(zero ? Doubt::restarted : Doubt::none);
   if (!zero)
-    return console_.tell(
+    return console_.report(
         Notice::Kind::warning,
         fmt::format("{} although it was on-line. It is put on-line again; its positions are kept. "
                     "Nothing else was sent.",
                     why));
   forget_ram();
-  console_.tell(
+  console_.report(
       Notice::Kind::warning,
       fmt::format(
           "{}: the controller was switched off and on, or reset. Its positions read zero where the motors "
@@ -85,31 +86,31 @@ Task<Result<>> Restarts::found_reset_on_line() {
   under_way_.forget();
   stands_since(Doubt::reset);
   forget_ram();
-  console_.tell(Notice::Kind::warning,
-                "The controller was reset by res: its positions read zero where the motors stand now, and "
-                "what was not stored is gone. Home the axes before the next absolute move.");
+  console_.report(Notice::Kind::warning,
+                  "The controller was reset by res: its positions read zero where the motors stand now, and "
+                  "what was not stored is gone. Home the axes before the next absolute move.");
   co_return co_await positions_.read(Priority::intent, true);
 }
 
 Task<Result<>> Restarts::reset() {
-  auto said = co_await talk_.say("res", Priority::intent);
+  auto said = co_await conversation_.transmit("res", Priority::intent);
   if (!said) co_return said;
   under_way_.drop_job();
   under_way_.run_ended(EndedBy::abort);
   forget_ram();
   presence_.say_reset();  // if this is cut short, the next V finds it
   Result<> on_line = fail(FaultKind::no_answer, "The controller does not answer after its reset.");
-  for (int attempt = 0; attempt < restart_attempts && !on_line && talk_.station(); ++attempt) {
-    auto waited = co_await talk_.station()->pause(restart_pause);
+  for (int attempt = 0; attempt < restart_attempts && !on_line && conversation_.station(); ++attempt) {
+    auto waited = co_await conversation_.station()->pause(restart_pause);
     if (!waited) co_return waited;
     on_line = co_await presence_.go_on_line();
   }
   if (!on_line) co_return on_line;
   presence_.reset_is_over();
   stands_since(Doubt::reset);
-  console_.tell(Notice::Kind::info,
-                "The controller was reset: positions are zero where the motors stand, and what was not "
-                "stored is gone. Home the axes before the next absolute move.");
+  console_.report(Notice::Kind::info,
+                  "The controller was reset: positions are zero where the motors stand, and what was not "
+                  "stored is gone. Home the axes before the next absolute move.");
   co_return co_await positions_.read(Priority::intent, true);
 }
 

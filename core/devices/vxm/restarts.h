@@ -18,10 +18,10 @@ namespace hw::vxm {
 
 class Restarts {
  public:
-  Restarts(const Console& console, Conversation& talk, Presence& presence, Knowledge& knowledge,
+  Restarts(const Console& console, Conversation& conversation, Presence& presence, Knowledge& knowledge,
            Scratch& scratch, Speeds& speeds, Hold& hold, UnderWay& under_way, Positions& positions)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         presence_(presence),
         knowledge_(knowledge),
         scratch_(scratch),
@@ -47,7 +47,7 @@ class Restarts {
   void forget_ram();
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   Presence& presence_;
   Knowledge& knowledge_;
   Scratch& scratch_;

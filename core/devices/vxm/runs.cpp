@@ -18,7 +18,7 @@ void Runs::look_what_ended_the_run() {
   console_.draft.working = false;
   for (int i = 0; i < console_.draft.axis_count; ++i) {
     AxisState& axis = console_.draft.axes[i];
-    const std::optional<Sign> way = sight_.went(i);
+    const std::optional<Sign> way = readings_.went(i);
     const bool on_switch =
         way && axis.limits_known && (*way == Sign::plus ? axis.limit_plus : axis.limit_minus);
     if (on_switch && axis.ended_by == EndedBy::nothing && !looks_for_switches(*slot, i + 1))
@@ -61,7 +61,7 @@ Task<Result<>> Runs::run(int slot) {
   if (!chosen) co_return chosen;
   std::string text = hold_.is_on() ? "HR" : "R";
   ramp_.forget();
-  auto sent = co_await hold_switch_.say(std::move(text), false, Priority::intent);
+  auto sent = co_await hold_switch_.transmit(std::move(text), false, Priority::intent);
   if (!sent) co_return sent;
   slots_.was_selected(slot);
   under_way_.program_begins(slot);
@@ -75,7 +75,7 @@ Task<Result<>> Runs::pause() {
     co_return fail(FaultKind::refused, "No program is running.", "Nothing was sent.");
   if (auto may = hold_switch_.may_switch(); !may) co_return may;
   if (hold_.is_on()) co_return Result<>();
-  auto said = co_await hold_switch_.say("H", true, Priority::intent);
+  auto said = co_await hold_switch_.transmit("H", true, Priority::intent);
   if (said) console_.draft.program.stepping = true;
   co_return said;
 }
@@ -90,8 +90,8 @@ Task<Result<>> Runs::resume() {
                    "Nothing was sent.",
                    "If it stands in a wait for an input (U0 and its like), only that input lets it go on.");
   const bool waits = p.run == RunState::waiting;
-  auto said = waits ? co_await talk_.say("G", Priority::intent)
-                    : co_await hold_switch_.say("H", false, Priority::intent);
+  auto said = waits ? co_await conversation_.transmit("G", Priority::intent)
+                    : co_await hold_switch_.transmit("H", false, Priority::intent);
   if (!said) co_return said;
   if (!waits) p.stepping = false;
   p.run = RunState::running;
@@ -106,13 +106,13 @@ Task<Result<>> Runs::single_step() {
     auto held = co_await hold_switch_.settle();
     if (!held) co_return held;
     std::string text = hold_.is_on() ? "R" : "HR";
-    auto started = co_await hold_switch_.say(std::move(text), true, Priority::intent);
+    auto started = co_await hold_switch_.transmit(std::move(text), true, Priority::intent);
     if (!started) co_return started;
     under_way_.program_begins(slots_.selected());
     co_return started;
   }
   if (p.run != RunState::held) co_return co_await pause();
-  auto said = co_await talk_.say("G", Priority::intent);
+  auto said = co_await conversation_.transmit("G", Priority::intent);
   if (said) p.run = RunState::running;
   co_return said;
 }

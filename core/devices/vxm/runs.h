@@ -6,8 +6,8 @@
 #include "core/devices/vxm/hold.h"
 #include "core/devices/vxm/hold_switch.h"
 #include "core/devices/vxm/legs.h"
+#include "core/devices/vxm/motor_readings.h"
 #include "core/devices/vxm/ramp.h"
-#include "core/devices/vxm/sight.h"
 #include "core/devices/vxm/slots.h"
 #include "core/devices/vxm/speeds.h"
 #include "core/devices/vxm/under_way.h"
@@ -16,14 +16,14 @@ namespace hw::vxm {
 
 class Runs {
  public:
-  Runs(const Console& console, Conversation& talk, Slots& slots, Speeds& speeds, const Sight& sight,
-       const Hold& hold, HoldSwitch& hold_switch, Ramp& ramp, UnderWay& under_way, Admission& admission,
-       Legs& legs)
+  Runs(const Console& console, Conversation& conversation, Slots& slots, Speeds& speeds,
+       const MotorReadings& readings, const Hold& hold, HoldSwitch& hold_switch, Ramp& ramp,
+       UnderWay& under_way, Admission& admission, Legs& legs)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         slots_(slots),
         speeds_(speeds),
-        sight_(sight),
+        readings_(readings),
         hold_(hold),
         hold_switch_(hold_switch),
         ramp_(ramp),
@@ -43,10 +43,10 @@ class Runs {
   [[nodiscard]] bool may_turn(int slot, int motor) const;
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   Slots& slots_;
   Speeds& speeds_;
-  const Sight& sight_;
+  const MotorReadings& readings_;
   const Hold& hold_;
   HoldSwitch& hold_switch_;
   Ramp& ramp_;

@@ -31,12 +31,12 @@ Task<Result<>> Scratch::fill(std::string commands) {
   for (int attempt = 0; attempt < attempts; ++attempt) {
     auto chosen = co_await slots_.choose(slot_, Priority::intent);
     if (!chosen) co_return chosen;
-    auto said = co_await talk_.say("C" + commands, Priority::intent);
+    auto said = co_await conversation_.transmit("C" + commands, Priority::intent);
     if (!said) co_return said;
     auto held = co_await holds(commands);
     if (held && *held) co_return Result<>();
     if (!held && !worth_another_try(held.error())) co_return fail(held.error());
-    auto quiet = co_await talk_.wait_for_quiet();  // more may come than expected
+    auto quiet = co_await conversation_.wait_for_quiet();  // more may come than expected
     if (!quiet) co_return quiet;
   }
   co_return fail(FaultKind::garbled, fmt::format("Program {} in the controller is not what was sent.", slot_),
@@ -50,9 +50,9 @@ Task<Result<bool>> Scratch::holds(const std::string& commands) {
   const bool lines_are_known = commands.find('(') == std::string::npos;
   Result<Listing> listing;
   if (lines_are_known)
-    listing = co_await talk_.listing_of(wanted.size(), Priority::intent);
+    listing = co_await conversation_.listing_of(wanted.size(), Priority::intent);
   else
-    listing = co_await talk_.listing(Priority::intent);
+    listing = co_await conversation_.listing(Priority::intent);
   if (!listing) co_return fail(listing.error());
   int cost = 0;
   for (const TextCommand& c : wanted) cost += program_cost(c);
@@ -64,7 +64,7 @@ Task<Result<>> Scratch::clear(Priority priority) {
   if (!in_use()) co_return Result<>();
   auto chosen = co_await slots_.choose(slot_, priority);
   if (!chosen) co_return chosen;
-  auto cleared = co_await talk_.confirm("CM", program_bytes, priority);
+  auto cleared = co_await conversation_.confirm("CM", program_bytes, priority);
   if (!cleared) co_return cleared;
   slot_ = -1;
   co_return Result<>();

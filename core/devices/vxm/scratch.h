@@ -14,7 +14,7 @@ namespace hw::vxm {
 
 class Scratch {
  public:
-  Scratch(Conversation& talk, Slots& slots) : talk_(talk), slots_(slots) {}
+  Scratch(Conversation& conversation, Slots& slots) : conversation_(conversation), slots_(slots) {}
 
   /// -1: the controller holds nothing of the console's.
   [[nodiscard]] int slot() const { return slot_; }
@@ -32,7 +32,7 @@ class Scratch {
  private:
   Task<Result<bool>> holds(const std::string& commands);
 
-  Conversation& talk_;
+  Conversation& conversation_;
   Slots& slots_;
   int slot_ = -1;
 };

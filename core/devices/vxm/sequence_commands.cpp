@@ -117,27 +117,27 @@ Result<CommandText> CommandText::read(std::string_view text) {
   return out;
 }
 
-Deeds deeds_of(std::string_view text) {
+Operations operations_of(std::string_view text) {
   const Analysis analysis = analyse_text(text, 0);
   const std::vector<std::size_t> begins = begins_of_lines(text);
-  Deeds deeds;
+  Operations operations;
   for (const auto& [slot, commands] : analysis.programs) {
     if (slot > 0) {
-      Deed head;
+      Operation head;
       head.text = fmt::format("PM{}", slot);
       if (!commands.empty()) head.at.begin = head.at.end = begins[ix(commands.front().place.line)];
-      deeds.push_back(std::move(head));
+      operations.push_back(std::move(head));
     }
     for (const StoredCommand& s : commands) {
       const std::size_t begin = begins[ix(s.place.line)] + ix(s.place.column);
-      Deed deed;
-      deed.text = listing_of(s.command);
-      deed.at = {begin, begin + std::max<std::size_t>(ix(s.place.length), 1)};
-      deed.speed = sets_speed(s.command.op);
-      deeds.push_back(std::move(deed));
+      Operation operation;
+      operation.text = listing_of(s.command);
+      operation.at = {begin, begin + std::max<std::size_t>(ix(s.place.length), 1)};
+      operation.speed = sets_speed(s.command.op);
+      operations.push_back(std::move(operation));
     }
   }
-  return deeds;
+  return operations;
 }
 
 bool may_set_speeds(std::string_view text) {

@@ -33,7 +33,7 @@ struct CommandText {
   explicit CommandText(std::string_view text) : remarks(text) {}
 };
 
-[[nodiscard]] Deeds deeds_of(std::string_view text);
+[[nodiscard]] Operations operations_of(std::string_view text);
 /// `text`: lines from the middle of a program.
 [[nodiscard]] bool may_set_speeds(std::string_view text);
 

@@ -292,7 +292,7 @@ Result<SequenceRead> read_sequence(std::string_view text, const seq::Sequence& f
   if (!read) return fail(read.error());
   ReadingLanguage language;
   language.write = [&](const seq::Sequence& made) { return write_sequence(made, catalog); };
-  language.deeds = deeds_of;
+  language.operations = operations_of;
   return prove(std::move(*read), text, language);
 }
 

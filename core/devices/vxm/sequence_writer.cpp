@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/device/sequence_draft.h"
-#include "core/device/told_speeds.h"
+#include "core/device/written_speeds.h"
 #include "core/devices/vxm/facts.h"
 #include "core/devices/vxm/sequence_commands.h"
 
@@ -106,7 +106,7 @@ class Writer {
   Result<> write(const seq::Custom& c) {
     draft_.lines(c.text);
     if (may_set_speeds(c.text))
-      for (ToldSpeeds& told : told_) told.doubt();
+      for (WrittenSpeeds& told : told_) told.doubt();
     return {};
   }
   Result<> write(const seq::Contour& c);
@@ -153,12 +153,12 @@ class Writer {
   template <class Body>
   Result<int> call(std::string_view what, Body&& body);
   void repeated(const seq::StepList& steps) {
-    if (!says_speeds(steps)) return;
-    for (ToldSpeeds& told : told_) told.begin_repeated();
+    if (!sets_speeds(steps)) return;
+    for (WrittenSpeeds& told : told_) told.begin_repeated();
   }
 
   SequenceDraft draft_;
-  std::array<ToldSpeeds, max_axes> told_;
+  std::array<WrittenSpeeds, max_axes> told_;
   int programs_ = 0;  ///< written beside the main one
   bool looked_at_axes_ = false;
   bool in_loop_ = false;                 ///< the current program has an open loop

@@ -4,7 +4,7 @@
 
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/facts.h"
-#include "core/devices/vxm/looks.h"
+#include "core/devices/vxm/reply_kinds.h"
 
 namespace hw::vxm {
 namespace {
@@ -22,13 +22,13 @@ void Signals::begin() {
 
 // Their age is that of the latest of them all.
 void Signals::forget_what_is_doubted() {
-  if (cleaned_[all.find('~')] != talk_.times_cleaned()) draft_.inputs_known = 0;
-  if (cleaned_[all.find('$')] != talk_.times_cleaned()) draft_.outputs_known = 0;
-  const Station* station = talk_.station();
+  if (cleaned_[all.find('~')] != conversation_.times_cleaned()) draft_.inputs_known = 0;
+  if (cleaned_[all.find('$')] != conversation_.times_cleaned()) draft_.outputs_known = 0;
+  const Station* station = conversation_.station();
   const Duration late = station ? questions_between * station->lateness() : Duration{};
   const bool old = scheduler_.now() - limits_at_ > limits_hold + late;
   const bool dirty = station && station->is_dirty();
-  if (!dirty && !old && cleaned_[0] == talk_.times_cleaned()) return;
+  if (!dirty && !old && cleaned_[0] == conversation_.times_cleaned()) return;
   for (int axis = 0; axis < draft_.axis_count; ++axis) draft_.axes[axis].limits_known = false;
 }
 
@@ -52,7 +52,7 @@ Task<Result<>> Signals::read(std::string_view which, Priority priority) {
       auto asked = co_await ask(one, priority);
       if (!asked) co_return asked;
     }
-    auto state = co_await talk_.state(priority);
+    auto state = co_await conversation_.state(priority);
     if (!state) co_return fail(state.error());
     if (confirm() || !is_told(which.front())) break;
   }
@@ -62,7 +62,7 @@ Task<Result<>> Signals::read(std::string_view which, Priority priority) {
 Task<Result<>> Signals::glance(Priority priority) {
   const Instant now = scheduler_.now();
   const bool inputs = now < inputs_until_, limits = now < limits_until_;
-  if ((!inputs && !limits) || priority != Priority::poll || talk_.echoes()) co_return Result<>();
+  if ((!inputs && !limits) || priority != Priority::poll || conversation_.echoes()) co_return Result<>();
   auto seen = co_await read(!limits ? "~" : inputs ? "?~" : "?", priority);
   if (seen) changed_();
   co_return seen;
@@ -78,20 +78,20 @@ Task<Result<>> Signals::ask_next(Priority priority) {
 Task<Result<>> Signals::ask(char which, Priority priority) {
   if (!is_told(which)) co_return Result<>();
   if (std::none_of(asked_.begin(), asked_.end(), [](const auto& byte) { return byte.has_value(); }))
-    unexpected_ = talk_.unexpected();
-  auto byte = co_await talk_.raw(which, priority);
+    unexpected_ = conversation_.unexpected();
+  auto byte = co_await conversation_.raw(which, priority);
   if (!byte) {
     asked_ = {};
-    if (which == '$') nameplate_.doubt_outputs();
+    if (which == '$') identification_.doubt_outputs();
     co_return fail(byte.error());
   }
-  if (which == '~') inputs_asked_at_ = talk_.asked_at();
+  if (which == '~') inputs_asked_at_ = conversation_.asked_at();
   asked_[all.find(which)] = *byte;
   co_return Result<>();
 }
 
 Task<Result<>> Signals::read_analog(Priority priority) {
-  auto number = co_await talk_.number("@", priority);
+  auto number = co_await conversation_.number("@", priority);
   if (!number) {
     asked_ = {};
     co_return fail(number.error());
@@ -106,8 +106,8 @@ bool Signals::confirm() {
   const auto asked = std::exchange(asked_, {});
   bool all_believed = true, any = false;
   for (const auto& byte : asked) any = any || byte.has_value();
-  if (any && talk_.unexpected() != unexpected_) {  // unknown which byte answered which question
-    if (Station* station = talk_.station()) station->doubt(look::raw);
+  if (any && conversation_.unexpected() != unexpected_) {  // unknown which byte answered which question
+    if (Station* station = conversation_.station()) station->doubt(reply_kind::raw);
     return false;
   }
   for (std::size_t i = 0; i < asked.size(); ++i)
@@ -117,8 +117,8 @@ bool Signals::confirm() {
 
 bool Signals::believe(std::size_t i, unsigned char byte) {
   const bool second = std::exchange(once_[i], byte) == byte;
-  if (cleaned_[i] != talk_.times_cleaned() && !second) return false;
-  cleaned_[i] = talk_.times_cleaned();
+  if (cleaned_[i] != conversation_.times_cleaned() && !second) return false;
+  cleaned_[i] = conversation_.times_cleaned();
   show(i, byte);
   return true;
 }
@@ -140,7 +140,7 @@ void Signals::show(std::size_t i, unsigned char byte) {
       for (int axis = 0; axis < draft_.axis_count; ++axis) {
         draft_.axes[axis].limit_minus = limit_active(byte, axis, Sign::minus);
         draft_.axes[axis].limit_plus = limit_active(byte, axis, Sign::plus);
-        draft_.axes[axis].limits_known = axis < motors_per_controller || nameplate_.has_slave();
+        draft_.axes[axis].limits_known = axis < motors_per_controller || identification_.has_slave();
       }
   }
 }

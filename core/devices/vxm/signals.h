@@ -11,18 +11,18 @@
 #include "core/device/in_turn.h"
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
-#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/identification.h"
 
 namespace hw::vxm {
 
 class Signals {
  public:
-  Signals(const Console& console, Conversation& talk, Nameplate& nameplate)
+  Signals(const Console& console, Conversation& conversation, Identification& identification)
       : scheduler_(console.scheduler),
         draft_(console.draft),
         changed_(console.changed),
-        talk_(talk),
-        nameplate_(nameplate) {}
+        conversation_(conversation),
+        identification_(identification) {}
 
   /// A new wire.
   void begin();
@@ -51,15 +51,15 @@ class Signals {
  private:
   static constexpr std::string_view all = "?~$";
   Task<Result<>> read_analog(Priority priority);
-  [[nodiscard]] bool is_told(char which) const { return which != '$' || nameplate_.tells_outputs(); }
+  [[nodiscard]] bool is_told(char which) const { return which != '$' || identification_.tells_outputs(); }
   bool believe(std::size_t which, unsigned char byte);
   void show(std::size_t which, unsigned char byte);
 
   Scheduler& scheduler_;
   Snapshot& draft_;
   std::function<void()> changed_;
-  Conversation& talk_;
-  Nameplate& nameplate_;
+  Conversation& conversation_;
+  Identification& identification_;
   std::array<std::optional<unsigned char>, 3> asked_{};  ///< answered, to be confirmed
   std::array<std::optional<unsigned char>, 3> once_{};   ///< read once since the line was cleaned
   std::array<std::uint32_t, 3> cleaned_{};               ///< times_cleaned() when last believed

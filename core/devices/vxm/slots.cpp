@@ -24,14 +24,14 @@ bool may_be_select_without_m(const TextCommand& c) {
 void Slots::was_selected(int slot) {
   selected_ = chosen_ = slot;
   may_be_selected_ = only(slot);
-  if (!talk_.listens().running) console_.draft.program.slot = static_cast<std::int8_t>(slot);
+  if (!conversation_.listens().running) console_.draft.program.slot = static_cast<std::int8_t>(slot);
 }
 
 // A PM that has lost its P is another question, M.
 Task<Result<std::int64_t>> Slots::ask_selected() {
-  auto selected = co_await talk_.number("PM\r", Priority::poll);
+  auto selected = co_await conversation_.number("PM\r", Priority::poll);
   const auto is_one = [&] { return *selected >= 0 && *selected < program_count; };
-  if (selected && !is_one()) selected = co_await talk_.number("PM\r", Priority::poll);
+  if (selected && !is_one()) selected = co_await conversation_.number("PM\r", Priority::poll);
   if (!selected || is_one()) co_return selected;
   co_return fail(
       FaultKind::garbled,
@@ -62,7 +62,7 @@ Task<Result<>> Slots::read_sizes() {
 Task<Result<>> Slots::read_size() {
   std::int16_t& used = console_.draft.slot_bytes_used[ix(chosen_)];
   if (used >= 0) co_return Result<>();
-  auto free = co_await talk_.number("M", Priority::poll);
+  auto free = co_await conversation_.number("M", Priority::poll);
   if (!free) co_return fail(free.error());
   used = static_cast<std::int16_t>(program_bytes - *free);
   co_return Result<>();
@@ -87,7 +87,7 @@ Task<Result<int>> Slots::find_empty() {
       if ((slot == selected_) != selected_too || used[ix(slot)] != 0 || !may_be_scratch(slot)) continue;
       auto chosen = co_await choose(slot, Priority::intent);
       if (!chosen) co_return fail(chosen.error());
-      auto free = co_await talk_.number("M", Priority::intent);
+      auto free = co_await conversation_.number("M", Priority::intent);
       if (!free) co_return fail(free.error());
       if (*free == program_bytes) {
         confirmed_empty_ = slot;
@@ -110,13 +110,14 @@ Task<Result<int>> Slots::find_empty() {
 // A lost or doubled byte may have selected another program, or none. A PM4 that has lost its M is a pause,
 // and is stored.
 Task<Result<>> Slots::choose(int slot, Priority priority) {
-  const std::uint32_t repeats = talk_.repeats();
+  const std::uint32_t repeats = conversation_.repeats();
   chosen_ = -1;
   const Set before = may_be_selected_;
   may_be_selected_ = static_cast<Set>(before | only(slot));
-  auto chosen = co_await talk_.confirm(select_program(slot) + "PM\r", slot, priority);
-  const bool at_once = chosen && talk_.repeats() == repeats;
-  const bool not_sent = !chosen && chosen.error().kind == FaultKind::stopped && talk_.repeats() == repeats;
+  auto chosen = co_await conversation_.confirm(select_program(slot) + "PM\r", slot, priority);
+  const bool at_once = chosen && conversation_.repeats() == repeats;
+  const bool not_sent =
+      !chosen && chosen.error().kind == FaultKind::stopped && conversation_.repeats() == repeats;
   if (!at_once && !not_sent) may_have_grown_ = static_cast<Set>(may_have_grown_ | before | only(slot));
   if (!chosen) co_return chosen;
   chosen_ = slot;
@@ -147,7 +148,7 @@ Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
   for (int attempt = 0; attempt <= program_count; ++attempt) {
     auto chosen = co_await choose(slot, priority);
     if (!chosen) co_return chosen;
-    auto listing = co_await talk_.listing(priority);
+    auto listing = co_await conversation_.listing(priority);
     if (!listing) co_return fail(listing.error());
     const auto commands = commands_of(listing->commands);
     if (used < 0) {  // after a restart: former contents unknown
@@ -157,22 +158,23 @@ Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
     }
     if (listing->free_bytes >= program_bytes - used) co_return Result<>();
     if (listing->slot != slot || commands.empty() || commands.back().verb != Verb::pause) break;
-    auto said = co_await talk_.say("del", priority);
+    auto said = co_await conversation_.transmit("del", priority);
     if (!said) co_return said;
   }
   doubt(slot);
-  console_.tell(Notice::Kind::warning,
-                fmt::format("Program {} of the controller holds more than it did: a byte of what was sent "
-                            "was lost or came twice. Check it before you run it.",
-                            slot));
+  console_.report(Notice::Kind::warning,
+                  fmt::format("Program {} of the controller holds more than it did: a byte of what was sent "
+                              "was lost or came twice. Check it before you run it.",
+                              slot));
   co_return Result<>();
 }
 
 void Slots::tell_pause_at_end(int slot, const TextCommand& pause) const {
-  console_.tell(Notice::Kind::warning,
-                fmt::format("Program {} of the controller ends with P{}. That may be what the console "
-                            "selects a program with, and a byte of it was lost. Check it before you run it.",
-                            slot, pause.value));
+  console_.report(
+      Notice::Kind::warning,
+      fmt::format("Program {} of the controller ends with P{}. That may be what the console "
+                  "selects a program with, and a byte of it was lost. Check it before you run it.",
+                  slot, pause.value));
 }
 
 void Slots::ask_for_room(std::string sentence) const {

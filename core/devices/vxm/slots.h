@@ -19,10 +19,10 @@ class Slots {
  public:
   using Lines = std::vector<std::string>;
   /// `may_touch`: the controller takes such commands now.
-  Slots(const Console& console, Conversation& talk, const Parameters& setup,
+  Slots(const Console& console, Conversation& conversation, const Parameters& setup,
         std::function<Result<>()> may_touch)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         parameters_(setup),
         may_touch_(std::move(may_touch)),
         progress_(console.draft.transfer, console.catalog) {}
@@ -53,7 +53,7 @@ class Slots {
   void forget();
 
   // ---- requests
-  Task<Result<>> load(const intent::LoadProgram& wish);
+  Task<Result<>> load(const intent::LoadProgram& request);
   Task<Result<>> upload(int slot);
   Task<Result<>> clear(int slot);
   Task<Result<>> select(int slot);
@@ -77,7 +77,7 @@ class Slots {
   void doubt(int slot);
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   const Parameters& parameters_;
   std::function<Result<>()> may_touch_;
   TransferProgress progress_;

@@ -168,10 +168,10 @@ bool same_command(const std::string& sent, const TextCommand& held) {
 
 // ---- writing
 
-Task<Result<>> Slots::load(const intent::LoadProgram& wish) {
+Task<Result<>> Slots::load(const intent::LoadProgram& request) {
   if (auto may = may_touch_(); !may) co_return may;
-  const std::string text = with_carriage_returns(wish.text);
-  auto plan = plan_of(text, wish.slot);
+  const std::string text = with_carriage_returns(request.text);
+  auto plan = plan_of(text, request.slot);
   if (!plan) co_return fail(plan.error());
   if (plan->stores_nothing() && !plan->clears && !plan->left_out.empty())
     co_return fail(FaultKind::text,
@@ -194,8 +194,8 @@ Task<Result<>> Slots::load(const intent::LoadProgram& wish) {
   }
   if (!loaded) co_return loaded;
   if (!plan->left_out.empty())
-    console_.tell(Notice::Kind::info,
-                  fmt::format("Not part of a program and so not sent: {}.", plan->left_out));
+    console_.report(Notice::Kind::info,
+                    fmt::format("Not part of a program and so not sent: {}.", plan->left_out));
   (void)co_await give_back_selection();  // else the next round does
   co_return loaded;
 }
@@ -210,7 +210,7 @@ Task<Result<>> Slots::load_slot(int slot, const Lines& lines, const Lines& expec
   console_.draft.unsaved_programs = true;
   progress_.begin(slot, console_.scheduler.now());
   auto loaded = co_await write_slot(slot, lines, expected);
-  if (!loaded && loaded.error().kind == FaultKind::garbled && !talk_.listens().halted) {
+  if (!loaded && loaded.error().kind == FaultKind::garbled && !conversation_.listens().halted) {
     chosen = co_await choose(slot, Priority::transfer);
     if (chosen) loaded = co_await write_slot(slot, lines, expected);
   }
@@ -222,7 +222,7 @@ Task<Result<>> Slots::load_slot(int slot, const Lines& lines, const Lines& expec
 Task<Result<>> Slots::write_slot(int slot, const Lines& lines, const Lines& expected) {
   auto sent = co_await send_lines(lines);
   const auto may = may_touch_();
-  if (talk_.listens().halted && !may)
+  if (conversation_.listens().halted && !may)
     co_return fail(FaultKind::controller, may.error().what, incomplete(slot), may.error().advice);
   if (!sent)
     co_return fail(sent.error().kind, sent.error().what, incomplete(slot), "Load it again before it is run.");
@@ -235,9 +235,9 @@ Task<Result<>> Slots::send_lines(const Lines& lines) {
   const int count = static_cast<int>(lines.size());
   progress_.enter(TransferState::Phase::writing, count);
   progress_.expect(2 * count);
-  auto sent = co_await talk_.say("C", Priority::transfer);
-  for (std::size_t i = 0; i < lines.size() && sent && !talk_.listens().halted; ++i) {
-    sent = co_await talk_.say(lines[i], Priority::transfer);
+  auto sent = co_await conversation_.transmit("C", Priority::transfer);
+  for (std::size_t i = 0; i < lines.size() && sent && !conversation_.listens().halted; ++i) {
+    sent = co_await conversation_.transmit(lines[i], Priority::transfer);
     if (!sent) break;
     const Instant now = console_.scheduler.now();
     progress_.line_done();
@@ -256,7 +256,7 @@ std::string Slots::incomplete(int slot) const {
 }
 
 Task<Result<>> Slots::verify_slot(int slot, const Lines& expected) {
-  auto listing = co_await talk_.listing(Priority::transfer);
+  auto listing = co_await conversation_.listing(Priority::transfer);
   if (!listing)
     co_return fail(
         listing.error().kind,
@@ -298,7 +298,7 @@ Task<Result<>> Slots::upload(int slot) {
   if (!chosen) co_return chosen;
   progress_.begin(slot, console_.scheduler.now());
   console_.changed();
-  auto listing = co_await talk_.listing(Priority::transfer);
+  auto listing = co_await conversation_.listing(Priority::transfer);
   progress_.end();
   if (!listing) co_return fail(listing.error());
   if (listing->slot != slot)

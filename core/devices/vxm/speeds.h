@@ -11,9 +11,9 @@
 namespace hw::vxm {
 
 /// S or A of all motors.
-class LastSaid {
+class LastSent {
  public:
-  explicit LastSaid(int after_power_up) : after_power_up_(after_power_up) {}
+  explicit LastSent(int after_power_up) : after_power_up_(after_power_up) {}
 
   /// Value of the user's last command, or the power-up value if none was seen.
   [[nodiscard]] int usual(int axis) const { return known_[ix(axis)].value_or(after_power_up_); }
@@ -39,7 +39,7 @@ class LastSaid {
 };
 
 struct Speeds {
-  LastSaid speed{default_speed}, acceleration{default_accel};
+  LastSent speed{default_speed}, acceleration{default_accel};
 
   void note(const TextCommand& c) {
     if (c.verb == Verb::speed) speed.was_set(c.motor, static_cast<int>(c.value));

@@ -29,16 +29,17 @@ Task<Result<>> Status::take(char state) {
 }
 
 Task<Result<>> Status::see_to_dirt() {
-  if (!presence_.is_on_line() || presence_.is_halted() || !talk_.station() || !talk_.station()->is_dirty())
+  if (!presence_.is_on_line() || presence_.is_halted() || !conversation_.station() ||
+      !conversation_.station()->is_dirty())
     co_return Result<>();
-  auto state = co_await talk_.state(Priority::intent);
+  auto state = co_await conversation_.state(Priority::intent);
   if (!state) co_return fail(state.error());
   co_return co_await take(*state);
 }
 
 Task<Result<>> Status::ask_whether_it_hears_again() {
   if (!presence_.is_to_be_asked_again()) co_return Result<>();
-  auto reply = co_await talk_.whether_it_hears();
+  auto reply = co_await conversation_.whether_it_hears();
   if (!reply) co_return reply.error().kind == FaultKind::lost ? fail(reply.error()) : Result<>();
   const auto state = decode_state(*reply);
   if (!state || !presence_.is_halted()) co_return Result<>();

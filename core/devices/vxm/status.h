@@ -11,10 +11,10 @@ namespace hw::vxm {
 
 class Status {
  public:
-  Status(const Console& console, Conversation& talk, Presence& presence, Hold& hold, UnderWay& under_way,
-         Restarts& restarts)
+  Status(const Console& console, Conversation& conversation, Presence& presence, Hold& hold,
+         UnderWay& under_way, Restarts& restarts)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         presence_(presence),
         hold_(hold),
         under_way_(under_way),
@@ -30,7 +30,7 @@ class Status {
 
  private:
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   Presence& presence_;
   Hold& hold_;
   UnderWay& under_way_;

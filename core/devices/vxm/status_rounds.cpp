@@ -15,7 +15,7 @@ constexpr Duration io_in_a_stop_every = Millis(500);  // a long ramp must not le
 }  // namespace
 
 Task<Result<>> StatusRounds::poll(Round round) {
-  if (!talk_.station()) co_return fail(FaultKind::lost, "There is no connection to the controller.");
+  if (!conversation_.station()) co_return fail(FaultKind::lost, "There is no connection to the controller.");
   if (presence_.is_halted()) co_return co_await status_.ask_whether_it_hears_again();
   Result<> polled;
   if (presence_.stays_local())
@@ -25,12 +25,13 @@ Task<Result<>> StatusRounds::poll(Round round) {
   else
     polled = co_await poll_on_line(round);
   signals_.forget_what_is_doubted();
-  if (polled && !under_way_.busy() && !talk_.echoes() && round != Round::stopping)
+  if (polled && !under_way_.busy() && !conversation_.echoes() && round != Round::stopping)
     runs_.look_what_ended_the_run();
   headline_.show();
-  if (!polled && presence_.is_halted() && talk_.station()) {  // its error report came in place of an answer
-    talk_.station()->count_answer(talk_.station()->statistics().last_round_trip, false,
-                                  console_.scheduler.now());
+  if (!polled && presence_.is_halted() &&
+      conversation_.station()) {  // its error report came in place of an answer
+    conversation_.station()->count_answer(conversation_.station()->statistics().last_round_trip, false,
+                                          console_.scheduler.now());
     co_return Result<>();
   }
   co_return polled;
@@ -41,7 +42,8 @@ Task<Result<>> StatusRounds::poll(Round round) {
 Duration StatusRounds::moving_period() const {
   constexpr std::size_t bytes_of_a_round = 22;  // X, Y and V with their answers
   constexpr Duration without_wire = Millis(5);
-  const Duration round = talk_.station() ? talk_.station()->wire_time(bytes_of_a_round) : Duration::zero();
+  const Duration round =
+      conversation_.station() ? conversation_.station()->wire_time(bytes_of_a_round) : Duration::zero();
   if (round == Duration::zero()) return without_wire;
   return std::max(Duration::zero(), round - (console_.scheduler.now() - round_began_));
 }
@@ -49,14 +51,22 @@ Duration StatusRounds::moving_period() const {
 Task<Result<>> StatusRounds::poll_on_line(Round round) {
   ++round_;
   round_began_ = console_.scheduler.now();
-  if (talk_.echoes()) co_return co_await poll_echoing();
+  if (conversation_.echoes()) co_return co_await poll_echoing();
   auto settled = co_await legs_.settle();
+  if (!settled && settled.error().kind == FaultKind::no_answer && conversation_.station()) {
+    // A restart has left it in Local mode, where V is the only question that is answered.
+    const std::uint32_t restarts = console_.draft.restarts;
+    auto mode = co_await conversation_.state(Priority::poll);
+    if (!mode) co_return settled;
+    auto found = co_await status_.take(*mode);
+    if (console_.draft.restarts != restarts) co_return found;
+  }
   if (!settled) co_return settled;
   // V first: it is answered in every mode, so a restart shows before X is asked in vain.
-  auto state = co_await talk_.state(Priority::poll);
+  auto state = co_await conversation_.state(Priority::poll);
   if (!state) co_return fail(state.error());
   auto taken = co_await status_.take(*state);
-  if (!taken || presence_.stays_local() || talk_.echoes()) co_return taken;
+  if (!taken || presence_.stays_local() || conversation_.echoes()) co_return taken;
   auto inputs = co_await signals_.glance(Priority::poll);
   if (!inputs) co_return inputs;
   const bool is_turn = round_ % io_every == 0 || round_began_ - signals_.asked_at() >= io_at_least_every;
@@ -73,7 +83,7 @@ Task<Result<>> StatusRounds::poll_on_line(Round round) {
 
 // Asks for replies that no echo can be mistaken for; the rest waits for the next round without echo.
 Task<Result<>> StatusRounds::poll_echoing() {
-  auto state = co_await talk_.state(Priority::poll);
+  auto state = co_await conversation_.state(Priority::poll);
   if (!state) co_return fail(state.error());
   auto taken = co_await status_.take(*state);
   if (!taken || presence_.stays_local()) co_return taken;
@@ -86,7 +96,7 @@ Task<Result<>> StatusRounds::poll_echoing() {
 // the stop is a long one.
 Task<Result<>> StatusRounds::see_whether_it_stands() {
   round_began_ = console_.scheduler.now();
-  auto state = co_await talk_.state(Priority::stop);
+  auto state = co_await conversation_.state(Priority::stop);
   if (!state) co_return fail(state.error());
   auto taken = co_await status_.take(*state);
   if (!taken || presence_.stays_local()) co_return taken;
@@ -98,15 +108,15 @@ Task<Result<>> StatusRounds::see_whether_it_stands() {
 
 // Q was sent on purpose: only V and D are answered now.
 Task<Result<>> StatusRounds::poll_local() {
-  auto state = co_await talk_.state(Priority::poll);
+  auto state = co_await conversation_.state(Priority::poll);
   if (!state) co_return fail(state.error());
   if (*state == ready || *state == vxm::busy) {
     presence_.was_sent_on_line();
     co_return Result<>();
   }
-  const int lines = nameplate_.has_slave() ? 4 : 2;
-  auto reply =
-      co_await talk_.places(ReplyShape::several_lines(static_cast<std::uint16_t>(lines)), Priority::poll);
+  const int lines = identification_.has_slave() ? 4 : 2;
+  auto reply = co_await conversation_.places(ReplyShape::several_lines(static_cast<std::uint16_t>(lines)),
+                                             Priority::poll);
   if (!reply) co_return fail(reply.error());
   const auto places = decode_digitized(*reply, max_motors);
   if (!places) co_return Result<>();

@@ -5,9 +5,9 @@
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/echo.h"
 #include "core/devices/vxm/headline.h"
+#include "core/devices/vxm/identification.h"
 #include "core/devices/vxm/knowledge.h"
 #include "core/devices/vxm/legs.h"
-#include "core/devices/vxm/nameplate.h"
 #include "core/devices/vxm/positions.h"
 #include "core/devices/vxm/presence.h"
 #include "core/devices/vxm/runs.h"
@@ -19,12 +19,13 @@ namespace hw::vxm {
 
 class StatusRounds {
  public:
-  StatusRounds(const Console& console, Conversation& talk, const Nameplate& nameplate, Signals& signals,
-               Knowledge& knowledge, Presence& presence, const UnderWay& under_way, Positions& positions,
-               const Headline& headline, Status& status, Echo& echo, Legs& legs, Runs& runs)
+  StatusRounds(const Console& console, Conversation& conversation, const Identification& identification,
+               Signals& signals, Knowledge& knowledge, Presence& presence, const UnderWay& under_way,
+               Positions& positions, const Headline& headline, Status& status, Echo& echo, Legs& legs,
+               Runs& runs)
       : console_(console),
-        talk_(talk),
-        nameplate_(nameplate),
+        conversation_(conversation),
+        identification_(identification),
         signals_(signals),
         knowledge_(knowledge),
         presence_(presence),
@@ -46,8 +47,8 @@ class StatusRounds {
   Task<Result<>> poll_local();
 
   const Console& console_;
-  Conversation& talk_;
-  const Nameplate& nameplate_;
+  Conversation& conversation_;
+  const Identification& identification_;
   Signals& signals_;
   Knowledge& knowledge_;
   Presence& presence_;

@@ -5,9 +5,9 @@
 namespace hw::vxm {
 
 Task<Result<>> Stops::send(const StopOrder& order) {
-  const bool deaf = presence_.is_unknown() || talk_.station()->statistics().misses_in_a_row > 1;
+  const bool deaf = presence_.is_unknown() || conversation_.station()->statistics().misses_in_a_row > 1;
   if (order.times_sent > 1 && deaf) {  // no reply: an unfinished command swallows the stop
-    auto ended = co_await talk_.say("\r", Priority::stop);
+    auto ended = co_await conversation_.transmit("\r", Priority::stop);
     if (!ended) co_return ended;
   }
   if (order.what == StopOrder::What::tool) co_return co_await switch_tool_off();
@@ -39,16 +39,16 @@ Task<Result<>> Stops::stop_blind(const StopOrder& order) {
 // As far as known, nothing runs. In Local mode D is answered; nothing may be sent into that reply.
 Task<Result<>> Stops::stop_unknown() {
   const Instant sent_at = console_.scheduler.now();
-  auto said = co_await talk_.say("D", Priority::stop);
-  if (!said || !talk_.station()) co_return said;
-  auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(4) + Millis(2));
-  if (!waited || talk_.heard_at() <= sent_at) co_return waited;
-  co_return co_await talk_.wait_for_quiet();
+  auto said = co_await conversation_.transmit("D", Priority::stop);
+  if (!said || !conversation_.station()) co_return said;
+  auto waited = co_await conversation_.station()->pause(conversation_.station()->wire_time(4) + Millis(2));
+  if (!waited || conversation_.received_at() <= sent_at) co_return waited;
+  co_return co_await conversation_.wait_for_quiet();
 }
 
 // K is dropped in Local mode. F disables the jog buttons.
 Task<Result<>> Stops::stop_local() {
-  auto said = co_await talk_.say("F", Priority::stop);
+  auto said = co_await conversation_.transmit("F", Priority::stop);
   if (!said) co_return said;
   presence_.was_sent_on_line();
   co_return co_await kills_.kill(false);
@@ -59,9 +59,9 @@ Task<Result<>> Stops::stop_leg(const StopOrder& order) {
   if (!concerned && order.what != StopOrder::What::jog) {
     for (const Leg& leg : under_way_.job().drop_later_legs(order.axis))
       if (order.axis >= 0 && leg.second_axis >= 0)
-        console_.tell(Notice::Kind::warning,
-                      fmt::format("Motors {} and {} were to move together: both stay now.", leg.axis + 1,
-                                  leg.second_axis + 1));
+        console_.report(Notice::Kind::warning,
+                        fmt::format("Motors {} and {} were to move together: both stay now.", leg.axis + 1,
+                                    leg.second_axis + 1));
   }
   if (!concerned) co_return Result<>();
   under_way_.job().note_stop();
@@ -73,7 +73,7 @@ Task<Result<>> Stops::stop_leg(const StopOrder& order) {
 
 Task<Result<>> Stops::ramp_down() {
   ramp_.expect();
-  co_return co_await talk_.say("D", Priority::stop);
+  co_return co_await conversation_.transmit("D", Priority::stop);
 }
 
 // Holds the program, ramps its motor down, and sends K once that stands. H would release a held program: one
@@ -86,11 +86,11 @@ Task<Result<>> Stops::stop_program(const StopOrder& order) {
   ramp_.expect_of_program();
   if (!ramp_.holds() && ramp_.must_be_seen_first()) co_return co_await ramp_down();
   if (!ramp_.holds()) {
-    auto held = co_await hold_switch_.say("H", true, Priority::stop);
-    if (!held || !talk_.station()) co_return held;
+    auto held = co_await hold_switch_.transmit("H", true, Priority::stop);
+    if (!held || !conversation_.station()) co_return held;
     ramp_.was_held();
     // Between two commands the hold is reported at once, and D into that report would be an overrun.
-    auto waited = co_await talk_.station()->pause(talk_.station()->wire_time(2) + Millis(1));
+    auto waited = co_await conversation_.station()->pause(conversation_.station()->wire_time(2) + Millis(1));
     if (!waited) co_return waited;
     if (is_held()) co_return co_await kills_.kill(true);
   }

@@ -14,10 +14,10 @@ namespace hw::vxm {
 
 class Stops {
  public:
-  Stops(const Console& console, Conversation& talk, Presence& presence, UnderWay& under_way, Ramp& ramp,
-        Kills& kills, HoldSwitch& hold_switch)
+  Stops(const Console& console, Conversation& conversation, Presence& presence, UnderWay& under_way,
+        Ramp& ramp, Kills& kills, HoldSwitch& hold_switch)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         presence_(presence),
         under_way_(under_way),
         ramp_(ramp),
@@ -41,7 +41,7 @@ class Stops {
   void show_stopping();
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   Presence& presence_;
   UnderWay& under_way_;
   Ramp& ramp_;

@@ -7,7 +7,7 @@
 
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/facts.h"
-#include "core/devices/vxm/looks.h"
+#include "core/devices/vxm/reply_kinds.h"
 
 namespace hw::vxm {
 namespace {
@@ -120,7 +120,7 @@ std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextComman
     if (now.takes(c) || (!now.to_slave && may_be_taken(c))) taken.push_back(c);
     const bool whole = c.end - from >= most_at_once && !within_a_group(text.substr(0, c.end));
     if (auto answer = answer_shape(c, now)) {
-      answer->look = look_of(c);
+      answer->reply_kind = reply_kind_of(c);
       cut_at(c.end, std::move(answer));
       pieces.back().stores = c.verb == Verb::word && c.name == "rsm";
       pieces.back().kills = c.verb == Verb::letter && c.letter == 'K';

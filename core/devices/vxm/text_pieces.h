@@ -8,7 +8,7 @@
 
 #include "core/devices/vxm/codec_text.h"
 #include "core/link/framing.h"
-#include "core/link/owed_answers.h"
+#include "core/link/outstanding_replies.h"
 #include "core/time/clock.h"
 
 namespace hw::vxm {
@@ -22,7 +22,7 @@ struct AnswerShape {
   ReplyShape shape;
   std::size_t (*unsolicited_length)(std::string_view) = nullptr;
   Duration patience = usual_patience;
-  Look look = Look::any;
+  ReplyKind reply_kind = ReplyKind::any;
   /// Answered only if the program has ended since it was last seen to run; else dropped.
   bool perhaps = false;
 };

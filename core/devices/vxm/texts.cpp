@@ -6,7 +6,7 @@
 
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/facts.h"
-#include "core/devices/vxm/looks.h"
+#include "core/devices/vxm/reply_kinds.h"
 
 namespace hw::vxm {
 namespace {
@@ -105,27 +105,27 @@ void Texts::warn_of_flaws(const std::vector<TextCommand>& commands) const {
   for (const TextCommand& c : commands)
     if (c.flaw == Flaw::unknown) unknown += (unknown_count++ > 0 ? " " : "") + printable(c.name);
   if (unknown_count == 1)
-    console_.tell(
+    console_.report(
         Notice::Kind::warning,
         fmt::format("{} is no command of the VXM: the controller drops it without a word. It was sent as it "
                     "is. The terminal lists the commands behind ?.",
                     unknown));
   if (unknown_count > 1)
-    console_.tell(
+    console_.report(
         Notice::Kind::warning,
         fmt::format("{} are no commands of the VXM: the controller drops them without a word. They were sent "
                     "as they are. The terminal lists the commands behind ?.",
                     unknown));
   for (const TextCommand& c : commands) {
     if (c.flaw == Flaw::range)
-      console_.tell(
+      console_.report(
           Notice::Kind::warning,
           fmt::format(
               "{} is not possible, it takes {}: the controller drops it without a word. It was sent as "
               "it is. Send it again with another number.",
               canonical(c), allowed_values(c)));
     if (c.flaw == Flaw::no_value)
-      console_.tell(
+      console_.report(
           Notice::Kind::warning,
           fmt::format(
               "{} lacks its number: the controller drops it without a word. It was sent as it is. Send "
@@ -149,9 +149,9 @@ Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, P
   const auto commands = read_text(text);
   warn_of_flaws(commands);
   if (without_echo(text, commands))
-    console_.tell(Notice::Kind::info,
-                  "Echo stays off: F was sent for E. The console shows what it sends by itself.");
-  const Listening now = talk_.listens();
+    console_.report(Notice::Kind::info,
+                    "Echo stays off: F was sent for E. The console shows what it sends by itself.");
+  const Listening now = conversation_.listens();
   const auto pieces = pieces_of(text, commands, now);
   RawAnswer all;
   all.dropped = dropped_of(commands, now);
@@ -160,7 +160,7 @@ Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, P
   for (const Piece& piece : pieces) {
     Result<std::string> reply;
     std::optional<Station::Uncut> uncut;  // a stop in between would be sent at a rate that is not received
-    if (piece.new_rate > 0 && talk_.station()) uncut.emplace(*talk_.station());
+    if (piece.new_rate > 0 && conversation_.station()) uncut.emplace(*conversation_.station());
     if (piece.answer) {
       AnswerShape answer = *piece.answer;
       const Duration wanted = &piece == last ? patience : usual_patience;
@@ -168,10 +168,10 @@ Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, P
       if (!answer.perhaps)
         answer.patience =
             std::max(answer.patience, is_stop ? std::min(wanted, longest_confirmation) : wanted);
-      reply = co_await talk_.ask(piece.text, answer, priority);
+      reply = co_await conversation_.ask(piece.text, answer, priority);
       if (reply && answer.perhaps) all.dropped.clear();
     } else {
-      reply = co_await talk_.ask(piece.text, {ReplyShape::nothing()}, priority);
+      reply = co_await conversation_.ask(piece.text, {ReplyShape::nothing()}, priority);
     }
     const bool was_sent = reply || reply.error().kind != FaultKind::stopped;
     if (was_sent) note_taken(piece);
@@ -213,7 +213,7 @@ Task<Result<>> Texts::send(std::string text) {
   if (ends_open(text)) text += '\r';
   if (auto may = may_send(read_text(text)); !may) co_return may;
   RawAnswer sent = co_await send_pieces(std::move(text), usual_patience, Priority::intent);
-  if (!sent.dropped.empty()) console_.tell(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
+  if (!sent.dropped.empty()) console_.report(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
   if (!sent.text.empty()) console_.texts.add(std::move(sent.text));
   if (sent.fault) co_return fail(std::move(*sent.fault));
   co_return Result<>();
@@ -227,7 +227,7 @@ Task<Result<std::string>> Texts::converse(std::string text, Duration patience, P
   RawAnswer sent = co_await send_pieces(std::move(text), patience, priority);
   if (!sent.fault && sent.last_is_dropped && sent.text.empty())
     co_return fail(FaultKind::controller, sent.dropped, "It was sent as it is.");
-  if (!sent.dropped.empty()) console_.tell(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
+  if (!sent.dropped.empty()) console_.report(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
   if (!sent.fault) co_return std::move(sent.text);
   auto report =
       sent.fault->kind == FaultKind::no_answer ? console_.texts.take_since(asked, 'E') : std::nullopt;
@@ -251,8 +251,8 @@ Task<Result<std::string>> Texts::stop_by_words(const StopOrder& order) {
   auto reply = co_await converse(text, order.patience, Priority::stop);
   if (!reply && reply.error().kind == FaultKind::no_answer && blind && kills) {  // Local mode drops it
     // F removes the only sign of a restart.
-    const AnswerShape state{ReplyShape::bytes(1), before_state, kill_patience, look::letter};
-    auto was = co_await talk_.ask("VF", state, Priority::stop);
+    const AnswerShape state{ReplyShape::bytes(1), before_state, kill_patience, reply_kind::letter};
+    auto was = co_await conversation_.ask("VF", state, Priority::stop);
     if (!was && was.error().kind != FaultKind::no_answer) co_return fail(was.error());
     const bool was_local = was && (was->front() == jog_idle || was->front() == jog_moving);
     using Left = Presence::LeftLocal;

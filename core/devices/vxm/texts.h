@@ -22,11 +22,11 @@ namespace hw::vxm {
 
 class Texts {
  public:
-  Texts(const Console& console, Conversation& talk, Parameters& setup, Slots& slots, Speeds& speeds,
+  Texts(const Console& console, Conversation& conversation, Parameters& setup, Slots& slots, Speeds& speeds,
         Hold& hold, Presence& presence, UnderWay& under_way, Ramp& ramp, const Kills& kills,
         Positions& positions)
       : console_(console),
-        talk_(talk),
+        conversation_(conversation),
         parameters_(setup),
         slots_(slots),
         speeds_(speeds),
@@ -59,7 +59,7 @@ class Texts {
   std::string cut_behind_stop(std::string& text) const;
 
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   Parameters& parameters_;
   Slots& slots_;
   Speeds& speeds_;

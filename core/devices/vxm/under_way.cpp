@@ -21,7 +21,7 @@ void UnderWay::program_begins(int slot) {
   p.stepping = hold_.is_on();
   p.started_at = console_.scheduler.now();
   forget_how_it_ended();
-  sight_.forget_ways();
+  readings_.forget_directions();
   ended_run_.reset();
   console_.draft.working = false;
 }

@@ -7,21 +7,21 @@
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/hold.h"
 #include "core/devices/vxm/job.h"
+#include "core/devices/vxm/motor_readings.h"
 #include "core/devices/vxm/presence.h"
 #include "core/devices/vxm/ramp.h"
-#include "core/devices/vxm/sight.h"
 #include "core/devices/vxm/slots.h"
 
 namespace hw::vxm {
 
 class UnderWay {
  public:
-  UnderWay(const Console& console, Presence& presence, const Slots& slots, Sight& sight, Hold& hold,
-           Ramp& ramp)
+  UnderWay(const Console& console, Presence& presence, const Slots& slots, MotorReadings& readings,
+           Hold& hold, Ramp& ramp)
       : console_(console),
         presence_(presence),
         slots_(slots),
-        sight_(sight),
+        readings_(readings),
         hold_(hold),
         ramp_(ramp),
         news_(console.scheduler) {}
@@ -66,7 +66,7 @@ class UnderWay {
   const Console& console_;
   Presence& presence_;
   const Slots& slots_;
-  Sight& sight_;
+  MotorReadings& readings_;
   Hold& hold_;
   Ramp& ramp_;
   Event news_;

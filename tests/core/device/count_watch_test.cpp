@@ -15,8 +15,7 @@ class CountWatchTest : public testing::Test {
     axis.position_known = true;
     axis.activity = Activity::idle;
     axis.own_speed = Pps(1000);
-    reads(5000);
-    reads(5000);
+    reads(5000, 4);
   }
   /// Rounds of so long; what they have told in all.
   std::uint32_t reads(std::int64_t place, int rounds = 1, Duration each = Millis(200)) {
@@ -64,7 +63,7 @@ TEST_F(CountWatchTest, WhatGoesOutExplainsIt) {
   EXPECT_EQ(reads(0, 20), 0u);
 }
 
-TEST_F(CountWatchTest, SoDoMotionsProgramsRestartsAndMissingAnswers) {
+TEST_F(CountWatchTest, SoDoAHomeSearchAProgramARestartAndAMissingAnswer) {
   const auto explained = [&](auto change, auto back) {
     watch.disturbed();
     reads(5000, 5);
@@ -73,11 +72,72 @@ TEST_F(CountWatchTest, SoDoMotionsProgramsRestartsAndMissingAnswers) {
     back();
     return reads(0, 20) == 0;
   };
-  EXPECT_TRUE(explained([&] { axis.activity = Activity::jogging; }, [&] { axis.activity = Activity::idle; }));
-  EXPECT_TRUE(
-      explained([&] { now.program.run = RunState::running; }, [&] { now.program.run = RunState::idle; }));
+  EXPECT_TRUE(explained([&] { axis.activity = Activity::homing; }, [&] { axis.activity = Activity::idle; }));
+  EXPECT_TRUE(explained([&] { now.program.owned = true, now.program.run = RunState::running; },
+                        [&] { now.program.run = RunState::idle; }));
   EXPECT_TRUE(explained([&] { ++now.restarts; }, [] {}));
   EXPECT_TRUE(explained([&] { ++now.link.timeouts; }, [] {}));
+}
+
+TEST_F(CountWatchTest, AnAxisIsWatchedWhileAnotherMoves) {
+  catalog.axes.push_back({"Y", "axis Y"});
+  now.axis_count = 2;
+  now.axes[1].activity = Activity::jogging;
+  now.axes[1].position_known = true;
+  EXPECT_EQ(reads(0, 10), 1u);
+}
+
+/// Its own speed is 1000 a second, as told.
+class CountWatchInAJog : public CountWatchTest {
+ protected:
+  void SetUp() override {
+    CountWatchTest::SetUp();
+    catalog.jog_speed_max = Pps(6000);
+    axis.activity = Activity::jogging;
+    axis.speed = Pps(1000);
+    for (at = 5200; at < 6200; at += 200) EXPECT_EQ(reads(at), 0u);
+  }
+  std::int64_t at = 5200;
+};
+
+TEST_F(CountWatchInAJog, ACountThatIsSetIsToldWhileTheJogGoesOn) {
+  std::uint32_t told = 0;
+  for (std::int64_t place = 0; place < 2000; place += 200) told |= reads(place);
+  EXPECT_EQ(told, 1u);
+}
+
+TEST_F(CountWatchInAJog, AndBehindItWhereItEndsAtOnce) {
+  EXPECT_EQ(reads(0), 0u);
+  axis.activity = Activity::idle;
+  EXPECT_EQ(reads(100, 10), 1u);
+}
+
+TEST_F(CountWatchInAJog, ItsOwnWayIsNone) {
+  for (; at < 12'000; at += 200) EXPECT_EQ(reads(at), 0u);
+  axis.activity = Activity::stopping, axis.speed = {};
+  EXPECT_EQ(reads(at + 150), 0u);
+  axis.activity = Activity::idle;
+  EXPECT_EQ(reads(at + 180, 20), 0u);
+}
+
+TEST_F(CountWatchInAJog, OfAJogAtTheControllerNoSpeedIsKnown) {
+  axis.speed = {};
+  for (; at < 12'000; at += 1100) EXPECT_EQ(reads(at), 0u);
+  axis.activity = Activity::idle;
+  EXPECT_EQ(reads(at, 20), 0u);
+}
+
+TEST_F(CountWatchTest, AMotionThatShowsInPlacesOnlyIsNone) {
+  catalog.jog_speed_max = Pps(6000);
+  std::int64_t at = 5000;
+  for (; at < 9000; at += 1000) EXPECT_EQ(reads(at), 0u) << "a VXM tells of no motion but its own";
+  EXPECT_EQ(reads(at, 20), 0u);
+}
+
+TEST_F(CountWatchTest, ASpoiltReadingBehindACountThatIsSetHidesNothing) {
+  EXPECT_EQ(reads(200), 0u);
+  EXPECT_EQ(reads(900), 0u) << "spoilt";
+  EXPECT_EQ(reads(200, 10), 1u);
 }
 
 /// A move from 5000 to 9000 at 1000 a second, looked at five times a second.
@@ -143,12 +203,18 @@ TEST_F(CountWatchInFlight, AHomeSearchOrAProgramMaySetIt) {
   EXPECT_EQ(reads(5000, 20), 0u);
 }
 
-TEST_F(CountWatchTest, WhatAnEncoderCountsMayBeTurnedByHand) {
-  axis.in_counts = true;
+TEST_F(CountWatchTest, WhatTheEncoderOfAFreeMotorCountsMayBeTurnedByHand) {
+  axis.in_counts = true, axis.enabled = false;
   EXPECT_EQ(reads(0, 20), 0u);
   axis.in_counts = false;
   axis.loop = Loop::open;
   EXPECT_EQ(reads(5000, 20), 0u);
+}
+
+TEST_F(CountWatchTest, WhatTheEncoderOfAHeldMotorCountsIsWatched) {
+  axis.in_counts = true;
+  EXPECT_EQ(reads(5000, 5), 0u) << "other units are no other count";
+  EXPECT_EQ(reads(0, 10), 1u);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ intent::Act act(const Catalog& c, std::string_view id, std::vector<std::int64_t>
   return intent::Act(c.find_action(id), std::move(values));
 }
 std::string say(const Catalog& c, const Snapshot& now, const IntentBody& body) {
-  return say_doubtful(c, now, body, doubtful_axes(c, now, body), words_in_steps(c, now));
+  return describe_doubtful(c, now, body, doubtful_axes(c, now, body), words_in_steps(c, now));
 }
 
 TEST(Refusals, AnAxisOfAMoveIsDoubtedByItself) {
@@ -85,7 +85,7 @@ TEST(Refusals, TheSentenceNamesAxisCauseAndPlace) {
             "sent may lie elsewhere than before. Nothing was sent. Home them, say where they stand, or go on "
             "for this once.");
   const DoubtWords clock{[](AxisId, Steps) { return "240.000 mm"; }, [](Instant) { return "12:31:07"; }};
-  EXPECT_EQ(say_doubtful(vxm, now, one, 1, clock),
+  EXPECT_EQ(describe_doubtful(vxm, now, one, 1, clock),
             "The position of motor 1 cannot be trusted: its power was cut (12:31:07). 240.000 mm may lie "
             "elsewhere than before. Nothing was sent. Home it, say where it stands, or go on for this once.");
   const Catalog dmx = catalog_of("dmx-k-sa", {{"id", "03"}});
@@ -117,14 +117,14 @@ TEST(Refusals, WhatIsNotAsItWasSentIsNamedAtClosing) {
   Catalog slots, threads;
   slots.program.slot_word = "Program";
   threads.program.threads = 2;
-  EXPECT_EQ(say_torn_is_left(slots, now), "");
-  EXPECT_EQ(say_torn_is_left(threads, now), "");
+  EXPECT_EQ(describe_torn_is_left(slots, now), "");
+  EXPECT_EQ(describe_torn_is_left(threads, now), "");
   now.slots_torn = 0b1010;
   EXPECT_EQ(
-      say_torn_is_left(slots, now),
+      describe_torn_is_left(slots, now),
       "Programs 1, 3 in the controller are not what was sent last. Load them again before they are run.");
   now.slots_torn = 1;
-  EXPECT_EQ(say_torn_is_left(threads, now),
+  EXPECT_EQ(describe_torn_is_left(threads, now),
             "What is stored in the controller is not what was sent last. Load it again before it is run.");
 }
 

@@ -8,22 +8,22 @@
 namespace hw {
 namespace {
 
-using Line = RehearsedEvent::Line;
+using EventLine = RehearsedEvent::Line;
 
 struct Told {
   const char* model;
   const char* text;
   const char* output;
   const char* input;
-  Line of_input;
+  EventLine of_input;
 };
 std::ostream& operator<<(std::ostream& out, const Told& t) { return out << t.model; }
 
 class RehearsedLines : public testing::TestWithParam<Told> {
  protected:
-  const RehearsedEvent* first(const Rehearsal& r, Line line, const char* name) {
+  const RehearsedEvent* first(const Rehearsal& r, EventLine line, const char* name) {
     const auto found = std::find_if(r.events.begin(), r.events.end(), [&](const RehearsedEvent& e) {
-      return e.line == line && e.name == name && (line != Line::switched || e.level == 1);
+      return e.line == line && e.name == name && (line != EventLine::switched || e.level == 1);
     });
     return found == r.events.end() ? nullptr : &*found;
   }
@@ -35,20 +35,20 @@ TEST_P(RehearsedLines, OutputsAndInputsAreTold) {
   options.for_seconds = 2;
   const auto r = find_device_type(t.model)->language().rehearse(t.text, options);
   ASSERT_TRUE(r) << r.error().sentence();
-  const RehearsedEvent* on = first(*r, Line::switched, t.output);
+  const RehearsedEvent* on = first(*r, EventLine::switched, t.output);
   ASSERT_TRUE(on);
   EXPECT_EQ(on->level, 1);
   EXPECT_TRUE(first(*r, t.of_input, t.input));
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, RehearsedLines,
-                         testing::Values(Told{"vxm", "U4\nU5\nU0\n", "output 1", "input 1", Line::waits},
+                         testing::Values(Told{"vxm", "U4\nU5\nU0\n", "output 1", "input 1", EventLine::waits},
                                          Told{"pmx-4ex-sa", "PRG 0\nDO1=1\nWHILE DI1=1\nENDWHILE\nEND\n",
-                                              "output 1", "DI1", Line::looked_at},
+                                              "output 1", "DI1", EventLine::looked_at},
                                          Told{"dmx-k-sa", "SL=0\nDO2=0\nDO2=1\nWHILE DI1=1\nENDWHILE\nEND\n",
-                                              "output 2", "DI1", Line::looked_at},
+                                              "output 2", "DI1", EventLine::looked_at},
                                          Told{"vme58", "AX BL8 SW0 MR10 GO ID\n", "Out 8", "line 0",
-                                              Line::looked_at}),
+                                              EventLine::looked_at}),
                          [](const testing::TestParamInfo<Told>& info) {
                            std::string name = info.param.model;
                            std::replace(name.begin(), name.end(), '-', '_');

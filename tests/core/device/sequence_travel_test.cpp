@@ -33,7 +33,7 @@ struct SequenceTravel : testing::Test {
   std::vector<AxisTarget> places() { return places_of_run(s, catalog, now); }
   std::string refusal() {
     const auto past = past_travel(catalog, now, intent::RunProgram(0, places()));
-    return past ? say_past(catalog, *past, words_in_steps(catalog, now).position) : "";
+    return past ? describe_past(catalog, *past, words_in_steps(catalog, now).position) : "";
   }
   const DeviceType& type = *find_device_type("pmx-4ex-sa");
   const Catalog catalog = *type.make_catalog({});

@@ -1,4 +1,4 @@
-// While a device owes answers that were given up, nothing that it says is believed: see OwedAnswers.
+// While a device owes answers that were given up, nothing that it says is believed: see OutstandingReplies.
 #include <deque>
 
 #include <gmock/gmock.h>
@@ -10,24 +10,25 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr Look letter{1}, number{2};
+constexpr ReplyKind letter{1}, number{2};
 
 /// Asks V, answered by a letter, and X, answered by a number in a line.
 struct DirtyLineTest : LinkTest {
   DirtyLineTest() {
-    station.unmistakable = [](const OwedAnswers& owed, Instant now) -> std::optional<Station::Unmistakable> {
-      if (!owed.may_look(letter, now))
+    station.unmistakable = [](const OutstandingReplies& outstanding,
+                              Instant now) -> std::optional<Station::Unmistakable> {
+      if (!outstanding.may_be_outstanding(letter, now))
         return Station::Unmistakable{with_look("V", ReplyShape::bytes(1), letter),
                                      [](std::string_view answer) { return answer == "R"; }};
-      if (!owed.may_look(number, now))
+      if (!outstanding.may_be_outstanding(number, now))
         return Station::Unmistakable{with_look("X", ReplyShape::line(), number),
                                      [](std::string_view answer) { return answer.size() > 1; }};
       return std::nullopt;
     };
   }
-  static Transaction with_look(std::string text, ReplyShape shape, Look look) {
+  static Transaction with_look(std::string text, ReplyShape shape, ReplyKind reply_kind) {
     Transaction t(std::move(text), shape, Priority::poll);
-    t.look = look;
+    t.reply_kind = reply_kind;
     return t;
   }
   void ask_number(Answer& answer, std::string text = "X") {
@@ -192,7 +193,7 @@ TEST_F(DirtyLineTest, ASteadyDelayMakesItSlowAndIsNotALoss) {
     Instant at;
     std::string bytes;
   };
-  std::deque<Owed> owed;
+  std::deque<Owed> outstanding;
   std::size_t heard = 0;
   int answered = 0, most_misses = 0, asked = 0;
   Answer answer;
@@ -205,8 +206,9 @@ TEST_F(DirtyLineTest, ASteadyDelayMakesItSlowAndIsNotALoss) {
       ask_number(answer, ++asked % 2 ? "X" : "Y");
     }
     for (; heard < wire->sent.size(); ++heard)
-      owed.push_back({time.now() + std::chrono::seconds(2), wire->sent[heard] == "V" ? "R" : "42\r"});
-    for (; !owed.empty() && owed.front().at <= time.now(); owed.pop_front()) arrive(owed.front().bytes);
+      outstanding.push_back({time.now() + std::chrono::seconds(2), wire->sent[heard] == "V" ? "R" : "42\r"});
+    for (; !outstanding.empty() && outstanding.front().at <= time.now(); outstanding.pop_front())
+      arrive(outstanding.front().bytes);
     time.run_for(Millis(1));
   }
   EXPECT_GE(answered, 24) << "as fast as the line is";

@@ -15,9 +15,9 @@ using State = LinkFinding::State;
 struct Talk {
   TalkRecorder recorder;
   Instant now{};
-  void ask(std::string_view question) { recorder.hear(now, Way::sent, TrafficKind::poll, question); }
+  void ask(std::string_view question) { recorder.record(now, Way::sent, TrafficKind::poll, question); }
   void hear(std::string_view bytes, TrafficKind kind = TrafficKind::poll) {
-    recorder.hear(now, Way::received, kind, bytes);
+    recorder.record(now, Way::received, kind, bytes);
   }
   void question(std::string_view question, std::string_view answer, Duration takes) {
     ask(question);
@@ -88,6 +88,32 @@ TEST(TalkMeasure, AOneLetterAnswerThatEqualsItsQuestionIsNoEcho) {
   EXPECT_EQ(talk.recorder.measure().echoes, 0);
 }
 
+TEST(TalkMeasure, AnEchoThatIsNoAnswerIsAnEchoAllTheSame) {
+  Talk talk;
+  for (const std::string_view letter : {"V", "X", "Y"}) {
+    talk.ask(letter);
+    talk.hear(letter, TrafficKind::unparsed);
+    talk.hear("R");
+  }
+  talk.ask("@01PX\r");
+  talk.hear("@01PX\r", TrafficKind::unparsed);
+  talk.hear("1200\r", TrafficKind::unparsed);
+  const TalkMeasure m = talk.recorder.measure();
+  EXPECT_EQ(m.echoes, 4);
+  EXPECT_EQ(m.second_answers, 0) << "the answer behind an echo is the first";
+  EXPECT_EQ(m.wrong, 0u);
+}
+
+TEST(TalkMeasure, TheSameAnswerTwiceIsASecondAnswerHoweverItEnds) {
+  Talk talk;
+  talk.question("V", "R", Millis(5));
+  talk.hear("R", TrafficKind::unparsed);
+  talk.question("@01PX\r", std::string_view("1200\0", 5), Millis(5));
+  talk.hear(std::string_view("1300\0", 5), TrafficKind::unparsed);
+  EXPECT_EQ(talk.recorder.measure().second_answers, 2);
+  EXPECT_EQ(talk.recorder.measure().wrong, 0u);
+}
+
 TEST(TalkMeasure, WhatIsAskedAgainWithoutAnAnswerWasMissed) {
   Talk talk;
   talk.ask("@01PX\r");
@@ -150,6 +176,17 @@ TEST(LinkDoctor, TellsSilenceFromAWrongRate) {
   EXPECT_THAT(found.front().why, HasSubstr("another rate than 9600 baud"));
   EXPECT_EQ(found.front().fix, Fix::change_address);
   EXPECT_FALSE(find(found, Kind::rate)) << "nothing is raised where nothing answers";
+}
+
+TEST(LinkDoctor, AnEchoIsReasonEnoughForNoAnswer) {
+  LinkFacts f;
+  f.answers = false;
+  f.rate = 9600;
+  f.talk.received = 60;
+  f.talk.echoes = 10;
+  const auto found = examine_link(f);
+  EXPECT_EQ(found.front().what, "The console receives its own bytes");
+  EXPECT_FALSE(find(found, Kind::silence)) << "the rate is not to blame";
 }
 
 TEST(LinkDoctor, NamesEchoSecondAnswersLossesAndTheOtherProgram) {

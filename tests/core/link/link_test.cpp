@@ -328,31 +328,31 @@ TEST_F(BusTest, AnAnswerThatIsOwedIsKnownToAllOnTheWire) {
     time.run_for(Millis(250));
     EXPECT_TRUE(silent.came);
   };
-  EXPECT_FALSE(other.others_owe());
+  EXPECT_FALSE(other.others_outstanding());
   miss();
-  EXPECT_TRUE(station.is_dirty() && !station.others_owe() && other.others_owe());
+  EXPECT_TRUE(station.is_dirty() && !station.others_outstanding() && other.others_outstanding());
   EXPECT_FALSE(other.is_dirty());
   time.run_for(std::chrono::seconds(3));
-  EXPECT_FALSE(other.others_owe()) << "nothing comes that late";
+  EXPECT_FALSE(other.others_outstanding()) << "nothing comes that late";
   miss();
   station.close(Fault(FaultKind::lost, "It was closed."));
-  EXPECT_TRUE(other.others_owe()) << "it may still answer when nobody listens any more";
+  EXPECT_TRUE(other.others_outstanding()) << "it may still answer when nobody listens any more";
 }
 
 // A driver that sees to late answers by their looks needs no pause, and an answer that looks different is no
 // reason to doubt another's.
 TEST_F(BusTest, WhatLooksDifferentIsNotWaitedFor) {
-  constexpr Look name{1}, number{2};
+  constexpr ReplyKind name{1}, number{2};
   Answer silent, next;
-  station.unmistakable = [](const OwedAnswers&, Instant) { return std::nullopt; };
+  station.unmistakable = [](const OutstandingReplies&, Instant) { return std::nullopt; };
   Transaction who("@01DN\r", ReplyShape::line(), Priority::poll);
-  who.look = name;
+  who.reply_kind = name;
   asio::co_spawn(io, ask(station, std::move(who), silent), asio::detached);
   start_on(other, "@02PX\r", ReplyShape::line(), Priority::poll, next);
   time.run_for(Millis(201));
   EXPECT_TRUE(silent.came);
-  EXPECT_TRUE(other.others_owe(name));
-  EXPECT_FALSE(other.others_owe(number));
+  EXPECT_TRUE(other.others_outstanding(name));
+  EXPECT_FALSE(other.others_outstanding(number));
   EXPECT_THAT(wire->sent, ElementsAre("@01DN\r", "@02PX\r"));
 }
 

@@ -48,11 +48,11 @@ TEST(ArcusCodec, RepliesEndWithEitherTerminatorAndMayBeginWithTheAddress) {
 }
 
 TEST(ArcusCodec, TheAutomaticMessageIsToldFromReplies) {
-  EXPECT_EQ(unasked_at_front("$01P\r"), 5u);
-  EXPECT_EQ(unasked_at_front("$01P\r1000\0"sv), 5u);
-  EXPECT_EQ(unasked_at_front("$01"), std::string_view::npos) << "the rest may come";
-  EXPECT_EQ(unasked_at_front("1000\0"sv), 0u);
-  EXPECT_EQ(unasked_at_front("$x"), 0u);
+  EXPECT_EQ(unsolicited_at_front("$01P\r"), 5u);
+  EXPECT_EQ(unsolicited_at_front("$01P\r1000\0"sv), 5u);
+  EXPECT_EQ(unsolicited_at_front("$01"), std::string_view::npos) << "the rest may come";
+  EXPECT_EQ(unsolicited_at_front("1000\0"sv), 0u);
+  EXPECT_EQ(unsolicited_at_front("$x"), 0u);
   EXPECT_EQ(in_position("$07P\r"), 7);
   EXPECT_FALSE(in_position("$07Q\r"));
 }
@@ -62,13 +62,13 @@ TEST(ArcusCodec, ADeviceNameIsToldFromOtherReplies) {
   EXPECT_EQ(number_in_name(dmx, "DMK07"), 7);
   EXPECT_EQ(number_in_name(dmx, "4EX07"), std::nullopt);
   EXPECT_EQ(number_in_name(dmx, "DMK7"), std::nullopt);
-  EXPECT_EQ(unasked_or_name_at_front(dmx, "DMK07\0001000\0"sv), 6u);
-  EXPECT_EQ(unasked_or_name_at_front(dmx, "#07DMK07\0"sv), 9u);
-  EXPECT_EQ(unasked_or_name_at_front(dmx, "$01P\r"), 5u);
-  EXPECT_EQ(unasked_or_name_at_front(dmx, "DM"), std::string_view::npos) << "the rest may come";
-  EXPECT_EQ(unasked_or_name_at_front(dmx, "1000\0"sv), 0u);
-  EXPECT_EQ(unasked_or_name_at_front(dmx, "DriveMax-K-SA\0"sv), 0u);
-  EXPECT_EQ(unasked_or_name_at_front(*pmx_forms().model, "4\r"), 0u) << "a number may begin like a name";
+  EXPECT_EQ(unsolicited_or_name_at_front(dmx, "DMK07\0001000\0"sv), 6u);
+  EXPECT_EQ(unsolicited_or_name_at_front(dmx, "#07DMK07\0"sv), 9u);
+  EXPECT_EQ(unsolicited_or_name_at_front(dmx, "$01P\r"), 5u);
+  EXPECT_EQ(unsolicited_or_name_at_front(dmx, "DM"), std::string_view::npos) << "the rest may come";
+  EXPECT_EQ(unsolicited_or_name_at_front(dmx, "1000\0"sv), 0u);
+  EXPECT_EQ(unsolicited_or_name_at_front(dmx, "DriveMax-K-SA\0"sv), 0u);
+  EXPECT_EQ(unsolicited_or_name_at_front(*pmx_forms().model, "4\r"), 0u) << "a number may begin like a name";
   EXPECT_EQ(no_name_at_front(dmx, "DMK07\0"sv), 0u);
   EXPECT_EQ(no_name_at_front(dmx, "1000\0DMK07\0"sv), 5u);
   EXPECT_EQ(no_name_at_front(dmx, "10"), 0u) << "not whole yet";

@@ -68,8 +68,10 @@ TEST_F(Counters, ByClearingAStall) {
   run(20);
   ASSERT_EQ(latest.axes[0].activity, Activity::error);
   ASSERT_GT(position(), 500);
+  EXPECT_EQ(latest.axes[0].trust.cause, Doubt::slipped) << "its steps were lost";
   send("CLR");
   EXPECT_EQ(position(), 0);
+  EXPECT_TRUE(latest.axes[0].trust.doubtful()) << "until it is homed, or somebody says where it stands";
   EXPECT_FALSE(said_switched_off()) << all_notices();
 }
 

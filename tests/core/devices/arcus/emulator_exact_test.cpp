@@ -1,5 +1,6 @@
 // Switches, latches, index marks and sync points act at the exact pulse; next_event() tells the true events.
 #include <cmath>
+#include <ctime>
 #include <random>
 
 #include "tests/core/devices/arcus/rig.h"
@@ -192,11 +193,11 @@ TEST(ArcusExact, AnHourOfMovesTakesMilliseconds) {
   int n = 0;
   for (const char* line : program) rig.ok("SA" + std::to_string(n++) + "=" + line);
   rig.ok("SR0=1");
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // of the processor: other work on the machine does not count
   rig.run_for(3600s);
-  const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   EXPECT_EQ(rig.ask("SASTAT"), "1");
-  EXPECT_LT(took, 1.0) << "generous: the machine may be busy";
+  EXPECT_LT(took, 1.0);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Rig::Rig(Which which, const Options& options) : which_(which), address_(which ==
 }
 
 std::string Rig::output() {
-  std::string out = std::exchange(unasked_, {});
+  std::string out = std::exchange(unsolicited_, {});
   emulator_->take_output(out);
   return out;
 }
@@ -30,7 +30,7 @@ std::string Rig::raw(std::string_view bytes) {
 }
 
 std::string Rig::ask(std::string_view command) {
-  unasked_ = output();
+  unsolicited_ = output();
   emulator_->receive("@" + address_ + std::string(command) + "\r");
   std::string reply;
   emulator_->take_output(reply);

@@ -69,7 +69,7 @@ class Rig {
   Which which_;
   std::unique_ptr<Emulator> emulator_;
   Instant now_{};
-  std::string address_, unasked_;
+  std::string address_, unsolicited_;
 };
 
 /// Time of a trapezoid over `length` with the controllers' rules (speeds in the same unit, ms).

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/devices/vxm/facts.h"
-#include "core/devices/vxm/looks.h"
+#include "core/devices/vxm/reply_kinds.h"
 #include "tests/core/devices/vxm/driver_fixture.h"
 
 namespace hw::vxm {
@@ -13,56 +13,56 @@ namespace {
 
 struct Owed {
   const char* of;
-  std::vector<Look> looks;
+  std::vector<ReplyKind> looks;
   const char* asked;  ///< empty: nothing
 };
 
 TEST(VxmLooks, WhatIsOwedDecidesWhatMayBeAsked) {
   const Instant now{};
   const std::vector<Owed> table = {
-      {"X", {look::position}, "V"},
-      {"PM", {look::number}, "V"},
-      {"getD0", {look::text}, "V"},
-      {"?", {look::raw}, "V"},
-      {"K", {look::prompt}, "V"},
-      {"lst", {look::lines}, "X"},
-      {"V", {look::letter}, "X"},
-      {"V X", {look::letter, look::position}, "@"},
-      {"V X @", {look::letter, look::position, look::number}, "V"},
-      {"lst X", {look::lines, look::position}, "getD0"},
-      {"anything", {Look::any}, ""},
+      {"X", {reply_kind::position}, "V"},
+      {"PM", {reply_kind::number}, "V"},
+      {"getD0", {reply_kind::text}, "V"},
+      {"?", {reply_kind::raw}, "V"},
+      {"K", {reply_kind::prompt}, "V"},
+      {"lst", {reply_kind::lines}, "X"},
+      {"V", {reply_kind::letter}, "X"},
+      {"V X", {reply_kind::letter, reply_kind::position}, "@"},
+      {"V X @", {reply_kind::letter, reply_kind::position, reply_kind::number}, "V"},
+      {"lst X", {reply_kind::lines, reply_kind::position}, "getD0"},
+      {"anything", {ReplyKind::any}, ""},
   };
   for (const Owed& row : table) {
-    OwedAnswers owed;
-    for (const Look one : row.looks) owed.add(one, now);
-    const auto asked = unmistakable(owed, now, Listening(), false);
+    OutstandingReplies outstanding;
+    for (const ReplyKind one : row.looks) outstanding.add(one, now);
+    const auto asked = unmistakable(outstanding, now, Listening(), false);
     EXPECT_EQ(asked ? asked->question.bytes : "", row.asked) << row.of;
   }
 }
 
 TEST(VxmLooks, NothingButKIsHeardInAnErrorAndNothingButVInLocalMode) {
   const Instant now{};
-  OwedAnswers owed;
-  owed.add(look::position, now);
+  OutstandingReplies outstanding;
+  outstanding.add(reply_kind::position, now);
   Listening listening;
   listening.halted = true;
-  EXPECT_FALSE(unmistakable(owed, now, listening, false));
+  EXPECT_FALSE(unmistakable(outstanding, now, listening, false));
   listening.halted = false;
   listening.local = true;
-  EXPECT_EQ(unmistakable(owed, now, listening, false)->question.bytes, "V");
-  owed.add(look::letter, now);
-  EXPECT_FALSE(unmistakable(owed, now, listening, false));
+  EXPECT_EQ(unmistakable(outstanding, now, listening, false)->question.bytes, "V");
+  outstanding.add(reply_kind::letter, now);
+  EXPECT_FALSE(unmistakable(outstanding, now, listening, false));
 }
 
 TEST(VxmLooks, ALateAnswerOfTheSameQuestionIsLetPass) {
   Instant now{};
-  OwedAnswers owed;
-  const auto given_up = [&](std::initializer_list<Look> looks) {
-    owed.clear();
-    for (const Look one : looks) owed.add(one, now += Millis(200));
+  OutstandingReplies outstanding;
+  const auto given_up = [&](std::initializer_list<ReplyKind> looks) {
+    outstanding.clear();
+    for (const ReplyKind one : looks) outstanding.add(one, now += Millis(200));
   };
   const auto accepted_behind = [&](std::string_view received) {
-    const auto asked = unmistakable(owed, now, Listening(), false);
+    const auto asked = unmistakable(outstanding, now, Listening(), false);
     std::size_t at = 0;
     while (at < received.size()) {
       const std::size_t unsolicited_length = asked->question.unsolicited_length(received.substr(at));
@@ -72,26 +72,26 @@ TEST(VxmLooks, ALateAnswerOfTheSameQuestionIsLetPass) {
     }
     return std::string_view();
   };
-  given_up({look::letter, look::position, look::number});
+  given_up({reply_kind::letter, reply_kind::position, reply_kind::number});
   EXPECT_EQ(accepted_behind("R"), "") << "it may be that of the first";
   EXPECT_EQ(accepted_behind("BR"), "R");
   EXPECT_EQ(accepted_behind("+0000400\rR"), "R");
   EXPECT_EQ(accepted_behind("B+0000400\r512\rR"), "R");
   EXPECT_EQ(accepted_behind("J"), "J") << "in Local mode nothing else is answered";
-  given_up({look::position, look::letter, look::number});
+  given_up({reply_kind::position, reply_kind::letter, reply_kind::number});
   EXPECT_EQ(accepted_behind("+0000400\rR"), "") << "that line was asked for before";
   EXPECT_EQ(accepted_behind("+0000400\rR512\rB"), "B");
-  owed.tear(now);
+  outstanding.tear(now);
   EXPECT_EQ(accepted_behind("400\rR"), "") << "the end of a position";
 }
 
 TEST(VxmLooks, TheEndOfATornAnswerIsNoNumber) {
   const Instant now{};
-  OwedAnswers owed;
-  for (const Look one : {look::letter, look::position}) owed.add(one, now);
-  EXPECT_EQ(unmistakable(owed, now, Listening(), false)->question.bytes, "@");
-  owed.tear(now);
-  EXPECT_EQ(unmistakable(owed, now, Listening(), false)->question.bytes, "V");
+  OutstandingReplies outstanding;
+  for (const ReplyKind one : {reply_kind::letter, reply_kind::position}) outstanding.add(one, now);
+  EXPECT_EQ(unmistakable(outstanding, now, Listening(), false)->question.bytes, "@");
+  outstanding.tear(now);
+  EXPECT_EQ(unmistakable(outstanding, now, Listening(), false)->question.bytes, "V");
 }
 
 // ---- what is shown

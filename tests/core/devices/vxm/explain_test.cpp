@@ -11,7 +11,7 @@ std::string sent(std::string_view bytes) { return explain(bytes, Way::sent, Traf
 std::string answer(std::string_view bytes, std::string_view asked) {
   return explain(bytes, Way::received, TrafficKind::poll, asked);
 }
-std::string unasked(std::string_view bytes) {
+std::string unsolicited(std::string_view bytes) {
   return explain(bytes, Way::received, TrafficKind::unsolicited, "");
 }
 
@@ -43,9 +43,9 @@ TEST(VxmExplain, WhatComesBack) {
   EXPECT_EQ(answer("3\r", "getM1M"), "the type of motor 1 is 3");
   EXPECT_EQ(answer("PM0 M252\rI1M400\r", "lst"), "program 0: 1 commands, 252 of 256 bytes free");
   EXPECT_EQ(answer("^", "rsm"), "ended");
-  EXPECT_EQ(unasked("^"), "ended");
-  EXPECT_EQ(unasked(":I1M400\r"), "the program holds before I1M400");
-  EXPECT_EQ(unasked("EM").substr(0, 26), "The controller reports EM:");
+  EXPECT_EQ(unsolicited("^"), "ended");
+  EXPECT_EQ(unsolicited(":I1M400\r"), "the program holds before I1M400");
+  EXPECT_EQ(unsolicited("EM").substr(0, 26), "The controller reports EM:");
   EXPECT_EQ(explain("\x91", Way::received, TrafficKind::unparsed, "X"), "not understood");
 }
 

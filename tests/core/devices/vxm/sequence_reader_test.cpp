@@ -21,33 +21,33 @@ struct VxmReading : testing::Test {
 
 TEST_F(VxmReading, CommandsOfALineAreBlocksOfTheirOwn) {
   EXPECT_EQ(blocks("E\nPM-0 ; the only one\nI1M400,U5,P2 ; a pulse\nIA2M0,U0\nI1M-0,IA1M-0\n"),
-            "Move by 1 1\nOutput 1 on\nDelay 200 ms\nMove to 2 0\nWait for input until input 1 is on\n"
+            "Move by 1: 1\nOutput 1 on\nDelay 200 ms\nMove to 2: 0\nWait for input until input 1 is on\n"
             "Home 1, to \u2212\n");
 }
 
 TEST_F(VxmReading, SpeedsOfAllMotorsAlikeAreASpeed) {
-  EXPECT_EQ(blocks("S1M2000,A1M4,S2M1000,A2M2,I1M4\n"), "Speed 5 mm/s, 500 ms\nMove by 1 0.01\n");
-  EXPECT_EQ(blocks("S1M2000,S2M2000,A1M4,I1M4\n"), "own: S1M2000,S2M2000,A1M4\nMove by 1 0.01\n");
+  EXPECT_EQ(blocks("S1M2000,A1M4,S2M1000,A2M2,I1M4\n"), "Speed 5 mm/s, 500 ms\nMove by 1: 0.01\n");
+  EXPECT_EQ(blocks("S1M2000,S2M2000,A1M4,I1M4\n"), "own: S1M2000,S2M2000,A1M4\nMove by 1: 0.01\n");
 }
 
 TEST_F(VxmReading, LoopsAreThoseThatLeaveNothingOut) {
   EXPECT_EQ(blocks("LM0,I1M400,P1,LA3,LM0,I2M2,L0\n"),
-            "Loop 3 times\n  Move by 1 1\n  Delay 100 ms\nLoop for ever\n  Move by 2 0.01\n");
+            "Loop 3 times\n  Move by 1: 1\n  Delay 100 ms\nLoop for ever\n  Move by 2: 0.01\n");
   EXPECT_EQ(blocks("IA1M0\nLM0,I1M400 ; on\nL3\nIA1M0\n"),
-            "Move to 1 0\nown: LM0,I1M400 ; on\nL3\nMove to 1 0\n")
+            "Move to 1: 0\nown: LM0,I1M400 ; on\nL3\nMove to 1: 0\n")
       << "L leaves the last index out";
-  EXPECT_EQ(blocks("I1M5,I2M5,L2,IA1M0\n"), "own: I1M5,I2M5,L2\nMove to 1 0\n") << "back to the begin";
+  EXPECT_EQ(blocks("I1M5,I2M5,L2,IA1M0\n"), "own: I1M5,I2M5,L2\nMove to 1: 0\n") << "back to the begin";
 }
 
 TEST_F(VxmReading, AConditionTakesItsCommandAlong) {
   EXPECT_EQ(blocks("U12,IA1M400,U11,S1M2000,I1M4\n"),
-            "Move on input 1 to 1 if input 2 is on\nown: U11,S1M2000\nMove by 1 0.01\n");
+            "Move on input 1 to 1 if input 2 is on\nown: U11,S1M2000\nMove by 1: 0.01\n");
 }
 
 TEST_F(VxmReading, OtherProgramsAreLoopsWaitsAndTheTool) {
   EXPECT_EQ(blocks("PM-0\nJM1\nLM0,JM2,I1M4,L0\nPM-1\nP-10,U22,L0\nPM-2\nI2M2\nLA3\n"),
-            "Wait for input until input 2 is on\nLoop for ever\n  Loop 3 times\n    Move by 2 0.01\n"
-            "  Move by 1 0.01\n");
+            "Wait for input until input 2 is on\nLoop for ever\n  Loop 3 times\n    Move by 2: 0.01\n"
+            "  Move by 1: 0.01\n");
   EXPECT_THAT(blocks("PM-0\nI1M4\nJM1\nPM-1\nI2M2\nLA3\n"), StartsWith("Line 5: "))
       << "of blocks it would be no program of its own";
   EXPECT_EQ(blocks("PM-1\nI1M0\nI2M0\nPM-0\nJM1\n"),

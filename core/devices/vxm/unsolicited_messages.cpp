@@ -1,4 +1,4 @@
-#include "core/devices/vxm/unasked.h"
+#include "core/devices/vxm/unsolicited_messages.h"
 
 #include <fmt/core.h>
 
@@ -6,17 +6,17 @@
 
 namespace hw::vxm {
 
-void Unasked::heard(const Message& m) {
+void UnsolicitedMessages::received(const Message& m) {
   switch (m.kind) {
-    case Message::Kind::prompt: heard_prompt(); break;
-    case Message::Kind::limit: heard_limit(); break;
+    case Message::Kind::prompt: received_prompt(); break;
+    case Message::Kind::limit: received_limit(); break;
     case Message::Kind::waits:
       if (under_way_.program_runs()) console_.draft.program.run = RunState::waiting;
       console_.texts.add("W");
       break;
     case Message::Kind::passed: console_.texts.add("@"); break;
-    case Message::Kind::held: heard_held(m.text); break;
-    case Message::Kind::error: heard_error(m.letter); break;
+    case Message::Kind::held: received_held(m.text); break;
+    case Message::Kind::error: received_error(m.letter); break;
     case Message::Kind::end:
     case Message::Kind::unknown:
     case Message::Kind::unfinished: return;
@@ -25,7 +25,7 @@ void Unasked::heard(const Message& m) {
   if (console_.changed) console_.changed();
 }
 
-void Unasked::heard_prompt() {
+void UnsolicitedMessages::received_prompt() {
   const bool of_kill =
       under_way_.killed_at() != Instant{} && console_.scheduler.now() - under_way_.killed_at() < Millis(100);
   if (under_way_.job().active()) {
@@ -39,7 +39,7 @@ void Unasked::heard_prompt() {
 
 // The controller lists the command before which it holds (firmware 1.21 on). Of several equal commands, the
 // first after the previous one is taken.
-void Unasked::heard_held(std::string_view command) {
+void UnsolicitedMessages::received_held(std::string_view command) {
   console_.texts.add(fmt::format(":{}", command));
   if (under_way_.job().active()) {
     hold_.was_switched(true);
@@ -66,18 +66,18 @@ void Unasked::heard_held(std::string_view command) {
   p.command_told = matches == 1;
 }
 
-void Unasked::heard_limit() {
+void UnsolicitedMessages::received_limit() {
   if (under_way_.job().active())
     under_way_.job().report_limit();
   else
-    console_.tell(Notice::Kind::warning, "A limit switch was hit. The controller has stopped that motor.");
+    console_.report(Notice::Kind::warning, "A limit switch was hit. The controller has stopped that motor.");
   if (under_way_.program_runs()) console_.draft.program.ended_by = EndedBy::limit;
   console_.texts.add("O");
 }
 
-void Unasked::heard_error(char letter) {
+void UnsolicitedMessages::received_error(char letter) {
   const ErrorWords words = explain_error(letter);
-  console_.tell(Notice::Kind::error, words.what + " " + words.advice);
+  console_.report(Notice::Kind::error, words.what + " " + words.advice);
   console_.texts.add(std::string("E") + letter);
   if (letter == error_stopped) {
     if (under_way_.job().active()) under_way_.job().ends_by(EndedBy::elsewhere);
@@ -94,7 +94,7 @@ void Unasked::heard_error(char letter) {
     for (int i = 0; i < console_.draft.axis_count; ++i) console_.draft.axes[i].activity = Activity::error;
     headline_.show();
   }
-  if (letter == error_bus) nameplate_.lose_slave();
+  if (letter == error_bus) identification_.lose_slave();
   // A restart is found by the next V: it answers J.
 }
 

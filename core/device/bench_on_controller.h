@@ -8,7 +8,7 @@ namespace hw {
 
 /// Passes commands to the controller on to `act`. Refuses faults of the wire, which the transport makes.
 template <class Act>
-Result<> by_hand(const BenchCommand& command, const Act& act) {
+Result<> on_controller(const BenchCommand& command, const Act& act) {
   const auto do_it = [&]<class Hand>(const Hand& hand) -> Result<> {
     constexpr bool of_the_wire = std::is_same_v<Hand, bench::Unplug> || std::is_same_v<Hand, bench::Garble> ||
                                  std::is_same_v<Hand, bench::Drop>;

@@ -1,4 +1,4 @@
-#include "core/devices/vxm/looks.h"
+#include "core/devices/vxm/reply_kinds.h"
 
 #include <functional>
 #include <utility>
@@ -29,14 +29,15 @@ std::size_t before_line(std::string_view received) {
   return fits(received.substr(0, end + 1)) ? 0 : end + 1;
 }
 
-// A second V, sent while the replies to a first V and to others are owed. In Local mode only V is answered,
-// and the letter tells the mode. Otherwise replies come in order: the letter after a line asked for after the
-// first V, or after another letter, answers the second V.
+// A second V, sent while the replies to a first V and to others are outstanding. In Local mode only V is
+// answered, and the letter tells the mode. Otherwise replies come in order: the letter after a line asked for
+// after the first V, or after another letter, answers the second V.
 class SecondLetter {
  public:
-  SecondLetter(const OwedAnswers& owed, Instant now)
-      : position_tells_(owed.comes_behind(look::position, look::letter, now)),
-        number_tells_(owed.comes_behind(look::number, look::letter, now) && !owed.torn(now)) {}
+  SecondLetter(const OutstandingReplies& outstanding, Instant now)
+      : position_tells_(outstanding.comes_behind(reply_kind::position, reply_kind::letter, now)),
+        number_tells_(outstanding.comes_behind(reply_kind::number, reply_kind::letter, now) &&
+                      !outstanding.torn(now)) {}
   std::size_t operator()(std::string_view received) {
     if (before_number(received) == 0) {
       const auto end = received.find('\r');
@@ -57,11 +58,11 @@ class SecondLetter {
 };
 
 using Fits = bool (*)(std::string_view);
-Station::Unmistakable question(std::string text, ReplyShape shape, Look look, Fits fits,
+Station::Unmistakable question(std::string text, ReplyShape shape, ReplyKind reply_kind, Fits fits,
                                std::function<std::size_t(std::string_view)> unsolicited_length) {
   Station::Unmistakable asked;
   asked.question = Transaction(std::move(text), shape, Priority::poll);
-  asked.question.look = look;
+  asked.question.reply_kind = reply_kind;
   asked.question.unsolicited_length = std::move(unsolicited_length);
   asked.is_answer = fits;
   return asked;
@@ -69,49 +70,50 @@ Station::Unmistakable question(std::string text, ReplyShape shape, Look look, Fi
 
 }  // namespace
 
-Look look_of(const TextCommand& c) {
-  if (c.verb == Verb::word) return c.name == "lst" ? look::lines : look::prompt;
-  if (c.verb == Verb::get) return c.name == "D0" || c.name == "D1" ? look::text : look::number;
-  if (c.verb == Verb::ask_selected || c.verb == Verb::ask_associate) return look::number;
-  if (c.verb != Verb::letter) return Look::any;
+ReplyKind reply_kind_of(const TextCommand& c) {
+  if (c.verb == Verb::word) return c.name == "lst" ? reply_kind::lines : reply_kind::prompt;
+  if (c.verb == Verb::get) return c.name == "D0" || c.name == "D1" ? reply_kind::text : reply_kind::number;
+  if (c.verb == Verb::ask_selected || c.verb == Verb::ask_associate) return reply_kind::number;
+  if (c.verb != Verb::letter) return ReplyKind::any;
   switch (c.letter) {
-    case 'V': return look::letter;
+    case 'V': return reply_kind::letter;
     case 'X':
     case 'Y':
     case 'Z':
     case 'T':
-    case 'D': return look::position;
+    case 'D': return reply_kind::position;
     case '@':
-    case 'M': return look::number;
+    case 'M': return reply_kind::number;
     case '?':
     case '~':
-    case '$': return look::raw;
-    case 'K': return look::prompt;
-    default: return Look::any;
+    case '$': return reply_kind::raw;
+    case 'K': return reply_kind::prompt;
+    default: return ReplyKind::any;
   }
 }
 
-// An owed raw byte may be one of the four letters. Then a letter is owed in its place, which the next
-// position lets pass, and no raw byte is believed over it (Signals).
-std::optional<Station::Unmistakable> unmistakable(const OwedAnswers& owed, Instant now,
+// An outstanding raw byte may be one of the four letters. Then a letter is outstanding in its place, which
+// the next position lets pass, and no raw byte is believed over it (Signals).
+std::optional<Station::Unmistakable> unmistakable(const OutstandingReplies& outstanding, Instant now,
                                                   const Listening& listening, bool echoes) {
   if (listening.halted) return std::nullopt;
-  const auto free = [&](Look look) { return !owed.may_look(look, now); };
-  if (free(look::letter) && free(look::lines))
-    return question("V", ReplyShape::bytes(1), look::letter, is_state, before_state);
+  const auto free = [&](ReplyKind reply_kind) { return !outstanding.may_be_outstanding(reply_kind, now); };
+  if (free(reply_kind::letter) && free(reply_kind::lines))
+    return question("V", ReplyShape::bytes(1), reply_kind::letter, is_state, before_state);
   if (listening.local) return std::nullopt;  // nothing else is answered but D
-  if (free(look::position))
-    return question("X", ReplyShape::line(), look::position, is_position, before_line<is_position>);
-  const bool whole = !owed.torn(now);  // the end of a position looks like a number
-  if (free(look::number) && free(look::lines) && whole && !echoes) {  // the echo of @ is a message
-    auto asked = question("@", ReplyShape::line(), look::number, is_unsigned, before_line<is_unsigned>);
+  if (free(reply_kind::position))
+    return question("X", ReplyShape::line(), reply_kind::position, is_position, before_line<is_position>);
+  const bool whole = !outstanding.torn(now);  // the end of a position looks like a number
+  if (free(reply_kind::number) && free(reply_kind::lines) && whole &&
+      !echoes) {  // the echo of @ is a message
+    auto asked = question("@", ReplyShape::line(), reply_kind::number, is_unsigned, before_line<is_unsigned>);
     asked.question.may_be_silent = true;  // not answered in Local mode; the next question tells
     return asked;
   }
-  if (free(look::lines))
-    return question("V", ReplyShape::bytes(1), look::letter, is_state, SecondLetter(owed, now));
-  if (free(look::text) && whole && !listening.running)
-    return question("getD0", ReplyShape::line(), look::text, is_version, before_line<is_version>);
+  if (free(reply_kind::lines))
+    return question("V", ReplyShape::bytes(1), reply_kind::letter, is_state, SecondLetter(outstanding, now));
+  if (free(reply_kind::text) && whole && !listening.running)
+    return question("getD0", ReplyShape::line(), reply_kind::text, is_version, before_line<is_version>);
   return std::nullopt;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 // Replies that may still come although their questions were given up at their deadlines. While a device owes
 // replies its line is dirty: a received reply may be an old one. A device answers in order, so once it has
-// given a reply that cannot be mistaken for an owed one, all owed replies have come or never will.
+// given a reply that cannot be mistaken for an outstanding one, all outstanding replies have come or never
+// will.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -11,49 +12,52 @@
 namespace hw {
 
 /// The look of a reply: replies of different looks are never mistaken for each other. The numbers are the
-/// driver's own, below `look_count`; `any` may look like every other.
-enum class Look : std::uint8_t { any };
-inline constexpr std::size_t look_count = 8;
+/// driver's own, below `reply_kind_count`; `any` may look like every other.
+enum class ReplyKind : std::uint8_t { any };
+inline constexpr std::size_t reply_kind_count = 8;
 
-class OwedAnswers {
+class OutstandingReplies {
  public:
   /// No reply comes later than this.
   static constexpr Duration longest_delay = std::chrono::seconds(3);
 
-  void add(Look look, Instant now) { until_[static_cast<std::size_t>(look)] = now + longest_delay; }
-  /// A reply of this look was accepted. It may have been an owed one, so that the right one still comes.
-  void take(Look look, Instant now) {
-    if (now < until_[0] || now < until_[static_cast<std::size_t>(look)]) add(look, now);
+  void add(ReplyKind reply_kind, Instant now) {
+    until_[static_cast<std::size_t>(reply_kind)] = now + longest_delay;
+  }
+  /// A reply of this look was accepted. It may have been an outstanding one, so that the right one still
+  /// comes.
+  void take(ReplyKind reply_kind, Instant now) {
+    if (now < until_[0] || now < until_[static_cast<std::size_t>(reply_kind)]) add(reply_kind, now);
   }
   /// Only the beginning of a reply was received; its end will not have its look.
   void tear(Instant now) { torn_until_ = now + longest_delay; }
-  void add(const OwedAnswers& more) {
-    for (std::size_t i = 0; i < look_count; ++i) until_[i] = std::max(until_[i], more.until_[i]);
+  void add(const OutstandingReplies& more) {
+    for (std::size_t i = 0; i < reply_kind_count; ++i) until_[i] = std::max(until_[i], more.until_[i]);
     torn_until_ = std::max(torn_until_, more.torn_until_);
   }
   void clear() {
     until_.fill({});
     torn_until_ = {};
   }
-  /// No reply has been owed since the line was last clean.
+  /// No reply has been outstanding since the line was last clean.
   [[nodiscard]] bool never() const {
     return std::all_of(until_.begin(), until_.end(), [](Instant until) { return until == Instant{}; });
   }
   [[nodiscard]] bool torn(Instant now) const { return now < torn_until_; }
-  /// A reply of `look` is owed and comes after the owed one of `other`.
-  [[nodiscard]] bool comes_behind(Look look, Look other, Instant now) const {
-    const Instant until = until_[static_cast<std::size_t>(look)];
+  /// A reply of `look` is outstanding and comes after the outstanding one of `other`.
+  [[nodiscard]] bool comes_behind(ReplyKind reply_kind, ReplyKind other, Instant now) const {
+    const Instant until = until_[static_cast<std::size_t>(reply_kind)];
     return now < until && until > until_[static_cast<std::size_t>(other)];
   }
   [[nodiscard]] bool any(Instant now) const {
     return std::any_of(until_.begin(), until_.end(), [now](Instant until) { return now < until; });
   }
-  /// An owed reply may have this look.
-  [[nodiscard]] bool may_look(Look look, Instant now) const {
-    if (look == Look::any) return any(now);
-    return now < until_[0] || now < until_[static_cast<std::size_t>(look)];
+  /// An outstanding reply may have this look.
+  [[nodiscard]] bool may_be_outstanding(ReplyKind reply_kind, Instant now) const {
+    if (reply_kind == ReplyKind::any) return any(now);
+    return now < until_[0] || now < until_[static_cast<std::size_t>(reply_kind)];
   }
-  /// When the next owed reply expires; `now`: none is owed.
+  /// When the next outstanding reply expires; `now`: none is outstanding.
   [[nodiscard]] Instant next_end(Instant now) const {
     Instant next = Instant::max();
     for (const Instant until : until_)
@@ -62,7 +66,7 @@ class OwedAnswers {
   }
 
  private:
-  std::array<Instant, look_count> until_{};
+  std::array<Instant, reply_kind_count> until_{};
   Instant torn_until_{};
 };
 

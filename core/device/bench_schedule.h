@@ -8,7 +8,7 @@
 
 namespace hw {
 
-class PlannedHands {
+class BenchSchedule {
  public:
   /// In order, until one is refused.
   static Result<> act(const std::vector<BenchCommand>& commands, Emulator& emulator) {

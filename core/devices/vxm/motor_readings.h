@@ -17,7 +17,7 @@ namespace hw::vxm {
 /// Positions unchanged for this time show a standstill.
 inline constexpr Duration to_see_standstill = Millis(60);
 
-class Sight {
+class MotorReadings {
  public:
   struct Change {
     bool moved = false;
@@ -26,10 +26,10 @@ class Sight {
     Instant since{};        ///< all of that is later: the previous reading was asked for then
   };
 
-  explicit Sight(const Scheduler& scheduler) : scheduler_(scheduler) {}
+  explicit MotorReadings(const Scheduler& scheduler) : scheduler_(scheduler) {}
 
   /// `at`: when the reading was asked for. `before`: shown until now.
-  Change saw(int motor, const AxisState& before, Steps position, Instant at) {
+  Change take(int motor, const AxisState& before, Steps position, Instant at) {
     Seen& seen = seen_[ix(motor)];
     const double way = static_cast<double>((position - before.position).value);
     if (before.position_known && at > before.seen_at)
@@ -49,7 +49,7 @@ class Sight {
     return change;
   }
   /// A stored program begins: earlier motions were not its own.
-  void forget_ways() {
+  void forget_directions() {
     for (Seen& seen : seen_) seen.went.reset();
   }
 
@@ -62,7 +62,7 @@ class Sight {
     const Seen& seen = seen_[ix(motor)];
     return seen.read_at - std::max(seen.moved_at, then) >= to_see_standstill;
   }
-  /// Last direction since forget_ways(); none: no motion.
+  /// Last direction since forget_directions(); none: no motion.
   [[nodiscard]] std::optional<Sign> went(int motor) const { return seen_[ix(motor)].went; }
   /// Steps/s between the last two readings.
   [[nodiscard]] double speed(int motor) const { return seen_[ix(motor)].speed; }

@@ -12,9 +12,10 @@ inline constexpr std::string_view unused_slave =
     "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
     "in its address to use them.";
 
-class Nameplate {
+class Identification {
  public:
-  Nameplate(const Console& console, Conversation& talk) : console_(console), talk_(talk) {}
+  Identification(const Console& console, Conversation& conversation)
+      : console_(console), conversation_(conversation) {}
 
   Task<Result<>> read();
   [[nodiscard]] bool is_read() const { return read_; }
@@ -32,7 +33,7 @@ class Nameplate {
 
  private:
   const Console& console_;
-  Conversation& talk_;
+  Conversation& conversation_;
   bool read_ = false, has_slave_ = false, tells_outputs_ = true, tells_pulses_ = true;
 };
 

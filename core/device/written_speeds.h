@@ -6,7 +6,7 @@
 
 namespace hw {
 
-class ToldSpeeds {
+class WrittenSpeeds {
  public:
   /// The speeds that must be written so that a motion has the wanted ones; 0: nothing to write. None: one
   /// must be the controller's own, and the text has changed it.
@@ -42,6 +42,6 @@ class ToldSpeeds {
 };
 
 /// Whether any step sets speeds, loops included.
-bool says_speeds(const sequence::StepList& steps);
+bool sets_speeds(const sequence::StepList& steps);
 
 }  // namespace hw

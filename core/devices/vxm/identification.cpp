@@ -1,4 +1,4 @@
-#include "core/devices/vxm/nameplate.h"
+#include "core/devices/vxm/identification.h"
 
 #include <fmt/core.h>
 
@@ -20,12 +20,12 @@ int hundredths(std::string_view version) {
 
 }  // namespace
 
-Task<Result<>> Nameplate::read() {
-  auto version = co_await talk_.text("getD0", Priority::poll);
+Task<Result<>> Identification::read() {
+  auto version = co_await conversation_.text("getD0", Priority::poll);
   if (!version) co_return fail(version.error());
-  auto date = co_await talk_.text("getD1", Priority::poll);
+  auto date = co_await conversation_.text("getD1", Priority::poll);
   if (!date) co_return fail(date.error());
-  auto motors = co_await talk_.number("getD2", Priority::poll);
+  auto motors = co_await conversation_.number("getD2", Priority::poll);
   if (!motors) co_return fail(motors.error());
   console_.draft.identity.firmware = fmt::format("{} ({})", *version, *date);
   has_slave_ = *motors == 4;
@@ -38,19 +38,19 @@ Task<Result<>> Nameplate::read() {
         console_.catalog.jog_speed;  // it has none: each motion of the console sets one
   }
   if (axes > motors_per_controller && !has_slave_)
-    console_.tell(
+    console_.report(
         Notice::Kind::warning,
         "The controller finds no second one on the VXM bus, so motors 3 and 4 cannot be used. Nothing is "
         "sent to "
         "them. Check the Slave's power and cable, and that this controller is the Master (DM bit 6); then "
         "reconnect.");
   if (axes <= motors_per_controller && has_slave_)
-    console_.tell(Notice::Kind::warning, std::string(unused_slave));
+    console_.report(Notice::Kind::warning, std::string(unused_slave));
   read_ = true;
   co_return Result<>();
 }
 
-void Nameplate::lose_slave() {
+void Identification::lose_slave() {
   has_slave_ = false;
   for (int i = motors_per_controller; i < console_.draft.axis_count; ++i) {
     AxisState& axis = console_.draft.axes[i];

@@ -1,0 +1,53 @@
+#pragma once
+// The readings of one axis' count: whether motion explains each of them, or somebody has set the count. A
+// reading may be spoilt on the way, so nothing is concluded from one alone: a new count is believed when
+// readings have gone on from it for a second, and no motion leads there from any of the last readings before
+// it.
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/base/units.h"
+#include "core/time/clock.h"
+
+namespace hw {
+
+struct CountReading {
+  Steps place{};
+  Instant when{};
+  double fastest = 0;    ///< steps/s that the axis may go now
+  std::int8_t way = 0;   ///< -1, +1: the direction to its target; 0: not known
+  double any_speed = 0;  ///< steps/s that the controller can make at most
+};
+
+class CountTrack {
+ public:
+  void forget() { *this = CountTrack(); }
+  /// True, once: the count was set.
+  [[nodiscard]] bool add(const CountReading& now);
+
+ private:
+  static constexpr int kept = 3;
+  static constexpr int confirmed = 4;  ///< readings without which no count is taken for one
+  using Readings = std::array<CountReading, kept>;
+
+  void know(const CountReading& now);
+  void know_only(const CountReading& now);
+  void begin_other(const CountReading& now);
+  [[nodiscard]] bool leads(const CountReading& from, const CountReading& now) const;
+  [[nodiscard]] bool some_known_leads(const CountReading& now) const;
+  [[nodiscard]] std::optional<CountReading> rested_last() const;
+  [[nodiscard]] std::optional<CountReading> rests_first() const;
+  [[nodiscard]] double known_rate() const;
+  [[nodiscard]] bool moved_on(const CountReading& from, const CountReading& to, double other_rate) const;
+  [[nodiscard]] bool motion_explains() const;
+
+  Readings known_{};     ///< the last, newest at the end
+  Readings other_{};     ///< the first of another count ...
+  CountReading last_{};  ///< ... and its last
+  int known_count_ = 0, other_count_ = 0;
+  int went_on_ = 0;  ///< readings before `other_` of which each lies further the same way
+  int missed_ = 0;   ///< readings behind the last one that do not go on from there
+};
+
+}  // namespace hw
