@@ -355,10 +355,11 @@ int box_around(const std::vector<Chain>& chains) {
   return widest;
 }
 
-double way_between(const std::vector<Chain>& chains, Point begin) {
+double way_between(const std::vector<Chain>& chains, Point begin, bool in_turn) {
   double way = 0;
   for (const Chain& chain : chains) {
-    way += distance(begin, chain.begin());
+    const Point to = chain.begin();
+    way += in_turn ? std::fabs(to.x - begin.x) + std::fabs(to.y - begin.y) : distance(begin, to);
     begin = chain.end();
   }
   return way;

@@ -26,8 +26,9 @@ int box_around(const std::vector<Chain>& chains);
 /// `touching` apart are joined; across a gap the next curve begins at the end of the last.
 std::vector<Chain> join(const Drawing& drawing, double touching, const std::vector<int>& without = {});
 
-/// Length from `begin` to the first chain, and from each to the next.
-double way_between(const std::vector<Chain>& chains, Point begin);
+/// Length from `begin` to the first chain, and from each to the next. `in_turn`: of axes that move one after
+/// the other.
+double way_between(const std::vector<Chain>& chains, Point begin, bool in_turn = false);
 
 /// Called now and then with the progress, 0 to 1. Return false to stop with the best order so far.
 using Progress = std::function<bool(double done)>;

@@ -1,6 +1,8 @@
 #include "core/drawing/path_svg.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,6 +34,79 @@ void write_runs(std::string& out, const SvgLayer& layer, bool tool_on) {
   out += "</g>\n";
 }
 
+/// Places and directions of the arrows along a path: in the middle of its lines, at least so far apart.
+struct Arrow {
+  Point at, unit;
+};
+std::vector<Arrow> arrows_along(const ToolPath& path, double apart) {
+  std::vector<Arrow> arrows;
+  double since = apart / 2;  // a short path has one too
+  for (const ToolPath::Run& run : path.runs)
+    for (std::size_t i = run.first + 1; i < run.first + run.size; ++i) {
+      const Point3 &from = path.points[i - 1], &to = path.points[i];
+      const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+      since += length;
+      if (since < apart || length == 0) continue;
+      since = 0;
+      arrows.push_back({{(from.x + to.x) / 2, (from.y + to.y) / 2}, {dx / length, dy / length}});
+    }
+  return arrows;
+}
+
+void write_arrows(std::string& out, const SvgLayer& layer, double size) {
+  constexpr double apart = 9, most = 300, back = 0.87, aside = 0.5;  // in arrows
+  const ToolPath& path = *layer.path;
+  const auto arrows = arrows_along(path, std::max(apart * size, (path.way_on + path.way_off) / most));
+  if (arrows.empty()) return;
+  out += fmt::format("<g id=\"{}-direction\" stroke=\"{}\" stroke-width=\"{}\">\n", layer.name, layer.colour,
+                     layer.width_px);
+  for (const Arrow& a : arrows) {
+    const Point tip{a.at.x + a.unit.x * size / 2, a.at.y + a.unit.y * size / 2};
+    const auto end = [&](double side) {
+      return Point{tip.x - size * (back * a.unit.x + side * a.unit.y),
+                   tip.y - size * (back * a.unit.y - side * a.unit.x)};
+    };
+    const Point left = end(-aside), right = end(aside);
+    out += fmt::format("<polyline points=\"{:.6g},{:.6g} {:.6g},{:.6g} {:.6g},{:.6g}\"/>\n", left.x, -left.y,
+                       tip.x, -tip.y, right.x, -right.y);
+  }
+  out += "</g>\n";
+}
+
+/// 1, 2 or 5 times a power of ten, at most `most`.
+double round_length(double most) {
+  const double ten = std::pow(10, std::floor(std::log10(most)));
+  return most >= 5 * ten ? 5 * ten : most >= 2 * ten ? 2 * ten : ten;
+}
+
+/// What stands below the paths: a bar of a round length, and what the axes are.
+struct Foot {
+  Foot(double left, double top, double wide, double longest, const SvgWords& said)
+      : x(left), y(top), width(wide), words(said) {
+    constexpr double lines = 45, of_a_letter = 0.62, room = 3;  // in the height of a letter
+    const auto letters = static_cast<double>(std::max<std::size_t>(said.about.size(), 16));
+    letter = std::min(longest / lines, wide / (of_a_letter * letters));
+    height = said.about.empty() && said.unit.empty() ? 0 : room * letter;
+  }
+  void write(std::string& out) const {
+    if (height == 0) return;
+    constexpr std::string_view text =
+        "<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.6g}\" font-family=\"sans-serif\">{}</text>\n";
+    out += "<g id=\"scale\" stroke=\"#000\" stroke-width=\"1\">\n";
+    const double bar = round_length(width / 5), high = y + letter * 0.8;
+    if (!words.unit.empty())
+      out += fmt::format("<polyline points=\"{:.6g},{:.6g} {:.6g},{:.6g}\"/>\n", x, high, x + bar, high);
+    out += "<g fill=\"#000\" stroke=\"none\">\n";
+    if (!words.unit.empty())
+      out += fmt::format(text, x + bar + letter / 2, high + letter / 3, letter,
+                         fmt::format("{:g} {}", bar, escaped(words.unit)));
+    if (!words.about.empty()) out += fmt::format(text, x, y + letter * 2.5, letter, escaped(words.about));
+    out += "</g>\n</g>\n";
+  }
+  double x, y, width, letter = 0, height = 0;
+  const SvgWords& words;
+};
+
 }  // namespace
 
 std::string path_svg(std::span<const SvgLayer> layers, const SvgWords& words) {
@@ -39,8 +114,9 @@ std::string path_svg(std::span<const SvgLayer> layers, const SvgWords& words) {
   for (const SvgLayer& layer : layers)
     if (layer.path) box.add(layer.path->bounds);
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
-  const double air = std::max({width, height, 1e-6}) * 0.02;
-  const double w = width + 2 * air, h = height + 2 * air;
+  const double longest = std::max({width, height, 1e-6}), air = longest * 0.02, w = width + 2 * air;
+  const Foot foot(box.low.x, -box.low.y + air, std::max(width, longest / 4), longest, words);
+  const double h = height + 2 * air + foot.height;
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   if (known_to_svg(words.unit))
     out += fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}{}\" height=\"{}{}\"", w,
@@ -56,7 +132,9 @@ std::string path_svg(std::span<const SvgLayer> layers, const SvgWords& words) {
     if (!layer.path) continue;
     write_runs(out, layer, false);
     write_runs(out, layer, true);
+    if (layer.directed) write_arrows(out, layer, longest / 90);
   }
+  foot.write(out);
   return out += "</svg>\n";
 }
 

@@ -13,12 +13,15 @@ struct SvgLayer {
   const ToolPath* path = nullptr;
   std::string_view colour = "#000";
   double width_px = 1.5;
+  bool directed = false;  ///< has arrows that show its direction, in the group "NAME-direction"
 };
 struct SvgWords {
-  std::string_view unit;   ///< as people write it; if SVG has it (mm, in, cm), the image is true to size
-  std::string_view about;  ///< meaning of the numbers, for people
+  /// As people write it; if SVG has it (mm, in, cm), the image is true to size. Not empty: there is a scale.
+  std::string_view unit;
+  std::string_view about;  ///< meaning of the numbers, for people; below the paths
 };
-/// Later layers cover earlier ones; a layer without a path is omitted.
+/// Later layers cover earlier ones; a layer without a path is omitted. The group "scale" is below all of
+/// them.
 std::string path_svg(std::span<const SvgLayer> layers, const SvgWords& words);
 
 }  // namespace hw::drawing

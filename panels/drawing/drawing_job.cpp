@@ -85,9 +85,7 @@ std::vector<double> without_ramps(const Conversion& made, const ConversionOption
 Result<> write(DrawingJob::Made& made, const Catalog& catalog, const Language& language) {
   auto written = language.write(made.conversion.sequence, catalog);
   if (!written) return fail(written.error());
-  auto frame = language.write(made.conversion.frame, catalog);
-  if (!frame) return fail(frame.error());
-  made.written = std::move(*written), made.frame = std::move(frame->text);
+  made.written = std::move(*written);
   const ProgramReport report = language.analyse(made.written.text, 0);
   for (const Problem& p : report.problems)
     if (p.error && made.problem.empty()) made.problem = p.sentence;

@@ -42,7 +42,6 @@ class DrawingJob {
   struct Made {
     Conversion conversion;
     SequenceText written;              ///< empty: several controllers draw, without a common program
-    std::string frame;                 ///< text that follows its frame once with the tool off
     std::string problem;               ///< the text does not fit; empty: no problem
     std::optional<double> duration_s;  ///< as rehearsed
     std::optional<double> at_least_s;  ///< at the requested speeds; several controllers together: with ramps

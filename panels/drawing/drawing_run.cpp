@@ -90,7 +90,7 @@ const DrawingJob::Made* DrawingRun::at_work(const Frame& f) const {
 }
 
 void DrawingRun::draw(Frame& f, const Wanted& wanted) {
-  say_what_came(f);
+  describe_what_came(f);
   if (pieces_of(f).running)
     draw_while_running(f);
   else
@@ -192,7 +192,9 @@ void DrawingRun::tell(Frame& f, const IntentBody& wish) {
 }
 
 void DrawingRun::draw_override(Frame& f) {
-  double percent = pieces_of(f).percent;
+  const PiecesState& now = pieces_of(f);
+  const bool is_last = !now.draws && !now.held && now.done + 1 >= now.total;
+  double percent = now.percent;
   speed_.clear();
   fmt::format_to(std::back_inserter(speed_), "Speed: {:.0f} % of what was asked for", percent);
   gap(f.ui, 8);
@@ -202,26 +204,31 @@ void DrawingRun::draw_override(Frame& f) {
       .max = 200,
       .step = 10,
       .normal = 100,
-      .tip = pieces_of(f).draws ? "Applies to what is sent from now on." : "Applies from the next piece on.",
+      .disabled = is_last ? "The last piece runs at the speeds written in it." : "",
+      .tip = now.draws ? "Applies to what is sent from now on." : "Applies from the next piece on.",
       .value_text = speed_};
   if (slider(f.ui, "drawing/override", "Speed", percent, o))
     tell(f, intent::OverrideSpeed(static_cast<int>(std::lround(percent))));
 }
 
 /// A controller's only piece has no number worth showing.
-void DrawingRun::say_progress(const PiecesState& now, bool is_sent) {
+void DrawingRun::say_progress(const PiecesState& now, bool is_sent, RunState program) {
   progress_.clear();
   const auto to = std::back_inserter(progress_);
   const Path piece("piece {} of {}", now.done + 1, now.total);
-  const std::string_view what = now.total == 1 ? "the drawing" : piece.view();
+  const std::string_view what = traces_ ? "the frame" : now.total == 1 ? "the drawing" : piece.view();
   if (now.done == now.total)
     fmt::format_to(to, "All of it is done");
   else if (was_stopped(now))
     fmt::format_to(to, "Stopped in {}", what);
+  else if (now.held && program == RunState::running)
+    fmt::format_to(to, "It ends {} first, then it is held", what);
   else if (now.held)
-    fmt::format_to(to, "Held {} {}", now.draws ? "in" : "before", what);
+    fmt::format_to(to, "Held {} {}", now.draws || program == RunState::held ? "in" : "before", what);
   else if (is_sent)
     fmt::format_to(to, "The controller is being sent {}", what);
+  else if (traces_)
+    fmt::format_to(to, "The frame is being traced");
   else if (now.total == 1)
     fmt::format_to(to, "The drawing is being cut");
   else
@@ -237,7 +244,7 @@ void DrawingRun::draw_progress(Frame& f) {
   const DrawingJob::Made* made = at_work(f);
   const bool counts = !is_sent || (made && made->with_transfers);
   clock_.follow(now, f.clock, counts);
-  say_progress(now, is_sent);
+  say_progress(now, is_sent, by_itself && f.now.program.owned ? f.now.program.run : RunState::idle);
   const auto left =
       made ? DrawingJob::seconds_left(*made, now.step, now.percent, clock_.at_it_s()) : std::nullopt;
   if (left && now.running)
@@ -267,6 +274,9 @@ double DrawingRun::share_done(const PiecesState& now, const DrawingJob::Made* ma
 
 void DrawingRun::ask(Frame& f, What what, Made made, Parts parts, std::string question) {
   asked_.question = std::move(question) + said_first(*parts.front(), f.catalog, made->written.tool);
+  if (const Conversion& c = made->conversion; !c.off_the_table.empty())
+    asked_.question +=
+        fmt::format("\n{} of {} chains leave the table.", c.off_the_table.size(), c.chains.size());
   asked_.what = what, asked_.made = std::move(made), asked_.parts = std::move(parts);
   asked_.go_ahead = f.tab.desk().until_stopped();
   asked_.open = true;
@@ -331,9 +341,11 @@ void DrawingRun::draw_dialog(Frame& f) {
 /// While the question stood, a stop may have come or another run may have begun.
 void DrawingRun::cut(Frame& f) {
   if (asked_.go_ahead.expired()) return f.toast(Mood::warn, "A stop came first. Nothing was begun.");
-  if (const std::string_view why = why_not_now(f, asked_.made.get()); !why.empty())
-    return f.toast(Mood::warn, std::string(why));
-  cut_ = asked_.what == What::frame ? nullptr : asked_.made;  // a frame is never resumed
+  traces_ = asked_.what == What::frame;
+  const std::string_view why =
+      traces_ ? why_not_at_all(f, asked_.made.get()) : why_not_now(f, asked_.made.get());
+  if (!why.empty()) return f.toast(Mood::warn, std::string(why));
+  cut_ = traces_ ? nullptr : asked_.made;  // a frame is never resumed
   begun_.clear();
   const Parts& parts = asked_.parts;
   if (!draws_together(f)) {
@@ -350,7 +362,7 @@ void DrawingRun::cut(Frame& f) {
   }
 }
 
-void DrawingRun::say_what_came(Frame& f) {
+void DrawingRun::describe_what_came(Frame& f) {
   std::erase_if(begun_, [&f](const Begun& begun) {
     const IntentFate* fate = begun.by->now().fate_of(begun.id);
     if (!fate || fate->fate == Fate::pending) return false;

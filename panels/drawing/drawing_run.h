@@ -25,8 +25,7 @@ class DrawingRun {
   /// Draws at ImGui's cursor, across the column.
   void draw(gui::Frame& frame, const Wanted& wanted);
   void draw_dialog(gui::Frame& frame);
-  /// Asks whether several controllers shall follow the frame once with the tool off: they have no common
-  /// program.
+  /// Asks whether to go once around the drawing with the tool off.
   void trace_frame(gui::Frame& frame, std::shared_ptr<const DrawingJob::Made> made);
   /// Why the frame cannot be followed now, as a sentence; empty: it can.
   [[nodiscard]] std::string_view why_no_trace(const gui::Frame& frame, const DrawingJob::Made* made) const;
@@ -47,13 +46,14 @@ class DrawingRun {
   void draw_loops(gui::Frame& frame, const Pieces& pieces);
   [[nodiscard]] std::string_view why_not_now(const gui::Frame& frame, const DrawingJob::Made* made);
   void draw_progress(gui::Frame& frame);
-  void say_progress(const PiecesState& now, bool is_sent);
+  /// `program`: of a single controller that draws by a program of its own.
+  void say_progress(const PiecesState& now, bool is_sent, RunState program);
   [[nodiscard]] static double share_done(const PiecesState& now, const DrawingJob::Made* made,
                                          std::optional<double> left);
   /// What is being cut, or was last; null: none, or something that was begun elsewhere.
   [[nodiscard]] const DrawingJob::Made* at_work(const gui::Frame& frame) const;
   void cut(gui::Frame& frame);
-  void say_what_came(gui::Frame& frame);
+  void describe_what_came(gui::Frame& frame);
 
   struct Asked {
     Made made;
@@ -67,8 +67,9 @@ class DrawingRun {
     What what = What::all;
     Made made;
     Parts parts;
-  } worked_out_;  ///< without parts: nothing
-  Made cut_;      ///< the latest one begun
+  } worked_out_;         ///< without parts: nothing
+  Made cut_;             ///< the latest one begun
+  bool traces_ = false;  ///< the latest one begun was a frame
   struct Begun {
     gui::Tab* by;
     IntentId id;

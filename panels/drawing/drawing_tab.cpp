@@ -190,7 +190,7 @@ std::string_view DrawingTab::why_not() const {
 std::string_view DrawingTab::why_no_use(const Frame& f, Use use) const {
   if (job_.drawing() && job_.busy()) return {};
   if (const auto why = why_not(); !why.empty()) return why;
-  if (together_ && use == Use::frame) return run_.why_no_trace(f, job_.made());
+  if (use == Use::frame) return run_.why_no_trace(f, job_.made());
   if (together_) return "Several controllers draw it together: there is no one text for them.";
   return use == Use::program ? std::string_view(job_.made()->problem) : std::string_view();
 }
@@ -206,8 +206,7 @@ void DrawingTab::draw_use(Frame& f, Use use, std::string_view id, std::string_vi
 void DrawingTab::use(Frame& f, Use use) {
   if (!why_no_use(f, use).empty()) return;
   if (use == Use::program) return ask_or_put(f, job_.made()->written.text);
-  if (use == Use::frame && together_) return run_.trace_frame(f, job_.shared_made());
-  if (use == Use::frame) return ask_or_put(f, job_.made()->frame);
+  if (use == Use::frame) return run_.trace_frame(f, job_.shared_made());
   asking_blocks_ = f.tab.desk().blocks.edited();
   if (!asking_blocks_) to_blocks(f);
 }
@@ -259,10 +258,7 @@ void DrawingTab::draw_toolbar(Frame& f) {
     open_.ask_open("Open a drawing", open_.folder(), {".dxf"});
   draw_use(f, Use::blocks, "drawing/to_blocks", "To the blocks", 8, look);
   draw_use(f, Use::program, "drawing/to_program", "To the program", 8, look);
-  look.style = ButtonStyle::quiet, look.tip = together_
-                                                  ? "Goes once around it with the tool off."
-                                                  : "A program that goes once around it with the tool off.";
-  look.moving = together_.has_value();
+  look.style = ButtonStyle::quiet, look.tip = "Goes once around it with the tool off.", look.moving = true;
   draw_use(f, Use::frame, "drawing/frame", "Frame", 0, look);
   look.tip = {}, look.moving = false;
   next_in_toolbar(f, 0, button_width(ui, "Fit", look));

@@ -92,7 +92,7 @@ void PathBackdrop::follow(Frame& f, const Wanted& w) {
              look,
              w.trace.points.size(),
              latest_source(w.trace)};
-  f.tab.desk().worker().run(
+  f.tab.desk().worker().run_short(
       [next, trace = w.trace, meant, to_do = still_to_do(look, f.ui), of_trace]() mutable {
         static const drawing::ToolPath none;
         const auto path_of = [](const SharedPath& path) { return path ? path.get() : &none; };

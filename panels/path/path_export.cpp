@@ -12,6 +12,7 @@
 #include "gui/surface/offscreen.h"
 #include "gui/surface/path_picture.h"
 #include "gui/widgets/button.h"
+#include "panels/path/path_sheet.h"
 
 namespace hw::panels {
 
@@ -35,12 +36,12 @@ struct Shown {
 
 /// "X in mm to the right, Y in mm upwards"
 std::string about_axes(const Directions& all) {
-  static constexpr std::string_view ways[] = {"to the right", "upwards", "towards you"};
+  static constexpr std::string_view ways[] = {" to the right", " upwards"};
   std::string about;
   for (std::size_t n = 0; n < all.count; ++n)
-    about += fmt::format("{}{} in {} {}", n == 0 ? "" : ", ", all.all[n].name, all.all[n].unit().name,
-                         all.count > 2 ? "in perspective" : ways[n]);
-  return about;
+    about += fmt::format("{}{} in {}{}", n == 0 ? "" : ", ", all.all[n].name, all.all[n].unit().name,
+                         all.count > 2 ? "" : ways[n]);
+  return all.count > 2 ? about + ", in perspective" : about;
 }
 
 Shown shown_by(const Frame& f, const PathSubject& s, const PathCanvas& canvas) {
@@ -75,14 +76,6 @@ Shown shown_by(const Frame& f, const PathSubject& s, const PathCanvas& canvas) {
           about_axes(all)};
 }
 
-std::uint32_t over_white(std::uint32_t pixel) {
-  const unsigned alpha = pixel >> IM_COL32_A_SHIFT & 255u;
-  std::uint32_t out = IM_COL32_A_MASK;
-  for (const int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT})
-    out |= ((pixel >> shift & 255u) * alpha + 255u * (255u - alpha)) / 255u << shift;
-  return out;
-}
-
 /// Lines; in the unit of the axes if seen in plan.
 std::string svg_of(const Shown& shown) {
   std::vector<drawing::ToolPath> flat(shown.layers.size());
@@ -93,33 +86,35 @@ std::string svg_of(const Shown& shown) {
     if (!layer.path) continue;
     flat[n] = flattened(*layer.path, shown.projection);
     colours[n] = fmt::format("#{:06x}", layer.rgb);
-    layers.push_back({layer.name, &flat[n], colours[n], static_cast<double>(layer.width)});
+    layers.push_back({layer.name, &flat[n], colours[n], static_cast<double>(layer.width), layer.directed});
   }
   return drawing::path_svg(layers, {shown.unit, shown.about});
 }
 
-Result<> write_pixels(const Shown& shown, const std::filesystem::path& file) {
-  constexpr int width = 1600, height = 1200;
+drawing::Box3 box_of(const Shown& shown) {
   drawing::Box3 box;
+  for (const Layer& layer : shown.layers)
+    if (layer.path) box.add(layer.path->bounds);
+  return box;
+}
+
+Result<> write_pixels(const Shown& shown, const PathSheet& sheet, const std::filesystem::path& file) {
   std::vector<PathLayer> layers;
   for (const Layer& layer : shown.layers) {
     if (!layer.path) continue;
-    box.add(layer.path->bounds);
     PathLook look;
     look.tool_on = rgb(layer.rgb), look.tool_off = rgb(0x888888);
     look.on_width = layer.width, look.dash = 5, look.dash_gap = 4;
     if (layer.directed) look.arrow_every = 220, look.arrow = 14;
     layers.push_back({layer.path.get(), look});
   }
-  const drawing::PathView view(box, shown.projection, width, height, shown.equal);
-  Picture picture = path_picture(layers, view);
-  for (std::uint32_t& p : picture.pixels) p = over_white(p);
-  return write_png(file.string(), picture.pixels, width, height);
+  const Picture picture = sheet.with(path_picture(layers, sheet.view()));
+  return write_png(file.string(), picture.pixels, picture.width, picture.height);
 }
 
-/// The file name's extension selects the format. Slow.
-Result<> write_picture(const Shown& shown, const std::filesystem::path& file) {
-  return file.extension() == ".png" ? write_pixels(shown, file) : write_file(file, svg_of(shown));
+/// `sheet`: of pixels; null: the file gets lines. Slow.
+Result<> write_picture(const Shown& shown, const PathSheet* sheet, const std::filesystem::path& file) {
+  return sheet ? write_pixels(shown, *sheet, file) : write_file(file, svg_of(shown));
 }
 
 }  // namespace
@@ -138,8 +133,12 @@ void PathExport::draw_dialog(Frame& f, const PathSubject& subject, const PathCan
   const auto file = dialog_.draw(f.ui);
   if (!file) return;
   Desk& desk = f.tab.desk();
+  Shown shown = shown_by(f, subject, canvas);
+  std::shared_ptr<const PathSheet> sheet;
+  if (file->extension() == ".png")
+    sheet = std::make_shared<PathSheet>(f, subject, box_of(shown), shown.projection, shown.equal);
   desk.worker().run(
-      [shown = shown_by(f, subject, canvas), file = *file] { return write_picture(shown, file); },
+      [shown = std::move(shown), sheet, file = *file] { return write_picture(shown, sheet.get(), file); },
       [&console = f.console, file = *file](Result<> written) {
         if (!written) return console.toast(Mood::fault, written.error().sentence());
         console.toast(Mood::ok, fmt::format("Saved as {}.", file.string()));

@@ -18,12 +18,11 @@ int decimals_of(double step) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
 }
 
-namespace {
-
-/// A round spacing for lines over this range, at least `apart_px` pixels apart.
 double step_over(double range, float px, float apart_px) {
   return grid_step({0, static_cast<float>(range)}, std::max(2, static_cast<int>(px / apart_px)));
 }
+
+namespace {
 
 bool is_zero(double v, double step) { return std::fabs(v) < step * 1e-6; }
 

@@ -87,6 +87,13 @@ void draw_size(Ui& ui, std::string_view size, float right) {
 
 void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s) {
   Ui& ui = f.ui;
+  if (const std::string& refusal = program.refusal(); !refusal.empty()) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    wrapped(ui, Face::body, Tone::fault, refusal);
+    show(ui, {"path/refusal", Kind::text, "Refusal", refusal},
+         {at, ImVec2(ui.px(f.area.right() - 16), ImGui::GetCursorScreenPos().y)});
+    gap(ui, 8);
+  }
   if (!program.rehearsed()) return wrapped(ui, Face::body, Tone::ink2, "Nothing has been rehearsed yet.");
   if (!program.path()) {
     if (program.under_way()) return;

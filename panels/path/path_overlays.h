@@ -20,6 +20,8 @@ struct PathGround {
 
 /// Decimals that distinguish numbers `step` apart.
 int decimals_of(double step);
+/// A round spacing for lines over this range of so many pixels, at least `apart_px` apart.
+double step_over(double range, float px, float apart_px);
 
 /// Two axes: rulers at the border and lines across the view. Three: numbered lines on the floor of the box.
 void draw_grid(const PathGround& ground);

@@ -58,8 +58,10 @@ Meant meant_in(std::shared_ptr<const sequence::Sequence> sequence, const Catalog
 
 // ---- content
 
+int ProgramPath::Part::started() const { return tab->desk().texts.start_of(slot); }
+
 const Rehearsals::Outcome* ProgramPath::Part::outcome() const {
-  return tab ? tab->desk().rehearsals.of(slot) : nullptr;
+  return tab ? tab->desk().rehearsals.of(started()) : nullptr;
 }
 
 ProgramPath::Made ProgramPath::wanted_of(const Frame& f, const PathAxes& axes, PathTool tool) const {
@@ -94,6 +96,7 @@ ProgramPath::Made ProgramPath::wanted_of(const Frame& f, const PathAxes& axes, P
 bool ProgramPath::follow(Frame& f, const PathAxes& axes, PathTool tool) {
   follow_drawn(f);
   Made wanted = wanted_of(f, axes, tool);
+  follow_refusal();
   if (wanted == made_) return false;
   made_ = std::move(wanted);
   path_ = commanded_ = nullptr;
@@ -119,6 +122,14 @@ void ProgramPath::follow_drawn(const Frame& f) {
     left_s_ = std::max(seconds_from(now.step, *drawn_.rehearsal) * 100 / now.percent - clock_.at_it_s(), 0.0);
 }
 
+void ProgramPath::follow_refusal() {
+  const Rehearsals::Outcome* refused = nullptr;
+  for (std::size_t n = 0; n < made_.count; ++n)
+    if (const auto* outcome = made_.parts[n].outcome(); outcome && !outcome->result) refused = outcome;
+  if (std::exchange(refused_, refused ? refused->number : 0) == (refused ? refused->number : 0)) return;
+  refusal_ = refused ? refused->result.error().sentence() : std::string();
+}
+
 bool ProgramPath::rehearsed() const {
   return made_.drawn ||
          std::any_of(made_.parts.begin(), made_.parts.end(), [](const Part& p) { return p.rehearsal > 0; });
@@ -134,7 +145,7 @@ void ProgramPath::rehearse(const Frame& f) {
 
 bool ProgramPath::under_way() const {
   return std::any_of(made_.parts.begin(), made_.parts.begin() + made_.count,
-                     [](const Part& p) { return p.tab->desk().rehearsals.under_way(p.slot); });
+                     [](const Part& p) { return p.tab->desk().rehearsals.under_way(p.started()); });
 }
 
 std::string_view ProgramPath::why_not_rehearse() const {
@@ -291,7 +302,7 @@ bool ProgramPath::older() const {
   return !made_.drawn &&
          std::any_of(made_.parts.begin(), made_.parts.begin() + made_.count, [](const Part& part) {
            Desk& desk = part.tab->desk();
-           return desk.rehearsals.older_than_line(part.slot, desk.texts.text(part.slot)) >= 0;
+           return desk.rehearsals.older_than_line(part.started(), desk.texts.text(part.slot)) >= 0;
          });
 }
 

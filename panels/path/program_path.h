@@ -41,6 +41,8 @@ class ProgramPath {
   /// -1: of no single program.
   [[nodiscard]] int slot() const { return made_.drawn ? -1 : made_.parts[0].slot; }
   [[nodiscard]] bool rehearsed() const;
+  /// Why the latest rehearsal came to nothing, as a sentence; empty: it did not.
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
   /// Null: not rehearsed, not computed yet, or nothing moves. Its sources are places() of text().
   [[nodiscard]] const std::shared_ptr<const drawing::ToolPath>& path() const { return path_; }
   /// The intended path of the blocks or drawing that the program was written from; null: there are none.
@@ -68,6 +70,7 @@ class ProgramPath {
     gui::Tab* tab = nullptr;
     int rehearsal = 0, slot = -1;
     bool operator==(const Part&) const = default;
+    [[nodiscard]] int started() const;  ///< the program that Run starts and Simulate tries
     [[nodiscard]] const gui::Rehearsals::Outcome* outcome() const;
   };
   /// The inputs of the path: a change rebuilds it.
@@ -85,6 +88,7 @@ class ProgramPath {
   };
   [[nodiscard]] Made wanted_of(const gui::Frame& frame, const PathAxes& axes, PathTool tool) const;
   void follow_drawn(const gui::Frame& frame);
+  void follow_refusal();
   [[nodiscard]] std::vector<Rehearsal> tracks() const;
   void work_out(gui::Frame& frame, const Directions& seen);
   void work_out_drawn(gui::Frame& frame, const Directions& seen);
@@ -96,6 +100,8 @@ class ProgramPath {
   int passed_over_ = 0;       ///< its number when the programs were asked for
   StepClock clock_;
   std::optional<double> left_s_;
+  std::string refusal_;
+  int refused_ = 0;  ///< number of that rehearsal
   int step_at_work_ = -1;
   std::shared_ptr<const drawing::ToolPath> path_, commanded_;
   Facts facts_;

@@ -101,7 +101,7 @@ void RunDrawnFrom::begin(Frame& f) {
   }
 }
 
-void RunDrawnFrom::say_what_came(Frame& f) {
+void RunDrawnFrom::describe_what_came(Frame& f) {
   std::erase_if(begun_, [&f](const Begun& begun) {
     const IntentFate* fate = begun.by->now().fate_of(begun.id);
     if (!fate || fate->fate == Fate::pending) return false;
@@ -111,7 +111,7 @@ void RunDrawnFrom::say_what_came(Frame& f) {
 }
 
 void RunDrawnFrom::draw_dialog(Frame& f, std::string_view where) {
-  say_what_came(f);
+  describe_what_came(f);
   if (auto parts = std::exchange(worked_out_, std::nullopt)) take(f, std::move(*parts));
   if (!asking_) return;
   const Dialog what{.title = "Run from here?",

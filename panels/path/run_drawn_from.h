@@ -31,7 +31,7 @@ class RunDrawnFrom {
   void take(gui::Frame& frame, Result<Parts> parts);
   void say(const gui::Frame& frame);
   void begin(gui::Frame& frame);
-  void say_what_came(gui::Frame& frame);
+  void describe_what_came(gui::Frame& frame);
 
   bool asking_ = false, working_ = false;
   gui::DrawnTogether drawn_;

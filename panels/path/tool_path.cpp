@@ -75,7 +75,7 @@ PathSubject ToolPath::subject_of(const Frame& f) const {
 }
 
 void ToolPath::draw_all(Frame& f) {
-  say_what_came(f);
+  describe_what_came(f);
   choice_.begin(f);
   if (program_.follow(f, choice_.axes(), choice_.tool())) {
     hit_ = {};

@@ -132,6 +132,38 @@ TEST_F(SlaveDrawingTabTest, MotorsOfMasterAndSlaveDrawOneAfterTheOtherAndThatIsS
   EXPECT_THAT(s.tab.desk().texts.text(0), testing::AllOf(HasSubstr("IA3M300"), HasSubstr("IA4M100")));
 }
 
+TEST_F(DrawingTabTest, TheFrameGoesOnceAroundWithTheToolOff) {
+  drop();
+  two_hundred_pulses_in_a_mm();
+  s.click("drawing/tool");
+  s.click("drawing/tool/DO2");
+  s.click("drawing/origin/Corner");
+  s.stage.frames(6);
+  const std::string before = s.tab.desk().texts.text(0);
+  s.sent.clear();
+  s.click("drawing/frame");
+  s.stage.frames(4);
+  EXPECT_TRUE(s.sent.empty()) << "it is asked about";
+  EXPECT_THAT(s.value("drawing/ask_cut/says"), HasSubstr("once around the drawing with the tool off"));
+  s.click("drawing/ask_cut/yes");
+  ASSERT_EQ(s.sent.size(), 1u);
+  EXPECT_EQ(s.tab.desk().texts.text(0), before) << "the user's text stays";
+  const auto* asked = std::get_if<intent::RunInPieces>(&s.sent.front());
+  ASSERT_TRUE(asked);
+  ASSERT_EQ(asked->pieces->all.size(), 1u);
+  std::string text;
+  for (const PieceAct& act : asked->pieces->all.front().does)
+    if (const auto* load = act.what ? std::get_if<intent::LoadProgram>(&*act.what) : nullptr)
+      text += load->text;
+  EXPECT_THAT(text, testing::Not(HasSubstr("DO2=1")));
+  std::size_t at = 0;
+  for (const char* corner : {"X0Y0", "X4000Y0", "X4000Y2000", "X0Y2000", "X0Y0"}) {
+    at = text.find(corner, at);
+    ASSERT_NE(at, std::string::npos) << corner << " in " << text;
+    ++at;
+  }
+}
+
 TEST(FrameOfSeveral, IsTracedTogetherWithTheToolOff) {
   const auto file = std::filesystem::temp_directory_path() / "hw_frame_together.dxf";
   ASSERT_TRUE(write_file(file, square_and_text));

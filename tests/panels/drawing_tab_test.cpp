@@ -173,24 +173,6 @@ TEST_F(DrawingTabTest, AnyTwoAxesDraw) {
   EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("Y4000Z2000"));
 }
 
-TEST_F(DrawingTabTest, TheFrameGoesOnceAroundWithTheToolOff) {
-  drop();
-  two_hundred_pulses_in_a_mm();
-  s.click("drawing/tool");
-  s.click("drawing/tool/DO2");
-  s.click("drawing/origin/Corner");
-  s.stage.frames(6);
-  s.click("drawing/frame");
-  const std::string text = s.tab.desk().texts.text(0);
-  EXPECT_THAT(text, testing::Not(HasSubstr("DO2=1")));
-  std::size_t at = 0;
-  for (const char* corner : {"X0Y0", "X4000Y0", "X4000Y2000", "X0Y2000", "X0Y0"}) {
-    at = text.find(corner, at);
-    ASSERT_NE(at, std::string::npos) << corner << " in " << text;
-    ++at;
-  }
-}
-
 TEST_F(DrawingTabTest, AClickSaysWhatLiesAtTheOrigin) {
   drop();
   two_hundred_pulses_in_a_mm();
@@ -219,6 +201,9 @@ TEST_F(DrawingTabTest, WhatLeavesTheTableIsNamed) {
   s.click("drawing/fit");
   s.stage.frames(6);
   EXPECT_EQ(s.value("drawing/off"), "1 of 2 chains leave the table.");
+  s.click("drawing/cut");
+  EXPECT_THAT(s.value("drawing/ask_cut/says"), HasSubstr("1 of 2 chains leave the table."));
+  s.click("drawing/ask_cut/no");
   s.type("drawing/table/right", "");
   s.click("drawing/fit");
   s.stage.frames(6);
@@ -322,6 +307,12 @@ TEST_F(DrawingTabTest, TheSpeedChangesWhereThatIsTaken) {
   const auto* asked = s.last<intent::OverrideSpeed>();
   ASSERT_TRUE(asked);
   EXPECT_NEAR(asked->percent, 105, 5);
+  s.now.pieces.done = 2;
+  s.stage.frames(3);
+  EXPECT_THAT(s.reason("drawing/override"), HasSubstr("The last piece runs at the speeds written in it"));
+  s.now.pieces.draws = true;
+  s.stage.frames(3);
+  EXPECT_EQ(s.reason("drawing/override"), "") << "each move has its speed when it is sent";
 }
 
 TEST_F(DrawingTabTest, AFileThatSaysNoUnitIsNotCutBeforeOneWasChosen) {

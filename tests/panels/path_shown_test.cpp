@@ -178,6 +178,14 @@ TEST_F(PathToolTest, IsThatOfTheBlocksWithoutBeingChosen) {
 
 // ---- what is saved
 
+TEST_F(PathShownTest, WhatIsSavedShowsItsDirectionAndItsScale) {
+  rehearse("I1M4000,\nI2M3000,\n");
+  const std::string svg = saved("hw_path_directed.svg");
+  EXPECT_THAT(svg, HasSubstr("<g id=\"rehearsed-direction\""));
+  EXPECT_THAT(svg, HasSubstr("<g id=\"scale\""));
+  EXPECT_THAT(svg, HasSubstr(" steps</text>"));
+}
+
 TEST_F(PathShownTest, ATraceAloneIsSavedWithTheLimits) {
   s.bench.present = true;
   s.bench.switches[0] = {Steps(-1000), Steps(3000), {}, {}};

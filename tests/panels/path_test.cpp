@@ -131,6 +131,13 @@ TEST_F(PathTest, ArrowsWithAltMoveTheViewAndJogNothing) {
   EXPECT_TRUE(s.sent.empty());
 }
 
+TEST_F(PathTest, WhyNothingCouldBeRehearsedIsToldHere) {
+  rehearse("I1M400,\nnonsense\n");
+  EXPECT_THAT(s.value("path/refusal"), HasSubstr("Line 2"));
+  rehearse("I1M400,\nI2M300,\n");
+  EXPECT_FALSE(s.stage.find("path/refusal"));
+}
+
 TEST_F(PathTest, TwoClicksMeasure) {
   rehearse("I1M400,\nI2M300,\n");
   const auto right = static_cast<float>(200 / per_px()), up = static_cast<float>(150 / per_px());

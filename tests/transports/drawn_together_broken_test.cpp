@@ -122,6 +122,34 @@ TEST_P(EitherOfTwo, AStopOfOneEndsBothWithTheToolOff) {
   expect_end_within(2);
 }
 
+/// Its move has begun, or not: nobody knows.
+TEST_P(EitherOfTwo, AMoveThatOneDoesNotAnswerEndsBothWithTheToolOff) {
+  begin();
+  ASSERT_TRUE(time.run_until(time.now() + std::chrono::minutes(1),
+                             [this] { return tool_is_on() && place(0) >= first_line && moves(GetParam()); }));
+  operate(GetParam(), bench::Drop(20));
+  expect_end_within(3);
+}
+
+/// It has come to a limit while only the other one had to move, and so refuses the next line.
+TEST_F(DrawingOfTwo, AMoveThatOneRefusesEndsBothWithTheToolOff) {
+  begin();
+  ASSERT_TRUE(time.run_until(time.now() + std::chrono::minutes(1),
+                             [this] { return tool_is_on() && moves(0) && !moves(1); }));
+  operate(1, bench::Limit(its_axis, Sign::plus, true));
+  member(1).send_text("J+", false);
+  run(0.5);
+  operate(1, bench::Limit(its_axis, Sign::plus, false));
+  ASSERT_TRUE(tool_is_on() && moves(0) && !moves(1)) << "the other one is still at its line";
+  ASSERT_TRUE(
+      time.run_until(time.now() + std::chrono::minutes(1), [this] { return place(0) >= first_line; }));
+  expect_end_within(2);
+  std::string told;
+  member(1).notices().drain([&](const Notice& n) { told += n.text + "\n"; });
+  EXPECT_THAT(told, testing::HasSubstr("limit"));
+  EXPECT_LT(place(1), 1) << "it has not moved";
+}
+
 TEST_F(DrawingOfTwo, ACableThatIsPulledIsMadeUpForAsSoonAsItIsBack) {
   ASSERT_NO_FATAL_FAILURE(begin_and_come_to_the_long_line());
   operate(0, bench::Unplug(true));

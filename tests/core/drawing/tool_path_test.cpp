@@ -1,8 +1,10 @@
 // The way of a tool, and the view of it.
 #include "core/drawing/tool_path.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 #include <gmock/gmock.h>
 
@@ -111,7 +113,8 @@ TEST(PathSvg, IsAsLargeAsThePathAndTheRightWayUp) {
   const std::array layers{SvgLayer{"commanded", &meant, "#9b2463", 1}, SvgLayer{"home", nullptr},
                           SvgLayer{"rehearsed", &path}};
   const std::string svg = path_svg(layers, {"mm", "X in mm, Y < 3"});
-  EXPECT_THAT(svg, testing::HasSubstr("width=\"104mm\" height=\"54mm\" viewBox=\"-2 -52 104 54\""));
+  EXPECT_THAT(
+      svg, testing::ContainsRegex("width=\"104mm\" height=\"60[.0-9]+mm\" viewBox=\"-2 -52 104 60[.0-9]+\""));
   EXPECT_THAT(svg, testing::HasSubstr("<desc>X in mm, Y &lt; 3</desc>"));
   EXPECT_THAT(svg, testing::ContainsRegex("<g id=\"commanded\" stroke=\"#9b2463\"[^>]*>\n<polyline points="
                                           "\"0,-0 100,-50\"/>\n</g>"));
@@ -119,7 +122,43 @@ TEST(PathSvg, IsAsLargeAsThePathAndTheRightWayUp) {
   EXPECT_THAT(svg, testing::ContainsRegex(
                        "<g id=\"rehearsed-tool-off\"[^>]*>\n<polyline points=\"100,-0 100,-50\"/>"));
   EXPECT_THAT(svg, testing::Not(testing::HasSubstr("home"))) << "what is not there has no group";
+  EXPECT_THAT(svg, testing::Not(testing::HasSubstr("direction"))) << "none of them is directed";
   EXPECT_THAT(path_svg(layers, {"steps", ""}), testing::HasSubstr("width=\"800\" viewBox"));
+  EXPECT_THAT(path_svg(layers, {}), testing::Not(testing::HasSubstr("scale")));
+}
+
+TEST(PathSvg, ABarTellsItsScale) {
+  ToolPath path;
+  path.go({0, 0}, {130, 0}, true, 0);
+  path.go({130, 0}, {130, 60}, true, 0);
+  const std::array layers{SvgLayer{"rehearsed", &path}};
+  const std::string svg = path_svg(layers, {"steps", "X in steps to the right"});
+  EXPECT_THAT(svg,
+              testing::ContainsRegex("<g id=\"scale\"[^>]*>\n<polyline points=\"0,[.0-9]+ 20,[.0-9]+\"/>"));
+  EXPECT_THAT(svg, testing::HasSubstr(">20 steps</text>"));
+  EXPECT_THAT(svg, testing::HasSubstr(">X in steps to the right</text>"));
+}
+
+TEST(PathSvg, ArrowsShowTheDirection) {
+  ToolPath path;
+  for (int i = 0; i < 1000; ++i) path.go({i * 1.0, 0}, {i + 1.0, 1.0 * (i % 2)}, true, i);
+  path.go({1000, 1}, {0, 500}, false, 0);
+  const std::array layers{SvgLayer{"rehearsed", &path, "#000", 2, true}};
+  const std::string svg = path_svg(layers, {"mm", ""});
+  const std::size_t group = svg.find("<g id=\"rehearsed-direction\"");
+  ASSERT_NE(group, svg.npos);
+  const std::string arrows = svg.substr(group, svg.find("</g>", group) - group);
+  const auto count = static_cast<std::size_t>(std::count(arrows.begin(), arrows.end(), '\n')) - 1;
+  EXPECT_GT(count, 8u);
+  EXPECT_LT(count, 40u) << "not one on each line";
+  // The last one points back: its tip lies left of both its ends.
+  double left_x = 0, tip_x = 0, right_x = 0, y = 0;
+  const std::string last = arrows.substr(arrows.rfind("<polyline"));
+  ASSERT_EQ(
+      std::sscanf(last.c_str(), "<polyline points=\"%lf,%lf %lf,%lf %lf", &left_x, &y, &tip_x, &y, &right_x),
+      5);
+  EXPECT_LT(tip_x, left_x);
+  EXPECT_LT(tip_x, right_x);
 }
 
 }  // namespace
