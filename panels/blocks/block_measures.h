@@ -4,6 +4,7 @@
 namespace hw::panels {
 
 constexpr float block_height = 40, block_gap = 4, block_indent = 20;
+constexpr float closer_below = 900;     ///< in a narrower panel the buttons of its bar stand closer: one row
 constexpr float refusal_height = 36;    ///< two lines below a block that was refused
 constexpr float block_time_width = 68;  ///< column of the times; the lines stand left of it
 

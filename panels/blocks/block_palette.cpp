@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/device/refused_steps.h"
+#include "gui/model/tab.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
 #include "gui/widgets/touch.h"
@@ -132,18 +134,60 @@ bool is_named(const PaletteEntry& entry, std::string_view typed) {
   return false;
 }
 
+bool same_frame(const seq::Sequence& a, const seq::Sequence& b) {
+  return a.unit == b.unit && a.axes == b.axes && a.tolerance == b.tolerance && a.pen_up == b.pen_up &&
+         a.pen_down == b.pen_down;
+}
+
+/// Why the controller refuses the last step of the sequence; empty: it takes it.
+std::string refusal_of_last(const PartialWriter& writer, const seq::Sequence& s, const Catalog& catalog) {
+  std::vector<RefusedStep> refused;
+  const auto written = writer.write_what_can_be(s, catalog, refused);
+  if (!written) return written.error().what;
+  for (const RefusedStep& r : refused)
+    if (r.step == static_cast<int>(s.steps.size()) - 1) return r.why;
+  return {};
+}
+
+/// Why none of these is ever taken, at the beginning or behind a move, and whatever the tool is; empty: one
+/// is.
+std::string why_never(const PartialWriter& writer, const seq::Sequence& of, const Catalog& catalog,
+                      const BlockWays& ways) {
+  std::string why;
+  seq::Sequence alone = seq::frame_of(of), behind = alone;
+  if (!catalog.outputs.empty()) {
+    const int first = catalog.output_number(0);
+    if (behind.pen_down.empty()) behind.pen_down = {{seq::Output{first, true, 0}}};
+    if (behind.pen_up.empty()) behind.pen_up = {{seq::Output{first, false, 0}}};
+  }
+  seq::Move origin;
+  for (std::size_t a = 0; a < of.axes.size(); ++a) origin.to[a] = 0;
+  const double high = about_steps(of, 1000);
+  behind.steps = {{seq::Speed{{high, high / 10, 300}}}, {origin}, {seq::WaitMotion{}}};
+  for (const seq::Step::Body& way : ways)
+    for (seq::Sequence* at : {&alone, &behind}) {
+      at->steps.push_back({way});
+      std::string refusal = refusal_of_last(writer, *at, catalog);
+      at->steps.pop_back();
+      if (refusal.empty()) return {};
+      if (why.empty()) why = std::move(refusal);
+    }
+  why.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why.front())));
+  return why;
+}
+
 /// A row of the palette: a press anywhere on it counts.
-bool draw_entry(Ui& ui, std::size_t entry) {
+bool draw_entry(Ui& ui, std::size_t entry, std::string_view why_not) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const Touch t =
-      touch(ui, {palette[entry].id, Kind::button, palette[entry].label}, ImVec2(width, ui.px(32)));
-  if (t.hovered) draw_fill(ui, t.rect, ui[Tone::hover]);
+  const Touch t = touch(ui, {.id = palette[entry].id, .label = palette[entry].label, .disabled = why_not},
+                        ImVec2(width, ui.px(32)));
+  if (t.hovered && t.enabled) draw_fill(ui, t.rect, ui[Tone::hover]);
   const float middle = std::floor(t.rect.centre().y);
   draw_block_icon(ImGui::GetWindowDrawList(), drawn_as(entry), ImVec2(at.x + ui.px(12), middle), ui.px(12),
-                  ui[Tone::ink2]);
-  draw_text_line(ui, at.x + ui.px(28), t.rect.max.x, middle, Face::body_medium, ui[Tone::ink],
-                 palette[entry].label);
+                  ui[t.enabled ? Tone::ink2 : Tone::ink3]);
+  draw_text_line(ui, at.x + ui.px(28), t.rect.max.x, middle, Face::body_medium,
+                 ui[t.enabled ? Tone::ink : Tone::ink3], palette[entry].label);
   draw_ring(ui, t);
   ImGui::SetCursorScreenPos(ImVec2(at.x, t.rect.max.y));
   return t.clicked;
@@ -151,8 +195,19 @@ bool draw_entry(Ui& ui, std::size_t entry) {
 
 }  // namespace
 
+void BlockPalette::find_what_cannot_be(Frame& f, const seq::Sequence& of) {
+  if (!why_not_.empty() && same_frame(asked_for_, of)) return;
+  asked_for_ = seq::frame_of(of);
+  why_not_.assign(palette.size(), {});
+  const auto* writer = dynamic_cast<const PartialWriter*>(f.tab.desk().language());
+  if (!writer || of.axes.empty()) return;
+  for (std::size_t i = 0; i < palette.size(); ++i)
+    why_not_[i] = why_never(*writer, of, f.catalog, palette[i].make(of, f.catalog));
+}
+
 BlockWays BlockPalette::draw(Frame& f, const seq::Sequence& of, bool all) {
   Ui& ui = f.ui;
+  find_what_cannot_be(f, of);
   FieldOptions field;
   field.width = fill;
   field.placeholder = "Add by name";
@@ -161,18 +216,20 @@ BlockWays BlockPalette::draw(Frame& f, const seq::Sequence& of, bool all) {
   if (!all && wanted_.empty()) return {};
   const PaletteEntry *first = nullptr, *clicked = nullptr;
   std::string_view group;
+  bool any = false;
   for (std::size_t i = 0; i < palette.size(); ++i) {
     const PaletteEntry& entry = palette[i];
     if (!is_named(entry, wanted_)) continue;
-    if (!first) first = &entry;
+    if (!first && why_not_[i].empty()) first = &entry;
+    any = true;
     if (all && group != entry.group) {
       group = entry.group;
       gap(ui, 8);
       text(ui, Face::small, Tone::ink2, group);
     }
-    if (draw_entry(ui, i)) clicked = &entry;
+    if (draw_entry(ui, i, why_not_[i])) clicked = &entry;
   }
-  if (!first) wrapped(ui, Face::small, Tone::ink2, "No block has such a name.");
+  if (!any) wrapped(ui, Face::small, Tone::ink2, "No block has such a name.");
   const bool entered = typed.entered && first && !wanted_.empty();
   if (entered || (clicked && !all)) wanted_.clear();
   if (clicked) return clicked->make(of, f.catalog);

@@ -1,6 +1,6 @@
 #pragma once
-// Adds new blocks, by a click or by typing the beginning of a name. Ids: `blocks/add_by_name`,
-// `blocks/add/move`.
+// Adds new blocks, by a click or by typing the beginning of a name. What the controller can never do is grey,
+// and says why. Ids: `blocks/add_by_name`, `blocks/add/move`.
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +20,11 @@ class BlockPalette {
   BlockWays draw(gui::Frame& frame, const sequence::Sequence& of, bool all);
 
  private:
-  std::string wanted_;  ///< typed to find a block by its name
+  void find_what_cannot_be(gui::Frame& frame, const sequence::Sequence& of);
+
+  std::string wanted_;                ///< typed to find a block by its name
+  std::vector<std::string> why_not_;  ///< by entry; empty: the controller can do it
+  sequence::Sequence asked_for_;      ///< frame of the sequence for which that was found out
 };
 
 }  // namespace hw::panels

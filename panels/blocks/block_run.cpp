@@ -8,18 +8,20 @@
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
+#include "panels/blocks/block_measures.h"
 
 namespace hw::panels {
 
 using namespace gui;
 
-void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not) {
-  say_what_came(f);
+void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not, Rehearsed rehearsed) {
+  describe_what_came(f);
   live_.follow(f, text);
   RunBarLook look;
   look.why_not = why_none_runs(f);
   if (look.why_not.empty() && !is_under_way(f.now.program)) look.why_not = why_not;
   look.brief = f.area.width < 860;
+  look.rehearsed = rehearsed;
   look.tip = text.tool;
   RunWish wish = run_bar(f, "blocks", look);
   if (f.ui.keyboard.pressed(Command::run)) {
@@ -28,20 +30,28 @@ void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not
     else
       f.toast(Mood::warn, std::string(look.why_not), &f.tab.desk().texts);
   }
-  if (wish != RunWish::none) ask_or_put(f, text, wish == RunWish::run ? Wanted::run : Wanted::run_stepping);
-  ImGui::SameLine(0, f.ui.px(8));
+  if (wish != RunWish::none && !doubt_.holds_back(f, wish, text.text))
+    ask_or_put(f, text, wish == RunWish::run ? Wanted::run : Wanted::run_stepping);
+  ImGui::SameLine(0, f.ui.px(f.area.width < closer_below ? 4 : 8));
   const ButtonOptions to_program{
       .disabled = why_not, .tip = "Puts the text into the program editor.", .height = 40};
   if (button(f.ui, "blocks/to_program", "To the program", to_program).clicked)
     ask_or_put(f, text, Wanted::to_program);
 }
 
-void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted) {
+void BlockRun::draw_doubt(Frame& f, const SequenceText& text, const Rect& row) {
+  const RunDoubt::Once once = doubt_.draw(f, "blocks", row, text.text);
+  if (once.wish == RunWish::none) return;
+  ask_or_put(f, text, once.wish == RunWish::run ? Wanted::run : Wanted::run_stepping, once.agreed);
+}
+
+void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted,
+                          std::optional<AgreedDoubts> agreed) {
   const ProgramTexts& texts = f.tab.desk().texts;
-  if (wanted != Wanted::to_program)  // then the program is not replaced either
+  if (wanted != Wanted::to_program && !agreed)  // then the program is not replaced either
     if (std::string why = why_not_run_there(f.tab, text.text); !why.empty())
       return f.toast(Mood::warn, std::move(why), &texts);
-  wanted_ = wanted;
+  wanted_ = wanted, agreed_ = std::move(agreed);
   go_ahead_ = f.tab.desk().until_stopped();
   asking_ = texts.edited(texts.chosen()) && texts.text(texts.chosen()) != text.text;
   if (!asking_) put(f, text);
@@ -65,7 +75,7 @@ void BlockRun::run(Frame& f, RunWish wish) {
     return f.toast(Mood::warn, "A stop came first. The text was put into the program and not run.");
   std::string_view why = why_none_runs(f);
   if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
-  if (why.empty()) return begin_run(f, wish);
+  if (why.empty()) return begin_run(f, wish, std::exchange(agreed_, std::nullopt));
   f.toast(Mood::warn, std::string(why), &f.tab.desk().texts);
 }
 

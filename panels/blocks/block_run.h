@@ -1,14 +1,16 @@
 #pragma once
 // Runs the blocks in the controller: their text replaces the chosen program and is run there, and the block
 // being executed is followed. Ids: `blocks/run` and the rest of the run bar, `blocks/to_program`,
-// `blocks/replace`, `blocks/run_from/yes`.
+// `blocks/replace`, `blocks/run_from/yes`, `blocks/doubt/once` and the rest of RunDoubt.
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "core/device/sequence_text.h"
 #include "panels/blocks/live_block.h"
 #include "panels/program/run_bar.h"
+#include "panels/program/run_doubt.h"
 #include "panels/program/run_from.h"
 
 namespace hw::panels {
@@ -16,7 +18,9 @@ namespace hw::panels {
 class BlockRun {
  public:
   /// Draws at ImGui's cursor; more may follow in the row. `why_not`: why the blocks cannot be written.
-  void draw(gui::Frame& frame, const SequenceText& text, std::string_view why_not);
+  void draw(gui::Frame& frame, const SequenceText& text, std::string_view why_not, Rehearsed rehearsed);
+  /// The question about doubtful positions, beside the bar's row.
+  void draw_doubt(gui::Frame& frame, const SequenceText& text, const gui::Rect& row);
   void draw_dialog(gui::Frame& frame, const SequenceText& text);
   /// Asks whether to run all blocks from this one on. `step`: as SequenceText counts them.
   void ask_from(gui::Frame& frame, const sequence::Sequence& blocks, int step) {
@@ -30,13 +34,16 @@ class BlockRun {
 
  private:
   enum class Wanted : std::uint8_t { nothing, to_program, run, run_stepping };
-  void ask_or_put(gui::Frame& frame, const SequenceText& text, Wanted wanted);
+  void ask_or_put(gui::Frame& frame, const SequenceText& text, Wanted wanted,
+                  std::optional<gui::AgreedDoubts> agreed = {});
   void put(gui::Frame& frame, const SequenceText& text);
   void run(gui::Frame& frame, RunWish wish);
 
   RunFrom run_from_;
-  Wanted wanted_ = Wanted::nothing;  ///< to be done once the question is answered
-  std::weak_ptr<void> go_ahead_;     ///< expires on a stop while the question stands
+  Wanted wanted_ = Wanted::nothing;          ///< to be done once the question is answered
+  std::optional<gui::AgreedDoubts> agreed_;  ///< to a run despite these doubts
+  RunDoubt doubt_;
+  std::weak_ptr<void> go_ahead_;  ///< expires on a stop while the question stands
   bool asking_ = false;
   LiveBlock live_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/model/units_format.h"
 #include "gui/surface/ui.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
@@ -83,7 +84,8 @@ bool draw_block_text(Frame& f, const WrittenBlocks& written, const BlockTextMark
   const float width = ImGui::GetContentRegionAvail().x / ui.scale;
   const ProgramFacts& program = f.catalog.program;
   const bool measured = written.cost > 0 && program.capacity > 0;
-  const Path used("{} of {} {}", written.cost, program.capacity, program.capacity_unit);
+  const Path used("{} of {} {}", format_number(written.cost, 0).view(),
+                  format_number(program.capacity, 0).view(), program.capacity_unit);
   section_title(ui, "Text it writes", measured ? used.view() : "");
   const bool wanted = draw_block_problem(f, written, width);
   if (!written.remark.empty()) {

@@ -1,6 +1,7 @@
 #include "panels/blocks/block_trial.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -29,26 +30,56 @@ void BlockTrial::forget() {
 }
 
 void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& written) {
-  const Rehearsals::Outcome* outcome = rehearsals_.of(0);
-  if (outcome && outcome->number != taken_) {
-    taken_ = outcome->number;
-    if (outcome->text == tried_->text.text) take(f, *outcome);
+  Desk& desk = f.tab.desk();
+  rehearsals_.follow(f.now, f.bench, f.catalog, [&desk](int slot) {
+    const HeldProgram& held = desk.texts.held(slot);
+    return held.known ? &held.text : nullptr;
+  });
+  const Rehearsals::Outcome* done = outcome();
+  if (done && done->number != taken_) {
+    taken_ = done->number;
+    if (done->text == tried_->text.text) take(f, *done);
   }
-  if (written == tried_ || rehearsals_.under_way(0)) return;
+  if (rehearsals_.under_way(program_)) return;
+  const bool again = std::exchange(again_, false);
+  // Blocks are the first program of their text.
+  const int program = f.catalog.program.threads > 0 ? 0 : desk.texts.chosen();
+  if (written == tried_ && program == program_ && !again) return;
   const bool same = tried_ && !written->text.text.empty() && written->text.text == tried_->text.text;
   tried_ = written;
-  if (same) {  // but from different blocks
-    if (outcome && outcome->text == tried_->text.text) take(f, *outcome);
+  if (same && program == program_ && !again) {  // but from different blocks
+    if (done && done->text == tried_->text.text) take(f, *done);
     return;
   }
+  program_ = program;
   if (written->text.text.empty()) return forget();
+  start(f);
+}
+
+void BlockTrial::start(Frame& f) {
   RehearseOptions wish;
+  wish.slot = program_;
   wish.track_every_s = block_seen_every_s;
   wish.for_seconds = tried_for_s;
   Desk& desk = f.tab.desk();
-  rehearsals_.start(*desk.language(), written->text.text, wish, desk.state_of(f.now), f.bench, f.catalog,
+  rehearsals_.start(*desk.language(), tried_->text.text, wish, desk.state_of(f.now), f.bench, f.catalog,
                     desk.worker());
   f.ui.wake_in(0);
+}
+
+Rehearsed BlockTrial::rehearsed(const Frame& f) const {
+  if (!tried_ || tried_->text.text.empty()) return {};
+  if (rehearsals_.under_way(program_)) return {false, "It is being rehearsed."};
+  if (goes_on_ && outcome() && outcome()->text == tried_->text.text)
+    return {false, "Rehearsed for ten minutes: it goes on longer than that."};
+  return panels::rehearsed(f, outcome(), tried_->text.text);
+}
+
+bool BlockTrial::is_old() const {
+  const Rehearsals::Outcome* done = outcome();
+  if (!done || !done->result || rehearsals_.under_way(program_)) return false;
+  const Footing footing = done->stand.footing;
+  return footing != Footing::here && footing != Footing::unknown && footing != Footing::doubtful;
 }
 
 /// "without 3 and 5.1": by their numbers in the list.

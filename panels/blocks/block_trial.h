@@ -1,5 +1,6 @@
 #pragma once
-// Rehearses the text of the blocks whenever it has changed, for the time of each block and the path.
+// Rehearses the text of the blocks whenever it has changed, as Run would start it, for the time of each block
+// and the path.
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "gui/shell/frame.h"
 #include "panels/blocks/block_work.h"
 #include "panels/path/path_canvas.h"
+#include "panels/program/rehearsed.h"
 
 namespace hw::panels {
 
@@ -17,6 +19,12 @@ class BlockTrial {
  public:
   /// Call once a frame. Blocks that cannot be written have no times; the others are rehearsed without them.
   void follow(gui::Frame& frame, const std::shared_ptr<const WrittenBlocks>& written);
+  /// Rehearses the same text again, from where the axes stand now.
+  void again() { again_ = true; }
+  /// What Run says about it; no words: there is nothing to run.
+  [[nodiscard]] Rehearsed rehearsed(const gui::Frame& frame) const;
+  /// The controller has changed since, so that rehearsing it again makes sense.
+  [[nodiscard]] bool is_old() const;
   /// "2.3 s", of the step as SequenceText counts them; empty: unknown, or the step takes no time of its own.
   [[nodiscard]] std::string_view time_of(std::size_t step) const;
   /// "1 min 28.7 s", "at least 20 min", or why there is no time; empty: unknown.
@@ -34,12 +42,16 @@ class BlockTrial {
  private:
   void take(gui::Frame& frame, const gui::Rehearsals::Outcome& outcome);
   void forget();
+  void start(gui::Frame& frame);
+  [[nodiscard]] const gui::Rehearsals::Outcome* outcome() const { return rehearsals_.of(program_); }
 
   gui::Rehearsals rehearsals_;
   std::shared_ptr<const WrittenBlocks> tried_;  ///< being rehearsed, or rehearsed last
-  int taken_ = 0;                               ///< Rehearsals::Outcome::number
-  std::vector<std::string> times_;              ///< by step
-  std::string total_, without_, none_;          ///< none_: why there is no path
+  int program_ = 0;                             ///< by which it would be started
+  bool again_ = false;
+  int taken_ = 0;                       ///< Rehearsals::Outcome::number
+  std::vector<std::string> times_;      ///< by step
+  std::string total_, without_, none_;  ///< none_: why there is no path
   bool ends_ = false, goes_on_ = false;
   std::shared_ptr<const drawing::ToolPath> path_;
   PathCanvas canvas_;

@@ -14,6 +14,7 @@
 #include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
+#include "panels/blocks/block_measures.h"
 #include "panels/blocks/block_text.h"
 #include "panels/lines.h"
 #include "panels/program/overwrite_question.h"
@@ -72,6 +73,7 @@ void Blocks::follow(Frame& f) {
     choose(rows_.path(ix(step)));
   blocks.chosen_step = chosen_.row();
   work_.follow(f, *editor_);
+  if (f.ui.keyboard.pressed(Command::simulate)) trial_.again();
   trial_.follow(f, work_.written());
 }
 
@@ -81,18 +83,21 @@ void Blocks::draw_toolbar(Frame& f) {
   std::string_view why = form_.problem();
   if (why.empty()) why = drafts_.problem();
   if (why.empty()) why = work_.why_none(*editor_);
-  run_.draw(f, work_.written()->text, why);
+  const Rehearsed rehearsed = work_.up_to_date() ? trial_.rehearsed(f) : Rehearsed();
+  run_.draw(f, work_.written()->text, why, rehearsed);
   const ButtonOptions from_text{.disabled = TextToBlocks::why_not(f),
                                 .tip = "Makes blocks of the text in the program editor.",
                                 .height = 40};
-  next_in_toolbar(f, 8, button_width(ui, "From the text", from_text));
+  const bool close = f.area.width < closer_below;
+  next_in_toolbar(f, close ? 4 : 8, button_width(ui, "From the text", from_text));
   if (button(ui, "blocks/from_text", "From the text", from_text).clicked) from_text_.start(f);
   const auto step_back = [&](float gap, const char* id, const char* label, std::string_view why_not) {
     const ButtonOptions look{.style = ButtonStyle::quiet, .disabled = why_not, .height = 40};
     next_in_toolbar(f, gap, button_width(ui, label, look));
     return button(ui, id, label, look).clicked;
   };
-  if (step_back(16, "blocks/undo", "Undo", editor_->can_undo() ? "" : "Nothing to undo.")) take_back();
+  if (step_back(close ? 0 : 16, "blocks/undo", "Undo", editor_->can_undo() ? "" : "Nothing to undo."))
+    take_back();
   if (step_back(0, "blocks/redo", "Redo", editor_->can_redo() ? "" : "Nothing was undone.")) make_again();
   if (has_one_side(f)) {
     const char* other = text_for_palette_ ? "Palette" : "Text and path";
@@ -103,6 +108,8 @@ void Blocks::draw_toolbar(Frame& f) {
   }
   files_.draw(f);
   end_toolbar(f, at);
+  run_.draw_doubt(f, work_.written()->text,
+                  {at, ImVec2(ui.px(f.area.right()), ImGui::GetCursorScreenPos().y)});
 }
 
 /// If only one of them has room beside the blocks.

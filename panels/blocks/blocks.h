@@ -37,12 +37,14 @@ class Blocks final : public gui::Panel {
   // ---- blocks_list.cpp
   void draw_palette(gui::Frame& frame, float width, float height);
   void draw_list(gui::Frame& frame, float left, float width, float height);
+  void draw_title(gui::Frame& frame);
   void draw_rows(gui::Frame& frame, float width);
   void scroll_to(const gui::Frame& frame, int row, float top_px);
   void draw_row_at(gui::Frame& frame, int row, ImVec2 at, float width);
   [[nodiscard]] float top_of(const gui::Frame& frame, int row) const;
   void draw_end(gui::Frame& frame, float width, bool palette_aside);
   void draw_total(gui::Frame& frame, float width);
+  void draw_again(gui::Frame& frame, float width);
 
   // ---- blocks_row.cpp
   void draw_row(gui::Frame& frame, std::size_t row, float width);

@@ -5,6 +5,7 @@
 
 #include "core/base/index.h"
 #include "gui/model/tab.h"
+#include "gui/model/units_format.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
@@ -13,6 +14,7 @@
 #include "panels/blocks/block_text.h"
 #include "panels/blocks/blocks.h"
 #include "panels/measures.h"
+#include "panels/program/run_bar.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -38,7 +40,7 @@ void Blocks::draw_list(Frame& f, float left, float width, float height) {
                                               ui[Tone::line]);
   begin_part(ui, "blocks/list", ui.px(width), ui.px(height), Tone::panel, 12);
   const float inner = ImGui::GetContentRegionAvail().x / ui.scale;
-  section_title(ui, "Blocks", "lines, rehearsed");
+  draw_title(f);
   const bool palette_aside = left > 0;
   if (!palette_aside) {
     if (const BlockWays ways = palette_.draw(f, editor_->sequence(), false); !ways.empty()) add(f, ways);
@@ -52,6 +54,20 @@ void Blocks::draw_list(Frame& f, float left, float width, float height) {
   draw_total(f, inner);
   gap(ui, 16);
   end_part();
+}
+
+/// While a program runs, how much of it is left.
+void Blocks::draw_title(Frame& f) {
+  Ui& ui = f.ui;
+  const auto progress = run_progress(f);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x;
+  section_title(ui, "Blocks", progress ? "" : "lines, rehearsed");
+  if (!progress) return;
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x, std::floor((at.y + below.y) / 2 - ui.px(20))));
+  draw_run_progress(f, "blocks", *progress, at.x + ui.px(64), right);
+  ImGui::SetCursorScreenPos(below);
 }
 
 /// In pixels, below the first: refused blocks are higher than others, and an open block is higher still.
@@ -120,7 +136,8 @@ void Blocks::draw_total(Frame& f, float width) {
   const ProgramFacts& program = f.catalog.program;
   if (work_.written()->cost > 0 && program.capacity > 0) {
     gap(ui, 8);
-    const Path used("{} of {} {}", work_.written()->cost, program.capacity, program.capacity_unit);
+    const Path used("{} of {} {}", format_number(work_.written()->cost, 0).view(),
+                    format_number(program.capacity, 0).view(), program.capacity_unit);
     key_value(ui, "blocks/memory", "Memory", used);
   }
   if (trial_.total().empty()) return;
@@ -133,6 +150,18 @@ void Blocks::draw_total(Frame& f, float width) {
     key_value(ui, "blocks/at_least", key, trial_.total());
   else
     wrapped(ui, Face::body, Tone::ink2, trial_.total(), width);
+  draw_again(f, width);
+}
+
+/// What has changed since the rehearsal.
+void Blocks::draw_again(Frame& f, float width) {
+  if (!trial_.is_old() || is_under_way(f.now.program)) return;
+  Ui& ui = f.ui;
+  wrapped(ui, Face::small, Tone::warn, trial_.rehearsed(f).words, width);
+  gap(ui, 8);
+  const std::string_view why = f.now.any_axis_moving() ? "An axis is moving." : "";
+  if (button(ui, "blocks/again", "Rehearse from here", {.keys = "F5", .disabled = why}).clicked)
+    trial_.again();
 }
 
 /// Where the next block goes if none is chosen.

@@ -59,7 +59,7 @@ void Program::draw(Frame& f) {
 
 void Program::follow(Frame& f) {
   Desk& desk = f.tab.desk();
-  say_what_came(f);
+  describe_what_came(f);
   for (const auto& path : desk.take_dropped("program")) ask_or_open(f, path);
   if (const int line = std::exchange(desk.wanted_line, -1); line >= 0)
     editor_.go_to(desk.texts.chosen(), line, 0);
@@ -97,33 +97,37 @@ void Program::draw_toolbar(Frame& f) {
   const ImVec2 at = begin_toolbar(f);
   const auto next = [&] { ImGui::SameLine(0, ui.px(8)); };
   RunBarLook look{.why_not = why_not_run_, .keys = shows_keys(f)};
-  if (f.tab.desk().language()) look.rehearsed = rehearsed(f, f.tab.desk().texts.chosen());
+  if (f.tab.desk().language()) look.rehearsed = rehearsed(f);
   run(f, run_bar(f, "program", look));
   next();
   draw_simulate(f);
   next();
   const float left = ImGui::GetCursorScreenPos().x;
   if (const auto progress = run_progress(f))
-    draw_run_progress(f, "program", *progress, left);
+    draw_run_progress(f, "program", *progress, left, ui.px(f.area.right() - 16));
   else
     draw_memory(f, left);
   end_toolbar(f, at);
   const Rect row{at, ImVec2(ui.px(f.area.right()), ImGui::GetCursorScreenPos().y)};
-  if (const RunWish once = doubt_.draw(f, "program", row); once != RunWish::none)
-    begin_run(f, once, DoubtfulRun::taken);
+  const ProgramTexts& texts = f.tab.desk().texts;
+  if (const auto once = doubt_.draw(f, "program", row, texts.text(texts.chosen()));
+      once.wish != RunWish::none)
+    begin_run(f, once.wish, once.agreed);
 }
 
 void Program::run(Frame& f, RunWish wish) {
-  if (!doubt_.holds_back(f, wish)) begin_run(f, wish);
+  const ProgramTexts& texts = f.tab.desk().texts;
+  if (!doubt_.holds_back(f, wish, texts.text(texts.chosen()))) begin_run(f, wish);
 }
 
 void Program::draw_simulate(Frame& f) {
   Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
-  const std::string_view why = !desk.language()                  ? "This model has no rehearsal."
-                               : desk.texts.text(slot).empty()   ? "The program is empty."
-                               : desk.rehearsals.under_way(slot) ? "It is being calculated."
-                                                                 : "";
+  const std::string_view why = !desk.language()                ? "This model has no rehearsal."
+                               : desk.texts.text(slot).empty() ? "The program is empty."
+                               : desk.rehearsals.under_way(desk.texts.start_of(slot))
+                                   ? "It is being calculated."
+                                   : "";
   if (button(f.ui, "program/simulate", "Simulate",
              {.icon = Icon::play_outline,
               .keys = shows_keys(f) ? "F5" : "",

@@ -28,6 +28,7 @@ class Program final : public gui::Panel {
   void draw_simulate(gui::Frame& frame);
   void draw_memory(gui::Frame& frame, float left);
   void draw_slots(gui::Frame& frame);
+  float draw_start(gui::Frame& f, float x, float top);
   void draw_more(gui::Frame& f);
   void draw_file_name(gui::Frame& frame, gui::Rect in, float slots_left);
   void draw_file_buttons(gui::Frame& frame);

@@ -19,7 +19,8 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 constexpr float slots_height = 40;
-}
+constexpr std::array<std::string_view, 8> digits = {"0", "1", "2", "3", "4", "5", "6", "7"};
+}  // namespace
 
 void Program::draw_slots(Frame& f) {
   Ui& ui = f.ui;
@@ -33,7 +34,6 @@ void Program::draw_slots(Frame& f) {
     draw_text_line(ui, x, ui.px(f.area.right()), middle, Face::body, ui[Tone::ink2], word);
     x += std::ceil(text_width(ui, Face::body, word)) + ui.px(8);
   }
-  static constexpr std::array<std::string_view, 8> digits = {"0", "1", "2", "3", "4", "5", "6", "7"};
   const auto many = std::min<std::size_t>(static_cast<std::size_t>(desk.texts.count()), digits.size());
   if (many > 1) {
     ImGui::SetCursorScreenPos(ImVec2(x, at.y + ui.px(4)));
@@ -43,6 +43,7 @@ void Program::draw_slots(Frame& f) {
     ImGui::SameLine(0, ui.px(16));
     x = ImGui::GetCursorScreenPos().x;
   }
+  x = draw_start(f, x, at.y + ui.px(4));
 
   const float files_left = std::max(ui.px(f.area.right() - 8) - file_buttons_width(f), x);
   draw_file_name(f, {ImVec2(x, at.y), ImVec2(files_left, at.y + ui.px(slots_height))}, slots_left);
@@ -50,6 +51,28 @@ void Program::draw_slots(Frame& f) {
   draw_file_buttons(f);
   draw_line_across(f, at.y + ui.px(slots_height) - ui.hair());
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(slots_height)));
+}
+
+/// The choice among the programs of one text: Run starts the chosen one, and Simulate tries it. Returns the
+/// right end.
+float Program::draw_start(Frame& f, float x, float top) {
+  ProgramTexts& texts = f.tab.desk().texts;
+  const std::vector<int>& programs = texts.report(texts.chosen()).programs;
+  const bool only_first = programs.size() == 1 && programs.front() == 0;
+  if (f.catalog.program.threads == 0 || programs.empty() || only_first) return x;
+  std::array<std::string_view, digits.size()> names;
+  std::size_t many = 0;
+  int chosen = -1;
+  for (const int program : programs) {
+    if (program < 0 || program >= static_cast<int>(digits.size()) || many == names.size()) continue;
+    if (program == texts.start_of(texts.chosen())) chosen = static_cast<int>(many);
+    names[many++] = digits[static_cast<std::size_t>(program)];
+  }
+  ImGui::SetCursorScreenPos(ImVec2(x, top));
+  const int picked = segment(f.ui, "program/start", {names.data(), many}, chosen, {.cell_width = 32});
+  if (picked >= 0) texts.choose_start(programs[static_cast<std::size_t>(picked)]);
+  ImGui::SameLine(0, f.ui.px(16));
+  return ImGui::GetCursorScreenPos().x;
 }
 
 // Without room, "edited" goes first, then the name, which the tooltip of the slots still tells.

@@ -15,6 +15,7 @@
 #include "panels/program/io_chart.h"
 #include "panels/program/rehearsal_words.h"
 #include "panels/program/run_bar.h"
+#include "panels/program/threads.h"
 #include "panels/program/travel_words.h"
 
 namespace hw::panels {
@@ -33,27 +34,31 @@ static void add_shown(std::string& all, const Frame& f, std::size_t axis) {
 // Puts the outcome into words, in the user's units; the caption tells which text they are about.
 void RehearsalCard::refresh(Frame& f, int slot) {
   Desk& desk = f.tab.desk();
-  outcome_ = desk.rehearsals.of(slot);
+  const int started = desk.texts.start_of(slot);
+  outcome_ = desk.rehearsals.of(started);
   refresh_caption(f, slot);
   std::string& units = units_now_;  // keeps its memory from frame to frame
   units.clear();
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) add_shown(units, f, i);
-  if (version_ == desk.rehearsals.version() && slot_ == slot && units == text_of_units_) return;
+  if (version_ == desk.rehearsals.version() && slot_ == started && units == text_of_units_) return;
   version_ = desk.rehearsals.version();
-  slot_ = slot;
+  slot_ = started;
   text_of_units_ = units;
   refresh_words(f);
 }
 
 void RehearsalCard::refresh_caption(const Frame& f, int slot) {
   Desk& desk = f.tab.desk();
-  const int older = desk.rehearsals.older_than_line(slot, desk.texts.text(slot));
+  const int started = desk.texts.start_of(slot);
+  const int older = desk.rehearsals.older_than_line(started, desk.texts.text(slot));
   const HeldProgram& held = desk.texts.held(slot);
   old_ = outcome_ && older >= 0;
   const ProgramState& p = f.now.program;
+  const bool runs =
+      f.catalog.program.threads == 0 || is_busy(f.now.threads[static_cast<std::size_t>(started)]);
   of_running_ =
-      outcome_ && p.owned && p.slot == slot && p.run != RunState::idle && held.text == outcome_->text;
-  if (desk.rehearsals.under_way(slot))
+      outcome_ && p.owned && p.slot == slot && p.run != RunState::idle && runs && held.text == outcome_->text;
+  if (desk.rehearsals.under_way(started))
     said_caption_ = "calculating";
   else if (!outcome_)
     said_caption_ = "";
@@ -72,7 +77,7 @@ void RehearsalCard::refresh_words(const Frame& f) {
   event_times_.clear();
   lanes_.clear();
   stops_.clear();
-  time_.clear(), fault_.clear(), sends_.clear(), spans_.clear(), stand_.clear(), assumed_.clear();
+  for (std::string* words : {&time_, &fault_, &sends_, &spans_, &stand_, &assumed_, &memory_}) words->clear();
   if (!outcome_) return;
   if (!outcome_->result) {
     fault_ = outcome_->result.error().sentence();
@@ -89,6 +94,7 @@ void RehearsalCard::refresh_words(const Frame& f) {
   if (begins_here()) stops_ = past_travel_words(f, r);
   for (std::string& stop : stop_words(r)) stops_.push_back(std::move(stop));
   assumed_ = assumption_words(r);
+  memory_ = memory_words(r, f.catalog.program);
   sends_ = r.sent_to_host;
   std::replace(sends_.begin(), sends_.end(), '\r', ' ');
   lanes_ = io_lanes(r);
@@ -182,6 +188,7 @@ bool RehearsalCard::draw_verdict(Frame& f) {
   char words[32];
   auto end = fmt::format_to_n(words, sizeof words, "{}", r.moves);
   key_value(ui, "rehearsal/moves", "Moves", {words, std::min(end.size, sizeof words)});
+  if (!memory_.empty()) key_value(ui, "rehearsal/memory", "Memory", memory_);
   char id[48], key[48];
   for (const auto& [output, on] : r.outputs) {
     const auto first = r.outputs_at_first.find(output);

@@ -39,7 +39,7 @@ class RehearsalCard {
   int version_ = -1, slot_ = -1;
   std::string text_of_units_, units_now_;
   const gui::Rehearsals::Outcome* outcome_ = nullptr;
-  std::string time_, fault_, sends_, spans_, stand_, assumed_;
+  std::string time_, fault_, sends_, spans_, stand_, assumed_, memory_;
   std::vector<std::string> stops_;
   struct Axis {
     std::string name, span;

@@ -114,6 +114,17 @@ std::vector<std::string> stop_words(const Rehearsal& r) {
   return all;
 }
 
+std::string memory_words(const Rehearsal& r, const ProgramFacts& facts) {
+  if (facts.capacity <= 0 || r.program_size.empty()) return {};
+  const bool several = r.program_size.size() > 1;
+  std::string all;
+  for (const auto& [program, size] : r.program_size)
+    all += fmt::format("{}{}{}", all.empty() ? "" : ", ", several ? program + ": " : "",
+                       format_number(size, 0).view());
+  return fmt::format("{} of {} {}{}", all, format_number(facts.capacity, 0).view(), facts.capacity_unit,
+                     several ? " each" : "");
+}
+
 std::string assumption_words(const Rehearsal& r) {
   std::string words;
   for (const RehearsedAssumption& a : r.assumptions)

@@ -14,6 +14,8 @@ namespace hw::panels {
 [[nodiscard]] std::string stand_words(const gui::Frame& frame, const gui::Rehearsals::Outcome& outcome);
 /// "Line 3, 2.4 s: Axis X runs into its plus limit switch.", without the stop that Rehearsal::error tells.
 [[nodiscard]] std::vector<std::string> stop_words(const Rehearsal& rehearsal);
+/// The memory that the text takes: "14 of 1,275 lines"; empty: the controller keeps none of it.
+[[nodiscard]] std::string memory_words(const Rehearsal& rehearsal, const ProgramFacts& facts);
 /// The assumptions made, in one sentence; empty: none.
 [[nodiscard]] std::string assumption_words(const Rehearsal& rehearsal);
 

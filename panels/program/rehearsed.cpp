@@ -1,6 +1,10 @@
 #include "panels/program/rehearsed.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "gui/model/tab.h"
+#include "panels/program/threads.h"
 #include "panels/program/travel_words.h"
 
 namespace hw::panels {
@@ -47,12 +51,33 @@ std::string_view changed(const Stand& stand) {
 
 }  // namespace
 
-Rehearsed rehearsed(const Frame& f, int slot) {
-  const Desk& desk = f.tab.desk();
-  if (desk.rehearsals.under_way(slot)) return {false, "It is being rehearsed."};
-  const Rehearsals::Outcome* outcome = desk.rehearsals.of(slot);
+Rehearsed rehearsed(const Frame& f) {
+  Desk& desk = f.tab.desk();
+  const int slot = desk.texts.chosen(), started = desk.texts.start_of(slot);
+  if (desk.rehearsals.under_way(started)) return {false, "It is being rehearsed."};
+  return rehearsed(f, desk.rehearsals.of(started), desk.texts.text(slot));
+}
+
+Rehearsed rehearsed_thread(const Frame& f, int program) {
+  Desk& desk = f.tab.desk();
+  const HeldProgram& held = desk.texts.held(0);
+  if (!held.known) return {false, "Not rehearsed: what the controller holds was not read. Upload reads it."};
+  const std::vector<int>& there = held.report.programs;
+  if (std::find(there.begin(), there.end(), program) == there.end())
+    return {false, "The controller holds no program of this number."};
+  if (desk.rehearsals.under_way(program)) return {false, "It is being rehearsed."};
+  const Rehearsals::Outcome* outcome = desk.rehearsals.of(program);
+  if (!outcome) return {false, "Not rehearsed: choose its number above, then Simulate."};
+  if (outcome->text != held.text) return {false, "Rehearsed another text than the controller holds."};
+  for (int n = 0; n < std::min(f.catalog.program.threads, max_threads); ++n)
+    if (n != program && is_busy(f.now.threads[static_cast<std::size_t>(n)]))
+      return {false, "Rehearsed alone: another program is at work now."};
+  return rehearsed(f, outcome, held.text);
+}
+
+Rehearsed rehearsed(const Frame& f, const Rehearsals::Outcome* outcome, const std::string& text) {
   if (!outcome) return {false, "Not rehearsed: Simulate tries it first."};
-  if (outcome->text != desk.texts.text(slot)) return {false, "Rehearsed before the text was changed."};
+  if (outcome->text != text) return {false, "Rehearsed before the text was changed."};
   for (const std::string_view why : {found(*outcome), changed(outcome->stand)})
     if (!why.empty()) return {false, why};
   if (passes_travel(f, *outcome->result))

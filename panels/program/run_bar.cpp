@@ -5,7 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "gui/model/run_places.h"
+#include <fmt/core.h>
+
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/slider.h"
@@ -54,7 +55,10 @@ struct Bar {
     if (!tried.holds) o.icon_after = Icon::none;
     o.disabled = look.why_not;
     o.moving = true;
-    if (!waiting) o.tip = tried.words.empty() ? look.tip : tried.words;
+    char tip[400];
+    const bool both = !tried.words.empty() && !look.tip.empty();
+    const auto end = fmt::format_to_n(tip, sizeof tip, "{}{}{}", look.tip, both ? " " : "", tried.words);
+    if (!waiting) o.tip = {tip, std::min(end.size, sizeof tip)};
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool pressed = press("run", waiting ? "Go on" : "Run", o);
     if (!tried.words.empty())
@@ -131,9 +135,10 @@ std::optional<RunProgress> run_progress(const Frame& f) {
   return progress;
 }
 
-void draw_run_progress(Frame& f, std::string_view where, const RunProgress& progress, float left) {
+void draw_run_progress(Frame& f, std::string_view where, const RunProgress& progress, float left,
+                       float right) {
   Ui& ui = f.ui;
-  const float right = ui.px(f.area.right() - 16), middle = ImGui::GetCursorScreenPos().y + ui.px(20);
+  const float middle = ImGui::GetCursorScreenPos().y + ui.px(20);
   const float words = right - std::ceil(text_width(ui, Face::body_medium, progress.left));
   const float bar = std::min(ui.px(124), words - ui.px(8) - left);
   draw_text_line(ui, std::max(words, left), right + 1, middle, Face::body_medium, ui[Tone::ink],
@@ -157,23 +162,35 @@ RunWish go_on_or(Frame& f, RunWish wish) {
   return RunWish::none;
 }
 
-void begin_run(Frame& f, RunWish wish, DoubtfulRun doubt) {
+/// Asked again when the text is loaded. A text of the user's own is not judged.
+static RunTerms terms_of(Frame& f, const std::string& text, const std::optional<AgreedDoubts>& agreed) {
+  Desk& desk = f.tab.desk();
+  RunTerms run{agreed.has_value()};
+  const WrittenSequence* source = desk.source.of(text, desk.blocks, desk.language(), f.catalog);
+  if (source)
+    run.why_not_now = [&tab = f.tab, sequence = source->sequence, doubts = agreed.value_or(AgreedDoubts())] {
+      return why_not_begin_any_more(tab, *sequence, doubts);
+    };
+  return run;
+}
+
+void begin_run(Frame& f, RunWish wish, const std::optional<AgreedDoubts>& agreed) {
   if (wish == RunWish::none) return;
   Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
-  std::string why;
-  if (doubt == DoubtfulRun::refused) why = why_not_run_there(f.tab, desk.texts.text(slot));
-  if (!why.empty()) return f.toast(Mood::warn, std::move(why), &desk.texts);
+  const std::string& text = desk.texts.text(slot);
+  if (std::string why = agreed ? std::string() : why_not_run_there(f.tab, text); !why.empty())
+    return f.toast(Mood::warn, std::move(why), &desk.texts);
   const auto goal = wish == RunWish::run_stepping ? ProgramJob::Goal::run_stepping : ProgramJob::Goal::run;
   desk.job.begin(
       goal, slot, desk.texts, f.now, f.catalog,
-      [&](IntentBody body) { return f.send_and_watch(std::move(body)); }, doubt == DoubtfulRun::taken);
-  const Rehearsals::Outcome* tried = desk.rehearsals.of(slot);
+      [&](IntentBody body) { return f.send_and_watch(std::move(body)); }, terms_of(f, text, agreed));
+  const Rehearsals::Outcome* tried = desk.rehearsals.of(desk.texts.start_of(slot));
   const bool holds = tried && tried->text == desk.texts.text(slot) && tried->stand.footing == Footing::here;
   if (desk.job.busy() && !holds) desk.rehearse(f.now, f.bench);
 }
 
-void say_what_came(Frame& f) {
+void describe_what_came(Frame& f) {
   Desk& desk = f.tab.desk();
   auto told = desk.job.take_told();
   if (!told.sentence.empty()) f.toast(told.mood, std::move(told.sentence), &desk.texts);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "gui/model/run_places.h"
 #include "gui/model/units_format.h"
 #include "gui/shell/frame.h"
 #include "panels/program/rehearsed.h"
@@ -34,15 +35,16 @@ struct RunProgress {
   gui::NumberText left;  ///< "46 s left"
 };
 std::optional<RunProgress> run_progress(const gui::Frame& frame);
-/// Draws the progress and the time left at the right end of the bar's row, not further left than `left`
-/// (pixels). Id: `WHERE/left`.
-void draw_run_progress(gui::Frame& frame, std::string_view where, const RunProgress& progress, float left);
+/// Draws the progress and the time left in a row of 40 at ImGui's cursor, at `right`, not further left than
+/// `left` (pixels). Id: `WHERE/left`.
+void draw_run_progress(gui::Frame& frame, std::string_view where, const RunProgress& progress, float left,
+                       float right);
 /// The same for a chord: continues a waiting program, else returns the wish to the panel.
 RunWish go_on_or(gui::Frame& frame, RunWish wish);
-enum class DoubtfulRun : std::uint8_t { refused, taken };  ///< taken: run once despite doubtful counts
-/// Runs the chosen text, rehearsing it first if needed: the rehearsal tracks the run.
-void begin_run(gui::Frame& frame, RunWish wish, DoubtfulRun doubt = DoubtfulRun::refused);
+/// Runs the chosen text, rehearsing it first if needed: the rehearsal tracks the run. `agreed`: the doubts
+/// about positions despite which it is run for this once; none: it is not run despite any.
+void begin_run(gui::Frame& frame, RunWish wish, const std::optional<gui::AgreedDoubts>& agreed = {});
 /// Tells the result of a run, transfer or store once.
-void say_what_came(gui::Frame& frame);
+void describe_what_came(gui::Frame& frame);
 
 }  // namespace hw::panels

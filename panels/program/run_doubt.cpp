@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/homing.h"
 #include "core/device/refusals.h"
 #include "core/device/sequence_travel.h"
 #include "core/device/travel_check.h"
@@ -25,42 +26,39 @@ DoubtWords words_here(const Frame& f) {
           [&f](Instant when) { return f.console.time_of_day(when); }};
 }
 
-/// The first way of homing after which the count is known.
-int homing_that_settles(const Catalog& catalog) {
-  const auto& modes = catalog.homing_modes;
-  const auto first = std::find_if(modes.begin(), modes.end(), [](const auto& m) { return m.sets_position; });
-  return first == modes.end() ? 0 : static_cast<int>(first - modes.begin());
-}
-
-/// A bit per axis whose count is not to be trusted, whatever the program does with it.
-std::uint32_t doubted_of_all(const Frame& f) {
-  std::uint32_t doubted = 0;
-  for (std::size_t a = 0; a < std::min<std::size_t>(f.catalog.axes.size(), max_axes); ++a)
-    if (f.now.axes[a].trust.doubtful()) doubted |= 1u << a;
-  return doubted;
+/// Of a text that a user has typed, as far as it can be read: where it sends the axes whose count is
+/// doubtful.
+std::vector<AxisTarget> places_in_doubt(const Frame& f, const std::string& text) {
+  const Language* language = f.tab.desk().language();
+  if (!language || doubts_of(f.now) == AgreedDoubts()) return {};
+  sequence::Sequence frame;
+  for (const AxisInfo& axis : f.catalog.axes) frame.axes.push_back({axis.name, 1});
+  const auto read = language->read(text, frame, f.catalog);
+  if (!read) return {};
+  std::vector<AxisTarget> places = places_of_run(read->sequence, f.catalog, f.now);
+  std::erase_if(places, [&f](const AxisTarget& p) { return !f.now.axes[p.axis.index].trust.doubtful(); });
+  return places;
 }
 
 }  // namespace
 
-bool RunDoubt::find_places(const Frame& f) {
+bool RunDoubt::find_places(const Frame& f, const std::string& text) {
   Desk& desk = f.tab.desk();
-  const int slot = desk.texts.chosen();
-  const WrittenSequence* source =
-      desk.source.of(desk.texts.text(slot), desk.blocks, desk.language(), f.catalog);
-  if (!source) return false;
-  run_ = intent::RunProgram(slot, places_of_run(*source->sequence, f.catalog, f.now));
-  doubted_ = doubted_of_all(f);
-  return true;
+  const WrittenSequence* source = desk.source.of(text, desk.blocks, desk.language(), f.catalog);
+  run_ = intent::RunProgram(desk.texts.chosen(), source ? places_of_run(*source->sequence, f.catalog, f.now)
+                                                        : places_in_doubt(f, text));
+  doubted_ = doubts_of(f.now);
+  return !run_.places.empty();
 }
 
-bool RunDoubt::holds_back(const Frame& f, RunWish wish) {
+bool RunDoubt::holds_back(const Frame& f, RunWish wish, const std::string& text) {
   if (wish == RunWish::none) return false;  // the question stays
   wish_ = RunWish::none;
-  if (!find_places(f)) return false;
+  if (!find_places(f, text)) return false;
   const std::uint32_t doubtful = doubtful_axes(f.catalog, f.now, run_);
   if (doubtful == 0 || past_travel(f.catalog, f.now, run_)) return false;  // no remedy helps beyond a limit
   wish_ = wish;
-  text_ = f.tab.desk().texts.text(run_.slot);
+  text_ = text;
   tell(f, doubtful);
   return true;
 }
@@ -68,7 +66,7 @@ bool RunDoubt::holds_back(const Frame& f, RunWish wish) {
 void RunDoubt::tell(const Frame& f, std::uint32_t doubtful) {
   doubtful_ = doubtful;
   axis_ = AxisId{static_cast<std::uint8_t>(std::countr_zero(doubtful))};
-  words_ = say_doubtful(f.catalog, f.now, run_, doubtful, words_here(f));
+  words_ = describe_doubtful(f.catalog, f.now, run_, doubtful, words_here(f));
   offered_ = 0;
 }
 
@@ -82,10 +80,9 @@ void RunDoubt::name_ways(const Frame& f, std::string_view where) {
   const NumberText count = format_with_unit(counted_, f.tab.unit(axis_));
   offer(stands, "stands", fmt::format("{} stands at {}", name, count.view()),
         fmt::format("At {}", count.view()));
-  if (f.catalog.can.homes) {
-    offer(home_minus, "home/-", fmt::format("Home {} \u2212", name), "Home \u2212");
-    offer(home_plus, "home/+", fmt::format("Home {} +", name), "Home +");
-  }
+  const auto homes = [&](Sign sign) { return f.catalog.can.homes && homing_that_sets(f.catalog, -1, sign); };
+  if (homes(Sign::minus)) offer(home_minus, "home/-", fmt::format("Home {} \u2212", name), "Home \u2212");
+  if (homes(Sign::plus)) offer(home_plus, "home/+", fmt::format("Home {} +", name), "Home +");
   offer(once, "once", "Go on for this once", "Go on once");
 }
 
@@ -96,15 +93,15 @@ std::string_view RunDoubt::why_not(const Frame& f, Way way) const {
   return f.now.axis_moves(axis_.index) ? "It moves." : "";
 }
 
-RunWish RunDoubt::draw(Frame& f, std::string_view where, const Rect& row) {
-  if (wish_ == RunWish::none) return RunWish::none;
-  const ProgramTexts& texts = f.tab.desk().texts;
-  const bool same_text = texts.chosen() == run_.slot && texts.text(run_.slot) == text_;
+RunDoubt::Once RunDoubt::draw(Frame& f, std::string_view where, const Rect& row, const std::string& text) {
+  if (wish_ == RunWish::none) return {};
+  const bool same_text = f.tab.desk().texts.chosen() == run_.slot && text == text_;
   // Which places it is sent to by its counts depends on which of them are trusted.
-  if (!same_text || (doubted_ != doubted_of_all(f) && !find_places(f))) return wish_ = RunWish::none;
+  const bool other_doubts = doubted_ != doubts_of(f.now);
+  if (!same_text || (other_doubts && !find_places(f, text))) return wish_ = RunWish::none, Once();
   const std::uint32_t now = doubtful_axes(f.catalog, f.now, run_);
-  if (now == 0 || past_travel(f.catalog, f.now, run_)) return wish_ = RunWish::none;
-  const bool told_anew = now != doubtful_;
+  if (now == 0 || past_travel(f.catalog, f.now, run_)) return wish_ = RunWish::none, Once();
+  const bool told_anew = other_doubts || now != doubtful_;
   if (told_anew) tell(f, now);
   if (offered_ == 0 || counted_ != f.now.axes[axis_.index].position) offered_ = 0, name_ways(f, where);
   std::array<Action, 4> actions;
@@ -118,11 +115,11 @@ RunWish RunDoubt::draw(Frame& f, std::string_view where, const Rect& row) {
               row);
   const RefusalTouch touched = card_.end();
   if (touched.closed) wish_ = RunWish::none;
-  if (touched.action < 0 || told_anew) return RunWish::none;  // that click was on what was told before
+  if (touched.action < 0 || told_anew) return {};  // that click was on what was told before
   const Way way = offers_[static_cast<std::size_t>(touched.action)].way;
-  if (way == once) return std::exchange(wish_, RunWish::none);
+  if (way == once) return {std::exchange(wish_, RunWish::none), doubted_};
   go(f, way);
-  return RunWish::none;
+  return {};
 }
 
 void RunDoubt::go(Frame& f, Way way) const {
@@ -130,7 +127,8 @@ void RunDoubt::go(Frame& f, Way way) const {
     f.send(stands_at(f.now, axis_, counted_));
     return;
   }
-  f.send(intent::Home(axis_, way == home_plus ? Sign::plus : Sign::minus, homing_that_settles(f.catalog)));
+  const Sign sign = way == home_plus ? Sign::plus : Sign::minus;
+  f.send(intent::Home(axis_, sign, homing_that_sets(f.catalog, -1, sign).value_or(0)));  // it was offered
 }
 
 }  // namespace hw::panels

@@ -1,5 +1,5 @@
 #pragma once
-// A program written by the console moves to counted positions. If a count is doubtful, the run is held back
+// A program moves to counted positions. If a count is doubtful, the run is held back
 // before anything is sent, and the remedies stand beside Run. Ids, with the axis concerned:
 // `WHERE/doubt/refused`, `WHERE/doubt/stands`, `WHERE/doubt/home/-`, `WHERE/doubt/home/+`,
 // `WHERE/doubt/once`.
@@ -16,10 +16,14 @@ namespace hw::panels {
 
 class RunDoubt {
  public:
-  /// True: the chosen text relies on doubtful counts, and the question is shown here.
-  bool holds_back(const gui::Frame& frame, RunWish wish);
-  /// Draws beside `row` while the run is held back. Returns the run to begin once all the same.
-  RunWish draw(gui::Frame& frame, std::string_view where, const gui::Rect& row);
+  /// True: this text relies on doubtful counts, and the question is shown here.
+  bool holds_back(const gui::Frame& frame, RunWish wish, const std::string& text);
+  struct Once {
+    RunWish wish = RunWish::none;
+    gui::AgreedDoubts agreed{};  ///< the doubts that were told, and no others
+  };
+  /// Draws beside `row` while the run of `text` is held back. Returns the run to begin once all the same.
+  Once draw(gui::Frame& frame, std::string_view where, const gui::Rect& row, const std::string& text);
 
  private:
   enum Way : std::uint8_t { stands, home_minus, home_plus, once };
@@ -27,8 +31,8 @@ class RunDoubt {
     Way way;
     std::string id, label, brief;
   };
-  /// Where the chosen text sends which axes, by what is doubtful now; false: it is of no sequence.
-  bool find_places(const gui::Frame& frame);
+  /// Where the text sends which axes, by what is doubtful now; false: nowhere, as far as is known.
+  bool find_places(const gui::Frame& frame, const std::string& text);
   void tell(const gui::Frame& frame, std::uint32_t doubtful);
   void name_ways(const gui::Frame& frame, std::string_view where);
   void go(gui::Frame& frame, Way way) const;
@@ -37,9 +41,9 @@ class RunDoubt {
   RunWish wish_ = RunWish::none;  ///< none: nothing is held back
   std::string text_;              ///< the text concerned
   intent::RunProgram run_{0};
-  std::uint32_t doubted_ = 0;   ///< of all axes, when its places were found
-  std::uint32_t doubtful_ = 0;  ///< of these, those that it is about
-  AxisId axis_{};               ///< the first of them: axes are dealt with one after the other
+  gui::AgreedDoubts doubted_{};  ///< of all axes, when its places were found
+  std::uint32_t doubtful_ = 0;   ///< of these, those that it is about
+  AxisId axis_{};                ///< the first of them: axes are dealt with one after the other
   std::string words_, refused_id_;
   Steps counted_;  ///< shown by `stands`
   std::array<Offer, 4> offers_;

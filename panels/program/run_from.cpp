@@ -22,7 +22,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// "X 3.000 mm, Y 4.000 mm": the positions of the axes that are sent to a target.
+/// "axis X at 3.000 mm, axis Y at 4.000 mm": the positions of the axes that are sent to a target.
 std::string standing_at(const Frame& f, const sequence::Rest& rest) {
   std::string all;
   for (std::size_t a = 0; a < rest.sequence.axes.size(); ++a) {
@@ -30,9 +30,9 @@ std::string standing_at(const Frame& f, const sequence::Rest& rest) {
     if (!rest.start[a] || place < 0) continue;
     const AxisId id{static_cast<std::uint8_t>(place)};
     const AxisState& axis = f.now.axes[id.index];
-    all += fmt::format("{}{} {}", all.empty() ? "" : ", ", rest.sequence.axes[a].name,
+    all += fmt::format("{}{} at {}", all.empty() ? "" : ", ", spoken_name(f.catalog, place),
                        axis.position_known ? format_with_unit(axis.position, f.tab.unit(id)).view()
-                                           : std::string_view("nobody knows where"));
+                                           : std::string_view("an unknown position"));
   }
   return all;
 }
@@ -164,7 +164,7 @@ void RunFrom::ask(Frame& f, Result<Wanted> wanted) {
 
 void RunFrom::say(const Frame& f, const Wanted& wanted) {
   const std::string at = standing_at(f, rest_);
-  question_ = at.empty() ? std::string() : fmt::format("The axes stand at {}.\n", at);
+  question_ = at.empty() ? std::string() : fmt::format("Now: {}.\n", at);
   question_ += fmt::format("First: {}\n", words_of_leading(rest_));
   question_ += fmt::format("Then {}, and all behind it.", wanted.begins);
   if (wanted.counts_from_now) question_ += "\nDistances above it are counted from where the axes stand now.";

@@ -7,6 +7,7 @@
 #include "gui/widgets/button.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/text.h"
+#include "panels/program/rehearsed.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -120,8 +121,15 @@ void Threads::draw_first_button(Frame& f, int n, std::string_view no_link, bool 
   } else {
     o.moving = true;
     o.icon = Icon::play;
-    o.tip = "Runs what the controller holds.";
+    const Rehearsed tried = f.tab.desk().language() ? rehearsed_thread(f, n) : Rehearsed();
+    const Path tip("Runs what the controller holds. {}", tried.words);
+    o.tip = tip;
+    if (tried.holds) o.icon_after = Icon::check;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
     if (press("run", "Run")) run(f, n, false);
+    if (!tried.words.empty())
+      show(f.ui, {Path("thread/{}/rehearsed", n), Kind::text, "Rehearsed", tried.words},
+           {at, ImVec2(at.x + f.ui.px(o.width), at.y + f.ui.px(o.height))});
   }
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 // The programs that run at once, a row each: state in words, low-level line, the source line it came from,
 // and the buttons that suit. Ids: `thread/0/run`, `/pause`, `/continue`, `/stop`, `/state`, `/line`,
-// `/source`; if a run was refused because the stored program differs from the one sent, `/refused` and
+// `/source`, `/rehearsed`; if a run was refused because the stored program differs from the one sent,
+// `/refused` and
 // `/as_it_is`.
 #include <string>
 

@@ -21,13 +21,9 @@ struct BoardBlocks : test_blocks::BlocksStage {
 };
 
 TEST_F(VxmRefusedBlocks, EachIsMarkedAndTheOthersKeepTheirTextPathAndTimes) {
-  s.click("blocks/add/move_by");
-  s.type("blocks/1/to/1", "400");
-  s.click("blocks/add/arc");
-  s.click("blocks/add/delay");
-  s.click("blocks/add/stop");
-  s.click("blocks/end");
-  s.stage.frames(6);
+  sequence::Move by;
+  by.relative = true, by.to[0] = 400;
+  load({{by}, {sequence::Arc{0, 0, 90, {}}}, {sequence::Delay{500}}, {sequence::Stop{}}});
   EXPECT_EQ(text(), "I1M400\n; block 2 is not written\nP5\n; block 4 is not written\n");
   EXPECT_EQ(value("blocks/2/time"), "not written");
   EXPECT_EQ(value("blocks/4/time"), "not written");

@@ -144,8 +144,11 @@ TEST_F(BlocksTest, SpaceLeavesTheChosenOneOut) {
 }
 
 TEST_F(VxmBlocksTest, WhatCannotBeDoneIsSaidAtItsBlock) {
-  s.click("blocks/add/delay");
-  s.click("blocks/add/arc");
+  sequence::Sequence of_another = sequence::frame_of(s.tab.desk().blocks.editor.sequence());
+  of_another.steps = {{sequence::Delay{500}}, {sequence::Arc{0, 0, 90, {}}}};
+  s.tab.desk().blocks.editor.load(std::move(of_another));
+  s.stage.frames(4);
+  s.click("blocks/2");
   EXPECT_EQ(s.value("blocks/problem"), "1 block is refused.");
   EXPECT_THAT(s.value("blocks/2/refusal"), HasSubstr("A VXM moves one motor at a time"));
   EXPECT_THAT(s.reason("blocks/to_program"), HasSubstr("Step 2 (arc)"));

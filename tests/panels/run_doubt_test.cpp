@@ -29,6 +29,24 @@ struct RunDoubtTest : ::testing::Test {
     s.tab.desk().texts.set_text(0, written.text);
     s.stage.frames(2);
   }
+  /// A program that sends two motors to places, the second of them too.
+  void put_two() {
+    sequence::Sequence q;
+    q.axes = {{"1"}, {"2"}};
+    sequence::Move move;
+    move.to[0] = 400, move.to[1] = 300;
+    q.steps.push_back({move});
+    SequenceText written;
+    written.text = "IA1M400,IA2M300";
+    s.tab.desk().source.put({std::make_shared<const sequence::Sequence>(q), written});
+    s.tab.desk().texts.set_text(0, written.text);
+    s.stage.frames(2);
+  }
+  void agree_and_load() {
+    s.click("program/run");
+    s.click("program/doubt/once");
+    ASSERT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
+  }
   template <class T>
   int count() const {
     return static_cast<int>(std::count_if(s.sent.begin(), s.sent.end(), [](const IntentBody& body) {
@@ -74,16 +92,7 @@ TEST_F(RunDoubtTest, ItIsHomedOrSaidToStandWhereItCounts) {
 
 TEST_F(RunDoubtTest, AnAxisThatBecomesDoubtfulMeanwhileIsToldOf) {
   s.now.axes[1].position = s.now.axes[1].command = Steps(5);
-  sequence::Sequence q;
-  q.axes = {{"1"}, {"2"}};
-  sequence::Move move;
-  move.to[0] = 400, move.to[1] = 300;
-  q.steps.push_back({move});
-  SequenceText written;
-  written.text = "IA1M400,IA2M300";
-  s.tab.desk().source.put({std::make_shared<const sequence::Sequence>(q), written});
-  s.tab.desk().texts.set_text(0, written.text);
-  s.stage.frames(2);
+  put_two();
   s.click("program/run");
   ASSERT_THAT(s.value("program/doubt/refused"), HasSubstr("The position of motor 1 cannot be trusted"));
   EXPECT_THAT(s.value("program/doubt/refused"), Not(HasSubstr("motor 2")));
@@ -95,12 +104,97 @@ TEST_F(RunDoubtTest, AnAxisThatBecomesDoubtfulMeanwhileIsToldOf) {
   EXPECT_THAT(s.value("program/doubt/refused"), HasSubstr("The position of motor 2 cannot be trusted"));
 }
 
+// Loading may take minutes: what was agreed to before it is not what is true behind it.
+TEST_F(RunDoubtTest, AFurtherAxisThatBecomesDoubtfulWhileItIsLoadedIsNotAgreedTo) {
+  put_two();
+  agree_and_load();
+  s.now.axes[1].trust.doubt(Doubt::power_cut, Instant());
+  s.settle(Fate::done);
+  EXPECT_EQ(count<intent::RunProgram>(), 0);
+  EXPECT_THAT(s.toast(),
+              HasSubstr("loaded and not started. Meanwhile the position of motor 2 has become doubtful"));
+  s.click("program/run");
+  EXPECT_THAT(s.value("program/doubt/refused"), HasSubstr("motor 2")) << "it is asked for both";
+  s.click("program/doubt/once");
+  ASSERT_TRUE(s.last<intent::RunProgram>()) << "it is there already";
+  EXPECT_TRUE(s.last<intent::RunProgram>()->despite_doubt);
+}
+
+TEST_F(RunDoubtTest, AnotherReasonWhileItIsLoadedIsNotAgreedTo) {
+  agree_and_load();
+  s.now.axes[0].trust.doubt(Doubt::killed, Instant());
+  s.settle(Fate::done);
+  EXPECT_EQ(count<intent::RunProgram>(), 0);
+  EXPECT_THAT(s.toast(), HasSubstr("it was stopped without a ramp at speed"));
+}
+
+TEST_F(RunDoubtTest, TheSameReasonOnceMoreWhileItIsLoadedIsNotAgreedTo) {
+  agree_and_load();
+  s.now.axes[0].trust.doubt(Doubt::power_cut, Instant(Millis(5000)));
+  s.settle(Fate::done);
+  EXPECT_EQ(count<intent::RunProgram>(), 0);
+}
+
+TEST_F(RunDoubtTest, AnAxisThatItDoesNotMoveChangesNothing) {
+  agree_and_load();
+  s.now.axes[1].trust.doubt(Doubt::killed, Instant());
+  s.settle(Fate::done);
+  ASSERT_TRUE(s.last<intent::RunProgram>()) << s.toast();
+  EXPECT_TRUE(s.last<intent::RunProgram>()->despite_doubt);
+}
+
+// No controller is asked about the first step of a program: it is judged here.
+TEST_F(RunDoubtTest, ADoubtThatComesWhileItIsLoadedHoldsStepsBackToo) {
+  s.now.axes[0].trust.settle(Trust::set, Instant());
+  s.stage.frames(2);
+  s.click("program/step");
+  ASSERT_TRUE(s.last<intent::LoadProgram>());
+  s.now.axes[0].trust.doubt(Doubt::power_cut, Instant());
+  s.settle(Fate::done);
+  EXPECT_EQ(count<intent::SingleStep>(), 0);
+  EXPECT_THAT(s.toast(), HasSubstr("loaded and not started"));
+}
+
+TEST_F(RunDoubtTest, AClickOnWhatHasJustChangedIsNoConsent) {
+  s.click("program/run");
+  ASSERT_TRUE(s.stage.find("program/doubt/once"));
+  const ImVec2 at = s.stage.find("program/doubt/once")->rect.centre();
+  s.stage.push(gui::InputEvent::mouse_move(at.x, at.y, s.stage.now_s));
+  s.stage.frames(20);
+  s.stage.push(gui::InputEvent::mouse_button(0, true, at, s.stage.now_s));
+  s.stage.frames(1);
+  s.now.axes[0].trust.doubt(Doubt::killed, Instant());
+  s.stage.push(gui::InputEvent::mouse_button(0, false, at, s.stage.now_s));
+  s.stage.frames(1);
+  EXPECT_EQ(count<intent::LoadProgram>(), 0);
+  s.stage.frames(2);
+  EXPECT_THAT(s.value("program/doubt/refused"), HasSubstr("without a ramp")) << "the new reason is told";
+}
+
 TEST_F(RunDoubtTest, AnotherTextIsAnotherMatter) {
   s.click("program/run");
   ASSERT_TRUE(s.stage.find("program/doubt/refused"));
   s.tab.desk().texts.set_text(0, "I1M5");
   s.stage.frames(2);
   EXPECT_FALSE(s.stage.find("program/doubt/refused"));
+}
+
+TEST_F(RunDoubtTest, ATextThatWasTypedIsReadForItsPlaces) {
+  s.tab.desk().texts.set_text(0, "S1M1500\nIA1M250\nIA2M70\n");
+  s.stage.frames(2);
+  s.click("program/run");
+  EXPECT_EQ(count<intent::LoadProgram>(), 0) << "nothing was sent";
+  EXPECT_THAT(s.value("program/doubt/refused"), HasSubstr("The position of motor 1 cannot be trusted"));
+  s.click("program/doubt/once");
+  EXPECT_TRUE(s.last<intent::LoadProgram>());
+}
+
+TEST_F(RunDoubtTest, OneThatGoesByDistancesOnlyIsNotHeldBack) {
+  s.tab.desk().texts.set_text(0, "I1M250\nIA2M70\n");
+  s.stage.frames(2);
+  s.click("program/run");
+  EXPECT_FALSE(s.stage.find("program/doubt/refused"));
+  EXPECT_TRUE(s.last<intent::LoadProgram>());
 }
 
 }  // namespace

@@ -69,9 +69,9 @@ TEST_F(RunFromTest, TellsTheWayThereAndDoesNothingBeforeItIsAgreedTo) {
   ASSERT_THAT(s.value("path/hit"), HasSubstr("IA2M400"));
   s.click("path/run_here");
   const std::string asked = s.value("path/run_from/says");
-  EXPECT_THAT(asked, HasSubstr("The axes stand at 1 250 steps"));
-  EXPECT_THAT(asked, HasSubstr("First: Tool up. Speed 2000 steps/s. Move to 1 400, 2 0. Tool down."));
-  EXPECT_THAT(asked, HasSubstr("Then step 6, Move to 2 400, and all behind it."));
+  EXPECT_THAT(asked, HasSubstr("Now: motor 1 at 250 steps"));
+  EXPECT_THAT(asked, HasSubstr("First: Tool up. Speed 2000 steps/s. Move to 1: 400, 2: 0. Tool down."));
+  EXPECT_THAT(asked, HasSubstr("Then step 6, Move to 2: 400, and all behind it."));
   EXPECT_THAT(asked, Not(HasSubstr("No step mentions a tool")));
   EXPECT_TRUE(s.sent.empty());
   const std::string before = s.tab.desk().texts.text(0);
@@ -130,8 +130,8 @@ TEST_F(RunFromTest, AnAxisThatNoStepBeforeHasMovedComesToWhereTheRehearsalBegan)
   click_on_second_side();
   s.click("path/run_here");
   const std::string asked = s.value("path/run_from/says");
-  EXPECT_THAT(asked, HasSubstr("The axes stand at 1 0 steps, 2 70 steps")) << s.toast();
-  EXPECT_THAT(asked, HasSubstr("Move to 1 400, 2 0. Tool down.")) << "the line that is drawn begins there";
+  EXPECT_THAT(asked, HasSubstr("Now: motor 1 at 0 steps, motor 2 at 70 steps")) << s.toast();
+  EXPECT_THAT(asked, HasSubstr("Move to 1: 400, 2: 0. Tool down.")) << "the line that is drawn begins there";
 }
 
 TEST_F(RunFromTest, WhatWouldLeaveALimitIsRefusedWithHowFar) {
@@ -155,8 +155,8 @@ TEST_F(RunFromTest, ATypedTextIsBegunWhereItsRehearsalCameTo) {
   s.click("path/run_here");
   s.stage.frames(3);
   const std::string asked = s.value("path/run_from/says");
-  EXPECT_THAT(asked, HasSubstr("The axes stand at 1 0 steps, 2 70 steps")) << s.toast();
-  EXPECT_THAT(asked, HasSubstr("First: Move to 1 400, 2 50.")) << "where it was rehearsed";
+  EXPECT_THAT(asked, HasSubstr("Now: motor 1 at 0 steps, motor 2 at 70 steps")) << s.toast();
+  EXPECT_THAT(asked, HasSubstr("First: Move to 1: 400, 2: 50.")) << "where it was rehearsed";
   EXPECT_THAT(asked, HasSubstr("Then line 2, I2M400, and all behind it."));
   EXPECT_THAT(asked, HasSubstr("No step mentions a tool"));
   EXPECT_TRUE(s.sent.empty());
@@ -175,7 +175,7 @@ TEST_F(RunFromTest, OfALineOfSeveralCommandsTheOneThatWasClickedIsMeant) {
   EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 1: I2M400"));
   s.click("path/run_here");
   s.stage.frames(3);
-  EXPECT_THAT(s.value("path/run_from/says"), HasSubstr("First: Move to 1 400, 2 0.")) << s.toast();
+  EXPECT_THAT(s.value("path/run_from/says"), HasSubstr("First: Move to 1: 400, 2: 0.")) << s.toast();
 }
 
 TEST_F(RunFromTest, WhatATypedTextLeavesBehindThatNobodyKnowsIsNamed) {
@@ -211,7 +211,7 @@ TEST_F(RunFromTest, WithinALoopThePassThatWasClickedIsWrittenOut) {
   s.click("path/run_here");
   EXPECT_THAT(s.value("path/run_from/says"), HasSubstr("Then pass 2 of 4 of the loop of step 5, "))
       << s.toast();
-  EXPECT_THAT(s.value("path/run_from/says"), HasSubstr("Move to 1 200, 2 100."));
+  EXPECT_THAT(s.value("path/run_from/says"), HasSubstr("Move to 1: 200, 2: 100."));
   s.click("path/run_from/yes");
   s.stage.frames(4);
   EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("LA2")) << "two passes are left";
