@@ -55,11 +55,11 @@ Result<HostOptions> take_host_options(std::string_view model, DeviceOptions& key
 
 Result<BenchFile> read_bench(const std::string& file, const DeviceType& type, const DeviceOptions& keys) {
   if (file.empty()) return BenchFile();
-  const auto text = read_file(file, largest_bench_file);
-  if (!text) return fail(text.error());
   const auto catalog = type.make_catalog(keys);
   if (!catalog) return fail(catalog.error());
-  auto bench = parse_bench_file(*text, *catalog, file);
+  auto bench = read_file(file, largest_bench_file).and_then([&](const std::string& text) {
+    return parse_bench_file(text, *catalog, file);
+  });
   if (!bench) bench.error().kind = FaultKind::port;  // the file is wrong, not the address
   return bench;
 }

@@ -52,11 +52,12 @@ class EmulatorHost::Device final : public BenchAccess {
   Result<> load(const std::string& path) {
     if (::access(path.c_str(), F_OK) != 0) return check_folder(path);
     const auto text = read_file(path, largest_file);
-    if (!text) return fail(text.error());
-    auto loaded = emulator_->load_memory(*text);
+    const auto loaded = text ? emulator_->load_memory(*text) : fail(text.error());
     if (loaded) return {};
     Fault fault = loaded.error();
     fault.kind = FaultKind::port;  // the file is wrong, not the option
+    if (!text) return fail(std::move(fault));
+
     fault.what = fmt::format("{} is not the saved memory of this controller: {}", path, fault.what);
     return fail(std::move(fault));
   }

@@ -1,19 +1,25 @@
 #include "core/base/log.h"
 
 #include <algorithm>
+#include <chrono>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <sys/stat.h>
+
+#include "core/base/log_feed.h"
 
 namespace hw::log {
 namespace {
 
-constexpr std::string_view subjects_there_are[] = {"link", "pump", "driver", "gui", "emulate"};
+constexpr std::string_view subjects_there_are[] = {"link", "pump", "driver", "gui", "emulate", "sleep"};
 constexpr std::pair<std::string_view, Level> level_words[] = {{"off", Level::quiet},
                                                               {"error", Level::error},
                                                               {"warning", Level::warning},
@@ -21,6 +27,19 @@ constexpr std::pair<std::string_view, Level> level_words[] = {{"off", Level::qui
                                                               {"debug", Level::debug}};
 constexpr std::size_t largest_file = 1'000'000;
 constexpr std::size_t older_files = 3;
+constexpr std::size_t lines_for_a_reader = 1024;  // between two of its frames
+
+std::string time_of_day_now() {
+  const auto now = std::chrono::system_clock::now();
+  const auto ms =
+      std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count() % 1000;
+  const std::time_t at = std::chrono::system_clock::to_time_t(now);
+  std::tm day{};
+  localtime_r(&at, &day);
+  return fmt::format("{:02}:{:02}:{:02}.{:03}", day.tm_hour, day.tm_min, day.tm_sec, ms);
+}
+
+}  // namespace
 
 // Shared by all threads. Never destroyed, as a thread may log while the process ends.
 struct Desk {
@@ -30,6 +49,7 @@ struct Desk {
   Level usual = Level::warning;
   spdlog::logger to_screen{"handwheel", std::make_shared<spdlog::sinks::stderr_sink_st>()};
   std::unique_ptr<spdlog::logger> to_file;
+  std::vector<Feed*> readers;
 
   Desk() {
     to_screen.set_pattern("%H:%M:%S.%e %l %v");
@@ -47,7 +67,22 @@ struct Desk {
   void apply() {
     for (auto& [name, subject] : subjects) subject->set_level(level_of(name));
   }
+  void tell_readers(Level level, std::string_view subject, std::string_view sentence) {
+    if (readers.empty()) return;
+    const std::string time = time_of_day_now();
+    for (Feed* reader : readers) {
+      reader->lines.push_in_place([&](Line& line) {
+        line.time = time;
+        line.level = level;
+        line.subject = subject;
+        line.sentence = sentence;
+      });
+      if (reader->wake_) reader->wake_();
+    }
+  }
 };
+
+namespace {
 
 Desk& desk() {
   static Desk& one = *new Desk();
@@ -83,8 +118,8 @@ Result<> choose_one(std::string_view choice) {
   if (!level || (equals != choice.npos && !is_subject(path)))
     return fail(
         FaultKind::text, fmt::format("There is nothing to log as \"{}\".", choice), {},
-        "Give SUBJECT=LEVEL: link, pump, driver, driver.MODEL, gui or emulate, and off, error, warning, "
-        "info or debug.");
+        "Give SUBJECT=LEVEL: link, pump, driver, driver.MODEL, gui, emulate or sleep, and off, error, "
+        "warning, info or debug.");
   const std::lock_guard lock(desk().mutex);
   if (path.empty())
     desk().usual = *level;
@@ -100,6 +135,16 @@ void Subject::write(Level level, std::string_view sentence) const {
   const std::lock_guard lock(desk().mutex);
   desk().to_screen.log(of(level), "{}: {}", name_, sentence);
   if (desk().to_file) desk().to_file->log(of(level), "{}: {}", name_, sentence);
+  desk().tell_readers(level, name_, sentence);
+}
+
+Feed::Feed(std::function<void()> wake) : lines(lines_for_a_reader), wake_(std::move(wake)) {
+  const std::lock_guard lock(desk().mutex);
+  desk().readers.push_back(this);
+}
+Feed::~Feed() {
+  const std::lock_guard lock(desk().mutex);
+  std::erase(desk().readers, this);
 }
 
 std::string written(Bytes bytes) {
@@ -131,9 +176,26 @@ Subject& subject(std::string_view name) {
   return *found->second;
 }
 
-void set_level(Level level) {
+std::span<const std::string_view> families() { return subjects_there_are; }
+
+std::string_view word_of(Level level) {
+  for (const auto& [name, value] : level_words)
+    if (value == level) return name;
+  return "off";
+}
+
+void set_level(std::string_view path, Level level) {
   const std::lock_guard lock(desk().mutex);
-  desk().usual = level;
+  auto& chosen = desk().chosen;
+  std::erase_if(chosen, [path](const auto& rule) {
+    const std::string& name = rule.first;
+    return path.empty() ||
+           (name.starts_with(path) && (name.size() == path.size() || name[path.size()] == '.'));
+  });
+  if (path.empty())
+    desk().usual = level;
+  else
+    chosen.insert_or_assign(std::string(path), level);
   desk().apply();
 }
 
@@ -148,8 +210,13 @@ Result<> choose(std::string_view choices) {
 
 Result<> keep_in(const std::filesystem::path& file) {
   try {
-    auto sink =
-        std::make_shared<spdlog::sinks::rotating_file_sink_st>(file.string(), largest_file, older_files);
+    spdlog::file_event_handlers private_file;
+    private_file.after_open = [](const spdlog::filename_t&, std::FILE* open) {
+      struct stat about {};
+      if (::fstat(::fileno(open), &about) == 0 && S_ISREG(about.st_mode)) ::fchmod(::fileno(open), 0600);
+    };
+    auto sink = std::make_shared<spdlog::sinks::rotating_file_sink_st>(file.string(), largest_file,
+                                                                       older_files, false, private_file);
     auto made = std::make_unique<spdlog::logger>("file", std::move(sink));
     made->set_pattern("%Y-%m-%d %H:%M:%S.%e %l %v");
     made->set_level(spdlog::level::trace);

@@ -1,6 +1,6 @@
 #pragma once
-// Log lines for a person or a service manager, to stderr and, in the console, to a file. Any thread. Never
-// used for results.
+// Log lines for a person or a service manager, to stderr and, in the console, to a file and a list
+// (log_feed.h). Any thread. Never used for results.
 //
 // Each line has a subject, a path: link, pump, driver.vxm, gui. Code that decides something (drops, refuses,
 // gives up) looks its subject up once and logs the reason at debug:
@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,7 +29,8 @@ class Subject {
   Subject(std::string name, Level level) : name_(std::move(name)), level_(level) {}
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] bool wants(Level level) const { return level <= level_.load(std::memory_order_relaxed); }
+  [[nodiscard]] bool wants(Level level) const { return level <= this->level(); }
+  [[nodiscard]] Level level() const { return level_.load(std::memory_order_relaxed); }
   void set_level(Level level) { level_.store(level, std::memory_order_relaxed); }
 
   template <class... T>
@@ -61,8 +63,13 @@ std::string written(Bytes bytes);
 /// The subject of that name; it lives as long as the process. Look it up once: this takes a lock.
 Subject& subject(std::string_view name);
 
-/// The level of all subjects without one of their own. Initially `warning`.
-void set_level(Level level);
+/// The tops of all subjects: "link", "driver".
+std::span<const std::string_view> families();
+/// "debug".
+std::string_view word_of(Level level);
+/// Sets the level of a path and of all below it: "driver", "driver.vxm". Empty: of everything; initially
+/// `warning`. subject(path).level() tells it.
+void set_level(std::string_view path, Level level);
 
 /// "link=debug", "driver=info,pump=debug" (driver: driver.vxm and all others), or "debug" for everything. The
 /// longest path that fits a subject counts. The fault lists the subjects and levels.

@@ -36,6 +36,19 @@ void check_keys(lua_State* L, int table) {
   }
 }
 
+void check_list(lua_State* L, int declared) {
+  const char* const how =
+      "it takes a list of arguments, each a table: hw.arguments{{name=\"count\", default=10}}";
+  if (!lua_istable(L, declared)) throw Misuse(fmt::format("hw.arguments: {}", how));
+  lua_pushnil(L);
+  while (lua_next(L, declared)) {
+    lua_pop(L, 1);
+    const std::string key = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+    if (!key.empty() && key != "about")
+      throw Misuse(fmt::format("hw.arguments: there is no \"{}\": {}", key, how));
+  }
+}
+
 /// The table on top. Pops it.
 Argument argument_of(lua_State* L) {
   if (!lua_istable(L, -1))
@@ -103,7 +116,8 @@ int push_given(lua_State* L, int declared, const std::vector<Argument>& known, c
 int arguments(Call& call) {
   lua_State* const L = call.L;
   const int declared = call.place(1);
-  if (!lua_istable(L, declared)) throw Misuse("hw.arguments: it takes a list of arguments");
+  check_list(L, declared);
+
   std::vector<Argument> known;
   for (lua_Integer i = 1; lua_rawgeti(L, declared, i) != LUA_TNIL; ++i) known.push_back(argument_of(L));
   lua_pop(L, 1);

@@ -41,7 +41,10 @@ Task<Answer> sleep_for(Runner& runner, Duration time) {
   co_return [](lua_State*) { return 0; };
 }
 
-int sleep(Call& call) { return call.wait(sleep_for(call.runner(), call.patience(1, 0))); }
+int sleep(Call& call) {
+  static_cast<void>(call.number(1, "seconds"));  // nil is a slip, not a pause of 0 s
+  return call.wait(sleep_for(call.runner(), call.patience(1, 0)));
+}
 
 int now(Call& call) {
   lua_pushnumber(call.L, call.runner().seconds_since_start());

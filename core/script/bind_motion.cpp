@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/near_name.h"
+#include "core/base/shown_text.h"
 #include "core/script/bind.h"
 #include "core/script/options.h"
 
@@ -13,10 +14,11 @@ namespace hw::script {
 namespace {
 
 Sign sign_of(const Call& call, int argument) {
-  const std::string sign = call.text(argument, "direction");
+  const std::string sign = call.is_text(argument) ? call.text(argument, "direction") : call.type_of(argument);
   if (sign == "+") return Sign::plus;
   if (sign == "-") return Sign::minus;
-  throw Misuse("the direction must be \"+\" or \"-\"");
+  throw Misuse(fmt::format("{}: argument {} (direction) must be \"+\" or \"-\", not {}", call.function(),
+                           argument, shown_text(sign, 40)));
 }
 
 struct ById {  // the same order in every run
@@ -26,20 +28,29 @@ struct ById {  // the same order in every run
 };
 using Targets = std::map<SessionPtr, std::vector<AxisTarget>, ById>;
 
+/// As a table of targets is written: X, [1]; on a bus ["01"].
+std::string key_of_first_axis(const Call& call) {
+  const auto bus = bus_of(call);
+  if (bus) return fmt::format("[\"{}\"]", bus->members().front()->catalog().id());
+  const std::string& name = session_of(call)->catalog().axes.front().name;
+  return name.front() >= '0' && name.front() <= '9' ? fmt::format("[{}]", name) : name;
+}
+
 // Reads {[1]=400} or {X=1000, Y=0} in the catalog's order; on a bus {["01"]=400}. Returns a refusal, or
 // empty.
 std::string read_targets(const Call& call, int argument, const Counting& counting, Targets& targets) {
   const int table = call.place(argument);
-  if (!lua_istable(call.L, table)) throw Misuse("the targets must be a table like {[1]=400}");
   lua_pushnil(call.L);
   while (lua_next(call.L, table)) {
-    const OneAxis one = one_axis_at(call, lua_absindex(call.L, -2), "targets");
+    const OneAxis one = one_axis_at(call, lua_absindex(call.L, -2), call.function());
     if (one.index < 0) return one.refusal;
     const Steps steps = counting.steps(call, lua_absindex(call.L, -1), one, "a target");
     lua_pop(call.L, 1);
     targets[one.session].push_back(AxisTarget{id_of(one.index), steps});
   }
-  if (targets.empty()) throw Misuse("the table of targets is empty");
+  if (targets.empty())
+    throw Misuse(fmt::format("{}: the table of targets is empty: an axis whose value is nil is not in it",
+                             call.function()));
   for (auto& [session, own] : targets)
     std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.axis < b.axis; });
   return {};
@@ -89,7 +100,10 @@ Task<Answer> move_all(Targets targets, intent::Pace pace, bool on_bus) {
 
 template <class Move>
 int move(Call& call) {
-  const Options options(call, 2, "move", pace_options);
+  if (!lua_istable(call.L, call.place(1)))
+    throw Misuse(fmt::format("{}: the targets must be a table like {{{}=400}}, not {}", call.function(),
+                             key_of_first_axis(call), call.type_of(1)));
+  const Options options(call, 2, call.function(), pace_options);
   const Counting counting = options.counting();
   Targets targets;
   if (const std::string why = read_targets(call, 1, counting, targets); !why.empty()) return call.refuse(why);
@@ -174,17 +188,25 @@ int stop(Call& call) {
   return perform(call, How(-1));
 }
 
+/// A wait has no other fault of this kind: what does not answer is lost.
+Refusal of_wait(Refusal refusal) {
+  return refusal.kind == FaultKind::no_answer ? too_late(std::move(refusal)) : refusal;
+}
+
 Task<Answer> wait_idle(SessionPtr session, Duration patience, bool on_bus) {
   const auto idle = co_await session->wait_until_idle(patience);
   if (idle) co_return answer_yes();
   const bool ended = idle.error().kind == FaultKind::controller;
   const int index = ended ? axis_not_finished(session->known(), session->catalog()) : -1;
   std::string axis = index >= 0 ? name_of_axis(*session, id_of(index)) : std::string();
-  co_return answer_refused(refusal_of(idle.error(), *session, std::move(axis), on_bus));
+  co_return answer_refused(of_wait(refusal_of(idle.error(), *session, std::move(axis), on_bus)));
 }
 Task<Answer> wait_bus_idle(std::shared_ptr<SessionGroup> bus, Duration patience) {
   const auto idle = co_await bus->wait_until_idle(patience);
-  co_return answer_of_bus(idle, *bus);
+  if (idle) co_return answer_yes();
+  const auto origin = bus->origin_of(idle.error());
+  if (!origin) co_return answer_refused(of_wait(refusal_of(idle.error())));
+  co_return answer_refused(of_wait(refusal_of(idle.error(), *origin, {}, false)));
 }
 int wait(Call& call) {
   const Duration patience = call.patience(1, 3600);

@@ -24,13 +24,16 @@ void turn_round(Travel& travel) {
 /// Reads {minus=-1000, plus=90000}; an absent end has no limit.
 Travel read_travel(const Call& call, int argument, const Counting& counting, const OneAxis& one) {
   const int table = call.place(argument);
-  if (!lua_istable(call.L, table)) throw Misuse("the limits must be a table like {minus=-1000, plus=90000}");
+  if (!lua_istable(call.L, table))
+    throw Misuse(fmt::format("limits: argument 2 must be a table like {{minus=-1000, plus=90000}}, not {}",
+                             call.type_of(argument)));
   Travel travel;
   lua_pushnil(call.L);
   while (lua_next(call.L, table)) {
     const char* key = lua_type(call.L, -2) == LUA_TSTRING ? lua_tostring(call.L, -2) : "";
     const bool minus = std::strcmp(key, "minus") == 0, plus = std::strcmp(key, "plus") == 0;
-    if (!minus && !plus) throw Misuse("limits are called minus and plus");
+    if (!minus && !plus)
+      throw Misuse(fmt::format("limits: there is no \"{}\": the ends are called minus and plus", key));
     (minus ? travel.minus : travel.plus) = counting.steps(call, lua_absindex(call.L, -1), one, "a limit");
     (minus ? travel.has_minus : travel.has_plus) = true;
     lua_pop(call.L, 1);
@@ -89,7 +92,8 @@ int backlash(Call& call) {
   if (!call.has(2)) return call.wait(tell_backlash(one.session, one.index));
   const Options options(call, 2, "backlash", {"by", "ends"});
   const std::string ends = options.text("ends").value_or("+");
-  if (ends != "+" && ends != "-") throw Misuse("ends is \"+\" or \"-\": the way in which every move ends");
+  if (ends != "+" && ends != "-")
+    throw Misuse("backlash: ends is \"+\" or \"-\": the way in which every move ends");
   Backlash wish;
   wish.by = Steps(std::llround(options.above_zero("by", "steps").value_or(0)));
   wish.last = ends == "+" ? Sign::plus : Sign::minus;
@@ -102,7 +106,9 @@ int backlash(Call& call) {
 std::string read_place(const Call& call, int argument, const Counting& counting,
                        std::vector<AxisTarget>& at) {
   const int table = call.place(argument);
-  if (!lua_istable(call.L, table)) throw Misuse("a place must be a table like {X=1000, Y=0}");
+  if (!lua_istable(call.L, table))
+    throw Misuse(fmt::format("place: argument 2 must be a table like {{X=1000, Y=0}}, not {}",
+                             call.type_of(argument)));
   std::array<std::optional<Steps>, max_axes> found{};
   lua_pushnil(call.L);
   while (lua_next(call.L, table)) {
@@ -128,7 +134,7 @@ Task<Answer> save_here(SessionPtr session, std::string name) {
 int save_place(Call& call) {
   const SessionPtr& session = session_of(call);
   std::string name = call.text(1, "name");
-  if (name.empty()) throw Misuse("a place needs a name");
+  if (name.empty()) throw Misuse("place: argument 1 (name) must not be empty");
   if (!call.has(2)) return call.wait(save_here(session, std::move(name)));
   SavedPlace saved{std::move(name), {}};
   const Counting counting = Options(call, 3, "place", {"unit"}).counting();

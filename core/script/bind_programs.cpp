@@ -53,7 +53,7 @@ int run(Call& call) {
   if (slot < 0) return call.refuse(no_slot(session_of(call)->catalog()));
   intent::RunProgram wish(slot);
   if (call.has(2)) {
-    if (call.text(2, "how") != "as it is") throw Misuse("a program can only be run \"as it is\"");
+    if (call.text(2, "how") != "as it is") throw Misuse("run: argument 2 can only be \"as it is\"");
     wish.as_it_is = true;
   }
   return perform(call, std::move(wish));

@@ -45,7 +45,9 @@ std::int64_t value_of(const Call& call, int argument, const ParamInfo& info) {
     char* end = nullptr;
     const bool named = text.starts_with(info.prefix) && text.size() > info.prefix.size();
     const long long number = named ? std::strtoll(text.c_str() + info.prefix.size(), &end, 10) : 0;
-    if (!named || *end != 0) throw Misuse(fmt::format("the value must read like {}01", info.prefix));
+    if (!named || *end != 0)
+      throw Misuse(fmt::format("{}: the value of {} must read like {}01", call.function(), info.mnemonic,
+                               info.prefix));
     return number;
   }
   if (info.decimals > 0)
@@ -137,7 +139,7 @@ intent::Closing closing_of(const Call& call, int argument) {
   const std::string word = call.text(argument, "answer");
   if (word == "drive") return intent::Closing::drive;
   if (word == "stay") return intent::Closing::stay;
-  throw Misuse("the answer must be \"drive\" or \"stay\"");
+  throw Misuse("set: argument 3 must be \"drive\" or \"stay\"");
 }
 
 Task<Answer> set_param(SessionPtr session, intent::SetParam wish) {

@@ -71,7 +71,7 @@ Task<Answer> read_axis(const Call& call, const OneAxis& one, Push push) {
 }
 
 int of_axis(Call& call, Push push) {
-  const OneAxis one = one_axis(call, 1, "axis");
+  const OneAxis one = one_axis(call, 1, call.function());
   if (one.index < 0) return call.refuse(one.refusal);
   return call.wait(read_axis(call, one, push));
 }

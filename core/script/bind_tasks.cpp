@@ -28,7 +28,9 @@ SpawnedPtr task_of(const Call& call) {
 }
 
 int spawn(Call& call) {
-  if (!lua_isfunction(call.L, call.place(1))) throw Misuse("hw.spawn: argument 1 must be a function");
+  if (!lua_isfunction(call.L, call.place(1)))
+    throw Misuse(fmt::format("hw.spawn: argument 1 must be a function, not {}: hw.spawn(f, ...) calls f(...)",
+                             call.type_of(1)));
   push_task(call.L, call.runner().spawn(call.L, lua_gettop(call.L) - 1));
   return 1;
 }
@@ -58,7 +60,10 @@ int wait_any(Call& call) {
   for (std::size_t i = 1; i <= count; ++i) {
     lua_rawgeti(L, table, static_cast<lua_Integer>(i));
     if (!lua_isfunction(L, -1) && !task_at(L, -1))
-      throw Misuse(fmt::format("hw.wait_any: number {} is neither a function nor a task of hw.spawn", i));
+      throw Misuse(
+          fmt::format("hw.wait_any: number {} is neither a function nor a task of hw.spawn, but {}: write "
+                      "function() return ... end",
+                      i, lua_isnoneornil(L, -1) ? "nil" : luaL_typename(L, -1)));
   }
   std::vector<Racer> racers;
   for (int place = first; place < first + static_cast<int>(count); ++place) {
@@ -123,7 +128,7 @@ Task<Answer> wait_for_first(Runner& runner, std::vector<Racer> racers, bool with
   const auto won = first == racers.end() ? nullptr : first->spawned;
   for (const Racer& one : racers)
     if (one.ours && !runner.over()) runner.cancel(*one.spawned);
-  if (!won) co_return answer_refused(std::move(too_late));
+  if (!won) co_return answer_refused(script::too_late(Refusal{std::move(too_late)}));
   const auto place = static_cast<lua_Integer>(first - racers.begin()) + 1;
   co_return [won, place, with_place](lua_State* L) {
     if (with_place) lua_pushinteger(L, place);

@@ -42,7 +42,7 @@ int trust(Call& call) {
   const OneAxis one = one_axis(call, 1, "trust");
   if (one.index < 0) return call.refuse(one.refusal);
   if (!call.has(2)) return call.wait(ask_trust(one.session, one.index));
-  if (call.text(2, "trust") != "set") throw Misuse("a position can only be \"set\" by a script");
+  if (call.text(2, "trust") != "set") throw Misuse("trust: a position can only be \"set\" by a script");
   return perform(call, one.session, intent::TrustPosition(AxisId{static_cast<std::uint8_t>(one.index)}));
 }
 

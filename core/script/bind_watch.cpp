@@ -238,7 +238,8 @@ std::shared_ptr<Spawned> begin_loop(Call& call, const char* loop, const WatchPtr
 
 void want_function(const Call& call, int argument, const char* function) {
   if (!lua_isfunction(call.L, call.place(argument)))
-    throw Misuse(fmt::format("{}: argument {} must be a function", function, argument));
+    throw Misuse(fmt::format("{}: argument {} must be a function, as function() ... end, not {}", function,
+                             argument, call.type_of(argument)));
 }
 
 About about_of(const std::string& word) {

@@ -8,9 +8,19 @@
 
 namespace hw::script {
 
+const char* Call::type_of(int argument) const {
+  return lua_isnoneornil(L, place(argument)) ? "nil" : luaL_typename(L, place(argument));
+}
+
+std::string Call::given(int argument) const {
+  if (lua_type(L, place(argument)) != LUA_TNUMBER) return type_of(argument);
+  const double number = lua_tonumber(L, place(argument));
+  return std::isnan(number) ? "nan" : fmt::format("{:g}", number);
+}
+
 void Call::wrong(int argument, const char* what, const char* wanted) const {
   throw Misuse(fmt::format("{}: argument {} ({}) must be {}, not {}", function_, argument, what, wanted,
-                           luaL_typename(L, place(argument))));
+                           given(argument)));
 }
 
 std::string Call::text(int argument, const char* what) const {
@@ -83,6 +93,9 @@ static int refusal_as_text(lua_State* L) {
 
 int push_refusal(lua_State* L, Refusal refusal) {
   name_device(L, refusal);
+  luaL_where(L, 1);
+  Runner::of(L).notes().advice.refused(lua_tostring(L, -1), refusal.reason);
+  lua_pop(L, 1);
   lua_pushnil(L);
   lua_pushlstring(L, refusal.reason.data(), refusal.reason.size());
   lua_createtable(L, 0, 4);
@@ -91,7 +104,7 @@ int push_refusal(lua_State* L, Refusal refusal) {
     lua_pushlstring(L, text.data(), text.size());
     lua_setfield(L, -2, key);
   };
-  set("kind", word_of(refusal.kind));
+  set("kind", refusal.too_late ? "timeout" : word_of(refusal.kind));
   set("axis", refusal.axis);
   set("device", refusal.device);
   set("what_to_do", refusal.what_to_do);
@@ -106,6 +119,12 @@ int push_refusal(lua_State* L, Refusal refusal) {
 }
 
 Refusal refusal_of(const Fault& fault) { return {fault.sentence(), fault.kind, {}, {}, fault.advice}; }
+
+Refusal too_late(Refusal refusal) {
+  refusal.too_late = true;
+  refusal.what_to_do = "Wait longer, or stop it.";
+  return refusal;
+}
 
 int Call::refuse(std::string_view reason) { return push_refusal(L, Refusal{std::string(reason)}); }
 

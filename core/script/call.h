@@ -20,7 +20,10 @@ struct Refusal {
   std::string reason;  ///< a sentence
   FaultKind kind = FaultKind::refused;
   std::string axis = {}, device = {}, what_to_do = {};
+  bool too_late = false;  ///< what was waited for did not come in time; its kind is then "timeout"
 };
+/// The same of a wait that was too long.
+Refusal too_late(Refusal refusal);
 Refusal refusal_of(const Fault& fault);
 /// Pushes nil, reason, table. A method called on one controller adds the device itself.
 int push_refusal(lua_State* L, Refusal refusal);
@@ -38,6 +41,9 @@ class Call {
 
   lua_State* const L;
   [[nodiscard]] Runner& runner() const { return Runner::of(L); }
+  [[nodiscard]] const char* function() const { return function_; }  ///< its name, for messages
+  [[nodiscard]] const char* type_of(int argument) const;            ///< "nil" for an absent one too
+  [[nodiscard]] std::string given(int argument) const;              ///< a number as it is, else its type
   [[nodiscard]] int place(int argument) const { return argument + self_; }  ///< index on the stack
   [[nodiscard]] bool has(int argument) const { return !lua_isnoneornil(L, place(argument)); }
   [[nodiscard]] bool is_text(int argument) const { return lua_type(L, place(argument)) == LUA_TSTRING; }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/base/near_name.h"
+#include "core/base/shown_text.h"
 #include "core/script/bind.h"
 
 namespace hw::script {
@@ -76,10 +77,13 @@ OneAxis one_axis_at(const Call& call, int place, const char* function) {
     return one;
   }
   if (lua_type(call.L, place) != LUA_TSTRING)
-    throw Misuse(fmt::format("{}: on a bus the axis is the id of a device, as \"01\"", function));
+    throw Misuse(fmt::format("{}: on a bus the axis is the id of a device, as \"{}\", not {}", function,
+                             bus->members().front()->catalog().id(),
+                             lua_isnoneornil(call.L, place) ? "nil" : luaL_typename(call.L, place)));
   const int device = bus->find(lua_tostring(call.L, place));
   if (device < 0) {
-    one.refusal = fmt::format("There is no such device. On this wire are: {}.", ids_of(*bus));
+    one.refusal = fmt::format("There is no device \"{}\". On this wire are: {}.",
+                              shown_text(lua_tostring(call.L, place), 40), ids_of(*bus));
     return one;
   }
   one.session = bus->members()[static_cast<std::size_t>(device)];
@@ -95,7 +99,10 @@ int axis_index(lua_State* L, int index, const Catalog& catalog, const char* func
   if (lua_type(L, index) == LUA_TSTRING) return catalog.find_axis(lua_tostring(L, index));
   int whole = 0;
   const lua_Integer n = lua_tointegerx(L, index, &whole);
-  if (!whole) throw Misuse(fmt::format("{}: the axis must be its number or name", function));
+  if (!whole)
+    throw Misuse(fmt::format("{}: the axis must be its number or its name, as 1 or \"{}\", not {}", function,
+                             catalog.axes.front().name,
+                             lua_isnoneornil(L, index) ? "nil" : luaL_typename(L, index)));
   return n >= 1 && n <= static_cast<lua_Integer>(catalog.axes.size()) ? static_cast<int>(n - 1) : -1;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/script/axis_units.h"
+#include "core/script/lua_advice.h"
 
 namespace hw::script {
 
@@ -22,6 +23,7 @@ class Written {
 struct Notes {
   AxisUnits units;
   Written written;
+  LuaAdvice advice;
   bool words_are_wrong = false;  ///< the script's arguments are wrong: see hw.arguments
 };
 

@@ -22,7 +22,8 @@ Options::Options(const Call& call, int argument, const char* function, std::vect
     : L_(call.L), function_(function), table_(call.has(argument) ? call.place(argument) : 0) {
   if (table_ == 0) return;
   if (!lua_istable(L_, table_))
-    throw Misuse(fmt::format("{}: the options must be a table like {{{}=...}}", function, known.front()));
+    throw Misuse(fmt::format("{}: argument {} (options) must be a table like {{{}=...}}, not {}", function,
+                             argument, known.front(), call.type_of(argument)));
   lua_pushnil(L_);
   while (lua_next(L_, table_)) {
     lua_pop(L_, 1);
@@ -73,7 +74,9 @@ Counting Options::counting() const {
   const bool on = lua_toboolean(L_, -1);
   lua_pop(L_, 1);
   if (kind != LUA_TNIL && kind != LUA_TBOOLEAN)
-    throw Misuse(fmt::format("{}: the option unit must be true or false", function_));
+    throw Misuse(fmt::format(
+        "{}: the option unit must be true or false: with true it counts in the units of c:units(axis)",
+        function_));
   return Counting(on);
 }
 

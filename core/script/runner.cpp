@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/shown_text.h"
 #include "core/script/bind.h"
 #include "core/script/module.h"
 #include "core/script/sandbox.h"
@@ -17,7 +18,7 @@ constexpr int hook_every = 10'000;              // instructions
 constexpr std::uint64_t cost_of_a_wait = 1000;  // so that a loop of sleep(0) ends too
 
 // The file name only: Lua shortens long paths, and the user knows where the script is.
-std::string chunk_name(const std::string& path) { return "@" + path.substr(path.rfind('/') + 1); }
+std::string chunk_name(const std::string& path) { return "@" + shown_path(path.substr(path.rfind('/') + 1)); }
 
 // The line that runs now: "script.lua:12: ".
 std::string where(lua_State* L) {
@@ -35,7 +36,7 @@ std::string callers(lua_State* L) {
   lua_Debug at;
   for (int level = 0, found = 0; found < 9 && lua_getstack(L, level, &at); ++level) {
     lua_getinfo(L, "Sl", &at);
-    if (at.currentline <= 0) continue;
+    if (at.currentline <= 0 || *at.source == '=') continue;  // '=': not of the script
     if (found++ > 0) all += fmt::format("\n  called from {}:{}", at.short_src, at.currentline);
   }
   return all;
@@ -298,7 +299,7 @@ void Runner::fiber_failed(Fiber& fiber, int status) {
     return;
   }
   const char* message = lua_tostring(fiber.L, -1);
-  failure_ = (message ? std::string(message)
+  failure_ = (message ? message + notes_.advice.on(message)
                       : fmt::format("{}an error that is a {}", where(fiber.L), luaL_typename(fiber.L, -1))) +
              callers(fiber.L);
 }
@@ -314,6 +315,7 @@ void Runner::prepare() {
     bind_bench(L);
     bind_tasks(L);
     if (runner.options_.stage) runner.options_.stage->bind(L);
+    runner.notes_.advice.learn(L);
     return 0;
   });
   if (lua_pcall(lua_, 0, 0, 0) != LUA_OK) failure_ = lua_tostring(lua_, -1);

@@ -173,7 +173,6 @@ class Runner {
   WayOut way_out_{heartbeat_};
   std::chrono::steady_clock::time_point resumed_at_;
   std::uint64_t instructions_ = 0;
-  Instant counted_since_{};
   bool main_over_ = false, ending_ = false;
   bool from_outside_ = false;  ///< ended from outside of the script: the message then tells of the stops
   bool broken_ = false;        ///< the Lua state was left by the way out

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/near_name.h"
 #include "core/base/number_text.h"
 #include "core/device/registry.h"
 #include "core/session/transport_list.h"
@@ -57,7 +58,26 @@ std::string known_models() {
   return all;
 }
 
+std::string known_models_near(std::string_view wanted) {
+  std::vector<std::string> models;
+  std::string meant;
+  for (const DeviceType& type : device_types()) {
+    models.emplace_back(type.model);
+    if (wanted.size() >= 3 && type.model.starts_with(wanted))
+      meant = fmt::format(" Did you mean \"{}\"?", type.model);
+  }
+  return fmt::format("Known: {}.{}", known_models(), meant.empty() ? did_you_mean(wanted, models) : meant);
+}
+
+static std::string transport_near(std::string_view wanted) {
+  std::vector<std::string> names;
+  for (const TransportInfo& one : transports()) names.emplace_back(one.name);
+  return did_you_mean(wanted, names);
+}
+
 Result<Address> Address::parse(std::string_view text) {
+  constexpr std::size_t longest = 1000;
+  if (text.size() > longest) return bad(fmt::format("An address of {} bytes is too long.", text.size()));
   Address address;
   const auto at = text.find('@');
   if (at == text.npos) return bad(fmt::format("\"{}\" is not an address: it has no @.", text));
@@ -65,8 +85,8 @@ Result<Address> Address::parse(std::string_view text) {
   std::transform(address.model.begin(), address.model.end(), address.model.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (!find_device_type(address.model))
-    return bad(
-        fmt::format("There is no controller model \"{}\". Known: {}.", text.substr(0, at), known_models()));
+    return bad(fmt::format("There is no controller model \"{}\". {}", text.substr(0, at),
+                           known_models_near(address.model)));
   const std::string_view rest = text.substr(at + 1);
   const auto comma = rest.find(',');
   const std::string_view way = rest.substr(0, comma);
@@ -74,7 +94,9 @@ Result<Address> Address::parse(std::string_view text) {
   address.transport = way.substr(0, colon);
   if (colon != way.npos) address.where = way.substr(colon + 1);
   const TransportInfo* transport = find_transport(address.transport);
-  if (!transport) return bad(fmt::format("\"{}\" is not a transport.", address.transport));
+  if (!transport)
+    return bad(
+        fmt::format("\"{}\" is not a transport.{}", address.transport, transport_near(address.transport)));
   using Place = TransportInfo::Place;
   if (transport->place == Place::needed && address.where.empty())
     return bad(fmt::format("The address does not say where: {}@{}:WHERE.", address.model, address.transport));

@@ -31,6 +31,8 @@ struct Address {
 
 /// The models for an address: "vxm, pmx-4ex-sa, dmx-k-sa".
 std::string known_models();
+/// "Known: vxm, dmx-k-sa." and the one that may have been meant.
+std::string known_models_near(std::string_view wanted);
 /// "HOST:PORT" or "[IPV6]:PORT".
 Result<std::pair<std::string, int>> split_host_port(std::string_view where);
 

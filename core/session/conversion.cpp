@@ -309,10 +309,11 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   if (auto few = are_few_enough(made.chains, made, o); !few) return fail(few.error());
   made.box = drawing::box_of(made.chains);
   if (auto seen = keeps_its_shape(made, catalog, o); !seen) return fail(seen.error());
-  made.way_as_drawn = made.way = drawing::way_between(made.chains, {});
+  const bool in_turn = made.going == Going::stairs;
+  made.way_as_drawn = made.way = drawing::way_between(made.chains, {}, in_turn);
   if (!o.keep_order) {
     drawing::order(made.chains, {}, progress);
-    made.way = drawing::way_between(made.chains, {});
+    made.way = drawing::way_between(made.chains, {}, in_turn);
   }
   made.box_around = drawing::box_around(made.chains);
   made.drawn = length_of(made.chains);

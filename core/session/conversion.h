@@ -42,8 +42,9 @@ struct Conversion {
   int box_around = -1;  ///< index in `chains` of a box around all others, such as margins; -1: none
   drawing::Going going = drawing::Going::lines;
   double tolerance = 0;
-  double drawn = 0;                        ///< length of all chains
-  double way_as_drawn = 0, way = 0;        ///< with the tool up: in the file's order; in `chains`' order
+  double drawn = 0;  ///< length of all chains
+  /// With the tool up, as the machine goes: in the file's order; in `chains`' order.
+  double way_as_drawn = 0, way = 0;
   std::vector<std::size_t> off_the_table;  ///< places in `chains`
 };
 

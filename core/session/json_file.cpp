@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/shown_text.h"
 #include "core/session/user_files.h"
 
 namespace hw {
@@ -13,21 +14,47 @@ using nlohmann::json;
 namespace {
 
 constexpr int deepest_json = 32;
-constexpr std::size_t longest_json_name = 200;
+constexpr std::size_t longest_json_name = 200, longest_json_word = 5000;
 constexpr const char* version_key = "version";
 constexpr std::int64_t newest_version = 1;
 
-/// The console's files are never deeply nested. Copying a value recurses, so a deeper one is refused.
+/// Texts and paths are kept byte by byte; every other word is a name, or a sentence, to be shown.
+bool is_kept_as_it_is(std::string_view key) {
+  return key == "text" || key == "path" || key == "key" || key == "controller" || key == "options";
+}
+
+std::size_t longest_word_of(std::string_view key) {
+  return key == "text" ? std::string::npos : longest_json_word;
+}
+
+/// The console's files are never deeply nested. Copying a value recurses, so a deeper one is refused. So is a
+/// name that would fill the screen.
 json parse_small(const std::string& bytes) {
   bool fits = true;
-  const auto look = [&fits](int depth, json::parse_event_t event, const json& part) {
+  std::string key;
+  const auto look = [&](int depth, json::parse_event_t event, const json& part) {
     if (depth > deepest_json) fits = false;
-    if (event == json::parse_event_t::key && part.get_ref<const std::string&>().size() > longest_json_name)
+    if (event == json::parse_event_t::key) {
+      key = part.get_ref<const std::string&>();
+      if (key.size() > longest_json_name) fits = false;
+    }
+    if (event == json::parse_event_t::value && part.is_string() &&
+        part.get_ref<const std::string&>().size() > longest_word_of(key))
       fits = false;
     return fits;
   };
   json object = json::parse(bytes, look, false);
   return fits ? object : json(json::value_t::discarded);
+}
+
+/// What would act on a line of the screen is written out in names that are to be shown.
+void write_out(json& part) {
+  if (part.is_string()) part = shown_text(part.get_ref<const std::string&>(), longest_json_word);
+  if (part.is_array())
+    for (json& one : part) write_out(one);
+  if (!part.is_object()) return;
+  for (auto& [key, value] : part.items())
+    if (!is_kept_as_it_is(key)) write_out(value);
 }
 
 bool is_newer(const json& object) {
@@ -66,6 +93,7 @@ Result<json> read_json(const std::filesystem::path& path, std::string_view what_
   json object = parse_small(*bytes);
   if (object.is_discarded() || !object.is_object()) return fail(damaged(path, what_it_is));
   if (is_newer(object)) return fail(newer(path, what_it_is));
+  write_out(object);
   return object;
 }
 

@@ -68,14 +68,20 @@ json json_of(const KeptPosition& axis, TwoClocks now) {
           {"since", seconds_of_day(axis.trust.since, now)}};
 }
 
+/// Beyond these, sums overflow.
+std::int64_t within_range(const json& number) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  return std::clamp(number.get<std::int64_t>(), -most, most);
+}
+
 KeptPosition kept_of(const json& object, TwoClocks now) {
   KeptPosition axis;
   if (object.empty()) return axis;
   axis.known = true;
-  axis.position = Steps(object.at("position").get<std::int64_t>());
+  axis.position = Steps(within_range(object.at("position")));
   axis.trust.kind = value_of(trust_words, object.at("trust"));
   axis.trust.cause = value_of(doubt_words, object.at("doubt"));
-  axis.trust.since = instant_of(object.at("since").get<std::int64_t>(), now);
+  axis.trust.since = instant_of(within_range(object.at("since")), now);
   return axis;
 }
 

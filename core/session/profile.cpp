@@ -1,5 +1,6 @@
 #include "core/session/profile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,8 @@ OwnUnit own_unit_of(const json& axis) {
   OwnUnit own;
   own.name = kept.value("name", own.name);
   own.per_step = kept.value("per_step", 0.0);
-  if (!std::isfinite(own.per_step)) own.per_step = 0;
+  const double size = std::abs(own.per_step);
+  if (!(size >= 1e-12 && size <= 1e12)) own.per_step = 0;
   return own;
 }
 
@@ -30,12 +32,18 @@ void put_travel(json& axis, const Travel& travel) {
   if (travel.any() && travel.in_counts) axis["limits_in_counts"] = true;
 }
 
+/// No controller counts further: sums of two such never overflow.
+Steps within_reason(std::int64_t steps) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  return Steps(std::clamp(steps, -most, most));
+}
+
 Travel travel_of(const json& axis) {
   Travel travel;
   travel.has_minus = axis.contains("minus_limit");
   travel.has_plus = axis.contains("plus_limit");
-  travel.minus = Steps(axis.value("minus_limit", std::int64_t{0}));
-  travel.plus = Steps(axis.value("plus_limit", std::int64_t{0}));
+  travel.minus = within_reason(axis.value("minus_limit", std::int64_t{0}));
+  travel.plus = within_reason(axis.value("plus_limit", std::int64_t{0}));
   travel.in_counts = axis.value("limits_in_counts", false);
   return travel;
 }
@@ -48,7 +56,7 @@ void put_backlash(json& axis, const Backlash& backlash) {
 
 Backlash backlash_of(const json& axis) {
   Backlash backlash;
-  backlash.by = Steps(std::max(axis.value("backlash", std::int64_t{0}), std::int64_t{0}));
+  backlash.by = std::max(within_reason(axis.value("backlash", std::int64_t{0})), Steps(0));
   backlash.last = axis.value("ends_in", "+") == "-" ? Sign::minus : Sign::plus;
   return backlash;
 }
@@ -70,7 +78,8 @@ SavedPlaces places_of(const json& profile) {
     for (const json& target : place.value("at", json::array())) {
       const auto axis = target.at(0).get<std::int64_t>();
       if (axis >= 0 && axis < max_axes)
-        out.at.push_back({AxisId{static_cast<std::uint8_t>(axis)}, Steps(target.at(1).get<std::int64_t>())});
+        out.at.push_back(
+            {AxisId{static_cast<std::uint8_t>(axis)}, within_reason(target.at(1).get<std::int64_t>())});
     }
     if (!out.name.empty()) put_place(places, std::move(out));
   }
@@ -99,8 +108,9 @@ Result<Profile> ProfileStore::load(std::string_view key) const {
     profile.name = object->value("name", "");
     profile.bus_name = object->value("bus_name", "");
     profile.unit = object->value("unit", "");
-    profile.jog_step = Steps(object->value("jog_step", std::int64_t{1}));
-    profile.jog_speed = Pps(object->value("jog_speed", 0.0));
+    profile.jog_step = within_reason(object->value("jog_step", std::int64_t{1}));
+    const double jog_speed = object->value("jog_speed", 0.0);
+    profile.jog_speed = Pps(jog_speed >= 0 && jog_speed < 1e9 ? jog_speed : 0.0);  // 0: the controller's own
     profile.places = places_of(*object);
     std::size_t i = 0;
     for (const json& axis : object->value("axes", json::array())) {

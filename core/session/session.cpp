@@ -47,7 +47,7 @@ Session::Session(Scheduler& scheduler, Address address, const DeviceType& type, 
       wake_(std::move(wake)),
       pump_(scheduler, type, catalog_,
             Pump::Callbacks{[this] { return open_wire(); }, [this](const Snapshot& s) { show(s); },
-                            [this](Notice n) { tell(std::move(n)); }, &traffic_,
+                            [this](Notice n) { report(std::move(n)); }, &traffic_,
                             [this](const AxisSample& sample) { samples_.push(sample); }, wire_->line(),
                             [this] {
                               if (wake_) wake_();
@@ -76,7 +76,7 @@ void Session::operate_bench(BenchCommand command) {
   asio::post(scheduler_.executor(), [self = shared_from_this(), command = std::move(command)] {
     if (!self->bench_) return;
     const auto done = self->bench_->operate(command);
-    if (!done) self->tell(Notice(Notice::Kind::error, self->now(), done.error().sentence()));
+    if (!done) self->report(Notice(Notice::Kind::error, self->now(), done.error().sentence()));
     self->show_bench();
   });
 }
@@ -295,6 +295,7 @@ static bool looks_same(const Snapshot& a, const Snapshot& b) {
 void Session::show(const Snapshot& snapshot) {
   if (!texts_sent_.empty()) follow_texts(snapshot);
   if (begun_here_.any()) begun_here_.seen(snapshot, pump_.busy(), pump_.rounds_ended());
+  state_log_.look(snapshot);
   const bool news = !looks_same(snapshot, shown_);
   latest_.publish(snapshot);
   if (!news) return;
@@ -314,8 +315,11 @@ void Session::show_bench() {
   if (wake_) wake_();
 }
 
-void Session::tell(Notice notice) {
-  if (notice.kind == Notice::Kind::program) listings_[notice.slot] = notice.text;
+void Session::report(Notice notice) {
+  if (notice.kind == Notice::Kind::program)
+    listings_[notice.slot] = notice.text;
+  else
+    driver_log(catalog_).debug("{}: told: {}", Whose{catalog_}, notice.text);
   notices_.push(std::move(notice));
   if (wake_) wake_();
 }

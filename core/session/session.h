@@ -9,6 +9,7 @@
 
 #include "core/base/latest.h"
 #include "core/device/pump.h"
+#include "core/device/state_log.h"
 #include "core/session/begun_here.h"
 #include "core/session/saved_places.h"
 #include "core/session/shared_wire.h"
@@ -80,7 +81,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void follow_texts(const Snapshot& snapshot);
   void show(const Snapshot& snapshot);
   void show_bench();
-  void tell(Notice notice);
+  void report(Notice notice);
 
   Scheduler& scheduler_;
   const Address address_;
@@ -103,8 +104,9 @@ class Session : public std::enable_shared_from_this<Session> {
   std::shared_ptr<BenchAccess> bench_;
   BenchView bench_view_;
   SavedPlaces places_;
-  std::map<int, std::string> listings_;      ///< by slot, as last told
-  Snapshot shown_;                           ///< snapshot of the reader's latest wake
+  std::map<int, std::string> listings_;  ///< by slot, as last told
+  Snapshot shown_;                       ///< snapshot of the reader's latest wake
+  StateLog state_log_{catalog_};
   FaultKind why_no_wire_ = FaultKind::lost;  ///< of the latest attempt to open it
   Pump pump_;
 };

@@ -111,11 +111,11 @@ Task<Result<>> SessionGroup::run_together(sequence::Sequence sequence, int from_
   co_return co_await outcomes(std::move(begun));
 }
 
-Task<Result<>> SessionGroup::tell_together(IntentBody wish) {
+Task<Result<>> SessionGroup::tell_together(IntentBody request) {
   const auto self = shared_from_this();
   std::vector<Asked> all;
   for (std::size_t i = 0; i < members_.size(); ++i)
-    if (members_[i]->known().pieces.running) all.push_back({i, members_[i]->post(wish)});
+    if (members_[i]->known().pieces.running) all.push_back({i, members_[i]->post(request)});
   if (all.empty()) co_return fail(FaultKind::refused, "They do nothing together now.", "Nothing was sent.");
   co_return co_await outcomes(std::move(all));
 }

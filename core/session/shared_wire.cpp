@@ -1,5 +1,7 @@
 #include "core/session/shared_wire.h"
 
+#include "core/link/link_log.h"
+
 namespace hw {
 
 SharedWire::SharedWire(Scheduler& scheduler, Address address, WireOpener opener)
@@ -25,8 +27,10 @@ Task<Result<Wire>> SharedWire::open() {
 // A controller keeps a new rate until power-off, or longer if stored: both rates are tried in turn.
 Address SharedWire::address_now() {
   Address address = address_;
-  if (std::exchange(rate_set_is_next_, !rate_set_is_next_) && rate_set_ > 0)
+  if (std::exchange(rate_set_is_next_, !rate_set_is_next_) && rate_set_ > 0) {
+    link_log().debug("{} is tried at {} baud, the rate that was set last", address_.text(), rate_set_);
     address.options["baud"] = std::to_string(rate_set_);
+  }
   return address;
 }
 
@@ -39,6 +43,7 @@ Task<Result<std::shared_ptr<Link>>> SharedWire::link() {
   failure_.reset();
   auto wire = co_await open();
   if (wire) {
+    link_log().debug("{} is open", address_.text());
     benches_ = std::move(wire->benches);
     link = wire->window ? std::make_shared<Link>(scheduler_, std::move(wire->window))
                         : std::make_shared<Link>(scheduler_, std::move(wire->stream));
@@ -52,6 +57,7 @@ Task<Result<std::shared_ptr<Link>>> SharedWire::link() {
     link_ = link;
   } else {
     failure_ = wire.error();
+    link_log().debug("{} cannot be opened: {}", address_.text(), failure_->sentence());
     failed_at_ = scheduler_.now();
   }
   if (failure_) co_return fail(*failure_);

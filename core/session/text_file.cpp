@@ -2,25 +2,11 @@
 
 #include <fmt/core.h>
 
+#include "core/base/shown_text.h"
 #include "core/session/user_files.h"
 
 namespace hw {
 namespace {
-
-/// Length of the UTF-8 character at `i`; 0: invalid.
-std::size_t utf8_length(std::string_view s, std::size_t i) {
-  const auto byte = [&](std::size_t n) { return static_cast<unsigned char>(s[n]); };
-  const unsigned char first = byte(i);
-  const std::size_t n = first < 0x80                    ? 1
-                        : first >= 0xC2 && first < 0xE0 ? 2
-                        : first < 0xF0                  ? 3
-                        : first < 0xF5                  ? 4
-                                                        : 0;
-  if (n == 0 || (first >= 0x80 && first < 0xC2) || i + n > s.size()) return 0;
-  for (std::size_t k = 1; k < n; ++k)
-    if ((byte(i + k) & 0xC0) != 0x80) return 0;
-  return n;
-}
 
 bool is_utf8(std::string_view s) {
   for (std::size_t i = 0; i < s.size();) {
@@ -76,7 +62,7 @@ Result<TextFile> decode_text(std::string bytes, const std::string& name) {
   while (!bytes.empty() && bytes.back() == '\x1A') bytes.pop_back();  // end of file of DOS editors
   if (const std::size_t at = first_control(bytes); at != std::string::npos)
     return fail(FaultKind::text,
-                fmt::format("{} is not a text: its byte {} is {:02X} hex.", name, at + 1,
+                fmt::format("{} is not a text: its byte {} is {:02X} hex.", shown_path(name), at + 1,
                             static_cast<unsigned char>(bytes[at])),
                 "It was not opened; nothing else was changed.", "Choose a file with program text.");
   TextFile file;

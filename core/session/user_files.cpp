@@ -11,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/shown_text.h"
+
 namespace hw {
 namespace fs = std::filesystem;
 namespace {
@@ -34,7 +36,8 @@ class Descriptor {
 };
 
 tl::unexpected<Fault> not_written(const fs::path& path, int error) {
-  return fail(FaultKind::port, fmt::format("{} was not written: {}.", path.string(), reason_of(error)), {},
+  return fail(FaultKind::port,
+              fmt::format("{} was not written: {}.", shown_path(path.string()), reason_of(error)), {},
               error == ENOSPC || error == EDQUOT || error == EFBIG
                   ? "Free some space, or choose another place."
                   : "Choose another place.");
@@ -94,11 +97,11 @@ std::string reason_of(int error_number) {
 }
 
 Result<std::string> read_file(const fs::path& path, std::uintmax_t largest) {
-  const std::string name = path.filename().string();
+  const std::string name = shown_path(path.filename().string());
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.good()) {
     if (errno == ENOENT)
-      return fail(FaultKind::port, fmt::format("There is no file {}.", path.string()), {},
+      return fail(FaultKind::port, fmt::format("There is no file {}.", shown_path(path.string())), {},
                   "Check the name and the folder.");
     return fail(FaultKind::port, fmt::format("{} cannot be read: {}.", name, reason_of(errno)));
   }
@@ -143,7 +146,7 @@ Result<> write_whole(const fs::path& path, std::string_view bytes, Readable read
   if (target.empty()) target = path;
   if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored)) {
     if (fs::is_directory(target, ignored)) return not_written(path, EISDIR);
-    return write_in_place(target, bytes);
+    return write_in_place(path, bytes);
   }
   std::string beside =
       (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
@@ -189,7 +192,9 @@ fs::path set_aside(const fs::path& path, std::string_view ending) {
     aside += n == 0 ? std::string(ending) : fmt::format("{}-{}", ending, n);
     if (fs::exists(aside, error)) continue;
     fs::rename(path, aside, error);
-    return error ? fs::path() : aside;
+    if (error) return {};
+    ::chmod(aside.c_str(), 0600);  // it may have come from elsewhere, open to others
+    return aside;
   }
   return {};
 }

@@ -36,7 +36,8 @@ Result<> write_private_file(const std::filesystem::path& path, std::string_view 
 /// Creates the folder and its missing parents for the owner only; closes an existing folder to others.
 void make_private_folder(const std::filesystem::path& folder);
 
-/// Renames an unreadable file to a name with `ending`, and returns that name; empty: it could not be renamed.
+/// Renames an unreadable file to a name with `ending`, readable by the owner only, and returns that name;
+/// empty: it could not be renamed.
 std::filesystem::path set_aside(const std::filesystem::path& path, std::string_view ending = ".damaged");
 
 /// A file name for any key: "/dev/ttyUSB0" -> "dev-ttyUSB0-5f3a09c2". Different keys give different names.

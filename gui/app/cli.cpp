@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "core/base/log.h"
+#include "core/base/near_name.h"
 #include "core/session/address.h"
 #include "core/session/assets.h"
 #include "gui/app/output.h"
@@ -123,9 +124,16 @@ std::string asked_for(const CLI::App& app) {
   return name;
 }
 
+std::string no_subcommand(std::string_view wanted) {
+  std::vector<std::string> names;
+  for (const Subcommand* one : all_subcommands) names.emplace_back(one->name);
+  const std::string_view meant = near_name(wanted, names);
+  return fmt::format("There is no subcommand \"{}\"{}", wanted,
+                     meant.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", meant));
+}
+
 std::string why_not(const CLI::App& app, const CLI::ParseError& error, std::string_view first) {
-  if (app.get_subcommands().empty() && !first.starts_with('-'))
-    return fmt::format("There is no subcommand \"{}\"", first);
+  if (app.get_subcommands().empty() && !first.starts_with('-')) return no_subcommand(first);
   std::string why = error.what();
   std::erase(why, as_it_stands);
   return why;
@@ -145,7 +153,7 @@ std::string where_to_read_on() {
 }
 
 Result<> choose_logs(const Given& given) {
-  if (given.has("verbose")) log::set_level(log::Level::debug);
+  if (given.has("verbose")) log::set_level("", log::Level::debug);
   for (const std::string& choice : given.all("log"))
     if (auto understood = log::choose(choice); !understood) return understood;
   return {};
@@ -188,8 +196,9 @@ Result<double> Given::number(const std::string& name, double fallback, double lo
 std::span<const Subcommand* const> subcommands() { return all_subcommands; }
 std::span<const OptionSpec> general_options() { return for_all; }
 
-int complain(std::string_view sentence, Exit status) {
-  write_aside(fmt::format("handwheel: {}", sentence));
+int complain(std::string_view sentence, Exit status, LineEnds ends) {
+  constexpr std::size_t longest = 4000;  // words of the command line, of a file or of a wire may stand in it
+  write_aside(fmt::format("handwheel: {}", shown_text(sentence, longest, ends)));
   return status;
 }
 int complain(const Fault& fault, Exit status) { return complain(fault.sentence(), status); }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/shown_text.h"
 
 namespace hw::app {
 
@@ -61,8 +62,9 @@ int run_command_line(int argc, char** argv);
 
 /// A text without meaning (an address, an option) is wrong usage; every other fault is a failed job.
 inline Exit status_of(const Fault& fault) { return fault.kind == FaultKind::text ? usage : failed; }
-/// Writes `sentence` to stderr and returns `status`.
-int complain(std::string_view sentence, Exit status = failed);
+/// Writes `sentence` to stderr and returns `status`. Of a script it may have several lines; elsewhere a line
+/// end comes from a name, and is written out.
+int complain(std::string_view sentence, Exit status = failed, LineEnds ends = LineEnds::written_out);
 int complain(const Fault& fault, Exit status = failed);
 
 // Options of several subcommands.

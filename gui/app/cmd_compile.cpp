@@ -29,9 +29,7 @@ static int compile(const Given& given) {
                     "`check` looks them over.",
                     program->catalog.name));
   const ProgramReport report = program->language->analyse(program->text, 0);
-  for (const Problem& p : report.problems)
-    write_aside(fmt::format("{}:{}:{}: {}: {}", program->path, p.line + 1, p.column + 1,
-                            p.error ? "error" : "warning", p.sentence));
+  for (const std::string& line : problem_lines(*program, report)) write_aside(line);
   if (report.has_errors()) return failed;
   const std::string listing = listing_of(report, program->catalog.model);
   if (given.has("listing")) write_result(listing);

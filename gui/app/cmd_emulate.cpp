@@ -78,7 +78,7 @@ Result<Order> understand(const Given& given) {
       order.endpoints.push_back(option);
   if (!order.type)
     return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.words[0]), {},
-                fmt::format("Known: {}.", known_models()));
+                known_models_near(given.words[0]));
   if (auto fit = check_endpoints(order); !fit) return fail(fit.error());
   for (const char* key : {"motors", "variant", "jumpers", "speed", "state", "bench"})
     if (given.has(key)) order.keys[key] = given.one(key);

@@ -63,7 +63,7 @@ static int run_script(const Given& given) {
   }
   if (const std::string written = notes.written.sentence(); !written.empty()) write_aside(written);
   if (outcome) return done;
-  return complain(outcome.error(), notes.words_are_wrong ? usage : failed);
+  return complain(outcome.error().sentence(), notes.words_are_wrong ? usage : failed, LineEnds::kept);
 }
 
 const Subcommand run_subcommand{

@@ -55,13 +55,14 @@ class Replies {
     print_reply(reply);
     const DeviceType& type = session_.type();
     if (!type.refuses || !type.refuses(reply)) return;
-    std::string words = type.explain(reply, Way::received, TrafficKind::unsolicited, asked);
+    std::string words =
+        type.explain ? type.explain(reply, Way::received, TrafficKind::unsolicited, asked) : std::string();
     if (words.ends_with('.')) words.pop_back();
     complain(fmt::format("{}: The controller answered {}{}.", asked, reply,
                          words.empty() ? "" : fmt::format(" ({})", words)));
     status_ = failed;
   }
-  void print_unasked(Session& session, std::string_view asked) {
+  void print_unsolicited(Session& session, std::string_view asked) {
     std::string text;
     while (session.pump().take_unsolicited(text)) print(text, asked);
   }
@@ -78,7 +79,7 @@ Task<bool> print_until_idle(std::shared_ptr<Session> session, Replies& replies, 
                             Instant give_up) {
   co_await session->pump().refresh();
   for (bool in_time = true; in_time;) {
-    replies.print_unasked(*session, text);
+    replies.print_unsolicited(*session, text);
     if (session->known().link.state == LinkState::lost || !busy(session->known())) co_return true;
     in_time = co_await session->pump().published().wait_until(give_up);
   }
@@ -93,7 +94,7 @@ Task<int> send_one(std::shared_ptr<Session> session, Replies& replies, std::stri
   if (reply && (answers || !reply->empty())) replies.print(*reply, text);
   if (!reply && (answers || reply.error().kind != FaultKind::no_answer))
     co_return complain(fmt::format("{}: {}", text.empty() ? "\"\"" : text, reply.error().sentence()));
-  replies.print_unasked(*session, text);
+  replies.print_unsolicited(*session, text);
   co_return replies.status();
 }
 
@@ -137,7 +138,7 @@ Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
   }
   co_await session->pump().refresh();  // the effects of the last text
   stopped.unseen = false;
-  replies.print_unasked(*session, texts.empty() ? "" : texts.back());
+  replies.print_unsolicited(*session, texts.empty() ? "" : texts.back());
   co_return std::max(status, replies.status());
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/shown_text.h"
 #include "core/device/bench_file.h"
 #include "core/device/controller_state.h"
 #include "core/session/parameter_file.h"
@@ -90,7 +91,7 @@ void print_words(const Rehearsal& r, const Catalog& catalog) {
     print_result("ends after {:.3f} s\n", r.duration_s);
   else if (r.error.empty())
     print_result("still runs after {:.3f} s\n", r.duration_s);
-  if (!r.error.empty()) print_result("stopped after {:.3f} s: {}\n", r.duration_s, r.error);
+  if (!r.error.empty()) print_result("stopped after {:.3f} s: {}\n", r.duration_s, shown_text(r.error, 1000));
   for (const RehearsedAxis& a : r.axes)
     print_result("axis {}: ends at {}, between {} and {}, travel {} {}\n", a.name, a.position, a.minimum,
                  a.maximum, a.travel, a.in_counts ? catalog.loop_word : catalog.step_word);

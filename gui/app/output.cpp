@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include "core/base/shown_text.h"
 #include "core/session/user_files.h"
 
 namespace hw::app {
@@ -49,7 +50,7 @@ OutputWatch::OutputWatch(std::function<void()> act) { when_output_is_lost = std:
 OutputWatch::~OutputWatch() { when_output_is_lost = nullptr; }
 
 void write_aside(std::string_view line) {
-  const std::string whole = fmt::format("{}\n", line);
+  const std::string whole = shown_text(line, std::string_view::npos, LineEnds::kept) + "\n";
   static_cast<void>(write_all(STDERR_FILENO, whole));
 }
 

@@ -41,7 +41,8 @@ class OutputWatch {
   OutputWatch& operator=(const OutputWatch&) = delete;
 };
 
-/// Writes a line to stderr. A failure to write it is ignored.
+/// Writes a line to stderr, with what would act on the terminal written out. A failure to write it is
+/// ignored.
 void write_aside(std::string_view line);
 
 }  // namespace hw::app

@@ -1,7 +1,10 @@
 #include "gui/app/program_file.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
+#include "core/base/shown_text.h"
 #include "core/device/registry.h"
 #include "core/sequence/sequence_file.h"
 #include "core/session/address.h"
@@ -28,7 +31,7 @@ Result<MeantFor> read_for(const Given& given) {
   const DeviceType* type = find_device_type(given.one("for"));
   if (!type)
     return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.one("for")), {},
-                fmt::format("Known: {}.", known_models()));
+                known_models_near(given.one("for")));
   if (!type->language)
     return fail(FaultKind::port, fmt::format("Programs for the {} are not understood yet.", type->model));
   auto catalog = catalog_for(*type, given);
@@ -57,10 +60,29 @@ Result<ProgramFile> read_program(const Given& given) {
   if (!sequence) return fail(of_the_file(sequence.error()));
   auto written = program.language->write(*sequence, program.catalog);
   if (!written) return fail(of_the_file(written.error()));
-  for (const std::string& remark : written->remarks) write_aside(fmt::format("{}: {}", program.path, remark));
-  if (!written->tool.empty()) write_aside(fmt::format("{}: {}", program.path, written->tool));
+  for (const std::string& remark : written->remarks)
+    write_aside(fmt::format("{}: {}", shown_path(program.path), remark));
+  if (!written->tool.empty()) write_aside(fmt::format("{}: {}", shown_path(program.path), written->tool));
   program.text = std::move(written->text);
   return program;
+}
+
+std::vector<std::string> problem_lines(const ProgramFile& program, const ProgramReport& report) {
+  constexpr std::size_t most_lines = 100, longest_sentence = 500;
+  std::vector<const Problem*> told;
+  for (const Problem& p : report.problems) told.push_back(&p);
+  if (told.size() > most_lines) {
+    std::stable_partition(told.begin(), told.end(), [](const Problem* p) { return p->error; });
+    told.resize(most_lines);
+  }
+  const std::string path = shown_path(program.path);
+  std::vector<std::string> lines;
+  for (const Problem* p : told)
+    lines.push_back(fmt::format("{}:{}:{}: {}: {}", path, p->line + 1, p->column + 1,
+                                p->error ? "error" : "warning", shown_text(p->sentence, longest_sentence)));
+  if (const std::size_t more = report.problems.size() - told.size(); more > 0)
+    lines.push_back(fmt::format("{}: and {} more. Correct these first.", path, more));
+  return lines;
 }
 
 }  // namespace hw::app

@@ -1,9 +1,11 @@
 #include "gui/app/traffic_file.h"
 
 #include <cerrno>
+#include <utility>
 
 #include <fmt/core.h>
 
+#include "core/base/shown_text.h"
 #include "core/session/user_files.h"
 
 namespace hw::app {
@@ -124,10 +126,14 @@ Task<Result<Wire>> open_tapped(Scheduler& scheduler, Address address, std::share
 
 Result<std::shared_ptr<TrafficFile>> TrafficFile::create(const std::string& path) {
   std::FILE* file = std::fopen(path.c_str(), "w");
-  if (!file) return fail(FaultKind::port, fmt::format("{} cannot be written: {}.", path, reason_of(errno)));
+  if (!file)
+    return fail(FaultKind::port,
+                fmt::format("{} cannot be written: {}.", shown_path(path), reason_of(errno)));
   return std::shared_ptr<TrafficFile>(new TrafficFile(file, path));
 }
-TrafficFile::~TrafficFile() { std::fclose(file_); }
+TrafficFile::~TrafficFile() {
+  if (file_) std::fclose(file_);
+}
 
 WireOpener TrafficFile::tap(std::shared_ptr<TrafficFile> file, WireOpener inner) {
   auto shared = std::make_shared<const WireOpener>(std::move(inner));
@@ -144,20 +150,22 @@ void TrafficFile::note(Instant at, int wire, std::string_view event) {
 }
 
 void TrafficFile::put(std::string_view line) {
-  if (error_ != 0 || std::fwrite(line.data(), 1, line.size(), file_) == line.size()) return;
+  if (error_ != 0 || !file_ || std::fwrite(line.data(), 1, line.size(), file_) == line.size()) return;
   error_ = errno;
   if (on_failure) on_failure(not_written());
 }
 
 Result<> TrafficFile::finish() {
   on_failure = nullptr;
-  if (error_ == 0 && std::fflush(file_) != 0) error_ = errno;
+  // Network file systems report a full disk only here.
+  if (file_ && std::fclose(std::exchange(file_, nullptr)) != 0 && error_ == 0) error_ = errno;
   if (error_ == 0) return {};
   return fail(not_written());
 }
 
 Fault TrafficFile::not_written() const {
-  return Fault(FaultKind::port, fmt::format("{} cannot be written: {}.", path_, reason_of(error_)));
+  return Fault(FaultKind::port,
+               fmt::format("{} cannot be written: {}.", shown_path(path_), reason_of(error_)));
 }
 
 }  // namespace hw::app

@@ -24,7 +24,7 @@ class TrafficFile {
   /// "    1.234567 2 > X\r": seconds, number of the wire, sent or received, bytes.
   void write(Instant at, int wire, char way, std::string_view bytes);
   void note(Instant at, int wire, std::string_view event);
-  /// Whether everything written is in the file now. The callback is not called from here on.
+  /// Closes it: whether everything written is in the file. The callback is not called from here on.
   Result<> finish();
 
  private:
@@ -32,7 +32,8 @@ class TrafficFile {
   void put(std::string_view line);
   [[nodiscard]] Fault not_written() const;
 
-  std::FILE* file_;
+  std::FILE* file_;  ///< null: finished
+
   std::string path_;
   int error_ = 0;  ///< errno of the first write that failed
   int wires_ = 0;

@@ -501,6 +501,25 @@ class Output(Case):
         left = {path.name for path in self.folder.iterdir()}
         self.assertEqual(left, {"shot.lua", "a.lua", "t.lua", "t.txt"}, "what was begun is taken away")
 
+    def test_what_the_window_saves_on_a_full_disk(self):
+        for ending in ("log", "toml", "moves", "prg", "svg", "png"):
+            (self.folder / f"full.{ending}").symlink_to("/dev/full")
+        self.expect(run("run", "--gui", HERE / "gui/full_disk.lua", self.folder), 0)
+        self.assertTrue(all(path.is_symlink() for path in self.folder.iterdir()), "nothing else is left there")
+
+    def test_everything_that_writes_a_file_says_that_the_disk_is_full(self):
+        for ending in ("lst", "toml", "prg", "png", "txt"):
+            (self.folder / f"full.{ending}").symlink_to("/dev/full")
+        full = lambda ending: self.folder / f"full.{ending}"
+        drawing = ("convert", HERE / "../../assets/examples/plate.dxf", "--for", "pmx-4ex-sa", "--per-unit", "100", "-o")
+        for arguments, what in (
+                (("backup", "vxm@emulator", "-o", full("toml")), "full.toml"),
+                (("compile", self.file("a.prg", "PRG 0\nX100\nEND\n"), "--for", "pmx-4ex-sa", "-o", full("lst")), "full.lst"),
+                ((*drawing, full("prg")), "full.prg"), ((*drawing, full("toml")), "full.toml"),
+                (("run", "--traffic", full("txt"), self.file("s.lua", "hw.open('vxm@emulator')")), "full.txt"),
+                (("run", "--gui", self.file("g.lua", f"ui.screenshot('{full('png')}')")), "full.png")):
+            self.expect(run(*arguments), 1, what, "the disk is full.")
+
     def test_nobody_reads_the_complaints_either(self):
         script = self.file("s.lua", "for i = 1, 100 do hw.log('a') print('b') end error('c')")
         process = subprocess.Popen([PROGRAM, "run", script], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -1666,6 +1685,75 @@ class BadInput(Case):
             self.assertTrue(result.stdout + result.stderr)
             self.assertNotIn("\x1b", result.stdout + result.stderr)
 
+    def assert_short_and_harmless(self, result, what):
+        said = result.stdout + result.stderr
+        self.assertEqual(result.returncode, 1, (what, said[:500]))
+        self.assertTrue(said, what)
+        self.assertLess(len(said), 60_000, (what, said[:500]))
+        self.assertEqual([c for c in said if ord(c) < 32 and c not in "\n\t" or 127 <= ord(c) < 160 or c in "\u202e\u2028"], [],
+                         (what, said[:500]))
+
+    def test_every_kind_of_file_that_nobody_writes_in_good_faith(self):
+        many = 100_000
+        texts = {"a name of many parts": "[" + "a." * many + "a]\n", "nested lists": "a = " + "[" * many + "]" * many,
+                 "a line of 10 MB": "a = \"" + "x" * 10_000_000 + "\"\n", "one of 900 kB": "J0" * 450_000,
+                 "many errors": "I9M\n" * 200_000, "a name that acts": '"\\u001B[2J" = 1\n', "an escape": "\x1b[2J",
+                 "a sequence that nests": 'format = "handwheel sequence"\nversion = 1\n' + "[[steps]]\n" * 10 + "a." * many + "b = 1\n",
+                 "C1 and bidi": "I1M\u009b2J\u202e400\u2028\n", "bytes": bytes(range(256)) * 100}
+        readers = [lambda f: ("run", f), lambda f: ("check", f, "--for", "vxm"), lambda f: ("check", f, "--for", "vme58"),
+                   lambda f: ("compile", f, "--for", "pmx-4ex-sa", "-o", self.folder / "out"),
+                   lambda f: ("simulate", f, "--for", "dmx-k-sa"), lambda f: ("simulate", self.good, "--for", "vxm", "--bench", f),
+                   lambda f: ("simulate", self.good, "--for", "vxm", "--like", f), lambda f: ("restore", "vxm@emulator", f),
+                   lambda f: ("convert", f, "--for", "vme58", "--per-unit", "100", "-o", self.folder / "out"),
+                   lambda f: ("emulate", "vxm", "--tcp", "127.0.0.1:0", "--bench", f),
+                   lambda f: ("emulate", "vxm", "--tcp", "127.0.0.1:0", "--state", f)]
+        for what, text in texts.items():
+            file = self.file("hostile", text)
+            for reader in readers:
+                arguments = reader(file)
+                with self.subTest(what=what, arguments=arguments):
+                    self.assert_short_and_harmless(run(*arguments, timeout=60), (what, arguments))
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_how_many_errors_there_are_is_said_and_the_first_are_told(self):
+        file = self.file("many.vxm", "?\n" * 5000 + "I9M\n" * 4000)
+        result = run("check", file, "--for", "vxm")
+        self.expect(result, 1)
+        lines = result.stdout.splitlines()
+        self.assertEqual(len(lines), 101)
+        self.assertTrue(lines[0].startswith(f"{file}:5001:1: error: "), "errors before warnings: " + lines[0])
+        self.assertEqual(lines[-1], f"{file}: and 8900 more. Correct these first.")
+
+    def test_names_that_act_on_a_terminal(self):
+        names = ["a\x1b[2J", "a\nhandwheel: all is well", "\u202egnp", "a\u009b2J", "\udcff\udcfe", "a\rb", "x" * 250]
+        for name in names:
+            path = self.folder / name
+            for there in (False, True):
+                if there:
+                    path.write_text("I9M\n")
+                for arguments in (("run", path), ("check", path, "--for", "vxm"), ("simulate", path, "--for", "vxm"),
+                                  ("restore", "vxm@emulator", path), ("backup", "vxm@emulator", "-o", path / "no"),
+                                  ("run", "--traffic", path / "no", self.empty), ("send", f"vxm@serial:{path}", "V"),
+                                  ("convert", path, "--for", "vme58", "--per-unit", "100", "-o", path / "no")):
+                    with self.subTest(name=name, arguments=arguments):
+                        result = run(*arguments)
+                        self.assert_short_and_harmless(result, arguments)
+                        self.assertNotIn("\nhandwheel: all is well", result.stdout + result.stderr)
+
+    def test_words_that_nobody_types_in_good_faith(self):
+        long = "x" * 100_000
+        script = self.file("s.lua", "hw.arguments{{name='count', kind='whole', default=3}, {name='how', choices={'a'}, default='a'}}")
+        for arguments in (("send", "vxm@" + long, "V"), ("send", "\x1b[2J@emulator", "V"), ("send", "vxm@emulator,\x1b[2J=1", "V"),
+                          ("send", "vxm@tcp:" + long + ":1", "V"), ("send", "vxm@serial:/dev/\x1b[2J", "V"), (long,), ("\x1b[2J",),
+                          ("check", "--for", long, self.good), ("check", "--\x1b[2J", self.good), ("scan", "/dev/\x1b[2J"),
+                          ("run", script, "count=" + long), ("run", script, "--", "--\x1b[2J"), ("run", script, "how=\x1b[2J"),
+                          ("--log", "\x1b[2J=debug", "scan"), ("simulate", self.good, "--for", "vxm", "--for-seconds", long)):
+            with self.subTest(arguments=arguments):
+                result = run(*arguments)
+                self.assertIn(result.returncode, (1, 2))
+                result.returncode = 1
+                self.assert_short_and_harmless(result, arguments)
+
     def test_places_that_cannot_be_written(self):
         for place, why in ((self.folder_itself, "it is a folder"), (self.folder / "no/file", "there is no such folder")):
             self.says(1, why, "backup", "vxm@emulator", "-o", place)
@@ -1684,6 +1772,10 @@ class BadInput(Case):
                 (("check", good), "Add --for MODEL (vxm, "),
                 (("check", good, "--for"), "--for"),
                 (("check", good, "--for", "vxn"), 'no controller model "vxn". Known: vxm'),
+                (("check", good, "--for", "vxn"), 'Did you mean "vxm"?'),
+                (("emulate", "pmx", "--tcp", "127.0.0.1:0"), 'Did you mean "pmx-4ex-sa"?'),
+                (("send", "dmx@emulator", "ID"), 'Did you mean "dmx-k-sa"?'),
+                (("simlate", good), 'There is no subcommand "simlate" (did you mean "simulate"?). `handwheel'),
                 (("check", good, "another", "--for", "vxm"), "another"),
                 (("demo", "more"), "more"),
                 (("compile", self.empty, "--for", "pmx-4ex-sa"), "Add -o OUT"),

@@ -76,3 +76,31 @@ hw.check(reason:find("device 02", 1, true), reason)
 assert(bus:trust("02", "set"))
 assert(bus:move_to{["02"] = 0})
 assert(bus:wait(30))
+
+-- A program that goes to a place is not started by a count that is doubted; one that goes a distance is.
+for _, kind in ipairs{
+  {"vxm@emulator", 1, "IA1M400\n", "I1M20\n"},
+  {"pmx-4ex-sa@emulator", "X", "X400\nWAITX\nEND\n", "INC\nX20\nWAITX\nABS\nEND\n", "EO=15"},
+  {"vme58@emulator", "X", "AA;\nMA400; GO ID\n", "AA;\nMR20; GO ID\n"},
+} do
+  local address, axis, absolute, relative, power = table.unpack(kind)
+  local c = assert(hw.open(address))
+  if power then assert(c:query(power)) end
+  assert(c:move_to{[axis] = 300})
+  assert(c:wait(30))
+  c.bench:power_cycle()
+  hw.sleep(20)
+  if power then assert(c:query(power)) end
+  assert(c:load(absolute))
+  local ok, reason = c:run()
+  refused(ok, reason)
+  assert(c:load(relative))
+  assert(c:run())
+  assert(c:wait(30))
+  same(c:position(axis), 20, address .. ", by a distance")
+  assert(c:trust(axis, "set"))
+  assert(c:load(absolute))
+  assert(c:run())
+  assert(c:wait(30))
+  same(c:position(axis), 400, address .. ", to a place")
+end

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/base/log_feed.h"
 #include "tests/core/session/folder.h"
 
 namespace hw {
@@ -13,11 +14,7 @@ using ::testing::Not;
 // Levels are of the process: each test leaves them as it found them.
 class Log : public ::testing::Test {
  protected:
-  ~Log() override {
-    for (const char* rule :
-         {"warning", "link=warning", "pump=warning", "driver=warning", "driver.vxm=warning"})
-      EXPECT_TRUE(log::choose(rule));
-  }
+  ~Log() override { log::set_level("", log::Level::warning); }
   /// What `act` writes on stderr.
   template <class Act>
   static std::string written(Act act) {
@@ -68,6 +65,51 @@ TEST_F(Log, TellsWhatThereIs) {
   }
 }
 
+TEST_F(Log, LevelOfAPathIsOfAllBelowIt) {
+  log::set_level("driver.vxm", log::Level::debug);
+  EXPECT_EQ(log::subject("driver").level(), log::Level::warning);
+  log::set_level("driver", log::Level::info);
+  EXPECT_EQ(log::subject("driver.vxm").level(), log::Level::info) << "its own level is replaced";
+  EXPECT_EQ(log::subject("drivers").level(), log::Level::warning) << "another name that only begins so";
+  log::set_level("", log::Level::error);
+  EXPECT_EQ(log::subject("driver.vxm").level(), log::Level::error);
+  EXPECT_EQ(log::subject("").level(), log::Level::error);
+}
+
+TEST_F(Log, EveryFamilyAndLevelThatIsOfferedCanBeChosen) {
+  for (const std::string_view family : log::families())
+    for (int level = 0; level <= static_cast<int>(log::Level::debug); ++level) {
+      const auto word = log::word_of(static_cast<log::Level>(level));
+      EXPECT_TRUE(log::choose(fmt::format("{}={}", family, word))) << family << " " << word;
+      EXPECT_EQ(log::subject(family).level(), static_cast<log::Level>(level));
+    }
+}
+
+TEST_F(Log, IsReadByAFeedWhileThatLives) {
+  int woken = 0;
+  log::Subject& link = log::subject("link");
+  written([&] {
+    link.warning("before");
+    {
+      log::Feed feed([&] { ++woken; });
+      link.warning("lost {}", 7);
+      link.debug("not wanted");
+      std::vector<log::Line> read;
+      EXPECT_EQ(feed.lines.drain([&](log::Line& line) { read.push_back(line); }), 1u);
+      ASSERT_EQ(read.size(), 1u);
+      EXPECT_EQ(read[0].subject, "link");
+      EXPECT_EQ(read[0].sentence, "lost 7");
+      EXPECT_EQ(read[0].level, log::Level::warning);
+      EXPECT_THAT(read[0].time, ::testing::MatchesRegex("..:..:..[.]..."));
+      for (std::size_t i = 0; i < feed.lines.capacity() + 3; ++i) link.warning("many");
+      EXPECT_EQ(feed.lines.lost(), 3u);
+      EXPECT_EQ(woken, static_cast<int>(feed.lines.capacity()) + 4);
+    }
+    link.warning("after");
+  });
+  EXPECT_EQ(woken, 1028);
+}
+
 // Formatting is what costs: a value of this type counts how often that happens.
 struct Counted {
   int& times;
@@ -115,8 +157,13 @@ TEST_F(Log, IsKeptInAFileThatIsTurnedOver) {
   });
   EXPECT_THAT(folder.get("handwheel.log"), HasSubstr("warning pump: last\n"));
   EXPECT_EQ(folder.files(), 4) << "the newest and three older ones";
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     EXPECT_LE(std::filesystem::file_size(entry), 1'000'000u) << entry.path();
+    EXPECT_EQ(entry.status().permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write)
+        << entry.path();
+  }
+
   ASSERT_TRUE(log::keep_in("/dev/null"));
 }
 

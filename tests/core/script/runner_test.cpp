@@ -81,6 +81,36 @@ TEST(Runner, NamesTheLinesThatLedToAnError) {
   EXPECT_THAT(fault, HasSubstr("called from test.lua:4"));
 }
 
+TEST(Runner, LuasOwnMessageAboutNilIsCompleted) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"hw.slep(1)", "Did you mean \"sleep\"?"},
+      {"sleep(1)", "Did you mean \"hw.sleep\"?"},
+      {"wait_any({})", "Did you mean \"hw.wait_any\"?"},
+      {"local t = hw.spawn(print) t:wiat()", "Did you mean \"wait\"?"},
+      {"local t = hw.spawn(print) t:collect()", "There is no such method: the manual lists them"},
+      {"local t = hw.spawn(print) t:movee(1)", "(method 'movee'). There is move_by, move_to."},
+      {"hw.arguments{name='count'}",
+       "hw.arguments: there is no \"name\": it takes a list of arguments, each a table"},
+      {"move_to(1)", "A method is called on a controller, with a colon: c:move_to(...)"},
+      {"local c = hw.open('vxm')\nprint(c:axes())",
+       "A call at test.lua:1 returned nil: \"vxm\" is not an address"},
+      {"local c = hw.open('vxm')\nprint(1 + c)", "A call at test.lua:1 returned nil: \"vxm\""},
+      {"local c = hw.open('vxm')\nprint(1 < c)", "A call at test.lua:1 returned nil: \"vxm\""},
+      {"local c = hw.open('vxm')\nprint('a' .. c)", "A call at test.lua:1 returned nil: \"vxm\""},
+      {"local c = {} print(c.bench.place)", "each device has: c.devices[\"01\"].bench"},
+      {"local c = {} print(c.devices['01'])", "Only a bus has devices"},
+  };
+  for (const auto& [text, words] : cases) {
+    const std::string fault = run(text).fault();
+    EXPECT_THAT(fault, StartsWith("test.lua:"));
+
+    EXPECT_THAT(fault, HasSubstr(words)) << text;
+  }
+  EXPECT_EQ(run("local c = hw.open('vxm')\nerror('boom')").fault(), "test.lua:2: boom")
+      << "its own words stay";
+  EXPECT_EQ(run("local t\nprint(t.x)").fault(), "test.lua:2: attempt to index a nil value (local 't')");
+}
+
 TEST(Runner, AFailedCheckSurvivesNoPcall) {
   const Ran ran = run("pcall(function() hw.check(false, 'no') end) print('never')");
   EXPECT_EQ(ran.fault(), "test.lua:1: hw.check failed: no");

@@ -346,6 +346,20 @@ TEST(Conversion, OfToolsThatSeveralDrawWithItIsSaidWhatALostLinkMeans) {
   EXPECT_THAT(*said_of_tool(s, *together), HasSubstr("While the link is lost nothing can"));
 }
 
+TEST_P(ConversionTest, TheWayWithTheToolUpIsTheOneThatTheMachineGoes) {
+  const auto made = convert(read(), catalog, o);
+  ASSERT_TRUE(made) << made.error().sentence();
+  const bool in_turn = going_of(catalog) == drawing::Going::stairs;
+  double way = 0;
+  drawing::Point at;
+  for (const drawing::Chain& chain : made->chains) {
+    const double dx = std::fabs(chain.begin().x - at.x), dy = std::fabs(chain.begin().y - at.y);
+    way += in_turn ? dx + dy : std::hypot(dx, dy);
+    at = chain.end();
+  }
+  EXPECT_NEAR(made->way, way, 1e-9);
+}
+
 TEST_P(ConversionTest, StairsNeedATolerance) {
   o.tolerance.reset();
   const auto converted = convert(read(), catalog, o);

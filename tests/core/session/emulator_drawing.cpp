@@ -42,7 +42,11 @@ void EmulatorDrawing::rehearse(const std::string& text, std::vector<std::int64_t
   ASSERT_TRUE(done->finished) << done->error << "\n" << text;
   std::vector<RehearsedPlace> track = std::move(rehearsal.track);
   rehearsal = std::move(*done);
-  track.insert(track.end(), rehearsal.track.begin(), rehearsal.track.end());
+  auto first = rehearsal.track.begin();
+  // Each piece is tried with its outputs as after power-up, where some are on until its first step.
+  while (!track.empty() && first != rehearsal.track.end() && first->position == rehearsal.track[0].position)
+    ++first;
+  track.insert(track.end(), first, rehearsal.track.end());
   rehearsal.track = std::move(track);
 }
 

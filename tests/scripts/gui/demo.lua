@@ -37,6 +37,20 @@ end
 
 hw.check(run_of("PMX") >= 8, "the house is followed line by line")
 hw.check(ui.value("dro/X/position") == "3000" and ui.value("dro/Y/position") == "0", "and drawn")
+-- A drawing to try is open in its panel, and is cut as it stands there.
+ui.click("tab/drawing")
+hw.sleep(2)
+hw.check(ui.value("drawing/chains"):match("^6,"), "a drawing stands in its panel, not " .. ui.value("drawing/chains"))
+ui.click("drawing/cut")
+ui.click("drawing/ask_cut/yes")
+local at_work = 0
+for _ = 1, 900 do
+  hw.sleep(0.5)
+  if ui.value("status/text") ~= "idle" and ui.value("drawing/cut_progress"):find(" left$") then at_work = at_work + 1 end
+  if ui.value("drawing/cut_progress") == "All of it is done" then break end
+end
+hw.check(ui.value("drawing/cut_progress") == "All of it is done", ui.value("drawing/cut_progress"))
+hw.check(at_work > 20, "and seen at it")
 hw.check(run_of("DMX") >= 3, "the strokes are followed")
 run_of("VME58")  -- it keeps no program, so it tells no line
 for _, axis in ipairs{"X", "Y", "Z"} do hw.check(ui.value("dro/" .. axis .. "/position") == "0", axis .. " is back") end

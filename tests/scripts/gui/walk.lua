@@ -139,7 +139,7 @@ hw.sleep(0.2)
 hw.check(not ui.value("terminal/log"):find("choose program", 1, true), "the filter leaves others out")
 ui.type("terminal/filter", "")
 ui.click("terminal/copy")
-hw.check(toast("The log was copied."), "copied")
+hw.check(toast("The traffic was copied."), "copied")
 ui.click("terminal/clear")
 ui.frame(2)
 

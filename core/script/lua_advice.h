@@ -1,0 +1,28 @@
+#pragma once
+// Lua's own messages about nil, completed: which name was meant, and why a call returned nil.
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct lua_State;
+
+namespace hw::script {
+
+class LuaAdvice {
+ public:
+  /// Learns the names of everything bound so far.
+  void learn(lua_State* L);
+  /// Remembers the newest refusal. `where`: "scan.lua:4: ".
+  void refused(std::string where, std::string reason);
+  /// What to add to an error's message; empty: nothing is known that helps.
+  [[nodiscard]] std::string on(std::string_view message) const;
+
+ private:
+  [[nodiscard]] std::string on_call(std::string_view message) const;
+  [[nodiscard]] std::string on_value(std::string_view message) const;
+
+  std::vector<std::string> methods_, functions_;  ///< of controllers, benches and tasks; of `hw` and `ui`
+  std::string refused_;
+};
+
+}  // namespace hw::script
