@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Passes on what ctest prints, and puts the ten slowest tests before its summary.   ctest ... | slowest.py FOLDER
+"""Passes on what ctest prints, and tells the ten slowest tests at its end.   ctest ... | slowest.py FOLDER
 FOLDER holds what the test binaries have written: gtest's JSON, one file for each process."""
 import json
 import pathlib
@@ -27,12 +27,10 @@ def main():
         if whole := WHOLE.match(line):
             if not SHARD.search(whole[1]):
                 seen.append((float(whole[2]), whole[1]))
-        if re.match(r"^\d+% tests passed", line):
-            print("The ten slowest:")
-            for seconds, name in sorted(seen + list(of_binaries(sys.argv[1])), reverse=True)[:10]:
-                print(f"{seconds:8.2f} s  {name}")
-            print()
         print(line, end="", flush=True)
+    print("\nThe ten slowest:")
+    for seconds, name in sorted(seen + list(of_binaries(sys.argv[1])), reverse=True)[:10]:
+        print(f"{seconds:8.2f} s  {name}")
 
 
 main()

@@ -57,6 +57,7 @@ TEST_P(BacklashContract, AStopDropsTheWayBack) {
 std::pair<std::string, std::string> question_and_command(const Catalog& catalog) {
   if (catalog.model == "vxm") return {"X", "B0\r"};
   if (catalog.model == "vme58") return {"AX RP", "AX VL900"};
+  if (catalog.model == "twin") return {"?", "FA=300"};
   return {"PX", "V7=3"};
 }
 

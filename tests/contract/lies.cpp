@@ -309,6 +309,12 @@ std::vector<const DeviceType*> types_under_test() {
   return all;
 }
 
+std::vector<const DeviceType*> types_with_a_language() {
+  std::vector<const DeviceType*> all = types_under_test();
+  std::erase_if(all, [](const DeviceType* type) { return !type->language; });
+  return all;
+}
+
 void print_lies() {
   for (const Lie& lie : lies) {
     std::cout << lie.name;

@@ -13,6 +13,8 @@ namespace hw {
 bool choose_lie(std::string_view name);
 /// The listed controllers that can be emulated; their drivers tell the chosen lie, if there is one.
 std::vector<const DeviceType*> types_under_test();
+/// Those of them with a language.
+std::vector<const DeviceType*> types_with_a_language();
 /// A line for each: NAME MODEL...
 void print_lies();
 

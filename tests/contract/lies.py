@@ -5,7 +5,8 @@
     lies.py CONTRACT_TESTS --remember    writes into noticed.txt which test has noticed which lie
 
 That test is asked first the next time, which saves most of the time. What it says there proves nothing: where it is content
-now, or gone, the whole suite is asked as ever.
+now, or gone, the whole suite is asked as ever. A lie that stands there and can no longer be told is an error too, and so is
+one that does not stand there: the list is what the suite has been shown to notice, and shrinks only by hand.
 """
 import os
 import pathlib
@@ -63,6 +64,10 @@ def main(binary, only_lie=None, only_model=None):
         REMEMBERED.write_text("".join(f"{lie} {model} {test}\n" for (lie, model), test in zip(lies, by) if test),
                               encoding="utf-8")
     wrong = [f"{model}: {test} fails without any lie" for model, test in zip(models, content) if test]
+    if not remember and not (only_lie or only_model):
+        wrong += [f"{lie} on {model}: was noticed once, and can no longer be told" for lie, model in known.keys() - set(lies)]
+        wrong += [f"{lie} on {model}: does not stand in {REMEMBERED.name}: --remember" for lie, model in set(lies) - known.keys()
+                  if (lie, model) not in UNNOTICED]
     for (lie, model), test in zip(lies, by):
         print(f"{lie:32} {model:12} {test or 'NOT NOTICED'}")
         if (test is None) != ((lie, model) in UNNOTICED):

@@ -100,7 +100,7 @@ class LyingDriver final : public Driver {
     if (lie_.knows_no_stop_text) meaning.stops = TextMeaning::Stops::nothing;
     return meaning;
   }
-  void overhear(const std::string& text) override { honest_->overhear(text); }
+  void note_broadcast(const std::string& text) override { honest_->note_broadcast(text); }
   Duration moving_period() const override { return honest_->moving_period(); }
   Duration idle_period() const override { return honest_->idle_period(); }
 

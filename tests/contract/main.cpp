@@ -1,10 +1,11 @@
-// gmock's main, and the lies.
+// gmock's main, the lies, and the example beside the listed controllers.
 #include <algorithm>
 #include <iostream>
 
 #include <gmock/gmock.h>
 
 #include "tests/contract/lies.h"
+#include "tests/example/twin.h"
 
 namespace {
 
@@ -17,6 +18,7 @@ bool take(std::string_view argument) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  hw::add_device_type(hw::twin::device_type());
   argc = static_cast<int>(std::remove_if(argv + 1, argv + argc, take) - argv);
   testing::InitGoogleMock(&argc, argv);
   if (argc == 1) return RUN_ALL_TESTS();

@@ -342,6 +342,25 @@ TEST_P(PiecesContractTest, AStopInTheMiddleOfABufferSwitchesItsToolOff) {
   EXPECT_LT(axis().position, Steps(at_));
 }
 
+/// An axis that does not move has an alarm: the controller takes no more moves, but would do those that it
+/// has.
+TEST_P(PiecesContractTest, ABufferThatTakesNoMoreMovesIsStoppedWithItsToolOff) {
+  if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
+  add_chains(1, 3000);
+  must(intent::RunInPieces(cut()));
+  ASSERT_TRUE(run_until([this] { return is_on() && now().feed.sent > 100; }, seconds(60)));
+  operate(bench::Alarm(id(2), true));
+  ASSERT_TRUE(run_until([this] { return !now().feed.running; }, seconds(5)));
+  const Steps broke_off = axis().position;
+  ASSERT_TRUE(run_until([this] { return !is_on(); }, seconds(1)));
+  ASSERT_TRUE(run_until([this] { return !now().any_axis_moving(); }, seconds(1)));
+  EXPECT_LT(axis().position - broke_off, Steps(30 * 20)) << "it has not done all that was in the buffer";
+  run(seconds(5));
+  EXPECT_FALSE(now().pieces.running);
+  EXPECT_FALSE(is_on());
+  EXPECT_THAT(told(), HasSubstr("was not taken whole"));
+}
+
 TEST_P(PiecesContractTest, ABufferNeedsLoopsOpenAndSaysSoBeforeAnythingMoves) {
   if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
   add_chains(1, 1500);  // more than a program holds

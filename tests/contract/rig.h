@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/motion/profile.h"  // says hw::seconds: before any file of the batch uses std::chrono's
 #include "core/session/session.h"
 #include "core/time/virtual_scheduler.h"
 #include "tests/contract/lies.h"

@@ -134,6 +134,13 @@ TEST_P(TrustContract, APowerCycleOnTheWayToZeroShows) {
   EXPECT_EQ(go_to(240).fate, Fate::refused);
 }
 
+TEST_P(TrustContract, APowerCycleRightBehindTheEndOfAMoveShows) {
+  switch_motor_on();
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}})).fate, Fate::done);
+  ASSERT_NO_FATAL_FAILURE(lose_power());
+  EXPECT_EQ(go_to(240).fate, Fate::refused);
+}
+
 TEST_P(TrustContract, APowerCycleWhileItJogsShows) {
   switch_motor_on();
   ASSERT_NO_FATAL_FAILURE(jog_at(slow, seconds(3)));
@@ -228,9 +235,46 @@ TEST_P(TrustContract, ItsHomeMakesItTrustedWhereThatSetsTheCount) {
   EXPECT_EQ(go_to(240).fate, Fate::done);
 }
 
+TEST_P(TrustContract, AProgramThatGoesToAPlaceIsNotStartedByItsCount) {
+  if (!GetParam()->language) GTEST_SKIP() << "it has no programs";
+  struct Texts {
+    const char *to_a_place, *by_a_distance;
+  };
+  const std::map<std::string_view, Texts> texts{
+      {"vxm", {"IA1M240\n", "I1M40\n"}},
+      {"pmx-4ex-sa", {"X240\nWAITX\nEND\n", "INC\nX40\nWAITX\nEND\n"}},
+      {"dmx-k-sa", {"X240\nWAITX\nEND\n", "INC\nX40\nWAITX\nEND\n"}},
+      {"vme58", {"AA;\nMA240; GO ID\n", "AA;\nMR40; GO ID\n"}}};
+  const Texts& text = texts.at(GetParam()->model);
+  ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
+  switch_motor_on();
+  ASSERT_EQ(perform(intent::LoadProgram(0, text.to_a_place), seconds(60)).fate, Fate::done);
+  const Steps stood = load();
+  const IntentFate refused = perform(intent::RunProgram(0), seconds(20));
+  EXPECT_EQ(refused.fate, Fate::refused);
+  EXPECT_EQ(refused.doubtful, 1u);
+  EXPECT_THAT(std::string(refused.sentence.view()),
+              HasSubstr("Nothing was sent. Home it, say where it stands, or"));
+  run(seconds(2));
+  EXPECT_EQ(load(), stood);
+  intent::RunProgram once(0);
+  once.despite_doubt = true;
+  EXPECT_EQ(perform(std::move(once), seconds(20)).fate, Fate::done);
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  EXPECT_EQ(axis().position, Steps(240));
+  ASSERT_EQ(perform(intent::LoadProgram(0, text.by_a_distance), seconds(60)).fate, Fate::done);
+  const IntentFate relative = perform(intent::RunProgram(0), seconds(20));
+  EXPECT_EQ(relative.fate, Fate::done) << relative.sentence.view();
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  EXPECT_EQ(axis().position, Steps(280));
+}
+
 TEST_P(TrustContract, ACountThatAnotherProgramHasSetIsNotTrusted) {
-  const std::map<std::string_view, std::string> zero{
-      {"vxm", "N"}, {"pmx-4ex-sa", "@00PX=0\r"}, {"dmx-k-sa", "@00PX=0\r"}, {"vme58", "AX;LP0;"}};
+  const std::map<std::string_view, std::string> zero{{"vxm", "N"},
+                                                     {"pmx-4ex-sa", "@00PX=0\r"},
+                                                     {"dmx-k-sa", "@00PX=0\r"},
+                                                     {"vme58", "AX;LP0;"},
+                                                     {"twin", "0 P A 0\n"}};
   ASSERT_NO_FATAL_FAILURE(stand_far_out());
   another_says(zero.at(GetParam()->model));
   run(seconds(4));
@@ -247,11 +291,26 @@ TEST_P(TrustContract, ACountThatAnotherProgramHasSetIsNotTrusted) {
   EXPECT_FALSE(axis().trust.doubtful());
 }
 
+TEST_P(TrustContract, TheCountOfAClosedLoopIsWatchedToo) {
+  const std::map<std::string_view, std::pair<const char*, const char*>> loops{
+      {"pmx-4ex-sa", {"SLX", "@00EX=90000\r"}}, {"dmx-k-sa", {"SL", "@00PX=90000\r"}}};
+  const auto loop = loops.find(GetParam()->model);
+  if (loop == loops.end()) GTEST_SKIP() << "it has no StepNLoop";
+  switch_motor_on();
+  ASSERT_EQ(perform(intent::SetParam(loop->second.first, 1)).fate, Fate::done);
+  run(seconds(3));
+  ASSERT_TRUE(axis().in_counts);
+  another_says(loop->second.second);
+  run(seconds(4));
+  EXPECT_TRUE(axis().trust.doubtful()) << axis().position.value;
+}
+
 TEST_P(TrustContract, AMoveOfAnotherProgramLeavesItsCountTrue) {
   const std::map<std::string_view, std::string> short_move{{"vxm", "I1M100,R"},
                                                            {"pmx-4ex-sa", "@00X4100\r"},
                                                            {"dmx-k-sa", "@00X4100\r"},
-                                                           {"vme58", "AX;MR100;GO;"}};
+                                                           {"vme58", "AX;MR100;GO;"},
+                                                           {"twin", "0 D A 100\n"}};
   ASSERT_NO_FATAL_FAILURE(stand_far_out());
   const Steps before = axis().position;
   another_says(short_move.at(GetParam()->model));

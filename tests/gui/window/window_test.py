@@ -2,6 +2,7 @@
 """The console's window under Xvfb, worked with a real mouse and keyboard. What it does is seen on the wire: a
 silent second client of the emulator hears every reply of the controller."""
 import ctypes
+import functools
 import json
 import os
 import pathlib
@@ -49,11 +50,10 @@ class Window(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         home = pathlib.Path(self.folder.name)
-        display = f":{90 + os.getpid() % 500}"
-        self.env = {**os.environ, "DISPLAY": display, "XDG_CONFIG_HOME": str(home / "config"),
-                    "XDG_STATE_HOME": str(home / "state"), "LIBGL_ALWAYS_SOFTWARE": "1"}
+        self.env = {**os.environ, "XDG_CONFIG_HOME": str(home / "config"), "XDG_STATE_HOME": str(home / "state"),
+                    "LIBGL_ALWAYS_SOFTWARE": "1"}
         self.env.pop("WAYLAND_DISPLAY", None)
-        self.display = self.start(["Xvfb", display, "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp", "-noreset"])
+        self.start_display()
         self.wait_until(lambda: subprocess.run(["xdotool", "getdisplaygeometry"], env=self.env,
                                                capture_output=True).returncode == 0, "the display is there")
         self.start_desktop()
@@ -66,6 +66,15 @@ class Window(unittest.TestCase):
         self.window = self.wait_for_window()
         self.wire = Wire(self.port)
         self.wait_until(lambda: len(self.wire.positions()) > 4, "the console polls")
+
+    def start_display(self):
+        """The server chooses a free number: several of these tests run side by side."""
+        read, write = os.pipe()
+        self.display = self.start(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp",
+                                   "-noreset"], pass_fds=[write])
+        os.close(write)
+        with open(read) as told:
+            self.env["DISPLAY"] = ":" + told.readline().strip()
 
     def start_desktop(self):
         """What else is on the display: nothing, for those that need no window manager."""
@@ -91,17 +100,20 @@ class Window(unittest.TestCase):
         self.addCleanup(end)
         return process
 
-    def layout(self, width, height, before=""):
+    @staticmethod
+    @functools.cache
+    def layout(width, height, before=""):
         """Where things are in a window of this size: laid out once without one, after what `before` does. With a
         controller of its own, since two that poll on one wire would take each other's answers."""
-        script = pathlib.Path(self.folder.name) / "layout.lua"
-        script.write_text("local c = assert(hw.open('vxm@emulator')) c:set('M1M', 4) c:set('M2M', 4)\n"
-                          f"ui.window({width}, {height}) hw.sleep(8) {before} ui.frame(3)\n"
-                          "for _, w in ipairs(ui.list()) do local r = w.rectangle\n"
-                          "print(w.id .. '\\t' .. math.floor(r.x + r.width / 2) .. '\\t' .. "
-                          "math.floor(r.y + r.height / 2)) end")
-        listed = subprocess.run([PROGRAM, "run", "--gui", str(script)], check=True, capture_output=True, text=True,
-                                timeout=120).stdout
+        script = ("local c = assert(hw.open('vxm@emulator')) c:set('M1M', 4) c:set('M2M', 4)\n"
+                  f"ui.window({width}, {height}) hw.sleep(8) {before} ui.frame(3)\n"
+                  "for _, w in ipairs(ui.list()) do local r = w.rectangle\n"
+                  "print(w.id .. '\\t' .. math.floor(r.x + r.width / 2) .. '\\t' .. math.floor(r.y + r.height / 2)) end")
+        with tempfile.NamedTemporaryFile("w", suffix=".lua") as file:
+            file.write(script)
+            file.flush()
+            listed = subprocess.run([PROGRAM, "run", "--gui", file.name], check=True, capture_output=True, text=True,
+                                    timeout=120).stdout
         return {i: (int(x), int(y)) for i, x, y in (line.split("\t") for line in listed.splitlines())}
 
     def wait_until(self, condition, what, patience=30):
