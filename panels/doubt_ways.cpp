@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/homing.h"
 #include "core/device/refusals.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
@@ -34,16 +35,6 @@ std::uint32_t still_doubtful(const Snapshot& now, std::uint32_t axes) {
   return axes;
 }
 
-/// The chosen way of homing, or the first that sets the count: other ways leave the doubt.
-int homing_that_sets(const Catalog& catalog, int chosen) {
-  const auto& modes = catalog.homing_modes;
-  if (chosen >= 0 && chosen < static_cast<int>(modes.size()) &&
-      modes[static_cast<std::size_t>(chosen)].sets_position)
-    return chosen;
-  const auto first = std::find_if(modes.begin(), modes.end(), [](const auto& m) { return m.sets_position; });
-  return first == modes.end() ? std::max(chosen, 0) : static_cast<int>(first - modes.begin());
-}
-
 }  // namespace
 
 IntentId DoubtWays::send(Frame& f, IntentBody body) {
@@ -63,7 +54,7 @@ bool DoubtWays::hear(const Frame& f, const IntentFate& fate) {
 void DoubtWays::tell(const Frame& f, std::uint32_t doubtful) {
   doubtful_ = doubtful;
   axis_ = AxisId{static_cast<std::uint8_t>(std::countr_zero(doubtful))};
-  words_ = say_doubtful(f.catalog, f.now, *sent_, doubtful, words_shown(f));
+  words_ = describe_doubtful(f.catalog, f.now, *sent_, doubtful, words_shown(f));
   field_.reset();
   filled_.clear(), counted_.reset();
   offered_ = 0;
@@ -78,10 +69,9 @@ void DoubtWays::name_ways(const Frame& f, std::string_view prefix) {
     offers_[offered_++] = {way, path(id), std::move(label), std::move(brief)};
   };
   offer(set, "set", "Set", "Set");
-  if (f.catalog.can.homes) {
-    offer(home_minus, "home/-", fmt::format("Home {} \u2212", name), "Home \u2212");
-    offer(home_plus, "home/+", fmt::format("Home {} +", name), "Home +");
-  }
+  const auto homes = [&](Sign sign) { return f.catalog.can.homes && homing_that_sets(f.catalog, -1, sign); };
+  if (homes(Sign::minus)) offer(home_minus, "home/-", fmt::format("Home {} \u2212", name), "Home \u2212");
+  if (homes(Sign::plus)) offer(home_plus, "home/+", fmt::format("Home {} +", name), "Home +");
   offer(once, "once", "Go on for this once", "Go on once");
 }
 
@@ -158,11 +148,12 @@ IntentId DoubtWays::go(Frame& f, Way way, int mode) {
     go_despite_doubt(*sent_);
     return f.send_and_watch(*std::exchange(sent_, std::nullopt));
   }
-  const int homing = homing_that_sets(f.catalog, mode);
+  const Sign sign = way == home_plus ? Sign::plus : Sign::minus;
+  const int homing = homing_that_sets(f.catalog, mode, sign).value_or(0);  // it was offered
   if (homing != mode && mode >= 0)
     f.toast(Mood::plain, fmt::format("Homing {}: the way that is chosen does not set the count.",
                                      f.catalog.homing_modes[static_cast<std::size_t>(homing)].label));
-  f.send(intent::Home(axis_, way == home_plus ? Sign::plus : Sign::minus, homing));
+  f.send(intent::Home(axis_, sign, homing));
   return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/device/homing.h"
 #include "core/device/travel_check.h"
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
@@ -282,11 +283,12 @@ void GotoHome::draw_places(Frame& f, float width) {
 void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
   const std::string& name = f.catalog.axes[axis.index].name;
   for (const Sign sign : {Sign::minus, Sign::plus}) {
+    const std::string why_not = why_not_home(f.catalog, mode_, sign);
     ButtonOptions o;
     o.moving = true;
     o.width = home_width(f);
     o.height = column_of(f).go_control;
-    o.disabled = why;
+    o.disabled = why.empty() ? std::string_view(why_not) : why;
     if (sign == Sign::minus)
       o.icon = Icon::home_minus;
     else

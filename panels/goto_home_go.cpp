@@ -29,7 +29,7 @@ std::optional<Steps> GotoHome::target_of(Frame& f, AxisId axis) {
   if (const auto past = past_travel(f.catalog, f.now, intent::MoveTo({{axis, target}}))) {
     row.nearest = by_ ? past->nearest - here : past->nearest;
     row.offers = true;
-    row.refused = say_past(f.catalog, *past, [&](AxisId, Steps place) {
+    row.refused = describe_past(f.catalog, *past, [&](AxisId, Steps place) {
       return std::string(format_with_unit(place, unit).view());
     });
     return {};

@@ -18,7 +18,6 @@
 namespace hw::panels {
 
 using namespace gui;
-namespace {}  // namespace
 
 Terminal::Terminal() {
   line_help_.history = [this](std::string& text, int direction) { return older_or_newer(text, direction); };
@@ -34,17 +33,18 @@ void Terminal::draw(Frame& f) {
   const float bottom = f.ui.px(f.area.bottom());
   const float left_for_log = bottom - ImGui::GetCursorScreenPos().y - f.ui.px(command_row);
   const float height = std::max(left_for_log, f.ui.px(20));
-  if (shows_events_)
-    happened_.draw(f, height);
-  else
-    rows_.draw(f.ui, desk.traffic, height);
+  switch (shows_) {
+    case Shows::traffic: rows_.draw(f.ui, desk.traffic, height); break;
+    case Shows::events: happened_.draw(f, height); break;
+    case Shows::log: log_.draw(f, height); break;
+  }
   if (!offered_.empty()) draw_list(f, bottom - f.ui.px(command_row));
   draw_command(f);
   if (const auto path = save_.draw(f.ui)) {
     desk.worker().run([path = *path, text = desk.traffic.text_of_all()] { return write_file(path, text); },
                       [&console = f.console, path = *path](Result<> written) {
                         if (written)
-                          console.toast(Mood::ok, fmt::format("The log was saved as {}.", path.string()));
+                          console.toast(Mood::ok, fmt::format("The traffic was saved as {}.", path.string()));
                         else
                           console.toast(Mood::fault, written.error().sentence());
                       },
@@ -86,6 +86,29 @@ bool Terminal::complete(std::string& text, std::size_t& cursor) {
   return false;
 }
 
+/// A command of the list. True: it was clicked.
+static bool draw_offer(Ui& ui, const CommandInfo& command, bool chosen, float row, float help_at) {
+  char id[64];
+  const auto end = fmt::format_to_n(id, sizeof id, "terminal/offer/{}", command.form);
+  const Touch t = touch(ui,
+                        {.id = {id, std::min(end.size, sizeof id)},
+                         .kind = Kind::row,
+                         .label = command.form,
+                         .value = command.help},
+                        ImVec2(ImGui::GetContentRegionAvail().x, row));
+  if (chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
+  if (t.hovered || chosen) draw_fill(ui, t.rect, ui[Tone::hover], 0);
+  const float middle = std::floor(t.rect.centre().y);
+  const float help_x = t.rect.min.x + help_at;
+  draw_text_line(ui, t.rect.min.x + ui.px(16), help_x - ui.px(22), middle, Face::code_field, ui[Tone::ink],
+                 command.form);
+  if (command.moves)
+    draw_icon(ImGui::GetWindowDrawList(), Icon::play, ImVec2(help_x - ui.px(14), middle), ui.px(9),
+              ui[Tone::motion]);
+  draw_text_line(ui, help_x, t.rect.max.x - ui.px(16), middle, Face::body, ui[Tone::ink2], command.help);
+  return t.clicked;
+}
+
 /// Covers anything above the command, however small the terminal is; the command keeps the keyboard.
 void Terminal::draw_list(Frame& f, float bottom) {
   Ui& ui = f.ui;
@@ -113,33 +136,13 @@ void Terminal::draw_list(Frame& f, float bottom) {
         std::max(help_at, text_width(ui, Face::code_field, f.catalog.commands[offered].form) + ui.px(40));
   help_at = std::min(help_at, ui.px(f.area.width) / 2);
   for (std::size_t i = 0; i < offered_.size(); ++i) {
-    const CommandInfo& command = f.catalog.commands[offered_[i]];
-    char id[64];
-    const auto end = fmt::format_to_n(id, sizeof id, "terminal/offer/{}", command.form);
-    const Touch t = touch(ui,
-                          {.id = {id, std::min(end.size, sizeof id)},
-                           .kind = Kind::row,
-                           .label = command.form,
-                           .value = command.help},
-                          ImVec2(ImGui::GetContentRegionAvail().x, row));
-    const bool chosen = took_offer_ && i == offered_chosen_;
-    if (chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
-    if (t.hovered || chosen) draw_fill(ui, t.rect, ui[Tone::hover], 0);
-    const float middle = std::floor(t.rect.centre().y);
-    const float help_x = t.rect.min.x + help_at;
-    draw_text_line(ui, t.rect.min.x + ui.px(16), help_x - ui.px(22), middle, Face::code_field, ui[Tone::ink],
-                   command.form);
-    if (command.moves)
-      draw_icon(ImGui::GetWindowDrawList(), Icon::play, ImVec2(help_x - ui.px(14), middle), ui.px(9),
-                ui[Tone::motion]);
-    draw_text_line(ui, help_x, t.rect.max.x - ui.px(16), middle, Face::body, ui[Tone::ink2], command.help);
-    if (t.clicked) {
-      command_ = desk_->help.with(command_, offered_[i]);
-      offered_.clear();
-      took_offer_ = false;
-      type_into(ui, "terminal/command");
-      break;
-    }
+    if (!draw_offer(ui, f.catalog.commands[offered_[i]], took_offer_ && i == offered_chosen_, row, help_at))
+      continue;
+    command_ = desk_->help.with(command_, offered_[i]);
+    offered_.clear();
+    took_offer_ = false;
+    type_into(ui, "terminal/command");
+    break;
   }
   ImGui::End();
   if (outside) offered_.clear();
@@ -172,7 +175,7 @@ void Terminal::draw_command(Frame& f) {
   send_look.disabled = f.connected() ? "" : "There is no link. What you type stays here.";
   send_look.moving = hint_.moves;
   const float send_width = button_width(ui, "Send", send_look);
-  const float menu_width = with_head_ ? 0 : button_width(ui, "Log", {.style = ButtonStyle::quiet});
+  const float menu_width = with_head_ ? 0 : button_width(ui, "More", {.style = ButtonStyle::quiet});
   const float to_width = draw_to(f, f.area.bottom() - 40);
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16 + to_width), top));
   const FieldOptions look{.placeholder = "Command, or Tab for the list",

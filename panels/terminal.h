@@ -1,5 +1,6 @@
 #pragma once
-// The terminal: decoded traffic, and a line for sending commands by hand. In its place: the events.
+// The terminal: decoded traffic, and a line for sending commands by hand. In its place: the events, or the
+// program's log.
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "gui/widgets/file_dialog.h"
 #include "gui/widgets/text_field.h"
 #include "panels/happened.h"
+#include "panels/log_view.h"
 #include "panels/terminal_log.h"
 
 namespace hw::panels {
@@ -19,9 +21,11 @@ class Terminal final : public gui::Panel {
 
  private:
   void draw_head(gui::Frame& frame, gui::TrafficLog& log);
+  float draw_tools(gui::Frame& frame, gui::TrafficLog& log, float left_px, float top_px);
   float draw_traffic_tools(gui::Frame& frame, gui::TrafficLog& log, float left_px, float top_px);
   static void draw_messages_behind(gui::Frame& frame, float left_px, float top_px);
   void draw_log_menu(gui::Frame& frame);
+  void draw_menu_of_log(gui::Frame& frame);
   static void draw_lost(gui::Ui& ui, const gui::TrafficLog& log, float left, float right, float middle);
   void act(gui::Frame& frame, gui::TrafficLog& log, std::string_view id);
   void draw_list(gui::Frame& frame, float bottom_px);
@@ -34,7 +38,9 @@ class Terminal final : public gui::Panel {
 
   TerminalLog rows_;
   Happened happened_;
-  bool shows_events_ = false;
+  enum class Shows : std::uint8_t { traffic, events, log };
+  LogView log_;
+  Shows shows_ = Shows::traffic;
   std::string command_, filter_;
   bool to_all_ = false;  ///< the next line is sent to all devices of the wire
   std::vector<std::string_view> to_names_;

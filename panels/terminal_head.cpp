@@ -1,4 +1,4 @@
-// The title row of the terminal: the choice of its two lists, their tools, messages.
+// The title row of the terminal: the choice of its three lists, their tools, messages.
 #include <array>
 #include <span>
 
@@ -49,7 +49,7 @@ LogTools tools_that_fit(Ui& ui, std::span<const LogTool> toggles, std::span<cons
   LogTools fit;
   const auto measure = [&] {
     fit.width = fit.filter + fit.space + (fit.toggles ? width_of(toggles, fit.space) : 0) +
-                (fit.actions ? width_of(actions, 0) : button_width(ui, "Log", log_menu_look));
+                (fit.actions ? width_of(actions, 0) : button_width(ui, "More", log_menu_look));
     return fit.width <= room;
   };
   if (measure()) return fit;
@@ -67,22 +67,32 @@ LogTools tools_that_fit(Ui& ui, std::span<const LogTool> toggles, std::span<cons
 void Terminal::draw_head(Frame& f, TrafficLog& log) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const std::string_view events = f.area.width >= 700 ? "What happened" : "Events";
+  const std::string_view events = f.area.width >= 800 ? "What happened" : "Events";
   float x = f.area.x + 16;
-  const auto choose = [&](std::string_view id, std::string_view label, bool events_too) {
-    const ButtonOptions look{.style = ButtonStyle::segment, .on = shows_events_ == events_too};
+  Shows wanted = shows_;
+  const auto choose = [&](std::string_view id, std::string_view label, Shows view) {
+    const ButtonOptions look{.style = ButtonStyle::segment, .on = shows_ == view};
     ImGui::SetCursorScreenPos(ImVec2(ui.px(x), at.y + ui.px(6)));
     x += button_width(ui, label, look);
-    return button(ui, id, label, look).clicked;
+    if (button(ui, id, label, look).clicked) wanted = view;
   };
-  const bool log_wanted = choose("terminal/view/log", "Terminal", false);
-  const bool events_wanted = choose("terminal/view/happened", events, true);
-  if (log_wanted || events_wanted) shows_events_ = events_wanted;
+  choose("terminal/view/log", "Terminal", Shows::traffic);
+  choose("terminal/view/happened", events, Shows::events);
+  choose("terminal/view/decisions", "Log", Shows::log);
+  shows_ = wanted;
   const float after = ui.px(x + 12), top = at.y + ui.px(6);
-  const float end =
-      shows_events_ ? happened_.draw_tools(f, after, top) : draw_traffic_tools(f, log, after, top);
-  draw_messages_behind(f, end, top);
+  draw_messages_behind(f, draw_tools(f, log, after, top), top);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(44)));
+}
+
+/// Of the list that is shown. Returns their right end.
+float Terminal::draw_tools(Frame& f, TrafficLog& log, float left, float top) {
+  switch (shows_) {
+    case Shows::traffic: break;
+    case Shows::events: return happened_.draw_tools(f, left, top);
+    case Shows::log: return log_.draw_tools(f, left, f.ui.px(f.area.right() - 16), top);
+  }
+  return draw_traffic_tools(f, log, left, top);
 }
 
 /// Messages at the right end of the title row, if it has room for a sentence; else in the status line.
@@ -109,7 +119,7 @@ float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float 
   const LogTool actions[] = {
       {"terminal/copy", "Copy", "The chosen lines, or all that are shown.", nullptr},
       {"terminal/clear", "Clear", "Empties this list. Nothing is sent.", nullptr},
-      {"terminal/save", "Save log", "All that is kept, with times, into a file.", nullptr},
+      {"terminal/save", "Save", "All that is kept, with times, into a file.", nullptr},
   };
   const float right = f.area.right() - 16, whole = right - left / ui.scale;
   const LogTools fit = tools_that_fit(ui, toggles, actions, whole);
@@ -144,26 +154,43 @@ float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float 
 
 /// The menu of head functions that have no room.
 void Terminal::draw_log_menu(Frame& f) {
+  if (shows_ == Shows::log) return draw_menu_of_log(f);
   TrafficLog& log = f.tab.desk().traffic;
   TrafficLog::View view = log.view();
-  const std::array<std::string_view, 7> names = {shows_events_ ? "The terminal" : "What happened",
+  const bool traffic = shows_ == Shows::traffic;
+  const std::array<std::string_view, 8> names = {traffic ? "What happened" : "The terminal",
+                                                 "The program's log",
                                                  view.decoded ? "Without meanings" : "With meanings",
                                                  view.fold_polls ? "Show all polls" : "Fold polls",
                                                  view.hex ? "As characters" : "In hexadecimal",
                                                  "Copy",
                                                  "Clear",
-                                                 "Save log"};
-  switch (menu(f.ui, "terminal/log_menu", "Log", names)) {
-    case 0: shows_events_ = !shows_events_; return;
-    case 1: view.decoded = !view.decoded; break;
-    case 2: view.fold_polls = !view.fold_polls; break;
-    case 3: view.hex = !view.hex; break;
-    case 4: return act(f, log, "terminal/copy");
-    case 5: return act(f, log, "terminal/clear");
-    case 6: return act(f, log, "terminal/save");
+                                                 "Save"};
+  switch (menu(f.ui, "terminal/log_menu", "More", names)) {
+    case 0: shows_ = traffic ? Shows::events : Shows::traffic; return;
+    case 1: shows_ = Shows::log; return;
+    case 2: view.decoded = !view.decoded; break;
+    case 3: view.fold_polls = !view.fold_polls; break;
+    case 4: view.hex = !view.hex; break;
+    case 5: return act(f, log, "terminal/copy");
+    case 6: return act(f, log, "terminal/clear");
+    case 7: return act(f, log, "terminal/save");
     default: return;
   }
   log.set_view(std::move(view));
+}
+
+void Terminal::draw_menu_of_log(Frame& f) {
+  constexpr std::array<std::string_view, 5> names = {"The terminal", "What happened", "Log all",
+                                                     "Log warnings", "Copy"};
+  switch (menu(f.ui, "terminal/log_menu", "More", names)) {
+    case 0: shows_ = Shows::traffic; return;
+    case 1: shows_ = Shows::events; return;
+    case 2: return log::set_level("", log::Level::debug);
+    case 3: return log::set_level("", log::Level::warning);
+    case 4: return LogView::copy(f);
+    default: return;
+  }
 }
 
 void Terminal::draw_lost(Ui& ui, const TrafficLog& log, float left, float right, float middle) {
@@ -176,10 +203,10 @@ void Terminal::draw_lost(Ui& ui, const TrafficLog& log, float left, float right,
 
 void Terminal::act(Frame& f, TrafficLog& log, std::string_view id) {
   if (id == "terminal/save")
-    return save_.ask_save("Save the log", save_.folder() / "traffic.log", {".log", ".txt"});
+    return save_.ask_save("Save the traffic", save_.folder() / "traffic.log", {".log", ".txt"});
   if (id == "terminal/copy") {
     ImGui::SetClipboardText(rows_.copied(log).c_str());
-    return f.toast(Mood::ok, "The log was copied.");
+    return f.toast(Mood::ok, "The traffic was copied.");
   }
   log.clear();
   rows_.choose_none();

@@ -8,6 +8,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "gui/model/gui_log.h"
+
 namespace hw::gui {
 namespace {
 
@@ -53,6 +55,7 @@ void Gamepad::arm(double now_s) {
 void Gamepad::disarm(std::string_view why, double now_s) {
   if (!armed_) return;
   armed_ = false;
+  gui_log().debug("the gamepad does not jog any more: {}", why);
   words_ = why;
   end(now_s, true);
 }

@@ -1,5 +1,6 @@
 #include "gui/model/clearing.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace hw::gui {
@@ -10,6 +11,11 @@ IntentBody told_to(const Catalog& catalog, int action, AxisId axis) {
   for (const ActionField& field : catalog.actions[static_cast<std::size_t>(action)].fields)
     values.push_back(field.id == "axis" ? axis.index : field.fallback);
   return intent::Act(action, std::move(values));
+}
+
+bool names_axis(const ActionInfo& action) {
+  return std::any_of(action.fields.begin(), action.fields.end(),
+                     [](const ActionField& field) { return field.id == "axis"; });
 }
 
 /// The clearing action in the table of its axes; -1: none.
@@ -31,11 +37,13 @@ std::optional<Clearing> clearing_of(const Catalog& catalog, const Snapshot& now,
   const bool error = a.activity == Activity::error;
   if (!now.link.connected() || (!error && !a.slipped)) return {};
   const int action = action_for(catalog, error);
-  if (action >= 0)
-    return Clearing{axis, told_to(catalog, action, axis),
-                    catalog.actions[static_cast<std::size_t>(action)].help};
+  if (action >= 0) {
+    const ActionInfo& info = catalog.actions[static_cast<std::size_t>(action)];
+    const bool of_all = catalog.axes.size() > 1 && !names_axis(info);
+    return Clearing{axis, told_to(catalog, action, axis), info.help, of_all};
+  }
   if (!error) return {};
-  return Clearing{axis, intent::Stop(), "Stops the controller: that clears its error."};
+  return Clearing{axis, intent::Stop(), "Stops the controller: that clears its error.", true};
 }
 
 std::optional<Clearing> first_clearing(const Catalog& catalog, const Snapshot& now) {

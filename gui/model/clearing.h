@@ -14,6 +14,7 @@ struct Clearing {
   AxisId axis;
   IntentBody wish;
   std::string_view help;  ///< in the catalog's memory
+  bool of_all = false;    ///< its command names no axis: it clears those of the others too
   [[nodiscard]] bool stops_all() const { return std::holds_alternative<intent::Stop>(wish); }
 };
 

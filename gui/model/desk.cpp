@@ -37,9 +37,9 @@ std::vector<std::filesystem::path> Desk::take_dropped(std::string_view panel) {
 }
 
 void Desk::rehearse(const Snapshot& now, const BenchView& bench) {
-  const int slot = texts.chosen();
-  const std::string& text = texts.text(slot);
+  const std::string& text = texts.text(texts.chosen());
   if (!language_ || text.empty()) return;
+  const int slot = texts.start_of(texts.chosen());
   unread_.begin();
   rehearsed_slot_ = job.busy() ? -1 : slot;
   if (job.busy() || !can_tell_more(now)) {

@@ -73,9 +73,10 @@ class Desk {
   /// Seconds until the autosave wants a frame; negative: it does not.
   [[nodiscard]] double autosave_due_in(Instant clock) const;
 
-  /// Starts a dry run of the chosen text from the present positions. Set-up values that were never read are
-  /// read first, and so are other programs that the run reaches, unless Run has been pressed: the dry run
-  /// then begins with the run. Does nothing when there is no text or a dry run is under way.
+  /// Starts a dry run of the chosen text as Run would start it, from the present positions. Set-up values
+  /// that were never read are read first, and so are other programs that the run reaches, unless Run has been
+  /// pressed: the dry run then begins with the run. Does nothing when there is no text or a dry run is under
+  /// way.
   void rehearse(const Snapshot& now, const BenchView& bench);
   /// The known state of the controller, with the programs that it is known to hold.
   [[nodiscard]] ControllerState state_of(const Snapshot& now) const;
@@ -111,10 +112,10 @@ class Desk {
   std::uint64_t autosaved_ = 0;
   std::uint32_t program_changes_ = 0;
   std::uint64_t starts_ = 0;
-  std::map<int, std::string> prepared_;  ///< texts by slot: to be rehearsed once the set-up is read
+  std::map<int, std::string> prepared_;  ///< texts by program: to be rehearsed once the set-up is read
   IntentId set_up_read_by_ = 0;
   UnreadPrograms unread_;
-  int rehearsed_slot_ = -1;  ///< slot whose other programs may be read; -1: none
+  int rehearsed_slot_ = -1;  ///< program whose other programs may be read; -1: none
   Instant changed_at_{}, started_at_{};
   bool dirty_ = false;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0), until_stopped_ = std::make_shared<int>(0);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gui/model/gui_log.h"
+
 namespace hw::gui {
 
 void JogHold::press(const Control& control, const Want& want, double at_s) {
@@ -46,7 +48,11 @@ void JogHold::tick(double now_s) {
   // A late frame may be followed by the release that it delayed: never start a jog on it.
   const bool frozen = now_s - held.seen_at_s > frozen_after_s;
   const bool unseen = !held.confirmed;
-  if (frozen || unseen) return let_go();
+  if (frozen || unseen) {
+    gui_log().debug("the hold of axis {} ends: {}", held.control.axis.index + 1,
+                    frozen ? "no frame for too long" : "its control is not seen to be held any more");
+    return let_go();
+  }
   held.seen_at_s = now_s;
   held.confirmed = false;
   if (!held.jogging && now_s - held.pressed_at_s >= continuous_after_s) {

@@ -30,7 +30,7 @@ void ProgramJob::refuse(std::string sentence) {
 }
 
 bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
-                       const Send& send, bool despite_doubt) {
+                       const Send& send, RunTerms run) {
   if (busy()) {  // the other job, or its question, stays
     told_ = {Mood::fault, stage_ == Stage::asking
                               ? "Answer the question about the program first."
@@ -38,10 +38,10 @@ bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot&
     return false;
   }
   ++begun_;
-  given_up_ = false, despite_doubt_ = despite_doubt;
+  given_up_ = false, run_ = std::move(run);
   // Loading a compiled program also keeps it: Store would write the present set-up, trial values and all.
   goal_ = goal == Goal::store && catalog.program.compiled ? Goal::load : goal;
-  slot_ = slot;
+  slot_ = slot, start_ = texts.start_of(slot);
   text_ = texts.text(slot);
   if (goal == Goal::fetch || goal == Goal::make_room) {
     stage_ = Stage::fetching;
@@ -89,13 +89,15 @@ void ProgramJob::after_load(const Send& send) {
     waiting_for_ = send(intent::Store());
     return;
   }
+  if (std::string why = run_.why_not_now ? run_.why_not_now() : std::string(); !why.empty())
+    return refuse(std::move(why));
   stage_ = Stage::starting;
   if (goal_ == Goal::run_stepping) {
-    send(intent::SelectProgram(slot_));
+    send(intent::SelectProgram(start_));
     waiting_for_ = send(intent::SingleStep());
   } else {
-    intent::RunProgram run(slot_);
-    run.despite_doubt = despite_doubt_;
+    intent::RunProgram run(start_);
+    run.despite_doubt = run_.despite_doubt;
     waiting_for_ = send(std::move(run));
   }
 }

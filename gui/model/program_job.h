@@ -10,6 +10,13 @@
 
 namespace hw::gui {
 
+struct RunTerms {
+  bool despite_doubt = false;  ///< see intent::RunProgram
+  /// Asked when the text is loaded, which may take minutes: why the run must not begin now, as a sentence;
+  /// empty: it may.
+  std::function<std::string()> why_not_now{};
+};
+
 class ProgramJob {
  public:
   enum class Goal : std::uint8_t {
@@ -31,9 +38,9 @@ class ProgramJob {
   };
 
   /// Begins a job. False, with a sentence in take_told(): not possible (errors in the text, another job, no
-  /// text). `despite_doubt`: of a run, see intent::RunProgram.
+  /// text).
   bool begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
-             const Send& send, bool despite_doubt = false);
+             const Send& send, RunTerms run = {});
   /// Once a frame, after the tab's notices have reached the texts.
   void update(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
               const Send& send);
@@ -70,11 +77,12 @@ class ProgramJob {
 
   Goal goal_ = Goal::run;
   Stage stage_ = Stage::idle;
-  int slot_ = 0;
+  int slot_ = 0, start_ = 0;  ///< start_: the program of its text that is run
   IntentId waiting_for_ = 0;
   IntentId written_by_ = 0;
   std::uint64_t begun_ = 0;
-  bool given_up_ = false, despite_doubt_ = false;
+  bool given_up_ = false;
+  RunTerms run_;
   std::string text_;  ///< the text loaded: as it was when the job began
   std::string question_;
   Told told_;

@@ -10,10 +10,19 @@
 namespace hw::gui {
 
 ProgramTexts::ProgramTexts(const ProgramFacts& facts, const Language* language)
-    : language_(language), slots_(static_cast<std::size_t>(std::max(facts.slots, 1))) {}
+    : language_(language),
+      one_text_(facts.threads > 0),
+      slots_(static_cast<std::size_t>(std::max(facts.slots, 1))) {}
 
 void ProgramTexts::choose(int slot) {
   if (slot >= 0 && slot < count()) chosen_ = slot;
+}
+
+int ProgramTexts::start_of(int slot) {
+  if (!one_text_) return slot;
+  const std::vector<int>& there = report(slot).programs;
+  if (std::find(there.begin(), there.end(), start_) != there.end()) return start_;
+  return there.empty() ? 0 : there.front();
 }
 
 // ---- text

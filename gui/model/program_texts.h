@@ -36,6 +36,11 @@ class ProgramTexts {
   [[nodiscard]] int count() const { return static_cast<int>(slots_.size()); }
   [[nodiscard]] int chosen() const { return chosen_; }
   void choose(int slot);
+  /// The program that a run of the slot's text starts: the slot itself or, where one text holds all programs,
+  /// the one chosen for it; if the text has no such program, its first.
+  int start_of(int slot);
+  /// Where one text holds all programs: the program that Run starts.
+  void choose_start(int program) { start_ = program; }
 
   // ---- text
   [[nodiscard]] const std::string& text(int slot) const { return at(slot).text; }
@@ -104,8 +109,9 @@ class ProgramTexts {
   void hold(int slot, const std::string& text, bool from_here, Instant when);
 
   const Language* language_;
+  const bool one_text_;  ///< holds all programs: ProgramFacts::threads
   std::vector<Slot> slots_;
-  int chosen_ = 0;
+  int chosen_ = 0, start_ = 0;
   std::uint64_t changes_ = 0;
 };
 

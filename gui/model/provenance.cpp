@@ -31,12 +31,15 @@ static NumberText joined(std::string_view words, std::string_view more) {
 
 NumberText provenance(const Snapshot& now, AxisId axis, Instant clock, const DayClock& day, bool brief) {
   const AxisState& a = now.axes[axis.index];
+  const Origin origin = origin_of(now, axis, clock);
+  if (brief && a.trust.restored && (origin == Origin::homed || origin == Origin::set))
+    return joined("restored", "");
   NumberText when;
   if (!brief) {
     when = format_day_or_time(a.trust.since, clock, day);
     when.append(a.trust.restored ? ", restored" : "");
   }
-  switch (origin_of(now, axis, clock)) {
+  switch (origin) {
     case Origin::stale: return joined(format_duration(seconds(clock - a.seen_at)), "old");
     case Origin::unknown: return joined("not known: home it, or set it", "");
     case Origin::untrusted: return joined("untrusted:", brief_words_of(a.trust.cause));

@@ -17,7 +17,7 @@ enum class Origin : std::uint8_t {
 
 Origin origin_of(const Snapshot& now, AxisId axis, Instant clock);
 /// "homed 12:04", "set by hand yesterday", "counted", "1.2 s old", "untrusted: power was cut". `brief`:
-/// without the time.
+/// without the time; "restored" alone.
 NumberText provenance(const Snapshot& now, AxisId axis, Instant clock, const DayClock& day, bool brief);
 /// "12:04" of today, "yesterday", "9 days ago".
 NumberText format_day_or_time(Instant when, Instant now, const DayClock& day);

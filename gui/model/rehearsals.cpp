@@ -181,8 +181,9 @@ Stand compare_variables(const Comparison& c) {
   return {};
 }
 
-void take_programs(const ControllerState& of, const Catalog&, ControllerState& into) {
-  into.programs = of.programs;
+/// Where one text holds all programs, it is the one that is rehearsed.
+void take_programs(const ControllerState& of, const Catalog& catalog, ControllerState& into) {
+  if (catalog.program.threads == 0) into.programs = of.programs;
 }
 Stand compare_programs(const Comparison& c) {
   for (const auto& [other, text] : c.from.programs) {

@@ -1,6 +1,7 @@
 #pragma once
-// Dry runs of program texts, computed outside the frame. The newest of each slot is kept with its text and
-// its initial state, so that the screen can say whether it still holds. GUI thread.
+// Dry runs of program texts, computed outside the frame. The newest of each program (a slot, or one of
+// several in one text: ProgramTexts::start_of) is kept with its text and its initial state, so that the
+// screen can say whether it still holds. GUI thread.
 #include <array>
 #include <functional>
 #include <map>

@@ -23,7 +23,7 @@ std::string why_not_run_there(const Tab& tab, const sequence::Sequence& sequence
   const Catalog& catalog = tab.catalog();
   const intent::RunProgram run(0, places_of_run(sequence, catalog, tab.now()));
   if (const auto past = past_travel(catalog, tab.now(), run))
-    return say_past(catalog, *past, [&tab](AxisId axis, Steps place) {
+    return describe_past(catalog, *past, [&tab](AxisId axis, Steps place) {
       return std::string(format_with_unit(place, tab.unit(axis)).view());
     });
   const std::uint32_t doubtful = doubtful_axes(catalog, tab.now(), run);
@@ -39,6 +39,31 @@ std::string why_not_run_there(Tab& tab, const std::string& text) {
   Desk& desk = tab.desk();
   const WrittenSequence* source = desk.source.of(text, desk.blocks, desk.language(), tab.catalog());
   return source ? why_not_run_there(tab, *source->sequence) : std::string();
+}
+
+AgreedDoubts doubts_of(const Snapshot& now) {
+  AgreedDoubts all;
+  for (std::size_t a = 0; a < all.size(); ++a)
+    if (now.axes[a].trust.doubtful()) all[a] = now.axes[a].trust;
+  return all;
+}
+
+std::string why_not_begin_any_more(const Tab& tab, const sequence::Sequence& sequence,
+                                   const AgreedDoubts& agreed) {
+  constexpr std::string_view loaded = "The program was loaded and not started.";
+  const Catalog& catalog = tab.catalog();
+  const intent::RunProgram run(0, places_of_run(sequence, catalog, tab.now()));
+  if (past_travel(catalog, tab.now(), run))
+    return fmt::format("{} It goes past a limit that was set meanwhile. Press Run to see which.", loaded);
+  const std::uint32_t doubtful = doubtful_axes(catalog, tab.now(), run);
+  for (int axis = 0; axis < static_cast<int>(agreed.size()); ++axis) {
+    const PositionTrust& trust = tab.now().axes[ix(axis)].trust;
+    if ((doubtful >> axis & 1u) == 0 || trust == agreed[ix(axis)]) continue;
+    return fmt::format(
+        "{} Meanwhile the position of {} has become doubtful: {}. Press Run to see what can be done.", loaded,
+        spoken_name(catalog, axis), words_of(trust.cause));
+  }
+  return {};
 }
 
 std::string_view why_no_pieces(Tab& tab) {

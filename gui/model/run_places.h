@@ -1,6 +1,7 @@
 #pragma once
 // Programs written from a sequence are bound by the user's travel limits and by doubts about positions,
 // wherever they are run from; the user's own texts are not. GUI thread.
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,14 @@ std::vector<AxisTarget> places_of_held(Desk& desk, int slot, const Catalog& cata
 std::string why_not_run_there(const Tab& tab, const sequence::Sequence& sequence);
 /// The same for a text; empty for one that comes from no known sequence.
 std::string why_not_run_there(Tab& tab, const std::string& text);
+
+/// The trust of each axis when the user agreed to a run despite doubts.
+using AgreedDoubts = std::array<PositionTrust, max_axes>;
+[[nodiscard]] AgreedDoubts doubts_of(const Snapshot& now);
+/// Why a run that could begin before its text was loaded must not begin now: a limit of the user's, a doubt
+/// about a position or, of a run despite doubts, a doubt other than those in `agreed`. Empty: it may begin.
+std::string why_not_begin_any_more(const Tab& tab, const sequence::Sequence& sequence,
+                                   const AgreedDoubts& agreed = {});
 
 /// Why nothing can be begun in pieces now; empty: it can.
 std::string_view why_no_pieces(Tab& tab);

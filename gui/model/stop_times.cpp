@@ -20,23 +20,41 @@ double ms(Duration d) { return 1000 * seconds(d); }
 
 }  // namespace
 
-void StopTimes::add(const Ending& ending, const ShowPosition& position) {
+void StopTimes::add(const Ending& ending, const ShowPosition& position, bool tells_slowing) {
   if (!ending.timed || ending.axis < 0) return;
   stops_.push_back(ending);
   if (stops_.size() > most) stops_.pop_front();
-  std::vector<Duration> rests;
-  std::vector<Steps> on;  // of this axis only: others may count in another unit
-  for (const Ending& stop : stops_) {
-    rests.push_back(stop.to_rest);
-    if (stop.axis == ending.axis) on.push_back(stop.ran_on);
-  }
   const AxisId axis{static_cast<std::uint8_t>(ending.axis)};
   words_ = fmt::format("Last stop: first byte after {:.1f} ms, ", ms(ending.to_wire));
-  if (ending.to_slowing) words_ += fmt::format("slowing down seen after {:.0f} ms, ", ms(*ending.to_slowing));
+  if (ending.to_slowing)
+    words_ += fmt::format("slowing down seen after {:.0f} ms, ", ms(*ending.to_slowing));
+  else if (tells_slowing)
+    words_ += "slowing down not seen, ";
+  else
+    words_ += "slowing down not known, as this controller does not report it, ";
   words_ += fmt::format("at rest after {:.0f} ms, {} on.", ms(ending.to_rest), position(axis, ending.ran_on));
-  if (stops_.size() < 2) return;
-  words_ += fmt::format(" Of {} stops 99 in 100 were at rest within {:.0f} ms and {}.", stops_.size(),
-                        ms(percentile_99(std::move(rests))), position(axis, percentile_99(std::move(on))));
+  if (stops_.size() > 1) words_ += of_all(axis, position);
+  tip_ = fmt::format("{} {}", twice, words_);
+}
+
+std::string StopTimes::of_all(AxisId axis, const ShowPosition& position) const {
+  std::vector<Duration> bytes, slowings, rests;
+  std::vector<Steps> on;  // of this axis only: others may count in another unit
+  for (const Ending& stop : stops_) {
+    bytes.push_back(stop.to_wire);
+    if (stop.to_slowing) slowings.push_back(*stop.to_slowing);
+    rests.push_back(stop.to_rest);
+    if (stop.axis == axis.index) on.push_back(stop.ran_on);
+  }
+  const std::string slowing =
+      slowings.size() < stops_.size()
+          ? std::string()
+          : fmt::format(", were seen to slow down within {:.0f} ms", ms(percentile_99(std::move(slowings))));
+  return fmt::format(
+      " Of {} stops 99 in 100 sent their first byte within {:.1f} ms{} and were at rest within {:.0f} ms and "
+      "{}.",
+      stops_.size(), ms(percentile_99(std::move(bytes))), slowing, ms(percentile_99(std::move(rests))),
+      position(axis, percentile_99(std::move(on))));
 }
 
 }  // namespace hw::gui

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <deque>
 #include <string>
+#include <string_view>
 
 #include "core/device/snapshot.h"
 #include "gui/model/ending_words.h"
@@ -14,16 +15,22 @@ namespace hw::gui {
 class StopTimes {
  public:
   /// Takes the ending of a timed stop; ignores all others.
-  void add(const Ending& ending, const ShowPosition& position);
+  void add(const Ending& ending, const ShowPosition& position, bool tells_slowing = true);
   /// "Last stop: first byte after 0.2 ms, slowing down seen after 31 ms, at rest after 84 ms, 1.700 mm on. Of
-  /// 100 stops 99 in 100 were at rest within 120 ms and 2.000 mm." Empty: no stop was timed yet. The second
-  /// time is omitted for a controller that reports neither its speed nor its phase.
+  /// 100 stops 99 in 100 sent their first byte within 0.2 ms and were at rest within 120 ms and 2.000 mm."
+  /// Empty: no stop was timed yet. When it slowed down is not known of a controller that does not report it.
   [[nodiscard]] const std::string& words() const { return words_; }
+  /// What the Stop button does, and the words.
+  [[nodiscard]] std::string_view tip() const { return tip_; }
 
  private:
   static constexpr std::size_t most = 200;
+  [[nodiscard]] std::string of_all(AxisId axis, const ShowPosition& position) const;
+
   std::deque<Ending> stops_;  ///< newest last
-  std::string words_;
+  static constexpr std::string_view twice =
+      "Stops this controller with its ramp. Again, or Shift Esc: at once, without a ramp.";
+  std::string words_, tip_{twice};
 };
 
 }  // namespace hw::gui

@@ -160,7 +160,7 @@ void Tab::take(const Ending& ending) {
     return std::string(format_with_unit(place, unit(axis)).view());
   };
   desk_.events.add(event_of(ending, catalog_, position));
-  desk_.stop_times.add(ending, position);
+  desk_.stop_times.add(ending, position, catalog_.can.tells_slowing);
 }
 
 /// Records a user action where it stays, even when a flood of traffic has pushed it out of the terminal.
@@ -196,7 +196,7 @@ void Tab::follow_stop() {
 
 std::string Tab::words_of(const IntentFate& fate) const {
   if (!fate.past) return std::string(fate.sentence.view());
-  return say_past(catalog_, *fate.past, [this](AxisId axis, Steps place) {
+  return describe_past(catalog_, *fate.past, [this](AxisId axis, Steps place) {
     return std::string(format_with_unit(place, unit(axis)).view());
   });
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/log.h"
+#include "gui/model/gui_log.h"
 
 namespace hw::gui {
 namespace {
@@ -25,7 +25,7 @@ std::string fit_to_read(std::string text) {
 
 void Toasts::add(Mood mood, std::string text, const void* about, std::string of) {
   text = fit_to_read(std::move(text));
-  log::subject("gui").debug("{}{}{}", of, of.empty() ? "" : ": ", text);
+  gui_log().debug("{}{}{}", of, of.empty() ? "" : ": ", text);
   changed_ = true;
   const auto same =
       std::find_if(list_.begin(), list_.end(), [&](const Toast& t) { return t.text == text && t.of == of; });

@@ -137,7 +137,6 @@ void TrafficLog::keep(Instant at, Way way, TrafficKind kind, std::string_view by
   r.way = way;
   r.kind = kind;
   ++next_;
-  total_bytes_ += bytes.size();
   ++version_;
 }
 

@@ -96,7 +96,6 @@ class TrafficLog {
     const Record& r = record(n);
     return {r.at, r.way, r.kind, bytes_of(r)};
   }
-  [[nodiscard]] std::uint64_t received_bytes() const { return total_bytes_; }
   /// Entries that arrived faster than they could be taken, missing from the log.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
   /// Changes whenever the rows may have changed.
@@ -142,7 +141,7 @@ class TrafficLog {
   std::vector<Record> records_;
   std::uint64_t first_ = 0, next_ = 0;  ///< records kept: [first_, next_)
   std::uint64_t next_byte_ = 0;         ///< length of the endless stream
-  std::uint64_t total_bytes_ = 0, lost_ = 0, lost_before_clear_ = 0, version_ = 0;
+  std::uint64_t lost_ = 0, lost_before_clear_ = 0, version_ = 0;
   View view_;
   std::string filter_;  ///< in lower case
   std::deque<Row> rows_;

@@ -10,35 +10,36 @@ Worker::~Worker() {
     ending_ = true;
   }
   changed_.notify_all();
-  if (thread_.joinable()) thread_.join();
-  for (Task& task : waiting_) task();
+  for (Lane* lane : {&long_, &short_})
+    if (lane->thread.joinable()) lane->thread.join();
+  for (Task& task : long_.waiting) task();  // without a thread
 }
 
-void Worker::add(Task task) {
+void Worker::add(Lane& lane, Task task) {
   {
     const std::lock_guard lock(mutex_);
-    waiting_.push_back(std::move(task));
+    lane.waiting.push_back(std::move(task));
   }
   if (!threaded_) {
     if (wake_) wake_();
     return;
   }
-  if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
-  changed_.notify_one();
+  if (!lane.thread.joinable()) lane.thread = std::thread([this, &lane] { work(lane); });
+  changed_.notify_all();
 }
 
-void Worker::work() {
+void Worker::work(Lane& lane) {
   std::unique_lock lock(mutex_);
   for (;;) {
-    changed_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
-    if (waiting_.empty()) return;  // waiting jobs run even at the end: they may hold the user's text
-    Task task = std::move(waiting_.front());
-    waiting_.pop_front();
-    working_ = true;
+    changed_.wait(lock, [&] { return ending_ || !lane.waiting.empty(); });
+    if (lane.waiting.empty()) return;  // waiting jobs run even at the end: they may hold the user's text
+    Task task = std::move(lane.waiting.front());
+    lane.waiting.pop_front();
+    lane.working = true;
     lock.unlock();
     Delivery delivery = task();
     lock.lock();
-    working_ = false;
+    lane.working = false;
     finished_.push_back(std::move(delivery));
     changed_.notify_all();  // wakes finish()
     if (wake_ && !ending_) wake_();
@@ -46,14 +47,15 @@ void Worker::work() {
 }
 
 bool Worker::deliver() {
-  if (!threaded_ && waiting_.empty()) return false;  // checked in each frame; even an empty deque allocates
+  if (!threaded_ && long_.waiting.empty())
+    return false;  // checked in each frame; even an empty deque allocates
   if (threaded_) {
     const std::lock_guard lock(mutex_);
     if (finished_.empty()) return false;
   }
   std::deque<Delivery> ready;
   if (!threaded_) {
-    for (Task& task : std::exchange(waiting_, {})) ready.push_back(task());
+    for (Task& task : std::exchange(long_.waiting, {})) ready.push_back(task());
   } else {
     const std::lock_guard lock(mutex_);
     ready.swap(finished_);
@@ -68,12 +70,12 @@ void Worker::finish() {
     return;
   }
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return waiting_.empty() && !working_; });
+  changed_.wait(lock, [this] { return !long_.busy() && !short_.busy(); });
 }
 
 bool Worker::idle() {
   const std::lock_guard lock(mutex_);
-  return waiting_.empty() && finished_.empty() && !working_;
+  return finished_.empty() && !long_.busy() && !short_.busy();
 }
 
 }  // namespace hw::gui

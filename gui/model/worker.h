@@ -26,13 +26,13 @@ class Worker {
   /// then: the job still runs, its result is dropped.
   template <class Job, class Done>
   void run(Job job, Done done, std::weak_ptr<void> alive) {
-    using Value = std::invoke_result_t<Job>;
-    add([job = std::move(job), done = std::move(done), alive = std::move(alive)]() mutable -> Delivery {
-      return [value = std::make_shared<Value>(job()), done = std::move(done),
-              alive = std::move(alive)]() mutable {
-        if (alive.lock()) done(std::move(*value));
-      };
-    });
+    add(long_, task_of(std::move(job), std::move(done), std::move(alive)));
+  }
+  /// The same for a short job that somebody is waiting for, such as a picture: it does not wait for long
+  /// ones.
+  template <class Job, class Done>
+  void run_short(Job job, Done done, std::weak_ptr<void> alive) {
+    add(threaded_ ? short_ : long_, task_of(std::move(job), std::move(done), std::move(alive)));
   }
   /// GUI thread, once a frame. True: a result was delivered.
   bool deliver();
@@ -44,17 +44,32 @@ class Worker {
  private:
   using Delivery = std::function<void()>;
   using Task = std::function<Delivery()>;
-  void add(Task task);
-  void work();
+  struct Lane {
+    std::deque<Task> waiting;
+    bool working = false;
+    std::thread thread;
+    [[nodiscard]] bool busy() const { return working || !waiting.empty(); }
+  };
+  template <class Job, class Done>
+  static Task task_of(Job job, Done done, std::weak_ptr<void> alive) {
+    using Value = std::invoke_result_t<Job>;
+    return [job = std::move(job), done = std::move(done), alive = std::move(alive)]() mutable -> Delivery {
+      return [value = std::make_shared<Value>(job()), done = std::move(done),
+              alive = std::move(alive)]() mutable {
+        if (alive.lock()) done(std::move(*value));
+      };
+    };
+  }
+  void add(Lane& lane, Task task);
+  void work(Lane& lane);
 
   std::function<void()> wake_;
   const bool threaded_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Task> waiting_;
   std::deque<Delivery> finished_;
-  bool working_ = false, ending_ = false;
-  std::thread thread_;  // last: starts after all members above exist
+  bool ending_ = false;
+  Lane long_, short_;  // last: their threads start after all members above exist
 };
 
 }  // namespace hw::gui

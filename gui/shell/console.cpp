@@ -6,8 +6,10 @@
 
 #include <fmt/core.h>
 
+#include "core/session/assets.h"
 #include "core/session/json_file.h"
 #include "core/session/session_group.h"
+#include "gui/model/gui_log.h"
 #include "gui/model/lower_case.h"
 #include "gui/shell/follow.h"
 #include "gui/shell/messages.h"
@@ -22,7 +24,8 @@
 namespace hw::gui {
 
 Console::Console(PanelList list, Outside outside)
-    : list_(list),
+    : log(outside.wake),
+      list_(list),
       outside_(std::make_unique<Outside>(std::move(outside))),
       recent_(outside_->folders),
       pages_(list.pages.size()) {
@@ -93,7 +96,17 @@ void Console::step_size(int direction) {
   set_size(next);
 }
 
+/// The panel that opens files of such a name; else the program editor, which reports a file that is no text.
+static std::string_view opener_of(const PanelList& list, const Tab& tab, const std::string& path) {
+  const std::string name = lower_case(path);
+  for (const PanelEntry& entry : list.panels)
+    if (!entry.opens.empty() && name.ends_with(entry.opens) && (!entry.wanted || entry.wanted(tab)))
+      return entry.id;
+  return "program";
+}
+
 void Console::start_demo() {
+  const std::filesystem::path drawing = find_asset("examples/plate.dxf");
   for (const DeviceType& type : device_types()) {
     std::string address = std::string(type.model) + "@emulator";
     const auto catalog = type.make_catalog({});
@@ -106,6 +119,8 @@ void Console::start_demo() {
     }
     ProgramTexts& texts = (*opened)->desk().texts;
     if (texts.count() > 0 && texts.text(0).empty()) texts.set_text(0, catalog->program.example);
+    const std::string panel(opener_of(list_, **opened, drawing.string()));
+    if (!drawing.empty() && panel != "program") (*opened)->desk().dropped[panel].push_back(drawing);
   }
   if (!tabs_.empty()) activate(*tabs_.front());
 }
@@ -123,6 +138,7 @@ void Console::set_day(DayClock day) {
 // ---- input
 
 void Console::stop_all(StoppedBy by) {
+  gui_log().debug("all controllers are told to stop, by {}", by == StoppedBy::key ? "Esc" : "the button");
   for (const auto& tab : tabs_) {
     if (!tab->bus)
       tab->stop_all(by);
@@ -132,16 +148,8 @@ void Console::stop_all(StoppedBy by) {
 }
 
 void Console::let_go() {
+  gui_log().debug("all holds are let go: the window has lost the focus, or ends");
   for (const auto& tab : tabs_) tab->jog.let_go();
-}
-
-/// The panel that opens files of such a name; else the program editor, which reports a file that is no text.
-static std::string_view opener_of(const PanelList& list, const Tab& tab, const std::string& path) {
-  const std::string name = lower_case(path);
-  for (const PanelEntry& entry : list.panels)
-    if (!entry.opens.empty() && name.ends_with(entry.opens) && (!entry.wanted || entry.wanted(tab)))
-      return entry.id;
-  return "program";
 }
 
 void Console::drop(const std::vector<std::string>& paths) {
@@ -166,6 +174,7 @@ static std::optional<double> hand_acted_s_ago(const Ui& ui) {
 }
 
 void Console::refresh(Ui& ui) {
+  log.follow();
   const auto ago_s = hand_acted_s_ago(ui);
   for (const auto& tab : tabs_) {
     tab->refresh();
@@ -260,7 +269,8 @@ void Console::load_choices() {
   if (!read) return toast(Mood::warn, read.error().sentence());
   const auto number = [&](const char* key, float fallback) {
     const auto at = read->find(key);
-    return at != read->end() && at->is_number() ? at->get<float>() : fallback;
+    const double value = at != read->end() && at->is_number() ? at->get<double>() : fallback;
+    return static_cast<float>(std::clamp(value, -1e5, 1e5));
   };
   splitters.left = number("left", splitters.left);
   splitters.right = number("right", splitters.right);

@@ -11,6 +11,7 @@
 
 #include "core/session/recent.h"
 #include "core/session/user_files.h"
+#include "gui/model/log_lines.h"
 #include "gui/model/tab.h"
 #include "gui/model/toasts.h"
 #include "gui/shell/device_finder.h"
@@ -102,6 +103,7 @@ class Console {
   Splitters splitters;
   /// The open dialog, whichever controller it is about.
   Dialogs dialogs;
+  LogLines log;
   bool right_open = false;  ///< medium width: the right column covers the centre
   Fold lower_right = Fold::automatic;
 

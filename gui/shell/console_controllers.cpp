@@ -7,6 +7,7 @@
 #include "core/session/rehearse_together.h"
 #include "core/session/session_group.h"
 #include "gui/shell/console.h"
+#include "gui/shell/emulator_server.h"
 #include "gui/shell/outside.h"
 
 namespace hw::gui {
@@ -178,6 +179,11 @@ void Console::close_one(Tab& tab) {
   const auto index = at - tabs_.begin();
   const bool was_active = active_ == &tab;
   dialogs.close();
+  // Its switch goes with its row of the connection page.
+  if (EmulatorServer* server = ports().server(); server && server->find(tab.profile_key))
+    server->end(tab.profile_key);
+  toasts_.withdraw(&tab);  // what was refused there is past
+  toasts_.withdraw(&tab.desk().texts);
   tabs_.erase(at);
   if (!was_active) return;
   active_ = nullptr;

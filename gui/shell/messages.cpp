@@ -220,10 +220,12 @@ float draw_clear(Ui& ui, Tab& tab, const Box& line, float taken) {
   Tab& of = tab.bus ? tab.bus->worst() : tab;
   const std::optional<Clearing> way = first_clearing(of.catalog(), of.now());
   if (!way) return 0;
-  const bool of_axis = !way->stops_all() && of.catalog().axes.size() > 1;
-  const std::string_view whose = of.bus    ? of.id()
-                                 : of_axis ? of.catalog().axes[way->axis.index].name
-                                           : std::string_view();
+  const bool of_axis = !way->of_all && of.catalog().axes.size() > 1;
+  const std::string_view whose = of.bus                         ? of.id()
+                                 : of_axis                      ? of.catalog().axes[way->axis.index].name
+                                 : way->stops_all()             ? std::string_view()
+                                 : of.catalog().axes.size() > 1 ? "all"
+                                                                : std::string_view();
   char words[32];
   *fmt::format_to_n(words, sizeof words - 1, "{}{}{}", way->stops_all() ? "Stop" : "Clear",
                     whose.empty() ? "" : " ", whose)
@@ -249,7 +251,7 @@ float draw_messages_in(Ui& ui, Console& console, const Box& line, float taken) {
   for (const auto& tab : console.tabs())
     toasts.look_at_controller(tab.get(), {linked(*tab), is_motion(worst_state(tab->now(), tab->clock()))});
   if (toasts.in_frame.shown || toasts.list().empty()) return 0;
-  const float width = std::min(432.0f, std::floor((line.width - taken) / 2)), height = 28;
+  const float width = std::min(432.0f, std::floor((line.width - taken) / 2)), height = line.height - 4;
   draw_messages(
       ui, toasts,
       in_pixels(ui, {line.right() - taken - width - 4, line.y + (line.height - height) / 2, width, height}));
@@ -384,9 +386,10 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
       others ? "The others answer, so port and baud rate are right. " : "", link.sentence.view(),
       went_on.empty() ? "Nothing was seen to move when the link went. "
                       : fmt::format("When the link went, {}. ", went_on));
-  std::string brief = went_on.empty() ? "Nothing was seen to move" : went_on;
+  // A bar may have no room for its last sentence.
+  std::string brief = went_on.empty() ? "Nothing was seen to move." : went_on + ".";
   brief[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(brief[0])));
-  brief += ". Stop does not reach it: use its power switch.";
+  brief = "Stop does not reach it: use its power switch. " + brief;
   char attempt[64];
   const Banner what{Mood::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt),
                     brief};
@@ -396,7 +399,7 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
   const Action all[] = {{.id = "fault/follow", .label = offer.label, .main = may_follow},
                         {.id = "fault/try_now", .label = "Try now", .main = !may_follow},
                         {.id = "fault/fold", .label = tab.banner_folded ? "Unfold" : "Fold"},
-                        {.id = "fault/report", .label = "Copy this report"}};
+                        {.id = "fault/report", .label = "Copy this report", .brief = "Report"}};
   // When folded, its text fits only if the report is left out.
   const std::span<const Action> actions =
       std::span(all).subspan(moved ? 0 : 1, (moved ? 3u : 2u) + (tab.banner_folded ? 0 : 1));
@@ -419,8 +422,9 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
 float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& layout, const Box& below) {
   const ParamInfo& info = tab.catalog().params[static_cast<std::size_t>(param)];
   const Banner what{Mood::warn, Icon::warning, "Before the first move", info.before_moving};
-  const Action actions[] = {{.id = "fault/setup", .label = "Choose it in Setup", .main = true},
-                            {.id = "fault/unset_read", .label = "Leave it"}};
+  const Action actions[] = {
+      {.id = "fault/setup", .label = "Choose it in Setup", .brief = "Choose it", .main = true},
+      {.id = "fault/unset_read", .label = "Leave it"}};
   float taken = 0;
   const int picked = show_banner(ui, console, layout, below, "fault/unset", what, actions, taken);
   if (picked == 0) console.show_panel("setup", "setup/" + info.mnemonic);

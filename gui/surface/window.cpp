@@ -192,12 +192,6 @@ ImVec2 Window::to_pixels(double x, double y) const {
   return ImVec2(static_cast<float>(x * fw / std::max(1, w)), static_cast<float>(y * fh / std::max(1, h)));
 }
 
-ImVec2 Window::logical_size() const {
-  int w = 0, h = 0;
-  glfwGetFramebufferSize(window_, &w, &h);
-  return ImVec2(static_cast<float>(w) / screen_->scale(), static_cast<float>(h) / screen_->scale());
-}
-
 void Window::push(const InputEvent& event) {
   screen_->input().push(event);
   touched(frames_after_input);

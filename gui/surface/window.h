@@ -48,8 +48,6 @@ class Window : public Surface {
   Result<> screenshot(const std::string& path) override;
   /// The user's scale, multiplied by the monitor's; the window itself keeps its size.
   void set_user_scale(float scale);
-  /// Logical size, for the session file.
-  [[nodiscard]] ImVec2 logical_size() const;
   [[nodiscard]] double now_s() const;
   [[nodiscard]] long frames() const { return frames_; }
 

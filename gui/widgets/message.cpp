@@ -117,6 +117,63 @@ float banner_height(const Ui& ui, const Banner& what, float width, bool actions)
   return std::ceil(12 + ui.line(Face::title_bold) / ui.scale + 6 + words + (actions ? 32 + 8 : 0) + 12);
 }
 
+namespace {
+
+std::string_view brief_label(const Action& a) { return a.brief.empty() ? a.label : a.brief; }
+
+/// Where the last sentence but `left_out` ends; 0: there are no more.
+std::size_t end_without(std::string_view sentences, int left_out) {
+  std::size_t end = sentences.size();
+  for (; left_out > 0 && end != 0; --left_out) {
+    const std::size_t before = end > 1 ? sentences.rfind(". ", end - 2) : sentences.npos;
+    end = before == sentences.npos ? 0 : before + 1;
+  }
+  return end;
+}
+
+/// The title, and the words behind or below it: as many whole sentences as two lines hold. What was left out
+/// is told under the mouse.
+void draw_bar_words(Ui& ui, const Rect& in, const Banner& what) {
+  std::string words(what.brief.empty() ? what.sentences : what.brief);
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  const std::string title =
+      std::string(what.title) + (what.aside.empty() ? "" : " ") + std::string(what.aside);
+  const float upper = in.min.y + in.height() / 4, lower = in.max.y - in.height() / 4;
+  draw_text_line(ui, in.min.x, in.max.x, upper, Face::small_bold, ui[Tone::ink], title);
+  const float behind = in.min.x + std::ceil(text_width(ui, Face::small_bold, title)) + ui.px(8);
+  const auto told_by_mouse = [&](bool whole) {
+    if (!whole && ImGui::IsWindowHovered() && in.contains(ImGui::GetIO().MousePos))
+      ui.say_cut(what.sentences);
+  };
+  if (text_width(ui, Face::small, words) <= in.width() || behind + ui.px(80) > in.max.x) {
+    std::size_t end = words.size();
+    for (int left_out = 1; end != 0 && text_width(ui, Face::small, words.substr(0, end)) > in.width();
+         ++left_out)
+      end = end_without(words, left_out);
+    if (end == 0) end = words.size();  // even the first sentence is too long: it is cut
+    told_by_mouse(end == words.size());
+    return draw_text_line(ui, in.min.x, in.max.x, lower, Face::small, ui[Tone::ink], words.substr(0, end));
+  }
+  std::string_view first, second;
+  for (int left_out = 0;; ++left_out) {
+    const std::size_t end = end_without(words, left_out);
+    if (end == 0) break;  // even the first sentence is too long: it is cut
+    const std::string_view said = std::string_view(words).substr(0, end);
+    const char* wrap =
+        ui.font(Face::small)
+            ->CalcWordWrapPositionA(1.0f, said.data(), said.data() + said.size(), in.max.x - behind);
+    first = said.substr(0, static_cast<std::size_t>(wrap - said.data()));
+    second = said.substr(first.size());
+    while (second.starts_with(' ')) second.remove_prefix(1);
+    if (text_width(ui, Face::small, second) <= in.width()) break;
+  }
+  told_by_mouse(first.size() + second.size() + 1 >= words.size());
+  draw_text_line(ui, behind, in.max.x + 1, upper, Face::small, ui[Tone::ink], first);
+  draw_text_line(ui, in.min.x, in.max.x, lower, Face::small, ui[Tone::ink], second);
+}
+
+}  // namespace
+
 int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const Rect all{at, ImVec2(at.x + room.x, at.y + room.y)};
@@ -126,13 +183,9 @@ int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const 
   const float middle = std::floor(all.centre().y), line = ui.line(Face::small), side = ui.px(16);
   draw_icon(ImGui::GetWindowDrawList(), what.icon, ImVec2(at.x + side, middle), ui.px(14), ui[look.ink]);
   float width = 0;
-  for (const Action& a : actions) width += ui.px(button_width(ui, a.label)) + ui.px(8);
+  for (const Action& a : actions) width += ui.px(button_width(ui, brief_label(a))) + ui.px(8);
   const float left = at.x + 2 * side, right = all.max.x - width - ui.px(8);
-  std::string words(what.brief.empty() ? what.sentences : what.brief);
-  std::replace(words.begin(), words.end(), '\n', ' ');
-  const std::string title = std::string(what.title) + " " + std::string(what.aside);
-  draw_text_line(ui, left, right, middle - line / 2, Face::small_bold, ui[Tone::ink], title);
-  draw_text_line(ui, left, right, middle + line / 2, Face::small, ui[Tone::ink], words);
+  draw_bar_words(ui, {ImVec2(left, middle - line), ImVec2(right, middle + line)}, what);
   ImGui::SetCursorScreenPos(ImVec2(right + ui.px(8), middle - ui.px(14)));
   int picked = -1;
   for (int i = 0; i < static_cast<int>(actions.size()); ++i) {
@@ -142,7 +195,7 @@ int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const 
                           .height = 28,
                           .moving = a.moving};
     if (i > 0) ImGui::SameLine(0, ui.px(8));
-    if (button(ui, a.id, a.label, o).clicked) picked = i;
+    if (button(ui, a.id, brief_label(a), o).clicked) picked = i;
   }
   return picked;
 }

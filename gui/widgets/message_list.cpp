@@ -134,7 +134,8 @@ void draw_sentence(Ui& ui, Toasts& toasts, const Rect& place) {
     draw_text_line(ui, left, right + 1, middle, Face::small, ui[Tone::ink2], words);
     right = left - ui.px(12);
   }
-  draw_text_line(ui, place.min.x + ui.px(mark_width), right, middle, Face::body, ui[Tone::ink], newest.said);
+  draw_text_in_two_lines(ui, place.min.x + ui.px(mark_width), right, middle, Face::body, ui[Tone::ink],
+                         newest.said);
   draw_ring(ui, t);
   toasts.in_frame.list_wanted |= t.clicked;
 }

@@ -35,7 +35,7 @@ struct PlotRange {
 
 struct PlotOptions {
   std::string_view title = {};  ///< "position, counts"
-  std::string_view x_unit = {}, y_unit = {};
+  std::string_view x_unit = {};
   PlotRange x, y;
   std::span<const PlotMark> marks = {};
   PlotRange band{0, 0};         ///< in `raised`; empty: none

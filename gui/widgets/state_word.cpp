@@ -69,16 +69,4 @@ void draw_state_right(Ui& ui, std::string_view id, ImVec2 right, State state, Fa
   tell(ui, id, look.word, {ImVec2(right.x - ui.px(12), right.y), ImVec2(right.x, right.y + ui.line(face))});
 }
 
-void shape_and_words(Ui& ui, std::string_view id, Icon icon, Tone icon_tone, std::string_view words,
-                     Tone tone, Face face) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float h = ui.line(face), right = at.x + ImGui::GetContentRegionAvail().x;
-  draw_icon(ImGui::GetWindowDrawList(), icon, ImVec2(at.x + ui.px(6), at.y + std::floor(h * 0.5f)), ui.px(12),
-            ui[icon_tone]);
-  draw_text_line(ui, at.x + ui.px(24), right, at.y + h * 0.5f, face, ui[tone], words);
-  const ImVec2 size(std::min(right - at.x, ui.px(24) + std::ceil(text_width(ui, face, words))), h);
-  ImGui::Dummy(size);
-  tell(ui, id, words, {at, ImVec2(at.x + size.x, at.y + size.y)});
-}
-
 }  // namespace hw::gui

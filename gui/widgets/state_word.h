@@ -24,8 +24,5 @@ float state_word_width(const Ui& ui, State state, Face face);
 /// less than `room_px` it uses smaller type, then only the shape.
 void draw_state_right(Ui& ui, std::string_view id, ImVec2 right, State state, Face face = Face::title_bold,
                       float room_px = 1e6f);
-/// A shape and a sentence of the panel's own: status line, tab, badge row.
-void shape_and_words(Ui& ui, std::string_view id, Icon icon, Tone icon_tone, std::string_view words,
-                     Tone tone, Face face = Face::body);
 
 }  // namespace hw::gui

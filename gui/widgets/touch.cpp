@@ -4,6 +4,7 @@
 
 #include <imgui_internal.h>
 
+#include "gui/model/gui_log.h"
 #include "gui/widgets/text.h"
 
 namespace hw::gui {
@@ -58,9 +59,11 @@ void press_by_keyboard(Ui& ui, std::string_view id, Touch& t) {
 }
 
 /// A press on a widget that has only just come under the pointer is ignored, and so is its release.
-void refuse_early_press(Ui& ui, Standing::Place& place, Touch& t) {
+void refuse_early_press(Ui& ui, std::string_view id, Standing::Place& place, Touch& t) {
   if (t.started) place.not_taken_until_s = 0;
   if (t.started && place.too_early(t.pressed_at_s)) {
+    gui_log().debug("a press on {} is not taken: it was {} only a moment ago", id,
+                    place.came_alive ? "enabled" : "placed here");
     place.not_taken_until_s = ui.now_s + says_not_taken_s;
     ImGui::ClearActiveID();
     t.started = t.held = t.clicked = t.double_clicked = false;
@@ -108,7 +111,7 @@ Touch touch(Ui& ui, const About& about, ImVec2 size) {
   if (t.enabled) {
     t.clicked = about.always ? over && ImGui::IsMouseClicked(0) : pressed;
     press_by_mouse(ui, t);
-    if (place) refuse_early_press(ui, *place, t);
+    if (place) refuse_early_press(ui, about.id, *place, t);
     if (t.started) ui.focus.set(about.id);
     press_by_keyboard(ui, about.id, t);
   }

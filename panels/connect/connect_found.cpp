@@ -210,12 +210,18 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
   if (serves) {
     buttons.stand(serve_width);
     served = server ? server->find(tab.profile_key) : nullptr;
-    const std::string_view why_not = !server   ? nobody_serves
-                                     : tab.bus ? "A bus that is open here is not served: its devices answer "
-                                                 "this console. Serve another at the right."
-                                               : std::string_view();
+    const auto& options = address_of_all(tab).options;
+    const auto wire = options.find("wire");
+    const bool takes_time = wire != options.end() && wire->second == "real";
+    const std::string_view why_not =
+        !server ? nobody_serves
+        : tab.bus && takes_time
+            ? "On a bus with byte times, the answer to another program would be taken for "
+              "one to this console. Serve another at the right."
+            : std::string_view();
     if (serve_switch(ui, Path("connect/here/{}/serve", index), "Serve", served, why_not, serve_width)) {
-      turn_serving(ui, *server, tab.profile_key, tab.address(), tab.session());
+      // On a bus, any device leads to the one wire of all.
+      turn_serving(ui, *server, tab.profile_key, address_of_all(tab), tab.session());
       served = server->find(tab.profile_key);
     }
   } else if (own > 0) {

@@ -30,7 +30,7 @@ void listen_to(const TrafficLog& log, TalkRecorder& recorder) {
   const std::uint64_t end = log.first_record() + log.records();
   for (std::uint64_t n = end - std::min(enough, log.records()); n < end; ++n) {
     const TrafficLog::Entry entry = log.entry(n);
-    recorder.hear(entry.at, entry.way, entry.kind, entry.bytes);
+    recorder.record(entry.at, entry.way, entry.kind, entry.bytes);
   }
 }
 

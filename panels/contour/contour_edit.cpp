@@ -16,7 +16,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float head_width = 100;
+constexpr float head_width = 108;
 
 float cell_width(float width, int cells) {
   return std::floor((width - head_width - remove_width - between * static_cast<float>(cells - 1)) /

@@ -148,16 +148,19 @@ std::optional<sequence::Sequence> ContourFile::draw_open(Frame& f) {
   const auto opened = read_file(*path, largest_file)
                           .and_then([&](std::string text) { return sequence::read_sequence(text, name); })
                           .and_then([&](const sequence::Sequence& s) { return only_step_of(s, name); });
+  f.withdraw(&open_);  // why the last one was not opened
   if (opened) return *opened;
-  f.toast(Mood::fault, opened.error().sentence());
+  f.toast(Mood::fault, opened.error().sentence(), &open_);
   return {};
 }
 
 void ContourFile::save(Frame& f, const std::filesystem::path& path, const sequence::Sequence& s) {
   Desk& desk = f.tab.desk();
+  const void* attempt = &save_;
+  f.withdraw(attempt);
   desk.worker().run([path, text = sequence::write_sequence(s)] { return write_file(path, text); },
-                    [&console = f.console, saved = saved_, path](Result<> written) {
-                      if (!written) return console.toast(Mood::fault, written.error().sentence());
+                    [&console = f.console, attempt, saved = saved_, path](Result<> written) {
+                      if (!written) return console.toast(Mood::fault, written.error().sentence(), attempt);
                       *saved = true;
                       console.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
                     },

@@ -290,11 +290,6 @@ void ActionForm::draw_in_row(Frame& f, std::string_view verb, bool on, bool lamp
   draw_refusal(f, width);
 }
 
-bool ActionForm::has_shared() const {
-  return std::any_of(info_.fields.begin(), info_.fields.end(),
-                     [](const ActionField& info) { return info.for_all_rows; });
-}
-
 bool ActionForm::draw_shared(Frame& f, float label_width) {
   Ui& ui = f.ui;
   bool any = false;

@@ -39,7 +39,6 @@ class ActionForm {
   void draw_in_row(gui::Frame& frame, std::string_view verb, bool on, bool lamp, float width);
   /// Draws the field common to all rows, after its label. False: there is none.
   bool draw_shared(gui::Frame& frame, float label_width);
-  [[nodiscard]] bool has_shared() const;
   static constexpr float row_height = 28;
   /// Width of the fields of a row, each with a gap after it, logical.
   [[nodiscard]] static float row_fields_width(const ActionInfo& action);

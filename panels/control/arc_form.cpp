@@ -99,7 +99,10 @@ void ArcPath::draw(Frame& f, ActionForm& form, float width) {
     work_out(f, form, arc);
   }
   known_ = known;
-  const std::string_view words = known ? std::string_view(words_) : "It is drawn when all three are numbers.";
+  const bool turns = known && std::hypot(arc.from_x - arc.centre_x, arc.from_y - arc.centre_y) >= 1;
+  const std::string_view words = turns   ? std::string_view(words_)
+                                 : known ? "The centre is where the axes stand: choose another."
+                                         : "It is drawn when all three are numbers.";
   const Rect said{ImVec2(at.x, at.y + ui.px(74)), ImVec2(at.x + ui.px(left), at.y + ui.px(108))};
   draw_text_in_lines(ui, said, Face::small, ui[inside_ || !known ? Tone::ink2 : Tone::warn], words, 2);
   show(ui, {Path("action/{}/path", info.id), Kind::text, info.label, words, {}, false, info.help}, said);

@@ -115,6 +115,8 @@ void AxisTables::fill(const Catalog& catalog, Column& column) {
     Cell& cell = column.cells.emplace_back();
     const std::string id = id_of_axis(catalog, column.info->id, axis);
     fill_state(catalog, column.info->state, axis, cell);
+    if (column.info->shows == Shows::toggle && cell.state >= 0 && !cell.state_is_param)
+      readouts_.set(static_cast<std::size_t>(cell.state));
     if (column.info->shows == Shows::readout) {
       cell.index = catalog.find_readout(id);
       if (cell.index >= 0) readouts_.set(static_cast<std::size_t>(cell.index));
@@ -164,6 +166,20 @@ bool AxisTables::has_action(const Catalog& catalog, int action) const {
     for (const Column& column : table.columns)
       for (const Cell& cell : column.cells)
         if (cell.form && cell.index == action) return true;
+  return false;
+}
+
+bool AxisTables::lacks_settings(const Frame& f) const {
+  const auto lacks = [&f](int param) {
+    return param >= 0 && f.catalog.params[static_cast<std::size_t>(param)].readable &&
+           !f.now.params[static_cast<std::size_t>(param)].known;
+  };
+  for (const Table& table : tables_)
+    for (const Column& column : table.columns)
+      for (const Cell& cell : column.cells)
+        if ((cell.state_is_param && lacks(cell.state)) ||
+            (!cell.form && column.info->shows != AxisColumn::Shows::readout && lacks(cell.index)))
+          return true;
   return false;
 }
 
@@ -231,11 +247,10 @@ void AxisTables::draw(Frame& f, float width) {
     while (end < tables_.size() && used + least_between + tables_[end].width <= width)
       used += least_between + tables_[end++].width;
     draw_band(f, first, end, width);
-    first = end;
+    for (; first < end; ++first)
+      for (Column& column : tables_[first].columns)
+        if (column.shared) column.shared->draw_shared(f, 200);
   }
-  for (Table& table : tables_)
-    for (Column& column : table.columns)
-      if (column.shared) column.shared->draw_shared(f, 200);
 }
 
 void AxisTables::draw_band(Frame& f, std::size_t first, std::size_t end, float width) {
@@ -401,6 +416,8 @@ std::optional<bool> AxisTables::is_on(const Frame& f, const Cell& cell) {
 void AxisTables::draw_action(Frame& f, const Column& column, Cell& cell, const Rect& in) {
   const ActionInfo& action = f.catalog.actions[static_cast<std::size_t>(cell.index)];
   const bool lamp = column.info->shows == AxisColumn::Shows::toggle;
+  if (lamp && cell.state >= 0 && !cell.state_is_param && ImGui::IsRectVisible(in.min, in.max))
+    f.tab.look_at_group(f.catalog.readouts[static_cast<std::size_t>(cell.state)].group);
   const std::optional<bool> on = is_on(f, cell);
   std::string_view verb =
       column.info->verb_on.empty() ? std::string_view(action.label) : column.info->verb_on;

@@ -19,10 +19,12 @@ class AxisTables {
   explicit AxisTables(const Catalog& catalog);
   /// Draws at ImGui's cursor and leaves it below.
   void draw(gui::Frame& frame, float width);
-  /// The readouts in the tables, which stand nowhere else.
+  /// The readouts in the tables, also as the state of a switch: they stand nowhere else.
   [[nodiscard]] const ReadoutSet& readouts() const { return readouts_; }
   [[nodiscard]] bool has_title(std::string_view title) const;
   [[nodiscard]] bool has_action(const Catalog& catalog, int action) const;
+  /// A setting that they show has not been read yet.
+  [[nodiscard]] bool lacks_settings(const gui::Frame& frame) const;
 
  private:
   /// One axis in one column.

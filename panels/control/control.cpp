@@ -73,10 +73,27 @@ void Control::make_sections(const Catalog& c) {
   for (std::size_t i = 0; i < c.actions.size(); ++i)
     if (!tables_->has_action(c, static_cast<int>(i)))
       section(c.actions[i].group).actions.emplace_back(c, static_cast<int>(i));
+  // What draws a path begins the first column.
+  std::stable_partition(sections_.begin(), sections_.end(), [&](const Section& s) {
+    return std::any_of(s.actions.begin(), s.actions.end(), [&](const ActionForm& a) {
+      return c.actions[static_cast<std::size_t>(a.action())].is_arc;
+    });
+  });
 }
+
+/// Once: a switch in a table shows its state without a visit to the set-up.
+void Control::read_settings(Frame& f) {
+  if (asked_to_read_ || !f.connected() || !tables_->lacks_settings(f)) return;
+  asked_to_read_ = true;
+  f.send(intent::ReadParams());
+}
+
+int Control::bars(const Frame& f, const Section& s) { return f.tier == Tier::wide ? 0 : s.analog; }
 
 void Control::draw(Frame& f) {
   make_sections(f.catalog);
+  read_settings(f);
+  if (any_follows_analog(f.catalog)) f.tab.look_at_group(f.catalog.analog_readout_group);  // bars anywhere
   Ui& ui = f.ui;
   begin_part(ui, "control", 0, ui.px(f.area.height), Tone::panel, 16);
   const float whole = ImGui::GetContentRegionAvail().x / ui.scale;
@@ -116,9 +133,10 @@ std::size_t Control::first_column(const Frame& f, float width) const {
 }
 
 float Control::height_of(const Frame& f, const Section& s, float width) const {
+  if (s.readouts < 0 && s.actions.empty() && bars(f, s) == 0) return 0;
   float height = (s.titled ? title_height : between) + below_section;
   if (s.readouts >= 0) height += readouts_height(f.catalog, s.readouts, elsewhere_);
-  height += analog_bar_height * static_cast<float>(s.analog);
+  height += analog_bar_height * static_cast<float>(bars(f, s));
   for (const ActionForm& a : s.actions)
     height += f.catalog.actions[static_cast<std::size_t>(a.action())].is_arc ? arc_height
               : is_setter(f.catalog, a)                                      ? setter_height
@@ -127,6 +145,7 @@ float Control::height_of(const Frame& f, const Section& s, float width) const {
 }
 
 void Control::draw_section(Frame& f, Section& s, float width) {
+  if (height_of(f, s, width) == 0) return;
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (s.titled)
@@ -134,7 +153,7 @@ void Control::draw_section(Frame& f, Section& s, float width) {
                    ui[Tone::ink], s.title);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(s.titled ? title_height : between)));
   if (s.readouts >= 0) draw_readouts(f, s.readouts, width, elsewhere_);
-  for (int n = 1; n <= s.analog; ++n) draw_analog_bar(f, Path("control/analog/{}", n), n, width);
+  for (int n = 1; n <= bars(f, s); ++n) draw_analog_bar(f, Path("control/analog/{}", n), n, width);
   if (s.readouts >= 0 && !s.actions.empty()) gap(ui, 8);
   draw_actions(f, s, width);
   gap(ui, below_section - 4);

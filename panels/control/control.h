@@ -25,6 +25,9 @@ class Control final : public gui::Panel {
     std::vector<ActionForm> actions;
   };
   void make_sections(const Catalog& catalog);
+  void read_settings(gui::Frame& frame);
+  /// Number of bars: where the right column is drawn, they stand there.
+  [[nodiscard]] static int bars(const gui::Frame& frame, const Section& section);
   Section& section(const std::string& title);
   [[nodiscard]] float height_of(const gui::Frame& frame, const Section& section, float width) const;
   /// Number of sections in the first of two columns.
@@ -33,7 +36,7 @@ class Control final : public gui::Panel {
   void draw_actions(gui::Frame& frame, Section& section, float width);
   static void draw_about(gui::Frame& frame, float width);
 
-  bool made_ = false;
+  bool made_ = false, asked_to_read_ = false;
   std::vector<Section> sections_;
   std::optional<AxisTables> tables_;
   ReadoutSet elsewhere_;  ///< readouts shown in a table or beside their switch

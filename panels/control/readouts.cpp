@@ -18,6 +18,7 @@ using namespace gui;
 namespace {
 
 constexpr float readout_row_height = 28, head_height = 24, axis_width = 32, most_columns = 8;
+constexpr float cells_height = 20;  ///< a row of cells under "36 of 36 places free"
 
 // Many groups are polled in turn: younger values are fresh enough.
 constexpr Duration patience = Millis(3000);
@@ -86,7 +87,43 @@ void draw_value(Frame& f, std::size_t i, const Rect& in, bool right_aligned) {
   show(ui, {Path("readout/{}", info.id), Kind::text, info.label, words.view(), {}, false, info.help}, in);
 }
 
+/// The free places of the controller's buffer.
+bool counts_places(const Catalog& c, std::size_t i) {
+  return c.move_list.depth > 0 && c.readouts[i].group == c.move_list.readout_group &&
+         c.readouts[i].words.empty() && !c.readouts[i].for_scripts;
+}
+
+/// "36 of 36 places free", and under it a cell for each place, filled where a move waits.
+void draw_places(Frame& f, std::size_t i, float width) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Rect all{at, ImVec2(at.x + ui.px(width), at.y + ui.px(readout_row_height + cells_height))};
+  const ReadoutText words(f, i);
+  const int depth = f.catalog.move_list.depth;
+  const Path rest(" of {} places free", depth);
+  const float middle = std::floor(at.y + ui.px(readout_row_height / 2));
+  const Tone tone = words.known() && !words.old() ? Tone::ink : Tone::ink3;
+  const float number = std::ceil(text_width(ui, Face::body_bold, words.view()));
+  draw_text_line(ui, at.x, all.max.x, middle, Face::body_bold, ui[tone], words.view());
+  draw_text_line(ui, at.x + number, all.max.x, middle, Face::body, ui[Tone::ink2], rest);
+  const auto count = static_cast<float>(depth);
+  const float pitch = std::min(ui.px(12), std::floor((all.max.x - at.x) / count)), side = pitch - ui.px(3);
+  const std::int64_t taken = words.known() ? depth - f.now.readouts[i] : 0;
+  for (int n = 0; n < depth; ++n) {
+    const ImVec2 from(at.x + pitch * static_cast<float>(n), at.y + ui.px(readout_row_height + 2));
+    const Rect cell{from, ImVec2(from.x + side, from.y + ui.px(8))};
+    if (n < taken)
+      draw_fill(ui, cell, ui[Tone::ink2], 2);
+    else
+      draw_outline(ui, cell, ui[words.known() ? Tone::edge : Tone::line], 2);
+  }
+  const ReadoutInfo& info = f.catalog.readouts[i];
+  show(ui, {Path("readout/{}", info.id), Kind::text, info.label, words.view(), {}, false, info.help}, all);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, all.max.y));
+}
+
 void draw_single(Frame& f, std::size_t i, float width) {
+  if (counts_places(f.catalog, i)) return draw_places(f, i, width);
   Ui& ui = f.ui;
   const ReadoutInfo& info = f.catalog.readouts[i];
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -166,6 +203,9 @@ ReadoutText::ReadoutText(const Frame& f, std::size_t i) {
 float readouts_height(const Catalog& c, int group, const ReadoutSet& elsewhere) {
   Run columns[static_cast<std::size_t>(most_columns)];
   float height = static_cast<float>(count_single(c, group, elsewhere)) * readout_row_height;
+  for (std::size_t i = 0; i < c.readouts.size(); ++i)
+    if (drawn(c, i, group, elsewhere) && !per_axis(c, c.readouts[i]) && counts_places(c, i))
+      height += cells_height;
   if (find_columns(c, group, elsewhere, columns) > 0)
     height += head_height + static_cast<float>(c.axes.size()) * readout_row_height;
   return height;

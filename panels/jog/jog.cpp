@@ -232,10 +232,7 @@ void Jog::draw_button(Frame& f, AxisId axis, Sign sign, float x, float y, ImVec2
 void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
   Ui& ui = f.ui;
   ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
-  const std::string& times = f.tab.desk().stop_times.words();
-  const std::string_view tip =
-      times.empty() ? "Stops this controller with its ramp. Again, or Shift Esc: at once, without a ramp."
-                    : std::string_view(times);
+  const std::string_view tip = f.tab.desk().stop_times.tip();
   const Touch t =
       touch(ui, {"jog/stop", Kind::button, "Stop", {}, {}, false, tip, false, true}, ui.px(size.x, size.y));
   if (t.hovered || t.held) draw_fill(ui, t.rect, ui[t.held ? Tone::sel : Tone::hover]);

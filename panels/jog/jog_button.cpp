@@ -1,6 +1,8 @@
 #include "panels/jog/jog_button.h"
 
-#include "panels/widget_path.h"
+#include <cmath>
+
+#include "gui/model/units_format.h"
 
 namespace hw::panels {
 
@@ -17,10 +19,22 @@ static std::string_view limit_reason(const AxisState& a, Sign sign) {
   return {};
 }
 
+Path tap_and_hold(const Tab& tab, AxisId axis) {
+  DisplayUnit unit = tab.unit(axis);
+  unit.per_step = std::fabs(unit.per_step);
+  const Pps chosen = tab.jog_speed(), own = tab.now().axes[axis.index].own_speed;
+  const Pps speed = chosen.value > 0 ? chosen : own;
+  const NumberText step = format_with_unit(tab.jog_step(), unit);
+  if (speed.value <= 0) return Path("A tap moves {}.", step.view());
+  return Path("A tap moves {}, held it runs at {}.", step.view(), format_speed(speed, unit).view());
+}
+
 void draw_jog_button(Ui& ui, Tab& tab, AxisId axis, Sign sign, std::string_view label, HoldOptions o) {
   const std::string& name = tab.catalog().axes[axis.index].name;
   const std::string_view refused = tab.why_not_move(axis);
   o.disabled = refused.empty() ? limit_reason(tab.now().axes[axis.index], sign) : refused;
+  const Path tip = tap_and_hold(tab, axis);
+  o.tip = tip;
   const auto held = tab.jog.control();
   o.lit = held && held->axis == axis && held->sign == sign;
   const Hold hold = hold_button(ui, Path("jog/{}/{}", name, letter(sign)), label, o);

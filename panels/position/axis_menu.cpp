@@ -45,7 +45,9 @@ void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
   ImGui::PushID(axis.index);
   if (begin_popup(f.ui, "axis", opener, 288, rows)) {
     if (clearing) {
-      const char* words = clearing->stops_all() ? "Stop, to clear its error" : "Clear its error";
+      const char* words = clearing->stops_all() ? "Stop, to clear its error"
+                          : clearing->of_all    ? "Clear the flags of all axes"
+                                                : "Clear its error";
       if (popup_row(f.ui, Path("dro/{}/menu/clear", info.name), words)) f.send(clearing->wish);
       popup_line(f.ui);
     }
@@ -125,7 +127,7 @@ void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
   }
   if (travel == before) return;
   travel.in_counts = state.in_counts;
-  if (const std::string why = say_no_travel(f.catalog, intent::SetTravel(axis, travel)); !why.empty())
+  if (const std::string why = describe_no_travel(f.catalog, intent::SetTravel(axis, travel)); !why.empty())
     return f.toast(Mood::fault, why);
   for (NumberField& field : limits_) field.reset();
   f.tab.profile.axes[axis.index].travel = travel;
@@ -163,7 +165,8 @@ void AxisMenu::draw_backlash_row(Frame& f, AxisId axis) {
     backlash.last = -backlash.last;
   ImGui::SetCursorScreenPos(ImVec2(at.x - ui.px(12), at.y + ui.px(36)));
   if (backlash == before) return;
-  if (const std::string why = say_no_backlash(intent::SetBacklash(axis, backlash), f.catalog.axes.size());
+  if (const std::string why =
+          describe_no_backlash(intent::SetBacklash(axis, backlash), f.catalog.axes.size());
       !why.empty())
     return f.toast(Mood::fault, why);
   f.tab.profile.axes[axis.index].backlash = backlash;

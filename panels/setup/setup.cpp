@@ -83,7 +83,8 @@ void Setup::follow(Frame& f) {
   const IntentFate* stored = f.now.fate_of(storing_);
   if (stored && stored->fate != Fate::pending) {
     storing_ = 0;
-    if (stored->fate != Fate::done) return f.toast(Mood::fault, std::string(stored->sentence.view()));
+    if (stored->fate != Fate::done)
+      return f.toast(Mood::fault, std::string(stored->sentence.view()), &storing_);
     std::string words = "Stored in the controller.";
     if (f.now.store_count >= 0 && f.catalog.can.store_life > 0)
       words += fmt::format(" {} of {} writes used.", f.now.store_count, f.catalog.can.store_life);
@@ -157,8 +158,9 @@ void Setup::draw_store(Frame& f) {
   const std::string_view why = f.connected() && storing_ ? "It is being stored." : f.no_link();
   const std::string_view label = f.area.width < 560 ? "Store" : "Store in controller";
   const Path tip = what_store_keeps(f);
-  if (button(f.ui, "setup/store", label, {.disabled = why, .tip = tip, .height = 40}).clicked)
-    storing_ = f.send_and_watch(intent::Store());
+  if (!button(f.ui, "setup/store", label, {.disabled = why, .tip = tip, .height = 40}).clicked) return;
+  f.withdraw(&storing_);  // why it was not stored before
+  storing_ = f.send_and_watch(intent::Store());
 }
 
 void Setup::draw_file_buttons(Frame& f, float top) {
@@ -307,9 +309,10 @@ void Setup::draw_facts(Frame& f, float left) {
   if (unit.per != 1 && has.known)
     fact("setup/facts/own", "On the wire", fmt::format("{} {}", has.value, p.unit));
   fact("setup/facts/kept", "After power-off",
-       !p.stored                  ? "gone"
-       : !has.known || has.stored ? "kept"
-                                  : "not stored yet",
+       !p.stored    ? "gone"
+       : !has.known ? "as last stored"
+       : has.stored ? "kept"
+                    : "not stored yet",
        p.stored && has.known && !has.stored ? Tone::warn : Tone::ink);
   if (!p.warning.empty()) {
     gap(ui, 8);
@@ -358,22 +361,25 @@ void Setup::draw_files(Frame& f) {
   if (const auto path = open_.draw(f.ui)) taken_from_file(f, load_backup(*path), path->filename().string());
   const auto path = save_.draw(f.ui);
   if (!path) return;
+  const void* attempt = &save_;
+  f.withdraw(attempt);  // why it was not saved before
   Backup file = desk.setup.to_file(f.now);
   file.name = f.tab.name();
   desk.worker().run([path = *path, text = write_backup(file, f.catalog)] { return write_file(path, text); },
-                    [&console, path = *path](Result<> saved) {
+                    [&console, attempt, path = *path](Result<> saved) {
                       if (saved)
                         console.toast(Mood::ok, fmt::format("The set-up was saved as {}.", path.string()));
                       else
-                        console.toast(Mood::fault, saved.error().sentence());
+                        console.toast(Mood::fault, saved.error().sentence(), attempt);
                     },
                     desk.alive());
 }
 
 void Setup::taken_from_file(Frame& f, const Result<Backup>& file, const std::string& name) {
-  if (!file) return f.toast(Mood::fault, file.error().sentence());
+  f.withdraw(&open_);
+  if (!file) return f.toast(Mood::fault, file.error().sentence(), &open_);
   const auto checked = check_backup(*file, f.catalog, name);
-  if (!checked) return f.toast(Mood::fault, checked.error().sentence());
+  if (!checked) return f.toast(Mood::fault, checked.error().sentence(), &open_);
   int differing = 0;
   problems_ = f.tab.desk().setup.take(*checked, f.now, &differing);
   from_file_ = name;

@@ -93,6 +93,29 @@ TEST(Clearing, AFlagThatIsNoErrorIsClearedByItsOwnAction) {
   ASSERT_TRUE(way);
   EXPECT_EQ(way->axis, AxisId{1});
   EXPECT_TRUE(std::holds_alternative<intent::Act>(way->wish));
+  EXPECT_FALSE(way->of_all);
+}
+
+TEST(Clearing, ACommandThatClearsTheFlagsOfAllAxesSaysSo) {
+  Catalog c = with_clearing();
+  c.actions[0].id = "clear_flags";
+  c.actions[0].fields.clear();
+  AxisColumn flag{AxisColumn::Shows::action, "clear_flags", ""};
+  flag.state = "SLIP*";
+  c.axis_tables = {{"Slip", "", {flag}}};
+  ConsoleStage s;
+  Example& a = s.add(c);
+  a.tab->unset_read = true;
+  a.now.axes[1].slipped = true;
+  s.run(0.2);
+  const gui::Widget* button = s.stage.find("status/clear");
+  ASSERT_TRUE(button);
+  EXPECT_EQ(button->label, "Clear all");
+  ASSERT_TRUE(s.hand.click("dro/2/position").has_value());
+  s.run(0.2);
+  const gui::Widget* row = s.stage.find("dro/2/menu/clear");
+  ASSERT_TRUE(row);
+  EXPECT_EQ(row->label, "Clear the flags of all axes");
 }
 
 }  // namespace

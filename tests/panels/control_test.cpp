@@ -122,11 +122,19 @@ TEST_F(ControlTest, MovesWaitForAProgramButAChangeUnderWayDoesNot) {
   EXPECT_EQ(s.reason("action/latch/go"), "");
 }
 
-TEST_F(ControlTest, TheJoysticksInputsHaveLiveBars) {
-  s.now.analog[2] = 1840;
-  s.now.analog_known = 0xFF;
-  s.stage.frames(2);
-  EXPECT_EQ(s.value("control/analog/3"), "1840");
+TEST(ControlBesideARail, TheJoysticksInputsHaveLiveBars) {
+  for (const gui::Tier tier : {gui::Tier::medium, gui::Tier::wide}) {
+    Control panel;
+    test::PanelStage s{panel, 864, 1400, 1, tier, true, test::full_catalog()};
+    s.now.axis_count = 4;
+    s.now.analog[2] = 1840;
+    s.now.analog_known = 0xFF;
+    s.stage.frames(4);
+    if (tier == gui::Tier::medium)
+      EXPECT_EQ(s.value("control/analog/3"), "1840");
+    else
+      EXPECT_FALSE(s.stage.find("control/analog/3")) << "they stand in the right column";
+  }
 }
 
 Catalog with_tables() {
@@ -281,6 +289,50 @@ TEST(ControlOfPmx, WhatMeansNothingNowIsAWordAndNothingStandsTwice) {
   s.click("action/timer/go");
   ASSERT_TRUE(s.last<intent::Act>());
   EXPECT_THAT(s.last<intent::Act>()->values, ElementsAre(250));
+}
+
+TEST(ControlOfPmx, SwitchesOfItsTablesAreReadOnceWithoutAVisitToTheSetUp) {
+  Control panel;
+  test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, pmx_4ex_sa::make_catalog({}).value()};
+  s.now.axis_count = 4;
+  const auto asked = [&s] {
+    return std::count_if(s.sent.begin(), s.sent.end(), [](const IntentBody& body) {
+      return std::holds_alternative<intent::ReadParams>(body);
+    });
+  };
+  s.stage.frames(4);
+  EXPECT_EQ(asked(), 0) << "all is known";
+  for (ParamState& p : s.now.params) p.known = false;
+  s.stage.frames(4);
+  EXPECT_EQ(asked(), 1);
+}
+
+TEST(ControlOfPmx, TheBufferSaysHowManyPlacesAreFreeOfHowMany) {
+  Control panel;
+  test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, pmx_4ex_sa::make_catalog({}).value()};
+  s.now.axis_count = 4;
+  const auto places = static_cast<std::size_t>(s.catalog.find_readout("BUFFREE"));
+  s.now.readouts[places] = 30;
+  s.now.readouts_known[places] = true;
+  s.now.readouts_seen_at[places] = Instant(from_seconds(s.stage.now_s));
+  s.stage.frames(4);
+  EXPECT_EQ(s.value("readout/BUFFREE"), "30");
+  const gui::Widget* cells = s.stage.find("readout/BUFFREE");
+  ASSERT_TRUE(cells);
+  EXPECT_GE(cells->rect.height(), 48) << "a row of cells under the words";
+}
+
+TEST(ControlOfPmx, AnArcWithoutARadiusIsNotDrawnAndSaysWhy) {
+  Control panel;
+  test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, pmx_4ex_sa::make_catalog({}).value()};
+  s.now.axis_count = 4;
+  for (AxisState& a : s.now.axes) a.position_known = true;
+  s.stage.frames(4);
+  EXPECT_EQ(s.value("action/arc/path"), "The centre is where the axes stand: choose another.");
+  s.type("action/arc/centre_x", "1000");
+  EXPECT_THAT(s.value("action/arc/path"), HasSubstr("Radius 1000 pulses"));
+  EXPECT_LT(s.stage.find("action/arc/path")->rect.min.x, s.stage.find("action/timer/go")->rect.min.x)
+      << "it begins the first column";
 }
 
 TEST_F(ControlTest, WhatTheControllerSaysOfItself) {

@@ -1,5 +1,7 @@
 // A controller that was given another name or rate here: the console offers to follow it, and one press opens
 // it where it has gone. On a real line of emulators that take byte times.
+#include <filesystem>
+
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,10 +28,11 @@ Task<Result<Wire>> line_to(std::shared_ptr<EmulatorHost> host, Address address) 
 }
 
 struct Bench {
-  Bench(const char* model, const std::vector<std::string>& ids)
+  Bench(const char* model, const std::vector<std::string>& ids, int width = 1366, int height = 768,
+        bool dark = true)
       : host(make_host(model, ids)),
         console(panel_list(), outside()),
-        stage([this](gui::Ui& ui) { draw(ui); }, 1366, 768) {}
+        stage([this](gui::Ui& ui) { draw(ui); }, width, height, 1, dark) {}
   ~Bench() {
     console.close_all();
     clock.run_until(clock.now() + std::chrono::seconds(10), [this] { return console.closing() == 0; });
@@ -227,6 +230,37 @@ TEST(Follow, WhoeverWantsTheOldAddressKeepsIt) {
   b.do_all(intent::SetParam("B", 19, true), 2);
   b.do_all(intent::Store(), 2);
   EXPECT_EQ(b.label("fault/follow"), "Follow to 19200 baud") << "that was not asked about yet";
+}
+
+// To be looked at: build/pictures/follow-*.png
+TEST(Follow, Pictures) {
+  const std::filesystem::path folder = HW_BINARY_DIR "/pictures";
+  std::filesystem::create_directories(folder);
+  for (const auto& [width, height] : {std::pair{1440, 900}, {1024, 700}})
+    for (const bool dark : {true, false}) {
+      const auto shoot = [&, width = width](Bench& b, const char* name) {
+        const std::string file = fmt::format("follow-{}-{}-{}.png", name, width, dark ? "dark" : "light");
+        EXPECT_TRUE(b.stage.surface.screenshot((folder / file).string()));
+      };
+      Bench vxm("vxm", {}, width, height, dark);
+      vxm.open("vxm@serial:/dev/ttyS9,baud=9600");
+      vxm.do_all(intent::SetParam("M1M", 4, true), 2);
+      vxm.do_all(intent::SetParam("B", 38, true), 2);
+      vxm.do_all(intent::Store(), 2);
+      ASSERT_EQ(vxm.label("fault/follow"), "Follow to 38400 baud");
+      shoot(vxm, "moved");
+      Bench dmx("dmx-k-sa", {"01"}, width, height, dark);
+      dmx.open("dmx-k-sa@serial:/dev/ttyS9,baud=9600,id=01");
+      dmx.do_all(intent::SetParam("DN", 7, true), 2);
+      dmx.do_all(intent::Store(), 3);
+      dmx.switch_power();
+      dmx.run(8);
+      ASSERT_EQ(dmx.label("fault/follow"), "Follow to address 07");
+      shoot(dmx, "lost");
+      MUST(dmx.stage.hand.click("fault/fold"));
+      dmx.run(0.2);
+      shoot(dmx, "folded");
+    }
 }
 
 }  // namespace

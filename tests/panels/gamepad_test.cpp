@@ -1,5 +1,7 @@
 // The gamepad on the whole console: its switch, and what reaches the wires of real drivers and emulators.
 // Its entries are pushed into the input queue as the window pushes them; no gamepad of metal is behind them.
+#include <filesystem>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
@@ -215,6 +217,36 @@ TEST_F(GamepadSwitch, TheHelpShowsIt) {
     if (w.id.starts_with("help/")) all += std::string(w.label) + ": " + std::string(w.value) + "\n";
   EXPECT_THAT(all, HasSubstr("Left stick: Across jogs axis 1, up and down axis 2"));
   EXPECT_THAT(all, HasSubstr("B: Stop all controllers"));
+}
+
+// To be looked at: build/pictures/gamepad-*.png
+TEST(GamepadSwitchLook, Pictures) {
+  const std::filesystem::path folder = HW_BINARY_DIR "/pictures";
+  std::filesystem::create_directories(folder);
+  struct Shape {
+    int width, height, axes;
+    float scale;
+  };
+  for (const Shape& shape : {Shape{1440, 900, 2, 1}, Shape{1440, 900, 4, 1}, Shape{1024, 700, 4, 1},
+                             Shape{1024, 700, 8, 1}, Shape{1440, 900, 4, 2}})
+    for (const bool dark : {true, false}) {
+      ConsoleStage s(shape.width, shape.height, shape.scale, dark);
+      s.add(example_catalog(shape.axes));
+      PadHand hand{s.stage};
+      hand.plug_in();
+      hand.run(0.5);
+      if (s.hand.exists("tab/jog")) MUST(s.hand.click("tab/jog"));
+      hand.run(0.1);
+      const auto shoot = [&](const char* name) {
+        const std::string file = fmt::format("gamepad-{}-{}-{}x{}-{}.png", name, shape.axes, shape.width,
+                                             shape.scale, dark ? "dark" : "light");
+        EXPECT_TRUE(s.stage.surface.screenshot((folder / file).string()));
+      };
+      shoot("off");
+      MUST(s.hand.click("jog/gamepad"));
+      hand.run(0.2);
+      shoot("armed");
+    }
 }
 
 // ---- on the wire

@@ -1,6 +1,7 @@
 // Steps and speed of jogging where axes are shown in real units.
 #include <gtest/gtest.h>
 
+#include "panels/jog/jog_button.h"
 #include "tests/panels/console_stage.h"
 #include "tests/panels/must.h"
 
@@ -55,6 +56,17 @@ TEST_F(JogUnitsTest, AxesOfDifferentUnitsAreSteppedInWhatTheControllerCounts) {
     EXPECT_EQ(tap("jog/2/+"), Steps(1000)) << second;
     EXPECT_EQ(s.value("jog/speed"), "2000 steps/s") << second;
   }
+}
+
+TEST_F(JogUnitsTest, EachButtonSaysInTheUnitOfItsAxisWhatItDoes) {
+  show_in("screw of 1 mm", "screw of 2 mm");
+  a.tab->profile.axes[1].reversed = true;
+  a.tab->profile.jog_speed = Pps(1000);
+  a.tab->profile_edited();
+  MUST(s.hand.click("jog/step/1000"));
+  s.run(0.1);
+  EXPECT_EQ(tap_and_hold(*a.tab, AxisId{0}).view(), "A tap moves 2.500 mm, held it runs at 2.500 mm/s.");
+  EXPECT_EQ(tap_and_hold(*a.tab, AxisId{1}).view(), "A tap moves 5.000 mm, held it runs at 5.000 mm/s.");
 }
 
 TEST_F(JogUnitsTest, AnAxisThatCountsStepsIsNoReasonToShowAnothersUnit) {

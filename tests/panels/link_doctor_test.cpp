@@ -361,16 +361,35 @@ TEST(UsualCatalogs, EachIsMadeOnceAndNotInEachFrame) {
   EXPECT_EQ(catalogs_made, 2);
 }
 
-// To be looked at: build/pictures/doctor-*.png
-TEST(ServeEmulator, ABusThatIsOpenSaysWhyItIsNotServed) {
+TEST(ServeEmulator, ABusThatIsOpenIsServedAsAWhole) {
   Desk d("dmx-k-sa", {"01", "02"});
   d.open("dmx-k-sa@emulator,id=01-02");
+  d.click("connect/here/0/serve");
+  EXPECT_EQ(d.machine.service.asked, std::vector<std::string>{"dmx-k-sa@emulator,id=01-02 as it is open"});
+  EXPECT_EQ(d.value("connect/here/0/tcp"), "127.0.0.1:5801");
+  EXPECT_THAT(d.value("connect/here/0/clients"), HasSubstr("It shares the wire with this console"));
+}
+
+TEST(ServeEmulator, ABusWithByteTimesSaysWhyItIsNotServed) {
+  Desk d("dmx-k-sa", {"01", "02"});
+  d.open("dmx-k-sa@emulator,id=01-02,wire=real");
   const gui::Widget* serve = d.stage.find("connect/here/0/serve");
   ASSERT_TRUE(serve);
   EXPECT_FALSE(serve->enabled);
   EXPECT_THAT(std::string(serve->reason), HasSubstr("Serve another at the right."));
 }
 
+TEST(ServeEmulator, EndsWhenItsControllerIsClosed) {
+  Desk d("vxm");
+  d.open("vxm@emulator");
+  d.click("connect/here/0/serve");
+  ASSERT_FALSE(d.machine.service.all.empty());
+  d.console.close(d.tab());
+  d.run(0.2);
+  EXPECT_TRUE(d.machine.service.all.empty()) << "its switch is gone, too";
+}
+
+// To be looked at: build/pictures/doctor-*.png
 TEST(LinkDoctorCard, Pictures) {
   const std::filesystem::path folder = HW_BINARY_DIR "/pictures";
   std::filesystem::create_directories(folder);

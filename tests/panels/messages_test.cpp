@@ -118,6 +118,22 @@ TEST(MessagePlace, WhatWantedALinkGoesWhenThereIsOne) {
   EXPECT_FALSE(s.stage.find("toast/2"));
 }
 
+TEST(MessagePlace, WhatAClosedControllerRefusedGoesWithIt) {
+  ConsoleStage s;
+  s.add();
+  Example& b = s.add();
+  b.now.link.state = LinkState::lost;
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.type("terminal/command", "R\n").has_value());
+  s.console.toast(gui::Mood::fault, "The disk is full.");
+  s.run(0.2);
+  ASSERT_EQ(s.console.toasts().list().size(), 2u);
+  s.console.close(*b.tab);
+  s.run(0.2);
+  ASSERT_EQ(s.console.toasts().list().size(), 1u);
+  EXPECT_EQ(s.console.toasts().list()[0].text, "The disk is full.") << "that is still so";
+}
+
 TEST(MessagePlace, AFoldedBannerKeepsWhatMattersAndCanBeUnfolded) {
   ConsoleStage s(1024, 700);
   Example& a = s.add();

@@ -119,6 +119,16 @@ TEST_F(SetupTest, StoreSaysHowManyWritesWereUsed) {
   EXPECT_EQ(s.toast(), "Stored in the controller. 13 of 100000 writes used.");
 }
 
+TEST_F(SetupTest, WhyItWasNotStoredGoesWithTheNextAttempt) {
+  s.click("setup/store");
+  s.settle(Fate::refused, "An axis moves. Nothing was stored.");
+  EXPECT_EQ(s.toast(), "An axis moves. Nothing was stored.");
+  s.click("setup/store");
+  EXPECT_EQ(s.toast(), "");
+  s.settle(Fate::done);
+  EXPECT_EQ(s.console.toasts().list().size(), 1u);
+}
+
 TEST_F(SetupTest, ARefusedWriteSaysWhyAndKeepsTheValue) {
   s.type("setup/j1M", "100\n");
   s.click("setup/write");

@@ -19,6 +19,7 @@ using test::Ear;
 using test::poll_until;
 using test::run_task;
 using test::ToyEmulator;
+using namespace std::string_literals;
 
 class ServedEmulator : public ::testing::Test {
  protected:
@@ -75,6 +76,19 @@ TEST_F(ServedEmulator, SendsEverybodyAwayWhenItEnds) {
   EXPECT_FALSE(run_task(io, open_tcp(clock, where))) << "nobody listens there any more";
   EXPECT_FALSE(std::filesystem::exists(terminal));
   EXPECT_EQ(host->client_count(), 0u) << "the emulator goes on without them";
+}
+
+TEST_F(ServedEmulator, OfABusEveryDeviceAnswers) {
+  host = *host_of_its_own(clock, *Address::parse("dmx-k-sa@emulator,id=01-02"));
+  ASSERT_EQ(host->device_count(), 2u);
+  service = start({0, {}});
+  auto client = *run_task(io, open_tcp(clock, service->address()));
+  Ear ear(*client);
+  client->send("@01DN\r");
+  ASSERT_TRUE(heard(ear, 6)) << ear.heard;
+  client->send("@02DN\r");
+  ASSERT_TRUE(heard(ear, 12)) << ear.heard;
+  EXPECT_EQ(ear.heard, "DMK01\0DMK02\0"s);
 }
 
 TEST_F(ServedEmulator, TakesAnotherPortWhereTheUsualOneIsTaken) {

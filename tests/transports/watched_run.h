@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/device/planned_hands.h"
+#include "core/device/bench_schedule.h"
 #include "tests/core/device/emulator_around.h"
 
 namespace hw::test {
@@ -109,7 +109,7 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
   Duration tick_{};
   bool armed_ = false, answers_waits_ = false;
   Instant reached_{};
-  PlannedHands hands_;
+  BenchSchedule hands_;
   std::optional<Instant> began_, ended_;
   MachineTruth truth_;
   std::vector<Look> looks_;

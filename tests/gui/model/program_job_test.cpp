@@ -66,6 +66,22 @@ TEST_F(ProgramJobTest, NothingIsStartedBehindAStop) {
   EXPECT_TRUE(last<intent::RunProgram>()) << "asked for again, and loaded already";
 }
 
+TEST_F(ProgramJobTest, WhatMustNotBeginWhenItIsLoadedIsNotStarted) {
+  for (const auto goal : {ProgramJob::Goal::run, ProgramJob::Goal::run_stepping}) {
+    texts.set_text(0, goal == ProgramJob::Goal::run ? "I1M400" : "I1M500");
+    std::string why;
+    const RunTerms terms{true, [&why] { return why; }};
+    ASSERT_TRUE(job.begin(goal, 0, texts, now, catalog, send, terms));
+    ASSERT_TRUE(last<intent::LoadProgram>());
+    why = "It was loaded and not started.";
+    settle(Fate::done);
+    EXPECT_TRUE(last<intent::LoadProgram>()) << "nothing came behind it";
+    EXPECT_FALSE(job.busy());
+    EXPECT_EQ(job.take_told().sentence, why);
+    EXPECT_TRUE(texts.controller_has(0));
+  }
+}
+
 TEST_F(ProgramJobTest, AControllerThatKeepsNoProgramsIsSentTheTextWithoutAsking) {
   catalog.program.capacity = 0;
   now.slot_bytes_used[0] = 4;

@@ -50,6 +50,7 @@ TEST_F(ProvenanceTest, MarksWhatAnEarlierSessionHasLearned) {
   axis().trust =
       recalled({true, Steps(40), {Trust::homed, Doubt::none, clock - hours(15)}}, Steps(40), clock);
   EXPECT_EQ(words(), "homed yesterday, restored");
+  EXPECT_EQ(words(true), "restored");
 }
 
 TEST_F(ProvenanceTest, PutsDoubtAndAgeFirst) {

@@ -22,13 +22,46 @@ TEST(StopTimes, TellTheLastOneAndWhatAlmostAllKeep) {
   StopTimes times;
   EXPECT_EQ(times.words(), "");
   times.add(stop(0, Millis(84), 680), in_steps);
-  EXPECT_EQ(times.words(), "Last stop: first byte after 0.2 ms, at rest after 84 ms, 680 steps on.");
+  EXPECT_EQ(times.words(),
+            "Last stop: first byte after 0.2 ms, slowing down not seen, at rest after 84 ms, 680 steps on.");
   for (int i = 0; i < 99; ++i)
     times.add(stop(i % 2, Millis(i == 50 ? 500 : 100), i % 2 == 0 ? 7 : 900), in_steps);
+  EXPECT_EQ(times.words(),
+            "Last stop: first byte after 0.2 ms, slowing down not seen, at rest after 100 ms, 7 steps on. Of "
+            "100 stops "
+            "99 in 100 sent their first byte within 0.2 ms and were at rest within 100 ms and 680 steps.");
+}
+
+TEST(StopTimes, SayWhatTheStopButtonDoesToo) {
+  StopTimes times;
+  EXPECT_EQ(times.tip(),
+            "Stops this controller with its ramp. Again, or Shift Esc: at once, without a ramp.");
+  times.add(stop(0, Millis(84), 680), in_steps);
+  EXPECT_TRUE(times.tip().starts_with("Stops this controller with its ramp. Again, or Shift Esc: at once"));
+  EXPECT_TRUE(times.tip().ends_with(times.words()));
+}
+
+TEST(StopTimes, OfAControllerThatDoesNotReportItTheSlowingDownIsNotKnown) {
+  StopTimes times;
+  times.add(stop(0, Millis(84), 680), in_steps, false);
   EXPECT_EQ(
       times.words(),
-      "Last stop: first byte after 0.2 ms, at rest after 100 ms, 7 steps on. Of 100 stops 99 in 100 were "
-      "at rest within 100 ms and 680 steps.");
+      "Last stop: first byte after 0.2 ms, slowing down not known, as this controller does not report it, at "
+      "rest after 84 ms, 680 steps on.");
+}
+
+TEST(StopTimes, EachFigureHasItsPercentile) {
+  StopTimes times;
+  for (int i = 0; i < 100; ++i) {
+    Ending one = stop(0, Millis(100), 10);
+    one.to_wire = i == 7 ? Millis(9) : i == 8 ? Millis(3) : Millis(1);
+    one.to_slowing = i == 7 ? Millis(90) : Millis(30);
+    times.add(one, in_steps);
+  }
+  EXPECT_TRUE(
+      times.words().ends_with("Of 100 stops 99 in 100 sent their first byte within 3.0 ms, were seen to slow "
+                              "down within 30 ms and were at rest within 100 ms and 10 steps."))
+      << times.words();
 }
 
 TEST(StopTimes, WhereTheControllerTellsItSlowingDownIsAFigureOfItsOwn) {

@@ -1,0 +1,46 @@
+#pragma once
+// The program's log, newest first: why something was dropped, refused, lost or given up. Which lines are
+// shown, and how much is logged from now on.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gui/model/log_lines.h"
+#include "gui/shell/frame.h"
+#include "gui/surface/ui.h"
+
+namespace hw::panels {
+
+class LogView {
+ public:
+  LogView();
+  /// Fills the remaining width and `height` pixels.
+  void draw(gui::Frame& frame, float height);
+  /// Draws the tools from `left` to `right`, in pixels, as far as they fit. Returns their end.
+  float draw_tools(gui::Frame& frame, float left, float right, float top);
+  /// All lines that are shown, to the clipboard.
+  static void copy(gui::Frame& frame);
+
+ private:
+  struct Rows {
+    std::size_t begin, end;
+  };
+  void draw_family(gui::Frame& frame, float width);
+  void draw_least(gui::Frame& frame, float width);
+  void draw_level(gui::Frame& frame, float width);
+  [[nodiscard]] Rows draw_rows(gui::Frame& frame);
+  static float draw_lost(const gui::Ui& ui, std::uint64_t lost, float top);
+  static void draw_row(const gui::Ui& ui, const hw::log::Line& line, const gui::Rect& place, float words_at);
+  void say(gui::Frame& frame, Rows visible);
+
+  std::vector<std::string_view> families_;         ///< the first: all
+  std::vector<const hw::log::Subject*> subjects_;  ///< of families_: their levels
+  gui::LogLines::View wanted_;
+  std::size_t family_ = 0;                          ///< of families_: the one shown
+  float subject_width_ = 0;                         ///< of the longest subject shown, pixels ...
+  std::string said_;                                ///< the visible text, for scripts ...
+  std::uint64_t said_version_ = ~std::uint64_t{0};  ///< ... both of this version
+  Rows said_rows_{0, 0};
+};
+
+}  // namespace hw::panels
