@@ -19,6 +19,11 @@ double way_between(const CountReading& from, const CountReading& to) {
   return static_cast<double>((to.place - from.place).value);
 }
 
+/// No motion between two looks is as long: the counter went on from its other end.
+bool wraps_between(const CountReading& from, const CountReading& to) {
+  return to.range > 0 && std::abs(way_between(from, to)) > to.range / 2;
+}
+
 double rate_between(const CountReading& from, const CountReading& to) {
   const double time = seconds(to.when - from.when);
   return time > 0 ? way_between(from, to) / time : 0;
@@ -86,7 +91,9 @@ bool CountTrack::some_known_leads(const CountReading& now) const {
 
 bool CountTrack::add(const CountReading& now) {
   if (known_count_ == 0) return know(now), false;
-  if (now.when <= (other_count_ > 0 ? last_ : known_.back()).when) return false;
+  const CountReading& before = other_count_ > 0 ? last_ : known_.back();
+  if (now.when <= before.when) return false;
+  if (wraps_between(before, now) || wraps_between(known_.back(), now)) return know_only(now), false;
   if (known_count_ < confirmed && !some_known_leads(now)) {
     if (known_count_ > 1 && missed_ == 0) return ++missed_, false;
     return know_only(now), false;

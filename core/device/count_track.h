@@ -18,6 +18,7 @@ struct CountReading {
   double fastest = 0;    ///< steps/s that the axis may go now
   std::int8_t way = 0;   ///< -1, +1: the direction to its target; 0: not known
   double any_speed = 0;  ///< steps/s that the controller can make at most
+  double range = 0;      ///< of the counter, which may go on from its other end; 0: not known
 };
 
 class CountTrack {

@@ -11,6 +11,8 @@
 namespace hw {
 namespace {
 
+constexpr double most_counts_per_pulse = 10;
+
 /// That might set a count by itself.
 bool a_program_runs(const Snapshot& now) {
   const auto runs = [](RunState run) { return run == RunState::running || run == RunState::waiting; };
@@ -33,21 +35,34 @@ bool can_tell(const AxisState& axis) {
 }  // namespace
 
 /// Of a motion that is not the console's own, no speed is known: it may be as fast as the controller can.
+/// Speeds are told in pulses, of which an encoder may count several for each.
 CountReading CountWatch::reading_of(const AxisState& axis) const {
   CountReading reading;
   reading.place = axis.commanded();
   reading.when = axis.seen_at;
   reading.any_speed = std::max(catalog_.jog_speed_max.value, catalog_.jog_speed.value);
+  reading.range = static_cast<double>((catalog_.position_max - catalog_.position_min).value);
   const bool goes = axis.activity == Activity::moving && axis.has_target;
   const bool jogs = axis.activity == Activity::jogging && axis.speed.value > 0;
   const double told = std::max(axis.own_speed.value, axis.speed.value);
   const bool is_known = told > 0 && (goes || jogs || axis.activity == Activity::idle);
   reading.fastest = is_known ? std::max(told, catalog_.jog_speed.value) : reading.any_speed;
+  if (axis.in_counts) reading.fastest = std::min(reading.any_speed, reading.fastest * most_counts_per_pulse);
   if (goes && axis.target != reading.place) reading.way = axis.target > reading.place ? 1 : -1;
   return reading;
 }
 
+/// The controller may set the count until it stands.
+void CountWatch::look_for_homing(const Snapshot& now) {
+  for (int i = 0; i < now.axis_count; ++i) {
+    const Activity does = now.axes[ix(i)].activity;
+    if (does == Activity::homing) homing_ |= 1u << i;
+    if (does == Activity::idle || does == Activity::error) homing_ &= ~(1u << i);
+  }
+}
+
 std::uint32_t CountWatch::look(const Snapshot& now) {
+  look_for_homing(now);
   const World world{now.restarts, now.link.timeouts};
   if (std::exchange(world_, world) != world || a_program_runs(now)) {
     disturbed();
@@ -57,7 +72,8 @@ std::uint32_t CountWatch::look(const Snapshot& now) {
   for (int i = 0; i < now.axis_count; ++i) {
     const AxisState& axis = now.axes[ix(i)];
     Track& track = tracks_[ix(i)];
-    if (!can_tell(axis) || std::exchange(track.in_counts, axis.in_counts) != axis.in_counts)
+    const bool homes = (homing_ >> i & 1u) != 0;
+    if (homes || !can_tell(axis) || std::exchange(track.in_counts, axis.in_counts) != axis.in_counts)
       track.readings.forget();
     else if (track.readings.add(reading_of(axis)))
       set |= 1u << i;

@@ -3,9 +3,10 @@
 // controller. It counts elsewhere now, and no motion could have brought it there in the time (CountTrack).
 // What lies within a motion looks like one, and nobody can tell them apart.
 //
-// It does not look at an axis that searches its home, whose motor is free, or of which the position is not
-// known or not trusted anyway; nor at any axis while a program, a list or a drawing runs, until three
-// readings behind a command that moves or may set a count, and behind a restart or a missing answer.
+// It does not look at an axis that searches its home or stops out of that, whose motor is free, or of which
+// the position is not known or not trusted anyway; nor at any axis while a program, a list or a drawing runs,
+// until three readings behind a command that moves or may set a count, and behind a restart or a missing
+// answer.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -36,9 +37,11 @@ class CountWatch {
     bool in_counts = false;
   };
   [[nodiscard]] CountReading reading_of(const AxisState& axis) const;
+  void look_for_homing(const Snapshot& now);
 
   const Catalog& catalog_;
   std::array<Track, max_axes> tracks_{};
+  std::uint32_t homing_ = 0;  ///< a bit for each axis that searches its home, or stops out of that
   World world_;
 };
 

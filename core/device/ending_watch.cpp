@@ -62,7 +62,8 @@ void EndingWatch::stop_asked(const StopOrder& order, const Snapshot& now, Instan
   if (one_axis) return;  // its program goes on
   for (int i = 0; i < max_threads; ++i)
     if (order.thread < 0 || order.thread == i) threads_[ix(i)].who = order.by;
-  program_.who = list_.who = pieces_.who = order.by;
+  program_.who = list_.who = order.by;
+  if (order.by != StoppedBy::nobody) pieces_.who = order.by;  // else it only ends what is over
   if (order.what == What::program)
     for (Run& axis : axes_) axis.who = order.by;
 }

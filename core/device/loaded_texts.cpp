@@ -1,12 +1,20 @@
 #include "core/device/loaded_texts.h"
 
 #include <algorithm>
+#include <exception>
+#include <utility>
 
 #include "core/base/index.h"
+#include "core/device/decision_log.h"
 #include "core/device/sequence_travel.h"
+#include "core/sequence/steps_in.h"
 
 namespace hw {
 namespace {
+
+/// What is read while the controller waits for its next command.
+constexpr std::size_t longest_text = 8 * 1024;
+constexpr std::ptrdiff_t most_lines = 200;
 
 sequence::Sequence frame_in_steps(const Catalog& catalog) {
   sequence::Sequence frame;
@@ -19,10 +27,32 @@ bool some_count_is_doubtful(const Snapshot& now) {
                      [](const AxisState& axis) { return axis.trust.doubtful(); });
 }
 
+/// Drops what comes behind the first step that no block describes: it may set a count. False: there was one.
+bool keep_known(sequence::StepList& steps, const sequence::Sequence& of) {
+  for (auto step = steps.begin(); step != steps.end(); ++step) {
+    bool known = !std::holds_alternative<sequence::Custom>(step->body);
+    if (const auto* pen = std::get_if<sequence::Pen>(&step->body)) {
+      sequence::StepList routine = pen->down ? of.pen_down : of.pen_up;
+      known = keep_known(routine, {});
+    } else if (sequence::StepList* inner = sequence::steps_in(*step)) {
+      known = keep_known(*inner, of);
+      if (!known) ++step;  // its own begin is known
+    }
+    if (known) continue;
+    steps.erase(step, steps.end());
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-void LoadedTexts::loaded(const intent::LoadProgram& load) {
-  if (const int slot = place_of(load.slot); keeps(slot)) texts_[ix(slot)] = load.text;
+void LoadedTexts::loaded(const intent::LoadProgram& load, std::uint32_t restarts) {
+  const int slot = place_of(load.slot);
+  if (!keeps(slot)) return;
+  const bool is_long =
+      load.text.size() > longest_text || std::count(load.text.begin(), load.text.end(), '\n') > most_lines;
+  loads_[ix(slot)] = {is_long ? std::string() : load.text, restarts, {}};
 }
 
 void LoadedTexts::forget(const IntentBody& body) {
@@ -30,18 +60,31 @@ void LoadedTexts::forget(const IntentBody& body) {
   if (const auto* load = std::get_if<intent::LoadProgram>(&body)) slot = place_of(load->slot);
   if (const auto* clear = std::get_if<intent::ClearProgram>(&body)) slot = place_of(clear->slot);
   if (keeps(slot))
-    texts_[ix(slot)].clear();
+    loads_[ix(slot)] = {};
   else
     forget();
 }
 
-std::vector<AxisTarget> LoadedTexts::places_in_doubt(int slot, const Snapshot& now) const {
+std::optional<sequence::Sequence> LoadedTexts::read(const std::string& text) const {
+  try {
+    auto read = language_->read(text, frame_in_steps(catalog_), catalog_);
+    if (!read) return {};
+    keep_known(read->sequence.steps, read->sequence);
+    return std::move(read->sequence);
+  } catch (const std::exception& defect) {  // from a library: nothing is known of it then
+    pump_log().debug("a loaded program could not be read: {}", defect.what());
+    return {};
+  }
+}
+
+std::vector<AxisTarget> LoadedTexts::places_in_doubt(int slot, const Snapshot& now) {
   slot = place_of(slot);
-  if (!language_ || !keeps(slot) || texts_[ix(slot)].empty()) return {};
-  if (!some_count_is_doubtful(now)) return {};
-  const auto read = language_->read(texts_[ix(slot)], frame_in_steps(catalog_), catalog_);
-  if (!read) return {};
-  std::vector<AxisTarget> places = places_of_run(read->sequence, catalog_, now);
+  if (!language_ || !keeps(slot) || !some_count_is_doubtful(now)) return {};
+  Load& load = loads_[ix(slot)];
+  if (load.restarts != now.restarts) load = {};
+  if (const std::string text = std::exchange(load.text, {}); !text.empty()) load.known = read(text);
+  if (!load.known) return {};
+  std::vector<AxisTarget> places = places_of_run(*load.known, catalog_, now);
   std::erase_if(places,
                 [&now](const AxisTarget& place) { return !now.axes[place.axis.index].trust.doubtful(); });
   return places;

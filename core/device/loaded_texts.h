@@ -1,8 +1,11 @@
 #pragma once
 // The programs that the console has loaded into the controller, so that one that goes to absolute places is
-// not started while a count is doubtful, whoever starts it. Of a program that it has not loaded, nothing is
-// known.
+// not started while a count is doubtful, whoever starts it. Nothing is known of a program that it has not
+// loaded, that is long, or that a restart may have taken; nor of what comes behind a command that no block
+// describes, as that may set the count.
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,22 +21,29 @@ class LoadedTexts {
   /// `language`: null if the controller has none.
   LoadedTexts(const Catalog& catalog, const Language* language) : catalog_(catalog), language_(language) {}
 
-  void loaded(const intent::LoadProgram& load);
+  /// `restarts`: of the controller, when the text was sent.
+  void loaded(const intent::LoadProgram& load, std::uint32_t restarts);
   /// Something may have changed the stored programs.
-  void forget() { texts_ = {}; }
+  void forget() { loads_ = {}; }
   /// This command changes them.
   void forget(const IntentBody& body);
   /// The places to which the program takes axes by a count that is doubtful; none, if that is not known.
-  [[nodiscard]] std::vector<AxisTarget> places_in_doubt(int slot, const Snapshot& now) const;
+  [[nodiscard]] std::vector<AxisTarget> places_in_doubt(int slot, const Snapshot& now);
 
  private:
+  struct Load {
+    std::string text;  ///< until it is read: once
+    std::uint32_t restarts = 0;
+    std::optional<sequence::Sequence> known;  ///< its first steps, as far as blocks describe them
+  };
   /// Where programs run in threads, one text holds them all.
   [[nodiscard]] int place_of(int slot) const { return catalog_.program.threads > 0 ? 0 : slot; }
   [[nodiscard]] bool keeps(int slot) const { return slot >= 0 && slot < max_slots; }
+  [[nodiscard]] std::optional<sequence::Sequence> read(const std::string& text) const;
 
   const Catalog& catalog_;
   const Language* language_;
-  std::array<std::string, max_slots> texts_;
+  std::array<Load, max_slots> loads_;
 };
 
 }  // namespace hw

@@ -280,6 +280,7 @@ void Pump::lose_wire(const Fault& why) {
   pieces_.end();
   keep_stops_at_loss(why, together);
   jogs_.stop(-1);
+  loaded_.forget();  // unseen, it may be switched off, or given other programs
   if (station_) station_->give_up(why);
   driver_->wire_lost();
   publish();
@@ -340,7 +341,9 @@ Task<> Pump::run_round() {
   // This one would drive on to the end of its line, alone. A pending stop of all axes does it already.
   if (pieces_.others_have_ended() && draft_.any_axis_moving() && !desk_.stops_all()) {
     pump_log().debug("{}: another controller of the drawing has ended: this one is stopped", Whose{catalog_});
-    post_stop(StopOrder());
+    StopOrder order;
+    order.by = StoppedBy::nobody;  // on this controller
+    post_stop(std::move(order));
   }
   const bool cuts = draft_.pieces.draws;
   if (std::string why = pieces_.watch(rounds_.ended()); !why.empty()) pieces_end(std::move(why), cuts);
@@ -399,8 +402,6 @@ void Pump::watch_counts() {
   const std::uint32_t set = counts_.look(draft_);
   for (int axis = 0; set != 0 && axis < draft_.axis_count; ++axis) {
     if ((set >> axis & 1u) == 0) continue;
-    pump_log().debug("{}: the count of axis {} has changed without a motion: another program set it",
-                     Whose{catalog_}, axis + 1);
     pump_log().debug("{}: the count of axis {} was set elsewhere, to {} now", Whose{catalog_}, axis + 1,
                      draft_.axes[axis].commanded().value);
     draft_.axes[axis].trust.doubt(Doubt::another, scheduler_.now());

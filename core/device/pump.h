@@ -166,7 +166,7 @@ class Pump {
   void set_travel(IntentId id, const intent::SetTravel& request);
   void set_backlash(IntentId id, const intent::SetBacklash& request);
   Result<> take_up_backlash(IntentBody& body, IntentFate& told) const;
-  [[nodiscard]] Result<> admit(Job& job, IntentFate& told) const;
+  [[nodiscard]] Result<> admit(Job& job, IntentFate& told);
   Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
                                                  Duration patience);
   Task<Result<std::string>> wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience);

@@ -321,7 +321,7 @@ Result<> Pump::take_up_backlash(IntentBody& body, IntentFate& told) const {
 
 /// What no driver is asked for is refused here, see refusals.h and travel_check.h; a jog gets its end.
 /// `told`: what a sentence in other units needs.
-Result<> Pump::admit(Job& job, IntentFate& told) const {
+Result<> Pump::admit(Job& job, IntentFate& told) {
   IntentBody& body = job.intent.body;
   const auto steps = words_in_steps(catalog_, draft_);
   if (says_where_it_stands(body) && job.restarts_before != draft_.restarts)
@@ -406,7 +406,7 @@ Task<> Pump::perform_next() {
     co_return;
   }
   if (const auto* load = std::get_if<intent::LoadProgram>(&job->intent.body); load && performed)
-    loaded_.loaded(*load);
+    loaded_.loaded(*load, restarts);
   if (const auto* read = std::get_if<intent::UploadProgram>(&job->intent.body); read && performed)
     draft_.slots_torn = static_cast<std::uint8_t>(draft_.slots_torn & ~torn_bit(catalog_, read->slot));
   if (performed && desk_.epoch() != epoch && leads_to_a_start(job->intent.body))

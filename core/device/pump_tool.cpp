@@ -127,7 +127,11 @@ Task<> Pump::perform_piece(const IntentBody& body) {
 /// `cuts`: its tool may be on, and what was not answered may have begun, so a stop ends it.
 void Pump::pieces_end(std::string why, bool cuts) {
   pump_log().debug("{}: the rest of the pieces is dropped: {}", Whose{catalog_}, why);
-  if (cuts) post_stop(StopOrder());
+  if (cuts) {
+    StopOrder order;
+    order.by = StoppedBy::nobody;  // `why` tells it
+    post_stop(std::move(order));
+  }
   pieces_.end();
   draft_.pieces.ended_because = why;
   callbacks_.notify(Notice(Notice::Kind::error, scheduler_.now(), std::move(why)));

@@ -36,6 +36,8 @@ class Station {
   /// ... and whether the awaited reply came in time.
   void count_answer(Duration round_trip, bool poll, Instant now);
   void count_miss();
+  /// Goes on with a series of misses that the reply to another question has ended.
+  void resume_misses(int in_a_row) { statistics_.misses_in_a_row = in_a_row; }
   // ---- one procedure at a time: see Pump
   /// Ends the procedure under way for a stop: its waiting transactions, its pauses and all later requests end
   /// at once with Fault{stopped}. The transaction in flight is received to its end, which comes soon

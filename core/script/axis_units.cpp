@@ -62,7 +62,7 @@ Steps Counting::steps(const Call& call, int place, const OneAxis& one, const cha
   int is_whole = 0;
   const lua_Integer whole = lua_tointegerx(call.L, place, &is_whole);
   if (!in_units_) {
-    if (is_whole && lua_type(call.L, place) == LUA_TNUMBER) return Steps(whole);
+    if (is_whole) return Steps(whole);  // a string of digits too, as hw.args are
     throw Misuse(fmt::format("{}: {} must be a whole number of steps, not {}{}", call.function(), what,
                              value_at(call.L, place), hint_of(call.L, place)));
   }

@@ -27,20 +27,26 @@ std::size_t longest_word_of(std::string_view key) {
   return key == "text" ? std::string::npos : longest_json_word;
 }
 
+/// Never within a character.
+void cut_to(std::size_t most, std::string& word) {
+  if (word.size() <= most) return;
+  while (most > 0 && (static_cast<unsigned char>(word[most]) & 0xC0) == 0x80) --most;
+  word.resize(most);
+}
+
 /// The console's files are never deeply nested. Copying a value recurses, so a deeper one is refused. So is a
-/// name that would fill the screen.
+/// key that would fill the screen; a word is cut, which loses less than the whole file.
 json parse_small(const std::string& bytes) {
   bool fits = true;
   std::string key;
-  const auto look = [&](int depth, json::parse_event_t event, const json& part) {
+  const auto look = [&](int depth, json::parse_event_t event, json& part) {
     if (depth > deepest_json) fits = false;
     if (event == json::parse_event_t::key) {
       key = part.get_ref<const std::string&>();
       if (key.size() > longest_json_name) fits = false;
     }
-    if (event == json::parse_event_t::value && part.is_string() &&
-        part.get_ref<const std::string&>().size() > longest_word_of(key))
-      fits = false;
+    if (event == json::parse_event_t::value && part.is_string())
+      cut_to(longest_word_of(key), part.get_ref<std::string&>());
     return fits;
   };
   json object = json::parse(bytes, look, false);

@@ -174,6 +174,11 @@ class Judge final : public Witness {
     Instant counts_anew{};             ///< since its position was set last
     std::optional<bool> whole;         ///< what it did last was what one command asked for, to its end
     EndedBy told = EndedBy::nothing;   ///< why it had ended, when last looked at
+    struct Doubted {
+      Instant since;
+      Instant spoilt;  ///< the latest word to the controller that was, when that was first seen
+    };
+    Doubted doubted{};
   };
   /// Somebody wants these axes to move.
   struct Excuse {
@@ -270,6 +275,7 @@ class Judge final : public Witness {
   void judge_fates(int device);
   void judge_open_stops(int device);
   void judge_positions(int device);
+  void note_doubts(int device);
   void judge_trust(int device);
   void judge_limits(int device);
   void judge_lines(int device);

@@ -104,7 +104,19 @@ void Judge::judge_positions(int device) {
   }
 }
 
+/// The latest word that was spoilt before it: those that follow explain nothing.
+void Judge::note_doubts(int device) {
+  DeviceCase& d = at(device);
+  const Snapshot& shown = d.session->known();
+  for (int a = 0; a < shown.axis_count && ix(a) < d.axes.size(); ++a) {
+    const PositionTrust& trust = shown.axes[ix(a)].trust;
+    AxisCase::Doubted& doubted = d.axes[ix(a)].doubted;
+    if (trust.doubtful() && doubted.since != trust.since) doubted = {trust.since, faults_.out.spoilt()};
+  }
+}
+
 void Judge::judge_trust(int device) {
+  note_doubts(device);
   const DeviceCase& d = at(device);
   const Snapshot& shown = d.session->known();
   const Instant now = scheduler_.now();
@@ -120,7 +132,8 @@ void Judge::judge_trust(int device) {
       accuse("true",
              fmt::format("Device {} is said to have been switched off and on, and it was not.", device));
     // A word of the console's own that was spoilt on its way may set a count.
-    const bool misread = trust.since <= faults_.out.spoilt() + restart_shows;
+    const AxisCase::Doubted& doubted = axis.doubted;
+    const bool misread = trust.since <= doubted.spoilt + restart_shows;
     if (!d.ever_restarted && !misread && trust.cause == Doubt::another)
       accuse("true", fmt::format("Device {}: the count of axis {} is said to have been set, and it was not.",
                                  device, a));

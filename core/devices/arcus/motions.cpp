@@ -60,6 +60,7 @@ void Motions::begun(int index, Activity activity, Instant when) {
   AxisState& axis = console_.draft.axes[index];
   axis.activity = activity;
   axis.ended_by = EndedBy::nothing;
+  axis.error = AxisError::none;  // the same one again is a new one, also if no round sees it move
   console_.draft.program.ended_by = EndedBy::nothing;
 }
 

@@ -4,11 +4,11 @@
 //
 //   conversation      questions and answers
 //   greeting          what answers at first
-//   nameplate         what it is
+//   identification    what it is
 //   signals           limits, inputs, outputs
 //   parameters        values of set and get, storing
 //   slots, scratch    what its five programs hold; the one of the console's own moves
-//   sight             which motors turn
+//   motor_readings    which motors turn
 //   speeds, hold      S, and whose it is; whether H is on
 //   knowledge         what is read once and holds until it changes
 //   presence          whether and how it listens
@@ -26,7 +26,7 @@
 //   texts             raw text of users and scripts
 //   echo, opening     getting it to listen
 //   status_rounds     the round of status
-//   unasked           what it says unasked
+//   unsolicited_messages   what it sends unasked
 #include <memory>
 #include <string>
 

@@ -56,10 +56,13 @@ Task<Result<>> StatusRounds::poll_on_line(Round round) {
   if (!settled && settled.error().kind == FaultKind::no_answer && conversation_.station()) {
     // A restart has left it in Local mode, where V is the only question that is answered.
     const std::uint32_t restarts = console_.draft.restarts;
+    const int misses = conversation_.station()->statistics().misses_in_a_row;
     auto mode = co_await conversation_.state(Priority::poll);
     if (!mode) co_return settled;
     auto found = co_await status_.take(*mode);
     if (console_.draft.restarts != restarts) co_return found;
+    if (conversation_.station())
+      conversation_.station()->resume_misses(misses);  // V does not tell where it is
   }
   if (!settled) co_return settled;
   // V first: it is answered in every mode, so a restart shows before X is asked in vain.

@@ -211,6 +211,33 @@ TEST_F(CountWatchTest, WhatTheEncoderOfAFreeMotorCountsMayBeTurnedByHand) {
   EXPECT_EQ(reads(5000, 20), 0u);
 }
 
+TEST_F(CountWatchTest, ACounterThatGoesOnFromItsOtherEndIsNotSet) {
+  catalog.position_min = Steps(-10'000), catalog.position_max = Steps(10'000);
+  watch.disturbed();
+  EXPECT_EQ(reads(9900, 5), 0u);
+  EXPECT_EQ(reads(-9900, 20), 0u);
+  EXPECT_EQ(reads(-2000, 20), 1u) << "not half of its range";
+}
+
+TEST_F(CountWatchTest, AnAxisThatStopsOutOfItsHomeSearchMayBeSet) {
+  axis.activity = Activity::homing;
+  EXPECT_EQ(reads(5200), 0u);
+  watch.disturbed();
+  axis.activity = Activity::stopping;
+  EXPECT_EQ(reads(5400, 5), 0u);
+  EXPECT_EQ(reads(0, 20), 0u);
+  axis.activity = Activity::idle;
+  EXPECT_EQ(reads(0, 20), 0u);
+  EXPECT_EQ(reads(5000, 20), 1u) << "it is watched again";
+}
+
+TEST_F(CountWatchTest, AnEncoderMayCountFasterThanTheMotorIsPulsed) {
+  catalog.jog_speed_max = Pps(6000);
+  axis.in_counts = true;
+  EXPECT_EQ(reads(5000, 5), 0u);
+  EXPECT_EQ(reads(6500, 20), 0u) << "1000 pulses a second may be more counts";
+}
+
 TEST_F(CountWatchTest, WhatTheEncoderOfAHeldMotorCountsIsWatched) {
   axis.in_counts = true;
   EXPECT_EQ(reads(5000, 5), 0u) << "other units are no other count";

@@ -44,7 +44,8 @@ void EmulatorDrawing::rehearse(const std::string& text, std::vector<std::int64_t
   rehearsal = std::move(*done);
   auto first = rehearsal.track.begin();
   // Each piece is tried with its outputs as after power-up, where some are on until its first step.
-  while (!track.empty() && first != rehearsal.track.end() && first->position == rehearsal.track[0].position)
+  while (!track.empty() && first != rehearsal.track.end() && first->position == rehearsal.track[0].position &&
+         first->outputs == rehearsal.track[0].outputs)
     ++first;
   track.insert(track.end(), first, rehearsal.track.end());
   rehearsal.track = std::move(track);
