@@ -106,7 +106,7 @@ void LogView::draw_family(Frame& f, float width) {
 void LogView::draw_least(Frame& f, float width) {
   DropdownOptions o;
   o.width = width;
-  o.tip = "How bad a line must be to be shown.";
+  o.tip = "The least serious lines that are shown.";
   const int picked =
       dropdown(f.ui, "decisions/shown", "Shown", least_names, static_cast<int>(wanted_.least) - 1, o);
   if (picked >= 0) wanted_.least = static_cast<Level>(picked + 1);
@@ -116,8 +116,8 @@ void LogView::draw_level(Frame& f, float width) {
   DropdownOptions o;
   o.width = width;
   o.tip =
-      "How much the chosen subject logs from now on, here, in the file and on standard error. All: each "
-      "decision.";
+      "How much the chosen subject logs from now on, here, in the file and on standard error. "
+      "\u201cLog all\u201d also logs each decision.";
   const int picked =
       dropdown(f.ui, "decisions/level", "Log", level_names, static_cast<int>(subjects_[family_]->level()), o);
   if (picked >= 0) log::set_level(family_ == 0 ? "" : families_[family_], static_cast<Level>(picked));

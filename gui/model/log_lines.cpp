@@ -27,9 +27,9 @@ void LogLines::follow() {
   if (came > 0) choose_rows();
 }
 
-void LogLines::set_view(View view) {
+void LogLines::set_view(const View& view) {
   if (view == view_) return;
-  view_ = std::move(view);
+  view_ = view;
   choose_rows();
 }
 

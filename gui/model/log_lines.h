@@ -27,7 +27,7 @@ class LogLines {
 
   /// Takes the lines that have come; once a frame.
   void follow();
-  void set_view(View view);
+  void set_view(const View& view);
   [[nodiscard]] const View& view() const { return view_; }
   /// The number of lines shown.
   [[nodiscard]] std::size_t count() const { return rows_.size(); }

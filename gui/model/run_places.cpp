@@ -1,6 +1,7 @@
 #include "gui/model/run_places.h"
 
 #include <bit>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,8 @@
 #include "gui/model/tab.h"
 
 namespace hw::gui {
+
+static constexpr std::string_view not_started = "The program was not started.";  // loaded or not
 
 std::vector<AxisTarget> places_of_held(Desk& desk, int slot, const Catalog& catalog, const Snapshot& now) {
   if (slot < 0 || slot >= desk.texts.count() || !desk.texts.held(slot).known) return {};
@@ -50,20 +53,37 @@ AgreedDoubts doubts_of(const Snapshot& now) {
 
 std::string why_not_begin_any_more(const Tab& tab, const sequence::Sequence& sequence,
                                    const AgreedDoubts& agreed) {
-  constexpr std::string_view loaded = "The program was loaded and not started.";
   const Catalog& catalog = tab.catalog();
   const intent::RunProgram run(0, places_of_run(sequence, catalog, tab.now()));
   if (past_travel(catalog, tab.now(), run))
-    return fmt::format("{} It goes past a limit that was set meanwhile. Press Run to see which.", loaded);
+    return fmt::format("{} It goes past a limit that was set meanwhile. Press Run to see which.",
+                       not_started);
+  return why_doubted_meanwhile(tab, sequence, agreed);
+}
+
+std::string why_doubted_meanwhile(const Tab& tab, const sequence::Sequence& sequence,
+                                  const AgreedDoubts& agreed) {
+  const Catalog& catalog = tab.catalog();
+  const intent::RunProgram run(0, places_of_run(sequence, catalog, tab.now()));
   const std::uint32_t doubtful = doubtful_axes(catalog, tab.now(), run);
   for (int axis = 0; axis < static_cast<int>(agreed.size()); ++axis) {
     const PositionTrust& trust = tab.now().axes[ix(axis)].trust;
     if ((doubtful >> axis & 1u) == 0 || trust == agreed[ix(axis)]) continue;
     return fmt::format(
-        "{} Meanwhile the position of {} has become doubtful: {}. Press Run to see what can be done.", loaded,
-        spoken_name(catalog, axis), words_of(trust.cause));
+        "{} Meanwhile the position of {} has become doubtful: {}. Press Run to see what can be done.",
+        not_started, spoken_name(catalog, axis), words_of(trust.cause));
   }
   return {};
+}
+
+std::optional<sequence::Sequence> read_sequence(Tab& tab, const std::string& text) {
+  const Language* language = tab.desk().language();
+  if (!language) return std::nullopt;
+  sequence::Sequence frame;
+  for (const AxisInfo& axis : tab.catalog().axes) frame.axes.push_back({axis.name, 1});
+  auto read = language->read(text, frame, tab.catalog());
+  if (!read) return std::nullopt;
+  return std::move(read->sequence);
 }
 
 std::string_view why_no_pieces(Tab& tab) {

@@ -2,6 +2,7 @@
 // Programs written from a sequence are bound by the user's travel limits and by doubts about positions,
 // wherever they are run from; the user's own texts are not. GUI thread.
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,12 @@ using AgreedDoubts = std::array<PositionTrust, max_axes>;
 /// about a position or, of a run despite doubts, a doubt other than those in `agreed`. Empty: it may begin.
 std::string why_not_begin_any_more(const Tab& tab, const sequence::Sequence& sequence,
                                    const AgreedDoubts& agreed = {});
+
+/// The same by doubts only: travel limits do not bind the user's own texts.
+std::string why_doubted_meanwhile(const Tab& tab, const sequence::Sequence& sequence,
+                                  const AgreedDoubts& agreed);
+/// What a text of the user's own does, as far as the controller's language can be read; none: it cannot.
+std::optional<sequence::Sequence> read_sequence(Tab& tab, const std::string& text);
 
 /// Why nothing can be begun in pieces now; empty: it can.
 std::string_view why_no_pieces(Tab& tab);

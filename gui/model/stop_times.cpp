@@ -49,10 +49,11 @@ std::string StopTimes::of_all(AxisId axis, const ShowPosition& position) const {
   const std::string slowing =
       slowings.size() < stops_.size()
           ? std::string()
-          : fmt::format(", were seen to slow down within {:.0f} ms", ms(percentile_99(std::move(slowings))));
+          : fmt::format(", slowing down was seen within {:.0f} ms", ms(percentile_99(std::move(slowings))));
   return fmt::format(
-      " Of {} stops 99 in 100 sent their first byte within {:.1f} ms{} and were at rest within {:.0f} ms and "
-      "{}.",
+      " In 99 of 100 of the last {} stops the first byte went out within {:.1f} ms{} and the axis was at "
+      "rest "
+      "within {:.0f} ms and {}.",
       stops_.size(), ms(percentile_99(std::move(bytes))), slowing, ms(percentile_99(std::move(rests))),
       position(axis, percentile_99(std::move(on))));
 }

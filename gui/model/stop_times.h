@@ -16,8 +16,9 @@ class StopTimes {
  public:
   /// Takes the ending of a timed stop; ignores all others.
   void add(const Ending& ending, const ShowPosition& position, bool tells_slowing = true);
-  /// "Last stop: first byte after 0.2 ms, slowing down seen after 31 ms, at rest after 84 ms, 1.700 mm on. Of
-  /// 100 stops 99 in 100 sent their first byte within 0.2 ms and were at rest within 120 ms and 2.000 mm."
+  /// "Last stop: first byte after 0.2 ms, slowing down seen after 31 ms, at rest after 84 ms, 1.700 mm on. In
+  /// 99 of 100 of the last 100 stops the first byte went out within 0.2 ms and the axis was at rest within
+  /// 120 ms and 2.000 mm."
   /// Empty: no stop was timed yet. When it slowed down is not known of a controller that does not report it.
   [[nodiscard]] const std::string& words() const { return words_; }
   /// What the Stop button does, and the words.

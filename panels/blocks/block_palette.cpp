@@ -172,7 +172,7 @@ std::string why_never(const PartialWriter& writer, const seq::Sequence& of, cons
       if (refusal.empty()) return {};
       if (why.empty()) why = std::move(refusal);
     }
-  why.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why.front())));
+  if (!why.empty()) why.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why.front())));
   return why;
 }
 

@@ -193,6 +193,8 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
   const bool wide = width > 640, connected = shown.now().link.connected();
   const float show_width = wide ? 112 : 64;
   EmulatorServer* server = f.console.ports().server();
+  // A bus is served as a whole, whichever member is chosen.
+  const std::string& served_key = (tab.bus ? *tab.bus->members.front() : tab).profile_key;
   const bool serves = tab.emulated() && tab.session();
   const float own = serves ? serve_width : wide && !connected ? change_width : 0;
   const float used = show_width + between + doctor_width + (own > 0 ? between + own : 0);
@@ -209,7 +211,7 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
   const ServedEmulator* served = nullptr;
   if (serves) {
     buttons.stand(serve_width);
-    served = server ? server->find(tab.profile_key) : nullptr;
+    served = server ? server->find(served_key) : nullptr;
     const auto& options = address_of_all(tab).options;
     const auto wire = options.find("wire");
     const bool takes_time = wire != options.end() && wire->second == "real";
@@ -221,8 +223,8 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
             : std::string_view();
     if (serve_switch(ui, Path("connect/here/{}/serve", index), "Serve", served, why_not, serve_width)) {
       // On a bus, any device leads to the one wire of all.
-      turn_serving(ui, *server, tab.profile_key, address_of_all(tab), tab.session());
-      served = server->find(tab.profile_key);
+      turn_serving(ui, *server, served_key, address_of_all(tab), tab.session());
+      served = server->find(served_key);
     }
   } else if (own > 0) {
     changes = buttons.press(Path("connect/here/{}/change", index), "Change address", change_width, quiet);

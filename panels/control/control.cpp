@@ -81,8 +81,9 @@ void Control::make_sections(const Catalog& c) {
   });
 }
 
-/// Once: a switch in a table shows its state without a visit to the set-up.
+/// Once per connection: a switch in a table shows its state without a visit to the set-up.
 void Control::read_settings(Frame& f) {
+  if (!f.connected()) asked_to_read_ = false;
   if (asked_to_read_ || !f.connected() || !tables_->lacks_settings(f)) return;
   asked_to_read_ = true;
   f.send(intent::ReadParams());

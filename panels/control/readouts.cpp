@@ -113,9 +113,9 @@ void draw_places(Frame& f, std::size_t i, float width) {
     const ImVec2 from(at.x + pitch * static_cast<float>(n), at.y + ui.px(readout_row_height + 2));
     const Rect cell{from, ImVec2(from.x + side, from.y + ui.px(8))};
     if (n < taken)
-      draw_fill(ui, cell, ui[Tone::ink2], 2);
+      draw_fill(ui, cell, ui[words.old() ? tone : Tone::ink2], 2);
     else
-      draw_outline(ui, cell, ui[words.known() ? Tone::edge : Tone::line], 2);
+      draw_outline(ui, cell, ui[words.known() && !words.old() ? Tone::edge : Tone::line], 2);
   }
   const ReadoutInfo& info = f.catalog.readouts[i];
   show(ui, {Path("readout/{}", info.id), Kind::text, info.label, words.view(), {}, false, info.help}, all);

@@ -222,7 +222,8 @@ void DrawingRun::say_progress(const PiecesState& now, bool is_sent, RunState pro
   else if (was_stopped(now))
     fmt::format_to(to, "Stopped in {}", what);
   else if (now.held && program == RunState::running)
-    fmt::format_to(to, "It ends {} first, then it is held", what);
+    fmt::format_to(to, "{}{} is finished first, then it holds", traces_ || now.total == 1 ? 'T' : 'P',
+                   what.substr(1));
   else if (now.held)
     fmt::format_to(to, "Held {} {}", now.draws || program == RunState::held ? "in" : "before", what);
   else if (is_sent)
@@ -244,6 +245,8 @@ void DrawingRun::draw_progress(Frame& f) {
   const DrawingJob::Made* made = at_work(f);
   const bool counts = !is_sent || (made && made->with_transfers);
   clock_.follow(now, f.clock, counts);
+  // On a bus, another panel may have begun something since.
+  traces_ = traces_ && (!draws_together(f) || f.tab.bus->begun.get() == traced_);
   say_progress(now, is_sent, by_itself && f.now.program.owned ? f.now.program.run : RunState::idle);
   const auto left =
       made ? DrawingJob::seconds_left(*made, now.step, now.percent, clock_.at_it_s()) : std::nullopt;
@@ -322,7 +325,10 @@ void DrawingRun::draw_dialog(Frame& f) {
   auto [what, made, parts] = std::exchange(worked_out_, {});
   if (!parts.empty() && what == What::frame)
     ask(f, what, std::move(made), std::move(parts),
-        "It goes once around the drawing with the tool off, and back to where that began.");
+        fmt::format("It goes once around the drawing with the tool off, and back to where that began.{}",
+                    at_work(f) && was_stopped(pieces_of(f))
+                        ? "\nThe cut that was stopped cannot be gone on with after that."
+                        : ""));
   else if (!parts.empty() && at_work(f) == made.get() && was_stopped(pieces_of(f))) {
     std::string question =
         fmt::format("The tool goes to the start of what was being drawn, off, and draws the rest {}.",
@@ -341,11 +347,12 @@ void DrawingRun::draw_dialog(Frame& f) {
 /// While the question stood, a stop may have come or another run may have begun.
 void DrawingRun::cut(Frame& f) {
   if (asked_.go_ahead.expired()) return f.toast(Mood::warn, "A stop came first. Nothing was begun.");
-  traces_ = asked_.what == What::frame;
+  const bool frame = asked_.what == What::frame;
   const std::string_view why =
-      traces_ ? why_not_at_all(f, asked_.made.get()) : why_not_now(f, asked_.made.get());
+      frame ? why_not_at_all(f, asked_.made.get()) : why_not_now(f, asked_.made.get());
   if (!why.empty()) return f.toast(Mood::warn, std::string(why));
-  cut_ = traces_ ? nullptr : asked_.made;  // a frame is never resumed
+  traces_ = frame;
+  cut_ = frame ? nullptr : asked_.made;  // a frame is never resumed
   begun_.clear();
   const Parts& parts = asked_.parts;
   if (!draws_together(f)) {
@@ -353,7 +360,8 @@ void DrawingRun::cut(Frame& f) {
     return;
   }
   const Conversion& c = asked_.made->conversion;
-  f.tab.bus->begun = {asked_.made, asked_.what == What::frame ? &c.frame : &c.sequence};
+  traced_ = frame ? &c.frame : nullptr;
+  f.tab.bus->begun = {asked_.made, frame ? &c.frame : &c.sequence};
   auto seats = PieceSync::seats(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const int axis = f.catalog.find_axis(c.sequence.axes[i].name);

@@ -67,9 +67,10 @@ class DrawingRun {
     What what = What::all;
     Made made;
     Parts parts;
-  } worked_out_;         ///< without parts: nothing
-  Made cut_;             ///< the latest one begun
-  bool traces_ = false;  ///< the latest one begun was a frame
+  } worked_out_;                                ///< without parts: nothing
+  Made cut_;                                    ///< the latest one begun
+  bool traces_ = false;                         ///< the latest one begun was a frame
+  const sequence::Sequence* traced_ = nullptr;  ///< that frame, only to compare with what the bus has begun
   struct Begun {
     gui::Tab* by;
     IntentId id;

@@ -25,8 +25,8 @@ Path tap_and_hold(const Tab& tab, AxisId axis) {
   const Pps chosen = tab.jog_speed(), own = tab.now().axes[axis.index].own_speed;
   const Pps speed = chosen.value > 0 ? chosen : own;
   const NumberText step = format_with_unit(tab.jog_step(), unit);
-  if (speed.value <= 0) return Path("A tap moves {}.", step.view());
-  return Path("A tap moves {}, held it runs at {}.", step.view(), format_speed(speed, unit).view());
+  if (speed.value <= 0) return Path("A tap moves it {}.", step.view());
+  return Path("A tap moves it {}; held, it runs at {}.", step.view(), format_speed(speed, unit).view());
 }
 
 void draw_jog_button(Ui& ui, Tab& tab, AxisId axis, Sign sign, std::string_view label, HoldOptions o) {

@@ -6,7 +6,7 @@
 
 namespace hw::panels {
 
-/// "A tap moves 0.500 mm, held it runs at 2.500 mm/s.": in the unit of this axis, also where those of the
+/// "A tap moves it 0.500 mm; held, it runs at 2.500 mm/s.": in the unit of this axis, also where those of the
 /// others differ.
 [[nodiscard]] Path tap_and_hold(const gui::Tab& tab, AxisId axis);
 

@@ -64,9 +64,11 @@ Rehearsed rehearsed_thread(const Frame& f, int program) {
   if (!held.known) return {false, "Not rehearsed: what the controller holds was not read. Upload reads it."};
   const std::vector<int>& there = held.report.programs;
   if (std::find(there.begin(), there.end(), program) == there.end())
-    return {false, "The controller holds no program of this number."};
+    return {false, "The controller holds no program with this number."};
   if (desk.rehearsals.under_way(program)) return {false, "It is being rehearsed."};
   const Rehearsals::Outcome* outcome = desk.rehearsals.of(program);
+  if (!outcome && there.size() == 1 && program == 0)
+    return {false, "Not rehearsed: Simulate tries it first."};
   if (!outcome) return {false, "Not rehearsed: choose its number above, then Simulate."};
   if (outcome->text != held.text) return {false, "Rehearsed another text than the controller holds."};
   for (int n = 0; n < std::min(f.catalog.program.threads, max_threads); ++n)

@@ -162,7 +162,7 @@ RunWish go_on_or(Frame& f, RunWish wish) {
   return RunWish::none;
 }
 
-/// Asked again when the text is loaded. A text of the user's own is not judged.
+/// Asked again when the text is loaded. A text of the user's own is judged by doubts only.
 static RunTerms terms_of(Frame& f, const std::string& text, const std::optional<AgreedDoubts>& agreed) {
   Desk& desk = f.tab.desk();
   RunTerms run{agreed.has_value()};
@@ -170,6 +170,10 @@ static RunTerms terms_of(Frame& f, const std::string& text, const std::optional<
   if (source)
     run.why_not_now = [&tab = f.tab, sequence = source->sequence, doubts = agreed.value_or(AgreedDoubts())] {
       return why_not_begin_any_more(tab, *sequence, doubts);
+    };
+  else if (auto read = read_sequence(f.tab, text))
+    run.why_not_now = [&tab = f.tab, sequence = std::move(*read), doubts = agreed.value_or(AgreedDoubts())] {
+      return why_doubted_meanwhile(tab, sequence, doubts);
     };
   return run;
 }

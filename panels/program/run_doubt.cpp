@@ -29,13 +29,10 @@ DoubtWords words_here(const Frame& f) {
 /// Of a text that a user has typed, as far as it can be read: where it sends the axes whose count is
 /// doubtful.
 std::vector<AxisTarget> places_in_doubt(const Frame& f, const std::string& text) {
-  const Language* language = f.tab.desk().language();
-  if (!language || doubts_of(f.now) == AgreedDoubts()) return {};
-  sequence::Sequence frame;
-  for (const AxisInfo& axis : f.catalog.axes) frame.axes.push_back({axis.name, 1});
-  const auto read = language->read(text, frame, f.catalog);
+  if (doubts_of(f.now) == AgreedDoubts()) return {};
+  const auto read = read_sequence(f.tab, text);
   if (!read) return {};
-  std::vector<AxisTarget> places = places_of_run(read->sequence, f.catalog, f.now);
+  std::vector<AxisTarget> places = places_of_run(*read, f.catalog, f.now);
   std::erase_if(places, [&f](const AxisTarget& p) { return !f.now.axes[p.axis.index].trust.doubtful(); });
   return places;
 }
@@ -47,8 +44,13 @@ bool RunDoubt::find_places(const Frame& f, const std::string& text) {
   const WrittenSequence* source = desk.source.of(text, desk.blocks, desk.language(), f.catalog);
   run_ = intent::RunProgram(desk.texts.chosen(), source ? places_of_run(*source->sequence, f.catalog, f.now)
                                                         : places_in_doubt(f, text));
+  written_ = source != nullptr;
   doubted_ = doubts_of(f.now);
   return !run_.places.empty();
+}
+
+bool RunDoubt::is_beyond_travel(const Frame& f) const {
+  return written_ && past_travel(f.catalog, f.now, run_).has_value();
 }
 
 bool RunDoubt::holds_back(const Frame& f, RunWish wish, const std::string& text) {
@@ -56,7 +58,7 @@ bool RunDoubt::holds_back(const Frame& f, RunWish wish, const std::string& text)
   wish_ = RunWish::none;
   if (!find_places(f, text)) return false;
   const std::uint32_t doubtful = doubtful_axes(f.catalog, f.now, run_);
-  if (doubtful == 0 || past_travel(f.catalog, f.now, run_)) return false;  // no remedy helps beyond a limit
+  if (doubtful == 0 || is_beyond_travel(f)) return false;  // no remedy helps beyond a limit
   wish_ = wish;
   text_ = text;
   tell(f, doubtful);
@@ -100,7 +102,7 @@ RunDoubt::Once RunDoubt::draw(Frame& f, std::string_view where, const Rect& row,
   const bool other_doubts = doubted_ != doubts_of(f.now);
   if (!same_text || (other_doubts && !find_places(f, text))) return wish_ = RunWish::none, Once();
   const std::uint32_t now = doubtful_axes(f.catalog, f.now, run_);
-  if (now == 0 || past_travel(f.catalog, f.now, run_)) return wish_ = RunWish::none, Once();
+  if (now == 0 || is_beyond_travel(f)) return wish_ = RunWish::none, Once();
   const bool told_anew = other_doubts || now != doubtful_;
   if (told_anew) tell(f, now);
   if (offered_ == 0 || counted_ != f.now.axes[axis_.index].position) offered_ = 0, name_ways(f, where);

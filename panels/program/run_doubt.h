@@ -33,6 +33,8 @@ class RunDoubt {
   };
   /// Where the text sends which axes, by what is doubtful now; false: nowhere, as far as is known.
   bool find_places(const gui::Frame& frame, const std::string& text);
+  /// Travel limits do not bind the user's own texts.
+  [[nodiscard]] bool is_beyond_travel(const gui::Frame& frame) const;
   void tell(const gui::Frame& frame, std::uint32_t doubtful);
   void name_ways(const gui::Frame& frame, std::string_view where);
   void go(gui::Frame& frame, Way way) const;
@@ -41,6 +43,7 @@ class RunDoubt {
   RunWish wish_ = RunWish::none;  ///< none: nothing is held back
   std::string text_;              ///< the text concerned
   intent::RunProgram run_{0};
+  bool written_ = false;         ///< from a sequence, not typed
   gui::AgreedDoubts doubted_{};  ///< of all axes, when its places were found
   std::uint32_t doubtful_ = 0;   ///< of these, those that it is about
   AxisId axis_{};                ///< the first of them: axes are dealt with one after the other

@@ -87,7 +87,7 @@ TEST_F(RunBlocks, ConsentOutlastsTheQuestionAboutTheTextAndCoversNoNewDoubt) {
   s.now.axes[0].trust.doubt(Doubt::killed, Instant());
   s.settle(Fate::done);
   EXPECT_EQ(count<intent::RunProgram>(), 0);
-  EXPECT_THAT(s.toast(), HasSubstr("loaded and not started"));
+  EXPECT_THAT(s.toast(), HasSubstr("was not started"));
 }
 
 TEST_F(RunBlocks, TheTimeLeftStandsOverThemWhileTheyRun) {

@@ -65,8 +65,8 @@ TEST_F(JogUnitsTest, EachButtonSaysInTheUnitOfItsAxisWhatItDoes) {
   a.tab->profile_edited();
   MUST(s.hand.click("jog/step/1000"));
   s.run(0.1);
-  EXPECT_EQ(tap_and_hold(*a.tab, AxisId{0}).view(), "A tap moves 2.500 mm, held it runs at 2.500 mm/s.");
-  EXPECT_EQ(tap_and_hold(*a.tab, AxisId{1}).view(), "A tap moves 5.000 mm, held it runs at 5.000 mm/s.");
+  EXPECT_EQ(tap_and_hold(*a.tab, AxisId{0}).view(), "A tap moves it 2.500 mm; held, it runs at 2.500 mm/s.");
+  EXPECT_EQ(tap_and_hold(*a.tab, AxisId{1}).view(), "A tap moves it 5.000 mm; held, it runs at 5.000 mm/s.");
 }
 
 TEST_F(JogUnitsTest, AnAxisThatCountsStepsIsNoReasonToShowAnothersUnit) {

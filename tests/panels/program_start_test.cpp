@@ -76,7 +76,7 @@ TEST_F(ProgramStart, RunOfAThreadTellsWhetherWhatIsHeldHasBeenRehearsed) {
   s.tab.desk().texts.loaded(0, both, s.tab.clock());
   s.stage.frames(2);
   EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("Not rehearsed"));
-  EXPECT_THAT(s.value("thread/3/rehearsed"), HasSubstr("holds no program of this number"));
+  EXPECT_THAT(s.value("thread/3/rehearsed"), HasSubstr("holds no program with this number"));
   s.click("program/start/1");
   rehearse();
   EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("Rehearsed: this text"));

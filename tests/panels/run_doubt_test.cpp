@@ -111,8 +111,7 @@ TEST_F(RunDoubtTest, AFurtherAxisThatBecomesDoubtfulWhileItIsLoadedIsNotAgreedTo
   s.now.axes[1].trust.doubt(Doubt::power_cut, Instant());
   s.settle(Fate::done);
   EXPECT_EQ(count<intent::RunProgram>(), 0);
-  EXPECT_THAT(s.toast(),
-              HasSubstr("loaded and not started. Meanwhile the position of motor 2 has become doubtful"));
+  EXPECT_THAT(s.toast(), HasSubstr("was not started. Meanwhile the position of motor 2 has become doubtful"));
   s.click("program/run");
   EXPECT_THAT(s.value("program/doubt/refused"), HasSubstr("motor 2")) << "it is asked for both";
   s.click("program/doubt/once");
@@ -152,7 +151,7 @@ TEST_F(RunDoubtTest, ADoubtThatComesWhileItIsLoadedHoldsStepsBackToo) {
   s.now.axes[0].trust.doubt(Doubt::power_cut, Instant());
   s.settle(Fate::done);
   EXPECT_EQ(count<intent::SingleStep>(), 0);
-  EXPECT_THAT(s.toast(), HasSubstr("loaded and not started"));
+  EXPECT_THAT(s.toast(), HasSubstr("was not started"));
 }
 
 TEST_F(RunDoubtTest, AClickOnWhatHasJustChangedIsNoConsent) {
@@ -187,6 +186,28 @@ TEST_F(RunDoubtTest, ATextThatWasTypedIsReadForItsPlaces) {
   EXPECT_THAT(s.value("program/doubt/refused"), HasSubstr("The position of motor 1 cannot be trusted"));
   s.click("program/doubt/once");
   EXPECT_TRUE(s.last<intent::LoadProgram>());
+}
+
+TEST_F(RunDoubtTest, ATypedTextIsNotRunForDoubtsThatCameWhileItIsLoaded) {
+  s.tab.desk().texts.set_text(0, "S1M1500\nIA1M250\nIA2M70\n");
+  s.stage.frames(2);
+  agree_and_load();
+  s.now.axes[1].trust.doubt(Doubt::power_cut, Instant());
+  s.settle(Fate::done);
+  EXPECT_EQ(count<intent::RunProgram>(), 0);
+  EXPECT_THAT(s.toast(), HasSubstr("Meanwhile the position of motor 2 has become doubtful"));
+}
+
+TEST_F(RunDoubtTest, ATypedTextIsNotSteppedThroughForDoubtsThatCameWhileItIsLoaded) {
+  s.now.axes[0].trust.settle(Trust::set, Instant());
+  s.tab.desk().texts.set_text(0, "S1M1500\nIA1M250\n");
+  s.stage.frames(2);
+  s.click("program/step");
+  ASSERT_TRUE(s.last<intent::LoadProgram>());
+  s.now.axes[0].trust.doubt(Doubt::power_cut, Instant());
+  s.settle(Fate::done);
+  EXPECT_EQ(count<intent::SingleStep>(), 0);
+  EXPECT_THAT(s.toast(), HasSubstr("was not started"));
 }
 
 TEST_F(RunDoubtTest, OneThatGoesByDistancesOnlyIsNotHeldBack) {

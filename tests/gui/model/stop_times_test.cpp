@@ -27,9 +27,9 @@ TEST(StopTimes, TellTheLastOneAndWhatAlmostAllKeep) {
   for (int i = 0; i < 99; ++i)
     times.add(stop(i % 2, Millis(i == 50 ? 500 : 100), i % 2 == 0 ? 7 : 900), in_steps);
   EXPECT_EQ(times.words(),
-            "Last stop: first byte after 0.2 ms, slowing down not seen, at rest after 100 ms, 7 steps on. Of "
-            "100 stops "
-            "99 in 100 sent their first byte within 0.2 ms and were at rest within 100 ms and 680 steps.");
+            "Last stop: first byte after 0.2 ms, slowing down not seen, at rest after 100 ms, 7 steps on. In "
+            "99 of 100 of the last 100 stops the first byte went out within 0.2 ms and the axis was at rest "
+            "within 100 ms and 680 steps.");
 }
 
 TEST(StopTimes, SayWhatTheStopButtonDoesToo) {
@@ -58,9 +58,9 @@ TEST(StopTimes, EachFigureHasItsPercentile) {
     one.to_slowing = i == 7 ? Millis(90) : Millis(30);
     times.add(one, in_steps);
   }
-  EXPECT_TRUE(
-      times.words().ends_with("Of 100 stops 99 in 100 sent their first byte within 3.0 ms, were seen to slow "
-                              "down within 30 ms and were at rest within 100 ms and 10 steps."))
+  EXPECT_TRUE(times.words().ends_with(
+      "In 99 of 100 of the last 100 stops the first byte went out within 3.0 ms, slowing "
+      "down was seen within 30 ms and the axis was at rest within 100 ms and 10 steps."))
       << times.words();
 }
 
