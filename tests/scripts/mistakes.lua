@@ -11,7 +11,7 @@ for _, slip in ipairs{
   {'move_to: the targets must be a table like {["01"]=400}, not nil', function() bus:move_to() end},
   {"move_to: the table of targets is empty: an axis whose value is nil", function() c:move_to{X = nil} end},
   {"move_to: a target must be a whole number of steps, not 10.5: round it, or tell units", function() c:move_to{X = 10.5} end},
-  {"move_to: a target must be a whole number of steps, not a string", function() c:move_to{X = "400"} end},
+  {"move_to: a target must be a whole number of steps, not a string", function() c:move_to{X = "four"} end},
   {"move_to: a target must be a whole number of steps, not a table", function() c:move_to{X = {400}} end},
   {"move_to: axis X has no unit yet: tell it first, c:units(axis", function() c:move_to({X = 1}, {unit = true}) end},
   {"with true it counts in the units of c:units(axis)", function() c:move_to({X = 1}, {unit = "mm"}) end},

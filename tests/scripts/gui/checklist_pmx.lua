@@ -227,7 +227,10 @@ end)
 -- B control
 block("PMX-B1", function() set_params{{"HS", "4000", "HS=4000"}, {"LS", "200", "LS=200"}, {"ACC", "400", "ACC=400"}} end)
 local function all_to_zero()
-  for _, a in ipairs(axes) do c:query("P" .. a .. "=0") end
+  for _, a in ipairs(axes) do
+    c:query("P" .. a .. "=0")
+    c:trust(a, "set")  -- a stall before may have left it untrusted
+  end
 end
 local function with(chosen)  -- these axes and no others take part
   for _, a in ipairs(axes) do
@@ -723,12 +726,12 @@ block("PMX-M3", function()
   for n, value in pairs{[1] = 2000, [5] = 300, [9] = 150} do all[#all + 1] = {"JV" .. n, tostring(value), "JV" .. n .. "=" .. value} end
   for n, value in ipairs{-5000, -4000, 4000, 5000} do all[#all + 1] = {"JL" .. n, tostring(value), "JL" .. n .. "=" .. value} end
   set_params(all)
-  -- live bars beside the switch
+  -- live bars beside the table
   tab("control")
   c.bench:analog(1, 1250)
-  shows("control/analog/1", "^1250")
+  shows("io/analog/1", "^1250")
   c.bench:analog(1, 2500)
-  shows("control/analog/1", "^2500")
+  shows("io/analog/1", "^2500")
   c:query("PX=0")  -- between the soft limits
   ui.click("action/joystick/X/go")
   sent("JE=1")
