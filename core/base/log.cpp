@@ -15,11 +15,13 @@
 #include <sys/stat.h>
 
 #include "core/base/log_feed.h"
+#include "core/base/log_levels.h"
 
 namespace hw::log {
 namespace {
 
-constexpr std::string_view subjects_there_are[] = {"link", "pump", "driver", "gui", "emulate", "sleep"};
+constexpr std::string_view subjects_there_are[] = {"link", "pump",    "driver", "script",
+                                                   "gui",  "emulate", "sleep"};
 constexpr std::pair<std::string_view, Level> level_words[] = {{"off", Level::quiet},
                                                               {"error", Level::error},
                                                               {"warning", Level::warning},
@@ -118,8 +120,8 @@ Result<> choose_one(std::string_view choice) {
   if (!level || (equals != choice.npos && !is_subject(path)))
     return fail(
         FaultKind::text, fmt::format("There is nothing to log as \"{}\".", choice), {},
-        "Give SUBJECT=LEVEL: link, pump, driver, driver.MODEL, gui, emulate or sleep, and off, error, "
-        "warning, info or debug.");
+        "Give SUBJECT=LEVEL: link, pump, driver, driver.MODEL, script, gui, emulate or sleep, and off, "
+        "error, warning, info or debug.");
   const std::lock_guard lock(desk().mutex);
   if (path.empty())
     desk().usual = *level;
@@ -182,6 +184,21 @@ std::string_view word_of(Level level) {
   for (const auto& [name, value] : level_words)
     if (value == level) return name;
   return "off";
+}
+
+std::optional<Level> common_level(std::string_view path) {
+  const std::lock_guard lock(desk().mutex);
+  const Level level = desk().level_of(path);
+  for (const auto& [name, subject] : desk().subjects) {
+    const bool below = path.empty() || (name.starts_with(path) && name.substr(path.size()).starts_with('.'));
+    if (below && subject->level() != level) return std::nullopt;
+  }
+  for (const auto& [chosen, other] : desk().chosen) {
+    const bool below =
+        path.empty() || (chosen.starts_with(path) && chosen.substr(path.size()).starts_with('.'));
+    if (below && other != level) return std::nullopt;
+  }
+  return level;
 }
 
 void set_level(std::string_view path, Level level) {

@@ -46,7 +46,7 @@ namespace intent {
 /// What to do with a servo axis whose loop is about to close, or to drive harder, while it is far from its
 /// command.
 enum class Closing : std::uint8_t {
-  ask,    ///< refuse the intent and set IntentFate::asks
+  ask,    ///< refuse the intent and set IntentOutcome::asks
   drive,  ///< let it be driven there at once
   stay    ///< keep it where it is: its position becomes its command first
 };
@@ -302,28 +302,20 @@ using IntentBody = std::variant<
     intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves, intent::RunInPieces,
     intent::OverrideSpeed, intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
+// Not inline, as the move of an intent and a visit of all of them would be compiled again in every file that
+// includes this one: two seconds each.
+
 /// The answer in an intent that may close a servo loop; null for any other intent.
-inline intent::Closing* closing_of(IntentBody& body) {
-  if (auto* i = std::get_if<intent::SetPower>(&body)) return &i->closing;
-  if (auto* i = std::get_if<intent::SetParam>(&body)) return &i->closing;
-  if (auto* i = std::get_if<intent::Act>(&body)) return &i->closing;
-  return nullptr;
-}
+intent::Closing* closing_of(IntentBody& body);
 
 /// Notes who requested a stop; does nothing to any other intent.
-inline void asked_by(IntentBody& body, StoppedBy who) {
-  std::visit(
-      [who](auto& request) {
-        if constexpr (requires { request.by; }) request.by = who;
-      },
-      body);
-}
+void asked_by(IntentBody& body, StoppedBy who);
 
 struct Intent {
   IntentId id = 0;
   IntentBody body;
   Instant asked_at{};  ///< when the hand or script requested it, on its own thread; 0: not told
-  Intent(IntentId i, IntentBody b, Instant at = {}) : id(i), body(std::move(b)), asked_at(at) {}
+  Intent(IntentId i, IntentBody b, Instant at = {});
 };
 
 }  // namespace hw

@@ -1,0 +1,22 @@
+#include "core/device/intent.h"
+
+namespace hw {
+
+intent::Closing* closing_of(IntentBody& body) {
+  if (auto* i = std::get_if<intent::SetPower>(&body)) return &i->closing;
+  if (auto* i = std::get_if<intent::SetParam>(&body)) return &i->closing;
+  if (auto* i = std::get_if<intent::Act>(&body)) return &i->closing;
+  return nullptr;
+}
+
+void asked_by(IntentBody& body, StoppedBy who) {
+  std::visit(
+      [who](auto& request) {
+        if constexpr (requires { request.by; }) request.by = who;
+      },
+      body);
+}
+
+Intent::Intent(IntentId i, IntentBody b, Instant at) : id(i), body(std::move(b)), asked_at(at) {}
+
+}  // namespace hw
