@@ -199,7 +199,7 @@ Result<std::uint32_t> take_base(DeviceOptions& keys) {
   const unsigned long base = std::strtoul(text.c_str(), &end, 0);
   if (*end == '\0' && base <= 0xFFFF) return static_cast<std::uint32_t>(base);
   return bad(fmt::format("base={} is not a place in the short address space.", text),
-             "Give what the board's jumpers say, for example base=0xF000.");
+             "Give the address that the jumpers of the board set, for example base=0xF000.");
 }
 
 Task<Result<Wire>> open_vme_wire(Scheduler& scheduler, const DeviceType& type, Address address,

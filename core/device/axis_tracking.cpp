@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include <fmt/core.h>
+
 #include "core/base/index.h"
 #include "core/device/catalog.h"
+#include "core/device/nothing_known.h"
 
 namespace hw {
 namespace {
@@ -15,10 +18,10 @@ constexpr Duration longest_stop = std::chrono::seconds(30);
 
 void AxisTracking::begun(int index, const Motion& motion) {
   Tracked& tracked = tracked_[ix(index)];
-  AxisState& axis = draft_.axes[ix(index)];
+  AxisState& axis = context_.draft.axes[ix(index)];
   tracked.wanted = motion.activity;
   tracked.stopped_by = EndedBy::nothing;
-  tracked.begun_at = scheduler_.now();
+  tracked.begun_at = context_.scheduler.now();
   tracked.moves = true;
   axis.activity = motion.activity;
   axis.ended_by = EndedBy::nothing;
@@ -31,19 +34,34 @@ void AxisTracking::begun(int index, const Motion& motion) {
 }
 
 void AxisTracking::stopping(int only, bool at_once) {
-  for (int i = 0; i < draft_.axis_count; ++i) {
+  for (int i = 0; i < context_.draft.axis_count; ++i) {
     if (only >= 0 && i != only) continue;
-    AxisState& axis = draft_.axes[ix(i)];
-    if (at_once && draft_.axis_moves(i) && !axis.trust.doubtful() && may_lose_steps && may_lose_steps(i))
-      axis.trust.doubt(Doubt::killed, scheduler_.now());
-    tracked_[ix(i)].stopped_by = at_once ? EndedBy::abort : EndedBy::stop;
-    if (draft_.axis_moves(i)) axis.activity = Activity::stopping;
+    AxisState& axis = context_.draft.axes[ix(i)];
+    if (at_once && context_.draft.axis_moves(i) && !axis.trust.doubtful()) may_lose_steps(i);
+    const bool killed = context_.draft.axis_moves(i) && tracked_[ix(i)].stopped_by == EndedBy::abort;
+    tracked_[ix(i)].stopped_by = at_once || killed ? EndedBy::abort : EndedBy::stop;
+    if (context_.draft.axis_moves(i)) axis.activity = Activity::stopping;
   }
+}
+
+/// A motor that runs faster than it can start overshoots when it is stopped at once.
+void AxisTracking::may_lose_steps(int index) {
+  AxisState& axis = context_.draft.axes[ix(index)];
+  if (axis.speed <= start_speed_) return;
+  axis.trust.doubt(Doubt::killed, context_.scheduler.now());
+  warn(
+      fmt::format("Axis {} was stopped at speed without a ramp and may have lost steps. Home it, or set its "
+                  "position.",
+                  context_.catalog.axes[ix(index)].name));
+}
+
+void AxisTracking::warn(std::string sentence) {
+  context_.notify(Notice(Notice::Kind::warning, context_.scheduler.now(), std::move(sentence)));
 }
 
 void AxisTracking::read(int index, const Reading& reading, Instant asked_at) {
   Tracked& tracked = tracked_[ix(index)];
-  AxisState& axis = draft_.axes[ix(index)];
+  AxisState& axis = context_.draft.axes[ix(index)];
   const bool was_known = axis.position_known;
   const Steps way = reading.position - axis.position;
   axis.position = reading.position;
@@ -64,7 +82,7 @@ void AxisTracking::read(int index, const Reading& reading, Instant asked_at) {
 /// A motion that this console has not begun, or of which it does not know, is shown as a move.
 void AxisTracking::show_moving(int index) {
   const Tracked& tracked = tracked_[ix(index)];
-  AxisState& axis = draft_.axes[ix(index)];
+  AxisState& axis = context_.draft.axes[ix(index)];
   const bool stops = tracked.stopped_by != EndedBy::nothing;
   axis.activity = stops                              ? Activity::stopping
                   : tracked.wanted == Activity::idle ? Activity::moving
@@ -74,18 +92,19 @@ void AxisTracking::show_moving(int index) {
 
 void AxisTracking::show_ended(int index, bool found_home) {
   Tracked& tracked = tracked_[ix(index)];
-  AxisState& axis = draft_.axes[ix(index)];
-  if (draft_.axis_moves(index)) {
+  AxisState& axis = context_.draft.axes[ix(index)];
+  if (context_.draft.axis_moves(index)) {
     const bool homes = tracked.wanted == Activity::homing;
     const bool homed = homes && found_home && tracked.stopped_by == EndedBy::nothing;
     const bool at_limit = axis.direction < 0 ? axis.limit_minus : axis.limit_plus;
-    const bool missed = homes || (axis.has_target && axis.position != axis.target);
+    const bool jogs = tracked.wanted == Activity::jogging && !axis.has_target;  // only a stop ends it
+    const bool missed = homes || jogs || (axis.has_target && axis.position != axis.target);
     axis.ended_by = homed                                      ? EndedBy::target
                     : at_limit && (missed || !axis.has_target) ? EndedBy::limit
                     : tracked.stopped_by != EndedBy::nothing   ? tracked.stopped_by
                     : missed                                   ? EndedBy::elsewhere
                                                                : EndedBy::target;
-    if (homed) axis.trust.settle(Trust::homed, scheduler_.now());
+    if (homed) axis.trust.settle(Trust::homed, context_.scheduler.now());
   }
   axis.activity = Activity::idle;
   axis.direction = 0;
@@ -98,11 +117,11 @@ void AxisTracking::show_ended(int index, bool found_home) {
 StopProgress AxisTracking::progress(const StopOrder& order) const {
   using What = StopOrder::What;
   if (order.what != What::everything && order.what != What::jog) return StopProgress::stands();
-  for (int i = 0; i < draft_.axis_count; ++i) {
+  for (int i = 0; i < context_.draft.axis_count; ++i) {
     if (order.axis >= 0 && i != order.axis) continue;
     const Tracked& tracked = tracked_[ix(i)];
     if (tracked.asked_at >= order.sent_at && !tracked.moves) continue;
-    if (scheduler_.now() - order.first_sent_at < longest_stop) return StopProgress::wait();
+    if (context_.scheduler.now() - order.first_sent_at < longest_stop) return StopProgress::wait();
     return StopProgress::failed(
         Fault(FaultKind::controller, "The controller was told to stop and still moves.", "The stop was sent.",
               "Stop again: it then stops at once, without a ramp."));
@@ -111,17 +130,23 @@ StopProgress AxisTracking::progress(const StopOrder& order) const {
 }
 
 void AxisTracking::restarted() {
-  for (int i = 0; i < draft_.axis_count; ++i) {
-    AxisState& axis = draft_.axes[ix(i)];
-    if (draft_.axis_moves(i)) axis.ended_by = EndedBy::lost;
+  ++context_.draft.restarts;
+  set_up_is_unknown(context_.draft);
+  for (int i = 0; i < context_.draft.axis_count; ++i) {
+    AxisState& axis = context_.draft.axes[ix(i)];
+    if (context_.draft.axis_moves(i)) axis.ended_by = EndedBy::lost;
     axis.activity = Activity::unknown;
     axis.has_target = false;
-    axis.trust.doubt(Doubt::power_cut, scheduler_.now());
+    axis.trust.doubt(Doubt::power_cut, context_.scheduler.now());
     tracked_[ix(i)] = Tracked();
   }
+  warn("The controller was switched off and on. Home the axes before the next move to a place.");
 }
 
-void AxisTracking::wire_lost() { tracked_ = {}; }
+void AxisTracking::wire_lost() {
+  tracked_ = {};
+  nothing_is_known(context_.draft);
+}
 
 std::optional<double> stopping_way_by_ramp(const Catalog& catalog, const Snapshot& now, AxisId axis) {
   const AxisState& a = now.axes[axis.index];

@@ -2,20 +2,16 @@
 // What a driver knows of the motion of each axis: what it has begun and stopped, and what the status rounds
 // show. For controllers that tell whether an axis moves; writes the axes of the snapshot.
 #include <array>
-#include <functional>
 #include <optional>
 
-#include "core/device/snapshot.h"
-#include "core/device/stop.h"
-#include "core/time/scheduler.h"
+#include "core/device/driver.h"
 
 namespace hw {
 
-struct Catalog;
-
 class AxisTracking {
  public:
-  AxisTracking(Snapshot& draft, const Scheduler& scheduler) : draft_(draft), scheduler_(scheduler) {}
+  /// Up to `start_speed` a motor starts and stops without a ramp. The context must outlive it.
+  AxisTracking(DriverContext& context, Pps start_speed) : context_(context), start_speed_(start_speed) {}
 
   struct Motion {
     Activity activity = Activity::moving;
@@ -34,19 +30,19 @@ class AxisTracking {
 
   /// The controller has accepted a motion.
   void begun(int axis, const Motion& motion);
-  /// A stop goes out; -1: for all axes.
+  /// A stop is sent; -1: for all axes. One without a ramp makes the count of a fast axis doubtful, and the
+  /// user is told.
   void stopping(int axis, bool at_once);
   /// A reading to a question that was asked at `asked_at`.
   void read(int axis, const Reading& reading, Instant asked_at);
   /// How far a stop of axes has come. Gives up after half a minute.
   [[nodiscard]] StopProgress progress(const StopOrder& order) const;
-  /// The controller was switched off and on.
+  /// The user has set the count.
+  void was_set(int axis) { context_.draft.axes[axis].trust.settle(Trust::set, context_.scheduler.now()); }
+  /// The controller was switched off and on: counts it, makes set-up and positions doubtful, tells the user.
   void restarted();
+  /// Marks all as unknown.
   void wire_lost();
-
-  /// Called with each axis that is stopped without a ramp, before it shows in the snapshot: from the present
-  /// speed it may lose steps.
-  std::function<bool(int axis)> may_lose_steps;
 
  private:
   struct Tracked {
@@ -58,8 +54,11 @@ class AxisTracking {
   void show_moving(int axis);
   void show_ended(int axis, bool homed);
 
-  Snapshot& draft_;
-  const Scheduler& scheduler_;
+  void may_lose_steps(int axis);
+  void warn(std::string sentence);
+
+  DriverContext& context_;
+  const Pps start_speed_;
   std::array<Tracked, max_axes> tracked_{};
 };
 

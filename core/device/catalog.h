@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/device/bench_facts.h"
 #include "core/device/jog_guard.h"
 #include "core/time/clock.h"
 
@@ -263,33 +264,6 @@ struct OptionInfo {
       choices;  ///< value and label: "4", "4 motors"; first: usual
 };
 
-enum class LampColour : std::uint8_t { green, yellow, red };
-struct BenchButton {
-  std::string name;  ///< "Run", "1-"
-  bool moves = false;
-  int row = 0;               ///< on its front panel
-  int supply = 0;            ///< the supply on whose front panel it is
-  bool stops = false;        ///< a Stop: drawn as one
-  std::string caption = {};  ///< over adjacent buttons with the same caption: "Motor 1"
-};
-struct BenchLamp {
-  std::string name;
-  LampColour colour;
-  int supply = 0;
-};
-/// A box on the bench with a power switch of its own.
-struct BenchSupply {
-  std::string name;      ///< name of a second box: "Slave"; empty: the device itself
-  bool breaker = false;  ///< has a circuit breaker that is reset by hand
-};
-/// What can be done to the emulated device by hand.
-struct BenchFacts {
-  std::string panel_title;  ///< "VXM front panel"
-  std::vector<BenchSupply> supplies{BenchSupply{}};
-  std::vector<BenchButton> buttons;
-  std::vector<BenchLamp> lamps;
-};
-
 struct Capabilities {
   bool single_step = false;        ///< supports Pause, Resume and SingleStep
   bool outputs_while_held = true;  ///< outputs can be switched while a program is held
@@ -299,7 +273,6 @@ struct Capabilities {
   bool one_axis_at_a_time = false;
   bool homes = true;
   bool reset = false;
-  bool tells_slowing = true;  ///< reports the speed of an axis, or that it slows down
   bool interpolates = false;  ///< moves several axes together on a straight line
   bool arcs = false;          ///< moves its first two axes along an arc, from rest to rest
   bool broadcast = false;     ///< accepts text sent to all devices on a wire, without replies

@@ -1,8 +1,7 @@
 #pragma once
-// The readings of one axis' count: whether motion explains each of them, or somebody has set the count. A
-// reading may be spoilt on the way, so nothing is concluded from one alone: a new count is believed when
-// readings have gone on from it for a second, and no motion leads there from any of the last readings before
-// it.
+// The readings of one axis' count. Decides whether motion explains a new count, or somebody has set it. One
+// reading may be garbled, so a new count is believed only when further readings have followed from it for a
+// second, and when no motion leads to it from any of the last readings before it.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -18,7 +17,7 @@ struct CountReading {
   double fastest = 0;    ///< steps/s that the axis may go now
   std::int8_t way = 0;   ///< -1, +1: the direction to its target; 0: not known
   double any_speed = 0;  ///< steps/s that the controller can make at most
-  double range = 0;      ///< of the counter, which may go on from its other end; 0: not known
+  double range = 0;      ///< of the counter, which wraps around; 0: not known
 };
 
 class CountTrack {
@@ -29,7 +28,7 @@ class CountTrack {
 
  private:
   static constexpr int kept = 3;
-  static constexpr int confirmed = 4;  ///< readings without which no count is taken for one
+  static constexpr int confirmed = 4;  ///< readings needed before a count is believed
   using Readings = std::array<CountReading, kept>;
 
   void know(const CountReading& now);
@@ -43,12 +42,12 @@ class CountTrack {
   [[nodiscard]] bool moved_on(const CountReading& from, const CountReading& to, double other_rate) const;
   [[nodiscard]] bool motion_explains() const;
 
-  Readings known_{};     ///< the last, newest at the end
+  Readings known_{};     ///< the latest, newest at the end
   Readings other_{};     ///< the first of another count ...
   CountReading last_{};  ///< ... and its last
   int known_count_ = 0, other_count_ = 0;
-  int went_on_ = 0;  ///< readings before `other_` of which each lies further the same way
-  int missed_ = 0;   ///< readings behind the last one that do not go on from there
+  int went_on_ = 0;  ///< readings before `other_`, each further in the same direction
+  int missed_ = 0;   ///< readings after the latest that do not follow from it
 };
 
 }  // namespace hw

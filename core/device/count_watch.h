@@ -1,12 +1,11 @@
 #pragma once
-// Notices where somebody else has set the count of an axis: another program on the wire, or a hand at the
-// controller. It counts elsewhere now, and no motion could have brought it there in the time (CountTrack).
-// What lies within a motion looks like one, and nobody can tell them apart.
+// Notices when somebody else sets the count of an axis: another program on the wire, or a person at the
+// controller. It looks for a count that no motion could have reached in the time (CountTrack). A count that
+// was set within the reach of a motion looks like that motion and cannot be noticed.
 //
-// It does not look at an axis that searches its home or stops out of that, whose motor is free, or of which
-// the position is not known or not trusted anyway; nor at any axis while a program, a list or a drawing runs,
-// until three readings behind a command that moves or may set a count, and behind a restart or a missing
-// answer.
+// It ignores an axis that homes, or stops from homing; whose motor is free; or whose position is unknown or
+// not trusted anyway. It ignores all axes while a program, a list or a drawing runs, and for three readings
+// after a command that moves or may set a count, a restart or a missing answer.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -21,9 +20,9 @@ class CountWatch {
  public:
   explicit CountWatch(const Catalog& catalog) : catalog_(catalog) {}
 
-  /// Something goes out that may set a count, or move: what is seen next is taken as it is.
+  /// A command is sent that may set a count or move: the next readings are believed.
   void disturbed() { tracks_ = {}; }
-  /// After each whole round of status: a bit for each axis whose count somebody has set. It is told once.
+  /// After each whole status round: a bit for each axis whose count somebody has set, reported once.
   [[nodiscard]] std::uint32_t look(const Snapshot& now);
 
  private:
@@ -41,7 +40,7 @@ class CountWatch {
 
   const Catalog& catalog_;
   std::array<Track, max_axes> tracks_{};
-  std::uint32_t homing_ = 0;  ///< a bit for each axis that searches its home, or stops out of that
+  std::uint32_t homing_ = 0;  ///< a bit for each axis that homes, or stops from homing
   World world_;
 };
 

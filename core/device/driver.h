@@ -15,7 +15,7 @@
 // - Stops: see stop(). A second stop of the same scope comes with StopOrder::at_once. stop_progress() says
 //   `stands` only from values read since the stop was sent.
 // - Snapshot. The driver writes the axes (but travel and backlash), programs, threads, the feed, transfers,
-//   parameters, readouts, lines and its identity. The pump writes link, pieces, fates and poll_period. A
+//   parameters, readouts, lines and its identity. The pump writes link, pieces, outcomes and poll_period. A
 //   value that is no longer known is marked as unknown, never left as it was.
 // - Restarts. The driver increments Snapshot::restarts when the controller was switched on or reset, and in
 //   the same round marks each axis that may have lost its zero (PositionTrust::doubt).

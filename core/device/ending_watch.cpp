@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "core/base/index.h"
 
@@ -73,12 +74,27 @@ void EndingWatch::stop_goes_out(const StopOrder& order, Instant at) {
     if (Run& run = axes_[ix(i)]; run.sent_at == Instant{} && stops_axis(order, i)) run.sent_at = at;
 }
 
-// By the status, or by the speed, of controllers that tell one of them.
+/// By its way between two readings, where that is long enough to judge by.
+bool EndingWatch::falls_behind(Run& run, const AxisState& axis) {
+  constexpr double plainly = 0.8, enough_steps = 20;
+  const bool behind_stop = run.sent_at != Instant{} && run.seen_at >= run.sent_at;
+  if (behind_stop && run.pace * seconds(axis.seen_at - run.seen_at) < enough_steps) return false;
+  const Instant before = std::exchange(run.seen_at, axis.seen_at);
+  const Steps from = std::exchange(run.seen_place, axis.position);
+  const double way = std::abs(static_cast<double>((axis.position - from).value));
+  const double time = seconds(axis.seen_at - before);
+  if (before == Instant{} || time <= 0) return false;
+  if (run.sent_at == Instant{}) run.pace = way / time;
+  return behind_stop && way < plainly * run.pace * time;
+}
+
+// By its status, its speed, or its way alone: whichever the controller tells.
 void EndingWatch::see_slowing(Run& run, const AxisState& axis) {
   constexpr double plainly = 0.98;
+  const bool behind = axis.seen_at != run.seen_at && falls_behind(run, axis);
   if (run.sent_at == Instant{} || run.slow_at != Instant{} || axis.seen_at < run.sent_at) return;
   const bool slower = axis.speed.value > 0 && axis.speed.value < plainly * run.asked_speed.value;
-  if (axis.phase == Phase::decelerating || slower) run.slow_at = axis.seen_at;
+  if (axis.phase == Phase::decelerating || slower || behind) run.slow_at = axis.seen_at;
 }
 
 void EndingWatch::time_the_stop(Run& run, Instant at) {
@@ -128,13 +144,17 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
     return;
   }
   if (!run.under_way) return;
-  if (state.activity == Activity::unknown) return (void)(run = Run());  // the loss of the link is told
+  const bool lost_its_place = state.trust.doubtful() && state.trust.since >= run.told.began;
+  const bool restarted = state.ended_by == EndedBy::lost && lost_its_place;
+  if (state.activity == Activity::unknown && !restarted) return;  // it shows when the axis is heard again
   // How it ended may show a round later.
   if (state.ended_by == EndedBy::nothing && state.activity != Activity::error) return;
   run.quiet = run.quiet || something_tells(now);
   run.told.axis = axis;
   run.told.at_travel_end = run.told.at_travel_end && state.ended_by == EndedBy::target;
   run.told.by = state.ended_by == EndedBy::nothing ? EndedBy::error : state.ended_by;
+  run.told.beside_program = something_tells(now);
+  if (restarted) run.told.lost_with = state.trust.cause;
   run.told.error = state.error;
   run.told.limit_minus = state.limits_known && state.limit_minus;
   run.told.limit_plus = state.limits_known && state.limit_plus;
@@ -156,6 +176,7 @@ void EndingWatch::look_at_program(const Snapshot& now) {
   if (p.ended_by == EndedBy::nothing && p.run != RunState::error) return;
   program_.told.by = p.run == RunState::error ? EndedBy::error : p.ended_by;
   if (program_.told.by == EndedBy::error) find_cause(program_.told, now, -1);
+  if (program_.told.by == EndedBy::limit) find_axis_at_limit(program_.told, now);
   finish(program_, now.at);
 }
 
@@ -186,6 +207,17 @@ void EndingWatch::find_cause(Ending& told, const Snapshot& now, int line) {
   told.line = line;
   for (int i = 0; i < now.axis_count && told.failed_axis < 0; ++i)
     if (now.axes[ix(i)].error != AxisError::none) told.failed_axis = i, told.error = now.axes[ix(i)].error;
+}
+
+void EndingWatch::find_axis_at_limit(Ending& told, const Snapshot& now) {
+  for (int i = 0; i < now.axis_count && told.failed_axis < 0; ++i) {
+    const AxisState& axis = now.axes[ix(i)];
+    if (axis.ended_by != EndedBy::limit || !axis.limits_known) continue;
+    told.failed_axis = i;
+    told.error = axis.limit_minus == axis.limit_plus ? AxisError::limit
+                 : axis.limit_minus                  ? AxisError::limit_minus
+                                                     : AxisError::limit_plus;
+  }
 }
 
 void EndingWatch::look_at_list(const Snapshot& now) {

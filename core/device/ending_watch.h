@@ -33,6 +33,9 @@ class EndingWatch {
     Instant slow_at{};              ///< it was first seen to slow down behind that
     Steps asked_place{};
     Pps asked_speed{};
+    Instant seen_at{};  ///< the latest reading
+    Steps seen_place{};
+    double pace = 0;  ///< steps/s between the last two readings before the stop
   };
   void look_at_axis(const Snapshot& now, int axis);
   void look_at_program(const Snapshot& now);
@@ -43,6 +46,8 @@ class EndingWatch {
   static void begin(Run& run, Ending::What what, Instant now);
   void finish(Run& run, Instant at);
   static void see_slowing(Run& run, const AxisState& axis);
+  static bool falls_behind(Run& run, const AxisState& axis);
+  static void find_axis_at_limit(Ending& told, const Snapshot& now);
   static void time_the_stop(Run& run, Instant at);
   static bool stops_axis(const StopOrder& order, int axis);
 

@@ -6,6 +6,7 @@
 
 #include "core/base/index.h"
 #include "core/device/decision_log.h"
+#include "core/device/places_in_text.h"
 #include "core/device/sequence_travel.h"
 #include "core/sequence/steps_in.h"
 
@@ -45,6 +46,18 @@ bool keep_known(sequence::StepList& steps, const sequence::Sequence& of) {
   return true;
 }
 
+/// Adds what the text names beside its known steps, as moves of their own.
+void add_places(sequence::Sequence& to, const Language& language, std::string_view text) {
+  const auto* tells = dynamic_cast<const PlacesInText*>(&language);
+  if (!tells) return;
+  for (const AxisTarget& place : tells->places_in(text)) {
+    if (place.axis.index >= to.axes.size()) continue;
+    sequence::Move move;
+    move.to[place.axis.index] = static_cast<double>(place.value.value);
+    to.steps.push_back({move});
+  }
+}
+
 }  // namespace
 
 void LoadedTexts::loaded(const intent::LoadProgram& load, std::uint32_t restarts) {
@@ -68,9 +81,10 @@ void LoadedTexts::forget(const IntentBody& body) {
 std::optional<sequence::Sequence> LoadedTexts::read(const std::string& text) const {
   try {
     auto read = language_->read(text, frame_in_steps(catalog_), catalog_);
-    if (!read) return {};
-    keep_known(read->sequence.steps, read->sequence);
-    return std::move(read->sequence);
+    sequence::Sequence known = read ? std::move(read->sequence) : frame_in_steps(catalog_);
+    const bool whole = read && keep_known(known.steps, known);
+    if (!whole) add_places(known, *language_, text);
+    return known;
   } catch (const std::exception& defect) {  // from a library: nothing is known of it then
     pump_log().debug("a loaded program could not be read: {}", defect.what());
     return {};
@@ -81,7 +95,8 @@ std::vector<AxisTarget> LoadedTexts::places_in_doubt(int slot, const Snapshot& n
   slot = place_of(slot);
   if (!language_ || !keeps(slot) || !some_count_is_doubtful(now)) return {};
   Load& load = loads_[ix(slot)];
-  if (load.restarts != now.restarts) load = {};
+  if (load.restarts != now.restarts)  // which may have taken it: its places count as long as it may be there
+    pump_log().debug("a program that was loaded before a restart is started");
   if (const std::string text = std::exchange(load.text, {}); !text.empty()) load.known = read(text);
   if (!load.known) return {};
   std::vector<AxisTarget> places = places_of_run(*load.known, catalog_, now);

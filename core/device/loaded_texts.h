@@ -1,8 +1,9 @@
 #pragma once
-// The programs that the console has loaded into the controller, so that one that goes to absolute places is
-// not started while a count is doubtful, whoever starts it. Nothing is known of a program that it has not
-// loaded, that is long, or that a restart may have taken; nor of what comes behind a command that no block
-// describes, as that may set the count.
+// The programs that the console has loaded into the controller. A program with absolute targets must not be
+// started while a count is doubtful, whoever starts it. One that a restart may have erased counts as long as
+// it may be there. Unknown are programs that the console has not loaded, long ones, and what stands behind a
+// command that no block describes, as that may set the count, except the places that the language names
+// there.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -27,7 +28,7 @@ class LoadedTexts {
   void forget() { loads_ = {}; }
   /// This command changes them.
   void forget(const IntentBody& body);
-  /// The places to which the program takes axes by a count that is doubtful; none, if that is not known.
+  /// The targets of the program on axes whose count is doubtful; none if they are not known.
   [[nodiscard]] std::vector<AxisTarget> places_in_doubt(int slot, const Snapshot& now);
 
  private:

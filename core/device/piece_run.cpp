@@ -23,8 +23,11 @@ Result<> PieceRun::begin(const intent::RunInPieces& request) {
   piece_ = step_ = acts_before_ = 0;
   doubts_ = false;
   restarts_ = draft_.restarts;
-  draft_.pieces = PiecesState();
+  const PiecesState before = std::exchange(draft_.pieces, PiecesState());
   draft_.pieces.running = true;
+  draft_.pieces.drawing = pieces_->drawing;
+  if (pieces_->drawing == 0)
+    draft_.pieces.rest_of = before.rest_of, draft_.pieces.rest_step = before.rest_step;
   draft_.pieces.draws = seat_ || std::any_of(pieces_->all.begin(), pieces_->all.end(),
                                              [](const Piece& piece) { return piece.draws >= 0; });
   draft_.pieces.speed_can_change = draft_.pieces.draws || pieces_->text_at;
@@ -226,6 +229,10 @@ std::string PieceRun::why_not_there(const AxisTarget& end) const {
 }
 
 void PieceRun::end() {
+  if (pieces_ && pieces_->drawing != 0 && draft_.pieces.done < draft_.pieces.total) {
+    draft_.pieces.rest_of = pieces_->drawing;
+    draft_.pieces.rest_step = std::max(draft_.pieces.step, pieces_->all[piece_].first_step);
+  }
   pieces_.reset();
   if (seat_) seat_->leave();
   seat_.reset();

@@ -1,6 +1,7 @@
 #pragma once
 // A sequence cut into pieces that its controller can hold, where its tool is up or can be lifted. Each piece
 // is complete, begins and ends with the tool off, and waits for the one before.
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -50,6 +51,7 @@ struct Pieces {
   ToolOff tool;                      ///< the tool that the acts switch; a program's text names its own
   std::string remark;                ///< to be told before the run; may be empty
   bool one_move = false;             ///< the two halves of one move
+  std::uint64_t drawing = 0;  ///< a number of one's own: the rest can be drawn after a stop; 0: it cannot
   /// The program of a piece at a share of its speeds, as near as the controller can. Null: no step names a
   /// speed, or the moves go through the controller's buffer.
   std::function<Result<std::string>(const Piece& piece, int percent)> text_at;

@@ -5,26 +5,35 @@
 #include <string>
 #include <type_traits>
 
-#include "core/base/index.h"
 #include "core/device/bench.h"
 #include "core/motion/plant.h"
 
 namespace hw {
 
-inline void act_on(motion::Plant& plant, const bench::Limit& hand) {
-  plant.operate_limit(hand.sign, hand.operated);
+/// Refuses a place that an axis cannot have. `servo`: a motor can be described for it.
+Result<> check_place(const AxisPlace& place, bool servo);
+
+inline Result<> act_on(motion::Plant& plant, const bench::Limit& hand) {
+  return plant.operate_limit(hand.sign, hand.operated), Result<>();
 }
-inline void act_on(motion::Plant& plant, const bench::HomeSwitch& hand) { plant.operate_home(hand.operated); }
-inline void act_on(motion::Plant& plant, const bench::Jam& hand) { plant.jam(hand.on); }
-inline void act_on(motion::Plant& plant, const bench::Slip& hand) { plant.slip(hand.by); }
-inline void act_on(motion::Plant& plant, const bench::Place& hand) { plant.set_place(hand.place); }
+inline Result<> act_on(motion::Plant& plant, const bench::HomeSwitch& hand) {
+  return plant.operate_home(hand.operated), Result<>();
+}
+inline Result<> act_on(motion::Plant& plant, const bench::Jam& hand) {
+  return plant.jam(hand.on), Result<>();
+}
+inline Result<> act_on(motion::Plant& plant, const bench::Slip& hand) {
+  return plant.slip(hand.by), Result<>();
+}
+/// Of a stepping motor.
+Result<> act_on(motion::Plant& plant, const bench::Place& hand);
 
 template <class Hand>
 concept ActsOnPlant = requires(motion::Plant& plant, const Hand& hand) {
   act_on(plant, hand);
 };
 
-/// For a controller that has axes and a power switch, and nothing else on its bench. `axis_of` gives the
+/// For a controller that has axes and a power switch, and nothing else on its bench. `plant_of` gives the
 /// plant of an axis, null where there is none, and `changed` is told which one was acted on; `power` switches
 /// it.
 template <class PlantOf, class Changed, class SwitchPower>
@@ -37,7 +46,7 @@ Result<> act_on_plants(const BenchCommand& command, const PlantOf& plant_of, con
         return fail(FaultKind::refused,
                     "This controller has no axis number " + std::to_string(hand.axis.index + 1) + ".",
                     "Nothing was changed.");
-      act_on(*plant, hand);
+      if (auto done = act_on(*plant, hand); !done) return done;
       changed(hand.axis);
     } else if constexpr (std::is_same_v<Hand, bench::Power>) {
       power(hand.on);
@@ -53,16 +62,15 @@ Result<> act_on_plants(const BenchCommand& command, const PlantOf& plant_of, con
   return std::visit(act, command);
 }
 
-/// The load and the switches of one axis.
-inline void show_plant(BenchView& view, int axis, const motion::Plant& plant) {
-  const std::uint32_t bit = 1u << axis;
-  view.load_position[ix(axis)] = plant.load();
-  view.switches[ix(axis)] = plant.place().switches();
-  if (plant.limit_operated(Sign::minus)) view.limits_minus |= bit;
-  if (plant.limit_operated(Sign::plus)) view.limits_plus |= bit;
-  if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;
-  if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
-  if (plant.home_by_hand()) view.homes_by_hand |= bit;
-}
+/// The load and the switches of one axis, for BenchView.
+struct SeenPlant {
+  const motion::Plant& plant;
+  bool minus, plus;  ///< its limit switches are operated
+  explicit SeenPlant(const motion::Plant& p)
+      : SeenPlant(p, p.limit_operated(Sign::minus), p.limit_operated(Sign::plus)) {}
+  SeenPlant(const motion::Plant& p, bool minus_operated, bool plus_operated)
+      : plant(p), minus(minus_operated), plus(plus_operated) {}
+};
+void show_plant(BenchView& view, int axis, const SeenPlant& seen);
 
 }  // namespace hw

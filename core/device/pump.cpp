@@ -1,4 +1,5 @@
-// Connecting, polling, what is lost and what is told. What is asked of it: pump_intents.cpp.
+// Connecting, polling and what is lost. What is reported: pump_reports.cpp. What is asked of the controller:
+// pump_intents.cpp.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -391,87 +392,6 @@ void Pump::poll_finished(const Result<>& result) {
   draft_.poll_period = fast ? driver_->moving_period() : driver_->idle_period();
   rounds_.schedule(scheduler_.now(), draft_.poll_period);
   publish();
-}
-
-void Pump::tell_what_came_of_the_loss() {
-  std::string told = outage_.told_when_back(catalog_, draft_, something_runs(), scheduler_.now());
-  if (!told.empty()) callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(told)));
-}
-
-void Pump::watch_counts() {
-  const std::uint32_t set = counts_.look(draft_);
-  for (int axis = 0; set != 0 && axis < draft_.axis_count; ++axis) {
-    if ((set >> axis & 1u) == 0) continue;
-    pump_log().debug("{}: the count of axis {} was set elsewhere, to {} now", Whose{catalog_}, axis + 1,
-                     draft_.axes[axis].commanded().value);
-    draft_.axes[axis].trust.doubt(Doubt::another, scheduler_.now());
-    callbacks_.notify(
-        Notice(Notice::Kind::warning, scheduler_.now(), describe_count_was_set(catalog_, axis)));
-  }
-  if (set != 0) publish();
-}
-
-std::uint64_t Pump::want_round() {
-  const std::uint64_t wanted = rounds_.want(scheduler_.now());
-  wake_.notify();
-  return wanted;
-}
-
-Task<> Pump::refresh() {
-  if (!connected()) co_return;
-  const std::uint64_t wanted = want_round();
-  while (rounds_.ended() < wanted && connected() && !closes()) co_await published_.wait();
-}
-
-void Pump::know_store_count(std::int32_t writes_used) {
-  if (std::exchange(draft_.store_count, writes_used) != writes_used && runs()) publish();
-}
-
-// ---- what is told
-
-void Pump::set_fate(IntentId id, Fate fate, std::string_view sentence) {
-  IntentFate told;
-  told.id = id;
-  told.fate = fate;
-  if (fate == Fate::failed) told.kind = FaultKind::controller;
-  told.sentence = sentence;
-  set_fate(told);
-}
-
-void Pump::set_fate(const IntentFate& told) {
-  if (told.fate == Fate::refused || told.fate == Fate::failed)
-    pump_log().debug("{}: command {} not done: {}", Whose{catalog_}, told.id, told.sentence.view());
-  if (told.id == 0) return;
-  auto& fates = draft_.fates;
-  auto at = std::find_if(fates.begin(), fates.end(), [&](const IntentFate& f) { return f.id == told.id; });
-  if (at == fates.end()) {  // what still waits is not forgotten for what is over
-    const auto over = std::find_if(fates.rbegin(), fates.rend(),
-                                   [](const IntentFate& f) { return f.id == 0 || f.fate != Fate::pending; });
-    const auto room = over == fates.rend() ? fates.end() - 1 : over.base() - 1;
-    std::move_backward(fates.begin(), room, room + 1);
-    at = fates.begin();
-  }
-  *at = told;
-}
-
-void Pump::report_fault(IntentId id, const Fault& fault, IntentFate told) {
-  told.id = id;
-  told.asks = fault.kind == FaultKind::asks;
-  told.fate = told.asks || fault.kind == FaultKind::refused ? Fate::refused : Fate::failed;
-  told.tell(fault);
-  set_fate(told);
-}
-
-void Pump::publish() {
-  ++draft_.sequence;
-  draft_.at = scheduler_.now();
-  keep_will();
-  draft_.link.jog_ends = station_ ? station_->jog_ends() : JogEnds::by_nobody;
-  endings_.look(draft_);
-  if (std::string passed = travel_.look(draft_); !passed.empty())
-    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(passed)));
-  callbacks_.publish(draft_);
-  published_.notify();
 }
 
 }  // namespace hw

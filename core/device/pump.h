@@ -125,9 +125,9 @@ class Pump {
   [[nodiscard]] bool runs() const { return life_ > Life::made && life_ < Life::over; }
   [[nodiscard]] bool leaves() const { return life_ >= Life::leaves; }
   [[nodiscard]] bool closes() const { return life_ >= Life::closes; }
-  void set_fate(IntentId id, Fate fate, std::string_view sentence = {});
-  void set_fate(const IntentFate& told);
-  void report_fault(IntentId id, const Fault& fault, IntentFate told = {});
+  void set_outcome(IntentId id, IntentState outcome, std::string_view sentence = {});
+  void set_outcome(const IntentOutcome& told);
+  void report_fault(IntentId id, const Fault& fault, IntentOutcome told = {});
 
   // ---- pump_stops.cpp
   void post_stop(StopOrder order);
@@ -165,8 +165,8 @@ class Pump {
   void recall_positions(const std::vector<KeptPosition>& kept);
   void set_travel(IntentId id, const intent::SetTravel& request);
   void set_backlash(IntentId id, const intent::SetBacklash& request);
-  Result<> take_up_backlash(IntentBody& body, IntentFate& told) const;
-  [[nodiscard]] Result<> admit(Job& job, IntentFate& told);
+  Result<> take_up_backlash(IntentBody& body, IntentOutcome& told) const;
+  [[nodiscard]] Result<> admit(Job& job, IntentOutcome& told);
   Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
                                                  Duration patience);
   Task<Result<std::string>> wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience);

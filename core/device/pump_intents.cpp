@@ -1,4 +1,4 @@
-// What is asked of an open controller: commands and questions in their order, and jogs. Stops:
+// What is asked of an open controller: commands and questions in their order. Jogs: pump_jogs.cpp. Stops:
 // pump_stops.cpp.
 #include <algorithm>
 
@@ -40,13 +40,13 @@ void Pump::post(Intent intent) {
   const bool lets_go = std::holds_alternative<intent::JogStop>(intent.body);
   if (lets_go && (!jogs_.any_guarded() || (withdraw_waiting_jog() && !jogs_.any_guarded()))) {
     // Released twice, a jog that was refused, or one whose turn had not come.
-    set_fate(intent.id, Fate::done);
+    set_outcome(intent.id, IntentState::done);
     return publish();
   }
   if (auto stop = stop_order_of(intent)) return post_stop(std::move(*stop));
   if (std::holds_alternative<intent::Reconnect>(intent.body)) {
     outage_.hurry();
-    set_fate(intent.id, Fate::done);
+    set_outcome(intent.id, IntentState::done);
     wake_.notify();
     return;
   }
@@ -56,12 +56,12 @@ void Pump::post(Intent intent) {
     return set_backlash(intent.id, *request);
   if (std::holds_alternative<intent::SendText>(intent.body)) return post_text(std::move(intent));
   if (leaves()) {
-    set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
+    set_outcome(intent.id, IntentState::refused, "The controller was closed. Nothing was sent.");
     return publish();
   }
-  set_fate(intent.id, Fate::pending);
+  set_outcome(intent.id, IntentState::pending);
   if (jobs_.full()) {
-    set_fate(intent.id, Fate::refused, "Too many commands wait already. This one was not sent.");
+    set_outcome(intent.id, IntentState::refused, "Too many commands wait already. This one was not sent.");
     return publish();
   }
   hold_jog(intent);
@@ -72,7 +72,7 @@ void Pump::post(Intent intent) {
 void Pump::post_text(Intent intent) {
   const auto& text = std::get<intent::SendText>(intent.body);
   const TextMeaning meaning = driver_->meaning_of(text);
-  set_fate(intent.id, Fate::pending);
+  set_outcome(intent.id, IntentState::pending);
   if (meaning.whom == TextMeaning::For::another && callbacks_.line) {
     if (Pump* other = callbacks_.line->at(meaning.address)) {
       pump_log().debug("{}: \"{}\" is for device {:02} and goes by its session", Whose{catalog_},
@@ -94,11 +94,11 @@ void Pump::post_text(Intent intent) {
     return post_stop(std::move(order));
   }
   if (leaves()) {
-    set_fate(intent.id, Fate::refused, "The controller was closed. Nothing was sent.");
+    set_outcome(intent.id, IntentState::refused, "The controller was closed. Nothing was sent.");
     return publish();
   }
   if (jobs_.full()) {
-    set_fate(intent.id, Fate::refused, "Too many commands wait already. This one was not sent.");
+    set_outcome(intent.id, IntentState::refused, "Too many commands wait already. This one was not sent.");
     return publish();
   }
   auto job = std::make_unique<Job>(std::move(intent));
@@ -128,7 +128,7 @@ Task<> Pump::pass_on(Intent intent, Pump& other) {
     texts_.add(*reply);
   }
   if (reply)
-    set_fate(intent.id, Fate::done);
+    set_outcome(intent.id, IntentState::done);
   else
     report_fault(intent.id, reply.error());
   publish();
@@ -142,94 +142,6 @@ void Pump::enqueue(std::unique_ptr<Job> job) {
   wake_.notify();
 }
 
-void Pump::hold_jog(const Intent& intent) {
-  const auto* jog = std::get_if<intent::JogStart>(&intent.body);
-  if (jog) jogs_.begin(intent.id, jog->axis.index, jog->dead_man);
-}
-
-/// Left just before a held jog goes out, taken back when its stop is over. One that waits for its turn has
-/// none: what moves then is no jog.
-void Pump::keep_will() {
-  const bool has_wire = station_ && station_->is_open();
-  const unsigned held = jogs_.guarded_axes_if([this](IntentId id) { return !jobs_.has(id); });
-  will_->follow(held, desk_.any(), has_wire ? station_.get() : nullptr);
-}
-
-// Halting one of several threads leaves the motion alone, and a stop of one axis the others: what else is
-// held stays guarded.
-void Pump::release_jogs(const StopOrder& order) {
-  using What = StopOrder::What;
-  const TextMeaning& said = order.meaning;
-  if (order.what == What::program && catalog_.program.threads > 0) return;
-  if (order.what == What::words && !said.stops_here()) return;
-  if (order.what != What::words) return jogs_.stop(order.what == What::program ? -1 : order.axis);
-  if (said.stops == TextMeaning::Stops::all) return jogs_.stop(-1);
-  for (int axis = 0; axis < draft_.axis_count; ++axis)
-    if (axis == said.axis || (said.axes >> axis & 1u) != 0) jogs_.stop(axis);
-}
-
-/// The hand's jog, if it still waits for its turn: it has moved nothing, so nothing is stopped.
-bool Pump::withdraw_waiting_jog() {
-  const auto jog = jogs_.any_guarded() ? jobs_.withdraw(jogs_.in_hand().id) : nullptr;
-  if (!jog) return false;
-  jog_not_begun(jog->intent);
-  set_fate(jog->intent.id, Fate::refused, "The button was released before its turn came. Nothing was sent.");
-  return true;
-}
-
-void Pump::jog_not_begun(const Intent& intent) {
-  if (std::holds_alternative<intent::JogStart>(intent.body)) jogs_.end(intent.id);
-}
-
-/// A script does not let go of what a limit has ended; nothing else is to be stopped in its name.
-void Pump::forget_jogs_that_ended() {
-  jogs_.forget_if([this](IntentId id, int axis) {
-    const Activity activity = draft_.axes[axis].activity;
-    return !jobs_.has(id) && activity != Activity::jogging && activity != Activity::unknown;
-  });
-}
-
-/// One that may have begun although nobody can tell is stopped: its hand has been told of the failure, and
-/// will not stop it. It is stopped by its axis, so that nothing else is.
-void Pump::jog_failed(const Intent& intent, FaultKind kind) {
-  const auto* jog = std::get_if<intent::JogStart>(&intent.body);
-  if (!jog || !jogs_.has(intent.id)) return;
-  const bool rejected =
-      kind == FaultKind::refused || kind == FaultKind::stopped || kind == FaultKind::controller;
-  if (rejected) return jog_not_begun(intent);
-  pump_log().debug("{}: command {}: the jog may have begun, so it is stopped", Whose{catalog_}, intent.id);
-  callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                           "It is not known whether the jog began, so the axis was told to stop."));
-  StopOrder lets_go;
-  lets_go.what = StopOrder::What::jog;
-  lets_go.axis = jog->axis.index;
-  post_stop(std::move(lets_go));
-}
-
-void Pump::jog_let_go() {
-  pump_log().debug("{}: nobody has kept the jog alive for {} ms", Whose{catalog_},
-                   dead_man.count() / 1'000'000);
-  callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                           "The console no longer held the jog, so the axis was stopped."));
-  StopOrder lets_go;
-  lets_go.what = StopOrder::What::jog;
-  post_stop(std::move(lets_go));
-}
-
-// Nobody sees where a held jog goes. One that still waits for its turn moves nothing.
-void Pump::stop_jogs_out_of_sight() {
-  for (const int axis : jogs_.axes_if([this](IntentId id) { return !jobs_.has(id); })) {
-    pump_log().debug("{}: {} answers were missed: the jog of axis {} is stopped", Whose{catalog_},
-                     station_->statistics().misses_in_a_row, axis + 1);
-    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                             "The controller does not answer, so the jog was stopped."));
-    StopOrder lets_go;
-    lets_go.what = StopOrder::What::jog;
-    lets_go.axis = axis;
-    post_stop(std::move(lets_go));
-  }
-}
-
 void Pump::refuse_queued(std::string_view why) {
   if (jobs_.empty()) return;
   pump_log().debug("{}: all that waits is dropped: {}", Whose{catalog_}, why);
@@ -238,7 +150,7 @@ void Pump::refuse_queued(std::string_view why) {
 }
 
 void Pump::refuse(std::unique_ptr<Job> job, std::string_view why) {
-  set_fate(job->intent.id, Fate::refused, why);
+  set_outcome(job->intent.id, IntentState::refused, why);
   jog_not_begun(job->intent);
   if (!job->is_query) return;
   job->reply = fail(FaultKind::refused, std::string(why));
@@ -293,19 +205,19 @@ void Pump::recall_positions(const std::vector<KeptPosition>& kept) {
 void Pump::set_travel(IntentId id, const intent::SetTravel& request) {
   const std::string why_not = describe_no_travel(catalog_, request);
   if (why_not.empty()) draft_.axes[request.axis.index].travel = request.travel;
-  set_fate(id, why_not.empty() ? Fate::done : Fate::refused, why_not);
+  set_outcome(id, why_not.empty() ? IntentState::done : IntentState::refused, why_not);
   publish();
 }
 
 void Pump::set_backlash(IntentId id, const intent::SetBacklash& request) {
   const std::string why_not = describe_no_backlash(request, catalog_.axes.size());
   if (why_not.empty()) draft_.axes[request.axis.index].backlash = request.backlash;
-  set_fate(id, why_not.empty() ? Fate::done : Fate::refused, why_not);
+  set_outcome(id, why_not.empty() ? IntentState::done : IntentState::refused, why_not);
   publish();
 }
 
 /// The place from where it is taken up has to lie within the travel too.
-Result<> Pump::take_up_backlash(IntentBody& body, IntentFate& told) const {
+Result<> Pump::take_up_backlash(IntentBody& body, IntentOutcome& told) const {
   auto in_two = with_backlash_taken_up(draft_, body);
   if (!in_two) return {};
   told.past = past_travel(catalog_, draft_, *in_two->pieces->all[0].does[0].what);
@@ -321,7 +233,7 @@ Result<> Pump::take_up_backlash(IntentBody& body, IntentFate& told) const {
 
 /// What no driver is asked for is refused here, see refusals.h and travel_check.h; a jog gets its end.
 /// `told`: what a sentence in other units needs.
-Result<> Pump::admit(Job& job, IntentFate& told) {
+Result<> Pump::admit(Job& job, IntentOutcome& told) {
   IntentBody& body = job.intent.body;
   const auto steps = words_in_steps(catalog_, draft_);
   if (says_where_it_stands(body) && job.restarts_before != draft_.restarts)
@@ -370,7 +282,7 @@ Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = jobs_.begin();
   keep_will();
   count_program_change(job->intent);
-  IntentFate told;
+  IntentOutcome told;
   const std::uint64_t epoch = desk_.epoch();
   const std::uint32_t restarts = draft_.restarts;
   Result<> performed = may_go_to_all(*job);
@@ -413,7 +325,7 @@ Task<> Pump::perform_next() {
     performed = fail(FaultKind::stopped, "A stop came while this was under way.", "It was completed.",
                      "What should have followed was dropped: ask for it again.");
   if (performed)
-    set_fate(job->intent.id, Fate::done);
+    set_outcome(job->intent.id, IntentState::done);
   else
     report_fault(job->intent.id, performed.error(), told);
   if (!performed) jog_failed(job->intent, performed.error().kind);

@@ -21,12 +21,12 @@ Fault not_answered() {
 
 void Pump::post_stop(StopOrder order) {
   if (order.axis >= static_cast<int>(catalog_.axes.size())) {
-    set_fate(order.intent, Fate::refused, fmt::format("There is no axis {}.", order.axis + 1));
+    set_outcome(order.intent, IntentState::refused, fmt::format("There is no axis {}.", order.axis + 1));
     return publish();
   }
   if (order.what == StopOrder::What::jog && order.axis < 0) order.axis = jogs_.in_hand().axis;
   release_jogs(order);
-  set_fate(order.intent, Fate::pending);
+  set_outcome(order.intent, IntentState::pending);
   const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
   const StopOrder& asked = ask(std::move(order));
   pump_log().debug("{}: {} is asked for{}", Whose{catalog_}, asked,
@@ -106,15 +106,15 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
   if (order.what == What::words) {  // as typed, once
     if (sent && (!order.meaning.stops_here() || order.meaning.answered == TextMeaning::Answered::at_once)) {
       if (order.answer) std::exchange(order.answer, nullptr)(std::move(sent));
-      set_fate(order.intent, Fate::done);
+      set_outcome(order.intent, IntentState::done);
       return close_stop(order);
     }
     order.sent = order.confirmed = sent.has_value();
     order.told = true;
     if (sent)
-      set_fate(order.intent, Fate::done);
+      set_outcome(order.intent, IntentState::done);
     else
-      set_fate(order.intent, Fate::failed, sent.error().sentence());
+      set_outcome(order.intent, IntentState::failed, sent.error().sentence());
     if (order.answer)
       std::exchange(order.answer, nullptr)(sent ? std::move(sent) : Result<std::string>(fail(sent.error())));
     if (sent) return;
@@ -189,7 +189,7 @@ void Pump::look_at_stop(StopOrder& order) {
       if (tool) tool_.give_up();
       return close_stop(order);
     case StopProgress::Now::stands:
-      if (!order.told) set_fate(order.intent, Fate::done);
+      if (!order.told) set_outcome(order.intent, IntentState::done);
       return close_stop(order);
   }
 }
@@ -197,7 +197,7 @@ void Pump::look_at_stop(StopOrder& order) {
 void Pump::stop_failed(StopOrder& order, const Fault& why) {
   pump_log().debug("{}: {} failed: {}", Whose{catalog_}, order, why.what);
   if (order.answer) std::exchange(order.answer, nullptr)(fail(why));
-  if (!std::exchange(order.told, true)) set_fate(order.intent, Fate::failed, why.sentence());
+  if (!std::exchange(order.told, true)) set_outcome(order.intent, IntentState::failed, why.sentence());
 }
 
 void Pump::close_stop(StopOrder& order) {

@@ -164,11 +164,25 @@ class Proof {
 
   // ---- what is left to the controller
 
+  /// Of the steps that one command became, keeps the first; returns its place.
+  static std::size_t only_step_of(ReadSteps& list, std::size_t i) {
+    const Stretch at = list[i].at;
+    const auto same = [&at](const ReadStep& s) {
+      return at.begin < at.end && s.at.begin == at.begin && s.at.end == at.end;
+    };
+    while (i > 0 && same(list[i - 1])) --i;
+    while (i + 1 < list.size() && same(list[i + 1]))
+      list.erase(list.begin() + static_cast<std::ptrdiff_t>(i + 1));
+    return i;
+  }
   /// False: it was before.
   bool leave(const Spot& spot, std::string_view why) {
     if (!spot.taken || is_own((*spot.list)[spot.i])) return false;
-    const std::size_t end = round_ < patient_rounds ? spot.i + 1 : spot.list->size();
-    for (std::size_t i = spot.i; i < end; ++i) {
+    const std::size_t first = only_step_of(*spot.list, spot.i);
+    std::size_t end = round_ < patient_rounds ? first + 1 : spot.list->size();
+    for (std::size_t i = first; i < end; ++i) {
+      only_step_of(*spot.list, i);
+      end = std::min(end, spot.list->size());
       ReadStep& step = (*spot.list)[i];
       step = own_text(std::string(why), step.at);
     }

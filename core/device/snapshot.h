@@ -12,10 +12,9 @@
 #include "core/base/fixed_text.h"
 #include "core/base/result.h"
 #include "core/base/units.h"
+#include "core/device/axis_state.h"
 #include "core/device/intent.h"
 #include "core/device/jog_guard.h"
-#include "core/device/travel.h"
-#include "core/device/trust.h"
 #include "core/link/wire_share.h"
 #include "core/time/clock.h"
 
@@ -28,86 +27,6 @@ enum class LinkState : std::uint8_t {
   lost,
   closed
 };  ///< late: an answer was missed or garbled
-
-enum class Activity : std::uint8_t { unknown, idle, moving, jogging, homing, stopping, error };
-
-/// How the latest motion of an axis, or the latest run of a program, ended.
-enum class EndedBy : std::uint8_t {
-  nothing,
-  target,
-  limit,
-  stop,       ///< by the console, with the ramp
-  abort,      ///< by the console, without a ramp
-  elsewhere,  ///< cut short by the controller's Stop input, or by another program on the wire
-  error,
-  lost,
-  not_in_place  ///< servo axis: the command has ended, and the encoder did not reach the target
-};
-/// Where on its profile a motion is, if the controller tells.
-enum class Phase : std::uint8_t { unknown, accelerating, constant, decelerating };
-
-/// What keeps an axis in Activity::error until it is cleared, if the controller tells.
-enum class AxisError : std::uint8_t {
-  none,
-  limit_minus,
-  limit_plus,
-  limit,  ///< one of the two; the controller does not tell which
-  alarm,
-  stalled,
-  too_far,       ///< closed loop: the position error is larger than allowed
-  not_corrected  ///< closed loop: given up after the allowed number of attempts
-};
-
-/// How a servo axis (AxisInfo::servo) follows its command.
-enum class Loop : std::uint8_t {
-  none,       ///< not a servo axis: its position is what the controller counts
-  unknown,    ///< it is not known yet whether its loop is closed
-  open,       ///< its motor is free: nothing holds it at its command
-  following,  ///< following its command, or settling
-  in_place,   ///< its error has been within the deadband for a while
-  off_place   ///< its command ended some time ago, and it has not arrived
-};
-
-struct AxisState {
-  Steps position{};             ///< servo axis: of the encoder
-  Instant seen_at{};            ///< when the position was read
-  bool position_known = false;  ///< false: never read, or no longer valid since a loss or reset
-  PositionTrust trust;          ///< of `position`
-  Travel travel;                ///< set by the user; see travel_holds()
-  Backlash backlash;            ///< set by the user
-  Activity activity = Activity::unknown;
-  Phase phase = Phase::unknown;
-  AxisError error = AxisError::none;
-  EndedBy ended_by = EndedBy::nothing;
-  std::int8_t direction = 0;  ///< -1, 0, +1 of the present motion
-  Pps speed{};                ///< of the present motion, reported or commanded; 0: unknown or at rest
-  double ramp = 0;   ///< steps/s² at which the present motion speeds up and slows down; 0: not known
-  Steps began_at{};  ///< where it did, while its ramp is known
-  Pps own_speed{};   ///< of a motion that names no speed (intent::JogStart); 0: not known yet
-  bool has_target = false;
-  Steps target{};
-  bool in_counts = false;  ///< closed loop: position, speed and target count in Catalog::loop_word
-  bool has_encoder = false;
-  Steps encoder{};
-  Loop loop = Loop::none;
-  Steps command{};       ///< servo axis: the commanded position at this instant
-  bool far_off = false;  ///< its error is so large that closing its loop needs an answer: intent::Closing
-  bool limit_minus = false, limit_plus = false, home = false, alarm = false;
-  bool limits_known = false;
-  bool enabled = true;   ///< motor current; see AxisInfo::switchable
-  bool slipped = false;  ///< its encoder was further off than allowed, and the flag has not been cleared
-  bool operator==(const AxisState&) const = default;
-
-  /// Where a move begins, and the base of a relative one.
-  [[nodiscard]] Steps commanded() const { return loop == Loop::none ? position : command; }
-  /// The limits apply: a limit checked against a doubtful count would be worth nothing.
-  [[nodiscard]] bool travel_holds() const {
-    return travel.any() && position_known && !trust.doubtful() && travel.in_counts == in_counts;
-  }
-  /// Its present target; at rest, its position.
-  [[nodiscard]] Steps goal() const { return has_target ? target : commanded(); }
-  [[nodiscard]] Steps following_error() const { return commanded() - position; }
-};
 
 enum class RunState : std::uint8_t { idle, running, waiting, held, error };
 
@@ -149,6 +68,11 @@ struct PiecesState {
   std::int32_t step = -1;            ///< place in the sequence's list of the present or latest step; -1: none
   std::int32_t percent = 100;        ///< of the requested speeds; see intent::OverrideSpeed
   FixedText<240> ended_because;      ///< why it was broken off, as a sentence; empty: it was not
+  std::uint64_t drawing = 0;         ///< Pieces::drawing of the present or latest run
+  /// The latest drawing that did not come to its end, and the step where its rest begins; kept while others
+  /// run that are no drawings. 0: none.
+  std::uint64_t rest_of = 0;
+  std::int32_t rest_step = 0;
   bool operator==(const PiecesState&) const = default;
 };
 
@@ -169,11 +93,11 @@ struct TransferState {
 };
 
 /// The outcome of the newest intents; a panel finds its own by id.
-enum class Fate : std::uint8_t { pending, done, refused, failed };
-struct IntentFate {
+enum class IntentState : std::uint8_t { pending, done, refused, failed };
+struct IntentOutcome {
   static constexpr std::size_t sentence_room = 320;
   IntentId id = 0;
-  Fate fate = Fate::pending;
+  IntentState state = IntentState::pending;
   FaultKind kind = FaultKind::refused;  ///< of the fault, if refused or failed
   FixedText<sentence_room> sentence;    ///< Fault::sentence(), if refused or failed
   std::uint16_t advice_at = 0;          ///< where in the sentence Fault::advice begins; 0: there is none
@@ -197,7 +121,7 @@ struct IntentFate {
             {},
             std::string(sentence.view().substr(advice_at))};
   }
-  bool operator==(const IntentFate&) const = default;
+  bool operator==(const IntentOutcome&) const = default;
 };
 
 struct ParamState {
@@ -320,19 +244,19 @@ struct Snapshot {
   /// How many commands may have changed the stored programs, and the last of them (0: a raw query).
   std::uint32_t program_changes = 0;
   IntentId program_changed_by = 0;
-  Duration poll_period{};             ///< as the poll law wants it now
-  std::array<IntentFate, 8> fates{};  ///< newest first; settled ones are dropped to make room
+  Duration poll_period{};                   ///< as the poll law wants it now
+  std::array<IntentOutcome, 8> outcomes{};  ///< newest first; settled ones are dropped to make room
   FixedText<320> notice;  ///< the worst present condition that the fields above do not show; empty: none
 
-  [[nodiscard]] const IntentFate* fate_of(IntentId id) const {
-    for (const IntentFate& f : fates)
+  [[nodiscard]] const IntentOutcome* outcome_of(IntentId id) const {
+    for (const IntentOutcome& f : outcomes)
       if (f.id == id && id != 0) return &f;
     return nullptr;
   }
   /// It was performed so long ago that its outcome is no longer here.
   [[nodiscard]] bool forgotten(IntentId id) const {
-    if (id == 0 || fate_of(id)) return false;
-    return std::any_of(fates.begin(), fates.end(), [id](const IntentFate& f) { return f.id > id; });
+    if (id == 0 || outcome_of(id)) return false;
+    return std::any_of(outcomes.begin(), outcomes.end(), [id](const IntentOutcome& f) { return f.id > id; });
   }
   [[nodiscard]] bool axis_moves(int axis) const {
     const Activity now = axes[axis].activity;
@@ -387,6 +311,8 @@ struct Ending {
   Instant began{}, at{};  ///< when each was first seen
   EndedBy by = EndedBy::nothing;
   StoppedBy who = StoppedBy::nobody;  ///< if it was stopped
+  Doubt lost_with = Doubt::none;      ///< if it was lost: what became of the controller
+  bool beside_program = false;        ///< of a motion: a program of the controller ran when it ended
   /// Of a motion that the console stopped: from the request to the first byte, and to rest.
   bool timed = false;
   Duration to_wire{}, to_rest{};

@@ -54,7 +54,8 @@ Finding silence(const LinkFacts& f) {
         Fix::change_address};
   return {Kind::silence, State::wrong, "What comes back makes no sense",
           f.rate > 0 ? fmt::format("Most likely the controller speaks at another rate than {}. Give the rate "
-                                   "that it is set to.",
+                                   "that it is set to. If that is right, two controllers may answer at "
+                                   "once: connect one alone.",
                                    in_baud(f.rate))
                      : std::string("Most likely another kind of controller is there, or the converter at its "
                                    "end has another rate. Check its set-up."),

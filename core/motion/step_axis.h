@@ -49,4 +49,13 @@ class StepAxis {
   Ended by_ = Ended::target;  ///< ... and by what
 };
 
+/// The earliest event of several axes; none: all rest.
+template <class Axes>
+std::optional<Instant> next_event_of(const Axes& axes) {
+  std::optional<Instant> next;
+  for (const StepAxis& axis : axes)
+    if (const auto due = axis.next_event(); due && (!next || *due < *next)) next = due;
+  return next;
+}
+
 }  // namespace hw::motion

@@ -289,7 +289,7 @@ constexpr Explanation explanations[] = {
     {Refusal::moving,
      "an axis of the command is moving, or under the joystick: stop it, or wait until it stands"},
     {Refusal::incremental, "arcs and circles need absolute mode"},
-    {Refusal::not_targeted, "no move to a target is under way whose target could be changed"},
+    {Refusal::not_targeted, "no move to a target is under way"},
     {Refusal::no_subroutine, "the stored program has no subroutine of that number"},
     {Refusal::timer_runs, "the timer has not run down to 0 yet"},
     {Refusal::buffer_full, "all 36 places of the buffer are taken"},

@@ -161,6 +161,10 @@ Task<Result<>> ArcusDriver::read_params(std::string only) {
   if (!only.empty()) {
     const int index = console_.catalog.find_param(only);
     if (index >= 0) co_return co_await known_.setup.read(index, Priority::intent);
+    const auto variable =
+        only.front() == 'V' ? decode_number(std::string_view(only).substr(1)) : std::nullopt;
+    if (variable && *variable >= 0 && *variable < console_.catalog.variables.count)
+      co_return co_await known_.readouts.read_variable(static_cast<int>(*variable), Priority::intent);
   }
   for (int i = 0; i < static_cast<int>(console_.catalog.params.size()); ++i) {
     auto read = co_await known_.setup.read(i, Priority::transfer);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/device/bench_on_controller.h"
+#include "core/device/plant_bench.h"
 #include "core/devices/arcus/emulator_arcus.h"
 
 namespace hw::arcus {
@@ -54,22 +55,6 @@ Result<> ArcusEmulator::act(const bench::Button& c) {
 }
 
 template <>
-Result<> ArcusEmulator::act(const bench::Limit& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  controller_.axis(c.axis.index).plant.operate_limit(c.sign, c.operated);
-  controller_.bench_changed(c.axis.index);
-  return {};
-}
-
-template <>
-Result<> ArcusEmulator::act(const bench::HomeSwitch& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  controller_.axis(c.axis.index).plant.operate_home(c.operated);
-  controller_.bench_changed(c.axis.index);
-  return {};
-}
-
-template <>
 Result<> ArcusEmulator::act(const bench::Jam& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
   controller_.jam(c.axis.index, c.on);
@@ -101,10 +86,7 @@ Result<> ArcusEmulator::act(const bench::Alarm& c) {
 template <>
 Result<> ArcusEmulator::act(const bench::Place& c) {
   if (auto bad = check_axis(c.axis); !bad) return bad;
-  if (c.place.home_from.has_value() != c.place.home_to.has_value())
-    return nothing_changed("A home zone needs both ends.");
-  if (c.place.motor)
-    return nothing_changed("This controller has stepping motors; what motor describes is a servo motor.");
+  if (auto bad = check_place(c.place, false); !bad) return bad;
   constexpr double most_counts = 1e6;
   const double counts = c.place.counts_per_step.value_or(0);
   if (!std::isfinite(counts) || std::abs(counts) > most_counts)
@@ -147,7 +129,18 @@ Result<> ArcusEmulator::act(const bench::PowerCycle&) {
 }
 
 Result<> ArcusEmulator::operate(const BenchCommand& command) {
-  auto result = on_controller(command, [this](const auto& hand) { return act(hand); });
+  const auto act_somewhere = [this]<class Hand>(const Hand& hand) -> Result<> {
+    constexpr bool is_switch = std::is_same_v<Hand, bench::Limit> || std::is_same_v<Hand, bench::HomeSwitch>;
+    if constexpr (is_switch) {
+      if (auto bad = check_axis(hand.axis); !bad) return bad;
+      (void)act_on(controller_.axis(hand.axis.index).plant, hand);
+      controller_.bench_changed(hand.axis.index);
+      return {};
+    } else {
+      return act(hand);
+    }
+  };
+  auto result = on_controller(command, act_somewhere);
   after();
   return result;
 }
@@ -178,13 +171,8 @@ void ArcusEmulator::look(BenchView& view) const {
   for (int a = 0; a < controller_.axes(); ++a) {
     const motion::Plant& plant = controller_.axis(a).plant;
     const std::uint32_t bit = 1u << a;
-    view.load_position[static_cast<std::size_t>(a)] = plant.load();
-    view.switches[static_cast<std::size_t>(a)] = plant.place().switches();
-    if (plant.limit_operated(Sign::minus)) view.limits_minus |= bit;
-    if (plant.limit_operated(Sign::plus)) view.limits_plus |= bit;
-    if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;
-    if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
-    if (plant.home_by_hand()) view.homes_by_hand |= bit;
+    show_plant(view, a, SeenPlant(plant));
+    view.jammed &= ~bit;  // a load without motor power does not move either
     if (plant.home_operated()) view.homes |= bit;
     if (controller_.axis(a).alarm_operated) view.alarms |= bit;
     if (controller_.axis(a).jammed_by_hand) view.jammed |= bit;

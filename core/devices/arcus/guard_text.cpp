@@ -36,7 +36,7 @@ std::optional<std::int64_t> read_guard(const std::vector<std::string>& lines,
 
 JogGuardFacts guard_facts(const Model& model) {
   return {
-      "The controller itself stops a jog that you hold when nobody has spoken to it for half a second or "
+      "The controller itself stops a jog that you hold when it has received nothing for half a second or "
       "a little longer: also when the cable is pulled or the computer is off. Moves, programs and jogs "
       "of scripts are never touched.",
       fmt::format("It is kept as program {} in the controller, only while the program memory is empty, "

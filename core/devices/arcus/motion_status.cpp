@@ -58,6 +58,7 @@ Task<Result<>> MotionStatus::read_counters(Priority priority) {
     axis.encoder = Steps((*encoders)[ix(i)]);
     axis.speed = Pps(std::abs(static_cast<double>((*speeds)[ix(i)])));
     if (was_known) motions_.turned(i, move);
+    motions_.seen(i);
     if (motions_.runs(i)) code_.axis_moves();
   }
   co_return Result<>();

@@ -57,6 +57,8 @@ void Motions::begun(int index, Activity activity, Instant when) {
   tracking.ended_by = EndedBy::nothing;
   tracking.begun_at = when;
   tracking.top_speed = {};
+  tracking.home.begin();
+  tracking.was_stopped = false;
   AxisState& axis = console_.draft.axes[index];
   axis.activity = activity;
   axis.ended_by = EndedBy::nothing;
@@ -107,7 +109,8 @@ void Motions::stopping(int axis, bool at_once) {
 void Motions::ended_by_us(int axis, EndedBy why) {
   for (int i = 0; i < console_.axes(); ++i) {
     if (!console_.draft.axis_moves(i) || (i != axis && (tracked_[ix(axis)].with >> i & 1u) == 0)) continue;
-    tracked_[ix(i)].ended_by = why;
+    if (tracked_[ix(i)].ended_by != EndedBy::abort) tracked_[ix(i)].ended_by = why;
+    tracked_[ix(i)].was_stopped = true;
     if (why == EndedBy::abort) doubt_killed_position(i);
   }
 }
@@ -142,6 +145,13 @@ void Motions::turned(int axis, Steps way) {
   if (way == Steps(0)) return;
   const auto before = std::exchange(tracking.turned, static_cast<std::int8_t>(way > Steps(0) ? 1 : -1));
   tracking.turned_back = before == -tracking.turned;
+}
+
+void Motions::seen(int index) {
+  const AxisState& axis = console_.draft.axes[index];
+  AxisTracking& tracking = tracked_[ix(index)];
+  if (tracking.wanted == Activity::homing && axis.seen_at > tracking.begun_at)
+    tracking.home.read(axis.position, axis.speed, axis.seen_at);
 }
 
 void Motions::loop_is(int axis, std::int64_t state) {
@@ -267,11 +277,21 @@ EndedBy Motions::how_it_ended(int axis) const {
   if (has_bit(word, bits.plus_error) || has_bit(word, bits.minus_error)) return EndedBy::limit;
   if (has_bit(word, bits.alarm_error) || loop_error(axis)) return EndedBy::error;
   if (tracked_[ix(axis)].ended_by != EndedBy::nothing) return tracked_[ix(axis)].ended_by;
+  if (was_cut_short(axis)) return EndedBy::elsewhere;
   if (!misses_its_target(axis)) return EndedBy::target;
   const unsigned with = tracked_[ix(axis)].with;
   for (int i = 0; i < console_.axes(); ++i)  // on a straight line all end with the blocked one
     if (i != axis && (with >> i & 1u) != 0 && error_of(i) != AxisError::none) return EndedBy::nothing;
   return EndedBy::elsewhere;
+}
+
+/// A motion of the console without a target, which nothing that is known has ended.
+bool Motions::was_cut_short(int index) const {
+  const AxisTracking& tracking = tracked_[ix(index)];
+  const AxisState& axis = console_.draft.axes[index];
+  if (!tracking.ours || tracking.was_stopped || axis.has_target) return false;
+  if (tracking.wanted == Activity::homing) return !tracking.home.may_have_found(axis.position);
+  return tracking.wanted == Activity::jogging;
 }
 
 // With StepNLoop the axis may miss its target by up to SLT.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/device/home_proof.h"
 #include "core/devices/arcus/restart_watch.h"
 
 namespace hw::arcus {
@@ -34,6 +35,8 @@ class Motions {
   void status_is(int axis, std::int64_t word) { tracked_[static_cast<std::size_t>(axis)].status = word; }
   /// Its position has changed by `way`.
   void turned(int axis, Steps way);
+  /// Its position and speed were read.
+  void seen(int axis);
   void loop_is(int axis, std::int64_t state);
   /// False: a newer reply is already known.
   bool take_loop(int axis, std::int64_t state, Instant asked_at);
@@ -63,15 +66,18 @@ class Motions {
     Instant loop_asked_at{};   ///< when it was asked for
     bool ours = false;         ///< a motion of the console is under way
     bool stopping = false;     ///< a stop was sent
+    bool was_stopped = false;  ///< a stop of ours was for the motion that our last command began
     unsigned with = 0;         ///< a bit for each axis of the same motion
     std::int8_t turned = 0;    ///< direction of the latest change of position
     bool turned_back = false;  ///< it differs from the one before
     Instant begun_at{};        ///< when our last command was sent
     Pps top_speed{};           ///< of the motion that it began; 0: not known
+    HomeProof home;            ///< of a home search
   };
   void show_ended(int axis);
   void doubt_killed_position(int axis);
   [[nodiscard]] EndedBy how_it_ended(int axis) const;
+  [[nodiscard]] bool was_cut_short(int axis) const;
   [[nodiscard]] bool misses_its_target(int axis) const;
   [[nodiscard]] std::int64_t loop_tolerance(int axis) const;
   [[nodiscard]] bool loop_error(int axis) const;

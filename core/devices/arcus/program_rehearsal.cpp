@@ -11,6 +11,7 @@
 #include "core/devices/arcus/language/compiler.h"
 #include "core/devices/arcus/move_stream.h"
 #include "core/devices/arcus/program_language.h"
+#include "core/devices/arcus/program_places.h"
 #include "core/devices/arcus/program_start.h"
 #include "core/devices/arcus/program_watch.h"
 #include "core/devices/arcus/sequence_reader.h"
@@ -293,6 +294,10 @@ Result<Pieces> ProgramLanguage::in_pieces(const sequence::Sequence& sequence, co
 Result<SequenceRead> ProgramLanguage::read(std::string_view text, const sequence::Sequence& frame,
                                            const Catalog& catalog) const {
   return read_sequence(text, frame, catalog, dialect_);
+}
+
+std::vector<AxisTarget> ProgramLanguage::places_in(std::string_view text) const {
+  return places_of_program(text, dialect_);
 }
 
 }  // namespace hw::arcus

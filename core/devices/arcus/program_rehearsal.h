@@ -2,6 +2,7 @@
 // A dry run of a program on an emulator, in virtual time. Pure and slow: call it on a worker thread.
 #include "core/device/catalog.h"
 #include "core/device/language.h"
+#include "core/device/places_in_text.h"
 #include "core/device/refused_steps.h"
 #include "core/device/registry.h"
 #include "core/devices/arcus/emulator_arcus.h"
@@ -14,7 +15,7 @@ Result<Rehearsal> rehearse_program(std::string_view text, const RehearseOptions&
                                    const Catalog& catalog, const language::Dialect& dialect);
 
 /// The language of one model: texts by its dialect, dry runs on its emulator.
-class ProgramLanguage final : public Language, public PartialWriter {
+class ProgramLanguage final : public Language, public PartialWriter, public PlacesInText {
  public:
   using MakeCatalog = Result<Catalog> (*)(const DeviceOptions&);
   using MakeEmulator = Result<std::unique_ptr<Emulator>> (*)(const DeviceOptions&);
@@ -35,6 +36,7 @@ class ProgramLanguage final : public Language, public PartialWriter {
                                          int from_step) const override;
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
                                           const Catalog& catalog) const override;
+  [[nodiscard]] std::vector<AxisTarget> places_in(std::string_view text) const override;
 
  private:
   const language::Dialect& dialect_;

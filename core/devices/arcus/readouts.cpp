@@ -63,6 +63,11 @@ Task<Result<>> Readouts::read_variable(int number, Priority priority) {
 }
 
 Task<Result<>> Readouts::read_watched() {
+  const auto& threads = console_.draft.threads;
+  const bool runs = std::any_of(threads.begin(), threads.end(),
+                                [](const ThreadState& thread) { return thread.run == RunState::running; });
+  // The program may change them, and without a reader nobody would notice.
+  if (runs && !(watched_ >> variable_values & 1)) console_.draft.variables_known.reset();
   for (int i = 0; i < static_cast<int>(console_.catalog.readouts.size()); ++i) {
     if (by_status_[ix(i)] || !(watched_ >> console_.catalog.readouts[ix(i)].group & 1)) continue;
     auto done = co_await read(i, Priority::poll);

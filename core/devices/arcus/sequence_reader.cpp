@@ -172,13 +172,20 @@ class BlockReader {
         if (const int place = place_of(s.target.index - 1); place >= 0)
           return put(seq::Enable{place, value != 0}, i, i + 1, list);
         return leave(no_such_axis, i, i + 1, list);
-      case Quantity::enables:
-        if (dialect_.axes.size() > 1) return leave("no block switches the power of all axes", i, i + 1, list);
-        return put(seq::Enable{0, value != 0}, i, i + 1, list);
+      case Quantity::enables: return read_power_of_all(static_cast<std::uint32_t>(value), i, list);
       case Quantity::pulse_position:
       case Quantity::encoder_position: at_ = {}; [[fallthrough]];
       default: return leave("no block sets this", i, i + 1, list);
     }
+  }
+  /// A step for each axis, as operations_of() counts it.
+  std::size_t read_power_of_all(std::uint32_t value, std::size_t i, ReadSteps& list) {
+    const int count = static_cast<int>(dialect_.axes.size());
+    for (int axis = 0; axis < count; ++axis)
+      if (place_of(axis) < 0) return leave(no_such_axis, i, i + 1, list);
+    for (int axis = 0; axis < count; ++axis)
+      put(seq::Enable{place_of(axis), ((value >> axis) & 1) != 0}, i, i + 1, list);
+    return i + 1;
   }
   /// HSPD, LSPD and ACC in this order are one step.
   std::size_t read_speed(std::size_t i, ReadSteps& list) {
@@ -342,7 +349,7 @@ class BlockReader {
       return put(seq::WaitInput{test.values[0].index, test.values[1].number == 0}, head, end + 1, list);
     const bool endless = is_number(test.values[0], 1) && is_number(test.values[1], 1) &&
                          test.comparison == language::Comparison::equal;
-    if (!counted && !endless) return leave_block("no loop of blocks goes on like this", i, end, list);
+    if (!counted && !endless) return leave_block("no loop of blocks continues like this", i, end, list);
     if (depth_ + 2 > seq::deepest_loop) return leave_block("too deep for blocks", i, end, list);
     if (counted && counted->variable != first_counter - depth_)
       out_.remarks.push_back(fmt::format("The loop of line {} counts in V{}, as blocks do, not in V{}.",

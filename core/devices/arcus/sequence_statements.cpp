@@ -113,6 +113,23 @@ Stretch StatementText::stretch(std::size_t i) const {
   return {line.begin + ix(statements[i].column), line.end};
 }
 
+static bool switches_power_of_several(const Instruction& s, const language::Dialect& dialect) {
+  return s.op == Opcode::set && s.target.kind == Operand::Kind::quantity &&
+         s.target.quantity == Quantity::enables && is_number(s.values[0]) && dialect.axes.size() > 1;
+}
+/// EO=3 says what EO1=1, EO2=1, EO3=0 and EO4=0 say.
+static void add_power_of_each(const Operation& of_all, const Instruction& s, const language::Dialect& dialect,
+                              Operations& operations) {
+  Instruction one = s;
+  one.target.quantity = Quantity::enable;
+  for (std::size_t axis = 0; axis < dialect.axes.size(); ++axis) {
+    one.target.index = static_cast<std::uint8_t>(axis + 1);
+    one.values[0].number = (s.values[0].number >> axis) & 1;
+    operations.push_back(of_all);
+    operations.back().text = source_of(one, dialect);
+  }
+}
+
 Operations operations_of(std::string_view text, const language::Dialect& dialect) {
   const StatementText read(text, dialect);
   Operations operations;
@@ -142,7 +159,10 @@ Operations operations_of(std::string_view text, const language::Dialect& dialect
                        : i == loop->head  ? fmt::format("WHILE count<{}", loop->times)
                        : i == loop->count ? "count=count+1"
                                           : "ENDWHILE";
-    operations.push_back(std::move(operation));
+    if (switches_power_of_several(s, dialect))
+      add_power_of_each(operation, s, dialect, operations);
+    else
+      operations.push_back(std::move(operation));
   }
   return operations;
 }

@@ -87,7 +87,10 @@ Task<Result<>> Threads::read_one(int thread, Priority priority) {
 
 void Threads::may_start(std::string_view command) {
   if (is_apart(thread_named_in(command).value_or(-1))) return;
-  if (command.starts_with("SR") && !ends_program(command)) program_runs();
+  if (command.starts_with("SR") && !ends_program(command)) {
+    console_.draft.variables_known.reset();  // it may be over before its state is read
+    program_runs();
+  }
   if (command.starts_with("GS")) program_runs(code_.longest_run(command));
 }
 

@@ -33,7 +33,7 @@ void add_readouts(Catalog& c) {
   ReadoutInfo latch_input;
   latch_input.label = "Latch input";
   latch_input.words = {{0, "off"}, {1, "on"}};
-  arcus::add_readout(c, arcus::latches, "LATCHIN", latch_input);
+  arcus::add_readout(c, arcus::motion, "LATCHIN", latch_input);
   ReadoutInfo index;
   index.label = "Encoder index";
   index.words = {{0, "off"}, {1, "on"}};

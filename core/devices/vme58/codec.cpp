@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/base/number_text.h"
+#include "core/base/split.h"
 
 namespace hw::vme58 {
 namespace {
@@ -14,16 +15,6 @@ constexpr std::uint16_t cell(std::uint16_t buffer, int index) {
   return static_cast<std::uint16_t>(buffer + 2 * index);
 }
 bool is_frame(char c) { return c == '\n' || c == '\r'; }
-
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const auto comma = text.find(at);
-    parts.push_back(text.substr(0, comma));
-    if (comma == text.npos) return parts;
-    text.remove_prefix(comma + 1);
-  }
-}
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/device/bench_file.h"
+#include "core/device/plant_bench.h"
 #include "core/devices/vme58/emulator_motion.h"
 
 namespace hw::vme58 {
@@ -11,8 +12,7 @@ Result<> Motion::place(int a, const AxisPlace& place) {
   MotionAxis& x = axes_[ix(a)];
   if (const auto problem = problem_of(place); !problem.empty())
     return fail(FaultKind::refused, std::string(problem) + ".", "Nothing was changed.");
-  if (place.home_from.has_value() != place.home_to.has_value())
-    return fail(FaultKind::refused, "A home zone needs both ends.", "Nothing was changed.");
+  if (auto bad = check_place(place, true); !bad) return bad;
   if (place.motor && place.motor->present && !x.servo())
     return fail(FaultKind::refused, "The bench was asked to give a step axis a servo motor.",
                 "Nothing was changed.",
@@ -92,17 +92,8 @@ void Motion::set_encoder(int a, std::int64_t count) {
 void Motion::look(BenchView& view) const {
   for (int a = 0; a < most_axes; ++a) {
     const motion::Plant& plant = axes_[ix(a)].plant;
-    const std::uint32_t bit = 1u << a;
-    const auto show = [bit](std::uint32_t& mask, bool on) { mask = on ? mask | bit : mask & ~bit; };
-    view.load_position[ix(a)] = plant.load();
-    view.switches[ix(a)] = plant.place().switches();
-    show(view.limits_minus, plant.limit_operated(Sign::minus));
-    show(view.limits_plus, plant.limit_operated(Sign::plus));
-    show(view.limits_minus_by_hand, plant.limit_by_hand(Sign::minus));
-    show(view.limits_plus_by_hand, plant.limit_by_hand(Sign::plus));
-    show(view.homes, plant.home_operated());
-    show(view.homes_by_hand, plant.home_by_hand());
-    show(view.jammed, plant.jammed());
+    show_plant(view, a, SeenPlant(plant));
+    if (plant.home_operated()) view.homes |= 1u << a;
   }
 }
 

@@ -228,8 +228,9 @@ void Motions::stopping(int axis, bool at_once) {
     mind.at_home = AtHome::nothing;  // a queued homing is dropped by the stop
     loops_.begins(i, false);
     if (at_rest(i)) continue;
+    const bool killed = mind.stopping && mind.ended_by == EndedBy::abort;
     mind.stopping = true;
-    mind.ended_by = at_once ? EndedBy::abort : EndedBy::stop;
+    mind.ended_by = at_once || killed ? EndedBy::abort : EndedBy::stop;
     draft_.axes[i].activity = Activity::stopping;
   }
 }

@@ -1,14 +1,16 @@
 #include "core/devices/vme58/program_language.h"
 
+#include "core/device/places_in_text.h"
 #include "core/devices/vme58/program_check.h"
 #include "core/devices/vme58/program_rehearsal.h"
+#include "core/devices/vme58/sequence_commands.h"
 #include "core/devices/vme58/sequence_reader.h"
 #include "core/devices/vme58/sequence_writer.h"
 
 namespace hw::vme58 {
 namespace {
 
-class CommandStrings final : public Language, public PartialWriter {
+class CommandStrings final : public Language, public PartialWriter, public PlacesInText {
  public:
   [[nodiscard]] ProgramReport analyse(std::string_view text, int) const override {
     return check_program(text);
@@ -29,6 +31,9 @@ class CommandStrings final : public Language, public PartialWriter {
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
                                           const Catalog& catalog) const override {
     return read_sequence(text, frame, catalog);
+  }
+  [[nodiscard]] std::vector<AxisTarget> places_in(std::string_view text) const override {
+    return places_of_text(text);
   }
 };
 

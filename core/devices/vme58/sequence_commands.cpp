@@ -1,5 +1,8 @@
 #include "core/devices/vme58/sequence_commands.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace hw::vme58 {
@@ -19,6 +22,11 @@ std::string spelt(const TextCommand& command) {
                         command.numbers[i] ? fmt::format("{}", *command.numbers[i]) : std::string());
   return text;
 }
+
+bool goes_to_a_place(Op op) {
+  return op == Op::MA || op == Op::MT || op == Op::MV || op == Op::SP || op == Op::FP;
+}
+bool sets_count(Op op) { return op == Op::LP || op == Op::HM || op == Op::HR; }
 
 /// Drops a trailing selector that no command follows.
 void drop_address(Operations& operations) {
@@ -47,6 +55,28 @@ Operations operations_of(std::string_view text) {
   }
   drop_address(operations);
   return operations;
+}
+
+std::vector<AxisTarget> places_of_text(std::string_view text) {
+  const std::string plain = without_comments(text);
+  Context context;
+  unsigned counted = 0;
+  std::vector<AxisTarget> places;
+  for (const TextCommand& command : read_commands(plain, context)) {
+    const bool goes = command.fact && goes_to_a_place(command.fact->op);
+    if (!goes && !(command.fact && sets_count(command.fact->op))) continue;
+    const bool one = command.context.mode == where::single;
+    for (std::size_t n = 0;
+         n < (one ? std::min<std::size_t>(1, command.numbers.size()) : command.numbers.size()); ++n) {
+      if (!command.numbers[n]) continue;
+      const auto axis = one ? static_cast<unsigned>(command.context.axis) : static_cast<unsigned>(n);
+      if (!goes)
+        counted |= 1u << axis;
+      else if ((counted >> axis & 1u) == 0)
+        places.push_back({AxisId{static_cast<std::uint8_t>(axis)}, Steps(std::llround(*command.numbers[n]))});
+    }
+  }
+  return places;
 }
 
 TextEffects effects_of(std::string_view text) {

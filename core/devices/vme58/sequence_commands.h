@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/device/intent.h"
 #include "core/device/sequence_reading.h"
 #include "core/devices/vme58/command_text.h"
 
@@ -16,5 +17,8 @@ struct TextEffects {
   bool moves = false, speeds = false, records = false;
 };
 [[nodiscard]] TextEffects effects_of(std::string_view text);
+
+/// See PlacesInText. The targets of contours are not among them.
+[[nodiscard]] std::vector<AxisTarget> places_of_text(std::string_view text);
 
 }  // namespace hw::vme58

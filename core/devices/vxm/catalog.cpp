@@ -83,7 +83,6 @@ Capabilities capabilities() {
   can.store = true;
   can.store_life = store_life;
   can.one_axis_at_a_time = true;
-  can.tells_slowing = false;
   can.reset = true;
   can.usual_baud = 9600;
   can.bauds = {9600, 19200, 38400};

@@ -14,10 +14,9 @@ constexpr int attempts_to_end_echo = 4;
 Task<Result<>> Echo::end(char state) {
   if (state != ready) {
     if (!std::exchange(told_, true))
-      console_.report(
-          Notice::Kind::warning,
-          "The controller echoes what it is sent, and does not end that while its program runs. Until then "
-          "inputs, outputs and limits are not read, and it takes nothing but stops.");
+      console_.report(Notice::Kind::warning,
+                      "The controller echoes each command until its program ends. Until then "
+                      "inputs, outputs and limits are not read, and the console sends only stops.");
     co_return Result<>();
   }
   for (int n = 0; n < attempts_to_end_echo && conversation_.echoes(); ++n) {
@@ -32,10 +31,10 @@ Task<Result<>> Echo::end(char state) {
     if (greeting.is_a_vxm() && greeting.state != ready) co_return Result<>();  // something was begun
   }
   if (conversation_.echoes())
-    co_return fail(FaultKind::garbled, "The controller echoes what it is sent although it was told F.", {},
+    co_return fail(FaultKind::garbled, "The controller still echoes each command, although F was sent.", {},
                    "Check whether another program talks to it, or something on the way sends bytes back.");
   told_ = false;
-  console_.report(Notice::Kind::info, "The controller echoed what it was sent. Echo has been switched off.");
+  console_.report(Notice::Kind::info, "The controller echoed each command. Echo was switched off.");
   co_return Result<>();
 }
 
@@ -45,8 +44,7 @@ Task<Result<>> Echo::hear_without() {
   if (!state) co_return fail(state.error());
   auto ended = co_await end(*state);
   if (!ended || !conversation_.echoes()) co_return ended;
-  co_return fail(FaultKind::refused,
-                 "The controller echoes what it is sent, and does not end that while its program runs.",
+  co_return fail(FaultKind::refused, "The controller echoes each command until its program ends.",
                  "Nothing was sent.", "Wait until the program ends, or stop it by the Stop button.");
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/index.h"
 #include "core/device/bench_on_controller.h"
+#include "core/device/plant_bench.h"
 #include "core/devices/vxm/emulator_vxm.h"
 
 namespace hw::vxm {
@@ -67,24 +68,6 @@ void VxmEmulator::drive_line(int box, int line) {
 }
 
 template <>
-Result<> VxmEmulator::act(const bench::Limit& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  const int axis = c.axis.index, local = axis % motors_per_controller;
-  box_of(axis).plant(local).operate_limit(c.sign, c.operated);
-  box_of(axis).plant_changed(local);
-  return {};
-}
-
-template <>
-Result<> VxmEmulator::act(const bench::HomeSwitch& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  const int axis = c.axis.index, local = axis % motors_per_controller;
-  box_of(axis).plant(local).operate_home(c.operated);
-  box_of(axis).plant_changed(local);
-  return {};
-}
-
-template <>
 Result<> VxmEmulator::act(const bench::Analog& c) {
   if (c.number < 1 || c.number > boxes())
     return fail(FaultKind::refused, "There is no analog input " + std::to_string(c.number) + ".",
@@ -93,40 +76,6 @@ Result<> VxmEmulator::act(const bench::Analog& c) {
     return fail(FaultKind::refused, std::to_string(c.value) + " is not a reading of the analog input.",
                 "Nothing was changed.", "It gives 0 to 1024.");
   (c.number == 1 ? box_ : *box_.slave()).set_analog(c.value);
-  return {};
-}
-
-template <>
-Result<> VxmEmulator::act(const bench::Jam& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  const int axis = c.axis.index, local = axis % motors_per_controller;
-  box_of(axis).plant(local).jam(c.on);
-  box_of(axis).plant_changed(local);
-  return {};
-}
-
-template <>
-Result<> VxmEmulator::act(const bench::Slip& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  const int axis = c.axis.index, local = axis % motors_per_controller;
-  box_of(axis).plant(local).slip(c.by);
-  box_of(axis).plant_changed(local);
-  return {};
-}
-
-template <>
-Result<> VxmEmulator::act(const bench::Place& c) {
-  if (auto bad = check_axis(c.axis); !bad) return bad;
-  if (c.place.home_from.has_value() != c.place.home_to.has_value())
-    return fail(FaultKind::refused, "A home zone needs both ends.",
-                "The place of motor " + std::to_string(c.axis.index + 1) + " was not changed.");
-  if (c.place.motor)
-    return fail(FaultKind::refused, "A VXM has stepping motors; what `motor` describes is a servo motor.",
-                "The place of motor " + std::to_string(c.axis.index + 1) + " was not changed.");
-  const int axis = c.axis.index, local = axis % motors_per_controller;
-  // An encoder of the load (index_every, counts_per_step) is kept as well: a VXM does not read it.
-  box_of(axis).plant(local).set_place(c.place);
-  box_of(axis).plant_changed(local);
   return {};
 }
 
@@ -180,7 +129,18 @@ Result<> VxmEmulator::act(const bench::Alarm&) {
 }
 
 Result<> VxmEmulator::operate(const BenchCommand& command) {
-  auto result = on_controller(command, [this](const auto& hand) { return act(hand); });
+  const auto act_somewhere = [this]<class Hand>(const Hand& hand) -> Result<> {
+    if constexpr (ActsOnPlant<Hand>) {
+      if (auto bad = check_axis(hand.axis); !bad) return bad;
+      const int axis = hand.axis.index, local = axis % motors_per_controller;
+      if (auto done = act_on(box_of(axis).plant(local), hand); !done) return done;
+      box_of(axis).plant_changed(local);
+      return {};
+    } else {
+      return act(hand);
+    }
+  };
+  auto result = on_controller(command, act_somewhere);
   box_.settle();
   after();
   return result;
@@ -219,16 +179,9 @@ void VxmEmulator::look(BenchView& view) const {
   for (int axis = 0; axis < options_.motors; ++axis) {
     const int local = axis % motors_per_controller;
     const Box& box = box_of(axis);
-    const motion::Plant& plant = box.axis(local).plant;
-    const std::uint32_t bit = 1u << axis;
-    view.load_position[ix(axis)] = plant.load();
-    view.switches[ix(axis)] = plant.place().switches();
-    if (box.switch_operated(local, Sign::minus)) view.limits_minus |= bit;
-    if (box.switch_operated(local, Sign::plus)) view.limits_plus |= bit;
-    if (plant.limit_by_hand(Sign::minus)) view.limits_minus_by_hand |= bit;
-    if (plant.limit_by_hand(Sign::plus)) view.limits_plus_by_hand |= bit;
-    if (plant.home_by_hand()) view.homes_by_hand |= bit;
-    if (plant.jammed()) view.jammed |= bit;
+    show_plant(view, axis,
+               {box.axis(local).plant, box.switch_operated(local, Sign::minus),
+                box.switch_operated(local, Sign::plus)});
   }
 }
 

@@ -21,6 +21,7 @@ struct Leg {
   std::optional<Steps> target;
   std::optional<Steps> up_to;  ///< of a jog: the end of its travel
   LegPace pace;
+  bool to_switch = false;       ///< it ends on a limit switch
   std::optional<Trust> zeroes;  ///< the leg zeroes its axis: why the zero is trusted
 
   [[nodiscard]] bool is_of(int an_axis) const { return axis == an_axis || second_axis == an_axis; }

@@ -156,12 +156,14 @@ EndedBy Legs::how_it_ended(const Leg& leg) const {
   if (under_way_.job().ended_by() == EndedBy::stop && under_way_.job().was_cut_whole() && arrived)
     return EndedBy::target;  // the stop came too late
   if (under_way_.job().ended_by() != EndedBy::nothing) return under_way_.job().ended_by();
-  if (leg.axis < 0 || leg.activity == Activity::idle || leg.activity == Activity::homing)
-    return EndedBy::target;
+  if (leg.axis < 0 || leg.activity == Activity::idle) return EndedBy::target;
   const AxisState& axis = console_.draft.axes[leg.axis];
-  if (!leg.target || axis.position == *leg.target) return EndedBy::target;
-  const bool at_limit = axis.direction > 0 ? axis.limit_plus : axis.limit_minus;
-  return at_limit || under_way_.job().limit_was_reported() ? EndedBy::limit : EndedBy::elsewhere;
+  const bool at_limit =
+      (axis.direction > 0 ? axis.limit_plus : axis.limit_minus) || under_way_.job().limit_was_reported();
+  // Another host may have stopped it halfway: there the count must not become zero.
+  if (leg.to_switch) return at_limit || !axis.limits_known ? EndedBy::target : EndedBy::elsewhere;
+  if (leg.activity == Activity::homing || !leg.target || axis.position == *leg.target) return EndedBy::target;
+  return at_limit ? EndedBy::limit : EndedBy::elsewhere;
 }
 
 void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {

@@ -157,12 +157,14 @@ Task<Result<>> Moves::home(const intent::Home& request) {
   to_switch.sign = request.sign;
   to_switch.pace = *pace;
   to_switch.text = vxm::home(axis + 1, request.sign);
+  to_switch.to_switch = true;
   Leg zero;
   zero.axis = axis;
   zero.text = zero_here(axis + 1);
   zero.zeroes = Trust::homed;
   Leg off_switch = to_switch;
   off_switch.sign = -request.sign;
+  off_switch.to_switch = false;
   off_switch.text = index_by(axis + 1, Steps{factor(off_switch.sign) * off_switch_steps});
   Job job;
   job.add(to_switch);

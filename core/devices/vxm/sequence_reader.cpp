@@ -204,7 +204,7 @@ class BlockReader {
       return leave("loops that share a mark", all, i, end + 1, list);
     return put_loop(program, i + 1, end, {all[i].at.begin, all[end].at.end}, list)
                ? end + 1
-               : leave("no loop of blocks goes on like this", all, i, end + 1, list);
+               : leave("no loop of blocks continues like this", all, i, end + 1, list);
   }
   bool put_loop(const PlacedProgram& program, std::size_t from, std::size_t end, Stretch at,
                 ReadSteps& list) {

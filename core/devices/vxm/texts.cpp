@@ -108,13 +108,13 @@ void Texts::warn_of_flaws(const std::vector<TextCommand>& commands) const {
     console_.report(
         Notice::Kind::warning,
         fmt::format("{} is no command of the VXM: the controller drops it without a word. It was sent as it "
-                    "is. The terminal lists the commands behind ?.",
+                    "is. Type ? in the terminal to list the commands.",
                     unknown));
   if (unknown_count > 1)
     console_.report(
         Notice::Kind::warning,
         fmt::format("{} are no commands of the VXM: the controller drops them without a word. They were sent "
-                    "as they are. The terminal lists the commands behind ?.",
+                    "as they are. Type ? in the terminal to list the commands.",
                     unknown));
   for (const TextCommand& c : commands) {
     if (c.flaw == Flaw::range)

@@ -1,0 +1,97 @@
+// Held jogs of an open controller: begun, kept alive, released, and stopped when nobody holds or sees them.
+#include <fmt/core.h>
+
+#include "core/device/pump_job.h"
+
+namespace hw {
+
+void Pump::hold_jog(const Intent& intent) {
+  const auto* jog = std::get_if<intent::JogStart>(&intent.body);
+  if (jog) jogs_.begin(intent.id, jog->axis.index, jog->dead_man);
+}
+
+/// Left just before a held jog goes out, taken back when its stop is over. One that waits for its turn has
+/// none: what moves then is no jog.
+void Pump::keep_will() {
+  const bool has_wire = station_ && station_->is_open();
+  const unsigned held = jogs_.guarded_axes_if([this](IntentId id) { return !jobs_.has(id); });
+  will_->follow(held, desk_.any(), has_wire ? station_.get() : nullptr);
+}
+
+// Halting one of several threads leaves the motion alone, and a stop of one axis the others: what else is
+// held stays guarded.
+void Pump::release_jogs(const StopOrder& order) {
+  using What = StopOrder::What;
+  const TextMeaning& said = order.meaning;
+  if (order.what == What::program && catalog_.program.threads > 0) return;
+  if (order.what == What::words && !said.stops_here()) return;
+  if (order.what != What::words) return jogs_.stop(order.what == What::program ? -1 : order.axis);
+  if (said.stops == TextMeaning::Stops::all) return jogs_.stop(-1);
+  for (int axis = 0; axis < draft_.axis_count; ++axis)
+    if (axis == said.axis || (said.axes >> axis & 1u) != 0) jogs_.stop(axis);
+}
+
+/// The hand's jog, if it still waits for its turn: it has moved nothing, so nothing is stopped.
+bool Pump::withdraw_waiting_jog() {
+  const auto jog = jogs_.any_guarded() ? jobs_.withdraw(jogs_.in_hand().id) : nullptr;
+  if (!jog) return false;
+  jog_not_begun(jog->intent);
+  set_outcome(jog->intent.id, IntentState::refused,
+              "The button was released before its turn came. Nothing was sent.");
+  return true;
+}
+
+void Pump::jog_not_begun(const Intent& intent) {
+  if (std::holds_alternative<intent::JogStart>(intent.body)) jogs_.end(intent.id);
+}
+
+/// A script does not let go of what a limit has ended; nothing else is to be stopped in its name.
+void Pump::forget_jogs_that_ended() {
+  jogs_.forget_if([this](IntentId id, int axis) {
+    const Activity activity = draft_.axes[axis].activity;
+    return !jobs_.has(id) && activity != Activity::jogging && activity != Activity::unknown;
+  });
+}
+
+/// One that may have begun although nobody can tell is stopped: its hand has been told of the failure, and
+/// will not stop it. It is stopped by its axis, so that nothing else is.
+void Pump::jog_failed(const Intent& intent, FaultKind kind) {
+  const auto* jog = std::get_if<intent::JogStart>(&intent.body);
+  if (!jog || !jogs_.has(intent.id)) return;
+  const bool rejected =
+      kind == FaultKind::refused || kind == FaultKind::stopped || kind == FaultKind::controller;
+  if (rejected) return jog_not_begun(intent);
+  pump_log().debug("{}: command {}: the jog may have begun, so it is stopped", Whose{catalog_}, intent.id);
+  callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                           "It is not known whether the jog began, so the axis was told to stop."));
+  StopOrder lets_go;
+  lets_go.what = StopOrder::What::jog;
+  lets_go.axis = jog->axis.index;
+  post_stop(std::move(lets_go));
+}
+
+void Pump::jog_let_go() {
+  pump_log().debug("{}: nobody has kept the jog alive for {} ms", Whose{catalog_},
+                   dead_man.count() / 1'000'000);
+  callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                           "The jog was no longer held, so the axis was stopped."));
+  StopOrder lets_go;
+  lets_go.what = StopOrder::What::jog;
+  post_stop(std::move(lets_go));
+}
+
+// Nobody sees where a held jog goes. One that still waits for its turn moves nothing.
+void Pump::stop_jogs_out_of_sight() {
+  for (const int axis : jogs_.axes_if([this](IntentId id) { return !jobs_.has(id); })) {
+    pump_log().debug("{}: {} answers were missed: the jog of axis {} is stopped", Whose{catalog_},
+                     station_->statistics().misses_in_a_row, axis + 1);
+    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
+                             "The controller does not answer, so the jog was stopped."));
+    StopOrder lets_go;
+    lets_go.what = StopOrder::What::jog;
+    lets_go.axis = axis;
+    post_stop(std::move(lets_go));
+  }
+}
+
+}  // namespace hw
