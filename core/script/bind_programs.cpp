@@ -51,12 +51,12 @@ int load(Call& call) {
 int run(Call& call) {
   const int slot = slot_of(call, 1);
   if (slot < 0) return call.refuse(no_slot(session_of(call)->catalog()));
-  intent::RunProgram wish(slot);
+  intent::RunProgram request(slot);
   if (call.has(2)) {
     if (call.text(2, "how") != "as it is") throw Misuse("run: argument 2 can only be \"as it is\"");
-    wish.as_it_is = true;
+    request.as_it_is = true;
   }
-  return perform(call, std::move(wish));
+  return perform(call, std::move(request));
 }
 
 Task<Answer> run_together(std::shared_ptr<SessionGroup> bus, sequence::Sequence sequence, int from) {
@@ -78,16 +78,16 @@ int run_in_pieces(Call& call) {
   return perform(call, intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
 }
 
-Task<Answer> tell_together(std::shared_ptr<SessionGroup> bus, IntentBody wish) {
-  const auto told = co_await bus->tell_together(std::move(wish));
+Task<Answer> tell_together(std::shared_ptr<SessionGroup> bus, IntentBody request) {
+  const auto told = co_await bus->tell_together(std::move(request));
   co_return answer_of_bus(told, *bus);
 }
 
 int override_speed(Call& call) {
   const std::int64_t percent = call.whole(1, "percent");
-  intent::OverrideSpeed wish(static_cast<int>(std::clamp<std::int64_t>(percent, 0, 1000)));
-  if (const auto bus = bus_of(call)) return call.wait(tell_together(bus, wish));
-  return perform(call, wish);
+  intent::OverrideSpeed request(static_cast<int>(std::clamp<std::int64_t>(percent, 0, 1000)));
+  if (const auto bus = bus_of(call)) return call.wait(tell_together(bus, request));
+  return perform(call, request);
 }
 
 // With a number: only that thread, on controllers with several.

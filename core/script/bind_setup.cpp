@@ -146,8 +146,8 @@ Task<Answer> set_param(SessionPtr session, intent::SetParam wish) {
   const std::string name = wish.mnemonic;
   const IntentId id = session->post(std::move(wish));
   auto done = co_await session->outcome(id);
-  const IntentFate* fate = session->known().fate_of(id);
-  if (!done && fate && fate->asks)
+  const IntentOutcome* told_outcome = session->known().outcome_of(id);
+  if (!done && told_outcome && told_outcome->asks)
     co_return answer_refused(
         fmt::format("{} A script says which: c:set(\"{}\", value, \"stay\"), or \"drive\".",
                     done.error().sentence(), name));

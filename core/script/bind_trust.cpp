@@ -17,9 +17,9 @@ Told tell_trust(const AxisState& axis) {
   if (axis.trust.restored && !axis.trust.doubtful())
     return {"restored", axis.trust.kind == Trust::homed
                             ? "an earlier session homed it and left it at this count"
-                            : "an earlier session was told where it stands and left it at this count"};
+                            : "the position was set in an earlier session, which left it at this count"};
   switch (axis.trust.kind) {
-    case Trust::counted: return {"counted", "the controller counts, and nobody has said from where"};
+    case Trust::counted: return {"counted", "the controller counts from an unknown zero"};
     case Trust::homed: return {"homed", "its home has set it"};
     case Trust::set: return {"set", "somebody has said where it stands"};
     case Trust::untrusted: break;

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/log.h"
 #include "core/script/bind.h"
 
 namespace hw::script {
@@ -92,8 +93,11 @@ static int refusal_as_text(lua_State* L) {
 }
 
 int push_refusal(lua_State* L, Refusal refusal) {
+  static const log::Subject& log = log::subject("script");
   name_device(L, refusal);
   luaL_where(L, 1);
+  log.debug("{}refused ({}): {}", lua_tostring(L, -1), refusal.too_late ? "timeout" : word_of(refusal.kind),
+            refusal.reason);
   Runner::of(L).notes().advice.refused(lua_tostring(L, -1), refusal.reason);
   lua_pop(L, 1);
   lua_pushnil(L);
@@ -124,6 +128,14 @@ Refusal too_late(Refusal refusal) {
   refusal.too_late = true;
   refusal.what_to_do = "Wait longer, or stop it.";
   return refusal;
+}
+
+void forget_mended_refusal(lua_State* L, int results) {
+  LuaAdvice& advice = Runner::of(L).notes().advice;
+  if (results <= 0 || !advice.knows_refusal() || lua_isnil(L, -results)) return;
+  luaL_where(L, 1);
+  advice.went_well(lua_tostring(L, -1));
+  lua_pop(L, 1);
 }
 
 int Call::refuse(std::string_view reason) { return push_refusal(L, Refusal{std::string(reason)}); }
@@ -174,6 +186,7 @@ static int enter(lua_State* L) {
   const int results = call_body(L);
   if (results == Call::misused) return lua_error(L);
   if (results == Call::waits) return lua_yieldk(L, 0, 0, resume_with_answer);
+  forget_mended_refusal(L, results);
   return results;
 }
 

@@ -27,6 +27,9 @@ Refusal too_late(Refusal refusal);
 Refusal refusal_of(const Fault& fault);
 /// Pushes nil, reason, table. A method called on one controller adds the device itself.
 int push_refusal(lua_State* L, Refusal refusal);
+/// A call that was refused before has `results` on the stack: if it went well, the advice forgets the
+/// refusal.
+void forget_mended_refusal(lua_State* L, int results);
 
 /// A wrong call by the script: an error at its line.
 class Misuse : public std::runtime_error {

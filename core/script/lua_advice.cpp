@@ -74,8 +74,13 @@ void LuaAdvice::learn(lua_State* L) {
   std::sort(functions_.begin(), functions_.end());
 }
 
+void LuaAdvice::went_well(std::string_view where) {
+  if (where == refused_at_) refused_.clear();
+}
+
 void LuaAdvice::refused(std::string where, std::string reason) {
   constexpr std::size_t longest = 1000;
+  refused_at_ = where;
   while (where.ends_with(' ') || where.ends_with(':')) where.pop_back();
   if (reason.size() > longest) reason.resize(longest);
   refused_ = fmt::format("A call{}{} returned nil: {}", where.empty() ? "" : " at ", where, reason);

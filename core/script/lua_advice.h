@@ -14,6 +14,9 @@ class LuaAdvice {
   void learn(lua_State* L);
   /// Remembers the newest refusal. `where`: "scan.lua:4: ".
   void refused(std::string where, std::string reason);
+  [[nodiscard]] bool knows_refusal() const { return !refused_.empty(); }
+  /// A call of this place has succeeded: what was refused there is over.
+  void went_well(std::string_view where);
   /// What to add to an error's message; empty: nothing is known that helps.
   [[nodiscard]] std::string on(std::string_view message) const;
 
@@ -22,7 +25,7 @@ class LuaAdvice {
   [[nodiscard]] std::string on_value(std::string_view message) const;
 
   std::vector<std::string> methods_, functions_;  ///< of controllers, benches and tasks; of `hw` and `ui`
-  std::string refused_;
+  std::string refused_at_, refused_;
 };
 
 }  // namespace hw::script

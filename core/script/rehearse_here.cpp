@@ -1,6 +1,7 @@
 #include "core/script/rehearse_here.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/base/index.h"
 #include "core/device/controller_state.h"
@@ -88,14 +89,39 @@ bool knows_all_params(const Session& session) {
 }
 
 /// Reads the controller's other programs, which this one may call. Unreadable ones stay unknown.
-Task<> read_programs(SessionPtr session, int but_slot, ControllerState& state) {
+Task<> read_programs(SessionPtr session, int but_slot, std::map<int, std::string>& programs) {
   const int slots = session->catalog().program.slots;
   for (int slot = 0; slots > 1 && slot < slots; ++slot) {
     if (slot == but_slot) continue;
     auto listing = co_await session->listing(slot);
     if (!listing) co_return;
-    state.programs[slot] = std::move(*listing);
+    programs[slot] = std::move(*listing);
   }
+}
+
+Result<Rehearsal> rehearse_now(Session& session, const std::string& text, int slot,
+                               const std::map<int, std::string>& programs) {
+  BenchView bench;
+  if (session.bench()) session.bench()->look(bench);
+  auto state = std::make_shared<ControllerState>(ControllerState{session.known(), programs});
+  RehearseOptions options = rehearse_from(std::move(state), bench, session.catalog());
+  options.slot = slot;
+  return session.type().language().rehearse(text, options);
+}
+
+/// Those that the program reads before it sets them; whether there are any.
+Task<bool> reads_variables(SessionPtr session, const Rehearsal& rehearsal) {
+  const VariableFacts& facts = session->catalog().variables;
+  bool any = false;
+  for (int n = 0; n < facts.count; ++n) {
+    const std::string name = facts.prefix + std::to_string(n);
+    const bool assumed = std::any_of(rehearsal.assumptions.begin(), rehearsal.assumptions.end(),
+                                     [&](const RehearsedAssumption& a) { return a.name == name; });
+    if (!assumed) continue;
+    (void)co_await session->perform(intent::ReadParams(name));
+    any = true;
+  }
+  co_return any;
 }
 
 }  // namespace
@@ -106,14 +132,10 @@ Task<Answer> rehearse_here(SessionPtr session, std::string text, int slot) {
   co_await session->pump().refresh();
   if (!session->known().link.connected())
     co_return answer_refused(std::string(session->known().link.sentence.view()));
-  auto state = std::make_shared<ControllerState>();
-  co_await read_programs(session, slot, *state);
-  state->now = session->known();
-  BenchView bench;
-  if (session->bench()) session->bench()->look(bench);
-  RehearseOptions options = rehearse_from(std::move(state), bench, session->catalog());
-  options.slot = slot;
-  auto done = session->type().language().rehearse(text, options);
+  std::map<int, std::string> programs;
+  co_await read_programs(session, slot, programs);
+  auto done = rehearse_now(*session, text, slot, programs);
+  if (done && co_await reads_variables(session, *done)) done = rehearse_now(*session, text, slot, programs);
   if (!done) co_return answer_refused(done.error());
   co_return [result = std::make_shared<Rehearsal>(std::move(*done))](lua_State* L) {
     return push_rehearsal(L, *result);

@@ -215,6 +215,7 @@ int resume_with_answer(lua_State* L, int, lua_KContext) {
     results = fiber->second->answer(L);
     fiber->second->answer = nullptr;
   }
+  forget_mended_refusal(L, results);
   return results == Call::misused ? lua_error(L) : results;
 }
 

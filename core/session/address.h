@@ -27,6 +27,7 @@ struct Address {
   [[nodiscard]] bool emulated() const { return transport == "emulator"; }
   /// `fallback` when absent; a fault when not a whole number.
   [[nodiscard]] Result<int> number(std::string_view key, int fallback) const;
+  bool operator==(const Address&) const = default;
 };
 
 /// The models for an address: "vxm, pmx-4ex-sa, dmx-k-sa".

@@ -14,14 +14,14 @@ using nlohmann::json;
 
 constexpr const char* what_it_is = "how the last session ended";
 
-static std::string_view words_of(LastEnd::Fate fate) {
-  switch (fate) {
-    case LastEnd::Fate::at_rest: return "it was stopped, and confirmed at rest.";
-    case LastEnd::Fate::told:
-      return "it was told to stop, and was not seen to rest before the program ended. Look at it first.";
-    case LastEnd::Fate::not_told:
-      return "it could not be told to stop, for there was no link. It may have gone on: look at it first.";
-    case LastEnd::Fate::left_alone: break;
+static std::string_view words_of(LastEnd::Outcome outcome) {
+  switch (outcome) {
+    case LastEnd::Outcome::at_rest: return "it was stopped, and confirmed at rest.";
+    case LastEnd::Outcome::told:
+      return "a stop was sent, but the program ended before it was seen at rest. Look at it first.";
+    case LastEnd::Outcome::not_told:
+      return "no stop could be sent, for there was no link. It may still be moving: look at it first.";
+    case LastEnd::Outcome::left_alone: break;
   }
   return "that was not begun here, and was left alone.";
 }
@@ -30,20 +30,21 @@ std::string LastEnd::sentence(const std::string& today) const {
   const std::string when =
       date == today ? fmt::format("At {}", time) : fmt::format("On {} at {}", date, time);
   std::string all = fmt::format("{} the session was ended ({}).", when, how);
-  for (const Controller& c : controllers) all += fmt::format(" {}: {}; {}", c.name, c.what, words_of(c.fate));
+  for (const Controller& c : controllers)
+    all += fmt::format(" {}: {}; {}", c.name, c.what, words_of(c.outcome));
   return all;
 }
 
 bool LastEnd::harmless() const {
   return std::all_of(controllers.begin(), controllers.end(), [](const Controller& c) {
-    return c.fate == Fate::at_rest || c.fate == Fate::left_alone;
+    return c.outcome == Outcome::at_rest || c.outcome == Outcome::left_alone;
   });
 }
 
 static json json_of(const LastEnd& end) {
   json controllers = json::array();
   for (const auto& c : end.controllers)
-    controllers.push_back({{"name", c.name}, {"what", c.what}, {"fate", static_cast<int>(c.fate)}});
+    controllers.push_back({{"name", c.name}, {"what", c.what}, {"fate", static_cast<int>(c.outcome)}});
   return {{"date", end.date}, {"time", end.time}, {"how", end.how}, {"controllers", controllers}};
 }
 
@@ -51,9 +52,10 @@ static LastEnd end_of(const json& object) {
   LastEnd end;
   object.at("date").get_to(end.date), object.at("time").get_to(end.time), object.at("how").get_to(end.how);
   for (const json& c : object.at("controllers")) {
-    const int fate = std::clamp(c.at("fate").get<int>(), 0, static_cast<int>(LastEnd::Fate::left_alone));
-    end.controllers.push_back(
-        {c.at("name").get<std::string>(), c.at("what").get<std::string>(), static_cast<LastEnd::Fate>(fate)});
+    const int outcome =
+        std::clamp(c.at("fate").get<int>(), 0, static_cast<int>(LastEnd::Outcome::left_alone));
+    end.controllers.push_back({c.at("name").get<std::string>(), c.at("what").get<std::string>(),
+                               static_cast<LastEnd::Outcome>(outcome)});
   }
   return end;
 }

@@ -9,7 +9,7 @@
 namespace hw {
 
 struct LastEnd {
-  enum class Fate : int {
+  enum class Outcome : int {
     at_rest,    ///< stopped, and seen at rest
     told,       ///< stop sent; not seen at rest
     not_told,   ///< no stop could be sent
@@ -17,7 +17,7 @@ struct LastEnd {
   };
   struct Controller {
     std::string name, what;  ///< "Table"; "axis X was moving"
-    Fate fate = Fate::told;
+    Outcome outcome = Outcome::told;
     bool operator==(const Controller&) const = default;
   };
   std::string date, time;  ///< "2026-11-23", "14:02:11"

@@ -50,7 +50,7 @@ class Stage {
   void look_at_steps();
   void begin_track();
   void end_track();
-  void hear_what_is_told();
+  void read_events();
   [[nodiscard]] Fault why_not();
 
   const Begin begin_;
@@ -166,7 +166,7 @@ void Stage::look_at_steps() {
   alone_.came_to.push_back({step, of_this ? moves_since : now});
 }
 
-void Stage::hear_what_is_told() {
+void Stage::read_events() {
   if (!group_) return;
   group_->members().front()->notices().drain([this](const Notice& notice) {
     if (notice.kind != Notice::Kind::info) return;
@@ -199,7 +199,7 @@ Result<> Stage::run(Duration at_most) {
   const bool at_it_still =
       !*drawn_ && drawn_->error().kind == FaultKind::no_answer && !alone_.came_to.empty();
   if (!*drawn_ && !at_it_still) return fail(why_not());
-  hear_what_is_told();
+  read_events();
   return {};
 }
 

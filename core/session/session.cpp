@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "core/session/snapshot_look.h"
+
 namespace hw {
 
 Result<std::shared_ptr<Session>> Session::open(Scheduler& scheduler, const Address& address,
@@ -44,17 +46,17 @@ Session::Session(Scheduler& scheduler, Address address, const DeviceType& type, 
       catalog_(std::move(catalog)),
       wire_(std::move(wire)),
       place_(place),
-      wake_(std::move(wake)),
+      reader_(std::move(wake)),
       pump_(scheduler, type, catalog_,
             Pump::Callbacks{[this] { return open_wire(); }, [this](const Snapshot& s) { show(s); },
-                            [this](Notice n) { report(std::move(n)); }, &traffic_,
-                            [this](const AxisSample& sample) { samples_.push(sample); }, wire_->line(),
+                            [this](Notice n) { report(std::move(n)); }, &reader_.traffic,
+                            [this](const AxisSample& sample) { reader_.samples.push(sample); }, wire_->line(),
                             [this] {
-                              if (wake_) wake_();
+                              if (reader_.wake) reader_.wake();
                             },
                             [this](const Ending& ending) {
-                              endings_.push(ending);
-                              if (wake_) wake_();
+                              reader_.endings.push(ending);
+                              if (reader_.wake) reader_.wake();
                             }}) {}
 
 Session::~Session() {
@@ -94,16 +96,17 @@ Task<Result<std::shared_ptr<Link>>> Session::open_wire() {
 
 IntentId Session::send_text(std::string text, bool to_all) {
   const IntentId id = send(intent::SendText(std::move(text), to_all));
-  texts_sent_.push_back(id);
+  scripts_texts_.sent.push_back(id);
   return id;
 }
 
 void Session::follow_texts(const Snapshot& snapshot) {
-  std::erase_if(texts_sent_, [&](IntentId id) {
-    const IntentFate* fate = snapshot.fate_of(id);
+  std::erase_if(scripts_texts_.sent, [&](IntentId id) {
+    const IntentOutcome* told_outcome = snapshot.outcome_of(id);
     const bool posted = id <= posted_;
-    if (!posted || (fate && fate->fate == Fate::pending)) return false;
-    if (fate && fate->fate != Fate::done && text_refused_.empty()) text_refused_ = fate->sentence.view();
+    if (!posted || (told_outcome && told_outcome->state == IntentState::pending)) return false;
+    if (told_outcome && told_outcome->state != IntentState::done && scripts_texts_.refused.empty())
+      scripts_texts_.refused = told_outcome->sentence.view();
     return true;
   });
 }
@@ -127,11 +130,12 @@ Task<Result<>> Session::perform(IntentBody body) {
 Task<Result<>> Session::outcome(IntentId id) {
   const auto self = shared_from_this();
   for (;;) {
-    const IntentFate* fate = known().fate_of(id);
-    if (!fate)
+    const IntentOutcome* told_outcome = known().outcome_of(id);
+    if (!told_outcome)
       co_return fail(FaultKind::internal, "Too many commands at once: the outcome of this one is not known.");
-    if (fate->fate == Fate::done) co_return Result<>();
-    if (fate->fate == Fate::refused || fate->fate == Fate::failed) co_return fail(fate->fault());
+    if (told_outcome->state == IntentState::done) co_return Result<>();
+    if (told_outcome->state == IntentState::refused || told_outcome->state == IntentState::failed)
+      co_return fail(told_outcome->fault());
     co_await pump_.published().wait();
   }
 }
@@ -228,7 +232,7 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
     if (gone || s.program.run == RunState::error ||
         (fresh && !running && !s.working && !s.any_axis_moving())) {
       std::string reason = why_not_finished(s, catalog_);
-      if (reason.empty()) reason = std::exchange(text_refused_, {});
+      if (reason.empty()) reason = std::exchange(scripts_texts_.refused, {});
       if (reason.empty() && in_pieces && s.pieces.done < s.pieces.total)
         reason = fmt::format("It ended in piece {} of {}. {}", s.pieces.done + 1, s.pieces.total,
                              s.pieces.ended_because.view());
@@ -249,58 +253,15 @@ Task<> Session::close() {
   if (bench_) bench_->changed = nullptr;
 }
 
-// The rate is counted every two seconds, and counts of an equal rate differ a little.
-static bool same_rate(const LinkHealth& a, const LinkHealth& b) {
-  const float x = a.polls_per_second, y = b.polls_per_second;
-  return std::abs(x - y) <= 0.15f * std::max(x, y);
-}
-
-static bool same_link(const LinkHealth& a, const LinkHealth& b) {
-  return a.state == b.state && a.sentence == b.sentence && a.next_attempt == b.next_attempt &&
-         a.jog_ends == b.jog_ends && same_rate(a, b);
-}
-
-static bool same_axes(const Snapshot& a, const Snapshot& b) {
-  for (int i = 0; i < a.axis_count; ++i) {
-    AxisState x = a.axes[i], y = b.axes[i];
-    x.seen_at = y.seen_at = Instant{};
-    if (!(x == y)) return false;
-  }
-  return a.axis_count == b.axis_count;
-}
-
-// Compares everything that the user sees, without times and counters. Traffic is in the record, which wakes
-// the reader itself. All fields are named here, so that a new field does not compile until it is decided on.
-static bool looks_same(const Snapshot& a, const Snapshot& b) {
-  const auto& [sequence, at, link, identity, axis_count, axes, inputs, inputs_known, outputs, outputs_known,
-               io_seen_at, inputs_asked_at, analog, analog_known, analog_seen_at, program, threads,
-               queue_free, queue_known, window, feed, pieces, transfer, jog_guard, readouts, readouts_known,
-               readouts_seen_at, variables, variables_known, slot_bytes_used, slots_torn, params,
-               unsaved_setup, unsaved_programs, working, restarts, store_count, program_changes,
-               program_changed_by, poll_period, fates, notice] = a;
-  const bool no_rings = !window.rings_known && !b.window.rings_known;
-  return same_axes(a, b) && same_link(link, b.link) && identity == b.identity && inputs == b.inputs &&
-         inputs_known == b.inputs_known && outputs == b.outputs && outputs_known == b.outputs_known &&
-         analog == b.analog && analog_known == b.analog_known && program == b.program &&
-         threads == b.threads && queue_free == b.queue_free && queue_known == b.queue_known &&
-         (no_rings || window == b.window) && feed == b.feed && pieces == b.pieces && transfer == b.transfer &&
-         jog_guard == b.jog_guard && readouts == b.readouts && readouts_known == b.readouts_known &&
-         variables == b.variables && variables_known == b.variables_known &&
-         slot_bytes_used == b.slot_bytes_used && slots_torn == b.slots_torn && params == b.params &&
-         unsaved_setup == b.unsaved_setup && unsaved_programs == b.unsaved_programs && working == b.working &&
-         restarts == b.restarts && store_count == b.store_count && program_changes == b.program_changes &&
-         fates == b.fates && notice == b.notice;
-}
-
 void Session::show(const Snapshot& snapshot) {
-  if (!texts_sent_.empty()) follow_texts(snapshot);
+  if (!scripts_texts_.sent.empty()) follow_texts(snapshot);
   if (begun_here_.any()) begun_here_.seen(snapshot, pump_.busy(), pump_.rounds_ended());
   state_log_.look(snapshot);
   const bool news = !looks_same(snapshot, shown_);
-  latest_.publish(snapshot);
+  reader_.snapshot.publish(snapshot);
   if (!news) return;
   shown_ = snapshot;
-  if (wake_) wake_();
+  if (reader_.wake) reader_.wake();
 }
 
 void Session::show_bench() {
@@ -311,8 +272,8 @@ void Session::show_bench() {
   if (view.stores >= 0) pump_.know_store_count(static_cast<std::int32_t>(view.stores));
   if (view == bench_view_) return;
   bench_view_ = view;
-  latest_bench_.publish(view);
-  if (wake_) wake_();
+  reader_.bench.publish(view);
+  if (reader_.wake) reader_.wake();
 }
 
 void Session::report(Notice notice) {
@@ -320,8 +281,8 @@ void Session::report(Notice notice) {
     listings_[notice.slot] = notice.text;
   else
     driver_log(catalog_).debug("{}: told: {}", Whose{catalog_}, notice.text);
-  notices_.push(std::move(notice));
-  if (wake_) wake_();
+  reader_.notices.push(std::move(notice));
+  if (reader_.wake) reader_.wake();
 }
 
 }  // namespace hw

@@ -43,12 +43,12 @@ class Session : public std::enable_shared_from_this<Session> {
   [[nodiscard]] bool begun_here() const { return begun_here_.any(); }
 
   // ---- the one reader thread
-  const Snapshot& snapshot() { return latest_.view(); }
-  const BenchView& bench_view() { return latest_bench_.view(); }
-  [[nodiscard]] TrafficRing& traffic() { return traffic_; }
-  [[nodiscard]] Ring<Notice>& notices() { return notices_; }
-  [[nodiscard]] Ring<Ending>& endings() { return endings_; }
-  [[nodiscard]] Ring<AxisSample>& samples() { return samples_; }
+  const Snapshot& snapshot() { return reader_.snapshot.view(); }
+  const BenchView& bench_view() { return reader_.bench.view(); }
+  [[nodiscard]] TrafficRing& traffic() { return reader_.traffic; }
+  [[nodiscard]] Ring<Notice>& notices() { return reader_.notices; }
+  [[nodiscard]] Ring<Ending>& endings() { return reader_.endings; }
+  [[nodiscard]] Ring<AxisSample>& samples() { return reader_.samples; }
 
   // ---- io thread
   [[nodiscard]] const Snapshot& known() const { return pump_.known(); }
@@ -83,24 +83,33 @@ class Session : public std::enable_shared_from_this<Session> {
   void show_bench();
   void report(Notice notice);
 
+  /// What the io thread gives to the reader thread.
+  struct ForReader {
+    explicit ForReader(std::function<void()> wakes) : wake(std::move(wakes)) {}
+    std::function<void()> wake;
+    Latest<Snapshot> snapshot;
+    Latest<BenchView> bench;
+    TrafficRing traffic{traffic_capacity};
+    Ring<Notice> notices{1024};
+    Ring<Ending> endings{1024};
+    Ring<AxisSample> samples{1 << 14};
+  };
+  struct ScriptsTexts {
+    std::vector<IntentId> sent;  ///< with unknown outcome
+    std::string refused;         ///< why the first was refused; until the next wait
+  };
+
   Scheduler& scheduler_;
   const Address address_;
   const DeviceType& type_;
   const Catalog catalog_;
   const std::shared_ptr<SharedWire> wire_;
   const std::size_t place_;  ///< among the devices on the wire
-  std::function<void()> wake_;
   std::atomic<IntentId> last_intent_{0};
   BegunHere begun_here_{catalog_};
-  IntentId posted_ = 0;               ///< latest intent given to the pump
-  std::vector<IntentId> texts_sent_;  ///< scripts' texts with unknown outcome
-  std::string text_refused_;          ///< why the first was refused; until the next wait
-  Latest<Snapshot> latest_;
-  Latest<BenchView> latest_bench_;
-  TrafficRing traffic_{traffic_capacity};
-  Ring<Notice> notices_{1024};
-  Ring<Ending> endings_{1024};
-  Ring<AxisSample> samples_{1 << 14};
+  IntentId posted_ = 0;  ///< latest intent given to the pump
+  ScriptsTexts scripts_texts_;
+  ForReader reader_;
   std::shared_ptr<BenchAccess> bench_;
   BenchView bench_view_;
   SavedPlaces places_;

@@ -127,6 +127,26 @@ class RoutineReader {
 
 }  // namespace
 
+void put_tool(const PlainTool& tool, std::vector<sequence::Axis>& axes, sequence::StepList& pen_down,
+              sequence::StepList& pen_up) {
+  if (!tool.axis.empty()) {
+    const std::size_t place = axes.size();
+    axes.push_back({tool.axis, tool.per_unit});
+    for (auto [to, routine] : {std::pair{tool.down, &pen_down}, std::pair{tool.up, &pen_up}}) {
+      sequence::Move move;
+      move.to[place] = to;
+      routine->push_back({move});
+      routine->push_back({sequence::WaitMotion{static_cast<int>(place)}});
+    }
+  }
+  if (tool.output) {
+    pen_down.push_back({sequence::Output{*tool.output, true}});
+    pen_up.insert(pen_up.begin(), {sequence::Output{*tool.output, false}});
+  }
+  if (tool.down_delay_ms > 0) pen_down.push_back({sequence::Delay{tool.down_delay_ms}});
+  if (tool.up_delay_ms > 0) pen_up.push_back({sequence::Delay{tool.up_delay_ms}});
+}
+
 Result<sequence::StepList> read_routine(std::string_view text, const Catalog& catalog,
                                         const PerUnit& per_unit, std::vector<sequence::Axis>& axes) {
   return RoutineReader(catalog, per_unit, axes).read(text);

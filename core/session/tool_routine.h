@@ -2,6 +2,7 @@
 // The routine that lowers or lifts the tool of a drawing, as a line of text: "Z to -2, DO3 on, wait 250 ms".
 // Outputs and axes have their controller's names.
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,18 @@
 #include "core/sequence/sequence.h"
 
 namespace hw {
+
+/// A tool that an axis lowers, an output switches, or both.
+struct PlainTool {
+  std::string axis;  ///< empty: none
+  double per_unit = 1, down = 0, up = 0;
+  std::optional<int> output;
+  double down_delay_ms = 0, up_delay_ms = 0;  ///< until it has acted
+};
+/// The tool is lowered before it is switched on, and switched off before it is lifted. Its axis is appended
+/// to `axes`.
+void put_tool(const PlainTool& tool, std::vector<sequence::Axis>& axes, sequence::StepList& pen_down,
+              sequence::StepList& pen_up);
 
 /// Steps per unit of an axis that is not in `axes` yet.
 using PerUnit = std::function<double(const std::string& axis)>;

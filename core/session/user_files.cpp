@@ -112,7 +112,7 @@ Result<std::string> read_file(const fs::path& path, std::uintmax_t largest) {
   const auto too_large = [&] {
     return fail(
         FaultKind::text,
-        fmt::format("{} is larger than {} kB, too large for what it should be.", name, largest / 1000),
+        fmt::format("{} is larger than {} kB, which is too large for such a file.", name, largest / 1000),
         "It was not opened.");
   };
   if (S_ISREG(about.st_mode) && static_cast<std::uintmax_t>(about.st_size) > largest) return too_large();

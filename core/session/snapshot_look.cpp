@@ -1,0 +1,50 @@
+#include "core/session/snapshot_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hw {
+
+// The rate is counted every two seconds, and counts of an equal rate differ a little.
+static bool same_rate(const LinkHealth& a, const LinkHealth& b) {
+  const float x = a.polls_per_second, y = b.polls_per_second;
+  return std::abs(x - y) <= 0.15f * std::max(x, y);
+}
+
+static bool same_link(const LinkHealth& a, const LinkHealth& b) {
+  return a.state == b.state && a.sentence == b.sentence && a.next_attempt == b.next_attempt &&
+         a.jog_ends == b.jog_ends && same_rate(a, b);
+}
+
+static bool same_axes(const Snapshot& a, const Snapshot& b) {
+  for (int i = 0; i < a.axis_count; ++i) {
+    AxisState x = a.axes[i], y = b.axes[i];
+    x.seen_at = y.seen_at = Instant{};
+    if (!(x == y)) return false;
+  }
+  return a.axis_count == b.axis_count;
+}
+
+// All fields are named here, so that a new field does not compile until it is decided on.
+bool looks_same(const Snapshot& a, const Snapshot& b) {
+  const auto& [sequence, at, link, identity, axis_count, axes, inputs, inputs_known, outputs, outputs_known,
+               io_seen_at, inputs_asked_at, analog, analog_known, analog_seen_at, program, threads,
+               queue_free, queue_known, window, feed, pieces, transfer, jog_guard, readouts, readouts_known,
+               readouts_seen_at, variables, variables_known, slot_bytes_used, slots_torn, params,
+               unsaved_setup, unsaved_programs, working, restarts, store_count, program_changes,
+               program_changed_by, poll_period, outcomes, notice] = a;
+  const bool no_rings = !window.rings_known && !b.window.rings_known;
+  return same_axes(a, b) && same_link(link, b.link) && identity == b.identity && inputs == b.inputs &&
+         inputs_known == b.inputs_known && outputs == b.outputs && outputs_known == b.outputs_known &&
+         analog == b.analog && analog_known == b.analog_known && program == b.program &&
+         threads == b.threads && queue_free == b.queue_free && queue_known == b.queue_known &&
+         (no_rings || window == b.window) && feed == b.feed && pieces == b.pieces && transfer == b.transfer &&
+         jog_guard == b.jog_guard && readouts == b.readouts && readouts_known == b.readouts_known &&
+         variables == b.variables && variables_known == b.variables_known &&
+         slot_bytes_used == b.slot_bytes_used && slots_torn == b.slots_torn && params == b.params &&
+         unsaved_setup == b.unsaved_setup && unsaved_programs == b.unsaved_programs && working == b.working &&
+         restarts == b.restarts && store_count == b.store_count && program_changes == b.program_changes &&
+         outcomes == b.outcomes && notice == b.notice;
+}
+
+}  // namespace hw
