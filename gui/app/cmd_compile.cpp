@@ -35,7 +35,7 @@ static int compile(const Given& given) {
   if (given.has("listing")) write_result(listing);
   if (!given.has("output")) {
     if (given.has("listing")) return done;
-    return complain("It is not said where to write it. Add -o OUT, or --listing to see it.", usage);
+    return complain("Add -o OUT to write it to a file, or --listing to see it.", usage);
   }
   if (auto written = write_file(given.one("output"), listing); !written) return complain(written.error());
   const auto cost = report.cost.find(0);

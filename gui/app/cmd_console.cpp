@@ -138,7 +138,7 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
       },
       [&console] {
         console.let_go();
-        console.toast(gui::Mood::warn,
+        console.toast(gui::Severity::warn,
                       "The display refused a request of this window. Held jogs were let go.");
       });
   for (const std::string& address : addresses)

@@ -99,6 +99,18 @@ std::vector<drawing::HiddenLayer> layers_left_out(const drawing::Drawing& drawin
   return hidden_layers(drawing);
 }
 
+/// The entities of a box around all the others: perhaps a margin.
+std::vector<int> box_around(const Made& m) {
+  std::vector<int> entities;
+  const Conversion& c = m.conversion;
+  if (c.box_around < 0) return entities;
+  for (const int path : c.chains[static_cast<std::size_t>(c.box_around)].paths)
+    entities.push_back(m.drawing.paths[static_cast<std::size_t>(path)].entity);
+  std::sort(entities.begin(), entities.end());
+  entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
+  return entities;
+}
+
 void print_json(const Made& m, const Catalog& catalog) {
   nlohmann::ordered_json out;
   const Conversion& c = m.conversion;
@@ -112,6 +124,7 @@ void print_json(const Made& m, const Catalog& catalog) {
                    {"saved_s", m.saved_s ? nlohmann::ordered_json(*m.saved_s) : nullptr}};
   out["box"] = {c.box.low.x, c.box.low.y, c.box.high.x, c.box.high.y};
   out["tolerance"] = c.tolerance;
+  out["box_around"] = box_around(m);
   out["steps"] = count_steps(c.sequence.steps);
   out["lines"] = m.written.step_of_line.size();
   out["duration_s"] = m.rehearsal.finished ? nlohmann::ordered_json(m.rehearsal.duration_s) : nullptr;
@@ -140,12 +153,20 @@ void print_words(const Made& m) {
                c.way_as_drawn);
   if (c.way_as_drawn - c.way >= 0.0005) {
     print_result("the order saves {:.3f} {}", c.way_as_drawn - c.way, c.sequence.unit);
-    if (m.saved_s) print_result(", {:.1f} s", *m.saved_s);
+    if (m.saved_s)
+      print_result(", {:.1f} s", *m.saved_s);
+    else
+      print_result("; --travel-speed tells how long that is");
     print_result("\n");
   }
   const auto place = [](double v) { return std::fabs(v) < 0.0005 ? 0.0 : v; };  // no "-0.000"
   print_result("from {:.3f}, {:.3f} to {:.3f}, {:.3f} {}\n", place(c.box.low.x), place(c.box.low.y),
                place(c.box.high.x), place(c.box.high.y), c.sequence.unit);
+  if (const std::vector<int> box = box_around(m); !box.empty()) {
+    print_result("a box is around all else, perhaps a margin: without it by");
+    for (const int entity : box) print_result(" --without {}", entity);
+    print_result("\n");
+  }
   print_result("{} steps, {} lines", count_steps(c.sequence.steps), m.written.step_of_line.size());
   if (m.rehearsal.finished) print_result(", {:.3f} s", m.rehearsal.duration_s);
   print_result("\n");
@@ -233,7 +254,7 @@ static void tell_remarks(const std::vector<std::string>& remarks) {
 
 /// Reports assumed values, and those that differ from the file.
 static void tell_taken(const Given& given, const drawing::Drawing& drawing, const Catalog& catalog) {
-  if (!given.has("per-unit"))
+  if (!given.has("per-unit") && !given.has("step-length") && !given.has("profile"))
     write_aside(fmt::format("Nothing says how many {} a {} is: 1 is taken. Say it with --per-unit.",
                             catalog.step_word, given.has("inch") ? "in" : "mm"));
   if (given.has("unit") && !drawing.unit.empty() && drawing.unit != given.one("unit"))
@@ -309,6 +330,8 @@ const Subcommand convert_subcommand{
      {"without", "N", "not entity N of the file (1, 2 ...), as a margin", true},
      {"axes", "X,Y", "the axes that draw"},
      {"per-unit", "N[,N]", "steps of them in a mm (1)"},
+     {"step-length", "D[,D]", "instead: how many mm a step of them is"},
+     {"profile", "ADDRESS", "instead: the units that the console keeps for this controller"},
      {"origin", "WHERE", "as-drawn, lower-left, or X,Y of the drawing"},
      {"swap", "", "the drawing's X goes along the second axis"},
      {"mirror", "x|y|xy", "which ways it is turned round"},

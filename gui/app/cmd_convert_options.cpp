@@ -1,50 +1,16 @@
 #include "gui/app/cmd_convert_options.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "core/session/tool_routine.h"
+#include "gui/app/cmd_convert_scale.h"
+#include "gui/app/option_numbers.h"
 
 namespace hw::app {
 namespace {
-
-std::vector<std::string> split(std::string_view text, char at) {
-  std::vector<std::string> parts;
-  for (;;) {
-    const std::size_t end = text.find(at);
-    parts.emplace_back(text.substr(0, end));
-    if (end == text.npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
-std::optional<double> number_in(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-tl::unexpected<Fault> wrong(const char* option, const Given& given, const char* form) {
-  return fail(FaultKind::text, fmt::format("--{} {} is not understood.", option, given.one(option)), {},
-              fmt::format("Write --{} {}.", option, form));
-}
-
-Result<std::vector<double>> numbers(const Given& given, const char* option, char at, std::size_t least,
-                                    std::size_t most, const char* form) {
-  std::vector<double> all;
-  for (const std::string& part : split(given.one(option), at)) {
-    const auto number = number_in(part);
-    if (!number) return wrong(option, given, form);
-    all.push_back(*number);
-  }
-  if (all.size() < least || all.size() > most) return wrong(option, given, form);
-  return all;
-}
 
 /// The option overrides the file.
 Result<> read_unit(const Given& given, ConversionOptions& o) {
@@ -57,21 +23,15 @@ Result<> read_unit(const Given& given, ConversionOptions& o) {
 }
 
 Result<> read_axes(const Given& given, const Catalog& catalog, ConversionOptions& o) {
-  std::vector<double> per_unit{1};
-  if (given.has("per-unit")) {
-    auto read = numbers(given, "per-unit", ',', 1, 2, "STEPS or STEPS,STEPS");
-    if (!read) return fail(read.error());
-    per_unit = std::move(*read);
-    if (*std::min_element(per_unit.begin(), per_unit.end()) <= 0)
-      return wrong("per-unit", given, "more than 0");
-  }
   std::vector<std::string> names;
   if (given.has("axes"))
     names = split(given.one("axes"), ',');
   else
     for (std::size_t i = 0; i < std::min<std::size_t>(2, catalog.axes.size()); ++i)
       names.push_back(catalog.axes[i].name);
-  for (std::size_t i = 0; i < names.size(); ++i) o.axes.push_back({names[i], per_unit[i % per_unit.size()]});
+  const auto scales = read_scales(given, catalog, names);
+  if (!scales) return fail(scales.error());
+  for (std::size_t i = 0; i < names.size(); ++i) o.axes.push_back({names[i], (*scales)[i]});
   return {};
 }
 
@@ -123,44 +83,43 @@ Result<> read_speeds(const Given& given, ConversionOptions& o) {
   return {};
 }
 
-Result<> read_pen_axis(const Given& given, double per_unit, ConversionOptions& o) {
+Result<> read_pen_axis(const Given& given, PlainTool& tool) {
   if (!given.has("pen-axis")) return {};
   const std::vector<std::string> parts = split(given.one("pen-axis"), ':');
   const auto down = parts.size() == 3 ? number_in(parts[1]) : std::nullopt;
   const auto up = parts.size() == 3 ? number_in(parts[2]) : std::nullopt;
   if (!down || !up) return wrong("pen-axis", given, "AXIS:DOWN:UP");
-  const std::size_t place = o.axes.size();
-  o.axes.push_back({parts[0], per_unit});
-  for (auto [to, routine] : {std::pair{*down, &o.pen_down}, std::pair{*up, &o.pen_up}}) {
-    sequence::Move move;
-    move.to[place] = to;
-    routine->push_back({move});
-    routine->push_back({sequence::WaitMotion{static_cast<int>(place)}});
-  }
+  tool.axis = parts[0], tool.down = *down, tool.up = *up;
   return {};
 }
 
 /// The tool's delays: separate ones for each direction, else the same.
-Result<> read_pen_delays(const Given& given, ConversionOptions& o) {
+Result<> read_pen_delays(const Given& given, PlainTool& tool) {
   const auto both = given.number("pen-delay", 0, 0, 1e6);
   if (!both) return fail(both.error());
-  for (auto [option, routine] :
-       {std::pair{"pen-down-delay", &o.pen_down}, std::pair{"pen-up-delay", &o.pen_up}}) {
+  for (auto [option, ms] :
+       {std::pair{"pen-down-delay", &tool.down_delay_ms}, std::pair{"pen-up-delay", &tool.up_delay_ms}}) {
     const auto delay = given.number(option, *both, 0, 1e6);
     if (!delay) return fail(delay.error());
-    if (*delay > 0) routine->push_back({sequence::Delay{*delay}});
+    *ms = *delay;
   }
   return {};
 }
 
-Result<> read_routines(const Given& given, const Catalog& catalog, double per_unit, ConversionOptions& o) {
+Result<> read_routines(const Given& given, const Catalog& catalog, ConversionOptions& o) {
+  Result<> scaled;
+  const auto per_unit = [&, otherwise = o.axes.front().per_unit](const std::string& axis) {
+    const auto scale = read_pen_scale(given, catalog, axis, otherwise);
+    if (!scale) scaled = fail(scale.error());
+    return scale.value_or(otherwise);
+  };
   for (const char* other : {"pen-output", "pen-axis", "pen-delay", "pen-down-delay", "pen-up-delay"})
     if (given.has(other))
       return fail(FaultKind::text, fmt::format("--{} and --pen-down or --pen-up say the same.", other), {},
                   "Write one of them.");
   for (auto [option, routine] : {std::pair{"pen-down", &o.pen_down}, std::pair{"pen-up", &o.pen_up}}) {
-    auto read = read_routine(
-        given.one(option), catalog, [=](const std::string&) { return per_unit; }, o.axes);
+    auto read = read_routine(given.one(option), catalog, per_unit, o.axes);
+    if (!scaled) return scaled;
     if (!read) {
       read.error().what = fmt::format("--{}: {}", option, read.error().what);
       return fail(read.error());
@@ -170,23 +129,23 @@ Result<> read_routines(const Given& given, const Catalog& catalog, double per_un
   return switches_back(o.pen_down, o.pen_up, catalog);
 }
 
-// An output, an axis, and a delay: down in this order, up likewise.
 Result<> read_pen(const Given& given, const Catalog& catalog, ConversionOptions& o) {
-  double per_unit = o.axes.front().per_unit;
-  if (given.has("pen-per-unit")) {
-    const auto read = given.number("pen-per-unit", per_unit, 1e-9, 1e12);
-    if (!read) return fail(read.error());
-    per_unit = *read;
-  }
-  if (given.has("pen-down") || given.has("pen-up")) return read_routines(given, catalog, per_unit, o);
+  if (given.has("pen-down") || given.has("pen-up")) return read_routines(given, catalog, o);
+  PlainTool tool;
   if (given.has("pen-output")) {
     const auto number = given.number("pen-output", 0, 0, 64);
     if (!number) return fail(number.error());
-    o.pen_down.push_back({sequence::Output{static_cast<int>(*number), true}});
-    o.pen_up.push_back({sequence::Output{static_cast<int>(*number), false}});
+    tool.output = static_cast<int>(*number);
   }
-  if (auto axis = read_pen_axis(given, per_unit, o); !axis) return axis;
-  return read_pen_delays(given, o);
+  if (auto axis = read_pen_axis(given, tool); !axis) return axis;
+  if (!tool.axis.empty()) {
+    const auto scale = read_pen_scale(given, catalog, tool.axis, o.axes.front().per_unit);
+    if (!scale) return fail(scale.error());
+    tool.per_unit = *scale;
+  }
+  if (auto delays = read_pen_delays(given, tool); !delays) return delays;
+  put_tool(tool, o.axes, o.pen_down, o.pen_up);
+  return {};
 }
 
 }  // namespace

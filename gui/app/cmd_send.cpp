@@ -170,11 +170,13 @@ void when_interrupted(Session& session, Stopped& stopped) {
 }
 
 Task<int> tell_of_stop(std::shared_ptr<Session> session) {
-  const IntentFate* fate = session->known().fate_of(Stopped::id);
-  for (; fate && fate->fate == Fate::pending; fate = session->known().fate_of(Stopped::id))
+  const IntentOutcome* outcome = session->known().outcome_of(Stopped::id);
+  for (; outcome && outcome->state == IntentState::pending;
+       outcome = session->known().outcome_of(Stopped::id))
     co_await session->pump().published().wait();
   const std::string why = output_is_lost() ? output_loss().sentence() : "Interrupted.";
-  if (fate && fate->fate != Fate::done) co_return complain(fmt::format("{} {}", why, fate->sentence.view()));
+  if (outcome && outcome->state != IntentState::done)
+    co_return complain(fmt::format("{} {}", why, outcome->sentence.view()));
   co_return complain(why + " The controller was told to stop.");
 }
 

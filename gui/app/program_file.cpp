@@ -26,7 +26,7 @@ static Result<Catalog> catalog_for(const DeviceType& type, const Given& given) {
 
 Result<MeantFor> read_for(const Given& given) {
   if (!given.has("for"))
-    return fail(FaultKind::text, "It is not said which controller the program is for.", {},
+    return fail(FaultKind::text, "Nothing names the controller that the program is for.", {},
                 fmt::format("Add --for MODEL ({}).", known_models()));
   const DeviceType* type = find_device_type(given.one("for"));
   if (!type)

@@ -39,7 +39,7 @@ std::vector<std::string> in_words(const std::vector<drawing::LeftOut>& entities)
   }
   if (entities.size() > most_left_out)
     all.push_back(
-        fmt::format("And {} more, which handwheel convert --json tells.", entities.size() - most_left_out));
+        fmt::format("And {} more: handwheel convert --json lists them.", entities.size() - most_left_out));
   return all;
 }
 

@@ -251,13 +251,15 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
   });
   ordered = 1;
   if (!converted) return fail(converted.error());
+  static std::atomic<std::uint64_t> number = 0;
   DrawingJob::Made made;
+  made.number = ++number;
   std::vector<double> least = without_ramps(*converted, options);
   if (!least.empty()) made.at_least_s = std::accumulate(least.begin(), least.end(), 0.0);
   made.conversion = std::move(*converted);
   if (language)
     if (auto text = write(made, catalog, *language); !text) return fail(text.error());
-  if (auto parts = parts_of(made.conversion.sequence, catalog, language, 0))
+  if (auto parts = parts_of(made.conversion.sequence, catalog, language, 0, made.number))
     made.parts = std::move(*parts);
   else
     made.no_pieces = parts.error().sentence();
@@ -275,17 +277,21 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
 }  // namespace
 
 Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalog, const Language* language,
-                       int from_step) {
+                       int from_step, std::uint64_t number) {
   Parts parts;
   if (language) {
     auto pieces = language->in_pieces(sequence, catalog, from_step);
     if (!pieces) return fail(pieces.error());
+    pieces->drawing = number;
     parts.push_back(std::make_shared<const Pieces>(std::move(*pieces)));
     return parts;
   }
   auto together = pieces_together(sequence, catalog, from_step);
   if (!together) return fail(together.error());
-  for (Pieces& pieces : *together) parts.push_back(std::make_shared<const Pieces>(std::move(pieces)));
+  for (Pieces& pieces : *together) {
+    pieces.drawing = number;
+    parts.push_back(std::make_shared<const Pieces>(std::move(pieces)));
+  }
   return parts;
 }
 
@@ -319,7 +325,7 @@ void DrawingJob::open(Frame& f, const std::filesystem::path& file, const Convers
   const bool opening = reading_ && anew_;        // else the previous file is read again, with nobody waiting
   if (opening && file == reading_file_) return;  // dropped twice
   if (opening)
-    return f.toast(Mood::plain, "Another drawing is being read. Open this one again when it is there.");
+    return f.toast(Severity::plain, "Another drawing is being read. Open this one again when it is there.");
   read(f, file, wanted, true);
 }
 
@@ -345,7 +351,7 @@ void DrawingJob::take(Result<Drawing> read, Console& console) {
   reading_ = false;
   if (!read) {
     if (anew_) read_as_ = flattened_as_;  // the previous drawing stays unchanged
-    return console.toast(Mood::fault, read.error().sentence());
+    return console.toast(Severity::fault, read.error().sentence());
   }
   drawing_ = std::move(*read);
   file_ = reading_file_;
@@ -406,7 +412,7 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
 /// Shows the path on the bus, whichever controller draws it.
 void DrawingJob::show_on_bus(Bus& bus) const {
   DrawnTogether& drawn = bus.drawn;
-  drawn = {file_.filename().string(), nullptr, nullptr, drawn.number + 1};
+  drawn = {file_.filename().string(), nullptr, nullptr, drawn.number + 1, made_ ? made_->number : 0};
   if (!made_ || !made_->together) return;
   drawn.sequence = {made_, &made_->conversion.sequence}, drawn.rehearsal = made_->together;
 }

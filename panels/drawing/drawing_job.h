@@ -18,9 +18,10 @@ namespace hw::panels {
 
 /// The pieces of each controller, in the order of the drawing axes; a single controller: its own.
 using Parts = std::vector<std::shared_ptr<const Pieces>>;
-/// `language` null: several controllers of one axis each draw together, see catalog_together().
+/// `language` null: several controllers of one axis each draw together, see catalog_together(). `number`: see
+/// Pieces::drawing.
 Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalog, const Language* language,
-                       int from_step);
+                       int from_step, std::uint64_t number);
 
 /// The time spent at the step reported last: controllers that run a stored program report no other step until
 /// it ends.
@@ -46,6 +47,7 @@ class DrawingJob {
     std::optional<double> duration_s;  ///< as rehearsed
     std::optional<double> at_least_s;  ///< at the requested speeds; several controllers together: with ramps
     bool with_transfers = false;       ///< all times below include the transfer of each piece
+    std::uint64_t number = 0;          ///< its Pieces::drawing
     Parts parts;                       ///< empty: no pieces
     std::string no_pieces;             ///< why there are none
     /// As rehearsed; from their lengths if not rehearsed; empty: unknown.

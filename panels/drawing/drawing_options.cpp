@@ -26,7 +26,7 @@ void DrawingOptions::begin(const Frame& f) {
   place_.begin(f);
   tool_.begin(f);
   auto kept = KeptOptionsOfDrawings(f.console.folders()).load(key_of(f));
-  if (!kept) return f.toast(Mood::warn, kept.error().sentence());
+  if (!kept) return f.toast(Severity::warn, kept.error().sentence());
   kept_ = std::move(*kept);
   place_.take(f, kept_);
   tool_.take(f, kept_);
@@ -45,7 +45,7 @@ void DrawingOptions::keep(const Frame& f) {
   f.tab.desk().worker().run([store = KeptOptionsOfDrawings(f.console.folders()), key = key_of(f),
                              kept = kept_] { return store.save(key, kept); },
                             [&console = f.console](const Result<>& saved) {
-                              if (!saved) console.toast(Mood::warn, saved.error().sentence());
+                              if (!saved) console.toast(Severity::warn, saved.error().sentence());
                             },
                             alive_);
 }
@@ -79,7 +79,7 @@ void DrawingOptions::settle(const Frame& f, const drawing::Drawing* drawing) {
 
 void DrawingOptions::draw(Frame& f, const drawing::Drawing* drawing) {
   changed_ |= place_.draw(f, drawing);
-  changed_ |= tool_.draw(f, axes());
+  changed_ |= tool_.draw(f, axes(), place_.form());
   changed_ |= toggle_option(f, "drawing/keep_order", "Keep the order of the file", keep_order_);
   group_line(f.ui);
   if (drawing) draw_layers(f, *drawing);

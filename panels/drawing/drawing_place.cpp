@@ -1,6 +1,7 @@
 #include "panels/drawing/drawing_place.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/base/index.h"
@@ -16,13 +17,22 @@ using namespace gui;
 
 static constexpr std::array<std::string_view, 7> file_units{"mm", "in", "cm", "m", "ft", "um", "mil"};
 
-bool counts_in_mm(const Frame& f, int axis) {
-  const DisplayUnit& unit = unit_of_axis(f, axis);
-  return unit.real && unit.name == "mm" && unit.per_step > 0;
+double kept_steps_in_mm(const Frame& f, int axis) {
+  const Tab& owner = owner_of(f, axis);
+  const AxisId id{static_cast<std::uint8_t>(draws_together(f) ? 0 : axis)};
+  const auto in_mm = [](const DisplayUnit& unit) {
+    const auto length = unit.real ? millimetres(unit.name) : std::nullopt;
+    return length && unit.per_step != 0 ? 1 / (std::abs(unit.per_step) * *length) : 0;
+  };
+  if (owner.unit(id).real || owner.profile.axes[id.index].unit_choice.empty()) return in_mm(owner.unit(id));
+  Profile shown = owner.profile;  // the numbers are shown in steps now
+  shown.unit = "real";
+  return in_mm(display_unit(owner.catalog(), shown, id));
 }
 
 double steps_in_mm(const Frame& f, int axis) {
-  return counts_in_mm(f, axis) ? 1 / unit_of_axis(f, axis).per_step : 100;
+  const double kept = kept_steps_in_mm(f, axis);
+  return kept > 0 ? kept : 100;
 }
 
 /// Key in the file.
@@ -34,7 +44,10 @@ static constexpr std::array<const char*, 4> table_ids{"drawing/table/left", "dra
 
 void DrawingPlace::begin(const Frame& f) {
   for (const AxisInfo& axis : f.catalog.axes) axis_names_.push_back(axis.name);
-  scales_.resize(f.catalog.axes.size());
+  scales_.resize(f.catalog.axes.size()), kept_.resize(f.catalog.axes.size());
+  for (int form = 0; form < scale_forms; ++form)
+    form_words_.push_back(words_of(static_cast<ScaleForm>(form), f.catalog.step_word));
+  for (const Path& words : form_words_) form_names_.push_back(words);
   for (const std::size_t d : {0, 1}) take_axis(f, d, axes_[d]);
   join_.set(ConversionOptions().touching, 3);
   times_.set(1, 3);
@@ -42,8 +55,22 @@ void DrawingPlace::begin(const Frame& f) {
 
 void DrawingPlace::take_axis(const Frame& f, std::size_t direction, int axis) {
   axes_[direction] = axis;
-  const double typed = ix(axis) < scales_.size() && !counts_in_mm(f, axis) ? scales_[ix(axis)] : 0;
-  per_unit_[direction].set(typed > 0 ? typed : steps_in_mm(f, axis), 3);
+  if (ix(axis) >= scales_.size()) return;
+  kept_[ix(axis)] = kept_steps_in_mm(f, axis);
+  const double typed = kept_[ix(axis)] > 0 ? 0 : scales_[ix(axis)];
+  per_unit_[direction].set(typed > 0 ? typed : steps_in_mm(f, axis), form_);
+}
+
+/// A unit chosen at the numbers since then tells the scale.
+bool DrawingPlace::follow_units(const Frame& f) {
+  bool changed = false;
+  for (std::size_t d = 0; d < std::min(along_ids.size(), f.catalog.axes.size()); ++d) {
+    const double kept = kept_steps_in_mm(f, axes_[d]);
+    if (kept == kept_[ix(axes_[d])] || !(kept > 0)) continue;
+    take_axis(f, d, axes_[d]);
+    changed = true;
+  }
+  return changed;
 }
 
 void DrawingPlace::put(const Frame& f, ConversionOptions& o) const {
@@ -65,8 +92,8 @@ void DrawingPlace::put(const Frame& f, ConversionOptions& o) const {
 }
 
 std::string DrawingPlace::wrong() const {
-  return first_wrong({&times_, &per_unit_[0], &per_unit_[1], &tolerance_, &join_, &table_[0], &table_[1],
-                      &table_[2], &table_[3]});
+  return first_wrong({&times_, &per_unit_[0].field(), &per_unit_[1].field(), &tolerance_, &join_, &table_[0],
+                      &table_[1], &table_[2], &table_[3]});
 }
 
 /// Warns if the table is incomplete, because it is then not checked.
@@ -90,6 +117,7 @@ void DrawingPlace::keep(const Frame& f, KeptOptions& kept) const {
     kept.words[along_ids[d]] = axis.name;
     kept.numbers[scale_id(axis)] = per_unit_[d].value();
   }
+  kept.numbers["drawing/scale_as"] = static_cast<int>(form_);
   kept.numbers["drawing/swap"] = swap_ ? 1 : 0;
   kept.numbers["drawing/flip_x"] = flip_x_ ? 1 : 0, kept.numbers["drawing/flip_y"] = flip_y_ ? 1 : 0;
   kept.numbers["drawing/join"] = join_.value();
@@ -99,6 +127,8 @@ void DrawingPlace::keep(const Frame& f, KeptOptions& kept) const {
 void DrawingPlace::take(const Frame& f, const KeptOptions& kept) {
   for (std::size_t i = 0; i < scales_.size(); ++i)
     if (const double* scale = kept.number(scale_id(f.catalog.axes[i]))) scales_[i] = *scale;
+  if (const double* form = kept.number("drawing/scale_as"); form && *form >= 0 && *form < scale_forms)
+    form_ = static_cast<ScaleForm>(static_cast<int>(*form));
   std::array<int, 2> axes = axes_;
   for (const std::size_t d : {0, 1})
     if (const std::string* name = kept.word(along_ids[d]))
@@ -163,7 +193,7 @@ bool DrawingPlace::draw_unit(Frame& f, const drawing::Drawing* drawing) {
 
 bool DrawingPlace::draw_axes(Frame& f) {
   static constexpr std::array<const char*, 2> labels{"Its X goes along", "Its Y goes along"};
-  bool changed = false;
+  bool changed = follow_units(f);
   for (std::size_t d = 0; d < std::min(along_ids.size(), f.catalog.axes.size()); ++d) {
     const ImVec2 at = begin_option(f.ui, labels[d]);
     const int picked = dropdown(f.ui, along_ids[d], labels[d], axis_names_, axes_[d], {.width = fill});
@@ -174,12 +204,29 @@ bool DrawingPlace::draw_axes(Frame& f) {
       changed = true;
     }
     const std::string_view name = f.catalog.axes[ix(axes_[d])].name;
-    const bool typed = per_unit_[d].draw(f, Path("drawing/per_unit/{}", name),
-                                         Path("{}/mm, {}", f.catalog.step_word, name), 1e-6, {});
+    const bool typed = per_unit_[d].draw(f, Path("drawing/per_unit/{}", name), name);
     if (typed) scales_[ix(axes_[d])] = per_unit_[d].value();
     changed |= typed;
   }
+  changed |= draw_scale_form(f);
+  for (std::size_t d = 0; d < std::min(along_ids.size(), f.catalog.axes.size()); ++d)
+    if (const std::string_view name = f.catalog.axes[ix(axes_[d])].name;
+        unit_of_axis(f, axes_[d]).per_step < 0)
+      wrapped(f.ui, Face::small, Tone::warn,
+              Path("{} counts opposite to its {}: the drawing lies mirrored on it. Flip it.", name,
+                   f.catalog.step_word));
   return changed;
+}
+
+bool DrawingPlace::draw_scale_form(Frame& f) {
+  const ImVec2 at = begin_option(f.ui, "Scale in");
+  const int picked =
+      dropdown(f.ui, "drawing/scale_as", "Scale in", form_names_, static_cast<int>(form_), {.width = fill});
+  end_option(f.ui, at);
+  if (picked < 0) return false;
+  form_ = static_cast<ScaleForm>(picked);
+  for (ScaleOption& scale : per_unit_) scale.set(scale.value(), form_);
+  return true;
 }
 
 bool DrawingPlace::draw_table(Frame& f) {

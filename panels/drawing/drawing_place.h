@@ -11,13 +11,15 @@
 #include "core/session/conversion.h"
 #include "core/session/kept_options.h"
 #include "panels/drawing/option_fields.h"
+#include "panels/drawing/scale_option.h"
 
 namespace hw::panels {
 
-/// Steps per mm of an axis, from the console's units; 100 if its unit is no length in mm.
+/// Steps per mm of an axis by the unit that the console keeps for it, whether it is shown now or not; 0: that
+/// is no length. It takes precedence over a scale typed earlier.
+double kept_steps_in_mm(const gui::Frame& frame, int axis);
+/// The same; 100 if there is none.
 double steps_in_mm(const gui::Frame& frame, int axis);
-/// The axis's unit tells the length of a step, and takes precedence over a scale typed earlier.
-bool counts_in_mm(const gui::Frame& frame, int axis);
 
 class DrawingPlace {
  public:
@@ -40,11 +42,15 @@ class DrawingPlace {
   void set_origin(drawing::Point of_drawing) { point_ = of_drawing; }
   /// The axes along its X and Y, as indexes into the catalog.
   [[nodiscard]] const std::array<int, 2>& axes() const { return axes_; }
+  /// The form of all scales.
+  [[nodiscard]] ScaleForm form() const { return form_; }
 
  private:
   void take_axis(const gui::Frame& frame, std::size_t direction, int axis);
   bool draw_unit(gui::Frame& frame, const drawing::Drawing* drawing);
   bool draw_axes(gui::Frame& frame);
+  bool draw_scale_form(gui::Frame& frame);
+  bool follow_units(const gui::Frame& frame);
   bool draw_table(gui::Frame& frame);
   [[nodiscard]] std::string_view said_of_table() const;
 
@@ -54,8 +60,12 @@ class DrawingPlace {
   NumberOption times_;
   int origin_ = 0;
   std::array<int, 2> axes_{0, 1};
-  std::array<NumberOption, 2> per_unit_;
+  std::array<ScaleOption, 2> per_unit_;
+  ScaleForm form_ = ScaleForm::steps_in_mm;
+  std::vector<std::string_view> form_names_;
+  std::vector<Path> form_words_;
   std::vector<double> scales_;  ///< as typed, per axis, also for axes that do not draw; 0: none typed
+  std::vector<double> kept_;    ///< kept_steps_in_mm() of each axis as seen last
   std::vector<std::string_view> axis_names_;
   drawing::Point point_;  ///< point of the drawing at 0, 0
   bool swap_ = false, flip_x_ = false, flip_y_ = false;

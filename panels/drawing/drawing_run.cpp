@@ -63,6 +63,21 @@ bool runs_none(const ProgramState& p) { return p.run == RunState::idle || p.run 
 
 bool was_stopped(const PiecesState& p) { return !p.running && p.step >= 0 && p.done < p.total; }
 
+/// The step where the rest of the drawing begins, as all of its controllers came to it; none: nothing is
+/// left.
+std::optional<int> rest_of(const Frame& f, const DrawingJob::Made* made) {
+  if (!made || pieces_of(f).running) return std::nullopt;
+  std::optional<int> step;
+  const auto take = [&](const PiecesState& p) {
+    if (p.rest_of == made->number) step = std::min(step.value_or(p.rest_step), p.rest_step);
+  };
+  if (!draws_together(f))
+    take(f.now.pieces);
+  else
+    for (const Tab* member : f.tab.bus->members) take(member->now().pieces);
+  return step;
+}
+
 /// Facts to know before any of it runs.
 std::string said_first(const Pieces& pieces, const Catalog& catalog, std::string_view tool) {
   std::string said;
@@ -86,7 +101,7 @@ std::string in_pieces(std::size_t count) {
 
 const DrawingJob::Made* DrawingRun::at_work(const Frame& f) const {
   const bool another = cut_ && draws_together(f) && f.tab.bus->begun.get() != &cut_->conversion.sequence;
-  return another ? nullptr : cut_.get();
+  return cut_ && !another && pieces_of(f).drawing == cut_->number ? cut_.get() : nullptr;
 }
 
 void DrawingRun::draw(Frame& f, const Wanted& wanted) {
@@ -151,7 +166,7 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
         fmt::format("It goes {}, {} move{} in all{}.", in_pieces(wanted.made->parts.front()->all.size()),
                     wanted.moves, wanted.moves == 1 ? "" : "s", time));
   }
-  if (!at_work(f) || !was_stopped(pieces_of(f))) return;
+  if (!rest_of(f, cut_.get())) return;
   ImGui::SameLine(0, f.ui.px(8));
   const ButtonOptions on{
       .disabled = cut_ != wanted.made ? "The drawing has changed since." : now,
@@ -286,7 +301,9 @@ void DrawingRun::ask(Frame& f, What what, Made made, Parts parts, std::string qu
 }
 
 /// Cuts the rest anew, from the start of the interrupted part.
-void DrawingRun::ask_to_go_on(Frame& f) { work_out(f, What::rest, cut_, pieces_of(f).step); }
+void DrawingRun::ask_to_go_on(Frame& f) {
+  if (const auto step = rest_of(f, cut_.get())) work_out(f, What::rest, cut_, *step);
+}
 
 int DrawingRun::chain_at_work(const Frame& f, const DrawingJob::Made* made) const {
   const PiecesState& now = pieces_of(f);
@@ -310,11 +327,12 @@ void DrawingRun::work_out(Frame& f, What what, Made made, int from_step) {
   f.tab.desk().worker().run(
       [what, made, catalog = f.catalog, language, from_step] {
         const Conversion& c = made->conversion;
-        return parts_of(what == What::frame ? c.frame : c.sequence, catalog, language, from_step);
+        const bool frame = what == What::frame;
+        return parts_of(frame ? c.frame : c.sequence, catalog, language, from_step, frame ? 0 : made->number);
       },
       [this, what, made, &console = f.console](Result<Parts> parts) {
         working_ = false;
-        if (!parts) return console.toast(Mood::fault, parts.error().sentence());
+        if (!parts) return console.toast(Severity::fault, parts.error().sentence());
         worked_out_ = {what, made, std::move(*parts)};
       },
       alive_);
@@ -325,11 +343,10 @@ void DrawingRun::draw_dialog(Frame& f) {
   auto [what, made, parts] = std::exchange(worked_out_, {});
   if (!parts.empty() && what == What::frame)
     ask(f, what, std::move(made), std::move(parts),
-        fmt::format("It goes once around the drawing with the tool off, and back to where that began.{}",
-                    at_work(f) && was_stopped(pieces_of(f))
-                        ? "\nThe cut that was stopped cannot be gone on with after that."
-                        : ""));
-  else if (!parts.empty() && at_work(f) == made.get() && was_stopped(pieces_of(f))) {
+        fmt::format(
+            "It goes once around the drawing with the tool off, and back to where that began.{}",
+            rest_of(f, cut_.get()) ? "\nThe cut that was stopped can be gone on with after that." : ""));
+  else if (!parts.empty() && cut_ == made && rest_of(f, made.get())) {
     std::string question =
         fmt::format("The tool goes to the start of what was being drawn, off, and draws the rest {}.",
                     in_pieces(parts.front()->all.size()));
@@ -346,13 +363,13 @@ void DrawingRun::draw_dialog(Frame& f) {
 
 /// While the question stood, a stop may have come or another run may have begun.
 void DrawingRun::cut(Frame& f) {
-  if (asked_.go_ahead.expired()) return f.toast(Mood::warn, "A stop came first. Nothing was begun.");
+  if (asked_.go_ahead.expired()) return f.toast(Severity::warn, "A stop came first. Nothing was begun.");
   const bool frame = asked_.what == What::frame;
   const std::string_view why =
       frame ? why_not_at_all(f, asked_.made.get()) : why_not_now(f, asked_.made.get());
-  if (!why.empty()) return f.toast(Mood::warn, std::string(why));
+  if (!why.empty()) return f.toast(Severity::warn, std::string(why));
   traces_ = frame;
-  cut_ = frame ? nullptr : asked_.made;  // a frame is never resumed
+  if (!frame) cut_ = asked_.made;  // a frame is never resumed, nor does it take away what is left of a cut
   begun_.clear();
   const Parts& parts = asked_.parts;
   if (!draws_together(f)) {
@@ -372,9 +389,9 @@ void DrawingRun::cut(Frame& f) {
 
 void DrawingRun::describe_what_came(Frame& f) {
   std::erase_if(begun_, [&f](const Begun& begun) {
-    const IntentFate* fate = begun.by->now().fate_of(begun.id);
-    if (!fate || fate->fate == Fate::pending) return false;
-    if (fate->fate != Fate::done) f.toast(Mood::fault, begun.by->words_of(*fate));
+    const IntentOutcome* outcome = begun.by->now().outcome_of(begun.id);
+    if (!outcome || outcome->state == IntentState::pending) return false;
+    if (outcome->state != IntentState::done) f.toast(Severity::fault, begun.by->words_of(*outcome));
     return true;
   });
 }

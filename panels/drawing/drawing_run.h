@@ -75,7 +75,7 @@ class DrawingRun {
     gui::Tab* by;
     IntentId id;
   };
-  std::vector<Begun> begun_;  ///< with fates not known yet
+  std::vector<Begun> begun_;  ///< with outcomes not known yet
   bool working_ = false;      ///< a job is under way
   bool waits_ = false;        ///< a click waits for the result
   StepClock clock_;

@@ -308,18 +308,17 @@ void DrawingTab::draw_run(Frame& f) {
 void DrawingTab::draw_dialogs(Frame& f) {
   if (asking_blocks_) {
     const Dialog what{.title = "Replace the blocks?",
-                      .sentences = "They have changes that are in no file.",
+                      .sentences = "The blocks have unsaved changes.",
                       .yes = "Replace",
                       .no = "Keep them"};
     if (dialog(f.ui, "drawing/replace_blocks", asking_blocks_, what) == Answer::yes && why_not().empty())
       to_blocks(f);
   }
   if (asking_program_) {
-    const Dialog what{
-        .title = "Replace the text?",
-        .sentences = "The program has changes that are in no file. The drawing would take its place.",
-        .yes = "Replace",
-        .no = "Keep the text"};
+    const Dialog what{.title = "Replace the text?",
+                      .sentences = "The program has unsaved changes. The drawing would replace it.",
+                      .yes = "Replace",
+                      .no = "Keep the text"};
     if (dialog(f.ui, "drawing/replace_text", asking_program_, what) == Answer::yes) put(f);
   }
   run_.draw_dialog(f);

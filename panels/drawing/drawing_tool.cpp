@@ -1,6 +1,7 @@
 #include "panels/drawing/drawing_tool.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/index.h"
 #include "core/session/tool_routine.h"
@@ -9,15 +10,15 @@
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
 #include "panels/drawing/drawing_place.h"
+#include "panels/drawing/drawn_together.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
 
 using namespace gui;
 
-const std::array<DrawingTool::Named, 9> DrawingTool::numbers{
-    {{"drawing/tool_axis/per_unit", &DrawingTool::per_unit_},
-     {"drawing/tool_axis/down", &DrawingTool::down_},
+const std::array<DrawingTool::Named, 8> DrawingTool::numbers{
+    {{"drawing/tool_axis/down", &DrawingTool::down_},
      {"drawing/tool_axis/up", &DrawingTool::up_},
      {"drawing/wait_on", &DrawingTool::wait_on_},
      {"drawing/wait_off", &DrawingTool::wait_off_},
@@ -25,6 +26,7 @@ const std::array<DrawingTool::Named, 9> DrawingTool::numbers{
      {"drawing/travel_speed", &DrawingTool::travel_speed_},
      {"drawing/low_speed", &DrawingTool::low_speed_},
      {"drawing/ramp", &DrawingTool::ramp_}}};
+static constexpr const char* scale_of_tool = "drawing/tool_axis/per_unit";
 static constexpr std::array<const char*, 2> routine_ids{"drawing/routine/on", "drawing/routine/off"};
 
 void DrawingTool::begin(const Frame& f) {
@@ -64,32 +66,22 @@ void DrawingTool::put_routines(const Frame& f, ConversionOptions& o) {
   if (!back && wrong_.empty()) wrong_ = back.error().sentence();
 }
 
-// The tool is lowered before it is switched on, and switched off before it is lifted.
 void DrawingTool::put_choices(const Frame& f, ConversionOptions& o) const {
+  PlainTool tool;
   if (axis_ >= 0) {
-    const std::size_t place = o.axes.size();
-    o.axes.push_back({f.catalog.axes[ix(axis_)].name, per_unit_.value()});
-    for (auto [to, routine] : {std::pair{down_.value(), &o.pen_down}, std::pair{up_.value(), &o.pen_up}}) {
-      sequence::Move move;
-      move.to[place] = to;
-      routine->push_back({move});
-      routine->push_back({sequence::WaitMotion{static_cast<int>(place)}});
-    }
+    tool.axis = f.catalog.axes[ix(axis_)].name, tool.per_unit = per_unit_.value();
+    tool.down = down_.value(), tool.up = up_.value();
   }
-  if (output_ > 0) {
-    const int output = f.catalog.output_number(ix(output_ - 1));
-    o.pen_down.push_back({sequence::Output{output, true}});
-    o.pen_up.insert(o.pen_up.begin(), {sequence::Output{output, false}});
-  }
-  if (wait_on_.value() > 0) o.pen_down.push_back({sequence::Delay{wait_on_.value()}});
-  if (wait_off_.value() > 0) o.pen_up.push_back({sequence::Delay{wait_off_.value()}});
+  if (output_ > 0) tool.output = f.catalog.output_number(ix(output_ - 1));
+  tool.down_delay_ms = wait_on_.value(), tool.up_delay_ms = wait_off_.value();
+  put_tool(tool, o.axes, o.pen_down, o.pen_up);
 }
 
 std::string DrawingTool::wrong() const {
   if (own_ && !wrong_.empty()) return wrong_;
   std::string why = first_wrong({&cut_speed_, &travel_speed_, &low_speed_, &ramp_});
   if (own_ || !why.empty()) return why;
-  if (axis_ >= 0) why = first_wrong({&per_unit_, &down_, &up_});
+  if (axis_ >= 0) why = first_wrong({&per_unit_.field(), &down_, &up_});
   return why.empty() && (output_ > 0 || axis_ >= 0) ? first_wrong({&wait_on_, &wait_off_}) : why;
 }
 
@@ -97,6 +89,7 @@ std::string DrawingTool::wrong() const {
 
 void DrawingTool::keep(const Frame& f, KeptOptions& kept) const {
   for (const Named& n : numbers) kept.numbers[n.id] = (this->*n.option).value();
+  kept.numbers[scale_of_tool] = per_unit_.value();
   kept.words["drawing/tool"] = output_names_[ix(output_)];
   kept.words["drawing/tool_axis"] = axis_ < 0 ? "none" : f.catalog.axes[ix(axis_)].name;
   kept.numbers["drawing/own_routines"] = own_ ? 1 : 0;
@@ -112,8 +105,12 @@ void DrawingTool::take(const Frame& f, const KeptOptions& kept) {
     if (found != output_names_.end()) output_ = static_cast<int>(found - output_names_.begin());
   }
   if (const std::string* axis = kept.word("drawing/tool_axis")) axis_ = f.catalog.find_axis(*axis);
-  if (axis_ >= 0 && (counts_in_mm(f, axis_) || !(per_unit_.value() > 0)))
-    per_unit_.set(steps_in_mm(f, axis_), 3);
+  const double* scale = kept.number(scale_of_tool);
+  const double by_unit = axis_ >= 0 ? kept_steps_in_mm(f, axis_) : 0;
+  if (scale && *scale > 0 && !(by_unit > 0))
+    per_unit_.set(*scale, form_);
+  else if (axis_ >= 0)
+    per_unit_.set(steps_in_mm(f, axis_), form_);
   if (const double* own = kept.number("drawing/own_routines")) own_ = *own != 0;
   for (const std::size_t i : {0, 1})
     if (const std::string* routine = kept.word(routine_ids[i])) routines_[i] = *routine;
@@ -121,8 +118,9 @@ void DrawingTool::take(const Frame& f, const KeptOptions& kept) {
 
 // ---- drawing
 
-bool DrawingTool::draw(Frame& f, const std::array<int, 2>& drawing_axes) {
+bool DrawingTool::draw(Frame& f, const std::array<int, 2>& drawing_axes, ScaleForm form) {
   Ui& ui = f.ui;
+  if (std::exchange(form_, form) != form) per_unit_.set(per_unit_.value(), form);
   section_title(ui, "Tool and speeds");
   list_axes(f, drawing_axes);
   const bool draws = axis_ >= 0 && std::find(axes_.begin(), axes_.end(), axis_) == axes_.end();
@@ -218,11 +216,10 @@ bool DrawingTool::draw_axis(Frame& f) {
   bool changed = picked >= 0 && picked != chosen;
   if (changed) {
     axis_ = picked == 0 ? -1 : axes_[ix(picked - 1)];
-    if (axis_ >= 0) per_unit_.set(steps_in_mm(f, axis_), 3);
+    if (axis_ >= 0) per_unit_.set(steps_in_mm(f, axis_), form_);
   }
   if (axis_ < 0) return changed;
-  changed |= per_unit_.draw(f, "drawing/tool_axis/per_unit",
-                            Path("{}/mm, {}", f.catalog.step_word, f.catalog.axes[ix(axis_)].name), 1e-6, {});
+  changed |= per_unit_.draw(f, scale_of_tool, f.catalog.axes[ix(axis_)].name);
   changed |= down_.draw(f, "drawing/tool_axis/down", "Down at", furthest, "mm");
   changed |= up_.draw(f, "drawing/tool_axis/up", "Up at", furthest, "mm");
   return changed;

@@ -11,6 +11,7 @@
 #include "core/session/conversion.h"
 #include "core/session/kept_options.h"
 #include "panels/drawing/option_fields.h"
+#include "panels/drawing/scale_option.h"
 
 namespace hw::panels {
 
@@ -18,7 +19,7 @@ class DrawingTool {
  public:
   void begin(const gui::Frame& frame);
   /// `drawing_axes` draw, so they cannot lower the tool. True: something has changed.
-  bool draw(gui::Frame& frame, const std::array<int, 2>& drawing_axes);
+  bool draw(gui::Frame& frame, const std::array<int, 2>& drawing_axes, ScaleForm form);
   /// Adds the tool; its axis comes after those that draw.
   void put(const gui::Frame& frame, ConversionOptions& options);
   void keep(const gui::Frame& frame, KeptOptions& kept) const;
@@ -36,7 +37,7 @@ class DrawingTool {
     const char* id;
     NumberOption DrawingTool::*option;
   };
-  static const std::array<Named, 9> numbers;
+  static const std::array<Named, 8> numbers;
   bool draw_routines(gui::Frame& frame);
   void begin_routines(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
   void list_axes(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
@@ -47,7 +48,9 @@ class DrawingTool {
   int axis_ = -1;          ///< index into the catalog; -1: none
   std::vector<int> axes_;  ///< possible tool axes, after "none"
   std::vector<std::string_view> axis_names_;
-  NumberOption per_unit_, down_, up_;
+  ScaleOption per_unit_;
+  ScaleForm form_ = ScaleForm::steps_in_mm;
+  NumberOption down_, up_;
   NumberOption wait_on_, wait_off_, cut_speed_, travel_speed_, low_speed_, ramp_;
   bool own_ = false;
   std::array<std::string, 2> routines_;  ///< on, off: see read_routine()

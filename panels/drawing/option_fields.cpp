@@ -36,11 +36,11 @@ std::string first_wrong(std::initializer_list<const NumberOption*> options) {
 }
 
 bool NumberOption::draw(Frame& f, std::string_view id, std::string_view label, double least,
-                        std::string_view unit) {
+                        std::string_view unit, int decimals) {
   const ImVec2 at = begin_option(f.ui, label, wrong_.empty() ? Tone::ink2 : Tone::fault);
   NumberOptions o;
   o.tip = wrong_;  // below the field it would move the control being clicked
-  o.range = {least, 1e9, 6, unit};
+  o.range = {least, 1e9, decimals, unit};
   o.sentence_below = false;
   const NumberEvent event = number_field(f.ui, id, label, std::nullopt, field_, o);
   end_option(f.ui, at);

@@ -21,7 +21,7 @@ class NumberOption {
   void set(double value, int decimals);
   /// True: changed. May be empty unless `least` is above 0.
   bool draw(gui::Frame& frame, std::string_view id, std::string_view label, double least,
-            std::string_view unit);
+            std::string_view unit, int decimals = 6);
 
  private:
   gui::NumberField field_;
