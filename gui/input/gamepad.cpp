@@ -114,11 +114,16 @@ bool Gamepad::let_go() const {
          std::none_of(sticks_.begin(), sticks_.end(), [](float way) { return std::fabs(way) >= ends_at; });
 }
 
-double Gamepad::may_stay_same_s() const {
-  const bool half_way = std::any_of(sticks_.begin(), sticks_.end(), [](float way) {
-    return std::fabs(way) >= ends_at && std::fabs(way) < at_end;
-  });
-  return half_way ? same_for_s : same_at_end_for_s;
+/// It stays armed: a hand that is there lets go, and pushes again.
+void Gamepad::stop_if_left_alone(double at_s) {
+  if (!held_ || at_s - changed_at_s_ <= same_for_s) return;
+  words_ = fmt::format(
+      "Nothing on the gamepad has changed for {:.0f} s, so nobody may be holding it: what it jogged was "
+      "stopped. Let go, then push again.",
+      same_for_s);
+  gui_log().debug("the gamepad's jog ends: nothing on it has changed for {} s", same_for_s);
+  must_rest_ = true;
+  end(at_s, true);
 }
 
 /// True: nothing begins.
@@ -128,14 +133,7 @@ bool Gamepad::hear(double at_s) {
   const std::optional<Command> now = pushed();
   const bool may = armed_ && buttons_[dead_man];
   if (held_ && (!may || now != held_)) end(at_s, !may);
-  if (const double longest = may_stay_same_s(); held_ && at_s - changed_at_s_ > longest) {
-    disarm(fmt::format(
-               "Nothing on the gamepad has changed for {:.0f} s, so nobody may be holding it: what it jogged "
-               "was stopped. Arm it again to go on.",
-               longest),
-           at_s);
-    return true;
-  }
+  stop_if_left_alone(at_s);
   if (let_go())
     must_rest_ = false;
   else if (!may)
@@ -165,13 +163,13 @@ bool Gamepad::on_arrival(const InputEvent& event) {
       if (event.code == dead_man && !event.down) end(event.at_s, true);
       return false;
     case InputKind::pad_heard: {
-      const bool was_armed = armed_;
-      return hear(event.at_s) && armed_ == was_armed;  // a frame shows that it was disarmed
+      const bool had_words = !words_.empty();
+      return hear(event.at_s) && words_.empty() == !had_words;  // a frame shows why it has stopped
     }
     case InputKind::pad_gone:
       name_.clear();
-      disarm(held_ ? "The gamepad is gone: what it jogged was stopped. Plug it in and arm it again to go on."
-                   : "The gamepad is gone. Plug it in and arm it again to go on.",
+      disarm(held_ ? "The gamepad is gone: what it jogged was stopped. Plug it in and arm it again."
+                   : "The gamepad is gone. Plug it in and arm it again.",
              event.at_s);
       return false;  // a frame shows it
     default: return false;

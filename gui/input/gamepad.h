@@ -44,20 +44,19 @@ class Gamepad {
   static constexpr float begins_at = 0.6f, ends_at = 0.35f;  ///< of a stick's full deflection
   static constexpr float stronger_by = 0.2f;                 ///< lead needed to switch to the other axis
   static constexpr double silent_after_s = 0.2;              ///< no reply while it holds a jog
-  /// Longest time without any change while it holds a jog. No hand keeps a stick this still half way; at its
-  /// end a stick is as still as a button, with or without a hand on it.
-  static constexpr double same_for_s = 3, same_at_end_for_s = 10;
-  static constexpr float at_end = 0.98f;  ///< of a stick's full deflection
+  /// Longest time without any change while it holds a jog: one that is out of reach keeps its last state. A
+  /// stick in a hand is never this still, as its other direction trembles even where one is at its end.
+  static constexpr double same_for_s = 2;
 
  private:
   bool hear(double at_s);
+  void stop_if_left_alone(double at_s);
   void end(double at_s, bool cut_off);
   void stop(double at_s);
   void disarm(std::string_view why, double now_s);
   [[nodiscard]] std::optional<Command> pushed() const;
   [[nodiscard]] std::optional<Command> of_sticks() const;
   [[nodiscard]] bool let_go() const;
-  [[nodiscard]] double may_stay_same_s() const;
 
   Keyboard& keyboard_;
   std::string name_, words_;

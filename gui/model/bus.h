@@ -1,6 +1,7 @@
 #pragma once
 // Controllers that share a wire and a tab of the console. The panels act on the chosen one, all stay in
 // sight, and Stop reaches all. GUI thread.
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -29,6 +30,7 @@ struct DrawnTogether {
   std::shared_ptr<const sequence::Sequence> sequence;  ///< null: no drawing
   std::shared_ptr<const Rehearsal> rehearsal;          ///< see rehearse_together()
   int number = 0;                                      ///< grows with each drawing
+  std::uint64_t pieces = 0;                            ///< Pieces::drawing of its pieces
 };
 
 struct Bus {

@@ -21,13 +21,13 @@ Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain
       language_(language) {}
 
 Result<> Desk::keep_texts(Autosave autosave, std::string key) {
-  autosave_ = std::move(autosave);
-  autosave_key_ = std::move(key);
-  const auto restored = autosave_.restore(autosave_key_);
+  kept_.autosave = std::move(autosave);
+  kept_.key = std::move(key);
+  const auto restored = kept_.autosave.restore(kept_.key);
   if (!restored) return fail(restored.error());
   texts.restore(*restored);
   const Result<> blocks_restored = blocks.restore(*restored);
-  autosaved_ = typed();
+  kept_.saved = typed();
   return blocks_restored;
 }
 
@@ -52,10 +52,10 @@ void Desk::rehearse(const Snapshot& now, const BenchView& bench) {
 }
 
 void Desk::start_rehearsal(int slot, const std::string& text, const Snapshot& now, const BenchView& bench) {
-  RehearseOptions wish;
-  wish.slot = slot;
-  wish.track_every_s = track_seen_every_s;
-  rehearsals.start(*language_, text, wish, state_of(now), bench, catalog_, worker());
+  RehearseOptions options;
+  options.slot = slot;
+  options.track_every_s = track_seen_every_s;
+  rehearsals.start(*language_, text, options, state_of(now), bench, catalog_, worker());
 }
 
 // Continues however the reading ends: the rehearsal names what was not read. It does not wait for a run that
@@ -74,8 +74,9 @@ void Desk::rehearse_prepared(const Snapshot& now, const BenchView& bench, const 
 bool Desk::reads_set_up(const Snapshot& now, const Send& send) {
   if (!can_tell_more(now)) return false;
   if (set_up_read_by_ == 0) set_up_read_by_ = send(intent::ReadParams());
-  const IntentFate* fate = now.fate_of(set_up_read_by_);
-  const bool settled = fate ? fate->fate != Fate::pending : now.forgotten(set_up_read_by_);
+  const IntentOutcome* told_outcome = now.outcome_of(set_up_read_by_);
+  const bool settled =
+      told_outcome ? told_outcome->state != IntentState::pending : now.forgotten(set_up_read_by_);
   return !settled && set_up_read_by_ != 0;
 }
 
@@ -83,7 +84,9 @@ bool Desk::reads_set_up(const Snapshot& now, const Send& send) {
 void Desk::look_for_unread_programs(const Snapshot& now) {
   const Rehearsals::Outcome* outcome = rehearsed_slot_ < 0 ? nullptr : rehearsals.of(rehearsed_slot_);
   if (!outcome || !outcome->result || rehearsals.under_way(rehearsed_slot_)) return;
-  if (!unread_.found(*outcome->result, outcome->number)) return;
+  const VariableFacts& variables = catalog_.variables;
+  const std::string_view variable = variables.count > 0 ? std::string_view(variables.prefix) : "";
+  if (!unread_.found(*outcome->result, outcome->number, variable)) return;
   const bool runs = now.program.run != RunState::idle && now.program.run != RunState::error;
   if (job.busy() || !now.link.connected() || runs || now.any_axis_moving()) return;
   prepared_[rehearsed_slot_] = outcome->text;
@@ -157,12 +160,12 @@ void Desk::notice_program_changes(const Snapshot& now) {
 }
 
 void Desk::autosave(Instant clock) {
-  if (!autosave_.enabled() || typed() == autosaved_) return;
-  if (!dirty_) {
-    dirty_ = true;
-    changed_at_ = clock;
+  if (!kept_.autosave.enabled() || typed() == kept_.saved) return;
+  if (!kept_.dirty) {
+    kept_.dirty = true;
+    kept_.changed_at = clock;
   }
-  if (clock - changed_at_ >= autosave_after) keep_texts_now();
+  if (clock - kept_.changed_at >= autosave_after) keep_texts_now();
 }
 
 void Desk::keep_now(Instant clock) {
@@ -171,11 +174,11 @@ void Desk::keep_now(Instant clock) {
 }
 
 void Desk::keep_texts_now() {
-  if (!autosave_.enabled() || typed() == autosaved_) return;
-  dirty_ = false;
-  autosaved_ = typed();
+  if (!kept_.autosave.enabled() || typed() == kept_.saved) return;
+  kept_.dirty = false;
+  kept_.saved = typed();
   worker().run(
-      [autosave = autosave_, key = autosave_key_, unsaved = texts.unsaved(),
+      [autosave = kept_.autosave, key = kept_.key, unsaved = texts.unsaved(),
        of_blocks = blocks.unsaved()]() mutable {
         if (of_blocks) unsaved.push_back(of_blocks->text());
         // a full disk is reported on save; here it would only nag
@@ -185,7 +188,8 @@ void Desk::keep_texts_now() {
 }
 
 double Desk::autosave_due_in(Instant clock) const {
-  const double texts_in = dirty_ ? std::max(0.0, seconds(autosave_after - (clock - changed_at_))) : -1;
+  const double texts_in =
+      kept_.dirty ? std::max(0.0, seconds(autosave_after - (clock - kept_.changed_at))) : -1;
   const double places_in = places.due_in(clock);
   return texts_in < 0 || places_in < 0 ? std::max(texts_in, places_in) : std::min(texts_in, places_in);
 }

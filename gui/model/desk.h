@@ -78,6 +78,8 @@ class Desk {
   /// pressed: the dry run then begins with the run. Does nothing when there is no text or a dry run is under
   /// way.
   void rehearse(const Snapshot& now, const BenchView& bench);
+  /// Some of its set-up was never read.
+  [[nodiscard]] bool can_tell_more(const Snapshot& now) const;
   /// The known state of the controller, with the programs that it is known to hold.
   [[nodiscard]] ControllerState state_of(const Snapshot& now) const;
   /// A listing was uploaded from the controller.
@@ -101,23 +103,26 @@ class Desk {
   void rehearse_prepared(const Snapshot& now, const BenchView& bench, const Send& send);
   [[nodiscard]] bool reads_set_up(const Snapshot& now, const Send& send);
   void look_for_unread_programs(const Snapshot& now);
-  [[nodiscard]] bool can_tell_more(const Snapshot& now) const;
 
   const Catalog& catalog_;
   const Language* language_;
   Worker own_worker_;
   Worker* worker_ = nullptr;
-  Autosave autosave_{UserFolders::none()};
-  std::string autosave_key_;
-  std::uint64_t autosaved_ = 0;
+  struct Kept {
+    Autosave autosave{UserFolders::none()};
+    std::string key;
+    std::uint64_t saved = 0;  ///< of typed()
+    Instant changed_at{};
+    bool dirty = false;
+  };
+  Kept kept_;
   std::uint32_t program_changes_ = 0;
   std::uint64_t starts_ = 0;
   std::map<int, std::string> prepared_;  ///< texts by program: to be rehearsed once the set-up is read
   IntentId set_up_read_by_ = 0;
   UnreadPrograms unread_;
   int rehearsed_slot_ = -1;  ///< program whose other programs may be read; -1: none
-  Instant changed_at_{}, started_at_{};
-  bool dirty_ = false;
+  Instant started_at_{};
   std::shared_ptr<int> alive_ = std::make_shared<int>(0), until_stopped_ = std::make_shared<int>(0);
 };
 

@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/device/refusals.h"
 
 namespace hw::gui {
 namespace {
 
 std::string_view by_whom(StoppedBy who) {
   switch (who) {
-    case StoppedBy::button: return "by its button";
+    case StoppedBy::button: return "by the Stop button";
     case StoppedBy::key: return "by Esc";
     case StoppedBy::script: return "by the script";
     case StoppedBy::text: return "by the command that was sent";
@@ -79,7 +80,9 @@ bool is_bad(const Ending& e) {
 /// ": at rest 84 ms later, 1.700 mm on"
 std::string course_of(const Ending& e, const ShowPosition& position) {
   if (!e.timed) return {};
-  return fmt::format(": at rest {:.0f} ms later, {} on", 1000 * seconds(e.to_rest),
+  const std::string slowing =
+      e.to_slowing ? fmt::format("slowing down {:.0f} ms later, ", 1000 * seconds(*e.to_slowing)) : "";
+  return fmt::format(": {}at rest {:.0f} ms later, {} on", slowing, 1000 * seconds(e.to_rest),
                      position(AxisId{static_cast<std::uint8_t>(e.axis)}, e.ran_on));
 }
 
@@ -101,9 +104,12 @@ std::string axis_words(const Ending& e, const std::string& at, const ShowPositio
       return fmt::format("{} stopped at once, without a ramp, {}{}{}", what, by_whom(e.who),
                          course_of(e, position), at);
     case EndedBy::elsewhere:
-      return fmt::format("{} was cut short by another program or at the controller{}", what, at);
+      return fmt::format("{} was cut short by {}another host or at the controller{}", what,
+                         e.beside_program ? "the program that runs, " : "", at);
     case EndedBy::error: return fmt::format("{} ended with an error{}{}", what, words_of(e.error), at);
-    case EndedBy::lost: return fmt::format("{} ended unseen: it is not known how{}", what, at);
+    case EndedBy::lost:
+      return fmt::format("{} ended unseen: {}{}", what,
+                         e.lost_with == Doubt::none ? "it is not known how" : words_of(e.lost_with), at);
     case EndedBy::not_in_place: break;
   }
   const Steps off(std::abs(e.off.value));
@@ -125,10 +131,12 @@ std::string run_words(const Ending& e, const Catalog& catalog) {
     case EndedBy::target:
     case EndedBy::nothing:
       return e.total > 0 ? fmt::format("of {} ran to its end", e.total) : "ran to its end";
-    case EndedBy::limit: return fmt::format("ended on a limit{}", of);
+    case EndedBy::limit: return fmt::format("ended on a limit{}{}", of, cause_words(e, catalog));
     case EndedBy::stop: return fmt::format("stopped {}{}", by_whom(e.who), of);
     case EndedBy::abort: return fmt::format("stopped at once, without a ramp, {}{}", by_whom(e.who), of);
-    case EndedBy::elsewhere: return fmt::format("was cut short{}", of);
+    case EndedBy::elsewhere:
+      return fmt::format("was cut short{}{}",
+                         e.what == Ending::What::program ? " by another host or at the controller" : "", of);
     case EndedBy::error: return fmt::format("stopped with an error{}{}", of, cause_words(e, catalog));
     case EndedBy::not_in_place: return fmt::format("ended, and an axis is not in place{}", of);
     case EndedBy::lost: break;

@@ -40,7 +40,7 @@ void EventLog::follow_trust(const Snapshot& now, const Catalog& catalog) {
         (before.doubtful() && before.cause == trust.cause && before.since == trust.since))
       continue;
     add({Happening::Mark::place_lost, true, trust.since, catalog.axes[ix(i)].name,
-         fmt::format("{}: its place is no longer sure", words_of(trust.cause)), -1});
+         fmt::format("cannot be trusted any more: {}", words_of(trust.cause)), -1});
   }
 }
 

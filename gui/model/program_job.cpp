@@ -26,15 +26,15 @@ std::string say_progress(const TransferState& t) {
 
 void ProgramJob::refuse(std::string sentence) {
   stage_ = Stage::idle;
-  told_ = {Mood::fault, std::move(sentence)};
+  told_ = {Severity::fault, std::move(sentence)};
 }
 
 bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
                        const Send& send, RunTerms run) {
   if (busy()) {  // the other job, or its question, stays
-    told_ = {Mood::fault, stage_ == Stage::asking
-                              ? "Answer the question about the program first."
-                              : "One program transfer at a time: wait until the present one has ended."};
+    told_ = {Severity::fault, stage_ == Stage::asking
+                                  ? "Answer the question about the program first."
+                                  : "One program transfer at a time: wait until the present one has ended."};
     return false;
   }
   ++begun_;
@@ -81,7 +81,7 @@ void ProgramJob::load(const Send& send) {
 void ProgramJob::after_load(const Send& send) {
   if (goal_ == Goal::load) {
     stage_ = Stage::idle;
-    told_ = {Mood::ok, "The controller holds this program now."};
+    told_ = {Severity::ok, "The controller holds this program now."};
     return;
   }
   if (goal_ == Goal::store) {
@@ -107,16 +107,16 @@ void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog&
   if (stage_ == Stage::idle) return;
   if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) return lose_link(now);
   if (stage_ == Stage::asking) return;
-  const IntentFate* fate = now.fate_of(waiting_for_);
+  const IntentOutcome* told_outcome = now.outcome_of(waiting_for_);
   if (now.forgotten(waiting_for_)) {
     texts.forget();
     return refuse("The outcome of the transfer is not known. Check the controller's program.");
   }
-  if (!fate || fate->fate == Fate::pending) return;
-  if (fate->fate == Fate::done && given_up_) return end_given_up(texts, clock);
-  if (fate->fate == Fate::done) return done(texts, now, catalog, clock, send);
+  if (!told_outcome || told_outcome->state == IntentState::pending) return;
+  if (told_outcome->state == IntentState::done && given_up_) return end_given_up(texts, clock);
+  if (told_outcome->state == IntentState::done) return done(texts, now, catalog, clock, send);
   if (stage_ == Stage::loading || stage_ == Stage::clearing) texts.forget();
-  refuse(std::string(fate->sentence.view()));
+  refuse(std::string(told_outcome->sentence.view()));
 }
 
 /// The refusal includes what was written so far.
@@ -139,15 +139,16 @@ void ProgramJob::end_given_up(ProgramTexts& texts, Instant clock) {
   if (stage_ == Stage::loading) texts.loaded(slot_, text_, clock);
   if (stage_ == Stage::clearing) texts.cleared(slot_, clock);
   stage_ = Stage::idle;
-  told_ = {Mood::plain, "A stop came: the step under way was finished, and nothing follows it."};
+  told_ = {Severity::plain, "A stop came: the step under way was finished, and nothing follows it."};
 }
 
 void ProgramJob::fetched(ProgramTexts& texts, const Catalog& catalog) {
   const std::string& text = texts.held(slot_).text;
   const bool replaces = !texts.text(slot_).empty() && texts.text(slot_) != text;
   texts.set_text(slot_, text);
-  told_ = {Mood::ok, fmt::format("{} {} was brought here from the controller.{}", catalog.program.slot_word,
-                                 slot_, replaces ? " Ctrl+Z brings back what stood here." : "")};
+  told_ = {Severity::ok,
+           fmt::format("{} {} was brought here from the controller.{}", catalog.program.slot_word, slot_,
+                       replaces ? " Ctrl+Z brings back what stood here." : "")};
 }
 
 void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
@@ -164,13 +165,14 @@ void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& c
     case Stage::clearing:
       stage_ = Stage::idle;
       texts.cleared(slot_, clock);
-      told_ = {Mood::ok, fmt::format("{} {} in the controller is empty. {}", catalog.program.slot_word, slot_,
-                                     goal_ == Goal::make_room ? "Its text is kept in the editor. Move again."
-                                                              : "The text here is as it was.")};
+      told_ = {Severity::ok,
+               fmt::format("{} {} in the controller is empty. {}", catalog.program.slot_word, slot_,
+                           goal_ == Goal::make_room ? "Its text is kept in the editor. Move again."
+                                                    : "The text here is as it was.")};
       return;
     case Stage::storing:
       stage_ = Stage::idle;
-      told_ = {Mood::ok, "Stored in the controller."};
+      told_ = {Severity::ok, "Stored in the controller."};
       if (now.store_count >= 0 && catalog.can.store_life > 0)
         told_.sentence += fmt::format(" {} of {} writes used.", now.store_count, catalog.can.store_life);
       return;
@@ -219,7 +221,7 @@ void ProgramJob::answer(Answer answer, ProgramTexts& texts, const Send& send) {
       return;
     case Answer::leave:
       stage_ = Stage::idle;
-      told_ = {Mood::plain, "Nothing was sent. The controller's program is as it was."};
+      told_ = {Severity::plain, "Nothing was sent. The controller's program is as it was."};
   }
 }
 

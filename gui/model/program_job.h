@@ -33,7 +33,7 @@ class ProgramJob {
 
   using Send = std::function<IntentId(IntentBody)>;
   struct Told {
-    Mood mood = Mood::plain;
+    Severity severity = Severity::plain;
     std::string sentence;
   };
 

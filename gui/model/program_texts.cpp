@@ -221,15 +221,15 @@ ProgramNote note_of_sent(ProgramTexts& texts, int slot, bool runs, const std::st
   const HeldProgram& held = texts.held(slot);
   const bool changed = held.known && held.from_here && !texts.controller_has(slot);
   if (runs && changed)
-    return {Mood::warn,
+    return {Severity::warn,
             fmt::format("The running program was sent at {}. The text has changed since. {}", sent_at,
                         mend.empty() ? "The next run sends it again."
                                      : fmt::format("Correct {} before the next run.", mend))};
   if (runs && held.known && held.from_here)
-    return {Mood::plain, fmt::format("This text runs. It was sent at {}.", sent_at)};
-  if (!mend.empty()) return {Mood::warn, fmt::format("Correct {} before the program can run.", mend)};
+    return {Severity::plain, fmt::format("This text runs. It was sent at {}.", sent_at)};
+  if (!mend.empty()) return {Severity::warn, fmt::format("Correct {} before the program can run.", mend)};
   if (texts.text(slot).empty()) return {};
-  return {Mood::plain, "The controller keeps no programs: Run sends this text. Save keeps it in a file."};
+  return {Severity::plain, "The controller keeps no programs: Run sends this text. Save keeps it in a file."};
 }
 
 /// Of a transfer that was broken off: none of them is a program, and whose it is, is known.
@@ -240,7 +240,7 @@ bool is_torn(const Snapshot& now, int slot, const ProgramFacts& facts) {
 ProgramNote note_of_torn(const Snapshot& now, int slot, const ProgramFacts& facts, const std::string& mend) {
   const bool of_this = now.transfer.slot == (facts.threads > 0 ? 0 : slot);
   const std::string written = of_this ? say_written(now.transfer) : std::string();
-  return {Mood::warn,
+  return {Severity::warn,
           fmt::format(
               "The controller does not hold this program{}{}. {}", written.empty() ? "" : ": ", written,
               mend.empty() ? "Run loads it again." : fmt::format("Correct {} before the next run.", mend))};
@@ -260,33 +260,34 @@ ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, con
   const int used = now.slot_bytes_used[static_cast<std::size_t>(slot)];
   if (held.known && held.from_here) {
     if (texts.controller_has(slot))
-      return {Mood::plain, fmt::format("The controller {} this text, loaded at {}.", verb, loaded_at)};
-    return {Mood::warn,
+      return {Severity::plain, fmt::format("The controller {} this text, loaded at {}.", verb, loaded_at)};
+    return {Severity::warn,
             fmt::format("The controller {} the text loaded at {}. It has changed since. {}", verb, loaded_at,
                         mend.empty() ? runs ? "The next run loads it again." : "Run loads it again."
                                      : fmt::format("Correct {} before the next run.", mend))};
   }
   if (held.known && !held.listing.empty() && texts.controller_has(slot))
-    return {Mood::plain, fmt::format("The controller {} the same program as this text.", verb)};
-  if (!mend.empty()) return {Mood::warn, fmt::format("Correct {} before the program can run.", mend)};
+    return {Severity::plain, fmt::format("The controller {} the same program as this text.", verb)};
+  if (!mend.empty()) return {Severity::warn, fmt::format("Correct {} before the program can run.", mend)};
   if (used > 0 && texts.text(slot).empty())
-    return {Mood::plain,
+    return {Severity::plain,
             fmt::format("{} {} in the controller holds {}. {} brings {} here.", facts.slot_word, slot,
                         count_of(used, facts.capacity_unit),
                         facts.compiled ? "Upload" : "Load from controller", used == 1 ? "it" : "them")};
   if (used > 0 && !held.known)
     return {
-        Mood::plain,
+        Severity::plain,
         fmt::format("{} {} in the controller holds {}. Run compares {} with this text first.",
                     facts.slot_word, slot, count_of(used, facts.capacity_unit), used == 1 ? "it" : "them")};
   if (used > 0 && !held.whole)
-    return {Mood::warn,
+    return {Severity::warn,
             "The controller also holds code that cannot be read here and is not in this text. Run asks "
             "before it overwrites."};
   if (used > 0)
-    return {Mood::warn, fmt::format("{} {} in the controller holds another program of {}. Run asks before it "
-                                    "is overwritten.",
-                                    facts.slot_word, slot, count_of(used, facts.capacity_unit))};
+    return {Severity::warn,
+            fmt::format("{} {} in the controller holds another program of {}. Run asks before it "
+                        "is overwritten.",
+                        facts.slot_word, slot, count_of(used, facts.capacity_unit))};
   return {};
 }
 

@@ -11,7 +11,7 @@
 #include "core/device/snapshot.h"
 #include "core/session/autosave.h"
 #include "core/session/text_file.h"
-#include "gui/model/mood.h"
+#include "gui/model/severity.h"
 #include "gui/model/text_diff.h"
 
 namespace hw::gui {
@@ -118,7 +118,7 @@ class ProgramTexts {
 /// The line between editor and terminal: the program that the controller runs or holds, compared with the
 /// text.
 struct ProgramNote {
-  Mood mood = Mood::plain;
+  Severity severity = Severity::plain;
   std::string sentence;  ///< empty: nothing to say
   bool operator==(const ProgramNote&) const = default;
 };

@@ -134,15 +134,15 @@ void SetupWrite::update(const Snapshot& now, const Catalog& catalog, const Send&
   if (now.forgotten(waiting_for_))
     return ended(false, fmt::format("The outcome for a value is not known: {} of {} values were written.",
                                     next_, values_.size()));
-  const IntentFate* fate = now.fate_of(waiting_for_);
-  if (!fate || fate->fate == Fate::pending) return;
-  if (fate->fate != Fate::done) {
+  const IntentOutcome* told_outcome = now.outcome_of(waiting_for_);
+  if (!told_outcome || told_outcome->state == IntentState::pending) return;
+  if (told_outcome->state != IntentState::done) {
     const ParamInfo& p = catalog.params[values_[next_].first];
-    if (fate->asks)  // a dialog asks, and sends it
-      return ended(false, fmt::format("{} needs an answer first. {} of {} values were written.", p.mnemonic,
+    if (told_outcome->asks)  // a dialog asks, and sends it
+      return ended(false, fmt::format("{} must be answered first. {} of {} values were written.", p.mnemonic,
                                       next_, values_.size()));
-    return ended(false, fmt::format("{}: {} {} of {} values were written.", p.mnemonic, fate->sentence.view(),
-                                    next_, values_.size()));
+    return ended(false, fmt::format("{}: {} {} of {} values were written.", p.mnemonic,
+                                    told_outcome->sentence.view(), next_, values_.size()));
   }
   ++next_;
   if (busy()) return send_next(catalog, send);

@@ -14,7 +14,7 @@ namespace {
 
 using Said = std::optional<StatusSentence>;
 
-StatusSentence say(Mood mood, std::string_view text) { return {mood, text}; }
+StatusSentence say(Severity severity, std::string_view text) { return {severity, text}; }
 AxisId axis(int index) { return AxisId{static_cast<std::uint8_t>(index)}; }
 
 /// "motor 1", within a sentence.
@@ -39,13 +39,13 @@ Said say_link(const StatusFacts& f) {
           fmt::format("No answer from {} since {}. Stop does not reach it: use its power switch.",
                       f.catalog.short_name, f.time_of_day(link.lost_at));
       if (!link.sentence.empty()) text += fmt::format(" {}", link.sentence.view());
-      return say(Mood::fault, std::move(text));
+      return say(Severity::fault, std::move(text));
     }
-    case LinkState::closed: return say(Mood::plain, "The connection is closed.");
+    case LinkState::closed: return say(Severity::plain, "The connection is closed.");
     case LinkState::connecting:
       if (link.attempts > 1)
-        return say(Mood::warn, fmt::format("Asking {}, attempt {}.", f.catalog.name, link.attempts));
-      return say(Mood::plain, fmt::format("Asking {} what it is and where it stands.", f.catalog.name));
+        return say(Severity::warn, fmt::format("Asking {}, attempt {}.", f.catalog.name, link.attempts));
+      return say(Severity::plain, fmt::format("Asking {} what it is and where it stands.", f.catalog.name));
     case LinkState::good:
     case LinkState::late: break;
   }
@@ -72,29 +72,31 @@ StatusSentence with_what_goes_on(const StatusFacts& f, StatusSentence said) {
 }
 
 Said say_error(const StatusFacts& f) {
-  if (f.now.program.run == RunState::error && !f.now.notice.empty()) return say(Mood::fault, f.now.notice);
+  if (f.now.program.run == RunState::error && !f.now.notice.empty())
+    return say(Severity::fault, f.now.notice);
   for (int i = 0; i < f.now.axis_count; ++i) {
     if (f.now.axes[i].activity != Activity::error && !f.now.axes[i].alarm) continue;
     if (f.now.axes[i].activity != Activity::error)
       return with_what_goes_on(
-          f,
-          with_failed(f, say(Mood::fault, fmt::format("The alarm input of {} is active, so it takes no move. "
-                                                      "Look at its motor driver.",
-                                                      plain_name(f.catalog, i)))));
-    const StatusSentence error = say(
-        Mood::fault, f.now.notice.empty() ? fmt::format("{} is in error. Stop it, and look at the terminal.",
-                                                        name_of(f.catalog, i))
-                                          : std::string(f.now.notice.view()));
+          f, with_failed(
+                 f, say(Severity::fault, fmt::format("The alarm input of {} is active, so it takes no move. "
+                                                     "Look at its motor driver.",
+                                                     plain_name(f.catalog, i)))));
+    const StatusSentence error =
+        say(Severity::fault,
+            f.now.notice.empty()
+                ? fmt::format("{} is in error. Stop it, and look at the terminal.", name_of(f.catalog, i))
+                : std::string(f.now.notice.view()));
     return with_what_goes_on(f, with_failed(f, error));
   }
-  if (f.now.program.run == RunState::error) return say(Mood::fault, "The program ended with an error.");
+  if (f.now.program.run == RunState::error) return say(Severity::fault, "The program ended with an error.");
   return {};
 }
 
 /// The most important notice of the controller's driver. Present motion comes before it.
 Said say_notice(const StatusFacts& f) {
   if (f.now.notice.empty()) return {};
-  return say(Mood::warn, f.now.notice);
+  return say(Severity::warn, f.now.notice);
 }
 
 Said say_late(const StatusFacts& f) {
@@ -105,7 +107,7 @@ Said say_late(const StatusFacts& f) {
                                                misses == 1 ? std::string("one question")
                                                            : fmt::format("{} questions", misses));
   if (!f.now.link.sentence.empty()) text += fmt::format(" {}", f.now.link.sentence.view());
-  return say(Mood::warn, text);
+  return say(Severity::warn, text);
 }
 
 bool moves(const AxisState& a) {
@@ -161,36 +163,37 @@ Said say_motion(const StatusFacts& f) {
   const bool whole_program = f.now.program.owned && f.now.program.run == RunState::running;
   const std::string several = f.held ? std::string() : say_several(f);
   if (!several.empty() && whole_program)
-    return say(Mood::motion,
+    return say(Severity::motion,
                fmt::format("{} running{} {}. {}", say_who(f), say_place(f.run), several, way_out));
-  if (!several.empty()) return say(Mood::motion, fmt::format("{}. {}", several, way_out));
+  if (!several.empty()) return say(Severity::motion, fmt::format("{}. {}", several, way_out));
   for (int i = 0; i < f.now.axis_count; ++i) {
     const AxisState& a = f.now.axes[i];
     if (!moves(a)) continue;
     const std::string name = name_of(f.catalog, i);
     if (whole_program)
-      return say(Mood::motion,
+      return say(Severity::motion,
                  fmt::format("{} running{} {} moves{}. {}", say_who(f), say_place(f.run), name,
                              a.has_target ? " to " + f.show_position(axis(i), a.target) : "", way_out));
-    if (a.activity == Activity::stopping) return say(Mood::motion, fmt::format("{} comes to a stop.", name));
+    if (a.activity == Activity::stopping)
+      return say(Severity::motion, fmt::format("{} comes to a stop.", name));
     if (a.activity == Activity::homing)
-      return say(Mood::motion,
+      return say(Severity::motion,
                  fmt::format("{} is looking for home, {}. {}", name, sign_word(a.direction > 0), way_out));
     if (f.held && f.held->axis == axis(i)) {
       const std::string at = a.speed.value > 0 ? " at " + f.show_speed(axis(i), a.speed) : std::string();
-      return say(Mood::motion, fmt::format("You hold {}{}. {} moves{} until you let go. {}",
-                                           f.catalog.axes[static_cast<std::size_t>(i)].name,
-                                           sign_word(f.held->sign == Sign::plus), name, at, way_out));
+      return say(Severity::motion, fmt::format("You hold {}{}. {} moves{} until you let go. {}",
+                                               f.catalog.axes[static_cast<std::size_t>(i)].name,
+                                               sign_word(f.held->sign == Sign::plus), name, at, way_out));
     }
     if (a.loop == Loop::following && a.speed.value == 0 && a.direction == 0 && a.activity == Activity::moving)
-      return say(Mood::motion,
+      return say(Severity::motion,
                  fmt::format("{} settles, {} from its command. {}", name,
                              f.show_position(axis(i), Steps(std::abs(a.following_error().value))), way_out));
     if (a.has_target)
-      return say(Mood::motion,
+      return say(Severity::motion,
                  fmt::format("{} moves to {}. {}", name, f.show_position(axis(i), a.target), way_out));
     const std::string way = a.direction == 0 ? "" : fmt::format(" {}", sign_word(a.direction > 0));
-    return say(Mood::motion, fmt::format("{} moves{}. {}", name, way, way_out));
+    return say(Severity::motion, fmt::format("{} moves{}. {}", name, way, way_out));
   }
   return {};
 }
@@ -200,14 +203,15 @@ Said say_program(const StatusFacts& f) {
   if (!p.owned) return {};
   const std::string what = fmt::format("{} {}", f.catalog.program.slot_word, p.slot);
   if (p.run == RunState::running)
-    return say(Mood::motion, say_who(f) + " running" + say_place(f.run) + " Esc stops everything.");
+    return say(Severity::motion, say_who(f) + " running" + say_place(f.run) + " Esc stops everything.");
   if (p.run == RunState::waiting)
-    return say(Mood::motion, what + " waits" + say_line(f.run, " in ") +
-                                 ". It continues by itself when its condition is met. Esc stops everything.");
+    return say(Severity::motion,
+               what + " waits" + say_line(f.run, " in ") +
+                   ". It continues by itself when its condition is met. Esc stops everything.");
   if (p.run == RunState::held)
-    return say(Mood::warn, what + " is held before " +
-                               (f.run.line >= 0 ? say_line(f.run, "") : std::string("its next command")) +
-                               ". Step, go on, or stop it.");
+    return say(Severity::warn, what + " is held before " +
+                                   (f.run.line >= 0 ? say_line(f.run, "") : std::string("its next command")) +
+                                   ". Step, go on, or stop it.");
   return {};
 }
 
@@ -215,8 +219,9 @@ Said say_pieces(const StatusFacts& f) {
   const PiecesState& p = f.now.pieces;
   if (!p.running) return {};
   if (p.held)
-    return say(Mood::warn, fmt::format("Held at piece {} of {}. Go on, or stop it.", p.done + 1, p.total));
-  return say(Mood::motion,
+    return say(Severity::warn,
+               fmt::format("Held at piece {} of {}. Go on, or stop it.", p.done + 1, p.total));
+  return say(Severity::motion,
              fmt::format("Piece {} of {} is under way. Esc stops everything.", p.done + 1, p.total));
 }
 
@@ -224,19 +229,20 @@ Said say_pieces(const StatusFacts& f) {
 Said say_failed(const StatusFacts& f) {
   if (f.failed.empty()) return {};
   for (const auto part : {say_motion, say_program})
-    if (const Said goes_on = part(f)) return with_failed(f, say(Mood::fault, goes_on->text));
-  return say(Mood::fault, f.failed + " Run starts it again, Stop clears the error.");
+    if (const Said goes_on = part(f)) return with_failed(f, say(Severity::fault, goes_on->text));
+  return say(Severity::fault, f.failed + " Run starts it again, Stop clears the error.");
 }
 
 Said say_position(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i) {
     const AxisState& a = f.now.axes[i];
     if (!a.position_known)
-      return say(Mood::warn, fmt::format("The position of {} is not known. Home it, or say where it stands.",
-                                         plain_name(f.catalog, i)));
+      return say(Severity::warn,
+                 fmt::format("The position of {} is not known. Home it, or say where it stands.",
+                             plain_name(f.catalog, i)));
     if (a.trust.doubtful())
       return say(
-          Mood::warn,
+          Severity::warn,
           fmt::format("The position of {} cannot be trusted: {} ({}). Home it, or say where it stands.",
                       spoken_name(f.catalog, i), words_of(a.trust.cause), f.time_of_day(a.trust.since)));
   }
@@ -246,9 +252,10 @@ Said say_position(const StatusFacts& f) {
 Said say_slip(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i)
     if (f.now.axes[i].slipped)
-      return say(Mood::warn, fmt::format("{} has slipped: its encoder was further off than is allowed. Find "
-                                         "what held it, then clear its flag.",
-                                         name_of(f.catalog, i)));
+      return say(Severity::warn,
+                 fmt::format("{} has slipped: its encoder was further off than is allowed. Find "
+                             "what held it, then clear its flag.",
+                             name_of(f.catalog, i)));
   return {};
 }
 
@@ -271,14 +278,14 @@ Said say_servo(const StatusFacts& f) {
     const std::string zero = gains_at_zero(f, i);
     const std::string why = zero.empty() ? "Check what holds it, and its gains."
                                          : fmt::format("Nothing drives it while {} are 0.", zero);
-    return say(Mood::warn,
+    return say(Severity::warn,
                fmt::format("{} is not in place: it stands {} from its command, {}. {}", name_of(f.catalog, i),
                            f.show_position(axis(i), Steps(std::abs(a.following_error().value))),
                            f.show_position(axis(i), a.command), why));
   }
   for (int i = 0; i < f.now.axis_count; ++i)
     if (f.now.axes[i].loop == Loop::open)
-      return say(Mood::warn,
+      return say(Severity::warn,
                  fmt::format("The loop of {} is open, so its motor is free. Motor power closes it.",
                              plain_name(f.catalog, i)));
   return {};
@@ -291,11 +298,11 @@ Said say_limit(const StatusFacts& f) {
     const std::string name = name_of(f.catalog, i);
     if (a.limit_minus && a.limit_plus)
       return say(
-          Mood::warn,
+          Severity::warn,
           fmt::format("Both limits of {} are active, so it cannot move. Check its switches and their cable.",
                       plain_name(f.catalog, i)));
-    return say(Mood::warn, fmt::format("{} stands on its {} limit. It can only move {}.", name,
-                                       sign_word(a.limit_plus), sign_word(a.limit_minus)));
+    return say(Severity::warn, fmt::format("{} stands on its {} limit. It can only move {}.", name,
+                                           sign_word(a.limit_plus), sign_word(a.limit_minus)));
   }
   return {};
 }
@@ -304,15 +311,16 @@ Said say_unset(const StatusFacts& f) {
   if (f.unset_read) return {};
   for (int i = 0; i < f.now.axis_count; ++i)
     if (const int param = unset_before_moving(f.catalog, f.now, axis(i)); param >= 0)
-      return say(Mood::warn, f.catalog.params[static_cast<std::size_t>(param)].before_moving);
+      return say(Severity::warn, f.catalog.params[static_cast<std::size_t>(param)].before_moving);
   return {};
 }
 
 Said say_stale(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i)
     if (is_stale(f.now.axes[i].seen_at, f.clock, f.now.poll_period))
-      return say(Mood::warn, fmt::format("The position of {} is {} old.", plain_name(f.catalog, i),
-                                         format_duration(seconds(f.clock - f.now.axes[i].seen_at)).view()));
+      return say(Severity::warn,
+                 fmt::format("The position of {} is {} old.", plain_name(f.catalog, i),
+                             format_duration(seconds(f.clock - f.now.axes[i].seen_at)).view()));
   return {};
 }
 
@@ -321,8 +329,8 @@ Said say_power(const StatusFacts& f) {
   if (f.now.axis_count == 0) return {};
   for (int i = 0; i < f.now.axis_count; ++i)
     if (!powerless(f.catalog, f.now, axis(i))) return {};
-  if (f.now.axis_count > 1) return say(Mood::plain, "Motor power is off. Switch it on to move.");
-  return say(Mood::plain,
+  if (f.now.axis_count > 1) return say(Severity::plain, "Motor power is off. Switch it on to move.");
+  return say(Severity::plain,
              fmt::format("Motor power of {} is off. Switch it on to move it.", plain_name(f.catalog, 0)));
 }
 
@@ -342,7 +350,7 @@ StatusSentence status_sentence(const StatusFacts& facts) {
        {say_link, say_error, say_late, say_failed, say_motion, say_program, say_pieces, say_notice, say_unset,
         say_position, say_slip, say_servo, say_limit, say_stale, say_power})
     if (Said said = part(facts)) return std::move(*said);
-  return say(Mood::plain, "Idle. Hold a jog button, type where to go, or run a program.");
+  return say(Severity::plain, "Idle. Hold a jog button, type where to go, or run a program.");
 }
 
 }  // namespace hw::gui

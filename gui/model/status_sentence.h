@@ -8,12 +8,12 @@
 #include "core/device/catalog.h"
 #include "core/device/snapshot.h"
 #include "gui/model/jog_hold.h"
-#include "gui/model/mood.h"
+#include "gui/model/severity.h"
 
 namespace hw::gui {
 
 struct StatusSentence {
-  Mood mood = Mood::plain;
+  Severity severity = Severity::plain;
   FixedText<800> text;
   bool operator==(const StatusSentence&) const = default;
 };

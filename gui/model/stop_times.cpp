@@ -20,7 +20,7 @@ double ms(Duration d) { return 1000 * seconds(d); }
 
 }  // namespace
 
-void StopTimes::add(const Ending& ending, const ShowPosition& position, bool tells_slowing) {
+void StopTimes::add(const Ending& ending, const ShowPosition& position) {
   if (!ending.timed || ending.axis < 0) return;
   stops_.push_back(ending);
   if (stops_.size() > most) stops_.pop_front();
@@ -28,10 +28,8 @@ void StopTimes::add(const Ending& ending, const ShowPosition& position, bool tel
   words_ = fmt::format("Last stop: first byte after {:.1f} ms, ", ms(ending.to_wire));
   if (ending.to_slowing)
     words_ += fmt::format("slowing down seen after {:.0f} ms, ", ms(*ending.to_slowing));
-  else if (tells_slowing)
-    words_ += "slowing down not seen, ";
   else
-    words_ += "slowing down not known, as this controller does not report it, ";
+    words_ += "slowing down not seen, ";
   words_ += fmt::format("at rest after {:.0f} ms, {} on.", ms(ending.to_rest), position(axis, ending.ran_on));
   if (stops_.size() > 1) words_ += of_all(axis, position);
   tip_ = fmt::format("{} {}", twice, words_);
@@ -46,10 +44,11 @@ std::string StopTimes::of_all(AxisId axis, const ShowPosition& position) const {
     rests.push_back(stop.to_rest);
     if (stop.axis == axis.index) on.push_back(stop.ran_on);
   }
-  const std::string slowing =
-      slowings.size() < stops_.size()
-          ? std::string()
-          : fmt::format(", slowing down was seen within {:.0f} ms", ms(percentile_99(std::move(slowings))));
+  const std::string of_some =
+      slowings.size() < stops_.size() ? fmt::format(" (in {} of them)", slowings.size()) : "";
+  const std::string slowing = slowings.empty() ? std::string()
+                                               : fmt::format(", slowing down was seen within {:.0f} ms{}",
+                                                             ms(percentile_99(slowings)), of_some);
   return fmt::format(
       " In 99 of 100 of the last {} stops the first byte went out within {:.1f} ms{} and the axis was at "
       "rest "

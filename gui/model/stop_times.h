@@ -15,11 +15,11 @@ namespace hw::gui {
 class StopTimes {
  public:
   /// Takes the ending of a timed stop; ignores all others.
-  void add(const Ending& ending, const ShowPosition& position, bool tells_slowing = true);
+  void add(const Ending& ending, const ShowPosition& position);
   /// "Last stop: first byte after 0.2 ms, slowing down seen after 31 ms, at rest after 84 ms, 1.700 mm on. In
   /// 99 of 100 of the last 100 stops the first byte went out within 0.2 ms and the axis was at rest within
   /// 120 ms and 2.000 mm."
-  /// Empty: no stop was timed yet. When it slowed down is not known of a controller that does not report it.
+  /// Empty: no stop was timed yet.
   [[nodiscard]] const std::string& words() const { return words_; }
   /// What the Stop button does, and the words.
   [[nodiscard]] std::string_view tip() const { return tip_; }

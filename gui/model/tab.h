@@ -13,7 +13,9 @@
 #include "core/session/profile.h"
 #include "gui/model/bus.h"
 #include "gui/model/desk.h"
+#include "gui/model/followed_intents.h"
 #include "gui/model/jog_hold.h"
+#include "gui/model/motion_bar.h"
 #include "gui/model/panel.h"
 #include "gui/model/units_format.h"
 
@@ -61,15 +63,15 @@ class Tab {
   void operate_bench(BenchCommand command) { door_.operate_bench(std::move(command)); }
   /// Why nothing may be moved now (no link, a program runs), as a sentence that says when this ends; empty:
   /// motion is allowed. Valid until the next refresh().
-  [[nodiscard]] std::string_view why_not_move() const { return why_not_move_; }
+  [[nodiscard]] std::string_view why_not_move() const { return bar_.why(); }
   /// The same for one axis, whose motor may have no current.
-  [[nodiscard]] std::string_view why_not_move(AxisId axis) const;
+  [[nodiscard]] std::string_view why_not_move(AxisId axis) const { return bar_.why(axis, *now_); }
   /// Sends a stop to this controller and drops a held jog, which the stop ends.
   void stop_all(StoppedBy by = StoppedBy::button);
   /// The same after a stop that was sent with those of others, as this intent.
   void stopped_with(IntentId stop);
   /// A stop that was asked for here may still have to go out: it would go with the tab.
-  [[nodiscard]] bool stop_waits() const { return stop_ != 0; }
+  [[nodiscard]] bool stop_waits() const { return followed_.stop_waits(); }
 
   /// A panel that shows these values is drawn in this frame: they are read in each status round while it is,
   /// see intent::Watch. Bit n = group n of Catalog::readout_groups.
@@ -85,8 +87,6 @@ class Tab {
   bool profile_changed = false;  ///< to be saved
   [[nodiscard]] std::string_view name() const;
   [[nodiscard]] const DisplayUnit& unit(AxisId axis) const { return units_[axis.index]; }
-  /// "1 across": the maker's name and the user's.
-  [[nodiscard]] std::string axis_title(AxisId axis) const;
   /// After a change of the profile's units.
   void profile_edited();
   [[nodiscard]] Steps jog_step() const { return profile.jog_step; }
@@ -100,16 +100,12 @@ class Tab {
 
   // ---- to be told once
   /// Why the intent was refused or has failed, in the displayed units.
-  [[nodiscard]] std::string words_of(const IntentFate& fate) const;
+  [[nodiscard]] std::string words_of(const IntentOutcome& outcome) const;
   /// Messages since the last call; listings go to the desk.
   [[nodiscard]] std::vector<Notice> take_notices();
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
-  /// An intent that may be sent again with an answer (intent::Closing), and the question; see Dialogs.
-  struct Question {
-    IntentBody body;
-    std::string sentence;
-  };
-  [[nodiscard]] std::optional<Question>& question() { return question_; }
+  using Question = FollowedIntents::Question;
+  [[nodiscard]] std::optional<Question>& question() { return followed_.question(); }
 
   // ---- view
   std::shared_ptr<Bus> bus;                                  ///< null: alone on its wire
@@ -128,11 +124,9 @@ class Tab {
   [[nodiscard]] std::string unkept() const;
 
  private:
-  void follow_fates();
-  void follow_stop();
-  void follow_questions();
+  void look_at_snapshot();
+  void complain(const IntentOutcome& outcome);
   void tell_what_is_watched();
-  void find_why_not_move();
   void take(Notice& notice);
   void take(const Ending& ending);
   void note(std::string words);
@@ -153,18 +147,16 @@ class Tab {
   const BenchView* bench_ = &no_bench;
   Instant clock_{};
   std::array<DisplayUnit, max_axes> units_;
-  std::string why_not_move_;
-  std::array<std::string, max_axes> power_is_off_;  ///< the sentence if the power is off
-  std::array<Travel, max_axes> told_travel_;        ///< last sent to the session
-  std::array<Backlash, max_axes> told_backlash_;
-  std::uint32_t looked_at_ = 0, watched_ = 0;
-  LinkState told_link_ = LinkState::closed;
-  ProgramState told_program_;
-  bool told_ = false;
-  std::vector<IntentId> followed_;
-  IntentId stop_ = 0;            ///< the latest, until it has done its work; see stop_waits()
-  std::vector<Intent> may_ask_;  ///< sent, and may still need an answer first
-  std::optional<Question> question_;
+  MotionBar bar_;
+  std::uint32_t looked_at_ = 0;  ///< in this frame
+  /// Last sent to the session.
+  struct Sent {
+    std::array<Travel, max_axes> travel;
+    std::array<Backlash, max_axes> backlash;
+    std::uint32_t watched = 0;
+  };
+  Sent sent_;
+  FollowedIntents followed_;
   std::vector<Notice> notices_;
   std::vector<std::string> complaints_;
 };

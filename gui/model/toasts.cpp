@@ -23,7 +23,7 @@ std::string fit_to_read(std::string text) {
 
 }  // namespace
 
-void Toasts::add(Mood mood, std::string text, const void* about, std::string of) {
+void Toasts::add(Severity severity, std::string text, const void* about, std::string of) {
   text = fit_to_read(std::move(text));
   gui_log().debug("{}{}{}", of, of.empty() ? "" : ": ", text);
   changed_ = true;
@@ -39,8 +39,8 @@ void Toasts::add(Mood mood, std::string text, const void* about, std::string of)
   }
   if (list_.size() == at_most) make_room();
   std::string said = text;
-  list_.push_back({next_number_++, mood, std::move(text), -1, about, std::move(of), std::move(said)});
-  list_.back().stays = mood == Mood::fault;
+  list_.push_back({next_number_++, severity, std::move(text), -1, about, std::move(of), std::move(said)});
+  list_.back().stays = severity == Severity::fault;
 }
 
 /// Drops a toast that would expire by itself first.
@@ -49,8 +49,8 @@ void Toasts::make_room() {
   list_.erase(passing == list_.end() ? list_.begin() : passing);
 }
 
-void Toasts::add_staying(Mood mood, std::string text) {
-  add(mood, std::move(text));
+void Toasts::add_staying(Severity severity, std::string text) {
+  add(severity, std::move(text));
   list_.back().stays = true;
 }
 

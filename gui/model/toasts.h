@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gui/model/mood.h"
+#include "gui/model/severity.h"
 
 namespace hw::gui {
 
@@ -19,7 +19,7 @@ class Toasts {
   };
   struct Toast {
     int number;  ///< `toast/NUMBER`
-    Mood mood;
+    Severity severity;
     std::string text;
     double until_s;  ///< on the clock of the frames; negative: not shown yet
     const void* about = nullptr;
@@ -37,9 +37,9 @@ class Toasts {
   };
 
   /// `about`: its subject, see withdraw(). `of`: the name of its controller.
-  void add(Mood mood, std::string text, const void* about = nullptr, std::string of = {});
-  /// Adds a toast that stays until it is dismissed, whatever its mood.
-  void add_staying(Mood mood, std::string text);
+  void add(Severity severity, std::string text, const void* about = nullptr, std::string of = {});
+  /// Adds a toast that stays until it is dismissed, whatever its severity.
+  void add_staying(Severity severity, std::string text);
   /// Sets the controller in front: toasts of any other name it. Nothing: there is only one.
   void look_at(std::optional<std::string_view> front);
   /// Removes the toasts about a subject that has changed, as they are no longer true.

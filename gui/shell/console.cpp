@@ -38,8 +38,8 @@ Console::Console(PanelList list, Outside outside)
 Console::~Console() = default;
 
 Instant Console::clock() const { return outside_->scheduler.now(); }
-PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : no_ports_; }
-DeviceFinder& Console::devices() { return outside_->devices ? *outside_->devices : no_devices_; }
+PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : nothing_.ports; }
+DeviceFinder& Console::devices() { return outside_->devices ? *outside_->devices : nothing_.devices; }
 const UserFolders& Console::folders() const { return outside_->folders; }
 
 // ---- what is shown
@@ -52,20 +52,20 @@ void Console::show_page(std::string_view id) {
 
 void Console::examine_link(const Tab& tab) {
   if (list_.pages.empty()) return;
-  examined_ = &tab;
+  wanted_.examined = &tab;
   show_page(list_.pages[0].id);
 }
 
 Tab* Console::take_link_to_examine() {
-  const Tab* wanted = std::exchange(examined_, nullptr);
+  const Tab* wanted = std::exchange(wanted_.examined, nullptr);
   for (const auto& tab : tabs_)
     if (wanted && tab.get() == wanted) return tab.get();
   return nullptr;
 }
 
 Sheet& Console::help_object() {
-  if (!help_) help_ = list_.make_help();
-  return *help_;
+  if (!help_.sheet) help_.sheet = list_.make_help();
+  return *help_.sheet;
 }
 
 Page& Console::page_object(std::string_view id) {
@@ -80,7 +80,7 @@ void Console::show_panel(std::string_view id, std::string_view widget) {
   if (!active_) return;
   show_page({});
   active_->centre_panel = id;
-  wanted_widget_ = widget;
+  wanted_.widget = widget;
 }
 
 constexpr float sizes[] = {0.75f, 0.9f, 1.0f, 1.1f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f};
@@ -114,7 +114,7 @@ void Console::start_demo() {
       address += ",id=01-04";  // a bus of them
     auto opened = open(address);
     if (!opened) {
-      toast(Mood::fault, opened.error().sentence());
+      toast(Severity::fault, opened.error().sentence());
       continue;
     }
     ProgramTexts& texts = (*opened)->desk().texts;
@@ -154,8 +154,8 @@ void Console::let_go() {
 
 void Console::drop(const std::vector<std::string>& paths) {
   if (covered_)
-    return toast(Mood::warn, "Nothing was opened: answer the question first, then drop it again.");
-  if (!active()) return toast(Mood::plain, "Connect a controller first: files are opened in its editor.");
+    return toast(Severity::warn, "Nothing was opened: answer the question first, then drop it again.");
+  if (!active()) return toast(Severity::plain, "Connect a controller first: files are opened in its editor.");
   for (const std::string& path : paths) {
     const std::string panel(opener_of(list_, *active(), path));
     active()->desk().dropped[panel].emplace_back(path);
@@ -184,15 +184,15 @@ void Console::refresh(Ui& ui) {
     tell_news(*tab);
     if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
   }
-  for (std::string& sentence : take_last_words()) toast(Mood::warn, std::move(sentence));
+  for (std::string& sentence : take_last_words()) toast(Severity::warn, std::move(sentence));
   if (!ImGui::IsMouseDown(0)) save();  // not at every step of a dragged slider
 }
 
 // A device of a bus is always named, as its neighbours are beside it.
-void Console::toast(const Tab& of, Mood mood, std::string sentence, const void* about) {
+void Console::toast(const Tab& of, Severity severity, std::string sentence, const void* about) {
   const bool neighbours = of.bus && of.bus->members.size() > 1;
   if (neighbours && !speaks_of(sentence, of.id())) sentence = fmt::format("{}: {}", of.id(), sentence);
-  toasts_.add(mood, std::move(sentence), about, std::string(of.name()));
+  toasts_.add(severity, std::move(sentence), about, std::string(of.name()));
 }
 
 void Console::tell_news(Tab& tab) {
@@ -204,15 +204,15 @@ void Console::tell_news(Tab& tab) {
       continue;
     }
     toast(tab,
-          notice.kind == Notice::Kind::error     ? Mood::fault
-          : notice.kind == Notice::Kind::warning ? Mood::warn
-                                                 : Mood::plain,
+          notice.kind == Notice::Kind::error     ? Severity::fault
+          : notice.kind == Notice::Kind::warning ? Severity::warn
+                                                 : Severity::plain,
           std::move(notice.text));
   }
   for (std::string& complaint : tab.complaints()) {
-    // The refusal repeats in a toast the question of a dialog. A fate has less room than a notice.
+    // The refusal repeats in a toast the question of a dialog. An outcome has less room than a notice.
     const bool asked = !asked_.empty() && asked_.starts_with(complaint);
-    if (!asked) toast(tab, Mood::fault, std::move(complaint), &tab);
+    if (!asked) toast(tab, Severity::fault, std::move(complaint), &tab);
     if (asked) asked_.clear();
   }
   tab.complaints().clear();
@@ -223,7 +223,7 @@ void Console::tell_news(Tab& tab) {
 }
 
 void Console::tell(const Result<>& outcome) {
-  if (!outcome) toast(Mood::fault, outcome.error().sentence());
+  if (!outcome) toast(Severity::fault, outcome.error().sentence());
 }
 
 void Console::draw(Ui& ui) {
@@ -231,10 +231,10 @@ void Console::draw(Ui& ui) {
   refresh(ui);
   close_as_asked();
   follow_as_asked(*this);
-  if (!wanted_widget_.empty()) {
-    ui.registry.scroll_to(wanted_widget_);
-    ui.focus.move_to(wanted_widget_);
-    wanted_widget_.clear();
+  if (!wanted_.widget.empty()) {
+    ui.registry.scroll_to(wanted_.widget);
+    ui.focus.move_to(wanted_.widget);
+    wanted_.widget.clear();
   }
   LayoutWishes wishes;
   wishes.width = ui.size_px.x / ui.scale;
@@ -245,7 +245,7 @@ void Console::draw(Ui& ui) {
   const Layout layout = lay_out(wishes);
   draw_top_bar(ui, *this, layout);  // STOP ALL is the first widget of the frame
   draw_workspace(ui, *this, layout);
-  if (help_open_) draw_sheet(ui, *this, layout);
+  if (help_.open) draw_sheet(ui, *this, layout);
   draw_status_line(ui, *this, layout);
   dialogs.draw(ui, *this);
   const std::string_view front = active() ? active()->name() : std::string_view();
@@ -266,7 +266,7 @@ void Console::draw(Ui& ui) {
 void Console::load_choices() {
   if (!outside_->folders.enabled) return;
   const auto read = read_json(outside_->folders.state / "window.json", "the sizes of the window's parts");
-  if (!read) return toast(Mood::warn, read.error().sentence());
+  if (!read) return toast(Severity::warn, read.error().sentence());
   const auto number = [&](const char* key, float fallback) {
     const auto at = read->find(key);
     const double value = at != read->end() && at->is_number() ? at->get<double>() : fallback;
@@ -279,14 +279,13 @@ void Console::load_choices() {
   dark_ = number("dark", 1) != 0;
   set_size(number("size", 1));
   lower_right = static_cast<Fold>(std::clamp(static_cast<int>(number("lower_right", 0)), 0, 2));
-  kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_, kept_fold_ = lower_right;
+  kept_ = choices();
 }
 
 void Console::save_choices() {
-  const bool same =
-      kept_ == splitters && kept_dark_ == dark_ && kept_size_ == size_ && kept_fold_ == lower_right;
+  const bool same = kept_ == choices();
   if (!outside_->folders.enabled || same) return;
-  kept_ = splitters, kept_dark_ = dark_, kept_size_ = size_, kept_fold_ = lower_right;
+  kept_ = choices();
   const nlohmann::json object = {{"left", splitters.left},
                                  {"right", splitters.right},
                                  {"below", splitters.below},

@@ -62,7 +62,7 @@ class Console {
   /// Messages from controllers while they were being closed, one sentence each; told once.
   std::vector<std::string> take_last_words();
   /// Sessions told to close but not closed yet. The scheduler must run until this is 0.
-  [[nodiscard]] int closing() const { return *closing_; }
+  [[nodiscard]] int closing() const { return *closing_.left; }
   void rename(Tab& tab, std::string name);  ///< on a bus: names the bus
   void reconnect(Tab& tab);
   [[nodiscard]] const std::vector<std::unique_ptr<Tab>>& tabs() const { return tabs_; }
@@ -80,8 +80,8 @@ class Console {
   void examine_link(const Tab& tab);
   /// The controller whose link is to be examined; told once. Null: none, or it was closed.
   [[nodiscard]] Tab* take_link_to_examine();
-  void toggle_help() { help_open_ = !help_open_ && list_.make_help; }
-  [[nodiscard]] bool help_open() const { return help_open_; }
+  void toggle_help() { help_.open = !help_.open && list_.make_help; }
+  [[nodiscard]] bool help_open() const { return help_.open; }
   [[nodiscard]] std::string_view page() const { return page_; }  ///< empty: a controller is in front
   /// Brings a panel of the active controller to the front; `widget` is scrolled into view and focused as
   /// well.
@@ -89,11 +89,11 @@ class Console {
   /// Starts one emulator of each model.
   void start_demo();
   /// `about`: its subject; Toasts::withdraw() removes the toast when that has changed.
-  void toast(Mood mood, std::string sentence, const void* about = nullptr) {
-    toasts_.add(mood, std::move(sentence), about);
+  void toast(Severity severity, std::string sentence, const void* about = nullptr) {
+    toasts_.add(severity, std::move(sentence), about);
   }
   /// A toast of that controller: names it while another one is in front.
-  void toast(const Tab& of, Mood mood, std::string sentence, const void* about = nullptr);
+  void toast(const Tab& of, Severity severity, std::string sentence, const void* about = nullptr);
   [[nodiscard]] bool dark() const { return dark_; }  ///< applied between frames by the owner of the screen
   void set_dark(bool dark) { dark_ = dark; }
   /// Scale of everything: 1 = 100 %. Applied like dark().
@@ -174,29 +174,46 @@ class Console {
 
   PanelList list_;
   std::unique_ptr<Outside> outside_;
-  NoPorts no_ports_;
-  NoDevices no_devices_;
+  struct Nothing {
+    NoPorts ports;
+    NoDevices devices;
+  };
+  Nothing nothing_;  ///< found, where nobody searches
   RecentConnections recent_;
   std::vector<std::unique_ptr<Tab>> tabs_;
   Tab* active_ = nullptr;
   std::string page_;
   std::vector<std::unique_ptr<Page>> pages_;
-  std::unique_ptr<Sheet> help_;
-  bool help_open_ = false;
+  struct Help {
+    std::unique_ptr<Sheet> sheet;
+    bool open = false;
+  };
+  Help help_;
   Toasts toasts_;
   bool dark_ = true;
   float size_ = 1;
-  Splitters kept_;  ///< as last written
-  bool kept_dark_ = true;
-  float kept_size_ = 1;
-  Fold kept_fold_ = Fold::automatic;
-  const Tab* examined_ = nullptr;  ///< its link is to be examined; only compared
+  struct Choices {
+    Splitters splitters;
+    bool dark = true;
+    float size = 1;
+    Fold fold = Fold::automatic;
+    bool operator==(const Choices&) const = default;
+  };
+  [[nodiscard]] Choices choices() const { return {splitters, dark_, size_, lower_right}; }
+  Choices kept_;  ///< as last written
+  struct Wanted {
+    const Tab* examined = nullptr;  ///< its link is to be examined; only compared
+    std::string widget;             ///< to be scrolled into view
+  };
+  Wanted wanted_;
   bool ended_ = false, covered_ = false, close_asked_ = false, list_open_ = false;
   std::string asked_;  ///< question of a dialog, which needs no toast
-  std::shared_ptr<std::atomic<int>> closing_ = std::make_shared<std::atomic<int>>(0);
-  /// Messages of controllers during closing, when their tabs are gone. Written on the io thread.
-  std::shared_ptr<Ring<Notice>> last_words_ = std::make_shared<Ring<Notice>>(16);
-  std::string wanted_widget_;
+  struct Closing {
+    std::shared_ptr<std::atomic<int>> left = std::make_shared<std::atomic<int>>(0);
+    /// Messages of controllers whose tabs are gone. Written on the io thread.
+    std::shared_ptr<Ring<Notice>> last_words = std::make_shared<Ring<Notice>>(16);
+  };
+  Closing closing_;
 };
 
 }  // namespace hw::gui

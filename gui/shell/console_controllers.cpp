@@ -94,7 +94,7 @@ Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
     tab->profile_edited();
     tab->profile_changed = false;
   } else {
-    toast(Mood::warn, profile.error().sentence());
+    toast(Severity::warn, profile.error().sentence());
   }
   tab->default_name = free_name(tab->catalog().short_name);
   if (outside_->folders.enabled) tell(tab->desk().keep_texts(Autosave(outside_->folders), tab->profile_key));
@@ -161,11 +161,11 @@ void Console::close_one(Tab& tab) {
   tab.desk().keep_now(tab.clock());
   save();
   if (std::shared_ptr<Session> session = tab.session()) {
-    ++*closing_;
+    ++*closing_.left;
     Task<> closed = session->close();
     // The session lives until its last coroutine has ended; at a count of 0 the scheduler may stop.
     asio::co_spawn(outside_->scheduler.executor(), std::move(closed),
-                   [session, counter = closing_, words = last_words_, wake = outside_->wake,
+                   [session, counter = closing_.left, words = closing_.last_words, wake = outside_->wake,
                     name = std::string(tab.name())](std::exception_ptr) {
                      session->notices().drain([&](Notice& notice) {
                        notice.text = fmt::format("{}: {}", name, notice.text);
@@ -195,7 +195,7 @@ void Console::close_one(Tab& tab) {
 
 std::vector<std::string> Console::take_last_words() {
   std::vector<std::string> words;
-  last_words_->drain([&](Notice& notice) {
+  closing_.last_words->drain([&](Notice& notice) {
     if (notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error)
       words.push_back(std::move(notice.text));
   });

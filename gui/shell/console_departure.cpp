@@ -47,13 +47,13 @@ void Console::depart(std::string_view how) {
     if (what.empty()) continue;
     LastEnd::Controller& told = end.controllers.emplace_back();
     told.name = whose(*tab, what), told.what = what;
-    told.fate = !begun_here(*tab) ? LastEnd::Fate::left_alone
-                : reached(*tab)   ? LastEnd::Fate::told
-                                  : LastEnd::Fate::not_told;
-    if (told.fate == LastEnd::Fate::left_alone) continue;
+    told.outcome = !begun_here(*tab) ? LastEnd::Outcome::left_alone
+                   : reached(*tab)   ? LastEnd::Outcome::told
+                                     : LastEnd::Outcome::not_told;
+    if (told.outcome == LastEnd::Outcome::left_alone) continue;
     tab->jog.forget();  // the stop ends the jog; a second stop would mean "at once, without ramp"
     const IntentId stop = tab->send(intent::Stop(-1, StoppedBy::console));
-    if (!tab->session() || told.fate == LastEnd::Fate::not_told) continue;
+    if (!tab->session() || told.outcome == LastEnd::Outcome::not_told) continue;
     watched.push_back(std::make_shared<Watched>(end.controllers.size() - 1));
     Task<> seen = see_at_rest(tab->session(), stop, watched.back());
     asio::co_spawn(outside_->scheduler.executor(), std::move(seen), asio::detached);
@@ -66,7 +66,7 @@ void Console::depart(std::string_view how) {
   while (!std::all_of(watched.begin(), watched.end(), over) && std::chrono::steady_clock::now() < give_up)
     std::this_thread::sleep_for(Millis(2));
   for (const auto& one : watched)
-    if (one->rests) end.controllers[one->place].fate = LastEnd::Fate::at_rest;
+    if (one->rests) end.controllers[one->place].outcome = LastEnd::Outcome::at_rest;
   if (!watched.empty()) tell(ends.keep(end));
 }
 
@@ -75,16 +75,16 @@ void Console::note_unreached(std::span<Tab* const> closed, std::string_view how)
   for (const Tab* tab : closed) {
     if (reached(*tab) || !goes_on(*tab) || !begun_here(*tab)) continue;
     const std::string what = what_goes_on(*tab, Tense::past);
-    end.controllers.push_back({whose(*tab, what), what, LastEnd::Fate::not_told});
+    end.controllers.push_back({whose(*tab, what), what, LastEnd::Outcome::not_told});
   }
   if (!end.controllers.empty()) tell(LastEnds(outside_->folders).keep(end));
 }
 
 void Console::tell_last_ends() {
   const auto ends = LastEnds(outside_->folders).take();
-  if (!ends) return toast(Mood::warn, ends.error().sentence());
+  if (!ends) return toast(Severity::warn, ends.error().sentence());
   for (const LastEnd& end : *ends)
-    toasts_.add_staying(end.harmless() ? Mood::warn : Mood::fault, end.sentence(date_of_today()));
+    toasts_.add_staying(end.harmless() ? Severity::warn : Severity::fault, end.sentence(date_of_today()));
 }
 
 }  // namespace hw::gui

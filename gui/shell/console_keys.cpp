@@ -38,7 +38,7 @@ void Console::on_edge(const CommandEdge& edge) {
   if (edge.command == Command::stop_all) {
     if (!edge.down) return;
     stop_all(edge.by_pad ? StoppedBy::button : StoppedBy::key);
-    if (list_open_ && !tabs_.empty()) toast(Mood::plain, words_of_esc(tabs_));
+    if (list_open_ && !tabs_.empty()) toast(Severity::plain, words_of_esc(tabs_));
   } else if (edge.command == Command::stop_at_once) {
     if (edge.down) stop_all(StoppedBy::key);  // the second press in a row
   } else if (edge.command == Command::next_controller || edge.command == Command::previous_controller) {
@@ -69,7 +69,7 @@ void Console::jog_key(Tab& tab, const CommandEdge& edge) {
     if (!edge.down && edge.cut_off) return tab.jog.take_away(control.hand);
     if (!edge.down) return tab.jog.release(control, edge.at_s);
     if (const std::string_view why = tab.why_not_move(axis); !why.empty())
-      return toast(Mood::warn, std::string(why));
+      return toast(Severity::warn, std::string(why));
     // A stick that snaps back overshoots its centre: that is not a tap.
     const bool taps = !edge.by_pad || key.axis == the_chosen;
     tab.jog.press(control, {taps ? tab.jog_step() : Steps(), tab.jog_speed()}, edge.at_s);
@@ -77,7 +77,7 @@ void Console::jog_key(Tab& tab, const CommandEdge& edge) {
 }
 
 void Console::confirm_held_key(Ui& ui) {
-  if (std::string why = ui.gamepad.take_words(); !why.empty()) toast(Mood::warn, std::move(why));
+  if (std::string why = ui.gamepad.take_words(); !why.empty()) toast(Severity::warn, std::move(why));
   Tab* tab = active();
   auto held = tab ? tab->jog.control() : std::nullopt;
   // A dialog or a list has opened: nothing may begin or continue behind it.

@@ -52,16 +52,16 @@ std::string why_not_closed(const Tab& tab, const Address& to) {
 void follow(Console& console, Tab& tab, const std::string& address) {
   const FollowOffer offer = offer_to_follow(tab);
   if (offer.address != address) return;
-  if (!offer.why_not.empty()) return console.toast(Mood::warn, offer.why_not, &tab);
+  if (!offer.why_not.empty()) return console.toast(Severity::warn, offer.why_not, &tab);
   if (const std::string unkept = unkept_on_wire(tab); !unkept.empty())
-    return console.toast(tab, Mood::warn, "Save it first, then follow: " + unkept, &tab);
+    return console.toast(tab, Severity::warn, "Save it first, then follow: " + unkept, &tab);
   const std::string before = address_of_wire(tab).text();
   const std::string panel = tab.centre_panel;
   const Belongings belongings(tab);
   console.close(tab);
   auto opened = console.open(address);
   if (!opened) {
-    console.toast(Mood::fault, opened.error().sentence());
+    console.toast(Severity::fault, opened.error().sentence());
     opened = console.open(before);
   }
   if (!opened) return;

@@ -4,14 +4,14 @@
 
 namespace hw::gui {
 
-void PageFrame::toast(Mood mood, std::string sentence, const void* about) const {
-  console.toast(mood, std::move(sentence), about);
+void PageFrame::toast(Severity severity, std::string sentence, const void* about) const {
+  console.toast(severity, std::move(sentence), about);
 }
 
 void PageFrame::withdraw(const void* about) const { console.toasts().withdraw(about); }
 
-void Frame::toast(Mood mood, std::string sentence, const void* about) const {
-  console.toast(tab, mood, std::move(sentence), about);
+void Frame::toast(Severity severity, std::string sentence, const void* about) const {
+  console.toast(tab, severity, std::move(sentence), about);
 }
 IntentId Frame::send(IntentBody body) const { return tab.send_followed(std::move(body)); }
 IntentId Frame::send_and_watch(IntentBody body) const { return tab.send(std::move(body)); }

@@ -10,7 +10,7 @@
 #include "core/device/catalog.h"
 #include "core/device/intent.h"
 #include "core/device/snapshot.h"
-#include "gui/model/mood.h"
+#include "gui/model/severity.h"
 #include "gui/surface/layout.h"
 
 namespace hw::gui {
@@ -30,7 +30,7 @@ struct PageFrame {
 
   /// A sentence low in the centre. Faults stay until they are read, the rest goes after 6 s. `about`: what it
   /// speaks of, see Toasts::withdraw().
-  void toast(Mood mood, std::string sentence, const void* about = nullptr) const;
+  void toast(Severity severity, std::string sentence, const void* about = nullptr) const;
   /// Removes the messages about a subject that has changed.
   void withdraw(const void* about) const;
 };
@@ -42,10 +42,10 @@ struct Frame : PageFrame {
   const BenchView& bench;
 
   /// Names this controller while another one is in front.
-  void toast(Mood mood, std::string sentence, const void* about = nullptr) const;
+  void toast(Severity severity, std::string sentence, const void* about = nullptr) const;
   /// Sends the intent. If it is refused or fails, the sentence is shown as a toast.
   IntentId send(IntentBody body) const;
-  /// Sends the intent; the panel itself shows its fate, from now.fate_of(id).
+  /// Sends the intent; the panel itself shows its outcome, from now.outcome_of(id).
   IntentId send_and_watch(IntentBody body) const;
   void operate_bench(BenchCommand command) const;
   /// Brings the panel `tab/ID` to the front; if `widget` is given, scrolls to it and focuses it.

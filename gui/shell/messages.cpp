@@ -25,18 +25,18 @@
 namespace hw::gui {
 namespace {
 
-struct MoodLook {
+struct SeverityLook {
   Icon icon;
   Tone tone;
 };
 
-MoodLook mood_look(Mood mood) {
-  switch (mood) {
-    case Mood::ok: return {Icon::check, Tone::ok};
-    case Mood::motion: return {Icon::play, Tone::motion};
-    case Mood::warn: return {Icon::warning, Tone::warn};
-    case Mood::fault: return {Icon::diamond_solid, Tone::fault};
-    case Mood::plain: break;
+SeverityLook severity_look(Severity severity) {
+  switch (severity) {
+    case Severity::ok: return {Icon::check, Tone::ok};
+    case Severity::motion: return {Icon::play, Tone::motion};
+    case Severity::warn: return {Icon::warning, Tone::warn};
+    case Severity::fault: return {Icon::diamond_solid, Tone::fault};
+    case Severity::plain: break;
   }
   return {Icon::ring, Tone::ink2};
 }
@@ -182,10 +182,10 @@ StatusSentence sentence_of(Console& console, Tab& tab, const Layout& layout) {
   const std::string others = who_moves(*tab.bus, &worst);
   const bool all_is_well = is_motion(worst_state(worst.now(), worst.clock()));
   if (all_is_well && !others.empty() && !tab.jog.control())
-    return {Mood::motion, fmt::format("{} Esc stops everything.", who_moves(*tab.bus, nullptr))};
+    return {Severity::motion, fmt::format("{} Esc stops everything.", who_moves(*tab.bus, nullptr))};
   StatusSentence said = sentence_alone(console, worst, layout);
-  if (said.mood == Mood::plain && worst_state(worst.now(), worst.clock()) == State::off)
-    return {Mood::plain,
+  if (said.severity == Severity::plain && worst_state(worst.now(), worst.clock()) == State::off)
+    return {Severity::plain,
             fmt::format("Motor power of {} is off. Switch it on to move.", who_is_powerless(*tab.bus))};
   if (&worst != &tab && !speaks_of(said.text.view(), worst.id()))
     said.text = fmt::format("{}: {}", worst.id(), said.text.view());
@@ -275,7 +275,7 @@ void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
     said = console.page_object(console.page()).status(console);
   }
   taken += draw_messages_in(ui, console, layout.status, taken);
-  const MoodLook look = mood_look(said.mood);
+  const SeverityLook look = severity_look(said.severity);
   const float middle = r.centre().y, left = r.min.x + ui.px(16);
   draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(left + ui.px(6), std::floor(middle)), ui.px(12),
             ui[look.tone]);
@@ -391,8 +391,8 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
   brief[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(brief[0])));
   brief = "Stop does not reach it: use its power switch. " + brief;
   char attempt[64];
-  const Banner what{Mood::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt),
-                    brief};
+  const Banner what{
+      Severity::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt), brief};
   FollowOffer offer = offer_to_follow(tab);
   const bool moved = !offer.address.empty();
   const bool may_follow = moved && offer.why_not.empty();
@@ -413,7 +413,7 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
   if (chosen == "fault/fold") tab.banner_folded = !tab.banner_folded;
   if (chosen == "fault/report") {
     ImGui::SetClipboardText(report(console, tab).c_str());
-    console.toast(Mood::ok, "The report is in the clipboard.");
+    console.toast(Severity::ok, "The report is in the clipboard.");
   }
   return taken;
 }
@@ -421,7 +421,7 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
 /// Banner about a value to choose in the set-up before the first move.
 float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& layout, const Box& below) {
   const ParamInfo& info = tab.catalog().params[static_cast<std::size_t>(param)];
-  const Banner what{Mood::warn, Icon::warning, "Before the first move", info.before_moving};
+  const Banner what{Severity::warn, Icon::warning, "Before the first move", info.before_moving};
   const Action actions[] = {
       {.id = "fault/setup", .label = "Choose it in Setup", .brief = "Choose it", .main = true},
       {.id = "fault/unset_read", .label = "Leave it"}};
@@ -435,7 +435,7 @@ float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& la
 /// Banner about a controller that stores another rate than the one it was opened with.
 float draw_moved(Ui& ui, Console& console, Tab& tab, const FollowOffer& offer, const Layout& layout,
                  const Box& below) {
-  const Banner what{Mood::warn, Icon::plug, "It keeps another rate",
+  const Banner what{Severity::warn, Icon::plug, "It keeps another rate",
                     "It was given the new rate here, and has stored it. Follow it, and it is found there the "
                     "next time too. Nothing moves by that; its state is read afresh."};
   const Action actions[] = {{.id = "fault/follow", .label = offer.label, .main = true},

@@ -59,7 +59,4 @@ extern const Theme light_theme;
 /// Fills `style` from the tokens; all lengths times `scale`.
 void apply(const Theme& theme, float scale, ImGuiStyle& style);
 
-/// Contrast ratio of two opaque colours after WCAG 2: 1 (same) to 21 (black on white).
-double contrast(ImU32 a, ImU32 b);
-
 }  // namespace hw::gui

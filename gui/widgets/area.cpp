@@ -12,7 +12,11 @@ void begin_part(Ui& ui, const char* name, float width, float height, Tone ground
   ImGui::PushStyleColor(ImGuiCol_ChildBg, shines_through ? 0 : ui[ground]);
   ImGuiWindowFlags flags =
       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoNav;
-  if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+  if (!scrolls) {
+    flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    // A widget that is scrolled to within a part of it would scroll it too, and nothing could scroll it back.
+    ImGui::SetNextWindowScroll(ImVec2(0, 0));
+  }
   ImGui::BeginChild(name, ImVec2(width, height), false, flags);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();

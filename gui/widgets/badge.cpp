@@ -83,18 +83,4 @@ void badge(Ui& ui, std::string_view id, BadgeTone tone, Icon icon, std::string_v
   if (!id.empty()) show(ui, {id, Kind::text, words, words, {}, false, tip}, r);
 }
 
-void outlined_badge(Ui& ui, std::string_view id, std::string_view caption, std::string_view word, Tone tone,
-                    std::string_view tip) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float caption_width = std::ceil(text_width(ui, Face::small, caption));
-  const float word_width = std::ceil(text_width(ui, Face::small_bold, word));
-  const Rect r{at, ImVec2(at.x + ui.px(24) + caption_width + word_width, at.y + ui.px(24))};
-  draw_outline(ui, r, ui[tone == Tone::fault ? Tone::fault : Tone::edge]);
-  draw_text_line(ui, r.min.x + ui.px(8), r.max.x, r.centre().y, Face::small, ui[Tone::ink2], caption);
-  draw_text_line(ui, r.min.x + ui.px(16) + caption_width, r.max.x, r.centre().y, Face::small_bold, ui[tone],
-                 word);
-  ImGui::Dummy(ImVec2(r.width(), r.height()));
-  if (!id.empty()) show(ui, {id, Kind::text, caption, word, {}, false, tip}, r);
-}
-
 }  // namespace hw::gui

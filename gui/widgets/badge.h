@@ -18,8 +18,5 @@ enum class EmulatedForm : std::uint8_t { whole, word, shape };
 EmulatedForm emulated_form(const Ui& ui, float room_px);
 float emulated_width(const Ui& ui, EmulatedForm form);
 void emulated_badge(Ui& ui, std::string_view id, EmulatedForm form = EmulatedForm::whole);
-/// 24 high outline: a caption and a word in a tone. fault: the outline turns red.
-void outlined_badge(Ui& ui, std::string_view id, std::string_view caption, std::string_view word, Tone tone,
-                    std::string_view tip = {});
 
 }  // namespace hw::gui

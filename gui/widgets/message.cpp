@@ -66,20 +66,20 @@ int draw_actions(Ui& ui, std::span<const Action> actions, std::string_view aside
 
 }  // namespace
 
-MoodMark mood_mark(Mood mood) {
-  switch (mood) {
-    case Mood::plain: return {Tone::ink2, Tone::raised, Icon::info};
-    case Mood::ok: return {Tone::ok, Tone::ok_t, Icon::check};
-    case Mood::motion: return {Tone::motion, Tone::motion_t, Icon::play};
-    case Mood::warn: return {Tone::warn, Tone::warn_t, Icon::warning};
-    case Mood::fault: break;
+SeverityMark severity_mark(Severity severity) {
+  switch (severity) {
+    case Severity::plain: return {Tone::ink2, Tone::raised, Icon::info};
+    case Severity::ok: return {Tone::ok, Tone::ok_t, Icon::check};
+    case Severity::motion: return {Tone::motion, Tone::motion_t, Icon::play};
+    case Severity::warn: return {Tone::warn, Tone::warn_t, Icon::warning};
+    case Severity::fault: break;
   }
   return {Tone::fault, Tone::fault_t, Icon::diamond_solid};
 }
 
-void tinted(Ui& ui, Mood mood, float height_px) {
+void tinted(Ui& ui, Severity severity, float height_px) {
   const float y = ImGui::GetCursorScreenPos().y;
-  const MoodMark look = mood_mark(mood);
+  const SeverityMark look = severity_mark(severity);
   draw_across(ui, y, y + height_px, ui[look.tint], ui[look.ink]);
 }
 
@@ -91,8 +91,8 @@ int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Acti
   const float sentences = wrapped_height(ui, Face::body, what.sentences, width - indent);
   const float rows = actions.empty() ? 0 : ui.px(32) + ui.px(8);
   const float height = ui.px(12) + ui.line(Face::title_bold) + ui.px(6) + sentences + rows + ui.px(12);
-  const MoodMark look = mood_mark(what.mood);
-  tinted(ui, what.mood, height);
+  const SeverityMark look = severity_mark(what.severity);
+  tinted(ui, what.severity, height);
   draw_icon(ImGui::GetWindowDrawList(), what.icon, ImVec2(at.x + ui.px(8), at.y + ui.px(22)), ui.px(14),
             ui[look.ink]);
   draw_text_line(ui, at.x + indent, at.x + width, at.y + ui.px(22), Face::title_bold, ui[Tone::ink],
@@ -177,8 +177,8 @@ void draw_bar_words(Ui& ui, const Rect& in, const Banner& what) {
 int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const Rect all{at, ImVec2(at.x + room.x, at.y + room.y)};
-  const MoodMark look = mood_mark(what.mood);
-  tinted(ui, what.mood, all.height());
+  const SeverityMark look = severity_mark(what.severity);
+  tinted(ui, what.severity, all.height());
   show(ui, {.id = id, .kind = Kind::text, .label = what.title, .value = what.sentences, .card = true}, all);
   const float middle = std::floor(all.centre().y), line = ui.line(Face::small), side = ui.px(16);
   draw_icon(ImGui::GetWindowDrawList(), what.icon, ImVec2(at.x + side, middle), ui.px(14), ui[look.ink]);

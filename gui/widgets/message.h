@@ -4,18 +4,18 @@
 #include <span>
 #include <string_view>
 
-#include "gui/model/mood.h"
+#include "gui/model/severity.h"
 #include "gui/model/toasts.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/touch.h"
 
 namespace hw::gui {
 
-struct MoodMark {
+struct SeverityMark {
   Tone ink, tint;
   Icon icon;
 };
-MoodMark mood_mark(Mood mood);
+SeverityMark severity_mark(Severity severity);
 
 struct Action {
   std::string_view id, label;
@@ -25,7 +25,7 @@ struct Action {
   bool moving = false;
 };
 struct Banner {
-  Mood mood = Mood::fault;
+  Severity severity = Severity::fault;
   Icon icon = Icon::diamond_solid;
   std::string_view title;
   std::string_view sentences;   ///< lines broken by '\n'
@@ -40,7 +40,7 @@ float banner_height(const Ui& ui, const Banner& what, float width, bool actions)
 /// cut text is shown whole under the mouse.
 int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions);
 /// Tints a row or card and its bar at the left, from the cursor down `height_px`; draws nothing else.
-void tinted(Ui& ui, Mood mood, float height_px);
+void tinted(Ui& ui, Severity severity, float height_px);
 
 /// The newest message in `place`, for any view with room for it: mark, sentence, count, age, number of
 /// further messages, and a cross; in a width below 160 only its mark and their number. A press opens the list

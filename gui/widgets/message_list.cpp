@@ -52,7 +52,7 @@ void draw_ground(Ui& ui, const Rect& place, bool hovered) {
 }
 
 void draw_mark(Ui& ui, const Message& message, float left, float middle) {
-  const MoodMark mark = mood_mark(message.mood);
+  const SeverityMark mark = severity_mark(message.severity);
   draw_icon(ImGui::GetWindowDrawList(), mark.icon, ImVec2(left + ui.px(18), std::floor(middle)), ui.px(12),
             ui[mark.ink]);
 }

@@ -44,13 +44,6 @@ void tell(Ui& ui, std::string_view id, std::string_view words, const Rect& rect)
 
 const StateLook& look_of(State state) { return looks[static_cast<std::size_t>(state)]; }
 
-void state_word(Ui& ui, std::string_view id, State state, Face face) {
-  const StateLook& look = look_of(state);
-  const Rect rect = draw_state(ui, ImGui::GetCursorScreenPos(), look, face);
-  ImGui::Dummy(ImVec2(rect.width(), rect.height()));
-  tell(ui, id, look.word, rect);
-}
-
 float state_word_width(const Ui& ui, State state, Face face) {
   return ui.px(20) + std::ceil(text_width(ui, face, look_of(state).word));
 }

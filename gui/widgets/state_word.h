@@ -16,8 +16,6 @@ struct StateLook {
 };
 const StateLook& look_of(State state);
 
-/// Shape, gap 8, word in capitals; right aligned at `right` when drawn with draw_state_right.
-void state_word(Ui& ui, std::string_view id, State state, Face face = Face::body_bold);
 /// Width of shape and word, in pixels.
 float state_word_width(const Ui& ui, State state, Face face);
 /// At an exact place: ends at `right.x`, in a line of the face. Registers `id` when it is not empty. With

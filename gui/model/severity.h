@@ -4,6 +4,6 @@
 namespace hw::gui {
 
 /// Colour and shape of a message; its words stand on their own.
-enum class Mood : std::uint8_t { plain, ok, motion, warn, fault };
+enum class Severity : std::uint8_t { plain, ok, motion, warn, fault };
 
 }  // namespace hw::gui
