@@ -43,11 +43,11 @@ IntentId DoubtWays::send(Frame& f, IntentBody body) {
   return f.send_and_watch(std::move(body));
 }
 
-bool DoubtWays::hear(const Frame& f, const IntentFate& fate) {
-  if (fate.doubtful != 0 && sent_)
-    tell(f, fate.doubtful);
+bool DoubtWays::take_refusal(const Frame& f, const IntentOutcome& outcome) {
+  if (outcome.doubtful != 0 && sent_)
+    tell(f, outcome.doubtful);
   else if (open())
-    words_ = fate.sentence.view();  // a position to set was refused
+    words_ = outcome.sentence.view();  // a position to set was refused
   return open();
 }
 
@@ -151,8 +151,8 @@ IntentId DoubtWays::go(Frame& f, Way way, int mode) {
   const Sign sign = way == home_plus ? Sign::plus : Sign::minus;
   const int homing = homing_that_sets(f.catalog, mode, sign).value_or(0);  // it was offered
   if (homing != mode && mode >= 0)
-    f.toast(Mood::plain, fmt::format("Homing {}: the way that is chosen does not set the count.",
-                                     f.catalog.homing_modes[static_cast<std::size_t>(homing)].label));
+    f.toast(Severity::plain, fmt::format("Homing {}: the chosen mode does not set the count.",
+                                         f.catalog.homing_modes[static_cast<std::size_t>(homing)].label));
   f.send(intent::Home(axis_, sign, homing));
   return 0;
 }

@@ -3,7 +3,7 @@
 // command once all the same. A panel keeps one for each row that can be refused so, and uses it like this:
 //
 //     asked_ = doubt_.send(f, intent::MoveTo(...));                    // in place of f.send_and_watch()
-//     if (!doubt_.hear(f, *fate)) refused_ = fate->sentence.view();    // when it was refused or has failed
+//     if (!doubt_.take_refusal(f, *outcome)) refused_ = outcome->sentence.view();  // refused, or failed
 //     if (doubt_.open())
 //       if (const IntentId id = doubt_.draw(f, "goto", "Go, X", row, mode)) asked_ = id;
 //
@@ -25,8 +25,8 @@ class DoubtWays {
  public:
   /// Sends like Frame::send_and_watch(), and forgets the previous refusal.
   IntentId send(gui::Frame& frame, IntentBody body);
-  /// Call with any fate other than done. True: a position was doubtful, and the card tells it.
-  bool hear(const gui::Frame& frame, const IntentFate& fate);
+  /// Call with any outcome other than done. True: a position was doubtful, and the card tells it.
+  bool take_refusal(const gui::Frame& frame, const IntentOutcome& outcome);
   [[nodiscard]] bool open() const { return doubtful_ != 0; }
   /// Draws the card beside `row`. Returns the remedy's command, to be followed; 0: none was sent. `mode`: the
   /// chosen way of homing; -1: none. The card closes by itself once no position is doubtful.

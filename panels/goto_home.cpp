@@ -170,7 +170,7 @@ void GotoHome::draw_home_ways(Frame& f, ImVec2 at, float width) {
   const int picked = menu(f.ui, "home/mode", "Home", names_, {}, height);
   if (picked < 0) return;
   mode_ = picked;
-  f.toast(Mood::plain, fmt::format("Home now means: {}.", names_[static_cast<std::size_t>(picked)]));
+  f.toast(Severity::plain, fmt::format("Home now means: {}.", names_[static_cast<std::size_t>(picked)]));
 }
 
 void GotoHome::draw_row(Frame& f, AxisId axis) {

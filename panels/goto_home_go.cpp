@@ -101,10 +101,11 @@ std::string_view GotoHome::why_not_together(const Frame& f) const {
 void GotoHome::follow(Frame& f, AxisId axis) {
   Row& row = rows_[axis.index];
   if (f.now.forgotten(row.asked)) row.asked = 0;
-  const IntentFate* fate = f.now.fate_of(row.asked);
-  if (!fate || fate->fate == Fate::pending) return;
+  const IntentOutcome* outcome = f.now.outcome_of(row.asked);
+  if (!outcome || outcome->state == IntentState::pending) return;
   row.asked = 0;
-  if (fate->fate != Fate::done && !row.doubt.hear(f, *fate)) row.refused = f.tab.words_of(*fate);
+  if (outcome->state != IntentState::done && !row.doubt.take_refusal(f, *outcome))
+    row.refused = f.tab.words_of(*outcome);
 }
 
 void GotoHome::draw_refusal(Frame& f, AxisId axis, const Rect& beside) {

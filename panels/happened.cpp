@@ -80,7 +80,7 @@ float Happened::draw_tools(Frame& f, float left, float top) {
   ImGui::SetCursorScreenPos(ImVec2(left, top));
   if (button(ui, "happened/copy", "Copy", copy).clicked) {
     ImGui::SetClipboardText(said_.c_str());
-    f.toast(Mood::ok, "The events were copied.");
+    f.toast(Severity::ok, "The events were copied.");
   }
   return left + ui.px(button_width(ui, "Copy", copy));
 }

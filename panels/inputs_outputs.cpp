@@ -206,8 +206,8 @@ void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
   const bool on = bit(f.now.outputs, n), known = bit(f.now.outputs_known, n);
   const int number = f.catalog.output_number(static_cast<std::size_t>(n - 1));
   IntentId& asked = asked_[static_cast<std::size_t>(n)];
-  const IntentFate* fate = f.now.fate_of(asked);
-  if ((fate && fate->fate == Fate::done) || f.now.forgotten(asked)) asked = 0;
+  const IntentOutcome* outcome = f.now.outcome_of(asked);
+  if ((outcome && outcome->state == IntentState::done) || f.now.forgotten(asked)) asked = 0;
   ToggleOptions o;
   o.width = width;
   o.narrow = narrow;
@@ -217,8 +217,9 @@ void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
     o.state = ToggleState::stale;
     o.word = !known ? "?" : on ? "on?" : "off?";
   }
-  if (asked != 0) o.state = fate && fate->fate != Fate::pending ? ToggleState::refused : ToggleState::sending;
-  if (asked != 0 && fate && fate->fate != Fate::pending) o.tip = fate->sentence;
+  if (asked != 0)
+    o.state = outcome && outcome->state != IntentState::pending ? ToggleState::refused : ToggleState::sending;
+  if (asked != 0 && outcome && outcome->state != IntentState::pending) o.tip = outcome->sentence;
   if (asked != 0) o.word = {};
   o.disabled = !f.connected()   ? "There is no link."
                : !info.settable ? "This output cannot be set by the console."

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include <fmt/core.h>
 
+#include "core/base/log_levels.h"
 #include "gui/shell/console.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
@@ -22,9 +25,10 @@ namespace {
 
 constexpr float log_row = 20, log_time_x = 16, log_mark_x = 130, subject_x = 146;
 constexpr std::array<std::string_view, 4> least_names = {"errors", "warnings", "info", "all lines"};
-constexpr std::array<std::string_view, 5> level_names = {"log nothing", "log errors", "log warnings",
-                                                         "log info", "log all"};
-static_assert(static_cast<int>(Level::debug) == 4);
+constexpr std::array<std::string_view, 6> level_names = {"log nothing", "log errors", "log warnings",
+                                                         "log info",    "log all",    "log mixed"};
+constexpr int mixed_level = 5;  // shown, not chosen: parts of the subject log more or less than others
+static_assert(static_cast<int>(Level::debug) + 1 == mixed_level);
 
 struct LevelLook {
   Icon icon;
@@ -50,14 +54,10 @@ constexpr float words_at_least = 60, words_at_most = 160;
 
 LogView::LogView() {
   families_.push_back("all");
-  subjects_.push_back(&log::subject(""));
-  for (const std::string_view family : log::families()) {
-    families_.push_back(family);
-    subjects_.push_back(&log::subject(family));
-  }
+  for (const std::string_view family : log::families()) families_.push_back(family);
 }
 
-float LogView::draw_tools(Frame& f, float left, float right, float top) {
+float LogView::draw_tools(PageFrame& f, float left, float right, float top) {
   Ui& ui = f.ui;
   const ButtonOptions copy_look{.style = ButtonStyle::quiet, .tip = "The lines that are shown."};
   const float copy_width = button_width(ui, "Copy", copy_look);
@@ -86,14 +86,14 @@ float LogView::draw_tools(Frame& f, float left, float right, float top) {
   return x;
 }
 
-void LogView::copy(Frame& f) {
+void LogView::copy(PageFrame& f) {
   std::string text;
   f.console.log.append_text(text, 0, f.console.log.count());
   ImGui::SetClipboardText(text.c_str());
-  f.toast(Mood::ok, "The log lines were copied.");
+  f.toast(Severity::ok, "The log lines were copied.");
 }
 
-void LogView::draw_family(Frame& f, float width) {
+void LogView::draw_family(PageFrame& f, float width) {
   DropdownOptions o;
   o.width = width;
   o.tip = "The part of the program whose lines are shown.";
@@ -103,7 +103,7 @@ void LogView::draw_family(Frame& f, float width) {
   wanted_.family = family_ == 0 ? std::string_view() : families_[family_];
 }
 
-void LogView::draw_least(Frame& f, float width) {
+void LogView::draw_least(PageFrame& f, float width) {
   DropdownOptions o;
   o.width = width;
   o.tip = "The least serious lines that are shown.";
@@ -112,18 +112,22 @@ void LogView::draw_least(Frame& f, float width) {
   if (picked >= 0) wanted_.least = static_cast<Level>(picked + 1);
 }
 
-void LogView::draw_level(Frame& f, float width) {
+void LogView::draw_level(PageFrame& f, float width) {
   DropdownOptions o;
   o.width = width;
   o.tip =
       "How much the chosen subject logs from now on, here, in the file and on standard error. "
       "\u201cLog all\u201d also logs each decision.";
-  const int picked =
-      dropdown(f.ui, "decisions/level", "Log", level_names, static_cast<int>(subjects_[family_]->level()), o);
-  if (picked >= 0) log::set_level(family_ == 0 ? "" : families_[family_], static_cast<Level>(picked));
+  const std::string_view path = family_ == 0 ? std::string_view() : families_[family_];
+  const std::optional<Level> level = log::common_level(path);
+  const int shown = level ? static_cast<int>(*level) : static_cast<int>(level_names.size()) - 1;
+  const std::span<const std::string_view> names =
+      std::span(level_names).first(level_names.size() - (level ? 1 : 0));
+  const int picked = dropdown(f.ui, "decisions/level", "Log", names, shown, o);
+  if (picked >= 0 && picked != mixed_level) log::set_level(path, static_cast<Level>(picked));
 }
 
-void LogView::draw(Frame& f, float height) {
+void LogView::draw(PageFrame& f, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, f.ui[Tone::well]);
   ImGui::BeginChild("decisions/log", ImVec2(0, height), false,
@@ -134,7 +138,7 @@ void LogView::draw(Frame& f, float height) {
   ImGui::EndChild();
 }
 
-LogView::Rows LogView::draw_rows(Frame& f) {
+LogView::Rows LogView::draw_rows(PageFrame& f) {
   Ui& ui = f.ui;
   const LogLines& log = f.console.log;
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
@@ -156,7 +160,7 @@ LogView::Rows LogView::draw_rows(Frame& f) {
   if (log.count() == 0)
     draw_text_line(ui, corner.x + ui.px(log_time_x), corner.x + size.x - ui.px(16), corner.y + pad + row / 2,
                    Face::body, ui[Tone::ink3],
-                   "Nothing has been logged yet that is shown here. Choose \u201clog all\u201d to see each "
+                   "No line has been logged yet that this list shows. Choose \u201clog all\u201d to see each "
                    "decision from now on.");
   ImGui::SetCursorPos(ImVec2(0, static_cast<float>(log.count()) * row + pad + ui.px(4)));
   ImGui::Dummy(ImVec2(0, 0));
@@ -189,7 +193,7 @@ void LogView::draw_row(const Ui& ui, const log::Line& line, const Rect& place, f
 }
 
 // Rebuilt only on a change.
-void LogView::say(Frame& f, Rows visible) {
+void LogView::say(PageFrame& f, Rows visible) {
   const LogLines& log = f.console.log;
   if (said_version_ != log.version() || said_rows_.begin != visible.begin || said_rows_.end != visible.end) {
     said_version_ = log.version(), said_rows_ = visible;

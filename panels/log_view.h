@@ -15,26 +15,25 @@ class LogView {
  public:
   LogView();
   /// Fills the remaining width and `height` pixels.
-  void draw(gui::Frame& frame, float height);
+  void draw(gui::PageFrame& frame, float height);
   /// Draws the tools from `left` to `right`, in pixels, as far as they fit. Returns their end.
-  float draw_tools(gui::Frame& frame, float left, float right, float top);
+  float draw_tools(gui::PageFrame& frame, float left, float right, float top);
   /// All lines that are shown, to the clipboard.
-  static void copy(gui::Frame& frame);
+  static void copy(gui::PageFrame& frame);
 
  private:
   struct Rows {
     std::size_t begin, end;
   };
-  void draw_family(gui::Frame& frame, float width);
-  void draw_least(gui::Frame& frame, float width);
-  void draw_level(gui::Frame& frame, float width);
-  [[nodiscard]] Rows draw_rows(gui::Frame& frame);
+  void draw_family(gui::PageFrame& frame, float width);
+  void draw_least(gui::PageFrame& frame, float width);
+  void draw_level(gui::PageFrame& frame, float width);
+  [[nodiscard]] Rows draw_rows(gui::PageFrame& frame);
   static float draw_lost(const gui::Ui& ui, std::uint64_t lost, float top);
   static void draw_row(const gui::Ui& ui, const hw::log::Line& line, const gui::Rect& place, float words_at);
-  void say(gui::Frame& frame, Rows visible);
+  void say(gui::PageFrame& frame, Rows visible);
 
-  std::vector<std::string_view> families_;         ///< the first: all
-  std::vector<const hw::log::Subject*> subjects_;  ///< of families_: their levels
+  std::vector<std::string_view> families_;  ///< the first: all
   gui::LogLines::View wanted_;
   std::size_t family_ = 0;                          ///< of families_: the one shown
   float subject_width_ = 0;                         ///< of the longest subject shown, pixels ...

@@ -227,7 +227,16 @@ void MemoryMap::draw_register(Frame& f, std::size_t i, float width) {
   const Rect line{ImVec2(at.x, y + ui.px(bits_height)), ImVec2(row.max.x, y + ui.px(bits_height + 20))};
   draw_text_line(ui, line.min.x, line.max.x, std::floor(line.centre().y), Face::small,
                  ui[is_fresh ? Tone::ink2 : Tone::ink3], names);
-  show(ui, {Path("register/{}/bits", address.view()), Kind::text, "set", names}, line);
+  const bool cut = text_width(ui, Face::small, names) > line.width();
+  show(ui,
+       {Path("register/{}/bits", address.view()),
+        Kind::text,
+        "set",
+        names,
+        {},
+        false,
+        cut ? names : std::string_view()},
+       line);
   ImGui::SetCursorScreenPos(ImVec2(at.x, line.max.y + ui.px(4)));
 }
 

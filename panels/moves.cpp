@@ -58,11 +58,11 @@ void Moves::draw(Frame& f) {
 void Moves::follow(Frame& f) {
   works_ = f.now.feed.running || (works_ && f.now.feed.total > 0 && f.now.any_axis_moving());
   if (f.now.forgotten(started_)) started_ = 0;
-  const IntentFate* fate = f.now.fate_of(started_);
-  if (!fate || fate->fate == Fate::pending) return;
+  const IntentOutcome* outcome = f.now.outcome_of(started_);
+  if (!outcome || outcome->state == IntentState::pending) return;
   started_ = 0;
-  if (fate->fate != Fate::done && !doubt_.hear(f, *fate))
-    f.toast(Mood::fault, std::string(fate->sentence.view()));
+  if (outcome->state != IntentState::done && !doubt_.take_refusal(f, *outcome))
+    f.toast(Severity::fault, std::string(outcome->sentence.view()));
 }
 
 // ---- toolbar

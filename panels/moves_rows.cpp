@@ -58,13 +58,13 @@ std::optional<std::vector<MoveRow>> Moves::values(const MoveListFacts& facts, st
 }
 
 std::string_view Moves::unkept() const {
-  return edited_ && !rows_.empty() ? "The list of moves has changes that are in no file." : "";
+  return edited_ && !rows_.empty() ? "The list of moves has unsaved changes." : "";
 }
 
 void Moves::start(Frame& f) {
   std::string why;
   auto rows = values(f.catalog.move_list, why);
-  if (!rows) return f.toast(Mood::fault, why + ". Nothing was sent.");
+  if (!rows) return f.toast(Severity::fault, why + ". Nothing was sent.");
   started_ = doubt_.send(f, intent::FeedMoves(std::move(*rows)));
 }
 
@@ -79,21 +79,23 @@ void Moves::begin_new(Frame& f) {
 void Moves::save(Frame& f, const std::filesystem::path& path) {
   std::string why;
   const auto rows = values(f.catalog.move_list, why);
-  if (!rows) return f.toast(Mood::fault, why + ". Nothing was saved.");
+  if (!rows) return f.toast(Severity::fault, why + ". Nothing was saved.");
   TextFile file;
   file.text = write_moves(*rows, f.catalog.move_list);
   const auto saved = save_text(path, file);
-  if (!saved) return f.toast(Mood::fault, saved.error().sentence());
+  f.withdraw(&file_);  // why the last one was not saved or opened
+  if (!saved) return f.toast(Severity::fault, saved.error().sentence(), &file_);
   file_ = path;
   edited_ = false;
-  f.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
+  f.toast(Severity::ok, fmt::format("Saved as {}.", path.string()));
 }
 
 void Moves::open(Frame& f, const std::filesystem::path& path) {
+  f.withdraw(&file_);
   const auto file = load_text(path);
-  if (!file) return f.toast(Mood::fault, file.error().sentence());
+  if (!file) return f.toast(Severity::fault, file.error().sentence(), &file_);
   const auto rows = read_moves(file->text, f.catalog.move_list);
-  if (!rows) return f.toast(Mood::fault, rows.error().sentence());
+  if (!rows) return f.toast(Severity::fault, rows.error().sentence(), &file_);
   show_rows(*rows, f.catalog.move_list);
   file_ = path;
   edited_ = false;
@@ -102,7 +104,7 @@ void Moves::open(Frame& f, const std::filesystem::path& path) {
 void Moves::draw_dialogs(Frame& f) {
   if (asking_) {
     const Dialog what{.title = "Replace the list?",
-                      .sentences = "It has changes that are in no file.",
+                      .sentences = "It has unsaved changes.",
                       .yes = "Replace",
                       .no = "Keep the list"};
     if (dialog(f.ui, "list/replace", asking_, what) == Answer::yes) begin_new(f);

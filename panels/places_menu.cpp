@@ -155,7 +155,7 @@ void PlacesMenu::draw_save(Frame& f) {
 
 void PlacesMenu::save(Frame& f) {
   auto at = standing_place(f.catalog, f.now);
-  if (!at) return f.toast(Mood::fault, at.error().sentence());
+  if (!at) return f.toast(Severity::fault, at.error().sentence());
   put_place(f.tab.profile.places, {std::move(name_), std::move(*at)});
   name_.clear();
   f.tab.profile_edited();

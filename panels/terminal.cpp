@@ -41,12 +41,14 @@ void Terminal::draw(Frame& f) {
   if (!offered_.empty()) draw_list(f, bottom - f.ui.px(command_row));
   draw_command(f);
   if (const auto path = save_.draw(f.ui)) {
+    f.withdraw(&save_);  // why it was not saved before
     desk.worker().run([path = *path, text = desk.traffic.text_of_all()] { return write_file(path, text); },
-                      [&console = f.console, path = *path](Result<> written) {
+                      [&console = f.console, path = *path, attempt = &save_](Result<> written) {
                         if (written)
-                          console.toast(Mood::ok, fmt::format("The traffic was saved as {}.", path.string()));
+                          console.toast(Severity::ok,
+                                        fmt::format("The traffic was saved as {}.", path.string()));
                         else
-                          console.toast(Mood::fault, written.error().sentence());
+                          console.toast(Severity::fault, written.error().sentence(), attempt);
                       },
                       desk.alive());
   }
@@ -236,10 +238,11 @@ float Terminal::draw_to(Frame& f, float top) {
 void Terminal::send(Frame& f) {
   if (command_.empty()) return;
   if (!f.connected())
-    return f.toast(Mood::warn, "There is no link. Nothing was sent; what you typed stays here.", &f.tab);
+    return f.toast(Severity::warn, "There is no link. Nothing was sent; what you typed stays here.", &f.tab);
   f.send(intent::SendText(command_, to_all_));
   if (to_all_)
-    f.toast(Mood::plain, fmt::format("Sent to {}. None of them replies to that.", whom_all_means(f).view()));
+    f.toast(Severity::plain,
+            fmt::format("Sent to {}. None of them replies to that.", whom_all_means(f).view()));
   to_all_ = false;  // valid for one line: the next line must not go to all by oversight
   auto& history = f.tab.desk().history;
   if (history.empty() || history.back() != command_) history.push_back(command_);

@@ -53,8 +53,11 @@ LogTools tools_that_fit(Ui& ui, std::span<const LogTool> toggles, std::span<cons
     return fit.width <= room;
   };
   if (measure()) return fit;
-  fit.filter = narrow_filter, fit.space = 0;
-  if (measure()) return fit;
+  fit.filter = narrow_filter;
+  for (const float space : {4.0f, 0.0f}) {
+    fit.space = space;
+    if (measure()) return fit;
+  }
   fit.actions = false;
   if (measure()) return fit;
   fit.toggles = false;
@@ -206,7 +209,7 @@ void Terminal::act(Frame& f, TrafficLog& log, std::string_view id) {
     return save_.ask_save("Save the traffic", save_.folder() / "traffic.log", {".log", ".txt"});
   if (id == "terminal/copy") {
     ImGui::SetClipboardText(rows_.copied(log).c_str());
-    return f.toast(Mood::ok, "The traffic was copied.");
+    return f.toast(Severity::ok, "The traffic was copied.");
   }
   log.clear();
   rows_.choose_none();

@@ -132,7 +132,7 @@ void Variables::draw_cell(Frame& f, int n, float width) {
   if (e.committed) f.send(intent::SetVariable(n, std::llround(e.value)));
   if (refused)
     f.toast(
-        Mood::fault,
+        Severity::fault,
         fmt::format("{}: {}{} Nothing was sent.", name.view(), sentence, sentence.ends_with('.') ? "" : "."),
         &fields_[index]);
 }
@@ -160,10 +160,10 @@ void Variables::draw_command(Frame& f) {
 }
 
 void Variables::set(Frame& f) {
-  const auto wish = parse_assignment(command_, f.catalog.variables);
-  if (!wish) return f.toast(Mood::fault, wish.error().sentence());
-  f.send(intent::SetVariable(wish->first, wish->second));
-  NumberField& field = fields_[static_cast<std::size_t>(wish->first)];
+  const auto request = parse_assignment(command_, f.catalog.variables);
+  if (!request) return f.toast(Severity::fault, request.error().sentence());
+  f.send(intent::SetVariable(request->first, request->second));
+  NumberField& field = fields_[static_cast<std::size_t>(request->first)];
   field.reset();
   f.withdraw(&field);
   command_.clear();

@@ -40,6 +40,7 @@ void BlockFiles::ask_or_open(Frame& f, const std::filesystem::path& path) {
 
 void BlockFiles::open(Frame& f, const std::filesystem::path& path) {
   Desk& desk = f.tab.desk();
+  f.withdraw(&desk.blocks);  // why the last one was not opened or saved
   desk.worker().run(
       [path]() -> Result<sequence::Sequence> {
         constexpr std::uintmax_t largest = 64u << 20;
@@ -48,7 +49,7 @@ void BlockFiles::open(Frame& f, const std::filesystem::path& path) {
         return sequence::read_sequence(*text, path.filename().string());
       },
       [&console = f.console, &blocks = desk.blocks, path](Result<sequence::Sequence> sequence) {
-        if (!sequence) return console.toast(Mood::fault, sequence.error().sentence());
+        if (!sequence) return console.toast(Severity::fault, sequence.error().sentence(), &blocks);
         blocks.opened(path, std::move(*sequence));
       },
       desk.alive());
@@ -56,15 +57,16 @@ void BlockFiles::open(Frame& f, const std::filesystem::path& path) {
 
 void BlockFiles::save(Frame& f, const std::filesystem::path& path) {
   Desk& desk = f.tab.desk();
+  f.withdraw(&desk.blocks);
   desk.worker().run(
       [path, sequence = desk.blocks.editor.shared()] {
         return write_file(path, sequence::write_sequence(*sequence));
       },
       [&console = f.console, &blocks = desk.blocks, version = desk.blocks.editor.version(),
        path](Result<> written) {
-        if (!written) return console.toast(Mood::fault, written.error().sentence());
+        if (!written) return console.toast(Severity::fault, written.error().sentence(), &blocks);
         blocks.saved(path, version);
-        console.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
+        console.toast(Severity::ok, fmt::format("Saved as {}.", path.string()));
       },
       desk.alive());
 }
@@ -93,7 +95,7 @@ void BlockFiles::draw_dialogs(Frame& f) {
   if (const auto path = open_.draw(f.ui)) ask_or_open(f, *path);
   if (asking_open_) {
     const Dialog what{.title = "Replace the blocks?",
-                      .sentences = "They have changes that are in no file.",
+                      .sentences = "The blocks have unsaved changes.",
                       .yes = "Replace",
                       .no = "Keep them"};
     if (dialog(f.ui, "blocks/discard", asking_open_, what) == Answer::yes) open(f, to_open_);

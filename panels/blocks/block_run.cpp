@@ -23,15 +23,15 @@ void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not
   look.brief = f.area.width < 860;
   look.rehearsed = rehearsed;
   look.tip = text.tool;
-  RunWish wish = run_bar(f, "blocks", look);
+  RunRequest request = run_bar(f, "blocks", look);
   if (f.ui.keyboard.pressed(Command::run)) {
     if (look.why_not.empty())
-      wish = go_on_or(f, RunWish::run);
+      request = go_on_or(f, RunRequest::run);
     else
-      f.toast(Mood::warn, std::string(look.why_not), &f.tab.desk().texts);
+      f.toast(Severity::warn, std::string(look.why_not), &f.tab.desk().texts);
   }
-  if (wish != RunWish::none && !doubt_.holds_back(f, wish, text.text))
-    ask_or_put(f, text, wish == RunWish::run ? Wanted::run : Wanted::run_stepping);
+  if (request != RunRequest::none && !doubt_.holds_back(f, request, text.text))
+    ask_or_put(f, text, request == RunRequest::run ? Wanted::run : Wanted::run_stepping);
   ImGui::SameLine(0, f.ui.px(f.area.width < closer_below ? 4 : 8));
   const ButtonOptions to_program{
       .disabled = why_not, .tip = "Puts the text into the program editor.", .height = 40};
@@ -41,8 +41,8 @@ void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not
 
 void BlockRun::draw_doubt(Frame& f, const SequenceText& text, const Rect& row) {
   const RunDoubt::Once once = doubt_.draw(f, "blocks", row, text.text);
-  if (once.wish == RunWish::none) return;
-  ask_or_put(f, text, once.wish == RunWish::run ? Wanted::run : Wanted::run_stepping, once.agreed);
+  if (once.request == RunRequest::none) return;
+  ask_or_put(f, text, once.request == RunRequest::run ? Wanted::run : Wanted::run_stepping, once.agreed);
 }
 
 void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted,
@@ -50,7 +50,7 @@ void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted,
   const ProgramTexts& texts = f.tab.desk().texts;
   if (wanted != Wanted::to_program && !agreed)  // then the program is not replaced either
     if (std::string why = why_not_run_there(f.tab, text.text); !why.empty())
-      return f.toast(Mood::warn, std::move(why), &texts);
+      return f.toast(Severity::warn, std::move(why), &texts);
   wanted_ = wanted, agreed_ = std::move(agreed);
   go_ahead_ = f.tab.desk().until_stopped();
   asking_ = texts.edited(texts.chosen()) && texts.text(texts.chosen()) != text.text;
@@ -63,29 +63,27 @@ void BlockRun::put(Frame& f, const SequenceText& text) {
   switch (std::exchange(wanted_, Wanted::nothing)) {
     case Wanted::nothing: return;
     case Wanted::to_program: return f.show_panel("program");
-    case Wanted::run: return run(f, RunWish::run);
-    case Wanted::run_stepping: return run(f, RunWish::run_stepping);
+    case Wanted::run: return run(f, RunRequest::run);
+    case Wanted::run_stepping: return run(f, RunRequest::run_stepping);
   }
 }
 
 /// While the question stood, a stop may have come or another run may have begun: then the text is only put
 /// there.
-void BlockRun::run(Frame& f, RunWish wish) {
+void BlockRun::run(Frame& f, RunRequest request) {
   if (go_ahead_.expired())
-    return f.toast(Mood::warn, "A stop came first. The text was put into the program and not run.");
+    return f.toast(Severity::warn, "A stop came first. The text was put into the program and not run.");
   std::string_view why = why_none_runs(f);
   if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
-  if (why.empty()) return begin_run(f, wish, std::exchange(agreed_, std::nullopt));
-  f.toast(Mood::warn, std::string(why), &f.tab.desk().texts);
+  if (why.empty()) return begin_run(f, request, std::exchange(agreed_, std::nullopt));
+  f.toast(Severity::warn, std::string(why), &f.tab.desk().texts);
 }
 
 void BlockRun::draw_dialog(Frame& f, const SequenceText& text) {
   run_from_.draw_dialog(f, "blocks");
   if (!asking_) return;
   const Dialog what{.title = "Replace the text?",
-                    .sentences =
-                        "The program has changes that are in no file. The text of the blocks would "
-                        "take its place.",
+                    .sentences = "The program has unsaved changes. The text of the blocks would replace it.",
                     .yes = wanted_ == Wanted::to_program ? "Replace" : "Replace and run",
                     .no = "Keep the text"};
   if (dialog(f.ui, "blocks/replace", asking_, what) == Answer::yes) put(f, text);

@@ -37,7 +37,7 @@ class BlockRun {
   void ask_or_put(gui::Frame& frame, const SequenceText& text, Wanted wanted,
                   std::optional<gui::AgreedDoubts> agreed = {});
   void put(gui::Frame& frame, const SequenceText& text);
-  void run(gui::Frame& frame, RunWish wish);
+  void run(gui::Frame& frame, RunRequest request);
 
   RunFrom run_from_;
   Wanted wanted_ = Wanted::nothing;          ///< to be done once the question is answered

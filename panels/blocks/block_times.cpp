@@ -7,11 +7,15 @@
 #include "core/base/index.h"
 #include "core/device/step_times.h"
 #include "core/sequence/steps_in.h"
+#include "gui/model/units_format.h"
 
 namespace hw::panels {
 
 namespace seq = sequence;
 namespace {
+
+/// A motion of this length that the rehearsal has not seen the end of goes on beyond it.
+constexpr double long_s = 60;
 
 /// First and last start of a step, and the number of starts.
 struct Begun {
@@ -63,6 +67,10 @@ class Times {
     if (inner)
       for (const seq::Step& below : *inner) all += tell(below, false);
     const auto* loop = std::get_if<seq::Repeat>(&step.body);
+    if (row == last_ && !r_.finished && !r_.endless && !inner && seconds_[ix(row)] >= long_s) {
+      made_.of_step[ix(row)] = fmt::format("over {}", gui::format_duration(all).view());
+      return all;
+    }
     if (!loop || loop->times == 1) return say(row, all);
     const double pass = pass_of(row, *loop, all, outermost);
     if (pass <= 0) return say(row, all);

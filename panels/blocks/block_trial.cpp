@@ -11,18 +11,29 @@
 #include "gui/model/units_format.h"
 #include "gui/surface/ui.h"
 #include "panels/blocks/block_times.h"
+#include "panels/program/rehearsal_words.h"
+#include "panels/program/run_bar.h"
 
 namespace hw::panels {
 
 using namespace gui;
 namespace {
 
-constexpr double tried_for_s = 600, block_seen_every_s = 0.02;
+/// First briefly, with a fine path; what has not ended by then is tried for as long as Simulate does.
+struct Length {
+  double for_s, seen_every_s;
+};
+constexpr Length brief{600, 0.02};
+const Length as_simulated{RehearseOptions().for_seconds, 0.2};
+
+bool out_of_time(const Rehearsal& r, double for_s) {
+  return !r.finished && !r.endless && r.duration_s >= for_s;
+}
 
 }  // namespace
 
 void BlockTrial::forget() {
-  times_.clear(), total_.clear();
+  times_.clear(), total_.clear(), assumed_.clear(), stops_.clear();
   path_ = nullptr;
   none_ = "Nothing moves yet.";
   without_.clear();
@@ -38,9 +49,14 @@ void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& wr
   const Rehearsals::Outcome* done = outcome();
   if (done && done->number != taken_) {
     taken_ = done->number;
-    if (done->text == tried_->text.text) take(f, *done);
+    if (done->text == tried_->text.text) {
+      take(f, *done);
+      if (!at_length_ && done->result && out_of_time(*done->result, brief.for_s) && written == tried_)
+        return start(f, true);
+    }
   }
-  if (rehearsals_.under_way(program_)) return;
+  if (rehearsals_.under_way(program_) || (again_ && reads_set_up(f))) return;
+  reading_ = 0;
   const bool again = std::exchange(again_, false);
   // Blocks are the first program of their text.
   const int program = f.catalog.program.threads > 0 ? 0 : desk.texts.chosen();
@@ -48,30 +64,44 @@ void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& wr
   const bool same = tried_ && !written->text.text.empty() && written->text.text == tried_->text.text;
   tried_ = written;
   if (same && program == program_ && !again) {  // but from different blocks
-    if (done && done->text == tried_->text.text) take(f, *done);
+    if (!done || done->text != tried_->text.text) return;
+    take(f, *done);
+    if (!at_length_ && done->result && out_of_time(*done->result, brief.for_s)) start(f, true);
     return;
   }
   program_ = program;
   if (written->text.text.empty()) return forget();
-  start(f);
+  start(f, false);
 }
 
-void BlockTrial::start(Frame& f) {
-  RehearseOptions wish;
-  wish.slot = program_;
-  wish.track_every_s = block_seen_every_s;
-  wish.for_seconds = tried_for_s;
+/// As Simulate does; whatever cannot be read is named as an assumption.
+bool BlockTrial::reads_set_up(Frame& f) {
+  const Desk& desk = f.tab.desk();
+  if (!desk.can_tell_more(f.now) || desk.job.busy() || is_under_way(f.now.program)) return false;
+  if (reading_ == 0) reading_ = f.send(intent::ReadParams());
+  const IntentOutcome* read = f.now.outcome_of(reading_);
+  const bool settled = read ? read->state != IntentState::pending : f.now.forgotten(reading_);
+  return !settled && reading_ != 0;
+}
+
+void BlockTrial::start(Frame& f, bool at_length) {
+  at_length_ = at_length;
+  const Length& length = at_length ? as_simulated : brief;
+  RehearseOptions request;
+  request.slot = program_;
+  request.track_every_s = length.seen_every_s;
+  request.for_seconds = length.for_s;
   Desk& desk = f.tab.desk();
-  rehearsals_.start(*desk.language(), tried_->text.text, wish, desk.state_of(f.now), f.bench, f.catalog,
+  rehearsals_.start(*desk.language(), tried_->text.text, request, desk.state_of(f.now), f.bench, f.catalog,
                     desk.worker());
   f.ui.wake_in(0);
 }
 
 Rehearsed BlockTrial::rehearsed(const Frame& f) const {
   if (!tried_ || tried_->text.text.empty()) return {};
-  if (rehearsals_.under_way(program_)) return {false, "It is being rehearsed."};
+  if (rehearsals_.under_way(program_) || again_) return {false, "It is being rehearsed."};
   if (goes_on_ && outcome() && outcome()->text == tried_->text.text)
-    return {false, "Rehearsed for ten minutes: it goes on longer than that."};
+    return {false, "Rehearsed for an hour: it goes on longer than that."};
   return panels::rehearsed(f, outcome(), tried_->text.text);
 }
 
@@ -110,8 +140,12 @@ void BlockTrial::take(Frame& f, const Rehearsals::Outcome& outcome) {
   goes_on_ = times.goes_on;
   total_ = r.finished ? std::string(format_duration(r.duration_s).view())
            : goes_on_ ? fmt::format("at least {}", format_duration(times.at_least_s).view())
-                      : r.error;
+           : out_of_time(r, brief.for_s)
+               ? fmt::format("Rehearsed for {}. {}", format_duration(r.duration_s).view(), r.error)
+               : r.error;
   without_ = without_words(*tried_);
+  stops_ = stop_words(r);
+  assumed_ = assumption_words(r);
   if (f.catalog.axes.size() < 2) return;
   TrackAxes axes;
   axes.right = {0, from_steps(Steps(1), f.tab.unit(AxisId{0}))};

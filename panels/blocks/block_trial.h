@@ -19,7 +19,7 @@ class BlockTrial {
  public:
   /// Call once a frame. Blocks that cannot be written have no times; the others are rehearsed without them.
   void follow(gui::Frame& frame, const std::shared_ptr<const WrittenBlocks>& written);
-  /// Rehearses the same text again, from where the axes stand now.
+  /// Rehearses the same text again, from where the axes stand now, with all that the controller can tell.
   void again() { again_ = true; }
   /// What Run says about it; no words: there is nothing to run.
   [[nodiscard]] Rehearsed rehearsed(const gui::Frame& frame) const;
@@ -34,6 +34,10 @@ class BlockTrial {
   [[nodiscard]] bool goes_on() const { return goes_on_; }
   /// "without 8": blocks left out because they cannot be written; empty: none.
   [[nodiscard]] std::string_view without() const { return without_; }
+  /// What stops it too early, and why; by line of the text.
+  [[nodiscard]] const std::vector<std::string>& stops() const { return stops_; }
+  /// What the controller cannot tell and was taken for granted; empty: nothing.
+  [[nodiscard]] const std::string& assumed() const { return assumed_; }
   /// Draws at ImGui's cursor, logical size, with the lines of the step lit. Id: `blocks/path`.
   void draw_path(gui::Frame& frame, int lit_step, float width, float height);
   /// Step whose line was clicked in this frame; -1: none.
@@ -42,16 +46,19 @@ class BlockTrial {
  private:
   void take(gui::Frame& frame, const gui::Rehearsals::Outcome& outcome);
   void forget();
-  void start(gui::Frame& frame);
+  void start(gui::Frame& frame, bool at_length);
+  [[nodiscard]] bool reads_set_up(gui::Frame& frame);
   [[nodiscard]] const gui::Rehearsals::Outcome* outcome() const { return rehearsals_.of(program_); }
 
   gui::Rehearsals rehearsals_;
   std::shared_ptr<const WrittenBlocks> tried_;  ///< being rehearsed, or rehearsed last
   int program_ = 0;                             ///< by which it would be started
-  bool again_ = false;
-  int taken_ = 0;                       ///< Rehearsals::Outcome::number
-  std::vector<std::string> times_;      ///< by step
-  std::string total_, without_, none_;  ///< none_: why there is no path
+  bool again_ = false, at_length_ = false;
+  IntentId reading_ = 0;                          ///< its set-up; 0: not now
+  int taken_ = 0;                                 ///< Rehearsals::Outcome::number
+  std::vector<std::string> times_;                ///< by step
+  std::string total_, without_, assumed_, none_;  ///< none_: why there is no path
+  std::vector<std::string> stops_;
   bool ends_ = false, goes_on_ = false;
   std::shared_ptr<const drawing::ToolPath> path_;
   PathCanvas canvas_;

@@ -130,7 +130,16 @@ void Blocks::draw_row_at(Frame& f, int row, ImVec2 at, float width) {
   draw_row(f, ix(row), width);
 }
 
-/// The total time, or why it is unknown.
+static void draw_sentence(Frame& f, std::string_view id, std::string_view label, Tone tone,
+                          std::string_view words, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  wrapped(f.ui, Face::small, tone, words, width);
+  show(f.ui, {.id = id, .kind = Kind::text, .label = label, .value = words},
+       {at, ImVec2(at.x + f.ui.px(width), ImGui::GetCursorScreenPos().y)});
+  gap(f.ui, 6);
+}
+
+/// The total time, or why it is unknown; what stops the run too early, and what had to be assumed.
 void Blocks::draw_total(Frame& f, float width) {
   Ui& ui = f.ui;
   const ProgramFacts& program = f.catalog.program;
@@ -149,15 +158,20 @@ void Blocks::draw_total(Frame& f, float width) {
   else if (trial_.goes_on())
     key_value(ui, "blocks/at_least", key, trial_.total());
   else
-    wrapped(ui, Face::body, Tone::ink2, trial_.total(), width);
+    draw_sentence(f, "blocks/no_end", "Rehearsed", Tone::ink2, trial_.total(), width);
+  for (std::size_t i = 0; i < trial_.stops().size(); ++i)
+    draw_sentence(f, Path("blocks/stop/{}", i + 1), "Stop", Tone::warn, trial_.stops()[i], width);
+  if (!trial_.assumed().empty())
+    draw_sentence(f, "blocks/assumed", "Assumed", Tone::ink2, trial_.assumed(), width);
   draw_again(f, width);
 }
 
-/// What has changed since the rehearsal.
+/// What has changed since the rehearsal, or could be known better.
 void Blocks::draw_again(Frame& f, float width) {
-  if (!trial_.is_old() || is_under_way(f.now.program)) return;
+  const bool old = trial_.is_old(), assumes = !trial_.assumed().empty() && f.tab.desk().can_tell_more(f.now);
+  if ((!old && !assumes) || is_under_way(f.now.program)) return;
   Ui& ui = f.ui;
-  wrapped(ui, Face::small, Tone::warn, trial_.rehearsed(f).words, width);
+  if (old) wrapped(ui, Face::small, Tone::warn, trial_.rehearsed(f).words, width);
   gap(ui, 8);
   const std::string_view why = f.now.any_axis_moving() ? "An axis is moving." : "";
   if (button(ui, "blocks/again", "Rehearse from here", {.keys = "F5", .disabled = why}).clicked)

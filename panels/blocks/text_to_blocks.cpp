@@ -47,12 +47,11 @@ void TextToBlocks::show(Frame& f) {
     return f.show_panel("blocks");
   }
   f.show_panel("blocks", "blocks/from_text");
-  f.toast(Mood::plain,
-          "The blocks have changes that are in no file. From the text asks before it replaces them.");
+  f.toast(Severity::plain, "The blocks have unsaved changes. From the text asks before it replaces them.");
 }
 
 void TextToBlocks::read(Frame& f) {
-  if (const auto why = why_not(f); !why.empty()) return f.toast(Mood::warn, std::string(why));
+  if (const auto why = why_not(f); !why.empty()) return f.toast(Severity::warn, std::string(why));
   Desk& desk = f.tab.desk();
   desk.worker().run(
       [language = desk.language(), text = desk.texts.text(desk.texts.chosen()),
@@ -60,8 +59,8 @@ void TextToBlocks::read(Frame& f) {
         return language->read(text, *frame, *catalog);
       },
       [&console = f.console, &tab = f.tab](Result<SequenceRead> read) {
-        if (!read) return console.toast(tab, Mood::warn, read.error().sentence(), &tab.desk().texts);
-        console.toast(tab, Mood::ok, what_came(*read));
+        if (!read) return console.toast(tab, Severity::warn, read.error().sentence(), &tab.desk().texts);
+        console.toast(tab, Severity::ok, what_came(*read));
         tab.desk().blocks.became(std::move(read->sequence));
       },
       desk.alive());
@@ -72,8 +71,8 @@ void TextToBlocks::draw_dialog(Frame& f) {
   if (!asking_) return;
   const Dialog what{.title = "Replace the blocks?",
                     .sentences =
-                        "They have changes that are in no file. Those that the text becomes would take their "
-                        "place; undo brings them back.",
+                        "The blocks have unsaved changes. Those made from the text would replace them; undo "
+                        "brings them back.",
                     .yes = "Replace",
                     .no = "Keep them"};
   if (dialog(f.ui, "blocks/replace_all", asking_, what) == Answer::yes) read(f);

@@ -30,7 +30,11 @@ void Connect::draw(PageFrame& f) {
   Ui& ui = f.ui;
   const Box& a = f.area;
   look_at_recent(f.console);
-  if (const Tab* tab = f.console.take_link_to_examine()) card_.unfold(f, *tab);
+  if (const Tab* tab = f.console.take_link_to_examine()) {
+    card_.unfold(f, *tab);
+    log_shown_ = false;
+  }
+  if (log_shown_) return draw_log(f);
   if (f.tier == Tier::narrow) {
     begin_part(ui, "all", ui.px(a.width), ui.px(a.height), Tone::panel, 16);
     const float width = a.width - 32;
@@ -67,17 +71,18 @@ StatusSentence Connect::status(Console& console) {
   const auto answering = std::count_if(
       ports.begin(), ports.end(), [](const FoundPort& p) { return p.state == FoundPort::State::answers; });
   if (answering > 0)
-    return {Mood::ok, Path("{} {} on {} {}. Choose one, or start an emulator.", answering,
-                           answering == 1 ? "controller answers" : "controllers answer", ports.size(),
-                           ports.size() == 1 ? "port" : "ports")
-                          .view()};
-  if (console.ports().busy()) return {Mood::plain, "Looking for ports, and for controllers that answer."};
+    return {Severity::ok, Path("{} {} on {} {}. Choose one, or start an emulator.", answering,
+                               answering == 1 ? "controller answers" : "controllers answer", ports.size(),
+                               ports.size() == 1 ? "port" : "ports")
+                              .view()};
+  if (console.ports().busy()) return {Severity::plain, "Looking for ports, and for controllers that answer."};
   constexpr std::string_view another = "Plug in another, type its address, or start an emulator.";
   if (const int open = console.faces(); open > 1)
-    return {Mood::plain, Path("{} controllers are open. {}", open, another).view()};
+    return {Severity::plain, Path("{} controllers are open. {}", open, another).view()};
   else if (open == 1)
-    return {Mood::plain, Path("One controller is open. {}", another).view()};
-  return {Mood::plain, "No controller is found yet. Plug one in, type its address, or start an emulator."};
+    return {Severity::plain, Path("One controller is open. {}", another).view()};
+  return {Severity::plain,
+          "No controller is found yet. Plug one in, type its address, or start an emulator."};
 }
 
 void Connect::open(PageFrame& f, const std::string& address) {
@@ -89,11 +94,10 @@ void Connect::open(PageFrame& f, const std::string& address) {
 void Connect::open_last_time(PageFrame& f) {
   std::vector<std::string> all;
   for (const Recent& r : recent_)
-    if (r.last_time) all.push_back(r.entry.address);
+    if (r.last_time && !find_open(f.console, r.address)) all.push_back(r.entry.address);
   refused_.clear();
   Tab* front = nullptr;
   for (auto address = all.rbegin(); address != all.rend(); ++address) {
-    if (find_open(f.console, *address)) continue;
     auto opened = f.console.open(*address);
     if (!opened) refused_ += (refused_.empty() ? "" : " ") + opened.error().sentence();
     if (opened && !front) front = *opened;
@@ -152,6 +156,7 @@ void Connect::draw_left(PageFrame& f, float width) {
     gap(ui, 8);
   }
   if (newcomer) draw_newcomer(f, width);
+  draw_log_button(f);
 }
 
 void Connect::draw_recent(PageFrame& f, std::size_t i, float width) {
@@ -161,7 +166,7 @@ void Connect::draw_recent(PageFrame& f, std::size_t i, float width) {
   constexpr float open_width = 60, cross_width = 28;
   group_line(ui, 0);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  Tab* tab = find_open(f.console, r.entry.address);
+  Tab* tab = find_open(f.console, r.address);
   const auto& ports = f.console.ports().ports();
   const bool serial = r.understood && r.address.transport == "serial";
   const bool here = serial && std::any_of(ports.begin(), ports.end(),
@@ -187,7 +192,6 @@ void Connect::draw_recent(PageFrame& f, std::size_t i, float width) {
   ButtonOptions o;
   o.width = open_width;
   o.tip = r.entry.address;
-  const std::string address = r.entry.address;  // a copy: opening changes the list
   const bool opens = button(ui, Path("connect/recent/{}", i), tab ? "Show" : "Open", o).clicked;
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - open_width - cross_width - 4), at.y + ui.px(12)));
   o = ButtonOptions();
@@ -198,10 +202,10 @@ void Connect::draw_recent(PageFrame& f, std::size_t i, float width) {
   const bool forgets = button(ui, Path("connect/recent/{}/forget", i), "", o).clicked;
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(56)));
   if (opens && tab) f.console.activate(*tab);
-  if (opens && !tab) open(f, address);
+  if (opens && !tab) return open(f, std::string(r.entry.address));  // a copy: opening changes the list
   if (!forgets) return;
-  if (auto forgotten = f.console.recent().remove(address); !forgotten)
-    f.toast(Mood::fault, forgotten.error().sentence());
+  if (auto forgotten = f.console.recent().remove(std::string(r.entry.address)); !forgotten)
+    f.toast(Severity::fault, forgotten.error().sentence());
 }
 
 void Connect::draw_newcomer(PageFrame& f, float width) {

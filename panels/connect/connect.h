@@ -8,6 +8,7 @@
 #include "panels/connect/connect_form.h"
 #include "panels/connect/link_card.h"
 #include "panels/connect/usual_catalogs.h"
+#include "panels/log_view.h"
 
 namespace hw::panels {
 
@@ -41,6 +42,10 @@ class Connect final : public gui::Page {
   void draw_emulator(gui::PageFrame& frame, const Catalog& catalog, float width);
   const std::string& draw_options(gui::PageFrame& frame, const Catalog& catalog, float width);
 
+  // connect_log.cpp
+  void draw_log(gui::PageFrame& frame);
+  void draw_log_button(gui::PageFrame& frame);
+
   /// A connection used before, parsed once and not in each frame.
   struct Recent {
     RecentConnection entry;
@@ -61,6 +66,8 @@ class Connect final : public gui::Page {
   std::string opened_path_;  ///< the port whose test is unfolded
   bool form_shown_ = false;  ///< even while a card needs the room
   std::vector<Choice> choices_;
+  LogView log_;
+  bool log_shown_ = false;        ///< instead of the connections
   std::string emulator_address_;  ///< of the emulator being drawn; kept for its memory
 };
 

@@ -76,13 +76,10 @@ std::string_view facts_of(const Tab& tab, char (&room)[n]) {
 
 }  // namespace
 
-Tab* find_open(const Console& console, std::string_view address) {
-  for (const auto& tab : console.tabs()) {
-    if (!Console::is_face(*tab)) continue;
-    const Address& own = address_of_all(*tab);
-    // Any emulator of the same kind matches: each start makes a new one.
-    if (own.text() == address) return tab.get();
-  }
+/// Any emulator of the same kind matches: each start makes a new one.
+Tab* find_open(const Console& console, const Address& address) {
+  for (const auto& tab : console.tabs())
+    if (Console::is_face(*tab) && address_of_all(*tab) == address) return tab.get();
   return nullptr;
 }
 
@@ -114,7 +111,7 @@ void Connect::draw_found_title(PageFrame& f, float width) {
   const bool has_last =
       std::any_of(recent_.begin(), recent_.end(), [](const Recent& r) { return r.last_time; });
   const bool all_open = std::all_of(recent_.begin(), recent_.end(), [&](const Recent& r) {
-    return !r.last_time || find_open(f.console, r.entry.address);
+    return !r.last_time || find_open(f.console, r.address);
   });
   ButtonOptions all;
   all.style = ButtonStyle::primary;
@@ -170,7 +167,7 @@ void Connect::draw_rows(PageFrame& f, float width) {
   for (std::size_t i = 0; i < recent_.size(); ++i) {
     const Recent& r = recent_[i];
     if (!r.understood || r.address.emulated() || r.address.transport == "serial" ||
-        r.address.transport == "usb" || find_open(f.console, r.entry.address))
+        r.address.transport == "usb" || find_open(f.console, r.address))
       continue;
     any_place = true;
     draw_place(f, i, width);
@@ -215,10 +212,11 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
     const auto& options = address_of_all(tab).options;
     const auto wire = options.find("wire");
     const bool takes_time = wire != options.end() && wire->second == "real";
+    // A board has a bus of its own for each program.
     const std::string_view why_not =
         !server ? nobody_serves
-        : tab.bus && takes_time
-            ? "On a bus with byte times, the answer to another program would be taken for "
+        : takes_time && !tab.catalog().can.window
+            ? "On a wire with byte times, the answer to another program would be taken for "
               "one to this console. Serve another at the right."
             : std::string_view();
     if (serve_switch(ui, Path("connect/here/{}/serve", index), "Serve", served, why_not, serve_width)) {
@@ -253,11 +251,10 @@ void Connect::draw_place(PageFrame& f, std::size_t index, float width) {
   const float wide = width > 640 ? 112 : 64;
   const float height = draw_place_row(ui, row, width, wide);
   RowButtons buttons(ui, width);
-  const std::string address = r.entry.address;
   const bool opens = buttons.press(Path("connect/place/{}", index), "Open", wide);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
   group_line(ui, 0);
-  if (opens) open(f, address);
+  if (opens) open(f, std::string(r.entry.address));  // a copy: opening changes the list
 }
 
 void Connect::draw_port(PageFrame& f, std::size_t index, const FoundPort& port, float width) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <string_view>
 
+#include "core/session/address.h"
 #include "gui/surface/ui.h"
 
 namespace hw::gui {
@@ -13,6 +14,6 @@ namespace hw::panels {
 /// A numbered sentence.
 void draw_point(gui::Ui& ui, int number, std::string_view words, float width);
 /// The tab opened with this address, of a bus the chosen tab; null: not open.
-gui::Tab* find_open(const gui::Console& console, std::string_view address);
+gui::Tab* find_open(const gui::Console& console, const Address& address);
 
 }  // namespace hw::panels

@@ -144,12 +144,14 @@ RateRaise::Outcome RateRaise::outcome(Console& console) {
   const std::vector<Tab*> all = all_on_wire(*there);
   Outcome all_of_them = Outcome::done;
   for (std::size_t i = 0; i < all.size() && i < asked_.size(); ++i) {
-    const IntentFate* fate = all[i]->now().fate_of(asked_[i]);
-    if (fate && (fate->fate == Fate::refused || fate->fate == Fate::failed)) {
-      words_ = all[i]->words_of(*fate);
+    const IntentOutcome* told_outcome = all[i]->now().outcome_of(asked_[i]);
+    if (told_outcome &&
+        (told_outcome->state == IntentState::refused || told_outcome->state == IntentState::failed)) {
+      words_ = all[i]->words_of(*told_outcome);
       return Outcome::failed;
     }
-    const bool is_done = fate ? fate->fate == Fate::done : all[i]->now().forgotten(asked_[i]);
+    const bool is_done =
+        told_outcome ? told_outcome->state == IntentState::done : all[i]->now().forgotten(asked_[i]);
     if (!is_done) all_of_them = Outcome::pending;
   }
   return all_of_them;

@@ -277,18 +277,20 @@ std::string_view Contour::unkept() const {
 void Contour::follow(Frame& f) {
   const auto ended = [&](IntentId& id) {
     if (f.now.forgotten(id)) id = 0;
-    const IntentFate* fate = f.now.fate_of(id);
-    if (!fate || fate->fate == Fate::pending) return false;
+    const IntentOutcome* outcome = f.now.outcome_of(id);
+    if (!outcome || outcome->state == IntentState::pending) return false;
     id = 0;
-    if (fate->fate == Fate::done) return true;
-    if (&id != &starting_ || !doubt_.hear(f, *fate)) f.toast(Mood::fault, std::string(fate->sentence.view()));
+    if (outcome->state == IntentState::done) return true;
+    if (&id != &starting_ || !doubt_.take_refusal(f, *outcome))
+      f.toast(Severity::fault, std::string(outcome->sentence.view()));
     return false;
   };
   // After a stop, or with another panel in front, the loaded program is not started.
   const int frame = ImGui::GetFrameCount();
   const bool was_away = frame - std::exchange(drawn_frame_, frame) > 1;
   if (was_away && loading_ != 0 && !go_ahead_.expired())
-    f.toast(Mood::warn, "The list was loaded and is not started: another panel came to the front meanwhile.");
+    f.toast(Severity::warn,
+            "The list was loaded and is not started: another panel came to the front meanwhile.");
   if (was_away || f.ui.cancelled() || go_ahead_.expired()) loading_ = starting_ = 0;
   if (loading_ && ended(loading_)) starting_ = doubt_.send(f, intent::RunProgram(0, places_));
   if (starting_) ended(starting_);
@@ -416,12 +418,12 @@ void Contour::draw_dialogs(Frame& f) {
     if (list)
       file_.save(f, *path, *list);
     else
-      f.toast(Mood::fault, list.error().sentence());
+      f.toast(Severity::fault, list.error().sentence());
   }
   if (file_.take_saved()) (stairs_shown_ ? stairs_unkept_ : contour_unkept_) = false;
   if (!asking_) return;
   const Dialog what{.title = "Replace the program text?",
-                    .sentences = "The editor holds another text. What is not in a file is lost.",
+                    .sentences = "The editor holds another text. Unsaved changes are lost.",
                     .yes = "Replace",
                     .no = "Keep the text"};
   if (dialog(f.ui, "contour/replace", asking_, what) == Answer::yes) put_into_program(f);

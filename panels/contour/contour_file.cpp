@@ -83,7 +83,7 @@ Result<sequence::Sequence> with_rows(const sequence::Sequence& s, const sequence
     return not_this(file, "names no two axes for its contour");
   // A path has one speed, so the steps of both axes must be equally long.
   if (std::abs(s.axes[right].per_unit) != std::abs(s.axes[up].per_unit))
-    return not_this(file, "has two axes whose steps are not as long as each other's");
+    return not_this(file, "has two axes with steps of different length");
   scale(c, s.axes[right].per_unit, s.axes[up].per_unit);
   sequence::Sequence made;
   made.axes = {{s.axes[right].name}, {s.axes[up].name}};
@@ -150,7 +150,7 @@ std::optional<sequence::Sequence> ContourFile::draw_open(Frame& f) {
                           .and_then([&](const sequence::Sequence& s) { return only_step_of(s, name); });
   f.withdraw(&open_);  // why the last one was not opened
   if (opened) return *opened;
-  f.toast(Mood::fault, opened.error().sentence(), &open_);
+  f.toast(Severity::fault, opened.error().sentence(), &open_);
   return {};
 }
 
@@ -160,9 +160,10 @@ void ContourFile::save(Frame& f, const std::filesystem::path& path, const sequen
   f.withdraw(attempt);
   desk.worker().run([path, text = sequence::write_sequence(s)] { return write_file(path, text); },
                     [&console = f.console, attempt, saved = saved_, path](Result<> written) {
-                      if (!written) return console.toast(Mood::fault, written.error().sentence(), attempt);
+                      if (!written)
+                        return console.toast(Severity::fault, written.error().sentence(), attempt);
                       *saved = true;
-                      console.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
+                      console.toast(Severity::ok, fmt::format("Saved as {}.", path.string()));
                     },
                     desk.alive());
 }

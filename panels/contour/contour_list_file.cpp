@@ -19,7 +19,7 @@ Result<sequence::Sequence> Contour::shown_list() const {
 void Contour::opened(Frame& f, const sequence::Sequence& s) {
   const bool stairs = std::holds_alternative<sequence::SpeedStairs>(s.steps.front().body);
   if (!(stairs ? take_staircase(s) : take_contour(s)))
-    return f.toast(Mood::fault,
+    return f.toast(Severity::fault,
                    "The file names an axis or an output that this controller does not have. The list here is "
                    "as it was.");
   stairs_shown_ = stairs;

@@ -322,9 +322,11 @@ void ActionForm::put(std::size_t i, std::int64_t value) {
 }
 
 void ActionForm::draw_refusal(Frame& f, float width) {
-  if (const IntentFate* fate = f.now.fate_of(asked_); fate && fate->fate != Fate::pending) {
+  if (const IntentOutcome* outcome = f.now.outcome_of(asked_);
+      outcome && outcome->state != IntentState::pending) {
     asked_ = 0;
-    if (fate->fate != Fate::done && !doubt_.hear(f, *fate)) refused_ = fate->sentence.view();
+    if (outcome->state != IntentState::done && !doubt_.take_refusal(f, *outcome))
+      refused_ = outcome->sentence.view();
   }
   if (f.now.forgotten(asked_)) asked_ = 0;
   if (refused_.empty() && !doubt_.open()) return;

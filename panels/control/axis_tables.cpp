@@ -247,10 +247,14 @@ void AxisTables::draw(Frame& f, float width) {
     while (end < tables_.size() && used + least_between + tables_[end].width <= width)
       used += least_between + tables_[end++].width;
     draw_band(f, first, end, width);
-    for (; first < end; ++first)
-      for (Column& column : tables_[first].columns)
-        if (column.shared) column.shared->draw_shared(f, 200);
+    first = end;
   }
+}
+
+void AxisTables::draw_shared(Frame& f) {
+  for (Table& table : tables_)
+    for (Column& column : table.columns)
+      if (column.shared) column.shared->draw_shared(f, 200);
 }
 
 void AxisTables::draw_band(Frame& f, std::size_t first, std::size_t end, float width) {

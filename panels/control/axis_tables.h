@@ -19,6 +19,8 @@ class AxisTables {
   explicit AxisTables(const Catalog& catalog);
   /// Draws at ImGui's cursor and leaves it below.
   void draw(gui::Frame& frame, float width);
+  /// The fields that apply to all rows.
+  void draw_shared(gui::Frame& frame);
   /// The readouts in the tables, also as the state of a switch: they stand nowhere else.
   [[nodiscard]] const ReadoutSet& readouts() const { return readouts_; }
   [[nodiscard]] bool has_title(std::string_view title) const;

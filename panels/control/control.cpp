@@ -81,12 +81,21 @@ void Control::make_sections(const Catalog& c) {
   });
 }
 
-/// Once per connection: a switch in a table shows its state without a visit to the set-up.
+/// Once per connection: a switch in a table shows its state without a visit to the set-up. If it was refused,
+/// something else was under way.
 void Control::read_settings(Frame& f) {
-  if (!f.connected()) asked_to_read_ = false;
-  if (asked_to_read_ || !f.connected() || !tables_->lacks_settings(f)) return;
-  asked_to_read_ = true;
-  f.send(intent::ReadParams());
+  constexpr double again_after_s = 3;
+  if (!f.connected()) reading_ = 0;
+  if (!f.connected() || !tables_->lacks_settings(f)) return;
+  if (reading_ != 0) {
+    const IntentOutcome* outcome = f.now.outcome_of(reading_);
+    if (!outcome && !f.now.forgotten(reading_)) return;
+    if (outcome && (outcome->state == IntentState::pending || outcome->state == IntentState::done)) return;
+    const double left = again_after_s - seconds(f.clock - asked_at_);
+    if (left > 0) return f.ui.wake_in(left + 0.001);
+  }
+  reading_ = f.send_and_watch(intent::ReadParams());
+  asked_at_ = f.clock;
 }
 
 int Control::bars(const Frame& f, const Section& s) { return f.tier == Tier::wide ? 0 : s.analog; }
@@ -104,12 +113,14 @@ void Control::draw(Frame& f) {
   const float width = two ? std::floor((whole - between_columns) / 2) : whole;
   const std::size_t left = two ? first_column(f, width) : sections_.size();
   const auto stand = [&](float x, float y) { ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), y)); };
+  if (!two) tables_->draw_shared(f);
   for (std::size_t i = 0; i < left; ++i) {
     stand(0, ImGui::GetCursorScreenPos().y);
     draw_section(f, sections_[i], width);
   }
   const float left_end = ImGui::GetCursorScreenPos().y;
   if (two) stand(width + between_columns, at.y);
+  if (two) tables_->draw_shared(f);
   for (std::size_t i = left; i < sections_.size(); ++i) {
     stand(two ? width + between_columns : 0, ImGui::GetCursorScreenPos().y);
     draw_section(f, sections_[i], width);

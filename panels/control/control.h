@@ -36,7 +36,9 @@ class Control final : public gui::Panel {
   void draw_actions(gui::Frame& frame, Section& section, float width);
   static void draw_about(gui::Frame& frame, float width);
 
-  bool made_ = false, asked_to_read_ = false;
+  bool made_ = false;
+  IntentId reading_ = 0;  ///< the latest request for the settings; 0: none since the link came
+  Instant asked_at_{};
   std::vector<Section> sections_;
   std::optional<AxisTables> tables_;
   ReadoutSet elsewhere_;  ///< readouts shown in a table or beside their switch

@@ -51,7 +51,7 @@ constexpr std::string_view rules[] = {
     "metal, and by keyboard it "
     "needs two presses within two seconds.",
     "While you type, the arrows move the caret and jog nothing. Esc stops everything all the same.",
-    "Esc in an open list or dialog closes it and stops everything too; what it has stopped is said.",
+    "Esc in an open list or dialog closes it, stops everything, and says what it stopped.",
     "This is no emergency stop: it needs this computer, the cable and a controller that listens. Wire a "
     "switch that cuts the motor power.",
 };
@@ -61,7 +61,8 @@ constexpr std::string_view pad_rules[] = {
     "is pushed already when LB goes down moves nothing.",
     "One axis at a time, the one that is pushed most, at the jog speed: a stick is on or off.",
     "What ends a held jog ends the gamepad's too. It is disarmed when the window loses the keyboard, when it "
-    "is pulled out, when it does not answer, and when nothing on it has changed for 5 s while it jogs.",
+    "is pulled out, and when it does not answer. When nothing on it has changed for 2 s while it jogs, the "
+    "jog stops: let go, then push again.",
 };
 
 /// A row of 32: the framed key, its function, a hairline above.

@@ -69,9 +69,8 @@ Words words_of(Who who) {
     case Who::guard:
       return {
           "controller", "a guess",
-          "The guard in the controller stops a held jog when nobody has spoken to it for a while, and then "
-          "comes the ramp. That is a guess until real hardware has shown it; the watchdog stays on beside "
-          "it.",
+          "The guard in the controller stops a held jog when it has received nothing for a while; the axis "
+          "then ramps down. No real hardware has confirmed this yet, so the watchdog stays on too.",
           Tone::ok};
     case Who::watchdog:
       return {

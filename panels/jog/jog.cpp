@@ -121,6 +121,7 @@ void Jog::draw_reason(Frame& f, const Rect& place) {
   const bool unit_said = steps_unit_.name.empty();
   const Path hint("Hold a button to move. A tap moves the chosen step{}{}.", unit_said ? "" : ", in ",
                   unit_said ? std::string_view() : std::string_view(steps_unit_.name));
+  const OwnUnits own(f);
   const float line = ui.line(Face::small);
   const int lines = std::max(1, static_cast<int>(place.height() / line));
   const float top = f.tier == Tier::narrow
@@ -133,10 +134,17 @@ void Jog::draw_reason(Frame& f, const Rect& place) {
   const Rect words{ImVec2(place.min.x + ui.px(20), top), left.max};
   const Tone tone = !flaw.empty() ? Tone::fault : why.empty() ? Tone::ink3 : Tone::ink2;
   draw_text_in_lines(ui, words, Face::small, ui[tone],
-                     by_pad        ? gamepad_hint(f).view()
-                     : why.empty() ? hint.view()
-                                   : why,
+                     by_pad               ? gamepad_hint(f).view()
+                     : !why.empty()       ? why
+                     : own.view().empty() ? hint.view()
+                                          : own.view(),
                      lines);
+  if (why.empty()) show_own_units(f, own, words);
+}
+
+void Jog::show_own_units(Frame& f, const OwnUnits& own, const Rect& place) {
+  if (!own.view().empty())
+    show(f.ui, {"jog/own_units", Kind::text, "Tap and hold", own.view(), {}, false, own.view()}, place);
 }
 
 void Jog::draw_guarantee_here(Frame& f, const Rect& place) {
@@ -146,9 +154,12 @@ void Jog::draw_guarantee_here(Frame& f, const Rect& place) {
 /// For layouts whose title belongs to the speed.
 void Jog::draw_hint_over_guarantee(Frame& f, const Rect& place) {
   const float line = f.ui.line(Face::small), badge = place.min.y + line + f.ui.px(3);
-  draw_text_line(
-      f.ui, place.min.x, place.max.x, place.min.y + line / 2, Face::small, f.ui[Tone::ink3],
-      f.ui.gamepad.armed() ? "Hold LB, push a stick. B stops." : "Hold to move. A tap moves one step.");
+  const OwnUnits own(f);
+  draw_text_line(f.ui, place.min.x, place.max.x, place.min.y + line / 2, Face::small, f.ui[Tone::ink3],
+                 f.ui.gamepad.armed() ? "Hold LB, push a stick. B stops."
+                 : own.view().empty() ? "Hold to move. A tap moves one step."
+                                      : own.view());
+  show_own_units(f, own, {place.min, ImVec2(place.max.x, place.min.y + line)});
   draw_guarantee_here(f, {ImVec2(place.min.x, badge), ImVec2(place.max.x, badge + f.ui.px(18))});
 }
 
@@ -247,10 +258,11 @@ void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
               ImVec2(std::floor(left - ui.px(14)), std::floor(middle)), ui.px(12), ui[Tone::fault]);
     draw_text_line(ui, std::floor(left), t.rect.max.x, middle, Face::body_bold, ui[Tone::fault], word);
   } else {
+    const float apart = ui.px(size.y < 44 ? 8 : 10);
     draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
-              ImVec2(std::floor(t.rect.centre().x), std::floor(middle - ui.px(10))), ui.px(12),
-              ui[Tone::fault]);
-    draw_text_centred(ui, {ImVec2(t.rect.min.x, middle), ImVec2(t.rect.max.x, middle + ui.px(20))},
+              ImVec2(std::floor(t.rect.centre().x), std::floor(middle - apart)), ui.px(12), ui[Tone::fault]);
+    const float words = middle + apart;
+    draw_text_centred(ui, {ImVec2(t.rect.min.x, words - ui.px(10)), ImVec2(t.rect.max.x, words + ui.px(10))},
                       again && size.x < 60 ? Face::small_bold : Face::body_bold, ui[Tone::fault], word);
   }
   draw_ring(ui, t);

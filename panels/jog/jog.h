@@ -8,6 +8,7 @@
 #include "panels/column.h"
 #include "panels/jog/guard_offer.h"
 #include "panels/jog/jog_speed.h"
+#include "panels/jog/jog_units.h"
 #include "panels/position/unit_chooser.h"
 
 namespace hw::panels {
@@ -23,6 +24,7 @@ class Jog final : public gui::Panel {
   void draw_reason(gui::Frame& frame, const gui::Rect& place);
   void draw_guarantee_here(gui::Frame& frame, const gui::Rect& place);
   void draw_hint_over_guarantee(gui::Frame& frame, const gui::Rect& place);
+  static void show_own_units(gui::Frame& frame, const OwnUnits& own, const gui::Rect& place);
   // Each returns its height.
   [[nodiscard]] float draw_cross(gui::Frame& frame, const Column& column);
   [[nodiscard]] float draw_pairs(gui::Frame& frame);

@@ -1,5 +1,6 @@
 #include "panels/jog/jog_units.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -35,6 +36,40 @@ DisplayUnit common_unit(const Frame& f) {
     same = same && other.real && other.name == unit.name && std::fabs(other.per_step) == unit.per_step;
   });
   return same ? unit : counted_by_all(f);
+}
+
+OwnUnits::OwnUnits(const Frame& f) {
+  bool some_real = false;
+  for_each_axis(f, [&](const Tab& tab, AxisId axis) { some_real = some_real || tab.unit(axis).real; });
+  if (!some_real || common_unit(f).real) return;
+  const auto list = [&](std::string_view head, const auto& words_of) {
+    append(head);
+    std::string_view before = ": ";
+    for_each_axis(f, [&](const Tab& tab, AxisId axis) {
+      DisplayUnit unit = tab.unit(axis);
+      unit.per_step = std::fabs(unit.per_step);
+      append(std::exchange(before, ", "));
+      append(tab.catalog().axes[axis.index].name);
+      append(" ");
+      append(words_of(tab, axis, unit));
+    });
+    append(".");
+  };
+  list("A tap", [](const Tab& tab, AxisId, const DisplayUnit& unit) {
+    return format_with_unit(tab.jog_step(), unit);
+  });
+  list(" Held", [](const Tab& tab, AxisId axis, const DisplayUnit& unit) {
+    const Pps chosen = tab.jog_speed(), own = tab.now().axes[axis.index].own_speed;
+    return format_speed(chosen.value > 0 ? chosen : own, unit);
+  });
+}
+
+/// What has no room is left out from the first whole part on.
+void OwnUnits::append(std::string_view text) {
+  full_ = full_ || size_ + text.size() > bytes_.size();
+  if (full_) return;
+  std::copy(text.begin(), text.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(size_));
+  size_ += text.size();
 }
 
 }  // namespace hw::panels

@@ -1,5 +1,9 @@
 #pragma once
 // What the jog steps and speed apply to, and their display units.
+#include <array>
+#include <cstddef>
+#include <string_view>
+
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/shell/frame.h"
@@ -20,5 +24,20 @@ void for_each_axis(const gui::Frame& f, Act act) {
 /// For steps and speed of all axes: the real unit they have in common, without the sign of axes that count
 /// against their steps; else the controllers' own unit.
 [[nodiscard]] gui::DisplayUnit common_unit(const gui::Frame& frame);
+
+/// "A tap: X 0.250 mm, Y 1.80\u00B0. Held: X 2.500 mm/s, Y 18.00\u00B0/s." where the axes have units of their
+/// own that differ; else empty. On the stack.
+class OwnUnits {
+ public:
+  explicit OwnUnits(const gui::Frame& frame);
+  [[nodiscard]] std::string_view view() const { return {bytes_.data(), size_}; }
+
+ private:
+  void append(std::string_view text);
+
+  std::array<char, 320> bytes_;
+  std::size_t size_ = 0;
+  bool full_ = false;
+};
 
 }  // namespace hw::panels

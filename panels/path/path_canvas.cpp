@@ -48,6 +48,18 @@ drawing::Box3 all_of(const Frame& f, const PathSubject& s, const drawing::ToolPa
 
 void PathCanvas::zoom(double factor) { view_.zoom({view_.width_px() / 2, view_.height_px() / 2}, factor); }
 
+/// No line of limit or grid goes through its words.
+static void draw_hint(Ui& ui, const Rect& in, std::string_view words) {
+  const Rect place{ImVec2(in.min.x + ui.px(16), in.min.y + ui.px(8)), ImVec2(in.max.x - ui.px(8), in.max.y)};
+  const float width = std::min(std::ceil(text_width(ui, Face::body, words)), place.width());
+  const float height =
+      std::min(wrapped_height(ui, Face::body, words, place.width()), 4 * ui.line(Face::body));
+  const Rect ground{ImVec2(place.min.x - ui.px(6), place.min.y - ui.px(2)),
+                    ImVec2(place.min.x + width + ui.px(6), place.min.y + height + ui.px(2))};
+  draw_fill(ui, ground, ui[Tone::well], 0);
+  draw_text_in_lines(ui, place, Face::body, ui[Tone::ink2], words, 4);
+}
+
 void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject, float width, float height) {
   Ui& ui = f.ui;
   click_ = {};
@@ -81,9 +93,7 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
     draw_here(ground, id);
     draw_measure(ground, measure_);
     list->PopClipRect();
-    if (!subject.path && trace_.path().runs.empty())
-      draw_text_in_lines(ui, {ImVec2(in.min.x + ui.px(16), in.min.y + ui.px(8)), in.max}, Face::body,
-                         ui[Tone::ink2], subject.none, 4);
+    if (!subject.path && trace_.path().runs.empty()) draw_hint(ui, in, subject.none);
   }
   ImGui::SetCursorScreenPos(ImVec2(corner.x, whole.max.y));
 }

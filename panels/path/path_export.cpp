@@ -133,15 +133,16 @@ void PathExport::draw_dialog(Frame& f, const PathSubject& subject, const PathCan
   const auto file = dialog_.draw(f.ui);
   if (!file) return;
   Desk& desk = f.tab.desk();
+  f.withdraw(&dialog_);  // why it was not saved before
   Shown shown = shown_by(f, subject, canvas);
   std::shared_ptr<const PathSheet> sheet;
   if (file->extension() == ".png")
     sheet = std::make_shared<PathSheet>(f, subject, box_of(shown), shown.projection, shown.equal);
   desk.worker().run(
       [shown = std::move(shown), sheet, file = *file] { return write_picture(shown, sheet.get(), file); },
-      [&console = f.console, file = *file](Result<> written) {
-        if (!written) return console.toast(Mood::fault, written.error().sentence());
-        console.toast(Mood::ok, fmt::format("Saved as {}.", file.string()));
+      [&console = f.console, file = *file, attempt = &dialog_](Result<> written) {
+        if (!written) return console.toast(Severity::fault, written.error().sentence(), attempt);
+        console.toast(Severity::ok, fmt::format("Saved as {}.", file.string()));
       },
       desk.alive());
 }

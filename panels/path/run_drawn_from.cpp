@@ -48,7 +48,7 @@ std::string_view why_not_run_drawn(const Frame& f, const DrawnTogether& drawn) {
     Tab& owner = owner_of(f, place);
     if (const std::string_view why = why_no_pieces(owner); !why.empty()) return why;
     if (!owner.now().axes[0].position_known)
-      return "Nobody knows where one of its axes stands. Home it, or say where it stands.";
+      return "The position of one of its axes is not known. Home it, or say where it stands.";
   }
   return {};
 }
@@ -66,7 +66,7 @@ void RunDrawnFrom::ask(Frame& f, const DrawnTogether& drawn, int step) {
 }
 
 void RunDrawnFrom::take(Frame& f, Result<Parts> parts) {
-  if (!parts) return f.toast(Mood::warn, parts.error().sentence());
+  if (!parts) return f.toast(Severity::warn, parts.error().sentence());
   parts_ = std::move(*parts);
   say(f);
   asking_ = true;
@@ -88,14 +88,15 @@ void RunDrawnFrom::say(const Frame& f) {
 
 /// While the question stood, a stop may have come or another run may have begun.
 void RunDrawnFrom::begin(Frame& f) {
-  if (go_ahead_.expired()) return f.toast(Mood::warn, "A stop came first. Nothing was begun.");
+  if (go_ahead_.expired()) return f.toast(Severity::warn, "A stop came first. Nothing was begun.");
   if (const std::string_view why = why_not_run_drawn(f, drawn_); !why.empty())
-    return f.toast(Mood::warn, std::string(why));
+    return f.toast(Severity::warn, std::string(why));
   f.tab.bus->begun = drawn_.sequence;
   begun_.clear();
   auto seats = PieceSync::seats(parts_.size());
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     Tab& owner = owner_of(f, f.catalog.find_axis(drawn_.sequence->axes[i].name));
+    parts_[i].drawing = drawn_.pieces;
     auto pieces = std::make_shared<const Pieces>(std::move(parts_[i]));
     begun_.push_back({&owner, owner.send(intent::RunInPieces(std::move(pieces), std::move(seats[i])))});
   }
@@ -103,9 +104,9 @@ void RunDrawnFrom::begin(Frame& f) {
 
 void RunDrawnFrom::describe_what_came(Frame& f) {
   std::erase_if(begun_, [&f](const Begun& begun) {
-    const IntentFate* fate = begun.by->now().fate_of(begun.id);
-    if (!fate || fate->fate == Fate::pending) return false;
-    if (fate->fate != Fate::done) f.toast(Mood::fault, begun.by->words_of(*fate));
+    const IntentOutcome* outcome = begun.by->now().outcome_of(begun.id);
+    if (!outcome || outcome->state == IntentState::pending) return false;
+    if (outcome->state != IntentState::done) f.toast(Severity::fault, begun.by->words_of(*outcome));
     return true;
   });
 }

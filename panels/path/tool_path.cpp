@@ -84,7 +84,12 @@ void ToolPath::draw_all(Frame& f) {
   }
   follow_caret(f);
   follow_block(f);
-  if (f.ui.keyboard.pressed(Command::simulate)) program_.rehearse(f);
+  if (f.ui.keyboard.pressed(Command::simulate)) {
+    if (const std::string_view why = program_.why_not_rehearse(); !why.empty())
+      f.toast(Severity::warn, std::string(why), &f.tab.desk().texts);
+    else
+      program_.rehearse(f);
+  }
   draw_toolbar(f);
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float asked = overwrite_question_height(f), bottom = f.ui.px(f.area.bottom()) - asked;

@@ -82,7 +82,7 @@ void AxisMenu::draw_position_rows(Frame& f, AxisId axis) {
     f.send(intent::SetPosition(axis.index));
   if (!set_field(f, Path("dro/{}/set", name), "It stands at", position_, unit, why)) return;
   const auto value = parse_position(position_, unit);
-  if (!value) return f.toast(Mood::fault, value.error().sentence());
+  if (!value) return f.toast(Severity::fault, value.error().sentence());
   f.send(stands_at(f.now, axis, *value));
   position_.clear();
   ImGui::CloseCurrentPopup();
@@ -128,7 +128,7 @@ void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
   if (travel == before) return;
   travel.in_counts = state.in_counts;
   if (const std::string why = describe_no_travel(f.catalog, intent::SetTravel(axis, travel)); !why.empty())
-    return f.toast(Mood::fault, why);
+    return f.toast(Severity::fault, why);
   for (NumberField& field : limits_) field.reset();
   f.tab.profile.axes[axis.index].travel = travel;
   f.tab.profile_edited();
@@ -168,7 +168,7 @@ void AxisMenu::draw_backlash_row(Frame& f, AxisId axis) {
   if (const std::string why =
           describe_no_backlash(intent::SetBacklash(axis, backlash), f.catalog.axes.size());
       !why.empty())
-    return f.toast(Mood::fault, why);
+    return f.toast(Severity::fault, why);
   f.tab.profile.axes[axis.index].backlash = backlash;
   f.tab.profile_edited();
 }
@@ -180,7 +180,7 @@ void AxisMenu::draw_encoder_rows(Frame& f, AxisId axis) {
     f.send(intent::SetEncoder(axis.index));
   if (!set_field(f, Path("dro/{}/encoder/set", name), "Encoder reads", encoder_, counts, f.no_link())) return;
   const auto value = parse_position(encoder_, counts);
-  if (!value) return f.toast(Mood::fault, value.error().sentence());
+  if (!value) return f.toast(Severity::fault, value.error().sentence());
   f.send(intent::SetEncoder(axis.index, *value));
   encoder_.clear();
   ImGui::CloseCurrentPopup();

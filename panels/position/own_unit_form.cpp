@@ -93,7 +93,7 @@ bool OwnUnitForm::draw_drive(Frame& f, AxisId axis, OwnUnit& own) {
   const double steps = full_.value().value_or(200) * micro_.value().value_or(1) * gear_.value().value_or(1);
   const auto travel = travel_.value();
   const bool known = travel && *travel != 0 && steps > 0;
-  if (!line.use(412, "drive", known ? "" : "Type how far one turn goes. Steps a turn: 200 unless told."))
+  if (!line.use(412, "drive", known ? "" : "Type how far one turn goes. Steps per turn: 200 if left empty."))
     return false;
   own.per_step = std::abs(*travel) / steps;
   return true;

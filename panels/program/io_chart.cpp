@@ -49,7 +49,6 @@ void draw_lane(Ui& ui, const IoLane& lane, const TimeScale& scale, float middle)
 
 void draw_io_chart(Ui& ui, const std::vector<IoLane>& lanes, double duration_s, std::optional<double> now_s) {
   if (lanes.empty()) return;
-  group_line(ui, 8);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x, row = ui.px(lane_height);
   const TimeScale scale{at.x + ui.px(lane_name_width), right - ui.px(2), duration_s};
@@ -72,6 +71,7 @@ void draw_io_chart(Ui& ui, const std::vector<IoLane>& lanes, double duration_s, 
                                               ui[Tone::motion]);
   }
   ImGui::Dummy(ImVec2(right - at.x, height));
+  gap(ui, 8);
 }
 
 }  // namespace hw::panels

@@ -33,7 +33,7 @@ void close(std::optional<double>& since, std::vector<IoLane::Span>& spans, doubl
   since.reset();
 }
 
-void hear(Open& open, const RehearsedEvent& event, double gap) {
+void take(Open& open, const RehearsedEvent& event, double gap) {
   IoLane& lane = open.lane;
   const bool first = !std::exchange(open.seen, true), on = event.level != 0;
   switch (event.line) {
@@ -85,7 +85,7 @@ std::vector<IoLane> io_lanes(const Rehearsal& r, double finest) {
     if (event.line == LaneLine::none) continue;
     const auto [found, is_new] = place.try_emplace(event.name, all.size());
     if (is_new) all.emplace_back().lane.name = event.name;
-    hear(all[found->second], event, gap);
+    take(all[found->second], event, gap);
   }
   std::vector<IoLane> lanes;
   for (Open& open : all) {

@@ -20,7 +20,7 @@ void draw_overwrite_question(Frame& f, float top, float height) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), top));
-  tinted(ui, Mood::warn, height);
+  tinted(ui, Severity::warn, height);
   const float left = ui.px(f.area.x + 16);
   draw_icon(ImGui::GetWindowDrawList(), Icon::warning, ImVec2(left + ui.px(6), top + ui.px(22)), ui.px(12),
             ui[Tone::warn]);

@@ -67,15 +67,28 @@ void Program::follow(Frame& f) {
   find_why_not_run(f);
 }
 
+static std::string_view why_not_simulate(const Frame& f) {
+  Desk& desk = f.tab.desk();
+  const int slot = desk.texts.chosen();
+  if (!desk.language()) return "This model has no rehearsal.";
+  if (desk.texts.text(slot).empty()) return "The program is empty.";
+  return desk.rehearsals.under_way(desk.texts.start_of(slot)) ? "It is being calculated." : "";
+}
+
 void Program::shortcuts(Frame& f) {
   const Keyboard& keys = f.ui.keyboard;
   if (keys.pressed(Command::run)) {
     if (why_not_run_.empty())
-      run(f, go_on_or(f, RunWish::run));
+      run(f, go_on_or(f, RunRequest::run));
     else
-      f.toast(Mood::warn, std::string(why_not_run_.view()), &f.tab.desk().texts);
+      f.toast(Severity::warn, std::string(why_not_run_.view()), &f.tab.desk().texts);
   }
-  if (keys.pressed(Command::simulate)) f.tab.desk().rehearse(f.now, f.bench);
+  if (keys.pressed(Command::simulate)) {
+    if (const std::string_view why = why_not_simulate(f); !why.empty())
+      f.toast(Severity::warn, std::string(why), &f.tab.desk().texts);
+    else
+      f.tab.desk().rehearse(f.now, f.bench);
+  }
   if (keys.pressed(Command::save)) save(f);
   if (keys.pressed(Command::open)) ask_open(f);
 }
@@ -111,31 +124,24 @@ void Program::draw_toolbar(Frame& f) {
   const Rect row{at, ImVec2(ui.px(f.area.right()), ImGui::GetCursorScreenPos().y)};
   const ProgramTexts& texts = f.tab.desk().texts;
   if (const auto once = doubt_.draw(f, "program", row, texts.text(texts.chosen()));
-      once.wish != RunWish::none)
-    begin_run(f, once.wish, once.agreed);
+      once.request != RunRequest::none)
+    begin_run(f, once.request, once.agreed);
 }
 
-void Program::run(Frame& f, RunWish wish) {
+void Program::run(Frame& f, RunRequest request) {
   const ProgramTexts& texts = f.tab.desk().texts;
-  if (!doubt_.holds_back(f, wish, texts.text(texts.chosen()))) begin_run(f, wish);
+  if (!doubt_.holds_back(f, request, texts.text(texts.chosen()))) begin_run(f, request);
 }
 
 void Program::draw_simulate(Frame& f) {
-  Desk& desk = f.tab.desk();
-  const int slot = desk.texts.chosen();
-  const std::string_view why = !desk.language()                ? "This model has no rehearsal."
-                               : desk.texts.text(slot).empty() ? "The program is empty."
-                               : desk.rehearsals.under_way(desk.texts.start_of(slot))
-                                   ? "It is being calculated."
-                                   : "";
   if (button(f.ui, "program/simulate", "Simulate",
              {.icon = Icon::play_outline,
               .keys = shows_keys(f) ? "F5" : "",
-              .disabled = why,
+              .disabled = why_not_simulate(f),
               .tip = "Tries the text without moving anything.",
               .height = 40})
           .clicked)
-    desk.rehearse(f.now, f.bench);
+    f.tab.desk().rehearse(f.now, f.bench);
 }
 
 // Follows the typing: the memory used by the text, out of the total. Without room the words become fewer,
@@ -196,16 +202,18 @@ void Program::check(Frame& f) {
   int errors = 0;
   for (const Problem& p : report.problems) errors += p.error;
   f.console.toasts().withdraw(&desk.texts);
-  const auto say = [&](Mood mood, std::string words) { f.toast(mood, std::move(words), &desk.texts); };
-  if (errors == 0 && f.catalog.program.capacity <= 0) return say(Mood::ok, "No error.");
+  const auto say = [&](Severity severity, std::string words) {
+    f.toast(severity, std::move(words), &desk.texts);
+  };
+  if (errors == 0 && f.catalog.program.capacity <= 0) return say(Severity::ok, "No error.");
   if (errors == 0)
-    return say(Mood::ok, fmt::format("No error. {} of {} {}.", desk.texts.cost(slot),
-                                     f.catalog.program.capacity, f.catalog.program.capacity_unit));
+    return say(Severity::ok, fmt::format("No error. {} of {} {}.", desk.texts.cost(slot),
+                                         f.catalog.program.capacity, f.catalog.program.capacity_unit));
   for (const Problem& p : report.problems) {
     if (!p.error) continue;
     editor_.go_to(slot, p.line, p.column);
-    return say(Mood::fault, fmt::format("{} error{}. Line {}: {}", errors, errors == 1 ? "" : "s", p.line + 1,
-                                        p.sentence));
+    return say(Severity::fault, fmt::format("{} error{}. Line {}: {}", errors, errors == 1 ? "" : "s",
+                                            p.line + 1, p.sentence));
   }
 }
 

@@ -24,7 +24,7 @@ class Program final : public gui::Panel {
  private:
   void follow(gui::Frame& frame);
   void draw_toolbar(gui::Frame& frame);
-  void run(gui::Frame& frame, RunWish wish);
+  void run(gui::Frame& frame, RunRequest request);
   void draw_simulate(gui::Frame& frame);
   void draw_memory(gui::Frame& frame, float left);
   void draw_slots(gui::Frame& frame);

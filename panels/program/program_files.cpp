@@ -247,9 +247,10 @@ void Program::write(Frame& f, int slot, const std::filesystem::path& path, bool 
           *asks = {true, slot, path, std::move(saved.changed)};
           return;
         }
-        if (!saved.result) return console.toast(Mood::fault, saved.result.error().sentence());
+        console.toasts().withdraw(asks.get());  // why it was not saved before
+        if (!saved.result) return console.toast(Severity::fault, saved.result.error().sentence(), asks.get());
         texts.saved(slot, path, saved.text);
-        console.toast(Mood::ok, fmt::format("Saved as {}.", path.string()));
+        console.toast(Severity::ok, fmt::format("Saved as {}.", path.string()));
       },
       desk.alive());
 }
@@ -258,7 +259,7 @@ void Program::ask_or_open(Frame& f, const std::filesystem::path& path) {
   const ProgramTexts& texts = f.tab.desk().texts;
   if (!texts.edited(texts.chosen())) return open(f, path);
   to_open_ = path;
-  question_ = fmt::format("The text of {} {} has changes that are in no file. {} would take its place.",
+  question_ = fmt::format("The text of {} {} has unsaved changes. {} would replace it.",
                           f.catalog.program.slot_word, texts.chosen(), path.filename().string());
   asking_replace_ = true;
 }
@@ -267,21 +268,23 @@ void Program::ask_or_empty(Frame& f) {
   ProgramTexts& texts = f.tab.desk().texts;
   if (!texts.edited(texts.chosen())) return texts.opened(texts.chosen(), {}, TextFile());
   to_open_.clear();
-  question_ = fmt::format("The text of {} {} has changes that are in no file.", f.catalog.program.slot_word,
-                          texts.chosen());
+  question_ =
+      fmt::format("The text of {} {} has unsaved changes.", f.catalog.program.slot_word, texts.chosen());
   asking_replace_ = true;
 }
 
 void Program::open(Frame& f, const std::filesystem::path& path) {
   Desk& desk = f.tab.desk();
-  desk.worker().run(
-      [path] { return load_text(path); },
-      [&console = f.console, &texts = desk.texts, slot = desk.texts.chosen(), path](Result<TextFile> file) {
-        if (!file) return console.toast(Mood::fault, file.error().sentence());
-        if (file->was_latin1) console.toast(Mood::plain, "The file is not in UTF-8. It was read as Latin-1.");
-        texts.opened(slot, path, std::move(*file));
-      },
-      desk.alive());
+  desk.worker().run([path] { return load_text(path); },
+                    [&console = f.console, &texts = desk.texts, slot = desk.texts.chosen(), path,
+                     attempt = &to_open_](Result<TextFile> file) {
+                      console.toasts().withdraw(attempt);
+                      if (!file) return console.toast(Severity::fault, file.error().sentence(), attempt);
+                      if (file->was_latin1)
+                        console.toast(Severity::plain, "The file is not in UTF-8. It was read as Latin-1.");
+                      texts.opened(slot, path, std::move(*file));
+                    },
+                    desk.alive());
 }
 
 void Program::draw_dialogs(Frame& f) {

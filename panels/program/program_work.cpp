@@ -91,15 +91,15 @@ void Program::draw_note(Frame& f, float top, float height) {
   draw_line_across(f, top);
   const float middle = top + ui.px(height / 2), left = ui.px(f.area.x + 16);
   const bool busy = !words_.empty();
-  const Mood mood = busy ? Mood::motion : note_.mood;
-  const Icon icon = mood == Mood::warn    ? Icon::warning
-                    : mood == Mood::fault ? Icon::diamond_solid
-                    : busy                ? Icon::clock
-                                          : Icon::info;
-  const Tone tone = mood == Mood::warn    ? Tone::warn
-                    : mood == Mood::fault ? Tone::fault
-                    : busy                ? Tone::motion
-                                          : Tone::ink3;
+  const Severity severity = busy ? Severity::motion : note_.severity;
+  const Icon icon = severity == Severity::warn    ? Icon::warning
+                    : severity == Severity::fault ? Icon::diamond_solid
+                    : busy                        ? Icon::clock
+                                                  : Icon::info;
+  const Tone tone = severity == Severity::warn    ? Tone::warn
+                    : severity == Severity::fault ? Tone::fault
+                    : busy                        ? Tone::motion
+                                                  : Tone::ink3;
   draw_icon(ImGui::GetWindowDrawList(), icon, ImVec2(left + ui.px(6), middle), ui.px(12), ui[tone]);
   const std::string_view said = busy ? std::string_view(words_) : std::string_view(note_.sentence);
   float right = ui.px(f.area.right() - 16);

@@ -136,11 +136,11 @@ bool RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
       wrapped(ui, Face::body, Tone::fault, fault_);
       gap(ui, 8);
     }
-    draw_axes(f);
-    again = draw_verdict(f);
     const bool goes = of_running_ && !lanes_.empty();
     draw_io_chart(ui, lanes_, outcome_->result->duration_s,
                   goes ? std::optional(f.tab.desk().follower.run_s()) : std::nullopt);
+    draw_axes(f);
+    again = draw_verdict(f);
     draw_events(f);
   }
   gap(ui, 12);

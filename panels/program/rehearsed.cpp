@@ -85,7 +85,7 @@ Rehearsed rehearsed(const Frame& f, const Rehearsals::Outcome* outcome, const st
   if (passes_travel(f, *outcome->result))
     return {false, "Rehearsed: it goes past a limit that you have set."};
   if (!outcome->result->assumptions.empty())
-    return {true, "Rehearsed: this text, from here, with the assumptions that the card lists."};
+    return {true, "Rehearsed: this text, from here, with the assumptions listed."};
   return {true, "Rehearsed: this text, from where the axes stand."};
 }
 

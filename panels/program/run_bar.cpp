@@ -108,19 +108,19 @@ std::string_view why_none_runs(const Frame& f) {
   return {};
 }
 
-RunWish run_bar(Frame& f, std::string_view where, const RunBarLook& look) {
+RunRequest run_bar(Frame& f, std::string_view where, const RunBarLook& look) {
   Bar bar{f, where, look};
-  RunWish wish = RunWish::none;
-  if (bar.run()) wish = RunWish::run;
+  RunRequest request = RunRequest::none;
+  if (bar.run()) request = RunRequest::run;
   bar.next();
   if (bar.hold()) f.send(intent::Pause());
   bar.next();
   if (f.catalog.can.single_step) {
-    if (bar.step()) wish = RunWish::run_stepping;
+    if (bar.step()) request = RunRequest::run_stepping;
     bar.next();
   }
   if (bar.stop()) f.send(intent::HaltProgram());
-  return go_on_or(f, wish);
+  return go_on_or(f, request);
 }
 
 std::optional<RunProgress> run_progress(const Frame& f) {
@@ -152,14 +152,14 @@ void draw_run_progress(Frame& f, std::string_view where, const RunProgress& prog
         {.tone = Tone::motion, .words = progress.left, .width = bar / ui.scale});
 }
 
-RunWish go_on_or(Frame& f, RunWish wish) {
+RunRequest go_on_or(Frame& f, RunRequest request) {
   const ProgramState& p = f.now.program;
-  if (wish == RunWish::none || !waits(p)) return wish;
-  if (wish == RunWish::run_stepping && p.run == RunState::held)
+  if (request == RunRequest::none || !waits(p)) return request;
+  if (request == RunRequest::run_stepping && p.run == RunState::held)
     f.send(intent::SingleStep());
   else
     f.send(intent::Resume());
-  return RunWish::none;
+  return RunRequest::none;
 }
 
 /// Asked again when the text is loaded. A text of the user's own is judged by doubts only.
@@ -178,14 +178,15 @@ static RunTerms terms_of(Frame& f, const std::string& text, const std::optional<
   return run;
 }
 
-void begin_run(Frame& f, RunWish wish, const std::optional<AgreedDoubts>& agreed) {
-  if (wish == RunWish::none) return;
+void begin_run(Frame& f, RunRequest request, const std::optional<AgreedDoubts>& agreed) {
+  if (request == RunRequest::none) return;
   Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen();
   const std::string& text = desk.texts.text(slot);
   if (std::string why = agreed ? std::string() : why_not_run_there(f.tab, text); !why.empty())
-    return f.toast(Mood::warn, std::move(why), &desk.texts);
-  const auto goal = wish == RunWish::run_stepping ? ProgramJob::Goal::run_stepping : ProgramJob::Goal::run;
+    return f.toast(Severity::warn, std::move(why), &desk.texts);
+  const auto goal =
+      request == RunRequest::run_stepping ? ProgramJob::Goal::run_stepping : ProgramJob::Goal::run;
   desk.job.begin(
       goal, slot, desk.texts, f.now, f.catalog,
       [&](IntentBody body) { return f.send_and_watch(std::move(body)); }, terms_of(f, text, agreed));
@@ -197,7 +198,7 @@ void begin_run(Frame& f, RunWish wish, const std::optional<AgreedDoubts>& agreed
 void describe_what_came(Frame& f) {
   Desk& desk = f.tab.desk();
   auto told = desk.job.take_told();
-  if (!told.sentence.empty()) f.toast(told.mood, std::move(told.sentence), &desk.texts);
+  if (!told.sentence.empty()) f.toast(told.severity, std::move(told.sentence), &desk.texts);
 }
 
 }  // namespace hw::panels

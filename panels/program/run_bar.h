@@ -12,7 +12,7 @@
 
 namespace hw::panels {
 
-enum class RunWish : std::uint8_t { none, run, run_stepping };
+enum class RunRequest : std::uint8_t { none, run, run_stepping };
 
 /// A stored program of the user's is running, waiting or held.
 [[nodiscard]] bool is_under_way(const ProgramState& program);
@@ -28,7 +28,7 @@ struct RunBarLook {
 };
 /// Draws at ImGui's cursor; more may follow in the row. Continues, holds and stops a running program itself;
 /// leaves a new run to the panel.
-RunWish run_bar(gui::Frame& frame, std::string_view where, const RunBarLook& look);
+RunRequest run_bar(gui::Frame& frame, std::string_view where, const RunBarLook& look);
 /// Progress of the running program by its rehearsal; none: unknown, or nothing runs.
 struct RunProgress {
   float share = 0;
@@ -39,11 +39,11 @@ std::optional<RunProgress> run_progress(const gui::Frame& frame);
 /// `left` (pixels). Id: `WHERE/left`.
 void draw_run_progress(gui::Frame& frame, std::string_view where, const RunProgress& progress, float left,
                        float right);
-/// The same for a chord: continues a waiting program, else returns the wish to the panel.
-RunWish go_on_or(gui::Frame& frame, RunWish wish);
+/// The same for a chord: continues a waiting program, else returns the request to the panel.
+RunRequest go_on_or(gui::Frame& frame, RunRequest request);
 /// Runs the chosen text, rehearsing it first if needed: the rehearsal tracks the run. `agreed`: the doubts
 /// about positions despite which it is run for this once; none: it is not run despite any.
-void begin_run(gui::Frame& frame, RunWish wish, const std::optional<gui::AgreedDoubts>& agreed = {});
+void begin_run(gui::Frame& frame, RunRequest request, const std::optional<gui::AgreedDoubts>& agreed = {});
 /// Tells the result of a run, transfer or store once.
 void describe_what_came(gui::Frame& frame);
 

@@ -53,13 +53,13 @@ bool RunDoubt::is_beyond_travel(const Frame& f) const {
   return written_ && past_travel(f.catalog, f.now, run_).has_value();
 }
 
-bool RunDoubt::holds_back(const Frame& f, RunWish wish, const std::string& text) {
-  if (wish == RunWish::none) return false;  // the question stays
-  wish_ = RunWish::none;
+bool RunDoubt::holds_back(const Frame& f, RunRequest request, const std::string& text) {
+  if (request == RunRequest::none) return false;  // the question stays
+  request_ = RunRequest::none;
   if (!find_places(f, text)) return false;
   const std::uint32_t doubtful = doubtful_axes(f.catalog, f.now, run_);
   if (doubtful == 0 || is_beyond_travel(f)) return false;  // no remedy helps beyond a limit
-  wish_ = wish;
+  request_ = request;
   text_ = text;
   tell(f, doubtful);
   return true;
@@ -96,13 +96,13 @@ std::string_view RunDoubt::why_not(const Frame& f, Way way) const {
 }
 
 RunDoubt::Once RunDoubt::draw(Frame& f, std::string_view where, const Rect& row, const std::string& text) {
-  if (wish_ == RunWish::none) return {};
+  if (request_ == RunRequest::none) return {};
   const bool same_text = f.tab.desk().texts.chosen() == run_.slot && text == text_;
   // Which places it is sent to by its counts depends on which of them are trusted.
   const bool other_doubts = doubted_ != doubts_of(f.now);
-  if (!same_text || (other_doubts && !find_places(f, text))) return wish_ = RunWish::none, Once();
+  if (!same_text || (other_doubts && !find_places(f, text))) return request_ = RunRequest::none, Once();
   const std::uint32_t now = doubtful_axes(f.catalog, f.now, run_);
-  if (now == 0 || is_beyond_travel(f)) return wish_ = RunWish::none, Once();
+  if (now == 0 || is_beyond_travel(f)) return request_ = RunRequest::none, Once();
   const bool told_anew = other_doubts || now != doubtful_;
   if (told_anew) tell(f, now);
   if (offered_ == 0 || counted_ != f.now.axes[axis_.index].position) offered_ = 0, name_ways(f, where);
@@ -116,10 +116,10 @@ RunDoubt::Once RunDoubt::draw(Frame& f, std::string_view where, const Rect& row,
   card_.begin(f, {.id = refused_id_, .about = "Run", .words = words_, .actions = {actions.data(), offered_}},
               row);
   const RefusalTouch touched = card_.end();
-  if (touched.closed) wish_ = RunWish::none;
+  if (touched.closed) request_ = RunRequest::none;
   if (touched.action < 0 || told_anew) return {};  // that click was on what was told before
   const Way way = offers_[static_cast<std::size_t>(touched.action)].way;
-  if (way == once) return {std::exchange(wish_, RunWish::none), doubted_};
+  if (way == once) return {std::exchange(request_, RunRequest::none), doubted_};
   go(f, way);
   return {};
 }

@@ -17,9 +17,9 @@ namespace hw::panels {
 class RunDoubt {
  public:
   /// True: this text relies on doubtful counts, and the question is shown here.
-  bool holds_back(const gui::Frame& frame, RunWish wish, const std::string& text);
+  bool holds_back(const gui::Frame& frame, RunRequest request, const std::string& text);
   struct Once {
-    RunWish wish = RunWish::none;
+    RunRequest request = RunRequest::none;
     gui::AgreedDoubts agreed{};  ///< the doubts that were told, and no others
   };
   /// Draws beside `row` while the run of `text` is held back. Returns the run to begin once all the same.
@@ -40,8 +40,8 @@ class RunDoubt {
   void go(gui::Frame& frame, Way way) const;
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame, Way way) const;
 
-  RunWish wish_ = RunWish::none;  ///< none: nothing is held back
-  std::string text_;              ///< the text concerned
+  RunRequest request_ = RunRequest::none;  ///< none: nothing is held back
+  std::string text_;                       ///< the text concerned
   intent::RunProgram run_{0};
   bool written_ = false;         ///< from a sequence, not typed
   gui::AgreedDoubts doubted_{};  ///< of all axes, when its places were found

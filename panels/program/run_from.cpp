@@ -148,14 +148,14 @@ void RunFrom::ask(Frame& f, PlaceToBegin place) {
 void RunFrom::ask(Frame& f, Result<Wanted> wanted) {
   const Language* language = f.tab.desk().language();
   if (!language) return;
-  if (!wanted) return f.toast(Mood::warn, wanted.error().sentence());
+  if (!wanted) return f.toast(Severity::warn, wanted.error().sentence());
   if (std::string why = why_not_sent_there(f, wanted->rest, wanted->axes); !why.empty())
-    return f.toast(Mood::warn, std::move(why));
+    return f.toast(Severity::warn, std::move(why));
   auto written = language->write(wanted->rest.sequence, f.catalog);
-  if (!written) return f.toast(Mood::warn, written.error().sentence());
+  if (!written) return f.toast(Severity::warn, written.error().sentence());
   const ProgramTexts& texts = f.tab.desk().texts;
   if (!wanted->text.empty() && texts.text(texts.chosen()) != wanted->text)
-    return f.toast(Mood::warn, "The text has been changed since. Nothing was begun.");
+    return f.toast(Severity::warn, "The text has been changed since. Nothing was begun.");
   rest_ = std::move(wanted->rest), written_ = std::move(*written);
   replaces_ = texts.edited(texts.chosen());
   asking_ = true;
@@ -171,7 +171,7 @@ void RunFrom::say(const Frame& f, const Wanted& wanted) {
   if (rest_.leaves_homing_out) question_ += "\nHoming is left out: the counts are trusted.";
   if (!speaks_of_a_tool(rest_))
     question_ += "\nNo step mentions a tool: make sure that nothing is in its way.";
-  question_ += replaces_ ? "\nThe text of the program, which is in no file, is replaced."
+  question_ += replaces_ ? "\nThe text of the program has unsaved changes and is replaced."
                          : "\nThe text of the program is replaced.";
 }
 
@@ -180,11 +180,11 @@ void RunFrom::run(Frame& f) const {
   f.tab.desk().source.put({std::make_shared<const sequence::Sequence>(rest_.sequence), written_});
   texts.set_text(texts.chosen(), written_.text);
   if (go_ahead_.expired())
-    return f.toast(Mood::warn, "A stop came first. The text was put into the program and not run.");
+    return f.toast(Severity::warn, "A stop came first. The text was put into the program and not run.");
   std::string_view why = why_none_runs(f);
   if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
-  if (why.empty()) return begin_run(f, RunWish::run);
-  f.toast(Mood::warn, std::string(why), &texts);
+  if (why.empty()) return begin_run(f, RunRequest::run);
+  f.toast(Severity::warn, std::string(why), &texts);
 }
 
 void RunFrom::draw_dialog(Frame& f, std::string_view where) {

@@ -134,24 +134,24 @@ void Threads::draw_first_button(Frame& f, int n, std::string_view no_link, bool 
 }
 
 void Threads::run(Frame& f, int n, bool as_it_is) {
-  intent::RunProgram wish(n);
-  wish.as_it_is = as_it_is;
+  intent::RunProgram request(n);
+  request.as_it_is = as_it_is;
   thread_ = n;
   refused_.clear();
-  asked_ = f.send_and_watch(std::move(wish));
+  asked_ = f.send_and_watch(std::move(request));
 }
 
 void Threads::follow(Frame& f) {
-  const IntentFate* fate = f.now.fate_of(asked_);
+  const IntentOutcome* outcome = f.now.outcome_of(asked_);
   if (f.now.forgotten(asked_)) asked_ = 0;
-  if (!fate || fate->fate == Fate::pending) return;
+  if (!outcome || outcome->state == IntentState::pending) return;
   asked_ = 0;
-  if (fate->fate == Fate::done) return;
+  if (outcome->state == IntentState::done) return;
   const bool torn = torn_program(f.catalog, f.now, intent::RunProgram(thread_)) >= 0;
   if (torn)
-    refused_ = fate->sentence.view();
+    refused_ = outcome->sentence.view();
   else
-    f.toast(Mood::fault, std::string(fate->sentence.view()));
+    f.toast(Severity::fault, std::string(outcome->sentence.view()));
 }
 
 void Threads::draw_refusal(Frame& f, int n, const Rect& row) {

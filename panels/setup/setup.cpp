@@ -78,17 +78,17 @@ void Setup::follow(Frame& f) {
       }
   }
   const auto told = f.tab.desk().setup_write.take_told();
-  if (!told.sentence.empty()) f.toast(told.good ? Mood::ok : Mood::fault, told.sentence);
+  if (!told.sentence.empty()) f.toast(told.good ? Severity::ok : Severity::fault, told.sentence);
   if (f.now.forgotten(storing_)) storing_ = 0;
-  const IntentFate* stored = f.now.fate_of(storing_);
-  if (stored && stored->fate != Fate::pending) {
+  const IntentOutcome* stored = f.now.outcome_of(storing_);
+  if (stored && stored->state != IntentState::pending) {
     storing_ = 0;
-    if (stored->fate != Fate::done)
-      return f.toast(Mood::fault, std::string(stored->sentence.view()), &storing_);
+    if (stored->state != IntentState::done)
+      return f.toast(Severity::fault, std::string(stored->sentence.view()), &storing_);
     std::string words = "Stored in the controller.";
     if (f.now.store_count >= 0 && f.catalog.can.store_life > 0)
       words += fmt::format(" {} of {} writes used.", f.now.store_count, f.catalog.can.store_life);
-    f.toast(Mood::ok, std::move(words));
+    f.toast(Severity::ok, std::move(words));
   }
 }
 
@@ -207,7 +207,7 @@ void Setup::draw_problems(Frame& f) {
   const std::size_t lines = std::min(problems_.size(), most) + (problems_.size() > most ? 1 : 0);
   const float height = ui.px(20 * static_cast<float>(lines) + 56);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  tinted(ui, Mood::warn, height);
+  tinted(ui, Severity::warn, height);
   const float left = ui.px(f.area.x + 16), right = ui.px(f.area.right() - 16);
   for (std::size_t i = 0; i < lines; ++i) {
     const float middle = at.y + ui.px(18 + 20 * static_cast<float>(i));
@@ -368,28 +368,30 @@ void Setup::draw_files(Frame& f) {
   desk.worker().run([path = *path, text = write_backup(file, f.catalog)] { return write_file(path, text); },
                     [&console, attempt, path = *path](Result<> saved) {
                       if (saved)
-                        console.toast(Mood::ok, fmt::format("The set-up was saved as {}.", path.string()));
+                        console.toast(Severity::ok,
+                                      fmt::format("The set-up was saved as {}.", path.string()));
                       else
-                        console.toast(Mood::fault, saved.error().sentence(), attempt);
+                        console.toast(Severity::fault, saved.error().sentence(), attempt);
                     },
                     desk.alive());
 }
 
 void Setup::taken_from_file(Frame& f, const Result<Backup>& file, const std::string& name) {
   f.withdraw(&open_);
-  if (!file) return f.toast(Mood::fault, file.error().sentence(), &open_);
+  if (!file) return f.toast(Severity::fault, file.error().sentence(), &open_);
   const auto checked = check_backup(*file, f.catalog, name);
-  if (!checked) return f.toast(Mood::fault, checked.error().sentence(), &open_);
+  if (!checked) return f.toast(Severity::fault, checked.error().sentence(), &open_);
   int differing = 0;
   problems_ = f.tab.desk().setup.take(*checked, f.now, &differing);
   from_file_ = name;
   for (SetupRowState& row : rows_) row.number.reset();
   if (differing == 0)
-    return f.toast(Mood::plain, fmt::format("{} holds the values that the controller already has.", name));
-  f.toast(Mood::plain, differing == 1
-                           ? fmt::format("One value of {} differs from the controller. Write sends it.", name)
-                           : fmt::format("{} values of {} differ from the controller. Write sends them.",
-                                         differing, name));
+    return f.toast(Severity::plain,
+                   fmt::format("{} holds the values that the controller already has.", name));
+  f.toast(Severity::plain,
+          differing == 1 ? fmt::format("One value of {} differs from the controller. Write sends it.", name)
+                         : fmt::format("{} values of {} differ from the controller. Write sends them.",
+                                       differing, name));
 }
 
 }  // namespace hw::panels

@@ -136,7 +136,9 @@ void draw_flat_step_table(Frame& f, const TwoSteps& s, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   constexpr float run_width = 52;
   const float left = at.x + ui.px(16 + run_width), right = at.x + ui.px(width - 16);
-  const float pitch = (right - left) / static_cast<float>(std::size(lines));
+  float names = 0;
+  for (const Line& m : lines) names += text_width(ui, Face::small, m.brief);
+  const float apart = (right - left - names) / static_cast<float>(std::size(lines));
   const float now_y = at.y + ui.px(36), was_y = now_y + ui.px(24), change_y = was_y + ui.px(24);
   const auto line = [&](float y) {
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.hair()),
@@ -152,7 +154,7 @@ void draw_flat_step_table(Frame& f, const TwoSteps& s, float width) {
   if (compared) begin(change_y, Face::small, Tone::ink2, "change");
   float x = left;
   for (const Line& m : lines) {
-    const float end = x + pitch - ui.px(4);
+    const float pitch = text_width(ui, Face::small, m.brief) + apart, end = x + pitch - ui.px(4);
     const auto line_of = [&](float y, Face face, Tone tone, std::string_view words) {
       const bool fits = text_width(ui, face, words) <= end - x;
       draw_text_line(ui, x, end, y, fits ? face : Face::small, ui[tone], words);

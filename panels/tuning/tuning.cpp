@@ -80,7 +80,7 @@ void Tuning::take(const AxisSample& s) {
   runs_.back().take(s);
 }
 
-bool Tuning::asked_by_others(const Frame& f) const { return f.now.fates[0].id > newest_; }
+bool Tuning::asked_by_others(const Frame& f) const { return f.now.outcomes[0].id > newest_; }
 
 bool Tuning::was_away(const Frame& f) {
   const int frame = ImGui::GetFrameCount();
@@ -133,9 +133,9 @@ void Tuning::follow(Frame& f) {
     return;
   }
   if (stage_ == Stage::arming && any_sample_) make_step(f);
-  const IntentFate* fate = f.now.fate_of(move_);
-  if (fate && (fate->fate == Fate::refused || fate->fate == Fate::failed)) {
-    f.toast(Mood::fault, std::string(fate->sentence.view()));
+  const IntentOutcome* outcome = f.now.outcome_of(move_);
+  if (outcome && (outcome->state == IntentState::refused || outcome->state == IntentState::failed)) {
+    f.toast(Severity::fault, std::string(outcome->sentence.view()));
     runs_.pop_back();
     repeat_.on = false;
     stage_ = Stage::idle;
@@ -147,7 +147,7 @@ void Tuning::follow(Frame& f) {
 
 void Tuning::end_repeat(Frame& f, std::string why) {
   repeat_.on = repeat_.learns_scatter = false;
-  if (!why.empty()) f.toast(Mood::plain, std::move(why));
+  if (!why.empty()) f.toast(Severity::plain, std::move(why));
 }
 
 /// `steps`: even; negative: until Repeat is pressed again.
@@ -170,7 +170,8 @@ void Tuning::learn_scatter(Frame& f) {
   if (!repeat_.learns_scatter) return;
   if (sign_ > 0) scatter_.take(now_);
   if (repeat_.steps_left != 0) return;
-  f.toast(Mood::ok, "Three repetitions are measured: a smaller difference than theirs is called the same.");
+  f.toast(Severity::ok,
+          "Three repetitions are measured: a smaller difference than theirs is called the same.");
 }
 
 /// Ends Repeat. A step that has not settled is the subject of the tuning, and ends nothing.
@@ -187,8 +188,8 @@ void Tuning::finish(Frame& f) {
     const bool none = runs_.back().empty();
     runs_.pop_back();
     repeat_.on = false;
-    return f.toast(Mood::fault, none ? "No sample has come: nothing was recorded."
-                                     : "The axis was not sent anywhere: nothing was recorded.");
+    return f.toast(Severity::fault, none ? "No sample has come: nothing was recorded."
+                                         : "The axis was not sent anywhere: nothing was recorded.");
   }
   runs_.back().end();
   now_ = measure(runs_.back());
@@ -238,7 +239,7 @@ void Tuning::record(Frame& f) {
   if (stage_ == Stage::pausing) stage_ = Stage::idle;
   if (const std::string_view why = why_not(f); !why.empty()) {
     repeat_.on = false;
-    return f.toast(Mood::fault, std::string(why));
+    return f.toast(Severity::fault, std::string(why));
   }
   take_samples(f.tab, [](const AxisSample&) {});  // of an earlier recording
   const Steps step(sign_ * std::llround(*step_.value()));
