@@ -134,8 +134,9 @@ void stop_while_a_program_is_sent(benchmark::State& state) {
     waits.push_back(waited);
     state.SetIterationTime(waited);
     const bool both_over = console.wait([&](const Snapshot& s) {
-      const IntentFate *stop = s.fate_of(id), *transfer = s.fate_of(transfers);
-      return stop && transfer && stop->fate != Fate::pending && transfer->fate != Fate::pending;
+      const IntentOutcome *stop = s.outcome_of(id), *transfer = s.outcome_of(transfers);
+      return stop && transfer && stop->state != IntentState::pending &&
+             transfer->state != IntentState::pending;
     });
     if (!both_over) return state.SkipWithError("the stop did not end");
   }

@@ -23,9 +23,9 @@ TEST_P(AbsentAxisContract, IsRefusedWithASentenceAndNothingIsSent) {
           IntentBody(intent::Home(absent, Sign::minus)), IntentBody(intent::Stop(static_cast<int>(i))),
           IntentBody(intent::SetTravel(absent, Travel())),
           IntentBody(intent::SetBacklash(absent, Backlash())), IntentBody(intent::TrustPosition(absent))}) {
-      const IntentFate fate = perform(IntentBody(body));
-      EXPECT_EQ(fate.fate, Fate::refused) << body.index() << " of axis " << i;
-      EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("There is no")) << body.index();
+      const IntentOutcome outcome = perform(IntentBody(body));
+      EXPECT_EQ(outcome.state, IntentState::refused) << body.index() << " of axis " << i;
+      EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("There is no")) << body.index();
     }
   }
   run(Millis(500));

@@ -12,12 +12,12 @@ class BacklashContract : public ContractTest {
     ContractTest::SetUp();
     if (session->catalog().axes[0].switchable) perform(intent::SetPower(0, true));
     run(seconds(1));
-    ASSERT_EQ(perform(intent::SetBacklash(AxisId{0}, {Steps(60), Sign::plus})).fate, Fate::done);
+    ASSERT_EQ(perform(intent::SetBacklash(AxisId{0}, {Steps(60), Sign::plus})).state, IntentState::done);
   }
   /// Where it was at its lowest on the way; it ends at `place`.
   std::int64_t lowest_on_the_way(IntentBody body, std::int64_t place) {
     std::int64_t lowest = axis().commanded().value;
-    EXPECT_EQ(perform(std::move(body)).fate, Fate::done);
+    EXPECT_EQ(perform(std::move(body)).state, IntentState::done);
     EXPECT_TRUE(run_until(
         [&] {
           lowest = std::min(lowest, axis().commanded().value);
@@ -43,7 +43,7 @@ TEST_P(BacklashContract, AMoveThatEndsTheOtherWayGoesPastItsTargetAndComesBack) 
 
 TEST_P(BacklashContract, AStopDropsTheWayBack) {
   lowest_on_the_way(to(800), 800);
-  EXPECT_EQ(perform(to(300)).fate, Fate::done);
+  EXPECT_EQ(perform(to(300)).state, IntentState::done);
   run(Millis(100));
   perform(intent::Stop());
   ASSERT_TRUE(becomes_idle(seconds(20)));
@@ -57,15 +57,15 @@ TEST_P(BacklashContract, AStopDropsTheWayBack) {
 std::pair<std::string, std::string> question_and_command(const Catalog& catalog) {
   if (catalog.model == "vxm") return {"X", "B0\r"};
   if (catalog.model == "vme58") return {"AX RP", "AX VL900"};
-  if (catalog.model == "twin") return {"?", "FA=300"};
+  if (catalog.model == "twin") return {"?", "VA=300"};
   return {"PX", "V7=3"};
 }
 
 TEST_P(BacklashContract, AQuestionInBetweenLeavesTheWayBackToCome) {
   const auto [question, command] = question_and_command(session->catalog());
   lowest_on_the_way(to(800), 800);
-  EXPECT_EQ(perform(to(300)).fate, Fate::done);
-  EXPECT_EQ(perform(intent::SendText(question)).fate, Fate::done);
+  EXPECT_EQ(perform(to(300)).state, IntentState::done);
+  EXPECT_EQ(perform(intent::SendText(question)).state, IntentState::done);
   ASSERT_TRUE(run_until([this] { return !now().pieces.running && !now().any_axis_moving(); }, seconds(60)));
   EXPECT_EQ(axis().commanded(), Steps(300));
   EXPECT_TRUE(now().pieces.ended_because.view().empty());
@@ -74,9 +74,9 @@ TEST_P(BacklashContract, AQuestionInBetweenLeavesTheWayBackToCome) {
 TEST_P(BacklashContract, ATextThatDoesSomethingEndsItAndThatIsTold) {
   const auto [question, command] = question_and_command(session->catalog());
   lowest_on_the_way(to(800), 800);
-  EXPECT_EQ(perform(to(300)).fate, Fate::done);
+  EXPECT_EQ(perform(to(300)).state, IntentState::done);
   const bool refused = session->catalog().can.one_axis_at_a_time;  // during a move
-  EXPECT_EQ(perform(intent::SendText(command)).fate, refused ? Fate::refused : Fate::done);
+  EXPECT_EQ(perform(intent::SendText(command)).state, refused ? IntentState::refused : IntentState::done);
   ASSERT_TRUE(run_until([this] { return !now().pieces.running && !now().any_axis_moving(); }, seconds(60)));
   EXPECT_EQ(axis().commanded(), refused ? Steps(300) : Steps(240)) << "what was refused changed nothing";
   if (!refused)
@@ -85,10 +85,10 @@ TEST_P(BacklashContract, ATextThatDoesSomethingEndsItAndThatIsTold) {
 
 TEST_P(BacklashContract, NothingElseMovesInBetween) {
   lowest_on_the_way(to(800), 800);
-  EXPECT_EQ(perform(to(300)).fate, Fate::done);
-  const IntentFate jog = perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(400)));
-  EXPECT_EQ(jog.fate, Fate::refused) << "its stop would leave the way back to come";
-  EXPECT_EQ(perform(to(900)).fate, Fate::refused);
+  EXPECT_EQ(perform(to(300)).state, IntentState::done);
+  const IntentOutcome jog = perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(400)));
+  EXPECT_EQ(jog.state, IntentState::refused) << "its stop would leave the way back to come";
+  EXPECT_EQ(perform(to(900)).state, IntentState::refused);
   ASSERT_TRUE(run_until([this] { return !now().pieces.running && !now().any_axis_moving(); }, seconds(60)));
   EXPECT_EQ(axis().commanded(), Steps(300));
 }
@@ -97,16 +97,16 @@ TEST_P(BacklashContract, ItsTurnLiesWithinTheLimitsToo) {
   lowest_on_the_way(to(800), 800);
   Travel travel;
   travel.has_minus = true, travel.minus = Steps(280), travel.in_counts = axis().in_counts;
-  ASSERT_EQ(perform(intent::SetTravel(AxisId{0}, travel)).fate, Fate::done);
-  const IntentFate refused = perform(to(300));
-  EXPECT_EQ(refused.fate, Fate::refused);
+  ASSERT_EQ(perform(intent::SetTravel(AxisId{0}, travel)).state, IntentState::done);
+  const IntentOutcome refused = perform(to(300));
+  EXPECT_EQ(refused.state, IntentState::refused);
   EXPECT_THAT(std::string(refused.sentence.view()), testing::HasSubstr("backlash"));
   EXPECT_EQ(axis().commanded(), Steps(800));
-  EXPECT_EQ(perform(to(340)).fate, Fate::done);
+  EXPECT_EQ(perform(to(340)).state, IntentState::done);
 }
 
 TEST_P(BacklashContract, ANegativeOneIsRefused) {
-  EXPECT_EQ(perform(intent::SetBacklash(AxisId{0}, {Steps(-1), Sign::plus})).fate, Fate::refused);
+  EXPECT_EQ(perform(intent::SetBacklash(AxisId{0}, {Steps(-1), Sign::plus})).state, IntentState::refused);
   EXPECT_EQ(now().axes[0].backlash.by, Steps(60));
 }
 

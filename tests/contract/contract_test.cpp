@@ -54,11 +54,11 @@ TEST_P(ContractTest, AFreshControllerIsKnownAndAtRest) {
 }
 
 TEST_P(ContractTest, AMoveEndsWhereItWasSent) {
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(20)));
   EXPECT_EQ(axis().position, Steps(400));
   EXPECT_EQ(axis().ended_by, EndedBy::target);
-  EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(-100)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(-100)}})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(20)));
   EXPECT_EQ(axis().position, Steps(300));
 }
@@ -92,7 +92,7 @@ TEST_P(ContractTest, StopEndsALongMoveAtOnceAndItStaysEnded) {
   ASSERT_EQ(axis().activity, Activity::moving);
   const IntentId stop = session->send(intent::Stop());
   ASSERT_TRUE(becomes_idle(seconds(20)));
-  EXPECT_EQ(now().fate_of(stop)->fate, Fate::done);
+  EXPECT_EQ(now().outcome_of(stop)->state, IntentState::done);
   const Steps there = axis().position;
   EXPECT_LT(there, Steps(49000));
   run(seconds(5));
@@ -160,7 +160,7 @@ TEST_P(ContractTest, WhatIsStoppedWithoutALinkIsStoppedWhenItIsBack) {
   run(Millis(200));
   operate(bench::Unplug(true));
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, seconds(10)));
-  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::failed) << "and it is said";
+  EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::failed) << "and it is said";
   operate(bench::Unplug(false));
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, seconds(20)));
   ASSERT_TRUE(becomes_idle(seconds(10)));
@@ -178,7 +178,7 @@ TEST_P(ContractTest, AScriptsJogThatALimitHasEndedStopsNothingElse) {
   operate(bench::Limit(AxisId{0}, Sign::plus, false));
   clear_errors();
   const Steps there = axis().position;
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, there - Steps(3000)}}, Pps(1000))).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, there - Steps(3000)}}, Pps(1000))).state, IntentState::done);
   run(Millis(300));
   ASSERT_TRUE(now().any_axis_moving());
   operate(bench::Unplug(true));
@@ -200,7 +200,7 @@ TEST_P(ContractTest, WhatIsRefusedBesideAHeldJogLeavesItGuarded) {
   hold(5);
   const IntentId refused = session->send(intent::MoveTo({{AxisId{0}, Steps(2'000'000'000)}}));
   hold(5);
-  EXPECT_EQ(now().fate_of(refused)->fate, Fate::refused);
+  EXPECT_EQ(now().outcome_of(refused)->state, IntentState::refused);
   session->send(intent::JogStop());
   ASSERT_TRUE(becomes_idle(seconds(10)));
   const Steps there = load();
@@ -218,7 +218,7 @@ TEST_P(ContractTest, AHandLetsGoOfItsOwnJogBesideAScripts) {
     const IntentId scripts = session->send(intent::JogStart(AxisId{1}, Sign::plus, {}, false));
     run(Millis(200));
     session->send(intent::JogKeepAlive());
-    ASSERT_EQ(now().fate_of(scripts)->fate, Fate::done);
+    ASSERT_EQ(now().outcome_of(scripts)->state, IntentState::done);
     if (script_ends_first) session->send(intent::Stop(1));
     run(Millis(200));
     session->send(intent::JogStop());
@@ -238,7 +238,7 @@ TEST_P(ContractTest, StopsOfDifferentAxesAreNotAStopAskedTwice) {
   const auto jogs = [this](std::uint8_t i, bool guarded = false) {
     const IntentId jog = session->send(intent::JogStart(AxisId{i}, Sign::plus, {}, guarded));
     run(Millis(200));
-    return now().fate_of(jog)->fate == Fate::done;
+    return now().outcome_of(jog)->state == IntentState::done;
   };
   const int axes = std::min(now().axis_count, 3);
   ASSERT_TRUE(jogs(0));
@@ -306,7 +306,8 @@ TEST_P(ContractTest, AJogThatIsLetGoBeforeItsTurnMovesNothing) {
   const IntentId jog = session->send(intent::JogStart(AxisId{0}, Sign::plus));
   session->send(intent::JogStop());
   ASSERT_TRUE(
-      run_until([&] { return now().fate_of(jog) && now().fate_of(jog)->fate == Fate::refused; }, seconds(5)));
+      run_until([&] { return now().outcome_of(jog) && now().outcome_of(jog)->state == IntentState::refused; },
+                seconds(5)));
   ASSERT_TRUE(becomes_idle(seconds(20)));
   EXPECT_EQ(axis().position, Steps(400)) << "and the move before it is not stopped";
 }
@@ -324,9 +325,9 @@ TEST_P(ContractTest, AStopWhileTheLinkIsRestoredGoesOutWhole) {
     run(now().link.next_attempt - time.now() + Millis(into_it_ms));
     const IntentId stop = session->send(intent::Stop());
     run(seconds(4));
-    const IntentFate* fate = now().fate_of(stop);
-    ASSERT_TRUE(fate);
-    EXPECT_EQ(fate->fate, Fate::done) << into_it_ms << ": " << fate->sentence.view();
+    const IntentOutcome* outcome = now().outcome_of(stop);
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(outcome->state, IntentState::done) << into_it_ms << ": " << outcome->sentence.view();
     const Steps there = load();
     run(seconds(3));
     EXPECT_EQ(load(), there) << into_it_ms;
@@ -343,7 +344,7 @@ TEST_P(ContractTest, GarbledAndDroppedBytesLoseNothing) {
   // What is still to be garbled hits the greetings of the next connections, one by one.
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, seconds(300)))
       << now().link.sentence.view();
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(20)));
   EXPECT_EQ(axis().position, Steps(400));
 }
@@ -367,14 +368,14 @@ TEST_P(ContractTest, APowerCycleIsNoticedAndNothingMoves) {
 TEST_P(ContractTest, ValuesOutOfRangeAreRefusedInWordsAndNothingIsSent) {
   for (const ParamInfo& p : session->catalog().params) {
     if (!p.choices.empty() || !p.bits.empty()) continue;
-    const IntentFate fate = perform(intent::SetParam(p.mnemonic, p.maximum + 1, true));
-    EXPECT_EQ(fate.fate, Fate::refused) << p.mnemonic;
-    EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("Nothing was sent")) << p.mnemonic;
+    const IntentOutcome outcome = perform(intent::SetParam(p.mnemonic, p.maximum + 1, true));
+    EXPECT_EQ(outcome.state, IntentState::refused) << p.mnemonic;
+    EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("Nothing was sent")) << p.mnemonic;
   }
 }
 
 TEST_P(ContractTest, EveryParameterCanBeReadAndTakesItsFactoryValueAgain) {
-  ASSERT_EQ(perform(intent::ReadParams(), seconds(60)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::ReadParams(), seconds(60)).state, IntentState::done);
   const Catalog& c = session->catalog();
   for (std::size_t i = 0; i < c.params.size(); ++i) {
     if (!c.params[i].readable) continue;

@@ -1,4 +1,7 @@
 // Every end of a motion or a program is told once, with what it was and who has ended it.
+#include <map>
+
+#include "tests/contract/another_host.h"
 #include "tests/contract/rig.h"
 
 namespace hw {
@@ -18,13 +21,32 @@ class EndingContract : public ContractTest {
     run(seconds(1));
     endings();
   }
+  /// Another program on the wire stops the first axis with its ramp.
+  void another_stops_it() {
+    const std::map<std::string_view, std::string> stops{{"vxm", "D"},
+                                                        {"pmx-4ex-sa", "@00STOPX\r"},
+                                                        {"dmx-k-sa", "@00STOP\r"},
+                                                        {"vme58", "AX;ST;"},
+                                                        {"twin", "0 S A\n"}};
+    say_as_another(
+        io, *session, [this](Duration d) { run(d); }, stops.at(GetParam()->model));
+  }
+  Ending ends_by_another() {
+    run(seconds(2));
+    another_stops_it();
+    EXPECT_TRUE(becomes_idle(seconds(60)));
+    run(seconds(1));
+    const auto all = endings();
+    EXPECT_EQ(all.size(), 1u);
+    return all.empty() ? Ending() : all[0];
+  }
 };
 
 INSTANTIATE_TEST_SUITE_P(Every, EndingContract, testing::ValuesIn(types_under_test()), name_of_type);
 
 TEST_P(EndingContract, AMoveThatComesToItsTarget) {
   switch_motor_on();
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(500)}})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(500)}})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(60)));
   run(seconds(1));
   const auto all = endings();
@@ -37,9 +59,9 @@ TEST_P(EndingContract, AMoveThatComesToItsTarget) {
 
 TEST_P(EndingContract, AJogThatIsStoppedByEsc) {
   switch_motor_on();
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000), false)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000), false)).state, IntentState::done);
   run(seconds(1));
-  EXPECT_EQ(perform(intent::Stop(-1, StoppedBy::key)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Stop(-1, StoppedBy::key)).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(60)));
   run(seconds(1));
   const auto all = endings();
@@ -55,7 +77,7 @@ TEST_P(EndingContract, AJogThatIsStoppedByEsc) {
 
 TEST_P(EndingContract, AStopIsTimedFromThePressOfTheHand) {
   switch_motor_on();
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000), false)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000), false)).state, IntentState::done);
   run(seconds(1));
   constexpr Duration until_its_frame = Millis(150);
   session->send(intent::Stop(), session->now() - until_its_frame);
@@ -70,7 +92,7 @@ TEST_P(EndingContract, AStopIsTimedFromThePressOfTheHand) {
 
 TEST_P(EndingContract, AMotionThatALimitEnds) {
   switch_motor_on();
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(1'000'000)}})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(1'000'000)}})).state, IntentState::done);
   run(Millis(300));
   operate(bench::Limit(AxisId{0}, Sign::plus, true));
   ASSERT_TRUE(becomes_idle(seconds(60)));
@@ -82,12 +104,89 @@ TEST_P(EndingContract, AMotionThatALimitEnds) {
   EXPECT_FALSE(all[0].limit_minus);
 }
 
+TEST_P(EndingContract, AMoveThatAnotherHostStops) {
+  switch_motor_on();
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(1'000'000)}})).state, IntentState::done);
+  const Ending ending = ends_by_another();
+  EXPECT_EQ(ending.by, EndedBy::elsewhere);
+  EXPECT_EQ(ending.what, Ending::What::motion);
+}
+
+TEST_P(EndingContract, AJogThatAnotherHostStops) {
+  switch_motor_on();
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000), false)).state, IntentState::done);
+  const Ending ending = ends_by_another();
+  EXPECT_EQ(ending.by, EndedBy::elsewhere);
+  EXPECT_EQ(ending.what, Ending::What::jog);
+}
+
+TEST_P(EndingContract, AHomeSearchThatAnotherHostStopsHasFoundNothing) {
+  const auto modes = session->catalog().homing_modes;  // of a session that is replaced
+  for (int mode = 0; mode < static_cast<int>(modes.size()); ++mode) {
+    SCOPED_TRACE(modes[static_cast<std::size_t>(mode)].label);
+    if (mode > 0) close(), open();
+    switch_motor_on();
+    AxisPlace far;
+    far.minus = Steps(-900'000);
+    far.home_from = Steps(-890'000), far.home_to = Steps(-880'000);
+    operate(bench::Place(AxisId{0}, far));
+    const Sign sign = modes[static_cast<std::size_t>(mode)].only_direction.value_or(Sign::minus);
+    const IntentOutcome outcome = perform(intent::Home(AxisId{0}, sign, mode));
+    ASSERT_EQ(outcome.state, IntentState::done) << outcome.sentence.view();
+    const Ending ending = ends_by_another();
+    EXPECT_EQ(ending.what, Ending::What::homing);
+    EXPECT_EQ(ending.by, EndedBy::elsewhere);
+    EXPECT_EQ(axis().trust.kind, Trust::counted) << "nothing has set its count";
+    EXPECT_NE(axis().position, Steps(0)) << "nothing has been written there";
+  }
+}
+
+TEST_P(EndingContract, AStopAtOnceBehindAnotherIsToldAsOne) {
+  switch_motor_on();
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000), false)).state, IntentState::done);
+  run(seconds(1));
+  session->send(intent::Stop(-1, StoppedBy::key));
+  session->send(intent::Stop(-1, StoppedBy::key));
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  run(seconds(1));
+  const auto all = endings();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].by, EndedBy::abort);
+}
+
+TEST_P(EndingContract, AStopTellsWhenItIsSeenToSlowDown) {
+  switch_motor_on();
+  const Pps speed(session->catalog().can.window ? 200'000 : 2'000);  // so that the ramp is seen
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, speed, false)).state, IntentState::done);
+  run(seconds(3));
+  EXPECT_EQ(perform(intent::Stop()).state, IntentState::done);
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  run(seconds(1));
+  const auto all = endings();
+  ASSERT_EQ(all.size(), 1u);
+  ASSERT_TRUE(all[0].to_slowing);
+  EXPECT_GT(*all[0].to_slowing, all[0].to_wire);
+  EXPECT_LT(*all[0].to_slowing, all[0].to_rest);
+}
+
+TEST_P(EndingContract, APowerCutThatEndsAMotionIsNamed) {
+  switch_motor_on();
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(1'000'000)}})).state, IntentState::done);
+  run(seconds(2));
+  operate(bench::PowerCycle());
+  run(seconds(20));
+  const auto all = endings();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].by, EndedBy::lost);
+  EXPECT_NE(all[0].lost_with, Doubt::none);
+}
+
 TEST_P(EndingContract, AProgramThatIsOverAtOnceTellsItsEndToo) {
   if (session->catalog().program.threads == 0) GTEST_SKIP() << "it is told by its prompt";
   switch_motor_on();
-  ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nEND\n")).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nEND\n")).state, IntentState::done);
   for (int time = 0; time < 3; ++time) {
-    ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+    ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
     run(seconds(1));
     const auto all = endings();
     ASSERT_EQ(all.size(), 1u);
@@ -100,8 +199,8 @@ TEST_P(EndingContract, AProgramThatIsOverAtOnceTellsItsEndToo) {
 TEST_P(EndingContract, AProgramThatALimitEndsTellsWhereItStoodAndWhichAxisItWas) {
   if (session->catalog().program.threads == 0) GTEST_SKIP() << "its programs do not tell a line";
   switch_motor_on();
-  ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nX1000000\nWAITX\nEND\n")).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nX1000000\nWAITX\nEND\n")).state, IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   run(seconds(1));
   operate(bench::Limit(AxisId{0}, Sign::plus, true));
   ASSERT_TRUE(becomes_idle(seconds(60)));

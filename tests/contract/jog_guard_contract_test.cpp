@@ -28,14 +28,14 @@ class JogGuardContract : public ContractTest {
     ContractTest::TearDown();
   }
   void install() {
-    const IntentFate fate = perform(intent::GuardJogs(true), seconds(60));
-    ASSERT_EQ(fate.fate, Fate::done) << fate.sentence.view();
+    const IntentOutcome outcome = perform(intent::GuardJogs(true), seconds(60));
+    ASSERT_EQ(outcome.state, IntentState::done) << outcome.sentence.view();
     ASSERT_EQ(now().jog_guard.state, JogGuard::State::installed);
     EXPECT_GE(now().jog_guard.silence, Millis(500));
   }
   void jog(Duration time_held, bool by_hand = true) {
-    const IntentFate fate = perform(intent::JogStart(AxisId{0}, Sign::plus, {}, by_hand));
-    ASSERT_EQ(fate.fate, Fate::done) << fate.sentence.view();
+    const IntentOutcome outcome = perform(intent::JogStart(AxisId{0}, Sign::plus, {}, by_hand));
+    ASSERT_EQ(outcome.state, IntentState::done) << outcome.sentence.view();
     for (Duration held{}; held < time_held; held += Millis(50)) {
       session->send(intent::JogKeepAlive());
       run(Millis(50));
@@ -54,7 +54,7 @@ class JogGuardContract : public ContractTest {
     run(seconds(10));
   }
   std::int64_t time_out() {
-    EXPECT_EQ(perform(intent::ReadParams("TOC")).fate, Fate::done);
+    EXPECT_EQ(perform(intent::ReadParams("TOC")).state, IntentState::done);
     return now().params[static_cast<std::size_t>(session->catalog().find_param("TOC"))].value;
   }
   std::int32_t variable(int number) {
@@ -96,7 +96,7 @@ TEST_P(JogGuardContract, SilenceStopsNoMove) {
   ASSERT_TRUE(becomes_idle(seconds(10)));
   run(seconds(1));
   EXPECT_EQ(time_out(), 0);
-  ASSERT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(5000)}})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(5000)}})).state, IntentState::done);
   run(Millis(500));
   cut_the_line();
   run(seconds(2));
@@ -107,8 +107,8 @@ TEST_P(JogGuardContract, NorAMoveRightBehindAJog) {
   ASSERT_NO_FATAL_FAILURE(install());
   ASSERT_NO_FATAL_FAILURE(jog(Millis(500)));
   session->send(intent::JogStop());
-  const IntentFate fate = perform(intent::MoveBy({{AxisId{0}, Steps(5000)}}), seconds(10));
-  ASSERT_EQ(fate.fate, Fate::done) << fate.sentence.view();
+  const IntentOutcome outcome = perform(intent::MoveBy({{AxisId{0}, Steps(5000)}}), seconds(10));
+  ASSERT_EQ(outcome.state, IntentState::done) << outcome.sentence.view();
   cut_the_line();
   run(seconds(2));
   EXPECT_TRUE(moves());
@@ -129,7 +129,7 @@ TEST_P(JogGuardContract, AMoveBehindAJogThatItHasStoppedIsLeftAlone) {
   run(seconds(2));
   ASSERT_FALSE(moves());
   ASSERT_NO_FATAL_FAILURE(mend_the_line());
-  EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(5000)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(5000)}})).state, IntentState::done);
   cut_the_line();
   run(seconds(2));
   EXPECT_TRUE(moves());
@@ -151,8 +151,9 @@ TEST_P(JogGuardContract, AStopOfAllEndsItAndTheNextJogIsGuardedAgain) {
 
 TEST_P(JogGuardContract, GoesWithoutATrace) {
   ASSERT_NO_FATAL_FAILURE(install());
-  EXPECT_EQ(perform(intent::GuardJogs(true), seconds(60)).fate, Fate::refused) << "it is there already";
-  EXPECT_EQ(perform(intent::GuardJogs(false), seconds(60)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::GuardJogs(true), seconds(60)).state, IntentState::refused)
+      << "it is there already";
+  EXPECT_EQ(perform(intent::GuardJogs(false), seconds(60)).state, IntentState::done);
   EXPECT_EQ(now().jog_guard.state, JogGuard::State::absent);
   EXPECT_EQ(time_out(), 0);
   EXPECT_EQ(variable(48), 0);
@@ -161,13 +162,13 @@ TEST_P(JogGuardContract, GoesWithoutATrace) {
 }
 
 TEST_P(JogGuardContract, IsWrittenOnlyIntoAnEmptyProgramMemory) {
-  ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nEND\n"), seconds(60)).fate, Fate::done);
-  const IntentFate refused = perform(intent::GuardJogs(true), seconds(60));
-  EXPECT_EQ(refused.fate, Fate::refused);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nEND\n"), seconds(60)).state, IntentState::done);
+  const IntentOutcome refused = perform(intent::GuardJogs(true), seconds(60));
+  EXPECT_EQ(refused.state, IntentState::refused);
   EXPECT_THAT(std::string(refused.sentence.view()), HasSubstr("holds a program"));
   EXPECT_EQ(now().jog_guard.state, JogGuard::State::no_room);
-  EXPECT_EQ(perform(intent::RunProgram(0)).fate, Fate::done) << "what was there is there";
-  EXPECT_EQ(perform(intent::GuardJogs(false), seconds(60)).fate, Fate::refused);
+  EXPECT_EQ(perform(intent::RunProgram(0)).state, IntentState::done) << "what was there is there";
+  EXPECT_EQ(perform(intent::GuardJogs(false), seconds(60)).state, IntentState::refused);
 }
 
 TEST_P(JogGuardContract, TheNextSessionFindsIt) {
@@ -182,7 +183,7 @@ TEST_P(JogGuardContract, TheNextSessionFindsIt) {
 
 TEST_P(JogGuardContract, AProgramOfTheUsersTakesItsPlace) {
   ASSERT_NO_FATAL_FAILURE(install());
-  ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nEND\n"), seconds(60)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nEND\n"), seconds(60)).state, IntentState::done);
   run(seconds(2));
   EXPECT_EQ(now().jog_guard.state, JogGuard::State::no_room);
   ASSERT_NO_FATAL_FAILURE(jog(Millis(300)));  // and starts nothing
@@ -201,10 +202,10 @@ TEST_P(JogGuardContract, ItsThreadIsNobodysElseOnlyWhileAJogIsHeld) {
 
 TEST_P(JogGuardContract, AJogDoesNotOverwriteATimeOutThatWasSetSince) {
   ASSERT_NO_FATAL_FAILURE(install());
-  ASSERT_EQ(perform(intent::SendText("TOC=5000")).fate, Fate::done);
-  const IntentFate fate = perform(intent::JogStart(AxisId{0}, Sign::plus, {}, true));
-  EXPECT_EQ(fate.fate, Fate::refused);
-  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("TOC is 5000"));
+  ASSERT_EQ(perform(intent::SendText("TOC=5000")).state, IntentState::done);
+  const IntentOutcome outcome = perform(intent::JogStart(AxisId{0}, Sign::plus, {}, true));
+  EXPECT_EQ(outcome.state, IntentState::refused);
+  EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("TOC is 5000"));
   EXPECT_FALSE(moves());
   EXPECT_EQ(time_out(), 5000);
 }

@@ -84,7 +84,7 @@ class LastWillContract : public ContractTest {
     co_return wire;
   }
   void jog(Duration time_held) {
-    ASSERT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus)).fate, Fate::done);
+    ASSERT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus)).state, IntentState::done);
     hold(time_held);
   }
   void hold(Duration time_held) {

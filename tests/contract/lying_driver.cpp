@@ -152,7 +152,7 @@ class LyingDriver final : public Driver {
     to.store_count = from.store_count;
     to.program_changes = from.program_changes;
     to.program_changed_by = from.program_changed_by;
-    to.fates = from.fates;
+    to.outcomes = from.outcomes;
   }
 
   Snapshot& shown_;

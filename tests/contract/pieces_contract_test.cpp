@@ -144,6 +144,32 @@ TEST_P(PiecesContractTest, AStopEndsAllAndItGoesOnFromAPiece) {
   EXPECT_EQ(now().pieces.done, now().pieces.total);
 }
 
+TEST_P(PiecesContractTest, WhatIsLeftOfADrawingOutlivesARunThatIsNone) {
+  auto drawing = *long_one();
+  drawing.drawing = 7;
+  must(intent::RunInPieces(std::make_shared<const Pieces>(drawing)));
+  ASSERT_TRUE(run_until([&] { return is_on() && now().pieces.step >= 0; }, seconds(600)));
+  EXPECT_EQ(now().pieces.rest_of, 0u);
+  session->send(intent::Stop());
+  ASSERT_TRUE(ends());
+  run(seconds(3));
+  const int step = now().pieces.rest_step;
+  EXPECT_EQ(now().pieces.rest_of, 7u);
+  const auto frame = cut(step);  // as a frame does, it tells of no drawing
+  ASSERT_TRUE(frame);
+  must(intent::RunInPieces(frame));
+  ASSERT_TRUE(run_until([&] { return is_on(); }, seconds(600)));
+  session->send(intent::Stop());
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(now().pieces.drawing, 0u);
+  EXPECT_EQ(now().pieces.rest_of, 7u);
+  EXPECT_EQ(now().pieces.rest_step, step);
+  drawing.drawing = 8;
+  must(intent::RunInPieces(std::make_shared<const Pieces>(drawing)));
+  EXPECT_TRUE(run_until([&] { return now().pieces.rest_of == 0; }, seconds(5)))
+      << "another drawing takes its place";
+}
+
 TEST_P(PiecesContractTest, AHoldKeepsTheNextPieceBack) {
   const auto pieces = long_one();
   if (pieces->all.size() < 2) GTEST_SKIP() << "it is one piece";
@@ -204,8 +230,8 @@ TEST_P(PiecesContractTest, NothingFollowsAPowerCut) {
 TEST_P(PiecesContractTest, NothingMovesItsOriginMeanwhile) {
   must(intent::RunInPieces(long_one()));
   ASSERT_TRUE(run_until([this] { return is_on(); }, seconds(60)));
-  const IntentFate zero = perform(intent::SetPosition(0));
-  EXPECT_EQ(zero.fate, Fate::refused);
+  const IntentOutcome zero = perform(intent::SetPosition(0));
+  EXPECT_EQ(zero.state, IntentState::refused);
   EXPECT_THAT(std::string(zero.sentence.view()), HasSubstr("in pieces"));
   ASSERT_TRUE(ends());
   EXPECT_EQ(axis().position, Steps(at_));
@@ -320,7 +346,7 @@ TEST_P(PiecesContractTest, AHeldBufferHasItsToolOffAndGoesOn) {
   run(seconds(5));
   EXPECT_EQ(axis().position, held);
   EXPECT_FALSE(is_on());
-  EXPECT_EQ(perform(intent::MoveBy({{id(0), Steps(500)}})).fate, Fate::refused);
+  EXPECT_EQ(perform(intent::MoveBy({{id(0), Steps(500)}})).state, IntentState::refused);
   must(intent::Resume());
   ASSERT_TRUE(run_until([&] { return axis().position > held; }, seconds(10)));
   EXPECT_TRUE(is_on());
@@ -371,8 +397,8 @@ TEST_P(PiecesContractTest, ABufferNeedsLoopsOpenAndSaysSoBeforeAnythingMoves) {
   must(intent::SetParam(loop.parameter, 1));
   ASSERT_TRUE(run_until([&] { return now().axes[loop.axis.index].in_counts; }, seconds(10)));
   EXPECT_EQ(loops_in_the_way(*pieces, now()), 1u << loop.axis.index);
-  const IntentFate asked = perform(intent::RunInPieces(pieces));
-  EXPECT_EQ(asked.fate, Fate::refused);
+  const IntentOutcome asked = perform(intent::RunInPieces(pieces));
+  EXPECT_EQ(asked.state, IntentState::refused);
   EXPECT_THAT(std::string(asked.sentence.view()), HasSubstr("takes no moves then. Nothing was sent."));
   run(seconds(5));
   EXPECT_FALSE(now().pieces.running);
@@ -385,14 +411,14 @@ TEST_P(PiecesContractTest, ABufferNeedsLoopsOpenAndSaysSoBeforeAnythingMoves) {
 }
 
 TEST_P(PiecesContractTest, TheSpeedOfABufferCanBeOverridden) {
-  EXPECT_EQ(perform(intent::OverrideSpeed(50)).fate, Fate::refused) << "nothing is under way";
+  EXPECT_EQ(perform(intent::OverrideSpeed(50)).state, IntentState::refused) << "nothing is under way";
   if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
   add_chains(1, 3000);
   must(intent::RunInPieces(cut()));
   ASSERT_TRUE(run_until([this] { return now().feed.sent > 300; }, seconds(60)));
   const double full = axis().speed.value;
   must(intent::OverrideSpeed(50));
-  EXPECT_EQ(perform(intent::OverrideSpeed(5)).fate, Fate::refused);
+  EXPECT_EQ(perform(intent::OverrideSpeed(5)).state, IntentState::refused);
   const int behind = now().feed.sent + 100;  // what is in the buffer goes as it was sent
   ASSERT_TRUE(run_until([&] { return now().feed.sent > behind; }, seconds(60)));
   EXPECT_NEAR(axis().speed.value, full / 2, full / 20);
@@ -409,7 +435,7 @@ TEST_P(PiecesContractTest, TheSpeedOfTheNextProgramCanBeOverridden) {
   must(intent::RunInPieces(pieces));
   ASSERT_GT(pieces->all.size(), 1u);
   ASSERT_TRUE(run_until([this] { return is_on(); }, seconds(60)));
-  EXPECT_EQ(perform(intent::OverrideSpeed(5)).fate, Fate::refused);
+  EXPECT_EQ(perform(intent::OverrideSpeed(5)).state, IntentState::refused);
   EXPECT_EQ(now().pieces.percent, 100);
   must(intent::OverrideSpeed(50));
   ASSERT_TRUE(run_until([&] { return axis().position >= Steps(at_ - way + ramps); }, seconds(900)));
@@ -417,7 +443,7 @@ TEST_P(PiecesContractTest, TheSpeedOfTheNextProgramCanBeOverridden) {
   ASSERT_TRUE(run_until([&] { return axis().position >= Steps(at_ - ramps); }, seconds(60))) << told();
   const double took = std::chrono::duration<double>(time.now() - from).count();
   EXPECT_NEAR(took, (way - 2 * ramps) / 2000.0, 0.5) << "half of 4000 steps/s";
-  EXPECT_EQ(perform(intent::OverrideSpeed(100)).fate, Fate::refused) << "it is the last";
+  EXPECT_EQ(perform(intent::OverrideSpeed(100)).state, IntentState::refused) << "it is the last";
   ASSERT_TRUE(ends());
   EXPECT_EQ(axis().position, Steps(at_)) << told();
 }

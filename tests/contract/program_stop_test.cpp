@@ -107,7 +107,7 @@ TEST_P(ProgramStopTest, WhatIsHaltedRunsNoMore) {
 
 TEST_P(ProgramStopTest, WhatIsPausedBeginsNothingUntilItIsResumed) {
   start(true);
-  if (perform(intent::Pause()).fate == Fate::refused) GTEST_SKIP() << "it cannot be held";
+  if (perform(intent::Pause()).state == IntentState::refused) GTEST_SKIP() << "it cannot be held";
   ASSERT_TRUE(run_until([&] { return !now().any_axis_moving(); }, seconds(120)));
   const Steps there = load();
   run(seconds(5));

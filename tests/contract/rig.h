@@ -90,11 +90,12 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
     EXPECT_TRUE(done) << done.error().sentence();
   }
   /// What became of it, once that is known.
-  IntentFate perform(IntentBody body, Duration patience = std::chrono::seconds(10)) {
+  IntentOutcome perform(IntentBody body, Duration patience = std::chrono::seconds(10)) {
     const IntentId id = session->send(std::move(body));
-    run_until([&] { return now().fate_of(id) && now().fate_of(id)->fate != Fate::pending; }, patience);
-    const IntentFate* fate = now().fate_of(id);
-    return fate ? *fate : IntentFate{};
+    run_until([&] { return now().outcome_of(id) && now().outcome_of(id)->state != IntentState::pending; },
+              patience);
+    const IntentOutcome* outcome = now().outcome_of(id);
+    return outcome ? *outcome : IntentOutcome{};
   }
   [[nodiscard]] bool axes_jog_at_once() const {
     return now().axis_count > 1 && !session->catalog().can.one_axis_at_a_time;
@@ -106,7 +107,7 @@ class ContractTest : public testing::TestWithParam<const DeviceType*> {
     std::vector<std::int64_t> values;
     for (const ActionField& f : session->catalog().actions[static_cast<std::size_t>(action)].fields)
       values.push_back(f.fallback);
-    EXPECT_EQ(perform(intent::Act(action, std::move(values))).fate, Fate::done);
+    EXPECT_EQ(perform(intent::Act(action, std::move(values))).state, IntentState::done);
     run(std::chrono::seconds(1));
   }
   bool becomes_idle(Duration patience) {

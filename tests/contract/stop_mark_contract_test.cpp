@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Every, StopMarkContract, testing::ValuesIn(types_under_
 TEST_P(StopMarkContract, AMoveThatIsStoppedComesToRestThere) {
   constexpr double speed = 1000;
   EXPECT_FALSE(way());
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(20'000)}}, Pps(speed))).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(20'000)}}, Pps(speed))).state, IntentState::done);
   run(seconds(2));
   ASSERT_TRUE(now().any_axis_moving());
   stop_and_compare(speed);
@@ -49,14 +49,14 @@ TEST_P(StopMarkContract, AMoveThatIsStoppedComesToRestThere) {
 TEST_P(StopMarkContract, AHeldJogToo) {
   constexpr double speed = 800;
   const AxisId axis{0};
-  ASSERT_EQ(perform(intent::JogStart(axis, Sign::minus, Pps(speed))).fate, Fate::done);
+  ASSERT_EQ(perform(intent::JogStart(axis, Sign::minus, Pps(speed))).state, IntentState::done);
   for (int i = 0; i < 20; ++i) session->send(intent::JogKeepAlive()), run(Millis(100));
   ASSERT_TRUE(now().any_axis_moving());
   stop_and_compare(speed);
 }
 
 TEST_P(StopMarkContract, NearItsEndItIsTheTarget) {
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(4000)}}, Pps(2000))).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(4000)}}, Pps(2000))).state, IntentState::done);
   std::int64_t furthest = 0;
   ASSERT_TRUE(run_until(
       [&] {

@@ -112,13 +112,13 @@ TEST_P(ToolGuardTest, AHoldSwitchesItOffUntilItGoesOn) {
   add_way(12'000);
   add(seq::Pen{false});
   start();
-  const IntentFate held = perform(intent::Pause());
+  const IntentOutcome held = perform(intent::Pause());
   if (!session->catalog().can.outputs_while_held) {
     EXPECT_THAT(std::string(held.sentence.view()), HasSubstr("the tool"));
     session->send(intent::Stop());
     return expect_off_at_rest();
   }
-  if (held.fate == Fate::refused) GTEST_SKIP() << held.sentence.view();
+  if (held.state == IntentState::refused) GTEST_SKIP() << held.sentence.view();
   ASSERT_TRUE(run_until([this] { return now().program.run == RunState::held && !now().any_axis_moving(); },
                         seconds(20)));
   EXPECT_TRUE(run_until([this] { return !is_on(); }, seconds(1)));
@@ -189,9 +189,9 @@ TEST_P(ToolGuardTest, ATextThatSaysItInNoKnownWayIsNotTaken) {
   const std::size_t at = bad.find("output ");
   ASSERT_NE(at, std::string::npos) << bad;
   bad.replace(at, 7, "the lamp ");
-  const IntentFate fate = perform(intent::LoadProgram(0, bad));
-  EXPECT_EQ(fate.fate, Fate::refused);
-  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("does not say how the tool is switched off"));
+  const IntentOutcome outcome = perform(intent::LoadProgram(0, bad));
+  EXPECT_EQ(outcome.state, IntentState::refused);
+  EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("does not say how the tool is switched off"));
 }
 
 }  // namespace

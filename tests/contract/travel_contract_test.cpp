@@ -16,7 +16,7 @@ class TravelContract : public ContractTest {
   void begin() {
     if (session->catalog().axes[0].switchable) perform(intent::SetPower(0, true));
     run(seconds(1));
-    ASSERT_EQ(perform(intent::SetTravel(AxisId{0}, travel())).fate, Fate::done);
+    ASSERT_EQ(perform(intent::SetTravel(AxisId{0}, travel())).state, IntentState::done);
   }
   Travel travel() const {
     Travel t;
@@ -25,12 +25,12 @@ class TravelContract : public ContractTest {
     t.in_counts = now().axes[0].in_counts;
     return t;
   }
-  IntentFate go_to(std::int64_t place) { return done(intent::MoveTo({{AxisId{0}, Steps(place)}})); }
-  IntentFate go_by(std::int64_t by) { return done(intent::MoveBy({{AxisId{0}, Steps(by)}})); }
-  IntentFate done(IntentBody body) {
-    const IntentFate fate = perform(std::move(body));
+  IntentOutcome go_to(std::int64_t place) { return done(intent::MoveTo({{AxisId{0}, Steps(place)}})); }
+  IntentOutcome go_by(std::int64_t by) { return done(intent::MoveBy({{AxisId{0}, Steps(by)}})); }
+  IntentOutcome done(IntentBody body) {
+    const IntentOutcome outcome = perform(std::move(body));
     EXPECT_TRUE(becomes_idle(seconds(60)));
-    return fate;
+    return outcome;
   }
   Steps stands() { return now().axes[0].commanded(); }
 };
@@ -39,19 +39,19 @@ INSTANTIATE_TEST_SUITE_P(Every, TravelContract, testing::ValuesIn(types_under_te
 
 TEST_P(TravelContract, AMovePastTheLimitIsNotSent) {
   ASSERT_NO_FATAL_FAILURE(begin());
-  const IntentFate refused = go_to(1000);
-  EXPECT_EQ(refused.fate, Fate::refused);
+  const IntentOutcome refused = go_to(1000);
+  EXPECT_EQ(refused.state, IntentState::refused);
   EXPECT_THAT(std::string(refused.sentence.view()),
               AllOf(HasSubstr("1000 "), HasSubstr(" lies 200 "), HasSubstr(" past the + limit of "),
                     HasSubstr("Nothing was sent.")));
   ASSERT_TRUE(refused.past);
   EXPECT_EQ(refused.past->nearest, plus);
   EXPECT_EQ(stands(), Steps(0));
-  EXPECT_EQ(go_to(800).fate, Fate::done) << "the limit itself is inside";
+  EXPECT_EQ(go_to(800).state, IntentState::done) << "the limit itself is inside";
   EXPECT_EQ(stands(), plus);
-  EXPECT_EQ(go_by(1).fate, Fate::refused);
-  EXPECT_EQ(go_by(-100).fate, Fate::done);
-  EXPECT_EQ(go_by(-1001).fate, Fate::refused) << "700 - 1001 lies past the other one";
+  EXPECT_EQ(go_by(1).state, IntentState::refused);
+  EXPECT_EQ(go_by(-100).state, IntentState::done);
+  EXPECT_EQ(go_by(-1001).state, IntentState::refused) << "700 - 1001 lies past the other one";
   EXPECT_EQ(stands(), Steps(700));
 }
 
@@ -59,19 +59,19 @@ TEST_P(TravelContract, AJogEndsAtTheLimitWithoutTheConsole) {
   ASSERT_NO_FATAL_FAILURE(begin());
   for (const Sign sign : {Sign::plus, Sign::minus, Sign::plus}) {
     const Steps end = sign == Sign::plus ? plus : minus;
-    EXPECT_EQ(perform(intent::JogStart(AxisId{0}, sign, Pps(400), false)).fate, Fate::done);
+    EXPECT_EQ(perform(intent::JogStart(AxisId{0}, sign, Pps(400), false)).state, IntentState::done);
     run(Millis(400));
     EXPECT_EQ(axis().activity, Activity::jogging);
     ASSERT_TRUE(becomes_idle(seconds(60)));
     EXPECT_EQ(stands(), end);
     EXPECT_EQ(axis().ended_by, EndedBy::target);
-    EXPECT_EQ(perform(intent::JogStart(AxisId{0}, sign, Pps(400), false)).fate, Fate::refused);
+    EXPECT_EQ(perform(intent::JogStart(AxisId{0}, sign, Pps(400), false)).state, IntentState::refused);
   }
 }
 
 TEST_P(TravelContract, AHandLetsGoOfAJogUnderLimitsAsOfAnyOther) {
   ASSERT_NO_FATAL_FAILURE(begin());
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(400))).fate, Fate::done);
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(400))).state, IntentState::done);
   for (int i = 0; i < 5; ++i) {
     run(Millis(100));
     session->send(intent::JogKeepAlive());
@@ -81,7 +81,7 @@ TEST_P(TravelContract, AHandLetsGoOfAJogUnderLimitsAsOfAnyOther) {
   EXPECT_GT(stands(), Steps(50));
   EXPECT_LT(stands(), Steps(700));
   EXPECT_EQ(axis().ended_by, EndedBy::stop);
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(400))).fate, Fate::done);
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(400))).state, IntentState::done);
   run(seconds(1));  // nobody keeps it alive
   ASSERT_TRUE(becomes_idle(seconds(10)));
   EXPECT_LT(stands(), plus) << "the dead man's hand";
@@ -90,12 +90,12 @@ TEST_P(TravelContract, AHandLetsGoOfAJogUnderLimitsAsOfAnyOther) {
 TEST_P(TravelContract, FromOutsideTheWayBackIsFree) {
   ASSERT_NO_FATAL_FAILURE(begin());
   perform(intent::SetTravel(AxisId{0}, Travel()));
-  EXPECT_EQ(go_to(1500).fate, Fate::done);
+  EXPECT_EQ(go_to(1500).state, IntentState::done);
   perform(intent::SetTravel(AxisId{0}, travel()));
-  EXPECT_EQ(go_by(10).fate, Fate::refused);
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(400), false)).fate, Fate::refused);
-  EXPECT_EQ(go_to(1200).fate, Fate::done) << "still outside, and nearer";
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::minus, Pps(400), false)).fate, Fate::done);
+  EXPECT_EQ(go_by(10).state, IntentState::refused);
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(400), false)).state, IntentState::refused);
+  EXPECT_EQ(go_to(1200).state, IntentState::done) << "still outside, and nearer";
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::minus, Pps(400), false)).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(60)));
   EXPECT_EQ(stands(), minus);
 }
@@ -110,15 +110,15 @@ TEST_P(TravelContract, LimitsByADoubtfulCountHoldNothing) {
   run(seconds(1));
   ASSERT_TRUE(axis().trust.doubtful());
   EXPECT_FALSE(axis().travel_holds());
-  EXPECT_EQ(go_by(900).fate, Fate::done) << "a way out must be left";
+  EXPECT_EQ(go_by(900).state, IntentState::done) << "a way out must be left";
   EXPECT_EQ(axis().travel, travel()) << "they are kept, and hold again when it is told where it stands";
 }
 
 TEST_P(TravelContract, EndsThatCrossAreRefused) {
   Travel crossed = travel();
   std::swap(crossed.minus, crossed.plus);
-  const IntentFate refused = perform(intent::SetTravel(AxisId{0}, crossed));
-  EXPECT_EQ(refused.fate, Fate::refused);
+  const IntentOutcome refused = perform(intent::SetTravel(AxisId{0}, crossed));
+  EXPECT_EQ(refused.state, IntentState::refused);
   EXPECT_FALSE(axis().travel.any());
 }
 

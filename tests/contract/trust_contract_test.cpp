@@ -1,8 +1,8 @@
 // What every controller does with an axis of which it is known that it may stand elsewhere than it counts.
 #include <map>
 
+#include "tests/contract/another_host.h"
 #include "tests/contract/rig.h"
-#include "transports/serve.h"
 
 namespace hw {
 namespace {
@@ -17,7 +17,7 @@ class TrustContract : public ContractTest {
   static constexpr Pps slow{1000};
   /// It stands at `there` and counts from 0 there.
   void lose_power_at(Steps there) {
-    ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, there}})).fate, Fate::done);
+    ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, there}})).state, IntentState::done);
     ASSERT_TRUE(becomes_idle(seconds(60)));
     perform(intent::Stop());  // which keeps nothing back afterwards
     lose_power();
@@ -36,56 +36,30 @@ class TrustContract : public ContractTest {
     run(seconds(1));
   }
   void jog_at(Pps speed, Duration time_to_run) {
-    EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, speed, false)).fate, Fate::done);
+    EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, speed, false)).state, IntentState::done);
     run(time_to_run);
     ASSERT_GT(axis().position, Steps(100));
   }
-  /// As another program does, by another end of the same wire.
   void another_says(const std::string& words) {
-    const auto host = EmulatorHost::of(session->bench());
-    ASSERT_NE(host, nullptr);
-    if (!host->is_board()) {
-      const auto stream = std::move(*host->plug_in());
-      stream->send(words);
-      return run(Millis(100));
-    }
-    constexpr std::uint16_t put_index = 0x800, buffer = 0x804, cells = 256;
-    const auto window = std::move(*host->plug_in_window());
-    const auto on_the_bus = [&](std::vector<BusCycle>& cycles) {
-      asio::co_spawn(
-          io, [](Window& w, std::span<BusCycle> c) -> Task<> { (void)co_await w.run(c); }(*window, cycles),
-          asio::detached);
-      run(Millis(1));
-    };
-    std::vector<BusCycle> cycles(1, BusCycle::read(2, put_index));
-    on_the_bus(cycles);
-    std::uint32_t put = cycles[0].value;
-    cycles.clear();
-    for (const char c : words) {
-      cycles.push_back(
-          BusCycle::store(2, static_cast<std::uint16_t>(buffer + 2 * put), static_cast<std::uint8_t>(c)));
-      put = (put + 1) % cells;
-    }
-    cycles.push_back(BusCycle::store(2, put_index, put));
-    on_the_bus(cycles);
-    run(Millis(100));
+    say_as_another(
+        io, *session, [this](Duration d) { run(d); }, words);
   }
   /// Where no motion of a fifth of a second reaches; its encoder counts nothing there.
   void stand_far_out() {
     switch_motor_on();
     if (session->catalog().find_param("SL") >= 0) perform(intent::SetParam("SL", 0));
     const bool fast = session->catalog().can.window;
-    ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(fast ? 90'000 : 4'000)}})).fate, Fate::done);
+    ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(fast ? 90'000 : 4'000)}})).state, IntentState::done);
     ASSERT_TRUE(becomes_idle(seconds(120)));
     run(seconds(3));
     ASSERT_FALSE(axis().trust.doubtful());
   }
-  IntentFate go_to(std::int64_t place, bool despite_doubt = false) {
+  IntentOutcome go_to(std::int64_t place, bool despite_doubt = false) {
     intent::MoveTo go({{AxisId{0}, Steps(place)}});
     go.despite_doubt = despite_doubt;
-    const IntentFate fate = perform(std::move(go));
+    const IntentOutcome outcome = perform(std::move(go));
     EXPECT_TRUE(becomes_idle(seconds(60)));
-    return fate;
+    return outcome;
   }
 };
 
@@ -95,8 +69,8 @@ TEST_P(TrustContract, AfterAPowerCycleNothingGoesToAPlaceByItsCount) {
   ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
   EXPECT_EQ(now().axes[0].trust.kind, Trust::untrusted);
   const Steps stood = load();
-  const IntentFate refused = go_to(240);
-  EXPECT_EQ(refused.fate, Fate::refused);
+  const IntentOutcome refused = go_to(240);
+  EXPECT_EQ(refused.state, IntentState::refused);
   EXPECT_EQ(refused.doubtful, 1u);
   EXPECT_THAT(std::string(refused.sentence.view()),
               AllOf(StartsWith("The position of "), HasSubstr(" cannot be trusted: its power was cut"),
@@ -110,62 +84,62 @@ TEST_P(TrustContract, AfterAPowerCycleNothingGoesToAPlaceByItsCount) {
 TEST_P(TrustContract, APowerCycleWhereItCountsZeroShows) {
   switch_motor_on();
   ASSERT_NO_FATAL_FAILURE(lose_power());
-  EXPECT_EQ(go_to(240).fate, Fate::refused);
+  EXPECT_EQ(go_to(240).state, IntentState::refused);
 }
 
 TEST_P(TrustContract, APowerCycleInTheMiddleOfAMoveShows) {
   switch_motor_on();
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(90'000)}}, slow)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(90'000)}}, slow)).state, IntentState::done);
   run(seconds(1));
   ASSERT_GT(axis().position, Steps(100));
   ASSERT_NO_FATAL_FAILURE(lose_power());
   EXPECT_EQ(axis().ended_by, EndedBy::lost);
-  EXPECT_EQ(go_to(240).fate, Fate::refused);
+  EXPECT_EQ(go_to(240).state, IntentState::refused);
 }
 
 TEST_P(TrustContract, APowerCycleOnTheWayToZeroShows) {
   switch_motor_on();
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(4'000)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(4'000)}})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(60)));
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}}, slow)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}}, slow)).state, IntentState::done);
   run(seconds(1));
   ASSERT_TRUE(now().any_axis_moving());
   ASSERT_NO_FATAL_FAILURE(lose_power());
-  EXPECT_EQ(go_to(240).fate, Fate::refused);
+  EXPECT_EQ(go_to(240).state, IntentState::refused);
 }
 
 TEST_P(TrustContract, APowerCycleRightBehindTheEndOfAMoveShows) {
   switch_motor_on();
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}})).state, IntentState::done);
   ASSERT_NO_FATAL_FAILURE(lose_power());
-  EXPECT_EQ(go_to(240).fate, Fate::refused);
+  EXPECT_EQ(go_to(240).state, IntentState::refused);
 }
 
 TEST_P(TrustContract, APowerCycleWhileItJogsShows) {
   switch_motor_on();
   ASSERT_NO_FATAL_FAILURE(jog_at(slow, seconds(3)));
   ASSERT_NO_FATAL_FAILURE(lose_power());
-  EXPECT_EQ(go_to(240).fate, Fate::refused);
+  EXPECT_EQ(go_to(240).state, IntentState::refused);
 }
 
 TEST_P(TrustContract, APowerCycleWhileItIsBeingStoppedShows) {
   switch_motor_on();
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(90'000)}}, slow)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(90'000)}}, slow)).state, IntentState::done);
   run(seconds(3));
   session->send(intent::Stop());
   run(Millis(30));
   ASSERT_NO_FATAL_FAILURE(lose_power());
-  EXPECT_EQ(go_to(240).fate, Fate::refused);
+  EXPECT_EQ(go_to(240).state, IntentState::refused);
 }
 
 TEST_P(TrustContract, WhatTakesNoCountForTrueGoesOn) {
   ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
-  EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(100)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(100)}})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(20)));
   EXPECT_EQ(axis().position, Steps(100));
-  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus)).state, IntentState::done);
   run(Millis(200));
-  EXPECT_EQ(perform(intent::JogStop()).fate, Fate::done);
+  EXPECT_EQ(perform(intent::JogStop()).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(20)));
   EXPECT_GT(axis().position, Steps(100));
   EXPECT_TRUE(axis().trust.doubtful()) << "a distance tells nothing of the place";
@@ -173,50 +147,50 @@ TEST_P(TrustContract, WhatTakesNoCountForTrueGoesOn) {
 
 TEST_P(TrustContract, OnceIsOnce) {
   ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
-  EXPECT_EQ(go_to(240, true).fate, Fate::done);
+  EXPECT_EQ(go_to(240, true).state, IntentState::done);
   EXPECT_EQ(axis().position, Steps(240));
-  EXPECT_EQ(go_to(0).fate, Fate::refused);
+  EXPECT_EQ(go_to(0).state, IntentState::refused);
   EXPECT_EQ(axis().position, Steps(240));
 }
 
 TEST_P(TrustContract, OnTheUsersWordItIsTrustedAsItReads) {
   ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
   session->traffic().drain([](const TrafficEntry&) {});
-  EXPECT_EQ(perform(intent::TrustPosition(AxisId{0})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::TrustPosition(AxisId{0})).state, IntentState::done);
   session->traffic().drain([](const TrafficEntry& e) {
     EXPECT_TRUE(e.way == Way::received || e.kind == TrafficKind::poll)
         << "nothing is sent for it: " << e.bytes;
   });
   EXPECT_EQ(axis().trust.kind, Trust::set);
-  EXPECT_EQ(go_to(240).fate, Fate::done);
+  EXPECT_EQ(go_to(240).state, IntentState::done);
   EXPECT_EQ(axis().position, Steps(240));
 }
 
 TEST_P(TrustContract, ZeroWhereTheLastSessionLeftItElsewhereIsNotTrusted) {
   const KeptPosition kept{true, Steps(900), {Trust::homed, Doubt::none, Instant{}}};
-  EXPECT_EQ(perform(intent::RecallPositions({kept})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::RecallPositions({kept})).state, IntentState::done);
   EXPECT_EQ(axis().trust.cause, Doubt::zero_since);
-  EXPECT_EQ(go_to(240).fate, Fate::refused);
+  EXPECT_EQ(go_to(240).state, IntentState::refused);
 }
 
 TEST_P(TrustContract, WhatTheLastSessionHasKeptIsTakenForWhatNobodyKnowsBetter) {
   switch_motor_on();
-  ASSERT_EQ(go_to(500).fate, Fate::done);
+  ASSERT_EQ(go_to(500).state, IntentState::done);
   const KeptPosition kept{true, Steps(500), {Trust::homed, Doubt::none, Instant{}}};
-  EXPECT_EQ(perform(intent::RecallPositions({kept})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::RecallPositions({kept})).state, IntentState::done);
   EXPECT_TRUE(axis().trust.restored);
   EXPECT_EQ(axis().trust.kind, Trust::homed);
-  EXPECT_EQ(perform(intent::SetPosition(0)).fate, Fate::done);
-  EXPECT_EQ(perform(intent::RecallPositions({kept})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::SetPosition(0)).state, IntentState::done);
+  EXPECT_EQ(perform(intent::RecallPositions({kept})).state, IntentState::done);
   EXPECT_EQ(axis().trust.kind, Trust::set) << "somebody has said it since";
   EXPECT_FALSE(axis().trust.restored);
 }
 
 TEST_P(TrustContract, WhereItStandsCanBeSaid) {
   ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
-  EXPECT_EQ(perform(intent::SetPosition(0)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::SetPosition(0)).state, IntentState::done);
   EXPECT_EQ(axis().trust.kind, Trust::set);
-  EXPECT_EQ(go_to(240).fate, Fate::done);
+  EXPECT_EQ(go_to(240).state, IntentState::done);
 }
 
 TEST_P(TrustContract, ItsHomeMakesItTrustedWhereThatSetsTheCount) {
@@ -229,10 +203,10 @@ TEST_P(TrustContract, ItsHomeMakesItTrustedWhereThatSetsTheCount) {
   const auto& modes = session->catalog().homing_modes;
   int mode = 0;
   while (!modes[static_cast<std::size_t>(mode)].sets_position) ++mode;
-  EXPECT_EQ(perform(intent::Home(AxisId{0}, Sign::minus, mode)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Home(AxisId{0}, Sign::minus, mode)).state, IntentState::done);
   EXPECT_TRUE(run_until([this] { return axis().trust.kind == Trust::homed; }, seconds(60)));
   ASSERT_TRUE(becomes_idle(seconds(60)));
-  EXPECT_EQ(go_to(240).fate, Fate::done);
+  EXPECT_EQ(go_to(240).state, IntentState::done);
 }
 
 TEST_P(TrustContract, AProgramThatGoesToAPlaceIsNotStartedByItsCount) {
@@ -248,10 +222,10 @@ TEST_P(TrustContract, AProgramThatGoesToAPlaceIsNotStartedByItsCount) {
   const Texts& text = texts.at(GetParam()->model);
   ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
   switch_motor_on();
-  ASSERT_EQ(perform(intent::LoadProgram(0, text.to_a_place), seconds(60)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, text.to_a_place), seconds(60)).state, IntentState::done);
   const Steps stood = load();
-  const IntentFate refused = perform(intent::RunProgram(0), seconds(20));
-  EXPECT_EQ(refused.fate, Fate::refused);
+  const IntentOutcome refused = perform(intent::RunProgram(0), seconds(20));
+  EXPECT_EQ(refused.state, IntentState::refused);
   EXPECT_EQ(refused.doubtful, 1u);
   EXPECT_THAT(std::string(refused.sentence.view()),
               HasSubstr("Nothing was sent. Home it, say where it stands, or"));
@@ -259,12 +233,12 @@ TEST_P(TrustContract, AProgramThatGoesToAPlaceIsNotStartedByItsCount) {
   EXPECT_EQ(load(), stood);
   intent::RunProgram once(0);
   once.despite_doubt = true;
-  EXPECT_EQ(perform(std::move(once), seconds(20)).fate, Fate::done);
+  EXPECT_EQ(perform(std::move(once), seconds(20)).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(60)));
   EXPECT_EQ(axis().position, Steps(240));
-  ASSERT_EQ(perform(intent::LoadProgram(0, text.by_a_distance), seconds(60)).fate, Fate::done);
-  const IntentFate relative = perform(intent::RunProgram(0), seconds(20));
-  EXPECT_EQ(relative.fate, Fate::done) << relative.sentence.view();
+  ASSERT_EQ(perform(intent::LoadProgram(0, text.by_a_distance), seconds(60)).state, IntentState::done);
+  const IntentOutcome relative = perform(intent::RunProgram(0), seconds(20));
+  EXPECT_EQ(relative.state, IntentState::done) << relative.sentence.view();
   ASSERT_TRUE(becomes_idle(seconds(60)));
   EXPECT_EQ(axis().position, Steps(280));
 }
@@ -280,14 +254,14 @@ TEST_P(TrustContract, ACountThatAnotherProgramHasSetIsNotTrusted) {
   run(seconds(4));
   ASSERT_EQ(axis().position, Steps(0));
   EXPECT_EQ(axis().trust.kind, Trust::untrusted);
-  const IntentFate refused = go_to(240);
-  EXPECT_EQ(refused.fate, Fate::refused);
+  const IntentOutcome refused = go_to(240);
+  EXPECT_EQ(refused.state, IntentState::refused);
   EXPECT_EQ(axis().position, Steps(0));
   EXPECT_EQ(now().restarts, 0u);
   EXPECT_THAT(std::string(refused.sentence.view()),
               HasSubstr("its count was changed by another program or at the controller"));
-  EXPECT_EQ(perform(intent::TrustPosition(AxisId{0})).fate, Fate::done);
-  EXPECT_EQ(go_to(240).fate, Fate::done);
+  EXPECT_EQ(perform(intent::TrustPosition(AxisId{0})).state, IntentState::done);
+  EXPECT_EQ(go_to(240).state, IntentState::done);
   EXPECT_FALSE(axis().trust.doubtful());
 }
 
@@ -297,7 +271,7 @@ TEST_P(TrustContract, TheCountOfAClosedLoopIsWatchedToo) {
   const auto loop = loops.find(GetParam()->model);
   if (loop == loops.end()) GTEST_SKIP() << "it has no StepNLoop";
   switch_motor_on();
-  ASSERT_EQ(perform(intent::SetParam(loop->second.first, 1)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetParam(loop->second.first, 1)).state, IntentState::done);
   run(seconds(3));
   ASSERT_TRUE(axis().in_counts);
   another_says(loop->second.second);
@@ -321,7 +295,7 @@ TEST_P(TrustContract, AMoveOfAnotherProgramLeavesItsCountTrue) {
 
 TEST_P(TrustContract, NorDoesItsOwnCommandThatSetsIt) {
   ASSERT_NO_FATAL_FAILURE(stand_far_out());
-  EXPECT_EQ(perform(intent::SetPosition(0)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::SetPosition(0)).state, IntentState::done);
   run(seconds(4));
   EXPECT_EQ(axis().position, Steps(0));
   EXPECT_EQ(axis().trust.kind, Trust::set);
@@ -337,7 +311,7 @@ TEST_P(TrustContract, AStopWithoutARampFromFullSpeedIsDoubted) {
   perform(intent::Abort());
   ASSERT_TRUE(becomes_idle(seconds(60)));
   EXPECT_EQ(axis().trust.cause, Doubt::killed);
-  EXPECT_EQ(go_to(240).fate, Fate::refused);
+  EXPECT_EQ(go_to(240).state, IntentState::refused);
 }
 
 TEST_P(TrustContract, AStopWithItsRampIsNot) {
@@ -349,7 +323,7 @@ TEST_P(TrustContract, AStopWithItsRampIsNot) {
 
 TEST_P(TrustContract, AFreshConnectionCounts) {
   EXPECT_EQ(axis().trust.kind, Trust::counted);
-  EXPECT_EQ(go_to(240).fate, Fate::done);
+  EXPECT_EQ(go_to(240).state, IntentState::done);
 }
 
 }  // namespace

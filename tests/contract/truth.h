@@ -31,8 +31,8 @@ class TruthTest : public ContractTest {
     return seen_on_bench().load_position[static_cast<std::size_t>(i)];
   }
   void must(IntentBody body) {
-    const IntentFate fate = perform(std::move(body), std::chrono::seconds(60));
-    ASSERT_EQ(fate.fate, Fate::done) << fate.sentence.view();
+    const IntentOutcome outcome = perform(std::move(body), std::chrono::seconds(60));
+    ASSERT_EQ(outcome.state, IntentState::done) << outcome.sentence.view();
   }
   /// All parameters are read from the controller.
   void read_params() { must(intent::ReadParams()); }

@@ -29,13 +29,14 @@ TEST_P(TruthTest, AChangedParameterIsReadBackFromTheController) {
     const auto value = another_value(c.params[i]);
     if (!value) continue;
     const std::string& name = c.params[i].mnemonic;
-    const IntentFate set = perform(intent::SetParam(name, *value, true), seconds(60));
-    if (set.fate == Fate::refused) continue;  // by another one: in words
-    ASSERT_EQ(set.fate, Fate::done) << name << ": " << set.sentence.view();
+    const IntentOutcome set = perform(intent::SetParam(name, *value, true), seconds(60));
+    if (set.state == IntentState::refused) continue;  // by another one: in words
+    ASSERT_EQ(set.state, IntentState::done) << name << ": " << set.sentence.view();
     ++tried;
-    ASSERT_EQ(perform(intent::ReadParams(name), seconds(60)).fate, Fate::done) << name;
+    ASSERT_EQ(perform(intent::ReadParams(name), seconds(60)).state, IntentState::done) << name;
     EXPECT_EQ(now().params[i].value, *value) << name;
-    ASSERT_EQ(perform(intent::SetParam(name, c.params[i].fallback, true), seconds(60)).fate, Fate::done)
+    ASSERT_EQ(perform(intent::SetParam(name, c.params[i].fallback, true), seconds(60)).state,
+              IntentState::done)
         << name;
   }
   EXPECT_GE(tried, static_cast<int>(c.params.size()) / 3);
@@ -56,7 +57,7 @@ TEST_P(TruthTest, AChangedParameterIsReadBySomebodyElse) {
     EXPECT_EQ(now().params[i].value, here[i].value) << params[i].mnemonic;
     changed += now().params[i].value != params[i].fallback;
   }
-  EXPECT_GE(changed, 5);
+  EXPECT_GE(changed, std::min(5, static_cast<int>(params.size())));
 }
 
 TEST_P(TruthTest, WhatIsStoredOutlivesThePower) {
@@ -65,7 +66,8 @@ TEST_P(TruthTest, WhatIsStoredOutlivesThePower) {
   std::vector<std::string> names;
   const auto set_another = [&](const ParamInfo& p) {
     const auto value = p.stored ? another_value(p) : std::nullopt;
-    return value && perform(intent::SetParam(p.mnemonic, *value, true), seconds(60)).fate == Fate::done;
+    return value &&
+           perform(intent::SetParam(p.mnemonic, *value, true), seconds(60)).state == IntentState::done;
   };
   for (const ParamInfo& p : c.params) {
     if (names.size() == 4) break;
@@ -115,7 +117,7 @@ TEST_P(TruthTest, AfterAResetAPositionIsDoubted) {
   must(intent::Reset());
   run(seconds(10));
   EXPECT_TRUE(axis().trust.doubtful());
-  EXPECT_EQ(perform(intent::MoveTo({{id(0), Steps(240)}})).fate, Fate::refused);
+  EXPECT_EQ(perform(intent::MoveTo({{id(0), Steps(240)}})).state, IntentState::refused);
 }
 
 TEST_P(TruthTest, WhetherAMotorHasPowerIsReadBySomebodyElse) {

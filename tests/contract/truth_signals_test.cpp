@@ -32,8 +32,8 @@ TEST_P(TruthTest, AnOutputIsSwitchedOnTheMachine) {
     for (const std::string& duty : c.outputs[place].duty.while_not_zero)
       if (c.find_param(duty) >= 0) must(intent::SetParam(duty, 0, true));
     for (const bool on : {true, false}) {
-      const IntentFate set = perform(intent::SetOutput(c.output_number(place), on));
-      if (set.fate == Fate::refused) break;
+      const IntentOutcome set = perform(intent::SetOutput(c.output_number(place), on));
+      if (set.state == IntentState::refused) break;
       run(seconds(1));
       EXPECT_EQ((seen_on_bench().outputs >> place & 1u) != 0, on) << c.outputs[place].name;
       EXPECT_EQ((now().outputs >> place & 1u) != 0, on) << c.outputs[place].name;

@@ -145,9 +145,9 @@ TEST_P(TruthTest, ASetPositionIsTheControllersOwnFromThen) {
 }
 
 TEST_P(TruthTest, APositionThatIsNotZeroIsSetOrRefused) {
-  const IntentFate set = perform(intent::SetPosition(0, Steps(1234)));
+  const IntentOutcome set = perform(intent::SetPosition(0, Steps(1234)));
   run(seconds(1));
-  const Steps counts_from = set.fate == Fate::refused ? Steps(0) : Steps(1234);
+  const Steps counts_from = set.state == IntentState::refused ? Steps(0) : Steps(1234);
   EXPECT_EQ(axis().position, counts_from);
   must(intent::MoveTo({{id(0), counts_from + Steps(400)}}));
   ASSERT_TRUE(becomes_idle(seconds(20)));

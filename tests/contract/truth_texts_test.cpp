@@ -107,8 +107,8 @@ TEST_P(TextTest, AStopInTheMakersWordsGoesBeforeWhatWaits) {
     const IntentId move = session->send(intent::MoveBy({{id(0), Steps(400)}}));
     session->send(intent::SendText(stop));
     run(seconds(5));
-    ASSERT_TRUE(now().fate_of(move)) << stop;
-    EXPECT_EQ(now().fate_of(move)->fate, Fate::refused) << stop;
+    ASSERT_TRUE(now().outcome_of(move)) << stop;
+    EXPECT_EQ(now().outcome_of(move)->state, IntentState::refused) << stop;
     EXPECT_EQ(load(), Steps(0)) << stop;
   }
 }

@@ -36,7 +36,7 @@ TEST_P(WakingTest, TheRateOfPollsThatIsShownIsTheOneThatIs) {
     shown = session->snapshot().link.polls_per_second;
     ++wakes;
   };
-  EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(2000)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(2000)}})).state, IntentState::done);
   EXPECT_TRUE(becomes_idle(seconds(20)));
   run(seconds(10));
   EXPECT_NEAR(shown, now().link.polls_per_second, 0.16f * now().link.polls_per_second);

@@ -7,27 +7,16 @@ namespace hw::twin {
 namespace {
 
 ParamInfo param(const Param& fact) {
+  const bool ramp = fact.mnemonic[0] == 'R';
   const std::string motor = fact.axis == 0 ? "motor A" : "motor B";
   ParamInfo info;
-  info.mnemonic = fact.mnemonic;
-  info.axis = fact.axis;
+  info.mnemonic = fact.mnemonic, info.axis = fact.axis, info.group = "Speeds";
   info.minimum = fact.minimum, info.maximum = fact.maximum, info.fallback = fact.factory;
   info.stored = false;
-  info.group = "Speeds";
-  info.unit = fact.mnemonic[0] == 'R' ? "steps/s²" : "steps/s";
-  switch (fact.mnemonic[0]) {
-    case 'V':
-      info.label = "Speed of " + motor;
-      info.explanation = "The speed of each move of " + motor + " that names no speed of its own.";
-      break;
-    case 'R':
-      info.label = "Ramp of " + motor;
-      info.explanation = "How fast " + motor + " speeds up and slows down, in each of its motions.";
-      break;
-    default:
-      info.label = "Jog speed of " + motor;
-      info.explanation = "The speed at which " + motor + " runs while a jog button is held down.";
-  }
+  info.unit = ramp ? "steps/s²" : "steps/s";
+  info.label = (ramp ? "Ramp of " : "Speed of ") + motor;
+  info.explanation = ramp ? "How fast " + motor + " speeds up and slows down, in each of its motions."
+                          : "The speed of each motion of " + motor + " that names no speed of its own.";
   return info;
 }
 
@@ -35,9 +24,7 @@ ParamInfo param(const Param& fact) {
 
 Result<Catalog> make_catalog(const DeviceOptions&) {
   Catalog c;
-  c.model = model;
-  c.name = c.short_name = "Twin";
-  c.summary = "two stepping motors";
+  c.model = model, c.name = c.short_name = "Twin", c.summary = "two stepping motors";
   c.axes = {{"A", "axis A"}, {"B", "axis B"}};
   c.homing_modes = {{.id = "limit", .label = "to the limit switch", .only_direction = Sign::minus},
                     {.id = "home", .label = "onto the home switch"}};
@@ -49,26 +36,21 @@ Result<Catalog> make_catalog(const DeviceOptions&) {
                 {"J [axis] [+/-]", "J A +", "jog", true},
                 {"H [axis] [+/-] H", "H A - H", "home onto the home switch", true},
                 {"H [axis] - L", "H A - L", "home to the limit switch", true},
-                {"P [axis] [count]", "P A 0", "call the present position so"},
+                {"P [axis] [count]", "P A 0", "set the count of an axis"},
                 {"S *", "S *", "stop both axes with their ramps"},
                 {"K [axis]", "K A", "stop an axis at once"},
                 {"V[axis]", "VA", "read the speed of an axis"},
-                {"R[axis]", "RA", "read the ramp of an axis"},
-                {"F[axis]", "FA", "read the jog speed of an axis"},
-                {"F[axis]=[speed]", "FA=300", "set the jog speed of an axis"}};
-  c.jog_speed = Pps(static_cast<double>(params[jog_param].factory));
+                {"V[axis]=[speed]", "VA=300", "set the speed of an axis"}};
+  c.jog_speed = Pps(static_cast<double>(params[speed_param].factory));
   c.jog_speed_max = Pps(static_cast<double>(top_speed));
   c.position_min = Steps(-position_max), c.position_max = c.move_max = Steps(position_max);
-  c.stopping_way = stopping_way_by_ramp;
-  c.can.usual_baud = baud, c.can.bauds = {baud};
+  c.stopping_way = stopping_way_by_ramp, c.can.usual_baud = baud, c.can.bauds = {baud};
   return c;
 }
 
 DeviceType device_type() {
   DeviceType t{};  // no language, no explanations, no probe
-  t.model = model;
-  t.make_catalog = make_catalog;
-  t.make_driver = make_driver;
+  t.model = model, t.make_catalog = make_catalog, t.make_driver = make_driver,
   t.make_emulator = make_emulator;
   return t;
 }

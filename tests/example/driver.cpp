@@ -1,63 +1,40 @@
 // The console's side of a Twin.
 #include "core/device/driver.h"
 
-#include <charconv>
-
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/base/split.h"
 #include "core/device/axis_tracking.h"
-#include "core/device/nothing_known.h"
 #include "core/device/param_check.h"
+#include "core/device/target_check.h"
 #include "tests/example/facts.h"
 #include "tests/example/twin.h"
 
 namespace hw::twin {
 namespace {
 
-/// The answer without its number and check sum; none: it is garbled.
-std::optional<std::string> text_of(std::string_view line, std::string_view number) {
-  const auto star = line.rfind('*');
-  if (star == line.npos || line.substr(star + 1) != fmt::format("{:04X}\n", check_sum(line.substr(0, star))))
-    return std::nullopt;
-  return std::string(line.substr(number.size(), star - number.size()));
-}
-
-std::optional<std::vector<std::int64_t>> numbers(std::string_view text, std::size_t count) {
-  std::vector<std::int64_t> all;
-  for (const char *at = text.data(), *const end = at + text.size(); at < end; ++at) {
-    const auto [stopped, wrong] = std::from_chars(at, end, all.emplace_back());
-    if (wrong != std::errc()) return std::nullopt;
-    if ((at = stopped) == end) break;
-  }
-  return all.size() == count ? std::optional(std::move(all)) : std::nullopt;
+/// Of the line at the front; npos: it is not whole yet.
+std::size_t line_length(std::string_view bytes) {
+  const auto end = bytes.find('\n');
+  return end == bytes.npos ? end : end + 1;
 }
 
 class TwinDriver final : public Driver {
  public:
   explicit TwinDriver(DriverContext context)
-      : context_(std::move(context)), tracking_(context_.draft, context_.scheduler) {
-    tracking_.may_lose_steps = [this](int axis) { return may_lose_steps(axis); };
-  }
+      : context_(std::move(context)), tracking_(context_, Pps(start_speed)) {}
 
   void attach(Station& station) override {
     station_ = &station;
-    station.unsolicited = [](std::string_view bytes) {  // an answer that came too late
-      const auto end = bytes.find('\n');
-      return end == bytes.npos ? bytes.npos : end + 1;
-    };
+    station.unsolicited = line_length;  // an answer that came too late
   }
-  void wire_lost() override {
-    station_ = nullptr;
-    tracking_.wire_lost();
-    nothing_is_known(context_.draft);
-  }
+  void wire_lost() override { station_ = nullptr, tracking_.wire_lost(); }
   Task<Result<>> connect() override {
     auto id = co_await ask("ID", Priority::intent, true);
     if (!id) co_return fail(id.error());
     if (*id != name)
-      co_return fail(FaultKind::garbled,
-                     fmt::format("What answers is no Twin: it calls itself \"{}\".", *id));
+      co_return fail(FaultKind::garbled, fmt::format("This is not a Twin. It answered \"{}\".", *id));
     context_.draft.identity.firmware = std::string_view(*id).substr(5);
     set_up_read_ = false;
     co_return co_await poll(Round::everything);
@@ -66,23 +43,21 @@ class TwinDriver final : public Driver {
     const Instant asked_at = context_.scheduler.now();
     auto text = co_await ask("?", Priority::poll, true);
     if (!text) co_return fail(text.error());
-    const auto fields = numbers(*text, fields_of_status);
+    const auto fields = whole_numbers(*text, ' ', fields_of_status);
     if (!fields) co_return fail(FaultKind::garbled, "The status of the Twin makes no sense.");
-    if (starts_ && *starts_ != fields->front()) restarted();
+    if (starts_ && *starts_ != fields->front()) tracking_.restarted(), set_up_read_ = false;
     starts_ = fields->front();
     for (int a = 0; a < axes; ++a) {
       const std::int64_t* f = fields->data() + 1 + a * fields_of_axis;
-      tracking_.read(a,
-                     {Steps(f[0]), f[1] != 0, Pps(static_cast<double>(f[2])), (f[3] & minus_bit) != 0,
-                      (f[3] & plus_bit) != 0, f[4] == ended_by_home},
-                     asked_at);
+      const bool minus = (f[3] & minus_bit) != 0, plus = (f[3] & plus_bit) != 0;
+      const Pps speed(static_cast<double>(f[2]));
+      tracking_.read(a, {Steps(f[0]), f[1] != 0, speed, minus, plus, f[4] == ended_by_home}, asked_at);
     }
     if (std::exchange(set_up_read_, true)) co_return Result<>();
     auto read = co_await read_params({}, Priority::poll);
     set_up_read_ = read.has_value();
     co_return read;
   }
-
   Task<Result<>> perform(const IntentBody& body) override {
     if (const auto* i = std::get_if<intent::MoveTo>(&body)) return move("G", i->targets, pace_of(*i));
     if (const auto* i = std::get_if<intent::MoveBy>(&body)) return move("D", i->distances, pace_of(*i));
@@ -95,7 +70,6 @@ class TwinDriver final : public Driver {
     if (std::holds_alternative<intent::ReadAgain>(body)) return connect();
     return refused("A Twin cannot do that.");
   }
-
   Task<Result<std::string>> stop(const StopOrder& order) override {
     using What = StopOrder::What;
     if (order.what == What::words) co_return co_await ask(order.words, Priority::stop);
@@ -109,16 +83,14 @@ class TwinDriver final : public Driver {
   [[nodiscard]] LastWill last_will(unsigned) const override {
     return {{Millis(0), fmt::format("\n0 {}\n", stop_text(-1, false))}};
   }
-
   Task<Result<std::string>> query(std::string text, Duration patience) override {
     co_return co_await ask(std::move(text), Priority::intent, false, patience);
   }
   [[nodiscard]] TextMeaning meaning_of(const intent::SendText& request) const override {
-    const std::string& text = request.text;
     TextMeaning meaning;
-    meaning.only_asks = text.find_first_of(" =") == text.npos;
-    if (!text.starts_with("S ") && !text.starts_with("K ")) return meaning;
-    meaning.axis = context_.catalog.find_axis(text.substr(2));
+    meaning.only_asks = request.text.find_first_of(" =") == std::string::npos;
+    if (!request.text.starts_with("S ") && !request.text.starts_with("K ")) return meaning;
+    meaning.axis = context_.catalog.find_axis(request.text.substr(2));
     meaning.stops = meaning.axis < 0 ? TextMeaning::Stops::all : TextMeaning::Stops::some;
     if (meaning.axis >= 0) meaning.axes = 1u << meaning.axis;
     return meaning;
@@ -130,17 +102,13 @@ class TwinDriver final : public Driver {
   static Task<Result<>> refused(std::string why) {
     co_return fail(FaultKind::refused, std::move(why), "Nothing was sent.");
   }
-  static std::string no_axis(AxisId axis) { return fmt::format("There is no axis {}.", axis.index + 1); }
   static std::string stop_text(int axis, bool at_once) {
     return fmt::format("{} {}", at_once ? "K" : "S", axis < 0 ? '*' : axis_letters[ix(axis)]);
   }
-  [[nodiscard]] std::optional<std::int64_t> known(int param) const {
+  [[nodiscard]] Pps known(int param) const {  // 0: not known
     const ParamState& state = context_.draft.params[ix(param)];
-    return state.known ? std::optional(state.value) : std::nullopt;
+    return Pps(state.known ? static_cast<double>(state.value) : 0);
   }
-
-  // ---- one line and its answer
-
   /// A stop begins with a line end, which ends whatever was cut short before it.
   Task<Result<std::string>> ask(std::string text, Priority priority, bool own = false,
                                 Duration patience = Millis(200)) {
@@ -149,18 +117,17 @@ class TwinDriver final : public Driver {
     const std::string number = fmt::format("{} ", ++lines_);
     Transaction t((priority == Priority::stop ? "\n" : "") + number + text + "\n", ReplyShape::line('\n'),
                   priority);
-    t.patience = patience;
-    t.own_question = own;
-    t.unsolicited_length = [number](std::string_view received) -> std::size_t {
-      if (received.starts_with(number)) return 0;
-      const auto end = received.find('\n');
-      return end == received.npos ? received.npos : end + 1;
+    t.patience = patience, t.own_question = own;
+    t.unsolicited_length = [number](std::string_view received) {
+      return received.starts_with(number) ? 0 : line_length(received);
     };
     auto line = co_await station_->transact(std::move(t));
     if (!line) co_return fail(line.error());
-    auto answer = text_of(*line, number);
-    if (!answer) co_return fail(FaultKind::garbled, "The answer was changed on its way.", "It was not used.");
-    co_return std::move(*answer);
+    const std::string_view all = *line;
+    const auto star = std::min(all.rfind('*'), all.size());
+    if (all.substr(star) != fmt::format("*{:04X}\n", check_sum(all.substr(0, star))))
+      co_return fail(FaultKind::garbled, "The answer was changed on its way.", "It was not used.");
+    co_return std::string(all.substr(number.size(), star - number.size()));
   }
   Task<Result<>> command(std::string text, Priority priority) {
     auto answer = co_await ask(text, priority);
@@ -170,96 +137,55 @@ class TwinDriver final : public Driver {
                    fmt::format("The controller answered \"{}\" to {}.", *answer, text));
   }
 
-  // ---- motion
-
-  /// " 1000"; empty: the controller's own speed.
-  static Result<std::string> speed_text(const intent::Pace& pace) {
-    if (pace.acceleration)
-      return fail(FaultKind::refused, "A Twin has one ramp for all motions.", "Nothing was sent.");
-    const auto speed = static_cast<std::int64_t>(pace.speed.value);
-    if (speed == 0) return std::string();
-    if (speed >= 1 && speed <= top_speed) return fmt::format(" {}", speed);
-    return fail(FaultKind::refused, fmt::format("{} is not a speed: it goes from 1 to {}.", speed, top_speed),
-                "Nothing was sent.");
-  }
-  Task<Result<>> begin(int axis, std::string text, AxisTracking::Motion motion) {
+  Task<Result<>> begin(std::string text, int axis, AxisTracking::Motion motion) {
+    motion.ramp = known(ramp_param + axis).value;
     auto accepted = co_await command(std::move(text), Priority::intent);
-    motion.ramp = static_cast<double>(known(ramp_param + axis).value_or(0));
     if (accepted) tracking_.begun(axis, motion);
     co_return accepted;
   }
+  static std::string speed_text(const intent::Pace& pace) {
+    return pace.speed.value == 0 ? "" : fmt::format(" {:.0f}", pace.speed.value);
+  }
   Task<Result<>> move(std::string verb, std::vector<AxisTarget> all, intent::Pace pace,
                       Activity activity = Activity::moving) {
-    const auto speed = speed_text(pace);
-    if (!speed) co_return fail(speed.error());
-    for (AxisTarget& to : all) {
-      if (to.axis.index >= axes) co_return co_await refused(no_axis(to.axis));
-      const Steps target = verb == "D" ? context_.draft.axes[to.axis.index].position + to.value : to.value;
-      if (std::abs(target.value) > position_max)
-        co_return co_await refused(fmt::format("{} lies beyond ±{}.", target.value, position_max));
-    }
-    for (const AxisTarget& to : all) {
-      const AxisState& axis = context_.draft.axes[to.axis.index];
-      AxisTracking::Motion motion{activity, verb == "D" ? axis.position + to.value : to.value};
-      std::string text = fmt::format("{} {} {}{}", verb, axis_letters[to.axis.index], to.value.value, *speed);
-      auto begun = co_await begin(to.axis.index, std::move(text), motion);
+    const auto base = verb == "D" ? MoveBase::position : MoveBase::zero;
+    const auto targets = check_move(context_.catalog, context_.draft, all, base, pace);
+    if (!targets) co_return fail(targets.error());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const int axis = all[i].axis.index;
+      std::string text = fmt::format("{} {} {}", verb, axis_letters[ix(axis)], all[i].value.value);
+      auto begun = co_await begin(text + speed_text(pace), axis, {activity, (*targets)[i]});
       if (!begun) co_return begun;
     }
     co_return Result<>();
   }
   Task<Result<>> jog(intent::JogStart request) {
-    if (request.axis.index >= axes) co_return co_await refused(no_axis(request.axis));
-    if (request.up_to) {
-      if (request.speed.value == 0)
-        request.speed = Pps(static_cast<double>(known(jog_param + request.axis.index).value_or(0)));
-      std::vector<AxisTarget> end(1, AxisTarget{request.axis, *request.up_to});
-      co_return co_await move("G", std::move(end), pace_of(request), Activity::jogging);
-    }
-    const auto speed = speed_text(pace_of(request));
-    if (!speed) co_return fail(speed.error());
-    std::string text =
-        fmt::format("J {} {}{}", axis_letters[request.axis.index], letter(request.sign), *speed);
+    std::vector<AxisTarget> end(1, {request.axis, request.up_to.value_or(Steps(0))});
+    if (request.up_to) co_return co_await move("G", std::move(end), pace_of(request), Activity::jogging);
+    const auto possible = check_move(context_.catalog, context_.draft, end, MoveBase::zero, pace_of(request));
+    if (!possible) co_return fail(possible.error());
+    std::string text = fmt::format("J {} {}", axis_letters[request.axis.index], letter(request.sign));
     AxisTracking::Motion motion{Activity::jogging, {}, request.sign};
-    co_return co_await begin(request.axis.index, std::move(text), motion);
+    co_return co_await begin(text + speed_text(pace_of(request)), request.axis.index, motion);
   }
   Task<Result<>> home(intent::Home request) {
     if (request.pace.speed.value != 0 || request.pace.acceleration)
       co_return co_await refused("A Twin homes at its own speed.");
-    std::string text = fmt::format("H {} {} {}", axis_letters[request.axis.index], letter(request.sign),
-                                   request.mode == 0 ? 'L' : 'H');
+    const char way = request.mode == 0 ? 'L' : 'H';
+    std::string text = fmt::format("H {} {} {}", axis_letters[request.axis.index], letter(request.sign), way);
     AxisTracking::Motion motion{Activity::homing, {}, request.sign};
-    co_return co_await begin(request.axis.index, std::move(text), motion);
+    co_return co_await begin(std::move(text), request.axis.index, motion);
   }
   Task<Result<>> set_position(intent::SetPosition request) {
     for (int a = 0; a < axes; ++a) {
       if (request.axis >= 0 && request.axis != a) continue;
-      auto set = co_await command(fmt::format("P {} {}", axis_letters[ix(a)], request.value.value),
-                                  Priority::intent);
+      std::string text = fmt::format("P {} {}", axis_letters[ix(a)], request.value.value);
+      auto set = co_await command(std::move(text), Priority::intent);
       if (!set) co_return set;
-      context_.draft.axes[ix(a)].trust.settle(Trust::set, context_.scheduler.now());
+      tracking_.was_set(a);
     }
     co_return co_await poll(Round::usual);
   }
-  /// A motor that runs faster than it can start overshoots when it is stopped at once.
-  bool may_lose_steps(int a) {
-    if (context_.draft.axes[ix(a)].speed.value <= start_speed) return false;
-    warn(fmt::format(
-        "Axis {} was stopped at speed without a ramp and may have lost steps. Home it, or set its position.",
-        axis_letters[ix(a)]));
-    return true;
-  }
-  void restarted() {
-    ++context_.draft.restarts;
-    set_up_is_unknown(context_.draft);
-    set_up_read_ = false;
-    tracking_.restarted();
-    warn("The controller was switched off and on. Home the axes before the next move to a place.");
-  }
-  void warn(std::string sentence) {
-    context_.notify(Notice(Notice::Kind::warning, context_.scheduler.now(), std::move(sentence)));
-  }
-
-  // ---- set-up and the user's own text
 
   Task<Result<>> set_param(intent::SetParam request) {
     const auto place = check_param(context_.catalog, request, {"A Twin"});
@@ -273,13 +199,11 @@ class TwinDriver final : public Driver {
       if (!only.empty() && only != params[i].mnemonic) continue;
       auto text = co_await ask(std::string(params[i].mnemonic), priority, true);
       if (!text) co_return fail(text.error());
-      const auto value = numbers(*text, 1);
-      if (!value)
-        co_return fail(FaultKind::garbled, fmt::format("{} of the Twin is no number.", params[i].mnemonic));
-      context_.draft.params[i] = {value->front(), true, true};
-      if (params[i].mnemonic[0] == 'F')
-        context_.draft.axes[ix(params[i].axis)].own_speed = Pps(static_cast<double>(value->front()));
+      const auto value = whole_number<std::int64_t>(*text);
+      if (!value) co_return fail(FaultKind::garbled, "A parameter of the Twin is no number.");
+      context_.draft.params[i] = {*value, true, true};
     }
+    for (int a = 0; a < axes; ++a) context_.draft.axes[ix(a)].own_speed = known(speed_param + a);
     co_return Result<>();
   }
   Task<Result<>> send_text(std::string text) {

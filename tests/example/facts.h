@@ -24,21 +24,19 @@ inline constexpr int axes = 2, baud = 115200, fields_of_axis = 5,
                      fields_of_status = 1 + axes * fields_of_axis;
 inline constexpr std::int64_t position_max = 9'999'999, top_speed = 20'000;
 inline constexpr int start_speed = 400;  ///< steps/s at which a motor starts and stops without a ramp
-inline constexpr int minus_bit = 1, plus_bit = 2;  ///< of `limits`
-inline constexpr int ended_by_home = 3;            ///< of how the motion ended
+inline constexpr int minus_bit = 1, plus_bit = 2,
+                     ended_by_home = 3;  ///< of `limits`; of how the motion ended
 
 struct Param {
   std::string_view mnemonic;
   int axis;
   std::int64_t minimum, maximum, factory;
 };
-inline constexpr std::array<Param, 6> params{{{"VA", 0, 1, top_speed, 2000},
+inline constexpr std::array<Param, 4> params{{{"VA", 0, 1, top_speed, 2000},
                                               {"VB", 1, 1, top_speed, 2000},
                                               {"RA", 0, 100, 200'000, 10'000},
-                                              {"RB", 1, 100, 200'000, 10'000},
-                                              {"FA", 0, 1, top_speed, 500},
-                                              {"FB", 1, 1, top_speed, 500}}};
-inline constexpr int speed_param = 0, ramp_param = 2, jog_param = 4;  ///< of A; that of B is the next
+                                              {"RB", 1, 100, 200'000, 10'000}}};
+inline constexpr int speed_param = 0, ramp_param = 2;  ///< of A; that of B is the next
 
 /// Of all characters before the asterisk.
 constexpr std::uint16_t check_sum(std::string_view text) {

@@ -170,8 +170,7 @@ void digits_rows(Ui& ui, float y) {
     return [&ui, state, value, word](const std::string& id) {
       const ImVec2 at = ImGui::GetCursorScreenPos();
       digits(ui, id, "position", value, "mm", {.face = Face::digits32, .state = state, .width = 150});
-      ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(40)));
-      state_word(ui, id + "s", word);
+      draw_state_right(ui, id + "s", ImVec2(at.x + ui.px(150), at.y + ui.px(40)), word, Face::body_bold);
     };
   };
   row.cell(0, 60, Pretend::nothing, number(DigitsState::good, "7.800", State::idle));
@@ -189,7 +188,10 @@ void digits_rows(Ui& ui, float y) {
   const State left[] = {State::idle, State::moving_minus, State::homing_plus, State::limit_plus,
                         State::off,  State::waiting,      State::lost};
   for (int i = 0; i < 7; ++i)
-    words.cell(i, 20, Pretend::nothing, [&](const std::string& id) { state_word(ui, id, left[i]); });
+    words.cell(i, 20, Pretend::nothing, [&](const std::string& id) {
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      draw_state_right(ui, id, ImVec2(at.x + ui.px(120), at.y), left[i], Face::body_bold);
+    });
 }
 
 void meter_rows(Ui& ui, float y) {
@@ -214,15 +216,9 @@ void meter_rows(Ui& ui, float y) {
   row.cell(6, 26, Pretend::nothing, bar(1, {.over = true}, "261 of 256: 5 bytes too many"));
   Row badges(ui, y + 72, "Badge", "marks, never clicks");
   badges.cell(0, 20, Pretend::nothing, [&](const std::string& id) { emulated_badge(ui, id); });
-  badges.cell(2, 24, Pretend::nothing,
-              [&](const std::string& id) { outlined_badge(ui, id, "stop by:", "host", Tone::ink); });
-  badges.cell(3, 24, Pretend::nothing,
-              [&](const std::string& id) { outlined_badge(ui, id, "stop by:", "controller", Tone::ok); });
-  badges.cell(4, 24, Pretend::nothing,
-              [&](const std::string& id) { outlined_badge(ui, id, "stop by:", "nobody", Tone::fault); });
-  badges.cell(5, 20, Pretend::nothing,
+  badges.cell(2, 20, Pretend::nothing,
               [&](const std::string& id) { badge(ui, id, BadgeTone::warn, Icon::diamond, "UNTRUSTED"); });
-  badges.cell(6, 20, Pretend::nothing,
+  badges.cell(4, 20, Pretend::nothing,
               [&](const std::string& id) { badge(ui, id, BadgeTone::fault, Icon::plug, "03 LOST"); });
 }
 

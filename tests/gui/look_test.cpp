@@ -1,4 +1,6 @@
 // The tokens of the look: contrast, and figures that keep their column.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "gui/widgets/digits.h"
@@ -8,6 +10,20 @@
 
 namespace hw::gui {
 namespace {
+
+/// Of two opaque colours after WCAG 2: 1 (same) to 21 (black on white).
+double contrast(ImU32 a, ImU32 b) {
+  const auto luminance = [](ImU32 c) {
+    const auto channel = [&](int shift) {
+      const double v = ((c >> shift) & 255) / 255.0;
+      return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * channel(IM_COL32_R_SHIFT) + 0.7152 * channel(IM_COL32_G_SHIFT) +
+           0.0722 * channel(IM_COL32_B_SHIFT);
+  };
+  const double la = luminance(a), lb = luminance(b);
+  return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
 
 TEST(Look, AStateHasAWord) {
   EXPECT_EQ(look_of(State::idle).word, "IDLE");

@@ -13,9 +13,9 @@ namespace {
 TEST(ToastList, WhatTheySpokeOfHasChanged) {
   Toasts toasts;
   const int text = 0, other = 0;
-  toasts.add(Mood::fault, "Line 2: A number is missing here.", &text);
-  toasts.add(Mood::fault, "The disk is full.", &other);
-  toasts.add(Mood::fault, "It moves.");
+  toasts.add(Severity::fault, "Line 2: A number is missing here.", &text);
+  toasts.add(Severity::fault, "The disk is full.", &other);
+  toasts.add(Severity::fault, "It moves.");
   toasts.withdraw(&text);
   ASSERT_EQ(toasts.list().size(), 2u);
   EXPECT_EQ(toasts.list()[0].text, "The disk is full.");
@@ -24,8 +24,8 @@ TEST(ToastList, WhatTheySpokeOfHasChanged) {
 
 TEST(ToastList, NameTheirControllerWhileAnotherIsInFront) {
   Toasts toasts;
-  toasts.add(Mood::fault, "Line 2: no.", nullptr, "PMX");
-  toasts.add(Mood::fault, "The disk is full.");
+  toasts.add(Severity::fault, "Line 2: no.", nullptr, "PMX");
+  toasts.add(Severity::fault, "The disk is full.");
   const auto said = [&](std::optional<std::string_view> front) {
     toasts.look_at(front);
     return toasts.list()[0].said + " " + toasts.list()[1].said;
@@ -39,10 +39,10 @@ TEST(ToastList, NameTheirControllerWhileAnotherIsInFront) {
 
 TEST(ToastList, WhatIsSaidAgainIsCountedAndTheNewest) {
   Toasts toasts;
-  toasts.add(Mood::warn, "It is hot.");
-  toasts.add(Mood::ok, "It was copied.");
+  toasts.add(Severity::warn, "It is hot.");
+  toasts.add(Severity::ok, "It was copied.");
   toasts.tick(0);
-  toasts.add(Mood::warn, "It is hot.");
+  toasts.add(Severity::warn, "It is hot.");
   ASSERT_EQ(toasts.list().size(), 2u);
   EXPECT_EQ(toasts.list().back().text, "It is hot.");
   EXPECT_EQ(toasts.list().back().times, 2);
@@ -55,20 +55,21 @@ TEST(ToastList, WhatIsSaidAgainIsCountedAndTheNewest) {
 
 TEST(ToastList, WhatWouldGoByItselfMakesRoomForWhatStays) {
   Toasts toasts;
-  toasts.add(Mood::fault, "The disk is full.");
-  toasts.add(Mood::ok, "It was copied.");
-  for (std::size_t i = 0; i + 1 < Toasts::at_most; ++i) toasts.add(Mood::fault, "No " + std::to_string(i));
+  toasts.add(Severity::fault, "The disk is full.");
+  toasts.add(Severity::ok, "It was copied.");
+  for (std::size_t i = 0; i + 1 < Toasts::at_most; ++i)
+    toasts.add(Severity::fault, "No " + std::to_string(i));
   ASSERT_EQ(toasts.list().size(), Toasts::at_most);
   EXPECT_EQ(toasts.list().front().text, "The disk is full.");
 }
 
 TEST(ToastList, WhatAFileBringsIntoASentenceIsCutAndMadeReadable) {
   Toasts toasts;
-  toasts.add(Mood::fault, "a\x1b[31m\nb");
+  toasts.add(Severity::fault, "a\x1b[31m\nb");
   EXPECT_EQ(toasts.list().back().text, "a [31m b");
   std::string degrees;
   while (degrees.size() < 10'000'000) degrees += "\xC2\xB0";
-  toasts.add(Mood::fault, "x" + degrees);
+  toasts.add(Severity::fault, "x" + degrees);
   const std::string& text = toasts.list().back().text;
   EXPECT_LE(text.size(), Toasts::longest + 3);
   EXPECT_EQ(text.substr(text.size() - 5), "\xC2\xB0\xE2\x80\xA6") << "no half of a character";
@@ -77,21 +78,21 @@ TEST(ToastList, WhatAFileBringsIntoASentenceIsCutAndMadeReadable) {
 TEST(ToastList, AReasonThatIsGoneTakesWhatWasSaidWithIt) {
   Toasts toasts;
   const int stage = 0, table = 0;
-  toasts.add(Mood::fault, "There is no link.", &stage);
-  toasts.add(Mood::fault, "The disk is full.");
+  toasts.add(Severity::fault, "There is no link.", &stage);
+  toasts.add(Severity::fault, "The disk is full.");
   const auto count = [&] { return toasts.list().size(); };
   toasts.look_at_controller(&stage, {.linked = false});
   toasts.look_at_controller(&table, {.linked = true, .moving = true});
   EXPECT_EQ(count(), 2u);
   toasts.look_at_controller(&stage, {.linked = true});
   EXPECT_EQ(count(), 1u) << "there is one again";
-  toasts.add(Mood::fault, "The home switch is not there.", &stage);
+  toasts.add(Severity::fault, "The home switch is not there.", &stage);
   toasts.look_at_controller(&stage, {.linked = true});
   toasts.look_at_controller(&stage, {.linked = true});
   EXPECT_EQ(count(), 2u);
   toasts.look_at_controller(&stage, {.linked = true, .moving = true});
   EXPECT_EQ(count(), 1u) << "it moves: what was refused before is past";
-  toasts.add(Mood::fault, "That while it moves.", &stage);
+  toasts.add(Severity::fault, "That while it moves.", &stage);
   toasts.look_at_controller(&stage, {.linked = true, .moving = true});
   toasts.look_at_controller(&stage, {.linked = true});
   EXPECT_EQ(count(), 2u) << "said while it moved";
@@ -122,11 +123,11 @@ TEST(MessageStrip, ShowsTheNewestAndHowManyWait) {
   ToastStage s(432);
   s.stage.frames(2);
   EXPECT_FALSE(s.stage.find("message/strip"));
-  s.toasts.add(Mood::fault, "The home switch is not there.");
+  s.toasts.add(Severity::fault, "The home switch is not there.");
   s.stage.frames(3);
   EXPECT_EQ(s.value("toast/1"), "The home switch is not there.");
   EXPECT_FALSE(s.stage.find("message/more"));
-  s.toasts.add(Mood::fault, "And that one neither.");
+  s.toasts.add(Severity::fault, "And that one neither.");
   s.stage.frames(3);
   ASSERT_TRUE(s.stage.find("message/more"));
   EXPECT_EQ(s.stage.find("message/more")->label, "1 more");
@@ -143,7 +144,7 @@ TEST(MessageStrip, ShowsTheNewestAndHowManyWait) {
 
 TEST(MessageStrip, APressOpensTheListOfAllWithACrossEach) {
   ToastStage s(432);
-  for (const char* words : {"One.", "Two.", "Three."}) s.toasts.add(Mood::fault, words);
+  for (const char* words : {"One.", "Two.", "Three."}) s.toasts.add(Severity::fault, words);
   s.stage.frames(3);
   ASSERT_TRUE(s.stage.hand.click("toast/3"));
   s.stage.frames(3);
@@ -164,7 +165,7 @@ TEST(MessageStrip, APressOpensTheListOfAllWithACrossEach) {
 
 TEST(MessageStrip, LowInTheWindowTheListOpensUpwards) {
   ToastStage s(240, 566);
-  s.toasts.add(Mood::fault, "One.");
+  s.toasts.add(Severity::fault, "One.");
   s.stage.frames(3);
   ASSERT_TRUE(s.stage.hand.click("toast/1"));
   s.stage.frames(3);
@@ -177,8 +178,8 @@ TEST(MessageStrip, LowInTheWindowTheListOpensUpwards) {
 
 TEST(MessageStrip, WithoutRoomItIsAMarkThatOpensTheList) {
   ToastStage s(52);
-  s.toasts.add(Mood::fault, "One.");
-  s.toasts.add(Mood::fault, "Two.");
+  s.toasts.add(Severity::fault, "One.");
+  s.toasts.add(Severity::fault, "Two.");
   s.stage.frames(3);
   EXPECT_EQ(s.value("toast/2"), "Two.");
   EXPECT_EQ(s.value("toast/1"), "One.");
@@ -189,7 +190,7 @@ TEST(MessageStrip, WithoutRoomItIsAMarkThatOpensTheList) {
 
 TEST(MessageStrip, AtRestItDrawsOneFrameAMinute) {
   ToastStage s(432);
-  s.toasts.add(Mood::fault, "One.");
+  s.toasts.add(Severity::fault, "One.");
   s.stage.frames(5);
   EXPECT_GT(s.stage.surface.screen().wake_in_s(), 50);
 }

@@ -22,9 +22,9 @@ TEST_F(LiveBlocks, OfABoardTheOneAtWorkIsLit) {
   load({{sequence::Speed{{1000, 0, 100}}}, {by}, {sequence::Delay{2000}}, {by}});
   s.click("blocks/run");
   ASSERT_TRUE(s.last<intent::LoadProgram>());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   ASSERT_TRUE(s.last<intent::RunProgram>());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   started_s = s.stage.now_s;
   s.now.program = {.run = RunState::running, .owned = true, .slot = 0, .command = -1};
   s.now.program.started_at = Instant(from_seconds(started_s));
@@ -69,7 +69,7 @@ TEST_F(BoundBlocks, WhatRunsIsToldWhereItGoesForWhateverComesMeanwhile) {
   load({{sequence::Repeat{9, {by(100)}}}});
   s.click("blocks/run");
   ASSERT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   const auto* run = s.last<intent::RunProgram>();
   ASSERT_TRUE(run);
   ASSERT_EQ(run->places.size(), 2u);
@@ -131,8 +131,8 @@ TEST_F(RestOfBlocks, OfARestThatRunsTheBlockAtWorkIsLit) {
   s.click("blocks/run_here");
   s.click("blocks/run_from/yes");
   ASSERT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
-  s.settle(Fate::done);
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
+  s.settle(IntentState::done);
   // IA1M400 leads there; P5; LM0 IA1M0 P3 LA2.
   runs(0);
   EXPECT_EQ(value("blocks/2/time"), "on its way there");

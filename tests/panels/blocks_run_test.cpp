@@ -70,7 +70,7 @@ TEST_F(RunBlocks, ADoubtIsAskedAboutBesideRun) {
   EXPECT_TRUE(s.last<intent::TrustPosition>());
   s.click("blocks/doubt/once");
   ASSERT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   ASSERT_TRUE(s.last<intent::RunProgram>());
   EXPECT_TRUE(s.last<intent::RunProgram>()->despite_doubt);
 }
@@ -85,7 +85,7 @@ TEST_F(RunBlocks, ConsentOutlastsTheQuestionAboutTheTextAndCoversNoNewDoubt) {
   s.click("blocks/replace/yes");
   ASSERT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
   s.now.axes[0].trust.doubt(Doubt::killed, Instant());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(count<intent::RunProgram>(), 0);
   EXPECT_THAT(s.toast(), HasSubstr("was not started"));
 }

@@ -179,9 +179,9 @@ TEST_F(VxmBlocksTest, BlocksRunWhereTheyStand) {
   ASSERT_TRUE(s.last<intent::LoadProgram>());
   EXPECT_EQ(s.last<intent::LoadProgram>()->text, text());
   EXPECT_THAT(s.reason("blocks/run"), HasSubstr("transferred"));
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   ASSERT_TRUE(s.last<intent::RunProgram>());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
 
   s.now.program = {.run = RunState::running, .owned = true, .slot = 0, .command = 1, .command_told = true};
   s.stage.frames(3);
@@ -218,8 +218,8 @@ TEST_F(VxmBlocksTest, ABlockOfAnotherTextIsNotLit) {
   s.click("blocks/add/delay");
   key("ctrl+enter");
   ASSERT_TRUE(s.last<intent::LoadProgram>());
-  s.settle(Fate::done);
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
+  s.settle(IntentState::done);
   s.now.program = {.run = RunState::running, .owned = true, .slot = 0, .command = 0, .command_told = true};
   s.stage.frames(3);
   EXPECT_EQ(s.value("blocks/1/time"), "runs");

@@ -64,7 +64,7 @@ TEST_F(BusTest, TheStatusLineNamesAllThatMove) {
 }
 
 TEST_F(BusTest, WhatIsSaidOfADeviceNamesIt) {
-  s.console.toast(*b.tab, Mood::fault, "The controller did not answer in time.");
+  s.console.toast(*b.tab, Severity::fault, "The controller did not answer in time.");
   s.run(0.1);
   EXPECT_EQ(s.value("toast/1"), "02: The controller did not answer in time.");
 }

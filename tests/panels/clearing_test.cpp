@@ -41,7 +41,7 @@ TEST(Clearing, TheStatusLineClearsTheAxisThatItNames) {
   ASSERT_TRUE(a.last<intent::Act>());
   EXPECT_EQ(a.last<intent::Act>()->values, std::vector<std::int64_t>{1}) << "of that axis alone";
   ASSERT_TRUE(std::holds_alternative<intent::Act>(a.sent.back()));
-  a.fate(Fate::refused, "Not now.");
+  a.outcome(IntentState::refused, "Not now.");
   s.run(0.1);
   ASSERT_FALSE(s.console.toasts().list().empty());
   EXPECT_EQ(s.console.toasts().list().back().text, "Not now.");

@@ -237,10 +237,9 @@ TEST_F(ClosingWhatMoves, OfWhatWasLostTheTabIsAskedAboutToo) {
   click("close/leave");
   EXPECT_EQ(s.console.tabs().size(), 1u);
   EXPECT_EQ(moving.count<intent::Stop>(), 0);
-  EXPECT_EQ(
-      told_at_next_start(),
-      "the session was ended (Stage was closed). Stage: axis 1 was moving; it could not be told to stop, "
-      "for there was no link. It may have gone on: look at it first.");
+  EXPECT_EQ(told_at_next_start(),
+            "the session was ended (Stage was closed). Stage: axis 1 was moving; no stop could be "
+            "sent, for there was no link. It may still be moving: look at it first.");
 }
 
 TEST_F(ClosingWhatMoves, OfWhatWasLostTheWindowAsksToo) {
@@ -255,7 +254,7 @@ TEST_F(ClosingWhatMoves, OfWhatWasLostTheWindowAsksToo) {
   EXPECT_TRUE(window_may_close()) << "asked again, it stops what it can and closes";
   EXPECT_EQ(moving.count<intent::Stop>(), 1);
   EXPECT_THAT(told_at_next_start(), testing::StartsWith("the session was ended (the window was closed). "
-                                                        "Table: Program 2 was running; it could not"));
+                                                        "Table: Program 2 was running; no stop could"));
 }
 
 TEST_F(ClosingWhatMoves, WhatWasLostIsAskedAboutWhileItIsTriedAgain) {
@@ -286,8 +285,8 @@ TEST_F(ClosingWhatMoves, OfWhatWasLostASignalTellsAtTheNextStart) {
   lose(moving);
   s.console.depart("SIGTERM");
   EXPECT_EQ(told_at_next_start(),
-            "the session was ended (SIGTERM). Stage: axis 1 was moving; it could not be told to stop, for "
-            "there was no link. It may have gone on: look at it first.");
+            "the session was ended (SIGTERM). Stage: axis 1 was moving; no stop could be sent, for there "
+            "was no link. It may still be moving: look at it first.");
 }
 
 TEST_F(Closing, OfABusItIsSaidWhichMembersWereLost) {
@@ -325,7 +324,7 @@ TEST(Departing, WhatWasDoneIsToldOnceAtTheNextStart) {
 
   const LastEnds ends(outside.folders);
   LastEnd end{date_of_today(), "14:02:11", "SIGTERM", {}};
-  end.controllers = {{"PMX table", "axis X was moving", LastEnd::Fate::at_rest}};
+  end.controllers = {{"PMX table", "axis X was moving", LastEnd::Outcome::at_rest}};
   ASSERT_TRUE(ends.keep(end));
   gui::Console next(panel_list(), outside);
   ASSERT_EQ(next.toasts().list().size(), 1u);

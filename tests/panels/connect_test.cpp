@@ -1,10 +1,12 @@
 // The connection page with ports in every state: what it says of each, and the test of a port.
 #include <cstdlib>
 #include <filesystem>
+#include <tuple>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "core/base/log.h"
 #include "gui/shell/device_finder.h"
 #include "tests/panels/console_stage.h"
 
@@ -109,6 +111,26 @@ TEST(ConnectPage, EachPortHasItsWayOn) {
   EXPECT_FALSE(asking->enabled);
   EXPECT_EQ(p.stage.hand.value("status/text").value_or(""),
             "1 controller answers on 5 ports. Choose one, or start an emulator.");
+}
+
+TEST(ConnectPage, ShowsTheLogWhileNoControllerIsOpen) {
+  for (const auto& [width, height, scale] : {std::tuple{1440, 900, 1.f}, std::tuple{1024, 700, 2.f}}) {
+    Page p(width, height, scale);
+    ASSERT_TRUE(p.stage.hand.click("connect/log")) << width;
+    ::testing::internal::CaptureStderr();
+    log::subject("link").say(log::Level::warning, "/dev/ttyUSB0 not opened: no permission");
+    ::testing::internal::GetCapturedStderr();
+    p.stage.frames(3);
+    EXPECT_NE(p.stage.hand.value("decisions/log").value_or("").find("warning link: /dev/ttyUSB0 not opened"),
+              std::string::npos);
+    const Widget* level = p.stage.find("decisions/level");
+    ASSERT_TRUE(level);
+    EXPECT_LE(level->rect.max.x, static_cast<float>(width) * scale);
+    EXPECT_FALSE(p.stage.find("connect/look"));
+    ASSERT_TRUE(p.stage.hand.click("connect/log/close"));
+    p.stage.frames(2);
+    EXPECT_TRUE(p.stage.find("connect/look"));
+  }
 }
 
 TEST(ConnectPage, APortIsTestedAndSaysHowFarItCame) {

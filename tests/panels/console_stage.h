@@ -83,11 +83,11 @@ struct Example {
     return operated.empty() ? nullptr : std::get_if<T>(&operated.back());
   }
   /// What became of the newest intent.
-  void fate(Fate what, const char* sentence = "", std::uint32_t doubtful = 0) {
-    now.fates[0].id = sent.size();
-    now.fates[0].fate = what;
-    now.fates[0].sentence = sentence;
-    now.fates[0].doubtful = doubtful;
+  void outcome(IntentState what, const char* sentence = "", std::uint32_t doubtful = 0) {
+    now.outcomes[0].id = sent.size();
+    now.outcomes[0].state = what;
+    now.outcomes[0].sentence = sentence;
+    now.outcomes[0].doubtful = doubtful;
   }
 };
 

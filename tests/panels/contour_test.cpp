@@ -47,14 +47,14 @@ TEST_F(ContourTest, ItIsLoadedAndThenStarted) {
   ASSERT_TRUE(s.last<intent::LoadProgram>());
   EXPECT_EQ(s.last<intent::LoadProgram>()->text, "contour X Y at 1000\nline 1000 0\n");
   EXPECT_FALSE(s.last<intent::RunProgram>());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_TRUE(s.last<intent::RunProgram>());
 }
 
 TEST_F(ContourTest, ARefusedTextIsNotStarted) {
   line(1, "1000", "0");
   s.click("contour/run");
-  s.settle(Fate::refused, "Line 1: no.");
+  s.settle(IntentState::refused, "Line 1: no.");
   EXPECT_FALSE(s.last<intent::RunProgram>());
   EXPECT_EQ(s.toast(), "Line 1: no.");
 }

@@ -108,7 +108,7 @@ TEST_F(ControlTest, AUnitIsThatOfTheAxisThatIsChosen) {
 
 TEST_F(ControlTest, ARefusalStandsWhereItWasAsked) {
   s.click("action/arc/go");
-  s.settle(Fate::refused, "An arc needs absolute mode.");
+  s.settle(IntentState::refused, "An arc needs absolute mode.");
   EXPECT_EQ(s.value("action/arc/refused"), "An arc needs absolute mode.");
 }
 
@@ -305,6 +305,35 @@ TEST(ControlOfPmx, SwitchesOfItsTablesAreReadOnceWithoutAVisitToTheSetUp) {
   for (ParamState& p : s.now.params) p.known = false;
   s.stage.frames(4);
   EXPECT_EQ(asked(), 1);
+  for (IntentId id = 1; id <= s.sent.size(); ++id)
+    s.now.outcomes[id].id = id, s.now.outcomes[id].state = IntentState::done;
+  s.stage.now_s += 10;
+  s.stage.frames(4);
+  EXPECT_EQ(asked(), 1) << "an older firmware does not answer them all";
+}
+
+TEST(ControlOfPmx, ARefusedReadingIsAskedForAgain) {
+  Control panel;
+  test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, pmx_4ex_sa::make_catalog({}).value()};
+  s.now.axis_count = 4;
+  for (ParamState& p : s.now.params) p.known = false;
+  s.stage.frames(4);
+  std::vector<IntentId> asked;
+  const auto look = [&] {
+    asked.clear();
+    for (std::size_t i = 0; i < s.sent.size(); ++i)
+      if (std::holds_alternative<intent::ReadParams>(s.sent[i])) asked.push_back(i + 1);
+    return asked.size();
+  };
+  ASSERT_EQ(look(), 1U);
+  IntentOutcome& refused = s.now.outcomes[0];
+  refused.id = asked[0], refused.state = IntentState::refused, refused.sentence = "A download is under way.";
+  s.stage.frames(4);
+  EXPECT_EQ(look(), 1U) << "not at once";
+  s.stage.now_s += 4;
+  s.stage.frames(4);
+  EXPECT_EQ(look(), 2U);
+  EXPECT_EQ(s.toast(), "") << "nobody has asked for it";
 }
 
 TEST(ControlOfPmx, TheBufferSaysHowManyPlacesAreFreeOfHowMany) {

@@ -30,7 +30,7 @@ class DoubtTest : public testing::Test {
   void doubt(int axis) { a.now.axes[axis].trust.doubt(Doubt::power_cut, s.scheduler.now()); }
   /// As the pump does it.
   void refuse(std::uint32_t doubtful) {
-    a.fate(Fate::refused, "in the controller's own words", doubtful);
+    a.outcome(IntentState::refused, "in the controller's own words", doubtful);
     s.run(0.1);
   }
   /// Go of axis 1, refused.
@@ -90,7 +90,7 @@ TEST_F(DoubtTest, ItStandsWhereItCountsOrWhereItIsSaidTo) {
   s.run(0.1);
   ASSERT_TRUE(a.last<intent::SetPosition>());
   EXPECT_EQ(a.last<intent::SetPosition>()->value, Steps(-500));
-  a.fate(Fate::refused, "It can only be called zero, not -500.");
+  a.outcome(IntentState::refused, "It can only be called zero, not -500.");
   s.run(0.1);
   EXPECT_EQ(s.value("goto/1/refused"), "It can only be called zero, not -500.");
   MUST(s.hand.type("goto/1/stands_at", "no number"));
@@ -155,7 +155,7 @@ TEST_F(DoubtTest, AnActionThatGoesToAPlaceHasThemToo) {
   s.run(0.1);
   MUST(s.hand.click("action/arc/go"));
   ASSERT_TRUE(b.last<intent::Act>());
-  b.fate(Fate::refused, "in the controller's own words", 2);
+  b.outcome(IntentState::refused, "in the controller's own words", 2);
   s.run(0.1);
   EXPECT_TRUE(s.value("action/arc/Y/refused")
                   .starts_with("The position of axis Y cannot be trusted: it was stopped without a ramp"));

@@ -193,6 +193,34 @@ struct KeptOptionsTest : testing::Test {
   }
 };
 
+TEST_F(DrawingTabTest, TheScaleIsTypedInTheFormThatTheMakerGives) {
+  drop();
+  two_hundred_pulses_in_a_mm();
+  s.click("drawing/scale_as");
+  s.click("drawing/scale_as/mm/pulse");
+  s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/per_unit/X"), "0.005");
+  s.type("drawing/per_unit/X", "0.002");
+  s.stage.frames(6);
+  s.click("drawing/scale_as");
+  s.click("drawing/scale_as/pulses/mm");
+  s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/per_unit/X"), "500.000");
+  s.click("drawing/scale_as");
+  s.click("drawing/scale_as/pulses/in");
+  s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/per_unit/X"), "12700.000");
+  EXPECT_EQ(s.value("drawing/per_unit/Y"), "5080.000");
+}
+
+TEST_F(DrawingTabTest, AUnitThatIsChosenAtTheNumbersLaterTellsTheScale) {
+  drop();
+  s.tab.profile.axes[0].unit_choice = own_unit_choice;
+  s.tab.profile.axes[0].own_unit = {"in", 0.0001};  // shown in steps now
+  s.stage.frames(6);
+  EXPECT_EQ(s.value("drawing/per_unit/X"), "393.701");
+}
+
 TEST_F(KeptOptionsTest, ScaleTableAndToolAreThereAgainNextTime) {
   {
     auto s = console();

@@ -233,8 +233,8 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   drop();
   s.click("drawing/cut");
   s.click("drawing/ask_cut/yes");
-  s.settle(Fate::done);
-  s.now.pieces.running = true;
+  s.settle(IntentState::done);
+  s.now.pieces.running = true, s.now.pieces.drawing = s.last<intent::RunInPieces>()->pieces->drawing;
   s.now.pieces.done = 3, s.now.pieces.total = 7, s.now.pieces.step = 6;
   s.stage.frames(3);
   EXPECT_FALSE(s.stage.find("drawing/cut"));
@@ -247,6 +247,14 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   s.click("drawing/stop");
   EXPECT_TRUE(s.last<intent::Stop>());
   s.now.pieces.running = s.now.pieces.held = false;
+  s.now.pieces.rest_of = s.now.pieces.drawing, s.now.pieces.rest_step = 6;
+  s.stage.frames(3);
+  s.click("drawing/frame");
+  s.stage.frames(4);
+  s.click("drawing/ask_cut/yes");
+  s.settle(IntentState::done);
+  EXPECT_EQ(s.last<intent::RunInPieces>()->pieces->drawing, 0u) << "it takes nothing away from the cut";
+  s.now.pieces.drawing = 0, s.now.pieces.done = s.now.pieces.total = 1, s.now.pieces.step = 5;
   s.stage.frames(3);
   s.now.axes[0].position = Steps(4000);
   s.stage.frames(2);
@@ -276,8 +284,8 @@ TEST_F(DrawingTabTest, HowLongItStillTakesIsTold) {
   s.stage.frames(6);
   s.click("drawing/cut");
   s.click("drawing/ask_cut/yes");
-  s.settle(Fate::done);
-  s.now.pieces.running = true;
+  s.settle(IntentState::done);
+  s.now.pieces.running = true, s.now.pieces.drawing = s.last<intent::RunInPieces>()->pieces->drawing;
   s.now.pieces.total = 1, s.now.pieces.step = 0;
   s.stage.frames(3);
   EXPECT_THAT(s.value("drawing/cut_progress"), HasSubstr(" s left"));

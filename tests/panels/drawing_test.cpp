@@ -62,13 +62,13 @@ TEST_F(Threads, WhatIsNotWhatWasSentIsRunOnAWordOnly) {
   s.click("thread/1/run");
   ASSERT_TRUE(s.last<intent::RunProgram>());
   EXPECT_FALSE(s.last<intent::RunProgram>()->as_it_is);
-  s.settle(Fate::refused, "It is not what was sent.");
+  s.settle(IntentState::refused, "It is not what was sent.");
   s.stage.frames(30);
   EXPECT_EQ(s.value("thread/1/refused"), "It is not what was sent.");
   s.click("thread/1/as_it_is");
   EXPECT_TRUE(s.last<intent::RunProgram>()->as_it_is);
   EXPECT_EQ(s.last<intent::RunProgram>()->slot, 1);
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(s.stage.find("thread/1/refused"), nullptr);
 }
 

@@ -21,8 +21,9 @@ TEST_F(DrawingTabTest, ADrawingThatGoesThroughTheBufferTellsWhatIsLeft) {
   const auto* asked = s.last<intent::RunInPieces>();
   ASSERT_TRUE(asked);
   ASSERT_GE(asked->pieces->all.front().draws, 0) << "through the buffer";
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   s.now.pieces.running = s.now.pieces.draws = true;
+  s.now.pieces.drawing = s.last<intent::RunInPieces>()->pieces->drawing;
   s.now.pieces.total = 700, s.now.pieces.step = 0;
   s.stage.frames(3);
   EXPECT_THAT(s.value("drawing/cut_progress"), HasSubstr(" left"));
@@ -82,8 +83,9 @@ TEST_F(DrawingTabTest, TheBarGoesOnWhereTheControllerTellsNoSteps) {
   s.click("drawing/cut");
   EXPECT_THAT(s.value("drawing/ask_cut/says"), HasSubstr("once the controller has it"));
   s.click("drawing/ask_cut/yes");
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   s.now.pieces.running = true;
+  s.now.pieces.drawing = s.last<intent::RunInPieces>()->pieces->drawing;
   s.now.pieces.total = 1, s.now.pieces.step = 0;
   s.stage.frames(3);
   EXPECT_THAT(s.value("drawing/cut_progress"), HasSubstr("is being sent the drawing"));

@@ -134,7 +134,7 @@ class FixedStage {
     desk.job.begin(ProgramJob::Goal::run, slot, desk.texts, e.now, e.tab->catalog(),
                    [&e](IntentBody body) { return e.tab->send(std::move(body)); });
     desk.texts.listed(slot, "L9\n", e.tab->clock());
-    e.fate(Fate::done);
+    e.outcome(IntentState::done);
   }
   /// Into Go of the first axis, where that is on the screen.
   void go_to(const char* text) {
@@ -285,9 +285,9 @@ const std::vector<Said>& all_said() {
       {"a refusal",
        [](FixedStage& f) {
          f.go_to("100\n");
-         f.front().fate(Fate::refused,
-                        "The axis stands on its limit switch, and the move leads further onto it. "
-                        "Nothing was sent. Move it off the switch first, in the other direction.");
+         f.front().outcome(IntentState::refused,
+                           "The axis stands on its limit switch, and the move leads further onto it. "
+                           "Nothing was sent. Move it off the switch first, in the other direction.");
        },
        true},
       {"typed", [](FixedStage& f) { f.go_to("-123456.789"); }, true},

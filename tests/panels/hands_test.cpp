@@ -249,7 +249,7 @@ TEST_F(HandsTest, TypingAloneMovesNothing) {
 
 TEST_F(HandsTest, WhatIsTypedStaysWhenItIsRefused) {
   MUST(s.hand.type("goto/1", "400\n"));
-  a.fate(Fate::refused, "The axis stands on its limit. Nothing was sent.");
+  a.outcome(IntentState::refused, "The axis stands on its limit. Nothing was sent.");
   s.run(0.1);
   EXPECT_EQ(s.value("goto/1"), "400");
 }
@@ -285,12 +285,12 @@ TEST_F(HandsTest, OutputChangesWhenTheControllerHasSaidSo) {
   s.run(0.05);
   EXPECT_EQ(s.value("io/out/1"), "sending");
   a.now.outputs = 1;
-  a.fate(Fate::done);
+  a.outcome(IntentState::done);
   s.run(0.05);
   EXPECT_EQ(s.value("io/out/1"), "on");
   MUST(s.hand.click("io/out/1"));
   EXPECT_FALSE(a.last<intent::SetOutput>()->on);
-  a.fate(Fate::refused, "Not now.");
+  a.outcome(IntentState::refused, "Not now.");
   s.run(0.05);
   EXPECT_EQ(s.value("io/out/1"), "refused");
 }

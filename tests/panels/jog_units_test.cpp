@@ -46,6 +46,15 @@ TEST_F(JogUnitsTest, OneUnitOfAllAxesIsThatOfTheSteps) {
   EXPECT_EQ(s.value("jog/speed"), "5.000 mm/s");
 }
 
+TEST_F(JogUnitsTest, WhereUnitsDifferATapIsSaidInEachOnesOwn) {
+  show_in("screw of 1 mm", "screw of 1 mm");
+  EXPECT_FALSE(s.hand.exists("jog/own_units")) << "the buttons say it";
+  show_in("screw of 1 mm", "screw of 2 mm");
+  MUST(s.hand.click("jog/step/1000"));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/own_units"), "A tap: 1 2.500 mm, 2 5.000 mm. Held: 1 5.000 mm/s, 2 10.000 mm/s.");
+}
+
 TEST_F(JogUnitsTest, AxesOfDifferentUnitsAreSteppedInWhatTheControllerCounts) {
   for (const char* second : {"screw of 2 mm", "table", ""}) {
     show_in("screw of 1 mm", second);

@@ -297,6 +297,16 @@ TEST(ServeEmulator, TheOpenOneIsServedAndSaysWhere) {
   EXPECT_FALSE(d.stage.find("connect/here/0/tcp"));
 }
 
+TEST(ServeEmulator, TheOpenOneWithByteTimesIsNotServed) {  // two would take each other's answers
+  for (const char* model : {"vxm", "pmx-4ex-sa", "dmx-k-sa"}) {
+    Desk d(model);
+    d.open(fmt::format("{}@emulator,wire=real", model));
+    const gui::Widget* serve = d.stage.find("connect/here/0/serve");
+    ASSERT_TRUE(serve) << model;
+    EXPECT_THAT(serve->reason, HasSubstr("Serve another at the right.")) << model;
+  }
+}
+
 TEST(ServeEmulator, OneOfItsOwnIsServedAndCanBeOpenedHere) {
   Desk d("vxm");
   d.console.show_page("connect");

@@ -71,10 +71,26 @@ TEST_F(LogViewTest, ChoosesHowMuchIsLogged) {
   EXPECT_THAT(s.value("decisions/log"), HasSubstr("debug driver.vxm: refused: it moves"));
   s.click("decisions/subject");
   s.click("decisions/subject/all");
-  EXPECT_EQ(s.value("decisions/level"), "log warnings");
+  EXPECT_EQ(s.value("decisions/level"), "log mixed");
   s.click("decisions/level");
   s.click("decisions/level/log nothing");
   EXPECT_FALSE(log::subject("driver.vxm").wants(log::Level::error)) << "everything is all of them";
+}
+
+TEST_F(LogViewTest, OnePartThatLogsMoreIsSaidOfItsFamily) {
+  log::set_level("driver.vxm", log::Level::debug);
+  s.stage.frames(2);
+  EXPECT_EQ(s.value("decisions/level"), "log mixed") << "all of them";
+  s.click("decisions/subject");
+  s.click("decisions/subject/driver");
+  EXPECT_EQ(s.value("decisions/level"), "log mixed");
+  s.click("decisions/level");
+  s.click("decisions/level/log mixed");
+  EXPECT_TRUE(log::subject("driver.vxm").wants(log::Level::debug)) << "it is no choice";
+  if (s.stage.find("decisions/level/log warnings") == nullptr) s.click("decisions/level");
+  s.click("decisions/level/log warnings");
+  EXPECT_FALSE(log::subject("driver.vxm").wants(log::Level::debug));
+  EXPECT_EQ(s.value("decisions/level"), "log warnings");
 }
 
 TEST_F(LogViewTest, DrawsOnlyTheRowsThatAreSeen) {

@@ -47,7 +47,7 @@ TEST(MessagePlace, IsBesideTheTitleWhereItHasRoom) {
   s.add();
   s.run(0.1);
   show_events(s, true);
-  s.console.toast(gui::Mood::fault, "The home switch is not there.");
+  s.console.toast(gui::Severity::fault, "The home switch is not there.");
   s.run(0.2);
   ASSERT_TRUE(strip_of(s));
   const gui::Rect strip = *strip_of(s), copy = s.stage.find("happened/copy")->rect;
@@ -61,7 +61,7 @@ TEST(MessagePlace, IsInTheStatusLineWhereTheTitleHasNone) {
   ConsoleStage s;
   s.add();
   s.run(0.1);
-  s.console.toast(gui::Mood::fault, "The home switch is not there.");
+  s.console.toast(gui::Severity::fault, "The home switch is not there.");
   s.run(0.2);
   ASSERT_TRUE(strip_of(s));
   EXPECT_GE(strip_of(s)->min.y, 900 - 36);
@@ -78,8 +78,8 @@ TEST(MessagePlace, CoversNothingInAnySize) {
       if (lost) a.now.link.state = LinkState::lost;
       s.run(0.1);
       show_events(s, shape.events);
-      s.console.toast(gui::Mood::fault, "The home switch is not there.");
-      s.console.toast(gui::Mood::warn, "It is hot.");
+      s.console.toast(gui::Severity::fault, "The home switch is not there.");
+      s.console.toast(gui::Severity::warn, "It is hot.");
       s.run(0.2);
       ASSERT_TRUE(strip_of(s)) << shape.width;
       EXPECT_EQ(under_the_strip(s), "") << shape.width << " x " << shape.height << (lost ? ", lost" : "");
@@ -91,7 +91,7 @@ TEST(MessagePlace, CoversNothingInAnySize) {
 TEST(MessagePlace, OnAPageItIsInTheStatusLine) {
   ConsoleStage s;
   s.run(0.1);
-  s.console.toast(gui::Mood::fault, "The disk is full.");
+  s.console.toast(gui::Severity::fault, "The disk is full.");
   s.run(0.2);
   ASSERT_TRUE(strip_of(s));
   EXPECT_GE(strip_of(s)->min.y, 900 - 36);
@@ -125,7 +125,7 @@ TEST(MessagePlace, WhatAClosedControllerRefusedGoesWithIt) {
   b.now.link.state = LinkState::lost;
   s.run(0.1);
   ASSERT_TRUE(s.hand.type("terminal/command", "R\n").has_value());
-  s.console.toast(gui::Mood::fault, "The disk is full.");
+  s.console.toast(gui::Severity::fault, "The disk is full.");
   s.run(0.2);
   ASSERT_EQ(s.console.toasts().list().size(), 2u);
   s.console.close(*b.tab);

@@ -127,11 +127,13 @@ TEST_P(OddWire, AnEchoIsCalledAnEcho) {
   EXPECT_THAT(d.findings(), Not(HasSubstr("another rate")));
 }
 
-class SharedOddWire : public OddWire {};  // RS-232 has one device only
+class SharedOddWire : public OddWire {};
 
 TEST_P(SharedOddWire, ASecondDeviceIsCalledASecondDevice) {
   OddDesk d(GetParam(), Oddity::two_answers);
-  EXPECT_THAT(d.findings(), HasSubstr("Two answers came to one question"));
+  // Byte between byte, two answers of a VXM make no sense: then it is the second of two reasons.
+  EXPECT_THAT(d.findings(), testing::AnyOf(HasSubstr("Two answers came to one question"),
+                                           HasSubstr("two controllers may answer at once")));
   EXPECT_THAT(d.findings(), Not(HasSubstr("receives its own bytes")));
 }
 
@@ -154,7 +156,7 @@ TEST_P(OddWire, AGoodOneIsCalledGood) {
   EXPECT_THAT(d.findings(), HasSubstr("No echo, no second answer, no wrong bytes"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Lines, SharedOddWire, testing::Values("pmx-4ex-sa", "dmx-k-sa"));
+INSTANTIATE_TEST_SUITE_P(Lines, SharedOddWire, testing::Values("vxm", "pmx-4ex-sa", "dmx-k-sa"));
 INSTANTIATE_TEST_SUITE_P(Lines, OddWire, testing::Values("vxm", "pmx-4ex-sa", "dmx-k-sa"));
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST_F(OneWayHomeTest, ADoubtOffersTheDirectionThatSetsTheCount) {
   a.now.axes[0].trust.doubt(Doubt::power_cut, s.scheduler.now());
   s.run(0.1);
   MUST(s.hand.type("goto/1", "400\n"));
-  a.fate(Fate::refused, "in the controller's own words", 1);
+  a.outcome(IntentState::refused, "in the controller's own words", 1);
   s.run(0.1);
   ASSERT_TRUE(s.hand.exists("goto/1/home/-"));
   MUST(s.hand.click("goto/1/home/-"));

@@ -64,11 +64,11 @@ struct PanelStage {
     ImGui::End();
   }
   /// What became of the newest intent.
-  void settle(Fate fate, const char* sentence = "") {
-    IntentFate f;
-    f.id = sent.size(), f.fate = fate, f.sentence = sentence;
-    for (std::size_t i = now.fates.size() - 1; i > 0; --i) now.fates[i] = now.fates[i - 1];
-    now.fates[0] = f;
+  void settle(IntentState outcome, const char* sentence = "") {
+    IntentOutcome f;
+    f.id = sent.size(), f.state = outcome, f.sentence = sentence;
+    for (std::size_t i = now.outcomes.size() - 1; i > 0; --i) now.outcomes[i] = now.outcomes[i - 1];
+    now.outcomes[0] = f;
     stage.frames(2);
   }
   template <class T>

@@ -1,4 +1,5 @@
 // The path of a rehearsed program, and what a hand does with it.
+#include <algorithm>
 #include <cmath>
 
 #include "core/device/registry.h"
@@ -47,6 +48,12 @@ TEST_F(PathTest, ASquareIsDrawnAndMeasured) {
   for (int x = -3; x <= 3; ++x)
     inked += s.stage.surface.pixel(static_cast<int>(side.x) + x, static_cast<int>(side.y) + 20) == ink;
   EXPECT_GE(inked, 1);
+}
+
+TEST_F(PathTest, F5SaysWhyNothingIsRehearsed) {
+  ASSERT_TRUE(s.stage.hand.key("F5"));
+  s.stage.frames(2);
+  EXPECT_THAT(s.toast(), HasSubstr("The program is empty."));
 }
 
 TEST_F(PathTest, AClickTellsTheLineAndTheEditorGoesThere) {
@@ -181,6 +188,27 @@ TEST_F(PathTest, ItIsSavedAsLinesOrAsPixels) {
     EXPECT_THAT(bytes->substr(0, 8), testing::AnyOf(HasSubstr("<?xml"), HasSubstr("PNG")));
     std::filesystem::remove(file);
   }
+}
+
+TEST_F(PathTest, AFailedSavingIsForgottenWithTheNext) {
+  rehearse("I1M400,\nI2M400,\n");
+  const auto file = std::filesystem::temp_directory_path() / "hw_path_again.svg";
+  const auto save = [&](const std::filesystem::path& as) {
+    s.click("path/save");
+    s.type("file/path", as.c_str());
+    s.click("file/save");
+    s.stage.frames(3);
+  };
+  save(std::filesystem::temp_directory_path() / (std::string(300, 'a') + ".svg"));  // too long a name
+  const auto failed = [&] {
+    const auto& list = s.console.toasts().list();
+    return std::any_of(list.begin(), list.end(),
+                       [](const auto& toast) { return toast.severity == gui::Severity::fault; });
+  };
+  EXPECT_TRUE(failed());
+  save(file);
+  EXPECT_FALSE(failed()) << s.toast();
+  std::filesystem::remove(file);
 }
 
 TEST_F(PathTest, AtRestNothingIsDrawnAnew) {

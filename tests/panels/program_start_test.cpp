@@ -47,7 +47,7 @@ TEST_F(ProgramStart, TheChosenOneIsTriedAndRun) {
   s.click("program/run");
   ASSERT_TRUE(s.last<intent::LoadProgram>());
   EXPECT_EQ(s.last<intent::LoadProgram>()->slot, 0) << "all of the text";
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   ASSERT_TRUE(s.last<intent::RunProgram>());
   EXPECT_EQ(s.last<intent::RunProgram>()->slot, 1);
 }
@@ -58,7 +58,7 @@ TEST_F(ProgramStart, OfATextWithoutProgram0ItsFirstIsStarted) {
   ASSERT_TRUE(outcome(2) && outcome(2)->result);
   EXPECT_EQ(outcome(2)->result->axes[1].position, 200);
   s.click("program/run");
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   ASSERT_TRUE(s.last<intent::RunProgram>());
   EXPECT_EQ(s.last<intent::RunProgram>()->slot, 2);
 }

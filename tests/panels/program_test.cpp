@@ -38,9 +38,9 @@ TEST_F(ProgramTest, RunLoadsThenRuns) {
   EXPECT_EQ(s.last<intent::LoadProgram>()->text, "I1M400");
   EXPECT_THAT(s.reason("program/run"), HasSubstr("transferred"));
   EXPECT_THAT(s.value("program/note"), HasSubstr("Loading Program 0"));
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   ASSERT_TRUE(s.last<intent::RunProgram>());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_THAT(s.value("program/note"), HasSubstr("The controller holds this text, loaded at"));
 }
 
@@ -57,10 +57,10 @@ TEST_F(ProgramTest, ATransferShowsItsLinesAndTheTimeThatIsLeftAndCanBeAborted) {
   EXPECT_THAT(s.value("program/transfer"), HasSubstr("41 of 302 lines"));
   s.click("program/abort");
   EXPECT_TRUE(s.last<intent::HaltProgram>());
-  IntentFate fate;
-  fate.id = 1, fate.fate = Fate::failed;
-  fate.sentence = "A stop came first. What is stored now is neither the old program nor the new one.";
-  s.now.fates[0] = fate;
+  IntentOutcome outcome;
+  outcome.id = 1, outcome.state = IntentState::failed;
+  outcome.sentence = "A stop came first. What is stored now is neither the old program nor the new one.";
+  s.now.outcomes[0] = outcome;
   transfer.running = false, s.now.slots_torn = 1;
   s.stage.frames(2);
   EXPECT_THAT(s.toast(), HasSubstr("neither the old program nor the new one"));
@@ -101,10 +101,10 @@ TEST_F(ProgramTest, WhatTheControllerCanTellIsReadBeforeARehearsal) {
   EXPECT_EQ(s.reason("program/simulate"), "It is being calculated.");
   EXPECT_EQ(s.value("program/rehearsed"), "It is being rehearsed.");
   const auto asked = s.sent.size();
-  s.settle(Fate::pending);
+  s.settle(IntentState::pending);
   EXPECT_EQ(s.language.rehearsed, 0);
   s.now.params[1].known = true, s.now.params[1].value = 77;
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(s.language.rehearsed, 1);
   EXPECT_EQ(s.sent.size(), asked) << "once is enough";
   EXPECT_EQ(s.tab.desk().rehearsals.of(0)->scene.state->param(1), 77);
@@ -115,7 +115,7 @@ TEST_F(ProgramTest, WhatCannotBeReadDoesNotHoldUpARehearsal) {
   write("I1M400");
   s.now.params[1].known = false;
   s.click("program/simulate");
-  s.settle(Fate::refused, "A program runs.");
+  s.settle(IntentState::refused, "A program runs.");
   EXPECT_EQ(s.language.rehearsed, 1);
   s.click("program/simulate");
   EXPECT_TRUE(s.last<intent::ReadParams>());
@@ -138,7 +138,7 @@ TEST_F(ProgramTest, SlotInUseByAnotherProgramIsAskedAbout) {
   s.click("program/run");
   ASSERT_TRUE(s.last<intent::UploadProgram>());
   texts().listed(0, "L9\n", s.tab.clock());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   ASSERT_TRUE(s.stage.find("program/ask/overwrite"));
   EXPECT_EQ(s.sent.size(), 1u);
   s.click("program/ask/leave");
@@ -209,7 +209,7 @@ TEST_F(PmxProgramTest, WhatIsShownAsBlocksBecomesThem) {
   s.click("program/more");
   s.click("program/more/Show as blocks");
   s.stage.frames(4);
-  EXPECT_THAT(s.toast(), HasSubstr("have changes that are in no file")) << "they ask first";
+  EXPECT_THAT(s.toast(), HasSubstr("have unsaved changes")) << "they ask first";
   EXPECT_EQ(blocks.editor.shared()->steps.size(), 2u);
 }
 

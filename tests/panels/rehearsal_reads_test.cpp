@@ -23,7 +23,7 @@ struct RehearsalReads : ::testing::Test {
   }
   void listed(int slot, const char* text) {
     s.tab.desk().texts.listed(slot, text, s.tab.clock());
-    s.settle(Fate::done);
+    s.settle(IntentState::done);
     s.stage.frames(4);
   }
   [[nodiscard]] const Rehearsal& rehearsal() { return *s.tab.desk().rehearsals.of(0)->result; }
@@ -50,7 +50,7 @@ TEST_F(RehearsalReads, EachProgramThatTheRunComesTo) {
 TEST_F(RehearsalReads, WhatCannotBeReadIsNamed) {
   rehearse("I1M400,JM2");
   ASSERT_TRUE(s.last<intent::UploadProgram>());
-  s.settle(Fate::refused, "An axis moves.");
+  s.settle(IntentState::refused, "An axis moves.");
   s.stage.frames(4);
   EXPECT_EQ(s.sent.size(), 1u) << "once is enough";
   EXPECT_EQ(rehearsal().axes[0].position, 400);

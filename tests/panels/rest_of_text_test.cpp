@@ -48,6 +48,16 @@ TEST(RestOfText, SpeedsAndOutputsAreAsTheLinesAboveLeaveThem) {
   EXPECT_EQ(rest->begins, "line 6, Y500");
 }
 
+TEST(RestOfText, PowerIsAsTheLinesAboveLeaveIt) {
+  const auto rest = rest_at("pmx-4ex-sa", "EO=3\nABS\nX1000\nWAITX\nX0\nWAITX\nEND\n", 5);
+  ASSERT_TRUE(rest) << rest.error().sentence();
+  EXPECT_EQ(rest->begins, "line 5, X0");
+  const std::string text = written("pmx-4ex-sa", *rest);
+  const auto on = text.find("EO1=1\nEO2=1\n"), there = text.find("X1000\n"),
+             off = text.find("EO3=0\nEO4=0\n");
+  EXPECT_TRUE(on < there && there < off && off < text.find("X0\n")) << text;
+}
+
 TEST(RestOfText, OfALoopThePassThatIsMeantIsWrittenOut) {
   const char* text = "LM0,\nI1M100,\nI2M100,\nLA4,\n";
   const auto rest = rest_at("vxm", text, 3, 1);

@@ -66,10 +66,10 @@ TEST_F(RunDoubtTest, RunIsHeldBackAndGoesOnForThisOnce) {
   s.click("program/doubt/once");
   EXPECT_FALSE(s.stage.find("program/doubt/refused"));
   ASSERT_TRUE(s.last<intent::LoadProgram>());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   ASSERT_TRUE(s.last<intent::RunProgram>());
   EXPECT_TRUE(s.last<intent::RunProgram>()->despite_doubt);
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   s.click("program/run");
   EXPECT_TRUE(s.stage.find("program/doubt/refused")) << "it was for this once";
   EXPECT_EQ(count<intent::RunProgram>(), 1);
@@ -109,7 +109,7 @@ TEST_F(RunDoubtTest, AFurtherAxisThatBecomesDoubtfulWhileItIsLoadedIsNotAgreedTo
   put_two();
   agree_and_load();
   s.now.axes[1].trust.doubt(Doubt::power_cut, Instant());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(count<intent::RunProgram>(), 0);
   EXPECT_THAT(s.toast(), HasSubstr("was not started. Meanwhile the position of motor 2 has become doubtful"));
   s.click("program/run");
@@ -122,7 +122,7 @@ TEST_F(RunDoubtTest, AFurtherAxisThatBecomesDoubtfulWhileItIsLoadedIsNotAgreedTo
 TEST_F(RunDoubtTest, AnotherReasonWhileItIsLoadedIsNotAgreedTo) {
   agree_and_load();
   s.now.axes[0].trust.doubt(Doubt::killed, Instant());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(count<intent::RunProgram>(), 0);
   EXPECT_THAT(s.toast(), HasSubstr("it was stopped without a ramp at speed"));
 }
@@ -130,14 +130,14 @@ TEST_F(RunDoubtTest, AnotherReasonWhileItIsLoadedIsNotAgreedTo) {
 TEST_F(RunDoubtTest, TheSameReasonOnceMoreWhileItIsLoadedIsNotAgreedTo) {
   agree_and_load();
   s.now.axes[0].trust.doubt(Doubt::power_cut, Instant(Millis(5000)));
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(count<intent::RunProgram>(), 0);
 }
 
 TEST_F(RunDoubtTest, AnAxisThatItDoesNotMoveChangesNothing) {
   agree_and_load();
   s.now.axes[1].trust.doubt(Doubt::killed, Instant());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   ASSERT_TRUE(s.last<intent::RunProgram>()) << s.toast();
   EXPECT_TRUE(s.last<intent::RunProgram>()->despite_doubt);
 }
@@ -149,7 +149,7 @@ TEST_F(RunDoubtTest, ADoubtThatComesWhileItIsLoadedHoldsStepsBackToo) {
   s.click("program/step");
   ASSERT_TRUE(s.last<intent::LoadProgram>());
   s.now.axes[0].trust.doubt(Doubt::power_cut, Instant());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(count<intent::SingleStep>(), 0);
   EXPECT_THAT(s.toast(), HasSubstr("was not started"));
 }
@@ -193,7 +193,7 @@ TEST_F(RunDoubtTest, ATypedTextIsNotRunForDoubtsThatCameWhileItIsLoaded) {
   s.stage.frames(2);
   agree_and_load();
   s.now.axes[1].trust.doubt(Doubt::power_cut, Instant());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(count<intent::RunProgram>(), 0);
   EXPECT_THAT(s.toast(), HasSubstr("Meanwhile the position of motor 2 has become doubtful"));
 }
@@ -205,7 +205,7 @@ TEST_F(RunDoubtTest, ATypedTextIsNotSteppedThroughForDoubtsThatCameWhileItIsLoad
   s.click("program/step");
   ASSERT_TRUE(s.last<intent::LoadProgram>());
   s.now.axes[0].trust.doubt(Doubt::power_cut, Instant());
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(count<intent::SingleStep>(), 0);
   EXPECT_THAT(s.toast(), HasSubstr("was not started"));
 }

@@ -95,7 +95,7 @@ TEST_F(RunFromTest, RunsTheRestBehindTheWayThere) {
   s.stage.frames(4);
   s.sent.clear();
   s.tab.desk().job.give_up();
-  s.settle(Fate::failed, "no");
+  s.settle(IntentState::failed, "no");
   s.stage.frames(4);
   s.click("path/fit");
   s.stage.frames(2);

@@ -443,7 +443,7 @@ TEST(ScreensOnce, ControllersAreRenamedAndClosed) {
   ASSERT_TRUE(s.hand.click("names/ok").has_value());
   s.run(0.1);
   EXPECT_EQ(s.console.tabs()[1]->name(), "Stage");
-  EXPECT_EQ(s.console.tabs()[1]->axis_title(AxisId{0}), "1 across");
+  EXPECT_EQ(s.console.tabs()[1]->profile.axes[0].name, "across");
   ASSERT_TRUE(s.hand.click("menu").has_value());
   s.run(0.1);
   ASSERT_TRUE(s.hand.click("menu/close").has_value());
@@ -483,7 +483,7 @@ TEST(ScreensOnce, ARefusalThatNobodyWatchesIsSaidOnce) {
   Example& a = s.add();
   s.run(0.1);
   ASSERT_TRUE(s.hand.click("home/1/-").has_value());
-  a.fate(Fate::refused, "The home switch is not there. Nothing was sent.");
+  a.outcome(IntentState::refused, "The home switch is not there. Nothing was sent.");
   s.run(0.2);
   EXPECT_EQ(s.value("toast/1"), "The home switch is not there. Nothing was sent.");
   s.run(10);
@@ -497,7 +497,7 @@ TEST(ScreensOnce, AToastNamesItsControllerOverTheTabOfAnother) {
   ConsoleStage s;
   Example& a = s.add();
   a.tab->profile.name = "Stage";
-  s.console.toast(*a.tab, Mood::fault, "The home switch is not there.");
+  s.console.toast(*a.tab, Severity::fault, "The home switch is not there.");
   s.run(0.2);
   EXPECT_EQ(s.value("toast/1"), "The home switch is not there.");
   s.add();
@@ -512,15 +512,15 @@ TEST(ScreensOnce, WhatWasSaidOfATextGoesWhenTheTextChanges) {
   a.tab->centre_panel = "program";
   a.tab->desk().texts.set_text(0, "I1M400");
   s.run(0.1);
-  s.console.toast(Mood::fault, "Nothing was sent. Line 1: BAD is no command.", &a.tab->desk().texts);
-  s.console.toast(Mood::fault, "The home switch is not there.");
+  s.console.toast(Severity::fault, "Nothing was sent. Line 1: BAD is no command.", &a.tab->desk().texts);
+  s.console.toast(Severity::fault, "The home switch is not there.");
   s.run(0.2);
   ASSERT_TRUE(s.hand.exists("toast/1"));
   a.tab->desk().texts.set_text(0, "I1M500");
   s.run(0.1);
   EXPECT_FALSE(s.hand.exists("toast/1"));
   EXPECT_TRUE(s.hand.exists("toast/2")) << "it spoke of something else";
-  s.console.toast(Mood::fault, "Line 1: no.", &a.tab->desk().texts);
+  s.console.toast(Severity::fault, "Line 1: no.", &a.tab->desk().texts);
   s.run(0.1);
   ASSERT_TRUE(s.hand.exists("toast/3"));
   a.now.program.started_at = s.scheduler.now();

@@ -30,8 +30,8 @@ struct ServoAxis : testing::Test {
   }
   /// The driver asks first.
   void ask(const char* sentence) {
-    e->fate(Fate::refused, sentence);
-    e->now.fates[0].asks = true;
+    e->outcome(IntentState::refused, sentence);
+    e->now.outcomes[0].asks = true;
     s.run(0.1);
   }
   void click(const char* id) {
@@ -91,8 +91,8 @@ TEST_F(ServoAxis, WhatWouldDriveItThereIsAskedFirstAndGoesOutAgainWithTheAnswer)
   EXPECT_TRUE(e->last<intent::SetPower>()->on);
   EXPECT_FALSE(s.stage.find("closing/cancel"));
 
-  e->now.fates[0].asks = false;
-  e->fate(Fate::done);
+  e->now.outcomes[0].asks = false;
+  e->outcome(IntentState::done);
   s.run(0.1);
   click("dro/2/power");
   ask("Again.");
@@ -117,7 +117,7 @@ TEST_F(ServoAxis, CancelAndEscapeSendNothing) {
     }
     EXPECT_FALSE(s.stage.find("closing/cancel"));
     EXPECT_EQ(e->count<intent::SetPower>(), before + 1) << "the first, which was refused";
-    e->now.fates[0].asks = false;
+    e->now.outcomes[0].asks = false;
   }
 }
 

@@ -29,7 +29,7 @@ TEST_F(SetupTest, EditedValueGoesOutWithWriteOnly) {
   EXPECT_EQ(s.last<intent::SetParam>()->mnemonic, "j1M");
   EXPECT_EQ(s.last<intent::SetParam>()->value, 100);
   s.now.params[1].value = 100;
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_THAT(s.toast(), HasSubstr("1 value written and read back."));
   EXPECT_THAT(s.reason("setup/write"), HasSubstr("Nothing here differs"));
 }
@@ -115,24 +115,24 @@ TEST_F(SetupTest, StoreSaysHowManyWritesWereUsed) {
   s.click("setup/store");
   ASSERT_TRUE(s.last<intent::Store>());
   s.now.store_count = 13;
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(s.toast(), "Stored in the controller. 13 of 100000 writes used.");
 }
 
 TEST_F(SetupTest, WhyItWasNotStoredGoesWithTheNextAttempt) {
   s.click("setup/store");
-  s.settle(Fate::refused, "An axis moves. Nothing was stored.");
+  s.settle(IntentState::refused, "An axis moves. Nothing was stored.");
   EXPECT_EQ(s.toast(), "An axis moves. Nothing was stored.");
   s.click("setup/store");
   EXPECT_EQ(s.toast(), "");
-  s.settle(Fate::done);
+  s.settle(IntentState::done);
   EXPECT_EQ(s.console.toasts().list().size(), 1u);
 }
 
 TEST_F(SetupTest, ARefusedWriteSaysWhyAndKeepsTheValue) {
   s.type("setup/j1M", "100\n");
   s.click("setup/write");
-  s.settle(Fate::refused, "A program runs. Nothing was sent.");
+  s.settle(IntentState::refused, "A program runs. Nothing was sent.");
   EXPECT_THAT(s.toast(), HasSubstr("j1M: A program runs."));
   EXPECT_EQ(s.value("setup/j1M"), "100");
 }

@@ -43,6 +43,24 @@ TEST_F(RunLeft, OutputsHaveTheirLineOfTime) {
   EXPECT_EQ(s.value("rehearsal/io/1"), "on from 0.0 s to 1.0 s");
 }
 
+/// The card is as high as in a window of 1440x900.
+TEST(LineOfTime, OfOutputsAndInputsIsSeenWithoutScrolling) {
+  const DeviceType& pmx = *find_device_type("pmx-4ex-sa");
+  Program panel;
+  test::PanelStage s(panel, 864, 560, 1, gui::Tier::wide, true, *pmx.make_catalog({}), &pmx.language());
+  s.now.axis_count = 4;
+  for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
+  s.tab.desk().texts.set_text(
+      0, "EO=15\nDO1=1\nDO2=1\nX500Y400Z300U200\nWAITX\nDO1=0\nIF DI1=0\nDO2=0\nENDIF\nEND\n");
+  s.stage.frames(2);
+  s.click("program/simulate");
+  s.stage.frames(6);
+  for (const char* id : {"rehearsal/io/1", "rehearsal/io/2", "rehearsal/io/3"}) {
+    ASSERT_TRUE(s.stage.find(id)) << id;
+    EXPECT_TRUE(s.stage.find(id)->wholly_in_view()) << id;
+  }
+}
+
 // It counts in pulses at the end of the text, and in encoder counts before it: both are as they were told.
 TEST(RehearsalOfALoop, ThatTheTextSwitchesOffBeginsWhereTheAxisStands) {
   const DeviceType& dmx = *find_device_type("dmx-k-sa");

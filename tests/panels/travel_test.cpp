@@ -95,9 +95,9 @@ TEST_F(TravelTest, ARefusalOfAnotherSpeaksTheUnitOfTheAxis) {
   MUST(s.hand.release("jog/1/+"));
   s.run(0.1);
   ASSERT_TRUE(a.last<intent::MoveBy>());
-  IntentFate& fate = a.now.fates[0];
-  fate.past = PastTravel{AxisId{0}, Sign::plus, Steps(120'400), Steps(120'000)};
-  a.fate(Fate::refused, "in the controller's own words");
+  IntentOutcome& outcome = a.now.outcomes[0];
+  outcome.past = PastTravel{AxisId{0}, Sign::plus, Steps(120'400), Steps(120'000)};
+  a.outcome(IntentState::refused, "in the controller's own words");
   s.run(0.1);
   bool said = false;
   for (const auto& w : s.stage.surface.screen().registry().widgets())

@@ -75,7 +75,7 @@ struct TuningTest : ::testing::Test {
         EXPECT_LE(number->rect.max.y, static_cast<float>(height)) << id << which;
       }
   }
-  void end_well() { s.settle(Fate::done); }
+  void end_well() { s.settle(IntentState::done); }
 
   Tuning panel;
   test::PanelStage s;
@@ -227,9 +227,9 @@ TEST_F(TuningTest, RepeatIsNotCarriedOnAfterAStop) {
 TEST_F(TuningTest, RepeatIsNotCarriedOnAfterAnybodyElseHasSentSomething) {
   s.click("tuning/repeat");
   samples(0.5);
-  IntentFate other;
-  other.id = s.sent.size() + 1, other.fate = Fate::done;  // a stop while it stood
-  s.now.fates[0] = other;
+  IntentOutcome other;
+  other.id = s.sent.size() + 1, other.state = IntentState::done;  // a stop while it stood
+  s.now.outcomes[0] = other;
   sends_nothing_more();
 }
 
@@ -282,9 +282,9 @@ TEST_F(TuningInterrupted, ByAReset) {
 
 TEST_F(TuningTest, AStopBeforeTheStepKeepsItFromBeingMade) {
   s.click("tuning/record");
-  IntentFate stop;
-  stop.id = s.sent.size() + 1, stop.fate = Fate::done;
-  s.now.fates[0] = stop;
+  IntentOutcome stop;
+  stop.id = s.sent.size() + 1, stop.state = IntentState::done;
+  s.now.outcomes[0] = stop;
   s.stage.frames(2);
   panel.take(AxisSample());
   s.stage.frames(2);
@@ -296,7 +296,7 @@ TEST_F(TuningTest, ARefusedStepIsToldAndIsNoRun) {
   s.click("tuning/repeat");
   panel.take(AxisSample());
   s.stage.frames(2);
-  s.settle(Fate::refused, "X is off. Nothing was sent.");
+  s.settle(IntentState::refused, "X is off. Nothing was sent.");
   EXPECT_EQ(s.toast(), "X is off. Nothing was sent.");
   EXPECT_FALSE(s.stage.find("tuning/measure/overshoot"));
   EXPECT_EQ(s.reason("tuning/record"), "");

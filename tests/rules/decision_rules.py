@@ -12,6 +12,7 @@ FAMILIES = {
     "vme58": (re.compile(r"\bM(\d{2,3})\b"), ("core/devices/vme58", "tests/core/devices/vme58")),
 }
 COMMENT = re.compile(r"//(.*)")
+TABLES = re.compile(r"[^\t]*$")  # of a command table: its last column, where a row cites any
 RANGE = re.compile(r"\b(AMB-|V|M)(\d{2,3}) to \1(\d{2,3})\b")
 ENTRY = re.compile(r"^### (AMB-\d{3}|[VM]\d{2,3})\b.*\n((?:(?!^#).*\n)*)", re.MULTILINE)
 PARTS = ("**Open:**", "**We do:**", "**Why:**", "**How sure:**")
@@ -23,16 +24,16 @@ def cited(pattern, folders):
     ids = {}
     for folder in folders:
         for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix not in (".h", ".cpp"):
+            if path.suffix not in (".h", ".cpp", ".tsv"):
                 continue
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-                comment = COMMENT.search(line)
+                comment = (TABLES if path.suffix == ".tsv" else COMMENT).search(line)
                 if not comment:
                     continue
                 where = f"{path.relative_to(ROOT).as_posix()}:{number}"
-                for found in pattern.finditer(comment[1]):
+                for found in pattern.finditer(comment[comment.re.groups]):
                     ids.setdefault(found[0], where)
-                for prefix, first, last in RANGE.findall(comment[1]):
+                for prefix, first, last in RANGE.findall(comment[comment.re.groups]):
                     if pattern.fullmatch(prefix + first):
                         for n in range(int(first), int(last) + 1):
                             ids.setdefault(f"{prefix}{n:0{len(first)}}", where)

@@ -84,6 +84,10 @@ class Log(Case):
         self.assertNotIn(" driver", told)
         self.assertIn("debug driver.vxm: ", run("--log", "link=debug,driver.vxm=debug", "run", script).stderr)
 
+    def test_says_what_a_script_was_refused(self):
+        told = run("run", self.file("refused.lua", self.REFUSED), "--log", "script=debug").stderr
+        self.assertRegex(told, r"debug script: .*refused.lua:2: refused \(refused\): Position 99999999 of motor 1")
+
     def test_says_nothing_unless_it_is_asked_for(self):
         self.assertNotIn("debug", run("run", self.file("refused.lua", self.REFUSED)).stderr)
 
@@ -1194,6 +1198,8 @@ class Convert(Case):
                          r"(?s)Z150.*DELAY=70.*Z-100.*DELAY=40")
         self.assertRegex(program("--pen-down", "Z to -2, DO1 on, wait 40", "--pen-up", "DO1 off, Z to 3", "--pen-per-unit", "50"),
                          r"(?s)DO1=0.*Z150.*Z-100.*DO1=1.*DELAY=40")
+        self.assertRegex(program("--pen-axis", "Z:-2:3", "--pen-output", "1"),
+                         r"(?s)SUB 1 .*DO1=0.*Z300.*SUB 2 .*Z-200.*DO1=1")  # on only when it is down, as in the window
         for wrong, says in ((("--pen-down", "hop"), '--pen-down: "hop" is not understood.'),
                             (("--pen-down", "DO1 on"), "nothing switches it back"),
                             (("--pen-down", "DO1 on", "--pen-up", "DO1 off", "--pen-output", "1"), "say the same")):
@@ -1214,6 +1220,30 @@ class Convert(Case):
         self.assertAlmostEqual(travel["saved_s"], (travel["as_drawn"] - travel["ordered"]) / 10)
         self.assertGreater(travel["saved_s"], 4)
         self.assertEqual(json.loads(self.convert(file, "pmx-4ex-sa", "--per-unit", "100").stdout)["travel"]["saved_s"], None)
+
+    def test_a_scale_is_the_length_of_a_step_or_the_one_of_the_console(self):
+        file = self.drawing(self.line(1, 2, 5, 2))
+        def drawn(*scale):
+            self.expect(self.convert(file, "pmx-4ex-sa", *scale), 0)
+            return (self.folder / "out.prg").read_text()
+        by_steps = drawn("--per-unit", "200,400")
+        self.assertIn("X1000Y800", by_steps)
+        self.assertEqual(drawn("--step-length", "0.005,0.0025"), by_steps)
+        self.expect(self.convert(file, "pmx-4ex-sa", "--step-length", "0"), 2, "more than 0")
+        self.expect(self.convert(file, "pmx-4ex-sa", "--step-length", "1", "--per-unit", "1"), 2, "say the same")
+        self.expect(self.convert(file, "pmx-4ex-sa", "--profile", "pmx-4ex-sa@emulator"), 2, "keeps no unit of length for axis X")
+        self.expect(self.convert(file, "pmx-4ex-sa", "--profile", "vxm@emulator"), 2, "is not a pmx-4ex-sa")
+
+    def test_a_box_around_all_is_named_and_left_out_by_its_entities(self):
+        sides = [self.line(0, 0, 90, 0), self.line(90, 0, 90, 60), self.line(90, 60, 0, 60), self.line(0, 60, 0, 0)]
+        file = self.drawing(*sides, self.line(10, 10, 20, 10))
+        result = run("convert", file, "--for", "pmx-4ex-sa", "--per-unit", "10", "-o", self.folder / "out.prg")
+        self.expect(result, 0, "perhaps a margin: without it by --without 1 --without 2 --without 3 --without 4")
+        report = json.loads(self.convert(file, "pmx-4ex-sa", "--per-unit", "10").stdout)
+        self.assertEqual(report["box_around"], [1, 2, 3, 4])
+        without = [word for entity in report["box_around"] for word in ("--without", str(entity))]
+        report = json.loads(self.convert(file, "pmx-4ex-sa", "--per-unit", "10", *without).stdout)
+        self.assertEqual([report["chains"], report["box_around"]], [1, []])
 
     def test_a_frame_goes_once_around(self):
         file = self.drawing(self.line(1, 2, 5, 2), self.line(5, 2, 5, 4))

@@ -39,7 +39,7 @@ void Judge::tick() {
     keep_excuses(at(device));
     judge_stops(device);
     if (!at(device).session) continue;
-    judge_fates(device);
+    judge_outcomes(device);
     judge_positions(device);
     judge_trust(device);
     judge_limits(device);

@@ -66,7 +66,7 @@ class Judge final : public Witness {
   /// Nothing goes out on a dirty line: its questions take 0.6 s three times, and 3 s.
   static constexpr Duration line_is_cleaned = std::chrono::seconds(5);
   /// An intent waits for those before it, each of them for its deadlines and their repetitions.
-  static constexpr Duration longest_fate = std::chrono::seconds(30);
+  static constexpr Duration longest_outcome = std::chrono::seconds(30);
   /// A stop is over when all stands: it takes a few rounds of status to see that.
   static constexpr Duration stop_is_over = std::chrono::seconds(3);
   /// What stands with its tool on is seen to do so by a whole round, and switched off by the next text.
@@ -271,8 +271,8 @@ class Judge final : public Witness {
 
   // judge_screen.cpp
   void judge_memory();
-  void judge_text(int device, const Intended& typed, Fate fate);
-  void judge_fates(int device);
+  void judge_text(int device, const Intended& typed, IntentState outcome);
+  void judge_outcomes(int device);
   void judge_open_stops(int device);
   void judge_positions(int device);
   void note_doubts(int device);

@@ -52,10 +52,11 @@ void Judge::remember(AxisCase& axis, Steps position) const {
 void Judge::keep_excuses(DeviceCase& d) const {
   const Instant now = scheduler_.now();
   std::erase_if(d.excuses, [&](Excuse& e) {
-    const IntentFate* fate = d.session && e.id != 0 ? d.session->known().fate_of(e.id) : nullptr;
-    if (fate != nullptr && fate->fate == Fate::refused) return true;  // nothing was sent
+    const IntentOutcome* outcome = d.session && e.id != 0 ? d.session->known().outcome_of(e.id) : nullptr;
+    if (outcome != nullptr && outcome->state == IntentState::refused) return true;  // nothing was sent
     const bool waits =
-        e.id != 0 && d.session && (fate ? fate->fate == Fate::pending : !d.session->known().forgotten(e.id));
+        e.id != 0 && d.session &&
+        (outcome ? outcome->state == IntentState::pending : !d.session->known().forgotten(e.id));
     const bool in_pieces = d.session && d.session->known().pieces.running && e.axes == all_axes;
     if (waits || in_pieces || (d.truth.moving() & e.axes) != 0 || d.truth.program) e.alive = now;
     const Instant hurt = std::max(faults_.out.hurt(), faults_.in.hurt());

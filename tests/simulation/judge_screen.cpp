@@ -11,9 +11,9 @@
 namespace hw::simulation {
 
 // What is done was received by the controller as it was typed.
-void Judge::judge_text(int device, const Intended& typed, Fate fate) {
+void Judge::judge_text(int device, const Intended& typed, IntentState outcome) {
   const DeviceCase& d = at(device);
-  if (typed.text.empty() || fate != Fate::done || typed.heard < d.forgotten) return;
+  if (typed.text.empty() || outcome != IntentState::done || typed.heard < d.forgotten) return;
   if (faults_.out.hurt() >= typed.at || faults_.carries_since(scheduler_.now()) > typed.at) return;
   // Word by word: where a driver puts something of its own between them the order stays.
   std::size_t place = typed.heard - d.forgotten;
@@ -24,26 +24,27 @@ void Judge::judge_text(int device, const Intended& typed, Fate fate) {
                                device, typed.text));
 }
 
-void Judge::judge_fates(int device) {
+void Judge::judge_outcomes(int device) {
   DeviceCase& d = at(device);
   const Snapshot& shown = d.session->known();
   const Instant now = scheduler_.now();
   std::erase_if(d.intents, [&](const Intended& i) {
-    const IntentFate* fate = shown.fate_of(i.id);
-    if (!fate) return shown.forgotten(i.id);
-    if (fate->fate == Fate::pending) return false;
-    if (trace_ != nullptr && fate->fate != Fate::done)
-      remark(fmt::format("device {}: {}: {}", device, fate->fate == Fate::refused ? "refused" : "failed",
-                         fate->sentence.view()));
-    if (fate->fate == Fate::failed) d.told += fate->sentence.view();
+    const IntentOutcome* outcome = shown.outcome_of(i.id);
+    if (!outcome) return shown.forgotten(i.id);
+    if (outcome->state == IntentState::pending) return false;
+    if (trace_ != nullptr && outcome->state != IntentState::done)
+      remark(fmt::format("device {}: {}: {}", device,
+                         outcome->state == IntentState::refused ? "refused" : "failed",
+                         outcome->sentence.view()));
+    if (outcome->state == IntentState::failed) d.told += outcome->sentence.view();
     for (const auto& [id, of_tool] : d.tool.loading)
-      if (id == i.id && fate->fate == Fate::done)
+      if (id == i.id && outcome->state == IntentState::done)
         d.tool.guarded = of_tool, d.tool.half_loaded = false;
       else if (id == i.id)
         d.tool.half_loaded = d.tool.half_loaded || of_tool;
     std::erase_if(d.tool.loading, [&](const auto& load) { return load.first == i.id; });
-    judge_text(device, i, fate->fate);
-    for (std::size_t a = 0; fate->fate == Fate::done && a < d.axes.size(); ++a)
+    judge_text(device, i, outcome->state);
+    for (std::size_t a = 0; outcome->state == IntentState::done && a < d.axes.size(); ++a)
       if ((i.counts_anew >> a & 1u) != 0) d.axes[a].restarted.reset();
     return true;
   });
@@ -51,8 +52,8 @@ void Judge::judge_fates(int device) {
   judge_open_stops(device);
   const Intended& oldest = d.intents.front();
   const Instant since = std::max(oldest.at, std::max(faults_.carries_since(now), faults_.in.hurt()));
-  if (now > since + longest_fate + 5 * lateness())
-    accuse("end", fmt::format("Device {}: intent {} has had no fate for {:.1f} s.", device, oldest.id,
+  if (now > since + longest_outcome + 5 * lateness())
+    accuse("end", fmt::format("Device {}: intent {} has had no outcome for {:.1f} s.", device, oldest.id,
                               seconds(now - oldest.at)));
 }
 

@@ -348,7 +348,7 @@ void Stage::query(int device, std::string text, Duration patience) {
 }
 
 Task<bool> Stage::answers(std::shared_ptr<Session> session, std::string text, Duration patience) {
-  const int call = judge_.call_begun("query", patience + Judge::longest_fate);
+  const int call = judge_.call_begun("query", patience + Judge::longest_outcome);
   const std::string question = text;
   const auto answer = co_await session->pump().query(std::move(text), patience);
   if (answer) judge_.answered(question, *answer);
@@ -362,7 +362,7 @@ void Stage::wait_until_idle(int device, Duration patience) {
 }
 
 Task<bool> Stage::is_idle(std::shared_ptr<Session> session, int device, Duration patience) {
-  const int call = judge_.call_begun("wait", patience + Judge::longest_fate);
+  const int call = judge_.call_begun("wait", patience + Judge::longest_outcome);
   const Instant begun = now();
   const auto idle = co_await session->wait_until_idle(patience);
   if (idle) judge_.told_idle(device, begun);

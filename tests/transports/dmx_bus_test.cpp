@@ -141,8 +141,8 @@ TEST_F(DmxBus, AStopTypedToAllIsFollowedByNothingThatWaitedAtANeighbour) {
   say(*members[0], "STOP", true);
   run(2);
   EXPECT_FALSE(moves(other));
-  ASSERT_TRUE(other.latest.fate_of(last_id - 1));
-  EXPECT_EQ(other.latest.fate_of(last_id - 1)->fate, Fate::refused);
+  ASSERT_TRUE(other.latest.outcome_of(last_id - 1));
+  EXPECT_EQ(other.latest.outcome_of(last_id - 1)->state, IntentState::refused);
   say(other, "X100000");
   run(1);
   EXPECT_TRUE(moves(other)) << "what is asked after the stop is done";
@@ -254,14 +254,15 @@ TEST_F(DmxBus, WhatIsTypedForADeviceThatIsBeingStoppedWaitsThere) {
   sent();
   say(speaker, "@02J+");
   const IntentId jog = last_id;
-  ASSERT_TRUE(time.run_until(time.now() + from_seconds(5),
-                             [&] { return other.pump->known().fate_of(stop)->fate == Fate::done; }));
+  ASSERT_TRUE(time.run_until(time.now() + from_seconds(5), [&] {
+    return other.pump->known().outcome_of(stop)->state == IntentState::done;
+  }));
   for (const Sent& s : sent())
     if (s.entry.bytes.ends_with("J+\r")) {
       EXPECT_EQ(s.entry.at, time.now()) << "it stands first";
     }
   run(1);
-  EXPECT_EQ(speaker.latest.fate_of(jog)->fate, Fate::done);
+  EXPECT_EQ(speaker.latest.outcome_of(jog)->state, IntentState::done);
   EXPECT_TRUE(moves(other));
 }
 
@@ -273,11 +274,12 @@ TEST_F(DmxBus, ANeighbourSetsItInMotionAsSoonAsTheStopHasEnded) {
   for (int i = 0; i < 10; ++i) {
     other.pump->post(Intent(++last_id, intent::Stop()));
     const IntentId stop = last_id;
-    ASSERT_TRUE(time.run_until(time.now() + from_seconds(5),
-                               [&] { return other.pump->known().fate_of(stop)->fate == Fate::done; }));
+    ASSERT_TRUE(time.run_until(time.now() + from_seconds(5), [&] {
+      return other.pump->known().outcome_of(stop)->state == IntentState::done;
+    }));
     say(speaker, i % 2 == 0 ? "@02J+" : "@00J+");
     run(1);
-    EXPECT_EQ(speaker.latest.fate_of(last_id)->fate, Fate::done) << i;
+    EXPECT_EQ(speaker.latest.outcome_of(last_id)->state, IntentState::done) << i;
     EXPECT_TRUE(moves(other)) << i;
   }
 }
@@ -293,7 +295,7 @@ TEST_F(DmxBus, AStopOfOneTakesNothingFromTheOthers) {
   say(speaker, "@02J+");
   say(other, "@03STOP");
   run(6);
-  EXPECT_EQ(speaker.latest.fate_of(setting)->fate, Fate::done);
+  EXPECT_EQ(speaker.latest.outcome_of(setting)->state, IntentState::done);
   EXPECT_TRUE(moves(other));
 }
 
@@ -303,13 +305,13 @@ TEST_F(DmxBus, ATextIsOneCommand) {
   sent();
   say(*members[0], "V1=1\r@02V1=2");
   run(1);
-  EXPECT_EQ(members[0]->latest.fate_of(last_id)->fate, Fate::refused);
+  EXPECT_EQ(members[0]->latest.outcome_of(last_id)->state, IntentState::refused);
   say(*members[0], "V1=1\r@02J+", true);
   run(1);
-  EXPECT_EQ(members[0]->latest.fate_of(last_id)->fate, Fate::refused);
+  EXPECT_EQ(members[0]->latest.outcome_of(last_id)->state, IntentState::refused);
   say(*members[0], "STOP\r@02V1=2");
   run(1);
-  EXPECT_EQ(members[0]->latest.fate_of(last_id)->fate, Fate::failed);
+  EXPECT_EQ(members[0]->latest.outcome_of(last_id)->state, IntentState::failed);
   bool stopped = false;
   for (const Sent& s : sent()) {
     EXPECT_THAT(s.entry.bytes, Not(HasSubstr("V1=")));
@@ -409,8 +411,8 @@ TEST_F(DmxBus, ASubroutineThatItRefusesANeighbourWasNotCalled) {
   const Instant asked = time.now();
   other.pump->post(Intent(1, intent::Stop()));
   ASSERT_TRUE(time.run_until(time.now() + from_seconds(20), [&] {
-    const IntentFate* fate = other.latest.fate_of(1);
-    return fate && fate->fate != Fate::pending;
+    const IntentOutcome* outcome = other.latest.outcome_of(1);
+    return outcome && outcome->state != IntentState::pending;
   }));
   EXPECT_LT(seconds(time.now() - asked), 0.5);
 }

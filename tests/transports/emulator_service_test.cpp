@@ -8,6 +8,7 @@
 
 #include "core/time/real_scheduler.h"
 #include "tests/transports/ear.h"
+#include "tests/transports/pseudo_terminal.h"
 #include "tests/transports/toy_emulator.h"
 #include "transports/serial.h"
 #include "transports/tcp.h"
@@ -25,7 +26,7 @@ class ServedEmulator : public ::testing::Test {
  protected:
   ServedEmulator() {
     host = *EmulatorHost::make(clock, std::make_unique<ToyEmulator>(), {});
-    service = start({0, terminal});
+    service = start({0, test::has_pseudo_terminals() ? terminal : ""});
   }
   ~ServedEmulator() override { std::filesystem::remove(terminal); }
 
@@ -58,6 +59,7 @@ TEST_F(ServedEmulator, AnswersOverTcpAndCountsItsClients) {
 }
 
 TEST_F(ServedEmulator, AnswersOnAPseudoTerminalAsOnASerialPort) {
+  HW_NEEDS_PSEUDO_TERMINAL();
   auto port = *open_serial(clock, terminal, 9600);
   Ear ear(*port);
   port->send("X");

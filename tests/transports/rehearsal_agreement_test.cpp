@@ -92,12 +92,12 @@ class RehearsalAgreement : public testing::TestWithParam<AgreementCase> {
   void must(IntentBody body) {
     const IntentId id = session->send(std::move(body));
     time.run_until(time.now() + 60s, [&] {
-      const IntentFate* fate = known().fate_of(id);
-      return fate && fate->fate != Fate::pending;
+      const IntentOutcome* outcome = known().outcome_of(id);
+      return outcome && outcome->state != IntentState::pending;
     });
-    const IntentFate* fate = known().fate_of(id);
-    ASSERT_TRUE(fate) << "no fate";
-    ASSERT_EQ(fate->fate, Fate::done) << fate->sentence.view();
+    const IntentOutcome* outcome = known().outcome_of(id);
+    ASSERT_TRUE(outcome) << "no outcome";
+    ASSERT_EQ(outcome->state, IntentState::done) << outcome->sentence.view();
   }
   void prepare(const AgreementCase& c) {
     for (const IntentBody& body : c.before) {
@@ -161,8 +161,8 @@ class RehearsalAgreement : public testing::TestWithParam<AgreementCase> {
     const IntentId id = session->send(intent::RunProgram(c.slot));
     time.run_until(time.now() + from_seconds(places.back().t) + 5s,
                    [this] { return watched->has_seen_all(); });
-    const IntentFate* fate = known().fate_of(id);
-    EXPECT_TRUE(!fate || fate->fate != Fate::refused) << fate->sentence.view();
+    const IntentOutcome* outcome = known().outcome_of(id);
+    EXPECT_TRUE(!outcome || outcome->state != IntentState::refused) << outcome->sentence.view();
     time.run_for(1s);
   }
 

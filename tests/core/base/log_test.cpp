@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/base/log_feed.h"
+#include "core/base/log_levels.h"
 #include "tests/core/session/folder.h"
 
 namespace hw {
@@ -74,6 +75,19 @@ TEST_F(Log, LevelOfAPathIsOfAllBelowIt) {
   log::set_level("", log::Level::error);
   EXPECT_EQ(log::subject("driver.vxm").level(), log::Level::error);
   EXPECT_EQ(log::subject("").level(), log::Level::error);
+}
+
+TEST_F(Log, TheLevelOfAFamilyIsToldOnlyWhileAllBelowItShareIt) {
+  EXPECT_EQ(log::common_level("driver"), log::Level::warning);
+  log::set_level("driver.never_opened", log::Level::debug);
+  EXPECT_EQ(log::common_level("driver"), std::nullopt);
+  EXPECT_EQ(log::common_level(""), std::nullopt) << "everything: the driver is a part of it";
+  EXPECT_EQ(log::common_level("link"), log::Level::warning);
+  log::set_level("driver", log::Level::info);
+  EXPECT_EQ(log::common_level("driver"), log::Level::info);
+  EXPECT_EQ(log::common_level("driver.never_opened"), log::Level::info);
+  log::set_level("", log::Level::warning);
+  EXPECT_EQ(log::common_level(""), log::Level::warning);
 }
 
 TEST_F(Log, EveryFamilyAndLevelThatIsOfferedCanBeChosen) {

@@ -64,18 +64,18 @@ class DriverStage : public testing::Test {
     pump->post(Intent(id, std::move(body)));
     return id;
   }
-  Fate fate(IntentId id) {
-    const IntentFate* f = pump->known().fate_of(id);
-    return f ? f->fate : Fate::pending;
+  IntentState outcome(IntentId id) {
+    const IntentOutcome* f = pump->known().outcome_of(id);
+    return f ? f->state : IntentState::pending;
   }
-  /// Sends and waits for its fate: empty when done, else the sentence.
+  /// Sends and waits for its outcome: empty when done, else the sentence.
   std::string perform(IntentBody body, double patience = 60) {
     const IntentId id = post(std::move(body));
-    run_until([&] { return fate(id) != Fate::pending; }, patience);
-    const IntentFate* f = pump->known().fate_of(id);
-    if (!f) return "no fate";
-    if (f->fate == Fate::pending) return "still pending";
-    return f->fate == Fate::done ? "" : std::string(f->sentence.view());
+    run_until([&] { return outcome(id) != IntentState::pending; }, patience);
+    const IntentOutcome* f = pump->known().outcome_of(id);
+    if (!f) return "no outcome";
+    if (f->state == IntentState::pending) return "still pending";
+    return f->state == IntentState::done ? "" : std::string(f->sentence.view());
   }
   /// As a hand on a jog does, each for a tenth of a second.
   void hold(int times) {

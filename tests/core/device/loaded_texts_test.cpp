@@ -42,11 +42,51 @@ TEST_F(LoadedTextsTest, BehindWhatMayZeroTheCountIsNone) {
   EXPECT_FALSE(places_of("IA1M4000,I1M-0,P5,IA1M-0,").empty()) << "it goes there first";
 }
 
-TEST_F(LoadedTextsTest, NothingIsKnownBehindARestart) {
+TEST_F(LoadedTextsTest, ItsPlacesCountBehindARestartThatMayHaveLeftItThere) {
   EXPECT_FALSE(places_of("IA1M4000,").empty());
   ++now.restarts;
-  EXPECT_TRUE(places().empty());
-  EXPECT_FALSE(places_of("IA1M4000,").empty()) << "loaded again";
+  EXPECT_FALSE(places().empty());
+}
+
+TEST_F(LoadedTextsTest, TheQueueOfOneAxisIsReadToo) {
+  const DeviceType& board = *find_device_type("vme58");
+  const Catalog eight = *board.make_catalog({});
+  LoadedTexts loaded(eight, &board.language());
+  now.axis_count = static_cast<int>(eight.axes.size());
+  now.axes[1].trust.doubt(Doubt::another, Instant{});
+  const auto axes_of = [&](const std::string& text) {
+    std::string axes;
+    loaded.loaded(intent::LoadProgram(0, text), now.restarts);
+    for (const AxisTarget& place : loaded.places_in_doubt(0, now))  // the least and the greatest
+      if (const std::string& name = eight.axes[place.axis.index].name; !axes.ends_with(name)) axes += name;
+    return axes;
+  };
+  EXPECT_EQ(axes_of("AX MA400 GO ID"), "X");
+  EXPECT_EQ(axes_of("AY VL2000; MA400; GO; AX MR20 GO"), "Y");
+  EXPECT_EQ(axes_of("AX MR400 GO ID"), "");
+  EXPECT_EQ(axes_of("AX LP0 MA400 GO ID"), "") << "it says where it stands";
+  EXPECT_EQ(axes_of("AX MA400 GO LP0"), "X") << "it goes there first";
+  EXPECT_EQ(axes_of("AZ MA400 GO ID"), "") << "nothing is doubtful there";
+}
+
+TEST_F(LoadedTextsTest, AProgramWithVariablesIsReadToo) {
+  const DeviceType& four = *find_device_type("pmx-4ex-sa");
+  const Catalog axes = *four.make_catalog({});
+  LoadedTexts loaded(axes, &four.language());
+  const auto places_of = [&](const std::string& text) {
+    loaded.loaded(intent::LoadProgram(0, text), now.restarts);
+    return loaded.places_in_doubt(0, now);
+  };
+  const auto goes_there = places_of("V1=700\nWHILE V1>0\nXV1\nWAITX\nV1=V1-100\nENDWHILE\nEND\n");
+  ASSERT_FALSE(goes_there.empty());
+  EXPECT_EQ(goes_there[0].axis, AxisId{0});
+  EXPECT_TRUE(places_of("V1=7\nINC\nX400\nWAITX\nABS\nEND\n").empty()) << "a distance";
+  EXPECT_TRUE(places_of("V1=7\nHOMEX-\nWAITX\nX400\nWAITX\nEND\n").empty()) << "it homes first";
+  EXPECT_TRUE(places_of("V1=7\nPX=0\nX400\nWAITX\nEND\n").empty()) << "it says where it stands";
+  EXPECT_TRUE(places_of("V1=7\nY400\nWAITY\nEND\n").empty()) << "only X is doubtful";
+  EXPECT_TRUE(places_of("V1=7\nGOSUB 1\nX400\nWAITX\nEND\nSUB 1\nHOMEX-\nWAITX\nENDSUB\n").empty())
+      << "a subroutine homes it";
+  EXPECT_FALSE(places_of("V1=7\nGOSUB 1\nX400\nWAITX\nEND\nSUB 1\nDO1=1\nENDSUB\n").empty());
 }
 
 TEST_F(LoadedTextsTest, NorOfALongOne) {

@@ -191,9 +191,9 @@ struct PumpTest : testing::Test {
     silent = true;
     while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
   }
-  [[nodiscard]] Fate fate(IntentId id) const { return latest.fate_of(id)->fate; }
+  [[nodiscard]] IntentState outcome(IntentId id) const { return latest.outcome_of(id)->state; }
   [[nodiscard]] std::string sentence(IntentId id) const {
-    return std::string(latest.fate_of(id)->sentence.view());
+    return std::string(latest.outcome_of(id)->sentence.view());
   }
   TrafficRing traffic{256};
   int recorded = 0;
@@ -224,9 +224,9 @@ TEST_F(PumpTest, NothingOfADownloadGoesOutBehindAStop) {
   const IntentId stop = post(intent::Stop());
   time.run_for(Millis(100));
   EXPECT_THAT(commands(), ElementsAre("hello", "line 0", "line 1", "line 2", "stop"));
-  EXPECT_EQ(latest.fate_of(stop)->fate, Fate::done);
-  EXPECT_EQ(latest.fate_of(load)->fate, Fate::failed);
-  EXPECT_THAT(std::string(latest.fate_of(load)->sentence.view()), HasSubstr("A stop came first"));
+  EXPECT_EQ(latest.outcome_of(stop)->state, IntentState::done);
+  EXPECT_EQ(latest.outcome_of(load)->state, IntentState::failed);
+  EXPECT_THAT(std::string(latest.outcome_of(load)->sentence.view()), HasSubstr("A stop came first"));
 }
 
 TEST_F(PumpTest, AStopInTheControllersOwnWordsWaitsForNothingEither) {
@@ -236,9 +236,9 @@ TEST_F(PumpTest, AStopInTheControllersOwnWordsWaitsForNothingEither) {
   const IntentId stop = post(intent::SendText("STOP"));
   time.run_for(Millis(100));
   EXPECT_THAT(commands(), ElementsAre("hello", "line 0", "STOP"));
-  EXPECT_EQ(latest.fate_of(load)->fate, Fate::failed);
-  EXPECT_EQ(latest.fate_of(move)->fate, Fate::refused);
-  EXPECT_EQ(latest.fate_of(stop)->fate, Fate::done);
+  EXPECT_EQ(latest.outcome_of(load)->state, IntentState::failed);
+  EXPECT_EQ(latest.outcome_of(move)->state, IntentState::refused);
+  EXPECT_EQ(latest.outcome_of(stop)->state, IntentState::done);
 }
 
 TEST_F(PumpTest, AStopInItsOwnWordsPushesNoOtherAsideAndWaitsForNone) {
@@ -263,7 +263,7 @@ TEST_F(PumpTest, WhatWaitsBehindAProcedureIsRefusedWhenAStopComes) {
   const IntentId move = post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   post(intent::Stop());
   time.run_for(Millis(200));
-  EXPECT_EQ(latest.fate_of(move)->fate, Fate::refused);
+  EXPECT_EQ(latest.outcome_of(move)->state, IntentState::refused);
   EXPECT_THAT(commands(), ElementsAre("hello", "line 0", "stop"));
   post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   time.run_for(Millis(50));
@@ -282,7 +282,7 @@ TEST_F(PumpTest, AJogThatNobodyHoldsIsStopped) {
   EXPECT_THAT(commands(), ElementsAre("hello", "jog"));
   time.run_for(Millis(2));
   EXPECT_THAT(commands(), ElementsAre("hello", "jog", "stop"));
-  EXPECT_THAT(notices, ElementsAre(HasSubstr("no longer held the jog")));
+  EXPECT_THAT(notices, ElementsAre(HasSubstr("The jog was no longer held")));
 }
 
 struct PumpClosing : PumpTest {
@@ -305,8 +305,8 @@ TEST_F(PumpClosing, AStopThatWasAskedForGoesOut) {
   const IntentId move = post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   time.run_for(std::chrono::seconds(3));
   EXPECT_THAT(commands(), ElementsAre("hello", "kill"));
-  EXPECT_EQ(fate(stop), Fate::done);
-  EXPECT_EQ(fate(move), Fate::refused) << "what comes while it closes is not begun";
+  EXPECT_EQ(outcome(stop), IntentState::done);
+  EXPECT_EQ(outcome(move), IntentState::refused) << "what comes while it closes is not begun";
   EXPECT_EQ(latest.link.state, LinkState::closed);
 }
 
@@ -323,7 +323,7 @@ TEST_F(PumpClosing, AStopThatIsTypedWhileItClosesGoesOut) {
   EXPECT_THAT(news(), testing::Contains("STOP"));
   machine.deaf_to_stops = false;
   time.run_for(std::chrono::seconds(3));
-  EXPECT_EQ(fate(typed), Fate::done);
+  EXPECT_EQ(outcome(typed), IntentState::done);
   EXPECT_EQ(latest.link.state, LinkState::closed);
 }
 
@@ -374,7 +374,7 @@ TEST_F(PumpTest, AStopThatALossCutsShortIsMadeGood) {
   silent = true;
   const IntentId stop = post(intent::Abort());
   while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
-  EXPECT_EQ(fate(stop), Fate::failed);
+  EXPECT_EQ(outcome(stop), IntentState::failed);
   machine.deaf_to_stops = silent = false;
   news();
   time.run_for(std::chrono::seconds(1));
@@ -392,7 +392,7 @@ TEST_F(PumpTest, AStopIsWrittenToAnOpenWireWhateverTheLinkIsThoughtToBe) {
   EXPECT_THAT(news(), testing::Contains("stop")) << "at once";
   EXPECT_FALSE(machine.moves);
   time.run_for(Millis(300));
-  EXPECT_EQ(fate(stop), Fate::failed);
+  EXPECT_EQ(outcome(stop), IntentState::failed);
   EXPECT_THAT(sentence(stop), HasSubstr("does not answer"));
 }
 
@@ -489,8 +489,8 @@ TEST_F(PumpTest, ThreeMissesAreALossThatIsSaidAndHeals) {
   EXPECT_GE(opened, 2);
   EXPECT_EQ(std::count(sent.begin(), sent.end(), "go"), 0)
       << "a move asked for while the link was lost is not replayed";
-  ASSERT_NE(latest.fate_of(move), nullptr);
-  EXPECT_EQ(latest.fate_of(move)->fate, Fate::refused);
+  ASSERT_NE(latest.outcome_of(move), nullptr);
+  EXPECT_EQ(latest.outcome_of(move)->state, IntentState::refused);
 }
 
 TEST_F(PumpTest, AStopWithoutAConnectionSaysThatItDoesNotReach) {
@@ -498,7 +498,7 @@ TEST_F(PumpTest, AStopWithoutAConnectionSaysThatItDoesNotReach) {
   time.run_for(std::chrono::seconds(10));
   const IntentId stop = post(intent::Stop());
   time.run_for(Millis(1));
-  EXPECT_EQ(fate(stop), Fate::failed);
+  EXPECT_EQ(outcome(stop), IntentState::failed);
   EXPECT_THAT(sentence(stop), HasSubstr("power switch"));
 }
 
@@ -520,8 +520,8 @@ TEST_F(PumpTest, ReconnectTriesAtOnce) {
 TEST_F(PumpTest, ARefusalIsToldApartFromAFailure) {
   const IntentId store = post(intent::Store());
   time.run_for(Millis(50));
-  EXPECT_EQ(latest.fate_of(store)->fate, Fate::refused);
-  EXPECT_EQ(latest.fate_of(store)->sentence.view(), "No memory. Nothing was sent.");
+  EXPECT_EQ(latest.outcome_of(store)->state, IntentState::refused);
+  EXPECT_EQ(latest.outcome_of(store)->sentence.view(), "No memory. Nothing was sent.");
 }
 
 TEST_F(PumpTest, ADefectInTheDriverFailsThatCommandAndLosesNothingElse) {
@@ -531,9 +531,9 @@ TEST_F(PumpTest, ADefectInTheDriverFailsThatCommandAndLosesNothingElse) {
   auto ask = [&]() -> Task<> { reply = co_await pump->query("defect", Millis(100)); };
   asio::co_spawn(io, ask(), asio::detached);
   time.run_for(Millis(50));
-  EXPECT_EQ(latest.fate_of(bad)->fate, Fate::failed);
-  EXPECT_THAT(std::string(latest.fate_of(bad)->sentence.view()), HasSubstr("a library gave up"));
-  EXPECT_EQ(latest.fate_of(good)->fate, Fate::done);
+  EXPECT_EQ(latest.outcome_of(bad)->state, IntentState::failed);
+  EXPECT_THAT(std::string(latest.outcome_of(bad)->sentence.view()), HasSubstr("a library gave up"));
+  EXPECT_EQ(latest.outcome_of(good)->state, IntentState::done);
   ASSERT_TRUE(reply.has_value()) << "whoever asked still waits";
   EXPECT_FALSE(reply->has_value());
   EXPECT_EQ(latest.link.state, LinkState::good);

@@ -92,7 +92,7 @@ TEST(Refusals, TheSentenceNamesAxisCauseAndPlace) {
   EXPECT_TRUE(say(dmx, doubtful({0}), one).starts_with("The position of axis X of device 03 cannot"));
 }
 
-TEST(Refusals, AllOfABoardsAxesFitIntoWhatAFateCanHold) {
+TEST(Refusals, AllOfABoardsAxesFitIntoWhatAnOutcomeCanHold) {
   const Catalog board = catalog_of("vme58");
   std::vector<AxisTarget> everywhere;
   for (int i = 0; i < 8; ++i) everywhere.push_back(to(i, -2'147'483'647));

@@ -109,6 +109,11 @@ TEST(Runner, LuasOwnMessageAboutNilIsCompleted) {
   EXPECT_EQ(run("local c = hw.open('vxm')\nerror('boom')").fault(), "test.lua:2: boom")
       << "its own words stay";
   EXPECT_EQ(run("local t\nprint(t.x)").fault(), "test.lua:2: attempt to index a nil value (local 't')");
+  EXPECT_EQ(run("for _, s in ipairs{5, 0.1} do\nhw.wait_any({function() hw.sleep(s) end}, 1)\nend\n"
+                "local t\nprint(t.x)")
+                .fault(),
+            "test.lua:5: attempt to index a nil value (local 't')")
+      << "a call that was made again with success is not the reason";
 }
 
 TEST(Runner, AFailedCheckSurvivesNoPcall) {

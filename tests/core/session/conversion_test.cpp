@@ -187,21 +187,23 @@ double farthest_corner(const std::filesystem::path& file, double tolerance,
   EXPECT_TRUE(drawing) << drawing.error().sentence();
   const auto made = convert(*drawing, catalog, o);
   EXPECT_TRUE(made) << made.error().sentence();
+  std::vector<drawing::Point> curve;
+  for (int n = 0; n <= 20'000; ++n) curve.push_back(at(n / 20'000.0));
   drawing::Point corner;
-  double farthest = 0;
+  double farthest = 0;  // squared
   for (const sequence::Step& step : made->sequence.steps) {
     const auto* move = std::get_if<sequence::Move>(&step.body);
     if (!move) continue;
     corner = {move->to[0].value_or(corner.x), move->to[1].value_or(corner.y)};
     if (&step - made->sequence.steps.data() < 3) continue;  // one axis, then the other, to its begin
-    double nearest = 1e9;
-    for (int n = 0; n <= 20'000; ++n) {
-      const drawing::Point on = at(n / 20'000.0);
-      nearest = std::min(nearest, std::hypot(on.x - corner.x, on.y - corner.y));
+    double nearest = 1e18;
+    for (const drawing::Point& on : curve) {
+      const double dx = on.x - corner.x, dy = on.y - corner.y, squares = dx * dx + dy * dy;
+      if (squares < nearest) nearest = squares;
     }
-    farthest = std::max(farthest, nearest);
+    if (nearest > farthest) farthest = nearest;
   }
-  return farthest;
+  return std::sqrt(farthest);
 }
 
 // Flattened, and then made into stairs: both together keep what was asked for.

@@ -40,7 +40,7 @@ TEST(EndingWords, SayHowAMotionEndedAndWhere) {
   EXPECT_EQ(words(motion(EndedBy::abort, StoppedBy::script)),
             "Y motion stopped at once, without a ramp, by the script, at 85 mm");
   EXPECT_EQ(words(motion(EndedBy::elsewhere)),
-            "Y motion was cut short by another program or at the controller, at 85 mm");
+            "Y motion was cut short by another host or at the controller, at 85 mm");
   EXPECT_DOUBLE_EQ(event_of(motion(EndedBy::target), catalog, in_mm).took_s, 7);
 }
 
@@ -58,6 +58,30 @@ TEST(EndingWords, NameTheLimitAndTheError) {
   EXPECT_EQ(words(e), "Y motion ended 3 mm from its command, at 85 mm");
 }
 
+TEST(EndingWords, NameWhatMayHaveCutItShortOrLostIt) {
+  Ending e = motion(EndedBy::elsewhere);
+  e.beside_program = true;
+  EXPECT_EQ(words(e),
+            "Y motion was cut short by the program that runs, another host or at the controller, at 85 mm");
+  e = motion(EndedBy::lost);
+  EXPECT_EQ(words(e), "Y motion ended unseen: it is not known how, at 85 mm");
+  e.lost_with = Doubt::power_cut;
+  EXPECT_EQ(words(e), "Y motion ended unseen: its power was cut, at 85 mm");
+  e = motion(EndedBy::limit);
+  e.axis = -1, e.what = Ending::What::program, e.slot = 0, e.failed_axis = 0;
+  e.error = AxisError::limit_plus;
+  EXPECT_EQ(words(e), "Program 0 ended on a limit: X hit its + limit");
+}
+
+TEST(EndingWords, TellAStopsCourse) {
+  Ending e = motion(EndedBy::stop, StoppedBy::key);
+  e.timed = true, e.to_rest = Millis(84), e.ran_on = Steps(200);
+  EXPECT_EQ(words(e), "Y motion stopped by Esc: at rest 84 ms later, 2 mm on, at 85 mm");
+  e.to_slowing = Millis(31);
+  EXPECT_EQ(words(e),
+            "Y motion stopped by Esc: slowing down 31 ms later, at rest 84 ms later, 2 mm on, at 85 mm");
+}
+
 TEST(EndingWords, TellAJogAHomingAndARunApart) {
   Ending e = motion(EndedBy::stop, StoppedBy::let_go);
   e.what = Ending::What::jog;
@@ -71,7 +95,7 @@ TEST(EndingWords, TellAJogAHomingAndARunApart) {
   EXPECT_EQ(words(run), "Program 2 ran to its end");
   run.what = Ending::What::list, run.by = EndedBy::stop, run.who = StoppedBy::button;
   run.done = 4, run.total = 12;
-  EXPECT_EQ(words(run), "List stopped by its button after 4 of 12");
+  EXPECT_EQ(words(run), "List stopped by the Stop button after 4 of 12");
 }
 
 TEST(EndingWords, OfAProgramInErrorTellTheLineAndTheAxisAsFarAsTheyAreKnown) {
@@ -116,7 +140,7 @@ TEST_F(EventLogTest, APlaceThatIsLostIsTroubleOfItsAxis) {
   now.axes[1].trust.doubt(Doubt::power_cut, Instant{seconds(2)});
   at(3, LinkState::good);
   at(4, LinkState::good);
-  EXPECT_EQ(text(EventFilter::trouble), "00:00:02  Y its power was cut: its place is no longer sure\n");
+  EXPECT_EQ(text(EventFilter::trouble), "00:00:02  Y cannot be trusted any more: its power was cut\n");
 }
 
 TEST_F(EventLogTest, TheOldestGo) {

@@ -15,10 +15,10 @@ struct ProgramJobTest : ::testing::Test {
     return static_cast<IntentId>(sent.size());
   };
   bool begin(ProgramJob::Goal goal) { return job.begin(goal, 0, texts, now, catalog, send); }
-  void settle(Fate fate, const char* sentence = "") {
-    IntentFate f;
-    f.id = sent.size(), f.fate = fate, f.sentence = sentence;
-    now.fates[0] = f;
+  void settle(IntentState outcome, const char* sentence = "") {
+    IntentOutcome f;
+    f.id = sent.size(), f.state = outcome, f.sentence = sentence;
+    now.outcomes[0] = f;
     job.update(texts, now, catalog, Instant(), send);
   }
   void find_another_program() {
@@ -26,7 +26,7 @@ struct ProgramJobTest : ::testing::Test {
     texts.set_text(0, "I1M400");
     ASSERT_TRUE(begin(ProgramJob::Goal::run));
     texts.listed(0, "L9\n", Instant());
-    settle(Fate::done);
+    settle(IntentState::done);
   }
   template <class T>
   const T* last() const {
@@ -45,9 +45,9 @@ TEST_F(ProgramJobTest, RunLoadsWhatAnEmptySlotDoesNotHold) {
   ASSERT_TRUE(begin(ProgramJob::Goal::run));
   ASSERT_TRUE(last<intent::LoadProgram>());
   EXPECT_EQ(last<intent::LoadProgram>()->text, "I1M400");
-  settle(Fate::done);
+  settle(IntentState::done);
   ASSERT_TRUE(last<intent::RunProgram>());
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_FALSE(job.busy());
   ASSERT_TRUE(begin(ProgramJob::Goal::run));
   EXPECT_EQ(sent.size(), 3u) << "the second time it is there already";
@@ -58,7 +58,7 @@ TEST_F(ProgramJobTest, NothingIsStartedBehindAStop) {
   texts.set_text(0, "I1M400");
   ASSERT_TRUE(begin(ProgramJob::Goal::run));
   job.give_up();
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_FALSE(last<intent::RunProgram>());
   EXPECT_FALSE(job.busy());
   EXPECT_THAT(job.take_told().sentence, HasSubstr("A stop came"));
@@ -74,7 +74,7 @@ TEST_F(ProgramJobTest, WhatMustNotBeginWhenItIsLoadedIsNotStarted) {
     ASSERT_TRUE(job.begin(goal, 0, texts, now, catalog, send, terms));
     ASSERT_TRUE(last<intent::LoadProgram>());
     why = "It was loaded and not started.";
-    settle(Fate::done);
+    settle(IntentState::done);
     EXPECT_TRUE(last<intent::LoadProgram>()) << "nothing came behind it";
     EXPECT_FALSE(job.busy());
     EXPECT_EQ(job.take_told().sentence, why);
@@ -88,7 +88,7 @@ TEST_F(ProgramJobTest, AControllerThatKeepsNoProgramsIsSentTheTextWithoutAsking)
   texts.set_text(0, "I1M400");
   ASSERT_TRUE(begin(ProgramJob::Goal::run));
   ASSERT_TRUE(last<intent::LoadProgram>());
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_TRUE(last<intent::RunProgram>());
 }
 
@@ -98,7 +98,7 @@ TEST_F(ProgramJobTest, RunComparesFirstWhenTheSlotIsInUse) {
   ASSERT_TRUE(begin(ProgramJob::Goal::run));
   ASSERT_TRUE(last<intent::UploadProgram>());
   texts.listed(0, "I1M400\nL0\n", Instant());
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_TRUE(last<intent::RunProgram>()) << "the same program: nothing is loaded";
 }
 
@@ -107,7 +107,7 @@ TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesWhatMeansNothingHere) {
   texts.set_text(0, "I1M400");
   ASSERT_TRUE(begin(ProgramJob::Goal::run));
   texts.listed(0, "", Instant(), false);
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_EQ(job.stage(), ProgramJob::Stage::asking);
   EXPECT_THAT(job.question(), HasSubstr("another program of 1 byte,"));
 }
@@ -122,7 +122,7 @@ TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesAnotherProgram) {
   EXPECT_THAT(job.take_told().sentence, HasSubstr("Nothing was sent."));
 
   ASSERT_TRUE(begin(ProgramJob::Goal::run));
-  settle(Fate::done);
+  settle(IntentState::done);
   job.answer(ProgramJob::Answer::overwrite, texts, send);
   EXPECT_TRUE(last<intent::LoadProgram>());
 }
@@ -142,10 +142,10 @@ TEST_F(ProgramJobTest, RoomIsMadeAfterTheTextWasBroughtIntoTheEditor) {
   ASSERT_TRUE(begin(ProgramJob::Goal::make_room));
   ASSERT_TRUE(last<intent::UploadProgram>());
   texts.listed(0, "L9\n", Instant());
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_THAT(texts.text(0), HasSubstr("L9"));
   ASSERT_TRUE(last<intent::ClearProgram>());
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_THAT(job.take_told().sentence, HasSubstr("Its text is kept in the editor. Move again."));
 }
 
@@ -161,7 +161,7 @@ TEST_F(ProgramJobTest, NoRoomIsMadeWhereATextWouldBeLost) {
   texts.set_text(0, "I1M400");
   ASSERT_TRUE(begin(ProgramJob::Goal::make_room));
   texts.listed(0, "L9\n", Instant());
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_FALSE(last<intent::ClearProgram>());
   EXPECT_FALSE(job.busy());
   EXPECT_EQ(texts.text(0), "I1M400");
@@ -173,7 +173,7 @@ TEST_F(ProgramJobTest, FetchingInsteadKeepsTheControllersProgram) {
   texts.set_text(0, "I1M400");
   begin(ProgramJob::Goal::run);
   texts.listed(0, "L9\n", Instant());
-  settle(Fate::done);
+  settle(IntentState::done);
   job.answer(ProgramJob::Answer::fetch_instead, texts, send);
   EXPECT_EQ(texts.text(0), "L9\n");
   EXPECT_FALSE(job.busy());
@@ -199,10 +199,10 @@ TEST_F(ProgramJobTest, ProgramTooLongIsSaidAndNothingIsSent) {
 TEST_F(ProgramJobTest, RefusedLoadEndsTheJobWithItsSentence) {
   texts.set_text(0, "I1");
   begin(ProgramJob::Goal::run);
-  settle(Fate::refused, "A program runs. Nothing was sent.");
+  settle(IntentState::refused, "A program runs. Nothing was sent.");
   EXPECT_FALSE(job.busy());
   const auto told = job.take_told();
-  EXPECT_EQ(told.mood, Mood::fault);
+  EXPECT_EQ(told.severity, Severity::fault);
   EXPECT_EQ(told.sentence, "A program runs. Nothing was sent.");
   EXPECT_EQ(sent.size(), 1u);
   EXPECT_EQ(job.take_told().sentence, "") << "told once";
@@ -220,10 +220,10 @@ TEST_F(ProgramJobTest, LostLinkEndsTheJob) {
 TEST_F(ProgramJobTest, StoreSaysHowManyWritesWereUsed) {
   texts.set_text(0, "I1");
   begin(ProgramJob::Goal::store);
-  settle(Fate::done);
+  settle(IntentState::done);
   ASSERT_TRUE(last<intent::Store>());
   now.store_count = 13;
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_EQ(job.take_told().sentence, "Stored in the controller. 13 of 100000 writes used.");
 }
 
@@ -231,7 +231,7 @@ TEST_F(ProgramJobTest, WhatIsKeptWhenItIsLoadedIsNotStoredWithTheSetUp) {
   catalog.program.compiled = true;
   texts.set_text(0, "I1");
   begin(ProgramJob::Goal::store);
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_TRUE(last<intent::LoadProgram>());
   EXPECT_FALSE(last<intent::Store>());
   EXPECT_FALSE(job.busy());
@@ -241,7 +241,7 @@ TEST_F(ProgramJobTest, WhatIsKeptWhenItIsLoadedIsNotStoredWithTheSetUp) {
 TEST_F(ProgramJobTest, SteppingHoldsBeforeTheFirstCommand) {
   texts.set_text(0, "I1");
   begin(ProgramJob::Goal::run_stepping);
-  settle(Fate::done);
+  settle(IntentState::done);
   ASSERT_EQ(sent.size(), 3u);
   EXPECT_TRUE(std::holds_alternative<intent::SelectProgram>(sent[1]));
   EXPECT_TRUE(std::holds_alternative<intent::SingleStep>(sent[2]));
@@ -250,11 +250,11 @@ TEST_F(ProgramJobTest, SteppingHoldsBeforeTheFirstCommand) {
 TEST_F(ProgramJobTest, FetchBringsTheListingAndClearLeavesTheText) {
   begin(ProgramJob::Goal::fetch);
   texts.listed(0, "L9\n", Instant());
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_EQ(texts.text(0), "L9\n");
   begin(ProgramJob::Goal::clear);
   ASSERT_TRUE(last<intent::ClearProgram>());
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_EQ(texts.text(0), "L9\n");
   EXPECT_TRUE(texts.held(0).known);
   EXPECT_TRUE(texts.held(0).listing.empty());
@@ -263,11 +263,11 @@ TEST_F(ProgramJobTest, FetchBringsTheListingAndClearLeavesTheText) {
 TEST_F(ProgramJobTest, FetchSaysHowToGetBackWhatItReplaces) {
   begin(ProgramJob::Goal::fetch);
   texts.listed(0, "L9\n", Instant());
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_THAT(job.take_told().sentence, testing::Not(HasSubstr("Ctrl+Z")));
   texts.set_text(0, "L9\n; a note\n");
   begin(ProgramJob::Goal::fetch);
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_THAT(job.take_told().sentence, HasSubstr("Ctrl+Z brings back what stood here."));
 }
 
@@ -275,7 +275,7 @@ TEST_F(ProgramJobTest, TextTypedDuringTheTransferIsNotTakenForLoaded) {
   texts.set_text(0, "I1");
   begin(ProgramJob::Goal::run);
   texts.set_text(0, "I2");
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_EQ(texts.held(0).text, "I1");
   EXPECT_FALSE(texts.controller_has(0));
 }
@@ -305,7 +305,7 @@ TEST_F(ProgramJobTest, ALinkThatIsLostInTheMiddleLeavesWhatIsSaid) {
   now.transfer.done = 41, now.transfer.total = 302;
   now.slots_torn = 1;
   now.link.state = LinkState::lost;
-  settle(Fate::pending);
+  settle(IntentState::pending);
   EXPECT_FALSE(job.busy());
   EXPECT_EQ(job.take_told().sentence,
             "The link was lost while the program was transferred: the first 41 of its 302 lines are written. "

@@ -21,10 +21,10 @@ struct SetupEditsTest : ::testing::Test {
     sent.push_back(std::get<intent::SetParam>(std::move(body)));
     return static_cast<IntentId>(sent.size());
   };
-  void settle(Fate fate, const char* sentence = "") {
-    IntentFate f;
-    f.id = sent.size(), f.fate = fate, f.sentence = sentence;
-    now.fates[0] = f;
+  void settle(IntentState outcome, const char* sentence = "") {
+    IntentOutcome f;
+    f.id = sent.size(), f.state = outcome, f.sentence = sentence;
+    now.outcomes[0] = f;
     write.update(now, catalog, send);
   }
   Catalog catalog = test::toy_catalog();
@@ -94,12 +94,12 @@ TEST_F(SetupEditsTest, WritesOneAfterAnother) {
   ASSERT_EQ(sent.size(), 1u);
   EXPECT_EQ(sent[0].mnemonic, "j1M");
   EXPECT_TRUE(sent[0].confirmed);
-  settle(Fate::pending);
+  settle(IntentState::pending);
   EXPECT_EQ(sent.size(), 1u);
-  settle(Fate::done);
+  settle(IntentState::done);
   ASSERT_EQ(sent.size(), 2u);
   EXPECT_EQ(sent[1].value, 3);
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_FALSE(write.busy());
   EXPECT_THAT(write.take_told().sentence, HasSubstr("2 values written and read back."));
 }
@@ -108,12 +108,12 @@ TEST_F(SetupEditsTest, WhatStoreKeepsIsSaidOfEachValue) {
   catalog.params[2].stored = false;
   edits.set(2, 5);
   write.begin(edits, now, catalog, false, send);
-  settle(Fate::done);
+  settle(IntentState::done);
   EXPECT_THAT(write.take_told().sentence, HasSubstr("It is not kept over power-off."));
   edits.set(1, 55);
   write.begin(edits, now, catalog, false, send);
-  settle(Fate::done);
-  settle(Fate::done);
+  settle(IntentState::done);
+  settle(IntentState::done);
   EXPECT_THAT(write.take_told().sentence, HasSubstr("Store keeps 1 of them over power-off."));
 }
 
@@ -121,7 +121,7 @@ TEST_F(SetupEditsTest, ARefusalStopsTheRest) {
   edits.set(1, 100);
   edits.set(2, 3);
   write.begin(edits, now, catalog, false, send);
-  settle(Fate::refused, "A program runs.");
+  settle(IntentState::refused, "A program runs.");
   EXPECT_EQ(sent.size(), 1u);
   const auto told = write.take_told();
   EXPECT_FALSE(told.good);

@@ -50,7 +50,7 @@ class StatusSentenceTest : public testing::Test {
 
 TEST_F(StatusSentenceTest, Idle) {
   EXPECT_EQ(say().text, "Idle. Hold a jog button, type where to go, or run a program.");
-  EXPECT_EQ(say().mood, Mood::plain);
+  EXPECT_EQ(say().severity, Severity::plain);
 }
 
 TEST_F(StatusSentenceTest, BetweenTwoMotionsOfADrawingItIsNotIdle) {
@@ -58,21 +58,21 @@ TEST_F(StatusSentenceTest, BetweenTwoMotionsOfADrawingItIsNotIdle) {
   now.pieces.done = 12;
   now.pieces.total = 800;
   EXPECT_EQ(say().text, "Piece 13 of 800 is under way. Esc stops everything.");
-  EXPECT_EQ(say().mood, Mood::motion);
+  EXPECT_EQ(say().severity, Severity::motion);
   now.pieces.held = true;
   EXPECT_EQ(say().text, "Held at piece 13 of 800. Go on, or stop it.");
 }
 
 TEST_F(StatusSentenceTest, ASlipIsSaidWhileNothingMoves) {
   now.axes[1].slipped = true;
-  EXPECT_EQ(say().mood, Mood::warn);
+  EXPECT_EQ(say().severity, Severity::warn);
   EXPECT_EQ(say().text.view().find("Motor 2 has slipped: its encoder was further off than is allowed."), 0u);
   EXPECT_EQ(state_of(now, 1, clock), State::slipped);
   EXPECT_EQ(worst_state(now, clock), State::slipped) << "its tab says so too";
   now.axes[1].enabled = false;
   EXPECT_EQ(state_of(now, 1, clock), State::slipped) << "and it is why it is off";
   now.axes[1].activity = Activity::moving;
-  EXPECT_EQ(say().mood, Mood::motion);
+  EXPECT_EQ(say().severity, Severity::motion);
   EXPECT_EQ(state_of(now, 1, clock), State::moving);
 }
 
@@ -88,12 +88,12 @@ TEST_F(StatusSentenceTest, AServoAxisSaysHowItStandsToItsCommand) {
   a.command = a.position = Steps(5000);
   EXPECT_EQ(state_of(now, 1, clock), State::in_place);
   EXPECT_EQ(worst_state(now, clock), State::idle);
-  EXPECT_EQ(say().mood, Mood::plain);
+  EXPECT_EQ(say().severity, Severity::plain);
   a.loop = Loop::off_place;
   a.position = Steps(0);
   EXPECT_EQ(state_of(now, 1, clock), State::not_in_place);
   EXPECT_EQ(worst_state(now, clock), State::not_in_place);
-  EXPECT_EQ(say(), (StatusSentence{Mood::warn,
+  EXPECT_EQ(say(), (StatusSentence{Severity::warn,
                                    "Motor 2 is not in place: it stands 5000 steps from its command, 5000 "
                                    "steps. Check what holds it, and its gains."}));
   now.params[1].value = 0;
@@ -105,7 +105,7 @@ TEST_F(StatusSentenceTest, AServoAxisSaysHowItStandsToItsCommand) {
   EXPECT_EQ(state_of(now, 1, clock), State::idle) << "what is not known is not shown as known";
   a.loop = Loop::following;
   a.activity = Activity::moving;
-  EXPECT_EQ(say(), (StatusSentence{Mood::motion,
+  EXPECT_EQ(say(), (StatusSentence{Severity::motion,
                                    "Motor 2 settles, 5000 steps from its command. Esc stops "
                                    "everything."}));
 }
@@ -114,17 +114,18 @@ TEST_F(StatusSentenceTest, Moving) {
   now.axes[0].activity = Activity::moving;
   now.axes[0].has_target = true;
   now.axes[0].target = Steps(400);
-  EXPECT_EQ(say(), (StatusSentence{Mood::motion, "Motor 1 moves to 400 steps. Esc stops everything."}));
+  EXPECT_EQ(say(), (StatusSentence{Severity::motion, "Motor 1 moves to 400 steps. Esc stops everything."}));
 }
 
 TEST_F(StatusSentenceTest, AProgramInErrorIsSaidWhileOthersRun) {
   failed = "Program 2 stopped with an error in line 19: V2=5/V1.";
-  EXPECT_EQ(say(), (StatusSentence{Mood::fault, failed + " Run starts it again, Stop clears the error."}));
+  EXPECT_EQ(say(),
+            (StatusSentence{Severity::fault, failed + " Run starts it again, Stop clears the error."}));
   now.program.owned = true;
   now.program.run = RunState::running;
   run.who = "Programs 0, 1 are";
   EXPECT_EQ(say(),
-            (StatusSentence{Mood::fault, failed + " Programs 0, 1 are running. Esc stops everything."}));
+            (StatusSentence{Severity::fault, failed + " Programs 0, 1 are running. Esc stops everything."}));
   now.axes[0].activity = Activity::error;
   now.notice = "Axis X hit its + limit. Clear the errors before the next move.";
   EXPECT_EQ(say().text.view(),
@@ -141,8 +142,8 @@ TEST_F(StatusSentenceTest, WhatGoesOnBesideAnAxisInErrorIsSaid) {
   now.axes[0].activity = Activity::error;
   now.notice = "Axis X hit its + limit. Clear the errors before the next move.";
   now.axes[1].activity = Activity::moving;
-  EXPECT_EQ(say(), (StatusSentence{Mood::fault, std::string(now.notice.view()) +
-                                                    " Motor 2 moves. Esc stops everything."}));
+  EXPECT_EQ(say(), (StatusSentence{Severity::fault, std::string(now.notice.view()) +
+                                                        " Motor 2 moves. Esc stops everything."}));
 }
 
 TEST_F(StatusSentenceTest, OfATextThatIsNotKnownTheStoredLineIsTold) {
@@ -198,7 +199,7 @@ TEST_F(StatusSentenceTest, LateOrNotUnderstood) {
   now.link.misses_in_a_row = 0;
   now.link.sentence = "Two devices have one address.";
   EXPECT_EQ(say().text, "Two is not understood. Two devices have one address.");
-  EXPECT_EQ(say().mood, Mood::warn);
+  EXPECT_EQ(say().severity, Severity::warn);
 }
 
 TEST_F(StatusSentenceTest, Held) {
@@ -214,21 +215,21 @@ TEST_F(StatusSentenceTest, LostIsTheWorstAndNamesTheWayOut) {
   now.axes[1].limit_plus = true;
   now.link.state = LinkState::lost;
   now.link.sentence = "The cable is gone.";
-  EXPECT_EQ(say(), (StatusSentence{Mood::fault,
+  EXPECT_EQ(say(), (StatusSentence{Severity::fault,
                                    "No answer from Two since 14:20:08. Stop does not reach it: use its "
                                    "power switch. The cable is gone."}));
 }
 
 TEST_F(StatusSentenceTest, AnErrorOfTheControllerIsToldAsTheDriverTellsIt) {
   now.notice = "The program memory is full. Clear a program.";
-  EXPECT_EQ(say().mood, Mood::warn);
+  EXPECT_EQ(say().severity, Severity::warn);
   now.program.run = RunState::error;
-  EXPECT_EQ(say(), (StatusSentence{Mood::fault, "The program memory is full. Clear a program."}));
+  EXPECT_EQ(say(), (StatusSentence{Severity::fault, "The program memory is full. Clear a program."}));
 }
 
 TEST_F(StatusSentenceTest, LimitSaysWhereItCanGo) {
   now.axes[1].limit_plus = true;
-  EXPECT_EQ(say(), (StatusSentence{Mood::warn, "Motor 2 stands on its + limit. It can only move −."}));
+  EXPECT_EQ(say(), (StatusSentence{Severity::warn, "Motor 2 stands on its + limit. It can only move −."}));
   now.axes[1].limit_minus = true;
   EXPECT_EQ(say().text,
             "Both limits of motor 2 are active, so it cannot move. Check its switches and their cable.");
@@ -236,7 +237,7 @@ TEST_F(StatusSentenceTest, LimitSaysWhereItCanGo) {
 
 TEST_F(StatusSentenceTest, MotorThatIsNotChosenIsSaidBeforeTheFirstMove) {
   now.params[0].value = 0;
-  EXPECT_EQ(say().mood, Mood::warn);
+  EXPECT_EQ(say().severity, Severity::warn);
   EXPECT_EQ(say().text, catalog.params[0].before_moving);
   EXPECT_EQ(unset_before_moving(catalog, now, AxisId{0}), 0);
   EXPECT_EQ(unset_before_moving(catalog, now, AxisId{1}), -1);
@@ -246,14 +247,14 @@ TEST_F(StatusSentenceTest, MotorThatIsNotChosenIsSaidBeforeTheFirstMove) {
 
 TEST_F(StatusSentenceTest, DoubtIsSaid) {
   now.axes[0].trust.doubt(Doubt::power_cut, {});
-  EXPECT_EQ(say().mood, Mood::warn);
+  EXPECT_EQ(say().severity, Severity::warn);
   now.axes[0].position_known = false;
   EXPECT_EQ(say().text, "The position of motor 1 is not known. Home it, or say where it stands.");
 }
 
 TEST_F(StatusSentenceTest, OldValuesAreNotTakenForNew) {
   clock += Millis(5'000);
-  EXPECT_EQ(say(), (StatusSentence{Mood::warn, "The position of motor 1 is 5.0 s old."}));
+  EXPECT_EQ(say(), (StatusSentence{Severity::warn, "The position of motor 1 is 5.0 s old."}));
 }
 
 TEST_F(StatusSentenceTest, WhatIsNotStoredIsSaidByItsMarkOnly) {
@@ -271,7 +272,7 @@ TEST_F(StatusSentenceTest, NobodyIsToldToJogMotorsWithoutPower) {
   EXPECT_EQ(say().text, "Idle. Hold a jog button, type where to go, or run a program.") << "one of them can";
   now.axes[1].enabled = false;
   now.axes[0].position_known = false;
-  EXPECT_EQ(say().mood, Mood::warn) << "what is worse is said first";
+  EXPECT_EQ(say().severity, Severity::warn) << "what is worse is said first";
   now.axes[0].position_known = true;
   now.axis_count = 1;
   EXPECT_EQ(say().text, "Motor power of motor 1 is off. Switch it on to move it.");
@@ -301,7 +302,7 @@ TEST_F(StatusSentenceTest, AnAxisWithNoWayToGoInAMoveIsNotCalledMoving) {
 
 TEST_F(StatusSentenceTest, AnAlarmThatStandsIsNoErrorToClear) {
   now.axes[1].alarm = true;
-  EXPECT_EQ(say(), (StatusSentence{Mood::fault,
+  EXPECT_EQ(say(), (StatusSentence{Severity::fault,
                                    "The alarm input of motor 2 is active, so it takes no move. "
                                    "Look at its motor driver."}));
 }

@@ -41,15 +41,6 @@ TEST(StopTimes, SayWhatTheStopButtonDoesToo) {
   EXPECT_TRUE(times.tip().ends_with(times.words()));
 }
 
-TEST(StopTimes, OfAControllerThatDoesNotReportItTheSlowingDownIsNotKnown) {
-  StopTimes times;
-  times.add(stop(0, Millis(84), 680), in_steps, false);
-  EXPECT_EQ(
-      times.words(),
-      "Last stop: first byte after 0.2 ms, slowing down not known, as this controller does not report it, at "
-      "rest after 84 ms, 680 steps on.");
-}
-
 TEST(StopTimes, EachFigureHasItsPercentile) {
   StopTimes times;
   for (int i = 0; i < 100; ++i) {

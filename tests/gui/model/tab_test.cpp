@@ -71,20 +71,17 @@ TEST_F(TabTest, UnitsComeFromTheProfile) {
 
 TEST_F(TabTest, NamesComeFromTheProfileElseFromTheCatalog) {
   EXPECT_EQ(tab.name(), "Two");
-  EXPECT_EQ(tab.axis_title(AxisId{0}), "1");
   tab.profile.name = "Stage";
-  tab.profile.axes[0].name = "across";
   EXPECT_EQ(tab.name(), "Stage");
-  EXPECT_EQ(tab.axis_title(AxisId{0}), "1 across");
 }
 
 TEST_F(TabTest, ARefusalThatNobodyWatchesBecomesAComplaint) {
   const IntentId id = tab.send_followed(intent::Home(AxisId{0}, Sign::minus));
   show();
   EXPECT_TRUE(tab.complaints().empty());
-  now.fates[0].id = id;
-  now.fates[0].fate = Fate::refused;
-  now.fates[0].sentence = "Not now. Nothing was sent.";
+  now.outcomes[0].id = id;
+  now.outcomes[0].state = IntentState::refused;
+  now.outcomes[0].sentence = "Not now. Nothing was sent.";
   show();
   show();
   ASSERT_EQ(tab.complaints().size(), 1u) << "once";
@@ -98,8 +95,8 @@ TEST_F(TabTest, ARefusedJogIsNotHeldOn) {
     tab.jog.tick(t);
   }
   ASSERT_TRUE(tab.jog.jogging());
-  now.fates[0].id = tab.jog.jog_intent();
-  now.fates[0].fate = Fate::refused;
+  now.outcomes[0].id = tab.jog.jog_intent();
+  now.outcomes[0].state = IntentState::refused;
   show();
   EXPECT_FALSE(tab.jog.holding());
 }

@@ -17,7 +17,7 @@ end
 
 fails("traffic", ".log", function()
   tab("control")
-  if ui.exists("terminal/save") then ui.click("terminal/save") else choose("terminal/log_menu", "Save traffic") end
+  if ui.exists("terminal/save") then ui.click("terminal/save") else choose("terminal/log_menu", "Save") end
 end)
 fails("set-up", ".toml", function()
   tab("setup")

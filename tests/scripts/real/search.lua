@@ -29,9 +29,9 @@ hw.check(ui.exists("connect/search/found/0") and ui.exists("connect/search/found
 hw.check(not ui.exists("connect/search/found/2"), "and nothing else")
 
 ui.click("connect/search/found/1")
-for _ = 1, 50 do
+for _ = 1, 200 do
   hw.sleep(0.1)
-  if ui.exists("dro/X/position") then break end
+  if ui.exists("dro/X/position") and ui.value("dro/X/position") ~= "-" then break end
 end
 hw.check(ui.value("dro/X/position") == "0", "the second of them is open: " .. tostring(ui.value("dro/X/position")))
 local wire = ui.value("terminal/log") or ""

@@ -16,7 +16,7 @@ class StopAtAnyTime : public DriverTest {
     run(ms / 1000.0);
     EXPECT_EQ(perform(intent::Stop()), "") << ms;
     EXPECT_TRUE(wait_idle()) << ms;
-    return fate(id) == Fate::done;
+    return outcome(id) == IntentState::done;
   }
 };
 
@@ -56,7 +56,7 @@ TEST_F(StopAtAnyTime, AStoreThatItCutsShortNamesNoTimeThatNobodyWaited) {
   run(0.05);
   EXPECT_EQ(perform(intent::Stop()), "");
   run(4);
-  const IntentFate* store = pump->known().fate_of(id);
+  const IntentOutcome* store = pump->known().outcome_of(id);
   ASSERT_TRUE(store);
   EXPECT_THAT(std::string(store->sentence.view()), HasSubstr("did not confirm in time that it has stored"));
 }

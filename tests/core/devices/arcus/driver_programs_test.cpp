@@ -62,8 +62,8 @@ TEST_F(Programs, OneWhoseTransferWasBrokenOffDoesNotRun) {
     const IntentId loading = post(intent::LoadProgram(0, text + "END\n"));
     ASSERT_TRUE(run_until([&] { return latest.transfer.done > 10; }, 60));
     ASSERT_EQ(perform(intent::Stop()), "");
-    ASSERT_TRUE(run_until([&] { return fate(loading) != Fate::pending; }, 10));
-    EXPECT_THAT(std::string(pump->known().fate_of(loading)->sentence.view()),
+    ASSERT_TRUE(run_until([&] { return outcome(loading) != IntentState::pending; }, 10));
+    EXPECT_THAT(std::string(pump->known().outcome_of(loading)->sentence.view()),
                 testing::MatchesRegex("A stop came first. What is stored now is neither the old program nor "
                                       "the new one: the first [0-9]+ of its 101 lines are written, and the "
                                       "rest is what was there before. Download it again before anything "
@@ -90,9 +90,9 @@ TEST_F(Programs, OneLostAnswerBreaksNoTransferOff) {
       ASSERT_TRUE(run_until([&] { return latest.transfer.running; }, 10));
       run(after_ms / 1000.0);
       loop->drop(1);
-      ASSERT_TRUE(run_until([&] { return fate(loading) != Fate::pending; }, 10));
-      EXPECT_EQ(fate(loading), Fate::done)
-          << model << " after " << after_ms << " ms: " << pump->known().fate_of(loading)->sentence.view();
+      ASSERT_TRUE(run_until([&] { return outcome(loading) != IntentState::pending; }, 10));
+      EXPECT_EQ(outcome(loading), IntentState::done)
+          << model << " after " << after_ms << " ms: " << pump->known().outcome_of(loading)->sentence.view();
       EXPECT_EQ(held(0), text);
       next_model();
     }
@@ -149,7 +149,7 @@ TEST_F(Programs, AStopBeforeTheFirstLineIsWrittenLeavesTheOldOne) {
       const IntentId loading = post(intent::LoadProgram(0, "X300\nEND\n"));
       run(delay);
       perform(intent::Stop());
-      ASSERT_TRUE(run_until([&] { return fate(loading) != Fate::pending; }, 10));
+      ASSERT_TRUE(run_until([&] { return outcome(loading) != IntentState::pending; }, 10));
       if (stored() != before) break;
       ++untouched;
       EXPECT_EQ(perform(intent::RunProgram(0)), "") << delay;

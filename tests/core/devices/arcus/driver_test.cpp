@@ -810,7 +810,7 @@ TEST_F(DriverTest, AMotionWhoseAnswerIsLostIsNotRepeated) {
   loop->to_controller.clear();
   const IntentId id = post(intent::JogStart(AxisId{0}, Sign::plus, {}, false));
   loop->garble(3);
-  run_until([&] { return fate(id) != Fate::pending; }, 10);
+  run_until([&] { return outcome(id) != IntentState::pending; }, 10);
   run(1);
   std::size_t jogs = 0;
   for (auto at = loop->to_controller.find("J+"); at != std::string::npos;

@@ -47,6 +47,13 @@ TEST_F(ArcusReading, WhatNoBlockHoldsStaysItsOwnText) {
       << "Z is none of their axes";
 }
 
+TEST_F(ArcusReading, PowerOfAllAxesIsABlockForEach) {
+  frame.axes = {{"X", 100}, {"Y", 100}, {"Z", 100}, {"U", 100}};
+  EXPECT_EQ(blocks("EO=5 ; X and Z\nABS\nX100\nEND\n"),
+            "Motor power X on\nMotor power Y off\nMotor power Z on\nMotor power U off\nMove to X 1\n");
+  EXPECT_EQ(blocks("EO=V1\nABS\nX100\nEND\n"), "own: EO=V1\nMove to X 1\n");
+}
+
 TEST_F(ArcusReading, ADecisionOnAnInputIsABlock) {
   EXPECT_EQ(blocks("ABS\nIF DI3=1\n  STOPY\n  WAITY\n  Y700\nENDIF\nIF DI4=0\nJOGX-\nENDIF\nWHILE DI2=0\n"
                    "ENDWHILE\nEND\n"),

@@ -55,8 +55,8 @@ class ProgramDownload : public DriverTest {
     return loading;
   }
   std::string end_of(IntentId loading) {
-    EXPECT_TRUE(run_until([&] { return fate(loading) != Fate::pending; }, 120));
-    return std::string(pump->known().fate_of(loading)->sentence.view());
+    EXPECT_TRUE(run_until([&] { return outcome(loading) != IntentState::pending; }, 120));
+    return std::string(pump->known().outcome_of(loading)->sentence.view());
   }
   void next_model() {
     TearDown();
@@ -147,7 +147,7 @@ TEST_F(ProgramDownload, ALineThatWasGarbledOnItsWayIsFoundWhereverItWent) {
     run(0.03 + after_ms / 1000.0);
     loop->lose(1);
     end_of(loading);
-    if (fate(loading) != Fate::done) {
+    if (outcome(loading) != IntentState::done) {
       ++torn;
       continue;
     }
@@ -168,7 +168,7 @@ TEST_F(ProgramDownload, HowFarItIsAndHowLongItTakesIsTold) {
   const Instant asked = time.now();
   ASSERT_TRUE(run_until([&] { return latest.transfer.phase == TransferState::Phase::comparing; }, 60));
   EXPECT_TRUE(latest.transfer.running);
-  ASSERT_TRUE(run_until([&] { return fate(loading) != Fate::pending; }, 60));
+  ASSERT_TRUE(run_until([&] { return outcome(loading) != IntentState::pending; }, 60));
   EXPECT_NEAR(seconds(time.now() - asked), left, left / 4);
   EXPECT_FALSE(latest.transfer.running);
   EXPECT_EQ(latest.transfer.left, Duration{});
@@ -178,7 +178,7 @@ TEST_F(ProgramDownload, HowFarItIsAndHowLongItTakesIsTold) {
   EXPECT_EQ(latest.transfer.phase, TransferState::Phase::reading);
   EXPECT_EQ(latest.transfer.total, count);
   EXPECT_GT(latest.transfer.left, Duration{});
-  ASSERT_TRUE(run_until([&] { return fate(reading) != Fate::pending; }, 60));
+  ASSERT_TRUE(run_until([&] { return outcome(reading) != IntentState::pending; }, 60));
 }
 
 TEST_F(ProgramDownload, ItIsQuickerThanThreeTransactionsALine) {

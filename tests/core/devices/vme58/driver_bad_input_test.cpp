@@ -17,7 +17,7 @@ class Vme58BadInput : public test::Vme58Rig {
   void works() {
     ASSERT_TRUE(query("AX VL5000 AC100000"));
     const Steps before = axis(0).position;
-    ASSERT_EQ(perform(intent::MoveBy({AxisTarget{AxisId{0}, Steps(100)}})).fate, Fate::done);
+    ASSERT_EQ(perform(intent::MoveBy({AxisTarget{AxisId{0}, Steps(100)}})).state, IntentState::done);
     ASSERT_TRUE(becomes_idle());
     EXPECT_EQ(axis(0).position, before + Steps(100));
   }
@@ -52,8 +52,8 @@ TEST_F(Vme58BadInput, AnUnknownCommandInTheMiddle) {
 }
 
 TEST_F(Vme58BadInput, AContourOfThreeAxesWithAnArc) {
-  ASSERT_EQ(perform(intent::LoadProgram(0, "AA\nCV1000\nCD0,0,0;\nMT10,10,10\nCR0,0,3.14\nCE\nCX\n")).fate,
-            Fate::refused)
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AA\nCV1000\nCD0,0,0;\nMT10,10,10\nCR0,0,3.14\nCE\nCX\n")).state,
+            IntentState::refused)
       << "an arc lies in two axes";
   ASSERT_TRUE(query("AA CV1000 CD0,0,0;"));
   EXPECT_THAT(refused("CR0,0,3.14"), HasSubstr("CR"));
@@ -79,7 +79,7 @@ TEST_F(Vme58BadInput, AWindowThatVanishesUnderWay) {
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, Seconds(5)));
   EXPECT_THAT(std::string(now().link.sentence.view()), HasSubstr("pulled"));
   EXPECT_FALSE(axis(0).position_known);
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{1}, Steps(5)}})).fate, Fate::refused);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{1}, Steps(5)}})).state, IntentState::refused);
   operate(bench::Unplug(false));
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(20)));
   EXPECT_EQ(axis(1).position, Steps(0)) << "nothing is made up for";

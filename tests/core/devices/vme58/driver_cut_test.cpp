@@ -19,9 +19,9 @@ class Vme58Cut : public test::Vme58Rig {
   /// Of axis Y, while something is under way for others.
   void stop_beside(Duration after) {
     run(after);
-    EXPECT_EQ(perform(intent::Stop(1)).fate, Fate::done);
+    EXPECT_EQ(perform(intent::Stop(1)).state, IntentState::done);
   }
-  [[nodiscard]] IntentFate fate_of(IntentId id) const { return *now().fate_of(id); }
+  [[nodiscard]] IntentOutcome outcome_of(IntentId id) const { return *now().outcome_of(id); }
 };
 
 TEST_F(Vme58Cut, AJogNeverOutlivesItsHand) {
@@ -31,10 +31,10 @@ TEST_F(Vme58Cut, AJogNeverOutlivesItsHand) {
     const IntentId jog = session->send(intent::JogStart(AxisId{0}, Sign::plus));
     stop_beside(Micros(after_us));
     run(Millis(50));
-    if (fate_of(jog).fate == Fate::done) {
+    if (outcome_of(jog).state == IntentState::done) {
       ++held;
       EXPECT_EQ(axis().activity, Activity::jogging) << after_us;
-      EXPECT_EQ(perform(intent::JogStop()).fate, Fate::done);
+      EXPECT_EQ(perform(intent::JogStop()).state, IntentState::done);
     } else {
       ++failed;
     }
@@ -56,11 +56,11 @@ TEST_F(Vme58Cut, AMoveIsSaidNotToBeSentOnlyIfItIsNot) {
     stop_beside(Micros(after_us));
     ASSERT_TRUE(becomes_idle());
     run(Millis(500));
-    const IntentFate fate = fate_of(move);
-    const std::string sentence(fate.sentence.view());
+    const IntentOutcome outcome = outcome_of(move);
+    const std::string sentence(outcome.sentence.view());
     const bool moved = axis().position == before + Steps(100);
     EXPECT_TRUE(moved || axis().position == before) << after_us;
-    if (fate.fate == Fate::done) {
+    if (outcome.state == IntentState::done) {
       ++done;
       EXPECT_TRUE(moved) << after_us;
     } else if (sentence.find("not sent") != sentence.npos) {
@@ -77,7 +77,7 @@ TEST_F(Vme58Cut, AMoveIsSaidNotToBeSentOnlyIfItIsNot) {
 }
 
 TEST_F(Vme58Cut, AnAnswerIsNotTakenForThatOfTheNextQuestion) {
-  ASSERT_EQ(perform(intent::SetPosition(0, Steps(1234))).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetPosition(0, Steps(1234))).state, IntentState::done);
   (void)lines();
   for (int after_us = 0; after_us < longest_us; after_us += 90) {
     Result<std::string> cut{std::string()};

@@ -49,8 +49,8 @@ TEST_F(Vme58DriverQueues, AreFollowedWhileAnAxisWorksOffALongOne) {
 TEST_F(Vme58DriverQueues, OfAProgramThatIsLongerThanItsQueueIsShownAsFull) {
   std::string text = "AY VL1000 AC1000000\n";
   for (int i = 0; i < 120; ++i) text += "MR100 GO\n";
-  ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, text)).state, IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   run(Seconds(2));
   ASSERT_TRUE(ring_is_blocked());
   EXPECT_TRUE(known(1));
@@ -108,9 +108,9 @@ TEST_F(Vme58DriverQueues, ACommandOfTheConsoleThatDoesNotFitIsTakenBackAlone) {
   for (int i = 0; i < 99; ++i) text += "WT1 ";
   ASSERT_TRUE(query(text));
   ASSERT_FALSE(query("MR77"));
-  const IntentFate fate = perform(intent::MoveBy({AxisTarget{AxisId{1}, Steps(500)}}));
-  EXPECT_NE(fate.fate, Fate::done);
-  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("taken back"));
+  const IntentOutcome outcome = perform(intent::MoveBy({AxisTarget{AxisId{1}, Steps(500)}}));
+  EXPECT_NE(outcome.state, IntentState::done);
+  EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("taken back"));
   run(Seconds(6));
   EXPECT_EQ(axis(1).position, Steps(0)) << "nothing moves later by itself";
   ASSERT_TRUE(query("AX GO"));

@@ -148,7 +148,7 @@ class Vme58Liar : public test::Vme58Rig {
     lie = nullptr;
     EXPECT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(20))) << sentence();
     EXPECT_EQ(axis(0).position, Steps(1234));
-    EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(2000)}})).fate, Fate::done);
+    EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(2000)}})).state, IntentState::done);
     ASSERT_TRUE(becomes_idle());
     EXPECT_EQ(axis(0).position, Steps(2000));
   }
@@ -176,9 +176,9 @@ TEST_F(Vme58Liar, IndexesThatMakeNoSenseAreNotFollowed) {
   };
   ASSERT_TRUE(is_late());
   EXPECT_THAT(sentence(), HasSubstr("indexes of the rings make no sense"));
-  const IntentFate fate = perform(intent::MoveTo({{AxisId{0}, Steps(5)}}));
-  EXPECT_NE(fate.fate, Fate::done);
-  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("1234"));
+  const IntentOutcome outcome = perform(intent::MoveTo({{AxisId{0}, Steps(5)}}));
+  EXPECT_NE(outcome.state, IntentState::done);
+  EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("1234"));
   heals();
 }
 
@@ -240,7 +240,7 @@ TEST_F(Vme58Liar, ACommandErrorOfWhatAStopHasTakenBackIsNotTold) {
   lie = [&once](BusCycle& c) {
     if (c.offset == vme58::reg::status && std::exchange(once, false)) c.value |= vme58::status::command_error;
   };
-  EXPECT_EQ(perform(intent::Stop()).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Stop()).state, IntentState::done);
   EXPECT_FALSE(once);
   run(Seconds(1));
   EXPECT_EQ(told(), "");

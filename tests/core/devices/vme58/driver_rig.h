@@ -94,11 +94,12 @@ class Vme58Rig : public testing::Test {
     auto done = host->bench()->operate(command);
     EXPECT_TRUE(done) << done.error().sentence();
   }
-  IntentFate perform(IntentBody body, Duration patience = std::chrono::seconds(10)) {
+  IntentOutcome perform(IntentBody body, Duration patience = std::chrono::seconds(10)) {
     const IntentId id = session->send(std::move(body));
-    run_until([&] { return now().fate_of(id) && now().fate_of(id)->fate != Fate::pending; }, patience);
-    const IntentFate* fate = now().fate_of(id);
-    return fate ? *fate : IntentFate{};
+    run_until([&] { return now().outcome_of(id) && now().outcome_of(id)->state != IntentState::pending; },
+              patience);
+    const IntentOutcome* outcome = now().outcome_of(id);
+    return outcome ? *outcome : IntentOutcome{};
   }
   static Task<> ask_and_keep(std::shared_ptr<Session> s, std::string text, Result<std::string>& reply,
                              bool& came) {

@@ -24,7 +24,7 @@ class Vme58ServoPlace : public test::Vme58Rig {
   /// Its motor has no gains: the command goes, the encoder stays.
   void leave_behind() {
     give_motor();
-    ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).fate, Fate::done);
+    ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).state, IntentState::done);
     ASSERT_TRUE(becomes_idle());
   }
   static Task<> wait_and_keep(std::shared_ptr<Session> s, Result<>& result, bool& came) {
@@ -38,7 +38,7 @@ class Vme58ServoPlace : public test::Vme58Rig {
     EXPECT_TRUE(run_until([&] { return came; }, Seconds(40)));
     return result;
   }
-  IntentFate set(const char* name, std::int64_t hundredths, Closing closing = Closing::ask) {
+  IntentOutcome set(const char* name, std::int64_t hundredths, Closing closing = Closing::ask) {
     intent::SetParam wish(name, hundredths);
     wish.closing = closing;
     return perform(wish);
@@ -52,7 +52,7 @@ class Vme58FourStepAxes : public Vme58ServoPlace {
 
 TEST_F(Vme58ServoPlace, AServoThatDoesNotComeIsNotInPlaceTwoSecondsAfterItsCommandHasEnded) {
   give_motor();
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).state, IntentState::done);
   ASSERT_TRUE(
       run_until([this] { return axis(Y).command == Steps(5000) && axis(Y).speed.value == 0; }, Seconds(5)));
   const Instant command_ended = time.now();
@@ -93,7 +93,7 @@ TEST_F(Vme58ServoPlace, AMoveByTextIsWaitedForTheSameWay) {
 TEST_F(Vme58ServoPlace, ALoopThatWorksEndsItsMoveInPlace) {
   give_motor();
   ASSERT_TRUE(query("AY HN KP2 KD8"));
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(20000)}}, Pps{20000})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(20000)}}, Pps{20000})).state, IntentState::done);
   run(Millis(500));
   EXPECT_EQ(axis(Y).loop, Loop::following);
   EXPECT_NE(axis(Y).following_error(), Steps(0));
@@ -110,15 +110,15 @@ TEST_F(Vme58ServoPlace, ALoopThatWorksEndsItsMoveInPlace) {
 
 TEST_F(Vme58ServoPlace, TheDeadbandIsTheBoardsOwnWhereItIsSet) {
   give_motor();
-  ASSERT_EQ(set("HDY", 6000).fate, Fate::done);
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).fate, Fate::done);
+  ASSERT_EQ(set("HDY", 6000).state, IntentState::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).state, IntentState::done);
   EXPECT_TRUE(wait()) << "5000 counts are near enough for whoever says 6000";
   EXPECT_EQ(axis(Y).loop, Loop::in_place);
 }
 
 TEST_F(Vme58ServoPlace, OneThatComesLateHasCome) {
   operate(bench::Jam(AxisId{Y}, true));
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).state, IntentState::done);
   EXPECT_FALSE(wait());
   operate(bench::Jam(AxisId{Y}, false));
   run(Seconds(1));
@@ -130,14 +130,15 @@ TEST_F(Vme58ServoPlace, OneThatComesLateHasCome) {
 TEST_F(Vme58ServoPlace, OneThatOnlySettlesMayBeSentOn) {
   give_motor();
   for (int tap = 1; tap <= 3; ++tap) {
-    EXPECT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(20)}})).fate, Fate::done) << tap;
+    EXPECT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(20)}})).state, IntentState::done) << tap;
     run(Millis(100));
     EXPECT_EQ(axis(Y).activity, Activity::moving);
     EXPECT_EQ(axis(Y).command, Steps(20 * tap));
   }
-  EXPECT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(50000)}}, Pps{1000})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(50000)}}, Pps{1000})).state, IntentState::done);
   run(Millis(500));
-  EXPECT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(20)}})).fate, Fate::refused) << "its command moves";
+  EXPECT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(20)}})).state, IntentState::refused)
+      << "its command moves";
 }
 
 TEST_F(Vme58ServoPlace, AnAxisThatTracksGoesNowhereInParticular) {
@@ -152,7 +153,7 @@ TEST_F(Vme58ServoPlace, AnAxisThatTracksGoesNowhereInParticular) {
 
 TEST_F(Vme58ServoPlace, AStoppedAxisRestsByItsCommandAndShowsItsError) {
   give_motor();
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(50000)}}, Pps{5000})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(50000)}}, Pps{5000})).state, IntentState::done);
   run(Seconds(1));
   const Instant asked = time.now();
   session->send(intent::Stop());
@@ -195,17 +196,17 @@ TEST_F(Vme58ServoPlace, APushIsNoMotionAndIsSeen) {
 
 TEST_F(Vme58ServoPlace, AGainThatWouldDriveItThereIsAskedAbout) {
   leave_behind();
-  const IntentFate asked = set("KPY", 200);
-  EXPECT_EQ(asked.fate, Fate::refused);
+  const IntentOutcome asked = set("KPY", 200);
+  EXPECT_EQ(asked.state, IntentState::refused);
   EXPECT_TRUE(asked.asks);
   EXPECT_THAT(
       std::string(asked.sentence.view()),
       HasSubstr("The gains KP and KI of Y are 0, and its encoder stands 5000 counts from its command. "
                 "KPY = 2 drives the motor there at once. Nothing was sent."));
-  EXPECT_EQ(set("KDY", 800).fate, Fate::done) << "it damps, and drives nothing";
+  EXPECT_EQ(set("KDY", 800).state, IntentState::done) << "it damps, and drives nothing";
   run(Seconds(1));
   EXPECT_EQ(axis(Y).position, Steps(0));
-  EXPECT_EQ(set("KPY", 200, Closing::drive).fate, Fate::done);
+  EXPECT_EQ(set("KPY", 200, Closing::drive).state, IntentState::done);
   run(Seconds(3));
   EXPECT_NEAR(static_cast<double>(axis(Y).position.value), 5000, 10);
   EXPECT_FALSE(set("KPY", 300).asks) << "it is in place";
@@ -214,16 +215,16 @@ TEST_F(Vme58ServoPlace, AGainThatWouldDriveItThereIsAskedAbout) {
 TEST_F(Vme58ServoPlace, ThePresentPlaceBecomesItsCommandAndTheCountStaysTrue) {
   give_motor();
   ASSERT_TRUE(query("AY LP700"));
-  ASSERT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(5000)}}, Pps{20000})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveBy({{AxisId{Y}, Steps(5000)}}, Pps{20000})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
-  ASSERT_EQ(set("KDY", 800).fate, Fate::done);
-  EXPECT_EQ(set("KPY", 200, Closing::stay).fate, Fate::done);
+  ASSERT_EQ(set("KDY", 800).state, IntentState::done);
+  EXPECT_EQ(set("KPY", 200, Closing::stay).state, IntentState::done);
   EXPECT_EQ(axis(Y).command, Steps(700));
   run(Seconds(3));
   EXPECT_EQ(axis(Y).position, Steps(700)) << "it stays, and is counted as before";
   EXPECT_EQ(axis(Y).command, Steps(700));
   EXPECT_EQ(axis(Y).loop, Loop::in_place);
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(2700)}}, Pps{20000})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(2700)}}, Pps{20000})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
   EXPECT_NEAR(static_cast<double>(axis(Y).position.value), 2700, 10) << "its loop is closed";
 }
@@ -232,7 +233,7 @@ TEST_F(Vme58ServoPlace, MoreGainForAnAxisThatIsHeldIsAskedAbout) {
   give_motor();
   ASSERT_TRUE(query("AY HN KP2 KD8"));
   operate(bench::Jam(AxisId{Y}, true));
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).state, IntentState::done);
   run(Millis(500));
   EXPECT_FALSE(set("KPY", 210).asks) << "while it follows it may be tuned";
   ASSERT_TRUE(becomes_idle());
@@ -243,13 +244,13 @@ TEST_F(Vme58ServoPlace, MoreGainForAnAxisThatIsHeldIsAskedAbout) {
 
 TEST_F(Vme58ServoPlace, PowerOnFarFromItsCommandIsAskedAbout) {
   give_motor();
-  ASSERT_EQ(perform(intent::SetPower(Y, false)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetPower(Y, false)).state, IntentState::done);
   EXPECT_EQ(axis(Y).loop, Loop::open);
   operate(bench::Slip(AxisId{Y}, Steps(-3000)));
   run(Seconds(1));
   EXPECT_EQ(axis(Y).position, Steps(-3000));
   EXPECT_EQ(axis(Y).loop, Loop::open);
-  const IntentFate asked = perform(intent::SetPower(Y, true));
+  const IntentOutcome asked = perform(intent::SetPower(Y, true));
   EXPECT_TRUE(asked.asks);
   EXPECT_THAT(std::string(asked.sentence.view()),
               HasSubstr("The loop of Y is open, and its encoder stands 3000 counts from its command."));
@@ -257,7 +258,7 @@ TEST_F(Vme58ServoPlace, PowerOnFarFromItsCommandIsAskedAbout) {
   const int hold = session->catalog().find_action("hold");
   EXPECT_TRUE(perform(intent::Act(hold, {Y, 1})).asks) << "the same by another name";
   (void)lines();
-  EXPECT_EQ(perform(intent::SetPower(Y, true, Closing::stay)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::SetPower(Y, true, Closing::stay)).state, IntentState::done);
   EXPECT_THAT(lines(), testing::Contains(HasSubstr("LP-3000"))) << "whatever a board does with the error";
   run(Seconds(1));
   EXPECT_EQ(axis(Y).position, Steps(-3000));
@@ -278,11 +279,11 @@ TEST_F(Vme58ServoPlace, TypedTextGoesAsItIsTypedAndItIsSaid) {
 
 TEST_F(Vme58ServoPlace, HereIsZeroMakesTheEncoderReadZero) {
   leave_behind();
-  ASSERT_EQ(perform(intent::SetPosition(Y, Steps(100))).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetPosition(Y, Steps(100))).state, IntentState::done);
   EXPECT_EQ(axis(Y).position, Steps(100));
   EXPECT_EQ(axis(Y).command, Steps(5100)) << "the error is none of the counter's business";
-  ASSERT_EQ(perform(intent::SetPower(Y, false)).fate, Fate::done);
-  ASSERT_EQ(perform(intent::SetPosition(-1)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetPower(Y, false)).state, IntentState::done);
+  ASSERT_EQ(perform(intent::SetPosition(-1)).state, IntentState::done);
   EXPECT_EQ(axis(Y).position, Steps(0));
   EXPECT_EQ(axis(Y).command, Steps(0));
 }
@@ -301,7 +302,7 @@ TEST_F(Vme58ServoPlace, WhetherALoopIsClosedIsWhatTheBoardTells) {
 TEST_F(Vme58FourStepAxes, StepAxesStayAsTheyAre) {
   EXPECT_EQ(axis(Y).loop, Loop::none);
   operate(bench::Jam(AxisId{Y}, true));
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(axis(Y).position, Steps(5000));
   EXPECT_EQ(axis(Y).encoder, Steps(0));

@@ -16,7 +16,7 @@ class Vme58Speeds : public test::Vme58Rig {
     run(Seconds(3));
     return static_cast<std::int32_t>(peek(4, vme58::offset_of(i, vme58::AxisValue::maximum_velocity)));
   }
-  IntentFate step(std::uint8_t i, std::int64_t counts, Pps speed) {
+  IntentOutcome step(std::uint8_t i, std::int64_t counts, Pps speed) {
     return perform(intent::MoveBy({{AxisId{i}, Steps(counts)}}, speed));
   }
 };
@@ -29,8 +29,8 @@ TEST_F(Vme58Speeds, AJogGoesAtTheSpeedThatWasSetAMomentAgo) {
     EXPECT_NEAR(axis(i).speed.value, 500, 1) << name(i);
     perform(intent::Stop());
   }
-  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL700")).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL700")).state, IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   ASSERT_TRUE(run_until([this] { return now().program.run == RunState::idle; }, Seconds(5)));
   session->send(intent::JogStart(AxisId{0}, Sign::plus, Pps{}, false));
   run(Millis(300));
@@ -39,41 +39,41 @@ TEST_F(Vme58Speeds, AJogGoesAtTheSpeedThatWasSetAMomentAgo) {
 
 TEST_F(Vme58Speeds, TheSpeedOfAShortStepIsGivenBack) {
   for (std::uint8_t i = 0; i < 8; ++i)
-    ASSERT_EQ(perform(intent::SetParam("VL" + name(i), 100)).fate, Fate::done);
+    ASSERT_EQ(perform(intent::SetParam("VL" + name(i), 100)).state, IntentState::done);
   for (std::uint8_t i = 0; i < 8; ++i) {
-    EXPECT_EQ(step(i, 10, Pps{500}).fate, Fate::done);
+    EXPECT_EQ(step(i, 10, Pps{500}).state, IntentState::done);
     EXPECT_EQ(on_board(i), 100) << name(i);
   }
   ASSERT_TRUE(query("AX VL200"));
-  EXPECT_EQ(step(0, 10, Pps{500}).fate, Fate::done);
+  EXPECT_EQ(step(0, 10, Pps{500}).state, IntentState::done);
   EXPECT_EQ(on_board(0), 200) << "set a moment before";
 }
 
 TEST_F(Vme58Speeds, TheSpeedOfAStepIsGivenBackBehindALostLinkToo) {
   for (const bool anothers : {false, true}) {
-    ASSERT_EQ(perform(intent::SetParam("VLX", 2000)).fate, Fate::done);
-    EXPECT_EQ(step(0, 300, Pps{500}).fate, Fate::done);
+    ASSERT_EQ(perform(intent::SetParam("VLX", 2000)).state, IntentState::done);
+    EXPECT_EQ(step(0, 300, Pps{500}).state, IntentState::done);
     operate(bench::Unplug(true));
     ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, Seconds(20)));
     operate(bench::Unplug(false));
     ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(20)));
     if (anothers) {
-      ASSERT_EQ(perform(intent::SetParam("VLX", 700)).fate, Fate::done);
+      ASSERT_EQ(perform(intent::SetParam("VLX", 700)).state, IntentState::done);
     }
     EXPECT_EQ(on_board(0), anothers ? 700 : 2000);
   }
 }
 
 TEST_F(Vme58Speeds, WhatIsSetDuringAStepStays) {
-  ASSERT_EQ(step(0, 300, Pps{500}).fate, Fate::done);
-  ASSERT_EQ(perform(intent::SetParam("VLX", 5000)).fate, Fate::done);
+  ASSERT_EQ(step(0, 300, Pps{500}).state, IntentState::done);
+  ASSERT_EQ(perform(intent::SetParam("VLX", 5000)).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(on_board(0), 5000);
-  ASSERT_EQ(step(0, 300, Pps{500}).fate, Fate::done);
+  ASSERT_EQ(step(0, 300, Pps{500}).state, IntentState::done);
   ASSERT_TRUE(query("AX VL6000"));
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(on_board(0), 6000);
-  ASSERT_EQ(step(0, 300, Pps{500}).fate, Fate::done);
+  ASSERT_EQ(step(0, 300, Pps{500}).state, IntentState::done);
   ASSERT_TRUE(query("AA VL7000,8000;"));
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(on_board(0), 7000);
@@ -88,7 +88,7 @@ TEST_F(Vme58Speeds, WhatStillWaitsInAQueueIsGivenBackToo) {
     ASSERT_TRUE(query(text));
     run(Seconds(1));
     if (by_param) {
-      ASSERT_EQ(perform(intent::SetParam("VLX", 500)).fate, Fate::done);
+      ASSERT_EQ(perform(intent::SetParam("VLX", 500)).state, IntentState::done);
     }
     run(Millis(100));
     EXPECT_EQ(axis(0).own_speed.value, 500) << "of what comes next";
@@ -108,7 +108,7 @@ TEST_F(Vme58Speeds, WhatAStopHasTakenOutOfAQueueIsNotGivenBack) {
     run(Seconds(1));
     ASSERT_TRUE(query("AX MR3000 GO ID VL500"));
     run(Seconds(1));
-    EXPECT_EQ(step(0, 300, Pps{1500}).fate, Fate::done);
+    EXPECT_EQ(step(0, 300, Pps{1500}).state, IntentState::done);
     if (*how == 0)
       perform(intent::Stop());
     else
@@ -124,7 +124,7 @@ TEST_F(Vme58Speeds, WhatATextMovesBehindAStepGoesAtTheAxisOwnSpeed) {
   for (const char* text : {"AX MR100000 GO", "AA MR100000; GO", "AX LS2 MR50000 GO LE", "AX"}) {
     ASSERT_TRUE(query("AX VL1000 AC1000000"));
     run(Seconds(1));
-    EXPECT_EQ(step(0, 3000, Pps{3000}).fate, Fate::done);
+    EXPECT_EQ(step(0, 3000, Pps{3000}).state, IntentState::done);
     ASSERT_TRUE(query("AX RP"));
     ASSERT_TRUE(query(text));
     run(Millis(100));
@@ -144,7 +144,7 @@ TEST_F(Vme58Speeds, WhatATextMovesBehindAStepGoesAtTheAxisOwnSpeed) {
 TEST_F(Vme58Speeds, AStepThatIsStoppedBeforeTheTextBehindItGivesItsSpeedBack) {
   ASSERT_TRUE(query("AX VL1000 AC1000000"));
   run(Seconds(1));
-  EXPECT_EQ(step(0, 30000, Pps{3000}).fate, Fate::done);
+  EXPECT_EQ(step(0, 30000, Pps{3000}).state, IntentState::done);
   ASSERT_TRUE(query("AX MR100000 GO"));
   run(Millis(400));
   perform(intent::Stop());
@@ -163,9 +163,9 @@ TEST_F(Vme58Speeds, AJogBehindASpeedThatStillWaitsGoesAtThat) {
 
 TEST_F(Vme58Speeds, WhatComesRightBehindAStopGoesAtTheAxisOwnSpeed) {
   ASSERT_TRUE(query("AX VL2000 AC100000"));
-  ASSERT_EQ(perform(intent::LoadProgram(0, "AX MR100000 GO")).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX MR100000 GO")).state, IntentState::done);
   const auto behind_a_stop = [this](IntentBody body) {
-    EXPECT_EQ(step(0, 100000, Pps{20000}).fate, Fate::done);
+    EXPECT_EQ(step(0, 100000, Pps{20000}).state, IntentState::done);
     run(Millis(500));
     session->send(intent::Stop());
     session->send(std::move(body));

@@ -33,7 +33,7 @@ TEST_F(Vme58Stops, AJogBesideAnothersCommandErrorDoesNotOutliveItsHand) {
     run(Millis(before_ms));
     const IntentId jog = session->send(intent::JogStart(AxisId{0}, Sign::plus));
     hold_jog(9);
-    failed += now().fate_of(jog)->fate == Fate::failed;
+    failed += now().outcome_of(jog)->state == IntentState::failed;
     EXPECT_NE(axis(0).ended_by, EndedBy::elsewhere);
     session->send(intent::JogStop());
     run(Seconds(1));
@@ -49,11 +49,11 @@ constexpr const char* there_and_back = "MT20000,20000; GO\nMT0,0; GO\nMT20000,20
 TEST_F(Vme58Stops, OneAxisOfAProgramIsStoppedForGood) {
   for (const char* mode : {"AA", "AM"}) {
     const std::string text = std::string(mode) + " VL20000,20000; AC100000,100000;\n" + there_and_back;
-    ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
-    ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+    ASSERT_EQ(perform(intent::LoadProgram(0, text)).state, IntentState::done);
+    ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
     run(Millis(500));
     ASSERT_EQ(axis(0).activity, Activity::moving);
-    EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+    EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done);
     expect_stays(0);
     EXPECT_EQ(now().program.run, RunState::idle);
     EXPECT_THAT(told(), HasSubstr("all axes were stopped"));
@@ -66,11 +66,11 @@ TEST_F(Vme58Stops, TypedItEndsTheProgramThatIsStillFed) {
   std::string text = "AX VL1000 AC10000\n";
   for (int i = 0; i < 200; ++i) text += "MR200 GO\n";
   for (const char* stop : {"SA", "KL", "AX ST"}) {
-    ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
-    ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+    ASSERT_EQ(perform(intent::LoadProgram(0, text)).state, IntentState::done);
+    ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
     run(Millis(1500));
     ASSERT_EQ(now().program.run, RunState::running);
-    EXPECT_EQ(perform(intent::SendText(stop)).fate, Fate::done) << stop;
+    EXPECT_EQ(perform(intent::SendText(stop)).state, IntentState::done) << stop;
     ASSERT_TRUE(becomes_idle()) << stop;
     expect_stays(0);
     EXPECT_EQ(now().program.run, RunState::idle) << stop;
@@ -80,10 +80,10 @@ TEST_F(Vme58Stops, TypedItEndsTheProgramThatIsStillFed) {
 TEST_F(Vme58Stops, OneAxisThatATextMovesWithOthersIsStoppedForGood) {
   ASSERT_TRUE(query(std::string("AA VL20000,20000; AC100000,100000; ") + there_and_back));
   run(Millis(500));
-  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done);
   expect_stays(0);
   ASSERT_TRUE(query("AM WT1000; MR500,500; GO"));
-  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done) << "it waits in the queue";
+  EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done) << "it waits in the queue";
   expect_stays(0);
 }
 
@@ -94,7 +94,7 @@ TEST_F(Vme58Stops, OneAxisThatATextMovedBeforeTheLinkWasLostIsStoppedForGood) {
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::lost; }, Seconds(20)));
   operate(bench::Unplug(false));
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(20)));
-  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done);
   expect_stays(0);
 }
 
@@ -106,14 +106,14 @@ TEST_F(Vme58Stops, OneAxisThatAnEarlierTextHasPreparedIsStoppedForGood) {
       run(Seconds(1));
       ASSERT_TRUE(query(std::string("WT1500 ") + go));
       run(Millis(500));
-      EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+      EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done);
       expect_stays(0);
     }
-  ASSERT_EQ(perform(intent::LoadProgram(0, "AA MR3000,3000;")).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AA MR3000,3000;")).state, IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
   ASSERT_TRUE(query("AA WT1500 GO"));
-  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done);
   expect_stays(0);
 }
 
@@ -125,7 +125,7 @@ TEST_F(Vme58Stops, OneAxisStopsAloneAfterAContour) {
     run(Seconds(2));
     for (const std::uint8_t i : {0, 1}) perform(intent::MoveBy({{AxisId{i}, Steps(100000)}}, Pps{2000}));
     run(Millis(500));
-    EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+    EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done);
     EXPECT_EQ(axis(0).activity, Activity::idle) << end;
     EXPECT_EQ(axis(1).activity, Activity::moving) << end;
     perform(intent::Stop());
@@ -137,7 +137,7 @@ TEST_F(Vme58Stops, OneAxisOfItsOwnStopsAlone) {
   perform(intent::MoveBy({{AxisId{1}, Steps(100000)}}, Pps{2000}));
   ASSERT_TRUE(query("AX VL2000 MR5000 GO MR-5000 GO AA MR,,5000,5000; GO AM WT500; MR,,,,100; GO"));
   run(Millis(500));
-  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done);
   expect_stays(0, Seconds(1));
   EXPECT_EQ(axis(1).activity, Activity::moving);
   EXPECT_GT(axis(2).position, Steps(0));
@@ -166,7 +166,7 @@ TEST_F(Vme58Stops, WhatBeginsBehindAJogGoesOnWhenThatIsLetGo) {
   session->send(intent::SendText("AY MR6000 GO AA CV3000 CD0,0; MT3000,3000; CK CX"));  // waits for both axes
   hold_jog(1);
   (void)told();
-  EXPECT_EQ(perform(intent::JogStop()).fate, Fate::done);
+  EXPECT_EQ(perform(intent::JogStop()).state, IntentState::done);
   run(Millis(100));
   EXPECT_EQ(axis(0).activity, Activity::moving) << "and jogs no more";
   ASSERT_TRUE(becomes_idle());
@@ -204,7 +204,7 @@ TEST_F(Vme58Stops, ATypedOneGoesPastAFullQueueAndWhatWaits) {
       if (asked)
         EXPECT_TRUE(query(stop));
       else
-        EXPECT_EQ(perform(intent::SendText(stop)).fate, Fate::done);
+        EXPECT_EQ(perform(intent::SendText(stop)).state, IntentState::done);
       EXPECT_LT(time.now() - then, Millis(50)) << stop;
       run(Millis(150));
       const bool kills = std::string_view(stop) == "KL";
@@ -221,7 +221,7 @@ TEST_F(Vme58Stops, ATypedOneOfOneAxisLeavesTheOthers) {
   ASSERT_TRUE(query("AX VL20000 AC40000 MR1000000 GO AY VL20000 AC40000 MR1000000 GO"));
   run(Seconds(1));
   for (int i = 0; i < 5; ++i) session->send(intent::SendText("AX RP AY RP"));
-  EXPECT_EQ(perform(intent::SendText("AX ST")).fate, Fate::done);
+  EXPECT_EQ(perform(intent::SendText("AX ST")).state, IntentState::done);
   run(Seconds(1));
   expect_stays(0, Seconds(1));
   EXPECT_NEAR(axis(1).speed.value, 20000, 1);
@@ -243,7 +243,7 @@ TEST_F(Vme58SlowBusStops, ATypedOneSelectsWhatItSaysWhateverItOvertakes) {
       ASSERT_TRUE(query("AZ"));
       session->send(intent::SendText("AY MR10000 GO AZ"));
       run(std::chrono::microseconds(after_us));
-      EXPECT_EQ(perform(intent::SendText(stop)).fate, Fate::done);
+      EXPECT_EQ(perform(intent::SendText(stop)).state, IntentState::done);
       run(Millis(50));
       const Steps x = axis(0).position, y = axis(1).position, z = axis(2).position;
       ASSERT_TRUE(query("MR100 GO"));
@@ -285,8 +285,8 @@ TEST_F(Vme58SlowBusStops, BehindOneTheBoardAndTheConsoleStandAtTheSameAxis) {
 
 TEST_F(Vme58Stops, ATypedOneOfAllLeavesARecordingOpen) {
   ASSERT_TRUE(query("AA VL5000,5000; CV1000 CD0,0; MT1000,1000;"));
-  EXPECT_EQ(perform(intent::SendText("SA")).fate, Fate::done);
-  EXPECT_NE(perform(intent::SetOutput(8, true)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::SendText("SA")).state, IntentState::done);
+  EXPECT_NE(perform(intent::SetOutput(8, true)).state, IntentState::done);
   ASSERT_TRUE(query("CK CX"));
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(axis(0).position, Steps(1000));
@@ -298,7 +298,7 @@ TEST_F(Vme58Stops, ATypedOneOfAllLeavesARecordingOpen) {
 TEST_F(Vme58Stops, ARecordingEndsOnTheBoardToo) {
   ASSERT_TRUE(query("AA VL5000,5000; CV1000 CD0,0; MT1000,1000;"));
   session->send(intent::Stop());
-  EXPECT_EQ(perform(intent::SetOutput(8, true)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::SetOutput(8, true)).state, IntentState::done);
   EXPECT_EQ(peek(1, vme58::reg::io_high) & 1, 0u);
   ASSERT_TRUE(query("CD0,0; MT1000,1000;"));
   session->send(intent::Stop());

@@ -100,7 +100,7 @@ TEST_F(Vme58Driver, AJogWithoutASpeedGoesAtTheOneThatIsShown) {
 }
 
 TEST_F(Vme58Driver, MovesOneAxisToItsTarget) {
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{1}, Steps(4000)}}, Pps{2000})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{1}, Steps(4000)}}, Pps{2000})).state, IntentState::done);
   EXPECT_EQ(axis(1).activity, Activity::moving);
   EXPECT_TRUE(axis(1).has_target);
   ASSERT_TRUE(becomes_idle());
@@ -115,8 +115,9 @@ TEST_F(Vme58Driver, MovesOneAxisToItsTarget) {
 
 TEST_F(Vme58Driver, MovesSeveralAxesTogetherAndKeepsTheUsersAxis) {
   ASSERT_TRUE(query("AZ"));
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(40000)}, {AxisId{7}, Steps(-20000)}}, Pps{20000})).fate,
-            Fate::done);
+  EXPECT_EQ(
+      perform(intent::MoveTo({{AxisId{0}, Steps(40000)}, {AxisId{7}, Steps(-20000)}}, Pps{20000})).state,
+      IntentState::done);
   run(Seconds(1));
   EXPECT_NEAR(static_cast<double>(axis(0).position.value), -2.0 * static_cast<double>(axis(7).position.value),
               4);
@@ -164,7 +165,7 @@ TEST_F(Vme58SlowBoard, TextThatTheBoardTakesBehindTheMailDoesNotMoveBehindTheSto
 }
 
 TEST_F(Vme58Driver, AbortKillsAllWithoutARamp) {
-  ASSERT_EQ(perform(intent::SetParam("ACX", 1000)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetParam("ACX", 1000)).state, IntentState::done);
   perform(intent::MoveTo({{AxisId{0}, Steps(100000)}}, Pps{5000}));
   run(Seconds(6));
   session->send(intent::Abort());
@@ -214,8 +215,8 @@ TEST_F(Vme58Driver, HomesToTheEdgeAndComesBackToIt) {
   place.home_from = Steps(5000);
   place.home_to = Steps(5400);
   operate(bench::Place(AxisId{0}, place));
-  ASSERT_EQ(perform(intent::SetParam("VLX", 2000)).fate, Fate::done);
-  ASSERT_EQ(perform(intent::Home(AxisId{0}, Sign::plus, 1)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetParam("VLX", 2000)).state, IntentState::done);
+  ASSERT_EQ(perform(intent::Home(AxisId{0}, Sign::plus, 1)).state, IntentState::done);
   EXPECT_EQ(axis(0).activity, Activity::homing);
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(axis(0).position, Steps(0));
@@ -228,7 +229,7 @@ TEST_F(Vme58Driver, ALimitSwitchEndsTheMoveAndIsShownOnItsSide) {
   place.plus = Steps(3000);
   place.minus = Steps(-3000);
   operate(bench::Place(AxisId{0}, place));
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(-9000)}}, Pps{2000})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(-9000)}}, Pps{2000})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(axis(0).ended_by, EndedBy::limit);
   run(Seconds(1));
@@ -244,7 +245,7 @@ TEST_F(Vme58Driver, ParametersAreReadFromTheDataArea) {
   };
   EXPECT_EQ(value("VLX"), vme58::default_velocity);
   EXPECT_EQ(value("ACS"), vme58::default_acceleration);
-  ASSERT_EQ(perform(intent::SetParam("KPX", 1250)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetParam("KPX", 1250)).state, IntentState::done);
   EXPECT_EQ(value("KPX"), 1250) << "12.5; the board shows 12";
   EXPECT_EQ(peek(4, vme58::offset_of(0, vme58::AxisValue::proportional_gain)), 12u);
   ASSERT_TRUE(query("AX KP7"));
@@ -267,7 +268,7 @@ TEST_F(Vme58Driver, AFreshSessionDoesNotShowPartOfAGainForAllOfIt) {
     ASSERT_TRUE(run_until([&] { return now().link.state == LinkState::good; }, Seconds(20)));
     run(Seconds(3));
   };
-  ASSERT_EQ(perform(intent::SetParam("KPX", 1200)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetParam("KPX", 1200)).state, IntentState::done);
   come_back();
   EXPECT_EQ(gain("KPX"), 1200);
   ASSERT_TRUE(query("AX KP12.5"));
@@ -276,21 +277,21 @@ TEST_F(Vme58Driver, AFreshSessionDoesNotShowPartOfAGainForAllOfIt) {
   come_back();
   EXPECT_EQ(gain("KPX"), std::nullopt) << "12 and nobody knows what more";
   EXPECT_NE(gain("VLX"), std::nullopt);
-  ASSERT_EQ(perform(intent::SetParam("KPX", 300)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetParam("KPX", 300)).state, IntentState::done);
   run(Seconds(3));
   EXPECT_EQ(gain("KPX"), 300) << "said by this one";
-  ASSERT_EQ(perform(intent::Reset()).fate, Fate::done);
+  ASSERT_EQ(perform(intent::Reset()).state, IntentState::done);
   run(Seconds(3));
   EXPECT_EQ(gain("KDX"), 0) << "as from the factory";
 }
 
 TEST_F(Vme58Driver, OutputsGoByTheMakersNumbers) {
-  ASSERT_EQ(perform(intent::SetOutput(8, true)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetOutput(8, true)).state, IntentState::done);
   EXPECT_EQ(peek(1, vme58::reg::io_high) & 1, 0u) << "on is low";
-  ASSERT_EQ(perform(intent::SetOutput(8, false)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetOutput(8, false)).state, IntentState::done);
   EXPECT_EQ(peek(1, vme58::reg::io_high) & 1, 1u);
-  EXPECT_EQ(perform(intent::SetOutput(0, true)).fate, Fate::refused) << "an input";
-  ASSERT_EQ(perform(intent::SetOutput(14, false)).fate, Fate::done) << "auxiliary of X";
+  EXPECT_EQ(perform(intent::SetOutput(0, true)).state, IntentState::refused) << "an input";
+  ASSERT_EQ(perform(intent::SetOutput(14, false)).state, IntentState::done) << "auxiliary of X";
   operate(bench::Input(3, true));
   run(Seconds(1));
   EXPECT_EQ(now().inputs & 0x7u, 0x3u) << "line 2 is low";
@@ -311,10 +312,10 @@ TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
   EXPECT_THAT(told(), HasSubstr("switched off and on"));
   EXPECT_TRUE(axis(0).trust.doubtful()) << "0 wherever the motor stands";
   intent::MoveTo once({{AxisId{0}, Steps(200)}});
-  EXPECT_EQ(perform(once).fate, Fate::refused);
+  EXPECT_EQ(perform(once).state, IntentState::refused);
   EXPECT_EQ(axis(0).position, Steps(0));
   once.despite_doubt = true;
-  EXPECT_EQ(perform(once).fate, Fate::done);
+  EXPECT_EQ(perform(once).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(axis(0).position, Steps(200));
   EXPECT_TRUE(axis(0).trust.doubtful()) << "a move tells nothing";
@@ -323,10 +324,10 @@ TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
 }
 
 TEST_F(Vme58Driver, PositionsAreDoubtfulAfterAResetUntilTheyAreSetOrHomed) {
-  ASSERT_EQ(perform(intent::Reset()).fate, Fate::done);
+  ASSERT_EQ(perform(intent::Reset()).state, IntentState::done);
   EXPECT_EQ(axis(0).trust.cause, Doubt::reset) << "the console's own";
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(10)));
-  ASSERT_EQ(perform(intent::SetPosition(0, Steps(100))).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetPosition(0, Steps(100))).state, IntentState::done);
   EXPECT_FALSE(axis(0).trust.doubtful());
   EXPECT_TRUE(axis(1).trust.doubtful());
   ASSERT_TRUE(query("AY LP0"));
@@ -339,7 +340,8 @@ TEST_F(Vme58Driver, AJogThatIsRejectedStopsNothingElse) {
   perform(intent::SendText("AY HF"));
   perform(intent::MoveBy({{AxisId{0}, Steps(20000)}}, Pps(5000)));
   run(Millis(300));
-  EXPECT_EQ(perform(intent::JogStart(AxisId{1}, Sign::plus)).fate, Fate::failed) << "its loop is open";
+  EXPECT_EQ(perform(intent::JogStart(AxisId{1}, Sign::plus)).state, IntentState::failed)
+      << "its loop is open";
   perform(intent::JogStop());
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(axis(0).ended_by, EndedBy::target);
@@ -358,21 +360,21 @@ TEST_F(Vme58Driver, ALostLinkEndsARecordingAndAProgramThatIsFed) {
   run(Seconds(1));
   reconnect();
   EXPECT_THAT(told(), HasSubstr("The contour that was being recorded is gone with the connection"));
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
   std::string text = "AX VL20000 AC1000000\n";
   for (int i = 0; i < 600; ++i) text += "MR10 GO\n";
-  ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, text)).state, IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   run(Millis(300));
   ASSERT_TRUE(now().feed.running);
   reconnect();
   EXPECT_FALSE(now().feed.running);
-  EXPECT_EQ(perform(intent::SendText("AA CD100,100; CE")).fate, Fate::done);
+  EXPECT_EQ(perform(intent::SendText("AA CD100,100; CE")).state, IntentState::done);
 }
 
 TEST_F(Vme58Driver, AHomingThatNeverBeganTakesNoDoubtAway) {
-  ASSERT_EQ(perform(intent::Reset()).fate, Fate::done);
+  ASSERT_EQ(perform(intent::Reset()).state, IntentState::done);
   ASSERT_TRUE(run_until([this] { return axis(0).trust.doubtful(); }, Seconds(10)));
   ASSERT_TRUE(run_until([this] { return now().link.state == LinkState::good; }, Seconds(10)));
   perform(intent::SendText("AX WT3000 HM0"));
@@ -381,7 +383,7 @@ TEST_F(Vme58Driver, AHomingThatNeverBeganTakesNoDoubtAway) {
   run(Seconds(5));
   EXPECT_TRUE(axis(0).trust.doubtful()) << "stopped while it waited in the queue";
   perform(intent::SendText("AZ HF"));
-  EXPECT_EQ(perform(intent::Home(AxisId{2}, Sign::plus, 0)).fate, Fate::failed) << "its loop is open";
+  EXPECT_EQ(perform(intent::Home(AxisId{2}, Sign::plus, 0)).state, IntentState::failed) << "its loop is open";
   perform(intent::SendText("AY MR100 GO"));
   ASSERT_TRUE(becomes_idle());
   run(Seconds(2));
@@ -400,9 +402,9 @@ TEST_F(Vme58Driver, AProgramIsFedCommandByCommandAndEndsWhenAllRests) {
   ASSERT_EQ(
       perform(intent::LoadProgram(
                   0, "AX VL10000 AC100000\n# there and back\nLS3 MR1000 GO MR-1000 GO LE\nAY MA500 GO ID\n"))
-          .fate,
-      Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+          .state,
+      IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   EXPECT_EQ(now().program.run, RunState::running);
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(now().program.ended_by, EndedBy::target);
@@ -413,14 +415,15 @@ TEST_F(Vme58Driver, AProgramIsFedCommandByCommandAndEndsWhenAllRests) {
 TEST_F(Vme58Driver, AProgramThatIsLongerThanTheQueueIsFedAsThereIsRoom) {
   std::string text = "AX VL20000 AC1000000\n";
   for (int i = 0; i < 300; ++i) text += "MR10 GO\n";
-  ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, text)).state, IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(Seconds(120)));
   EXPECT_EQ(axis(0).position, Steps(3000));
 }
 
 TEST_F(Vme58Driver, AProgramWithARejectedCommandStopsAndNamesTheLine) {
-  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL1000 MR100000 GO\nAY\nLE\nAZ MR500 GO\n")).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL1000 MR100000 GO\nAY\nLE\nAZ MR500 GO\n")).state,
+            IntentState::done);
   perform(intent::RunProgram(0));
   ASSERT_TRUE(becomes_idle());
   EXPECT_THAT(told(), HasSubstr("Line 3: the board rejected \"LE\""));
@@ -431,8 +434,8 @@ TEST_F(Vme58Driver, AProgramWithARejectedCommandStopsAndNamesTheLine) {
 TEST_F(Vme58Driver, ATextWhileAProgramIsFedLeavesTheProgramItsAxis) {
   std::string text = "AY LP0 VL1000 AC100000\n";
   for (int i = 0; i < 4; ++i) text += "MR300 GO ID WQ\n";
-  ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, text)).state, IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   run(Millis(400));
   ASSERT_TRUE(now().feed.running);
   (void)query("AX RP");
@@ -447,8 +450,8 @@ TEST_F(Vme58Driver, ATextWhileAProgramIsFedLeavesTheProgramItsAxis) {
 TEST_F(Vme58Driver, AQueryBetweenTwoPartsOfAProgramIsAnswered) {
   std::string text = "AY LP0 VL20000 AC1000000\n";
   for (int i = 0; i < 300; ++i) text += "MR10 GO\n";
-  ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, text)).state, IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   for (int i = 0; i < 20 && now().feed.running; ++i) (void)query("AX RP");
   ASSERT_TRUE(becomes_idle(Seconds(120)));
   EXPECT_EQ(axis(1).position, Steps(3000));
@@ -457,8 +460,9 @@ TEST_F(Vme58Driver, AQueryBetweenTwoPartsOfAProgramIsAnswered) {
 }
 
 TEST_F(Vme58Driver, AContourOfTheUsersIsNotBegunWhileAProgramIsFed) {
-  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL1000 MR1000 GO ID WQ\nMR-500 GO ID\n")).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL1000 MR1000 GO ID WQ\nMR-500 GO ID\n")).state,
+            IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   run(Millis(300));
   ASSERT_TRUE(now().feed.running);
   const auto refused = query("AA CV1000 CD0,0;");
@@ -470,10 +474,10 @@ TEST_F(Vme58Driver, AContourOfTheUsersIsNotBegunWhileAProgramIsFed) {
 
 TEST_F(Vme58Driver, AMoveOfAnOpenServoLoopSaysHowItIsClosed) {
   ASSERT_TRUE(query("AX HF"));
-  const IntentFate fate = perform(intent::MoveBy({{AxisId{0}, Steps(100)}}));
-  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("servo loop of axis X is open"));
-  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("HN"));
-  ASSERT_EQ(perform(intent::LoadProgram(0, "AX MR100 GO ID\n")).fate, Fate::done);
+  const IntentOutcome outcome = perform(intent::MoveBy({{AxisId{0}, Steps(100)}}));
+  EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("servo loop of axis X is open"));
+  EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("HN"));
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX MR100 GO ID\n")).state, IntentState::done);
   perform(intent::RunProgram(0));
   ASSERT_TRUE(becomes_idle());
   EXPECT_THAT(told(), HasSubstr("servo loop of axis X is open"));
@@ -484,9 +488,9 @@ TEST_F(Vme58Driver, AContourIsCutByAProgram) {
       perform(intent::LoadProgram(0,
                                   "AA\nCV20000\nCD,,0,0;\nAN0;\nCR0,5000,3.1415926\nCR0,0,6.2831853\nAF0;\n"
                                   "MT-10,10000\nCE\nMT,,-1000,0; GO\nCX\n"))
-          .fate,
-      Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+          .state,
+      IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   std::int64_t lowest = 0, highest = 0;
   ASSERT_TRUE(run_until(
       [&] {
@@ -498,16 +502,17 @@ TEST_F(Vme58Driver, AContourIsCutByAProgram) {
   EXPECT_EQ(now().program.ended_by, EndedBy::target);
   EXPECT_NEAR(static_cast<double>(lowest), -10000, 60);
   EXPECT_NEAR(static_cast<double>(highest), 10000, 60);
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{2}, Steps(0)}})).fate, Fate::done) << "the recording has ended";
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{2}, Steps(0)}})).state, IntentState::done)
+      << "the recording has ended";
 }
 
 TEST_F(Vme58Driver, WhileAContourIsRecordedTheConsoleSaysNothingOfItsOwn) {
   ASSERT_TRUE(query("AA CV1000 CD0,0;"));
-  const IntentFate fate = perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));
-  EXPECT_EQ(fate.fate, Fate::refused);
-  EXPECT_THAT(std::string(fate.sentence.view()), HasSubstr("contour is being recorded"));
+  const IntentOutcome outcome = perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));
+  EXPECT_EQ(outcome.state, IntentState::refused);
+  EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("contour is being recorded"));
   ASSERT_TRUE(query("MT100,0 CE"));
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).state, IntentState::done);
 }
 
 TEST_F(Vme58Driver, TheWindowsImageAndQueuesAreThereForWhoLooks) {
@@ -575,7 +580,7 @@ TEST_F(Vme58Driver4s4, ItsStepAxesHaveNoEncoderAndNoGains) {
   EXPECT_FALSE(axis(4).has_encoder);
   EXPECT_GE(session->catalog().find_param("KPX"), 0);
   EXPECT_LT(session->catalog().find_param("KPU"), 0);
-  EXPECT_EQ(perform(intent::SetPower(4, false)).fate, Fate::refused);
+  EXPECT_EQ(perform(intent::SetPower(4, false)).state, IntentState::refused);
 }
 
 // KL ends the pulses; a step motor goes on by its mass, a servo motor's encoder counts that.
@@ -583,18 +588,18 @@ TEST_F(Vme58Driver4s4, KilledAtSpeedAStepAxisMayStandElsewhere) {
   const auto kill_at = [this](double speed) {
     for (const std::uint8_t i : {0, 4}) perform(intent::JogStart(AxisId{i}, Sign::plus, Pps{speed}, false));
     run(Millis(500));
-    EXPECT_EQ(perform(intent::Abort()).fate, Fate::done);
+    EXPECT_EQ(perform(intent::Abort()).state, IntentState::done);
     ASSERT_TRUE(becomes_idle());
   };
-  ASSERT_EQ(perform(intent::SetParam("VBU", 2000, true)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetParam("VBU", 2000, true)).state, IntentState::done);
   kill_at(1000);
   EXPECT_FALSE(axis(4).trust.doubtful()) << "so fast it may start without a ramp, so it may stop";
   kill_at(5000);
   EXPECT_EQ(axis(4).trust.cause, Doubt::killed);
   EXPECT_FALSE(axis(0).trust.doubtful());
   EXPECT_THAT(told(), HasSubstr("Axis U was stopped without a ramp at 5000 counts/s. Above 2000 (VB)"));
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{4}, Steps(0)}})).fate, Fate::refused);
-  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}})).fate, Fate::done);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{4}, Steps(0)}})).state, IntentState::refused);
+  EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}})).state, IntentState::done);
 }
 
 }  // namespace

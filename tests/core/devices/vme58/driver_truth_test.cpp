@@ -39,7 +39,7 @@ class Vme58Truth : public test::Vme58Rig {
     operate(bench::Limit(AxisId{0}, side, on));
     run(Millis(300));
   }
-  IntentFate move_by(std::int64_t counts, Pps speed = Pps{2000}) {
+  IntentOutcome move_by(std::int64_t counts, Pps speed = Pps{2000}) {
     return perform(intent::MoveBy({{AxisId{0}, Steps(counts)}}, speed));
   }
 };
@@ -103,8 +103,8 @@ TEST_F(Vme58Truth, AJogSlowerThanOneCountASecondTurnsUntilItIsStopped) {
 }
 
 TEST_F(Vme58Truth, AProgramThatLeavesASlowJogRunsOn) {
-  ASSERT_EQ(perform(intent::LoadProgram(0, "AX JF0.25")).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX JF0.25")).state, IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   EXPECT_THAT(wait(Seconds(5)).reason, HasSubstr("still not idle"));
   session->send(intent::Stop());
   run(Seconds(1));
@@ -122,16 +122,16 @@ TEST_F(Vme58Truth, WhatAStopHasEmptiedIsNotWaitedFor) {
 
 TEST_F(Vme58Truth, AMoveThatAResetByTextEndsIsLost) {
   ASSERT_TRUE(query("AX VL10000 AC100000"));
-  ASSERT_EQ(move_by(100000, Pps{}).fate, Fate::done);
+  ASSERT_EQ(move_by(100000, Pps{}).state, IntentState::done);
   run(Millis(500));
-  const IntentFate fate = perform(intent::SendText("RS"));
-  EXPECT_EQ(fate.fate, Fate::done) << fate.sentence.view();
+  const IntentOutcome outcome = perform(intent::SendText("RS"));
+  EXPECT_EQ(outcome.state, IntentState::done) << outcome.sentence.view();
   EXPECT_NE(wait().reason, "");
   run(Seconds(3));
   EXPECT_THAT(wait().reason, HasSubstr("Axis X was lost sight of while it moved"));
   EXPECT_EQ(axis().ended_by, EndedBy::lost);
   EXPECT_EQ(now().restarts, 1u);
-  ASSERT_EQ(move_by(100).fate, Fate::done);
+  ASSERT_EQ(move_by(100).state, IntentState::done);
   EXPECT_EQ(wait().reason, "");
 }
 
@@ -139,8 +139,8 @@ TEST_F(Vme58Truth, AProgramThatAResetEndsIsLost) {
   for (const bool moves : {true, false})
     for (const bool by_text : {false, true}) {
       const std::string text = moves ? "AX VL10000 WT2000 MR100000 GO" : "AX WT2000 BL8";
-      ASSERT_EQ(perform(intent::LoadProgram(0, text)).fate, Fate::done);
-      ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+      ASSERT_EQ(perform(intent::LoadProgram(0, text)).state, IntentState::done);
+      ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
       run(Millis(500));
       if (by_text)
         perform(intent::SendText("RS"));
@@ -150,7 +150,7 @@ TEST_F(Vme58Truth, AProgramThatAResetEndsIsLost) {
       run(Seconds(3));
       EXPECT_EQ(now().program.ended_by, EndedBy::lost);
       EXPECT_NE(wait().reason, "");
-      ASSERT_EQ(move_by(100).fate, Fate::done);
+      ASSERT_EQ(move_by(100).state, IntentState::done);
       EXPECT_EQ(wait().reason, "") << "that was the program, not this";
     }
 }
@@ -158,9 +158,9 @@ TEST_F(Vme58Truth, AProgramThatAResetEndsIsLost) {
 // ---- gentle ramps
 
 TEST_F(Vme58Truth, AMoveSoGentleThatNothingShowsAtFirstIsNotSaidToBeStopped) {
-  ASSERT_EQ(perform(intent::SetParam("ACX", 1)).fate, Fate::done);
-  ASSERT_EQ(perform(intent::SetParam("VLX", 1)).fate, Fate::done);
-  ASSERT_EQ(move_by(5, Pps{}).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetParam("ACX", 1)).state, IntentState::done);
+  ASSERT_EQ(perform(intent::SetParam("VLX", 1)).state, IntentState::done);
+  ASSERT_EQ(move_by(5, Pps{}).state, IntentState::done);
   const Waited waited = wait(Seconds(30));
   EXPECT_EQ(waited.reason, "");
   EXPECT_GT(waited.took, Seconds(5));
@@ -169,15 +169,15 @@ TEST_F(Vme58Truth, AMoveSoGentleThatNothingShowsAtFirstIsNotSaidToBeStopped) {
 }
 
 TEST_F(Vme58Truth, TheShortWayOfAStraightLineEndsWithTheLongOne) {
-  ASSERT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(20000)}, {AxisId{1}, Steps(2)}}, Pps{4000})).fate,
-            Fate::done);
+  ASSERT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(20000)}, {AxisId{1}, Steps(2)}}, Pps{4000})).state,
+            IntentState::done);
   EXPECT_EQ(wait().reason, "");
   EXPECT_EQ(axis(0).ended_by, EndedBy::target);
   EXPECT_EQ(axis(1).ended_by, EndedBy::target);
 }
 
 TEST_F(Vme58Truth, AMoveThatAnotherProgramStopsIsSaidToBeStopped) {
-  ASSERT_EQ(move_by(100000).fate, Fate::done);
+  ASSERT_EQ(move_by(100000).state, IntentState::done);
   run(Seconds(1));
   ASSERT_TRUE(query("SA"));
   EXPECT_THAT(wait().reason, HasSubstr("somebody else"));
@@ -187,17 +187,17 @@ TEST_F(Vme58Truth, AMoveThatIsRejectedLeavesATypedJogAsItIs) {
   ASSERT_TRUE(query("AX JG5000"));
   run(Seconds(1));
   ASSERT_EQ(axis().activity, Activity::moving);
-  EXPECT_EQ(move_by(1000).fate, Fate::failed);
+  EXPECT_EQ(move_by(1000).state, IntentState::failed);
   run(Millis(500));
   EXPECT_EQ(axis().activity, Activity::moving) << "it goes on";
-  EXPECT_EQ(perform(intent::Stop()).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Stop()).state, IntentState::done);
   EXPECT_EQ(wait().reason, "");
   EXPECT_EQ(axis().speed.value, 0);
 }
 
 TEST_F(Vme58Truth, AMoveBehindAWaitIsUnderWayAndEndsAtItsTarget) {
   ASSERT_TRUE(query("AX ID WT1500"));
-  ASSERT_EQ(move_by(100).fate, Fate::done);
+  ASSERT_EQ(move_by(100).state, IntentState::done);
   run(Seconds(1));
   EXPECT_EQ(axis().activity, Activity::moving) << "the done flag before it says nothing of it";
   EXPECT_EQ(wait().reason, "");
@@ -209,10 +209,10 @@ TEST_F(Vme58Truth, AMoveBehindAWaitIsUnderWayAndEndsAtItsTarget) {
 
 TEST_F(Vme58Truth, AMoveIntoASwitchThatIsOnAlreadyDoesNotReachItsTarget) {
   place(-500, 500);
-  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(900)}}, Pps{2000})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(900)}}, Pps{2000})).state, IntentState::done);
   EXPECT_THAT(wait().reason, HasSubstr("limit switch"));
   ASSERT_EQ(axis().position, Steps(500));
-  ASSERT_EQ(move_by(100).fate, Fate::done);
+  ASSERT_EQ(move_by(100).state, IntentState::done);
   EXPECT_THAT(wait().reason, HasSubstr("limit switch"));
   EXPECT_EQ(axis().ended_by, EndedBy::limit);
   EXPECT_EQ(axis().position, Steps(500));
@@ -229,15 +229,15 @@ TEST_F(Vme58Truth, AJogIntoASwitchThatIsOnAlreadyIsEndedByIt) {
 
 TEST_F(Vme58Truth, HomingIntoASwitchThatIsOnAlreadyIsNoHome) {
   operate_limit(Sign::plus, true);
-  ASSERT_EQ(perform(intent::Home(AxisId{0}, Sign::plus, 0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::Home(AxisId{0}, Sign::plus, 0)).state, IntentState::done);
   EXPECT_THAT(wait().reason, HasSubstr("limit switch"));
 }
 
 TEST_F(Vme58Truth, AMoveAwayFromASwitchReachesItsTarget) {
   place(-500, 500);
-  ASSERT_EQ(move_by(900).fate, Fate::done);
+  ASSERT_EQ(move_by(900).state, IntentState::done);
   EXPECT_THAT(wait().reason, HasSubstr("limit switch"));
-  ASSERT_EQ(move_by(-300).fate, Fate::done);
+  ASSERT_EQ(move_by(-300).state, IntentState::done);
   EXPECT_EQ(wait().reason, "");
   EXPECT_EQ(axis().position, Steps(200));
   EXPECT_EQ(axis().ended_by, EndedBy::target);
@@ -245,7 +245,7 @@ TEST_F(Vme58Truth, AMoveAwayFromASwitchReachesItsTarget) {
 
 TEST_F(Vme58Truth, TheSideOfASwitchIsThatOfTheMoveThatItEnds) {
   operate_limit(Sign::minus, true);
-  ASSERT_EQ(move_by(-500).fate, Fate::done);
+  ASSERT_EQ(move_by(-500).state, IntentState::done);
   EXPECT_THAT(wait().reason, HasSubstr("limit switch"));
   run(Millis(300));
   EXPECT_TRUE(axis().limits_known);
@@ -286,7 +286,7 @@ TEST_F(Vme58Truth, TheSideStaysWhileTheAxisComesAwayFromTheSwitch) {
 
 TEST_F(Vme58Truth, WhatComesAwayTowardsPlusStoodOnTheMinusSwitch) {
   operate_limit(Sign::minus, true);
-  ASSERT_EQ(move_by(200, Pps{500}).fate, Fate::done);
+  ASSERT_EQ(move_by(200, Pps{500}).state, IntentState::done);
   EXPECT_EQ(wait().reason, "");
   run(Millis(300));
   EXPECT_EQ(axis().position, Steps(200));
@@ -296,7 +296,7 @@ TEST_F(Vme58Truth, WhatComesAwayTowardsPlusStoodOnTheMinusSwitch) {
 
 TEST_F(Vme58Truth, TheEndOfTheUsersTextIsItsOwn) {
   place(-500, 500);
-  ASSERT_EQ(move_by(900).fate, Fate::done);
+  ASSERT_EQ(move_by(900).state, IntentState::done);
   EXPECT_THAT(wait().reason, HasSubstr("limit switch"));
   ASSERT_TRUE(query("AX VL2000 MR-300 GO"));
   EXPECT_EQ(wait().reason, "") << "it came away from the switch that ended the move before";
@@ -308,10 +308,10 @@ TEST_F(Vme58Truth, TheEndOfTheUsersTextIsItsOwn) {
 
 TEST_F(Vme58Truth, AProgramThatComesAwayFromASwitchHasNotMetIt) {
   place(-500, 500);
-  ASSERT_EQ(move_by(900).fate, Fate::done);
+  ASSERT_EQ(move_by(900).state, IntentState::done);
   wait();
-  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL2000 MR-300 GO ID")).fate, Fate::done);
-  ASSERT_EQ(perform(intent::RunProgram(0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL2000 MR-300 GO ID")).state, IntentState::done);
+  ASSERT_EQ(perform(intent::RunProgram(0)).state, IntentState::done);
   EXPECT_EQ(wait().reason, "");
   EXPECT_EQ(now().program.ended_by, EndedBy::target);
   EXPECT_EQ(axis().position, Steps(200));
@@ -329,7 +329,7 @@ TEST_F(Vme58Truth, TheDoneFlagIsTheUsersToRead) {
 
 TEST_F(Vme58Truth, AMoveOfTheConsoleLeavesTheDoneFlagsOfOtherAxes) {
   ASSERT_TRUE(query("AY ID"));
-  ASSERT_EQ(move_by(100).fate, Fate::done);
+  ASSERT_EQ(move_by(100).state, IntentState::done);
   EXPECT_EQ(wait().reason, "");
   EXPECT_EQ(*query("AY QA"), "PDNN");
   EXPECT_EQ(*query("AX QA"), "PDNN") << "its own says that it is there";
@@ -342,7 +342,7 @@ class Vme58TruthOfSteps : public Vme58Truth {
 TEST_F(Vme58TruthOfSteps, ASlipIsToldOnceAndStaysForWhoeverAsks) {
   ASSERT_TRUE(query("AX ES20 VL2000"));
   operate(bench::Jam(AxisId{0}, true));
-  ASSERT_EQ(move_by(2000).fate, Fate::done);
+  ASSERT_EQ(move_by(2000).state, IntentState::done);
   wait();
   run(Seconds(1));
   const std::string told_now = told();
@@ -362,7 +362,7 @@ TEST_F(Vme58TruthOfSteps, ASlipIsToldOnceAndStaysForWhoeverAsks) {
 TEST_F(Vme58TruthOfSteps, AnAxisThatASlipHasStoppedIsSaidToHaveSlipped) {
   ASSERT_TRUE(query("AX ES20 TN VL2000"));
   operate(bench::Jam(AxisId{0}, true));
-  ASSERT_EQ(move_by(2000).fate, Fate::done);
+  ASSERT_EQ(move_by(2000).state, IntentState::done);
   EXPECT_THAT(wait().reason, HasSubstr("Axis X has slipped, and was stopped by that"));
 }
 
@@ -374,7 +374,7 @@ TEST_F(Vme58Truth, WithEchoOnRepliesAreWhatTheyAre) {
   EXPECT_EQ(*query("WY"), "VME58 ver 2.24-8S");
   run(Seconds(2));
   EXPECT_EQ(*query("AA RP AX QA"), "0,0,0,0,0,0,0,0\nPNNN");
-  ASSERT_EQ(move_by(300).fate, Fate::done);
+  ASSERT_EQ(move_by(300).state, IntentState::done);
   EXPECT_EQ(wait().reason, "");
   EXPECT_EQ(axis().position, Steps(300));
   ASSERT_TRUE(query("EF"));
@@ -407,13 +407,13 @@ TEST_F(Vme58LeftEchoing, IsFoundAllTheSame) {
 // ---- the end of a program, and words
 
 TEST_F(Vme58Truth, AProgramThatTheBoardRejectsDoesNotEndWell) {
-  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL1000 MA99999999 GO ID")).fate, Fate::done);
+  ASSERT_EQ(perform(intent::LoadProgram(0, "AX VL1000 MA99999999 GO ID")).state, IntentState::done);
   perform(intent::RunProgram(0));
   EXPECT_THAT(wait().reason, HasSubstr("Line 1: the board rejected \"MA99999999\""));
   run(Seconds(1));
   EXPECT_EQ(now().program.run, RunState::error);
   EXPECT_THAT(std::string(now().notice.view()), HasSubstr("rejected \"MA99999999\""));
-  ASSERT_EQ(move_by(100).fate, Fate::done);
+  ASSERT_EQ(move_by(100).state, IntentState::done);
   EXPECT_EQ(wait().reason, "") << "said of the program, not of what comes after it";
   EXPECT_TRUE(now().notice.empty());
 }

@@ -91,7 +91,7 @@ TEST_F(Vme58Tuning, WithAllGainsToo) {
                                     {"KAX", 250},
                                     {"KOX", 500},
                                     {"KNX", 0}})
-    ASSERT_EQ(perform(intent::SetParam(name, value)).fate, Fate::done) << name;
+    ASSERT_EQ(perform(intent::SetParam(name, value)).state, IntentState::done) << name;
   run(Seconds(2));
   expect_like_the_truth(record(1000));
 }
@@ -103,7 +103,7 @@ TEST_F(Vme58Tuning, NoOutputIsShownWhileAGainIsNotKnown) {
   const Recording r = record(400);
   ASSERT_FALSE(r.samples.empty());
   for (const AxisSample& s : r.samples) ASSERT_FALSE(s.output_known) << "KN shows nowhere";
-  ASSERT_EQ(perform(intent::SetParam("KNX", 0)).fate, Fate::done);
+  ASSERT_EQ(perform(intent::SetParam("KNX", 0)).state, IntentState::done);
   EXPECT_TRUE(record(400).samples.front().output_known);
 }
 

@@ -48,9 +48,9 @@ TEST_F(Vme58Urgent, AStopThatIsOwedIsMailedBeforeTheRingIsUsed) {
       ASSERT_TRUE(is_lost());
       ASSERT_NE(axis().activity, Activity::idle);
       if (at_once)
-        EXPECT_EQ(perform(intent::Abort()).fate, Fate::failed);
+        EXPECT_EQ(perform(intent::Abort()).state, IntentState::failed);
       else
-        EXPECT_EQ(perform(intent::Stop()).fate, Fate::failed);
+        EXPECT_EQ(perform(intent::Stop()).state, IntentState::failed);
       (void)lines();
       operate(bench::Unplug(false));
       const std::string mail = at_once ? "> mailbox KL" : "> mailbox SA";
@@ -217,7 +217,7 @@ TEST_F(Vme58DeafMailbox, WhatWaitsInAQueueIsNotTakenForStopped) {
 
 TEST_F(Vme58DeafMailbox, AnAbortGoesThroughTheRingToo) {
   turn();
-  EXPECT_EQ(perform(intent::Abort()).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Abort()).state, IntentState::done);
   EXPECT_THAT(lines(), testing::IsSupersetOf({"> mailbox KL", "> KL"}));
   EXPECT_EQ(axis().speed.value, 0);
   EXPECT_EQ(axis().ended_by, EndedBy::abort);
@@ -230,14 +230,14 @@ TEST_F(Vme58DeafMailbox, AnAbortGoesThroughTheRingToo) {
 TEST_F(Vme58DeafMailbox, AStopOfAMoveThatEndsByItselfDoesNotClaimIt) {
   ASSERT_TRUE(query("AX VL20000 AC40000 MR20000 GO MR20000 GO MR-40000 GO"));
   run(Millis(200));
-  EXPECT_EQ(perform(intent::Stop()).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Stop()).state, IntentState::done);
   expect_stays();
   EXPECT_LT(axis().position, Steps(20000)) << "none of the moves was carried out to its end";
 }
 
 TEST_F(Vme58DeafMailbox, AStopOfOneAxisThatAGroupMovesStaysOneOfAll) {
   turn("AA VL20000,20000; AC40000,40000; MR1000000,1000000; GO");
-  EXPECT_EQ(perform(intent::Stop(0)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done);
   EXPECT_EQ(axis(1).speed.value, 0);
   expect_stays();
   const std::string words = told();
@@ -247,8 +247,8 @@ TEST_F(Vme58DeafMailbox, AStopOfOneAxisThatAGroupMovesStaysOneOfAll) {
 TEST_F(Vme58DeafMailbox, WhereTheRingIsHeldTooItIsSaid) {
   turn();
   (void)query(waits_in_wq);
-  const IntentFate stopped = perform(intent::Stop(), Seconds(20));
-  EXPECT_EQ(stopped.fate, Fate::failed);
+  const IntentOutcome stopped = perform(intent::Stop(), Seconds(20));
+  EXPECT_EQ(stopped.state, IntentState::failed);
   EXPECT_THAT(std::string(stopped.sentence.view()), HasSubstr("was told to stop and still moves"));
   EXPECT_THAT(std::string(stopped.sentence.view()), HasSubstr("Switch the power of the drives off"));
   run(Millis(50));
@@ -264,7 +264,7 @@ TEST_F(Vme58Urgent, AGentleRampIsNotTakenForAStopInVain) {
     run(Seconds(40));
     ASSERT_NEAR(axis().speed.value, 200, 1) << shape;
     (void)lines();
-    EXPECT_EQ(perform(intent::Stop(), Seconds(60)).fate, Fate::done) << shape;
+    EXPECT_EQ(perform(intent::Stop(), Seconds(60)).state, IntentState::done) << shape;
     const auto sent = lines();
     EXPECT_EQ(std::count(sent.begin(), sent.end(), "> mailbox SA"), 1) << shape;
     EXPECT_EQ(axis().ended_by, EndedBy::stop) << shape;
@@ -276,10 +276,11 @@ TEST_F(Vme58Urgent, AGentleRampIsNotTakenForAStopInVain) {
 
 TEST_F(Vme58Urgent, TheLeastOfAGroupMaySlowDownLate) {
   ASSERT_TRUE(query("AA VL20000,20000; AC10000,10000; AM"));
-  ASSERT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(1000000)}, {AxisId{1}, Steps(100)}})).fate, Fate::done);
+  ASSERT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(1000000)}, {AxisId{1}, Steps(100)}})).state,
+            IntentState::done);
   run(Seconds(4));
   (void)lines();
-  EXPECT_EQ(perform(intent::Stop(), Seconds(20)).fate, Fate::done);
+  EXPECT_EQ(perform(intent::Stop(), Seconds(20)).state, IntentState::done);
   const auto sent = lines();
   EXPECT_EQ(std::count(sent.begin(), sent.end(), "> mailbox SA"), 1);
 }

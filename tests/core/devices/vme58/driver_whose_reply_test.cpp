@@ -192,9 +192,10 @@ TEST_P(Vme58WhoseReply, WhatIsShownIsTheTruthOrNotKnown) {
     watch(Millis(300), "read again");
     ask_all();
     watch(Millis(500), "behind questions");
-    const IntentFate moved = perform(intent::MoveBy({{AxisId{4}, Steps(10)}}, Pps{100}));
-    EXPECT_TRUE(moved.fate == Fate::done || moved.fate == Fate::refused) << moved.sentence.view();
-    moves += moved.fate == Fate::done;
+    const IntentOutcome moved = perform(intent::MoveBy({{AxisId{4}, Steps(10)}}, Pps{100}));
+    EXPECT_TRUE(moved.state == IntentState::done || moved.state == IntentState::refused)
+        << moved.sentence.view();
+    moves += moved.state == IntentState::done;
     watch(Millis(1500), "behind a move");
   }
   bending_->row.reset();

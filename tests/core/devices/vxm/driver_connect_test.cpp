@@ -30,7 +30,7 @@ TEST_F(VxmDriverConnect, EchoIsSwitchedOff) {
   loop->emulator().receive("E");
   open();
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(told("Echo has been switched off."));
+  EXPECT_TRUE(told("Echo was switched off."));
   EXPECT_EQ(query("X"), "+0000000");
 }
 

@@ -204,7 +204,7 @@ TEST_F(VxmSlowLine, WorksSlowlyAndIsNotLost) {
   }
   const IntentId move = post(intent::MoveTo(target(0, 1500)));
   EXPECT_TRUE(run_until([&] { return latest.axes[0].position.value == 1500; }, 120)) << all_notices();
-  EXPECT_EQ(fate(move), Fate::done);
+  EXPECT_EQ(outcome(move), IntentState::done);
   EXPECT_EQ(latest.link.state, LinkState::good);
   answer_late_by(Duration::zero());
   run(20);

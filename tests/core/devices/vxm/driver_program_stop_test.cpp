@@ -93,8 +93,8 @@ TEST_F(VxmProgramStop, BesideTheStopOfOneAxisThatOfAllStillRamps) {
   const std::string what = sent();
   EXPECT_EQ(std::count(what.begin(), what.end(), 'H'), 1) << what << ": a second H would let it go on";
   EXPECT_THAT(what, testing::EndsWith("K"));
-  EXPECT_EQ(fate(one), Fate::done);
-  EXPECT_EQ(fate(all), Fate::done);
+  EXPECT_EQ(outcome(one), IntentState::done);
+  EXPECT_EQ(outcome(all), IntentState::done);
   EXPECT_EQ(latest.program.ended_by, EndedBy::stop);
   EXPECT_FALSE(latest.axes[0].trust.doubtful()) << all_notices();
   EXPECT_TRUE(stands());
@@ -105,7 +105,7 @@ TEST_F(VxmProgramStop, WhileItStopsNothingButTheStateIsAskedOften) {
   run_program("I1M9000\nL0\n");
   loop->to_controller.clear();
   const IntentId stop = post(intent::Stop());
-  ASSERT_TRUE(run_until([&] { return fate(stop) != Fate::pending; }));
+  ASSERT_TRUE(run_until([&] { return outcome(stop) != IntentState::pending; }));
   EXPECT_THAT(loop->to_controller, testing::MatchesRegex("HD[VXY]+([?~$@][VXY]+)*K[VXY]+"));
 }
 

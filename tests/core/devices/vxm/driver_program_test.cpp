@@ -260,8 +260,8 @@ TEST_F(VxmDriverProgram, LinesThatTheControllerDidNotGetAreFound) {
   run_until([&] { return loop->to_controller.ends_with("lst"); }, 2);
   loop->garble(400);
   run(3);
-  EXPECT_EQ(fate(load), Fate::failed);
-  EXPECT_THAT(std::string(pump->known().fate_of(load)->sentence.view()),
+  EXPECT_EQ(outcome(load), IntentState::failed);
+  EXPECT_THAT(std::string(pump->known().outcome_of(load)->sentence.view()),
               HasSubstr("Load it again before it is run."));
 }
 
@@ -274,7 +274,7 @@ TEST_F(VxmDriverProgram, OneThatIsNotWhatWasSentIsNotRun) {
     ASSERT_TRUE(run_until([&] { return loop->to_controller.ends_with("I1M400\r"); }, 2));
     EXPECT_EQ(perform(intent::Stop()), "");
     run(3);
-    ASSERT_EQ(fate(load), Fate::failed);
+    ASSERT_EQ(outcome(load), IntentState::failed);
     loop->to_controller.clear();
   };
   tear();

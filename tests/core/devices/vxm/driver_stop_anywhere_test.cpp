@@ -20,7 +20,7 @@ class VxmStopAnywhere : public DriverTest {
       const IntentId id = post(body);
       run(i * apart);
       EXPECT_EQ(perform(intent::Stop(), 10), "");
-      EXPECT_NE(fate(id), Fate::pending);
+      EXPECT_NE(outcome(id), IntentState::pending);
       EXPECT_TRUE(wait_idle(10));
       EXPECT_EQ(latest.link.state, LinkState::good);
       EXPECT_EQ(query("V"), "R");

@@ -16,9 +16,9 @@ TEST_F(VxmDriverStop, AMoveOfTheConsoleIsRampedDownByDAlone) {
   const IntentId stop = post(intent::Stop());
   run(0.1);
   EXPECT_EQ(latest.axes[0].activity, Activity::stopping);
-  EXPECT_EQ(fate(stop), Fate::pending) << "it still turns";
+  EXPECT_EQ(outcome(stop), IntentState::pending) << "it still turns";
   EXPECT_TRUE(wait_idle());
-  EXPECT_EQ(fate(stop), Fate::done);
+  EXPECT_EQ(outcome(stop), IntentState::done);
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::stop);
   EXPECT_EQ(sent(), "D");
   EXPECT_TRUE(stands());
@@ -142,7 +142,7 @@ TEST_F(VxmDriverStop, AKThatNobodyConfirmsIsSaidAgain) {
   const IntentId abort = post(intent::Abort());
   EXPECT_TRUE(wait_idle(2));
   EXPECT_EQ(sent(), "KK");
-  EXPECT_EQ(fate(abort), Fate::done);
+  EXPECT_EQ(outcome(abort), IntentState::done);
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::abort);
 }
 
@@ -180,7 +180,7 @@ TEST_F(VxmDriverStop, WaitsForAChangeOfTheLineRate) {
   const IntentId change = post(intent::SetParam("B", 38, true));
   run(0.02);
   EXPECT_EQ(perform(intent::Stop()), "");
-  EXPECT_EQ(fate(change), Fate::done);
+  EXPECT_EQ(outcome(change), IntentState::done);
   EXPECT_EQ(latest.link.state, LinkState::good);
   EXPECT_EQ(query("V"), "R");
 }
@@ -226,9 +226,9 @@ TEST_F(VxmDriverStop, StopOvertakesADownload) {
   run(0.1);
   EXPECT_EQ(perform(intent::Stop()), "");
   run(0.5);
-  EXPECT_EQ(fate(load), Fate::failed);
+  EXPECT_EQ(outcome(load), IntentState::failed);
   EXPECT_THAT(
-      std::string(pump->known().fate_of(load)->sentence.view()),
+      std::string(pump->known().outcome_of(load)->sentence.view()),
       MatchesRegex(".*Program 1 is incomplete in the controller: the first [0-9]+ of its 60 lines are "
                    "written. Load it again before it is run."));
   EXPECT_FALSE(latest.transfer.running);

@@ -1,0 +1,52 @@
+#include "tests/contract/another_host.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "transports/serve.h"
+
+namespace hw {
+namespace {
+
+constexpr std::uint16_t put_index = 0x800, buffer = 0x804, cells = 256;
+
+/// Into the ring of a board, as its bus master does.
+void write_into_ring(IoContext& io, Window& window, const std::function<void(Duration)>& run,
+                     const std::string& words) {
+  const auto on_the_bus = [&](std::vector<BusCycle>& cycles) {
+    asio::co_spawn(
+        io, [](Window& w, std::span<BusCycle> c) -> Task<> { (void)co_await w.run(c); }(window, cycles),
+        asio::detached);
+    run(Millis(1));
+  };
+  std::vector<BusCycle> cycles(1, BusCycle::read(2, put_index));
+  on_the_bus(cycles);
+  std::uint32_t put = cycles[0].value;
+  cycles.clear();
+  for (const char c : words) {
+    cycles.push_back(
+        BusCycle::store(2, static_cast<std::uint16_t>(buffer + 2 * put), static_cast<std::uint8_t>(c)));
+    put = (put + 1) % cells;
+  }
+  cycles.push_back(BusCycle::store(2, put_index, put));
+  on_the_bus(cycles);
+}
+
+}  // namespace
+
+void say_as_another(IoContext& io, Session& session, const std::function<void(Duration)>& run,
+                    const std::string& words) {
+  const auto host = EmulatorHost::of(session.bench());
+  ASSERT_NE(host, nullptr);
+  if (host->is_board()) {
+    const auto window = std::move(*host->plug_in_window());
+    write_into_ring(io, *window, run, words);
+    return run(Millis(100));
+  }
+  const auto stream = std::move(*host->plug_in());
+  stream->send(words);
+  run(Millis(100));
+}
+
+}  // namespace hw

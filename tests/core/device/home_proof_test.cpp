@@ -1,0 +1,66 @@
+// A home search that another host has stopped halfway looks at its end like one that has found its home.
+#include "core/device/home_proof.h"
+
+#include <gtest/gtest.h>
+
+namespace hw {
+namespace {
+
+class HomeProofTest : public testing::Test {
+ protected:
+  HomeProof proof;
+  std::int64_t place = 0;
+  Instant now{};
+
+  /// Searches to minus at 1000 steps/s, read every 20 ms.
+  void search(std::int64_t from, int readings) {
+    proof.begin();
+    place = from;
+    for (int i = 0; i < readings; ++i) read(Pps(1000)), place -= 20;
+  }
+  void read(Pps speed) {
+    now += Millis(20);
+    proof.read(Steps(place), speed, now);
+  }
+  /// 100 ms, 50 steps.
+  std::int64_t slow_down() {
+    for (const int speed : {800, 600, 400, 200}) place -= speed / 50, read(Pps(speed));
+    return place;
+  }
+};
+
+TEST_F(HomeProofTest, OneThatRestsFarFromZeroHasFoundNothing) {
+  search(5000, 40);
+  EXPECT_FALSE(proof.may_have_found(Steps(slow_down())));
+  search(-3000, 40);
+  EXPECT_FALSE(proof.may_have_found(Steps(slow_down())));
+}
+
+TEST_F(HomeProofTest, OneThatRestsBehindItsFirstReadingHasFoundNothing) {
+  search(5000, 1);
+  place -= 80;
+  read(Pps(0));
+  EXPECT_FALSE(proof.may_have_found(Steps(place)));
+}
+
+TEST_F(HomeProofTest, ACountThatWasSetOnTheWayShows) {
+  search(5000, 40);
+  place = -10;
+  EXPECT_TRUE(proof.may_have_found(Steps(slow_down())));
+  search(-3000, 40);
+  place = -10;
+  EXPECT_TRUE(proof.may_have_found(Steps(slow_down())));
+}
+
+TEST_F(HomeProofTest, SoItMayWhereItRestsNearZero) {
+  search(800, 40);
+  EXPECT_TRUE(proof.may_have_found(Steps(slow_down())));
+}
+
+TEST_F(HomeProofTest, OfOneThatNobodySawNothingIsSaid) {
+  proof.begin();
+  EXPECT_TRUE(proof.may_have_found(Steps(70'000)));
+}
+
+}  // namespace
+}  // namespace hw

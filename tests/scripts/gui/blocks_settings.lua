@@ -1,0 +1,134 @@
+-- Every object of the maker's graphical programmer with each of its settings, on the controllers beside the one that
+-- checklist_blocks.lua works: what the blocks write then, or why not. Where a setting stands without text here, the
+-- controller cannot do it, and its sentence has these words.
+require("lib.checklist")
+
+ui.window(1440, 1000)
+local function at() ui.click("tab/blocks") ui.frame(2) end
+
+-- The blocks are these and no others, added by their names; the last one is open.
+local function blocks(...)
+  at()
+  ui.click("blocks/end")
+  ui.frame(30)  -- the list scrolls back
+  for _ = 1, 40 do
+    if not ui.exists("blocks/1") then break end
+    if not ui.exists("blocks/remove") then ui.click("blocks/1") ui.frame(30) end
+    ui.click("blocks/remove")
+    ui.frame(30)
+  end
+  for _, name in ipairs{...} do
+    ui.type("blocks/add_by_name", name .. "\n")
+    ui.frame(2)
+  end
+end
+
+-- "blocks/1/high = 4000" is typed, "blocks/1/on/off" is clicked.
+local function set(words)
+  local id, value = words:match("^(%S+) = (.*)$")
+  if id then ui.type(id, value .. "\n") else ui.click(words) end
+end
+
+local function text() return (ui.value("blocks/text") or ""):gsub("\n", " | "):gsub("[ |]*END[ |]*$", ""):gsub("[ |]+$", "") end
+
+local function in_time(look)
+  for _ = 1, 100 do
+    ui.frame(3)
+    if look() then return true end
+    hw.sleep(0.05)
+  end
+end
+
+local function works(row)
+  local list, sets, wanted, why = row[1], row[2], row[3], row[4]
+  blocks(table.unpack(list))
+  for _, words in ipairs(sets) do set(words) end
+  if why then
+    local id = "blocks/" .. #list .. "/refusal"
+    if not in_time(function() return ui.exists(id) and ui.value(id):find(why, 1, true) end) then
+      error((ui.exists(id) and ui.value(id) or "no refusal; " .. text()) .. ", expected: " .. why)
+    end
+  elseif not in_time(function() return text() == wanted end) then
+    error("the blocks write " .. text() .. ", expected: " .. wanted)
+  end
+end
+
+-- ---- what each writes
+
+local function of_one()  -- an Arcus with one axis
+  return {
+    {{"Speed"}, {"blocks/1/high = 4000", "blocks/1/low = 400", "blocks/1/ramp_ms = 200"}, "HSPD=4000 | LSPD=400 | ACC=200"},
+    {{"Move to"}, {"blocks/1/to/X = 100"}, "ABS | X100"},
+    {{"Move by"}, {"blocks/1/to/X = -100"}, "INC | X-100"},
+    {{"Move to"}, {"blocks/1/own/its own", "blocks/1/high = 2500", "blocks/1/low = 250", "blocks/1/ramp_ms = 150"},
+     "HSPD=2500 | LSPD=250 | ACC=150 | ABS | X0"},
+    {{"Jog"}, {"blocks/1/direction/+"}, "JOGX+"},
+    {{"Jog"}, {"blocks/1/direction/-"}, "JOGX-"},
+    {{"Jog"}, {"blocks/1/own/its own", "blocks/1/high = 2500", "blocks/1/low = 250", "blocks/1/ramp_ms = 150"},
+     "HSPD=2500 | LSPD=250 | ACC=150 | JOGX+"},
+    {{"Home"}, {"blocks/1/direction/+"}, "HOMEX+"},
+    {{"Home"}, {"blocks/1/direction/-"}, "HOMEX-"},
+    {{"Home"}, {"blocks/1/own/its own", "blocks/1/high = 2500"}, "HSPD=2500 | HOMEX-"},
+    {{"Stop"}, {}, "STOPX"},
+    {{"Stop"}, {"blocks/1/at_once/yes", "blocks/1/axis/X"}, "ABORTX"},
+    {{"Until still"}, {"blocks/1/axis/X"}, "WAITX"},
+    {{"Delay"}, {"blocks/1/ms = 1234"}, "DELAY=1234"},
+    {{"Wait for input"}, {"blocks/1/input = 2"}, "WHILE DI2=0 | ENDWHILE"},
+    {{"Wait for input"}, {"blocks/1/on/off"}, "WHILE DI1=1 | ENDWHILE"},
+    {{"Move on input"}, {"blocks/1/input = 3", "blocks/1/on/off", "blocks/1/to = 70"}, "ABS | IF DI3=0 |   X70 | ENDIF"},
+    {{"Move on input"}, {"blocks/1/stops_first/yes"}, "ABS | IF DI1=1 |   STOPX |   WAITX |   X0 | ENDIF"},
+    {{"Move on input"}, {"blocks/1/kind/jog", "blocks/1/direction/-"}, "IF DI1=1 |   JOGX- | ENDIF"},
+    {{"Move on input"}, {"blocks/1/kind/home", "blocks/1/direction/+"}, "IF DI1=1 |   HOMEX+ | ENDIF"},
+    {{"Move on input"}, {"blocks/1/own/its own", "blocks/1/high = 2500"}, "HSPD=2500 | ABS | IF DI1=1 |   X0 | ENDIF"},
+    {{"Output"}, {"blocks/1/output = 2", "blocks/1/on/off"}, "DO2=0"},
+    {{"Output"}, {"blocks/1/output/which/all", "blocks/1/value = 3"}, "DO=3"},
+    {{"Motor power"}, {}, "EO=1"},
+    {{"Motor power"}, {"blocks/1/on/off"}, "EO=0"},
+    {{"Own text"}, {"blocks/1/about = count", "blocks/1/text = V1=V1+1"}, "V1=V1+1"},
+    {{"Delay"}, {"blocks/loop", "blocks/1/times = 0"}, "WHILE 1=1 |   DELAY=500 | ENDWHILE"},
+    never = {arc = "one axis", circle = "one axis", speed_stairs = "stairs"}}
+end
+
+local no_low = "A VXM has no low speed"
+local vxm = {
+  {{"Speed"}, {"blocks/1/high = 4000", "blocks/1/ramp_ms = 200"}, "S1M4000 | A1M20 | S2M4000 | A2M20"},
+  {{"Speed"}, {"blocks/1/low = 400"}, nil, no_low},
+  {{"Move to"}, {"blocks/1/to/1 = 100", "blocks/1/to/2 = 200"}, "IA1M100 | IA2M200"},
+  {{"Move by"}, {"blocks/1/to/1 = ", "blocks/1/to/2 = -100"}, "I2M-100"},
+  {{"Move by"}, {"blocks/1/to/1 = 100", "blocks/1/own/its own", "blocks/1/high = 2500", "blocks/1/ramp_ms = 150"},
+   "S1M2500 | A1M17 | I1M100"},
+  {{"Home"}, {}, "I1M-0 | IA1M-0"},
+  {{"Home"}, {"blocks/1/axis/2", "blocks/1/direction/+"}, "I2M0 | IA2M-0"},
+  {{"Home"}, {"blocks/1/own/its own", "blocks/1/high = 2500"}, "S1M2500 | I1M-0 | IA1M-0"},
+  {{"Delay"}, {"blocks/1/ms = 1234"}, "P-12340"},
+  {{"Delay"}, {"blocks/1/ms = 1200"}, "P12"},
+  {{"Wait for input"}, {"blocks/1/input = 2"}, "PM-0 | JM1 | PM-1 ; waits until input 2 is on | P-10 | U22 | L0"},
+  {{"Wait for input"}, {"blocks/1/input = 2", "blocks/1/on/off"},
+   "PM-0 | JM1 | PM-1 ; waits until input 2 is off | P-10 | U12 | L0"},
+  {{"Move on input"}, {"blocks/1/input = 2", "blocks/1/axis/2", "blocks/1/to = 4321"}, "U12 | IA2M4321"},
+  {{"Move on input"}, {"blocks/1/input = 2", "blocks/1/on/off"}, "U22 | IA1M0"},
+  {{"Move on input"}, {"blocks/1/own/its own", "blocks/1/high = 2500"}, "S1M2500 | U11 | IA1M0"},
+  {{"Move on input"}, {"blocks/1/kind/home", "blocks/1/direction/-"}, "U11 | I1M-0 | U11 | IA1M-0"},
+  {{"Move on input"}, {"blocks/1/kind/jog"}, nil, "A stored program of a VXM has no jog"},
+  {{"Output"}, {"blocks/1/on/off"}, "U4"},
+  {{"Output"}, {"blocks/1/output = 2"}, "U15"},
+  {{"Output"}, {"blocks/1/output/which/all", "blocks/1/value = 3"}, "U5 | U15 | U16 | U18"},
+  {{"Own text"}, {"blocks/1/about = count", "blocks/1/text = P3"}, "P3"},
+  {{"Delay"}, {"blocks/loop", "blocks/1/times = 0"}, "LM0 | P5 | L0"},
+  never = {jog = "no jog", stop = "", enable = "motor power", arc = "draws no arcs", circle = "draws no arcs"}}
+
+for model, rows in pairs{vxm = vxm, ["dmx-k-sa"] = of_one()} do
+  local c = hw.check(hw.open(model .. "@emulator"))
+  if model == "vxm" then for m = 1, 2 do hw.check(c:set("M" .. m .. "M", 4)) end end
+  hw.sleep(1)
+  for n, row in ipairs(rows) do
+    block(model .. " " .. n .. " " .. row[1][1], function() works(row) end)
+  end
+  at()
+  for _, w in ipairs(ui.list()) do
+    local kind = w.id:match("^blocks/add/(.+)$")
+    if kind and rows.never[kind] and w.enabled then error(model .. " is offered " .. kind) end
+  end
+end
+
+over()
