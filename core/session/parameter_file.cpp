@@ -10,7 +10,7 @@
 namespace hw {
 namespace {
 
-int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+int source_line(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
 tl::unexpected<Fault> bad_file(const std::string& name, int line, std::string_view what) {
   return fail(FaultKind::text, fmt::format("{}, line {}: {}.", name, line, what),
@@ -21,8 +21,8 @@ Result<> take_parameters(const toml::table& table, const std::string& name, Back
   for (const auto& [key, node] : table) {
     const auto number = node.value_exact<std::int64_t>();
     if (!number)
-      return bad_file(name, line_of(node), fmt::format("{} is not given a whole number", key.str()));
-    out.parameters.push_back({std::string(key.str()), *number, line_of(node)});
+      return bad_file(name, source_line(node), fmt::format("{} is not given a whole number", key.str()));
+    out.parameters.push_back({std::string(key.str()), *number, source_line(node)});
   }
   return {};
 }
@@ -32,7 +32,7 @@ Result<> take_programs(const toml::table& table, const std::string& name, Backup
     const int slot = whole_number<int>(key.str()).value_or(-1);
     const auto text = node.value_exact<std::string>();
     if (slot < 0 || !text)
-      return bad_file(name, line_of(node), fmt::format("{} is not a program with a text", key.str()));
+      return bad_file(name, source_line(node), fmt::format("{} is not a program with a text", key.str()));
     out.programs[slot] = *text;
   }
   return {};
@@ -43,7 +43,7 @@ Result<> take_variables(const toml::table& table, const std::string& name, Backu
     const int number = whole_number<int>(key.str()).value_or(-1);
     const auto value = node.value_exact<std::int64_t>();
     if (number < 0 || !value)
-      return bad_file(name, line_of(node),
+      return bad_file(name, source_line(node),
                       fmt::format("{} is not a variable with a whole number", key.str()));
     out.variables[number] = *value;
   }
@@ -139,7 +139,7 @@ Result<Backup> parse_backup(std::string_view text, const std::string& name) {
     else if (value && k == "saved_at")
       b.saved_at = *value;
     else
-      return bad_file(name, line_of(node), fmt::format("{} is not known here", k));
+      return bad_file(name, source_line(node), fmt::format("{} is not known here", k));
     if (!taken) return fail(taken.error());
   }
   if (b.model.empty())

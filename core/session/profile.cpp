@@ -71,7 +71,7 @@ json to_json(const SavedPlaces& places) {
   return all;
 }
 
-SavedPlaces places_of(const json& profile) {
+SavedPlaces saved_places(const json& profile) {
   SavedPlaces places;
   for (const json& place : profile.value("places", json::array())) {
     SavedPlace out{place.value("name", ""), {}};
@@ -111,7 +111,7 @@ Result<Profile> ProfileStore::load(std::string_view key) const {
     profile.jog_step = within_reason(object->value("jog_step", std::int64_t{1}));
     const double jog_speed = object->value("jog_speed", 0.0);
     profile.jog_speed = Pps(jog_speed >= 0 && jog_speed < 1e9 ? jog_speed : 0.0);  // 0: the controller's own
-    profile.places = places_of(*object);
+    profile.places = saved_places(*object);
     std::size_t i = 0;
     for (const json& axis : object->value("axes", json::array())) {
       if (i == profile.axes.size()) break;

@@ -18,7 +18,7 @@ struct PlaceOnWay {
   int chain = -1;  ///< -1: before all chains
   bool tool_on = false;
 };
-std::vector<PlaceOnWay> places_of(const Conversion& made) {
+std::vector<PlaceOnWay> places_on_way(const Conversion& made) {
   std::vector<PlaceOnWay> places(made.sequence.steps.size());
   PlaceOnWay at;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -53,7 +53,7 @@ double beside_its_line(const ToolPath& path, const ToolPath::Run& run) {
 }  // namespace
 
 WayTogether way_together(const Conversion& made, const Rehearsal& done, const Catalog& bus) {
-  const std::vector<PlaceOnWay> places = places_of(made);
+  const std::vector<PlaceOnWay> places = places_on_way(made);
   std::vector<int> steps(places.size());
   std::iota(steps.begin(), steps.end(), 0);
   const ToolPath by_steps = track_path(done, axes_of(made.sequence, bus), 0, steps);

@@ -26,7 +26,7 @@ int first_gamepad() {
   return -1;
 }
 
-std::optional<PadState> state_of(int number) {
+std::optional<PadState> pad_state(int number) {
   GLFWgamepadstate told;
   if (number < 0 || !glfwGetGamepadState(number, &told)) return std::nullopt;
   PadState state;
@@ -70,7 +70,7 @@ std::string GamepadSource::name() const {
 void GamepadSource::look_if_due(double now_s, const PadChanges::Push& push) {
   if (due_in_s(now_s) > 0) return;
   looked_at_s_ = now_s;
-  changes_.tell(state_of(number_), now_s, push);
+  changes_.tell(pad_state(number_), now_s, push);
 }
 
 }  // namespace hw::gui

@@ -16,7 +16,7 @@ bool only_types(int key, const Modifiers& m) {
   return (key > GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2) && !m.ctrl && !m.alt && !m.super;
 }
 
-InputEvent event_of(InputKind kind, bool down, int code, float x, float y, double at_s) {
+InputEvent make_event(InputKind kind, bool down, int code, float x, float y, double at_s) {
   InputEvent e;
   e.kind = kind;
   e.down = down;
@@ -51,31 +51,33 @@ InputEvent InputEvent::with(Modifiers held) const {
   return e;
 }
 InputEvent InputEvent::mouse_move(float x, float y, double at_s) {
-  return event_of(InputKind::mouse_move, false, 0, x, y, at_s);
+  return make_event(InputKind::mouse_move, false, 0, x, y, at_s);
 }
 InputEvent InputEvent::mouse_button(int button, bool down, ImVec2 at, double at_s) {
-  return event_of(InputKind::mouse_button, down, button, at.x, at.y, at_s);
+  return make_event(InputKind::mouse_button, down, button, at.x, at.y, at_s);
 }
 InputEvent InputEvent::wheel(float x, float y, double at_s) {
-  return event_of(InputKind::wheel, false, 0, x, y, at_s);
+  return make_event(InputKind::wheel, false, 0, x, y, at_s);
 }
 InputEvent InputEvent::key(int glfw_key, bool down, double at_s) {
-  return event_of(InputKind::key, down, glfw_key, 0, 0, at_s);
+  return make_event(InputKind::key, down, glfw_key, 0, 0, at_s);
 }
 InputEvent InputEvent::text(unsigned code_point, double at_s) {
-  return event_of(InputKind::text, false, static_cast<int>(code_point), 0, 0, at_s);
+  return make_event(InputKind::text, false, static_cast<int>(code_point), 0, 0, at_s);
 }
 InputEvent InputEvent::focus_lost(double at_s) {
-  return event_of(InputKind::focus_lost, false, 0, 0, 0, at_s);
+  return make_event(InputKind::focus_lost, false, 0, 0, 0, at_s);
 }
 InputEvent InputEvent::pad_stick(int glfw_axis, float place, double at_s) {
-  return event_of(InputKind::pad_stick, false, glfw_axis, place, 0, at_s);
+  return make_event(InputKind::pad_stick, false, glfw_axis, place, 0, at_s);
 }
 InputEvent InputEvent::pad_button(int glfw_button, bool down, double at_s) {
-  return event_of(InputKind::pad_button, down, glfw_button, 0, 0, at_s);
+  return make_event(InputKind::pad_button, down, glfw_button, 0, 0, at_s);
 }
-InputEvent InputEvent::pad_heard(double at_s) { return event_of(InputKind::pad_heard, false, 0, 0, 0, at_s); }
-InputEvent InputEvent::pad_gone(double at_s) { return event_of(InputKind::pad_gone, false, 0, 0, 0, at_s); }
+InputEvent InputEvent::pad_heard(double at_s) {
+  return make_event(InputKind::pad_heard, false, 0, 0, 0, at_s);
+}
+InputEvent InputEvent::pad_gone(double at_s) { return make_event(InputKind::pad_gone, false, 0, 0, 0, at_s); }
 
 void InputQueue::push(const InputEvent& event) {
   if (stops(event) || event.kind == InputKind::focus_lost) drop_presses();

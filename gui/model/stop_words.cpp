@@ -11,12 +11,12 @@
 namespace hw::gui {
 namespace {
 
-bool goes_on(RunState run) { return run != RunState::idle && run != RunState::error; }
+bool runs_on(RunState run) { return run != RunState::idle && run != RunState::error; }
 
 bool runs(const Snapshot& now) {
-  return goes_on(now.program.run) ||
+  return runs_on(now.program.run) ||
          std::any_of(now.threads.begin(), now.threads.end(),
-                     [](const ThreadState& thread) { return goes_on(thread.run); });
+                     [](const ThreadState& thread) { return runs_on(thread.run); });
 }
 
 bool is_reached(const Tab& tab) {

@@ -22,7 +22,7 @@ struct PlotField {
   [[nodiscard]] float py(float v) const { return inside.max.y - y.share(v) * inside.height(); }
 };
 
-int decimals_of(double step) {
+int tick_decimals(double step) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
 }
 
@@ -36,7 +36,7 @@ void draw_grid(Ui& ui, const PlotField& f, const PlotOptions& o) {
   for (double v = std::ceil(f.y.min / y_step) * y_step; v <= f.y.max + y_step * 1e-6; v += y_step) {
     const float y = std::floor(f.py(static_cast<float>(v)));
     list->AddRectFilled(ImVec2(f.inside.min.x, y), ImVec2(f.inside.max.x, y + ui.hair()), ui[Tone::line]);
-    const NumberText number = format_number(v, decimals_of(y_step));
+    const NumberText number = format_number(v, tick_decimals(y_step));
     draw_text_right(ui, ImVec2(f.inside.min.x - ui.px(6), y - ui.line(Face::small) / 2), Face::small,
                     ui[Tone::ink3], number);
   }
@@ -45,7 +45,7 @@ void draw_grid(Ui& ui, const PlotField& f, const PlotOptions& o) {
     const float x = std::floor(f.px(static_cast<float>(v)));
     list->AddRectFilled(ImVec2(x, f.inside.min.y), ImVec2(x + ui.hair(), f.inside.max.y), ui[Tone::line]);
     if (!o.x_labels) continue;
-    NumberText number = format_number(v, decimals_of(x_step));
+    NumberText number = format_number(v, tick_decimals(x_step));
     const bool last = v + x_step > f.x.max + x_step * 1e-6;
     if (last && !o.x_unit.empty()) number.append(" "), number.append(o.x_unit);
     const float width = std::ceil(text_width(ui, Face::small, number));

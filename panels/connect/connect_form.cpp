@@ -31,7 +31,7 @@ constexpr float option_width = 184, rate_width = 92, id_width = 72, least_port =
 /// Width of the search fields and the button in one line.
 constexpr float search_in_one_line = 500;
 
-int number_of(const std::string& text, int fallback) {
+int number_in(const std::string& text, int fallback) {
   int value = fallback;
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
@@ -313,8 +313,8 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
   } else if (button(ui, "connect/search", "Search", o).clicked) {
     searched_ = true;
     finder.start(one_port_ ? port_ : std::string(),
-                 rate_ > 0 ? rates_[static_cast<std::size_t>(rate_ - 1)] : 0, number_of(first_, 0),
-                 number_of(last_, 99));
+                 rate_ > 0 ? rates_[static_cast<std::size_t>(rate_ - 1)] : 0, number_in(first_, 0),
+                 number_in(last_, 99));
   }
   const std::string words = words_of(state);
   if (!words.empty()) {

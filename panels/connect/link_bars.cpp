@@ -22,7 +22,7 @@ struct Part {
   bool hatched = false;
 };
 
-std::array<Part, 4> parts_of(const LinkBudget& b) {
+std::array<Part, 4> shares_of(const LinkBudget& b) {
   return {Part{"question", "bytes on the wire", b.question, Tone::ink2, Tone::panel},
           Part{"answer", "bytes on the wire", b.answer, Tone::ink2, Tone::panel},
           Part{"adapter waits", "adapter holds bytes back", b.adapter, Tone::warn_t, Tone::warn, true},
@@ -48,7 +48,7 @@ void draw_link_bar(Ui& ui, std::string_view id, std::string_view name, ImVec2 at
   draw_text_line(ui, at.x, at.x + ui.px(bar_name_column - 8), middle, Face::body_bold, ui[Tone::ink], name);
   const float begin = at.x + ui.px(bar_name_column), room = right - ui.px(whole_column) - begin;
   float x = begin;
-  for (const Part& part : parts_of(budget)) {
+  for (const Part& part : shares_of(budget)) {
     if (part.takes <= Duration::zero() || scale <= Duration::zero()) continue;
     const float wide =
         std::max(1.0f, std::floor(room * static_cast<float>(seconds(part.takes) / seconds(scale))));
@@ -79,7 +79,7 @@ void draw_link_bar(Ui& ui, std::string_view id, std::string_view name, ImVec2 at
 void draw_link_legend(Ui& ui, ImVec2 at, float width, const LinkBudget& budget) {
   float x = at.x + ui.px(bar_name_column);
   std::string_view told;
-  for (const Part& part : parts_of(budget)) {
+  for (const Part& part : shares_of(budget)) {
     if (part.takes <= Duration::zero() || part.legend == told) continue;
     told = part.legend;
     const float wide = std::ceil(text_width(ui, Face::small, part.legend));

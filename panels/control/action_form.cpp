@@ -48,20 +48,22 @@ NumberRange range_of(const ActionField& info, const ShownUnit& unit) {
   return {std::min(a, b), std::max(a, b), unit.decimals, unit.name};
 }
 
-std::string path_of(const Catalog& c, const ActionInfo& info, int axis) {
+std::string action_path(const Catalog& c, const ActionInfo& info, int axis) {
   return axis >= 0 && c.axes.size() > 1
              ? fmt::format("action/{}/{}", info.id, c.axes[static_cast<std::size_t>(axis)].name)
              : fmt::format("action/{}", info.id);
 }
 
-int lines_of(std::size_t cells, int per_line) { return (static_cast<int>(cells) + per_line - 1) / per_line; }
+int rows_of_cells(std::size_t cells, int per_line) {
+  return (static_cast<int>(cells) + per_line - 1) / per_line;
+}
 
 }  // namespace
 
 ActionForm::ActionForm(const Catalog& catalog, int action, int axis, ActionForm& shared)
     : action_(action),
       info_(catalog.actions[static_cast<std::size_t>(action)]),
-      path_(path_of(catalog, info_, axis)),
+      path_(action_path(catalog, info_, axis)),
       row_axis_(axis),
       shared_(&shared),
       fields_(info_.fields.size()) {
@@ -71,7 +73,7 @@ ActionForm::ActionForm(const Catalog& catalog, int action, int axis, ActionForm&
 ActionForm::ActionForm(const Catalog& catalog, int action)
     : action_(action),
       info_(catalog.actions[static_cast<std::size_t>(action)]),
-      path_(path_of(catalog, info_, -1)),
+      path_(action_path(catalog, info_, -1)),
       fields_(info_.fields.size()) {
   fill_in();
 }
@@ -101,7 +103,7 @@ float ActionForm::height(float width) const {
   if (only_a_button()) return control_height + between;
   const bool in_cell = fits_a_cell(info_.label);
   const std::size_t cells = fields_.size() + (in_cell ? 1 : 0);
-  const int lines = lines_of(cells, cells_of(cells, width, least_).per_line);
+  const int lines = rows_of_cells(cells, cells_of(cells, width, least_).per_line);
   return static_cast<float>(lines) * (label_height + control_height + between) +
          (in_cell ? 0 : control_height + between);
 }

@@ -134,7 +134,7 @@ void draw_single(Frame& f, std::size_t i, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, row.max.y));
 }
 
-void draw_table(Frame& f, std::span<const Run> columns, float width) {
+void draw_columns(Frame& f, std::span<const Run> columns, float width) {
   Ui& ui = f.ui;
   const Catalog& c = f.catalog;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -222,7 +222,7 @@ void draw_readouts(Frame& f, int group, float width, const ReadoutSet& elsewhere
       draw_single(f, i, width);
   Run columns[static_cast<std::size_t>(most_columns)];
   const std::size_t n = find_columns(f.catalog, group, elsewhere, columns);
-  if (n > 0) draw_table(f, {columns, n}, width);
+  if (n > 0) draw_columns(f, {columns, n}, width);
 }
 
 // Off, waiting and done also have lamps: a word alone never tells a state.

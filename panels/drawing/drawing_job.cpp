@@ -50,8 +50,8 @@ double chord_of(const sequence::Sequence& sequence, const Parts& parts) {
 }
 
 /// The path as the machine runs it; each run with its chain.
-std::shared_ptr<const drawing::ToolPath> path_of(const Conversion& made, const Parts& parts,
-                                                 drawing::Point scale) {
+std::shared_ptr<const drawing::ToolPath> tool_path_of(const Conversion& made, const Parts& parts,
+                                                      drawing::Point scale) {
   drawing::ToolPath path = sequence_path(made.sequence, scale, chord_of(made.sequence, parts));
   for (drawing::ToolPath::Run& run : path.runs) {
     const auto next = std::upper_bound(made.begins.begin(), made.begins.end(),
@@ -158,7 +158,7 @@ void time_by_ramps(DrawingJob::Made& made, const Catalog& catalog) {
 
 /// For controllers that draw together, in mm; a piece is a chain.
 void take_rehearsal(DrawingJob::Made& made, const Catalog& catalog, const Console::Together& rehearse) {
-  made.path = made.meant = path_of(made.conversion, made.parts, {1, 1});
+  made.path = made.meant = tool_path_of(made.conversion, made.parts, {1, 1});
   made.written.remarks.push_back(made.parts.front()->remark);
   made.with_transfers = true;  // nothing is sent in advance
   auto done = rehearse ? rehearse(made.conversion.sequence) : RehearsedTogether();
@@ -270,7 +270,7 @@ Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& ca
     made.chain_seconds = std::move(least);
     time_pieces(made, rehearsing.alone);
   }
-  if (!made.path) made.path = path_of(made.conversion, made.parts, scale);
+  if (!made.path) made.path = tool_path_of(made.conversion, made.parts, scale);
   return made;
 }
 

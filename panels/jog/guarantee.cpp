@@ -58,7 +58,7 @@ struct Words {
   std::string_view who, verb, tip;
   Tone tone;
 };
-Words words_of(Who who) {
+Words words_on(Who who) {
   switch (who) {
     case Who::controller:
       return {"controller", "stops it",
@@ -106,7 +106,7 @@ bool draw_guarantee(const Frame& f, const Rect& place) {
   if (link != LinkState::good && link != LinkState::late) return false;
   Ui& ui = f.ui;
   const Guarantee guarantee = guarantee_of(f);
-  const Words words = words_of(guarantee.who);
+  const Words words = words_on(guarantee.who);
   const bool known = guarantee.way > Steps(0);
   const NumberText way = format_with_unit(guarantee.way, common_unit(f));
   const std::string_view bound = guarantee.who == Who::controller ? "within " : "";

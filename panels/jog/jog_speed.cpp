@@ -35,7 +35,7 @@ OwnSpeed own_speed(const Frame& f) {
   });
   return known ? own : OwnSpeed();
 }
-NumberText words_of(const OwnSpeed& own, const DisplayUnit& unit) {
+NumberText own_speed_words(const OwnSpeed& own, const DisplayUnit& unit) {
   if (own.speed.value > 0 && own.alike) return format_speed(own.speed, unit);
   NumberText words;
   words.append(own.alike ? "not known yet" : "each its own");
@@ -46,7 +46,7 @@ bool by_itself(const Frame& f) { return f.tab.jog_speed().value <= 0; }
 
 NumberText speed_in_words(const Frame& f) {
   const DisplayUnit unit = common_unit(f);
-  return by_itself(f) ? words_of(own_speed(f), unit) : format_speed(f.tab.jog_speed(), unit);
+  return by_itself(f) ? own_speed_words(own_speed(f), unit) : format_speed(f.tab.jog_speed(), unit);
 }
 
 double slowest(const Frame& f) { return std::max(1.0, f.catalog.jog_speed_min.value); }

@@ -64,7 +64,7 @@ void say(std::string& words, std::string_view verb, const std::vector<IoLane::Sp
   if (spans.size() > most_in_words) words += " and more";
 }
 
-std::string words_of(const IoLane& lane, double end) {
+std::string lane_words(const IoLane& lane, double end) {
   std::string words;
   say(words, "on", lane.on, end);
   say(words, "waited for", lane.waits, end);
@@ -91,7 +91,7 @@ std::vector<IoLane> io_lanes(const Rehearsal& r, double finest) {
   for (Open& open : all) {
     close(open.on_since, open.lane.on, r.duration_s, gap);
     close(open.waits_since, open.lane.waits, r.duration_s, gap);
-    open.lane.words = words_of(open.lane, r.duration_s);
+    open.lane.words = lane_words(open.lane, r.duration_s);
     lanes.push_back(std::move(open.lane));
   }
   return lanes;

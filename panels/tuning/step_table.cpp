@@ -49,7 +49,7 @@ Path unit_of(const Frame& f, const Line& m) {
 }
 
 /// Without unit: "12.0", "3.1 to 5.2", or "12.0 or more" if a gap hid the exact value.
-Path number_of(const Line& m, const StepMeasures& of) {
+Path measure_number(const Line& m, const StepMeasures& of) {
   const auto value = m.of(of);
   if (!of.any || !value) return Path("{}", of.any ? m.absent : "");
   const NumberText low = format_number(value->low, m.decimals);
@@ -57,9 +57,9 @@ Path number_of(const Line& m, const StepMeasures& of) {
   const NumberText high = format_number(value->high, m.decimals);
   return low.view() == high.view() ? Path("{}", low.view()) : Path("{} to {}", low.view(), high.view());
 }
-Path words_of(const Frame& f, const Line& m, const StepMeasures& of) {
+Path measure_words(const Frame& f, const Line& m, const StepMeasures& of) {
   const bool number = of.any && m.of(of);
-  return Path("{}{}", number_of(m, of).view(), number ? unit_of(f, m).view() : std::string_view());
+  return Path("{}{}", measure_number(m, of).view(), number ? unit_of(f, m).view() : std::string_view());
 }
 
 struct Change {
@@ -118,9 +118,10 @@ void draw_step_table(Frame& f, const TwoSteps& s, float width) {
       places.text(ui, column, row, face, ui[tone], words);
       show(ui, {id, Kind::text, m.label, words}, places.cell(column, row));
     };
-    if (s.number) say(1, Path("tuning/measure/{}", m.id), Face::body_bold, Tone::ink, words_of(f, m, s.now));
+    if (s.number)
+      say(1, Path("tuning/measure/{}", m.id), Face::body_bold, Tone::ink, measure_words(f, m, s.now));
     if (s.number && s.before) {
-      say(2, Path("tuning/measure/{}/before", m.id), Face::body, Tone::ink2, words_of(f, m, s.was));
+      say(2, Path("tuning/measure/{}/before", m.id), Face::body, Tone::ink2, measure_words(f, m, s.was));
       const Change change = change_of(f, m, s, width >= 520);
       say(3, Path("tuning/measure/{}/change", m.id), Face::body, change.tone, change.words);
     }
@@ -166,12 +167,12 @@ void draw_flat_step_table(Frame& f, const TwoSteps& s, float width) {
     const std::string_view unit = m.unit.empty() ? std::string_view(f.catalog.step_word) : m.unit;
     if (m.unit != bare) line_of(at.y + ui.px(26), Face::small, Tone::ink2, unit);
     if (s.number) {
-      line_of(now_y + ui.px(12), Face::body_bold, Tone::ink, number_of(m, s.now));
-      tell(now_y, 24, Path("tuning/measure/{}", m.id), words_of(f, m, s.now));
+      line_of(now_y + ui.px(12), Face::body_bold, Tone::ink, measure_number(m, s.now));
+      tell(now_y, 24, Path("tuning/measure/{}", m.id), measure_words(f, m, s.now));
     }
     if (compared) {
-      line_of(was_y + ui.px(12), Face::body, Tone::ink2, number_of(m, s.was));
-      tell(was_y, 24, Path("tuning/measure/{}/before", m.id), words_of(f, m, s.was));
+      line_of(was_y + ui.px(12), Face::body, Tone::ink2, measure_number(m, s.was));
+      tell(was_y, 24, Path("tuning/measure/{}/before", m.id), measure_words(f, m, s.was));
       const Change change = change_of(f, m, s, false);
       line_of(change_y + ui.px(12), Face::body, change.tone, change.by);
       line_of(change_y + ui.px(28), Face::small, change.tone, change.verdict);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Clean builds compile files of one library in batches (CMakeLists.txt, HW_BATCHES). There, what two files hide under
 one name in the same namespace would meet: each such name may be used once in a library, and not as the name of a type
-in a header beside it.
+or a function in a header beside it.
     batch_rules.py [HOUSE]"""
 import collections
 import json
@@ -23,9 +23,9 @@ def tags(files, kinds):
     return [json.loads(line) for line in lines]
 
 
-def types_in_headers(files):
-    """(namespace, name) -> header."""
-    return {(t.get("scope", ""), t["name"]): t["path"] for t in tags(files, "sgtc") if t.get("scopeKind") == "namespace"}
+def declared_in(headers):
+    """(namespace, name) -> header, of types and functions. A hidden function keeps others of its name from being found."""
+    return {(t.get("scope", ""), t["name"]): t["path"] for t in tags(headers, "sgtcp") if t.get("scopeKind") == "namespace"}
 
 
 def hidden(files):
@@ -42,10 +42,10 @@ def clashes(folder, without):
     found = collections.defaultdict(dict)
     for space, name, what, path in hidden(files):
         found[space, name].setdefault(path, set()).add(what)
-    headers = types_in_headers(sorted((HOUSE / folder).rglob("*.h")))
+    headers = declared_in(sorted((HOUSE / folder).rglob("*.h")))
     for (space, name), places in sorted(found.items()):
         if (space, name) in headers:
-            yield f"{space}::{name} is hidden in {', '.join(sorted(places))} and a type in {headers[space, name]}."
+            yield f"{space}::{name} is hidden in {', '.join(sorted(places))} and declared in {headers[space, name]}."
         kinds = [what for each in places.values() for what in each]
         # One with a default argument may be meant by the same call as another without.
         overloads = len(kinds) == len(set(kinds)) and all(k.startswith("function") and "=" not in k for k in kinds)

@@ -193,7 +193,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 }
 
 // "{}" is the axis letter; "{of}" is " of X" where the setting is one of several axes.
-std::string fill(std::string text, std::string_view letter, bool per_axis) {
+std::string worded(std::string text, std::string_view letter, bool per_axis) {
   replace_all(text, "{of}", per_axis ? " of " + std::string(letter) : "");
   replace_all(text, "{}", letter);
   return text;
@@ -245,8 +245,8 @@ void add_joystick_words(ParamInfo& p, const Model& model, const SettingFact& fac
   const int axis = limit ? place / 4 : place % 4, kind = limit ? place % 4 : place / 4;
   const auto& words = limit ? joystick_limits[kind] : joystick_values[kind];
   const std::string_view letter = model.axis_letters.substr(static_cast<std::size_t>(axis), 1);
-  p.label = fill(words[0], letter, true);
-  p.explanation = fill(words[1], letter, true);
+  p.label = worded(words[0], letter, true);
+  p.explanation = worded(words[1], letter, true);
   p.group = "Joystick";
   p.axis = axis;
   p.unit = limit ? "pulses" : kind == 2 ? "mV" : "pulses/s";
@@ -283,8 +283,8 @@ std::vector<ParamInfo> params(const Model& model, const Wording& wording) {
         const std::string_view letter =
             model.axis_letters.substr(per_axis ? static_cast<std::size_t>(place) : 0, 1);
         p.group = words->group;
-        p.label = fill(words->label, letter, per_axis);
-        p.explanation = fill(words->explanation, letter, per_axis);
+        p.label = worded(words->label, letter, per_axis);
+        p.explanation = worded(words->explanation, letter, per_axis);
         if (!fact.stored) p.explanation += " Not kept by Store: it is gone when the power is off.";
         replace_all(p.explanation, "{together}",
                     model.axes() > 1 ? ", but not in moves of several axes together" : "");

@@ -85,7 +85,7 @@ constexpr ParameterFact facts[] = {
     either("PA", "PA0", "PA1", 0, Fitting::any, "Outputs",
            "Automatic power of {}", "Whether the auxiliary output of {} goes high by itself for each move and low afterwards, to switch a drive between run and idle current.", "PA0: off", "PA1: on for moves"),
     number("SE", Fitting::any, std::nullopt, 0, most_whole, 0, "Outputs",
-           "Settling time of {}", "With automatic power the auxiliary output of {} stays high for so long after a move.", "ms"),
+           "Settling time of {}", "With automatic power the auxiliary output of {} stays high for this time after a move.", "ms"),
     either("BI", "UN", "BI", 1, Fitting::servo, "Outputs",
            "Analog output of {}", "Whether the torque output of {} swings both ways around zero or has one polarity beside a direction line. A jumper must agree.", "UN: one polarity", "BI: both ways"),
     number("PI", Fitting::any, std::nullopt, 0, most_whole, 0, "Outputs",
@@ -93,11 +93,11 @@ constexpr ParameterFact facts[] = {
     of_board(number("PN", Fitting::any, std::nullopt, ramp_linear, ramp_cosine, ramp_linear, "Speeds and ramps",
            "Form of all ramps", "How speed changes on every axis: in a straight line, along a half cosine (soft), or by a parabola that is cut off at a point (1 to 10).", "")),
     of_board(number("CV", Fitting::any, std::nullopt, 0, velocity_max, 0, "Speeds and ramps",
-           "Speed along contours", "The constant speed of contours. It has to be set before a contour is played; 0 means that it has not been.", "counts/s")),
+           "Speed along contours", "Set the constant speed of contours before one is played. 0 means that it has not been set.", "counts/s")),
 };
 // clang-format on
 
-bool fits(const ParameterFact& fact, const AxisFitting& axis) {
+bool axis_has(const ParameterFact& fact, const AxisFitting& axis) {
   switch (fact.fitting) {
     case Fitting::any: return true;
     case Fitting::servo: return axis.kind == AxisKind::servo;
@@ -113,7 +113,7 @@ std::vector<Parameter> parameters_of(const Variant& variant) {
   std::vector<Parameter> all;
   for (int axis = 0; axis < variant.axes(); ++axis)
     for (const ParameterFact& fact : facts)
-      if (!fact.whole_board && fits(fact, variant.fitting(axis)))
+      if (!fact.whole_board && axis_has(fact, variant.fitting(axis)))
         all.push_back(
             {&fact, axis, std::string(fact.letters) + axis_letters[static_cast<std::size_t>(axis)]});
   for (const ParameterFact& fact : facts)

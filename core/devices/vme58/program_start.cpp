@@ -34,7 +34,7 @@ std::string number_of(const ParamInfo& info, std::int64_t value) {
   return fmt::format("{:.{}f}", static_cast<double>(value) / unit, info.decimals);
 }
 
-std::string set_text(const ParamInfo& info, std::int64_t value) {
+std::string setting_text(const ParamInfo& info, std::int64_t value) {
   const std::string letters = info.mnemonic.substr(0, 2);
   for (const Either& either : switches)
     if (letters == either.letters) return std::string(value != 0 ? either.on : either.off);
@@ -55,7 +55,7 @@ std::vector<std::string> text_to_begin_like(const ControllerState& state, const 
   for (std::size_t i = 0; i < catalog.params.size(); ++i) {
     const ParamInfo& info = catalog.params[i];
     const auto value = state.param(i);
-    if (value && *value != info.fallback) all.push_back(addressed(info.axis, set_text(info, *value)));
+    if (value && *value != info.fallback) all.push_back(addressed(info.axis, setting_text(info, *value)));
   }
   for (std::size_t place = 0; place < catalog.outputs.size(); ++place) {
     if ((state.now.outputs_known >> place & 1u) == 0) continue;
@@ -98,11 +98,11 @@ std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const
     if ((state.now.queue_known >> i & 1u) == 0 || waiting <= 0) continue;
     named = true;
     all.push_back({"queue of " + catalog.axes[ix(i)].name,
-                   fmt::format("empty, since the board does not tell what its {} {}", waiting,
+                   fmt::format("empty, since the board does not report what its {} {}", waiting,
                                waiting == 1 ? "entry says" : "entries say")});
   }
   if (!named && state.now.shows_under_way().queued)
-    all.push_back({"command queues", "empty, since the board does not tell what waits there"});
+    all.push_back({"command queues", "empty, since the board does not report what waits there"});
   return all;
 }
 
