@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 #include <sys/socket.h>
 
-#include "core/device/bus_target.h"
+#include "core/emulation/bus_target.h"
 #include "transports/gone.h"
 #include "transports/tcp.h"
 

@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/base/number_text.h"
-#include "core/device/bench_file.h"
+#include "core/emulation/bench_file.h"
 #include "core/session/transport_list.h"
 #include "core/session/user_files.h"
 #include "transports/bus_port.h"

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "core/device/bench_file.h"
-#include "core/device/emulator.h"
+#include "core/emulation/bench_file.h"
+#include "core/emulation/emulator.h"
 #include "core/session/wire.h"
 #include "transports/byte_line.h"
 #include "transports/state_file.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include "core/device/bus_target.h"
+#include "core/emulation/bus_target.h"
 #include "transports/bus_port.h"
 #include "transports/gone.h"
 #include "transports/serve.h"

@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
-#include "core/device/bench_file.h"
-#include "core/device/emulator.h"
+#include "core/emulation/bench_file.h"
+#include "core/emulation/emulator.h"
 #include "core/script/bind.h"
 
 namespace hw::script {

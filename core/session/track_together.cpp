@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/index.h"
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 namespace hw {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/device/track_keeper.h"
+#include "core/device/track.h"
 #include "core/session/wire.h"
 
 namespace hw {

@@ -7,8 +7,8 @@
 #include <fmt/core.h>
 
 #include "core/base/shown_text.h"
-#include "core/device/bench_file.h"
 #include "core/device/controller_state.h"
+#include "core/emulation/bench_file.h"
 #include "core/session/parameter_file.h"
 #include "core/session/text_file.h"
 #include "core/session/user_files.h"

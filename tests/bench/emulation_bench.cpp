@@ -5,8 +5,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/device/emulator.h"
 #include "core/device/registry.h"
+#include "core/emulation/emulator.h"
 
 namespace hw {
 namespace {

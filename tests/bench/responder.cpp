@@ -15,8 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/device/emulator.h"
 #include "core/device/registry.h"
+#include "core/emulation/emulator.h"
 
 namespace hw {
 namespace {

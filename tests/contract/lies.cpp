@@ -5,7 +5,7 @@
 #include <iostream>
 #include <string>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 #include "tests/contract/lying_driver.h"
 
 namespace hw {

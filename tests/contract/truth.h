@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 #include "tests/contract/rig.h"
 
 namespace hw {

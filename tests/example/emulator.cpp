@@ -1,11 +1,11 @@
 // A Twin in miniature.
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 #include <fmt/core.h>
 
 #include "core/base/number_text.h"
 #include "core/base/split.h"
-#include "core/device/plant_bench.h"
+#include "core/emulation/plant_bench.h"
 #include "core/motion/step_axis.h"
 #include "tests/example/facts.h"
 #include "tests/example/twin.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 #include "tests/fuzz/bytes.h"
 
 namespace hw::fuzz {

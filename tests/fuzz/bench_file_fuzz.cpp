@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "core/device/bench_file.h"
+#include "core/emulation/bench_file.h"
 
 namespace {
 

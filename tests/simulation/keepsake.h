@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 #include "tests/simulation/plan.h"
 
 namespace hw::simulation {

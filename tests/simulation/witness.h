@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "core/device/bench.h"
-#include "core/device/machine_truth.h"
+#include "core/emulation/machine_truth.h"
 
 namespace hw::simulation {
 

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 #include "core/session/session_group.h"
 #include "core/time/virtual_scheduler.h"
 #include "transports/open.h"

@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
-#include "core/device/bus_target.h"
-#include "core/device/emulator.h"
+#include "core/emulation/bus_target.h"
+#include "core/emulation/emulator.h"
 #include "core/link/window.h"
 
 namespace hw::test {

@@ -3,7 +3,7 @@
 // of what a bus is, whatever hangs on it.
 //   @NNP<CR> -> 0400<CR>     @NNS<CR> -> OK<CR>, counts as a stop     @00S<CR>: a stop of all, nobody answers
 #include "core/device/driver.h"
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::test {
 

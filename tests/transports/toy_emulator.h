@@ -4,7 +4,7 @@
 //   V -> R     X, Y -> +0000400<CR>     M -> ^ after 100 ms     4, 9 -> rate 38400, 9600     S -> stores
 #include <algorithm>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::test {
 

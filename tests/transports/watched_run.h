@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/device/bench_schedule.h"
+#include "core/emulation/bench_schedule.h"
 #include "tests/core/device/emulator_around.h"
 
 namespace hw::test {

@@ -12,7 +12,7 @@
 
 #include <umockdev-1.0/umockdev.h>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::test {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/device/emulator.h"
 #include "core/devices/arcus/emulator_command.h"
 #include "core/devices/arcus/emulator_controller.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::arcus {
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/device/bench_on_controller.h"
-#include "core/device/plant_bench.h"
 #include "core/devices/arcus/emulator_arcus.h"
+#include "core/emulation/bench_on_controller.h"
+#include "core/emulation/plant_bench.h"
 
 namespace hw::arcus {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::dmx_k_sa {
 

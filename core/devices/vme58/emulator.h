@@ -13,7 +13,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::vme58 {
 

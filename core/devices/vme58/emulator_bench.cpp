@@ -3,8 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "core/device/bench_on_controller.h"
 #include "core/devices/vme58/emulator_vme58.h"
+#include "core/emulation/bench_on_controller.h"
 
 namespace hw::vme58 {
 namespace {

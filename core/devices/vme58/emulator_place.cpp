@@ -1,9 +1,9 @@
 // Actions on the bench: the loads of the axes, and what is done to them.
 #include <cmath>
 
-#include "core/device/bench_file.h"
-#include "core/device/plant_bench.h"
 #include "core/devices/vme58/emulator_motion.h"
+#include "core/emulation/bench_file.h"
+#include "core/emulation/plant_bench.h"
 
 namespace hw::vme58 {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/device/emulator.h"
 #include "core/devices/vme58/emulator_board.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::vme58 {
 

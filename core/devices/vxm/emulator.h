@@ -12,7 +12,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::vxm {
 

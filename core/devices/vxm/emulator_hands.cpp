@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "core/base/index.h"
-#include "core/device/bench_on_controller.h"
-#include "core/device/plant_bench.h"
 #include "core/devices/vxm/emulator_vxm.h"
+#include "core/emulation/bench_on_controller.h"
+#include "core/emulation/plant_bench.h"
 
 namespace hw::vxm {
 

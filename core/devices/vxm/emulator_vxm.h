@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/device/emulator.h"
 #include "core/devices/vxm/emulator_box.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::vxm {
 

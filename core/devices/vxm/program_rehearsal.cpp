@@ -5,15 +5,15 @@
 #include <optional>
 
 #include "core/base/index.h"
-#include "core/device/bench_file.h"
-#include "core/device/bench_schedule.h"
-#include "core/device/track_keeper.h"
 #include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/emulator_vxm.h"
 #include "core/devices/vxm/program_analysis.h"
 #include "core/devices/vxm/program_start.h"
 #include "core/devices/vxm/program_watch.h"
 #include "core/devices/vxm/report.h"
+#include "core/emulation/bench_file.h"
+#include "core/emulation/bench_schedule.h"
+#include "core/emulation/track_keeper.h"
 
 namespace hw::vxm {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::test {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 #include "core/link/stream.h"
 #include "core/time/scheduler.h"
 

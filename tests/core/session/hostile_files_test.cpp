@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include "core/device/bench_file.h"
+#include "core/emulation/bench_file.h"
 #include "core/sequence/sequence_file.h"
 #include "core/session/autosave.h"
 #include "core/session/kept_options.h"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/device/driver.h"
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 #include "core/script/runner.h"
 #include "core/session/session.h"
 #include "core/time/virtual_scheduler.h"

@@ -6,8 +6,8 @@
 
 #include <gmock/gmock.h>
 
-#include "core/device/emulator.h"
 #include "core/device/registry.h"
+#include "core/emulation/emulator.h"
 #include "tests/core/device/driver_stage.h"
 
 namespace hw::arcus {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::arcus::proof {
 

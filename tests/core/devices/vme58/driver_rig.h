@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/device/bus_target.h"
+#include "core/emulation/bus_target.h"
 #include "core/session/session.h"
 #include "core/time/virtual_scheduler.h"
 #include "transports/serve.h"

@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/device/emulator.h"
 #include "core/devices/vme58/facts.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::vme58::proof {
 

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/device/emulator.h"
+#include "core/emulation/emulator.h"
 
 namespace hw::vxm::proof {
 

@@ -1,4 +1,4 @@
-#include "core/device/plant_bench.h"
+#include "core/emulation/plant_bench.h"
 
 #include "core/base/index.h"
 

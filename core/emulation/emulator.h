@@ -10,8 +10,8 @@
 
 #include "core/base/result.h"
 #include "core/device/bench.h"
-#include "core/device/bus_target.h"
-#include "core/device/machine_truth.h"
+#include "core/emulation/bus_target.h"
+#include "core/emulation/machine_truth.h"
 #include "core/time/clock.h"
 
 namespace hw {

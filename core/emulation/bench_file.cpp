@@ -1,4 +1,4 @@
-#include "core/device/bench_file.h"
+#include "core/emulation/bench_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // What is kept of a long rehearsal, and that it is told how much.
-#include "core/device/track_keeper.h"
+#include "core/emulation/track_keeper.h"
 
 #include <cmath>
 

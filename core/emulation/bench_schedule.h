@@ -3,8 +3,8 @@
 #include <deque>
 #include <optional>
 
-#include "core/device/bench_file.h"
-#include "core/device/emulator.h"
+#include "core/emulation/bench_file.h"
+#include "core/emulation/emulator.h"
 
 namespace hw {
 

@@ -1,4 +1,4 @@
-#include "core/device/bus_target.h"
+#include "core/emulation/bus_target.h"
 
 namespace hw {
 namespace {

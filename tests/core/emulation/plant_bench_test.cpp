@@ -1,5 +1,5 @@
 // Hands on plants, and what is seen of them: what every emulator with loads does.
-#include "core/device/plant_bench.h"
+#include "core/emulation/plant_bench.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
