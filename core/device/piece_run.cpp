@@ -21,13 +21,12 @@ Result<> PieceRun::begin(const intent::RunInPieces& request) {
   pieces_ = request.pieces, seat_ = request.seat;
   if (seat_) seat_->take(wake_);
   piece_ = step_ = acts_before_ = 0;
-  doubts_ = false;
+  begun_ = doubts_ = false;
   restarts_ = draft_.restarts;
   const PiecesState before = std::exchange(draft_.pieces, PiecesState());
   draft_.pieces.running = true;
   draft_.pieces.drawing = pieces_->drawing;
-  if (pieces_->drawing == 0)
-    draft_.pieces.rest_of = before.rest_of, draft_.pieces.rest_step = before.rest_step;
+  draft_.pieces.rest_of = before.rest_of, draft_.pieces.rest_step = before.rest_step;
   draft_.pieces.draws = seat_ || std::any_of(pieces_->all.begin(), pieces_->all.end(),
                                              [](const Piece& piece) { return piece.draws >= 0; });
   draft_.pieces.speed_can_change = draft_.pieces.draws || pieces_->text_at;
@@ -119,11 +118,19 @@ Result<IntentBody> PieceRun::at_speed(const IntentBody& due) const {
   return IntentBody(intent::LoadProgram(load->slot, std::move(*text)));
 }
 
+bool PieceRun::sends(const IntentBody& act) {
+  const bool prepares = std::holds_alternative<intent::LoadProgram>(act) ||
+                        std::holds_alternative<intent::SetOutput>(act) ||
+                        std::holds_alternative<intent::SetParam>(act);
+  return std::exchange(begun_, begun_ || !prepares);
+}
+
 void PieceRun::done(std::uint64_t shows_in, Instant now) {
   shows_in_ = shows_in;
   not_before_ = now + pieces_->all[piece_].does[step_].then;
   ++step_;
   doubts_ = false;
+  if (begun_ && pieces_->drawing != 0) draft_.pieces.rest_of = 0, draft_.pieces.rest_step = 0;
 }
 
 /// As far as the controller tells; else the piece's first.
@@ -229,9 +236,11 @@ std::string PieceRun::why_not_there(const AxisTarget& end) const {
 }
 
 void PieceRun::end() {
-  if (pieces_ && pieces_->drawing != 0 && draft_.pieces.done < draft_.pieces.total) {
-    draft_.pieces.rest_of = pieces_->drawing;
-    draft_.pieces.rest_step = std::max(draft_.pieces.step, pieces_->all[piece_].first_step);
+  const bool whole = draft_.pieces.done >= draft_.pieces.total;
+  const bool begun = begun_ || draft_.pieces.done > 0;  // the others may have moved, and this one not
+  if (pieces_ && pieces_->drawing != 0 && begun) {
+    draft_.pieces.rest_of = whole ? 0 : pieces_->drawing;
+    draft_.pieces.rest_step = whole ? 0 : std::max(draft_.pieces.step, pieces_->all[piece_].first_step);
   }
   pieces_.reset();
   if (seat_) seat_->leave();

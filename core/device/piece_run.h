@@ -35,6 +35,11 @@ class PieceRun {
   [[nodiscard]] bool others_have_ended() const { return runs_together() && seat_->has_ended(); }
   /// `due` at the present speed override.
   [[nodiscard]] Result<IntentBody> at_speed(const IntentBody& due) const;
+  /// `act` goes out now. The first that may move anything replaces what was left of an earlier drawing.
+  /// Returns whether one had gone out before, see refused().
+  bool sends(const IntentBody& act);
+  /// It was not taken. `had_begun`: as sends() returned it.
+  void refused(bool had_begun) { begun_ = had_begun; }
   /// It was performed; its outcome shows from that status round on.
   void done(std::uint64_t shows_in, Instant now);
   /// After a status round: breaks off if a piece did not end as it should, and returns a sentence that says
@@ -71,6 +76,7 @@ class PieceRun {
                 seen_ =
                     0;  ///< status rounds: the first that shows the present act; the last that was watched
   Instant not_before_{};
+  bool begun_ = false;          ///< something that may move was sent
   bool doubts_ = false;         ///< a piece may have failed: the next round tells
   std::uint32_t restarts_ = 0;  ///< restarts of the controller when the run began
 };

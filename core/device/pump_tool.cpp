@@ -115,8 +115,10 @@ Task<> Pump::perform_piece(const IntentBody& body) {
   const auto asked = pieces_.at_speed(body);  // a copy: theirs may go with them
   if (!asked) co_return pieces_end(asked.error().sentence(), cuts);
   count_program_change(Intent(0, *asked));
+  const bool had_begun = pieces_.sends(*asked);
   auto performed = co_await perform_guarding_tool(*asked);
   if (!pieces_.running()) co_return;
+  if (!performed && performed.error().kind == FaultKind::refused) pieces_.refused(had_begun);
   if (performed)
     pieces_.done(rounds_.want(scheduler_.now()), scheduler_.now());
   else

@@ -43,6 +43,8 @@ std::optional<double> routine_number(std::string_view text) {
   return value;
 }
 
+double turned(double to, double per_unit) { return per_unit < 0 && to != 0 ? -to : to; }
+
 class RoutineReader {
  public:
   RoutineReader(const Catalog& catalog, const PerUnit& per_unit, std::vector<sequence::Axis>& axes)
@@ -100,9 +102,10 @@ class RoutineReader {
     while (place < axes_.size() && axes_[place].name != found->name) ++place;
     if (place < drawing_axes)
       return refuse(fmt::format("{} draws, so it cannot move the tool up or down.", found->name));
-    if (place == axes_.size()) axes_.push_back({found->name, per_unit_(found->name)});
+    const double per_unit = per_unit_(found->name);
+    if (place == axes_.size()) axes_.push_back({found->name, std::abs(per_unit)});
     sequence::Move move;
-    move.to[place] = *to;
+    move.to[place] = turned(*to, per_unit);
     steps_.push_back({move});
     steps_.push_back({sequence::WaitMotion{static_cast<int>(place)}});
     return {};
@@ -131,10 +134,10 @@ void put_tool(const PlainTool& tool, std::vector<sequence::Axis>& axes, sequence
               sequence::StepList& pen_up) {
   if (!tool.axis.empty()) {
     const std::size_t place = axes.size();
-    axes.push_back({tool.axis, tool.per_unit});
+    axes.push_back({tool.axis, std::abs(tool.per_unit)});
     for (auto [to, routine] : {std::pair{tool.down, &pen_down}, std::pair{tool.up, &pen_up}}) {
       sequence::Move move;
-      move.to[place] = to;
+      move.to[place] = turned(to, tool.per_unit);
       routine->push_back({move});
       routine->push_back({sequence::WaitMotion{static_cast<int>(place)}});
     }

@@ -15,8 +15,9 @@ namespace hw {
 
 /// A tool that an axis lowers, an output switches, or both.
 struct PlainTool {
-  std::string axis;  ///< empty: none
-  double per_unit = 1, down = 0, up = 0;
+  std::string axis;     ///< empty: none
+  double per_unit = 1;  ///< as PerUnit says it
+  double down = 0, up = 0;
   std::optional<int> output;
   double down_delay_ms = 0, up_delay_ms = 0;  ///< until it has acted
 };
@@ -25,7 +26,8 @@ struct PlainTool {
 void put_tool(const PlainTool& tool, std::vector<sequence::Axis>& axes, sequence::StepList& pen_down,
               sequence::StepList& pen_up);
 
-/// Steps per unit of an axis that is not in `axes` yet.
+/// Steps per unit of an axis. Below 0: the numbers count opposite to its steps, and are turned round in the
+/// moves, whose axis has the positive scale.
 using PerUnit = std::function<double(const std::string& axis)>;
 
 /// Each move includes the wait for its end. An axis that does not draw is appended to `axes`, whose first two

@@ -1,15 +1,13 @@
 #include "gui/app/kept_units.h"
 
 #include "core/session/session.h"
-#include "gui/model/tab.h"
+#include "gui/model/kept_unit.h"
 #include "transports/ports.h"
 
 namespace hw::app {
 
 std::optional<script::AxisUnit> unit_of_profile(const Catalog& catalog, const Profile& profile, int axis) {
-  Profile shown = profile;
-  shown.unit = "real";
-  const gui::DisplayUnit unit = gui::display_unit(catalog, shown, AxisId{static_cast<std::uint8_t>(axis)});
+  const gui::DisplayUnit unit = gui::kept_unit(catalog, profile.axes[static_cast<std::size_t>(axis)]);
   if (!unit.real || unit.per_step == 0) return {};
   return script::AxisUnit{unit.name, 1 / unit.per_step};
 }

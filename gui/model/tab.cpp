@@ -8,7 +8,10 @@
 #include "core/device/travel_check.h"
 #include "core/session/session.h"
 #include "gui/model/ending_words.h"
+#include "gui/model/kept_unit.h"
+#include "gui/model/list_run.h"
 #include "gui/model/run_places.h"
+#include "gui/model/sample_feed.h"
 #include "gui/model/status_sentence.h"
 
 namespace hw::gui {
@@ -17,18 +20,8 @@ const Snapshot Tab::nothing_known;
 const BenchView Tab::no_bench;
 
 DisplayUnit display_unit(const Catalog& catalog, const Profile& profile, AxisId axis) {
-  DisplayUnit steps;
-  steps.name = catalog.step_word;
-  if (profile.unit.empty() || profile.unit == catalog.step_word) return steps;
-  const AxisProfile& chosen = profile.axes[axis.index];
-  if (const OwnUnit& own = chosen.own_unit; chosen.unit_choice == own_unit_choice && own.per_step != 0)
-    return DisplayUnit{own.name, chosen.reversed ? -own.per_step : own.per_step, decimals_of(own.per_step),
-                       true};
-  for (const UnitChoice& choice : catalog.units)
-    if (choice.label == chosen.unit_choice)
-      return DisplayUnit{choice.unit, chosen.reversed ? -choice.per_step : choice.per_step, choice.decimals,
-                         true};
-  return steps;
+  const bool in_steps = profile.unit.empty() || profile.unit == catalog.step_word;
+  return kept_unit(catalog, in_steps ? AxisProfile() : profile.axes[axis.index]);
 }
 
 static Tab::Door door_of(Session& session) {
@@ -81,6 +74,7 @@ void Tab::refresh() {
   session_->notices().drain([this](Notice& notice) { take(notice); });
   session_->endings().drain([this](const Ending& ending) { take(ending); });
   desk_.traffic.drain(session_->traffic());
+  session_->samples().drain([this](const AxisSample& sample) { desk_.step_recorder->take(sample); });
   look_at_snapshot();
 }
 
@@ -98,7 +92,10 @@ void Tab::look_at_snapshot() {
   bar_.refresh(*now_);
   unset_read = unset_read || now_->any_axis_moving();
   banner_folded = banner_folded && now_->link.state == LinkState::lost;
-  desk_.refresh(*now_, *bench_, clock_, [this](IntentBody body) { return send(std::move(body)); });
+  const Desk::Send send_it = [this](IntentBody body) { return send(std::move(body)); };
+  desk_.refresh(*now_, *bench_, clock_, send_it);
+  desk_.list_run->follow(*now_, send_it);
+  desk_.step_recorder->follow(steps_view(*this));
 }
 
 void Tab::take(Notice& notice) {

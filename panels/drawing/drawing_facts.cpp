@@ -51,6 +51,7 @@ void DrawingFacts::follow(const DrawingJob& job, const ConversionOptions& wanted
   if (std::exchange(said_, job.version()) == job.version()) return;
   time_.clear(), beside_.clear(), drawn_.clear(), travel_.clear(), saved_.clear(), size_.clear(),
       chains_.clear(), moves_.clear();
+  untimed_ = false;
   left_out_.clear(), left_out_title_.clear(), off_.clear(), understood_.clear(), problem_ = job.fault(),
                                                                                  can_be_cut_ = false;
   if (const drawing::Drawing* d = job.drawing()) {
@@ -76,8 +77,8 @@ void DrawingFacts::follow(const DrawingJob& job, const ConversionOptions& wanted
   drawn_ = in_mm(c.drawn), travel_ = in_mm(c.way);
   if (const double saved = c.way_as_drawn - c.way; saved >= 0.05) {
     saved_ = in_mm(saved);
-    if (const double speed = wanted.travel.high; speed > 0)
-      saved_ += fmt::format(", {} s", format_number(saved / speed, 1).view());
+    untimed_ = !(wanted.travel.high > 0);
+    if (!untimed_) saved_ += fmt::format(", {} s", format_number(saved / wanted.travel.high, 1).view());
   }
   if (made->together) beside_ = fmt::format("{} mm at most", format_number(made->beside, 3).view());
   size_ = fmt::format("{} \u00d7 {} mm", format_number(c.box.high.x - c.box.low.x, 3).view(),
@@ -129,6 +130,7 @@ void DrawingFacts::draw(Frame& f, const DrawingJob& job) {
     key_value(ui, "drawing/drawn", "Tool on", drawn_);
     key_value(ui, "drawing/travel", "Tool off", travel_);
     if (!saved_.empty()) key_value(ui, "drawing/saved", "Saved by the order", saved_, Tone::ok);
+    if (untimed_) draw_why_untimed(f);
     if (!beside_.empty()) key_value(ui, "drawing/beside", "Beside its lines", beside_);
     key_value(ui, "drawing/size", "Size", size_);
     key_value(ui, "drawing/chains", "Chains", chains_);
@@ -138,6 +140,14 @@ void DrawingFacts::draw(Frame& f, const DrawingJob& job) {
     wrapped(ui, Face::body, Tone::ink2, "Lines, arcs, circles, polylines, ellipses and splines are cut.");
   }
   group_line(ui);
+}
+
+void DrawingFacts::draw_why_untimed(Frame& f) {
+  constexpr std::string_view why = "Give the speed with the tool off to see how long that is.";
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  wrapped(f.ui, Face::small, Tone::ink3, why);
+  show(f.ui, {"drawing/saved/untimed", Kind::text, "Saved by the order", why},
+       {from, ImGui::GetCursorScreenPos()});
 }
 
 void DrawingFacts::draw_left_out(Frame& f) {

@@ -64,6 +64,8 @@ void DrawingOptions::choose_layers(const drawing::Drawing& drawing, ConversionOp
 }
 
 void DrawingOptions::settle(const Frame& f, const drawing::Drawing* drawing) {
+  changed_ |= place_.follow_units(f);
+  changed_ |= tool_.follow_units(f);
   if (!std::exchange(changed_, false)) return;
   ConversionOptions o;
   place_.put(f, o);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/index.h"
+#include "gui/model/kept_unit.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
@@ -17,21 +18,15 @@ using namespace gui;
 
 static constexpr std::array<std::string_view, 7> file_units{"mm", "in", "cm", "m", "ft", "um", "mil"};
 
-double kept_steps_in_mm(const Frame& f, int axis) {
+KeptScale kept_scale(const Frame& f, int axis) {
   const Tab& owner = owner_of(f, axis);
-  const AxisId id{static_cast<std::uint8_t>(draws_together(f) ? 0 : axis)};
-  const auto in_mm = [](const DisplayUnit& unit) {
-    const auto length = unit.real ? millimetres(unit.name) : std::nullopt;
-    return length && unit.per_step != 0 ? 1 / (std::abs(unit.per_step) * *length) : 0;
-  };
-  if (owner.unit(id).real || owner.profile.axes[id.index].unit_choice.empty()) return in_mm(owner.unit(id));
-  Profile shown = owner.profile;  // the numbers are shown in steps now
-  shown.unit = "real";
-  return in_mm(display_unit(owner.catalog(), shown, id));
+  const DisplayUnit unit = kept_unit(owner.catalog(), owner.profile.axes[draws_together(f) ? 0 : ix(axis)]);
+  const auto length = unit.real && unit.per_step != 0 ? millimetres(unit.name) : std::nullopt;
+  return {length ? 1 / (std::abs(unit.per_step) * *length) : 0, unit.per_step < 0};
 }
 
 double steps_in_mm(const Frame& f, int axis) {
-  const double kept = kept_steps_in_mm(f, axis);
+  const double kept = kept_scale(f, axis).steps_in_mm;
   return kept > 0 ? kept : 100;
 }
 
@@ -56,16 +51,15 @@ void DrawingPlace::begin(const Frame& f) {
 void DrawingPlace::take_axis(const Frame& f, std::size_t direction, int axis) {
   axes_[direction] = axis;
   if (ix(axis) >= scales_.size()) return;
-  kept_[ix(axis)] = kept_steps_in_mm(f, axis);
+  kept_[ix(axis)] = kept_scale(f, axis).steps_in_mm;
   const double typed = kept_[ix(axis)] > 0 ? 0 : scales_[ix(axis)];
   per_unit_[direction].set(typed > 0 ? typed : steps_in_mm(f, axis), form_);
 }
 
-/// A unit chosen at the numbers since then tells the scale.
 bool DrawingPlace::follow_units(const Frame& f) {
   bool changed = false;
   for (std::size_t d = 0; d < std::min(along_ids.size(), f.catalog.axes.size()); ++d) {
-    const double kept = kept_steps_in_mm(f, axes_[d]);
+    const double kept = kept_scale(f, axes_[d]).steps_in_mm;
     if (kept == kept_[ix(axes_[d])] || !(kept > 0)) continue;
     take_axis(f, d, axes_[d]);
     changed = true;
@@ -193,7 +187,7 @@ bool DrawingPlace::draw_unit(Frame& f, const drawing::Drawing* drawing) {
 
 bool DrawingPlace::draw_axes(Frame& f) {
   static constexpr std::array<const char*, 2> labels{"Its X goes along", "Its Y goes along"};
-  bool changed = follow_units(f);
+  bool changed = false;
   for (std::size_t d = 0; d < std::min(along_ids.size(), f.catalog.axes.size()); ++d) {
     const ImVec2 at = begin_option(f.ui, labels[d]);
     const int picked = dropdown(f.ui, along_ids[d], labels[d], axis_names_, axes_[d], {.width = fill});
@@ -210,12 +204,17 @@ bool DrawingPlace::draw_axes(Frame& f) {
   }
   changed |= draw_scale_form(f);
   for (std::size_t d = 0; d < std::min(along_ids.size(), f.catalog.axes.size()); ++d)
-    if (const std::string_view name = f.catalog.axes[ix(axes_[d])].name;
-        unit_of_axis(f, axes_[d]).per_step < 0)
-      wrapped(f.ui, Face::small, Tone::warn,
-              Path("{} counts opposite to its {}: the drawing lies mirrored on it. Flip it.", name,
-                   f.catalog.step_word));
+    if (kept_scale(f, axes_[d]).opposite) draw_mirrored(f, f.catalog.axes[ix(axes_[d])].name);
   return changed;
+}
+
+void DrawingPlace::draw_mirrored(Frame& f, std::string_view axis) {
+  const Path why("{} counts opposite to its {}: the drawing lies mirrored on it. Flip it.", axis,
+                 f.catalog.step_word);
+  const Path id("drawing/mirrored/{}", axis);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  wrapped(f.ui, Face::small, Tone::warn, why);
+  show(f.ui, {id, Kind::text, "Mirrored", why}, {from, ImGui::GetCursorScreenPos()});
 }
 
 bool DrawingPlace::draw_scale_form(Frame& f) {

@@ -2,7 +2,7 @@
 // The placement of a drawing: its unit, the drawing axes and their scale, the point at 0, 0, and the table.
 // Ids: `drawing/unit`, `drawing/times`, `drawing/along_x`, `drawing/along_y`, `drawing/per_unit/AXIS`,
 // `drawing/origin/...`, `drawing/swap`, `drawing/flip_x`, `drawing/flip_y`, `drawing/tolerance`,
-// `drawing/join`, `drawing/table/left` (right, bottom, top).
+// `drawing/mirrored/AXIS`, `drawing/join`, `drawing/table/left` (right, bottom, top).
 #include <array>
 #include <string>
 #include <string_view>
@@ -15,10 +15,14 @@
 
 namespace hw::panels {
 
-/// Steps per mm of an axis by the unit that the console keeps for it, whether it is shown now or not; 0: that
-/// is no length. It takes precedence over a scale typed earlier.
-double kept_steps_in_mm(const gui::Frame& frame, int axis);
-/// The same; 100 if there is none.
+/// What the unit that the console keeps for an axis tells of it, whether it is shown now or not.
+struct KeptScale {
+  double steps_in_mm = 0;  ///< takes precedence over a scale typed earlier; 0: the unit is no length
+  bool opposite = false;   ///< counts opposite to the steps
+  bool operator==(const KeptScale&) const = default;
+};
+KeptScale kept_scale(const gui::Frame& frame, int axis);
+/// 100 if the kept unit is no length.
 double steps_in_mm(const gui::Frame& frame, int axis);
 
 class DrawingPlace {
@@ -26,6 +30,8 @@ class DrawingPlace {
   void begin(const gui::Frame& frame);
   /// `drawing` null: none is open. True: something has changed.
   bool draw(gui::Frame& frame, const drawing::Drawing* drawing);
+  /// Call once a frame: a unit chosen at the numbers since then tells the scale. True: it does.
+  bool follow_units(const gui::Frame& frame);
   void put(const gui::Frame& frame, ConversionOptions& options) const;
   /// Keeps the options of the machine, not those of the drawing. The tolerance of stairs is given anew for
   /// each drawing.
@@ -50,7 +56,7 @@ class DrawingPlace {
   bool draw_unit(gui::Frame& frame, const drawing::Drawing* drawing);
   bool draw_axes(gui::Frame& frame);
   bool draw_scale_form(gui::Frame& frame);
-  bool follow_units(const gui::Frame& frame);
+  static void draw_mirrored(gui::Frame& frame, std::string_view axis);
   bool draw_table(gui::Frame& frame);
   [[nodiscard]] std::string_view said_of_table() const;
 
@@ -65,7 +71,7 @@ class DrawingPlace {
   std::vector<std::string_view> form_names_;
   std::vector<Path> form_words_;
   std::vector<double> scales_;  ///< as typed, per axis, also for axes that do not draw; 0: none typed
-  std::vector<double> kept_;    ///< kept_steps_in_mm() of each axis as seen last
+  std::vector<double> kept_;    ///< of kept_scale() of each axis as seen last
   std::vector<std::string_view> axis_names_;
   drawing::Point point_;  ///< point of the drawing at 0, 0
   bool swap_ = false, flip_x_ = false, flip_y_ = false;

@@ -166,10 +166,11 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
         fmt::format("It goes {}, {} move{} in all{}.", in_pieces(wanted.made->parts.front()->all.size()),
                     wanted.moves, wanted.moves == 1 ? "" : "s", time));
   }
-  if (!rest_of(f, cut_.get())) return;
+  const Made* rest = left(f);
+  if (!rest) return;
   ImGui::SameLine(0, f.ui.px(8));
   const ButtonOptions on{
-      .disabled = cut_ != wanted.made ? "The drawing has changed since." : now,
+      .disabled = *rest != wanted.made ? "The drawing has changed since." : now,
       .tip = "Goes to the start of what was being drawn, with the tool off, and draws the rest.",
       .height = 40,
       .moving = true};
@@ -302,7 +303,12 @@ void DrawingRun::ask(Frame& f, What what, Made made, Parts parts, std::string qu
 
 /// Cuts the rest anew, from the start of the interrupted part.
 void DrawingRun::ask_to_go_on(Frame& f) {
-  if (const auto step = rest_of(f, cut_.get())) work_out(f, What::rest, cut_, *step);
+  if (const Made* rest = left(f)) work_out(f, What::rest, *rest, *rest_of(f, rest->get()));
+}
+
+const DrawingRun::Made* DrawingRun::left(const Frame& f) const {
+  if (rest_of(f, cut_.get())) return &cut_;
+  return rest_of(f, stopped_.get()) ? &stopped_ : nullptr;
 }
 
 int DrawingRun::chain_at_work(const Frame& f, const DrawingJob::Made* made) const {
@@ -343,10 +349,9 @@ void DrawingRun::draw_dialog(Frame& f) {
   auto [what, made, parts] = std::exchange(worked_out_, {});
   if (!parts.empty() && what == What::frame)
     ask(f, what, std::move(made), std::move(parts),
-        fmt::format(
-            "It goes once around the drawing with the tool off, and back to where that began.{}",
-            rest_of(f, cut_.get()) ? "\nThe cut that was stopped can be gone on with after that." : ""));
-  else if (!parts.empty() && cut_ == made && rest_of(f, made.get())) {
+        fmt::format("It goes once around the drawing with the tool off, and back to where that began.{}",
+                    left(f) ? "\nThe cut that was stopped can be gone on with after that." : ""));
+  else if (const Made* rest = left(f); !parts.empty() && rest && *rest == made) {
     std::string question =
         fmt::format("The tool goes to the start of what was being drawn, off, and draws the rest {}.",
                     in_pieces(parts.front()->all.size()));
@@ -369,7 +374,10 @@ void DrawingRun::cut(Frame& f) {
       frame ? why_not_at_all(f, asked_.made.get()) : why_not_now(f, asked_.made.get());
   if (!why.empty()) return f.toast(Severity::warn, std::string(why));
   traces_ = frame;
-  if (!frame) cut_ = asked_.made;  // a frame is never resumed, nor does it take away what is left of a cut
+  if (!frame) {  // a frame is never resumed, nor does it take away what is left of a cut
+    if (const Made* rest = left(f); rest && *rest != asked_.made) stopped_ = *rest;
+    cut_ = asked_.made;
+  }
   begun_.clear();
   const Parts& parts = asked_.parts;
   if (!draws_together(f)) {

@@ -37,6 +37,8 @@ class DrawingRun {
   enum class What : std::uint8_t { all, rest, frame };
   void ask(gui::Frame& frame, What what, Made made, Parts parts, std::string question);
   void ask_to_go_on(gui::Frame& frame);
+  /// What can be gone on with; null: nothing.
+  [[nodiscard]] const Made* left(const gui::Frame& frame) const;
   /// Runs on the worker; the question follows.
   void work_out(gui::Frame& frame, What what, Made made, int from_step);
   void draw_while_running(gui::Frame& frame);
@@ -68,7 +70,8 @@ class DrawingRun {
     Made made;
     Parts parts;
   } worked_out_;                                ///< without parts: nothing
-  Made cut_;                                    ///< the latest one begun
+  Made cut_;                                    ///< the latest one asked for
+  Made stopped_;                                ///< the one before, as `cut_` may be refused
   bool traces_ = false;                         ///< the latest one begun was a frame
   const sequence::Sequence* traced_ = nullptr;  ///< that frame, only to compare with what the bus has begun
   struct Begun {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/base/index.h"
-#include "core/session/tool_routine.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/text_field.h"
-#include "panels/drawing/drawing_place.h"
 #include "panels/drawing/drawn_together.h"
 #include "panels/widget_path.h"
 
@@ -35,6 +35,21 @@ void DrawingTool::begin(const Frame& f) {
   wait_on_.set(0, 0), wait_off_.set(0, 0);
   down_.set(0, 3), up_.set(5, 3);
   cut_speed_.set(5, 1), travel_speed_.set(10, 1);
+  kept_.resize(f.catalog.axes.size());
+  follow_units(f);
+}
+
+bool DrawingTool::follow_units(const Frame& f) {
+  bool changed = false;
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    const int axis = static_cast<int>(i);
+    const KeptScale now = kept_scale(f, axis);
+    if (now == kept_[i]) continue;
+    if (axis == axis_ && now.steps_in_mm > 0) per_unit_.set(now.steps_in_mm, form_);
+    kept_[i] = now;
+    changed = true;
+  }
+  return changed;
 }
 
 void DrawingTool::put(const Frame& f, ConversionOptions& o) {
@@ -48,12 +63,29 @@ void DrawingTool::put(const Frame& f, ConversionOptions& o) {
     put_routines(f, o);
   else
     put_choices(f, o);
+  say_turned(f, o);
+}
+
+/// Its numbers here go the way of those that are shown for the axis.
+static double turned(double steps_in_mm, const KeptScale& kept) {
+  return kept.opposite ? -steps_in_mm : steps_in_mm;
+}
+
+void DrawingTool::say_turned(const Frame& f, const ConversionOptions& o) {
+  turned_.clear();
+  for (std::size_t a = 2; a < o.axes.size(); ++a) {
+    const int axis = f.catalog.find_axis(o.axes[a].name);
+    if (axis < 0 || !kept_[ix(axis)].opposite) continue;
+    turned_ += fmt::format("{}{} counts opposite to its {}: 1 mm here is at {:.6g} {}.",
+                           turned_.empty() ? "" : " ", o.axes[a].name, f.catalog.step_word,
+                           turned(o.axes[a].per_unit, kept_[ix(axis)]), f.catalog.step_word);
+  }
 }
 
 void DrawingTool::put_routines(const Frame& f, ConversionOptions& o) {
   const PerUnit per_unit = [&](const std::string& name) {
     const int axis = f.catalog.find_axis(name);
-    return axis == axis_ ? per_unit_.value() : steps_in_mm(f, axis);
+    return turned(axis == axis_ ? per_unit_.value() : steps_in_mm(f, axis), kept_[ix(axis)]);
   };
   for (auto [routine, steps] : {std::pair{0, &o.pen_down}, std::pair{1, &o.pen_up}}) {
     auto read = read_routine(routines_[ix(routine)], f.catalog, per_unit, o.axes);
@@ -66,7 +98,7 @@ void DrawingTool::put_routines(const Frame& f, ConversionOptions& o) {
   if (!back && wrong_.empty()) wrong_ = back.error().sentence();
 }
 
-void DrawingTool::put_choices(const Frame& f, ConversionOptions& o) const {
+PlainTool DrawingTool::tool(const Frame& f) const {
   PlainTool tool;
   if (axis_ >= 0) {
     tool.axis = f.catalog.axes[ix(axis_)].name, tool.per_unit = per_unit_.value();
@@ -74,7 +106,13 @@ void DrawingTool::put_choices(const Frame& f, ConversionOptions& o) const {
   }
   if (output_ > 0) tool.output = f.catalog.output_number(ix(output_ - 1));
   tool.down_delay_ms = wait_on_.value(), tool.up_delay_ms = wait_off_.value();
-  put_tool(tool, o.axes, o.pen_down, o.pen_up);
+  return tool;
+}
+
+void DrawingTool::put_choices(const Frame& f, ConversionOptions& o) const {
+  PlainTool turned_round = tool(f);
+  if (axis_ >= 0) turned_round.per_unit = turned(turned_round.per_unit, kept_[ix(axis_)]);
+  put_tool(turned_round, o.axes, o.pen_down, o.pen_up);
 }
 
 std::string DrawingTool::wrong() const {
@@ -106,7 +144,7 @@ void DrawingTool::take(const Frame& f, const KeptOptions& kept) {
   }
   if (const std::string* axis = kept.word("drawing/tool_axis")) axis_ = f.catalog.find_axis(*axis);
   const double* scale = kept.number(scale_of_tool);
-  const double by_unit = axis_ >= 0 ? kept_steps_in_mm(f, axis_) : 0;
+  const double by_unit = axis_ >= 0 ? kept_scale(f, axis_).steps_in_mm : 0;
   if (scale && *scale > 0 && !(by_unit > 0))
     per_unit_.set(*scale, form_);
   else if (axis_ >= 0)
@@ -167,7 +205,7 @@ void DrawingTool::begin_routines(const Frame& f, const std::array<int, 2>& drawi
   ConversionOptions chosen;
   for (const int axis : drawing_axes)
     if (ix(axis) < f.catalog.axes.size()) chosen.axes.push_back({f.catalog.axes[ix(axis)].name, 1});
-  put_choices(f, chosen);
+  put_tool(tool(f), chosen.axes, chosen.pen_down, chosen.pen_up);
   routines_ = {write_routine(chosen.pen_down, f.catalog, chosen.axes),
                write_routine(chosen.pen_up, f.catalog, chosen.axes)};
 }
@@ -186,6 +224,7 @@ bool DrawingTool::draw_routines(Frame& f) {
     changed |= field.entered || field.left;
     gap(ui, 4);
   }
+  draw_turned(f);
   if (wrong_.empty()) return changed;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   wrapped(ui, Face::small, Tone::fault, wrong_);
@@ -222,7 +261,17 @@ bool DrawingTool::draw_axis(Frame& f) {
   changed |= per_unit_.draw(f, scale_of_tool, f.catalog.axes[ix(axis_)].name);
   changed |= down_.draw(f, "drawing/tool_axis/down", "Down at", furthest, "mm");
   changed |= up_.draw(f, "drawing/tool_axis/up", "Up at", furthest, "mm");
+  draw_turned(f);
   return changed;
+}
+
+void DrawingTool::draw_turned(Frame& f) const {
+  if (turned_.empty()) return;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  wrapped(f.ui, Face::small, Tone::warn, turned_);
+  show(f.ui, {"drawing/tool/turned", Kind::text, "Counts opposite", turned_},
+       {from, ImGui::GetCursorScreenPos()});
+  gap(f.ui, 4);
 }
 
 }  // namespace hw::panels

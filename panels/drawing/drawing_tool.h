@@ -3,13 +3,16 @@
 // speeds with it on and off; or routines of the user's own. Ids: `drawing/tool`, `drawing/wait_on`,
 // `drawing/wait_off`, `drawing/tool_axis`, `drawing/tool_axis/per_unit`, `drawing/tool_axis/down`,
 // `drawing/tool_axis/up`, `drawing/own_routines`, `drawing/routine/on`, `drawing/routine/off`,
-// `drawing/routine/wrong`, `drawing/cut_speed`, `drawing/travel_speed`, `drawing/low_speed`, `drawing/ramp`.
+// `drawing/routine/wrong`, `drawing/tool/turned`, `drawing/cut_speed`, `drawing/travel_speed`,
+// `drawing/low_speed`, `drawing/ramp`.
 #include <array>
 #include <string>
 #include <vector>
 
 #include "core/session/conversion.h"
 #include "core/session/kept_options.h"
+#include "core/session/tool_routine.h"
+#include "panels/drawing/drawing_place.h"
 #include "panels/drawing/option_fields.h"
 #include "panels/drawing/scale_option.h"
 
@@ -20,6 +23,9 @@ class DrawingTool {
   void begin(const gui::Frame& frame);
   /// `drawing_axes` draw, so they cannot lower the tool. True: something has changed.
   bool draw(gui::Frame& frame, const std::array<int, 2>& drawing_axes, ScaleForm form);
+  /// Call once a frame: a unit chosen at the numbers since then tells the scale of the tool's axis, and which
+  /// way it counts. True: something has changed.
+  bool follow_units(const gui::Frame& frame);
   /// Adds the tool; its axis comes after those that draw.
   void put(const gui::Frame& frame, ConversionOptions& options);
   void keep(const gui::Frame& frame, KeptOptions& kept) const;
@@ -28,6 +34,8 @@ class DrawingTool {
   [[nodiscard]] std::string wrong() const;
 
  private:
+  /// As typed: not turned round where its axis counts opposite to its steps.
+  [[nodiscard]] PlainTool tool(const gui::Frame& frame) const;
   void put_choices(const gui::Frame& frame, ConversionOptions& options) const;
   void put_routines(const gui::Frame& frame, ConversionOptions& options);
   bool draw_choices(gui::Frame& frame);
@@ -42,12 +50,15 @@ class DrawingTool {
   void begin_routines(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
   void list_axes(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
   bool draw_axis(gui::Frame& frame);
+  void draw_turned(gui::Frame& frame) const;
+  void say_turned(const gui::Frame& frame, const ConversionOptions& options);
 
   int output_ = 0;  ///< index into its names
   std::vector<std::string_view> output_names_;
   int axis_ = -1;          ///< index into the catalog; -1: none
   std::vector<int> axes_;  ///< possible tool axes, after "none"
   std::vector<std::string_view> axis_names_;
+  std::vector<KeptScale> kept_;  ///< of each axis as seen last
   ScaleOption per_unit_;
   ScaleForm form_ = ScaleForm::steps_in_mm;
   NumberOption down_, up_;
@@ -55,6 +66,7 @@ class DrawingTool {
   bool own_ = false;
   std::array<std::string, 2> routines_;  ///< on, off: see read_routine()
   std::string wrong_;                    ///< of the routines
+  std::string turned_;                   ///< the axes of the tool that count opposite to their steps
 };
 
 }  // namespace hw::panels

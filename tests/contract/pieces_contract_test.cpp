@@ -166,8 +166,32 @@ TEST_P(PiecesContractTest, WhatIsLeftOfADrawingOutlivesARunThatIsNone) {
   EXPECT_EQ(now().pieces.rest_step, step);
   drawing.drawing = 8;
   must(intent::RunInPieces(std::make_shared<const Pieces>(drawing)));
-  EXPECT_TRUE(run_until([&] { return now().pieces.rest_of == 0; }, seconds(5)))
+  EXPECT_TRUE(run_until([&] { return now().pieces.rest_of == 0; }, seconds(60)))
       << "another drawing takes its place";
+}
+
+TEST_P(PiecesContractTest, WhatIsLeftOfADrawingOutlivesOneThatHasNotBegun) {
+  auto drawing = *long_one();
+  drawing.drawing = 7;
+  must(intent::RunInPieces(std::make_shared<const Pieces>(drawing)));
+  ASSERT_TRUE(run_until([&] { return is_on() && now().pieces.step >= 0; }, seconds(600)));
+  session->send(intent::Stop());
+  ASSERT_TRUE(ends());
+  run(seconds(3));
+  ASSERT_EQ(now().pieces.rest_of, 7u);
+  const int step = now().pieces.rest_step;
+  drawing.drawing = 8;  // refused: its first act cannot be done
+  drawing.all.front().does = {{intent::LoadProgram(0, "; Tool off: whatever"), {}}};
+  must(intent::RunInPieces(std::make_shared<const Pieces>(drawing)));
+  ASSERT_TRUE(ends(seconds(60)));
+  EXPECT_FALSE(now().pieces.ended_because.view().empty());
+  EXPECT_EQ(now().pieces.rest_of, 7u);
+  EXPECT_EQ(now().pieces.rest_step, step);
+  const auto rest = cut(step);
+  ASSERT_TRUE(rest);
+  must(intent::RunInPieces(rest));
+  ASSERT_TRUE(run_until([&] { return !now().pieces.running && !now().any_axis_moving(); }, seconds(900)));
+  EXPECT_EQ(axis().position, Steps(at_)) << "and it is gone on with";
 }
 
 TEST_P(PiecesContractTest, AHoldKeepsTheNextPieceBack) {
@@ -198,6 +222,25 @@ TEST_P(PiecesContractTest, APieceThatDoesNotEndWhereItShouldIsTheLast) {
   EXPECT_LT(now().pieces.done, now().pieces.total);
   EXPECT_FALSE(is_on());
   EXPECT_FALSE(told().empty());
+}
+
+TEST_P(PiecesContractTest, APieceThatIsRefusedInMidDrawingIsTheLast) {
+  auto pieces = *long_one();
+  if (pieces.all.size() < 2) GTEST_SKIP() << "it is one piece";
+  pieces.drawing = 7;
+  pieces.all[1].does = {{intent::LoadProgram(0, "; Tool off: whatever"), {}}};
+  must(intent::RunInPieces(std::make_shared<const Pieces>(pieces)));
+  ASSERT_TRUE(run_until([this] { return is_on(); }, seconds(60)));
+  ASSERT_TRUE(ends());
+  EXPECT_FALSE(is_on());
+  EXPECT_EQ(now().pieces.done, 1);
+  EXPECT_THAT(std::string(now().pieces.ended_because.view()), HasSubstr("how the tool is switched off"));
+  EXPECT_EQ(now().pieces.rest_of, 7u);
+  EXPECT_EQ(now().pieces.rest_step, pieces.all[1].first_step);
+  const Steps there = axis().position;
+  run(seconds(20));
+  EXPECT_FALSE(is_on());
+  EXPECT_EQ(axis().position, there);
 }
 
 TEST_P(PiecesContractTest, AChainThatFitsNowhereIsLiftedOnItsWay) {

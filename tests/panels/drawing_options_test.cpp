@@ -221,6 +221,68 @@ TEST_F(DrawingTabTest, AUnitThatIsChosenAtTheNumbersLaterTellsTheScale) {
   EXPECT_EQ(s.value("drawing/per_unit/X"), "393.701");
 }
 
+struct ToolAxisTest : DrawingTabTest {
+  void choose_z() {
+    drop();
+    s.click("drawing/tool_axis");
+    s.click("drawing/tool_axis/Z");
+    s.type("drawing/tool_axis/per_unit", "200\n");
+    s.type("drawing/tool_axis/down", "-2\n");
+    s.type("drawing/tool_axis/up", "3\n");
+    s.stage.frames(6);
+  }
+  void count_z_in_mm(bool reversed) {
+    s.tab.profile.axes[2].unit_choice = own_unit_choice;
+    s.tab.profile.axes[2].own_unit = {"mm", 0.0025};  // shown in steps now
+    s.tab.profile.axes[2].reversed = reversed;
+    s.stage.frames(6);
+  }
+  std::string program() {
+    s.click("drawing/to_program");
+    if (s.stage.find("drawing/replace_text/yes")) s.click("drawing/replace_text/yes");
+    return s.tab.desk().texts.text(0);
+  }
+};
+
+TEST_F(ToolAxisTest, AUnitThatIsChosenLaterTellsItsScale) {
+  choose_z();
+  EXPECT_THAT(program(), testing::AllOf(HasSubstr("Z-400"), HasSubstr("Z600")));
+  count_z_in_mm(false);
+  EXPECT_EQ(s.value("drawing/tool_axis/per_unit"), "400.000");
+  EXPECT_FALSE(s.stage.find("drawing/tool/turned"));
+  EXPECT_THAT(program(), testing::AllOf(HasSubstr("Z-800"), HasSubstr("Z1200")));
+}
+
+TEST_F(ToolAxisTest, ThatCountsOppositeToItsPulsesGoesTheWayOfItsNumbers) {
+  choose_z();
+  count_z_in_mm(true);
+  EXPECT_EQ(s.value("drawing/tool_axis/per_unit"), "400.000");
+  EXPECT_EQ(s.value("drawing/tool/turned"), "Z counts opposite to its pulses: 1 mm here is at -400 pulses.");
+  EXPECT_THAT(program(), testing::AllOf(HasSubstr("Z800"), HasSubstr("Z-1200")));
+  s.click("drawing/own_routines");
+  EXPECT_THAT(s.value("drawing/routine/on"), testing::StartsWith("Z to -2")) << "as it was typed";
+  s.stage.frames(6);
+  EXPECT_THAT(s.value("drawing/tool/turned"), HasSubstr("-400 pulses"));
+  EXPECT_THAT(program(), testing::AllOf(HasSubstr("Z800"), HasSubstr("Z-1200")));
+  s.type("drawing/routine/on", "Z to -1\n");
+  s.stage.frames(6);
+  EXPECT_THAT(program(), testing::AllOf(HasSubstr("Z400"), HasSubstr("Z-1200")));
+  count_z_in_mm(false);
+  EXPECT_FALSE(s.stage.find("drawing/tool/turned"));
+  EXPECT_THAT(program(), testing::AllOf(HasSubstr("Z-400"), HasSubstr("Z1200")));
+}
+
+TEST_F(DrawingTabTest, ADrawingAxisThatCountsOppositeIsWarnedOfInStepsToo) {
+  drop();
+  s.tab.profile.axes[0].unit_choice = own_unit_choice;
+  s.tab.profile.axes[0].own_unit = {"mm", 0.01};
+  s.stage.frames(6);
+  EXPECT_FALSE(s.stage.find("drawing/mirrored/X"));
+  s.tab.profile.axes[0].reversed = true;
+  s.stage.frames(6);
+  EXPECT_TRUE(s.stage.find("drawing/mirrored/X"));
+}
+
 TEST_F(KeptOptionsTest, ScaleTableAndToolAreThereAgainNextTime) {
   {
     auto s = console();

@@ -269,6 +269,44 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   EXPECT_LE(asked->pieces->all.front().first_step, 6);
 }
 
+TEST_F(DrawingTabTest, WhatWasStoppedIsNotForgottenForACutThatIsRefused) {
+  drop();
+  s.click("drawing/cut");
+  s.click("drawing/ask_cut/yes");
+  s.settle(IntentState::done);
+  const std::uint64_t first = s.last<intent::RunInPieces>()->pieces->drawing;
+  s.now.pieces.drawing = s.now.pieces.rest_of = first, s.now.pieces.rest_step = 6;
+  s.now.pieces.done = 3, s.now.pieces.total = 7, s.now.pieces.step = 6;
+  s.stage.frames(3);
+  ASSERT_TRUE(s.stage.find("drawing/cut_on"));
+  s.click("drawing/swap");
+  s.stage.frames(6);
+  s.click("drawing/cut");
+  s.click("drawing/ask_cut/yes");
+  ASSERT_NE(s.last<intent::RunInPieces>()->pieces->drawing, first);
+  s.settle(IntentState::refused);
+  s.stage.frames(3);
+  EXPECT_EQ(s.reason("drawing/cut_on"), "The drawing has changed since.");
+}
+
+TEST_F(DrawingTabTest, WhereTheSpeedWithTheToolOffIsMissingTheSavingSaysSo) {
+  std::string text = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
+  for (const char* x : {"0", "50", "10", "40"})
+    text += std::string("0\nLINE\n8\n0\n10\n") + x + "\n20\n0\n11\n" + x + "\n21\n5\n";
+  ASSERT_TRUE(write_file(file, text + "0\nENDSEC\n0\nEOF\n"));
+  drop();
+  EXPECT_THAT(s.value("drawing/saved"), HasSubstr(" s"));
+  EXPECT_FALSE(s.stage.find("drawing/saved/untimed"));
+  s.type("drawing/cut_speed", "\n");
+  s.type("drawing/travel_speed", "\n");
+  s.stage.frames(6);
+  EXPECT_THAT(s.value("drawing/saved"), testing::Not(HasSubstr(" s")));
+  EXPECT_THAT(s.value("drawing/saved/untimed"), HasSubstr("Give the speed with the tool off"));
+  s.click("drawing/keep_order");
+  s.stage.frames(6);
+  EXPECT_FALSE(s.stage.find("drawing/saved/untimed")) << "nothing is saved";
+}
+
 TEST_F(DrawingTabTest, WhereNobodyKnowsWhereAnAxisStandsNothingIsCut) {
   drop();
   two_hundred_pulses_in_a_mm();

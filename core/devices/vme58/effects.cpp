@@ -39,6 +39,17 @@ void Effects::note(const TextCommand& command) {
   if (drives) motions_.begins_to_settle(axis);
 }
 
+void Effects::note_queued(const TextCommand& command) {
+  note(command);
+  if (!command.fact || !command.flaw.empty()) return;
+  const Op op = command.fact->op;
+  const bool one = command.context.mode == where::single;
+  if (one && (op == Op::AN || op == Op::AF)) lines_.queue_auxiliary(command.context.axis, op == Op::AN);
+  if (op == Op::contour_AN || op == Op::contour_AF)
+    for (const auto& port : command.numbers)
+      if (port) lines_.queue_auxiliary(static_cast<int>(*port), op == Op::contour_AN);
+}
+
 void Effects::note_counters(const TextCommand& command) {
   const bool one = command.context.mode == where::single;
   for (int i = 0; i < static_cast<int>(catalog_.axes.size()); ++i) {

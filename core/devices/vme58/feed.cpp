@@ -93,7 +93,7 @@ Task<Result<std::optional<std::string>>> Feed::finish() {
     co_return what;
   }
   Context read = fed_.before;
-  for (const TextCommand& command : read_commands(sent, read)) effects_.note(command);
+  for (const TextCommand& command : read_commands(sent, read)) effects_.note_queued(command);
   co_return std::nullopt;
 }
 

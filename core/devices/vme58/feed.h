@@ -28,6 +28,8 @@ class Feed {
   /// round. Returns words for a rejected command; none: none was rejected.
   Task<Result<std::optional<std::string>>> go_on();
   void end();
+  /// See Effects::program_ended().
+  void program_ended(bool whole) { effects_.program_ended(whole); }
   [[nodiscard]] bool is_under_way() const { return draft_.feed.running; }
   /// The user's text selects an axis during a feed: user and program each keep their own selection.
   void user_selects() { apart_ = apart_ || is_under_way(); }

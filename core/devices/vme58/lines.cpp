@@ -1,6 +1,7 @@
 #include "core/devices/vme58/lines.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -64,10 +65,11 @@ Task<Result<>> Lines::set_line(int line, bool on, std::uint32_t mask) {
   if (!looked) co_return looked;
   if ((draft_.outputs_known & mask) == 0 || ((draft_.outputs & mask) != 0) == on) co_return Result<>();
   co_return fail(FaultKind::controller,
-                 fmt::format("Output {} was to go {}, but its line still reads {}.", line,
+                 fmt::format("Output {} was switched {}, but its line still reads {}.", line,
                              on ? "on (low)" : "off (high)", on ? "high" : "low"),
                  "It was asked for once.",
-                 "A command queue may be busy: it waits there. Or the line is jumpered as an input.");
+                 "Check whether a command queue is busy (the command then waits there), and whether the line "
+                 "is jumpered as an input.");
 }
 
 Task<Result<>> Lines::switch_tool_off(ToolOff tool) {
@@ -106,7 +108,20 @@ void Lines::know_auxiliary(int axis, bool on) {
   draft_.outputs_known |= mask;
 }
 
+void Lines::queue_auxiliary(int axis, bool on) {
+  const int place = catalog_.find_output(first_auxiliary + axis);
+  if (place < 0) return;
+  queued_[axis] = on;
+  draft_.outputs_known &= ~(1u << place);
+}
+
+void Lines::program_ended(bool whole) {
+  for (const auto& [axis, on] : std::exchange(queued_, {}))
+    if (whole) know_auxiliary(axis, on);
+}
+
 void Lines::as_from_factory() {
+  queued_.clear();
   for (int i = 0; i < static_cast<int>(catalog_.axes.size()); ++i)
     know_auxiliary(i, true);  // decision M37: high, the transistor is off
 }

@@ -1,6 +1,8 @@
 #pragma once
 // General lines and auxiliary outputs, by the maker's numbers. In the maker's terms, on is low for a general
 // line (BL) and high for an auxiliary output (AN).
+#include <map>
+
 #include "core/device/intent.h"
 #include "core/device/tool_off.h"
 #include "core/devices/vme58/commands.h"
@@ -28,6 +30,11 @@ class Lines {
   Task<Result<>> switch_tool_off(ToolOff tool);
   /// Notes the state of an auxiliary output, which the window does not show.
   void know_auxiliary(int axis, bool on);
+  /// A program switches it when its turn in a queue, or its place on a contour, comes: until the program has
+  /// ended nobody knows what it is.
+  void queue_auxiliary(int axis, bool on);
+  /// `whole`: all of the program was carried out, so they are as it switched them last.
+  void program_ended(bool whole);
   void as_from_factory();
 
  private:
@@ -42,6 +49,7 @@ class Lines {
   const Catalog& catalog_;
   Snapshot& draft_;
   unsigned directions_ = factory_outputs;
+  std::map<int, bool> queued_;  ///< auxiliary outputs, as the program that runs leaves them
 };
 
 }  // namespace hw::vme58

@@ -89,6 +89,7 @@ void Programs::end(EndedBy ended_by) {
   p.owned = false;
   p.command = -1;
   p.ended_by = ended_by;
+  feed_.program_ended(ended_by == EndedBy::target);
 }
 
 Task<Result<>> Programs::watch() {
@@ -116,7 +117,7 @@ void Programs::note_stop(const TextCommand& command) {
 
 void Programs::queued_was_rejected(std::string& words) {
   if (!is_running()) return;
-  rejection_ = words + " The program did not do all that it says.";
+  rejection_ = words + " The program was not carried out in full.";
   words = rejection_;
   ends_by_ = EndedBy::error;
 }
