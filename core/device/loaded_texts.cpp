@@ -47,10 +47,10 @@ bool keep_known(sequence::StepList& steps, const sequence::Sequence& of) {
 }
 
 /// Adds what the text names beside its known steps, as moves of their own.
-void add_places(sequence::Sequence& to, const Language& language, std::string_view text) {
+void add_places(sequence::Sequence& to, const Language& language, std::string_view text, int start) {
   const auto* tells = dynamic_cast<const PlacesInText*>(&language);
   if (!tells) return;
-  for (const AxisTarget& place : tells->places_in(text)) {
+  for (const AxisTarget& place : tells->places_in(text, start)) {
     if (place.axis.index >= to.axes.size()) continue;
     sequence::Move move;
     move.to[place.axis.index] = static_cast<double>(place.value.value);
@@ -78,12 +78,17 @@ void LoadedTexts::forget(const IntentBody& body) {
     forget();
 }
 
-std::optional<sequence::Sequence> LoadedTexts::read(const std::string& text) const {
+/// Blocks are program 0 where one text holds them all.
+std::optional<sequence::Sequence> LoadedTexts::read(const std::string& text, int start) const {
   try {
-    auto read = language_->read(text, frame_in_steps(catalog_), catalog_);
-    sequence::Sequence known = read ? std::move(read->sequence) : frame_in_steps(catalog_);
-    const bool whole = read && keep_known(known.steps, known);
-    if (!whole) add_places(known, *language_, text);
+    sequence::Sequence known = frame_in_steps(catalog_);
+    bool whole = false;
+    if (catalog_.program.threads == 0 || start == 0) {
+      auto read = language_->read(text, known, catalog_);
+      if (read) known = std::move(read->sequence);
+      whole = read && keep_known(known.steps, known);
+    }
+    if (!whole) add_places(known, *language_, text, start);
     return known;
   } catch (const std::exception& defect) {  // from a library: nothing is known of it then
     pump_log().debug("a loaded program could not be read: {}", defect.what());
@@ -92,14 +97,15 @@ std::optional<sequence::Sequence> LoadedTexts::read(const std::string& text) con
 }
 
 std::vector<AxisTarget> LoadedTexts::places_in_doubt(int slot, const Snapshot& now) {
-  slot = place_of(slot);
-  if (!language_ || !keeps(slot) || !some_count_is_doubtful(now)) return {};
-  Load& load = loads_[ix(slot)];
+  if (!language_ || !keeps(place_of(slot)) || !some_count_is_doubtful(now)) return {};
+  Load& load = loads_[ix(place_of(slot))];
   if (load.restarts != now.restarts)  // which may have taken it: its places count as long as it may be there
     pump_log().debug("a program that was loaded before a restart is started");
-  if (const std::string text = std::exchange(load.text, {}); !text.empty()) load.known = read(text);
-  if (!load.known) return {};
-  std::vector<AxisTarget> places = places_of_run(*load.known, catalog_, now);
+  if (load.text.empty()) return {};
+  auto known = load.known.find(slot);
+  if (known == load.known.end()) known = load.known.emplace(slot, read(load.text, slot)).first;
+  if (!known->second) return {};
+  std::vector<AxisTarget> places = places_of_run(*known->second, catalog_, now);
   std::erase_if(places,
                 [&now](const AxisTarget& place) { return !now.axes[place.axis.index].trust.doubtful(); });
   return places;

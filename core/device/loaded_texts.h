@@ -6,6 +6,7 @@
 // there.
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,14 +34,15 @@ class LoadedTexts {
 
  private:
   struct Load {
-    std::string text;  ///< until it is read: once
+    std::string text;
     std::uint32_t restarts = 0;
-    std::optional<sequence::Sequence> known;  ///< its first steps, as far as blocks describe them
+    /// Its first steps, as far as blocks describe them, by the program that is started; each is read once.
+    std::map<int, std::optional<sequence::Sequence>> known;
   };
   /// Where programs run in threads, one text holds them all.
   [[nodiscard]] int place_of(int slot) const { return catalog_.program.threads > 0 ? 0 : slot; }
   [[nodiscard]] bool keeps(int slot) const { return slot >= 0 && slot < max_slots; }
-  [[nodiscard]] std::optional<sequence::Sequence> read(const std::string& text) const;
+  [[nodiscard]] std::optional<sequence::Sequence> read(const std::string& text, int start) const;
 
   const Catalog& catalog_;
   const Language* language_;

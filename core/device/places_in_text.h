@@ -11,8 +11,9 @@ namespace hw {
 class PlacesInText {
  public:
   virtual ~PlacesInText() = default;
-  /// The absolute targets that it names, but for those of an axis whose count it has set before.
-  [[nodiscard]] virtual std::vector<AxisTarget> places_in(std::string_view text) const = 0;
+  /// The absolute targets of its program `start` and of all that this one starts, but for those of an axis
+  /// whose count has been set before.
+  [[nodiscard]] virtual std::vector<AxisTarget> places_in(std::string_view text, int start) const = 0;
 };
 
 }  // namespace hw

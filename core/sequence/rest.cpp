@@ -27,6 +27,7 @@ struct Standing {
   };
   std::array<Axis, max_axes> axes;
   Speeds speeds;
+  StepList settings;             ///< custom text that sets some, and the speeds around it, in their order
   OwnSpeeds of_travel;           ///< of the latest motion with the tool up
   std::vector<Output> outputs;   ///< in switching order
   std::size_t with_tool_up = 0;  ///< number switched before the tool was lowered
@@ -60,13 +61,23 @@ class Pass {
     place_ = place;
     if (!step.skipped) std::visit([this](const auto& body) { take(body); }, step.body);
   }
+  void keep(const Custom& settings) {
+    if (standing.settings.empty() && standing.speeds != Speeds{}) keep_setting({Speed{standing.speeds}});
+    keep_setting({settings});
+  }
   Standing standing;
 
  private:
   template <class Other>
   void take(const Other&) {}  // waits and comments change nothing; custom text occurs in tool routines only
   void take(const Speed& s) {
-    if (!in_routine_) standing.speeds = over(standing.speeds, s.speeds);
+    if (in_routine_) return;
+    standing.speeds = over(standing.speeds, s.speeds);
+    if (!standing.settings.empty()) keep_setting({s});
+  }
+  void keep_setting(Step setting) {
+    std::erase(standing.settings, setting);
+    standing.settings.push_back(std::move(setting));
   }
   void take(const Move& m) {
     for (int a = 0; a < axis_count(); ++a) {
@@ -192,7 +203,8 @@ class Leading {
     for (const auto& [axis, on] : wanted_.power)
       if (on || goes(axis)) add(Enable{axis, true});
     if (has_tool_) add(Pen{false});
-    if (wanted_.speeds != Speeds{}) add(Speed{wanted_.speeds});
+    if (wanted_.settings.empty() && wanted_.speeds != Speeds{}) add(Speed{wanted_.speeds});
+    into_.steps.insert(into_.steps.end(), wanted_.settings.begin(), wanted_.settings.end());
     go();
     const std::size_t all = wanted_.outputs.size(), first = wanted_.tool_down ? wanted_.with_tool_up : all;
     switch_outputs_on(0, first);
@@ -283,7 +295,8 @@ std::string_view why_no_lift(const Sequence& sequence) {
 
 }  // namespace
 
-Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places& begin, Rehearsed rehearsed) {
+Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places& begin, Rehearsed rehearsed,
+                       const OnlySets& only_sets) {
   if (const std::string_view why = why_no_lift(sequence); !why.empty())
     return cannot(std::string(why), "Let it be moved to a place, up and down.");
   Pass before(sequence, begin, rehearsed);
@@ -292,6 +305,11 @@ Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places&
     const auto* loop = std::get_if<Repeat>(&passed.body);
     if (loop && loop->times == 0 && !passed.skipped)
       return cannot(fmt::format("Step {} repeats for ever: step {} is never reached.", i + 1, step + 1), "");
+    const auto* own = std::get_if<Custom>(&passed.body);
+    if (own && !passed.skipped && only_sets && only_sets(*own)) {
+      before.keep(*own);
+      continue;
+    }
     if (has<Custom>({passed}))
       return cannot(fmt::format("It is not known what step {} ({} {}) leaves behind.", i + 1,
                                 title_of(passed.body), summary_of(passed.body, sequence)),
@@ -347,6 +365,13 @@ std::string words_of_leading(const Rest& rest) {
   for (std::size_t i = 0; i < rest.leading; ++i) {
     const Step::Body& body = rest.sequence.steps[i].body;
     if (std::holds_alternative<Comment>(body) || std::holds_alternative<WaitMotion>(body)) continue;
+    if (const auto* own = std::get_if<Custom>(&body)) {
+      std::string text = own->text;
+      text.erase(text.find_last_not_of(" \r\n,") + 1);
+      std::replace(text.begin(), text.end(), '\n', ' ');
+      all += fmt::format("{}{}.", all.empty() ? "" : " ", text);
+      continue;
+    }
     const bool places = std::holds_alternative<Move>(body) && rest.sequence.unit != "steps";
     all += fmt::format("{}{} {}{}{}.", all.empty() ? "" : " ", title_of(body),
                        summary_of(body, rest.sequence), places ? " " : "", places ? rest.sequence.unit : "");

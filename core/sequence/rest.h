@@ -1,6 +1,7 @@
 #pragma once
 // The rest of a sequence from a step on: first restores the state that the earlier steps leave, and brings
 // the tool there without drawing. Pure.
+#include <functional>
 #include <string_view>
 
 #include "core/base/result.h"
@@ -23,11 +24,14 @@ struct Rest {
 /// If none does, axes are unknown after a contour that ramps down.
 enum class Rehearsed : bool { no, yes };
 
+/// Whether custom text only sets what later motions use, so that repeating it restores its effect.
+using OnlySets = std::function<bool(const Custom&)>;
+
 /// `step`: index in the list. `begin`: positions before the first step; axes named there are sent to their
 /// place too. The fault says why the state before `step` is unknown: an earlier step repeats for ever, or
 /// leaves an axis where the machine decides.
 Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places& begin = {},
-                       Rehearsed rehearsed = Rehearsed::no);
+                       Rehearsed rehearsed = Rehearsed::no, const OnlySets& only_sets = {});
 
 /// The index of a step at which a rest can begin; for a step in a contour, that of the contour. `counted`: as
 /// SequenceText counts the steps. Fault: within a loop, where the number of passes made is unknown.

@@ -74,14 +74,14 @@ std::optional<Within> loops_around(const Sequence& sequence, int counted) {
 }
 
 Result<RestOfLoop> rest_within(const Sequence& sequence, int counted, std::int64_t pass, const Places& begin,
-                               Rehearsed rehearsed) {
+                               Rehearsed rehearsed, const OnlySets& only_sets) {
   const auto within = loops_around(sequence, counted);
   if (!within || pass < 0 || (within->times && pass >= *within->times))
     return fail(FaultKind::refused, "There is no such pass of a loop.", "Nothing was begun.");
   Opened opened = open(sequence.steps, counted, pass);
   Sequence whole = frame_of(sequence);
   whole.steps = std::move(opened.steps);
-  auto rest = rest_from(whole, opened.begin, begin, rehearsed);
+  auto rest = rest_from(whole, opened.begin, begin, rehearsed, only_sets);
   if (!rest) {
     Fault fault = rest.error();
     fault.advice += fault.advice.empty() ? "" : " ";

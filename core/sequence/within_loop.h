@@ -21,8 +21,9 @@ struct RestOfLoop {
   Rest rest;
   std::string begins;  ///< "pass 2 of 3 of the loop of step 5, Move to X 3", for people
 };
-/// `pass`: from 0, how often the step was done before. `begin`, `rehearsed` and the fault: see rest_from().
+/// `pass`: from 0, how often the step was done before. The others and the fault: see rest_from().
 Result<RestOfLoop> rest_within(const Sequence& sequence, int counted, std::int64_t pass,
-                               const Places& begin = {}, Rehearsed rehearsed = Rehearsed::no);
+                               const Places& begin = {}, Rehearsed rehearsed = Rehearsed::no,
+                               const OnlySets& only_sets = {});
 
 }  // namespace hw::sequence

@@ -27,7 +27,7 @@ struct Comparison {
   const ControllerState& from;
   const Snapshot& now;
   const Catalog& catalog;
-  int slot;
+  const std::set<int>& fills;  ///< slots of the rehearsed text
   const Rehearsals::Held& held;
   bool left;  ///< the controller has moved on since: only its initial axis states are judged
 };
@@ -39,7 +39,8 @@ AxisState begins_as(const AxisState& axis) {
   AxisState a;
   a.position_known = axis.position_known, a.trust = axis.trust, a.activity = axis.activity;
   a.position = a.command = axis.commanded(), a.in_counts = axis.in_counts;
-  if (axis.loop != Loop::none) a.loop = axis.loop == Loop::open ? Loop::open : Loop::in_place;
+  if (axis.loop != Loop::none)
+    a.loop = axis.loop == Loop::open || axis.loop == Loop::unknown ? axis.loop : Loop::in_place;
   a.has_encoder = axis.has_encoder && axis.loop == Loop::none;
   if (a.has_encoder) a.encoder = axis.encoder;
   a.enabled = axis.enabled, a.error = axis.error, a.alarm = axis.alarm;
@@ -64,18 +65,23 @@ Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& then, const 
 }
 
 /// Both as made by begins_as(); their positions have been compared already.
-Footing other_state(const AxisState& then, AxisState now) {
+Stand other_state(int i, const AxisState& then, AxisState now) {
+  const auto is = [i](Footing footing, bool unread = false) { return Stand{footing, i, {}, {}, unread}; };
   now.position = then.position, now.command = then.command, now.position_known = then.position_known;
   now.trust = then.trust, now.activity = then.activity;
   const bool same_encoder = trembles(then.encoder.value, now.encoder.value, encoder_trembles);
-  if (then.has_encoder && now.has_encoder && !same_encoder) return Footing::other_encoder;
+  if (then.has_encoder && now.has_encoder && !same_encoder) return is(Footing::other_encoder);
+  const bool loop_lost = now.loop == Loop::unknown && then.loop != Loop::unknown;
+  if (loop_lost) return is(Footing::other_power, true);
+  if (then.loop == Loop::unknown && now.loop == Loop::in_place) now.loop = then.loop;  // taken as closed
   now.has_encoder = then.has_encoder, now.encoder = then.encoder;
   AxisState same_switches = now;
   same_switches.limits_known = then.limits_known;
   same_switches.limit_minus = then.limit_minus, same_switches.limit_plus = then.limit_plus;
   same_switches.home = then.home;
-  if (same_switches != then) return Footing::other_power;
-  return then.limits_known && now.limits_known && now != then ? Footing::other_switch : Footing::here;
+  if (same_switches != then) return is(Footing::other_power);
+  if (!then.limits_known || now == then) return {};
+  return is(Footing::other_switch, !now.limits_known);
 }
 
 Stand compare_axes(const Comparison& c) {
@@ -88,8 +94,7 @@ Stand compare_axes(const Comparison& c) {
     const bool tells_place = footing == Footing::elsewhere;
     if (footing != Footing::here)
       return {footing, i, Steps(rehearsed.begin), tells_place ? axis.commanded() : Steps()};
-    if (const Footing other = other_state(then, begins_as(axis)); other != Footing::here)
-      return {other, i, {}, {}};
+    if (const Stand other = other_state(i, then, begins_as(axis)); other != Stand()) return other;
   }
   return {};
 }
@@ -106,15 +111,23 @@ Stand compare_params(const Comparison& c) {
     const std::int64_t taken = then.known ? then.value : c.catalog.params[i].fallback;
     if (is.known && is.value != taken)
       return {Footing::other_setup, static_cast<int>(i), Steps(taken), Steps(is.value)};
+    if (then.known && !is.known) return {Footing::other_setup, static_cast<int>(i), Steps(taken), {}, true};
   }
   return {};
 }
 
-Stand compare_bits(Footing footing, std::uint32_t then, std::uint32_t now, std::uint32_t known) {
-  const std::uint32_t other = (then ^ now) & known;
-  if (other == 0) return {};
-  const int which = std::countr_zero(other);
-  return {footing, which, Steps(then >> which & 1u), Steps(now >> which & 1u)};
+/// One side of a comparison of lines: bit per line.
+struct Levels {
+  std::uint32_t levels, known;
+};
+Stand compare_bits(Footing footing, Levels then, Levels now) {
+  const std::uint32_t other = (then.levels ^ now.levels) & then.known & now.known;
+  const std::uint32_t unread = then.known & ~now.known;
+  if ((other | unread) == 0) return {};
+  const int which = std::countr_zero(other != 0 ? other : unread);
+  const Steps began(then.levels >> which & 1u);
+  if (other == 0) return {footing, which, began, {}, true};
+  return {footing, which, began, Steps(now.levels >> which & 1u)};
 }
 
 void take_outputs(const ControllerState& of, const Catalog&, ControllerState& into) {
@@ -122,8 +135,8 @@ void take_outputs(const ControllerState& of, const Catalog&, ControllerState& in
 }
 Stand compare_outputs(const Comparison& c) {
   const Snapshot &then = c.from.now, &now = c.now;
-  return compare_bits(Footing::other_output, then.outputs, now.outputs,
-                      then.outputs_known & now.outputs_known);
+  return compare_bits(Footing::other_output, {then.outputs, then.outputs_known},
+                      {now.outputs, now.outputs_known});
 }
 
 void take_inputs(const ControllerState& of, const Catalog&, ControllerState& into) {
@@ -131,7 +144,7 @@ void take_inputs(const ControllerState& of, const Catalog&, ControllerState& int
 }
 Stand compare_inputs(const Comparison& c) {
   const Snapshot &then = c.from.now, &now = c.now;
-  return compare_bits(Footing::other_input, then.inputs, now.inputs, then.inputs_known & now.inputs_known);
+  return compare_bits(Footing::other_input, {then.inputs, then.inputs_known}, {now.inputs, now.inputs_known});
 }
 
 void take_analog(const ControllerState& of, const Catalog&, ControllerState& into) {
@@ -141,9 +154,11 @@ Stand compare_analog(const Comparison& c) {
   const Snapshot &then = c.from.now, &now = c.now;
   for (std::size_t n = 0; n < c.catalog.analog.size(); ++n) {
     const AnalogInfo& info = c.catalog.analog[n];
-    const bool known = ((then.analog_known & now.analog_known) >> n & 1u) != 0;
+    if ((then.analog_known >> n & 1u) == 0) continue;
+    const bool known = (now.analog_known >> n & 1u) != 0;
+    if (!known) return {Footing::other_analog, static_cast<int>(n), Steps(then.analog[n]), {}, true};
     const std::int64_t still = (std::int64_t{info.maximum} - info.minimum) / analog_steps_of_range;
-    if (known && !trembles(then.analog[n], now.analog[n], still))
+    if (!trembles(then.analog[n], now.analog[n], still))
       return {Footing::other_analog, static_cast<int>(n), Steps(then.analog[n]), Steps(now.analog[n])};
   }
   return {};
@@ -159,8 +174,13 @@ void take_readouts(const ControllerState& of, const Catalog& catalog, Controller
 /// An unknown readout was assumed to be as after power-up: 0.
 Stand compare_readouts(const Comparison& c) {
   for (std::size_t i = 0; i < c.catalog.readouts.size(); ++i) {
-    if (!acts_on_programs(c.catalog.readouts[i]) || !c.now.readouts_known.test(i)) continue;
-    const std::int64_t then = c.from.now.readouts_known.test(i) ? c.from.now.readouts[i] : 0;
+    if (!acts_on_programs(c.catalog.readouts[i])) continue;
+    const bool was_known = c.from.now.readouts_known.test(i);
+    const std::int64_t then = was_known ? c.from.now.readouts[i] : 0;
+    if (!c.now.readouts_known.test(i)) {
+      if (was_known) return {Footing::other_readout, static_cast<int>(i), Steps(then), {}, true};
+      continue;
+    }
     if (const std::int64_t is = c.now.readouts[i]; then != is)
       return {Footing::other_readout, static_cast<int>(i), Steps(then), Steps(is)};
   }
@@ -174,7 +194,10 @@ Stand compare_variables(const Comparison& c) {
   const Snapshot &began = c.from.now, &now = c.now;
   if ((began.variables_known | now.variables_known).none()) return {};
   for (int n = 0; n < max_variables; ++n) {
-    const std::int32_t taken = began.variables_known.test(ix(n)) ? began.variables[ix(n)] : 0;
+    const bool was_known = began.variables_known.test(ix(n));
+    const std::int32_t taken = was_known ? began.variables[ix(n)] : 0;
+    if (was_known && !now.variables_known.test(ix(n)))
+      return {Footing::other_variable, n, Steps(taken), {}, true};
     if (now.variables_known.test(ix(n)) && now.variables[ix(n)] != taken)
       return {Footing::other_variable, n, Steps(taken), Steps(now.variables[ix(n)])};
   }
@@ -185,21 +208,50 @@ Stand compare_variables(const Comparison& c) {
 void take_programs(const ControllerState& of, const Catalog& catalog, ControllerState& into) {
   if (catalog.program.threads == 0) into.programs = of.programs;
 }
+/// Unread programs were assumed to be empty.
 Stand compare_programs(const Comparison& c) {
+  if (!c.held) return {};
   for (const auto& [other, text] : c.from.programs) {
-    const std::string* now = other == c.slot || !c.held ? nullptr : c.held(other);
-    if (now && *now != text) return {Footing::other_program, other, {}, {}};
+    if (c.fills.contains(other)) continue;
+    const std::string* now = c.held(other);
+    if (!now || *now != text) return {Footing::other_program, other, {}, {}, now == nullptr};
+  }
+  for (const RehearsedAssumption& assumption : c.rehearsal.assumptions) {
+    const auto slot = unread_slot(assumption);
+    const std::string* now = slot ? c.held(*slot) : nullptr;
+    if (now && !now->empty()) return {Footing::other_program, *slot, {}, {}};
   }
   return {};
 }
 
 /// No rehearsal begins from these: they only show which assumptions it has to name.
-void take_hints(const ControllerState& of, const Catalog&, ControllerState& into) {
+void take_sizes(const ControllerState& of, const Catalog&, ControllerState& into) {
   into.now.slot_bytes_used = of.now.slot_bytes_used;
+}
+/// A program known to be empty was not read.
+Stand compare_sizes(const Comparison& c) {
+  if (c.catalog.program.threads != 0) return {};
+  for (int slot = 0; slot < std::min(c.catalog.program.slots, max_slots); ++slot) {
+    const int then = c.from.now.slot_bytes_used[ix(slot)], now = c.now.slot_bytes_used[ix(slot)];
+    if (then == 0 && now != 0 && !c.fills.contains(slot))
+      return {Footing::other_program, slot, {}, {}, now < 0};
+  }
+  return {};
+}
+
+bool commands_wait(const Snapshot& now, const Catalog& catalog) {
+  if ((now.working && catalog.queue_depth > 0) || now.feed.running) return true;
+  for (int i = 0; i < now.axis_count; ++i)
+    if ((now.queue_known >> i & 1u) != 0 && now.queue_free[ix(i)] < catalog.queue_depth) return true;
+  return false;
+}
+void take_queue(const ControllerState& of, const Catalog&, ControllerState& into) {
   into.now.working = of.now.working, into.now.feed = of.now.feed;
   into.now.queue_free = of.now.queue_free, into.now.queue_known = of.now.queue_known;
 }
-Stand compare_hints(const Comparison&) { return {}; }
+Stand compare_queue(const Comparison& c) {
+  return commands_wait(c.now, c.catalog) ? Stand{Footing::other_queue, -1, {}, {}} : Stand();
+}
 
 /// Every fact about the controller that a rehearsal is told, and how it is compared afterwards. A rehearsal
 /// knows nothing else, so nothing enters it without being compared. The first difference in this order is
@@ -208,7 +260,7 @@ struct Fact {
   void (*take)(const ControllerState& of, const Catalog&, ControllerState& into);
   Stand (*compare)(const Comparison&);
 };
-constexpr std::array<Fact, 9> facts{{
+constexpr std::array<Fact, 10> facts{{
     {take_axes, compare_axes},
     {take_params, compare_params},
     {take_outputs, compare_outputs},
@@ -217,7 +269,8 @@ constexpr std::array<Fact, 9> facts{{
     {take_readouts, compare_readouts},
     {take_variables, compare_variables},
     {take_programs, compare_programs},
-    {take_hints, compare_hints},
+    {take_sizes, compare_sizes},
+    {take_queue, compare_queue},
 }};
 
 ControllerState told_to_rehearsals(const ControllerState& from, const Catalog& catalog) {
@@ -241,6 +294,12 @@ Stand compare(const Comparison& c, const Rehearsals::Scene& scene, const BenchVi
 
 }  // namespace
 
+std::string_view why_not_rehearse_now(const Snapshot& now, const Catalog& catalog) {
+  if (!commands_wait(now, catalog)) return {};
+  return "Commands wait in the controller, and it does not tell what they say. Let them run, or press Stop; "
+         "then simulate.";
+}
+
 void Rehearsals::start(const Language& language, std::string text, const RehearseOptions& wish,
                        const ControllerState& from, const BenchView& bench, const Catalog& catalog,
                        Worker& worker) {
@@ -254,7 +313,11 @@ void Rehearsals::start(const Language& language, std::string text, const Rehears
   worker.run(
       [&language, text = std::move(text), options = std::move(options), scene = std::move(scene)]() mutable {
         auto result = language.rehearse(text, options);
-        return Outcome{std::move(text), std::move(result), std::move(scene)};
+        Outcome outcome{std::move(text), std::move(result), std::move(scene)};
+        outcome.fills.insert(options.slot);
+        for (const auto& [filled, commands] : language.analyse(outcome.text, options.slot).listing)
+          outcome.fills.insert(filled);
+        return outcome;
       },
       [this, slot](Outcome outcome) {
         running_.erase(slot);
@@ -280,7 +343,7 @@ void Rehearsals::follow(const Snapshot& now, const BenchView& bench, const Catal
   for (auto& [slot, outcome] : outcomes_) {
     const bool first = !std::exchange(outcome.compared, true);
     if (!outcome.result || (left && !first)) continue;
-    const Comparison made{*outcome.result, *outcome.scene.state, now, catalog, slot, held, left};
+    const Comparison made{*outcome.result, *outcome.scene.state, now, catalog, outcome.fills, held, left};
     const Stand stand = compare(made, outcome.scene, bench);
     if (stand == outcome.stand) continue;
     outcome.stand = stand;

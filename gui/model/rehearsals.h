@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "core/device/catalog.h"
 #include "core/device/controller_state.h"
@@ -35,15 +36,21 @@ enum class Footing : std::uint8_t {
   other_analog,    ///< an analog input has changed
   other_readout,   ///< the move mode, a latch or a sync output has changed: see acts_on_programs()
   other_variable,  ///< a variable has changed
-  other_program    ///< another program in the controller has changed
+  other_program,   ///< another program in the controller has changed
+  other_queue      ///< commands wait in the controller's queues now
 };
 struct Stand {
   Footing footing = Footing::here;
   int which = -1;       ///< the first that differs: axis, parameter, output, input or readout in the catalog,
                         ///< variable, slot
   Steps began, stands;  ///< positions, or other values as they are counted
+  bool unread = false;  ///< it may have changed: it was known then, and is not known now
   bool operator==(const Stand&) const = default;
 };
+
+/// Why no rehearsal may begin now: it would begin with empty queues, since no controller tells what waits in
+/// its own. Empty: it may.
+[[nodiscard]] std::string_view why_not_rehearse_now(const Snapshot& now, const Catalog& catalog);
 
 class Rehearsals {
  public:
@@ -57,7 +64,8 @@ class Rehearsals {
     std::string text;  ///< what was rehearsed
     Result<Rehearsal> result;
     Scene scene;
-    int number = 0;  ///< Rehearsals::version() of its arrival; unique
+    std::set<int> fills = {};  ///< the slots that its text fills
+    int number = 0;            ///< Rehearsals::version() of its arrival; unique
     Stand stand = {};
     bool compared = false;  ///< `stand` is known
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace hw::gui {
 namespace {
@@ -26,6 +27,11 @@ class Coverage {
   }
   /// Round ends, soft edges. `walked`: length of the path before it, for the dashes, in pixels.
   void line(Point a, Point b, double walked);
+  void line_without_dashes(Point a, Point b) {
+    const float period = std::exchange(period_, 0.0f);
+    line(a, b, 0);
+    period_ = period;
+  }
   /// The middle of the part inside the picture; none: no part is.
   [[nodiscard]] std::optional<Point> middle(Point a, Point b) const {
     double cut = 0;
@@ -149,10 +155,8 @@ class Stroke {
     since_arrow_ = 0;
     tip = {tip.x + unit.x * arrow_ / 2, tip.y + unit.y * arrow_ / 2};
     for (const double side : {-aside, aside})
-      coverage_.line(tip,
-                     {tip.x - arrow_ * (back * unit.x + side * unit.y),
-                      tip.y - arrow_ * (back * unit.y - side * unit.x)},
-                     0);
+      coverage_.line_without_dashes(tip, {tip.x - arrow_ * (back * unit.x + side * unit.y),
+                                          tip.y - arrow_ * (back * unit.y - side * unit.x)});
   }
 
   const PathView& view_;

@@ -59,8 +59,9 @@ void draw_rulers(const PathGround& g) {
   }
   draw_text_right(ui, ImVec2(in.max.x + ui.px(8), in.max.y + ui.px(4)), Face::small, ui[Tone::ink2],
                   axis_and_unit(g, 0));
-  draw_text_line(ui, whole.min.x + ui.px(8), in.min.x - ui.px(4), in.min.y + ui.px(4), Face::small,
-                 ui[Tone::ink2], axis_and_unit(g, 1));
+  const float upwards = whole.min.x + ui.px(8);  // it may reach into the picture
+  draw_text_line(ui, upwards, upwards + in.width() / 2, in.min.y + ui.px(4), Face::small, ui[Tone::ink2],
+                 axis_and_unit(g, 1));
 }
 
 float distance(ImVec2 a, ImVec2 b) { return std::hypot(b.x - a.x, b.y - a.y); }

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
-#include "core/device/track_keeper.h"
+#include "core/device/track.h"
 #include "core/drawing/sequence_path.h"
 #include "core/session/way_together.h"
 #include "gui/model/tab.h"
@@ -156,6 +156,10 @@ std::string_view ProgramPath::why_not_rehearse() const {
     any = any || !desk.texts.text(made_.parts[n].slot).empty();
   }
   if (!any) return of_several() ? "Their programs are empty." : "The program is empty.";
+  for (std::size_t n = 0; n < made_.count; ++n) {
+    const Tab& tab = *made_.parts[n].tab;
+    if (const auto why = why_not_rehearse_now(tab.now(), tab.catalog()); !why.empty()) return why;
+  }
   return under_way() ? "It is being calculated." : "";
 }
 

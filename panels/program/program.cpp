@@ -72,7 +72,8 @@ static std::string_view why_not_simulate(const Frame& f) {
   const int slot = desk.texts.chosen();
   if (!desk.language()) return "This model has no rehearsal.";
   if (desk.texts.text(slot).empty()) return "The program is empty.";
-  return desk.rehearsals.under_way(desk.texts.start_of(slot)) ? "It is being calculated." : "";
+  if (desk.rehearsals.under_way(desk.texts.start_of(slot))) return "It is being calculated.";
+  return why_not_rehearse_now(f.now, f.catalog);
 }
 
 void Program::shortcuts(Frame& f) {

@@ -227,7 +227,7 @@ bool RehearsalCard::draw_limits(Frame& f) {
   if (begins_here() || footing == Footing::unknown || footing == Footing::doubtful) return false;
   const std::string_view why = of_running_                  ? "The program runs."
                                : footing == Footing::moving ? "An axis is moving."
-                                                            : "";
+                                                            : why_not_rehearse_now(f.now, f.catalog);
   const bool again = button(ui, "rehearsal/again", "Rehearse from here", {.disabled = why}).clicked;
   gap(ui, 8);
   return again;

@@ -32,9 +32,13 @@ std::string position_difference(const Frame& f, const Stand& stand) {
     case Footing::other_encoder:
       return fmt::format("Rehearsed before the encoder of {} came to read differently", axis);
     case Footing::other_switch:
+      if (stand.unread)
+        return fmt::format("Rehearsed with known limit switches of {}; they are not known now", axis);
       return fmt::format("Rehearsed before a limit or home switch of {} changed", axis);
     case Footing::doubtful: return fmt::format("The position of {} may not be true", axis);
-    default: return fmt::format("Rehearsed before {} was switched, or its error came or went", axis);
+    default:
+      if (stand.unread) return fmt::format("Rehearsed with a known loop of {}; it is not known now", axis);
+      return fmt::format("Rehearsed before {} was switched, or its error came or went", axis);
   }
 }
 
@@ -48,6 +52,7 @@ std::string difference(const Frame& f, const Stand& stand) {
   const Catalog& c = f.catalog;
   const auto place = static_cast<std::size_t>(std::max(0, stand.which));
   const auto differs = [&](std::string_view name, std::string_view then, std::string_view now) {
+    if (stand.unread) return fmt::format("Rehearsed with {} {}; what it is now is not known", name, then);
     return fmt::format("Rehearsed with {} {}; it is {} now", name, then, now);
   };
   switch (stand.footing) {
@@ -78,7 +83,11 @@ std::string difference(const Frame& f, const Stand& stand) {
     case Footing::other_variable:
       return differs(fmt::format("V{}", place), std::to_string(stand.began.value),
                      std::to_string(stand.stands.value));
+    case Footing::other_queue: return "Rehearsed with empty queues; commands wait there now";
     case Footing::other_program:
+      if (stand.unread)
+        return fmt::format("Rehearsed with {} {}; what it holds now is not known", c.program.slot_word,
+                           place);
       return fmt::format("Rehearsed before {} {} was changed", c.program.slot_word, place);
     default: return position_difference(f, stand);
   }

@@ -23,8 +23,26 @@ std::string_view found(const Rehearsals::Outcome& o) {
   return {};
 }
 
+/// What was known then, and is not known now.
+std::string_view unread(Footing footing) {
+  switch (footing) {
+    case Footing::other_power: return "Rehearsed, but the loop of an axis has not been read again.";
+    case Footing::other_switch: return "Rehearsed, but a limit or home switch has not been read again.";
+    case Footing::other_setup: return "Rehearsed, but a parameter has not been read again.";
+    case Footing::other_output: return "Rehearsed, but an output has not been read again.";
+    case Footing::other_input: return "Rehearsed, but an input has not been read again.";
+    case Footing::other_analog: return "Rehearsed, but an analog input has not been read again.";
+    case Footing::other_readout:
+      return "Rehearsed, but the move mode, a latch or a sync output has not been read again.";
+    case Footing::other_variable: return "Rehearsed, but a variable has not been read again.";
+    case Footing::other_program: return "Rehearsed, but another program has not been read again.";
+    default: return "Rehearsed, but not everything has been read again.";
+  }
+}
+
 /// What has changed since; empty: nothing.
 std::string_view changed(const Stand& stand) {
+  if (stand.unread) return unread(stand.footing);
   switch (stand.footing) {
     case Footing::here: return {};
     case Footing::elsewhere: return "Rehearsed from elsewhere: the axes have been moved since.";
@@ -45,6 +63,7 @@ std::string_view changed(const Stand& stand) {
       return "Rehearsed before the move mode, a latch or a sync output was changed.";
     case Footing::other_variable: return "Rehearsed before a variable was changed.";
     case Footing::other_program: return "Rehearsed before another program was changed.";
+    case Footing::other_queue: return "Rehearsed with empty queues: commands wait there now.";
   }
   return {};
 }

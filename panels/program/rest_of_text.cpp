@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/device/settings_in_text.h"
 #include "core/sequence/places_before.h"
 #include "core/sequence/steps_in.h"
 #include "core/sequence/within_loop.h"
@@ -121,7 +122,11 @@ const seq::Step* last_such(const seq::StepList& steps, std::size_t count, Is is)
   return nullptr;
 }
 
-bool is_own_text(const seq::Step::Body& body) { return std::holds_alternative<seq::Custom>(body); }
+seq::OnlySets only_sets_of(const Language& language) {
+  const auto* tells = dynamic_cast<const SettingsInText*>(&language);
+  if (!tells) return {};
+  return [tells](const seq::Custom& own) { return tells->only_sets(own.text); };
+}
 bool goes_where_the_machine_decides(const seq::Step::Body& body) {
   return std::holds_alternative<seq::Home>(body) || std::holds_alternative<seq::Jog>(body) ||
          std::holds_alternative<seq::Stop>(body) || std::holds_alternative<seq::MoveOnInput>(body);
@@ -144,7 +149,12 @@ std::size_t outermost(const seq::StepList& steps, int counted) {
 }
 
 /// In terms of the text: the user has never seen the steps.
-tl::unexpected<Fault> why_not_known(const StepOfPlace& step, const PlaceToBegin& place, const Fault& fault) {
+tl::unexpected<Fault> why_not_known(const StepOfPlace& step, const PlaceToBegin& place, const Fault& fault,
+                                    const seq::OnlySets& only_sets) {
+  const auto is_own_text = [&](const seq::Step::Body& body) {
+    const auto* own = std::get_if<seq::Custom>(&body);
+    return own && !(only_sets && only_sets(*own));
+  };
   const seq::StepList& steps = step.sequence.steps;
   const std::size_t before = outermost(steps, step.counted);
   const bool in_loop = before < steps.size() && std::holds_alternative<seq::Repeat>(steps[before].body);
@@ -165,13 +175,14 @@ tl::unexpected<Fault> why_not_known(const StepOfPlace& step, const PlaceToBegin&
 }
 
 Result<seq::Rest> rest_there(const StepOfPlace& step, const std::optional<std::int64_t>& pass_in_loop,
-                             const seq::Places& begin, seq::Rehearsed rehearsed) {
+                             const seq::Places& begin, seq::Rehearsed rehearsed,
+                             const seq::OnlySets& only_sets) {
   if (pass_in_loop) {
-    auto found = seq::rest_within(step.sequence, step.counted, *pass_in_loop, begin, rehearsed);
+    auto found = seq::rest_within(step.sequence, step.counted, *pass_in_loop, begin, rehearsed, only_sets);
     return found ? Result<seq::Rest>(std::move(found->rest)) : tl::unexpected(found.error());
   }
   const auto at = seq::step_to_begin_at(step.sequence, step.counted);
-  return at ? seq::rest_from(step.sequence, *at, begin, rehearsed) : tl::unexpected(at.error());
+  return at ? seq::rest_from(step.sequence, *at, begin, rehearsed, only_sets) : tl::unexpected(at.error());
 }
 
 }  // namespace
@@ -240,9 +251,10 @@ Result<RestOfText> rest_of_text(const Language& language, const PlaceToBegin& pl
                       "before the loop or after it.");
     pass_in_loop = place.pass.value_or(0);
   }
+  const seq::OnlySets only_sets = only_sets_of(language);
   auto rest = rest_there(*step, pass_in_loop, begin_of(place.axes, step->sequence),
-                         place.begun ? seq::Rehearsed::yes : seq::Rehearsed::no);
-  if (!rest) return why_not_known(*step, place, rest.error());
+                         place.begun ? seq::Rehearsed::yes : seq::Rehearsed::no, only_sets);
+  if (!rest) return why_not_known(*step, place, rest.error(), only_sets);
   const std::string line = fmt::format("line {}", place.line + 1);
   if (!place.begun)
     return not_from(fmt::format("The rehearsal does not tell where the axes were when {} began.", line),

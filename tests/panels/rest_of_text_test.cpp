@@ -77,6 +77,23 @@ TEST(RestOfText, TwoCommandsThatAreOneStepAreBegunTogether) {
   EXPECT_THAT(written("vme58", *rest), HasSubstr("MA500; GO\nWA\n# Here the rest begins.\nMR250; GO\n"));
 }
 
+TEST(RestOfText, SpeedsOfSingleMotorsAreSetAgainInTheirOrder) {
+  const char* text = "S1M2000,A1M2\nIA1M0\nS2M1000\nIA2M400\nS1M500\nIA1M4000\nIA2M0\n";
+  const auto rest = rest_at("vxm", text, 7);
+  ASSERT_TRUE(rest) << rest.error().sentence();
+  const std::string all = written("vxm", *rest);
+  const auto first = all.find("S1M2000"), second = all.find("S2M1000"), last = all.find("S1M500"),
+             there = all.find("IA1M4000"), rest_of_it = all.find("IA2M0");
+  EXPECT_TRUE(first < second && second < last && last < there && there < rest_of_it) << all;
+  EXPECT_THAT(all, HasSubstr("A1M2"));
+  EXPECT_THAT(words_of_leading(rest->rest), HasSubstr("S1M500"));
+  const auto in_a_loop = rest_at("vxm", "S1M2000\nLM0\nI1M100\nI2M50\nLA3\n", 4, 1);
+  ASSERT_TRUE(in_a_loop) << in_a_loop.error().sentence();
+  EXPECT_THAT(written("vxm", *in_a_loop), HasSubstr("S1M2000"));
+  const auto unknown = rest_at("vxm", "S1M2000\nIA1M-0\nIA1M400\nIA1M0\n", 4);
+  ASSERT_FALSE(unknown) << "what else is done there is not known";
+}
+
 /// On its last pass L leaves the command before it out, which no loop of blocks does.
 TEST(RestOfText, WhatNoBlockCanHoldIsRefused) {
   const auto loop = rest_at("vxm", "I1M100,\nI2M100,\nL4,\n", 2, 1);
@@ -84,7 +101,7 @@ TEST(RestOfText, WhatNoBlockCanHoldIsRefused) {
   EXPECT_THAT(loop.error().what, HasSubstr("a loop without a mark of its own"));
   const auto one_axis = rest_at("vme58", "AX\nMR500 GO\nMR250 GO\n", 3);
   ASSERT_FALSE(one_axis);
-  EXPECT_THAT(one_axis.error().what, HasSubstr("blocks speak to all axes at once (AA)"));
+  EXPECT_THAT(one_axis.error().what, HasSubstr("blocks address all axes at once (AA)"));
 }
 
 TEST(RestOfText, WhatIsNotKnownIsNamedWithItsLine) {

@@ -51,3 +51,28 @@ end
 local b = hw.check(hw.open(open.vme58))
 local move = "AX VL5000 AC50000\nMA10000 GO ID\n"
 follows(b, "position", move, duration, function() hw.check(b:move_to{X = 6000} and b:wait(30)) end)
+-- The text names no speed: those that are set up count.
+local slow = "AX MA2000 GO ID\nMA6000 GO ID\n"
+follows(b, "speed", slow, duration, function() hw.check(b:set("VLX", 2500)) end)
+follows(b, "acceleration", slow, duration, function() hw.check(b:set("ACX", 12500)) end)
+follows(b, "base speed", slow, duration, function() hw.check(b:set("VBX", 900)) end)
+follows(b, "ramp", slow, duration, function() hw.check(b:set("PN", 3)) end)
+follows(b, "other axis", "AY MR500 GO ID\n", at("Y"), function() hw.check(b:query("AY LP-40")) end, 460)
+-- A line that is low makes SW wait.
+local waits = "AX SW1 MR100 GO ID\n"
+hw.check(rehearsed(b, waits).duration < 1)
+b.bench:input(1, true)
+hw.sleep(0.5)
+hw.check(not hw.check(b:rehearse(waits)).finished, "nobody lets go of it")
+b.bench:input(1, false)
+hw.sleep(0.5)
+for _, o in ipairs{8, 13, 14, 21} do -- the last two are auxiliary
+  local was = out(o)(rehearsed(b, "AX MR10 GO ID\n"))
+  follows(b, "output " .. o, "AX MR10 GO ID\n", out(o), function() hw.check(b:output(o, not was)) end, not was)
+end
+-- What its queues say it does not tell: that is named.
+b:send("AX WT5000")
+b:send("AX MR1000 GO ID")
+hw.sleep(0.5)
+local named = hw.check(b:rehearse("AY MR100 GO ID\n")).assumptions
+hw.check(named["queue of X"] and named["queue of X"]:find("empty, since the board does not report", 1, true), "the queue")

@@ -1,7 +1,7 @@
 #include "core/devices/arcus/program_places.h"
 
-#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/base/index.h"
 #include "core/devices/arcus/language/compiler.h"
@@ -27,72 +27,89 @@ void add_homed(language::AxisSet& to, const Instruction& next) {
   }
 }
 
+/// Where a program is, as far as it says where it stands.
+struct Standing {
+  bool absolute = true;       ///< as after power-up
+  language::AxisSet counted;  ///< these have been homed, or their count has been set
+};
+
 class PlaceReader {
  public:
-  /// Another program of the text begins.
-  void begin() { absolute_ = true, counted_ = {}; }
-  /// These were homed out of sight.
-  void homed(const language::AxisSet& axes) {
-    for (int axis = 0; axis < language::max_axes; ++axis)
-      if (axes.has(axis)) counted_.add(axis);
-  }
-  void read(const Instruction& next) {
-    add_homed(counted_, next);
-    switch (next.op) {
-      case Opcode::absolute: absolute_ = true; break;
-      case Opcode::incremental: absolute_ = false; break;
-      case Opcode::set: set(next.target, next.values[0]); break;
-      case Opcode::move:
-        for (int axis = 0; absolute_ && axis < language::max_axes; ++axis)
-          if (next.axes.has(axis) && !counted_.has(axis))
-            places_.push_back(
-                {AxisId{static_cast<std::uint8_t>(axis)}, Steps(value_of(next.values[ix(axis)]))});
-        break;
-      default: break;
-    }
+  explicit PlaceReader(const language::Program& program) : program_(program) {}
+
+  void read_program(int number, Standing standing) {
+    const auto& programs = program_.programs;
+    if (number < 0 || ix(number) >= programs.size() || !programs[ix(number)]) return;
+    if (std::exchange(read_[ix(number)], true)) return;
+    read_from(*programs[ix(number)], standing);
+    if (const auto& on_error = program_.subs[language::error_subroutine]) read_from(*on_error, standing);
   }
   [[nodiscard]] std::vector<AxisTarget> places() && { return std::move(places_); }
 
  private:
+  /// From the line of its head to the next one.
+  void read_from(std::size_t head, Standing& standing) {
+    if (depth_ == language::max_call_depth) return;
+    ++depth_;
+    for (std::size_t line = head + 1; line < program_.code.size() && left_ > 0; ++line, --left_) {
+      const Instruction& next = program_.code[line];
+      if (next.op == Opcode::prg || next.op == Opcode::sub) break;
+      read(next, standing);
+    }
+    --depth_;
+  }
+  void read(const Instruction& next, Standing& standing) {
+    add_homed(standing.counted, next);
+    switch (next.op) {
+      case Opcode::absolute: standing.absolute = true; break;
+      case Opcode::incremental: standing.absolute = false; break;
+      case Opcode::set: set(next.target, next.values[0], standing); break;
+      case Opcode::gosub: call(next.values[0].number, standing); break;
+      case Opcode::run:
+        if (next.values[1].number == start_it) read_program(next.values[0].number, standing);
+        break;
+      case Opcode::move: move(next, standing); break;
+      default: break;
+    }
+  }
+  void call(std::int32_t sub, Standing& standing) {
+    if (sub >= 0 && sub < language::subroutines && program_.subs[ix(sub)])
+      read_from(*program_.subs[ix(sub)], standing);
+  }
+  void move(const Instruction& next, const Standing& standing) {
+    for (int axis = 0; standing.absolute && axis < language::max_axes; ++axis)
+      if (next.axes.has(axis) && !standing.counted.has(axis))
+        places_.push_back({AxisId{static_cast<std::uint8_t>(axis)}, Steps(value_of(next.values[ix(axis)]))});
+  }
+  void set(const Operand& target, const Operand& value, Standing& standing) {
+    if (target.kind == Operand::Kind::variable && target.number < language::variables)
+      variables_[ix(target.number)] = value_of(value);
+    const bool counter = target.quantity == language::Quantity::pulse_position ||
+                         target.quantity == language::Quantity::encoder_position;
+    if (target.kind == Operand::Kind::quantity && counter) standing.counted.add(target.index);
+  }
   [[nodiscard]] std::int32_t value_of(const Operand& operand) const {
     if (operand.kind == Operand::Kind::number) return operand.number;
     const bool known = operand.kind == Operand::Kind::variable && operand.number < language::variables;
     return known ? variables_[ix(operand.number)] : 0;
   }
-  void set(const Operand& target, const Operand& value) {
-    if (target.kind == Operand::Kind::variable && target.number < language::variables)
-      variables_[ix(target.number)] = value_of(value);
-    const bool counter = target.quantity == language::Quantity::pulse_position ||
-                         target.quantity == language::Quantity::encoder_position;
-    if (target.kind == Operand::Kind::quantity && counter) counted_.add(target.index);
-  }
 
-  bool absolute_ = true;  ///< as after power-up
-  language::AxisSet counted_;
+  static constexpr std::int32_t start_it = 1;  // of SR
+
+  const language::Program& program_;
+  std::array<bool, language::max_programs> read_{};  ///< programs that have been
   std::array<std::int32_t, language::variables> variables_{};
   std::vector<AxisTarget> places_;
+  int depth_ = 0, left_ = 100'000;  ///< calls; lines to be read at most
 };
 
 }  // namespace
 
-std::vector<AxisTarget> places_of_program(std::string_view text, const language::Dialect& dialect) {
+std::vector<AxisTarget> places_of_program(std::string_view text, int start,
+                                          const language::Dialect& dialect) {
   const language::Program program = language::compile(text, dialect).program;
-  const auto begins = [](const auto& heads, std::size_t line) {
-    return std::any_of(heads.begin(), heads.end(),
-                       [line](const auto& head) { return head && *head == line; });
-  };
-  language::AxisSet homed_in_subroutines;
-  bool in_subroutine = false;
-  for (std::size_t line = 0; line < program.code.size(); ++line) {
-    in_subroutine = (in_subroutine && !begins(program.programs, line)) || begins(program.subs, line);
-    if (in_subroutine) add_homed(homed_in_subroutines, program.code[line]);
-  }
-  PlaceReader reader;
-  for (std::size_t line = 0; line < program.code.size(); ++line) {
-    if (begins(program.programs, line)) reader.begin();
-    if (program.code[line].op == Opcode::gosub) reader.homed(homed_in_subroutines);
-    reader.read(program.code[line]);
-  }
+  PlaceReader reader(program);
+  reader.read_program(start, {});
   return std::move(reader).places();
 }
 

@@ -5,9 +5,6 @@
 #include <cmath>
 
 #include "core/base/index.h"
-#include "core/device/bench_file.h"
-#include "core/device/bench_schedule.h"
-#include "core/device/track_keeper.h"
 #include "core/devices/arcus/language/compiler.h"
 #include "core/devices/arcus/move_stream.h"
 #include "core/devices/arcus/program_language.h"
@@ -16,6 +13,9 @@
 #include "core/devices/arcus/program_watch.h"
 #include "core/devices/arcus/sequence_reader.h"
 #include "core/devices/arcus/sequence_writer.h"
+#include "core/emulation/bench_file.h"
+#include "core/emulation/bench_schedule.h"
+#include "core/emulation/track_keeper.h"
 
 namespace hw::arcus {
 namespace {
@@ -296,8 +296,8 @@ Result<SequenceRead> ProgramLanguage::read(std::string_view text, const sequence
   return read_sequence(text, frame, catalog, dialect_);
 }
 
-std::vector<AxisTarget> ProgramLanguage::places_in(std::string_view text) const {
-  return places_of_program(text, dialect_);
+std::vector<AxisTarget> ProgramLanguage::places_in(std::string_view text, int start) const {
+  return places_of_program(text, start, dialect_);
 }
 
 }  // namespace hw::arcus

@@ -32,7 +32,7 @@ class CommandStrings final : public Language, public PartialWriter, public Place
                                           const Catalog& catalog) const override {
     return read_sequence(text, frame, catalog);
   }
-  [[nodiscard]] std::vector<AxisTarget> places_in(std::string_view text) const override {
+  [[nodiscard]] std::vector<AxisTarget> places_in(std::string_view text, int) const override {
     return places_of_text(text);
   }
 };

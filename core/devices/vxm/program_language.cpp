@@ -1,14 +1,18 @@
 #include "core/devices/vxm/program_language.h"
 
+#include <algorithm>
+
+#include "core/device/settings_in_text.h"
 #include "core/devices/vxm/program_analysis.h"
 #include "core/devices/vxm/program_rehearsal.h"
+#include "core/devices/vxm/sequence_commands.h"
 #include "core/devices/vxm/sequence_reader.h"
 #include "core/devices/vxm/sequence_writer.h"
 
 namespace hw::vxm {
 namespace {
 
-class VxmLanguage final : public Language, public PartialWriter {
+class VxmLanguage final : public Language, public PartialWriter, public SettingsInText {
  public:
   [[nodiscard]] ProgramReport analyse(std::string_view text, int slot) const override {
     Analysis analysis = analyse_text(text, slot);
@@ -31,6 +35,10 @@ class VxmLanguage final : public Language, public PartialWriter {
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
                                           const Catalog& catalog) const override {
     return read_sequence(text, frame, catalog);
+  }
+  [[nodiscard]] bool only_sets(std::string_view text) const override {
+    const Operations all = operations_of(text);
+    return !all.empty() && std::all_of(all.begin(), all.end(), [](const Operation& o) { return o.speed; });
   }
 };
 

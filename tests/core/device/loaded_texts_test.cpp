@@ -37,7 +37,7 @@ TEST_F(LoadedTextsTest, APlaceByADoubtfulCountIsOne) {
 
 TEST_F(LoadedTextsTest, BehindWhatMayZeroTheCountIsNone) {
   EXPECT_TRUE(places_of("I1M-0,IA1M-0,IA1M4000,").empty());
-  EXPECT_TRUE(places_of("I1M-0,P5,IA1M-0,IA1M4000,").empty()) << "no block says that here is zero";
+  EXPECT_TRUE(places_of("I1M-0,P5,IA1M-0,IA1M4000,").empty()) << "no block sets zero here";
   EXPECT_TRUE(places_of("IA1M-0,IA1M4000,").empty());
   EXPECT_FALSE(places_of("IA1M4000,I1M-0,P5,IA1M-0,").empty()) << "it goes there first";
 }
@@ -64,6 +64,7 @@ TEST_F(LoadedTextsTest, TheQueueOfOneAxisIsReadToo) {
   EXPECT_EQ(axes_of("AX MA400 GO ID"), "X");
   EXPECT_EQ(axes_of("AY VL2000; MA400; GO; AX MR20 GO"), "Y");
   EXPECT_EQ(axes_of("AX MR400 GO ID"), "");
+  EXPECT_EQ(axes_of("AX MR50 GO ID MA400 GO ID"), "X") << "MA goes by the count, wherever MR has moved it";
   EXPECT_EQ(axes_of("AX LP0 MA400 GO ID"), "") << "it says where it stands";
   EXPECT_EQ(axes_of("AX MA400 GO LP0"), "X") << "it goes there first";
   EXPECT_EQ(axes_of("AZ MA400 GO ID"), "") << "nothing is doubtful there";
@@ -87,6 +88,37 @@ TEST_F(LoadedTextsTest, AProgramWithVariablesIsReadToo) {
   EXPECT_TRUE(places_of("V1=7\nGOSUB 1\nX400\nWAITX\nEND\nSUB 1\nHOMEX-\nWAITX\nENDSUB\n").empty())
       << "a subroutine homes it";
   EXPECT_FALSE(places_of("V1=7\nGOSUB 1\nX400\nWAITX\nEND\nSUB 1\nDO1=1\nENDSUB\n").empty());
+}
+
+TEST_F(LoadedTextsTest, OnlyTheProgramThatIsStartedAndWhatItStartsAreRead) {
+  const DeviceType& four = *find_device_type("pmx-4ex-sa");
+  const Catalog axes = *four.make_catalog({});
+  LoadedTexts loaded(axes, &four.language());
+  const auto is_sent_away = [&](int start, const std::string& text) {
+    loaded.loaded(intent::LoadProgram(0, text), now.restarts);
+    (void)loaded.places_in_doubt(1 - start, now);  // another was started before
+    return !loaded.places_in_doubt(start, now).empty();
+  };
+  const std::string far = "X4000\nWAITX\nEND\n", homes = "HOMEX-\nWAITX\nX400\nWAITX\nEND\n";
+  EXPECT_FALSE(is_sent_away(1, "PRG 0\n" + far + "PRG 1\n" + homes)) << "it homes, and program 0 rests";
+  EXPECT_TRUE(is_sent_away(0, "PRG 0\n" + far + "PRG 1\n" + homes));
+  EXPECT_TRUE(is_sent_away(1, "PRG 0\n" + homes + "PRG 1\n" + far));
+  EXPECT_TRUE(is_sent_away(1, "PRG 0\n" + far + "PRG 1\nSR0=1\nEND\n")) << "it starts the other";
+  EXPECT_FALSE(is_sent_away(1, "PRG 0\n" + far + "PRG 1\nHOMEX-\nWAITX\nSR0=1\nEND\n")) << "and has homed";
+  EXPECT_FALSE(is_sent_away(1, "PRG 0\n" + far + "PRG 1\nSR0=0\nEND\n")) << "it stops the other";
+  EXPECT_TRUE(is_sent_away(1, "PRG 1\nGOSUB 1\nEND\nPRG 0\nEND\nSUB 1\nX4000\nWAITX\nENDSUB\n"));
+  EXPECT_FALSE(is_sent_away(1, "PRG 1\nEND\nPRG 0\nGOSUB 1\nEND\nSUB 1\nX4000\nWAITX\nENDSUB\n"));
+  EXPECT_FALSE(is_sent_away(1, far)) << "there is no such program";
+}
+
+TEST_F(LoadedTextsTest, SubroutinesThatCallEachOtherEnd) {
+  const DeviceType& four = *find_device_type("pmx-4ex-sa");
+  const Catalog axes = *four.make_catalog({});
+  LoadedTexts loaded(axes, &four.language());
+  std::string text = "PRG 0\nV1=1\nGOSUB 1\nEND\nSUB 1\n";
+  for (int n = 0; n < 60; ++n) text += "GOSUB 1\n";
+  loaded.loaded(intent::LoadProgram(0, text + "X400\nWAITX\nENDSUB\n"), now.restarts);
+  EXPECT_FALSE(loaded.places_in_doubt(0, now).empty());
 }
 
 TEST_F(LoadedTextsTest, NorOfALongOne) {
