@@ -17,51 +17,62 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// Minimum room for a message; and room for the count of lost log entries.
-constexpr float messages_at_least = 280, lost_width = 140;
-constexpr float wide_filter = 128, narrow_filter = 96, between_tools = 8;
+/// Room for a message: for its sentence, and at least; and for the count of lost log entries.
+constexpr float messages_wanted = 280, messages_at_least = 184, before_messages = 16, lost_width = 140;
+constexpr float wide_filter = 128, narrow_filter = 96, least_filter = 72, between_tools = 8;
 constexpr ButtonOptions log_menu_look{.style = ButtonStyle::quiet};
 
 struct LogTool {
   const char *id, *label, *tip;
-  bool* on;  ///< null: an action
+  Icon icon;  ///< instead of the label, where words have no room; none: the label is short
+  bool* on;   ///< null: an action
 };
 
-ButtonOptions look_of_tool(const LogTool& tool) {
-  return {.style = tool.on ? ButtonStyle::segment : ButtonStyle::quiet,
-          .tip = tool.tip,
-          .on = tool.on && *tool.on};
+ButtonOptions look_of_tool(const LogTool& tool, bool words) {
+  ButtonOptions look{.style = tool.on ? ButtonStyle::segment : ButtonStyle::quiet,
+                     .tip = tool.tip,
+                     .on = tool.on && *tool.on};
+  if (words) return look;
+  look.icon = tool.icon;
+  look.wordless = tool.icon != Icon::none;
+  look.width = look.wordless ? 28 : 40;
+  return look;
 }
 
-/// Tools without room move to the menu: first the log's actions, then the display options.
+/// The place for messages at the right of this row is kept free also while there are none, so that nothing
+/// shifts under the mouse when one comes: tools give up their words for it. Only where that is not enough,
+/// they have the whole row, and then a menu.
 struct LogTools {
-  bool toggles = true, actions = true;
+  bool words = true, in_menu = false;
   float filter = wide_filter, space = between_tools, width = 0;
+
+  [[nodiscard]] float width_of(Ui& ui, const LogTool& tool) const {
+    const ButtonOptions look = look_of_tool(tool, words);
+    return look.width > 0 ? look.width : button_width(ui, tool.label, look);
+  }
 };
 
 LogTools tools_that_fit(Ui& ui, std::span<const LogTool> toggles, std::span<const LogTool> actions,
                         float room) {
-  const auto width_of = [&](std::span<const LogTool> tools, float space) {
-    float width = 0;
-    for (const LogTool& tool : tools) width += button_width(ui, tool.label, look_of_tool(tool)) + space;
-    return width;
+  struct Shape {
+    bool words;
+    float filter, space, messages;
   };
+  constexpr Shape shapes[] = {{true, wide_filter, between_tools, messages_wanted},
+                              {true, narrow_filter, 4, messages_wanted},
+                              {false, narrow_filter, 4, messages_wanted},
+                              {false, least_filter, 0, messages_at_least},
+                              {false, least_filter, 0, -before_messages}};
   LogTools fit;
-  const auto measure = [&] {
-    fit.width = fit.filter + fit.space + (fit.toggles ? width_of(toggles, fit.space) : 0) +
-                (fit.actions ? width_of(actions, 0) : button_width(ui, "More", log_menu_look));
-    return fit.width <= room;
-  };
-  if (measure()) return fit;
-  fit.filter = narrow_filter;
-  for (const float space : {4.0f, 0.0f}) {
-    fit.space = space;
-    if (measure()) return fit;
+  for (const Shape& shape : shapes) {
+    fit = {shape.words, false, shape.filter, shape.space};
+    fit.width = fit.filter + fit.space;
+    for (const LogTool& tool : toggles) fit.width += fit.width_of(ui, tool) + fit.space;
+    for (const LogTool& tool : actions) fit.width += fit.width_of(ui, tool);
+    if (fit.width + before_messages + shape.messages <= room) return fit;
   }
-  fit.actions = false;
-  if (measure()) return fit;
-  fit.toggles = false;
-  measure();
+  fit.in_menu = true;
+  fit.width = fit.filter + fit.space + button_width(ui, "More", log_menu_look);
   return fit;
 }
 
@@ -101,58 +112,57 @@ float Terminal::draw_tools(Frame& f, TrafficLog& log, float left, float top) {
 /// Messages at the right end of the title row, if it has room for a sentence; else in the status line.
 void Terminal::draw_messages_behind(Frame& f, float left, float top) {
   Ui& ui = f.ui;
-  const float right = ui.px(f.area.right() - 16), room = right - left - ui.px(16);
+  const float right = ui.px(f.area.right() - 16), room = right - left - ui.px(before_messages);
   const bool covered = f.console.right_open && f.tier == Tier::medium;
   if (covered || room < ui.px(messages_at_least)) return;
   const float width = std::min(room, ui.px(432));
   draw_messages(ui, f.console.toasts(), {ImVec2(right - width, top), ImVec2(right, top + ui.px(32))});
 }
 
-/// At the right; beside them messages, if there is room for both. Returns the end.
+/// Returns their right end.
 float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float top) {
   Ui& ui = f.ui;
   TrafficLog::View view = log.view();
   filter_ = view.filter;
   const LogTool toggles[] = {
-      {"terminal/decoded", "Decoded", "What the bytes mean, after the manual.", &view.decoded},
+      {"terminal/decoded", "Decoded", "What the bytes mean, after the manual.", Icon::meaning, &view.decoded},
       {"terminal/fold", "Polls folded", "What the console asks by itself, in one line that counts.",
-       &view.fold_polls},
-      {"terminal/hex", "Hex", "Every byte in hexadecimal.", &view.hex},
+       Icon::folded, &view.fold_polls},
+      {"terminal/hex", "Hex", "Every byte in hexadecimal.", Icon::none, &view.hex},
   };
   const LogTool actions[] = {
-      {"terminal/copy", "Copy", "The chosen lines, or all that are shown.", nullptr},
-      {"terminal/clear", "Clear", "Empties this list. Nothing is sent.", nullptr},
-      {"terminal/save", "Save", "All that is kept, with times, into a file.", nullptr},
+      {"terminal/copy", "Copy", "Copies the chosen lines, or all that are shown.", Icon::copy, nullptr},
+      {"terminal/clear", "Clear", "Empties this list. Nothing is sent.", Icon::empty, nullptr},
+      {"terminal/save", "Save", "Saves all that is kept, with times, into a file.", Icon::save, nullptr},
   };
-  const float right = f.area.right() - 16, whole = right - left / ui.scale;
-  const LogTools fit = tools_that_fit(ui, toggles, actions, whole);
-  const bool beside = whole - fit.width >= messages_at_least + lost_width + 16;
-  const float from = beside ? left / ui.scale : right - fit.width, end = ui.px(from + fit.width);
-  float x = from;
-  const auto place = [&](float w) {
+  const float lost = log.lost() > 0 ? lost_width : 0;
+  const float room = f.area.right() - 16 - left / ui.scale - lost;
+  const LogTools fit = tools_that_fit(ui, toggles, actions, room);
+  float x = left / ui.scale;
+  const auto place = [&](float width) {
     ImGui::SetCursorScreenPos(ImVec2(ui.px(x), top));
-    x += w;
+    x += width;
   };
-  for (const LogTool& tool : fit.toggles ? std::span<const LogTool>(toggles) : std::span<const LogTool>()) {
-    place(button_width(ui, tool.label, look_of_tool(tool)) + fit.space);
-    if (button(ui, tool.id, tool.label, look_of_tool(tool)).clicked) *tool.on = !*tool.on;
-  }
+  const auto draw = [&](const LogTool& tool, float space) {
+    place(fit.width_of(ui, tool) + space);
+    return button(ui, tool.id, tool.label, look_of_tool(tool, fit.words)).clicked;
+  };
+  if (!fit.in_menu)
+    for (const LogTool& tool : toggles)
+      if (draw(tool, fit.space)) *tool.on = !*tool.on;
   place(fit.filter + fit.space);
   text_field(ui, "terminal/filter", "Filter", filter_, {.placeholder = "Filter", .width = fit.filter});
   view.filter = filter_;
   log.set_view(std::move(view));
-  for (const LogTool& tool : fit.actions ? std::span<const LogTool>(actions) : std::span<const LogTool>()) {
-    place(button_width(ui, tool.label, look_of_tool(tool)));
-    if (button(ui, tool.id, tool.label, look_of_tool(tool)).clicked) act(f, log, tool.id);
-  }
-  if (!fit.actions) {
-    place(0);
+  if (fit.in_menu) {
+    place(button_width(ui, "More", log_menu_look));
     draw_log_menu(f);
+  } else {
+    for (const LogTool& tool : actions)
+      if (draw(tool, 0)) act(f, log, tool.id);
   }
-  const float lost_from = beside ? end + ui.px(8) : left;
-  const float lost_to = beside ? lost_from + ui.px(lost_width) : ui.px(from - 8);
-  draw_lost(ui, log, lost_from, lost_to, top + ui.px(16));
-  return beside ? lost_to : end;
+  draw_lost(ui, log, ui.px(x + 8), ui.px(x + lost), top + ui.px(16));
+  return ui.px(x + lost);
 }
 
 /// The menu of head functions that have no room.

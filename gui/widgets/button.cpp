@@ -89,6 +89,7 @@ void draw_content(const Ui& ui, const Rect& r, std::string_view label, const But
 }  // namespace
 
 float button_width(const Ui& ui, std::string_view label, const ButtonOptions& o) {
+  if (o.wordless) label = {};
   const float w = std::ceil(content_width(ui, label, o) / ui.scale) + 2 * side;
   return label.empty() ? std::max(32.0f, w) : std::max(w, 32.0f);
 }
@@ -102,7 +103,7 @@ Touch button(Ui& ui, std::string_view id, std::string_view label, const ButtonOp
   if (paint.outline) draw_outline(ui, t.rect, paint.outline);
   if (o.moving && !(t.enabled && t.held))
     draw_motion_edge(ui, t.rect, ui[t.enabled ? Tone::motion : Tone::line]);
-  draw_content(ui, t.rect, label, o, paint);
+  draw_content(ui, t.rect, o.wordless ? std::string_view() : label, o, paint);
   draw_ring(ui, t);
   return t;
 }

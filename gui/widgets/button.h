@@ -24,11 +24,12 @@ struct ButtonOptions {
   std::string_view keys = {};      ///< key hint in ink3: "F5"; "ctrl \n" draws the Enter sign
   std::string_view disabled = {};  ///< why, and when it ends
   std::string_view tip = {};
-  float width = 0;      ///< logical; 0 natural, `fill` the rest of the line
-  float height = 32;    ///< 32 or 40; 28 in rows (the hit stays the row's)
-  bool moving = false;  ///< can start motion
-  bool stops = false;   ///< a Stop
-  bool on = false;      ///< chosen: `sel` and `edge`
+  float width = 0;        ///< logical; 0 natural, `fill` the rest of the line
+  float height = 32;      ///< 32 or 40; 28 in rows (the hit stays the row's)
+  bool moving = false;    ///< can start motion
+  bool stops = false;     ///< a Stop
+  bool on = false;        ///< chosen: `sel` and `edge`
+  bool wordless = false;  ///< only the icon is drawn; the label stays its name
 };
 
 Touch button(Ui& ui, std::string_view id, std::string_view label, const ButtonOptions& options = {});

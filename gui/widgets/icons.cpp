@@ -142,6 +142,26 @@ void draw_signs(const Pen& p, Icon icon) {
   }
 }
 
+/// Of a list's tools, where there is no room for their words.
+void draw_tool(const Pen& p, Icon icon) {
+  switch (icon) {
+    case Icon::copy: p.frame(-5, -6, 2, 2, 1.25f), p.path({V(5, -2), V(5, 5.5f), V(-2, 5.5f)}, 1.25f); break;
+    case Icon::empty:
+      p.box(-5.5f, -4, 5.5f, -2.75f), p.box(-2, -6, 2, -4.75f);
+      p.path({V(-4, -2), V(-3.25f, 5.5f), V(3.25f, 5.5f), V(4, -2)}, 1.25f);
+      break;
+    case Icon::save:
+      p.box(-0.75f, -6, 0.75f, 1), p.triangle(V(-4, -1), V(4, -1), V(0, 3)), p.box(-5.5f, 4, 5.5f, 5.5f);
+      break;
+    case Icon::meaning: p.box(-5, -3, 5, -1.5f), p.box(-5, 1.5f, 5, 3); break;
+    case Icon::folded:
+      p.box(-6, -0.75f, 6, 0.75f);
+      p.path({V(-3, -6), V(0, -3), V(3, -6)}, 1.25f), p.path({V(-3, 6), V(0, 3), V(3, 6)}, 1.25f);
+      break;
+    default: break;
+  }
+}
+
 }  // namespace
 
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 centre, float size, ImU32 colour) {
@@ -149,6 +169,7 @@ void draw_icon(ImDrawList* list, Icon icon, ImVec2 centre, float size, ImU32 col
   if (icon == Icon::none || draw_solid(pen, icon)) return;
   draw_lines(pen, icon);
   draw_signs(pen, icon);
+  draw_tool(pen, icon);
 }
 
 void draw_brand(ImDrawList* list, ImVec2 centre, float size, ImU32 ink, ImU32 knob) {

@@ -49,6 +49,11 @@ enum class Icon : std::uint8_t {
   prompt,
   folder,
   file,
+  copy,     ///< two sheets
+  empty,    ///< a bin: take everything out of a list
+  save,     ///< an arrow down, onto a bar
+  meaning,  ///< an equals sign: what the bytes mean
+  folded,   ///< two arrowheads that press on a line
   count
 };
 

@@ -171,7 +171,9 @@ void Connect::draw_recent(PageFrame& f, std::size_t i, float width) {
   const bool serial = r.understood && r.address.transport == "serial";
   const bool here = serial && std::any_of(ports.begin(), ports.end(),
                                           [&](const FoundPort& p) { return p.path == r.address.where; });
-  const bool gone = serial && !f.console.ports().busy() && !here && !ports.empty();
+  // The list names ports as the system does: of a link to one, or a pseudo-terminal, it tells nothing.
+  const bool listed = serial && r.address.where.starts_with("/dev/tty");
+  const bool gone = listed && !f.console.ports().busy() && !here && !ports.empty();
   const bool answers = tab && tab->now().link.connected();
   const std::string_view state = tab    ? (answers ? "open" : "no answer")
                                  : here ? "here now"

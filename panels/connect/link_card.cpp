@@ -23,7 +23,7 @@ using namespace gui;
 namespace {
 
 constexpr float fix_width = 172;
-constexpr double look_every_s = 1;
+constexpr double look_every_s = 1, examine_every_s = 3;
 
 void listen_to(const TrafficLog& log, TalkRecorder& recorder) {
   constexpr std::uint64_t enough = 4096;  // entries: some minutes of a link at rest
@@ -71,6 +71,7 @@ void LinkCard::toggle(PageFrame& f, const Tab& tab, bool address) {
   address_ = of_;
   changes_address_ = address || !tab.now().link.connected();
   if (address) type_into(f.ui, "connect/doctor/address");
+  examined_at_s_ = f.ui.now_s;
   if (PortExaminer* examiner = f.console.ports().examiner(); examiner && is_port(tab))
     examiner->examine(tab.address().where);
 }
@@ -105,6 +106,10 @@ void LinkCard::look(PageFrame& f, Tab& tab) {
   if (const int param = find_rate_param(tab.catalog()); param >= 0)
     facts_.rate_is_set_by = tab.catalog().params[static_cast<std::size_t>(param)].mnemonic;
   PortExaminer* examiner = f.console.ports().examiner();
+  if (examiner && is_port(tab) && f.ui.now_s - examined_at_s_ >= examine_every_s) {
+    examiner->examine(tab.address().where);  // a program that was closed meanwhile is told no more
+    examined_at_s_ = f.ui.now_s;
+  }
   const ExaminedPort* port = examiner && is_port(tab) ? examiner->find(tab.address().where) : nullptr;
   if (port) {
     facts_.port_looked_at = true;

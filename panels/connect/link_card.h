@@ -41,7 +41,7 @@ class LinkCard {
   LinkBudget now_, then_;
   std::string summary_;
   std::vector<LinkFinding> findings_;
-  double looked_at_s_ = -1;
+  double looked_at_s_ = -1, examined_at_s_ = 0;
   float height_ = 0;  ///< pixels taken in the last frame
   bool changes_address_ = false;
   std::string address_, refused_;

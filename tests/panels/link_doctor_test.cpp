@@ -191,6 +191,19 @@ TEST(LinkDoctorCard, SetsTheTimerOfTheAdapter) {
   EXPECT_THAT(d.findings(), HasSubstr("The USB adapter hands bytes on at once"));
 }
 
+TEST(LinkDoctorCard, LooksAgainForAnotherProgramOnThePort) {
+  Desk d("vxm");
+  d.open("vxm@serial:/dev/ttyS9,baud=9600");
+  d.click("connect/here/0/doctor");
+  d.run(1);
+  const std::size_t asked = d.machine.eyes.asked.size();
+  EXPECT_THAT(d.findings(), HasSubstr("No other program has the port open"));
+  d.machine.eyes.port.holder = "minicom (process 4182)";
+  d.run(4);
+  EXPECT_GT(d.machine.eyes.asked.size(), asked);
+  EXPECT_THAT(d.findings(), HasSubstr("minicom (process 4182) has the port open too"));
+}
+
 TEST(LinkDoctorCard, RaisesTheRateOfOneThatFollowsAtOnce) {
   Desk d("vxm");
   d.open("vxm@serial:/dev/ttyS9,baud=9600");
@@ -353,6 +366,24 @@ TEST(LastTime, APlaceOfTheNetworkStandsInTheCentre) {
   d.click("connect/place/0");
   ASSERT_EQ(d.console.tabs().size(), 1u);
   EXPECT_EQ(d.tab().address().text(), "vxm@tcp:127.0.0.1:9");
+}
+
+TEST(LastTime, OnlyAPortThatWouldBeListedIsSaidToBeGone) {
+  const test::Folder folder;
+  const UserFolders folders = UserFolders::below(folder.path());
+  {
+    Desk yesterday("vxm", {}, 1440, 900, folders);
+    yesterday.open("vxm@serial:/dev/ttyUSB7,baud=9600");
+    yesterday.open("vxm@serial:/tmp/a-pseudo-terminal,baud=9600");
+  }
+  Desk d("vxm", {}, 1440, 900, folders);
+  gui::FoundPort other;
+  other.path = "/dev/ttyS0";
+  d.machine.list.push_back(other);
+  d.console.show_page("connect");
+  d.run(0.2);
+  EXPECT_EQ(d.value("connect/recent/0/state"), "") << "a pseudo-terminal is in no list of ports";
+  EXPECT_EQ(d.value("connect/recent/1/state"), "not plugged in");
 }
 
 int catalogs_made = 0;

@@ -57,14 +57,60 @@ TEST(MessagePlace, IsBesideTheTitleWhereItHasRoom) {
   EXPECT_EQ(s.value("toast/1"), "The home switch is not there.");
 }
 
-TEST(MessagePlace, IsInTheStatusLineWhereTheTitleHasNone) {
-  ConsoleStage s;
+// The tools of the traffic give up their words for it, and stay where they are when it comes.
+TEST(MessagePlace, IsBesideTheTitleOfTheTrafficToo) {
+  const std::initializer_list<const char*> tools = {"terminal/decoded", "terminal/fold", "terminal/hex",
+                                                    "terminal/filter",  "terminal/copy", "terminal/clear",
+                                                    "terminal/save"};
+  for (const int width : {1440, 1920}) {
+    ConsoleStage s(width, 900);
+    s.add();
+    s.run(0.1);
+    std::vector<gui::Rect> before;
+    for (const char* tool : tools) {
+      ASSERT_TRUE(s.stage.find(tool)) << tool;
+      before.push_back(s.stage.find(tool)->rect);
+    }
+    s.console.toast(gui::Severity::fault, "The home switch is not there.");
+    s.run(0.2);
+    ASSERT_TRUE(strip_of(s));
+    const gui::Rect strip = *strip_of(s), title = s.stage.find("terminal/view/log")->rect;
+    EXPECT_EQ(strip.centre().y, title.centre().y) << width;
+    EXPECT_EQ(strip.max.x, static_cast<float>(width) - 272 - 16);
+    EXPECT_GE(strip.width(), 280);
+    std::size_t i = 0;
+    for (const char* tool : tools) {
+      const gui::Rect now = s.stage.find(tool)->rect;
+      EXPECT_EQ(now.min.x, before[i].min.x) << tool;
+      EXPECT_EQ(now.max.x, before[i++].max.x) << tool;
+      EXPECT_LE(now.max.x, strip.min.x) << tool;
+    }
+  }
+}
+
+TEST(MessagePlace, IsBesideTheTitleInASmallWindowWithATallTerminal) {
+  ConsoleStage s(1024, 900);
+  s.console.splitters.below_medium = 240;
   s.add();
   s.run(0.1);
+  ASSERT_TRUE(s.stage.find("terminal/view/log"));
   s.console.toast(gui::Severity::fault, "The home switch is not there.");
   s.run(0.2);
   ASSERT_TRUE(strip_of(s));
-  EXPECT_GE(strip_of(s)->min.y, 900 - 36);
+  EXPECT_EQ(strip_of(s)->centre().y, s.stage.find("terminal/view/log")->rect.centre().y);
+  EXPECT_GE(strip_of(s)->min.x, s.stage.find("terminal/save")->rect.max.x);
+}
+
+// At 1024x700 the terminal has three rows and no title.
+TEST(MessagePlace, IsInTheStatusLineWhereThereIsNoTitle) {
+  ConsoleStage s(1024, 700);
+  s.add();
+  s.run(0.1);
+  ASSERT_FALSE(s.stage.find("terminal/view/log"));
+  s.console.toast(gui::Severity::fault, "The home switch is not there.");
+  s.run(0.2);
+  ASSERT_TRUE(strip_of(s));
+  EXPECT_GE(strip_of(s)->min.y, 700 - 36);
   EXPECT_GE(strip_of(s)->min.x, s.stage.find("status/text")->rect.max.x) << "not over its sentence";
 }
 
