@@ -50,8 +50,8 @@ void AxisTracking::may_lose_steps(int index) {
   if (axis.speed <= start_speed_) return;
   axis.trust.doubt(Doubt::killed, context_.scheduler.now());
   warn(
-      fmt::format("Axis {} was stopped at speed without a ramp and may have lost steps. Home it, or set its "
-                  "position.",
+      fmt::format("Axis {} may have lost steps, as it was stopped at speed without a ramp. Home it, or set "
+                  "its position.",
                   context_.catalog.axes[ix(index)].name));
 }
 
@@ -122,9 +122,9 @@ StopProgress AxisTracking::progress(const StopOrder& order) const {
     const Tracked& tracked = tracked_[ix(i)];
     if (tracked.asked_at >= order.sent_at && !tracked.moves) continue;
     if (context_.scheduler.now() - order.first_sent_at < longest_stop) return StopProgress::wait();
-    return StopProgress::failed(
-        Fault(FaultKind::controller, "The controller was told to stop and still moves.", "The stop was sent.",
-              "Stop again: it then stops at once, without a ramp."));
+    return StopProgress::failed(Fault(FaultKind::controller, "Stop was sent, but the controller still moves.",
+                                      "The stop was sent.",
+                                      "Stop again: it then stops at once, without a ramp."));
   }
   return StopProgress::stands();
 }

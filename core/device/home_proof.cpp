@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace hw {
 namespace {
@@ -15,6 +16,14 @@ double between(Steps from, Steps to) { return static_cast<double>((to - from).va
 
 }  // namespace
 
+void HomeProof::begin(Steps place, Instant when, int direction, Pps top_speed) {
+  begin();
+  read(place, Pps(0), when);
+  from_rest_ = true;
+  direction_ = direction;
+  top_speed_ = top_speed.value;
+}
+
 void HomeProof::read(Steps place, Pps speed, Instant when) {
   if (last_at_ == Instant{}) {
     first_ = last_ = at_full_speed_ = place;
@@ -24,22 +33,44 @@ void HomeProof::read(Steps place, Pps speed, Instant when) {
   }
   if (when <= last_at_) return;
   const double gap = seconds(when - last_at_), way = between(last_, place);
-  const double fastest = std::max(fastest_, speed.value);
-  const bool turns = way * between(first_, last_) < 0 && std::abs(way) > jitter;
+  const double fastest = std::max({fastest_, speed.value, top_speed_});
+  const double onward = direction_ != 0 ? direction_ : between(first_, last_);
+  const bool turns = way * onward < 0 && std::abs(way) > jitter;
   if (turns || std::abs(way) > jitter + plainly * fastest * gap) count_was_set_ = true;
-  fastest_ = fastest;
+  fastest_ = std::max(fastest_, speed.value);
   longest_gap_ = std::max(longest_gap_, gap);
-  if (speed.value >= full_speed * fastest_) at_full_speed_ = place;
+  if (!std::exchange(from_rest_, false)) {  // else it may have been faster before that reading
+    longest_gap_at_work_ = std::max(longest_gap_at_work_, gap);
+    if (speed.value > 0 && speed.value >= full_speed * fastest_) at_full_speed_ = place;
+  }
   last_ = place;
   last_at_ = when;
+}
+
+/// As far as the count may jump between two readings without being seen to.
+double HomeProof::unseen_way() const {
+  return jitter + plainly * std::max(fastest_, top_speed_) * longest_gap_;
+}
+
+/// As far as it may have come on at the speed at which it was seen.
+double HomeProof::unseen_at_work() const {
+  return fastest_ > 0 ? jitter + plainly * fastest_ * longest_gap_at_work_ : unseen_way();
+}
+
+/// It began before the place that was zero, and rests behind it.
+bool HomeProof::may_have_met_zero(Steps rests_at) const {
+  if (direction_ == 0) return true;
+  const auto began = static_cast<double>(first_.value) * direction_;
+  const auto rests = static_cast<double>(rests_at.value) * direction_;
+  return began <= unseen_way() && rests >= -unseen_way();
 }
 
 /// Where nothing has shown the count being set, it was near zero already; from there it only slows down.
 bool HomeProof::may_have_found(Steps rests_at) const {
   if (count_was_set_ || last_at_ == Instant{}) return true;
+  if (!may_have_met_zero(rests_at)) return false;
   const double slowed_down_over = std::abs(between(at_full_speed_, rests_at));
-  const double unseen = jitter + plainly * fastest_ * longest_gap_;
-  return std::abs(static_cast<double>(rests_at.value)) <= 2 * (slowed_down_over + unseen);
+  return std::abs(static_cast<double>(rests_at.value)) <= 2 * (slowed_down_over + unseen_at_work());
 }
 
 }  // namespace hw

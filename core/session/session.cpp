@@ -162,7 +162,10 @@ static std::string why_all_ended(const Snapshot& s) {
     return fmt::format("The link is lost. {}", s.link.sentence.view());
   if (s.program.run == RunState::error)
     return s.notice.empty() ? "A program stopped with an error." : std::string(s.notice.view());
-  if (s.program.ended_by == EndedBy::limit) return "A limit switch was hit while the program ran.";
+  const bool axis_tells = std::any_of(s.axes.begin(), s.axes.begin() + s.axis_count,
+                                      [](const AxisState& a) { return a.ended_by == EndedBy::limit; });
+  if (s.program.ended_by == EndedBy::limit && !axis_tells)
+    return "A limit switch was hit while the program ran.";
   if (s.program.ended_by == EndedBy::elsewhere)
     return "The program was ended by somebody else: the controller's Stop button or input.";
   return {};

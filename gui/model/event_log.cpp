@@ -36,9 +36,9 @@ void EventLog::follow_link(const Snapshot& now) {
 void EventLog::follow_trust(const Snapshot& now, const Catalog& catalog) {
   for (int i = 0; i < now.axis_count; ++i) {
     const PositionTrust trust = now.axes[ix(i)].trust, before = std::exchange(trust_[ix(i)], trust);
-    if (!trust.doubtful() ||
-        (before.doubtful() && before.cause == trust.cause && before.since == trust.since))
-      continue;
+    const bool as_before = before.doubtful() && before.cause == trust.cause && before.since == trust.since;
+    const bool told = trust.cause == Doubt::killed && looked_;  // by the driver, with the speed
+    if (!trust.doubtful() || as_before || told) continue;
     add({Happening::Mark::place_lost, true, trust.since, catalog.axes[ix(i)].name,
          fmt::format("cannot be trusted any more: {}", words_of(trust.cause)), -1});
   }

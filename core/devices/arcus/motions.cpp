@@ -60,6 +60,9 @@ void Motions::begun(int index, Activity activity, Instant when) {
   tracking.home.begin();
   tracking.was_stopped = false;
   AxisState& axis = console_.draft.axes[index];
+  const bool rests = axis.position_known && !console_.draft.axis_moves(index);
+  tracking.at_rest_at = rests ? axis.seen_at : Instant{};
+  tracking.at_rest = axis.position;
   axis.activity = activity;
   axis.ended_by = EndedBy::nothing;
   axis.error = AxisError::none;  // the same one again is a new one, also if no round sees it move
@@ -80,6 +83,16 @@ void Motions::goes_to(int index, Steps target, Pps speed) {
   axis.has_target = true;
   axis.target = target;
   tracked_[ix(index)].top_speed = speed.value > 0 ? speed : axis.own_speed;
+}
+
+void Motions::searches(int index, Sign side, Pps speed) {
+  AxisTracking& tracking = tracked_[ix(index)];
+  AxisState& axis = console_.draft.axes[index];
+  axis.has_target = false;
+  tracking.top_speed = speed.value > 0 ? speed : axis.own_speed;
+  if (tracking.at_rest_at == Instant{}) return;
+  tracking.home.begin(tracking.at_rest, tracking.at_rest_at, static_cast<int>(factor(side)),
+                      tracking.top_speed);
 }
 
 void Motions::goes_elsewhere(int axis, Steps target) {
@@ -124,8 +137,8 @@ void Motions::doubt_killed_position(int index) {
   axis.trust.doubt(Doubt::killed, console_.scheduler.now());
   console_.report(
       Notice::Kind::warning,
-      fmt::format("Axis {} was stopped without a ramp at {:.0f} pulses/s. Above its low speed, {}, it may "
-                  "have lost steps: its position is doubtful until it is homed or set.",
+      fmt::format("Axis {} may have lost steps, as it was stopped without a ramp at {:.0f} pulses/s, above "
+                  "its low speed, {}: its position is doubtful until it is homed or set.",
                   console_.axis_name(index), axis.speed.value, safe));
 }
 

@@ -20,6 +20,8 @@ class Motions {
   void begun_together(const std::vector<int>& axes, Activity activity);
   /// The motion just begun ends at `target`; speed 0: the axis's own.
   void goes_to(int axis, Steps target, Pps speed);
+  /// The home search just begun goes to this side; speed 0: the axis's own.
+  void searches(int axis, Sign side, Pps speed);
   /// The target was changed during the motion.
   void goes_elsewhere(int axis, Steps target);
   /// Another motion of that axis: the console's own has ended.
@@ -72,6 +74,8 @@ class Motions {
     bool turned_back = false;  ///< it differs from the one before
     Instant begun_at{};        ///< when our last command was sent
     Pps top_speed{};           ///< of the motion that it began; 0: not known
+    Instant at_rest_at{};      ///< when it was last read at rest before that command; none: it moved
+    Steps at_rest{};           ///< where
     HomeProof home;            ///< of a home search
   };
   void show_ended(int axis);

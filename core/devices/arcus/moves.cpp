@@ -40,10 +40,10 @@ Task<Result<std::int64_t>> Moves::ask_position(int axis) {
       std::move(question), std::move(decode), console_.draft.axes[axis].position.value, Priority::intent);
   if (position || !console_.draft.axes[axis].position_known || position.error().kind != FaultKind::garbled)
     co_return position;
-  co_return fail(FaultKind::garbled,
-                 fmt::format("Axis {} does not stand still, so it cannot be moved by a distance.",
-                             console_.axis_name(axis)),
-                 "Nothing was moved.", "Wait until it stands, or stop it.");
+  co_return fail(
+      FaultKind::garbled,
+      fmt::format("Axis {} is moving, so it cannot be moved by a distance.", console_.axis_name(axis)),
+      "Nothing was moved.", "Wait until it stops, or stop it.");
 }
 
 Task<Result<>> Moves::move(std::vector<AxisTarget> request, intent::Pace pace, bool relative,
@@ -126,9 +126,9 @@ Task<Result<>> Moves::home(intent::Home request) {
   auto started =
       co_await start(fill(console_.forms, console_.forms.homes[ix(request.mode)], axis, request.sign),
                      std::move(axes), Activity::homing);
+  if (started) motions_.searches(axis, request.sign, request.pace.speed);
   co_await give_back_pace();
   if (!started) co_return started;
-  console_.draft.axes[axis].has_target = false;
   watch_.counters_may_be_set();
   co_return Result<>();
 }
@@ -143,7 +143,7 @@ Result<> Moves::checked(const intent::Pace& pace) const {
   const std::int64_t longest = longest_ramp_ms(console_.model());
   if (pace.acceleration && (*pace.acceleration < 1 || *pace.acceleration > longest))
     return fail(FaultKind::refused,
-                fmt::format("{} is not an acceleration: it is the time of the ramp, from 1 to {} ms.",
+                fmt::format("{} is not possible: the acceleration is the time of the ramp, from 1 to {} ms.",
                             *pace.acceleration, longest),
                 "Nothing was sent.");
   return {};

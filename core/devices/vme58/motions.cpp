@@ -372,9 +372,10 @@ void Motions::doubt_killed_position(int i, double speed) {
   draft_.axes[i].trust.doubt(Doubt::killed, wire_.now());
   wire_.report(
       Notice::Kind::warning,
-      fmt::format("Axis {} was stopped without a ramp at {:.0f} counts/s. Above {} (VB) it may have lost "
-                  "steps: its position is doubtful until it is homed or set.",
-                  catalog_.axes[ix(i)].name, speed, safe));
+      fmt::format(
+          "Axis {} may have lost steps, as it was stopped without a ramp at {:.0f} counts/s, above {} "
+          "(VB): its position is doubtful until it is homed or set.",
+          catalog_.axes[ix(i)].name, speed, safe));
 }
 
 void Motions::lose(bool program_runs) {

@@ -22,7 +22,7 @@ Task<Result<>> Kills::kill(bool standing, Priority priority) {
   }
   under_way_.killed(ended_by);
   if (something_ran && console_.draft.outputs_known && console_.draft.outputs)
-    console_.report(Notice::Kind::info, "K ended the run; it has also switched the outputs off.");
+    console_.report(Notice::Kind::info, "K ended the run and switched the outputs off.");
   headline_.show();
   if (console_.changed) console_.changed();
   co_return Result<>();
@@ -45,9 +45,9 @@ void Kills::doubt_positions() const {
     if (speed <= hard_stop_safe_speed) continue;
     axis.trust.doubt(Doubt::killed, console_.scheduler.now());
     console_.report(Notice::Kind::warning,
-                    fmt::format("Motor {} was stopped without a ramp at about {:.0f} steps/s. "
-                                "Above {} steps/s it may have lost steps: "
-                                "its position is doubtful until it is homed or set to zero.",
+                    fmt::format("Motor {} may have lost steps, as it was stopped without a ramp at about "
+                                "{:.0f} steps/s, above {}: its position is doubtful until it is homed or set "
+                                "to zero.",
                                 i + 1, speed, hard_stop_safe_speed));
   }
 }

@@ -172,15 +172,6 @@ void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {
     AxisState& axis = console_.draft.axes[index];
     if (leg.activity != Activity::idle) {
       axis.ended_by = ended_by;
-      if (ended_by == EndedBy::limit && !under_way_.job().is_jog())
-        console_.report(
-            Notice::Kind::warning,
-            fmt::format("The {} limit switch ended the move of motor {} at {} steps{}.",
-                        axis.direction > 0 ? '+' : '-', index + 1, axis.position.value,
-                        axis.has_target
-                            ? fmt::format(", {} steps before {}",
-                                          std::abs((axis.target - axis.position).value), axis.target.value)
-                            : ""));
       axis.activity = Activity::idle;
       axis.direction = 0;
       axis.has_target = false;
@@ -238,9 +229,8 @@ std::string Legs::program_left_behind() const {
   if (presence_.reset_was_said() || (!scratch_.in_use() && slots_.selection_is_given_back())) return {};
   if (!scratch_.in_use())
     return fmt::format(
-        "A program of the console's is still selected in the controller: the Run button would start that. "
-        "Send "
-        "PM{} to select yours.",
+        "Send PM{} to select your program: one that the console used is still selected, and the Run button "
+        "would start it.",
         std::max(slots_.selected(), 0));
   return fmt::format(
       "{}program {} of the controller still holds {}: the Run button would repeat it. Send {} when the move "

@@ -16,14 +16,18 @@ void Runs::look_what_ended_the_run() {
   const auto slot = under_way_.take_ended_run();
   if (!slot) return;
   console_.draft.working = false;
+  bool at_limit = false;
   for (int i = 0; i < console_.draft.axis_count; ++i) {
     AxisState& axis = console_.draft.axes[i];
     const std::optional<Sign> way = readings_.went(i);
     const bool on_switch =
         way && axis.limits_known && (*way == Sign::plus ? axis.limit_plus : axis.limit_minus);
-    if (on_switch && axis.ended_by == EndedBy::nothing && !looks_for_switches(*slot, i + 1))
-      axis.ended_by = EndedBy::limit;
+    if (!on_switch || axis.ended_by != EndedBy::nothing || looks_for_switches(*slot, i + 1)) continue;
+    axis.ended_by = EndedBy::limit;
+    at_limit = true;
   }
+  ProgramState& p = console_.draft.program;
+  if (p.ended_by == EndedBy::nothing) p.ended_by = at_limit ? EndedBy::limit : EndedBy::target;
 }
 
 /// The program is known, and its last index of this motor goes to a switch.
@@ -88,7 +92,7 @@ Task<Result<>> Runs::resume() {
   if (!hold_.is_on() && p.run != RunState::waiting)
     co_return fail(FaultKind::refused, "The program runs: it is not held and does not wait for G.",
                    "Nothing was sent.",
-                   "If it stands in a wait for an input (U0 and its like), only that input lets it go on.");
+                   "If it is waiting for an input (U0 and similar), only that input lets it go on.");
   const bool waits = p.run == RunState::waiting;
   auto said = waits ? co_await conversation_.transmit("G", Priority::intent)
                     : co_await hold_switch_.transmit("H", false, Priority::intent);

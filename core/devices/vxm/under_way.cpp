@@ -50,7 +50,7 @@ void UnderWay::run_ended(EndedBy ended_by) {
   ramp_.forget();
   hold_.nothing_runs_from_before();
   p.run = RunState::idle;
-  if (p.ended_by == EndedBy::nothing || ended_by != EndedBy::target) p.ended_by = ended_by;
+  if (ended_by != EndedBy::target) p.ended_by = ended_by;
   if (ended_by == EndedBy::target) {
     ended_run_ = p.slot;
     console_.draft.working = true;  // until the limits have shown how it ended
@@ -106,7 +106,8 @@ void UnderWay::forget() {
 void UnderWay::wire_lost() {
   Snapshot& draft = console_.draft;
   lost_while_busy_ = lost_while_busy_ || busy();
-  ended_run_.reset();
+  if (std::exchange(ended_run_, std::nullopt) && draft.program.ended_by == EndedBy::nothing)
+    draft.program.ended_by = EndedBy::lost;
   draft.working = false;
   ramp_.forget();
   hold_.wire_lost();

@@ -69,7 +69,7 @@ void UnsolicitedMessages::received_held(std::string_view command) {
 void UnsolicitedMessages::received_limit() {
   if (under_way_.job().active())
     under_way_.job().report_limit();
-  else
+  else if (!under_way_.program_runs())  // else its end tells
     console_.report(Notice::Kind::warning, "A limit switch was hit. The controller has stopped that motor.");
   if (under_way_.program_runs()) console_.draft.program.ended_by = EndedBy::limit;
   console_.texts.add("O");

@@ -165,7 +165,7 @@ TEST_F(AxisTrackingTest, AStopWithoutARampMakesTheCountOfAFastAxisDoubtful) {
   stop(0, true);
   EXPECT_EQ(a().trust.cause, Doubt::killed);
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_THAT(told[0], HasSubstr("Axis A was stopped at speed without a ramp"));
+  EXPECT_THAT(told[0], HasSubstr("Axis A may have lost steps, as it was stopped at speed without a ramp"));
   stop(0, true);
   EXPECT_EQ(told.size(), 1u) << "it is told once";
 }

@@ -58,6 +58,35 @@ TEST_F(HomeProofTest, SoItMayWhereItRestsNearZero) {
   EXPECT_TRUE(proof.may_have_found(Steps(slow_down())));
 }
 
+/// Its reading before the search shows what its first one behind the command cannot.
+TEST_F(HomeProofTest, AShortSearchWhoseFirstReadingIsAtRestHasFoundHome) {
+  proof.begin(Steps(5000), now + Millis(1), -1, Pps(1000));
+  place = -150;  // 150 behind a home that was at 4900
+  now += Millis(100);
+  read(Pps(0));
+  EXPECT_TRUE(proof.may_have_found(Steps(place)));
+}
+
+TEST_F(HomeProofTest, OneStoppedOnItsFirstRampHasFoundNothing) {
+  for (const int began : {-300, 300, 3000}) {  // to plus: it stops before the old zero, or began behind it
+    proof.begin(Steps(began), now + Millis(1), 1, Pps(1000));
+    place = began + 4;
+    read(Pps(200));
+    place += 2;
+    read(Pps(0));
+    EXPECT_FALSE(proof.may_have_found(Steps(place))) << began;
+  }
+}
+
+TEST_F(HomeProofTest, OneThatFindsHomeWhereItWasHasFoundIt) {
+  for (const int home : {0, 10, -10}) {
+    proof.begin(Steps(400), now + Millis(1), -1, Pps(1000));
+    for (place = 380; place > home; place -= 20) read(Pps(1000));
+    place -= home;
+    EXPECT_TRUE(proof.may_have_found(Steps(slow_down()))) << home;
+  }
+}
+
 TEST_F(HomeProofTest, OfOneThatNobodySawNothingIsSaid) {
   proof.begin();
   EXPECT_TRUE(proof.may_have_found(Steps(70'000)));

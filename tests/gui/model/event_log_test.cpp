@@ -136,6 +136,12 @@ TEST_F(EventLogTest, ALinkThatGoesAndComesBackIsToldOnceEach) {
   EXPECT_EQ(text(EventFilter::ends), "");
 }
 
+TEST_F(EventLogTest, StepsThatAKillMayHaveLostAreToldByItsMessageAlone) {
+  now.axes[1].trust.doubt(Doubt::killed, Instant{seconds(2)});
+  at(2, LinkState::good);
+  EXPECT_EQ(text(), "");
+}
+
 TEST_F(EventLogTest, APlaceThatIsLostIsTroubleOfItsAxis) {
   now.axes[1].trust.doubt(Doubt::power_cut, Instant{seconds(2)});
   at(3, LinkState::good);

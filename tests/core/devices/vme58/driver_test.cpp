@@ -282,7 +282,7 @@ TEST_F(Vme58Driver, AFreshSessionDoesNotShowPartOfAGainForAllOfIt) {
   EXPECT_EQ(gain("KPX"), 300) << "said by this one";
   ASSERT_EQ(perform(intent::Reset()).state, IntentState::done);
   run(Seconds(3));
-  EXPECT_EQ(gain("KDX"), 0) << "as from the factory";
+  EXPECT_EQ(gain("KDX"), 0) << "have their factory values";
 }
 
 TEST_F(Vme58Driver, OutputsGoByTheMakersNumbers) {
@@ -359,7 +359,7 @@ TEST_F(Vme58Driver, ALostLinkEndsARecordingAndAProgramThatIsFed) {
   perform(intent::SendText("AA CD0,0; CV1000;"));
   run(Seconds(1));
   reconnect();
-  EXPECT_THAT(told(), HasSubstr("The contour that was being recorded is gone with the connection"));
+  EXPECT_THAT(told(), HasSubstr("its first part was lost with the connection"));
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
   std::string text = "AX VL20000 AC1000000\n";
@@ -597,7 +597,10 @@ TEST_F(Vme58Driver4s4, KilledAtSpeedAStepAxisMayStandElsewhere) {
   kill_at(5000);
   EXPECT_EQ(axis(4).trust.cause, Doubt::killed);
   EXPECT_FALSE(axis(0).trust.doubtful());
-  EXPECT_THAT(told(), HasSubstr("Axis U was stopped without a ramp at 5000 counts/s. Above 2000 (VB)"));
+  EXPECT_THAT(
+      told(),
+      HasSubstr(
+          "Axis U may have lost steps, as it was stopped without a ramp at 5000 counts/s, above 2000 (VB)"));
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{4}, Steps(0)}})).state, IntentState::refused);
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}})).state, IntentState::done);
 }

@@ -21,6 +21,28 @@ TEST_F(VxmDriverProgram, LoadsReadsBackAndCompares) {
   EXPECT_EQ(query("PM"), "0");
 }
 
+TEST_F(VxmDriverProgram, OneThatALimitCutsEndsOnIt) {
+  start();
+  perform(intent::LoadProgram(0, "S1M2000\nI1M8000\n"));
+  EXPECT_EQ(perform(intent::RunProgram(0)), "");
+  run(1.0);
+  ASSERT_TRUE(loop->operate(bench::Limit(AxisId{0}, Sign::plus, true)));
+  EXPECT_TRUE(wait_idle());
+  run(0.5);
+  EXPECT_EQ(latest.axes[0].ended_by, EndedBy::limit);
+  EXPECT_EQ(latest.program.ended_by, EndedBy::limit);
+  EXPECT_FALSE(told("limit")) << "its end tells: " << all_notices();
+}
+
+TEST_F(VxmDriverProgram, OneThatReachesItsEndEndsThere) {
+  start();
+  perform(intent::LoadProgram(0, "S1M2000\nI1M400\n"));
+  EXPECT_EQ(perform(intent::RunProgram(0)), "");
+  EXPECT_TRUE(wait_idle());
+  run(0.5);
+  EXPECT_EQ(latest.program.ended_by, EndedBy::target);
+}
+
 TEST_F(VxmDriverProgram, ATextWithHeadingsFillsItsPrograms) {
   start();
   EXPECT_EQ(
@@ -47,10 +69,10 @@ TEST_F(VxmDriverProgram, RefusesAWrongLineBeforeAnythingIsSent) {
   sent();
   EXPECT_EQ(perform(intent::LoadProgram(0, "I1M400\nS2M8000\n")),
             "Line 2: S2M8000 is not possible: it takes 1 to 6000 steps/s. Nothing was sent; the controller "
-            "holds what it held. Correct the line and load it again.");
+            "keeps its programs. Correct the line and load it again.");
   EXPECT_EQ(perform(intent::LoadProgram(0, "I1M400\nMOVE 3\n")).substr(0, 8), "Line 2: ");
   EXPECT_THAT(perform(intent::LoadProgram(-1, "I1M400\n")),
-              HasSubstr("Line 1: it stands before the first program heading"));
+              HasSubstr("Line 1: it comes before the first program heading"));
   EXPECT_EQ(sent(), "");
   EXPECT_EQ(query("M"), "252");
 }
@@ -61,7 +83,7 @@ TEST_F(VxmDriverProgram, RefusesATooLongProgramWithNumbers) {
   for (int i = 0; i < 65; ++i) text += "I1M400\n";
   EXPECT_EQ(perform(intent::LoadProgram(3, text)),
             "Program 3 needs 260 bytes, 4 more than the 256 that it has. Nothing was sent; the controller "
-            "holds what it held. "
+            "keeps its programs. "
             "Shorten it, or move a part into another program (JM).");
   EXPECT_EQ(latest.slot_bytes_used[3], 0);
 }
@@ -184,7 +206,8 @@ TEST_F(VxmDriverProgram, AnErrorOfTheControllerIsExplainedAndWaitsForTheUser) {
   EXPECT_EQ(latest.axes[0].activity, Activity::error);
   EXPECT_THAT(std::string(latest.notice.view()),
               HasSubstr("The controller reports EC: nonstop indexing has no U9"));
-  EXPECT_THAT(move_by(0, 10), HasSubstr("It accepts nothing until it gets K. Nothing was sent. Press Stop"));
+  EXPECT_THAT(move_by(0, 10),
+              HasSubstr("The controller accepts nothing until it gets K. Nothing was sent. Press Stop"));
   EXPECT_EQ(latest.link.state, LinkState::good) << "it was not asked in vain";
   sent();
   EXPECT_EQ(perform(intent::Stop()), "");
@@ -325,7 +348,7 @@ TEST_F(VxmDriverProgram, ATextThatStoresNothingIsRefused) {
   sent();
   EXPECT_EQ(perform(intent::LoadProgram(0, "Q Z\n!\n")),
             "Nothing in this text is part of a program: Q in line 1, Z in line 1, ! in line 2. Nothing was "
-            "sent; the controller holds what it held. Commands that act at once are sent, not loaded.");
+            "sent; the controller keeps its programs. Commands that act at once are sent, not loaded.");
   EXPECT_EQ(sent(), "");
   EXPECT_EQ(query("M"), "252");
   EXPECT_EQ(perform(intent::LoadProgram(-1, "PM-0\nR\n")), "") << "emptied on purpose";

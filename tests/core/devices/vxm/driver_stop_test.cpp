@@ -125,9 +125,8 @@ TEST_F(VxmDriverStop, ASecondStopIsKAtOnceAndDoubtsAFastPosition) {
   EXPECT_TRUE(latest.axes[0].trust.doubtful());
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::abort);
   EXPECT_TRUE(
-      told("Motor 1 was stopped without a ramp at about 2000 steps/s. Above 1000 steps/s it may have lost "
-           "steps: its "
-           "position is doubtful until it is homed or set to zero."))
+      told("Motor 1 may have lost steps, as it was stopped without a ramp at about 2000 steps/s, above 1000: "
+           "its position is doubtful until it is homed or set to zero."))
       << all_notices();
   EXPECT_EQ(perform(intent::SetPosition(0)), "");
   EXPECT_FALSE(latest.axes[0].trust.doubtful());
