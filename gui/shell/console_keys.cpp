@@ -1,6 +1,7 @@
 // Keys that work wherever the caret is: stop, jog while held, change the controller, the size, the help.
 #include "gui/input/keyboard.h"
 #include "gui/model/stop_words.h"
+#include "gui/model/tap_size.h"
 #include "gui/shell/console.h"
 #include "gui/surface/ui.h"
 
@@ -72,7 +73,7 @@ void Console::jog_key(Tab& tab, const CommandEdge& edge) {
       return toast(Severity::warn, std::string(why));
     // A stick that snaps back overshoots its centre: that is not a tap.
     const bool taps = !edge.by_pad || key.axis == the_chosen;
-    tab.jog.press(control, {taps ? tab.jog_step() : Steps(), tab.jog_speed()}, edge.at_s);
+    tab.jog.press(control, {taps ? tap_of(tab, axis) : Steps(), tab.jog_speed()}, edge.at_s);
   }
 }
 

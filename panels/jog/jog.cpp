@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gui/model/tab.h"
+#include "gui/model/tap_size.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/hold_button.h"
@@ -280,7 +281,7 @@ void Jog::draw_stop_again(Frame& f, float x, float y, ImVec2 size) {
 // ---- step
 
 void Jog::follow_unit(Frame& f) {
-  const DisplayUnit unit = common_unit(f);
+  const DisplayUnit of_each = unit_of_taps(f.tab), unit = of_each.real ? of_each : common_unit(f);
   const int many = f.tier == Tier::wide || f.catalog.axes.size() != 2 ? 5 : 4;
   const auto chosen = [&](const JogStep& step) { return step.steps == f.tab.jog_step(); };
   const bool lit = std::any_of(steps_.begin(), steps_.end(), chosen);
@@ -306,7 +307,10 @@ void Jog::draw_step(Frame& f, const JogStep& step, std::string_view label, float
   ButtonOptions o;
   o.on = step.steps == f.tab.jog_step();
   o.width = width;
-  o.tip = step.caption.empty() ? std::string_view("A tap moves this far.") : std::string_view(step.caption);
+  const bool one_unit = steps_unit_ == common_unit(f);
+  o.tip = !one_unit && step.id != "step" ? "A tap moves each axis this far in its own unit."
+          : step.caption.empty()         ? std::string_view("A tap moves this far.")
+                                         : std::string_view(step.caption);
   if (button(f.ui, Path("jog/step/{}", step.id), label, o).clicked)
     f.tab.choose_jog(step.steps, f.tab.jog_speed());
 }

@@ -45,7 +45,7 @@ class Jog final : public gui::Panel {
   GuardOffer guard_;
   UnitChooser chooser_;
   std::vector<gui::JogStep> steps_;
-  gui::DisplayUnit steps_unit_;
+  gui::DisplayUnit steps_unit_;  ///< where units differ, the first axis's, with the names of all
   int steps_many_ = 0;
   ImVec2 origin_{};
 };

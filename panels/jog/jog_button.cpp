@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "gui/model/tap_size.h"
 #include "gui/model/units_format.h"
 
 namespace hw::panels {
@@ -24,7 +25,7 @@ Path tap_and_hold(const Tab& tab, AxisId axis) {
   unit.per_step = std::fabs(unit.per_step);
   const Pps chosen = tab.jog_speed(), own = tab.now().axes[axis.index].own_speed;
   const Pps speed = chosen.value > 0 ? chosen : own;
-  const NumberText step = format_with_unit(tab.jog_step(), unit);
+  const NumberText step = format_with_unit(tap_of(tab, axis), unit);
   if (speed.value <= 0) return Path("A tap moves it {}.", step.view());
   return Path("A tap moves it {}; held, it runs at {}.", step.view(), format_speed(speed, unit).view());
 }
@@ -39,7 +40,7 @@ void draw_jog_button(Ui& ui, Tab& tab, AxisId axis, Sign sign, std::string_view 
   o.lit = held && held->axis == axis && held->sign == sign;
   const Hold hold = hold_button(ui, Path("jog/{}/{}", name, letter(sign)), label, o);
   const JogHold::Control control{JogHold::Hand::mouse, axis, sign};
-  if (hold.started) tab.jog.press(control, {tab.jog_step(), tab.jog_speed()}, hold.pressed_at_s);
+  if (hold.started) tab.jog.press(control, {tap_of(tab, axis), tab.jog_speed()}, hold.pressed_at_s);
   if (hold.held) tab.jog.confirm(control);
   if (!hold.ended) return;
   if (o.disabled.empty())

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "gui/model/tap_size.h"
+
 namespace hw::panels {
 
 using namespace gui;
@@ -55,8 +57,8 @@ OwnUnits::OwnUnits(const Frame& f) {
     });
     append(".");
   };
-  list("A tap", [](const Tab& tab, AxisId, const DisplayUnit& unit) {
-    return format_with_unit(tab.jog_step(), unit);
+  list("A tap", [](const Tab& tab, AxisId axis, const DisplayUnit& unit) {
+    return format_with_unit(tap_of(tab, axis), unit);
   });
   list(" Held", [](const Tab& tab, AxisId axis, const DisplayUnit& unit) {
     const Pps chosen = tab.jog_speed(), own = tab.now().axes[axis.index].own_speed;

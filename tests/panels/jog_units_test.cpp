@@ -1,4 +1,6 @@
 // Steps and speed of jogging where axes are shown in real units.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "panels/jog/jog_button.h"
@@ -50,21 +52,36 @@ TEST_F(JogUnitsTest, WhereUnitsDifferATapIsSaidInEachOnesOwn) {
   show_in("screw of 1 mm", "screw of 1 mm");
   EXPECT_FALSE(s.hand.exists("jog/own_units")) << "the buttons say it";
   show_in("screw of 1 mm", "screw of 2 mm");
-  MUST(s.hand.click("jog/step/1000"));
+  MUST(s.hand.click("jog/step/1"));
   s.run(0.1);
-  EXPECT_EQ(s.value("jog/own_units"), "A tap: 1 2.500 mm, 2 5.000 mm. Held: 1 5.000 mm/s, 2 10.000 mm/s.");
+  EXPECT_EQ(s.value("jog/own_units"), "A tap: 1 1.000 mm, 2 1.000 mm. Held: 1 5.000 mm/s, 2 10.000 mm/s.");
 }
 
-TEST_F(JogUnitsTest, AxesOfDifferentUnitsAreSteppedInWhatTheControllerCounts) {
-  for (const char* second : {"screw of 2 mm", "table", ""}) {
+TEST_F(JogUnitsTest, AStepIsANumberInTheUnitOfEachAxis) {
+  for (const char* second : {"screw of 2 mm", "table"}) {
     show_in("screw of 1 mm", second);
-    MUST(s.hand.click("jog/step/1000"));
+    MUST(s.hand.click("jog/step/1"));
     s.run(0.1);
-    EXPECT_EQ(s.value("jog/step/1000"), "on") << second;
-    EXPECT_EQ(tap("jog/1/+"), Steps(1000)) << second;
-    EXPECT_EQ(tap("jog/2/+"), Steps(1000)) << second;
+    EXPECT_EQ(s.value("jog/step/1"), "on") << second;
+    EXPECT_EQ(tap("jog/1/+"), Steps(400)) << second;
+    const double per_step = a.tab->unit(AxisId{1}).per_step;
+    EXPECT_EQ(tap("jog/2/+"), Steps(std::llround(1 / per_step))) << second;
+    MUST(s.hand.key("Up"));
+    s.run(0.1);
+    EXPECT_EQ(a.last<intent::MoveBy>()->distances[0].value, Steps(std::llround(1 / per_step))) << "by key";
+    MUST(s.hand.click("jog/step/step"));
+    EXPECT_EQ(tap("jog/2/+"), Steps(1)) << second;
     EXPECT_EQ(s.value("jog/speed"), "2000 steps/s") << second;
   }
+}
+
+TEST_F(JogUnitsTest, WhereAnAxisHasNoUnitOfItsOwnStepsAreSteps) {
+  show_in("screw of 1 mm", "");
+  MUST(s.hand.click("jog/step/1000"));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/step/1000"), "on");
+  EXPECT_EQ(tap("jog/1/+"), Steps(1000));
+  EXPECT_EQ(tap("jog/2/+"), Steps(1000));
 }
 
 TEST_F(JogUnitsTest, EachButtonSaysInTheUnitOfItsAxisWhatItDoes) {
@@ -72,10 +89,11 @@ TEST_F(JogUnitsTest, EachButtonSaysInTheUnitOfItsAxisWhatItDoes) {
   a.tab->profile.axes[1].reversed = true;
   a.tab->profile.jog_speed = Pps(1000);
   a.tab->profile_edited();
-  MUST(s.hand.click("jog/step/1000"));
   s.run(0.1);
-  EXPECT_EQ(tap_and_hold(*a.tab, AxisId{0}).view(), "A tap moves it 2.500 mm; held, it runs at 2.500 mm/s.");
-  EXPECT_EQ(tap_and_hold(*a.tab, AxisId{1}).view(), "A tap moves it 5.000 mm; held, it runs at 5.000 mm/s.");
+  MUST(s.hand.click("jog/step/1"));
+  s.run(0.1);
+  EXPECT_EQ(tap_and_hold(*a.tab, AxisId{0}).view(), "A tap moves it 1.000 mm; held, it runs at 2.500 mm/s.");
+  EXPECT_EQ(tap_and_hold(*a.tab, AxisId{1}).view(), "A tap moves it 1.000 mm; held, it runs at 5.000 mm/s.");
 }
 
 TEST_F(JogUnitsTest, AnAxisThatCountsStepsIsNoReasonToShowAnothersUnit) {
