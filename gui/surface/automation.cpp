@@ -84,8 +84,15 @@ Result<const Widget*> Automation::reach(std::string_view id) {
                     "Make the window larger.");
   }
   if (Result<> ok = wait_until_it_stands(id); !ok) return fail(ok.error());
-  point_at(registry.find(id)->rect.centre());
-  if (Result<> ok = usable(id); !ok) return fail(ok.error());
+  // Again if what was done before moves it away from the pointer.
+  constexpr int moves_at_most = 8;
+  for (int n = 0; n < moves_at_most; ++n) {
+    const ImVec2 at = registry.find(id)->rect.centre();
+    point_at(at);
+    if (Result<> ok = usable(id); !ok) return fail(ok.error());
+    const ImVec2 now = registry.find(id)->rect.centre();
+    if (now.x == at.x && now.y == at.y) break;
+  }
   if (const Widget* cut = registry.find(id); !cut->hovered && !cut->wholly_in_view()) {
     // Half of it is out of view, and a neighbour of the view (a splitter) covers the rest.
     registry.scroll_to(id);

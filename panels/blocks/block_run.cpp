@@ -15,7 +15,7 @@ namespace hw::panels {
 using namespace gui;
 
 void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not, Rehearsed rehearsed) {
-  describe_what_came(f);
+  take_what_came(f, text);
   live_.follow(f, text);
   RunBarLook look;
   look.why_not = why_none_runs(f);
@@ -39,6 +39,24 @@ void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not
     ask_or_put(f, text, Wanted::to_program);
 }
 
+/// A refused run stands beside Run; the rest is told in passing.
+void BlockRun::take_what_came(Frame& f, const SequenceText& text) {
+  Desk& desk = f.tab.desk();
+  auto told = desk.job.take_told();
+  if (told.sentence.empty()) return;
+  const ProgramJob::Goal goal = desk.job.goal();
+  const bool of_run = goal == ProgramJob::Goal::run || goal == ProgramJob::Goal::run_stepping;
+  const bool of_blocks = desk.texts.text(desk.texts.chosen()) == text.text;
+  if (of_run && of_blocks && told.severity == Severity::fault)
+    return refusal_.tell(std::move(told.sentence), text.text);
+  f.toast(told.severity, std::move(told.sentence), &desk.texts);
+}
+
+int BlockRun::draw_refusals(Frame& f, const SequenceText& text, const BlockRows& rows, const Rect& row) {
+  draw_doubt(f, text, row);
+  return refusal_.draw(f, text, rows, row);
+}
+
 void BlockRun::draw_doubt(Frame& f, const SequenceText& text, const Rect& row) {
   const RunDoubt::Once once = doubt_.draw(f, "blocks", row, text.text);
   if (once.request == RunRequest::none) return;
@@ -47,10 +65,11 @@ void BlockRun::draw_doubt(Frame& f, const SequenceText& text, const Rect& row) {
 
 void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted,
                           std::optional<AgreedDoubts> agreed) {
+  refusal_.forget();
   const ProgramTexts& texts = f.tab.desk().texts;
   if (wanted != Wanted::to_program && !agreed)  // then the program is not replaced either
     if (std::string why = why_not_run_there(f.tab, text.text); !why.empty())
-      return f.toast(Severity::warn, std::move(why), &texts);
+      return refusal_.tell(std::move(why), text.text);
   wanted_ = wanted, agreed_ = std::move(agreed);
   go_ahead_ = f.tab.desk().until_stopped();
   asking_ = texts.edited(texts.chosen()) && texts.text(texts.chosen()) != text.text;

@@ -1,7 +1,8 @@
 #pragma once
 // Runs the blocks in the controller: their text replaces the chosen program and is run there, and the block
 // being executed is followed. Ids: `blocks/run` and the rest of the run bar, `blocks/to_program`,
-// `blocks/replace`, `blocks/run_from/yes`, `blocks/doubt/once` and the rest of RunDoubt.
+// `blocks/replace`, `blocks/run_from/yes`, `blocks/doubt/once` and the rest of RunDoubt,
+// and those of RunRefusal.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "core/device/sequence_text.h"
 #include "panels/blocks/live_block.h"
+#include "panels/blocks/run_refusal.h"
 #include "panels/program/run_bar.h"
 #include "panels/program/run_doubt.h"
 #include "panels/program/run_from.h"
@@ -19,8 +21,9 @@ class BlockRun {
  public:
   /// Draws at ImGui's cursor; more may follow in the row. `why_not`: why the blocks cannot be written.
   void draw(gui::Frame& frame, const SequenceText& text, std::string_view why_not, Rehearsed rehearsed);
-  /// The question about doubtful positions, beside the bar's row.
-  void draw_doubt(gui::Frame& frame, const SequenceText& text, const gui::Rect& row);
+  /// The question about doubtful positions, or why nothing was run, beside the bar's row. Returns the row of
+  /// the list to be shown; -1: none.
+  int draw_refusals(gui::Frame& frame, const SequenceText& text, const BlockRows& rows, const gui::Rect& bar);
   void draw_dialog(gui::Frame& frame, const SequenceText& text);
   /// Asks whether to run all blocks from this one on. `step`: as SequenceText counts them.
   void ask_from(gui::Frame& frame, const sequence::Sequence& blocks, int step) {
@@ -34,6 +37,8 @@ class BlockRun {
 
  private:
   enum class Wanted : std::uint8_t { nothing, to_program, run, run_stepping };
+  void take_what_came(gui::Frame& frame, const SequenceText& text);
+  void draw_doubt(gui::Frame& frame, const SequenceText& text, const gui::Rect& row);
   void ask_or_put(gui::Frame& frame, const SequenceText& text, Wanted wanted,
                   std::optional<gui::AgreedDoubts> agreed = {});
   void put(gui::Frame& frame, const SequenceText& text);
@@ -43,6 +48,7 @@ class BlockRun {
   Wanted wanted_ = Wanted::nothing;          ///< to be done once the question is answered
   std::optional<gui::AgreedDoubts> agreed_;  ///< to a run despite these doubts
   RunDoubt doubt_;
+  RunRefusal refusal_;
   std::weak_ptr<void> go_ahead_;  ///< expires on a stop while the question stands
   bool asking_ = false;
   LiveBlock live_;

@@ -19,7 +19,7 @@ constexpr std::string_view begins_nowhere =
     "It is not known where this block begins. Put a move to a place in front of it.";
 
 /// In the unit of the sequence. Nothing if the position is stale or unknown.
-std::optional<double> place_now(const Frame& f, const seq::Sequence& s, int axis) {
+std::optional<double> stands_at(const Frame& f, const seq::Sequence& s, int axis) {
   if (axis < 0 || ix(axis) >= s.axes.size()) return std::nullopt;
   const int place = f.catalog.find_axis(s.axes[ix(axis)].name);
   if (place < 0 || !f.connected()) return std::nullopt;
@@ -34,7 +34,7 @@ seq::Places targets(const Frame& f, const seq::Sequence& s, const seq::Places& n
       std::all_of(named.begin(), named.end(), [](const auto& to) { return !to || *to == 0; });
   seq::Places all;
   for (std::size_t a = 0; a < s.axes.size() && a < all.size(); ++a)
-    if (named[a] || untouched) all[a] = place_now(f, s, static_cast<int>(a));
+    if (named[a] || untouched) all[a] = stands_at(f, s, static_cast<int>(a));
   return all;
 }
 
@@ -88,9 +88,9 @@ std::string_view BlockTeach::why_not(const Frame& f, const seq::Editor& editor, 
     return what == Lesson::What::distance && !any_known ? begins_nowhere : std::string_view();
   }
   if (const auto* some = std::get_if<seq::MoveOnInput>(&step->body))
-    return place_now(f, s, some->axis) ? std::string_view() : not_seen;
+    return stands_at(f, s, some->axis) ? std::string_view() : not_seen;
   const seq::Plane* plane = seq::plane_of(step->body);
-  if (!plane || !place_now(f, s, plane->right) || !place_now(f, s, plane->up)) return not_seen;
+  if (!plane || !stands_at(f, s, plane->right) || !stands_at(f, s, plane->up)) return not_seen;
   const bool begins = from[ix(plane->right)] && from[ix(plane->up)];
   return what == Lesson::What::end && !begins ? begins_nowhere : std::string_view();
 }
@@ -107,9 +107,9 @@ std::optional<seq::Step::Body> BlockTeach::teach(const Frame& f, const seq::Edit
       if (now[a] && (!move->relative || from[a])) move->to[a] = move->relative ? *now[a] - *from[a] : *now[a];
     return body;
   }
-  if (auto* some = std::get_if<seq::MoveOnInput>(&body)) return some->to = *place_now(f, s, some->axis), body;
+  if (auto* some = std::get_if<seq::MoveOnInput>(&body)) return some->to = *stands_at(f, s, some->axis), body;
   const auto [right, up] = *seq::plane_of(body);
-  const double x = *place_now(f, s, right), y = *place_now(f, s, up);
+  const double x = *stands_at(f, s, right), y = *stands_at(f, s, up);
   if (auto* contour = std::get_if<seq::Contour>(&body)) {
     contour->x = x, contour->y = y;
   } else if (auto* arc = std::get_if<seq::Arc>(&body)) {

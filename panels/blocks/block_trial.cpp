@@ -7,6 +7,7 @@
 
 #include "core/base/index.h"
 #include "core/device/track_path.h"
+#include "gui/model/rehearsal_reading.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/surface/ui.h"
@@ -55,7 +56,8 @@ void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& wr
         return start(f, true);
     }
   }
-  if (rehearsals_.under_way(program_) || (again_ && reads_set_up(f))) return;
+  if (rehearsals_.under_way(program_) || reads_what_it_reached(f, done)) return;
+  if (again_ && reads_set_up(f)) return;
   reading_ = 0;
   const bool again = std::exchange(again_, false);
   // Blocks are the first program of their text.
@@ -69,19 +71,39 @@ void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& wr
     if (!at_length_ && done->result && out_of_time(*done->result, brief.for_s)) start(f, true);
     return;
   }
-  program_ = program;
+  program_ = program, may_read_ = again;
   if (written->text.text.empty()) return forget();
   start(f, false);
 }
 
+void BlockTrial::again() {
+  again_ = may_read_ = true;
+  reads_reached_ = false;
+  unread_.begin();
+}
+
+bool BlockTrial::can_read(const Frame& f) const {
+  return f.now.link.connected() && !f.tab.desk().job.busy() && !is_under_way(f.now.program);
+}
+
 /// As Simulate does; whatever cannot be read is named as an assumption.
 bool BlockTrial::reads_set_up(Frame& f) {
-  const Desk& desk = f.tab.desk();
-  if (!desk.can_tell_more(f.now) || desk.job.busy() || is_under_way(f.now.program)) return false;
-  if (reading_ == 0) reading_ = f.send(intent::ReadParams());
-  const IntentOutcome* read = f.now.outcome_of(reading_);
-  const bool settled = read ? read->state != IntentState::pending : f.now.forgotten(reading_);
-  return !settled && reading_ != 0;
+  if (!can_read(f) || !f.tab.desk().can_tell_more(f.now)) return false;
+  return awaits_set_up(reading_, f.now, [&f](IntentBody body) { return f.send(std::move(body)); });
+}
+
+/// Then again() with what was read.
+bool BlockTrial::reads_what_it_reached(Frame& f, const Rehearsals::Outcome* done) {
+  if (!may_read_ || again_) return false;
+  if (!reads_reached_)
+    reads_reached_ = done && can_read(f) && reached_unread(unread_, *done, f.now, f.catalog);
+  if (!reads_reached_) return false;
+  if (can_read(f) &&
+      !unread_.have_been_read(f.now, [&f](IntentBody body) { return f.send(std::move(body)); }))
+    return true;
+  reads_reached_ = false;
+  again_ = true;
+  return false;
 }
 
 void BlockTrial::start(Frame& f, bool at_length) {
@@ -99,7 +121,7 @@ void BlockTrial::start(Frame& f, bool at_length) {
 
 Rehearsed BlockTrial::rehearsed(const Frame& f) const {
   if (!tried_ || tried_->text.text.empty()) return {};
-  if (rehearsals_.under_way(program_) || again_) return {false, "It is being rehearsed."};
+  if (rehearsals_.under_way(program_) || again_ || reads_reached_) return {false, "It is being rehearsed."};
   if (goes_on_ && outcome() && outcome()->text == tried_->text.text)
     return {false, "Rehearsed for an hour: it goes on longer than that."};
   return panels::rehearsed(f, outcome(), tried_->text.text);

@@ -8,6 +8,7 @@
 
 #include "core/drawing/tool_path.h"
 #include "gui/model/rehearsals.h"
+#include "gui/model/unread_programs.h"
 #include "gui/shell/frame.h"
 #include "panels/blocks/block_work.h"
 #include "panels/path/path_canvas.h"
@@ -19,8 +20,9 @@ class BlockTrial {
  public:
   /// Call once a frame. Blocks that cannot be written have no times; the others are rehearsed without them.
   void follow(gui::Frame& frame, const std::shared_ptr<const WrittenBlocks>& written);
-  /// Rehearses the same text again, from where the axes stand now, with all that the controller can tell.
-  void again() { again_ = true; }
+  /// Rehearses the same text again, from where the axes stand now, with all that the controller can tell: its
+  /// set-up, and the programs and variables that the run reaches.
+  void again();
   /// What Run says about it; no words: there is nothing to run.
   [[nodiscard]] Rehearsed rehearsed(const gui::Frame& frame) const;
   /// The controller has changed since, so that rehearsing it again makes sense.
@@ -47,14 +49,19 @@ class BlockTrial {
   void take(gui::Frame& frame, const gui::Rehearsals::Outcome& outcome);
   void forget();
   void start(gui::Frame& frame, bool at_length);
+  [[nodiscard]] bool can_read(const gui::Frame& frame) const;
   [[nodiscard]] bool reads_set_up(gui::Frame& frame);
+  [[nodiscard]] bool reads_what_it_reached(gui::Frame& frame, const gui::Rehearsals::Outcome* done);
   [[nodiscard]] const gui::Rehearsals::Outcome* outcome() const { return rehearsals_.of(program_); }
 
   gui::Rehearsals rehearsals_;
   std::shared_ptr<const WrittenBlocks> tried_;  ///< being rehearsed, or rehearsed last
   int program_ = 0;                             ///< by which it would be started
   bool again_ = false, at_length_ = false;
-  IntentId reading_ = 0;                          ///< its set-up; 0: not now
+  IntentId reading_ = 0;  ///< its set-up; 0: not now
+  gui::UnreadPrograms unread_;
+  bool may_read_ = false;                         ///< asked for by again(), not by an edit
+  bool reads_reached_ = false;                    ///< what the last rehearsal reached; then it is repeated
   int taken_ = 0;                                 ///< Rehearsals::Outcome::number
   std::vector<std::string> times_;                ///< by step
   std::string total_, without_, assumed_, none_;  ///< none_: why there is no path

@@ -22,31 +22,19 @@
 namespace hw::panels {
 
 using namespace gui;
-namespace {
-
-constexpr float palette_width = 160, path_height = 240, low_path_height = 150;
-
-/// Text and path, if there is room beside the blocks.
-float side_width_of(const Frame& f) { return f.area.width >= 960 ? 304 : f.area.width >= 760 ? 264 : 0.0f; }
-/// Else either the palette or text and path.
-bool has_one_side(const Frame& f) { return side_width_of(f) == 0 && f.area.width >= 560; }
-
-}  // namespace
-
 void Blocks::draw(Frame& f) {
   follow(f);
   draw_toolbar(f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float asked = overwrite_question_height(f), bottom = f.ui.px(f.area.bottom());
   const float height = (bottom - asked - at.y) / f.ui.scale;
-  const bool palette = f.area.width >= 560 && !text_for_palette(f);
-  const float left = palette ? palette_width : 0, right = text_for_palette(f) ? 264 : side_width_of(f);
-  if (palette) draw_palette(f, palette_width, height);
-  ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + left), at.y));
-  draw_list(f, left, f.area.width - left - right, height);
-  if (right > 0) {
-    ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + f.area.width - right), at.y));
-    draw_sides(f, right, height);
+  const BlockSides::Columns columns = sides_.columns(f);
+  if (columns.palette > 0) draw_palette(f, columns.palette, height);
+  ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + columns.palette), at.y));
+  if (columns.list > 0) draw_list(f, columns, height);
+  if (columns.side > 0) {
+    ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.right() - columns.side), at.y));
+    draw_sides(f, columns.side, height);
   }
   if (asked > 0) draw_overwrite_question(f, bottom - asked, asked);
   run_.draw_dialog(f, work_.written()->text);
@@ -73,7 +61,12 @@ void Blocks::follow(Frame& f) {
     choose(rows_.path(ix(step)));
   blocks.chosen_step = chosen_.row();
   work_.follow(f, *editor_);
-  if (f.ui.keyboard.pressed(Command::simulate)) trial_.again();
+  if (f.ui.keyboard.pressed(Command::simulate)) {
+    if (const std::string_view why_not = why_not_rehearse_now(f.now, f.catalog); why_not.empty())
+      trial_.again();
+    else
+      f.toast(Severity::warn, std::string(why_not), &f.tab.desk().texts);
+  }
   trial_.follow(f, work_.written());
 }
 
@@ -99,38 +92,25 @@ void Blocks::draw_toolbar(Frame& f) {
   if (step_back(close ? 0 : 16, "blocks/undo", "Undo", editor_->can_undo() ? "" : "Nothing to undo."))
     take_back();
   if (step_back(0, "blocks/redo", "Redo", editor_->can_redo() ? "" : "Nothing was undone.")) make_again();
-  if (has_one_side(f)) {
-    const char* other = text_for_palette_ ? "Palette" : "Text and path";
-    const ButtonOptions look{
-        .style = ButtonStyle::quiet, .tip = "Takes its place beside the blocks.", .height = 40};
-    next_in_toolbar(f, 16, button_width(ui, other, look));
-    if (button(ui, "blocks/aside", other, look).clicked) text_for_palette_ = !text_for_palette_;
-  }
+  sides_.draw_switch(f);
   files_.draw(f);
   end_toolbar(f, at);
-  run_.draw_doubt(f, work_.written()->text,
-                  {at, ImVec2(ui.px(f.area.right()), ImGui::GetCursorScreenPos().y)});
+  const Rect bar{at, ImVec2(ui.px(f.area.right()), ImGui::GetCursorScreenPos().y)};
+  if (const int row = run_.draw_refusals(f, work_.written()->text, rows_, bar); row >= 0)
+    choose(rows_.path(ix(row)));
 }
 
-/// If only one of them has room beside the blocks.
-bool Blocks::text_for_palette(const Frame& f) const { return text_for_palette_ && has_one_side(f); }
-
-/// The text, and the path below it.
 void Blocks::draw_sides(Frame& f, float width, float height) {
-  Ui& ui = f.ui;
-  const float top = ImGui::GetCursorScreenPos().y;
-  const float room = height >= 420 ? path_height : height >= 320 ? low_path_height : 0;
-  const float path = f.catalog.axes.size() > 1 ? room : 0;
-  if (draw_block_text(f, *work_.written(), BlockTextMarks{chosen_, run_.live_step()}, height - path))
-    choose_first_refused();
-  if (path == 0) return;
-  const float x = ui.px(f.area.right() - width) + ui.hair(), y = top + ui.px(height - path);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(ui.px(f.area.right()), y + ui.hair()),
-                                            ui[Tone::line]);
-  ImGui::SetCursorScreenPos(ImVec2(x, y + ui.hair()));
-  trial_.draw_path(f, chosen_.row(), width - 1, path - 1);
-  if (const int step = trial_.clicked_step(); step >= 0 && ix(step) < rows_.size())
-    choose(rows_.path(ix(step)));
+  const auto text = [&](float, float high) {
+    if (draw_block_text(f, *work_.written(), BlockTextMarks{chosen_, run_.live_step()}, high))
+      choose_first_refused();
+  };
+  const auto path = [&](float wide, float high) {
+    trial_.draw_path(f, chosen_.row(), wide, high);
+    if (const int step = trial_.clicked_step(); step >= 0 && ix(step) < rows_.size())
+      choose(rows_.path(ix(step)));
+  };
+  sides_.draw(f, width, height, text, path);
 }
 
 /// Same as the buttons; arrows alone jog, so Alt moves a block.

@@ -1,7 +1,7 @@
 #pragma once
 // The graphical programmer: a sequence as blocks in a column beside its text in the controller's language,
 // rehearsed as it grows. Ids: `blocks/ROW` (from 1), its fields `blocks/ROW/KEY`, `blocks/ROW/time`,
-// `blocks/end`, `blocks/aside`, `blocks/up`, `blocks/remove`, `blocks/undo`, `blocks/from_text`,
+// `blocks/end`, `blocks/up`, `blocks/remove`, `blocks/undo`, `blocks/from_text`,
 // `blocks/path`, and those of its parts.
 #include <optional>
 
@@ -14,6 +14,7 @@
 #include "panels/blocks/block_palette.h"
 #include "panels/blocks/block_rows.h"
 #include "panels/blocks/block_run.h"
+#include "panels/blocks/block_sides.h"
 #include "panels/blocks/block_teach.h"
 #include "panels/blocks/block_trial.h"
 #include "panels/blocks/block_work.h"
@@ -30,18 +31,18 @@ class Blocks final : public gui::Panel {
  private:
   void follow(gui::Frame& frame);
   void draw_toolbar(gui::Frame& frame);
-  [[nodiscard]] bool text_for_palette(const gui::Frame& frame) const;
   void draw_sides(gui::Frame& frame, float width, float height);
   void use_keys(gui::Frame& frame);
 
   // ---- blocks_list.cpp
   void draw_palette(gui::Frame& frame, float width, float height);
-  void draw_list(gui::Frame& frame, float left, float width, float height);
+  void draw_list(gui::Frame& frame, const BlockSides::Columns& columns, float height);
   void draw_title(gui::Frame& frame);
   void draw_rows(gui::Frame& frame, float width);
   void scroll_to(const gui::Frame& frame, int row, float top_px);
   void draw_row_at(gui::Frame& frame, int row, ImVec2 at, float width);
   [[nodiscard]] float top_of(const gui::Frame& frame, int row) const;
+  [[nodiscard]] float rows_height(const gui::Frame& frame) const;
   void draw_end(gui::Frame& frame, float width, bool palette_aside);
   void draw_total(gui::Frame& frame, float width);
   void draw_again(gui::Frame& frame, float width);
@@ -80,8 +81,9 @@ class Blocks final : public gui::Panel {
   sequence::Editor* editor_ = nullptr;  ///< of the desk, for this frame
   BlockChoice chosen_;
   float open_height_px_ = 0;  ///< height of the open block below its row, as last drawn
+  float beside_rows_px_ = 0;  ///< height of the list's content above and below its rows, as last drawn
   int in_sight_ = -1;         ///< row last scrolled to
-  bool text_for_palette_ = false;
+  BlockSides sides_;
   BlockLook look_;
   BlockTeach teach_;
   BlockRows rows_;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include <imgui_internal.h>
+
 #include "core/base/index.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
@@ -32,27 +34,33 @@ void Blocks::draw_palette(Frame& f, float width, float height) {
   end_part();
 }
 
-void Blocks::draw_list(Frame& f, float left, float width, float height) {
+void Blocks::draw_list(Frame& f, const BlockSides::Columns& columns, float height) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (left > 0)
+  const bool palette_aside = columns.palette > 0;
+  if (palette_aside)
     ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.hair(), ui.px(f.area.bottom())),
                                               ui[Tone::line]);
-  begin_part(ui, "blocks/list", ui.px(width), ui.px(height), Tone::panel, 12);
+  // ImGui would still scroll over the rows that the last frame had: those below a block that has just been
+  // closed or removed would then jump in the next frame, away from the pointer.
+  ImGui::SetNextWindowContentSize(ImVec2(0, beside_rows_px_ + rows_height(f)));
+  begin_part(ui, "blocks/list", ui.px(columns.list), ui.px(height), Tone::panel, 12);
   const float inner = ImGui::GetContentRegionAvail().x / ui.scale;
   draw_title(f);
-  const bool palette_aside = left > 0;
   if (!palette_aside) {
     if (const BlockWays ways = palette_.draw(f, editor_->sequence(), false); !ways.empty()) add(f, ways);
     gap(ui, 8);
   }
-  if (f.area.width < 760 && !text_for_palette(f) && draw_block_problem(f, *work_.written(), inner))
-    choose_first_refused();
+  if (columns.side == 0 && draw_block_problem(f, *work_.written(), inner)) choose_first_refused();
+  const float above = ImGui::GetCursorScreenPos().y;
   draw_rows(f, inner);
+  const float below = ImGui::GetCursorScreenPos().y;
   if (const auto dropped = drag_.finish(ui)) drop(*dropped);
   draw_end(f, inner, palette_aside);
   draw_total(f, inner);
   gap(ui, 16);
+  const float begin = ImGui::GetCurrentWindow()->DC.CursorStartPos.y;
+  beside_rows_px_ = ImGui::GetCursorScreenPos().y - begin - (below - above);
   end_part();
 }
 
@@ -85,6 +93,8 @@ float Blocks::top_of(const Frame& f, int row) const {
   return y + static_cast<float>(complaints) * f.ui.px(refusal_height);
 }
 
+float Blocks::rows_height(const Frame& f) const { return top_of(f, static_cast<int>(rows_.size())); }
+
 /// With very many rows, those not visible only take their place: scripts cannot find them either.
 void Blocks::draw_rows(Frame& f, float width) {
   constexpr int very_many = 500, beyond_sight = 3;
@@ -107,13 +117,12 @@ void Blocks::draw_rows(Frame& f, float width) {
     first = std::max(row_at(above) - beyond_sight, 0);
     behind = std::min(row_at(below) + beyond_sight + 1, count);
   }
-  const float end = top_of(f, count);
   const auto draw_one = [&](int row) { draw_row_at(f, row, ImVec2(at.x, at.y + top_of(f, row)), width); };
   if (chosen >= 0 && chosen < first) draw_one(chosen);
   for (int row = first; row < behind; ++row) draw_one(row);
   if (chosen >= behind) draw_one(chosen);
   if (std::exchange(in_sight_, chosen) != chosen && chosen >= 0) scroll_to(f, chosen, at.y);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + end));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + rows_height(f)));
 }
 
 /// Includes the fields below the row, as far as there is room. `top`: of the first row.
@@ -173,7 +182,8 @@ void Blocks::draw_again(Frame& f, float width) {
   Ui& ui = f.ui;
   if (old) wrapped(ui, Face::small, Tone::warn, trial_.rehearsed(f).words, width);
   gap(ui, 8);
-  const std::string_view why = f.now.any_axis_moving() ? "An axis is moving." : "";
+  const std::string_view why =
+      f.now.any_axis_moving() ? "An axis is moving." : why_not_rehearse_now(f.now, f.catalog);
   if (button(ui, "blocks/again", "Rehearse from here", {.keys = "F5", .disabled = why}).clicked)
     trial_.again();
 }

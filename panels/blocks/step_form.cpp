@@ -396,9 +396,13 @@ class FieldLines {
       if (many < max_axes) names[many++] = axis.name;
     if (or_all) names[many++] = "all";
     const int last = static_cast<int>(many) - 1;
+    const std::span<const std::string_view> shown(names.data(), many);
     const ImVec2 at = begin(key);
-    const int picked = segment(f_.ui, Path("{}/{}", path_, key), std::span(names.data(), many),
-                               value < 0 ? last : value, {.cell_width = 36});
+    constexpr float cell = 36;
+    const bool in_a_row = static_cast<float>(many) * cell <= width_ - label_width;  // not of eight axes
+    const Path id("{}/{}", path_, key);
+    const int picked = in_a_row ? segment(f_.ui, id, shown, value < 0 ? last : value, {.cell_width = cell})
+                                : dropdown(f_.ui, id, label(key), shown, value < 0 ? last : value);
     if (picked >= 0) {
       const int now = or_all && picked == last ? -1 : picked;
       changed_ = changed_ || now != value;

@@ -57,6 +57,19 @@ TEST(Automation, ScrollsIntoView) {
   EXPECT_EQ(clicked, 2);
 }
 
+TEST(Automation, FollowsWhatHasNotComeToRest) {
+  int drawn = 0, moves_at = 0, clicked = 0;
+  Stage stage(in_window([&](Ui& ui) {
+    ImGui::SetCursorScreenPos(ImVec2(20, drawn++ < moves_at ? 20 : 200));
+    if (button(ui, "row", "Row").clicked) ++clicked;
+  }));
+  moves_at = drawn + 1;
+  stage.frame();
+  moves_at = drawn + 1;  // under the pointer on its way
+  ASSERT_TRUE(stage.hand.click("row"));
+  EXPECT_EQ(clicked, 1);
+}
+
 TEST(Automation, ListsKindLabelPlaceAndState) {
   std::string text = "12.5";
   Stage stage(in_window([&](Ui& ui) {

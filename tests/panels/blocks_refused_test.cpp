@@ -28,7 +28,7 @@ TEST_F(VxmRefusedBlocks, EachIsMarkedAndTheOthersKeepTheirTextPathAndTimes) {
   EXPECT_EQ(value("blocks/2/time"), "not written");
   EXPECT_EQ(value("blocks/4/time"), "not written");
   EXPECT_THAT(value("blocks/2/refusal"), HasSubstr("draws no arcs"));
-  EXPECT_THAT(value("blocks/4/refusal"), HasSubstr("nothing is left to be stopped"));
+  EXPECT_THAT(value("blocks/4/refusal"), HasSubstr("there is nothing to stop"));
   EXPECT_EQ(value("blocks/3/time"), "0.5 s");
   EXPECT_EQ(s.stage.find("blocks/total")->label, "Rehearsed without 2, 4");
   EXPECT_TRUE(s.stage.find("blocks/path"));
@@ -98,7 +98,7 @@ TEST_F(RefusedBlocks, OfAnOwnTextThatSpoilsAnotherBlockThatOneIsNamed) {
 
 TEST_F(RefusedBlocks, OfAnOwnTextOfSeveralLinesTheOneThatIsWrongIsNamed) {
   load({{sequence::Custom{"", "DELAY=100\nNONSENSE"}}});
-  EXPECT_THAT(value("blocks/1/refusal"), StartsWith("Line 2: NONSENSE is nothing"));
+  EXPECT_THAT(value("blocks/1/refusal"), StartsWith("Line 2: NONSENSE is not a statement"));
 }
 
 TEST_F(VxmRefusedBlocks, TheReasonStandsAtItsBlockAndTheTopLeadsThere) {

@@ -45,6 +45,61 @@ TEST_F(RunBlocks, RunTellsWhetherTheyHaveBeenRehearsedFromHere) {
   EXPECT_FALSE(s.stage.find("blocks/again"));
 }
 
+TEST_F(RunBlocks, F5ReadsTheProgramsThatTheyReach) {
+  s.now.slot_bytes_used.fill(-1);
+  load({{sequence::Custom{"", "JM2"}}, {sequence::Delay{500}}});
+  EXPECT_THAT(value("blocks/assumed"), HasSubstr("program 2"));
+  EXPECT_EQ(count<intent::UploadProgram>(), 0) << "an edit reads nothing";
+  key("F5");
+  ASSERT_TRUE(s.last<intent::UploadProgram>());
+  EXPECT_EQ(s.last<intent::UploadProgram>()->slot, 2);
+  EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("being rehearsed"));
+  s.tab.desk().texts.listed(2, "P30", s.tab.clock());
+  s.settle(IntentState::done);
+  s.stage.frames(6);
+  EXPECT_THAT(value("blocks/assumed"), ::testing::Not(HasSubstr("program 2")));
+  EXPECT_EQ(value("blocks/total"), "3.5 s");
+  EXPECT_EQ(count<intent::UploadProgram>(), 1);
+}
+
+TEST_F(RunPmxBlocks, F5ReadsTheVariablesThatTheirOwnTextReads) {
+  load({{sequence::Custom{"", "WHILE V7=0\nENDWHILE"}}, {sequence::Delay{3000}}});
+  EXPECT_THAT(value("blocks/assumed"), HasSubstr("V7"));
+  key("F5");
+  for (int n = 0; n < 4 && !(s.last<intent::ReadParams>() && s.last<intent::ReadParams>()->only == "V7"); ++n)
+    s.settle(IntentState::done);
+  ASSERT_TRUE(s.last<intent::ReadParams>());
+  EXPECT_EQ(s.last<intent::ReadParams>()->only, "V7");
+  s.now.variables[7] = 3000, s.now.variables_known.set(7);
+  s.settle(IntentState::done);
+  s.stage.frames(6);
+  EXPECT_THAT(value("blocks/total"), HasSubstr("3.0 s"));
+}
+
+TEST_F(RunBoardBlocks, F5IsRefusedWhileCommandsWait) {
+  s.now.axes[0].position = s.now.axes[0].command = Steps(70);
+  s.now.queue_known = 1, s.now.queue_free[0] = s.catalog.queue_depth - 1;
+  s.stage.frames(4);
+  key("F5");
+  EXPECT_THAT(s.toast(), HasSubstr("Commands wait in the controller"));
+}
+
+TEST_F(RunPmxBlocks, WhatTheControllerRefusesStandsBesideRunUntilItIsMended) {
+  load({{sequence::Delay{500}}, {sequence::Custom{"", "DO2=1"}}});
+  s.stage.frames(4);
+  s.click("blocks/run");
+  ASSERT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
+  s.settle(IntentState::failed, "Line 2: the controller answered ?DO2=1.");
+  s.stage.frames(300);
+  EXPECT_EQ(value("blocks/run_refused"), "Line 2: the controller answered ?DO2=1.");
+  EXPECT_EQ(s.toast(), "") << "told once";
+  s.click("blocks/run_refused/show");
+  EXPECT_TRUE(s.stage.find("blocks/2/text"));
+  s.type("blocks/2/text", "DO3=1");
+  s.stage.frames(6);
+  EXPECT_FALSE(s.stage.find("blocks/run_refused"));
+}
+
 TEST_F(RunBlocks, TheyAreRehearsedAsTheProgramThatTheyAreRunAs) {
   load({{sequence::Custom{"", "JM2"}}});
   s.tab.desk().texts.listed(2, "I1M400", s.tab.clock());
@@ -87,7 +142,7 @@ TEST_F(RunBlocks, ConsentOutlastsTheQuestionAboutTheTextAndCoversNoNewDoubt) {
   s.now.axes[0].trust.doubt(Doubt::killed, Instant());
   s.settle(IntentState::done);
   EXPECT_EQ(count<intent::RunProgram>(), 0);
-  EXPECT_THAT(s.toast(), HasSubstr("was not started"));
+  EXPECT_THAT(value("blocks/run_refused"), HasSubstr("was not started"));
 }
 
 TEST_F(RunBlocks, TheTimeLeftStandsOverThemWhileTheyRun) {

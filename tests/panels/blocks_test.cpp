@@ -265,6 +265,55 @@ TEST(BlocksInASmallWindow, ShowTheirTextAndPathInThePlaceOfThePalette) {
   EXPECT_TRUE(s.stage.find("blocks/add/delay"));
 }
 
+TEST(BlocksInALowWindow, ShowTextOrPath) {
+  const DeviceType& type = *find_device_type("pmx-4ex-sa");
+  Blocks panel;
+  test::PanelStage s(panel, 860, 300, 1, gui::Tier::medium, true, *type.make_catalog({}), &type.language());
+  s.stage.frames(2);
+  EXPECT_TRUE(s.stage.find("blocks/text"));
+  EXPECT_FALSE(s.stage.find("blocks/path"));
+  s.click("blocks/side/Path");
+  EXPECT_TRUE(s.stage.find("blocks/path"));
+  EXPECT_FALSE(s.stage.find("blocks/text"));
+  s.click("blocks/side/Text");
+  EXPECT_TRUE(s.stage.find("blocks/text"));
+}
+
+TEST(BlocksInANarrowWindow, GiveTheirPlaceToTextAndPath) {
+  const DeviceType& type = *find_device_type("pmx-4ex-sa");
+  Blocks panel;
+  test::PanelStage s(panel, 480, 700, 1, gui::Tier::narrow, true, *type.make_catalog({}), &type.language());
+  s.stage.frames(2);
+  s.type("blocks/add_by_name", "delay\n");
+  s.click("blocks/aside");
+  EXPECT_EQ(s.value("blocks/text"), "DELAY=500\nEND\n");
+  EXPECT_TRUE(s.stage.find("blocks/path"));
+  EXPECT_FALSE(s.stage.find("blocks/1"));
+  s.click("blocks/aside");
+  EXPECT_TRUE(s.stage.find("blocks/1"));
+}
+
+TEST(BlocksInALowWindow, StandStillOnceATallOneIsClosed) {
+  const DeviceType& type = *find_device_type("pmx-4ex-sa");
+  Blocks panel;
+  test::PanelStage s(panel, 864, 420, 1, gui::Tier::wide, true, *type.make_catalog({}), &type.language());
+  s.stage.frames(2);
+  for (int n = 0; n < 3; ++n) {
+    s.click("blocks/add/delay");
+    s.click("blocks/end");
+  }
+  s.click("blocks/add/move_on_input");
+  s.stage.frames(4);
+  ASSERT_TRUE(s.stage.hand.click("blocks/end"));
+  const float closed = s.stage.find("blocks/1")->rect.min.y;
+  s.stage.frames(10);
+  EXPECT_EQ(closed, s.stage.find("blocks/1")->rect.min.y) << "where a hand would press at once";
+  s.click("blocks/4");
+  ASSERT_TRUE(s.stage.hand.click("blocks/end"));
+  ASSERT_TRUE(s.stage.hand.click("blocks/1"));
+  EXPECT_TRUE(s.stage.find("blocks/1/ms"));
+}
+
 TEST_F(BlocksTest, ABlockIsCarriedWithTheMouse) {
   for (const char* words : {"first", "second", "third"}) {
     s.click("blocks/end");
@@ -419,7 +468,7 @@ TEST_F(BlocksTest, BlocksWithChangesAreNotReplacedByATextWithoutBeingAsked) {
   s.stage.frames(3);
   EXPECT_EQ(text(), "ABS\nX100\nEND\n");
   EXPECT_THAT(s.toast(),
-              HasSubstr("Line 1 goes to a place or by a distance, as the controller has been set"));
+              HasSubstr("Line 1 goes to a place or by a distance, depending on an earlier setting"));
   s.click("blocks/undo");
   EXPECT_EQ(text(), "DELAY=500\nEND\n");
 }

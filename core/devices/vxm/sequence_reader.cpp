@@ -18,7 +18,7 @@ namespace {
 namespace seq = sequence;  // its names are also those of commands
 using Commands = std::vector<PlacedCommand>;
 
-constexpr std::string_view motor_left_out = "a motor that is not among the axes of the blocks";
+constexpr std::string_view motor_left_out = "a motor that the blocks do not have";
 
 /// A loop command that goes back, no marker.
 bool goes_back(Op op) { return op >= Op::loop && op <= Op::loop_endless; }
@@ -102,7 +102,7 @@ class BlockReader {
         if (const int place = place_of(c); place >= 0)
           return put(seq::Home{place, c.value < 0 ? Sign::minus : Sign::plus, {}}, all, i, i + 2, list);
         return leave(motor_left_out, all, i, i + 2, list);
-      case Op::set_zero: return leave("no block says that here is zero", all, i, i + 1, list);
+      case Op::set_zero: return leave("no block sets zero here", all, i, i + 1, list);
       case Op::speed:
       case Op::accel: return read_speeds(all, i, to, list);
       case Op::pause: return put(seq::Delay{c.value * 100.0}, all, i, i + 1, list);
@@ -120,10 +120,10 @@ class BlockReader {
     for (std::size_t o = 0; o < output_on.size(); ++o)
       if (c.value == output_on[o] || c.value == output_off[o])
         return put(seq::Output{catalog_.output_number(o), c.value == output_on[o], 0}, all, i, i + 1, list);
-    if (skips(c) && i + 1 < to) return read_condition(all, i, to, list);
+    if (skips(c) && i + 1 < to) return read_condition(all, i, list);
     return leave("no block does this", all, i, i + 1, list);
   }
-  std::size_t read_condition(const Commands& all, std::size_t i, std::size_t to, ReadSteps& list) {
+  std::size_t read_condition(const Commands& all, std::size_t i, ReadSteps& list) {
     const Command &skip = all[i].command, &motion = all[i + 1].command;
     seq::MoveOnInput on_input;
     on_input.input = skip.value % 10, on_input.on = skip.value / 10 == 1;
@@ -132,13 +132,20 @@ class BlockReader {
       on_input.to = out_.units(on_input.axis, motion.value);
       return put(on_input, all, i, i + 2, list);
     }
-    const bool homes = on_input.axis >= 0 && motion.op == Op::home && i + 3 < to &&
-                       all[i + 2].command == skip && all[i + 3].command.op == Op::set_zero &&
-                       all[i + 3].command.motor == motion.motor;
-    if (!homes) return leave("no block decides this", all, i, i + 2, list);
-    on_input.kind = seq::MoveOnInput::Kind::home;
-    on_input.direction = motion.value < 0 ? Sign::minus : Sign::plus;
-    return put(on_input, all, i, i + 4, list);
+    const Command* home = motion.op == Op::call ? homing_of(motion.value) : nullptr;
+    if (!home) return leave("no block decides this", all, i, i + 2, list);
+    used_[ix(motion.value)] = true;
+    on_input.kind = seq::MoveOnInput::Kind::home, on_input.axis = place_of(*home);
+    on_input.direction = home->value < 0 ? Sign::minus : Sign::plus;
+    return put(on_input, all, i, i + 2, list);
+  }
+  /// The home command of a program that does nothing but home a motor; null: it does something else.
+  [[nodiscard]] const Command* homing_of(std::int64_t number) const {
+    if (number <= 0 || ix(number) >= text_.programs.size() || !text_.programs[ix(number)]) return nullptr;
+    const Commands& body = text_.programs[ix(number)]->commands;
+    const bool homes = body.size() == 2 && body[0].command.op == Op::home && place_of(body[0].command) >= 0 &&
+                       body[1].command.op == Op::set_zero && body[1].command.motor == body[0].command.motor;
+    return homes ? &body[0].command : nullptr;
   }
 
   // ---- speeds
@@ -161,7 +168,7 @@ class BlockReader {
     for (behind = i;
          behind < to && (all[behind].command.op == Op::speed || all[behind].command.op == Op::accel);)
       ++behind;
-    return leave("speeds that are not of all axes alike", all, i, behind, list);
+    return leave("speeds that differ between axes", all, i, behind, list);
   }
   bool speed_of_all(seq::Speeds& speeds) {
     const Told& first = told_[0];
@@ -197,7 +204,7 @@ class BlockReader {
     std::size_t end = i + 1;
     while (end < to && !is_loop(all[end].command.op)) ++end;
     if (end == to || !goes_back(all[end].command.op))
-      return leave("a mark that no loop of blocks has", all, i, i + 1, list);
+      return leave("a mark that no loop of blocks can have", all, i, i + 1, list);
     std::size_t again = end + 1;  // a second loop that goes back to the same mark
     while (again < to && !is_loop(all[again].command.op)) ++again;
     if (again < to && goes_back(all[again].command.op))

@@ -17,7 +17,7 @@ namespace {
 namespace seq = sequence;  // its names are also those of commands
 
 constexpr std::string_view limits_are_told =
-    "A limit that is met for a moment only is told with limit switches (O) set to 1 or 3.";
+    "Set limit switches (O) to 1 or 3 to have a brief limit hit reported.";
 constexpr double longest_delay_ms = 24.0 * 3600 * 1000;
 
 class Writer {
@@ -70,11 +70,11 @@ class Writer {
     return {};
   }
   Result<> write(const seq::Stop&) {
-    return draft_.refuse("a VXM ends each motion before the next step: nothing is left to be stopped.");
+    return draft_.refuse("a VXM ends each motion before the next step, so there is nothing to stop.");
   }
   Result<> write(const seq::WaitMotion&) { return {}; }  // each motion ends before the next step
   Result<> write(const seq::Delay& d) {
-    if (!(d.ms <= longest_delay_ms)) return draft_.refuse("a delay of more than a day is not written.");
+    if (!(d.ms <= longest_delay_ms)) return draft_.refuse("a delay can be one day at most.");
     std::int64_t left = std::llround(d.ms * 10);  // in tenths of a millisecond
     for (; left > max_pause; left -= 1000 * std::min<std::int64_t>(left / 1000, max_pause))
       draft_.line(fmt::format("P{}", std::min<std::int64_t>(left / 1000, max_pause)));
@@ -139,6 +139,7 @@ class Writer {
     return {fmt::format("I{}M{}0", motor(axis), direction == Sign::minus ? "-" : ""),
             fmt::format("IA{}M-0", motor(axis))};
   }
+  Result<> call_homing(int axis, Sign direction);
   Result<> say_speeds(int axis, const seq::OwnSpeeds& own);
   void switch_output(int place, bool on) {
     draft_.line(fmt::format("U{}", (on ? output_on : output_off)[ix(place)]));
@@ -170,7 +171,7 @@ Result<> Writer::say_speeds(int axis, const seq::OwnSpeeds& own) {
   if (!wanted) return fail(wanted.error());
   if (wanted->low != 0) return draft_.refuse("a VXM has no low speed: its ramps begin at rest.");
   if (wanted->ramp_ms != 0 && wanted->high == 0)
-    return draft_.refuse("a ramp time needs a speed beside it: a VXM is told steps/s².");
+    return draft_.refuse("give a speed with the ramp time: a VXM takes steps/s².");
   const auto say = told_[ix(axis)].towards(*wanted);
   if (!say) return draft_.refuse_own_speed();
   if (say->high != 0) draft_.line(fmt::format("S{}M{}", motor(axis), say->high));
@@ -188,8 +189,7 @@ Result<> Writer::say_speeds(int axis, const seq::OwnSpeeds& own) {
 template <class Body>
 Result<int> Writer::call(std::string_view what, Body&& body) {
   if (programs_ + 1 >= program_count)
-    return draft_.refuse(
-        fmt::format("a VXM has {} programs that can be called, and all are taken.", program_count - 1));
+    return draft_.refuse(fmt::format("all {} programs that a VXM can call are taken.", program_count - 1));
   const int number = ++programs_;
   draft_.line(fmt::format("JM{}", number));
   const int part = draft_.change_part(main_part + number);
@@ -229,10 +229,22 @@ Result<> Writer::write(const seq::MoveOnInput& m) {
     draft_.line(*skip);
     return move(m.axis, m.to, false, m.own);
   }
-  for (const std::string& command : homing(m.axis, m.direction)) {
-    draft_.line(*skip);
-    draft_.line(command);
-  }
+  draft_.line(*skip);
+  return call_homing(m.axis, m.direction);
+}
+
+/// One call, because a skip skips one command: an input asked twice may have changed in between.
+Result<> Writer::call_homing(int axis, Sign direction) {
+  const std::vector<std::string> commands = homing(axis, direction);
+  const std::string& key = commands.front();
+  if (const auto known = callable_.find(key); known != callable_.end())
+    return draft_.line(fmt::format("JM{}", known->second)), Result<>();
+  const auto called = call(fmt::format("motor {} to its limit switch", motor(axis)), [&] {
+    for (const std::string& command : commands) draft_.line(command);
+    return Result<>();
+  });
+  if (!called) return fail(called.error());
+  callable_[key] = *called;
   return {};
 }
 

@@ -108,7 +108,8 @@ local vxm = {
   {{"Move on input"}, {"blocks/1/input = 2", "blocks/1/axis/2", "blocks/1/to = 4321"}, "U12 | IA2M4321"},
   {{"Move on input"}, {"blocks/1/input = 2", "blocks/1/on/off"}, "U22 | IA1M0"},
   {{"Move on input"}, {"blocks/1/own/its own", "blocks/1/high = 2500"}, "S1M2500 | U11 | IA1M0"},
-  {{"Move on input"}, {"blocks/1/kind/home", "blocks/1/direction/-"}, "U11 | I1M-0 | U11 | IA1M-0"},
+  {{"Move on input"}, {"blocks/1/kind/home", "blocks/1/direction/-"},
+   "PM-0 | U11 | JM1 | PM-1 ; motor 1 to its limit switch | I1M-0 | IA1M-0"},
   {{"Move on input"}, {"blocks/1/kind/jog"}, nil, "A stored program of a VXM has no jog"},
   {{"Output"}, {"blocks/1/on/off"}, "U4"},
   {{"Output"}, {"blocks/1/output = 2"}, "U15"},
@@ -117,7 +118,26 @@ local vxm = {
   {{"Delay"}, {"blocks/loop", "blocks/1/times = 0"}, "LM0 | P5 | L0"},
   never = {jog = "no jog", stop = "", enable = "motor power", arc = "draws no arcs", circle = "draws no arcs"}}
 
-for model, rows in pairs{vxm = vxm, ["dmx-k-sa"] = of_one()} do
+-- Speeds are of all eight axes: only X is looked at.
+local function of_all(command, value) return command .. (value .. ","):rep(7) .. value .. ";" end
+local vme58 = {
+  {{"Speed"}, {"blocks/1/high = 4000", "blocks/1/low = 400", "blocks/1/ramp_ms = 200"},
+   "AA | " .. of_all("VL", 4000) .. " | " .. of_all("VB", 400) .. " | " .. of_all("AC", 18000)},
+  {{"Move to"}, {"blocks/1/to/X = 100", "blocks/1/to/Y = 200"}, "AA | MT100,200; GO"},
+  {{"Move by"}, {"blocks/1/to/X = ", "blocks/1/to/S = -100"}, "AA | MR,,,,,,,-100; GO"},
+  {{"Move to"}, {"blocks/1/relative/yes", "blocks/1/to/X = 5"}, "AA | MR5; GO"},
+  {{"Home"}, {"blocks/1/axis", "blocks/1/axis/S", "blocks/1/direction/-"}, "AA | HR,,,,,,,0;"},
+  {{"Home"}, {"blocks/1/axis", "blocks/1/axis/Y"}, "AA | HR,0;"},
+  {{"Until still"}, {"blocks/1/axis", "blocks/1/axis/all"}, "AA | WA"},
+  {{"Delay"}, {"blocks/1/ms = 1234"}, "AA | WT1234"},
+  {{"Wait for input"}, {"blocks/1/input = 3"}, "AA | SW3"},
+  {{"Output"}, {"blocks/1/output = 9", "blocks/1/on/off"}, "AA | BH9"},
+  {{"Comment"}, {"blocks/1/text = count"}, "AA | # count"},
+  {{"Own text"}, {"blocks/1/about = count", "blocks/1/text = AX SP0;"}, "AA | AX SP0; | AA"},
+  {{"Delay"}, {"blocks/loop", "blocks/1/times = 3"}, "AA | LS3 | WT500 | LE"},
+  never = {stop = "", enable = "", move_on_input = ""}}
+
+for model, rows in pairs{vxm = vxm, ["dmx-k-sa"] = of_one(), vme58 = vme58} do
   local c = hw.check(hw.open(model .. "@emulator"))
   if model == "vxm" then for m = 1, 2 do hw.check(c:set("M" .. m .. "M", 4)) end end
   hw.sleep(1)

@@ -42,6 +42,9 @@ TEST_F(VxmReading, LoopsAreThoseThatLeaveNothingOut) {
 TEST_F(VxmReading, AConditionTakesItsCommandAlong) {
   EXPECT_EQ(blocks("U12,IA1M400,U11,S1M2000,I1M4\n"),
             "Move on input 1 to 1 if input 2 is on\nown: U11,S1M2000\nMove by 1: 0.01\n");
+  EXPECT_EQ(blocks("PM-0\nU12,JM1\nPM-1\nI2M0\nIA2M-0\n"), "Move on input 2 home + if input 2 is on\n");
+  EXPECT_EQ(blocks("I1M4\nU11,I1M-0\nU11,IA1M-0\n"), "Move by 1: 0.01\nown: U11,I1M-0\nU11,IA1M-0\n")
+      << "it asks twice, so it may home without zero, or set zero without homing";
 }
 
 TEST_F(VxmReading, OtherProgramsAreLoopsWaitsAndTheTool) {
@@ -59,7 +62,7 @@ TEST_F(VxmReading, OtherProgramsAreLoopsWaitsAndTheTool) {
 TEST_F(VxmReading, WhatActsAtOnceIsNoProgram) {
   EXPECT_EQ(blocks("I1M400\nR\n"), "Line 2: R acts at once. Blocks are programs.");
   EXPECT_THAT(blocks("I1M400\nI9M4\n"), StartsWith("Line 2: "));
-  EXPECT_THAT(blocks("IA1M-0\n"), HasSubstr("Line 1: no block says that here is zero"));
+  EXPECT_THAT(blocks("IA1M-0\n"), HasSubstr("Line 1: no block sets zero here"));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ struct VxmSequence : testing::Test {
 TEST_F(VxmSequence, SpeedsAreOfEachMotor) {
   EXPECT_EQ(write({{seq::Speed{{5, 0, 500}}}}), "S1M2000\nA1M4\nS3M1000\nA3M2\n");
   EXPECT_THAT(write({{seq::Speed{{5, 1}}}}), HasSubstr("Step 1 (speed): a VXM has no low speed"));
-  EXPECT_THAT(write({{seq::Speed{{0, 0, 100}}}}), HasSubstr("a ramp time needs a speed"));
+  EXPECT_THAT(write({{seq::Speed{{0, 0, 100}}}}), HasSubstr("give a speed with the ramp time"));
   EXPECT_EQ(write({{seq::Speed{{1, 0, 10'000}}}}), "S1M400\nA1M1\nS3M200\nA3M1\n");
   EXPECT_THAT(remarks, ElementsAre(HasSubstr("a ramp of 10000 ms is not possible: it takes 400 ms"),
                                    HasSubstr("it takes 200 ms")));
@@ -81,7 +81,12 @@ TEST_F(VxmSequence, AMoveOnInputIsLeftOutOtherwise) {
   m.input = 2, m.to = 1;
   EXPECT_EQ(write({{m}}), "U12\nIA1M400\n") << "low is on";
   m.on = false, m.kind = seq::MoveOnInput::Kind::home, m.direction = Sign::minus;
-  EXPECT_EQ(write({{m}}), "U22\nI1M-0\nU22\nIA1M-0\n");
+  EXPECT_EQ(write({{m}, {m}}),
+            "PM-0\nU22\nJM1\nU22\nJM1\nPM-1 ; motor 1 to its limit switch\nI1M-0\nIA1M-0\n")
+      << "the input is asked once: both commands run, or none";
+  auto plus = m;
+  plus.direction = Sign::plus;
+  EXPECT_THAT(write({{m}, {plus}}), HasSubstr("PM-2 ; motor 1 to its limit switch\nI1M0\n"));
 }
 
 TEST_F(VxmSequence, OutputsAreTheMakersOwn) {

@@ -1,0 +1,80 @@
+#include "panels/blocks/block_sides.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "gui/surface/ui.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/choice.h"
+#include "panels/lines.h"
+
+namespace hw::panels {
+
+using namespace gui;
+namespace {
+
+constexpr float palette_width = 160, side_alone = 264;
+constexpr float palette_needs = 560;  ///< width of the panel
+constexpr float path_height = 240, low_path_height = 150, switch_height = 48, least_part = 120;
+
+/// Of text and path, if there is room for them beside palette and blocks.
+float side_width(const Frame& f) {
+  return f.area.width >= 960 ? 304 : f.area.width >= 760 ? side_alone : 0.0f;
+}
+bool shares(const Frame& f) { return side_width(f) == 0; }
+
+void line_across_side(const Frame& f, float x, float y) {
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(f.ui.px(f.area.right()), y + f.ui.hair()),
+                                            f.ui[Tone::line]);
+}
+
+}  // namespace
+
+BlockSides::Columns BlockSides::columns(const Frame& f) const {
+  const float all = f.area.width;
+  if (all < palette_needs) return side_first_ ? Columns{0, 0, all} : Columns{0, all, 0};
+  if (!shares(f)) return {palette_width, all - palette_width - side_width(f), side_width(f)};
+  return side_first_ ? Columns{0, all - side_alone, side_alone}
+                     : Columns{palette_width, all - palette_width, 0};
+}
+
+void BlockSides::draw_switch(Frame& f) {
+  if (!shares(f)) return;
+  const bool of_palette = f.area.width >= palette_needs;
+  const char* other = !side_first_ ? "Text and path" : of_palette ? "Palette" : "Blocks";
+  const ButtonOptions look{
+      .style = ButtonStyle::quiet,
+      .tip = of_palette ? "Takes its place beside the blocks." : "Takes the place of what is shown now.",
+      .height = 40};
+  next_in_toolbar(f, f.area.width < 720 ? 0 : 16, button_width(f.ui, other, look));
+  if (button(f.ui, "blocks/aside", other, look).clicked) side_first_ = !side_first_;
+}
+
+void BlockSides::draw(Frame& f, float width, float height, const DrawPart& text, const DrawPart& path) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (f.catalog.axes.size() < 2) return text(width, height);
+  const auto place_path = [&](float below, float high) {
+    const ImVec2 corner(ui.px(f.area.right() - width) + ui.hair(), at.y + ui.px(below));
+    line_across_side(f, corner.x, corner.y);
+    ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + ui.hair()));
+    path(width - 1, high - 1);
+  };
+  if (height >= 320) {
+    const float of_path = height >= 420 ? path_height : low_path_height;
+    text(width, height - of_path);
+    return place_path(height - of_path, of_path);
+  }
+  static constexpr std::array<std::string_view, 2> names{"Text", "Path"};
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(16), at.y + ui.px(8)));
+  if (const int picked = segment(ui, "blocks/side", names, path_first_ ? 1 : 0, {.cell_width = 64});
+      picked >= 0)
+    path_first_ = picked == 1;
+  const float left = std::max(height - switch_height, least_part);
+  if (path_first_) return place_path(switch_height, left);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(switch_height)));
+  text(width, left);
+}
+
+}  // namespace hw::panels

@@ -1,0 +1,28 @@
+#pragma once
+// What stands at the sides of the blocks, as far as there is room: the palette at the left, text and path at
+// the right; what has no room is one press away. Ids: `blocks/aside`, `blocks/side/Text`, `blocks/side/Path`.
+#include <functional>
+
+#include "gui/shell/frame.h"
+
+namespace hw::panels {
+
+class BlockSides {
+ public:
+  /// Widths; 0: not shown.
+  struct Columns {
+    float palette = 0, list = 0, side = 0;
+  };
+  [[nodiscard]] Columns columns(const gui::Frame& frame) const;
+  /// Button of the toolbar that exchanges what shares a place.
+  void draw_switch(gui::Frame& frame);
+  /// Draws one part at ImGui's cursor, logical size.
+  using DrawPart = std::function<void(float width, float height)>;
+  /// The text, and the path below it; one of them if the height is too small for both.
+  void draw(gui::Frame& frame, float width, float height, const DrawPart& text, const DrawPart& path);
+
+ private:
+  bool side_first_ = false, path_first_ = false;
+};
+
+}  // namespace hw::panels
