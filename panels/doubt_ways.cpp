@@ -51,6 +51,11 @@ bool DoubtWays::take_refusal(const Frame& f, const IntentOutcome& outcome) {
   return open();
 }
 
+bool DoubtWays::take_refusal(const Frame& f, IntentBody sent, const IntentOutcome& outcome) {
+  if (outcome.doubtful != 0) sent_ = std::move(sent);
+  return take_refusal(f, outcome);
+}
+
 void DoubtWays::tell(const Frame& f, std::uint32_t doubtful) {
   doubtful_ = doubtful;
   axis_ = AxisId{static_cast<std::uint8_t>(std::countr_zero(doubtful))};

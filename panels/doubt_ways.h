@@ -27,6 +27,10 @@ class DoubtWays {
   IntentId send(gui::Frame& frame, IntentBody body);
   /// Call with any outcome other than done. True: a position was doubtful, and the card tells it.
   bool take_refusal(const gui::Frame& frame, const IntentOutcome& outcome);
+  /// The same for a command that a job has sent.
+  bool take_refusal(const gui::Frame& frame, IntentBody sent, const IntentOutcome& outcome);
+  /// Forgets the previous refusal.
+  void close() { doubtful_ = 0; }
   [[nodiscard]] bool open() const { return doubtful_ != 0; }
   /// Draws the card beside `row`. Returns the remedy's command, to be followed; 0: none was sent. `mode`: the
   /// chosen way of homing; -1: none. The card closes by itself once no position is doubtful.
@@ -39,7 +43,6 @@ class DoubtWays {
     Way way;
     std::string id, label, brief;
   };
-  void close() { doubtful_ = 0; }
   void tell(const gui::Frame& frame, std::uint32_t doubtful);
   void name_ways(const gui::Frame& frame, std::string_view prefix);
   /// True: Enter was pressed.

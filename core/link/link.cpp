@@ -3,21 +3,10 @@
 #include <algorithm>
 
 #include "core/link/link_log.h"
+#include "core/link/pending.h"
 #include "core/link/station.h"
 
 namespace hw {
-
-// One transaction, waiting or in flight. Lives in the frame of the coroutine that waits for it.
-struct Link::Pending {
-  Station& station;
-  Transaction transaction;
-  Result<std::string> result{std::string()};
-  Suspended suspended;
-  bool finished = false;
-  bool its_turn = false;  ///< a burst on a window, run by its own coroutine
-  Pending(Station& s, Transaction t) : station(s), transaction(std::move(t)) {}
-  [[nodiscard]] bool is_question() const { return transaction.reply.kind != ReplyShape::Kind::none; }
-};
 
 Fault stop_came_first() { return Fault(FaultKind::stopped, "A stop came first.", "This was not sent."); }
 
@@ -381,99 +370,6 @@ void Link::give_up_on(std::string_view bytes) {
   station.statistics_.unparsed_bytes += bytes.size();
   link_log().debug("{}bytes that mean nothing: \"{}\"", OfDevice{station.address}, log::Bytes{bytes});
   station.record(scheduler_.now(), Way::received, TrafficKind::unparsed, bytes);
-}
-
-// ---- the end
-
-void Link::leave(Station& station, const Fault& why, Leaving leaving) {
-  std::erase(stations_, &station);
-  if (leaving == Leaving::given_up && stations_.empty() && stream_) stream_->discard_unsent();
-  if (spoke_last_ == &station) spoke_last_ = nullptr;
-  const Fault lost(FaultKind::lost, why.what, why.done, why.advice);
-  drop_waiting(station, lost);
-  left_outstanding_.add(station.outstanding_);
-  if (!in_flight_ || &in_flight_->station != &station) return start_next();
-  deadline_.disarm();
-  if (window_) window_->abandon();
-  link_log().debug("{}\"{}\" was on the wire and is given up: {}", OfDevice{station.address},
-                   log::Bytes{in_flight_->transaction.bytes}, why.what);
-  left_outstanding_.add(in_flight_->transaction.reply_kind, scheduler_.now());  // its reply may still come
-  end(*std::exchange(in_flight_, nullptr), fail(lost));
-  settle_until_ = scheduler_.now() + settle_time;
-  start_next();
-}
-
-void Link::stream_closed(const Fault& why) {
-  const auto keep = shared_from_this();
-  stream_->listen(nullptr);
-  // A closed port must be free for the next attempt; the stream is not destroyed inside its own call.
-  asio::post(scheduler_.executor(), [gone = std::shared_ptr<Stream>(std::move(stream_))] {});
-  settled_.disarm();
-  unfinished_.disarm();
-  close_all(why);
-}
-
-void Link::window_closed(const Fault& why) {
-  const auto keep = shared_from_this();
-  window_->listen(nullptr);
-  asio::post(scheduler_.executor(), [gone = std::exchange(window_, nullptr)] {});
-  close_all(why);
-}
-
-void Link::interrupted(std::uint8_t vector) {
-  for (std::size_t i = 0; i < stations_.size(); ++i)
-    if (stations_[i]->interrupted) stations_[i]->interrupted(vector);
-}
-
-// ---- last wills
-
-WireShare Link::share() const {
-  return stream_ ? stream_->share() : window_ ? window_->share() : WireShare();
-}
-
-std::shared_ptr<WillKeeper::Will> Link::leave_will(const LastWill& will) {
-  const WireShare wire = share();
-  if (!keeper_ || wire.how == WireShare::How::none) {
-    link_log().debug("no watchdog guards the held jog: {}",
-                     keeper_ ? "this wire cannot be shared with it" : "there is none");
-    return nullptr;
-  }
-  auto left = keeper_->leave(scheduler_, wire, will);
-  link_log().debug(
-      "{}", left ? "the watchdog guards a held jog" : "the watchdog does not take the last will of a jog");
-  if (left) wills_.push_back(left);
-  return left;
-}
-
-JogEnds Link::jog_ends() const {
-  if (emulated_here_) return JogEnds::with_program;
-  const bool reached = keeper_ && shared_ && keeper_->is_there();
-  return reached ? JogEnds::by_watchdog : JogEnds::by_nobody;
-}
-
-bool Link::a_will_may_be_carried_out() {
-  std::erase_if(wills_, [](const auto& will) { return will.expired(); });
-  return std::any_of(wills_.begin(), wills_.end(), [](const auto& will) {
-    const auto left = will.lock();
-    return left && left->may_be_carried_out();
-  });
-}
-
-// As if the peer had closed it: the next user opens the wire again.
-void Link::give_up_soon(Fault why) {
-  asio::post(scheduler_.executor(), [self = shared_from_this(), why = std::move(why)] {
-    if (self->stream_) self->stream_closed(why);
-    if (self->window_) self->window_closed(why);
-  });
-}
-
-void Link::close_all(const Fault& why) {
-  link_log().debug("the wire is closed, devices on it: {}: {}", station_count(), why.sentence());
-  while (!stations_.empty()) {
-    Station* station = stations_.back();
-    station->give_up(why);
-    if (station->closed) station->closed(why);
-  }
 }
 
 }  // namespace hw

@@ -148,8 +148,8 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
     link_log().debug("{}not the answer that was asked for: \"{}\"", OfDevice{address}, log::Bytes{*answer});
     doubt(reply_kind);
     co_return fail(FaultKind::garbled, "The controller's answer makes no sense.", "It was not used.",
-                   "Check the cable and the line rate, and whether two devices have one address or another "
-                   "program talks on this line.");
+                   "Check the cable and the line rate. Check whether two devices have the same address, or "
+                   "another program uses this line.");
   }
   outstanding_.clear();
   link_log().debug("{}answers have their questions again: cleaned {} times", OfDevice{address},

@@ -3,7 +3,10 @@
 #include <utility>
 #include <variant>
 
-#include "core/device/track_keeper.h"
+#include "core/device/track.h"
+#include "gui/model/list_run.h"
+#include "gui/model/rehearsal_reading.h"
+#include "gui/model/step_recorder.h"
 
 namespace hw::gui {
 
@@ -14,11 +17,15 @@ Desk::Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain
     : traffic(explain),
       texts(catalog.program, language),
       blocks(catalog),
+      list_run(std::make_unique<ListRun>()),
+      step_recorder(std::make_unique<StepRecorder>()),
       follower(catalog),
       setup(catalog),
       help(catalog),
       catalog_(catalog),
       language_(language) {}
+
+Desk::~Desk() = default;
 
 Result<> Desk::keep_texts(Autosave autosave, std::string key) {
   kept_.autosave = std::move(autosave);
@@ -72,23 +79,13 @@ void Desk::rehearse_prepared(const Snapshot& now, const BenchView& bench, const 
 }
 
 bool Desk::reads_set_up(const Snapshot& now, const Send& send) {
-  if (!can_tell_more(now)) return false;
-  if (set_up_read_by_ == 0) set_up_read_by_ = send(intent::ReadParams());
-  const IntentOutcome* told_outcome = now.outcome_of(set_up_read_by_);
-  const bool settled =
-      told_outcome ? told_outcome->state != IntentState::pending : now.forgotten(set_up_read_by_);
-  return !settled && set_up_read_by_ != 0;
+  return can_tell_more(now) && awaits_set_up(set_up_read_by_, now, send);
 }
 
-/// Nothing is read while something runs or moves: the rehearsal states what it assumed.
 void Desk::look_for_unread_programs(const Snapshot& now) {
   const Rehearsals::Outcome* outcome = rehearsed_slot_ < 0 ? nullptr : rehearsals.of(rehearsed_slot_);
-  if (!outcome || !outcome->result || rehearsals.under_way(rehearsed_slot_)) return;
-  const VariableFacts& variables = catalog_.variables;
-  const std::string_view variable = variables.count > 0 ? std::string_view(variables.prefix) : "";
-  if (!unread_.found(*outcome->result, outcome->number, variable)) return;
-  const bool runs = now.program.run != RunState::idle && now.program.run != RunState::error;
-  if (job.busy() || !now.link.connected() || runs || now.any_axis_moving()) return;
+  if (!outcome || rehearsals.under_way(rehearsed_slot_)) return;
+  if (!reached_unread(unread_, *outcome, now, catalog_) || job.busy()) return;
   prepared_[rehearsed_slot_] = outcome->text;
   rehearsals.prepare(rehearsed_slot_);
 }
@@ -116,6 +113,8 @@ void Desk::sent(const IntentBody& body) {
 
 void Desk::stopped() {
   job.give_up();
+  list_run->stopped();
+  step_recorder->stopped();
   until_stopped_ = std::make_shared<int>(0);
 }
 

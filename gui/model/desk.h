@@ -28,11 +28,15 @@
 
 namespace hw::gui {
 
+class ListRun;
+class StepRecorder;
+
 class Desk {
  public:
   using Send = std::function<IntentId(IntentBody)>;
 
   Desk(const Catalog& catalog, const Language* language, TrafficLog::Explain explain);
+  ~Desk();
 
   TrafficLog traffic;
   EventLog events;
@@ -42,6 +46,8 @@ class Desk {
   ProgramSource source;
   ProgramJob job;
   Rehearsals rehearsals;
+  const std::unique_ptr<ListRun> list_run;            ///< a list of the contour panel, loaded and started
+  const std::unique_ptr<StepRecorder> step_recorder;  ///< steps of a servo axis and their recordings
   RunFollower follower;
   PositionTrace trace;
   PositionMemory places;

@@ -5,8 +5,13 @@
 
 namespace hw::gui {
 
-void take_samples(Tab& tab, const std::function<void(const AxisSample&)>& take) {
-  if (tab.session()) tab.session()->samples().drain(take);
+StepRecorder::View steps_view(Tab& tab) {
+  return {tab.now(), tab.clock(), [&tab](AxisId axis) { return tab.why_not_move(axis); },
+          [&tab](IntentBody body) { return tab.send(std::move(body)); }};
+}
+
+void drop_samples(Tab& tab) {
+  if (tab.session()) tab.session()->samples().drain([](const AxisSample&) {});
 }
 
 }  // namespace hw::gui

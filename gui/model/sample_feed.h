@@ -1,14 +1,14 @@
 #pragma once
-// Passes the samples of a recording (intent::Sample) from a session to the panel that shows them.
-#include <functional>
-
-#include "core/device/snapshot.h"
+// Ties the recorder of steps to its controller.
+#include "gui/model/step_recorder.h"
 
 namespace hw::gui {
 
 class Tab;
 
-/// Hands each sample received since the last call to `take`, oldest first. Without a session: none.
-void take_samples(Tab& tab, const std::function<void(const AxisSample&)>& take);
+/// What the recorder sees of the controller in this frame, and its way to it.
+StepRecorder::View steps_view(Tab& tab);
+/// Before a new recording: drops the samples of an earlier one that have not been taken yet.
+void drop_samples(Tab& tab);
 
 }  // namespace hw::gui

@@ -10,7 +10,9 @@
 #include "core/session/json_file.h"
 #include "core/session/session_group.h"
 #include "gui/model/gui_log.h"
+#include "gui/model/list_run.h"
 #include "gui/model/lower_case.h"
+#include "gui/model/step_recorder.h"
 #include "gui/shell/follow.h"
 #include "gui/shell/messages.h"
 #include "gui/shell/outside.h"
@@ -182,6 +184,7 @@ void Console::refresh(Ui& ui) {
     if (const auto turns = tab->desk().text_turns(); std::exchange(tab->text_turns, turns) != turns)
       toasts_.withdraw(&tab->desk().texts);
     tell_news(*tab);
+    if (tab->desk().step_recorder->busy()) ui.wake_in(0.02);  // its times are in no snapshot
     if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
   }
   for (std::string& sentence : take_last_words()) toast(Severity::warn, std::move(sentence));
@@ -209,6 +212,9 @@ void Console::tell_news(Tab& tab) {
                                                  : Severity::plain,
           std::move(notice.text));
   }
+  for (Told& told : tab.desk().list_run->take_told()) toast(tab, told.severity, std::move(told.sentence));
+  for (Told& told : tab.desk().step_recorder->take_told())
+    toast(tab, told.severity, std::move(told.sentence));
   for (std::string& complaint : tab.complaints()) {
     // The refusal repeats in a toast the question of a dialog. An outcome has less room than a notice.
     const bool asked = !asked_.empty() && asked_.starts_with(complaint);

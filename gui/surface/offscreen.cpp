@@ -3,7 +3,6 @@
 #include <stb/stb_image_write.h>
 
 #include "core/session/user_files.h"
-#include "gui/surface/gl_canvas.h"
 
 namespace hw::gui {
 namespace {
@@ -21,10 +20,8 @@ ImVec2 in_pixels(int width, int height, float scale) {
 
 }  // namespace
 
-Offscreen::Offscreen(int width, int height, float scale, bool dark, Renderer renderer)
-    : screen_(built(scale), dark), size_px_(in_pixels(width, height, scale)), wanted_(renderer) {}
-
-Offscreen::~Offscreen() { screen_.make_current(); }
+Offscreen::Offscreen(int width, int height, float scale, bool dark)
+    : screen_(built(scale), dark), size_px_(in_pixels(width, height, scale)) {}
 
 void Offscreen::resize(int width, int height, float scale) {
   size_px_ = in_pixels(width, height, scale);
@@ -33,44 +30,23 @@ void Offscreen::resize(int width, int height, float scale) {
 
 void Offscreen::frame(double now_s, const Draw& draw) { screen_.frame(now_s, size_px_, draw); }
 
-void Offscreen::render_software() {
+std::span<const std::uint32_t> Offscreen::render() {
+  if (!screen_.draw_data()) return {};
   AlphaTexture texture;
   unsigned char* alpha = nullptr;
   ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&alpha, &texture.width, &texture.height);
   texture.alpha = alpha;
   raster_.clear(width_px(), height_px(), screen_.theme()[Tone::ground]);
   raster_.draw(*screen_.draw_data(), texture, screen_.pictures());
-  pixels_.assign(raster_.pixels().begin(), raster_.pixels().end());
+  return raster_.pixels();
 }
 
-bool Offscreen::draw_with_gl() {
-  ImDrawData* data = screen_.draw_data();
-  if (!data) return false;
-  if (wanted_ != Renderer::software && !gl_tried_) gl_ = GlCanvas::open();
-  gl_tried_ = true;
-  if (gl_ && gl_->draw(*data, screen_.pictures(), screen_.atlas_generation(), screen_.theme()[Tone::ground]))
-    return true;
-  gl_.reset();
-  return false;
-}
-
-std::span<const std::uint32_t> Offscreen::render() {
-  if (!screen_.draw_data()) return {};
-  if (draw_with_gl() && gl_->read(pixels_)) return pixels_;
-  gl_.reset();
-  render_software();
-  return pixels_;
-}
-
-ImU32 Offscreen::pixel(int x, int y) const {
-  return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px()) +
-                 static_cast<std::size_t>(x)];
-}
+ImU32 Offscreen::pixel(int x, int y) const { return raster_.at(x, y); }
 
 Result<> Offscreen::screenshot(const std::string& path) {
-  render();
-  if (pixels_.empty()) return fail(FaultKind::internal, "There is no frame yet to take a picture of.");
-  return write_png(path, pixels_, width_px(), height_px());
+  const std::span<const std::uint32_t> pixels = render();
+  if (pixels.empty()) return fail(FaultKind::internal, "There is no frame yet to take a picture of.");
+  return write_png(path, pixels, width_px(), height_px());
 }
 
 Result<> write_png(const std::string& path, std::span<const std::uint32_t> pixels, int width, int height) {

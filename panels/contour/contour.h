@@ -11,6 +11,7 @@
 
 #include "core/device/language.h"
 #include "core/drawing/contour_path.h"
+#include "gui/model/list_run.h"
 #include "gui/shell/panel_entry.h"
 #include "gui/widgets/number_field.h"
 #include "gui/widgets/plot.h"
@@ -31,7 +32,7 @@ class Contour final : public gui::Panel {
   struct Piece {
     PieceKind kind = PieceKind::line;
     gui::NumberField x, y, degrees;
-    int output = 0;  ///< index into `outputs_`
+    int output = 0;  ///< index into Names::outputs
     bool on = true;
   };
   struct Stair {
@@ -45,7 +46,7 @@ class Contour final : public gui::Panel {
   /// A sequence of one staircase of speeds, in steps.
   Result<sequence::Sequence> staircase() const;
   void draw_staircase_line(const sequence::SpeedStairs& stairs, double from);
-  /// The fault: why the step cannot be drawn. Else sets `path_` or the plot.
+  /// The fault: why the step cannot be drawn. Else sets the path or the plot.
   Result<> draw_step(const sequence::Step& step);
   Result<SequenceText> write(const sequence::Sequence& plan, const Catalog& catalog) const;
   void add_places(const sequence::Sequence& plan, const Catalog& catalog);
@@ -80,34 +81,45 @@ class Contour final : public gui::Panel {
                   std::string_view words);
 
   const Language* language_ = nullptr;  ///< of the tab, or null
-  bool made_ = false, changed_ = true;
+  gui::ListRun* run_ = nullptr;         ///< of the desk
+  bool changed_ = true;
   bool stairs_shown_ = false;
-  bool contour_unkept_ = false, stairs_unkept_ = false;  ///< edited since last put into the program
-  std::vector<std::string_view> axis_names_, output_names_;
-  std::vector<int> outputs_;  ///< the maker's numbers
-
-  int first_ = 0, second_ = 1, stair_axis_ = 0;
-  ContourUnit unit_, stairs_unit_;  ///< of the numbers in the fields
-  bool ramp_ = true;
-  gui::NumberField speed_, x_, y_, lead_in_, stop_at_;
-  std::vector<Piece> pieces_;
-  std::vector<Stair> stairs_;
-
-  // The results, recomputed when something has changed.
-  std::shared_ptr<const drawing::ToolPath> path_;
+  struct Names {
+    std::vector<std::string_view> axes, outputs;
+    std::vector<int> output_numbers;  ///< the maker's
+  };
+  Names names_;
+  struct ContourList {
+    int first = 0, second = 1;
+    ContourUnit unit;  ///< of the numbers in the fields
+    bool ramp = true;
+    gui::NumberField speed, x, y, lead_in;
+    std::vector<Piece> pieces;
+    bool unkept = false;  ///< edited since last put into the program
+  };
+  ContourList contour_;
+  struct StairsList {
+    int axis = 0;
+    ContourUnit unit;
+    gui::NumberField stop_at;
+    std::vector<Stair> rows;
+    bool unkept = false;
+  };
+  StairsList stairs_;
+  /// The results, recomputed when something has changed.
+  struct WorkedOut {
+    std::shared_ptr<const drawing::ToolPath> path;
+    std::vector<AxisTarget> places;  ///< targets of its text
+    std::string text, problem, facts;
+    std::vector<float> stair_x, stair_y;
+    Steps from{};  ///< position of the staircase's axis at that time
+  };
+  WorkedOut worked_;
   drawing::Point scale_;  ///< units of the view per step
   PathCanvas canvas_;
-  std::vector<AxisTarget> places_;  ///< targets of its text
-  std::string text_, problem_, facts_;
-  std::vector<float> stair_x_, stair_y_;
-  Steps worked_out_from_{};  ///< position of the staircase's axis at that time
   gui::PlotCursor cursor_;
-
   ContourFile file_;
-  IntentId loading_ = 0, starting_ = 0;
   DoubtWays doubt_;
-  std::weak_ptr<void> go_ahead_;  ///< of the latest Run; expires on a stop
-  int drawn_frame_ = 0;
   bool asking_ = false;
 };
 

@@ -41,7 +41,7 @@ bool remove_button(Ui& ui, std::string_view id, ImVec2 at) {
 
 void Contour::edited() {
   changed_ = true;
-  (stairs_shown_ ? stairs_unkept_ : contour_unkept_) = true;
+  (stairs_shown_ ? stairs_.unkept : contour_.unkept) = true;
 }
 
 void Contour::number(Frame& f, std::string_view id, std::string_view label, NumberField& field,
@@ -60,7 +60,7 @@ int Contour::axis_choice(Frame& f, std::string_view id, std::string_view label, 
   const float word = std::ceil(text_width(f.ui, Face::body, words)) / f.ui.scale;
   words_at(f.ui, at, word + 1, words);
   ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(word + 8), at.y));
-  const int picked = dropdown(f.ui, id, label, axis_names_, chosen, {.width = 52});
+  const int picked = dropdown(f.ui, id, label, names_.axes, chosen, {.width = 52});
   if (picked < 0) return chosen;
   edited();
   return picked;
@@ -72,14 +72,14 @@ void Contour::draw_contour_list(Frame& f, float width) {
   Ui& ui = f.ui;
   gap(ui, 8);
   draw_contour_head(f, width);
-  std::size_t removed = pieces_.size();
-  for (std::size_t i = 0; i < pieces_.size(); ++i)
+  std::size_t removed = contour_.pieces.size();
+  for (std::size_t i = 0; i < contour_.pieces.size(); ++i)
     if (draw_piece(f, i, width)) removed = i;
-  if (removed < pieces_.size()) {
-    pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(removed));
+  if (removed < contour_.pieces.size()) {
+    contour_.pieces.erase(contour_.pieces.begin() + static_cast<std::ptrdiff_t>(removed));
     edited();
   }
-  if (pieces_.empty()) {
+  if (contour_.pieces.empty()) {
     gap(ui, 4);
     wrapped(ui, Face::body, Tone::ink2,
             "Add a line or an arc. An arc goes round its centre from where the path is.", width);
@@ -97,20 +97,21 @@ void Contour::draw_contour_head(Frame& f, float width) {
   const auto place = [&](int row, float x) {
     return ImVec2(at.x + ui.px(x), at.y + ui.px(static_cast<float>(row) * list_row_height));
   };
-  first_ = axis_choice(f, "contour/first", "To the right", first_, at, "Right");
-  second_ = axis_choice(f, "contour/second", "Up", second_, place(0, 108), "up");
+  contour_.first = axis_choice(f, "contour/first", "To the right", contour_.first, at, "Right");
+  contour_.second = axis_choice(f, "contour/second", "Up", contour_.second, place(0, 108), "up");
   ImGui::SetCursorScreenPos(place(0, 200));
   static constexpr std::array<std::string_view, 2> ends = {"Ramp", "At once"};
-  if (const int end = segment(ui, "contour/end", ends, ramp_ ? 0 : 1, {.cell_width = 52}); end >= 0)
-    ramp_ = end == 0, edited();
-  NumberRange places = unit_.places(f.catalog);
-  places.unit = unit_.name;
+  if (const int end = segment(ui, "contour/end", ends, contour_.ramp ? 0 : 1, {.cell_width = 52}); end >= 0)
+    contour_.ramp = end == 0, edited();
+  NumberRange places = contour_.unit.places(f.catalog);
+  places.unit = contour_.unit.name;
   words_at(ui, place(1, 0), head_width, "Begin");
-  number(f, "contour/x", "Begin, right", x_, places, place(1, head_width), cell);
-  number(f, "contour/y", "Begin, up", y_, places, place(1, head_width + cell + between), cell);
+  number(f, "contour/x", "Begin, right", contour_.x, places, place(1, head_width), cell);
+  number(f, "contour/y", "Begin, up", contour_.y, places, place(1, head_width + cell + between), cell);
   words_at(ui, place(2, 0), head_width, "Speed, lead-in");
-  number(f, "contour/speed", "Speed", speed_, unit_.speeds(f.catalog), place(2, head_width), cell);
-  number(f, "contour/lead_in", "Lead-in", lead_in_, unit_.lengths(f.catalog),
+  number(f, "contour/speed", "Speed", contour_.speed, contour_.unit.speeds(f.catalog), place(2, head_width),
+         cell);
+  number(f, "contour/lead_in", "Lead-in", contour_.lead_in, contour_.unit.lengths(f.catalog),
          place(2, head_width + cell + between), cell);
   ImGui::SetCursorScreenPos(place(3, 0));
 }
@@ -118,7 +119,7 @@ void Contour::draw_contour_head(Frame& f, float width) {
 /// True: remove this row.
 bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
   Ui& ui = f.ui;
-  Piece& p = pieces_[row];
+  Piece& p = contour_.pieces[row];
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const std::size_t n = row + 1;
   const bool arc = p.kind == PieceKind::arc;
@@ -132,7 +133,7 @@ bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
   };
   if (p.kind == PieceKind::output) {
     ImGui::SetCursorScreenPos(place(0));
-    if (const int picked = dropdown(ui, Path("contour/{}/output", n), "Output", output_names_, p.output,
+    if (const int picked = dropdown(ui, Path("contour/{}/output", n), "Output", names_.outputs, p.output,
                                     {.width = 2 * cell + between - 40});
         picked >= 0)
       p.output = picked, edited();
@@ -142,10 +143,10 @@ bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
         state >= 0)
       p.on = state == 0, edited();
   } else {
-    number(f, Path("contour/{}/x", n), arc ? "Centre, right" : "End, right", p.x, unit_.places(f.catalog),
-           place(0), cell);
-    number(f, Path("contour/{}/y", n), arc ? "Centre, up" : "End, up", p.y, unit_.places(f.catalog), place(1),
-           cell);
+    number(f, Path("contour/{}/x", n), arc ? "Centre, right" : "End, right", p.x,
+           contour_.unit.places(f.catalog), place(0), cell);
+    number(f, Path("contour/{}/y", n), arc ? "Centre, up" : "End, up", p.y, contour_.unit.places(f.catalog),
+           place(1), cell);
     if (arc)
       number(f, Path("contour/{}/angle", n), "Angle, counterclockwise", p.degrees, {-36000, 36000, 3, "°"},
              place(2), cell);
@@ -163,7 +164,7 @@ void Contour::draw_adders(Frame& f) {
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions o;
   o.icon = Icon::plus;
-  o.disabled = outputs_.empty() ? "No output can be switched on a contour." : "";
+  o.disabled = names_.output_numbers.empty() ? "No output can be switched on a contour." : "";
   if (button(ui, "contour/add/output", "Add output", o).clicked) add(PieceKind::output);
 }
 
@@ -171,13 +172,14 @@ void Contour::draw_adders(Frame& f) {
 void Contour::add(PieceKind kind) {
   Piece p;
   p.kind = kind;
-  unit_.put(p.x, 0), unit_.put(p.y, 0), p.degrees.set(90, 0);
-  for (const Piece& old : pieces_)
+  contour_.unit.put(p.x, 0), contour_.unit.put(p.y, 0), p.degrees.set(90, 0);
+  for (const Piece& old : contour_.pieces)
     if (old.kind == PieceKind::line && kind == old.kind)
-      unit_.put(p.x, unit_.steps(old.x).value_or(0)), unit_.put(p.y, unit_.steps(old.y).value_or(0));
+      contour_.unit.put(p.x, contour_.unit.steps(old.x).value_or(0)),
+          contour_.unit.put(p.y, contour_.unit.steps(old.y).value_or(0));
     else if (old.kind == PieceKind::output && kind == old.kind)
       p.output = old.output, p.on = !old.on;
-  pieces_.push_back(std::move(p));
+  contour_.pieces.push_back(std::move(p));
   edited();
 }
 
@@ -187,39 +189,40 @@ void Contour::draw_stairs_list(Frame& f, float width) {
   Ui& ui = f.ui;
   gap(ui, 8);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  stair_axis_ = axis_choice(f, "stairs/axis", "Axis", stair_axis_, at, "Axis");
-  const AxisState& axis = f.now.axes[static_cast<std::size_t>(stair_axis_)];
+  stairs_.axis = axis_choice(f, "stairs/axis", "Axis", stairs_.axis, at, "Axis");
+  const AxisState& axis = f.now.axes[static_cast<std::size_t>(stairs_.axis)];
   const NumberText stands =
-      format_number(stairs_unit_.shown(static_cast<double>(axis.position.value)), stairs_unit_.decimals);
+      format_number(stairs_.unit.shown(static_cast<double>(axis.position.value)), stairs_.unit.decimals);
   words_at(ui, ImVec2(at.x + ui.px(116), at.y), width - 116,
            axis.position_known ? Path("stands at {}", stands.view()).view() : "its position is not known");
   const float cell = cell_width(width, 2);
   const float y = at.y + ui.px(list_row_height);
   draw_text_line(ui, at.x + ui.px(head_width), at.x + ui.px(head_width + cell), y + ui.px(10), Face::small,
-                 ui[Tone::ink2], Path("up to, {}", stairs_unit_.name));
+                 ui[Tone::ink2], Path("up to, {}", stairs_.unit.name));
   draw_text_line(ui, at.x + ui.px(head_width + cell + between), at.x + ui.px(width), y + ui.px(10),
-                 Face::small, ui[Tone::ink2], Path("at, {}", stairs_unit_.of_speed));
+                 Face::small, ui[Tone::ink2], Path("at, {}", stairs_.unit.of_speed));
   ImGui::SetCursorScreenPos(ImVec2(at.x, y + ui.px(20)));
-  std::size_t removed = stairs_.size();
-  for (std::size_t i = 0; i < stairs_.size(); ++i)
+  std::size_t removed = stairs_.rows.size();
+  for (std::size_t i = 0; i < stairs_.rows.size(); ++i)
     if (draw_stair(f, i, width)) removed = i;
-  if (removed < stairs_.size()) {
-    stairs_.erase(stairs_.begin() + static_cast<std::ptrdiff_t>(removed));
+  if (removed < stairs_.rows.size()) {
+    stairs_.rows.erase(stairs_.rows.begin() + static_cast<std::ptrdiff_t>(removed));
     edited();
   }
   const ImVec2 end = ImGui::GetCursorScreenPos();
   words_at(ui, end, head_width, "stop at");
-  number(f, "stairs/stop", "Stop at", stop_at_, stairs_unit_.places(f.catalog),
+  number(f, "stairs/stop", "Stop at", stairs_.stop_at, stairs_.unit.places(f.catalog),
          ImVec2(end.x + ui.px(head_width), end.y), cell);
   ImGui::SetCursorScreenPos(ImVec2(end.x, end.y + ui.px(list_row_height + 4)));
   if (button(ui, "stairs/add", "Add step", {.icon = Icon::plus}).clicked) {
     Stair s;
-    const double last = stairs_.empty() ? static_cast<double>(axis.position.value)
-                                        : stairs_unit_.steps(stairs_.back().until).value_or(0);
-    stairs_unit_.put(s.until, last + 1000);
-    stairs_unit_.put_long(
-        s.speed, stairs_.empty() ? 1000 : stairs_unit_.steps_long(stairs_.back().speed).value_or(1000));
-    stairs_.push_back(std::move(s));
+    const double last = stairs_.rows.empty() ? static_cast<double>(axis.position.value)
+                                             : stairs_.unit.steps(stairs_.rows.back().until).value_or(0);
+    stairs_.unit.put(s.until, last + 1000);
+    stairs_.unit.put_long(s.speed, stairs_.rows.empty()
+                                       ? 1000
+                                       : stairs_.unit.steps_long(stairs_.rows.back().speed).value_or(1000));
+    stairs_.rows.push_back(std::move(s));
     edited();
   }
   gap(ui, 16);
@@ -233,11 +236,11 @@ bool Contour::draw_stair(Frame& f, std::size_t row, float width) {
   draw_text_line(ui, at.x, at.x + ui.px(24), at.y + ui.px(16), Face::code_field, ui[Tone::ink3],
                  Path("{}", n));
   words_at(ui, ImVec2(at.x + ui.px(24), at.y), head_width - 24, "run", Tone::ink);
-  number(f, Path("stairs/{}/until", n), "Up to", stairs_[row].until, stairs_unit_.places(f.catalog),
+  number(f, Path("stairs/{}/until", n), "Up to", stairs_.rows[row].until, stairs_.unit.places(f.catalog),
          ImVec2(at.x + ui.px(head_width), at.y), cell);
-  NumberRange speeds = stairs_unit_.speeds(f.catalog);
+  NumberRange speeds = stairs_.unit.speeds(f.catalog);
   speeds.unit = {};  // stands over the column
-  number(f, Path("stairs/{}/speed", n), "Speed", stairs_[row].speed, speeds,
+  number(f, Path("stairs/{}/speed", n), "Speed", stairs_.rows[row].speed, speeds,
          ImVec2(at.x + ui.px(head_width + cell + between), at.y), cell);
   const bool gone = remove_button(ui, Path("stairs/{}/remove", n), ImVec2(at.x + ui.px(width - 32), at.y));
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(list_row_height)));

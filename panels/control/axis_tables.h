@@ -29,6 +29,7 @@ class AxisTables {
   [[nodiscard]] bool lacks_settings(const gui::Frame& frame) const;
 
  private:
+  static constexpr float speed_width = 84;
   /// One axis in one column.
   struct Cell {
     int index = -1;  ///< of its readout, param or action; -1: empty cell

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "gui/model/sample_feed.h"
 #include "gui/model/tab.h"
 #include "gui/model/units_format.h"
 #include "gui/widgets/area.h"
@@ -92,7 +93,8 @@ void Tuning::draw_work(Frame& f, float width, float height) {
     draw_output(f, small);
     ImGui::SetCursorScreenPos(below);
   }
-  const TwoSteps steps{now_number_, now_, was_number_, was_, scatter_};
+  const TwoSteps steps{recorder_->measured_number(), recorder_->measured(), compared_.number,
+                       compared_.measures, recorder_->scatter()};
   heights.flat ? draw_flat_step_table(f, steps, width) : draw_step_table(f, steps, width);
   end_part();
 }
@@ -124,13 +126,14 @@ void Tuning::draw_plots(Frame& f, float width, float height) {
   }
   for (std::size_t i = 0; i < n; ++i) o.y.take(traces[i].y);
   o.y.widen(0.1f);
-  const bool measured = run && stage_ != Stage::recording && stage_ != Stage::arming && now_.any;
-  const Path settled("settled {:.0f} ms after the step", now_.settling_ms.high);
-  const PlotMark mark{static_cast<float>(now_.settling_ms.high), settled};
+  const StepMeasures& now = recorder_->measured();
+  const bool measured = run && !recorder_->records() && now.any;
+  const Path settled("settled {:.0f} ms after the step", now.settling_ms.high);
+  const PlotMark mark{static_cast<float>(now.settling_ms.high), settled};
   if (measured) {
     const float target = last(run->command());
-    o.band = {target - static_cast<float>(now_.band), target + static_cast<float>(now_.band)};
-    if (now_.settled && now_.settling_ms.exact()) o.marks = {&mark, 1};
+    o.band = {target - static_cast<float>(now.band), target + static_cast<float>(now.band)};
+    if (now.settled && now.settling_ms.exact()) o.marks = {&mark, 1};
   }
   const Path words("{} samples, {}, {}", run ? run->t_ms().size() : 0, command.view(), encoder.view());
   if (run) o.words = words;
@@ -232,19 +235,19 @@ void Tuning::draw_side(Frame& f, float width) {
 void Tuning::draw_scatter(Frame& f, float width) {
   Ui& ui = f.ui;
   wrapped(ui, Face::small, Tone::ink2,
-          scatter_.known() ? "A difference within the scatter of three repetitions is called the same."
-                           : "Better or worse is said when the scatter of three repetitions is known.",
+          recorder_->scatter().known()
+              ? "A difference within the scatter of three repetitions is called the same."
+              : "Better or worse is said when the scatter of three repetitions is known.",
           width);
   gap(ui, 4);
   ButtonOptions three;
   three.width = width;
   three.moving = true;
-  three.disabled = repeat_.on ? std::string_view("Repeat is on: switch it off first.") : why_not(f);
+  three.disabled = recorder_->repeats() ? std::string_view("Repeat is on: switch it off first.") : why_not(f);
   three.tip = "Makes the step three times to and fro, and ends where it began.";
   if (button(ui, "tuning/scatter", "Repeat three times", three).clicked) {
-    scatter_ = {};
-    repeat_.learns_scatter = true;
-    begin_repeat(f, 2 * StepScatter::enough);
+    drop_samples(f.tab);
+    recorder_->learn_scatter(plan(), steps_view(f.tab));
   }
   gap(ui, 8);
 }
@@ -292,7 +295,7 @@ void Tuning::send_gains(Frame& f) {
   const SetupEdits& edits = f.tab.desk().setup;
   for (const std::size_t i : gains_)
     if (const auto value = edits.edited(i); value && edits.changed(i, f.now))
-      newest_ = f.send(intent::SetParam(f.catalog.params[i].mnemonic, *value));
+      recorder_->sent_beside(f.send(intent::SetParam(f.catalog.params[i].mnemonic, *value)));
 }
 
 }  // namespace hw::panels

@@ -44,7 +44,7 @@ struct Screenful {
 
   IoContext io{1};
   VirtualScheduler time{io};
-  gui::Offscreen surface{1440, 900, 1, true, gui::Renderer::software};
+  gui::Offscreen surface{1440, 900, 1, true};
   gui::Console console{panels::panel_list(), gui::Outside(time, make_wire_opener(), [] {})};
 };
 

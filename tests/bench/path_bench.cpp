@@ -7,6 +7,7 @@
 
 #include "gui/surface/offscreen.h"
 #include "gui/surface/path_picture.h"
+#include "tests/gui/lib/gl_canvas.h"
 
 namespace hw {
 namespace {
@@ -91,7 +92,8 @@ BENCHMARK(few_of_a_million)->Unit(benchmark::kMillisecond);
 void frame_with_few_lines(benchmark::State& state) {
   const drawing::ToolPath path = on_a_hill(), few = coarser(path, 2500);
   drawing::PathView view = from_a_corner(path);
-  gui::Offscreen surface(1440, 900, 1, true, gui::Renderer::gl);
+  gui::Offscreen surface;
+  const auto gl = gui::GlCanvas::open();
   double now = 0, turn = 0;
   for (auto _ : state) {
     turn += 2;
@@ -106,16 +108,17 @@ void frame_with_few_lines(benchmark::State& state) {
         list->PathStroke(IM_COL32_WHITE, 0, 2);
       }
     });
-    surface.draw_with_gl();
+    if (gl) gl->draw(surface.screen());
   }
-  state.SetLabel(std::string(surface.renderer()));
+  state.SetLabel(gl ? "gl" : "none");
 }
 BENCHMARK(frame_with_few_lines)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void frame_with_picture(benchmark::State& state) {
   const drawing::ToolPath path = small_curves();
   const auto picture = std::make_shared<const gui::Picture>(picture_of(path, with_margin(whole(path))));
-  gui::Offscreen surface(1440, 900, 1, true, gui::Renderer::gl);
+  gui::Offscreen surface;
+  const auto gl = gui::GlCanvas::open();
   double now = 0;
   float moved = 0;
   for (auto _ : state) {
@@ -127,20 +130,21 @@ void frame_with_picture(benchmark::State& state) {
                      ImVec2(1506 + moved * 1.1f, 1050 + moved));
       list->PopClipRect();
     });
-    surface.draw_with_gl();
+    if (gl) gl->draw(surface.screen());
   }
-  state.SetLabel(std::string(surface.renderer()));
+  state.SetLabel(gl ? "gl" : "none");
 }
 BENCHMARK(frame_with_picture)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void frame_without(benchmark::State& state) {
-  gui::Offscreen surface(1440, 900, 1, true, gui::Renderer::gl);
+  gui::Offscreen surface;
+  const auto gl = gui::GlCanvas::open();
   double now = 0;
   for (auto _ : state) {
     surface.frame(now += 1.0 / 60, [](gui::Ui&) {});
-    surface.draw_with_gl();
+    if (gl) gl->draw(surface.screen());
   }
-  state.SetLabel(std::string(surface.renderer()));
+  state.SetLabel(gl ? "gl" : "none");
 }
 BENCHMARK(frame_without)->Unit(benchmark::kMillisecond)->UseRealTime();
 

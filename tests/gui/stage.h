@@ -13,9 +13,8 @@ struct Stage {
   Draw draw;
   Automation hand;
 
-  explicit Stage(Draw d, int width = 1440, int height = 900, float scale = 1, bool dark = true,
-                 Renderer renderer = Renderer::software)
-      : surface(width, height, scale, dark, renderer),
+  explicit Stage(Draw d, int width = 1440, int height = 900, float scale = 1, bool dark = true)
+      : surface(width, height, scale, dark),
         draw(std::move(d)),
         hand(
             surface, [this] { frame(); }, [this] { return now_s; }) {}

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "gui/model/step_recorder.h"
 #include "tests/panels/panel_stage.h"
 #include "tests/panels/window_catalog.h"
 
@@ -33,7 +34,7 @@ struct TuningTest : ::testing::Test {
       one.encoder = Steps(1000 + (i >= 10 ? std::lround(step * (1 - swing)) : 0));
       one.output_known = output_known;
       one.output_percent = static_cast<float>(i >= 10 ? step * swing / 8 : 0);
-      panel.take(one);
+      s.tab.desk().step_recorder->take(one);
       if (i == 0) s.stage.frames(2);
     }
     s.stage.frames(3);
@@ -90,7 +91,7 @@ TEST_F(TuningTest, AStepIsRecordedBeforeItIsMade) {
   EXPECT_EQ(recording->axis, AxisId{0});
   EXPECT_GE(recording->length, Millis(230));
   AxisSample first;
-  panel.take(first);
+  s.tab.desk().step_recorder->take(first);
   s.stage.frames(2);
   ASSERT_TRUE(s.last<intent::MoveBy>());
   EXPECT_EQ(s.last<intent::MoveBy>()->distances[0].value, Steps(400));
@@ -246,7 +247,7 @@ struct TuningInterrupted : TuningTest {
   void repeat_until_the_step_is_made() {
     s.click("tuning/repeat");
     AxisSample first;
-    panel.take(first);
+    s.tab.desk().step_recorder->take(first);
     s.stage.frames(2);
     ASSERT_TRUE(s.last<intent::MoveBy>());
   }
@@ -260,7 +261,7 @@ TEST_F(TuningInterrupted, ByAnotherPanelInFront) {
 TEST_F(TuningInterrupted, ByAnotherPanelBeforeTheStep) {
   s.click("tuning/repeat");
   s.stage.now_s += 20;
-  panel.take(AxisSample());
+  s.tab.desk().step_recorder->take(AxisSample());
   s.stage.frames(30);
   EXPECT_FALSE(s.last<intent::MoveBy>());
   EXPECT_THAT(s.toast(), HasSubstr("The step was not made"));
@@ -286,7 +287,7 @@ TEST_F(TuningTest, AStopBeforeTheStepKeepsItFromBeingMade) {
   stop.id = s.sent.size() + 1, stop.state = IntentState::done;
   s.now.outcomes[0] = stop;
   s.stage.frames(2);
-  panel.take(AxisSample());
+  s.tab.desk().step_recorder->take(AxisSample());
   s.stage.frames(2);
   EXPECT_FALSE(s.last<intent::MoveBy>());
   EXPECT_THAT(s.toast(), HasSubstr("was not made"));
@@ -294,7 +295,7 @@ TEST_F(TuningTest, AStopBeforeTheStepKeepsItFromBeingMade) {
 
 TEST_F(TuningTest, ARefusedStepIsToldAndIsNoRun) {
   s.click("tuning/repeat");
-  panel.take(AxisSample());
+  s.tab.desk().step_recorder->take(AxisSample());
   s.stage.frames(2);
   s.settle(IntentState::refused, "X is off. Nothing was sent.");
   EXPECT_EQ(s.toast(), "X is off. Nothing was sent.");

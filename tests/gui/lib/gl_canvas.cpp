@@ -1,4 +1,4 @@
-#include "gui/surface/gl_canvas.h"
+#include "tests/gui/lib/gl_canvas.h"
 
 #include <algorithm>
 #include <cstring>
@@ -101,24 +101,26 @@ bool GlCanvas::size_to(int width, int height) {
   return egl_->status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-bool GlCanvas::draw(ImDrawData& data, const Pictures& pictures, int atlas_generation, ImU32 ground) {
+bool GlCanvas::draw(const Screen& screen) {
+  if (!screen.draw_data()) return false;
+  ImDrawData& data = *screen.draw_data();
   const int width = static_cast<int>(data.DisplaySize.x), height = static_cast<int>(data.DisplaySize.y);
   if (!egl_->make_current()) return false;
   if (!egl_->backend) egl_->backend = ImGui_ImplOpenGL3_Init("#version 150");
   if (!egl_->backend || !size_to(width, height)) return false;
-  if (atlas_generation != atlas_generation_) {
+  if (screen.atlas_generation() != atlas_generation_) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_NewFrame();  // makes the shaders the first time
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
-    atlas_generation_ = atlas_generation;
+    atlas_generation_ = screen.atlas_generation();
   }
-  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(ground);
+  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(screen.theme()[Tone::ground]);
   glViewport(0, 0, width, height);
   glDisable(GL_SCISSOR_TEST);
   glClearColor(c.x, c.y, c.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
-  textures_.render(data, pictures);
+  textures_.render(data, screen.pictures());
   glFinish();
   return glGetError() == GL_NO_ERROR;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// GL without a display: an EGL surfaceless context and a frame buffer of its own.
+// The GL of a window, without a display: an EGL surfaceless context and a frame buffer of its own. What the
+// software rasteriser draws is compared with it, and the cost of a frame is measured on it.
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -7,6 +8,7 @@
 #include <imgui.h>
 
 #include "gui/surface/gl_textures.h"
+#include "gui/surface/screen.h"
 
 namespace hw::gui {
 
@@ -18,8 +20,9 @@ class GlCanvas {
   GlCanvas(const GlCanvas&) = delete;
   GlCanvas& operator=(const GlCanvas&) = delete;
 
-  /// Draws through ImGui's GL3 backend and waits until it is finished. False when GL failed.
-  bool draw(ImDrawData& data, const Pictures& pictures, int atlas_generation, ImU32 ground);
+  /// Draws the last frame of the screen through ImGui's GL3 backend and waits until it is finished. False
+  /// when GL failed.
+  bool draw(const Screen& screen);
   /// The last drawing, rows from the top. False when GL failed.
   bool read(std::vector<std::uint32_t>& pixels);
 

@@ -95,7 +95,7 @@ TEST_F(StatusSentenceTest, AServoAxisSaysHowItStandsToItsCommand) {
   EXPECT_EQ(worst_state(now, clock), State::not_in_place);
   EXPECT_EQ(say(), (StatusSentence{Severity::warn,
                                    "Motor 2 is not in place: it stands 5000 steps from its command, 5000 "
-                                   "steps. Check what holds it, and its gains."}));
+                                   "steps. Check whether something blocks it, and check its gains."}));
   now.params[1].value = 0;
   EXPECT_NE(say().text.view().find("Nothing drives it while KP2 and KI2 are 0."), std::string::npos);
   a.loop = Loop::open;

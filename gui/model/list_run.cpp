@@ -1,0 +1,39 @@
+#include "gui/model/list_run.h"
+
+namespace hw::gui {
+
+void ListRun::begin(std::string text, std::vector<AxisTarget> places, const Send& send) {
+  places_ = std::move(places);
+  loading_ = send(intent::LoadProgram(0, std::move(text)));
+}
+
+const IntentOutcome* ListRun::ended(IntentId& id, const Snapshot& now) const {
+  if (id == 0) return nullptr;
+  const IntentOutcome* outcome = now.outcome_of(id);
+  const bool forgotten = now.forgotten(id);
+  if (forgotten || (outcome && outcome->state != IntentState::pending)) id = 0;
+  return id == 0 ? outcome : nullptr;
+}
+
+void ListRun::follow(const Snapshot& now, const Send& send) {
+  const bool was_away = unseen_frames_++ > 0;
+  if (was_away && std::exchange(loading_, 0) != 0)
+    told_.push_back(
+        {Severity::warn, "The list was loaded and is not started: another panel came to the front."});
+  if (const IntentOutcome* loaded = ended(loading_, now)) {
+    if (loaded->state == IntentState::done) {
+      start_.emplace(0, places_);
+      starting_ = send(*start_);
+    } else {
+      told_.push_back({Severity::fault, std::string(loaded->sentence.view())});
+    }
+  }
+  const IntentOutcome* started = ended(starting_, now);
+  if (!started || started->state == IntentState::done) return;
+  if (was_away)
+    told_.push_back({Severity::fault, std::string(started->sentence.view())});
+  else
+    refusal_ = *started;
+}
+
+}  // namespace hw::gui

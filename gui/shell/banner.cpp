@@ -1,0 +1,218 @@
+// The banner over the centre.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+#include <imgui_internal.h>
+
+#include "core/device/refusals.h"
+#include "gui/model/bus.h"
+#include "gui/model/goes_on.h"
+#include "gui/shell/banner_subject.h"
+#include "gui/shell/console.h"
+#include "gui/shell/follow.h"
+#include "gui/shell/messages.h"
+#include "gui/widgets/area.h"
+#include "gui/widgets/message.h"
+
+namespace hw::gui {
+
+int unset_in(const Tab& tab) {
+  for (int i = 0; i < tab.now().axis_count; ++i)
+    if (const int param = unset_before_moving(tab.catalog(), tab.now(), AxisId{static_cast<std::uint8_t>(i)});
+        param >= 0)
+      return param;
+  return -1;
+}
+
+BannerSubject banner_subject(Tab& tab, const Layout& layout) {
+  using What = BannerSubject::What;
+  const bool narrow = layout.tier == Tier::narrow;
+  Tab& worst = tab.bus && !narrow ? tab.bus->worst() : tab;
+  if (worst.now().link.state == LinkState::lost) return {What::lost, &worst};
+  if (narrow || tab.centre_panel == "setup") return {};  // the status line reports it too
+  if (tab.now().link.connected())
+    if (FollowOffer offer = offer_to_follow(tab);
+        !offer.address.empty() && offer.why_not.empty() && offer.address != tab.follow_left)
+      return {What::moved, &tab, -1, std::move(offer)};
+  if (tab.unset_read) return {};
+  if (const int param = unset_in(tab); param >= 0) return {What::unset, &tab, param};
+  return {};
+}
+
+namespace {
+
+std::string report(const Console& console, const Tab& tab) {
+  const LinkHealth& link = tab.now().link;
+  return fmt::format(
+      "{} ({}) at {}\nlost at {}, {} attempts since\n{}\ntimeouts {}, bytes not understood {}\n", tab.name(),
+      tab.catalog().name, tab.address().text(), console.time_of_day(link.lost_at), link.attempts,
+      link.sentence.view(), link.timeouts, link.unparsed_bytes);
+}
+
+/// "Attempt 5 in 3 s."; requests a frame for the next change of the number.
+std::string_view next_attempt(Ui& ui, const Console& console, const LinkHealth& link,
+                              std::span<char> buffer) {
+  const double wait = seconds(link.next_attempt - console.clock());
+  const double whole = std::ceil(wait);
+  const auto end = wait > 0 ? fmt::format_to_n(buffer.data(), buffer.size(), "Attempt {} in {:.0f} s.",
+                                               link.attempts + 1, whole)
+                            : fmt::format_to_n(buffer.data(), buffer.size(), "Attempt {} is under way.",
+                                               std::max(1, link.attempts));
+  if (wait > 0) ui.wake_in(wait - (whole - 1) + 0.001);
+  return {buffer.data(), std::min(end.size, buffer.size())};
+}
+
+/// A banner over the status line is a separate window above the other regions.
+void begin_over(Ui& ui, std::string_view id, const Rect& r, bool over_status) {
+  if (over_status) {
+    begin_region(ui, "banner", r, Tone::panel, ImVec2(0, 0));
+    if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  } else {
+    ImGui::SetCursorScreenPos(r.min);
+    begin_part(ui, std::string(id).c_str(), r.width(), r.height(), Tone::panel, 0, false);
+  }
+}
+void end_over(bool over_status) {
+  if (over_status)
+    end_region();
+  else
+    end_part();
+}
+
+/// The place of a banner: full height, or one bar.
+struct BannerPlace {
+  Box box;
+  bool bar = false, over_status = false;
+};
+
+/// Full height if possible; a bar if that would leave too few rows of traffic.
+BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const Banner& what, bool actions,
+                     bool folded) {
+  constexpr float bar = 48, traffic_at_least = 150;
+  if (below.empty()) return {layout.status, true, true};
+  const float whole = banner_height(ui, what, below.width, actions);
+  if (!folded && below.height - whole >= traffic_at_least)
+    return {{below.x, below.y, below.width, whole}, false, false};
+  return {{below.x, below.y, below.width, std::min(bar, below.height)}, true, false};
+}
+
+/// Of a status line that a banner covers: messages keep a place there too.
+float draw_messages_beside(Ui& ui, Toasts& toasts, const Box& line) {
+  if (toasts.list().empty()) return 0;
+  constexpr float width = 52, height = 28;
+  draw_messages(
+      ui, toasts,
+      in_pixels(ui, {line.right() - width - 4, line.y + (line.height - height) / 2, width, height}));
+  return width + 8;
+}
+
+/// Returns the action pressed; `taken` is the height taken from the part below.
+int show_banner(Ui& ui, Console& console, const Layout& layout, const Box& below, std::string_view id,
+                const Banner& what, std::span<const Action> actions, float& taken, bool folded = false) {
+  const BannerPlace place = place_of(ui, layout, below, what, !actions.empty(), folded);
+  taken = place.over_status ? 0 : place.box.height;
+  const Rect r = in_pixels(ui, place.box);
+  begin_over(ui, id, r, place.over_status);
+  const float beside = place.over_status ? draw_messages_beside(ui, console.toasts(), place.box) : 0;
+  if (beside > 0) {
+    ImGui::SetCursorScreenPos(r.min);
+    begin_part(ui, "bar", r.width() - ui.px(beside), r.height(), Tone::panel, 0, false);
+  }
+  const int picked = place.bar ? banner_bar(ui, id, what, actions) : banner(ui, id, what, actions);
+  if (beside > 0) end_part();
+  end_over(place.over_status);
+  return picked;
+}
+
+float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below) {
+  const LinkHealth& link = tab.now().link;
+  const std::string title = fmt::format("No answer from {} since {}.", tab.bus ? tab.id() : tab.name(),
+                                        console.time_of_day(link.lost_at));
+  const bool others = tab.bus && tab.bus->connected() > 0;
+  const std::string went_on = what_goes_on(tab, Tense::past);
+  const std::string sentences = fmt::format(
+      "{}{}\n{}Stop does not reach it now, and goes out first when it answers: to be sure, use its power "
+      "switch. "
+      "Then its state is read afresh; nothing moves by itself.",
+      others ? "The others answer, so port and baud rate are right. " : "", link.sentence.view(),
+      went_on.empty() ? "Nothing was seen to move when the link went. "
+                      : fmt::format("When the link went, {}. ", went_on));
+  // A bar may have no room for its last sentence.
+  std::string brief = went_on.empty() ? "Nothing was seen to move." : went_on + ".";
+  brief[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(brief[0])));
+  brief = "Stop does not reach it: use its power switch. " + brief;
+  char attempt[64];
+  const Banner what{
+      Severity::fault, Icon::plug, title, sentences, next_attempt(ui, console, link, attempt), brief};
+  FollowOffer offer = offer_to_follow(tab);
+  const bool moved = !offer.address.empty();
+  const bool may_follow = moved && offer.why_not.empty();
+  const Action all[] = {{.id = "fault/follow", .label = offer.label, .main = may_follow},
+                        {.id = "fault/try_now", .label = "Try now", .main = !may_follow},
+                        {.id = "fault/fold", .label = tab.banner_folded ? "Unfold" : "Fold"},
+                        {.id = "fault/report", .label = "Copy this report", .brief = "Report"}};
+  // When folded, its text fits only if the report is left out.
+  const std::span<const Action> actions =
+      std::span(all).subspan(moved ? 0 : 1, (moved ? 3u : 2u) + (tab.banner_folded ? 0 : 1));
+  float taken = 0;
+  const int picked =
+      show_banner(ui, console, layout, below, "fault/lost", what, actions, taken, tab.banner_folded);
+  if (picked < 0) return taken;
+  const std::string_view chosen = actions[static_cast<std::size_t>(picked)].id;
+  if (chosen == "fault/follow") tab.follow_to = std::move(offer.address);
+  if (chosen == "fault/try_now") console.reconnect(tab);
+  if (chosen == "fault/fold") tab.banner_folded = !tab.banner_folded;
+  if (chosen == "fault/report") {
+    ImGui::SetClipboardText(report(console, tab).c_str());
+    console.toast(Severity::ok, "The report is in the clipboard.");
+  }
+  return taken;
+}
+
+/// Banner about a value to choose in the set-up before the first move.
+float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& layout, const Box& below) {
+  const ParamInfo& info = tab.catalog().params[static_cast<std::size_t>(param)];
+  const Banner what{Severity::warn, Icon::warning, "Before the first move", info.before_moving};
+  const Action actions[] = {
+      {.id = "fault/setup", .label = "Choose it in Setup", .brief = "Choose it", .main = true},
+      {.id = "fault/unset_read", .label = "Leave it"}};
+  float taken = 0;
+  const int picked = show_banner(ui, console, layout, below, "fault/unset", what, actions, taken);
+  if (picked == 0) console.show_panel("setup", "setup/" + info.mnemonic);
+  if (picked == 1) tab.unset_read = true;
+  return taken;
+}
+
+/// Banner about a controller that stores another rate than the one it was opened with.
+float draw_moved(Ui& ui, Console& console, Tab& tab, const FollowOffer& offer, const Layout& layout,
+                 const Box& below) {
+  const Banner what{Severity::warn, Icon::plug, "It keeps another rate",
+                    "It was given the new rate here, and has stored it. Follow it, and it is found there the "
+                    "next time too. Nothing moves by that; its state is read afresh."};
+  const Action actions[] = {{.id = "fault/follow", .label = offer.label, .main = true},
+                            {.id = "fault/follow_left", .label = "Leave it"}};
+  float taken = 0;
+  const int picked = show_banner(ui, console, layout, below, "fault/moved", what, actions, taken);
+  if (picked == 0) tab.follow_to = offer.address;
+  if (picked == 1) leave_where_it_is(tab, offer);
+  return taken;
+}
+
+}  // namespace
+
+float draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below) {
+  using What = BannerSubject::What;
+  const BannerSubject subject = banner_subject(tab, layout);
+  switch (subject.what) {
+    case What::lost: return draw_lost(ui, console, *subject.tab, layout, below);
+    case What::moved: return draw_moved(ui, console, tab, subject.offer, layout, below);
+    case What::unset: return draw_unset(ui, console, tab, subject.param, layout, below);
+    case What::nothing: break;
+  }
+  return 0;
+}
+
+}  // namespace hw::gui

@@ -1,0 +1,24 @@
+#pragma once
+// What the banner over the centre is about, which the status line then need not say.
+#include "gui/shell/follow.h"
+#include "gui/surface/layout.h"
+
+namespace hw::gui {
+
+class Tab;
+
+/// The subject of the banner over the centre. Without room for one, the status line and STOP ALL report the
+/// others of a bus.
+struct BannerSubject {
+  enum class What : std::uint8_t { nothing, lost, moved, unset };
+  What what = What::nothing;
+  Tab* tab = nullptr;
+  int param = -1;       ///< unset
+  FollowOffer offer{};  ///< moved
+};
+
+BannerSubject banner_subject(Tab& tab, const Layout& layout);
+/// The parameter to choose before this controller's first move; -1: none.
+int unset_in(const Tab& tab);
+
+}  // namespace hw::gui
