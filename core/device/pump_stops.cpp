@@ -10,7 +10,7 @@ namespace {
 
 constexpr int attempts_in_a_row = 3;
 constexpr std::string_view no_way =
-    "Stop does not reach the controller: there is no connection. Use its power switch.";
+    "Stop cannot reach the controller: there is no connection. Use its power switch.";
 
 Fault not_answered() {
   return Fault(FaultKind::no_answer, "The controller was told to stop but does not answer.",

@@ -1,34 +1,13 @@
 #pragma once
 // Records the positions of a rehearsal: at each event, and at intervals while something moves.
 #include <optional>
-#include <span>
-#include <utility>
 #include <vector>
 
-#include "core/device/emulator.h"
 #include "core/device/language.h"
+#include "core/device/track.h"
+#include "core/emulation/emulator.h"
 
 namespace hw {
-
-/// The interval of a path for display.
-constexpr double track_seen_every_s = 0.02;
-
-/// In order of time. The beginning and the end of a rest are kept; a long track is thinned.
-class Track {
- public:
-  static constexpr std::size_t most_places = 300'000;  // 24 MB
-  void add(const RehearsedPlace& place);
-  /// As at the last place.
-  [[nodiscard]] bool rests(const RehearsedPlace& place) const;
-  /// Keep one in so many: 1, 2, 4 ...
-  [[nodiscard]] int every() const { return every_; }
-  [[nodiscard]] std::vector<RehearsedPlace> take() { return std::move(places_); }
-
- private:
-  void thin_out();
-  std::vector<RehearsedPlace> places_;
-  int every_ = 1;
-};
 
 class TrackKeeper {
  public:
@@ -48,8 +27,5 @@ class TrackKeeper {
   std::optional<Instant> due_;
   Track track_;
 };
-
-/// Keeps one in so many of the samples taken every `every_s`; 1: all.
-[[nodiscard]] int thinned_to(std::span<const RehearsedPlace> track, double every_s);
 
 }  // namespace hw

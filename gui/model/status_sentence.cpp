@@ -276,7 +276,7 @@ Said say_servo(const StatusFacts& f) {
     const AxisState& a = f.now.axes[i];
     if (a.loop != Loop::off_place) continue;
     const std::string zero = gains_at_zero(f, i);
-    const std::string why = zero.empty() ? "Check what holds it, and its gains."
+    const std::string why = zero.empty() ? "Check whether something blocks it, and check its gains."
                                          : fmt::format("Nothing drives it while {} are 0.", zero);
     return say(Severity::warn,
                fmt::format("{} is not in place: it stands {} from its command, {}. {}", name_of(f.catalog, i),

@@ -37,7 +37,8 @@ inline BenchCommand hand(Bytes& in) {
   }
 }
 
-/// A motion lasts 95 years at most (core/motion/profile.cpp): one that begins before this ends within the clock.
+/// A motion lasts 95 years at most (core/motion/profile.cpp): one that begins before this ends within the
+/// clock.
 constexpr Instant latest_start{std::chrono::hours(24 * 365 * 95)};
 
 /// Microseconds to minutes; event by event when the input asks for it.

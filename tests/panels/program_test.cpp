@@ -59,7 +59,7 @@ TEST_F(ProgramTest, ATransferShowsItsLinesAndTheTimeThatIsLeftAndCanBeAborted) {
   EXPECT_TRUE(s.last<intent::HaltProgram>());
   IntentOutcome outcome;
   outcome.id = 1, outcome.state = IntentState::failed;
-  outcome.sentence = "A stop came first. What is stored now is neither the old program nor the new one.";
+  outcome.sentence = "A stop came first. The stored code is now neither the old program nor the new one.";
   s.now.outcomes[0] = outcome;
   transfer.running = false, s.now.slots_torn = 1;
   s.stage.frames(2);

@@ -11,8 +11,9 @@ FORBIDDEN_FOLDERS = {
     "gui": ("panels/", "transports/"),
     "panels": ("transports/",),
 }
-CORE_ORDER = ["base", "time", "motion", "sequence", "drawing", "link", "device", "devices", "session", "script"]
+CORE_ORDER = ["base", "time", "motion", "sequence", "drawing", "link", "device", "emulation", "devices", "session", "script"]
 GUI_ORDER = ["model", "input", "surface", "widgets", "shell", "app"]
+EMULATOR_USERS = ("core/session/track_together.cpp", "core/script/bind_bench.cpp", "gui/app/cmd_simulate.cpp")
 MAKERS = ["velmex"]  # those that no folder is named after
 FAMILIES = [d.name.split("_")[0] for d in (ROOT / "core/devices").iterdir() if d.is_dir()]
 DEVICE_NAME = re.compile(rf"\b({'|'.join(MAKERS + FAMILIES)})", re.IGNORECASE)
@@ -20,6 +21,13 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 OUTPUT = re.compile(r"\bfmt::print\(|\bstd::(cout|cerr|printf|puts)\b|\b(stdout|stderr)\b")
 WORDS = re.compile(r'"(\\.|[^"\\])*"')
 problems = []
+
+
+def knows_emulators(parts, stem):
+    """Emulators and rehearsals, those who serve them, and the bench in scripts and on the command line."""
+    if parts[:2] == ["core", "devices"]:
+        return stem.startswith(("emulator", "program"))
+    return parts[:2] == ["core", "emulation"] or parts[0] == "transports" or "/".join(parts) in EMULATOR_USERS
 
 
 def check(path):
@@ -41,13 +49,15 @@ def check(path):
         if top == "core" and header.startswith("core/"):
             here, there = parts[1], header.split("/")[1]
             if here in CORE_ORDER and there in CORE_ORDER and CORE_ORDER.index(there) > CORE_ORDER.index(here):
-                say("core: base <- time <- motion <- sequence <- drawing <- link <- device <- devices <- session <- script")
+                say("core: base <- time <- motion <- sequence <- drawing <- link <- device <- emulation <- devices <- session <- script")
         if top == "gui" and header.startswith("gui/"):
             here, there = parts[1], header.split("/")[1]
             if GUI_ORDER.index(there) > GUI_ORDER.index(here):
                 say("gui: model <- input <- surface <- widgets <- shell <- app")
         if name.startswith("gui/model/") and ("imgui" in header or "GLFW" in header):
             say("the model has no window")
+        if header.startswith("core/emulation/") and not knows_emulators(parts, stem):
+            say("the console's side knows no emulator")
         if name.startswith("core/devices/") and header.startswith("core/devices/"):
             mine, other = parts[2], header.split("/")[2]
             if mine != other and "." not in mine and other != "arcus":

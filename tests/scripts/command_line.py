@@ -331,7 +331,7 @@ class Ends(Case):
     def test_a_stop_that_reaches_nobody_is_said(self):
         self.traffic_after(1, "local a, b = hw.open('vxm@emulator'), hw.open('pmx-4ex-sa@emulator')\n"
                               "a.bench:unplug(true) hw.sleep(5) hw.check(false)\n",
-                           "Not every controller is known to have stopped:\nvxm@emulator: Stop does not reach")
+                           "Not every controller is known to have stopped:\nvxm@emulator: Stop cannot reach")
 
 
 class Interrupted(Case):
@@ -927,7 +927,7 @@ class Send(Case):
 
     def test_a_question_that_is_dropped_has_failed(self):
         result = run("send", "vxm@emulator", "Q", "X")
-        self.expect(result, 1, "X: In local mode the controller takes only a few letters and drops X without a word.")
+        self.expect(result, 1, "X: In local mode the controller takes only a few letters and ignores X silently.")
 
     def test_an_unknown_command_is_named(self):
         result = run("send", "vxm@emulator", "bogus", "V")

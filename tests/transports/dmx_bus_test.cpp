@@ -446,7 +446,7 @@ TEST_F(DmxBus, TwoWithOneNameAreNotTakenForADevice) {
   Member& member = connect("01");
   run(5);
   EXPECT_EQ(member.latest.link.state, LinkState::lost);
-  EXPECT_THAT(member.sentence(), AnyOf(HasSubstr("two devices with one address"),
+  EXPECT_THAT(member.sentence(), AnyOf(HasSubstr("two devices have the same address"),
                                        HasSubstr("More than one device answers at address 01")));
   EXPECT_THAT(member.sentence(), HasSubstr("Connect one"));
   EXPECT_FALSE(member.latest.axes[0].position_known);
@@ -511,7 +511,7 @@ TEST_F(DmxBus, ASecondOneOfTheSameNameIsSaidAndItsPositionsAreNotShown) {
   }
   EXPECT_NE(second.latest.link.state, LinkState::good) << "nobody has its name any more";
   EXPECT_NE(first.latest.link.state, LinkState::good) << "each spoils the other's answers";
-  EXPECT_THAT(first.sentence(), AnyOf(HasSubstr("two devices have one address"),
+  EXPECT_THAT(first.sentence(), AnyOf(HasSubstr("two devices have the same address"),
                                       HasSubstr("More than one device answers at address 01")));
   EXPECT_TRUE(is_stale(first.latest.axes[0].seen_at, time.now(), first.latest.poll_period));
   // One of them gone, all is well again without a hand.

@@ -106,7 +106,7 @@ TEST_F(PmxBuffer, IsNeverEmptySinceLinesThatAreTooShortGoSlowerAndThatIsSaid) {
   const double speed = 60;
   const Drawn drawn = draw(arcs, speed);
   EXPECT_EQ(drawn.stood, 0);
-  EXPECT_NE(drawn.told.find("Short lines go slower than asked"), std::string::npos) << drawn.told;
+  EXPECT_NE(drawn.told.find("Short lines are drawn more slowly than set"), std::string::npos) << drawn.told;
   EXPECT_GT(drawn.took_s, 1.5 * arcs * radius * 3.1416 / speed);
 }
 

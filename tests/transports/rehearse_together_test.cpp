@@ -279,7 +279,7 @@ TEST_P(InPieces, LinesThatCannotBeSentInTimeAreToldBeforehand) {
   drawing.steps[1] = {seq::Speed{{100, 0, 100}}};
   const auto hasty = rehearsed(pieces_of(drawing), an_hour);
   ASSERT_TRUE(hasty);
-  EXPECT_NE(hasty->told.find("Short lines go slower than asked"), std::string::npos) << hasty->told;
+  EXPECT_NE(hasty->told.find("Short lines are drawn more slowly than set"), std::string::npos) << hasty->told;
 }
 
 TEST(RehearsedInPieces, TheTimeBetweenTwoStepsThatWereToldIsShared) {

@@ -115,7 +115,7 @@ TEST_F(UsbSession, PulledOutWhileMovingTheStateIsLostAndReadAfresh) {
   EXPECT_THAT(sentence(), HasSubstr("is gone"));
   EXPECT_FALSE(axis().position_known);
   EXPECT_EQ(axis().activity, Activity::unknown);
-  EXPECT_THAT(perform(intent::Stop()), HasSubstr("does not reach the controller"));
+  EXPECT_THAT(perform(intent::Stop()), HasSubstr("cannot reach the controller"));
 
   EmulatedUsb& again = plug_in(std::move(pulled));  // it has gone on: it has a supply of its own
   ASSERT_TRUE(until([&] { return known().link.state == LinkState::good; })) << sentence();

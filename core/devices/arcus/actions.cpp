@@ -114,8 +114,8 @@ Task<Result<>> Actions::draw_arc(std::int64_t centre_x, std::int64_t centre_y, s
   if (!incremental) co_return fail(incremental.error());
   if (*incremental)
     co_return fail(FaultKind::refused,
-                   "Arcs and circles are absolute, and the controller is in incremental mode.",
-                   "Nothing was sent.", "Choose absolute mode first: typed moves go to a place.");
+                   "Arcs and circles need absolute mode, and the controller is in incremental mode.",
+                   "Nothing was sent.", "Choose absolute mode first.");
   constexpr std::int64_t full_turn = 360'000;
   const bool circle = sweep == full_turn || sweep == -full_turn;
   std::string text =

@@ -63,7 +63,7 @@ Task<Result<>> BorrowedSetting::put_back(Borrowed setting) {
     if (*present == setting.before) co_return Result<>();
   }
   co_return fail(FaultKind::garbled,
-                 fmt::format("{} does not become {} again.", setting.name, setting.before),
+                 fmt::format("{} could not be set back to {}.", setting.name, setting.before),
                  fmt::format("It was set {} times.", attempts), "Check the cable.");
 }
 
@@ -72,7 +72,7 @@ Task<Result<>> BorrowedSetting::give_back_first() {
   if (returned || !worth_another_try(returned.error())) co_return returned;
   Fault why = std::move(returned.error());
   why.kind = FaultKind::refused;
-  why.done = "The setting of the last motion has not been put back yet; nothing else was sent.";
+  why.done = "The setting for the last motion has not been restored yet, so nothing else was sent.";
   co_return fail(std::move(why));
 }
 

@@ -19,8 +19,7 @@ std::string axis_letter(const Model& model, int axis) {
 std::vector<InputInfo> input_infos(const Model& model) {
   std::vector<InputInfo> all;
   for (int n = 1; n <= model.inputs; ++n) {
-    InputInfo input{fmt::format("DI{}", n), "Digital input. Programs read it, and the console shows it.",
-                    false};
+    InputInfo input{fmt::format("DI{}", n), "Digital input. Programs can read it.", false};
     for (int axis = 0; axis < model.axes(); ++axis)
       if (model.latch_inputs[static_cast<std::size_t>(axis)] == n)
         input.help = fmt::format("Digital input; also captures the position of {} while its latch is on.",
@@ -38,7 +37,7 @@ std::vector<OutputInfo> output_infos(const Model& model) {
       if (model.sync_outputs[static_cast<std::size_t>(axis)] == n) {
         const bool several = model.axes() > 1;
         output.help = fmt::format(
-            "Digital output; the sync output of {} while that is on, and then not yours to switch.",
+            "Digital output. While the sync output of {} is on, the controller switches it, and you cannot.",
             axis_letter(model, axis));
         output.duty.name = several ? "Sync " + axis_letter(model, axis) : "Sync output";
         output.duty.while_not_zero = {several ? fmt::format("SYN{}S", axis_letter(model, axis)) : "SYNS"};
@@ -203,8 +202,8 @@ void add_common_readouts(Catalog& catalog, const Model& model) {
   add_readouts(catalog, model, motion, "MSTa", word);
   add_readout(catalog, motion, "MM",
               state_words("Typed moves go", {{0, "absolute"}, {1, "incremental"}},
-                          "What a plain move command of the terminal means. The console's own moves put it "
-                          "back as it was."));
+                          "Sets whether plain move commands in the terminal give a target or a distance. "
+                          "Moves from the console restore this mode."));
   ReadoutInfo state = state_words("State",
                                   {{0, "idle"},
                                    {1, "moving"},
@@ -220,12 +219,11 @@ void add_common_readouts(Catalog& catalog, const Model& model) {
                                    {11, "limit error"},
                                    {12, "not in use"},
                                    {13, "homing on the limit"}},
-                                  "What StepNLoop does. Errors stay until they are cleared.");
+                                  "The state of StepNLoop. Errors stay until you clear them.");
   state.bad = {8, 9, 10, 11};
   add_readouts(catalog, model, loop, "SLSa", state);
-  add_readouts(
-      catalog, model, loop, "DXa",
-      value_readout("Difference", "counts", "Target minus encoder: how many counts are still missing."));
+  add_readouts(catalog, model, loop, "DXa",
+               value_readout("Difference", "counts", "Target minus encoder: the counts still to go."));
   add_readouts(catalog, model, latches, "LTaS",
                state_words("Latch", {{0, "off"}, {1, "waiting"}, {2, "captured"}},
                            "An edge at its input captures both positions once."));
@@ -236,8 +234,8 @@ void add_common_readouts(Catalog& catalog, const Model& model) {
                value_readout("Captured counts", "counts", "Position of the encoder at the edge."));
   add_readouts(catalog, model, sync_outputs, "SYNaS",
                state_words("Sync output", {{0, "off"}, {1, "waiting"}, {2, "has acted"}},
-                           "Compares the encoder with the sync position. Its settings stand in Setup and are "
-                           "not kept by Store."));
+                           "Compares the encoder with the sync position. Its settings are in Setup; Store "
+                           "does not keep them."));
 }
 
 namespace {
@@ -264,12 +262,12 @@ struct CommonActions {
                     "again at the next move.",
                     "Motion", with_axis(true, {}), where("Limits")));
     actions.push_back(make_action("absolute", "To a place",
-                                  "Plain move commands of the terminal give the target from now on.",
-                                  "Motion", {}, where("Moves")));
+                                  "Plain move commands in the terminal then give the target.", "Motion", {},
+                                  where("Moves")));
     actions.back().sets = "MM";
     actions.push_back(make_action("incremental", "By a distance",
-                                  "Plain move commands of the terminal give the distance from now on.",
-                                  "Motion", {}, where("Moves")));
+                                  "Plain move commands in the terminal then give the distance.", "Motion", {},
+                                  where("Moves")));
     actions.back().sets = "MM";
     actions.back().sets_to = 1;
   }
@@ -284,9 +282,8 @@ struct CommonActions {
   void add_changes_under_way() {
     actions.push_back(make_action(
         "change_speed", "Change speed now",
-        "Changes the speed of an axis that moves. Choose its window for speed changes (SSPDM in Setup) "
-        "before "
-        "the motion; the ramp must be straight.",
+        "Choose the window for speed changes (SSPDM in Setup) before the motion, and a straight ramp. This "
+        "then changes the speed of the moving axis.",
         "Change under way",
         with_axis(false, {followed(number_field("speed", "New speed", "pulses/s", 1, max_speed, 1000)),
                           accel_field()}),
@@ -294,8 +291,7 @@ struct CommonActions {
     actions.back().while_busy = actions.back().moves = true;
     actions.push_back(make_action(
         "change_target", "Change target now",
-        "Gives a running move of one axis another target; it turns round if it has passed "
-        "it already.",
+        "Gives a running move of one axis another target. The axis reverses if it has already passed it.",
         "Change under way", with_axis(false, {followed(position_field("target", "New target", "pulses"))}),
         where("On-The-Fly Target Position Change")));
     actions.back().while_busy = actions.back().moves = true;
@@ -310,19 +306,18 @@ struct CommonActions {
     actions.back().while_busy = true;
     actions.push_back(
         make_action("sync", "Sync output",
-                    "On: the digital output acts as the sync condition says. Off: it is yours again.",
+                    "On: the sync condition switches the digital output. Off: you switch it again.",
                     "Sync outputs", with_axis(false, {switch_field()}), where("Sync Outputs")));
     actions.back().while_busy = true;
   }
 
   void add_programs() {
-    actions.push_back(
-        make_action("subroutine", "Run subroutine",
-                    "Runs one of the stored subroutines, beside whatever program runs. No command ends "
-                    "it: Stop ends the move that it has begun, and its next line may begin "
-                    "another. Only its own end or the power switch does.",
-                    "Programs", {number_field("number", "Subroutine", "", 0, subroutines - 1)},
-                    where("Standalone Programming")));
+    actions.push_back(make_action(
+        "subroutine", "Run subroutine",
+        "Runs one of the stored subroutines beside the running programs. No command ends it, only its own "
+        "end or the power switch: Stop ends its present move, but its next line may start another.",
+        "Programs", {number_field("number", "Subroutine", "", 0, subroutines - 1)},
+        where("Standalone Programming")));
     actions.back().moves = actions.back().while_busy = true;
   }
 };

@@ -52,8 +52,8 @@ StopProgress CodeAtWork::outlast(const StopOrder& order, bool turns) {
   if (watches && (is_told || now - stands_since <= usual_rest)) return StopProgress::wait();
   Fault fault(FaultKind::controller,
               fmt::format("Subroutine {}, which GS has started, may go on, and {}.", called_->number,
-                          turns ? "an axis still moves" : "its next line may move again what stands now"),
-              "STOP ends only the move that it has begun; no command ends a subroutine.",
+                          turns ? "an axis still moves" : "its next line may start a move again"),
+              "STOP ends only its present move; no command ends a subroutine.",
               "Switch the power off to end it.");
   if (turns || !std::exchange(called_->told, true)) return StopProgress::failed(std::move(fault));
   console_.report(Notice::Kind::warning,

@@ -279,7 +279,7 @@ struct Explanation {
   const char* words;
 };
 constexpr Explanation explanations[] = {
-    {Refusal::bad_index, "its number is outside the family"},
+    {Refusal::bad_index, "its number is outside the allowed range"},
     {Refusal::limit_error, "a limit error is latched: clear the errors, then move away from the switch"},
     {Refusal::alarm,
      "the alarm input of an axis is active, or its error is latched: look at the driver, then clear the "
@@ -287,7 +287,7 @@ constexpr Explanation explanations[] = {
     {Refusal::loop_error,
      "StepNLoop has an error: find out why the axis did not follow, then clear the errors"},
     {Refusal::moving,
-     "an axis of the command is moving, or under the joystick: stop it, or wait until it stands"},
+     "an axis of the command is moving, or under the joystick: stop it, or wait until it is at rest"},
     {Refusal::incremental, "arcs and circles need absolute mode"},
     {Refusal::not_targeted, "no move to a target is under way"},
     {Refusal::no_subroutine, "the stored program has no subroutine of that number"},
@@ -310,7 +310,7 @@ std::string explain_refusal(const Model& model, std::string_view reply) {
     return "a limit error or a StepNLoop error is latched: find out why, then clear the errors";
   for (const Explanation& e : explanations)
     if (model.refusal(e.why) == reply) return e.words;
-  return "it does not know the command, or not with this value, or not now";
+  return "it does not take the command, or not with this value, or not now";
 }
 
 }  // namespace hw::arcus

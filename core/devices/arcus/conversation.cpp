@@ -17,11 +17,11 @@ constexpr Quiet quiet_of_a_slow_one{Millis(45), Millis(800)};  // bytes come up 
 
 tl::unexpected<Fault> means_nothing(std::string_view question, std::string_view reply) {
   return fail(FaultKind::garbled,
-              fmt::format("The controller answered {} to {}, which makes no sense.",
+              fmt::format("The controller answered {} to {}, which is not a valid answer.",
                           reply.empty() ? "with an empty text" : printable(reply), question),
               "It was asked twice.",
-              "Check the cable and the line rate, and whether two devices have one address or another "
-              "program talks on this line.");
+              "Check the cable and the line rate. Check whether two devices have the same address, or "
+              "another program uses this line.");
 }
 
 }  // namespace
@@ -81,7 +81,8 @@ Task<Result<Reply>> Conversation::exchange(std::string text, Priority priority, 
   if (texts_received_ == heard_before) co_return reply;
   co_return fail(
       FaultKind::garbled,
-      fmt::format("{} was answered twice: one of the answers came too late and is another's.", text),
+      fmt::format("{} was answered twice: one of the replies came too late and belongs to another question.",
+                  text),
       "Neither was used.");
 }
 
@@ -137,9 +138,7 @@ Task<Result<Reply>> Conversation::transmit(std::string text, Priority priority, 
     co_return fail(
         FaultKind::garbled,
         fmt::format("Device {:02} was asked {}, and device {:02} answered.", asked, text, *reply.id),
-        "Its answer was not used.",
-        "Two programs may be talking on this line, or an answer came too late. Close the other "
-        "program.");
+        "Its answer was not used.", "Close any other program that uses this line. Or a reply came too late.");
   co_return reply;
 }
 
@@ -284,8 +283,8 @@ Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode
     expected = value;
   }
   co_return fail(FaultKind::garbled, fmt::format("The answers to {} differ each time.", question),
-                 fmt::format("It was asked {} times.", attempts),
-                 "Check the cable, and whether something changes it all the time.");
+                 fmt::format("It was sent {} times.", attempts),
+                 "Check the cable, and whether the value changes all the time.");
 }
 
 // ---- commands
@@ -299,10 +298,9 @@ Task<Result<>> Conversation::command(std::string text, Priority priority, Durati
   auto reply = co_await exchange(text, priority, patience);
   if (!reply) co_return fail(reply.error());
   if (may_be_older && (reply->text == "OK" || reply->refused()))
-    co_return fail(
-        FaultKind::no_answer,
-        fmt::format("It is not known whether {} was the answer to {}.", printable(reply->text), text),
-        "It was sent.");
+    co_return fail(FaultKind::no_answer,
+                   fmt::format("Whether {} was the reply to {} is unknown.", printable(reply->text), text),
+                   "It was sent.");
   if (reply->refused()) co_return refusal(text, reply->text);
   if (reply->text == "OK") co_return Result<>();
   co_return fail(FaultKind::garbled,
@@ -315,7 +313,7 @@ Task<Result<>> Conversation::broadcast(std::string text, Priority priority) {
   const Model& model = console_.model();
   if (model.broadcast < 0 || station_->carries_messages())
     co_return fail(FaultKind::refused,
-                   fmt::format("A {} has no address that speaks to all devices of a line.", model.title),
+                   fmt::format("A {} has no address for all devices of a line.", model.title),
                    "Nothing was sent.");
   if (goes_out) goes_out(bare_text(text));
   Transaction t(framed(text, priority, model.broadcast), ReplyShape::nothing(), priority);
@@ -384,7 +382,7 @@ tl::unexpected<Fault> Conversation::two_answer() const {
   const std::string_view prefix = console_.model().name_prefix;
   return fail(
       FaultKind::garbled,
-      fmt::format("More than one device answers at address {:02}, or another program talks on this line.",
+      fmt::format("More than one device answers at address {:02}, or another program uses this line.",
                   console_.catalog.address),
       "The answer was not used.",
       fmt::format("Connect one of them alone, give it another device name ({}01 to {}99), Store, switch "

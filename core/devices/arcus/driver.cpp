@@ -66,7 +66,7 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
 
 Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
   if (!conversation_.is_open())
-    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
+    co_return fail(FaultKind::lost, "Stop cannot reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
   if (order.what == StopOrder::What::words) co_return co_await texts_.stop(order);
   Result<> sent;
@@ -147,8 +147,8 @@ Task<Result<>> ArcusDriver::set_variable(const intent::SetVariable& request) {
   if (request.number < 0 || request.number >= facts.count || request.value < facts.minimum ||
       request.value > facts.maximum)
     co_return fail(FaultKind::refused,
-                   fmt::format("V{} cannot be set to {}: there are V0 to V{}, of {} to {}.", request.number,
-                               request.value, facts.count - 1, facts.minimum, facts.maximum),
+                   fmt::format("V{} cannot be set to {}: the variables are V0 to V{}, each from {} to {}.",
+                               request.number, request.value, facts.count - 1, facts.minimum, facts.maximum),
                    "Nothing was sent.");
   auto set = co_await conversation_.command(set_command(fmt::format("V{}", request.number), request.value),
                                             Priority::intent);

@@ -58,9 +58,10 @@ void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
   known_.motions.restarted(moved);
   console_.report(
       Notice::Kind::warning,
-      fmt::format("{}: the controller was switched off and on, or another program did it. What was not "
-                  "stored is gone; it is read afresh. Home the axes before the next absolute move.",
-                  how_it_shows));
+      fmt::format(
+          "{}: the controller was switched off and on, or another program set this. Unstored settings and "
+          "programs are lost; the set-up is read again. Home the axes before the next absolute move.",
+          how_it_shows));
 }
 
 void ArcusDriver::wire_lost() {

@@ -151,7 +151,7 @@ Result<> ArcusEmulator::load_memory(std::string_view text) {
   after();
   if (problem.empty()) return {};
   return fail(FaultKind::text, "The memory of the " + title + " is damaged: " + problem,
-              "What could be read was taken; the rest has its factory value.",
+              "The readable part was taken; the rest has its factory values.",
               "Check polarities and programs before you run a motor.");
 }
 

@@ -57,7 +57,7 @@ Task<Result<>> Finding::identify() {
   if (!known)
     console_.report(
         Notice::Kind::warning,
-        fmt::format("It answers {} to ID where a {} says {}. It is used as a {}.", hex_of(reply->text),
+        fmt::format("It answers {} to ID, and a {} answers {}. It is used as a {}.", hex_of(reply->text),
                     console_.model().title, console_.model().product, console_.model().title));
   co_return Result<>();
 }
@@ -93,11 +93,10 @@ void Finding::note_how_slow() {
   const Duration waited =
       std::max(station.lateness(), station.statistics().last_round_trip) - station.wire_time(usual_bytes);
   if (waited <= slow_from || std::exchange(slow_told_, true)) return;
-  console_.report(
-      Notice::Kind::warning,
-      fmt::format(
-          "It takes {:.1f} s to answer. The values shown are that old, and a stop is confirmed that late.",
-          seconds(waited)));
+  console_.report(Notice::Kind::warning,
+                  fmt::format("It takes {:.1f} s to answer. The values shown are as old as this, and the "
+                              "confirmation of a stop is as late.",
+                              seconds(waited)));
 }
 
 Task<Result<>> Finding::read_name() {
@@ -130,7 +129,7 @@ Task<Result<>> Finding::read_name() {
 tl::unexpected<Fault> Finding::silent() const {
   if (conversation_.framing() == Framing::message)
     return fail(FaultKind::no_answer, fmt::format("The {} does not answer on USB.", console_.model().title),
-                "Nothing was sent but the question for its name.",
+                "Nothing but the question for its name was sent.",
                 fmt::format("Check its supply ({}) and the cable, and close other programs that use it.",
                             console_.forms.supply));
   const int rate = conversation_.is_open() ? conversation_.station()->rate() : 0;
@@ -139,7 +138,7 @@ tl::unexpected<Fault> Finding::silent() const {
       FaultKind::no_answer,
       fmt::format("No {} answers at address {:02}{}.", console_.model().title, console_.catalog.address,
                   rate > 0 ? fmt::format(", at {} baud", rate) : ""),
-      "Nothing was sent but the question for its name.",
+      "Nothing but the question for its name was sent.",
       !elsewhere.empty()
           ? elsewhere
           : fmt::format(
@@ -170,25 +169,24 @@ std::string Finding::where_it_went(int rate) const {
     }
   if (words.empty()) return {};
   return fmt::format(
-      "Follow it: it was given {}, which holds once its power has been switched off and on. Open it with {}.",
+      "Open it with {1}: it was given {0}, which takes effect when its power has been switched off and on.",
       words, options);
 }
 
 tl::unexpected<Fault> Finding::garbled(std::string_view bytes) const {
   const int rate = conversation_.is_open() ? conversation_.station()->rate() : 0;
-  return fail(
-      FaultKind::garbled,
-      fmt::format("The device at address {:02} is not a {}: {} came back.", console_.catalog.address,
-                  console_.model().title, hex_of(bytes)),
-      "Nothing more was sent.",
-      fmt::format("Another device, another rate{}, or two devices with one address. Connect one alone "
-                  "and look.",
-                  rate > 0 ? fmt::format(" than {} baud", rate) : ""));
+  return fail(FaultKind::garbled,
+              fmt::format("The device at address {:02} is not a {}: {} came back.", console_.catalog.address,
+                          console_.model().title, hex_of(bytes)),
+              "Nothing more was sent.",
+              fmt::format("Connect one device alone and try again. Another device is there, or it has "
+                          "another rate{}, or two devices have the same address.",
+                          rate > 0 ? fmt::format(" than {} baud", rate) : ""));
 }
 
 tl::unexpected<Fault> Finding::echoed() const {
-  return fail(FaultKind::garbled, "What is sent comes back as it is.",
-              "Nothing was sent but the question for its name.",
+  return fail(FaultKind::garbled, "The line returns everything that is sent.",
+              "Nothing but the question for its name was sent.",
               "Switch off the echo of the RS-485 adapter; if it has none, its data lines touch each other.");
 }
 
@@ -197,8 +195,7 @@ tl::unexpected<Fault> Finding::line_feeds_come() const {
               fmt::format("The answers at address {:02} end in CR LF; those of a {} have no LF.",
                           console_.catalog.address, console_.model().title),
               "The answer was not used.",
-              "Something on the way adds it: switch the conversion of line ends off in the serial server or "
-              "adapter.");
+              "Switch the conversion of line ends off in the serial server or adapter: it adds the LF.");
 }
 
 int Finding::factory_id() const {

@@ -36,15 +36,15 @@ std::optional<std::int64_t> read_guard(const std::vector<std::string>& lines,
 
 JogGuardFacts guard_facts(const Model& model) {
   return {
-      "The controller itself stops a jog that you hold when it has received nothing for half a second or "
-      "a little longer: also when the cable is pulled or the computer is off. Moves, programs and jogs "
-      "of scripts are never touched.",
-      fmt::format("It is kept as program {} in the controller, only while the program memory is empty, "
-                  "and is written to flash and compared. A program that you download takes its place. "
-                  "While a jog is held it uses TOC, V{} and V{}; then TOC is as before.",
+      "The controller itself stops a jog that you hold when it has received nothing for half a second or a "
+      "little longer. This also works when the cable is pulled or the computer is off. It never stops moves, "
+      "programs or jogs of scripts.",
+      fmt::format("It is stored in flash as program {} of the controller and compared, only if the program "
+                  "memory is empty. A program that you download replaces it. While a jog is held it uses "
+                  "TOC, V{} and V{}; afterwards TOC is restored.",
                   guard_program(model), guard_work_variable, guard_axes_variable),
-      "The manual does not say how the time-out goes off again: this is a guess until real hardware has "
-      "shown it (decision AMB-044). The watchdog of this program stays on beside it."};
+      "The manual does not say how the time-out is reset: our way is a guess until real hardware has "
+      "confirmed it (decision AMB-044). The watchdog of this program stays on as well."};
 }
 
 }  // namespace hw::arcus

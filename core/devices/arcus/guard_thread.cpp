@@ -56,7 +56,8 @@ Result<> GuardThread::allows(std::string_view command) const {
   const bool sets = name.size() != command.size();
   const bool takes = command == "STORE" || (sets && (name == "TOC" || name.starts_with("SA")));
   if (!takes || !at_work()) return {};
-  return fail(FaultKind::refused, "The guard in the controller watches a jog, and uses TOC and its program.",
+  return fail(FaultKind::refused,
+              "The guard in the controller is watching a jog, and uses TOC and its program.",
               "Nothing was sent.", "Release the jog button first.");
 }
 
@@ -127,11 +128,9 @@ Task<Result<>> GuardThread::install() {
   console_.draft.slots_torn = 0;
   code_.know(read_stored_code(language::decode(lines, dialect_), console_.model()));
   is_installed(std::move(lines), *time_out);
-  console_.report(
-      Notice::Kind::info,
-      fmt::format("The guard is program {} of the controller now, and was compared. It stops a held "
-                  "jog after a silence of {} ms.",
-                  guard_program(console_.model()), silence().count()));
+  console_.report(Notice::Kind::info, fmt::format("The guard is now program {} of the controller, and was "
+                                                  "compared. It stops a held jog after a silence of {} ms.",
+                                                  guard_program(console_.model()), silence().count()));
   co_return Result<>();
 }
 
@@ -190,7 +189,8 @@ Task<Result<>> GuardThread::still_there() {
   if (stops != lines_.end() && *line == *stops) co_return Result<>();
   forget();
   co_return fail(FaultKind::refused, "The program memory does not hold the guard any more.",
-                 "The jog was not sent.", "See beside the jog pad who stops it now, and jog again.");
+                 "The jog was not sent.",
+                 "Look beside the jog pad which part stops a jog now, then jog again.");
 }
 
 /// Otherwise the program, which ends by itself, would replace the present value.
@@ -204,7 +204,7 @@ Task<Result<>> GuardThread::time_out_is_as_it_was() {
   }
   if (*now == time_out_) co_return Result<>();
   const std::string what = fmt::format(
-      "TOC is {}, and the guard in the controller would leave {} behind each jog.", *now, time_out_);
+      "TOC is {}, and the guard in the controller would set it to {} after each jog.", *now, time_out_);
   const std::string how =
       fmt::format("Set TOC to {}, or take the guard away and install it again.", time_out_);
   co_return fail(FaultKind::refused, what, "The jog was not sent.", how);

@@ -91,8 +91,9 @@ Task<Result<>> Lines::set_output(intent::SetOutput request) {
   co_return fail(
       FaultKind::controller,
       fmt::format("DO{} stays {}: {}.", request.number, shows ? "on" : "off", who_has(request.number)),
-      fmt::format("The controller has taken DO{}={} and remembers it.", request.number, request.on ? 1 : 0),
-      "It shows as soon as the output is free.");
+      fmt::format("The controller has accepted DO{}={} and remembers it.", request.number,
+                  request.on ? 1 : 0),
+      "It takes effect as soon as the output is free.");
 }
 
 Task<Result<>> Lines::switch_tool_off(ToolOff tool) {

@@ -115,9 +115,9 @@ Task<Fault> MotionStatus::after_doubt(Fault why, std::string_view sent) {
   for (int i = 0; seen && i < console_.axes(); ++i)
     where += fmt::format("{}{} {} at {}", i ? ", " : "", console_.axis_name(i),
                          motions_.says_moving(i) ? "moves" : "stands", console_.draft.axes[i].position.value);
-  fault.what = fmt::format("No clear answer came to {}.", sent);
+  fault.what = fmt::format("{} had no clear reply.", sent);
   fault.done = "It was sent once and is not repeated.";
-  fault.advice = seen ? fmt::format("The state was read afresh: {}.", where)
+  fault.advice = seen ? fmt::format("The state was read again: {}.", where)
                       : "The state could not be read either. Check the axis before you go on.";
   co_return fault;
 }

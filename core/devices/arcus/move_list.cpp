@@ -115,11 +115,10 @@ std::int64_t MoveList::speed_of(const std::vector<std::int64_t>& row) {
   const double at_least_s = status_takes_part * seconds(row_takes_);
   if (way >= at_least_s * static_cast<double>(speed)) return speed;
   if (!std::exchange(slow_is_told_, true))
-    console_.report(
-        Notice::Kind::info,
-        fmt::format("Short lines go slower than asked: on this wire one takes {} ms to be sent, and "
-                    "none may be over sooner.",
-                    row_takes_ / Millis(1)));
+    console_.report(Notice::Kind::info,
+                    fmt::format("Short lines are drawn more slowly than set: sending a line takes {} ms on "
+                                "this wire, and no line may end sooner.",
+                                row_takes_ / Millis(1)));
   return std::max(static_cast<std::int64_t>(way / at_least_s), std::int64_t{1});
 }
 
@@ -129,7 +128,7 @@ void MoveList::broken_off(Fault why) {
   const int sent = console_.draft.feed.sent;
   end();
   if (why.kind == FaultKind::stopped) return;
-  why.done = fmt::format("{} moves of the list were sent; the rest was not.", sent);
+  why.done = fmt::format("Only {} moves of the list were sent.", sent);
   console_.report(Notice::Kind::error, why.sentence());
 }
 

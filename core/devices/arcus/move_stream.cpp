@@ -22,8 +22,8 @@ class Streamer final : public ActWriter {
   Result<std::optional<Pieces>> run() {
     pieces_.tool = tool_off_of(draft_.sequence, static_cast<int>(draft_.catalog.outputs.size()));
     pieces_.remark =
-        "It goes through the controller's buffer. Lines so short that the next could not be sent in time go "
-        "slower.";
+        "It goes through the controller's buffer. Lines that end before the next could be sent are drawn "
+        "more slowly.";
     for (std::uint8_t axis = 0; axis < buffer_axes; ++axis)
       pieces_.open_loops.push_back({AxisId{axis}, "SL" + draft_.catalog.axes[axis].name});
     set("IACC", 1);  // ramps between its moves

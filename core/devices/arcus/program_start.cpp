@@ -244,7 +244,7 @@ std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const
   name_unarmed(all, state, catalog, program);
   name_hidden(all, state, catalog, program);
   if (state.now.feed.running)
-    all.push_back({"moves that wait in the buffer", "none, since the controller tells their number only"});
+    all.push_back({"moves that wait in the buffer", "none, since the controller reports only their number"});
   return all;
 }
 

@@ -172,7 +172,7 @@ ProgramWatch::Unfinished ProgramWatch::still_running(int program, bool nothing_c
     result.endless = for_ever || nothing_comes;
     result.sentence += ": the loop of lines " + std::to_string(first + 1) + " to " + std::to_string(last + 1);
     result.sentence += for_ever        ? " has no end"
-                       : nothing_comes ? " waits, and nothing changes what it looks at"
+                       : nothing_comes ? " waits for a value that nothing changes"
                                        : " was going round";
   }
   result.sentence += ".";

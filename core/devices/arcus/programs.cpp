@@ -18,9 +18,8 @@ std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::
   const bool one = bad.size() == 1;
   const int first = bad.front().line;
   return fmt::format(
-      "{} line{} of the stored code cannot be read here: {}line {} ({}). {} in the text as {}. The "
-      "code may come from another program than this console. Sent back as it is, the text leaves "
-      "{} out.",
+      "{} line{} of the stored code cannot be read here: {}line {} ({}). {} in the text as {}. Another "
+      "program may have written the code. If you send the text back unchanged, it leaves {} out.",
       bad.size(), one ? "" : "s", one ? "" : "the first is ", first, lines[ix(first)],
       one ? "It stands" : "They stand", one ? "a comment" : "comments", one ? "it" : "them");
 }

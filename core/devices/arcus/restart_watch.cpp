@@ -98,7 +98,7 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   if (came_there || others_did || (unseen_at_zero && before->program_ran))
     be_in_doubt(InDoubt{*before, stands_at_zero || others_did, !unexplained || !all.nearer});
   if (unexplained && stands_at_zero && all.jumped && !a_program_may)
-    return callbacks_.restarted("All positions read zero, and nothing that was sent does that",
+    return callbacks_.restarted("All positions read zero, and no command that was sent does this",
                                 before->moved());
 }
 
@@ -141,7 +141,7 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   motors_on_ = on;
   const bool as_after_power_up = after_power_up.value_or(0) == on;
   if (changed && as_after_power_up) {
-    callbacks_.restarted(fmt::format("Motor power {}, and nothing that was sent does that",
+    callbacks_.restarted(fmt::format("Motor power {}, and no command that was sent does this",
                                      on < *before ? "went off" : "came on"),
                          zero_in_doubt_ ? zero_in_doubt_->before.moved() : 0);
     co_return Result<>();
@@ -191,11 +191,10 @@ void RestartWatch::tell_of_doubt(const Stood& before) {
     if (axis.position == Steps(0)) axis.trust.doubt(Doubt::unheard, console_.scheduler.now());
   }
   if (before.program_ran) console_.draft.program.ended_by = EndedBy::lost;
-  console_.report(
-      Notice::Kind::warning,
-      "Answers were missing, and then all positions read zero: what was sent has done that, or the "
-      "controller was switched off and on. Check where the axes stand, and home them before the "
-      "next absolute move.");
+  console_.report(Notice::Kind::warning,
+                  "Check where the axes are, and home them before the next absolute move: replies were "
+                  "missing, and then all positions read zero. Either a command that was sent did this, or "
+                  "the controller was switched off and on.");
 }
 
 Task<Result<bool>> RestartWatch::a_program_runs() {
@@ -220,7 +219,7 @@ Task<Result<>> RestartWatch::look_at_start(int thread, Priority priority) {
     co_return fail(starts_at_power_up.error());
   if ((starts_at_power_up.value_or(0) >> thread & 1) != 0)
     callbacks_.restarted(
-        fmt::format("Program {} runs, which power-up starts and nothing that was sent", thread), 0);
+        fmt::format("Program {} runs, which power-up starts and no command that was sent", thread), 0);
   co_return Result<>();
 }
 

@@ -24,7 +24,7 @@ using language::Opcode;
 using language::Operand;
 using language::Quantity;
 
-constexpr std::string_view no_such_axis = "an axis that is not among those of the blocks";
+constexpr std::string_view no_such_axis = "an axis that the blocks do not have";
 
 class BlockReader {
  public:
@@ -42,8 +42,8 @@ class BlockReader {
     if (!alike) {  // the speeds of the language apply to all axes
       out_.unit = catalog.step_word;
       for (seq::Axis& axis : out_.axes) axis.per_unit = 1;
-      out_.remarks.push_back(
-          fmt::format("Speeds are of all axes, and these differ in their units: it is in {}.", out_.unit));
+      out_.remarks.push_back(fmt::format(
+          "Speeds apply to all axes, and the units of these axes differ: it is in {}.", out_.unit));
     }
     find_remarks(compiled);
   }
@@ -227,8 +227,8 @@ class BlockReader {
   bool choose_mode(std::size_t i) {
     if (mode_ == Mode::as_it_is) {
       out_.remarks.push_back(
-          fmt::format("Line {} goes to a place or by a distance, as the controller has been set before. As "
-                      "blocks it goes to a place, and their text says ABS.",
+          fmt::format("Line {} goes to a place or by a distance, depending on an earlier setting. Blocks "
+                      "make it go to a place, and their text contains ABS.",
                       text_.statements[i].line + 1));
       out_.assumed["mode"] = "ABS";
       mode_ = Mode::abs;
@@ -245,7 +245,8 @@ class BlockReader {
       if (!is_number(s.values[ix(axis)])) return leave("blocks have no variables", i, i + 1, list);
       move.to[ix(place)] = out_.units(place, s.values[ix(axis)].number);
     }
-    if (!choose_mode(i)) return leave("to a place or by a distance, as it comes", i, i + 1, list);
+    if (!choose_mode(i))
+      return leave("to a place or by a distance, depending on an earlier setting", i, i + 1, list);
     move.relative = mode_ == Mode::inc;
     for (std::size_t a = 0; a < out_.axes.size(); ++a)
       if (move.to[a]) at_[a] = move.relative ? std::nullopt : move.to[a];

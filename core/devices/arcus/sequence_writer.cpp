@@ -210,8 +210,7 @@ Result<> Writer::write(const seq::Arc& a) {
   if (!draft_.alike(a.plane))
     return draft_.refuse("X and Y differ in their pulses per unit: the arc would be an ellipse.");
   const auto x = draft_.at(right), y = draft_.at(up);
-  if (!x || !y)
-    return draft_.refuse("it is not known where it begins. Put an absolute move of both axes in front.");
+  if (!x || !y) return draft_.refuse("put an absolute move of both axes before it: its start is not known.");
   const auto cx = draft_.position(right, a.x), cy = draft_.position(up, a.y);
   if (!cx || !cy) return fail(!cx ? cx.error() : cy.error());
   const auto dx = static_cast<double>(*x - *cx), dy = static_cast<double>(*y - *cy);

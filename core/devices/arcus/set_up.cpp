@@ -98,7 +98,7 @@ Task<Result<>> SetUp::read(int index, Priority priority) {
   const bool taken_back = before.known && before.value != value && nobody_sets_.test(ix(index)) &&
                           in_ram_only(index) && value == after_power_up_[ix(index)];
   if (taken_back)
-    callbacks_.restarted(fmt::format("{} read {} and now reads {}, and nothing that was sent does that",
+    callbacks_.restarted(fmt::format("{} read {} and now reads {}, and no command that was sent does this",
                                      info.mnemonic, encode_value(info, before.value),
                                      encode_value(info, value)));
   const bool read_twice = before.known && before.value == value;  // not just garbled twice in the same way
@@ -239,7 +239,7 @@ Task<Result<bool>> SetUp::set(intent::SetParam request) {
   const bool ramp = info.unit == "ms" && !info.stored;
   if (!ramp)
     co_return fail(FaultKind::controller,
-                   fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic,
+                   fmt::format("{} was set to {}, but the controller reports {}.", info.mnemonic,
                                encode_value(info, request.value), encode_value(info, kept)),
                    "It was sent once.", "The controller's number is in force.");
   console_.report(
@@ -264,7 +264,7 @@ Task<Result<>> SetUp::store() {
   auto done = co_await conversation_.command("STORE", Priority::intent, store_patience);
   if (!done && done.error().kind == FaultKind::no_answer)
     co_return fail(
-        FaultKind::no_answer, "The controller did not confirm in time that it has stored.",
+        FaultKind::no_answer, "The controller did not confirm in time that it has stored the set-up.",
         "STORE was sent once and is not repeated: the memory is rated for a limited number of writes.",
         "Do not switch the controller off now. Compare the set-up before you store again.");
   if (!done) co_return done;

@@ -16,7 +16,7 @@ constexpr int stop_attempts = 3;
 constexpr Duration until_confirmed = Millis(200);
 
 Fault joystick_not_read(bool switched_off) {
-  return Fault(FaultKind::garbled, "The controller did not tell which axes follow the joystick.",
+  return Fault(FaultKind::garbled, "The controller did not report which axes follow the joystick.",
                switched_off ? "STOP was sent, and the joystick was switched off for all axes."
                             : "STOP was sent; the joystick was left as it is.",
                switched_off ? "" : "Stop all axes if this one goes on.");
@@ -192,7 +192,7 @@ StopProgress Stops::progress(const StopOrder& order) {
   if (turns && !all && threads_.any_may_run() &&
       console_.scheduler.now() - order.sent_at > next_move_of_a_program) {
     console_.report(Notice::Kind::warning,
-                    fmt::format("A program moves {} again. Stop all axes to end it too.",
+                    fmt::format("Stop all axes to end the program too: it moves {} again.",
                                 console_.axis_name(order.axis)));
     motions_.stands(order.axis);
     return StopProgress::stands();
@@ -201,7 +201,7 @@ StopProgress Stops::progress(const StopOrder& order) {
   if (turns && !given_up) return StopProgress::wait();
   motions_.stands(all ? -1 : order.axis);
   if (!turns) return StopProgress::stands();
-  return StopProgress::failed(Fault(FaultKind::controller, "The controller was told to stop and still moves.",
+  return StopProgress::failed(Fault(FaultKind::controller, "Stop was sent, but the controller still moves.",
                                     "The stop was sent.",
                                     "Stop again: it then stops at once, without a ramp."));
 }
@@ -213,10 +213,10 @@ StopProgress Stops::programs_end(const StopOrder& order) const {
     const bool meant = order.thread < 0 || n == order.thread;
     if (!meant || (run != RunState::running && run != RunState::held)) continue;
     if (!order.confirmed || order.times_sent < stop_attempts) return StopProgress::again();
-    return StopProgress::failed(Fault(FaultKind::controller,
-                                      fmt::format("Program {} still runs: something starts it again.", n),
-                                      fmt::format("It was told to stop {} times.", order.times_sent),
-                                      "Stop again, or switch the power off."));
+    return StopProgress::failed(Fault(
+        FaultKind::controller,
+        fmt::format("Program {} still runs: another program or host starts it again.", n),
+        fmt::format("Stop was sent {} times.", order.times_sent), "Stop again, or switch the power off."));
   }
   return StopProgress::stands();
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr int empty_lines_end_it = 4;    // in a row
 constexpr std::uint8_t stored_code = 1;  // one text for all programs: see Snapshot::slots_torn
 
-constexpr const char* torn = "What is stored now is neither the old program nor the new one";
+constexpr const char* torn = "The stored code is now neither the old program nor the new one";
 constexpr const char* mend_it = "Download it again before anything runs it.";
 
 // An unknown line is read before it is written: a question takes as little time as the reply to a write, and
@@ -201,8 +201,8 @@ std::string StoredLines::what_stands() const {
   const std::string written = say_written(t);
   if (written.empty() || differs_) return fmt::format("{}.", torn);
   if (t.phase == TransferState::Phase::comparing)
-    return fmt::format("What is stored now may not be the new program: {}.", written);
-  return fmt::format("{}: {}, and the rest is what was there before.", torn, written);
+    return fmt::format("The stored code may not be the new program: {}.", written);
+  return fmt::format("{}: {}, and the other lines are those of the old program.", torn, written);
 }
 
 tl::unexpected<Fault> StoredLines::broken_off(Fault why) {

@@ -37,7 +37,7 @@ EndedBy how_it_ends(std::string_view stop) {
 
 Task<Result<std::string>> Texts::query(std::string text, Duration patience) {
   if (cut_to_one_command(text))
-    co_return fail(FaultKind::refused, "This is more than one command: the end of a line ends one.",
+    co_return fail(FaultKind::refused, "This is more than one command: a line end ends a command.",
                    "Nothing was sent.", "Send them one by one.");
   auto looked = co_await silence_.look();
   if (!looked && looked.error().kind == FaultKind::stopped) co_return fail(looked.error());
@@ -67,9 +67,9 @@ Task<Result<std::string>> Texts::stop(const StopOrder& order) {
   if (stopped && its_own && ends_motion(command_in(text)) &&
       *stopped != "OK")  // the reply to an earlier text
     co_return fail(FaultKind::garbled, fmt::format("The controller answered {} to {}.", *stopped, text),
-                   "It was sent, and the console's own stop behind it.");
+                   "It was sent, followed by a stop from the console.");
   if (!stopped || !more) co_return stopped;
-  co_return fail(FaultKind::refused, "There is another command behind the stop.", "The stop was sent alone.",
+  co_return fail(FaultKind::refused, "There is another command after the stop.", "The stop was sent alone.",
                  "Send the other by itself.");
 }
 

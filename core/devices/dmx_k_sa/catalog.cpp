@@ -28,7 +28,7 @@ void add_readouts(Catalog& c) {
   ReadoutInfo current;
   current.label = "Motor current";
   current.unit = "mA";
-  current.help = "What flows now: the run current, the idle current, or none.";
+  current.help = "The current now: the run current, the idle current, or none.";
   arcus::add_readout(c, arcus::motion, "CUR", current);
   ReadoutInfo latch_input;
   latch_input.label = "Latch input";
@@ -37,17 +37,17 @@ void add_readouts(Catalog& c) {
   ReadoutInfo index;
   index.label = "Encoder index";
   index.words = {{0, "off"}, {1, "on"}};
-  index.help = "On while the encoder stands on its index mark.";
+  index.help = "On while the encoder is on its index mark.";
   arcus::add_readout(c, arcus::motion, "INDEX", index);
 }
 
 void name_the_outputs(Catalog& c) {
   OutputInfo& in_position = c.outputs[in_position_output - 1];
   in_position.help =
-      "Tells that the axis is in position while StepNLoop and EDO are on; else yours to switch.";
+      "Shows that the axis is in position while StepNLoop and EDO are on; otherwise you can switch it.";
   in_position.duty = {"In position", {"SL", "EDO"}};
   OutputInfo& alarm = c.outputs[alarm_output - 1];
-  alarm.help = "Tells an error while StepNLoop and EDO are on; else yours to switch.";
+  alarm.help = "Shows an error while StepNLoop and EDO are on; otherwise you can switch it.";
   alarm.duty = {"Alarm", {"SL", "EDO"}};
 }
 

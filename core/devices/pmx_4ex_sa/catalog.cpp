@@ -23,7 +23,7 @@ const arcus::Wording& wording() {
       "PMX manual ch. 6",
       {{0, "Home switch active when its input conducts"},
        {1, "Alarm active when its input conducts"},
-       {2, "Limit switches active when their inputs conduct (the bit of X rules all axes)"},
+       {2, "Limit switches active when their inputs conduct (the bit of X governs all axes)"},
        {3, "Direction output inverted"}}};
   return words;
 }
@@ -33,11 +33,11 @@ void add_readouts(Catalog& c) {
   arcus::add_readout(c, arcus::motion, "TR",
                      value_readout("Timer", "ms", "A timer of the controller that counts down to 0."));
   c.readout_groups.insert(c.readout_groups.end(), {"Buffer", "Analog inputs"});
-  ReadoutInfo mode = value_readout("Buffer", "", "Whether buffered moves are taken.");
+  ReadoutInfo mode = value_readout("Buffer", "", "Whether the controller accepts buffered moves.");
   mode.words = {{0, "off"}, {1, "on"}};
   arcus::add_readout(c, arcus::buffer, "BUF", mode);
   for (const auto& [id, label, help] :
-       {std::tuple{"BUFSTART", "Present place", "Place in the ring, 0 to 35, of the move that runs."},
+       {std::tuple{"BUFSTART", "Present place", "Place in the ring, 0 to 35, of the running move."},
         std::tuple{"BUFEND", "Last place", "Place in the ring, 0 to 35, of the newest move."}}) {
     ReadoutInfo place = value_readout(label, "", help);
     place.for_scripts = true;
@@ -56,38 +56,38 @@ ActionField angle(const char* id, const char* label, std::int64_t minimum, std::
 
 void add_actions(Catalog& c) {
   arcus::add_common_actions(c, model, "PMX manual ch. 6");
-  c.actions.push_back(make_action(
-      "arc", "Draw arc",
-      "X and Y go round the centre by so many degrees from where they stand: + against the clock, - with it. "
-      "360 is a full circle. Only while typed moves go to a place.",
-      "Arc and circle",
-      {followed(position_field("centre_x", "Centre X", "pulses"), 0),
-       followed(position_field("centre_y", "Centre Y", "pulses"), 1),
-       angle("sweep", "Sweep", -360'000, 360'000, -90'000)},
-      "PMX manual ch. 6 Arc Interpolation Moves"));
+  c.actions.push_back(
+      make_action("arc", "Draw arc",
+                  "X and Y go round the centre by this many degrees from their present place: + is "
+                  "counter-clockwise, - is clockwise. 360 is a full circle. Possible only in absolute mode.",
+                  "Arc and circle",
+                  {followed(position_field("centre_x", "Centre X", "pulses"), 0),
+                   followed(position_field("centre_y", "Centre Y", "pulses"), 1),
+                   angle("sweep", "Sweep", -360'000, 360'000, -90'000)},
+                  "PMX manual ch. 6 Arc Interpolation Moves"));
   c.actions.back().moves = c.actions.back().is_arc = true;
   c.actions.back().reaches = arc_reaches;
   const std::size_t buffer_begin = c.actions.size();
   c.actions.push_back(make_action(
       "buffer_on", "Switch buffer on",
-      "From now on the controller takes buffered moves of X, Y and Z. Needs StepNLoop of them switched off.",
+      "Switch StepNLoop of X, Y and Z off first. The controller then accepts buffered moves of these axes.",
       "Buffer", {}, "PMX manual ch. 6 Buffered Linear Interpolation Moves"));
   c.actions.back().sets = "BUF";
   c.actions.back().sets_to = 1;
   c.actions.push_back(make_action("buffer_off", "Switch buffer off",
-                                  "The running move ends as it is; what waits in the buffer is dropped.",
+                                  "The running move is completed; the moves in the buffer are dropped.",
                                   "Buffer", {}, "PMX manual ch. 6 Buffered Linear Interpolation Moves"));
   c.actions.back().while_busy = true;
   c.actions.back().sets = "BUF";
   for (std::size_t i = buffer_begin; i < c.actions.size(); ++i) c.actions[i].of_move_buffer = true;
-  c.actions.push_back(make_action("timer", "Start", "Lets the timer count down from here.", "Motion",
+  c.actions.push_back(make_action("timer", "Start", "Starts the countdown from this value.", "Motion",
                                   {number_field("time", "Time", "ms", 0, arcus::max_number, 1000)},
                                   "PMX manual ch. 6 Timer Register"));
   c.actions.back().sets = "TR";
   c.actions.push_back(make_action(
       "joystick", "Joystick",
-      "On: the axis follows the voltage of its analog input from now on, and StepNLoop of it goes off.",
-      "Joystick", {arcus::axis_field(model), arcus::switch_field()}, "PMX manual ch. 6 Joystick Control"));
+      "On: the axis follows the voltage of its analog input, and its StepNLoop is switched off.", "Joystick",
+      {arcus::axis_field(model), arcus::switch_field()}, "PMX manual ch. 6 Joystick Control"));
   c.actions.back().moves = true;
   c.actions.back().follows_analog = true;
 }

@@ -60,10 +60,9 @@ void AllStop::another_was_sent() {
 
 void AllStop::in_vain() {
   if (std::exchange(mailbox_deaf_, true)) return;
-  wire_.report(
-      Notice::Kind::warning,
-      "The board has acknowledged a stop in its mailbox, and nothing came of it. From here on stops go "
-      "through its command ring too.");
+  wire_.report(Notice::Kind::warning,
+               "The board acknowledged a stop in its mailbox but did not act on it. From now on, stops also "
+               "go through its command ring.");
 }
 
 void AllStop::doubt_positions() {

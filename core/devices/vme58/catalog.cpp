@@ -76,9 +76,8 @@ std::vector<InputInfo> inputs(std::uint16_t outputs) {
     InputInfo input;
     input.of_output = is_output(outputs, line);
     input.name = fmt::format("{} {}", input.of_output ? "Line" : "In", line);
-    input.help =
-        fmt::format("General line {}, {}. {}", line, reason_of_direction(outputs, line),
-                    input.of_output ? "The level that stands on it." : "SW and WS take low for true.");
+    input.help = fmt::format("General line {}, {}. {}", line, reason_of_direction(outputs, line),
+                             input.of_output ? "The level on this line." : "SW and WS take low for true.");
     input.active_low = true;
     input.number = line;
     input.group = direction_of(outputs, line);
@@ -105,8 +104,7 @@ std::vector<OutputInfo> output_infos(std::uint16_t outputs, const Variant& varia
     output.name = fmt::format("Aux {}", letter);
     output.help = fmt::format(
         "Auxiliary output of {}: AN switches it on (high), AF off; PA lets moves switch it. The board does "
-        "not tell "
-        "its state: it is what the console has last set.",
+        "not report its state: the last one set from the console is shown.",
         letter);
     output.number = first_auxiliary + i;
     output.group = "Auxiliary: outputs";
@@ -174,23 +172,22 @@ std::vector<ActionInfo> actions(const Variant& variant) {
   all.push_back(action("clear_flags", "Clear flags",
                        "IC: clears the done, slip and command error flags of all axes.", "Flags", {},
                        "Move Synchronization"));
-  all.push_back(
-      action("flush", "Empty queue",
-             "FL: what waits in the axis' queue is dropped. An axis that moves goes on at its present speed "
-             "until it is stopped.",
-             "Queues", {axis_field(variant, any)}, "Move Execution"));
+  all.push_back(action("flush", "Empty queue",
+                       "FL: drops the commands in the axis' queue. A moving axis goes on at its present "
+                       "speed until it is stopped.",
+                       "Queues", {axis_field(variant, any)}, "Move Execution"));
   all.back().moves = true;
-  all.push_back(action(
-      "fraction_jog", "Jog slowly",
-      "JF: runs the axis at a speed with a fraction, for very slow motion, until it is stopped.", "Motion",
-      {axis_field(variant, any),
-       field("speed", "Speed", "counts/s", -velocity_max * 1000, velocity_max * 1000, 500, 3)},
-      "Move Execution"));
+  all.push_back(
+      action("fraction_jog", "Jog slowly",
+             "JF: runs the axis at a fractional speed, for very slow motion, until it is stopped.", "Motion",
+             {axis_field(variant, any),
+              field("speed", "Speed", "counts/s", -velocity_max * 1000, velocity_max * 1000, 500, 3)},
+             "Move Execution"));
   all.back().moves = true;
   all.push_back(action(
       "remainder", "Remainder",
-      "RM: divides the position and the encoder count by this number and keeps the remainders, for "
-      "axes that turn round and round.",
+      "RM: divides the position and the encoder count by this number and keeps the remainders, for axes that "
+      "turn endlessly.",
       "Motion", {axis_field(variant, any), field("divisor", "Divisor", "counts", 1, position_max, 4000)},
       "Move Specification"));
   all.push_back(action("clear_while", "End WH loop", "CW: the WH loop of this axis ends at its next WG.",
@@ -200,19 +197,19 @@ std::vector<ActionInfo> actions(const Variant& variant) {
                        "Motion", {axis_field(variant, any), position}, "Velocity Staircase"));
   all.back().moves = true;
   if (variant.encoders == 0) return all;
-  all.push_back(action(
-      "encoder_ratio", "Encoder ratio",
-      "ER: so many encoder counts are so many motor counts, for position hold of a step axis.", "Encoder",
-      {axis_field(variant, encoder), field("encoder", "Encoder counts", "", 1, position_max, 1),
-       field("motor", "Motor counts", "", 1, position_max, 1)},
-      "Encoder"));
+  all.push_back(
+      action("encoder_ratio", "Encoder ratio",
+             "ER: the ratio of encoder counts to motor counts, for position hold of a step axis.", "Encoder",
+             {axis_field(variant, encoder), field("encoder", "Encoder counts", "", 1, position_max, 1),
+              field("motor", "Motor counts", "", 1, position_max, 1)},
+             "Encoder"));
   all.push_back(action(
       "hold", "Hold",
       "HN: holds the position of a step axis, or closes the loop of a servo axis. HF: the opposite; it "
       "also ends slip watch and tracking.",
       "Encoder", {axis_field(variant, encoder), switch_field()}, "Encoder"));
   all.push_back(action("track", "Track encoder",
-                       "ET: the axis follows what its encoder input counts, until HF.", "Encoder",
+                       "ET: the axis follows the count of its encoder input, until HF.", "Encoder",
                        {axis_field(variant, encoder)}, "Encoder"));
   all.back().moves = true;
   all.push_back(action("slip_interrupt", "Interrupt on slip",
@@ -247,10 +244,9 @@ void add_readouts(Catalog& c, const Variant& variant) {
     c.readouts.push_back(std::move(slip));
   }
   for (int i = 0; i < variant.axes(); ++i)
-    c.readouts.push_back(
-        readout("RQ", "Free places in the queue", i, queue_group,
-                "RQ: entries of the axis' queue that hold nothing. What waits there is carried "
-                "out one after the other."));
+    c.readouts.push_back(readout("RQ", "Free places in the queue", i, queue_group,
+                                 "RQ: empty entries of the axis' queue. The commands in the queue are "
+                                 "carried out one after the other."));
   for (int i = 0; i < variant.axes(); ++i) {
     if (variant.fitting(i).kind != AxisKind::servo) continue;
     ReadoutInfo loop =
@@ -288,7 +284,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.axes = axes(variant);
   c.homing_modes = {{"home", "to the home switch, 0 at its edge", "HM"},
                     {"home-return", "to the home switch, then back onto its edge", "HR"},
-                    {"kill", "stop dead at the home switch, count kept", "KM", false}};
+                    {"kill", "to the home switch, stop without a ramp, count kept", "KM", false}};
   c.inputs = inputs(board->outputs);
   c.outputs = output_infos(board->outputs, variant);
   c.params = param_infos(variant);

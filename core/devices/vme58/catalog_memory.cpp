@@ -82,7 +82,7 @@ void add_memory_map(Catalog& catalog, const Variant& variant) {
   all.push_back(
       cell(at::mailbox, 4, "Mailbox", "Rings", "A letter in each half; the board takes it and puts 0."));
   all.push_back(cell(at::reserved1, 2, "Mark", "Rings",
-                     "Plain memory that only a reset clears: the console leaves a mark there."));
+                     "Memory that only a reset clears: the console writes a mark there."));
   for (int axis = 0; axis < variant.axes(); ++axis)
     for (int i = 0; i < axis_values; ++i) {
       const std::string letter(axis_letters.substr(static_cast<std::size_t>(axis), 1));

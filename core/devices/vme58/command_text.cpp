@@ -95,8 +95,8 @@ class Reader {
     while (at_ < text_.size() && !is_separator(text_[at_]) && !is_letter(text_[at_]));
     const std::string_view junk = text_.substr(begin, at_ - begin);
     flaw(command, begin, at_ - begin,
-         lone ? fmt::format("{} is half a command: each has two capital letters.", junk)
-              : fmt::format("\"{}\" is not a command: each begins with two capital letters.", junk));
+         lone ? fmt::format("{} is half a command: each command has two capital letters.", junk)
+              : fmt::format("\"{}\" is not a command: each command begins with two capital letters.", junk));
   }
   void skip_operands() {
     while (at_ < text_.size() && !ends_list(text_[at_])) ++at_;
@@ -138,7 +138,7 @@ class Reader {
            fmt::format("{} needs at least one number.", command.fact->letters));
     if (const int axes = std::popcount(context_.contour_axes); command.is(Op::CR) && axes != 2)
       flaw(command, command.begin, at_ - command.begin,
-           fmt::format("CR draws in two axes, and this contour has {}.", axes));
+           fmt::format("CR needs a contour of two axes, and this contour has {}.", axes));
   }
 
   std::optional<double> read_number(TextCommand& command) {

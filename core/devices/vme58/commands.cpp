@@ -36,14 +36,13 @@ tl::unexpected<Fault> Commands::rejected(std::string_view text) const {
   const std::string open = open_loop_words(text, selection_.context());
   if (open.empty()) return rejected_by_board(text);
   return fail(FaultKind::controller, fmt::format("The board rejected \"{}\".{}", without_end(text), open),
-              "The rest of what it understood was carried out.", "Close the loop, then send it again.");
+              "The other commands of this text were carried out.", "Close the loop, then send it again.");
 }
 
 Result<> Commands::may_talk() const {
   if (!wire_.is_open()) return no_connection();
   if (!selection_.recording()) return {};
-  return fail(FaultKind::refused,
-              "A contour is being recorded: whatever is sent now would become part of it.",
+  return fail(FaultKind::refused, "A contour is being recorded: a command sent now would become part of it.",
               "Nothing was sent.", "End it with CE or CK in the terminal first.");
 }
 
@@ -70,9 +69,8 @@ Task<Result<>> Commands::settle_late(Priority priority) {
 }
 
 void Commands::show_late() {
-  std::string words =
-      fmt::format("The board reports a command error: of what waited in a queue, or of \"{}\".",
-                  without_end(conversation_.last_said()));
+  std::string words = fmt::format("The board reports a command error, in a queued command or in \"{}\".",
+                                  without_end(conversation_.last_said()));
   if (rejected_late) rejected_late(words);
   wire_.report(Notice::Kind::error, std::move(words));
 }

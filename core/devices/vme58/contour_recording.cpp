@@ -45,7 +45,7 @@ class Recorder {
   Result<> begin() {
     const auto speeds = draft_.speeds_of(axes_[0], contour_.own);
     if (!speeds) return fail(speeds.error());
-    if (speeds->high == 0) return draft_.refuse("a contour needs a speed. Put a speed step in front.");
+    if (speeds->high == 0) return draft_.refuse("put a speed step before the contour: it needs a speed.");
     const auto at = point(contour_.x, contour_.y);
     if (!at) return fail(at.error());
     here_ = *at;
@@ -88,7 +88,7 @@ class Recorder {
     if (!centre) return fail(centre.error());
     const double rx = here_[0] - (*centre)[0], ry = here_[1] - (*centre)[1], radius = std::hypot(rx, ry);
     if (radius == 0) return draft_.refuse("the centre of the arc is the point where it begins.");
-    if (!(a.degrees != 0)) return draft_.refuse("the arc goes round by 0 degrees.");
+    if (!(a.degrees != 0)) return draft_.refuse("the arc has an angle of 0 degrees.");
     const double sense = a.degrees > 0 ? 1 : -1, angle = a.degrees / 180 * std::numbers::pi;
     set_off({-sense * ry / radius, sense * rx / radius});
     put("CR", fmt::format("{},{:.9f}", pair(*centre), angle * (turned_ ? -1 : 1)), 3);

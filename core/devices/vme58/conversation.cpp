@@ -21,10 +21,10 @@ constexpr std::string_view greeting_question = "WY";
 bool is_greeting(std::string_view reply) { return decode_greeting(reply).has_value(); }
 
 Fault not_understood(std::string_view reply, std::string_view question) {
-  return Fault(
-      FaultKind::garbled,
-      fmt::format("The board answered \"{}\" to {}, which makes no sense.", reply, without_end(question)),
-      "It is asked again.");
+  return Fault(FaultKind::garbled,
+               fmt::format("The board answered \"{}\" to {}, which is not a valid answer.", reply,
+                           without_end(question)),
+               "It is asked again.");
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ Task<Result<>> Conversation::fill(std::string_view text, int from, Priority prio
   auto done = co_await wire_.run(cycles, priority);
   if (!done) co_return done;
   if (reply_text(std::span(cycles).subspan(text.size())) == text) co_return Result<>();
-  co_return fail(FaultKind::garbled, "The text put into the command ring is not there.",
+  co_return fail(FaultKind::garbled, "The command ring does not contain the text that was written into it.",
                  "The bus has lost it.", "Check the bus, and send it again.");
 }
 
@@ -177,8 +177,8 @@ Task<Result<>> Conversation::write(std::string text, Priority priority, WhenStuc
   }
   co_return fail(FaultKind::no_answer,
                  "The board takes no command now: a command queue is full, or it waits in WQ.",
-                 waits ? "What was sent waits in the ring and will be carried out when there is room."
-                       : "What was sent was taken back.",
+                 waits ? "The commands wait in the ring and will be carried out when there is room."
+                       : "The commands were removed from the ring.",
                  "Wait until its queues have room, or stop it.");
 }
 
@@ -250,7 +250,7 @@ Task<Result<>> Conversation::collect(std::vector<std::string>& replies, std::siz
   }
   wire_.count_miss();
   co_return fail(FaultKind::no_answer,
-                 fmt::format("The board did not answer to {} in time.", without_end(question)));
+                 fmt::format("The board did not answer {} in time.", without_end(question)));
 }
 
 /// Waits for owed replies, so that none of them is taken for the reply to the next question.

@@ -57,7 +57,7 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
                    "Nothing was sent.", "Set the position: LP loads both counters.");
   if (std::holds_alternative<Store>(body))
     co_return fail(FaultKind::refused,
-                   "A VME58 has no memory that stays: it starts from factory values each time.",
+                   "A VME58 has no permanent memory: it starts from factory values each time.",
                    "Nothing was sent.", "Save the set-up to a file; restoring the file sets it again.");
   co_return fail(FaultKind::refused, "A VME58 has no command for this.", "Nothing was sent.");
 }
@@ -119,7 +119,7 @@ Task<Result<>> Vme58Driver::poll(Round round) {
   if (!registers->started()) {
     talk_.wire.count_miss();
     co_return fail(FaultKind::garbled, "The board is starting: it has been reset.",
-                   "Nothing is known of it yet.");
+                   "Its state is not known yet.");
   }
   talk_.readings.take(*registers);
   if (registers->mark == 0) {
@@ -195,7 +195,7 @@ void Vme58Driver::show_worst() {
   talk_.commands.show_late_if_any();
   if (draft_.program.run == RunState::error) draft_.notice = strings_.programs.rejection();
   if (talk_.selection.recording())
-    draft_.notice = "A contour is being recorded: moves and set-up wait for its end (CE or CK).";
+    draft_.notice = "A contour is being recorded: end it (CE or CK) before moves and set-up.";
 }
 
 }  // namespace hw::vme58

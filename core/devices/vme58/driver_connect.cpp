@@ -66,9 +66,8 @@ void Vme58Driver::lose_motions() {
 void Vme58Driver::wire_lost() {
   // The next connection selects an axis, which ends a recording on the board too.
   if (talk_.selection.end_recording())
-    talk_.wire.report(
-        Notice::Kind::warning,
-        "The contour that was being recorded is gone with the connection. Record it from its CD on.");
+    talk_.wire.report(Notice::Kind::warning,
+                      "Record the contour again from its CD: its first part was lost with the connection.");
   lose_motions();
   known_.speeds.wire_lost();
   forget();
@@ -130,10 +129,9 @@ Task<Result<>> Vme58Driver::found_reset(Doubt why) {
   known_.values.gains_are_whole(true);
   auto marked = co_await finding_.leave_mark();
   if (!marked) co_return marked;
-  talk_.wire.report(
-      Notice::Kind::warning,
-      "The board has been reset, or switched off and on, since the console last read it. Positions, "
-      "set-up and queues are as from the factory; home the axes again.");
+  talk_.wire.report(Notice::Kind::warning,
+                    "The board has been reset, or switched off and on, since the console last read it. "
+                    "Positions, set-up and queues have their factory values: home the axes again.");
   ++draft_.restarts;
   lose_motions();
   known_.speeds.forget();

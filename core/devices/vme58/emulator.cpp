@@ -57,7 +57,7 @@ std::string Vme58Emulator::save_memory() const { return std::string(memory_text)
 
 Result<> Vme58Emulator::load_memory(std::string_view text) {
   if (text.substr(0, memory_text.size()) == memory_text) return {};
-  return fail(FaultKind::text, "This is no memory of a VME58.", "Nothing was changed.",
+  return fail(FaultKind::text, "This is not a memory of a VME58.", "Nothing was changed.",
               "A VME58 has none: it keeps nothing without power.");
 }
 

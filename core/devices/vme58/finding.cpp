@@ -26,23 +26,21 @@ Task<Result<>> Finding::find() {
       return c.value == (c.width == 1 ? 0xFFu : 0xFFFFu);
     });
     if (ones)
-      co_return fail(
-          FaultKind::no_answer, "No board answers there: every byte of the window reads FF.",
-          "Nothing was written.",
-          "Check that the board stands in the crate with power on, and that its address jumpers and "
-          "the address that was opened agree.");
+      co_return fail(FaultKind::no_answer, "No board answers there: every byte of the window reads FF.",
+                     "Nothing was written.",
+                     "Check that the board is in the crate with power on, and that its address jumpers match "
+                     "the address that you opened.");
     const std::uint32_t status = cycles.back().value;
     if ((status & status::initialized) != 0) {
       readings_.forget_command_error();
       co_return Result<>();
     }
     if (wire_.now() > give_up)
-      co_return fail(
-          FaultKind::no_answer,
-          fmt::format("What is there does not report that it has started: its status register reads "
-                      "{:02X}, with bit 1 off.",
-                      status),
-          "Nothing was written.", "Check the board's address. If it is right, reset the crate.");
+      co_return fail(FaultKind::no_answer,
+                     fmt::format("The device at this address does not report that it has started: its status "
+                                 "register reads {:02X}, with bit 1 off.",
+                                 status),
+                     "Nothing was written.", "Check the board's address. If it is right, reset the crate.");
     auto paused = co_await wire_.pause(Millis(50));
     if (!paused) co_return paused;
   }

@@ -46,13 +46,14 @@ Task<Result<>> Mailbox::mail(std::string_view letters) {
   const bool clears_all = word == "RS";  // including the letters
   if (holds != word && !clears_all)
     co_return fail(
-        FaultKind::no_answer, fmt::format("{} was put into the board's mailbox and is not there.", word),
+        FaultKind::no_answer,
+        fmt::format("{} was written into the board's mailbox, but the mailbox does not contain it.", word),
         "The bus may have lost it.", "Watch the machine. If it still moves, switch its power off.");
   const auto taken = co_await is_free();
   if (!taken) co_return fail(taken.error());
   if (*taken) co_return Result<>();
   co_return fail(FaultKind::no_answer, fmt::format("The board did not take {} out of its mailbox.", word),
-                 "It was put there.", "Watch the machine. If it still moves, switch its power off.");
+                 "It was written there.", "Watch the machine. If it still moves, switch its power off.");
 }
 
 // Text taken by the board in between may have begun a motion, hence the second mail.

@@ -130,7 +130,7 @@ class Check {
         ++modes_missed_;
         const std::size_t begin = commands[i].begin;
         const bool all = (commands[i].fact->where & where::all) != 0;
-        error(commands[i], fmt::format("{} is taken {}. What follows is read as if {} stood before it.",
+        error(commands[i], fmt::format("{} is taken {}. The text after it is read as if {} came before it.",
                                        commands[i].fact->letters,
                                        where_it_is_taken(commands[i].fact->where, false), all ? "AA" : "AM"));
         assumed_ = told_already_ = true;
@@ -189,7 +189,7 @@ class Check {
       case Op::GO:
       case Op::GD:
         if (!std::exchange(queue_of(command).prepared, false) && queue_of(command).loops.empty())
-          problem(command.begin, command.length, "No move has been prepared: this starts nothing.", false);
+          problem(command.begin, command.length, "No move has been prepared, so this starts nothing.", false);
         break;
       case Op::RM:
         if (has_zero(command)) error(command, "RM cannot divide by 0.");
@@ -205,7 +205,7 @@ class Check {
       case Op::CX:
         if (!recorded_) problem(command.begin, command.length, "No contour has been recorded before.", false);
         if (!velocity_given_)
-          problem(command.begin, command.length, "The contour has no speed yet: CV comes before CX.", false);
+          problem(command.begin, command.length, "Put CV before CX: the contour has no speed yet.", false);
         break;
       case Op::LS:
       case Op::WS:

@@ -8,9 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "core/device/bench_file.h"
-#include "core/device/bench_schedule.h"
-#include "core/device/track_keeper.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/command_text.h"
 #include "core/devices/vme58/emulator.h"
@@ -18,6 +15,9 @@
 #include "core/devices/vme58/program_check.h"
 #include "core/devices/vme58/program_start.h"
 #include "core/devices/vme58/program_watch.h"
+#include "core/emulation/bench_file.h"
+#include "core/emulation/bench_schedule.h"
+#include "core/emulation/track_keeper.h"
 
 namespace hw::vme58 {
 namespace {
@@ -110,7 +110,7 @@ class Rehearsing {
   void tell_unfinished() {
     const ProgramWatch::Unfinished what = watch_.unfinished();
     result_.endless = what.endless;
-    result_.error = "The text was still at work when the rehearsal ended" +
+    result_.error = "The text was still running when the rehearsal ended" +
                     (what.why.empty() ? std::string() : ": " + what.why) + ".";
     watch_.stopped(now_, what.source, result_.error);
   }

@@ -20,15 +20,15 @@ tl::unexpected<Fault> rejected_by_board(std::string_view text) {
   return fail(FaultKind::controller,
               fmt::format("The board rejected \"{}\": its status register reports a command error.",
                           without_end(text)),
-              "The rest of what it understood was carried out.",
-              "Check the axis' fitting (servo, step, encoder), the range of the number, and the mode.");
+              "The other commands of this text were carried out.",
+              "Check the axis' equipment (servo, step, encoder), the range of the number, and the mode.");
 }
 
 // ---- registers
 
 tl::unexpected<Fault> Readings::nobody_answers() {
   wire_.count_miss();
-  return fail(FaultKind::garbled, "No board answers any more: every byte of the window reads FF.",
+  return fail(FaultKind::garbled, "The board no longer answers: every byte of the window reads FF.",
               "Nothing was repeated.", "Check the crate's power and the board.");
 }
 
@@ -53,7 +53,7 @@ Task<Result<Registers>> Readings::read_registers(Priority priority, bool ask_for
   if (ones) co_return nobody_answers();
   if (word(1) != word(2) || !is_index(word(1)) || word(3) != word(4) || !is_index(word(3)) ||
       !is_index(word(5)))
-    co_return fail(FaultKind::garbled, "The indexes of the rings make no sense.", "They are read again.");
+    co_return fail(FaultKind::garbled, "The indexes of the rings are not valid.", "They are read again.");
   Registers r;
   r.control = byte(0), r.status = byte(1), r.limit = byte(2), r.home = byte(3);
   r.io = static_cast<std::uint16_t>(byte(4) | (byte(5) & 0x3F) << 8);

@@ -84,7 +84,7 @@ class BlockReader {
     if (c.context.mode != where::all || selects(c)) {
       std::size_t end = i + 1;
       while (end < to && !is(end, Op::AA)) ++end;
-      return leave("blocks speak to all axes at once (AA)", i, end, list);
+      return leave("blocks address all axes at once (AA)", i, end, list);
     }
     switch (c.fact->op) {
       case Op::VL:
@@ -133,8 +133,8 @@ class BlockReader {
     const bool line = c.is(Op::MT) || c.is(Op::ML);
     const auto numbers = numbers_of(c);
     if (!numbers || line != (c.given() > 1))
-      return leave(numbers ? "axes that go each by itself" : "an axis that is not among those of the blocks",
-                   i, i + 2, list);
+      return leave(numbers ? "axes that move independently" : "an axis that the blocks do not have", i, i + 2,
+                   list);
     seq::Move move;
     move.relative = c.is(Op::MR) || c.is(Op::ML);
     for (std::size_t a = 0; a < out_.axes.size(); ++a)
@@ -182,7 +182,7 @@ class BlockReader {
   std::size_t read_stairs(std::size_t from, std::size_t end, ReadSteps& list) {
     constexpr std::size_t head = 3, tail = 4;  // before the first MV, from SP on
     const int place = out_.place_of(catalog_, commands_[from + head].context.axis);
-    if (place < 0) return leave("an axis that is not among those of the blocks", from, end, list);
+    if (place < 0) return leave("an axis that the blocks do not have", from, end, list);
     seq::SpeedStairs s;
     s.axis = place;
     for (std::size_t i = from + head + 1; i < end - tail; ++i)
@@ -190,7 +190,7 @@ class BlockReader {
           {units(ix(place), *commands_[i].numbers[0]), units(ix(place), *commands_[i].numbers[1])});
     s.stop_at = units(ix(place), *commands_[end - tail].numbers[0]);
     if (seq::direction_of(s) != (is(from + head, Op::MP) ? Sign::plus : Sign::minus))
-      return leave("its stairs lie the other way", from, end, list);
+      return leave("its stairs go the other way", from, end, list);
     return put(std::move(s), from, end, list);
   }
   std::size_t read_recording(std::size_t from, std::size_t i, ReadSteps& list) {
@@ -238,7 +238,7 @@ class BlockReader {
     if (alike && speed_of_all(told, speed.speeds)) return put(speed, i, behind, list);
     told_ = {}, ramp_ms_ = 0;
     while (is(behind, Op::VL) || is(behind, Op::VB) || is(behind, Op::AC)) ++behind;
-    return leave("speeds that are not of all axes alike", i, behind, list);
+    return leave("speeds that differ between axes", i, behind, list);
   }
   bool speed_of_all(const std::array<bool, 3>& told, seq::Speeds& speeds) {
     const double high = units(0, told_[0].high), low = units(0, told_[0].low);

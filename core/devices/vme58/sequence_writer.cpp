@@ -46,7 +46,7 @@ class Writer {
     if (!draft_.has(a.plane)) return draft_.refuse("an arc needs two axes.");
     const auto x = draft_.at(right), y = draft_.at(up);
     if (!x || !y)
-      return draft_.refuse("it is not known where it begins. Put an absolute move of both axes in front.");
+      return draft_.refuse("put an absolute move of both axes before it: its start is not known.");
     seq::Contour one;
     one.plane = a.plane;
     one.x = static_cast<double>(*x) / draft_.sequence.axes[ix(right)].per_unit;
@@ -59,7 +59,7 @@ class Writer {
   Result<> write(const seq::Jog& j) {
     const auto speeds = draft_.speeds_of(j.axis, j.own);
     if (!speeds) return fail(speeds.error());
-    if (speeds->high == 0) return draft_.refuse("a jog needs a speed. Put a speed step in front.");
+    if (speeds->high == 0) return draft_.refuse("put a speed step before the jog: it needs a speed.");
     draft_.line(list("JG", j.axis, speeds->high * factor(j.direction)));
     draft_.stands(j.axis, std::nullopt);
     return {};
@@ -71,7 +71,7 @@ class Writer {
     return {};
   }
   Result<> write(const seq::Stop&) {
-    return draft_.refuse("a VME58 obeys a stop as soon as it reads it, not in its turn.");
+    return draft_.refuse("a VME58 carries out a stop as soon as it reads it, not in sequence.");
   }
   Result<> write(const seq::WaitMotion&) { return draft_.line("WA"), Result<>(); }
   Result<> write(const seq::Delay& d) {
@@ -86,7 +86,7 @@ class Writer {
     return {};
   }
   Result<> write(const seq::MoveOnInput&) {
-    return draft_.refuse("a VME58 leaves no command out because of an input.");
+    return draft_.refuse("a VME58 cannot skip a command because of an input.");
   }
   Result<> write(const seq::Output& o);
   Result<> write(const seq::Enable&) {
@@ -147,7 +147,7 @@ Result<> Writer::say_speeds(std::span<const int> axes, const seq::OwnSpeeds& own
     const auto wanted = draft_.speeds_of(a, own);
     if (!wanted) return fail(wanted.error());
     if (wanted->ramp_ms != 0 && wanted->high == 0)
-      return draft_.refuse("a ramp time needs a speed beside it: a VME58 is told counts/s².");
+      return draft_.refuse("give a speed with the ramp time: a VME58 takes counts/s².");
     const auto say = told_[ix(a)].towards(*wanted);
     if (!say) return draft_.refuse_own_speed();
     const std::size_t place = draft_.axis(a).index;
@@ -213,7 +213,7 @@ Result<> Writer::write(const seq::Output& o) {
 Result<> Writer::switch_auxiliary(int axis, bool on) {
   if (depth_ > 0)
     return draft_.refuse(
-        "auxiliary outputs are switched in the queue of their axis, which knows no loop of all.");
+        "auxiliary outputs are switched in the queue of their axis, which has no loop of all axes.");
   draft_.lines("WA\nWQ");
   draft_.line(fmt::format("A{} {} AA", axis_letters[ix(axis)], on ? "AN" : "AF"));
   return {};
@@ -222,8 +222,7 @@ Result<> Writer::switch_auxiliary(int axis, bool on) {
 Result<> Writer::write(const seq::Repeat& l) {
   if (l.times == 1) return write_steps(*this, draft_, l.steps);
   if (depth_ >= deepest_levels)
-    return draft_.refuse(
-        fmt::format("loops of a VME58 stand in one another {} deep at most.", deepest_levels));
+    return draft_.refuse(fmt::format("loops of a VME58 nest {} deep at most.", deepest_levels));
   draft_.forget_what_moves(l.steps);
   if (sets_speeds(l.steps))
     for (WrittenSpeeds& told : told_) told.begin_repeated();
@@ -260,7 +259,7 @@ Result<> Writer::write(const seq::Contour& c) {
 // into the queue of their axis: commands before and after them wait as for an auxiliary output.
 Result<> Writer::write(const seq::SpeedStairs& s) {
   if (depth_ > 0)
-    return draft_.refuse("speed stairs stand in the queue of their axis, which knows no loop of all.");
+    return draft_.refuse("speed stairs are in the queue of their axis, which has no loop of all axes.");
   const auto stairs = draft_.stairs(s);
   if (!stairs) return fail(stairs.error());
   draft_.lines("WA\nWQ");

@@ -65,10 +65,10 @@ Task<Result<>> ServoDrive::may_close(int axis, intent::Closing answer, std::stri
   if (!draft_.axes[axis].far_off || answer == intent::Closing::drive) co_return Result<>();
   if (answer == intent::Closing::stay) co_return co_await take_place(axis);
   co_return fail(FaultKind::asks,
-                 fmt::format("{}, and its encoder stands {} counts from its command. {}", state,
+                 fmt::format("{}, and its encoder is {} counts from its command. {}", state,
                              std::abs(draft_.axes[axis].following_error().value), consequence),
                  "Nothing was sent.",
-                 "Take the place where it stands as its command first, or let it be driven there.");
+                 "First take its present position as its command, or let it be driven there.");
 }
 
 // Asks before closing a loop that is open or unknown: the data sheet does not say what a board does with the
@@ -120,7 +120,7 @@ Task<Result<>> ServoDrive::may_drive(const Parameter& parameter, std::int64_t va
   std::string consequence = fmt::format("{} drives the motor there at once.", set);
   if (values_.drives(axis)) {
     state = fmt::format("{} does not reach its target", name(axis));
-    consequence = fmt::format("{} drives it harder: when it comes free it goes there at once.", set);
+    consequence = fmt::format("{} drives it harder: as soon as it is free, it goes there at once.", set);
   }
   co_return co_await may_close(axis, answer, std::move(state), std::move(consequence));
 }
@@ -144,10 +144,11 @@ Task<Result<>> ServoDrive::take_place(int axis) {
   if (!read) co_return read;
   motions_.begins_to_settle(axis);
   if (!draft_.axes[axis].far_off) co_return Result<>();
-  co_return fail(FaultKind::controller,
-                 fmt::format("The place of {} was to become its command, which stands {} counts from there.",
-                             name(axis), std::abs(draft_.axes[axis].following_error().value)),
-                 "Nothing else was sent.", "Check whether it moves.");
+  co_return fail(
+      FaultKind::controller,
+      fmt::format("The position of {} was to become its command, but its command is still {} counts away.",
+                  name(axis), std::abs(draft_.axes[axis].following_error().value)),
+      "Nothing else was sent.", "Check whether it moves.");
 }
 
 }  // namespace hw::vme58

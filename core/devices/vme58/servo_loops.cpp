@@ -73,11 +73,11 @@ EndedBy ServoLoops::judged(int i, EndedBy ended_by) {
   next_.asks_loops();
   const AxisState& axis = draft_.axes[i];
   wire_.report(Notice::Kind::warning,
-               fmt::format("{0} did not reach its target: 2 s after its command has ended its encoder stands "
-                           "at {1}, {2} counts from there. {3}",
+               fmt::format("{0} did not reach its target: 2 s after its command ended, its encoder is at "
+                           "{1}, {2} counts from there. {3}",
                            catalog_.axes[ix(i)].name, axis.encoder.value,
                            std::abs((axis.command - axis.encoder).value),
-                           values_.drives(i) ? "Check what holds it, and its gains."
+                           values_.drives(i) ? "Check whether something blocks it, and check its gains."
                                              : "Nothing drives it: its gains KP and KI read 0."));
   return EndedBy::not_in_place;
 }
@@ -90,12 +90,10 @@ bool ServoLoops::warn_of_closing(const TextCommand& command) {
   const bool above_zero = !command.numbers.empty() && command.numbers.front().value_or(0) > 0;
   const bool drives = gain && above_zero && closed != false && !values_.drives(axis);
   if (!drives && !(command.is(Op::HN) && closed != true)) return false;
-  wire_.report(
-      Notice::Kind::warning,
-      fmt::format("{} was sent while the encoder of {} stood {} counts from its command: the motor may "
-                  "be driven there at once.",
-                  command.text, catalog_.axes[ix(axis)].name,
-                  std::abs(draft_.axes[axis].following_error().value)));
+  wire_.report(Notice::Kind::warning, fmt::format("{} was sent while the encoder of {} was {} counts from "
+                                                  "its command: the motor may be driven there at once.",
+                                                  command.text, catalog_.axes[ix(axis)].name,
+                                                  std::abs(draft_.axes[axis].following_error().value)));
   return true;
 }
 

@@ -45,9 +45,8 @@ Task<Result<>> Setup::look_what_came(std::size_t place, std::int64_t wanted) {
   if (own) own->was_put(parameter.axis, wanted, state.value != wanted);
   if (state.value == wanted) co_return Result<>();
   if (motions_.moving(parameter.axis)) {
-    wire_.report(
-        Notice::Kind::info,
-        fmt::format("{} takes effect when what is in the queue before it has ended.", info.mnemonic));
+    wire_.report(Notice::Kind::info,
+                 fmt::format("{} takes effect when the queue before it is empty.", info.mnemonic));
     co_return Result<>();
   }
   co_return fail(FaultKind::controller,

@@ -18,7 +18,7 @@ constexpr Duration ring_patience = Millis(5);  // a text cut short by the stop m
 Task<Result<>> Stops::send(StopOrder order) {
   using What = StopOrder::What;
   if (!wire_.is_open())
-    co_return fail(FaultKind::lost, "Stop does not reach the board: there is no connection.",
+    co_return fail(FaultKind::lost, "Stop cannot reach the board: there is no connection.",
                    "Nothing was sent.", "Switch the power of the drives off.");
   forget_rejection(draft_);
   if (order.what == What::words) co_return co_await stop_by_text(std::move(order.words));
@@ -40,7 +40,8 @@ Task<Result<>> Stops::stop_motion(int axis, bool at_once, bool jog) {
     wire_.report(
         Notice::Kind::info,
         known ? fmt::format("A program or a text may move {} again, so all axes were stopped.", name(axis))
-              : fmt::format("What moves {} is not known yet, so all axes were stopped.", name(axis)));
+              : fmt::format("The command that moves {} is not known yet, so all axes were stopped.",
+                            name(axis)));
   if (axis >= 0 && at_once && !widened_)
     wire_.report(Notice::Kind::info, "The board's only stop without a ramp, KL, stops every axis.");
   if (!alone) programs_.end(at_once ? EndedBy::abort : EndedBy::stop);
@@ -160,7 +161,7 @@ StopProgress Stops::progress(const StopOrder& order) {
   if (!seen.turns || (seen.overdue && order.at_once)) stands(axis);
   if (!seen.turns) return StopProgress::stands();
   if (seen.overdue && order.at_once)
-    return StopProgress::failed(Fault(FaultKind::controller, "The board was told to stop and still moves.",
+    return StopProgress::failed(Fault(FaultKind::controller, "Stop was sent, but the board still moves.",
                                       "KL was sent, which stops without a ramp.",
                                       "Switch the power of the drives off."));
   if (seen.slows) return StopProgress::wait();
@@ -175,7 +176,7 @@ StopProgress Stops::in_vain(int axis) {
   }
   widened_ = true;
   wire_.report(Notice::Kind::warning,
-               fmt::format("Axis {} does not slow down behind ST, so all axes are stopped.", name(axis)));
+               fmt::format("Axis {} does not slow down after ST, so all axes are stopped.", name(axis)));
   return StopProgress::again();
 }
 

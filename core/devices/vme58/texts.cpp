@@ -107,7 +107,7 @@ Task<Result<>> Texts::accepts(const TextCommand& command) {
   if (!command.flaw.empty())
     co_return fail(FaultKind::controller,
                    fmt::format("The board rejected \"{}\": {}", command.text, command.flaw),
-                   "What stood before it was carried out, nothing behind it was sent.");
+                   "The commands before it were carried out; nothing after it was sent.");
   co_return commands_.rejected(command.text);
 }
 

@@ -24,7 +24,7 @@ TrafficKind kind_of(Priority priority) {
 Fault when_put(Fault why) {
   if (why.kind != FaultKind::stopped) return why;
   return Fault(FaultKind::no_answer, "A stop came while this was under way.",
-               "It is not known whether the board has carried it out.");
+               "Whether the board has carried it out is unknown.");
 }
 
 tl::unexpected<Fault> no_connection() {

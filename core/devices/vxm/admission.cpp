@@ -26,14 +26,14 @@ Result<> Admission::may_run() const {
         fmt::format("Motor {} is still moving, and a VXM does one thing at a time.", job.leg().axis + 1),
         "Nothing was sent.", "Wait until it ends, or stop it.");
   if (job.active())
-    return fail(FaultKind::refused, "The command before is still under way.", "Nothing was sent.",
+    return fail(FaultKind::refused, "The previous command is still under way.", "Nothing was sent.",
                 "Try again.");
   const auto input_mode = parameters_.value("I");
   constexpr std::uint32_t in_4 = 1u << 3;
   const Snapshot& draft = console_.draft;
   if (input_mode && *input_mode & inputs_stop && draft.inputs_known & in_4 && !(draft.inputs & in_4))
     return fail(FaultKind::refused,
-                "The Stop button or input 4 is held: the controller starts nothing while it is low.",
+                "The Stop button is pressed or input 4 is low, so the controller starts nothing.",
                 "Nothing was sent.", "Release it, then try again.");
   return {};
 }
@@ -54,7 +54,7 @@ Result<> Admission::may_change() const {
     return fail(FaultKind::refused, explain_error(presence_.error()).what, "Nothing was sent.",
                 explain_error(presence_.error()).advice);
   if (under_way_.busy())
-    return fail(FaultKind::refused, "The controller is at work and takes no program commands meanwhile.",
+    return fail(FaultKind::refused, "The controller is busy and takes no program commands.",
                 "Nothing was sent.", "Wait until it ends, or stop it.");
   return {};
 }

@@ -41,18 +41,16 @@ void range(ParamInfo& p, std::int64_t low, std::int64_t high, std::int64_t fallb
 }
 
 ParamInfo motor_type(int m) {
-  ParamInfo p =
-      row(fmt::format("M{}M", m), "Motors", fmt::format("Type of motor {}", m),
-          "Which motor is connected. The controller sets the current from it. 0 is the factory value "
-          "for very small motors: a larger one only buzzes and does not move. While jogging by the "
-          "buttons the motor gets 70 % of its power.");
+  ParamInfo p = row(fmt::format("M{}M", m), "Motors", fmt::format("Type of motor {}", m),
+                    "Choose the type of the connected motor. The controller sets the motor current by it. "
+                    "Type 0 is the factory value, for very small motors: a larger motor only buzzes and does "
+                    "not move. While you jog by the buttons, the motor gets 70 % of its power.");
   range(p, 0, 6, 0);
   p.choices = motor_types();
   p.warning = motor_warning(m);
   p.before_moving = fmt::format(
-      "No type is chosen for motor {}. Any but a very small motor only buzzes and loses steps (0, the "
-      "factory "
-      "value). Choose the type that stands on its label.",
+      "Motor {} still has type 0, the factory value. All but very small motors then only buzz and lose "
+      "steps. Choose the type that its label gives.",
       m);
   p.unset_value = 0;
   p.manual = "Setup Commands p.25";
@@ -60,11 +58,10 @@ ParamInfo motor_type(int m) {
 }
 
 ParamInfo motor_type_full(int m) {
-  ParamInfo p =
-      row(fmt::format("MA{}M", m), "Motors", fmt::format("Type of motor {}, jogs at full power", m),
-          "The same choice of motor, but the jog buttons and the joystick drive it with 100 % of its "
-          "power instead of 70 %. The controller does not tell which of the two it was given, so only "
-          "the type itself can be read back.");
+  ParamInfo p = row(
+      fmt::format("MA{}M", m), "Motors", fmt::format("Type of motor {}, jogs at full power", m),
+      "The same types, but the jog buttons and the joystick drive the motor at 100 % of its power instead of "
+      "70 %. The controller does not report which of the two was set: only the type can be read back.");
   range(p, 0, 6, 0);
   p.choices = motor_types();
   p.readable = false;
@@ -74,12 +71,12 @@ ParamInfo motor_type_full(int m) {
 }
 
 ParamInfo limit_mode(int m) {
-  ParamInfo p =
-      row(fmt::format("L{}M", m), "Limit switches", fmt::format("Limit switches of motor {}", m),
-          "How the two limit inputs are wired and whether they stop the motor. Velmex slides have "
-          "normally closed switches: leave automatic, which counts on them once one was seen closed. "
-          "A rotary table with a home switch needs the "
-          "home switch setting, so that the switch acts only while homing.");
+  ParamInfo p = row(
+      fmt::format("L{}M", m), "Limit switches", fmt::format("Limit switches of motor {}", m),
+      "How the two limit inputs are wired and whether they stop the motor. Velmex slides have normally "
+      "closed switches: leave this on automatic, which uses the switches as soon as it has seen one closed. "
+      "A rotary table with a home switch needs the "
+      "home switch setting, so that the switch acts only while homing.");
   range(p, -2, 2, 0);
   p.choices = {{0, "0: automatic, normally closed"},
                {1, "1: on, normally closed"},
@@ -93,8 +90,8 @@ ParamInfo limit_mode(int m) {
 ParamInfo pulse_every(int m) {
   ParamInfo p =
       row(fmt::format("P{}M", m), "Position pulses", fmt::format("Pulse every so many steps of motor {}", m),
-          "Makes a pulse on output 2 each time the motor has turned by this many steps, also while "
-          "jogging, for example to trigger a camera. The first pulse comes after half of the distance. "
+          "Output 2 gives a pulse each time the motor has turned by this many steps, also while jogging, for "
+          "example to trigger a camera. The first pulse comes after half of the distance. "
           "0 switches it off.");
   range(p, 1, 32767, 0, "steps");
   p.also_zero = true;
@@ -103,10 +100,9 @@ ParamInfo pulse_every(int m) {
 }
 
 ParamInfo jog_first(int m) {
-  ParamInfo p =
-      row(fmt::format("j{}M", m), "Jog buttons", fmt::format("First jog speed of motor {}", m),
-          "Top speed when a jog button on the controller's front panel is held longer than 0.3 s. "
-          "0 makes the buttons of this motor do nothing. It does not concern jogging from the screen.");
+  ParamInfo p = row(fmt::format("j{}M", m), "Jog buttons", fmt::format("First jog speed of motor {}", m),
+                    "Top speed when a jog button on the controller's front panel is held longer than 0.3 s. "
+                    "0 switches the buttons of this motor off. Jogging from the screen is not affected.");
   range(p, 1, 6000, 2000, "steps/s");
   p.also_zero = true;
   p.manual = "Appendix H p.49";
@@ -130,11 +126,10 @@ std::vector<ParamChoice> joystick_ranges() {
 }
 
 ParamInfo joystick_first(int m) {
-  ParamInfo p =
-      row(fmt::format("jA{}M", m), "Joystick", fmt::format("First joystick range of motor {}", m),
-          "Range of speeds that an analog joystick gives from a small to a full deflection. The "
-          "joystick must be at its centre when the controller is switched on: that place is taken as "
-          "no motion.");
+  ParamInfo p = row(fmt::format("jA{}M", m), "Joystick", fmt::format("First joystick range of motor {}", m),
+                    "Range of speeds that an analog joystick gives from a small to a full deflection. Leave "
+                    "the joystick at its centre when you switch the controller on: the controller takes its "
+                    "position then as no motion.");
   range(p, 0, 24, 0);
   p.choices = joystick_ranges();
   p.manual = "Appendix J p.54";
@@ -165,9 +160,8 @@ ParamInfo deadband() {
 ParamInfo mode() {
   ParamInfo p =
       row("DM", "Mode", "Controller mode",
-          "Turns the direction of single motors round, makes this controller the Master of a second "
-          "one, lets it behave like the older NF90, or lets program 4 run before the first run after "
-          "power-up, which is where a homing routine belongs.");
+          "Reverses single motors, makes this controller the Master of a second one, lets it behave like the "
+          "older NF90, or runs program 4 before the first run after power-up: put a homing routine there.");
   range(p, 0, 255, 1);
   p.bits = {{0, "always on"},
             {1, "motor 1 turns the other way"},
@@ -188,8 +182,8 @@ ParamInfo input_mode() {
   ParamInfo p =
       row("I", "Inputs", "What the inputs do",
           "Which of the Run and Stop buttons and of the inputs 1 to 4 act, and how: stopping with or "
-          "without a ramp, choosing a program, branching out of a wait, or capturing positions. The "
-          "Stop input is no emergency stop: for that, the power must be cut.");
+          "without a ramp, choosing a program, branching out of a wait, or capturing positions. The Stop "
+          "input is no emergency stop: an emergency stop must cut the power.");
   range(p, 0, 255, 7);
   p.bits = {{0, "Run button and input start programs"},
             {1, "Stop button and input 4 stop programs"},
@@ -207,31 +201,29 @@ ParamInfo pulse_width() {
   ParamInfo p =
       row("PA", "Position pulses", "Pulse width",
           "How long each position pulse on output 2 lasts, in units of ten microseconds: 1 is 10 µs, "
-          "200 is 2 ms. It serves the pulses every so many steps and those of U7.");
+          "200 is 2 ms. It applies to the pulses at step distances and to those of U7.");
   range(p, 1, 255, 1, "10 µs");
   p.manual = "Appendix D p.42";
   return p;
 }
 
 ParamInfo backlash() {
-  ParamInfo p =
-      row("Bx", "Precision", "Backlash compensation",
-          "Each move in the negative direction overruns by so many steps and comes back, so that every "
-          "position is reached from the same side and play in the screw does not show. 0 is off; 1 "
-          "means 20 steps. It holds for all motors. Sent as B and the number. The manual does not say "
-          "whether Store keeps it, as it does what is sent by set: check it after the next power-up.");
+  ParamInfo p = row("Bx", "Precision", "Backlash compensation",
+                    "Each move in the negative direction overruns by this many steps and comes back. Every "
+                    "position is then reached from the same side, and play in the screw does not show. 0 is "
+                    "off; 1 means 20 steps. It applies to all motors. It is sent as B and the number. The "
+                    "manual does not say whether Store keeps it: check it after the next power-up.");
   range(p, 0, 255, 0, "steps");
   p.manual = "Appendix F p.45";
   return p;
 }
 
 ParamInfo limit_report() {
-  ParamInfo p =
-      row("O", "Limit switches", "When a limit switch is hit",
-          "A limit switch always stops the motor. This says whether the controller tells the computer "
-          "by the letter O, and whether a running program ends there. Without it a program goes on "
-          "with its next command from the wrong place. The manual does not say whether Store keeps it, "
-          "as it does what is sent by set: check it after the next power-up.");
+  ParamInfo p = row("O", "Limit switches", "When a limit switch is hit",
+                    "A limit switch always stops the motor. Choose whether the controller also reports the "
+                    "hit by the letter O, and whether a running program ends. A program that does not end "
+                    "goes on with its next command from the wrong place. The manual does not say whether "
+                    "Store keeps this setting: check it after the next power-up.");
   range(p, 0, 3, 0);
   p.choices = {{0, "0: stop the motor only"},
                {1, "1: tell the computer"},
@@ -246,7 +238,7 @@ ParamInfo baud() {
       row("B", "Communication", "Baud rate",
           "Speed of the serial line. The console changes its own side together with the controller and "
           "goes back if it gets no answer. The controller keeps the new rate over power-off only after "
-          "Store. It does not tell its rate, so none is shown until one is set here.");
+          "Store. It does not report its rate, so none is shown until you set one here.");
   range(p, 9, 38, 9);
   p.choices = {{9, "9600 baud"}, {19, "19200 baud"}, {38, "38400 baud"}};
   p.readable = false;
@@ -259,9 +251,9 @@ ParamInfo association() {
   ParamInfo p =
       row("PMA", "Two controllers", "Programs started together",
           "Lets the Slave run its own program of the same number whenever the Master runs that program. "
-          "Commands for motors 3 and 4 use program 0 of the Slave and erase what stands there, so do "
-          "not couple program 0 in a system that uses them. The manual does not say that Store keeps it: "
-          "count on setting it again after each power-up.");
+          "Commands for motors 3 and 4 use program 0 of the Slave and erase its commands, so do not couple "
+          "program 0 in a system that uses them. The manual does not say that Store keeps it: expect to set "
+          "it again after each power-up.");
   range(p, -5, 255, 255);
   p.choices = {{255, "off"}};
   for (int x = 0; x <= 4; ++x) p.choices.push_back({x, fmt::format("program {}", x)});

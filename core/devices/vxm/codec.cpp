@@ -234,23 +234,21 @@ ErrorWords explain_error(char letter) {
           std::string(recover) + " Then let fewer programs call each other.", true, false};
     case error_nonstop:
       return {
-          "The controller reports EC: nonstop indexing has no U9, U91, U92 or U99 at its end, or another "
-          "motor "
-          "stands in it. It accepts nothing until it gets K.",
+          "The controller reports EC: nonstop indexing has no U9, U91, U92 or U99 at its end, or it contains "
+          "another motor. The controller accepts nothing until it gets K.",
           std::string(recover) + " Then correct the part of the program that begins with U7, U77 or U8.",
           true, false};
     case error_erased:
       return {
-          "The controller reports EN: its memory was erased. Programs, settings and motor types are the "
-          "factory's "
-          "again, and it has restarted.",
+          "The controller reports EN: its memory was erased. Programs, settings and motor types have their "
+          "factory values again, and it has restarted.",
           "Choose the motor types in Setup before the next move.", false, true};
     case error_stopped:
       return {"The controller reports ES: the Stop button or input 4 ended the program.",
               "Release it, and run again when it is safe.", false, false};
     default: break;
   }
-  return {fmt::format("The controller reports an error that the manual does not know: E{}.", letter), "",
+  return {fmt::format("The controller reports an error that the manual does not list: E{}.", letter), "",
           false, false};
 }
 

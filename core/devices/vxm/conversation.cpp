@@ -16,7 +16,7 @@ constexpr Duration late_greeting_patience = std::chrono::seconds(3);
 
 tl::unexpected<Fault> no_such_answer(std::string_view question, std::string_view reply) {
   return fail(FaultKind::garbled,
-              fmt::format("The controller answered {} to {}, which makes no sense.", printable(reply),
+              fmt::format("The controller answered {} to {}, which is not a valid answer.", printable(reply),
                           printable(question)),
               "It was asked again.",
               "Check the cable, the baud rate, and whether another program talks to the controller.");

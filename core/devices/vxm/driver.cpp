@@ -86,7 +86,7 @@ std::string VxmDriver::leaves_behind() const { return work_.legs.leaves_behind()
 Task<Result<std::string>> VxmDriver::stop(const StopOrder& order) {
   using What = StopOrder::What;
   if (!conversation_.station())
-    co_return fail(FaultKind::lost, "Stop does not reach the controller: there is no connection.",
+    co_return fail(FaultKind::lost, "Stop cannot reach the controller: there is no connection.",
                    "Nothing was sent.", "Use its power switch.");
   if (order.what == What::broadcast) co_return std::string();  // a VXM is alone on its wire
   if (order.what == What::words) co_return co_await work_.texts.stop_by_words(order);

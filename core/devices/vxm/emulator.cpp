@@ -162,7 +162,7 @@ Result<> VxmEmulator::load_memory(std::string_view text) {
   after();
   if (loaded.problem.empty()) return {};
   return fail(FaultKind::text, "The memory of the VXM is damaged: " + loaded.problem,
-              "What could be read was taken; the rest has its factory value.",
+              "The readable part was taken; the rest has its factory values.",
               "Check motor types and programs before you run a motor.");
 }
 

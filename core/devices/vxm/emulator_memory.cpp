@@ -126,11 +126,11 @@ std::string Box::load_line(std::string_view line) {
   } else if (name.substr(0, 8) == "program-" && name.size() == 9 && name[8] >= '0' && name[8] <= '4') {
     return load_program(value, saved_.programs[static_cast<std::size_t>(name[8] - '0')])
                ? ""
-               : "holds unknown commands; the others are kept";
+               : "contains unknown commands; the others are kept";
   }
   if (!known) return "is not a setting of a VXM";
   if (good && !trim(value).empty()) good = false;
-  return good ? "" : "holds a value that is out of range";
+  return good ? "" : "contains a value that is out of range";
 }
 
 void Box::take_saved() {

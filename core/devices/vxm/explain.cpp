@@ -45,7 +45,7 @@ constexpr UserWords user_words[] = {
     {19, "output 4 on"},
     {21, "leave out the next command if input 1 is low"},
     {22, "leave out the next command if input 2 is low"},
-    {23, "wait for a button, run program 1 or 2 and come back, or go on"},
+    {23, "wait for a button, run program 1 or 2 and return, or go on"},
     {30, "wait until input 1 goes from low to high"},
     {31, "wait until input 1 goes from low to high, output 1 on meanwhile"},
     {32, "wait for the jog 1- button"},
@@ -69,11 +69,11 @@ std::string user_command(std::int64_t number) {
 
 std::string stored_command(const TextCommand& c) {
   const int motor = c.motor;
-  const char* turns = c.minus ? ", motor 1 turns round each pass" : "";
+  const char* turns = c.minus ? ", motor 1 reverses each pass" : "";
   switch (c.verb) {
     case Verb::index_by: return fmt::format("motor {} moves by {:+} steps", motor, c.signed_value());
     case Verb::index_to: return fmt::format("motor {} moves to {}", motor, c.signed_value());
-    case Verb::zero_here: return fmt::format("the place of motor {} becomes zero", motor);
+    case Verb::zero_here: return fmt::format("the position of motor {} becomes zero", motor);
     case Verb::home: return fmt::format("motor {} runs to its {} limit switch", motor, c.minus ? '-' : '+');
     case Verb::speed:
       return fmt::format("motor {} at {} steps/s{}", motor, c.value, c.full_power ? ", full power" : "");
@@ -81,21 +81,20 @@ std::string stored_command(const TextCommand& c) {
       return fmt::format("motor {} at a speed from the analog input, range {}", motor, c.value);
     case Verb::acceleration: return fmt::format("motor {} with acceleration {}", motor, c.value);
     case Verb::loop_forever: return "loop for ever";
-    case Verb::marker_set: return "loops come back to here";
-    case Verb::marker_reset: return "loops come back to the beginning";
+    case Verb::marker_set: return "loops return to here";
+    case Verb::marker_reset: return "loops return to the beginning";
     case Verb::loop: return times(c.value) + turns;
     case Verb::loop_always: return times(c.value) + turns + ", nothing left out";
     case Verb::loop_reverse:
-      return fmt::format("repeat once with {} turned round", c.value == 2 ? "motor 2" : "motors 1 and 2");
+      return fmt::format("repeat once with {} reversed", c.value == 2 ? "motor 2" : "motors 1 and 2");
     case Verb::jump: return fmt::format("go on with program {}", c.value);
-    case Verb::jump_return: return fmt::format("run program {} and come back", c.value);
-    case Verb::jump_pick:
-      return fmt::format("run program {}, come back and undo its absolute moves", c.value);
+    case Verb::jump_return: return fmt::format("run program {} and return", c.value);
+    case Verb::jump_pick: return fmt::format("run program {}, return and undo its absolute moves", c.value);
     case Verb::pause: return "wait " + pause_length(c);
     case Verb::pause_output:
       return c.value == 0 ? std::string("output 1 on for 10 µs") : "output 1 on for " + pause_length(c);
     case Verb::user: return user_command(c.value);
-    case Verb::pair_begins: return "begin of indexes that run together";
+    case Verb::pair_begins: return "start of indexes that run together";
     case Verb::pair_ends: return "end of indexes that run together";
     default: return {};
   }
@@ -178,14 +177,14 @@ std::string setup_name(std::string_view name) {
 
 std::string word_command(std::string_view word) {
   if (word == "lst") return "list the selected program";
-  if (word == "rsm") return "store set-up and programs for good";
+  if (word == "rsm") return "store set-up and programs permanently";
   if (word == "res") return "restart as after power-up";
   return "delete the last command of the selected program";
 }
 
 std::string immediate_command(const TextCommand& c) {
   switch (c.verb) {
-    case Verb::slave_begins: return "begin of commands for the Slave";
+    case Verb::slave_begins: return "start of commands for the Slave";
     case Verb::slave_ends: return "end of commands for the Slave";
     case Verb::select: return fmt::format("choose program {}", c.value);
     case Verb::empty: return fmt::format("choose program {} and empty it", c.value);

@@ -34,11 +34,11 @@ Greeting read_greeting(std::string_view bytes) {
 tl::unexpected<Fault> nobody_greets(int rate) {
   std::string what = "Nothing answers to V, the VXM's question for its state";
   what += rate > 0 ? fmt::format(", at {} baud.", rate) : ".";
-  return fail(
-      FaultKind::no_answer, std::move(what), "Nothing else was sent but a carriage return.",
-      "Check that the controller is switched on (green lamp), the cable, and the baud rate: 9600, "
-      "19200 or 38400. If both lamps flash fast it stands in an error state and takes only K: send K. "
-      "If On-Line flashes alone, switch it off and on.");
+  return fail(FaultKind::no_answer, std::move(what), "Nothing else was sent but a carriage return.",
+              "Check that the controller is switched on (green lamp), the cable, and the baud rate: 9600, "
+              "19200 or 38400. If both lamps flash fast, the controller is in an error state and takes only "
+              "K: send K. "
+              "If On-Line flashes alone, switch it off and on.");
 }
 
 tl::unexpected<Fault> no_vxm_greets(std::string_view bytes, int rate) {

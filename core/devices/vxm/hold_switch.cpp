@@ -4,11 +4,12 @@ namespace hw::vxm {
 
 Result<> HoldSwitch::may_switch() const {
   if (hold_.is_known()) return {};
-  return fail(FaultKind::refused,
-              hold_.is_doubtful()
-                  ? "The connection was lost while the hold was switched: it is not known whether it is on."
-                  : "Somebody else has begun this program, and whether it is held shows when a motor starts.",
-              "Nothing was sent.", "Stop the program.");
+  return fail(
+      FaultKind::refused,
+      hold_.is_doubtful()
+          ? "The connection was lost while the hold was being switched: whether it is on is unknown."
+          : "Another program or a button started this run: whether it is held shows when a motor starts.",
+      "Nothing was sent.", "Stop the program.");
 }
 
 Task<Result<>> HoldSwitch::transmit(std::string text, bool on, Priority priority) {
@@ -26,7 +27,7 @@ Task<Result<>> HoldSwitch::settle() {
   if (settled || settled.error().kind != FaultKind::no_answer) co_return settled;
   co_return fail(
       FaultKind::no_answer,
-      "It is not known whether the hold (H) is on, and the controller does not confirm the K that ends it.",
+      "Whether the hold (H) is on is unknown, and the controller does not confirm the K that ends it.",
       "Nothing else was sent.", "Try again.");
 }
 

@@ -38,12 +38,11 @@ Task<Result<>> Identification::read() {
         console_.catalog.jog_speed;  // it has none: each motion of the console sets one
   }
   if (axes > motors_per_controller && !has_slave_)
-    console_.report(
-        Notice::Kind::warning,
-        "The controller finds no second one on the VXM bus, so motors 3 and 4 cannot be used. Nothing is "
-        "sent to "
-        "them. Check the Slave's power and cable, and that this controller is the Master (DM bit 6); then "
-        "reconnect.");
+    console_.report(Notice::Kind::warning,
+                    "The controller finds no second controller on the VXM bus, so motors 3 and 4 cannot be "
+                    "used. Nothing is sent to them. Check the Slave's power and cable, and that this "
+                    "controller is the Master (DM bit 6); then "
+                    "reconnect.");
   if (axes <= motors_per_controller && has_slave_)
     console_.report(Notice::Kind::warning, std::string(unused_slave));
   read_ = true;

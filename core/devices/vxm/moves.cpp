@@ -119,13 +119,12 @@ Task<Result<>> Moves::jog(const intent::JogStart& request) {
   admission_.warn_of_motor_type(axis);
   Job job = Job::jog(legs_.jog_leg(axis, request.sign, *pace, request.up_to));
   if (*job.leg().target == console_.draft.axes[axis].position && request.up_to)
-    co_return fail(
-        FaultKind::refused,
-        fmt::format("Motor {} stands at the end of its travel, {}.", axis + 1, request.up_to->value),
-        "Nothing was sent.", "Jog it the other way, or change the limit.");
+    co_return fail(FaultKind::refused,
+                   fmt::format("Motor {} is at the end of its travel, {}.", axis + 1, request.up_to->value),
+                   "Nothing was sent.", "Jog it the other way, or change the limit.");
   if (*job.leg().target == console_.draft.axes[axis].position)
     co_return fail(FaultKind::refused,
-                   fmt::format("Motor {} stands at the end of the controller's position register.", axis + 1),
+                   fmt::format("Motor {} is at the end of the controller's position register.", axis + 1),
                    "Nothing was sent.", "Set its position to zero first.");
   co_return co_await legs_.begin(std::move(job));
 }
@@ -178,9 +177,10 @@ Task<Result<>> Moves::home(const intent::Home& request) {
 
 Task<Result<>> Moves::set_position(const intent::SetPosition& request) {
   if (request.value.value != 0)
-    co_return fail(FaultKind::refused,
-                   fmt::format("A VXM can only call the present position zero, not {}.", request.value.value),
-                   "Nothing was sent.", "Set zero here, or move to where zero shall be first.");
+    co_return fail(
+        FaultKind::refused,
+        fmt::format("A VXM can set the present position only to zero, not to {}.", request.value.value),
+        "Nothing was sent.", "Set zero here, or first move to the place of the new zero.");
   if (auto may = request.axis < 0 ? admission_.may_run() : admission_.may_move(request.axis); !may)
     co_return may;
   if (request.axis < 0) {
@@ -201,7 +201,7 @@ Task<Result<>> Moves::set_position(const intent::SetPosition& request) {
     if ((request.axis < 0 || request.axis == i) && console_.draft.axes[i].enabled &&
         console_.draft.axes[i].position.value != 0)
       co_return fail(FaultKind::controller,
-                     fmt::format("Motor {} was to read zero, but the controller says {}.", i + 1,
+                     fmt::format("Motor {} was set to zero, but the controller reports {}.", i + 1,
                                  console_.draft.axes[i].position.value),
                      "Its position is as before.", "Check whether the Stop button is held, then try again.");
   co_return Result<>();
@@ -224,7 +224,7 @@ Task<Result<>> Moves::set_output(const intent::SetOutput& request) {
   const bool is_on = console_.draft.outputs >> (request.number - 1) & 1;
   if (is_on == request.on) co_return Result<>();
   co_return fail(FaultKind::controller,
-                 fmt::format("Output {} was to go {}, but the controller says that it is {}.", request.number,
+                 fmt::format("Output {} was switched {}, but the controller reports {}.", request.number,
                              request.on ? "on" : "off", is_on ? "on" : "off"),
                  "It was asked for once.", "Check whether the Stop button is held, then try again.");
 }

@@ -81,7 +81,8 @@ Task<Result<>> Opening::found_local(char state) {
   if (!on_line) co_return on_line;
   console_.report(Notice::Kind::info,
                   state == jog_moving
-                      ? "Somebody was jogging at the controller's buttons. It is on-line now: they are off."
+                      ? "A motor was being jogged by the controller's buttons. The controller is on-line "
+                        "now: its jog buttons are off."
                       : "The controller was in Local mode. It is on-line now: its jog buttons are off.");
   co_return Result<>();
 }

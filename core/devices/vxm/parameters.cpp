@@ -137,10 +137,10 @@ Task<Result<>> Parameters::set(const intent::SetParam& request) {
   if (!read) co_return read;
   const auto expected = as_kept(info.mnemonic, request.value);
   if (!info.readable || state.value == expected) co_return Result<>();
-  co_return fail(
-      FaultKind::controller,
-      fmt::format("{} was set to {}, but the controller says {}.", info.mnemonic, request.value, state.value),
-      "It was sent once.", "Read the set-up again; the controller's number is in force.");
+  co_return fail(FaultKind::controller,
+                 fmt::format("{} was set to {}, but the controller reports {}.", info.mnemonic, request.value,
+                             state.value),
+                 "It was sent once.", "Read the set-up again: the controller's number is in force.");
 }
 
 // The controller changes its rate after the ender; then both sides must agree, or go back. A stop in between
@@ -199,7 +199,7 @@ Task<Result<>> Parameters::store() {
   if (!reply && reply.error().kind == FaultKind::no_answer)
     co_return fail(
         FaultKind::no_answer,
-        fmt::format("The controller did not confirm in {:.0f} s that it has stored.",
+        fmt::format("The controller did not confirm within {:.0f} s that it has stored.",
                     seconds(store_patience)),
         "rsm was sent once and is not repeated: the memory is rated for a limited number of writes.",
         "Do not switch the controller off now. Ask for its state, and compare before you store again.");
@@ -211,7 +211,7 @@ Task<Result<>> Parameters::store() {
                                 console_.draft.store_count, store_life));
   } else {
     console_.report(Notice::Kind::info, fmt::format("Set-up and programs are stored. The memory is rated for "
-                                                    "about {} writes; it is not known how many were used.",
+                                                    "about {} writes; the number used so far is unknown.",
                                                     store_life));
   }
   co_return Result<>();

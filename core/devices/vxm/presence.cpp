@@ -14,8 +14,8 @@ Task<Result<>> Presence::go_on_line() {
     if (*state == ready || *state == busy) break;
     if (again)
       co_return fail(
-          FaultKind::controller,
-          "The controller stays in Local mode although it was asked to go on-line (F).", {},
+          FaultKind::controller, "The controller stays in Local mode although F was sent to put it on-line.",
+          {},
           "Let go of all buttons at its front panel; if its green lamp flashes, wait until it is steady.");
   }
   seen_on_line();

@@ -180,7 +180,7 @@ class Walk {
         return;
       case 'N': out_.script += "N"; return;
       case '(':
-        if (group_) error(p, "A ( stands inside another (.");
+        if (group_) error(p, "One ( is inside another (.");
         group_ = Command(Op::group, 0, 0);
         group_place_ = p;
         return;
@@ -204,7 +204,7 @@ class Walk {
   void lost_after_run(const Place& p) {
     if (warned_after_run_) return;
     warned_after_run_ = true;
-    warn(p, "What follows R on its line reaches the running program and is not stored.");
+    warn(p, "Text after R on its line goes to the running program and is not stored.");
   }
 
   void word(const Reading& r) {

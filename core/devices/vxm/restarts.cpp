@@ -52,11 +52,10 @@ Task<Result<>> Restarts::may_have_left_local() {
   if (!zero) co_return Result<>();
   stands_since(Doubt::unheard);
   knowledge_.may_be_of_before();
-  console_.report(
-      Notice::Kind::warning,
-      "F put the controller on-line, and answers were missing or late: it is not known whether it "
-      "was switched off and on. All positions read zero. Check where the axes stand, and home them "
-      "before the next absolute move.");
+  console_.report(Notice::Kind::warning,
+                  "Check where the axes are, and home them before the next absolute move: all positions read "
+                  "zero. F put the controller on-line, and answers were missing or late, so the console "
+                  "cannot tell whether it was switched off and on.");
   co_return Result<>();
 }
 
@@ -73,12 +72,11 @@ void Restarts::count(const char* why, bool was_moving, const std::optional<Digit
                     "Nothing else was sent.",
                     why));
   forget_ram();
-  console_.report(
-      Notice::Kind::warning,
-      fmt::format(
-          "{}: the controller was switched off and on, or reset. Its positions read zero where the motors "
-          "stand now, and what was not stored is gone. {}Home the axes before the next absolute move.",
-          why, was_moving ? "The motion that was under way was not resumed. " : ""));
+  console_.report(Notice::Kind::warning,
+                  fmt::format("{}: the controller was switched off and on, or reset. Its positions read zero "
+                              "where the motors are now, and unstored settings and programs are lost. {}Home "
+                              "the axes before the next absolute move.",
+                              why, was_moving ? "The motion that was under way was not resumed. " : ""));
 }
 
 Task<Result<>> Restarts::found_reset_on_line() {
@@ -87,8 +85,8 @@ Task<Result<>> Restarts::found_reset_on_line() {
   stands_since(Doubt::reset);
   forget_ram();
   console_.report(Notice::Kind::warning,
-                  "The controller was reset by res: its positions read zero where the motors stand now, and "
-                  "what was not stored is gone. Home the axes before the next absolute move.");
+                  "The controller was reset by res: its positions read zero where the motors are now, and "
+                  "unstored settings and programs are lost. Home the axes before the next absolute move.");
   co_return co_await positions_.read(Priority::intent, true);
 }
 
@@ -109,8 +107,8 @@ Task<Result<>> Restarts::reset() {
   presence_.reset_is_over();
   stands_since(Doubt::reset);
   console_.report(Notice::Kind::info,
-                  "The controller was reset: positions are zero where the motors stand, and what was not "
-                  "stored is gone. Home the axes before the next absolute move.");
+                  "The controller was reset: its positions read zero where the motors are now, and unstored "
+                  "settings and programs are lost. Home the axes before the next absolute move.");
   co_return co_await positions_.read(Priority::intent, true);
 }
 

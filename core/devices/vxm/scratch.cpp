@@ -39,7 +39,8 @@ Task<Result<>> Scratch::fill(std::string commands) {
     auto quiet = co_await conversation_.wait_for_quiet();  // more may come than expected
     if (!quiet) co_return quiet;
   }
-  co_return fail(FaultKind::garbled, fmt::format("Program {} in the controller is not what was sent.", slot_),
+  co_return fail(FaultKind::garbled,
+                 fmt::format("Program {} in the controller differs from the text that was sent.", slot_),
                  "Nothing was run.",
                  "Check the cable, the baud rate, and whether another program talks to the controller.");
 }

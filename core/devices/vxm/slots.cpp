@@ -35,7 +35,7 @@ Task<Result<std::int64_t>> Slots::ask_selected() {
   if (!selected || is_one()) co_return selected;
   co_return fail(
       FaultKind::garbled,
-      fmt::format("The controller says that program {} is selected, but it has 0 to 4.", *selected));
+      fmt::format("The controller reports program {} as selected, but it has only 0 to 4.", *selected));
 }
 
 // M reports on the selected program, so each is selected in turn and the user's choice restored. The user's
@@ -96,13 +96,12 @@ Task<Result<int>> Slots::find_empty() {
       doubt(slot);
       console_.draft.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - *free);
     }
-  const Fault none(
-      FaultKind::refused,
-      "All five programs of the controller hold commands, and a move of the console needs an empty one for "
-      "its time.",
-      "Nothing was sent and nothing was erased.",
-      "Which may be emptied? Choose it in the program editor, save its text if it is needed, take Empty in "
-      "controller, and move again.");
+  const Fault none(FaultKind::refused,
+                   "All five programs of the controller contain commands, and a move from the console needs "
+                   "an empty program while it lasts.",
+                   "Nothing was sent and nothing was erased.",
+                   "In the program editor, choose a program that may be emptied, save its text if you need "
+                   "it, press Empty in controller, and move again.");
   ask_for_room(none.sentence());
   co_return fail(none);
 }
@@ -163,18 +162,17 @@ Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
   }
   doubt(slot);
   console_.report(Notice::Kind::warning,
-                  fmt::format("Program {} of the controller holds more than it did: a byte of what was sent "
-                              "was lost or came twice. Check it before you run it.",
+                  fmt::format("Check program {} of the controller before you run it: it has grown, so a byte "
+                              "that was sent was lost or arrived twice.",
                               slot));
   co_return Result<>();
 }
 
 void Slots::tell_pause_at_end(int slot, const TextCommand& pause) const {
-  console_.report(
-      Notice::Kind::warning,
-      fmt::format("Program {} of the controller ends with P{}. That may be what the console "
-                  "selects a program with, and a byte of it was lost. Check it before you run it.",
-                  slot, pause.value));
+  console_.report(Notice::Kind::warning,
+                  fmt::format("Check program {} of the controller before you run it: it ends with P{}. This "
+                              "may be a selection by the console that lost a byte.",
+                              slot, pause.value));
 }
 
 void Slots::ask_for_room(std::string sentence) const {

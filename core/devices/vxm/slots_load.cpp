@@ -45,7 +45,7 @@ std::string with_carriage_returns(std::string_view text) {
 
 tl::unexpected<Fault> bad_line(int line, const std::string& what) {
   return fail(FaultKind::text, fmt::format("Line {}: {}", line, what),
-              "Nothing was sent; the controller holds what it held.", "Correct the line and load it again.");
+              "Nothing was sent; the controller keeps its programs.", "Correct the line and load it again.");
 }
 
 bool is_orphan_digit(const TextCommand& c) {  // "5080.0": the period ends the number, the 0 is dropped
@@ -80,7 +80,7 @@ class Planner {
     } else if (!c.stored()) {
       leave_out(c);
     } else if (slot_ < 0) {
-      return bad_line(line_of(text_, c.begin), "it stands before the first program heading (PM-0 to PM-4).");
+      return bad_line(line_of(text_, c.begin), "it comes before the first program heading (PM-0 to PM-4).");
     } else {
       store(c);
     }
@@ -142,7 +142,7 @@ class Planner {
     return fail(FaultKind::refused,
                 fmt::format("Program {} needs {} bytes, {} more than the {} that it has.", number, cost,
                             cost - program_bytes, program_bytes),
-                "Nothing was sent; the controller holds what it held.",
+                "Nothing was sent; the controller keeps its programs.",
                 "Shorten it, or move a part into another program (JM).");
   }
 
@@ -176,7 +176,7 @@ Task<Result<>> Slots::load(const intent::LoadProgram& request) {
   if (plan->stores_nothing() && !plan->clears && !plan->left_out.empty())
     co_return fail(FaultKind::text,
                    fmt::format("Nothing in this text is part of a program: {}.", plan->left_out),
-                   "Nothing was sent; the controller holds what it held.",
+                   "Nothing was sent; the controller keeps its programs.",
                    "Commands that act at once are sent, not loaded.");
   if (selected_ < 0) {
     auto read = co_await read_sizes();
@@ -276,7 +276,7 @@ Task<Result<>> Slots::verify_slot(int slot, const Lines& expected) {
   }
   if (listing->slot != slot)
     co_return fail(FaultKind::garbled,
-                   fmt::format("Program {} was to be written, but the controller shows program {}.", slot,
+                   fmt::format("Program {} was to be written, but the controller lists program {}.", slot,
                                listing->slot),
                    "It was not run.", "Load it again before it is run.");
   co_return Result<>();
@@ -304,7 +304,7 @@ Task<Result<>> Slots::upload(int slot) {
   if (listing->slot != slot)
     co_return fail(
         FaultKind::garbled,
-        fmt::format("Program {} was asked for, but the controller shows program {}.", slot, listing->slot),
+        fmt::format("Program {} was requested, but the controller shows program {}.", slot, listing->slot),
         "Nothing was changed.", "Read it again.");
   holds(slot, *listing);
   std::string text;

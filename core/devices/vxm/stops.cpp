@@ -60,8 +60,8 @@ Task<Result<>> Stops::stop_leg(const StopOrder& order) {
     for (const Leg& leg : under_way_.job().drop_later_legs(order.axis))
       if (order.axis >= 0 && leg.second_axis >= 0)
         console_.report(Notice::Kind::warning,
-                        fmt::format("Motors {} and {} were to move together: both stay now.", leg.axis + 1,
-                                    leg.second_axis + 1));
+                        fmt::format("Motors {} and {} were to move together: neither moves now.",
+                                    leg.axis + 1, leg.second_axis + 1));
   }
   if (!concerned) co_return Result<>();
   under_way_.job().note_stop();

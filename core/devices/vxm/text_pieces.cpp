@@ -157,7 +157,7 @@ std::string dropped_of(const std::vector<TextCommand>& commands, Listening now) 
     now.follow(c);
   }
   if (dropped.empty()) return dropped;
-  return fmt::format("{} and drops {} without a word.", when, dropped);
+  return fmt::format("{} and ignores {} silently.", when, dropped);
 }
 
 bool last_is_dropped(const std::vector<TextCommand>& commands, Listening now) {

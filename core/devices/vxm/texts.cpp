@@ -32,7 +32,7 @@ bool goes_with_a_stop(const TextCommand& c) {
 Fault not_behind_stop(std::string_view rest) {
   return Fault(
       FaultKind::refused,
-      fmt::format("{} was not sent: a move of the console was under way, and its stop was sent first.",
+      fmt::format("{} was not sent: a move from the console was under way, and its stop was sent first.",
                   printable(rest)),
       "", "Send it again when the move has ended.");
 }
@@ -105,32 +105,26 @@ void Texts::warn_of_flaws(const std::vector<TextCommand>& commands) const {
   for (const TextCommand& c : commands)
     if (c.flaw == Flaw::unknown) unknown += (unknown_count++ > 0 ? " " : "") + printable(c.name);
   if (unknown_count == 1)
-    console_.report(
-        Notice::Kind::warning,
-        fmt::format("{} is no command of the VXM: the controller drops it without a word. It was sent as it "
-                    "is. Type ? in the terminal to list the commands.",
-                    unknown));
+    console_.report(Notice::Kind::warning,
+                    fmt::format("{} is no command of the VXM, and the controller ignores it silently. It was "
+                                "sent as typed. Type ? in the terminal to list the commands.",
+                                unknown));
   if (unknown_count > 1)
-    console_.report(
-        Notice::Kind::warning,
-        fmt::format("{} are no commands of the VXM: the controller drops them without a word. They were sent "
-                    "as they are. Type ? in the terminal to list the commands.",
-                    unknown));
+    console_.report(Notice::Kind::warning,
+                    fmt::format("{} are no commands of the VXM, and the controller ignores them silently. "
+                                "They were sent as typed. Type ? in the terminal to list the commands.",
+                                unknown));
   for (const TextCommand& c : commands) {
     if (c.flaw == Flaw::range)
-      console_.report(
-          Notice::Kind::warning,
-          fmt::format(
-              "{} is not possible, it takes {}: the controller drops it without a word. It was sent as "
-              "it is. Send it again with another number.",
-              canonical(c), allowed_values(c)));
+      console_.report(Notice::Kind::warning,
+                      fmt::format("{} is not possible, and the controller ignores it silently. It takes {}. "
+                                  "It was sent as typed. Send it again with another number.",
+                                  canonical(c), allowed_values(c)));
     if (c.flaw == Flaw::no_value)
-      console_.report(
-          Notice::Kind::warning,
-          fmt::format(
-              "{} lacks its number: the controller drops it without a word. It was sent as it is. Send "
-              "it again with its number.",
-              printable(c.name)));
+      console_.report(Notice::Kind::warning,
+                      fmt::format("{} lacks its number, and the controller ignores it silently. It was sent "
+                                  "as typed. Send it again with its number.",
+                                  printable(c.name)));
   }
 }
 
@@ -201,10 +195,11 @@ Result<> Texts::may_send(const std::vector<TextCommand>& commands) const {
     const bool taken_while_running =
         c.verb == Verb::letter && accepted_while_running.find(c.letter) != std::string_view::npos;
     if (under_way_.job().active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
-      return fail(FaultKind::refused,
-                  fmt::format("A move of the console is under way, and the controller does not take {} then.",
-                              canonical(c)),
-                  "Nothing was sent.", "Wait until it ends, or stop it.");
+      return fail(
+          FaultKind::refused,
+          fmt::format("A move from the console is under way, and the controller does not take {} during it.",
+                      canonical(c)),
+          "Nothing was sent.", "Wait until it ends, or stop it.");
   }
   return {};
 }
@@ -213,7 +208,7 @@ Task<Result<>> Texts::send(std::string text) {
   if (ends_open(text)) text += '\r';
   if (auto may = may_send(read_text(text)); !may) co_return may;
   RawAnswer sent = co_await send_pieces(std::move(text), usual_patience, Priority::intent);
-  if (!sent.dropped.empty()) console_.report(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
+  if (!sent.dropped.empty()) console_.report(Notice::Kind::warning, sent.dropped + " It was sent as typed.");
   if (!sent.text.empty()) console_.texts.add(std::move(sent.text));
   if (sent.fault) co_return fail(std::move(*sent.fault));
   co_return Result<>();
@@ -226,8 +221,8 @@ Task<Result<std::string>> Texts::converse(std::string text, Duration patience, P
   const std::uint64_t asked = console_.texts.next();
   RawAnswer sent = co_await send_pieces(std::move(text), patience, priority);
   if (!sent.fault && sent.last_is_dropped && sent.text.empty())
-    co_return fail(FaultKind::controller, sent.dropped, "It was sent as it is.");
-  if (!sent.dropped.empty()) console_.report(Notice::Kind::warning, sent.dropped + " It was sent as it is.");
+    co_return fail(FaultKind::controller, sent.dropped, "It was sent as typed.");
+  if (!sent.dropped.empty()) console_.report(Notice::Kind::warning, sent.dropped + " It was sent as typed.");
   if (!sent.fault) co_return std::move(sent.text);
   auto report =
       sent.fault->kind == FaultKind::no_answer ? console_.texts.take_since(asked, 'E') : std::nullopt;
@@ -261,7 +256,7 @@ Task<Result<std::string>> Texts::stop_by_words(const StopOrder& order) {
   }
   if (!reply && reply.error().kind == FaultKind::no_answer && blind)
     co_return fail(FaultKind::no_answer,
-                   fmt::format("{} was sent and brought nothing.", printable(order.words)), "",
+                   fmt::format("{} was sent and had no effect.", printable(order.words)), "",
                    "Check that the controller is switched on, the cable, and the baud rate.");
   if (!reply) co_return reply;
   if (!rest.empty()) {

@@ -65,4 +65,4 @@ END
 ;# error 31:3 SR0 to SR1
 ;# error 32:4 written only
 ;# error 33:4 minus sign
-;# error 34:1 nothing that a program
+;# error 34:1 is not a statement

@@ -22,7 +22,7 @@ END
 ;# error 4:1 END is missing above
 ;# error 6:1 ENDSUB
 ;# error 7:1 stands twice
-;# error 9:1 outside of any program
+;# error 9:1 outside any program
 ;# error 13:1 stands twice
 ;# error 14:1 A program ends with END
 ;# error 15:1 no program here

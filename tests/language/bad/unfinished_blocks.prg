@@ -18,7 +18,7 @@ WHILE V1=1
 ;# error 5:1 no IF above
 ;# error 6:1 no IF above
 ;# error 9:1 has an ELSE already
-;# error 10:1 behind ELSE
+;# error 10:1 after ELSE
 ;# error 12:1 no ENDIF
 ;# error 15:1 no ENDWHILE
 ;# error 15:11 ENDSUB is missing below

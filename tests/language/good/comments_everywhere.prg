@@ -10,7 +10,7 @@ V3=3 ** stars
 END;
 ;# for pmx-4ex-sa dmx-k-sa
 ;# lines 4
-;# warning 3:1 comment begins with ;
-;# warning 4:1 comment begins with ;
-;# warning 7:6 comment begins with ;
+;# warning 3:1 Begin a comment with ;
+;# warning 4:1 Begin a comment with ;
+;# warning 7:6 Begin a comment with ;
 ;# after 20 V1=1 V2=2 V3=3 state0=0

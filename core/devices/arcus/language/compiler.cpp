@@ -43,7 +43,7 @@ void warn_of_stars(const LexedLine& lexed, int line, std::vector<Problem>& probl
   problem.error = false;
   problem.line = line;
   problem.column = lexed.comment();
-  problem.sentence = "Taken as a comment. A comment begins with ;.";
+  problem.sentence = "Begin a comment with ;. This was taken as a comment.";
   problem.fix_label = "Use ;";
   problem.fix_text = ";";
 }
@@ -69,7 +69,7 @@ void say_too_long(const Generated& generated, std::vector<Problem>& problems) {
   problem.line = beyond->line;
   problem.column = beyond->column;
   problem.length = beyond->length;
-  problem.sentence = "From here on the text does not fit: it needs " + grouped(generated.needed) +
+  problem.sentence = "The text does not fit from here on: it needs " + grouped(generated.needed) +
                      " low-level lines, and the controller has " + grouped(max_lines) + ".";
 }
 

@@ -186,7 +186,7 @@ Complaint unknown_word(const Dialect& dialect, std::string_view word) {
   if (auto about = glued_keyword(dialect, word)) return *about;
   const bool one_letter_and_number = letters.size() == 1 && number >= 0;  // close to too many words
   std::string guess = one_letter_and_number ? std::string() : nearest(dialect, letters);
-  if (guess.empty()) return {shown + " is nothing that a program of the " + name + " knows.", {}};
+  if (guess.empty()) return {shown + " is not a statement of a " + name + " program.", {}};
   if (number >= 0) {
     if (find_name(dialect, guess, -1)) guess += "=";  // the number is its value, not part of its name
     if (!find_word(dialect, guess)) guess += word.substr(letters.size());

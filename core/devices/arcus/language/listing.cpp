@@ -66,7 +66,7 @@ class ListingReader {
                       std::string(dialect_.model) + ".");
     promised_ = whole_number<int>(text).value_or(-1);
     if (promised_ < 0 || promised_ > max_lines)
-      say(number, "Behind the model stands the number of lines, 0 to 1,275.");
+      say(number, "Put the number of lines, 0 to 1,275, after the model.");
   }
   void read_line(std::string_view text, int number) {
     const int expected = static_cast<int>(out_.lines.size());

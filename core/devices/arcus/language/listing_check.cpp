@@ -34,7 +34,7 @@ std::string wrong_value(const Instruction& i, const Dialect& dialect) {
     case Shape::axis_targets: return wrong_position(i, dialect);
     case Shape::arc:
       return i.values[3].number > 0 ? std::string()
-                                    : "The swept angle is more than 0, in thousandths of a degree.";
+                                    : "The swept angle must be more than 0, in thousandths of a degree.";
     default: return {};
   }
 }

@@ -85,7 +85,7 @@ bool LineParser::complain_about_rest() {
     return complain(l, "The language has no brackets. Use a variable in between.");
   if (l.text == ",") return complain(l, "There are no commas between the parts of a statement.");
   return complain(l.begin, end,
-                  "Nothing may follow here. One statement stands on one line; a comment begins with ;.");
+                  "Nothing may follow here. Put each statement on its own line; a comment begins with ;.");
 }
 
 bool LineParser::expect_equals(const std::string& what) {
@@ -101,7 +101,7 @@ bool LineParser::number(std::int32_t& value) {
   if (!minus) take("+");
   if (!here().is(Kind::number)) {
     if (here().is(Kind::word) && here().text.front() == 'V' && ahead().is(Kind::number))
-      return complain(here().begin, ahead().end, "Only a number can stand here, not a variable.");
+      return complain(here().begin, ahead().end, "Only a number is possible here, not a variable.");
     return complain(here(), "A number is missing here.");
   }
   const auto n = whole_number<std::int64_t>(here().text);
@@ -171,7 +171,7 @@ bool LineParser::named(Operand& value, const NameRow*& row, std::string& name) {
 bool LineParser::operand(Operand& value) {
   const Lexeme& l = here();
   if (l.is(Kind::sign, "-") && ahead().is(Kind::word))
-    return complain(l, "A minus sign stands before numbers only. Subtract from 0 in a variable first.");
+    return complain(l, "A minus sign can precede numbers only. Subtract from 0 in a variable first.");
   if (l.is(Kind::number) || l.is(Kind::sign, "-") || l.is(Kind::sign, "+")) {
     std::int32_t n = 0;
     if (!number(n)) return false;

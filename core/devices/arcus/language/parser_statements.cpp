@@ -211,7 +211,7 @@ bool LineParser::parse_arc() {
     return complain((*lexemes_)[at_ - 2].begin, (*lexemes_)[at_ - 1].end,
                     "The swept angle is never negative: ARCP turns clockwise, ARCN counter-clockwise.");
   if (!circle && i_.values[3].number == 0)
-    return complain((*lexemes_)[at_ - 1], "The swept angle is more than 0, in thousandths of a degree.");
+    return complain((*lexemes_)[at_ - 1], "The swept angle must be more than 0, in thousandths of a degree.");
   return expect_end();
 }
 

@@ -86,7 +86,7 @@ class StructureCheck {
       return;
     }
     if (!stray_)
-      say(s, "This stands outside of any program. It belongs before END or ENDSUB, or under a PRG or SUB.");
+      say(s, "Put this before END or ENDSUB, or under a PRG or SUB: here it is outside any program.");
     stray_ = true;  // once for a run of such lines
   }
 
@@ -149,7 +149,7 @@ class StructureCheck {
     if (!unwind_to(false)) return say(s, std::string(is_else ? "ELSE" : "ELSEIF") + " has no IF above it.");
     Block& block = blocks_.back();
     if (block.has_else)
-      say(s, std::string(is_else ? "The IF" : "ELSEIF stands behind ELSE: the IF") + in_line(*block.head) +
+      say(s, std::string(is_else ? "The IF" : "ELSEIF comes after ELSE: the IF") + in_line(*block.head) +
                  (is_else ? " has an ELSE already." : " has had its last branch."));
     block.has_else |= is_else;
   }
@@ -259,8 +259,8 @@ void check_calls(const std::vector<Statement>& statements, std::vector<Problem>&
     if (in_sub || depth <= max_call_depth) continue;
     problems.push_back(
         problem_at(s, depth >= CallGraph::endless
-                          ? "The subroutines that this leads to call each other in a circle. Eight "
-                            "calls within calls are possible; the ninth is a program error."
+                          ? "The subroutines called from here call each other in a circle. Eight calls "
+                            "within calls are possible; the ninth is a program error."
                           : "This leads to " + std::to_string(depth) +
                                 " calls within calls. Eight are possible; the ninth is a program error."));
     problems.back().error = false;

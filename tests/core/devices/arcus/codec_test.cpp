@@ -151,9 +151,9 @@ TEST(ArcusExplain, SaysWhatTrafficMeans) {
   EXPECT_EQ(sent("@00JX+\r"), "to 00: runs one axis in the given direction until stopped");
   EXPECT_EQ(sent("@00FOO\r"), "to 00: no command of the manual");
   EXPECT_EQ(came("OK\r", "@00JX+\r"), "done");
-  EXPECT_EQ(
-      came("?PULSING\r", "@00X5\r"),
-      "refused: an axis of the command is moving, or under the joystick: stop it, or wait until it stands");
+  EXPECT_EQ(came("?PULSING\r", "@00X5\r"),
+            "refused: an axis of the command is moving, or under the joystick: stop it, or wait until it is "
+            "at rest");
   EXPECT_EQ(came("1:0:144:0:0:0:0:36:0\r", "@00MST\r"),
             "X accelerating; Y at rest; Z at rest, + limit switch on, + limit error; U at rest");
   const auto dmx_known = dmx_k_sa::command_help();

@@ -63,11 +63,12 @@ TEST_F(Programs, OneWhoseTransferWasBrokenOffDoesNotRun) {
     ASSERT_TRUE(run_until([&] { return latest.transfer.done > 10; }, 60));
     ASSERT_EQ(perform(intent::Stop()), "");
     ASSERT_TRUE(run_until([&] { return outcome(loading) != IntentState::pending; }, 10));
-    EXPECT_THAT(std::string(pump->known().outcome_of(loading)->sentence.view()),
-                testing::MatchesRegex("A stop came first. What is stored now is neither the old program nor "
-                                      "the new one: the first [0-9]+ of its 101 lines are written, and the "
-                                      "rest is what was there before. Download it again before anything "
-                                      "runs it."));
+    EXPECT_THAT(
+        std::string(pump->known().outcome_of(loading)->sentence.view()),
+        testing::MatchesRegex("A stop came first. The stored code is now neither the old program nor "
+                              "the new one: the first [0-9]+ of its 101 lines are written, and the other "
+                              "lines are those of the old program. Download it again before anything "
+                              "runs it."));
     EXPECT_EQ(latest.slot_bytes_used[0], -1) << "how much it is, is not known";
     EXPECT_THAT(perform(intent::RunProgram(0)),
                 HasSubstr("its transfer was broken off, or it reads back differently. Nothing was started."));
@@ -110,7 +111,7 @@ TEST_F(Programs, OneThatIsHalfWrittenWhenTheConsoleIsClosedIsNamed) {
       if (stopped) perform(intent::Stop());
       asio::co_spawn(io, pump->shut_down(), asio::detached);
       run(1);
-      EXPECT_TRUE(told("What is stored now is neither the old program nor the new one: the first"))
+      EXPECT_TRUE(told("The stored code is now neither the old program nor the new one: the first"))
           << model << stopped;
       next_model();
     }

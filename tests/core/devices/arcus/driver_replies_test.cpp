@@ -93,13 +93,13 @@ INSTANTIATE_TEST_SUITE_P(
     Of, BrokenReplies,
     testing::Values(
         BrokenReply{"TooManyNumbers", ended("1:2:3"),
-                    "answered 1:2:3 to PX, which makes no sense. It was asked twice."},
-        BrokenReply{"NoNumber", ended("12x"), "answered 12x to PX, which makes no sense"},
-        BrokenReply{"Nothing", ended(""), "answered with an empty text to PX, which makes no sense"},
-        BrokenReply{"Unprintable", ended("\x01\xFE"), "answered <01><FE> to PX, which makes no sense"},
+                    "answered 1:2:3 to PX, which is not a valid answer. It was asked twice."},
+        BrokenReply{"NoNumber", ended("12x"), "answered 12x to PX, which is not a valid answer"},
+        BrokenReply{"Nothing", ended(""), "answered with an empty text to PX, which is not a valid answer"},
+        BrokenReply{"Unprintable", ended("\x01\xFE"), "answered <01><FE> to PX, which is not a valid answer"},
         BrokenReply{"TooManyDigits", ended("99999999999999999999"),
-                    "99999999999999999999 to PX, which makes no sense"},
-        BrokenReply{"AnOkToAQuestion", ended("OK"), "answered OK to PX, which makes no sense"},
+                    "99999999999999999999 to PX, which is not a valid answer"},
+        BrokenReply{"AnOkToAQuestion", ended("OK"), "answered OK to PX, which is not a valid answer"},
         BrokenReply{"ARefusal", ended("?PX"), "refused PX with ?PX"},
         BrokenReply{"OfAnotherDevice", ended("#050"), "Device 01 was asked PX, and device 05 answered."},
         BrokenReply{"WithoutItsEnd", "123", "stopped in the middle"},
@@ -184,7 +184,7 @@ TEST_F(OneReply, CodeOfAnotherProgramIsShownLineByLineAndSaid) {
   ASSERT_EQ(perform(intent::UploadProgram(0)), "");
   EXPECT_THAT(program_text(), AllOf(HasSubstr("X400"), HasSubstr("17 4 0 FF"), HasSubstr("V1=1")));
   EXPECT_TRUE(told("1 line of the stored code cannot be read here: line 1 (17 4 0 FF).")) << all_notices();
-  EXPECT_TRUE(told("Sent back as it is, the text leaves it out.")) << all_notices();
+  EXPECT_TRUE(told("If you send the text back unchanged, it leaves it out.")) << all_notices();
 }
 
 TEST_F(OneReply, ALineThatIsNoTextIsRefusedNotSwallowed) {
@@ -256,7 +256,7 @@ TEST_F(DriverTest, WhereAnotherProgramAsksAllTheTimeConnectingEnds) {
     catalog = type->make_catalog({}).value();
     open();
     EXPECT_EQ(latest.link.state, LinkState::lost) << period;
-    EXPECT_THAT(std::string(latest.link.sentence.view()), HasSubstr("another program talks on this line"));
+    EXPECT_THAT(std::string(latest.link.sentence.view()), HasSubstr("another program uses this line"));
     TearDown();
     latest = Snapshot();
   }

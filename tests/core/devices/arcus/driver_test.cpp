@@ -212,7 +212,7 @@ TEST_F(Restart, AtZeroMotorPowerThatNobodyHasSwitchedShowsIt) {
   ASSERT_EQ(perform(intent::SetPower(2, true)), "");
   run(5);
   power_cycle();
-  EXPECT_TRUE(told("Motor power went off, and nothing that was sent does that")) << all_notices();
+  EXPECT_TRUE(told("Motor power went off, and no command that was sent does this")) << all_notices();
   EXPECT_EQ(latest.restarts, 1u);
   EXPECT_TRUE(latest.axes[0].trust.doubtful());
 }
@@ -604,10 +604,9 @@ TEST_F(DriverTest, AnOutputThatTheControllerUsesItselfIsSaidToBe) {
   start(dmx);
   run(15);
   ASSERT_EQ(param("EDO"), 1);
-  EXPECT_EQ(
-      perform(intent::SetOutput(1, false)),
-      "DO1 stays on: it shows in-position while EDO=1 and StepNLoop is on. The controller has taken DO1=0 "
-      "and remembers it. It shows as soon as the output is free.");
+  EXPECT_EQ(perform(intent::SetOutput(1, false)),
+            "DO1 stays on: it shows in-position while EDO=1 and StepNLoop is on. The controller has accepted "
+            "DO1=0 and remembers it. It takes effect as soon as the output is free.");
   EXPECT_THAT(perform(intent::SetOutput(3, true)), HasSubstr("DO3 stays off: it shows the alarm"));
   EXPECT_EQ(perform(intent::SetOutput(2, false)), "");
   EXPECT_EQ(query("SYNO"), "OK");
@@ -785,8 +784,8 @@ TEST_F(DriverTest, ARenamedDeviceThatIsGoneIsFollowedWithItsNewAddress) {
   run(5);
   EXPECT_THAT(
       std::string(latest.link.sentence.view()),
-      HasSubstr("Follow it: it was given address 07, which holds once its power has been switched off and "
-                "on. Open it with id=07."));
+      HasSubstr("Open it with id=07: it was given address 07, which takes effect when its power has been "
+                "switched off and on."));
 }
 
 // ---- the wire

@@ -68,10 +68,10 @@ TEST_F(GuardOnTheWire, NothingIsStoredOrTakenFromItWhileAJogIsHeld) {
   ASSERT_EQ(jog(), "");
   hold(3);
   sent();
-  EXPECT_THAT(perform(intent::Store()), HasSubstr("watches a jog"));
+  EXPECT_THAT(perform(intent::Store()), HasSubstr("is watching a jog"));
   hold(1);
   for (const char* text : {"STORE", "TOC=0", "SA0=END", "@00SA0=END"}) {
-    EXPECT_THAT(query(text), HasSubstr("watches a jog")) << text;
+    EXPECT_THAT(query(text), HasSubstr("is watching a jog")) << text;
     hold(1);
   }
   EXPECT_THAT(sent(), AllOf(Not(HasSubstr("STORE")), Not(HasSubstr("TOC=")), Not(HasSubstr("SA0="))));
@@ -88,7 +88,7 @@ TEST_F(GuardOnTheWire, ATimeOutThatTheUserSetsStaysAndNoJogOverwritesIt) {
   sent();
   EXPECT_EQ(
       jog(),
-      "TOC is 5000, and the guard in the controller would leave 0 behind each jog. The jog was not sent. "
+      "TOC is 5000, and the guard in the controller would set it to 0 after each jog. The jog was not sent. "
       "Set TOC to 0, or take the guard away and install it again.");
   run(2);
   EXPECT_THAT(sent(), AllOf(Not(HasSubstr("SR3=1")), Not(HasSubstr("TOC="))));

@@ -322,7 +322,7 @@ TEST_P(ArcusRehearsal, ALoopWithoutEndIsToldWithItsLines) {
   const auto waits = rehearse("V1=1\nWHILE DI1=0\nENDWHILE\nEND\n", 5);
   ASSERT_TRUE(waits);
   EXPECT_TRUE(waits->endless);
-  EXPECT_NE(waits->error.find("the loop of lines 2 to 3 waits, and nothing changes what it looks at"),
+  EXPECT_NE(waits->error.find("the loop of lines 2 to 3 waits for a value that nothing changes"),
             std::string::npos)
       << waits->error;
   ASSERT_FALSE(waits->events.empty());

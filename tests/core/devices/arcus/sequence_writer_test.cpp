@@ -82,11 +82,12 @@ TEST_F(ArcusSequence, AnArcNeedsToKnowWhereItBegins) {
   seq::Move by = to(1, 1);
   by.relative = true;
   EXPECT_THAT(write({{by}, {seq::Arc{0, 0, 90}}}),
-              HasSubstr("Step 2 (arc): it is not known where it begins"));
+              HasSubstr("Step 2 (arc): put an absolute move of both axes before it: its start is not known"));
   EXPECT_EQ(write({{to(10, 0)}, {by}, {seq::Arc{0, 1, 360}}}), "ABS\nX10Y0\nINC\nX1Y1\nABS\nCIRN0:1\nEND\n");
   seq::Repeat loop;
   loop.steps = {{seq::Arc{0, 0, 90}}};
-  EXPECT_THAT(write({{to(10, 0)}, {loop}}), HasSubstr("Step 2.1 (arc): it is not known"))
+  EXPECT_THAT(write({{to(10, 0)}, {loop}}),
+              HasSubstr("Step 2.1 (arc): put an absolute move of both axes before it"))
       << "the second time it begins elsewhere";
   s.axes[1].per_unit = 2;
   EXPECT_THAT(write({{to(10, 0)}, {seq::Arc{0, 0, 90}}}), HasSubstr("ellipse"));

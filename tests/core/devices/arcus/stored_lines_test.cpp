@@ -202,9 +202,9 @@ TEST_F(ProgramDownload, AbortedInTheMiddleItSaysWhatIsWrittenAndGoesOnFromThere)
     ASSERT_EQ(perform(intent::HaltProgram()), "");
     const std::string said = end_of(loading);
     EXPECT_THAT(said,
-                MatchesRegex("A stop came first. What is stored now is neither the old program nor the "
-                             "new one: the first 1[0-9][0-9] of its 302 lines are written, and the rest "
-                             "is what was there before. Download it again before anything runs it."));
+                MatchesRegex("A stop came first. The stored code is now neither the old program nor the new "
+                             "one: the first 1[0-9][0-9] of its 302 lines are written, and the other lines "
+                             "are those of the old program. Download it again before anything runs it."));
     const int done = latest.transfer.done;
     EXPECT_FALSE(latest.transfer.running);
     EXPECT_EQ(latest.slots_torn, 1);
@@ -225,7 +225,7 @@ TEST_F(ProgramDownload, AbortedWhileItIsComparedAllIsWritten) {
       60));
   ASSERT_EQ(perform(intent::Stop()), "");
   EXPECT_THAT(end_of(loading),
-              MatchesRegex("A stop came first. What is stored now may not be the new program: all of its "
+              MatchesRegex("A stop came first. The stored code may not be the new program: all of its "
                            "lines are written, and [0-9]+ of 302 were compared. Download it again before "
                            "anything runs it."));
   EXPECT_EQ(download(program()).writes, 0);
@@ -238,8 +238,8 @@ TEST_F(ProgramDownload, ALinkThatIsLostInTheMiddleLeavesWhatIsSaid) {
     const IntentId loading = begin_download(100);
     loop->pull();
     EXPECT_THAT(end_of(loading), MatchesRegex(".*neither the old program nor the new one: the first "
-                                              "1[0-9][0-9] of its 302 lines are written, and the rest is "
-                                              "what was there before. Download it again.*"));
+                                              "1[0-9][0-9] of its 302 lines are written, and the other lines "
+                                              "are those of the old program. Download it again.*"));
     EXPECT_FALSE(latest.transfer.running);
     EXPECT_GE(latest.transfer.done, 100) << "the panel says it as long as it is so";
     EXPECT_EQ(latest.slots_torn, 1);

@@ -77,7 +77,7 @@ TEST(Vme58Check, AMissingModeIsSaidOnce) {
   ASSERT_EQ(verbatim.size(), 1u) << "the rest follows from it";
   EXPECT_EQ(verbatim[0].line, 1);
   EXPECT_THAT(verbatim[0].sentence,
-              HasSubstr("CD is taken only after AA or AM. What follows is read as if AA"));
+              HasSubstr("CD is taken only after AA or AM. The text after it is read as if AA"));
   EXPECT_EQ(errors("AX MT1,2; GO KP2 HN").size(), 1u) << "right for one axis";
   const auto others = errors("AX MT1,2; GO XQ AY MT3,4; GO AA KP2");
   ASSERT_EQ(others.size(), 4u) << "what does not follow from it is said, and a new one after a new selection";

@@ -92,7 +92,7 @@ TEST_F(Vme58DriverQueues, WhatWaitsInTheRingIsLeftThereByTheRoundsOfStatus) {
   ASSERT_TRUE(query(text));
   const auto waits = query("MR77");
   ASSERT_FALSE(waits);
-  EXPECT_THAT(waits.error().sentence(), HasSubstr("waits in the ring and will be carried out"));
+  EXPECT_THAT(waits.error().sentence(), HasSubstr("wait in the ring and will be carried out"));
   run(Seconds(1));
   ASSERT_TRUE(ring_is_blocked());
   EXPECT_EQ(shown(0), 0);
@@ -110,7 +110,7 @@ TEST_F(Vme58DriverQueues, ACommandOfTheConsoleThatDoesNotFitIsTakenBackAlone) {
   ASSERT_FALSE(query("MR77"));
   const IntentOutcome outcome = perform(intent::MoveBy({AxisTarget{AxisId{1}, Steps(500)}}));
   EXPECT_NE(outcome.state, IntentState::done);
-  EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("taken back"));
+  EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("removed from the ring"));
   run(Seconds(6));
   EXPECT_EQ(axis(1).position, Steps(0)) << "nothing moves later by itself";
   ASSERT_TRUE(query("AX GO"));

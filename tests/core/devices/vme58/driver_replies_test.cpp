@@ -175,7 +175,7 @@ TEST_F(Vme58Liar, IndexesThatMakeNoSenseAreNotFollowed) {
     if (c.offset == vme58::at::output_get_index || c.offset == vme58::at::input_put_index) c.value = 0x1234;
   };
   ASSERT_TRUE(is_late());
-  EXPECT_THAT(sentence(), HasSubstr("indexes of the rings make no sense"));
+  EXPECT_THAT(sentence(), HasSubstr("indexes of the rings are not valid"));
   const IntentOutcome outcome = perform(intent::MoveTo({{AxisId{0}, Steps(5)}}));
   EXPECT_NE(outcome.state, IntentState::done);
   EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("1234"));

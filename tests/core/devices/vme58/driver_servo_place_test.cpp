@@ -66,8 +66,8 @@ TEST_F(Vme58ServoPlace, AServoThatDoesNotComeIsNotInPlaceTwoSecondsAfterItsComma
   EXPECT_EQ(axis(Y).following_error(), Steps(5000));
   EXPECT_EQ(axis(Y).loop, Loop::off_place);
   EXPECT_EQ(axis(Y).ended_by, EndedBy::not_in_place);
-  EXPECT_THAT(told(), HasSubstr("Y did not reach its target: 2 s after its command has ended its encoder "
-                                "stands at 0, 5000 counts from there. Nothing drives it"));
+  EXPECT_THAT(told(), HasSubstr("Y did not reach its target: 2 s after its command ended, its encoder "
+                                "is at 0, 5000 counts from there. Nothing drives it"));
 }
 
 TEST_F(Vme58ServoPlace, WaitLastsUntilThenAndSaysWhy) {
@@ -199,10 +199,9 @@ TEST_F(Vme58ServoPlace, AGainThatWouldDriveItThereIsAskedAbout) {
   const IntentOutcome asked = set("KPY", 200);
   EXPECT_EQ(asked.state, IntentState::refused);
   EXPECT_TRUE(asked.asks);
-  EXPECT_THAT(
-      std::string(asked.sentence.view()),
-      HasSubstr("The gains KP and KI of Y are 0, and its encoder stands 5000 counts from its command. "
-                "KPY = 2 drives the motor there at once. Nothing was sent."));
+  EXPECT_THAT(std::string(asked.sentence.view()),
+              HasSubstr("The gains KP and KI of Y are 0, and its encoder is 5000 counts from its command. "
+                        "KPY = 2 drives the motor there at once. Nothing was sent."));
   EXPECT_EQ(set("KDY", 800).state, IntentState::done) << "it damps, and drives nothing";
   run(Seconds(1));
   EXPECT_EQ(axis(Y).position, Steps(0));
@@ -253,7 +252,7 @@ TEST_F(Vme58ServoPlace, PowerOnFarFromItsCommandIsAskedAbout) {
   const IntentOutcome asked = perform(intent::SetPower(Y, true));
   EXPECT_TRUE(asked.asks);
   EXPECT_THAT(std::string(asked.sentence.view()),
-              HasSubstr("The loop of Y is open, and its encoder stands 3000 counts from its command."));
+              HasSubstr("The loop of Y is open, and its encoder is 3000 counts from its command."));
   EXPECT_EQ(axis(Y).loop, Loop::open);
   const int hold = session->catalog().find_action("hold");
   EXPECT_TRUE(perform(intent::Act(hold, {Y, 1})).asks) << "the same by another name";
@@ -270,7 +269,7 @@ TEST_F(Vme58ServoPlace, TypedTextGoesAsItIsTypedAndItIsSaid) {
   leave_behind();
   (void)told();
   ASSERT_TRUE(query("AY KD8 KP2"));
-  EXPECT_THAT(told(), HasSubstr("KP2 was sent while the encoder of Y stood 5000 counts from its command"));
+  EXPECT_THAT(told(), HasSubstr("KP2 was sent while the encoder of Y was 5000 counts from its command"));
   run(Seconds(3));
   EXPECT_NEAR(static_cast<double>(axis(Y).position.value), 5000, 10);
   ASSERT_TRUE(query("AY KP3"));

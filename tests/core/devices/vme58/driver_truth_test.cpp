@@ -423,7 +423,7 @@ TEST_F(Vme58Truth, ANoticeHasNoLineEndWithin) {
   ASSERT_TRUE(query("HF")) << "the move is refused when its turn comes";
   run(Seconds(2));
   const std::string said = told();
-  ASSERT_THAT(said, HasSubstr("of what waited in a queue, or of \"HF;\""));
+  ASSERT_THAT(said, HasSubstr("in a queued command or in \"HF;\""));
   EXPECT_EQ(said.find('\n'), said.size() - 1) << said;
 }
 

@@ -172,7 +172,7 @@ TEST_F(Vme58DeafMailbox, AStopGoesThroughTheRingToo) {
   run(Millis(130));
   EXPECT_THAT(lines(), testing::IsSupersetOf({"> mailbox SA", "> SA"}));
   EXPECT_LT(axis().speed.value, 20000);
-  EXPECT_THAT(told(), HasSubstr("acknowledged a stop in its mailbox, and nothing came of it"));
+  EXPECT_THAT(told(), HasSubstr("acknowledged a stop in its mailbox but did not act on it"));
   run(Seconds(1));
   expect_stays();
   EXPECT_EQ(axis().ended_by, EndedBy::stop);
@@ -194,7 +194,7 @@ TEST_F(Vme58DeafMailbox, ATypedStopIsWatchedToo) {
   run(Millis(130));
   EXPECT_THAT(lines(), testing::IsSupersetOf({"> mailbox SA", "> SA"}));
   EXPECT_LT(axis().speed.value, 20000);
-  EXPECT_THAT(told(), HasSubstr("acknowledged a stop in its mailbox, and nothing came of it"));
+  EXPECT_THAT(told(), HasSubstr("acknowledged a stop in its mailbox but did not act on it"));
   run(Seconds(1));
   expect_stays();
 }
@@ -249,7 +249,7 @@ TEST_F(Vme58DeafMailbox, WhereTheRingIsHeldTooItIsSaid) {
   (void)query(waits_in_wq);
   const IntentOutcome stopped = perform(intent::Stop(), Seconds(20));
   EXPECT_EQ(stopped.state, IntentState::failed);
-  EXPECT_THAT(std::string(stopped.sentence.view()), HasSubstr("was told to stop and still moves"));
+  EXPECT_THAT(std::string(stopped.sentence.view()), HasSubstr("Stop was sent, but the board still moves"));
   EXPECT_THAT(std::string(stopped.sentence.view()), HasSubstr("Switch the power of the drives off"));
   run(Millis(50));
   EXPECT_EQ(axis().activity, Activity::moving) << "it is shown as it is";

@@ -328,11 +328,11 @@ TEST(Vme58Rehearsal, WhatWaitsInAQueueIsNamedByItsNumber) {
     const auto all = rehearse("AX MR20 GO", options).assumptions;
     return all.empty() ? std::string() : all.back().name + ": " + all.back().value;
   };
-  EXPECT_EQ(last(), "command queues: empty, since the board does not tell what waits there");
+  EXPECT_EQ(last(), "command queues: empty, since the board does not report what waits there");
   state->now.queue_known = 0b11;
   state->now.queue_free[0] = static_cast<std::int16_t>(catalog.queue_depth);
   state->now.queue_free[1] = static_cast<std::int16_t>(catalog.queue_depth - 12);
-  EXPECT_EQ(last(), "queue of Y: empty, since the board does not tell what its 12 entries say");
+  EXPECT_EQ(last(), "queue of Y: empty, since the board does not report what its 12 entries say");
 }
 
 TEST(Vme58Rehearsal, ALimitIsToldWithAxisDirectionLineAndTime) {

@@ -44,7 +44,7 @@ TEST_F(Vme58Reading, CommandsOfOneAxisStayAsTheyAre) {
   EXPECT_EQ(blocks("AX KP2 HN # the loop\nAA MT100,200; GO\n"),
             "own: AX KP2 HN # the loop\nMove to X 1, Y 2\n");
   EXPECT_EQ(blocks("AX MR1000 GO\n"),
-            "Line 1: blocks speak to all axes at once (AA). The rest is not a block either.");
+            "Line 1: blocks address all axes at once (AA). The rest is not a block either.");
   EXPECT_THAT(blocks("MR1000 GO AA MT1,2; GO\n"), StartsWith("Line 1: "))
       << "for X, or whoever was addressed";
 }

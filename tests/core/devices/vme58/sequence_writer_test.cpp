@@ -135,7 +135,7 @@ TEST_F(Vme58Sequence, SpeedStairsGoOneWay) {
               HasSubstr("a speed of 5000000000 steps/s"));
   seq::Repeat loop;
   loop.steps = {{seq::SpeedStairs{0, {{1000, 500}}, 2000}}};
-  EXPECT_THAT(write({{loop}}), HasSubstr("Step 1.1 (speed_stairs): speed stairs stand in the queue"));
+  EXPECT_THAT(write({{loop}}), HasSubstr("Step 1.1 (speed_stairs): speed stairs are in the queue"));
 }
 
 TEST_F(Vme58Sequence, WhatItCannotDoIsRefused) {
@@ -146,7 +146,7 @@ TEST_F(Vme58Sequence, WhatItCannotDoIsRefused) {
   with_output.steps = {{seq::Output{first_auxiliary, true}}};
   EXPECT_THAT(write({{with_output}}),
               HasSubstr("Step 1.1 (output): auxiliary outputs are switched in the queue"));
-  EXPECT_THAT(write({{seq::Jog{}}}), HasSubstr("a jog needs a speed"));
+  EXPECT_THAT(write({{seq::Jog{}}}), HasSubstr("put a speed step before the jog"));
   seq::Contour c;
   c.own = seq::Speeds{100};
   EXPECT_THAT(write({{c}}), HasSubstr("no line and no arc"));

@@ -187,7 +187,8 @@ TEST_F(VxmDriverConnect, APowerCycleIsNoticedAndSaid) {
   EXPECT_EQ(latest.restarts, 1u);
   EXPECT_TRUE(
       told("The controller has gone to Local mode: the controller was switched off and on, or reset. Its "
-           "positions read zero where the motors stand now, and what was not stored is gone. Home the axes "
+           "positions read zero where the motors are now, and unstored settings and programs are lost. Home "
+           "the axes "
            "before the next absolute move."))
       << all_notices();
   EXPECT_FALSE(latest.unsaved_programs);

@@ -59,7 +59,7 @@ TEST_F(VxmDriverParams, StoreSaysHowManyWritesAreKnown) {
   EXPECT_FALSE(latest.unsaved_setup);
   EXPECT_TRUE(state("j1M").stored);
   EXPECT_EQ(latest.store_count, -1);
-  EXPECT_TRUE(told("The memory is rated for about 100000 writes; it is not known how many were used."));
+  EXPECT_TRUE(told("The memory is rated for about 100000 writes; the number used so far is unknown."));
   EXPECT_EQ(query("V"), "R");
 }
 
@@ -80,7 +80,7 @@ TEST_F(VxmDriverParams, ResetIsAsPowerOffAndOn) {
   wait_idle();
   EXPECT_EQ(perform(intent::Reset()), "");
   EXPECT_EQ(position(), 0);
-  EXPECT_TRUE(told("The controller was reset: positions are zero where the motors stand"));
+  EXPECT_TRUE(told("The controller was reset: its positions read zero where the motors are now"));
   EXPECT_EQ(query("V"), "R");
 }
 
@@ -88,7 +88,7 @@ TEST_F(VxmDriverParams, NothingIsSetWhileAProgramRuns) {
   start();
   move_by(0, 4000);
   EXPECT_EQ(perform(intent::SetParam("j1M", 500)),
-            "The controller is at work and takes no program commands meanwhile. Nothing was sent. Wait until "
+            "The controller is busy and takes no program commands. Nothing was sent. Wait until "
             "it ends, or stop it.");
 }
 
@@ -128,15 +128,14 @@ TEST_F(VxmDriverTalk, WhatTheControllerWouldDropSilentlyIsSaid) {
   start();
   EXPECT_EQ(send("U10,"), "");
   EXPECT_TRUE(
-      told("U10 is not possible, it takes one of the manual's U commands: the controller drops it without a "
-           "word. It was "
-           "sent as it is. Send it again with another number."))
+      told("U10 is not possible, and the controller ignores it silently. It takes one of the manual's U "
+           "commands. It was sent as typed. Send it again with another number."))
       << all_notices();
   EXPECT_EQ(send("%"), "");
   EXPECT_TRUE(
-      told("% is no command of the VXM: the controller drops it without a word. It was sent as it is."));
+      told("% is no command of the VXM, and the controller ignores it silently. It was sent as typed."));
   EXPECT_EQ(send("S1M8000,"), "");
-  EXPECT_TRUE(told("S1M8000 is not possible, it takes 1 to 6000 steps/s"));
+  EXPECT_TRUE(told("S1M8000 is not possible"));
   EXPECT_EQ(query("M"), "256");
 }
 
@@ -169,10 +168,11 @@ TEST_F(VxmDriverTalk, LocalModeIsRespectedUntilSomethingIsWanted) {
 TEST_F(VxmDriverTalk, CommandsThatARunningMoveWouldSwallowAreRefused) {
   start();
   move_by(0, 4000);
-  EXPECT_EQ(send("PM2"),
-            "A move of the console is under way, and the controller does not take PM2 then. Nothing was "
-            "sent. Wait until it "
-            "ends, or stop it.");
+  EXPECT_EQ(
+      send("PM2"),
+      "A move from the console is under way, and the controller does not take PM2 during it. Nothing was "
+      "sent. Wait until it "
+      "ends, or stop it.");
   EXPECT_EQ(send("!"), "");
   EXPECT_TRUE(wait_idle());
 }

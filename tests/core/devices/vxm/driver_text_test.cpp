@@ -102,17 +102,17 @@ TEST_F(VxmDriverText, WhatAStateDropsIsSaid) {
   EXPECT_EQ(send("PM-0,L5,I1M4000,R"), "");
   run(0.5);
   EXPECT_EQ(send("I1M5,X"), "");
-  EXPECT_TRUE(told("While a program runs the controller takes only a few letters and drops I1M5 without"))
+  EXPECT_TRUE(told("While a program runs the controller takes only a few letters and ignores I1M5 silently"))
       << all_notices();
   EXPECT_TRUE(wait_idle());
   EXPECT_EQ(send("Q"), "");
   EXPECT_EQ(send("X,V"), "");
-  EXPECT_TRUE(told("In local mode the controller takes only a few letters and drops X without"))
+  EXPECT_TRUE(told("In local mode the controller takes only a few letters and ignores X silently"))
       << all_notices();
-  EXPECT_EQ(query("X"),
-            "fault: In local mode the controller takes only a few letters and drops X without a word. It was "
-            "sent as it "
-            "is.");
+  EXPECT_EQ(
+      query("X"),
+      "fault: In local mode the controller takes only a few letters and ignores X silently. It was sent as "
+      "typed.");
 }
 
 TEST_F(VxmDriverText, WhatIsDroppedIsNotTakenForDone) {
@@ -199,7 +199,7 @@ TEST_F(VxmDriverText, AStopInAQuestionIsToldTheEndOfTheMove) {
 TEST_F(VxmDriverText, AStopMayHaveMoreBehindIt) {
   move_to(0, 400000);
   run(2);
-  EXPECT_THAT(send("PM1,"), HasSubstr("A move of the console"));
+  EXPECT_THAT(send("PM1,"), HasSubstr("A move from the console"));
   EXPECT_THAT(send("K,V,PM1,I1M400,"), HasSubstr("PM1,I1M400, was not sent"))
       << "which would go into the move's own program";
   EXPECT_TRUE(wait_idle());

@@ -18,7 +18,7 @@ std::string unsolicited(std::string_view bytes) {
 TEST(VxmExplain, WhatIsSent) {
   EXPECT_EQ(sent("PM-0\r"), "choose program 0 and empty it");
   EXPECT_EQ(sent("S1M2000\r"), "store: motor 1 at 2000 steps/s");
-  EXPECT_EQ(sent("L-20\r"), "store: loop 20 times, motor 1 turns round each pass");
+  EXPECT_EQ(sent("L-20\r"), "store: loop 20 times, motor 1 reverses each pass");
   EXPECT_EQ(sent("M"), "ask for free memory");
   EXPECT_EQ(sent("R"), "run the selected program");
   EXPECT_EQ(sent("X"), "ask where motor 1 is");
