@@ -18,14 +18,14 @@ namespace {
 
 constexpr float heading_height = 32, level_height = 26, output_pitch = 36;
 
-bool bit(std::uint32_t bits, int number) { return (bits >> (number - 1)) & 1u; }
+bool bit_of(std::uint32_t bits, int number) { return (bits >> (number - 1)) & 1u; }
 bool io_is_old(const Frame& f) {
   return !f.connected() || is_stale(f.now.io_seen_at, f.clock, f.now.poll_period);
 }
 /// `place`: index into the catalog, from 0.
 bool is_active(const Frame& f, std::size_t place) {
   const int n = static_cast<int>(place) + 1;
-  return bit(f.now.inputs_known, n) && bit(f.now.inputs, n) != f.catalog.inputs[place].active_low;
+  return bit_of(f.now.inputs_known, n) && bit_of(f.now.inputs, n) != f.catalog.inputs[place].active_low;
 }
 
 /// The most columns, at least 2, that fit all of `names` with `around` logical pixels beside them.
@@ -144,10 +144,12 @@ void InputsOutputs::draw_levels(Frame& f, std::span<const InputInfo> lines, std:
     const InputInfo& info = lines[i];
     const std::size_t place = first + i;
     const int n = static_cast<int>(place) + 1;
-    const bool known = bit(f.now.inputs_known, n) && !io_is_old(f), high = bit(f.now.inputs, n);
+    const bool known = bit_of(f.now.inputs_known, n) && !io_is_old(f), high = bit_of(f.now.inputs, n);
     LampOptions o;
     o.state = !known ? LampState::unknown : is_active(f, place) ? LampState::on : LampState::off;
-    o.word = !bit(f.now.inputs_known, n) ? "?" : known ? (high ? "high" : "low") : (high ? "high?" : "low?");
+    o.word = !bit_of(f.now.inputs_known, n) ? "?"
+             : known                        ? (high ? "high" : "low")
+                                            : (high ? "high?" : "low?");
     o.word_shown = lamps == 0;
     o.tip = info.help;
     o.width = cells.cell();
@@ -179,7 +181,7 @@ void InputsOutputs::draw_outputs(Frame& f) {
     const bool narrow = columns > 2;
     WhatIsOn on;
     for (std::size_t n = i; narrow && n < i + group.size(); ++n)
-      if (bit(f.now.outputs & f.now.outputs_known, static_cast<int>(n) + 1)) on.add(outputs[n].name);
+      if (bit_of(f.now.outputs & f.now.outputs_known, static_cast<int>(n) + 1)) on.add(outputs[n].name);
     draw_heading(f, "Outputs", group.front().group, on.view());
     Cells cells(f.ui, f.area.width, columns, output_pitch);
     for (std::size_t n = i; n < i + group.size(); ++n) {
@@ -203,7 +205,7 @@ void InputsOutputs::draw_levels_of_outputs(Frame& f, std::string_view group) {
 
 void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
   const OutputInfo& info = f.catalog.outputs[static_cast<std::size_t>(n - 1)];
-  const bool on = bit(f.now.outputs, n), known = bit(f.now.outputs_known, n);
+  const bool on = bit_of(f.now.outputs, n), known = bit_of(f.now.outputs_known, n);
   const int number = f.catalog.output_number(static_cast<std::size_t>(n - 1));
   IntentId& asked = asked_[static_cast<std::size_t>(n)];
   const IntentOutcome* outcome = f.now.outcome_of(asked);
@@ -245,7 +247,7 @@ void InputsOutputs::draw_analog(Frame& f, int n, float width, bool short_words) 
   Ui& ui = f.ui;
   const AnalogInfo& info = f.catalog.analog[static_cast<std::size_t>(n - 1)];
   const std::int32_t value = f.now.analog[static_cast<std::size_t>(n - 1)];
-  const bool known = bit(f.now.analog_known, n);
+  const bool known = bit_of(f.now.analog_known, n);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float middle = at.y + ui.px(short_words ? 12 : 14), right = at.x + ui.px(width);
   const Face name_face = short_words ? Face::small : Face::body;
@@ -304,7 +306,7 @@ void InputsOutputs::draw_rail(Frame& f) {
 void InputsOutputs::draw_rail_lamp(Frame& f, int n, std::string_view own, ImVec2 at, float width) {
   Ui& ui = f.ui;
   const OutputInfo& info = f.catalog.outputs[static_cast<std::size_t>(n - 1)];
-  const bool known = bit(f.now.outputs_known, n) && !io_is_old(f), on = bit(f.now.outputs, n);
+  const bool known = bit_of(f.now.outputs_known, n) && !io_is_old(f), on = bit_of(f.now.outputs, n);
   const Rect r{at, ImVec2(at.x + width, at.y + ui.px(36))};
   draw_lamp(ui, ImVec2(std::floor(r.centre().x), r.min.y + ui.px(8)), 12, LampShape::round,
             !known ? LampState::unknown

@@ -60,12 +60,12 @@ void add_places(sequence::Sequence& to, const Language& language, std::string_vi
 
 }  // namespace
 
-void LoadedTexts::loaded(const intent::LoadProgram& load, std::uint32_t restarts) {
+void LoadedTexts::loaded(const intent::LoadProgram& load) {
   const int slot = place_of(load.slot);
   if (!keeps(slot)) return;
   const bool is_long =
       load.text.size() > longest_text || std::count(load.text.begin(), load.text.end(), '\n') > most_lines;
-  loads_[ix(slot)] = {is_long ? std::string() : load.text, restarts, {}};
+  loads_[ix(slot)] = {is_long ? std::string() : load.text, {}};
 }
 
 void LoadedTexts::forget(const IntentBody& body) {
@@ -99,8 +99,6 @@ std::optional<sequence::Sequence> LoadedTexts::read(const std::string& text, int
 std::vector<AxisTarget> LoadedTexts::places_in_doubt(int slot, const Snapshot& now) {
   if (!language_ || !keeps(place_of(slot)) || !some_count_is_doubtful(now)) return {};
   Load& load = loads_[ix(place_of(slot))];
-  if (load.restarts != now.restarts)  // which may have taken it: its places count as long as it may be there
-    pump_log().debug("a program that was loaded before a restart is started");
   if (load.text.empty()) return {};
   auto known = load.known.find(slot);
   if (known == load.known.end()) known = load.known.emplace(slot, read(load.text, slot)).first;

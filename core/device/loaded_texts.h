@@ -23,8 +23,8 @@ class LoadedTexts {
   /// `language`: null if the controller has none.
   LoadedTexts(const Catalog& catalog, const Language* language) : catalog_(catalog), language_(language) {}
 
-  /// `restarts`: of the controller, when the text was sent.
-  void loaded(const intent::LoadProgram& load, std::uint32_t restarts);
+  /// A restart of the controller may have taken it: its places count as long as it may be there.
+  void loaded(const intent::LoadProgram& load);
   /// Something may have changed the stored programs.
   void forget() { loads_ = {}; }
   /// This command changes them.
@@ -35,7 +35,6 @@ class LoadedTexts {
  private:
   struct Load {
     std::string text;
-    std::uint32_t restarts = 0;
     /// Its first steps, as far as blocks describe them, by the program that is started; each is read once.
     std::map<int, std::optional<sequence::Sequence>> known;
   };

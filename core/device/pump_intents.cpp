@@ -318,7 +318,7 @@ Task<> Pump::perform_next() {
     co_return;
   }
   if (const auto* load = std::get_if<intent::LoadProgram>(&job->intent.body); load && performed)
-    loaded_.loaded(*load, restarts);
+    loaded_.loaded(*load);
   if (const auto* read = std::get_if<intent::UploadProgram>(&job->intent.body); read && performed)
     draft_.slots_torn = static_cast<std::uint8_t>(draft_.slots_torn & ~torn_bit(catalog_, read->slot));
   if (performed && desk_.epoch() != epoch && leads_to_a_start(job->intent.body))

@@ -48,7 +48,7 @@ void draw_ellipse(const Ellipse& e, const Tolerance& tolerance, std::vector<Curv
   }
 }
 
-double distance(Point p, Point a, Point b) {
+double off_line(Point p, Point a, Point b) {
   const Point way{b.x - a.x, b.y - a.y}, here{p.x - a.x, p.y - a.y};
   const double square = way.x * way.x + way.y * way.y;
   if (square == 0) return size(here);
@@ -76,9 +76,9 @@ class SplineDrawing {
     constexpr double between_looks = 1.1;  // largest factor by which a cubic is further away between samples
     const double middle = (t0 + t1) / 2;
     const Point halfway = point_at(spline_, middle);
-    const auto beside = [&](double t) { return distance(point_at(spline_, t), from, to); };
+    const auto beside = [&](double t) { return off_line(point_at(spline_, t), from, to); };
     const double gap =
-        std::max({distance(halfway, from, to), beside((t0 + middle) / 2), beside((middle + t1) / 2)});
+        std::max({off_line(halfway, from, to), beside((t0 + middle) / 2), beside((middle + t1) / 2)});
     if (depth >= deepest || gap * between_looks <= chord_) return line_to(to, curves_, from);
     halve(t0, from, middle, halfway, depth + 1);
     halve(middle, halfway, t1, to, depth + 1);

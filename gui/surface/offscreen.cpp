@@ -13,7 +13,7 @@ Fonts built(float scale) {
   return fonts;
 }
 
-ImVec2 in_pixels(int width, int height, float scale) {
+ImVec2 picture_size(int width, int height, float scale) {
   return ImVec2(std::floor(static_cast<float>(width) * scale + 0.5f),
                 std::floor(static_cast<float>(height) * scale + 0.5f));
 }
@@ -21,10 +21,10 @@ ImVec2 in_pixels(int width, int height, float scale) {
 }  // namespace
 
 Offscreen::Offscreen(int width, int height, float scale, bool dark)
-    : screen_(built(scale), dark), size_px_(in_pixels(width, height, scale)) {}
+    : screen_(built(scale), dark), size_px_(picture_size(width, height, scale)) {}
 
 void Offscreen::resize(int width, int height, float scale) {
-  size_px_ = in_pixels(width, height, scale);
+  size_px_ = picture_size(width, height, scale);
   screen_.set_scale(scale);
 }
 

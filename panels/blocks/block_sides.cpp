@@ -19,10 +19,10 @@ constexpr float palette_needs = 560;  ///< width of the panel
 constexpr float path_height = 240, low_path_height = 150, switch_height = 48, least_part = 120;
 
 /// Of text and path, if there is room for them beside palette and blocks.
-float side_width(const Frame& f) {
+float width_of_side(const Frame& f) {
   return f.area.width >= 960 ? 304 : f.area.width >= 760 ? side_alone : 0.0f;
 }
-bool shares(const Frame& f) { return side_width(f) == 0; }
+bool shares(const Frame& f) { return width_of_side(f) == 0; }
 
 void line_across_side(const Frame& f, float x, float y) {
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(f.ui.px(f.area.right()), y + f.ui.hair()),
@@ -34,7 +34,7 @@ void line_across_side(const Frame& f, float x, float y) {
 BlockSides::Columns BlockSides::columns(const Frame& f) const {
   const float all = f.area.width;
   if (all < palette_needs) return side_first_ ? Columns{0, 0, all} : Columns{0, all, 0};
-  if (!shares(f)) return {palette_width, all - palette_width - side_width(f), side_width(f)};
+  if (!shares(f)) return {palette_width, all - palette_width - width_of_side(f), width_of_side(f)};
   return side_first_ ? Columns{0, all - side_alone, side_alone}
                      : Columns{palette_width, all - palette_width, 0};
 }

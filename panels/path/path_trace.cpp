@@ -56,7 +56,7 @@ const Place* nth(Tab& tab, std::uint64_t n) {
   return n > gone && n <= trace.count() ? &trace.places()[static_cast<std::size_t>(n - gone - 1)] : nullptr;
 }
 
-double between(Instant from, Instant to, Instant at) {
+double share_of_way(Instant from, Instant to, Instant at) {
   return to > from ? std::clamp(seconds(at - from) / seconds(to - from), 0.0, 1.0) : 1;
 }
 
@@ -113,7 +113,7 @@ std::optional<Point3> PathTrace::point(const Directions& all, Instant at) const 
     if (!here || (at > here->until && !(next && next->goes_on))) return std::nullopt;
     along(p, n) = d.place(here->position);
     if (at > here->until)
-      along(p, n) += (d.place(next->position) - along(p, n)) * between(here->until, next->at, at);
+      along(p, n) += (d.place(next->position) - along(p, n)) * share_of_way(here->until, next->at, at);
   }
   return p;
 }

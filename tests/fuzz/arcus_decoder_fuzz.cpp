@@ -23,10 +23,8 @@ static void require(bool held) {
 static void read_as(const Forms& forms, const std::vector<CommandInfo>& known, std::string_view bytes) {
   (void)may_move(forms, bytes);
   require(!explain_refusal(*forms.model, bytes).empty());
-  for (const auto of_a_name : {unsolicited_or_name_at_front, no_name_at_front}) {
-    const std::size_t strange = of_a_name(*forms.model, bytes);
-    require(strange == std::string_view::npos || strange <= bytes.size());
-  }
+  const std::size_t strange = unsolicited_or_name_at_front(*forms.model, bytes);
+  require(strange == std::string_view::npos || strange <= bytes.size());
   for (const char* asked : {"@00MST\r", "@01PX\r", ""}) {
     (void)explain(*forms.model, known, bytes, Way::sent, TrafficKind::intent, asked);
     (void)explain(*forms.model, known, bytes, Way::received, TrafficKind::poll, asked);

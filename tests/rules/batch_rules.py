@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Clean builds compile files of one library in batches (CMakeLists.txt, HW_BATCHES). There, what two files hide under
-one name in the same namespace would meet: each such name may be used once in a library, and not as the name of a type
-or a function in a header beside it.
+one name in the same namespace would meet: each such name may be used once in a library, and not as the name of a type,
+function or constant in a header beside it.
     batch_rules.py [HOUSE]"""
 import collections
 import json
@@ -24,8 +24,8 @@ def tags(files, kinds):
 
 
 def declared_in(headers):
-    """(namespace, name) -> header, of types and functions. A hidden function keeps others of its name from being found."""
-    return {(t.get("scope", ""), t["name"]): t["path"] for t in tags(headers, "sgtcp") if t.get("scopeKind") == "namespace"}
+    """(namespace, name) -> header. What is hidden keeps a function of its name from being found, or makes it ambiguous."""
+    return {(t.get("scope", ""), t["name"]): t["path"] for t in tags(headers, "sgtcpfv") if t.get("scopeKind") == "namespace"}
 
 
 def hidden(files):

@@ -86,13 +86,6 @@ std::size_t unsolicited_or_name_at_front(const Model& model, std::string_view by
   return found;
 }
 
-std::size_t no_name_at_front(const Model& model, std::string_view bytes) {
-  if (const std::size_t unsolicited = unsolicited_at_front(bytes); unsolicited != 0) return unsolicited;
-  const auto end = bytes.find_first_of(std::string_view("\r\0", 2));
-  if (end == bytes.npos) return 0;
-  return number_in_name(model, decode_reply(bytes.substr(0, end)).text) ? 0 : end + 1;
-}
-
 std::optional<int> number_in_name(const Model& model, std::string_view name) {
   if (name.size() != model.name_prefix.size() + 2 || !name.starts_with(model.name_prefix))
     return std::nullopt;

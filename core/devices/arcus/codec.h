@@ -46,8 +46,6 @@ std::size_t unsolicited_at_front(std::string_view bytes);
 std::size_t refusal_of_cut_at_front(std::string_view bytes);
 /// The same for an unsolicited message or a complete device name, which answers only DN.
 std::size_t unsolicited_or_name_at_front(const Model& model, std::string_view bytes);
-/// The same for any complete text that is no device name, hence no reply to DN.
-std::size_t no_name_at_front(const Model& model, std::string_view bytes);
 /// The number in a device name: "DMK07" -> 7.
 std::optional<int> number_in_name(const Model& model, std::string_view name);
 /// The number of the device that reports in position.

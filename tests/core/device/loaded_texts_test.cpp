@@ -17,7 +17,7 @@ struct LoadedTextsTest : testing::Test {
     now.axes[0].trust.doubt(Doubt::another, Instant{});
   }
   std::vector<AxisTarget> places_of(const std::string& text) {
-    texts.loaded(intent::LoadProgram(0, text), now.restarts);
+    texts.loaded(intent::LoadProgram(0, text));
     return places();
   }
   std::vector<AxisTarget> places() { return texts.places_in_doubt(0, now); }
@@ -56,7 +56,7 @@ TEST_F(LoadedTextsTest, TheQueueOfOneAxisIsReadToo) {
   now.axes[1].trust.doubt(Doubt::another, Instant{});
   const auto axes_of = [&](const std::string& text) {
     std::string axes;
-    loaded.loaded(intent::LoadProgram(0, text), now.restarts);
+    loaded.loaded(intent::LoadProgram(0, text));
     for (const AxisTarget& place : loaded.places_in_doubt(0, now))  // the least and the greatest
       if (const std::string& name = eight.axes[place.axis.index].name; !axes.ends_with(name)) axes += name;
     return axes;
@@ -75,7 +75,7 @@ TEST_F(LoadedTextsTest, AProgramWithVariablesIsReadToo) {
   const Catalog axes = *four.make_catalog({});
   LoadedTexts loaded(axes, &four.language());
   const auto places_of = [&](const std::string& text) {
-    loaded.loaded(intent::LoadProgram(0, text), now.restarts);
+    loaded.loaded(intent::LoadProgram(0, text));
     return loaded.places_in_doubt(0, now);
   };
   const auto goes_there = places_of("V1=700\nWHILE V1>0\nXV1\nWAITX\nV1=V1-100\nENDWHILE\nEND\n");
@@ -95,7 +95,7 @@ TEST_F(LoadedTextsTest, OnlyTheProgramThatIsStartedAndWhatItStartsAreRead) {
   const Catalog axes = *four.make_catalog({});
   LoadedTexts loaded(axes, &four.language());
   const auto is_sent_away = [&](int start, const std::string& text) {
-    loaded.loaded(intent::LoadProgram(0, text), now.restarts);
+    loaded.loaded(intent::LoadProgram(0, text));
     (void)loaded.places_in_doubt(1 - start, now);  // another was started before
     return !loaded.places_in_doubt(start, now).empty();
   };
@@ -117,7 +117,7 @@ TEST_F(LoadedTextsTest, SubroutinesThatCallEachOtherEnd) {
   LoadedTexts loaded(axes, &four.language());
   std::string text = "PRG 0\nV1=1\nGOSUB 1\nEND\nSUB 1\n";
   for (int n = 0; n < 60; ++n) text += "GOSUB 1\n";
-  loaded.loaded(intent::LoadProgram(0, text + "X400\nWAITX\nENDSUB\n"), now.restarts);
+  loaded.loaded(intent::LoadProgram(0, text + "X400\nWAITX\nENDSUB\n"));
   EXPECT_FALSE(loaded.places_in_doubt(0, now).empty());
 }
 
@@ -146,7 +146,7 @@ class Thrower final : public Language {
 TEST_F(LoadedTextsTest, NorOfOneThatCannotBeReadWhichIsTriedOnce) {
   const Thrower language;
   LoadedTexts unread(catalog, &language);
-  unread.loaded(intent::LoadProgram(0, "IA1M4000,"), now.restarts);
+  unread.loaded(intent::LoadProgram(0, "IA1M4000,"));
   EXPECT_TRUE(unread.places_in_doubt(0, now).empty());
   EXPECT_TRUE(unread.places_in_doubt(0, now).empty());
   EXPECT_EQ(language.reads, 1);
