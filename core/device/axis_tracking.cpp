@@ -123,8 +123,7 @@ StopProgress AxisTracking::progress(const StopOrder& order) const {
     if (tracked.asked_at >= order.sent_at && !tracked.moves) continue;
     if (context_.scheduler.now() - order.first_sent_at < longest_stop) return StopProgress::wait();
     return StopProgress::failed(Fault(FaultKind::controller, "Stop was sent, but the controller still moves.",
-                                      "The stop was sent.",
-                                      "Stop again: it then stops at once, without a ramp."));
+                                      "", "Stop again: it then stops at once, without a ramp."));
   }
   return StopProgress::stands();
 }

@@ -26,7 +26,7 @@ void HomeProof::begin(Steps place, Instant when, int direction, Pps top_speed) {
 
 void HomeProof::read(Steps place, Pps speed, Instant when) {
   if (last_at_ == Instant{}) {
-    first_ = last_ = at_full_speed_ = place;
+    first_ = last_ = furthest_ = at_full_speed_ = place;
     last_at_ = when;
     fastest_ = speed.value;
     return;
@@ -35,7 +35,9 @@ void HomeProof::read(Steps place, Pps speed, Instant when) {
   const double gap = seconds(when - last_at_), way = between(last_, place);
   const double fastest = std::max({fastest_, speed.value, top_speed_});
   const double onward = direction_ != 0 ? direction_ : between(first_, last_);
-  const bool turns = way * onward < 0 && std::abs(way) > jitter;
+  const bool goes_on = between(furthest_, place) * onward >= 0;
+  if (goes_on) furthest_ = place;  // a slow way back shows in several readings
+  const bool turns = !goes_on && std::abs(between(furthest_, place)) > jitter;
   if (turns || std::abs(way) > jitter + plainly * fastest * gap) count_was_set_ = true;
   fastest_ = std::max(fastest_, speed.value);
   longest_gap_ = std::max(longest_gap_, gap);

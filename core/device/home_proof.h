@@ -28,6 +28,7 @@ class HomeProof {
   bool from_rest_ = false;  ///< no reading since the one at rest
   int direction_ = 0;       ///< 0: not known, and `first_` is not where it began
   Steps first_{}, last_{};
+  Steps furthest_{};                ///< towards `direction_`
   Instant last_at_{};               ///< none: nothing was read yet
   Steps at_full_speed_{};           ///< where it was last seen at its full speed
   double top_speed_ = 0;            ///< steps/s, asked for; 0: not known

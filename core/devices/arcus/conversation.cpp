@@ -138,7 +138,8 @@ Task<Result<Reply>> Conversation::transmit(std::string text, Priority priority, 
     co_return fail(
         FaultKind::garbled,
         fmt::format("Device {:02} was asked {}, and device {:02} answered.", asked, text, *reply.id),
-        "Its answer was not used.", "Close any other program that uses this line. Or a reply came too late.");
+        "Its answer was not used.",
+        "Close any other program that uses this line. A late reply is possible too.");
   co_return reply;
 }
 

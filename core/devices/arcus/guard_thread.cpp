@@ -189,8 +189,7 @@ Task<Result<>> GuardThread::still_there() {
   if (stops != lines_.end() && *line == *stops) co_return Result<>();
   forget();
   co_return fail(FaultKind::refused, "The program memory does not hold the guard any more.",
-                 "The jog was not sent.",
-                 "Look beside the jog pad which part stops a jog now, then jog again.");
+                 "The jog was not sent.", "See beside the jog pad what stops a jog now, then jog again.");
 }
 
 /// Otherwise the program, which ends by itself, would replace the present value.

@@ -90,7 +90,7 @@ void Motions::searches(int index, Sign side, Pps speed) {
   AxisState& axis = console_.draft.axes[index];
   axis.has_target = false;
   tracking.top_speed = speed.value > 0 ? speed : axis.own_speed;
-  if (tracking.at_rest_at == Instant{}) return;
+  if (tracking.at_rest_at == Instant{} || tracking.top_speed.value <= 0) return;
   tracking.home.begin(tracking.at_rest, tracking.at_rest_at, static_cast<int>(factor(side)),
                       tracking.top_speed);
 }

@@ -41,15 +41,17 @@ class PlaceReader {
     const auto& programs = program_.programs;
     if (number < 0 || ix(number) >= programs.size() || !programs[ix(number)]) return;
     if (std::exchange(read_[ix(number)], true)) return;
+    const int starter = std::exchange(depth_, 0);  // each has a stack of its own
     read_from(*programs[ix(number)], standing);
     if (const auto& on_error = program_.subs[language::error_subroutine]) read_from(*on_error, standing);
+    depth_ = starter;
   }
   [[nodiscard]] std::vector<AxisTarget> places() && { return std::move(places_); }
 
  private:
   /// From the line of its head to the next one.
   void read_from(std::size_t head, Standing& standing) {
-    if (depth_ == language::max_call_depth) return;
+    if (depth_ > language::max_call_depth) return;  // the program itself is no call
     ++depth_;
     for (std::size_t line = head + 1; line < program_.code.size() && left_ > 0; ++line, --left_) {
       const Instruction& next = program_.code[line];

@@ -218,8 +218,7 @@ Task<Result<>> RestartWatch::look_at_start(int thread, Priority priority) {
   if (!starts_at_power_up && starts_at_power_up.error().kind != FaultKind::refused)
     co_return fail(starts_at_power_up.error());
   if ((starts_at_power_up.value_or(0) >> thread & 1) != 0)
-    callbacks_.restarted(
-        fmt::format("Program {} runs, which power-up starts and no command that was sent", thread), 0);
+    callbacks_.restarted(fmt::format("Program {} runs, started by power-up and not by a command", thread), 0);
   co_return Result<>();
 }
 

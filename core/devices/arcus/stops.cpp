@@ -202,8 +202,7 @@ StopProgress Stops::progress(const StopOrder& order) {
   motions_.stands(all ? -1 : order.axis);
   if (!turns) return StopProgress::stands();
   return StopProgress::failed(Fault(FaultKind::controller, "Stop was sent, but the controller still moves.",
-                                    "The stop was sent.",
-                                    "Stop again: it then stops at once, without a ramp."));
+                                    "", "Stop again: it then stops at once, without a ramp."));
 }
 
 // A halted program may be restarted by one that is not halted yet.

@@ -32,6 +32,12 @@ void Effects::note(const TextCommand& command) {
     case Op::AF:
       if (one) lines_.know_auxiliary(axis, op == Op::AN);
       break;
+    case Op::CD: contour_ports_.clear(); break;
+    case Op::contour_AN:
+    case Op::contour_AF: note_contour_ports(command); break;
+    case Op::CX:
+      for (const auto& port : contour_ports_) lines_.doubt_auxiliary(port.first);
+      break;
     case Op::UU:
     case Op::UF: selection_.note_units(command); break;
     default: break;
@@ -45,9 +51,13 @@ void Effects::note_queued(const TextCommand& command) {
   const Op op = command.fact->op;
   const bool one = command.context.mode == where::single;
   if (one && (op == Op::AN || op == Op::AF)) lines_.queue_auxiliary(command.context.axis, op == Op::AN);
-  if (op == Op::contour_AN || op == Op::contour_AF)
-    for (const auto& port : command.numbers)
-      if (port) lines_.queue_auxiliary(static_cast<int>(*port), op == Op::contour_AN);
+  if (op == Op::CX)
+    for (const auto& [port, on] : contour_ports_) lines_.queue_auxiliary(port, on);
+}
+
+void Effects::note_contour_ports(const TextCommand& command) {
+  for (const auto& port : command.numbers)
+    if (port) contour_ports_[static_cast<int>(*port)] = command.fact->op == Op::contour_AN;
 }
 
 void Effects::note_counters(const TextCommand& command) {

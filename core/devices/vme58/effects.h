@@ -1,6 +1,8 @@
 #pragma once
 // Updates the knowledge of the board after a command of the user's text or program, except for the axis that
 // it selects.
+#include <map>
+
 #include "core/devices/vme58/lines.h"
 #include "core/devices/vme58/speeds.h"
 
@@ -26,6 +28,7 @@ class Effects {
 
  private:
   void note_counters(const TextCommand& command);
+  void note_contour_ports(const TextCommand& command);
 
   Selection& selection_;
   Conversation& conversation_;
@@ -35,6 +38,8 @@ class Effects {
   Motions& motions_;
   Speeds& speeds_;
   const Catalog& catalog_;
+  /// Auxiliary outputs that the latest contour switches, as it leaves them: CX plays it.
+  std::map<int, bool> contour_ports_;
 };
 
 }  // namespace hw::vme58

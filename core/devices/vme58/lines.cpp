@@ -101,6 +101,7 @@ std::string Lines::through_free_queue(std::string text) const {
 }
 
 void Lines::know_auxiliary(int axis, bool on) {
+  queued_.erase(axis);
   const int place = catalog_.find_output(first_auxiliary + axis);
   if (place < 0) return;
   const std::uint32_t mask = 1u << place;
@@ -108,11 +109,15 @@ void Lines::know_auxiliary(int axis, bool on) {
   draft_.outputs_known |= mask;
 }
 
+void Lines::doubt_auxiliary(int axis) {
+  queued_.erase(axis);
+  if (const int place = catalog_.find_output(first_auxiliary + axis); place >= 0)
+    draft_.outputs_known &= ~(1u << place);
+}
+
 void Lines::queue_auxiliary(int axis, bool on) {
-  const int place = catalog_.find_output(first_auxiliary + axis);
-  if (place < 0) return;
+  doubt_auxiliary(axis);
   queued_[axis] = on;
-  draft_.outputs_known &= ~(1u << place);
 }
 
 void Lines::program_ended(bool whole) {

@@ -30,6 +30,8 @@ class Lines {
   Task<Result<>> switch_tool_off(ToolOff tool);
   /// Notes the state of an auxiliary output, which the window does not show.
   void know_auxiliary(int axis, bool on);
+  /// It may be switched at any time: nobody knows what it is.
+  void doubt_auxiliary(int axis);
   /// A program switches it when its turn in a queue, or its place on a contour, comes: until the program has
   /// ended nobody knows what it is.
   void queue_auxiliary(int axis, bool on);

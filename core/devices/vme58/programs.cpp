@@ -128,6 +128,7 @@ void Programs::lose() {
 }
 
 void Programs::forget() {
+  feed_.program_ended(false);
   feed_.forget();
   draft_.program.run = RunState::idle;
   draft_.program.owned = false;

@@ -32,7 +32,7 @@ Task<Result<>> Echo::end(char state) {
   }
   if (conversation_.echoes())
     co_return fail(FaultKind::garbled, "The controller still echoes each command, although F was sent.", {},
-                   "Check whether another program uses it, or a device between sends bytes back.");
+                   "Check whether another program uses it, or a device on the way sends bytes back.");
   told_ = false;
   console_.report(Notice::Kind::info, "The controller echoed each command. Echo was switched off.");
   co_return Result<>();

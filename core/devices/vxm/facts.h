@@ -96,6 +96,7 @@ inline constexpr std::array<SetupFact, 13> setup_facts{{
     {"I", 0, 255, 7, false, true},         // input mode bits below
 }};
 inline constexpr int max_backlash = 255, backlash_of_one = 20;  ///< B1 means 20 steps (App. F p.45)
+inline constexpr int limit_ends_program = 2;                    ///< bit of O
 inline constexpr int max_limit_report = 3;                      ///< O: bit 0 send O, bit 1 end the program
 
 enum ModeBit : int {  // setDM (App. O p.68)

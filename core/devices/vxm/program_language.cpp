@@ -37,8 +37,19 @@ class VxmLanguage final : public Language, public PartialWriter, public Settings
     return read_sequence(text, frame, catalog);
   }
   [[nodiscard]] bool only_sets(std::string_view text) const override {
-    const Operations all = operations_of(text);
-    return !all.empty() && std::all_of(all.begin(), all.end(), [](const Operation& o) { return o.speed; });
+    const Operations all = behind("I1M1\n", text), others = behind("I2M1\n", text);
+    return !all.empty() && std::all_of(all.begin(), all.end(), [](const Operation& o) { return o.speed; }) &&
+           std::equal(
+               all.begin(), all.end(), others.begin(), others.end(),
+               [](const Operation& a, const Operation& b) { return a.text == b.text && a.sets == b.sets; });
+  }
+
+ private:
+  /// A command without a motor means the one of the command before it.
+  [[nodiscard]] static Operations behind(std::string_view command, std::string_view text) {
+    Operations all = operations_of(std::string(command) += text);
+    if (!all.empty()) all.erase(all.begin());
+    return all;
   }
 };
 

@@ -256,7 +256,7 @@ Task<Result<std::string>> Texts::stop_by_words(const StopOrder& order) {
   }
   if (!reply && reply.error().kind == FaultKind::no_answer && blind)
     co_return fail(FaultKind::no_answer,
-                   fmt::format("{} was sent and had no effect.", printable(order.words)), "",
+                   fmt::format("{} was sent, but nothing answered.", printable(order.words)), "",
                    "Check that the controller is switched on, the cable, and the baud rate.");
   if (!reply) co_return reply;
   if (!rest.empty()) {

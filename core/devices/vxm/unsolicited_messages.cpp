@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
@@ -67,10 +68,16 @@ void UnsolicitedMessages::received_held(std::string_view command) {
 }
 
 void UnsolicitedMessages::received_limit() {
+  const ParamState& report = console_.draft.params[ix(console_.catalog.find_param("O"))];
+  const bool ends_program = report.known && (report.value & limit_ends_program) != 0;  // its end tells then
   if (under_way_.job().active())
     under_way_.job().report_limit();
-  else if (!under_way_.program_runs())  // else its end tells
+  else if (!under_way_.program_runs())
     console_.report(Notice::Kind::warning, "A limit switch was hit. The controller has stopped that motor.");
+  else if (!ends_program)
+    console_.report(
+        Notice::Kind::warning,
+        "A limit switch was hit. The controller has stopped that motor, and its program goes on.");
   if (under_way_.program_runs()) console_.draft.program.ended_by = EndedBy::limit;
   console_.texts.add("O");
 }

@@ -87,6 +87,16 @@ TEST_F(HomeProofTest, OneThatFindsHomeWhereItWasHasFoundIt) {
   }
 }
 
+/// To the limit, and slowly back from it to a home that was zero already.
+TEST_F(HomeProofTest, OneThatComesBackSlowlyFromALimitMayHaveFoundHome) {
+  place = 500;
+  proof.begin(Steps(place), now + Millis(1), 1, Pps(1000));
+  for (place = 520; place < 1000; place += 20) read(Pps(1000));
+  for (; place > 0; place -= 4) read(Pps(200));
+  read(Pps(0));
+  EXPECT_TRUE(proof.may_have_found(Steps(place)));
+}
+
 TEST_F(HomeProofTest, OfOneThatNobodySawNothingIsSaid) {
   proof.begin();
   EXPECT_TRUE(proof.may_have_found(Steps(70'000)));

@@ -135,5 +135,15 @@ TEST_F(Vme58Tool, IsUnknownWhileAProgramSwitchesItAndKnownBehindIt) {
   EXPECT_EQ(axis().position, Steps(0));
 }
 
+TEST_F(Vme58Tool, IsUnknownOnceTheContourIsPlayedAgainByHand) {
+  begin(3'000);
+  const std::uint32_t mask = 1u << session->catalog().find_output(output);
+  ASSERT_TRUE(becomes_idle());
+  run(Seconds(3));
+  ASSERT_EQ(now().outputs_known & mask, mask);
+  ASSERT_TRUE(query("AA CX"));
+  EXPECT_EQ(now().outputs_known & mask, 0u) << "the contour switches it on its way";
+}
+
 }  // namespace
 }  // namespace hw

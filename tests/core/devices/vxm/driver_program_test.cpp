@@ -21,6 +21,17 @@ TEST_F(VxmDriverProgram, LoadsReadsBackAndCompares) {
   EXPECT_EQ(query("PM"), "0");
 }
 
+TEST_F(VxmDriverProgram, ALimitBehindWhichItGoesOnIsToldAtOnce) {
+  start();
+  EXPECT_EQ(perform(intent::SetParam("O", 1)), "");
+  perform(intent::LoadProgram(0, "S1M2000\nI1M8000\nI2M8000\n"));
+  EXPECT_EQ(perform(intent::RunProgram(0)), "");
+  run(1.0);
+  ASSERT_TRUE(loop->operate(bench::Limit(AxisId{0}, Sign::plus, true)));
+  run(0.5);
+  EXPECT_TRUE(told("its program goes on")) << all_notices();
+}
+
 TEST_F(VxmDriverProgram, OneThatALimitCutsEndsOnIt) {
   start();
   perform(intent::LoadProgram(0, "S1M2000\nI1M8000\n"));

@@ -1,6 +1,7 @@
 // Which blocks the stored programs of a VXM are.
 #include <gmock/gmock.h>
 
+#include "core/device/settings_in_text.h"
 #include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/program_language.h"
 #include "tests/core/device/read_back.h"
@@ -63,6 +64,16 @@ TEST_F(VxmReading, WhatActsAtOnceIsNoProgram) {
   EXPECT_EQ(blocks("I1M400\nR\n"), "Line 2: R acts at once. Blocks are programs.");
   EXPECT_THAT(blocks("I1M400\nI9M4\n"), StartsWith("Line 2: "));
   EXPECT_THAT(blocks("IA1M-0\n"), HasSubstr("Line 1: no block sets zero here"));
+}
+
+/// A speed without a motor is that of the motor before it, which may be another one elsewhere.
+TEST(VxmSettings, NameTheirMotor) {
+  const auto* language = dynamic_cast<const SettingsInText*>(&program_language());
+  ASSERT_TRUE(language);
+  EXPECT_TRUE(language->only_sets("S1M4000"));
+  EXPECT_TRUE(language->only_sets("S1M4000,A2M5"));
+  EXPECT_FALSE(language->only_sets("S4000"));
+  EXPECT_FALSE(language->only_sets("I1M400"));
 }
 
 }  // namespace
