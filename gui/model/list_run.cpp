@@ -4,6 +4,7 @@ namespace hw::gui {
 
 void ListRun::begin(std::string text, std::vector<AxisTarget> places, const Send& send) {
   places_ = std::move(places);
+  may_start_ = true;
   loading_ = send(intent::LoadProgram(0, std::move(text)));
 }
 
@@ -16,16 +17,17 @@ const IntentOutcome* ListRun::ended(IntentId& id, const Snapshot& now) const {
 }
 
 void ListRun::follow(const Snapshot& now, const Send& send) {
-  const bool was_away = unseen_frames_++ > 0;
-  if (was_away && std::exchange(loading_, 0) != 0)
-    told_.push_back(
-        {Severity::warn, "The list was loaded and is not started: another panel came to the front."});
+  const bool was_away = !std::exchange(seen_, false);
+  if (was_away) may_start_ = false;
   if (const IntentOutcome* loaded = ended(loading_, now)) {
-    if (loaded->state == IntentState::done) {
+    if (loaded->state != IntentState::done) {
+      told_.push_back({Severity::fault, std::string(loaded->sentence.view())});
+    } else if (may_start_) {
       start_.emplace(0, places_);
       starting_ = send(*start_);
     } else {
-      told_.push_back({Severity::fault, std::string(loaded->sentence.view())});
+      told_.push_back(
+          {Severity::warn, "The list was loaded but not started, because another panel came to the front."});
     }
   }
   const IntentOutcome* started = ended(starting_, now);

@@ -25,7 +25,7 @@ class ListRun {
   /// Once a frame.
   void follow(const Snapshot& now, const Send& send);
   /// Its panel is drawn in this frame.
-  void looked_at() { unseen_frames_ = 0; }
+  void looked_at() { seen_ = true; }
   /// A stop was sent.
   void stopped() { loading_ = starting_ = 0; }
 
@@ -40,7 +40,8 @@ class ListRun {
   [[nodiscard]] const IntentOutcome* ended(IntentId& id, const Snapshot& now) const;
 
   IntentId loading_ = 0, starting_ = 0;
-  int unseen_frames_ = 0;
+  bool seen_ = true;        ///< its panel was drawn since the last frame
+  bool may_start_ = false;  ///< no other panel came to the front since it was sent
   std::vector<AxisTarget> places_;
   std::optional<intent::RunProgram> start_;
   std::optional<IntentOutcome> refusal_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -133,7 +134,7 @@ void StepRecorder::count_into_scatter() {
 // ---- frame by frame
 
 bool StepRecorder::was_away(const View& view) {
-  const bool frames_missed = unseen_frames_++ > 0;
+  const bool frames_missed = !std::exchange(seen_, false);
   return view.clock - std::exchange(followed_at_, view.clock) > longest_frame || frames_missed;
 }
 
@@ -159,6 +160,7 @@ void StepRecorder::follow(const View& view) {
         fmt::format("The step was not made: {}.", others ? "something else came first" : between));
   }
   follow_series(view, between, stopped);
+  if (stage_ == Stage::idle) return;  // the series has ended between two steps
   if (stage_ == Stage::pausing) return pause(view);
   if (stage_ == Stage::arming && span_.any) make_step(view);
   const IntentOutcome* outcome = view.now.outcome_of(move_);

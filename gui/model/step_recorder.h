@@ -48,7 +48,7 @@ class StepRecorder {
   /// Takes a sample of the recording under way; drops others.
   void take(const AxisSample& sample);
   /// Its panel is drawn in this frame.
-  void looked_at() { unseen_frames_ = 0; }
+  void looked_at() { seen_ = true; }
   /// A stop was sent.
   void stopped() { stopped_ = true; }
   /// Another command of its own panel ends no series.
@@ -113,7 +113,7 @@ class StepRecorder {
   Before before_;
   Span span_;
   Instant since_{}, followed_at_{};
-  int unseen_frames_ = 0;
+  bool seen_ = true;                ///< its panel was drawn since the last frame
   bool stopped_ = false;            ///< since the last frame
   IntentId move_ = 0, newest_ = 0;  ///< newest_: the latest command of its panel
   std::deque<StepRun> runs_;

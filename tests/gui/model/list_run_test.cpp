@@ -62,7 +62,22 @@ TEST_F(ListRunTest, ItIsNotStartedOnceAnotherPanelIsInFrontAndSaysSo) {
   EXPECT_FALSE(started());
   const auto told = run.take_told();
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_THAT(told[0].sentence, HasSubstr("is not started"));
+  EXPECT_THAT(told[0].sentence, HasSubstr("not started"));
+}
+
+TEST_F(ListRunTest, ItIsBusyUntilItIsLoadedAndAFailureIsToldWhateverPanelIsInFront) {
+  begin();
+  frame();
+  frame(false);
+  frame(false);
+  EXPECT_TRUE(run.busy());
+  EXPECT_TRUE(run.take_told().empty()) << "it is under way still";
+  settle(IntentState::failed, "The link was lost.");
+  frame();
+  EXPECT_FALSE(run.busy());
+  const auto told = run.take_told();
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].sentence, "The link was lost.");
 }
 
 TEST_F(ListRunTest, ARefusedStartIsToldEvenIfNoPanelTakesIt) {

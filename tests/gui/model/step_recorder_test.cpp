@@ -77,6 +77,20 @@ TEST_F(StepRecorderTest, ASeriesEndsWhenItsPanelLeavesTheFront) {
   EXPECT_EQ(recorder.measured_number(), 1);
 }
 
+TEST_F(StepRecorderTest, AMeasuredRunStaysWhenTheSeriesEndsBetweenTwoSteps) {
+  recorder.repeat(plan, view());
+  begin_and_step();
+  samples(1, 250);
+  frames(1, true);
+  ASSERT_EQ(recorder.measured_number(), 1);
+  now.outcomes[0].id = sent.size();
+  now.outcomes[0].state = IntentState::failed;
+  recorder.stopped();
+  frames(1, true);
+  EXPECT_EQ(recorder.runs().size(), 1u);
+  EXPECT_EQ(told(), "Stopped: Repeat is off.");
+}
+
 TEST_F(StepRecorderTest, AStopEndsTheSeriesBeforeItsNextStep) {
   recorder.repeat(plan, view());
   begin_and_step();
