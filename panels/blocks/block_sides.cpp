@@ -39,10 +39,16 @@ BlockSides::Columns BlockSides::columns(const Frame& f) const {
                      : Columns{palette_width, all - palette_width, 0};
 }
 
+void BlockSides::show_list(const Frame& f) {
+  if (f.area.width < palette_needs) side_first_ = false;
+}
+
 void BlockSides::draw_switch(Frame& f) {
   if (!shares(f)) return;
   const bool of_palette = f.area.width >= palette_needs;
-  const char* other = !side_first_ ? "Text and path" : of_palette ? "Palette" : "Blocks";
+  const char* other = !side_first_ ? (f.catalog.axes.size() < 2 ? "Text" : "Text and path")
+                      : of_palette ? "Palette"
+                                   : "Blocks";
   const ButtonOptions look{
       .style = ButtonStyle::quiet,
       .tip = of_palette ? "Takes its place beside the blocks." : "Takes the place of what is shown now.",

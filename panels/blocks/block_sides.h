@@ -14,6 +14,8 @@ class BlockSides {
     float palette = 0, list = 0, side = 0;
   };
   [[nodiscard]] Columns columns(const gui::Frame& frame) const;
+  /// Text and path make room for the list, if they have taken its place.
+  void show_list(const gui::Frame& frame);
   /// Button of the toolbar that exchanges what shares a place.
   void draw_switch(gui::Frame& frame);
   /// Draws one part at ImGui's cursor, logical size.

@@ -22,6 +22,7 @@
 namespace hw::panels {
 
 using namespace gui;
+
 void Blocks::draw(Frame& f) {
   follow(f);
   draw_toolbar(f);
@@ -58,7 +59,7 @@ void Blocks::follow(Frame& f) {
   chosen_.follow(*editor_, rows_);
   drafts_.follow(*editor_, rows_);
   if (const int step = std::exchange(blocks.wanted_step, -1); step >= 0 && ix(step) < rows_.size())
-    choose(rows_.path(ix(step)));
+    bring_up(f, rows_.path(ix(step)));
   blocks.chosen_step = chosen_.row();
   work_.follow(f, *editor_);
   if (f.ui.keyboard.pressed(Command::simulate)) {
@@ -97,13 +98,13 @@ void Blocks::draw_toolbar(Frame& f) {
   end_toolbar(f, at);
   const Rect bar{at, ImVec2(ui.px(f.area.right()), ImGui::GetCursorScreenPos().y)};
   if (const int row = run_.draw_refusals(f, work_.written()->text, rows_, bar); row >= 0)
-    choose(rows_.path(ix(row)));
+    bring_up(f, rows_.path(ix(row)));
 }
 
 void Blocks::draw_sides(Frame& f, float width, float height) {
   const auto text = [&](float, float high) {
     if (draw_block_text(f, *work_.written(), BlockTextMarks{chosen_, run_.live_step()}, high))
-      choose_first_refused();
+      choose_first_refused(f);
   };
   const auto path = [&](float wide, float high) {
     trial_.draw_path(f, chosen_.row(), wide, high);
@@ -120,7 +121,7 @@ void Blocks::use_keys(Frame& f) {
   const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, true); };
   if (io.KeyCtrl && pressed('Z')) io.KeyShift ? make_again() : take_back();
   if (io.KeyCtrl && pressed('Y')) make_again();
-  if (!chosen_.any()) return;
+  if (!chosen_.any() || sides_.columns(f).list == 0) return;  // nothing is changed out of sight
   const int arrow = (pressed(GLFW_KEY_DOWN) ? 1 : 0) - (pressed(GLFW_KEY_UP) ? 1 : 0);
   if (arrow != 0 && io.KeyAlt) move(arrow);
   if (arrow != 0 && io.KeyShift && !io.KeyAlt) {

@@ -67,7 +67,9 @@ class Blocks final : public gui::Panel {
   void choose_moved(const sequence::StepSpan& span);
   void put_form_away();
   void open_form();
-  void choose_first_refused();
+  /// Chooses it, and brings the list to the front.
+  void bring_up(const gui::Frame& frame, sequence::StepPath path);
+  void choose_first_refused(const gui::Frame& frame);
   void click(std::size_t row);
   void move(int rows);
   void drop(const RowDrag::Drop& drop);

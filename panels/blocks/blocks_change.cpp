@@ -86,10 +86,15 @@ void Blocks::choose_moved(const seq::StepSpan& span) {
   choose_all(span);
 }
 
-void Blocks::choose_first_refused() {
+void Blocks::bring_up(const Frame& f, seq::StepPath path) {
+  sides_.show_list(f);
+  choose(std::move(path));
+}
+
+void Blocks::choose_first_refused(const Frame& f) {
   const std::vector<RefusedStep>& refused = work_.written()->refused;
   if (!refused.empty() && work_.up_to_date() && ix(refused.front().step) < rows_.size())
-    choose(rows_.path(ix(refused.front().step)));
+    bring_up(f, rows_.path(ix(refused.front().step)));
 }
 
 /// A second click clears the choice.

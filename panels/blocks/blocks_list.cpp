@@ -51,7 +51,7 @@ void Blocks::draw_list(Frame& f, const BlockSides::Columns& columns, float heigh
     if (const BlockWays ways = palette_.draw(f, editor_->sequence(), false); !ways.empty()) add(f, ways);
     gap(ui, 8);
   }
-  if (columns.side == 0 && draw_block_problem(f, *work_.written(), inner)) choose_first_refused();
+  if (columns.side == 0 && draw_block_problem(f, *work_.written(), inner)) choose_first_refused(f);
   const float above = ImGui::GetCursorScreenPos().y;
   draw_rows(f, inner);
   const float below = ImGui::GetCursorScreenPos().y;
