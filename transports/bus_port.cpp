@@ -160,10 +160,10 @@ Result<> BusPortTalk::take(std::string_view bytes, const std::function<void(BusC
     const char op = unfinished_[done];
     if (!is_op(op))
       return fail(FaultKind::garbled,
-                  fmt::format("A client of the bus port sent {:02X} where an operation begins.",
+                  fmt::format("A client of the bus port sent {:02X} instead of an operation.",
                               static_cast<unsigned char>(op)),
                   "Its connection was closed.",
-                  "01, 02 and 04 read so many bytes, 81, 82 and 84 write them.");
+                  "01, 02 and 04 read that many bytes; 81, 82 and 84 write them.");
     const bool write = (op & write_bit) != 0;
     const std::size_t width = width_of(op), length = head_bytes + (write ? width : 0);
     if (unfinished_.size() - done < length) break;

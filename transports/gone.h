@@ -8,7 +8,7 @@
 namespace hw {
 
 inline Fault gone(std::string what, std::string advice) {
-  return Fault(FaultKind::lost, std::move(what), "What was on the way may have been carried out.",
+  return Fault(FaultKind::lost, std::move(what), "Commands on the way may have been carried out.",
                std::move(advice));
 }
 

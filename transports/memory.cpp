@@ -10,7 +10,7 @@ namespace {
 struct Side {
   Stream::Listener* listener = nullptr;
   bool exists = true;
-  bool told_of_end = false;
+  bool end_reported = false;
   bool posted = false;
   std::string inbox, batch;  // both keep their capacity
 };
@@ -33,7 +33,7 @@ struct Shared : std::enable_shared_from_this<Shared> {
     side.batch.swap(side.inbox);
     if (side.listener && !side.batch.empty()) side.listener->bytes_arrived(side.batch);
     const bool alone = !sides[1 - to].exists;
-    if (side.listener && alone && !std::exchange(side.told_of_end, true)) {
+    if (side.listener && alone && !std::exchange(side.end_reported, true)) {
       const Fault why = wire.gone;
       side.listener->stream_closed(why);
     }

@@ -10,6 +10,7 @@
 #include "core/session/user_files.h"
 #include "transports/bus_port.h"
 #include "transports/performax_usb.h"
+#include "transports/port_holder.h"
 #include "transports/rfc2217.h"
 #include "transports/serial.h"
 #include "transports/tcp.h"
@@ -136,12 +137,26 @@ Result<int> take_baud(const DeviceType& type, DeviceOptions& keys) {
   return catalog->can.usual_baud;
 }
 
+/// A controller that is closed lets go of its port only when what was on its way has ended. Who opens the
+/// port anew meanwhile waits for that; not for long, as another open tab may hold it as well.
+Task<Result<std::unique_ptr<Stream>>> open_when_let_go(Scheduler& scheduler, std::string path, int baud) {
+  constexpr Duration longest = Millis(500), between = Millis(20);
+  const Instant given_up = scheduler.now() + longest;
+  for (;;) {
+    PortRefusal refusal = PortRefusal::none;
+    auto stream = open_serial(scheduler, path, baud, &refusal);
+    const bool ours = refusal == PortRefusal::busy && port_holder(path) == this_program;
+    if (stream || !ours || scheduler.now() >= given_up) co_return stream;
+    co_await scheduler.sleep_for(between);
+  }
+}
+
 Task<Result<Wire>> open_serial_wire(Scheduler& scheduler, const DeviceType& type, Address address,
                                     std::shared_ptr<BenchAccess>, const OpenOptions&) {
   const auto baud = take_baud(type, address.options);
   if (!baud) co_return fail(baud.error());
   if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
-  auto stream = open_serial(scheduler, address.where, *baud);
+  auto stream = co_await open_when_let_go(scheduler, address.where, *baud);
   if (!stream) co_return fail(stream.error());
   co_return real_wire(std::move(*stream));
 }
@@ -171,7 +186,7 @@ Task<Result<Wire>> open_usb_wire(Scheduler& scheduler, const DeviceType& type, A
   if (!catalog->can.usb)
     co_return bad(fmt::format("The {} has no USB.", catalog->short_name), use_one_for(*catalog));
   if (!address.ids().empty())
-    co_return bad("On USB a controller has no id: it has the wire for itself.", "Leave id= out.");
+    co_return bad("On USB a controller has no id: it does not share its wire.", "Leave id= out.");
   if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
   auto stream = co_await open_performax_usb(scheduler, std::move(address.where));
   if (!stream) co_return fail(stream.error());
@@ -198,7 +213,7 @@ Result<std::uint32_t> take_base(DeviceOptions& keys) {
   char* end = nullptr;
   const unsigned long base = std::strtoul(text.c_str(), &end, 0);
   if (*end == '\0' && base <= 0xFFFF) return static_cast<std::uint32_t>(base);
-  return bad(fmt::format("base={} is not a place in the short address space.", text),
+  return bad(fmt::format("base={} is not an address in the short address space.", text),
              "Give the address that the jumpers of the board set, for example base=0xF000.");
 }
 

@@ -52,7 +52,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
   std::string name;  // "USB 4ex00"
   libusb_device_handle* handle = nullptr;
   int file = -1;  // the library's descriptor, for the watchdog; -1: not found
-  std::function<void(std::string_view)> heard;
+  std::function<void(std::string_view)> received;
   std::function<void(const Fault&)> ended;
 
   explicit PerformaxWire(Scheduler& s) : scheduler(s), moved(s) {}
@@ -82,6 +82,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
   Event moved;
   std::deque<std::string> waiting;
   bool closing = false, reading = false, over = false;
+  int submitted = LIBUSB_SUCCESS;  ///< result of the latest submit()
 
   [[nodiscard]] bool busy() const { return control_.under_way || out_.under_way || in_.under_way; }
   void cancel() {
@@ -100,8 +101,14 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
   }
   bool submit(Under& under) {
     under.wire = this;
-    under.under_way = libusb_submit_transfer(under.transfer.get()) == 0;
+    submitted = libusb_submit_transfer(under.transfer.get());
+    under.under_way = submitted == LIBUSB_SUCCESS;
     return under.under_way;
+  }
+
+  [[nodiscard]] const char* why_not_submitted() const {
+    return submitted == LIBUSB_ERROR_NO_DEVICE ? "it is no longer connected"
+                                               : "it does not accept transfers any more";
   }
 
   Task<bool> control(std::uint16_t value) {
@@ -133,7 +140,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
   void read_next() {
     libusb_fill_bulk_transfer(in_.transfer.get(), handle, endpoint_in, in_.bytes.data(), transfer_size,
                               finished, &in_, 0);
-    if (!submit(in_)) end_soon("it does not take part any more");
+    if (!submit(in_)) end_soon(why_not_submitted());
   }
   // A reply includes its closing zero. A transfer without one was cut off: half a number must not be taken
   // for a whole one.
@@ -145,7 +152,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
       const auto zero = static_cast<std::size_t>(std::find(text, text + length, '\0') - text);
       const std::string reply(text, std::min(zero + 1, length));
       read_next();
-      if (!reply.empty() && heard) heard(reply);
+      if (!reply.empty() && received) received(reply);
     } else if (status == LIBUSB_TRANSFER_STALL || status == LIBUSB_TRANSFER_OVERFLOW) {
       read_next();
     } else if (status != LIBUSB_TRANSFER_CANCELLED) {
@@ -165,7 +172,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
     out_.done = &PerformaxWire::written;
     libusb_fill_bulk_transfer(out_.transfer.get(), handle, endpoint_out, out_.bytes.data(), transfer_size,
                               finished, &out_, patience_ms);
-    if (!submit(out_)) end_soon("it does not take part any more");
+    if (!submit(out_)) end_soon(why_not_submitted());
   }
   void written() {
     if (out_.transfer->status == LIBUSB_TRANSFER_NO_DEVICE) return end_soon("it was unplugged");
@@ -182,7 +189,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
 
   // Without a listener: cancels pending transfers, sends the closing request, closes.
   static Task<> close(std::shared_ptr<PerformaxWire> wire) {
-    wire->heard = nullptr, wire->ended = nullptr;
+    wire->received = nullptr, wire->ended = nullptr;
     wire->closing = true;
     wire->cancel();
     while (wire->busy()) co_await wire->moved.wait();
@@ -200,9 +207,9 @@ class PerformaxStream final : public Stream {
     asio::co_spawn(wire_->scheduler.executor(), PerformaxWire::close(wire_), asio::detached);
   }
   void listen(Listener* listener) override {
-    wire_->heard = nullptr, wire_->ended = nullptr;
+    wire_->received = nullptr, wire_->ended = nullptr;
     if (!listener) return;
-    wire_->heard = [listener](std::string_view reply) { listener->bytes_arrived(reply); };
+    wire_->received = [listener](std::string_view reply) { listener->bytes_arrived(reply); };
     wire_->ended = [listener](const Fault& why) { listener->stream_closed(why); };
     wire_->read();
   }

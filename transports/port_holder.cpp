@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string describe(const std::string& proc, const std::string& process) {
-  if (process == std::to_string(::getpid())) return "this program itself";
+  if (process == std::to_string(::getpid())) return std::string(this_program);
   std::string name;
   std::getline(std::ifstream(proc + "/" + process + "/comm"), name);
   return name.empty() ? fmt::format("process {}", process) : fmt::format("{} (process {})", name, process);

@@ -1,7 +1,11 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 namespace hw {
+
+/// As port_holder() names the program that asks.
+inline constexpr std::string_view this_program = "this program itself";
 
 /// The program that holds a device file: "minicom (process 4182)"; empty: unknown to /proc. A program that
 /// has locked the file takes precedence over one that has it open.

@@ -42,7 +42,7 @@ class Rfc2217Stream final : public FdStream {
   [[nodiscard]] const telnet::ServerWord& word() const { return receiver_.word(); }
   [[nodiscard]] Fault wrong_rate() const {
     return Fault(FaultKind::port,
-                 fmt::format("{} does not do {} baud (it says {}).", server_, baud_, *word().baud),
+                 fmt::format("{} does not accept {} baud (it uses {}).", server_, baud_, *word().baud),
                  "The connection was closed.", "Choose another rate, or set the port of the server.");
   }
   std::function<void()> negotiated;  ///< called when the server has reported on its port
@@ -53,12 +53,12 @@ class Rfc2217Stream final : public FdStream {
     reply_.clear();
     const int before = word().rates;
     receiver_.take(bytes, data_, reply_);
-    const int said = word().rates - before;
+    const int replies = word().rates - before;
     if (!reply_.empty()) FdStream::send(reply_);
     if (negotiated) {
       negotiated();
-    } else if (said > 0) {  // only the last reply answers the last request
-      rates_owed_ = std::max(0, rates_owed_ - said);
+    } else if (replies > 0) {  // only the last reply answers the last request
+      rates_owed_ = std::max(0, rates_owed_ - replies);
       if (rates_owed_ == 0 && word().baud != baud_) end_soon(wrong_rate());
     }
     if (!data_.empty()) deliver(data_);
@@ -94,7 +94,7 @@ std::optional<Fault> check(const Rfc2217Stream& stream, const std::string& where
   if (!word.com_port.value_or(false)) return not_spoken(where);
   if (!word.settings_complete())
     return Fault(FaultKind::port, fmt::format("{} did not confirm the settings of its port in time.", where),
-                 "The connection was closed.", "Is its serial port in use by somebody else?");
+                 "The connection was closed.", "Check whether another program uses its serial port.");
   if (*word.baud != baud) return stream.wrong_rate();
   if (*word.datasize != 8 || *word.parity != 1 || *word.stopsize != 1)
     return Fault(FaultKind::port,

@@ -17,8 +17,8 @@ namespace {
 constexpr Duration patience = Millis(150);  // for the first byte, with a busy controller or a slow adapter
 constexpr Duration quiet = Millis(25);      // ends a reply; an adapter may deliver it in pieces
 
-struct Heard final : Stream::Listener {
-  explicit Heard(Scheduler& s) : scheduler(s), news(s) {}
+struct Received final : Stream::Listener {
+  explicit Received(Scheduler& s) : scheduler(s), news(s) {}
   Scheduler& scheduler;
   Event news;
   std::string bytes;
@@ -36,11 +36,11 @@ struct Heard final : Stream::Listener {
 };
 
 // Waits for a reply and its end; bounded, as a device may send unasked.
-Task<> hear_out(Scheduler& scheduler, Heard& heard, Duration first_byte, int baud) {
+Task<> receive_all(Scheduler& scheduler, Received& received, Duration first_byte, int baud) {
   const Instant at_most = scheduler.now() + Millis(400);
   Instant until = scheduler.now() + first_byte;
-  while (!heard.closed && until < at_most) {
-    const bool more = co_await heard.news.wait_until(until);
+  while (!received.closed && until < at_most) {
+    const bool more = co_await received.news.wait_until(until);
     if (!more) break;
     until = scheduler.now() + quiet + 2 * byte_time(baud);
   }
@@ -75,29 +75,29 @@ Task<bool> ask(Scheduler& scheduler, Stream& stream, std::string_view probe, con
                PortReport& report) {
   if (stream.rate() != question.baud && !stream.set_rate(question.baud)) co_return false;
   if (report.asked.empty() || report.asked.back() != question.baud) report.asked.push_back(question.baud);
-  Heard heard(scheduler);
-  stream.listen(&heard);
+  Received received(scheduler);
+  stream.listen(&received);
   const Instant began = scheduler.now();
   stream.send(question.text);
   const Duration patience =
       question.patience + static_cast<int>(question.text.size() + 1) * byte_time(question.baud);
-  co_await hear_out(scheduler, heard, patience, question.baud);
+  co_await receive_all(scheduler, received, patience, question.baud);
   stream.listen(nullptr);
-  report.echo = heard.bytes.starts_with(question.text);
+  report.echo = received.bytes.starts_with(question.text);
   const std::string_view behind_echo =
-      std::string_view(heard.bytes).substr(report.echo ? question.text.size() : 0);
+      std::string_view(received.bytes).substr(report.echo ? question.text.size() : 0);
   if (behind_echo.empty()) co_return false;
-  report.reply = heard.bytes;
+  report.reply = received.bytes;
   report.baud = question.baud;
   report.finding = PortFinding::garbled;
   const DeviceType* author = find_author(probe, behind_echo);
-  if (!author) author = find_author(probe, heard.bytes);
+  if (!author) author = find_author(probe, received.bytes);
   if (!author) co_return false;
   report.finding = PortFinding::answers;
   report.model = author->model;
   report.name = name_of(*author);
   report.id = question.id;
-  report.round_trip = heard.last - began;
+  report.round_trip = received.last - began;
   co_return true;
 }
 
@@ -148,13 +148,11 @@ std::string PortReport::sentence() const {
     case PortFinding::garbled:
       if (!id.empty())
         return fmt::format(
-            "At {} baud something answers to id {} that makes no sense: {}. Two devices with one id, or "
-            "another "
-            "rate: connect one alone and look.",
+            "At {} baud the reply to id {} makes no sense: {}. Connect one device alone: two may have the "
+            "same id, or the rate may be another.",
             baud, id, printable(reply));
-      return fmt::format(
-          "At {} baud something answers that makes no sense here: {}. Another device, or another rate.", baud,
-          printable(reply));
+      return fmt::format("At {} baud the reply makes no sense: {}. Check the model and the rate.", baud,
+                         printable(reply));
     default: return fault.sentence();
   }
 }

@@ -33,7 +33,7 @@ Refused refused(PortRefusal refusal, std::string what, std::string advice) {
 
 Refused missing(const std::string& path) {
   return refused(PortRefusal::missing, fmt::format("There is no port {}.", path),
-                 "Is the adapter plugged in? `handwheel scan` lists the ports that are there.");
+                 "Plug the adapter in; `handwheel scan` lists the existing ports.");
 }
 
 Refused busy(const std::string& path) {
@@ -62,16 +62,15 @@ bool group_helps(const std::string& path) {
 Refused not_permitted(const std::string& path) {
   if (!group_helps(path))
     return refused(
-        PortRefusal::not_permitted,
-        fmt::format("{} may not be opened: only its owner has the rights to it.", path),
+        PortRefusal::not_permitted, fmt::format("{} cannot be opened: only its owner may use it.", path),
         fmt::format("Run `sudo chgrp dialout {0} && sudo chmod g+rw {0}` as a member of dialout. A "
                     "udev rule makes that last.",
                     path));
   const passwd* self = ::getpwuid(::geteuid());
   const std::string user = self ? self->pw_name : "$USER", group = group_of(path);
   return refused(PortRefusal::not_permitted,
-                 fmt::format("{} may not be opened: it belongs to the group {}, and {} is not a member.",
-                             path, group, user),
+                 fmt::format("{} cannot be opened: it belongs to the group {}, and {} is not a member.", path,
+                             group, user),
                  fmt::format("Run `sudo usermod -aG {} {}`, then log out and in again.", group, user));
 }
 
@@ -85,7 +84,7 @@ Refused other(const std::string& path, int error) {
   return refused(PortRefusal::other,
                  no_hardware ? fmt::format("{} has a name but no hardware behind it.", path)
                              : fmt::format("{} cannot be opened: {}.", path, std::strerror(error)),
-                 "Choose another port; `handwheel scan` lists those that are there.");
+                 "Choose another port; `handwheel scan` lists the existing ones.");
 }
 
 Refused why_port_not_opened(const std::string& path, int error) {
@@ -120,7 +119,7 @@ void ask_for_low_latency(int fd) {
 Result<> apply_rate(int fd, const std::string& path, int baud, int when) {
   const auto speed = speed_constant(baud);
   if (!speed)
-    return fail(FaultKind::port, fmt::format("{} baud is not a rate that a serial port knows.", baud),
+    return fail(FaultKind::port, fmt::format("{} baud is not a rate of serial ports.", baud),
                 "The rate was not changed.", "Use 9600, 19200, 38400, 57600 or 115200.");
   termios settings{}, got{};
   const auto no = [&] {
@@ -189,16 +188,16 @@ tl::expected<int, Refused> open_exclusively(const std::string& path) {
 Result<std::unique_ptr<Stream>> open_serial(Scheduler& scheduler, const std::string& path, int baud,
                                             PortRefusal* refusal) {
   PortRefusal ignored;
-  PortRefusal& said = refusal ? *refusal : ignored;
-  said = PortRefusal::none;
+  PortRefusal& result = refusal ? *refusal : ignored;
+  result = PortRefusal::none;
   const auto fd = open_exclusively(path);
   if (!fd) {
-    said = fd.error().refusal;
+    result = fd.error().refusal;
     return fail(fd.error().fault);
   }
   auto stream = std::make_unique<SerialStream>(scheduler, *fd, path, baud);
   if (auto set = apply_rate(*fd, path, baud, TCSANOW); !set) {
-    said = PortRefusal::other;
+    result = PortRefusal::other;
     return fail(set.error());
   }
   ask_for_low_latency(*fd);

@@ -41,7 +41,7 @@ static Result<> check_folder(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(folder, error)) return {};
   return fail(FaultKind::port,
               fmt::format("There is no folder {} to keep {} in.", folder.string(), path.filename().string()),
-              "Nothing is served.", "Make the folder, or choose another place.");
+              "Nothing is served.", "Create the folder, or choose another place.");
 }
 
 // One controller on the wire, with its bench and its state file.
@@ -71,7 +71,7 @@ class EmulatorHost::Device final : public BenchAccess {
     state_->keep(emulator_->save_memory());
   }
 
-  void hear(ByteLine::Byte byte) {
+  void take_byte(ByteLine::Byte byte) {
     const int rate = emulator_->rate();
     if (byte.sender_baud == 0 || rate == 0 || byte.sender_baud == rate)
       emulator_->receive(std::string_view(&byte.value, 1));
@@ -219,12 +219,12 @@ void EmulatorHost::step_to(Instant when) {
     for (const auto& device : devices_) (void)apply(*device, command);  // no caller waits for the result
   }
   while (incoming_.due() <= when) {
-    heard_late_ = reached_ - incoming_.due();  // by a late question
+    late_by_ = reached_ - incoming_.due();  // by a late question
     land(incoming_.first());
     incoming_.pop(line_rate());
   }
   take_output();
-  heard_late_ = {};
+  late_by_ = {};
   while (outgoing_.due() <= when) {
     const ByteLine::Byte byte = outgoing_.first();
     if (byte.sender_baud != leaving_baud_) deliver();
@@ -284,24 +284,24 @@ Duration EmulatorHost::time_off_the_wire(Instant now) {
 }
 
 void EmulatorHost::land(ByteLine::Byte byte) {
-  for (const auto& device : devices_) device->hear(byte);
+  for (const auto& device : devices_) device->take_byte(byte);
 }
 
 void EmulatorHost::take_output() {
-  std::string said;
+  std::string reply;
   int rate = 0;
   for (const auto& device : devices_) {
     fresh_.clear();
     device->own().take_output(fresh_);
     if (fresh_.empty() || unplugged_) continue;
-    if (said.empty()) rate = device->own().rate();
-    said = said.empty() ? fresh_ : collided(said, fresh_);
+    if (reply.empty()) rate = device->own().rate();
+    reply = reply.empty() ? fresh_ : collided(reply, fresh_);
   }
-  if (said.empty()) return;
+  if (reply.empty()) return;
   if (options_.byte_times)
-    outgoing_.put(said, rate, reached_ - heard_late_, line_rate());
+    outgoing_.put(reply, rate, reached_ - late_by_, line_rate());
   else
-    leaving_ += said;
+    leaving_ += reply;
 }
 
 void EmulatorHost::deliver() {

@@ -68,7 +68,6 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   Result<> set_up(const BenchFile& bench);
 
   [[nodiscard]] const HostOptions& options() const { return options_; }
-  [[nodiscard]] std::size_t client_count() const { return clients_.size(); }
 
  private:
   struct Client;
@@ -122,7 +121,7 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   // late it was sent.
   Instant left_at_{};
   std::optional<Duration> late_;
-  Duration heard_late_{};
+  Duration late_by_{};
   std::string fresh_, leaving_;  // output just taken; output at the end of the wire, ...
   int leaving_baud_ = 0;         // ... all sent at this rate
   std::vector<std::unique_ptr<Device>> devices_;

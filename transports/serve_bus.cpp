@@ -21,7 +21,7 @@ class EmulatorHost::HostWindow final : public Window {
     if (host_) std::erase(host_->windows_, this);
   }
   void listen(Listener* listener) override { link_->listener = listener; }
-  [[nodiscard]] bool tells_interrupts() const override { return true; }
+  [[nodiscard]] bool reports_interrupts() const override { return true; }
   [[nodiscard]] std::string describe() const override { return host_ ? host_->options_.name : "nothing"; }
 
   Task<Result<>> run(std::span<BusCycle> cycles) override {

@@ -38,7 +38,8 @@ struct Lock {
 
 class SleepWatch::Logind : public std::enable_shared_from_this<Logind> {
  public:
-  Logind(Scheduler& scheduler, Heard heard) : heard_(std::move(heard)), descriptor_(scheduler.executor()) {}
+  Logind(Scheduler& scheduler, Callbacks callbacks)
+      : callbacks_(std::move(callbacks)), descriptor_(scheduler.executor()) {}
   ~Logind() {
     if (descriptor_.is_open()) descriptor_.release();  // the bus closes it
     sd_bus_close_unref(bus_);
@@ -57,7 +58,7 @@ class SleepWatch::Logind : public std::enable_shared_from_this<Logind> {
     serve();
   }
   void stop() {
-    heard_ = {};
+    callbacks_ = {};
     delay_.release();
     block_.release();
     if (descriptor_.is_open()) descriptor_.release();
@@ -98,10 +99,10 @@ class SleepWatch::Logind : public std::enable_shared_from_this<Logind> {
     if (sd_bus_message_read(signal, "b", &begins) < 0) return 0;
     log::debug("sleep", begins != 0 ? "the computer goes to sleep" : "the computer has woken");
     if (begins != 0) {
-      if (self.heard_.wants_to_sleep) self.heard_.wants_to_sleep();
+      if (self.callbacks_.wants_to_sleep) self.callbacks_.wants_to_sleep();
     } else {
       self.take(self.delay_);  // for the next time
-      if (self.heard_.has_woken) self.heard_.has_woken();
+      if (self.callbacks_.has_woken) self.callbacks_.has_woken();
     }
     return 0;
   }
@@ -128,15 +129,15 @@ class SleepWatch::Logind : public std::enable_shared_from_this<Logind> {
     if (descriptor_.is_open()) descriptor_.release();
   }
 
-  Heard heard_;
+  Callbacks callbacks_;
   sd_bus* bus_ = nullptr;
   asio::posix::basic_stream_descriptor<Executor> descriptor_;
   bool reading_ = false, writing_ = false;
   Lock delay_{"Stops a held jog first", "delay"}, block_{"A motion is under way", "block"};
 };
 
-SleepWatch::SleepWatch(Scheduler& scheduler, Heard heard)
-    : scheduler_(scheduler), logind_(std::make_shared<Logind>(scheduler, std::move(heard))) {
+SleepWatch::SleepWatch(Scheduler& scheduler, Callbacks callbacks)
+    : scheduler_(scheduler), logind_(std::make_shared<Logind>(scheduler, std::move(callbacks))) {
   asio::post(scheduler_.executor(), [logind = logind_] { logind->start(); });
 }
 

@@ -11,12 +11,12 @@ namespace hw {
 class SleepWatch {
  public:
   /// Both are called on the io thread.
-  struct Heard {
+  struct Callbacks {
     /// The computer waits a few seconds at most for may_sleep().
     std::function<void()> wants_to_sleep;
     std::function<void()> has_woken;
   };
-  SleepWatch(Scheduler& scheduler, Heard heard);
+  SleepWatch(Scheduler& scheduler, Callbacks callbacks);
   /// On the io thread, or after it has ended.
   ~SleepWatch();
   SleepWatch(const SleepWatch&) = delete;

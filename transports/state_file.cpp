@@ -12,16 +12,16 @@ StateFile::StateFile(Scheduler& scheduler, std::string path, Trouble trouble)
 StateFile::~StateFile() { worker_.join(); }
 
 void StateFile::keep(std::string text) {
-  std::weak_ptr<Trouble> told = trouble_;
+  std::weak_ptr<Trouble> reported_to = trouble_;
   const Executor home = scheduler_.executor();
-  asio::post(worker_, [path = path_, text = std::move(text), told, home] {
+  asio::post(worker_, [path = path_, text = std::move(text), reported_to, home] {
     const Result<> written = write_file(path, text);
     if (written) return;
     Fault fault = written.error();
     fault.done =
         "The memory of the emulated controller is not saved; " + path + " still holds what was saved before.";
-    asio::post(home, [told, fault] {
-      const auto trouble = told.lock();
+    asio::post(home, [reported_to, fault] {
+      const auto trouble = reported_to.lock();
       if (trouble && *trouble) (*trouble)(fault);
     });
   });

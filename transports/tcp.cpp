@@ -40,7 +40,7 @@ Fault cannot_connect(const std::string& where, const Error& error) {
   } else if (error == asio::error::operation_aborted || error == asio::error::timed_out) {
     what += "no answer in time.";
   } else if (error == asio::error::host_not_found || error == asio::error::no_data) {
-    what += "there is no host of that name.";
+    what += "no host has that name.";
     advice = "Check the name, or give the number (192.168.1.40).";
   } else {
     what += error.message() + ".";
@@ -73,7 +73,7 @@ Task<Result<std::vector<Tcp::endpoint>>> look_up(Scheduler& scheduler, std::stri
 
 Fault tcp_ended(const std::string& where, int error) {
   const std::string reason = error == 0            ? "The other side closed the connection"
-                             : error == ECONNRESET ? "The other side broke off the connection"
+                             : error == ECONNRESET ? "The other side reset the connection"
                              : error == EPIPE
                                  ? "The other side closed the connection"
                                  : fmt::format("The connection failed ({})", std::strerror(error));

@@ -94,7 +94,7 @@ Result<std::unique_ptr<TcpEndpoint>> TcpEndpoint::open(Scheduler& scheduler, con
   const auto at = find_place(scheduler, where);
   if (!at) return fail(at.error());
   if (!allow_remote && !at->address().is_loopback())
-    return fail(FaultKind::refused, fmt::format("{} would let other machines in.", where),
+    return fail(FaultKind::refused, fmt::format("{} would admit other machines.", where),
                 "Nothing is served.", "Use 127.0.0.1, or add --allow-remote.");
   auto listening = std::make_shared<Listening>(scheduler, std::move(accepted));
   if (const Error error = start_listening(listening->acceptor, *at)) {

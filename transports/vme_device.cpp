@@ -199,7 +199,7 @@ Result<std::uint32_t> place_in(int fd, const std::string& device, std::uint32_t 
     if (ask_for_short_space(fd, request) == 0 || errno == ENOTTY || errno == EINVAL) return base;
     return fail(
         FaultKind::port,
-        fmt::format("{} gives no window onto the short address space: {}.", device, std::strerror(errno)),
+        fmt::format("{} provides no window onto the short address space: {}.", device, std::strerror(errno)),
         "Nothing was opened.", "Another master window may be free: /dev/bus/vme/m1 and so on.");
   }
   const auto size = static_cast<std::uint64_t>(info.st_size);

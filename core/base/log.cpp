@@ -119,7 +119,7 @@ Result<> choose_one(std::string_view choice) {
   const auto level = level_named(equals == choice.npos ? choice : choice.substr(equals + 1));
   if (!level || (equals != choice.npos && !is_subject(path)))
     return fail(
-        FaultKind::text, fmt::format("There is nothing to log as \"{}\".", choice), {},
+        FaultKind::text, fmt::format("\"{}\" names no subject and level of the log.", choice), {},
         "Give SUBJECT=LEVEL: link, pump, driver, driver.MODEL, script, gui, emulate or sleep, and off, "
         "error, warning, info or debug.");
   const std::lock_guard lock(desk().mutex);
@@ -246,11 +246,11 @@ Result<> keep_in(const std::filesystem::path& file) {
   }
 }
 
-void error(std::string_view where, std::string_view sentence) { subject(where).say(Level::error, sentence); }
+void error(std::string_view where, std::string_view sentence) { subject(where).add(Level::error, sentence); }
 void warning(std::string_view where, std::string_view sentence) {
-  subject(where).say(Level::warning, sentence);
+  subject(where).add(Level::warning, sentence);
 }
-void info(std::string_view where, std::string_view sentence) { subject(where).say(Level::info, sentence); }
-void debug(std::string_view where, std::string_view sentence) { subject(where).say(Level::debug, sentence); }
+void info(std::string_view where, std::string_view sentence) { subject(where).add(Level::info, sentence); }
+void debug(std::string_view where, std::string_view sentence) { subject(where).add(Level::debug, sentence); }
 
 }  // namespace hw::log

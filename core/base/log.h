@@ -43,7 +43,7 @@ class Subject {
     if (wants(Level::warning)) write(Level::warning, fmt::format(format, std::forward<T>(values)...));
   }
   /// Logs a finished sentence, if this level is wanted.
-  void say(Level level, std::string_view sentence) const {
+  void add(Level level, std::string_view sentence) const {
     if (wants(level)) write(level, sentence);
   }
 
@@ -68,7 +68,7 @@ std::span<const std::string_view> families();
 /// "debug".
 std::string_view word_of(Level level);
 /// Sets the level of a path and of all below it: "driver", "driver.vxm". Empty: of everything; initially
-/// `warning`. subject(path).level() tells it.
+/// `warning`. subject(path).level() returns it.
 void set_level(std::string_view path, Level level);
 
 /// "link=debug", "driver=info,pump=debug" (driver: driver.vxm and all others), or "debug" for everything. The

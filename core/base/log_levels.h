@@ -1,5 +1,5 @@
 #pragma once
-// How much is logged below a path, for whoever shows it. Any thread.
+// How much is logged below a path, for panels that show it. Any thread.
 #include <optional>
 #include <string_view>
 

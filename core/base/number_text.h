@@ -1,6 +1,7 @@
 #pragma once
 // Numbers as protocols write them: ASCII digits, independent of the locale.
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -16,6 +17,12 @@ std::optional<Number> whole_number(std::string_view text) {
   const auto [stopped, error] = std::from_chars(text.data(), end, n);
   if (error != std::errc() || stopped != end) return std::nullopt;
   return n;
+}
+
+/// The same for a number with decimals, which must be finite.
+inline std::optional<double> finite_number(std::string_view text) {
+  const auto n = whole_number<double>(text);
+  return n && std::isfinite(*n) ? n : std::nullopt;
 }
 
 }  // namespace hw

@@ -42,7 +42,7 @@ Result<> ActWriter::write(const seq::Step& step, std::size_t place) {
 }
 
 Result<> ActWriter::write(const seq::Speed& step) {
-  draft_.say_speeds(step.speeds);
+  draft_.set_speeds(step.speeds);
   return speeds(step.speeds);
 }
 

@@ -25,7 +25,7 @@ class ActWriter {
   virtual void act(IntentBody what) = 0;
   /// A pause after the previous act.
   virtual Result<> pause(Duration time) = 0;
-  virtual Result<> speeds(const sequence::Speeds& said) = 0;
+  virtual Result<> speeds(const sequence::Speeds& given) = 0;
   /// The tool goes up.
   virtual void end_piece() = 0;
   /// It cannot be done in this way.

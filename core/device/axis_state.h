@@ -24,15 +24,15 @@ enum class EndedBy : std::uint8_t {
   lost,
   not_in_place  ///< servo axis: the command has ended, and the encoder did not reach the target
 };
-/// Where on its profile a motion is, if the controller tells.
+/// The part of its profile that a motion is in, if the controller reports it.
 enum class Phase : std::uint8_t { unknown, accelerating, constant, decelerating };
 
-/// What keeps an axis in Activity::error until it is cleared, if the controller tells.
+/// The cause of Activity::error until it is cleared, if the controller reports it.
 enum class AxisError : std::uint8_t {
   none,
   limit_minus,
   limit_plus,
-  limit,  ///< one of the two; the controller does not tell which
+  limit,  ///< one of the two; the controller does not report which
   alarm,
   stalled,
   too_far,       ///< closed loop: the position error is larger than allowed

@@ -1,8 +1,5 @@
 #include "core/device/axis_tracking.h"
 
-#include <algorithm>
-#include <cstdlib>
-
 #include <fmt/core.h>
 
 #include "core/base/index.h"
@@ -18,7 +15,7 @@ constexpr Duration longest_stop = std::chrono::seconds(30);
 
 void AxisTracking::begun(int index, const Motion& motion) {
   Tracked& tracked = tracked_[ix(index)];
-  AxisState& axis = context_.draft.axes[ix(index)];
+  AxisState& axis = context_.snapshot.axes[ix(index)];
   tracked.wanted = motion.activity;
   tracked.stopped_by = EndedBy::nothing;
   tracked.begun_at = context_.scheduler.now();
@@ -34,19 +31,19 @@ void AxisTracking::begun(int index, const Motion& motion) {
 }
 
 void AxisTracking::stopping(int only, bool at_once) {
-  for (int i = 0; i < context_.draft.axis_count; ++i) {
+  for (int i = 0; i < context_.snapshot.axis_count; ++i) {
     if (only >= 0 && i != only) continue;
-    AxisState& axis = context_.draft.axes[ix(i)];
-    if (at_once && context_.draft.axis_moves(i) && !axis.trust.doubtful()) may_lose_steps(i);
-    const bool killed = context_.draft.axis_moves(i) && tracked_[ix(i)].stopped_by == EndedBy::abort;
+    AxisState& axis = context_.snapshot.axes[ix(i)];
+    if (at_once && context_.snapshot.axis_moves(i) && !axis.trust.doubtful()) may_lose_steps(i);
+    const bool killed = context_.snapshot.axis_moves(i) && tracked_[ix(i)].stopped_by == EndedBy::abort;
     tracked_[ix(i)].stopped_by = at_once || killed ? EndedBy::abort : EndedBy::stop;
-    if (context_.draft.axis_moves(i)) axis.activity = Activity::stopping;
+    if (context_.snapshot.axis_moves(i)) axis.activity = Activity::stopping;
   }
 }
 
 /// A motor that runs faster than it can start overshoots when it is stopped at once.
 void AxisTracking::may_lose_steps(int index) {
-  AxisState& axis = context_.draft.axes[ix(index)];
+  AxisState& axis = context_.snapshot.axes[ix(index)];
   if (axis.speed <= start_speed_) return;
   axis.trust.doubt(Doubt::killed, context_.scheduler.now());
   warn(
@@ -61,7 +58,7 @@ void AxisTracking::warn(std::string sentence) {
 
 void AxisTracking::read(int index, const Reading& reading, Instant asked_at) {
   Tracked& tracked = tracked_[ix(index)];
-  AxisState& axis = context_.draft.axes[ix(index)];
+  AxisState& axis = context_.snapshot.axes[ix(index)];
   const bool was_known = axis.position_known;
   const Steps way = reading.position - axis.position;
   axis.position = reading.position;
@@ -70,7 +67,7 @@ void AxisTracking::read(int index, const Reading& reading, Instant asked_at) {
   axis.speed = reading.speed;
   axis.limit_minus = reading.limit_minus;
   axis.limit_plus = reading.limit_plus;
-  if (asked_at < tracked.begun_at) return;  // it tells nothing of the motion begun since
+  if (asked_at < tracked.begun_at) return;  // it shows nothing of the motion begun since
   tracked.asked_at = asked_at;
   tracked.moves = reading.moves;
   if (!reading.moves) return show_ended(index, reading.homed);
@@ -82,7 +79,7 @@ void AxisTracking::read(int index, const Reading& reading, Instant asked_at) {
 /// A motion that this console has not begun, or of which it does not know, is shown as a move.
 void AxisTracking::show_moving(int index) {
   const Tracked& tracked = tracked_[ix(index)];
-  AxisState& axis = context_.draft.axes[ix(index)];
+  AxisState& axis = context_.snapshot.axes[ix(index)];
   const bool stops = tracked.stopped_by != EndedBy::nothing;
   axis.activity = stops                              ? Activity::stopping
                   : tracked.wanted == Activity::idle ? Activity::moving
@@ -92,8 +89,8 @@ void AxisTracking::show_moving(int index) {
 
 void AxisTracking::show_ended(int index, bool found_home) {
   Tracked& tracked = tracked_[ix(index)];
-  AxisState& axis = context_.draft.axes[ix(index)];
-  if (context_.draft.axis_moves(index)) {
+  AxisState& axis = context_.snapshot.axes[ix(index)];
+  if (context_.snapshot.axis_moves(index)) {
     const bool homes = tracked.wanted == Activity::homing;
     const bool homed = homes && found_home && tracked.stopped_by == EndedBy::nothing;
     const bool at_limit = axis.direction < 0 ? axis.limit_minus : axis.limit_plus;
@@ -117,7 +114,7 @@ void AxisTracking::show_ended(int index, bool found_home) {
 StopProgress AxisTracking::progress(const StopOrder& order) const {
   using What = StopOrder::What;
   if (order.what != What::everything && order.what != What::jog) return StopProgress::stands();
-  for (int i = 0; i < context_.draft.axis_count; ++i) {
+  for (int i = 0; i < context_.snapshot.axis_count; ++i) {
     if (order.axis >= 0 && i != order.axis) continue;
     const Tracked& tracked = tracked_[ix(i)];
     if (tracked.asked_at >= order.sent_at && !tracked.moves) continue;
@@ -129,11 +126,11 @@ StopProgress AxisTracking::progress(const StopOrder& order) const {
 }
 
 void AxisTracking::restarted() {
-  ++context_.draft.restarts;
-  set_up_is_unknown(context_.draft);
-  for (int i = 0; i < context_.draft.axis_count; ++i) {
-    AxisState& axis = context_.draft.axes[ix(i)];
-    if (context_.draft.axis_moves(i)) axis.ended_by = EndedBy::lost;
+  ++context_.snapshot.restarts;
+  set_up_is_unknown(context_.snapshot);
+  for (int i = 0; i < context_.snapshot.axis_count; ++i) {
+    AxisState& axis = context_.snapshot.axes[ix(i)];
+    if (context_.snapshot.axis_moves(i)) axis.ended_by = EndedBy::lost;
     axis.activity = Activity::unknown;
     axis.has_target = false;
     axis.trust.doubt(Doubt::power_cut, context_.scheduler.now());
@@ -144,17 +141,7 @@ void AxisTracking::restarted() {
 
 void AxisTracking::wire_lost() {
   tracked_ = {};
-  nothing_is_known(context_.draft);
-}
-
-std::optional<double> stopping_way_by_ramp(const Catalog& catalog, const Snapshot& now, AxisId axis) {
-  const AxisState& a = now.axes[axis.index];
-  if (a.ramp <= 0 || a.activity == Activity::stopping) return {};
-  const double speed = a.speed.value > 0 ? a.speed.value : catalog.jog_speed.value;
-  double way = speed * speed / (2 * a.ramp);
-  way = std::min(way, static_cast<double>(std::llabs((a.position - a.began_at).value)));
-  if (a.has_target) way = std::min(way, static_cast<double>(std::llabs((a.target - a.position).value)));
-  return way;
+  nothing_is_known(context_.snapshot);
 }
 
 }  // namespace hw

@@ -1,6 +1,8 @@
 #pragma once
 // What a driver knows of the motion of each axis: what it has begun and stopped, and what the status rounds
-// show. For controllers that tell whether an axis moves; writes the axes of the snapshot.
+// show. For controllers that report whether an axis moves; writes the axes of the snapshot.
+// The listed families keep their own: a VXM reports no motion at all, an Arcus judges status words beside
+// StepNLoop, and on a VME58 motions wait in queues.
 #include <array>
 #include <optional>
 
@@ -38,8 +40,9 @@ class AxisTracking {
   /// How far a stop of axes has come. Gives up after half a minute.
   [[nodiscard]] StopProgress progress(const StopOrder& order) const;
   /// The user has set the count.
-  void was_set(int axis) { context_.draft.axes[axis].trust.settle(Trust::set, context_.scheduler.now()); }
-  /// The controller was switched off and on: counts it, makes set-up and positions doubtful, tells the user.
+  void was_set(int axis) { context_.snapshot.axes[axis].trust.settle(Trust::set, context_.scheduler.now()); }
+  /// The controller was switched off and on: counts it, makes set-up and positions doubtful, notifies the
+  /// user.
   void restarted();
   /// Marks all as unknown.
   void wire_lost();
@@ -61,9 +64,5 @@ class AxisTracking {
   const Pps start_speed_;
   std::array<Tracked, max_axes> tracked_{};
 };
-
-/// The way that an axis still goes when it is stopped with its ramp, for Catalog::stopping_way: at most back
-/// over the way that it has come, and no further than its target.
-std::optional<double> stopping_way_by_ramp(const Catalog& catalog, const Snapshot& now, AxisId axis);
 
 }  // namespace hw

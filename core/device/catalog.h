@@ -102,7 +102,7 @@ struct ParamInfo {
   std::string warning;                        ///< not empty: to be confirmed before it is written ...
   std::optional<std::int64_t> harmless = {};  ///< ... unless it is this value
   std::string manual;                         ///< "Appendix H"
-  /// Not empty: why and what to do, told before the first move of its axis while the value is `unset_value`.
+  /// Not empty: why and what to do, shown before the first move of its axis while the value is `unset_value`.
   std::string before_moving;
   std::int64_t unset_value = 0;
   /// Its unit changes from Catalog::step_word to Catalog::loop_word when the loop of its axis is closed;

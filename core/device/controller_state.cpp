@@ -33,7 +33,7 @@ std::vector<BenchCommand> moved_bench(const BenchView& bench, int axes) {
   return all;
 }
 
-/// Nobody tells where the switches of a real machine are; but one that is operated now is here.
+/// The switches of a real machine are at unknown positions; but one that is operated now is here.
 std::vector<BenchCommand> seen_switches(const Snapshot& now) {
   std::vector<BenchCommand> all;
   for (int i = 0; i < now.axis_count; ++i) {
@@ -46,7 +46,7 @@ std::vector<BenchCommand> seen_switches(const Snapshot& now) {
   return all;
 }
 
-constexpr std::string_view program_word = "program ", taken_as_empty = "empty, since it was not read";
+constexpr std::string_view program_word = "program ", taken_as_empty = "empty, because it was not read";
 
 bool concerns(const ParamInfo& info, std::uint32_t moved) {
   return info.axis < 0 || (moved >> info.axis & 1u) != 0;

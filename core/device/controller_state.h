@@ -33,7 +33,7 @@ struct ControllerState {
                                             const BenchView& bench, const Catalog& catalog);
 
 /// The values of `state` that had to be assumed, for axes that have moved (all, if `moved` is all ones).
-/// `matters`: whether a parameter can change what a program does.
+/// `matters`: whether a parameter can change the effect of a program.
 [[nodiscard]] std::vector<RehearsedAssumption> unknown_params(
     const ControllerState& state, const Catalog& catalog, std::uint32_t moved,
     const std::function<bool(const ParamInfo&)>& matters);

@@ -35,7 +35,7 @@ bool can_tell(const AxisState& axis) {
 }  // namespace
 
 /// Of a motion that is not the console's own, no speed is known: it may be as fast as the controller can.
-/// Speeds are told in pulses, of which an encoder may count several for each.
+/// Speeds are in pulses; an encoder may make several counts for each pulse.
 CountReading CountWatch::reading_of(const AxisState& axis) const {
   CountReading reading;
   reading.place = axis.commanded();
@@ -44,9 +44,9 @@ CountReading CountWatch::reading_of(const AxisState& axis) const {
   reading.range = static_cast<double>((catalog_.position_max - catalog_.position_min).value);
   const bool goes = axis.activity == Activity::moving && axis.has_target;
   const bool jogs = axis.activity == Activity::jogging && axis.speed.value > 0;
-  const double told = std::max(axis.own_speed.value, axis.speed.value);
-  const bool is_known = told > 0 && (goes || jogs || axis.activity == Activity::idle);
-  reading.fastest = is_known ? std::max(told, catalog_.jog_speed.value) : reading.any_speed;
+  const double known_speed = std::max(axis.own_speed.value, axis.speed.value);
+  const bool is_known = known_speed > 0 && (goes || jogs || axis.activity == Activity::idle);
+  reading.fastest = is_known ? std::max(known_speed, catalog_.jog_speed.value) : reading.any_speed;
   if (axis.in_counts) reading.fastest = std::min(reading.any_speed, reading.fastest * most_counts_per_pulse);
   if (goes && axis.target != reading.place) reading.way = axis.target > reading.place ? 1 : -1;
   return reading;
@@ -83,8 +83,8 @@ std::uint32_t CountWatch::look(const Snapshot& now) {
 
 std::string describe_count_was_set(const Catalog& catalog, int axis) {
   return fmt::format(
-      "The count of {} was changed by another program or at the controller, and no motion explains that. "
-      "Home it, or say where it stands, before the next absolute move.",
+      "The count of {} was changed by another program or at the controller, without a motion. Home it, or "
+      "set its position, before the next absolute move.",
       spoken_name(catalog, axis));
 }
 

@@ -38,7 +38,7 @@ namespace hw {
 struct DriverContext {
   Scheduler& scheduler;
   const Catalog& catalog;
-  Snapshot& draft;                     ///< the driver writes it; the pump publishes it
+  Snapshot& snapshot;                  ///< the driver writes it; the pump publishes it
   ScriptTexts& texts;                  ///< unsolicited messages, for scripts
   std::function<void(Notice)> notify;  ///< messages that must not be lost
   std::function<void()> changed;       ///< an unsolicited message came: publish and poll soon
@@ -47,9 +47,9 @@ struct DriverContext {
 
 /// How much a status round asks for.
 enum class Round : std::uint8_t {
-  stopping,  ///< only what shows whether the controller is at rest
+  stopping,  ///< only readings that show whether the controller is at rest
   usual,
-  everything  ///< somebody waits for it: also what is usually asked in turn
+  everything  ///< somebody waits for it: also the readings that are usually asked in turn
 };
 
 class Driver {
@@ -81,9 +81,9 @@ class Driver {
   /// How far the stop has come, by the status round that has just ended. If this asks for a stop that the
   /// user typed to be repeated, the console's own stop is sent.
   virtual StopProgress stop_progress(const StopOrder& order) = 0;
-  /// The wire is gone: forget what was under way, awaited or half sent, mark positions as unknown, send
-  /// nothing. The set-up may be left as it was read; connect() reads it again. The station is invalid
-  /// afterwards.
+  /// The wire is gone: forget motions under way, replies awaited and commands half sent, mark positions as
+  /// unknown, send nothing. The set-up may be left as it was read; connect() reads it again. The station is
+  /// invalid afterwards.
   virtual void wire_lost() = 0;
 
   /// Send raw text and return its reply without terminator (scripts, `send`). Never a stop.

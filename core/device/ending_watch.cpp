@@ -10,8 +10,13 @@
 namespace hw {
 namespace {
 
-/// Something that tells of the motions it makes, at its end.
-bool something_tells(const Snapshot& now) {
+/// Between two motions of one command, such as an approach from one side: what begins later is another.
+constexpr Duration a_pause = Millis(500);
+/// A motion that has rested for so long without telling how it ended is reported as it is.
+constexpr Duration longest_unexplained = std::chrono::seconds(2);
+
+/// Something that reports its motions itself, at its end.
+bool something_reports(const Snapshot& now) {
   const ProgramState& p = now.program;
   const bool program = p.owned && p.run != RunState::idle && p.run != RunState::error;
   const bool thread = std::any_of(now.threads.begin(), now.threads.end(), [](const ThreadState& t) {
@@ -21,6 +26,7 @@ bool something_tells(const Snapshot& now) {
 }
 
 bool stopped(EndedBy by) { return by == EndedBy::stop || by == EndedBy::abort; }
+
 bool as_meant(EndedBy by) { return by == EndedBy::target || by == EndedBy::nothing; }
 
 bool goes_to_travel_end(const AxisState& axis) {
@@ -88,7 +94,7 @@ bool EndingWatch::falls_behind(Run& run, const AxisState& axis) {
   return behind_stop && way < plainly * run.pace * time;
 }
 
-// By its status, its speed, or its way alone: whichever the controller tells.
+// By its status, its speed, or its positions alone: whichever the controller reports.
 void EndingWatch::see_slowing(Run& run, const AxisState& axis) {
   constexpr double plainly = 0.98;
   const bool behind = axis.seen_at != run.seen_at && falls_behind(run, axis);
@@ -98,16 +104,16 @@ void EndingWatch::see_slowing(Run& run, const AxisState& axis) {
 }
 
 void EndingWatch::time_the_stop(Run& run, Instant at) {
-  if (run.asked_at == Instant{} || run.sent_at == Instant{} || !run.told.place_known) return;
-  run.told.timed = true;
-  run.told.to_wire = run.sent_at - run.asked_at;
-  run.told.to_rest = at - run.asked_at;
-  if (run.slow_at != Instant{}) run.told.to_slowing = run.slow_at - run.asked_at;
-  run.told.ran_on = Steps(std::abs((run.told.place - run.asked_place).value));
+  if (run.asked_at == Instant{} || run.sent_at == Instant{} || !run.ending.place_known) return;
+  run.ending.timed = true;
+  run.ending.to_wire = run.sent_at - run.asked_at;
+  run.ending.to_rest = at - run.asked_at;
+  if (run.slow_at != Instant{}) run.ending.to_slowing = run.slow_at - run.asked_at;
+  run.ending.ran_on = Steps(std::abs((run.ending.place - run.asked_place).value));
 }
 
 void EndingWatch::look(const Snapshot& now) {
-  if (!tell_) return;
+  if (!report_) return;
   for (int i = 0; i < now.axis_count; ++i) look_at_axis(now, i);
   if (catalog_.program.threads > 0)
     look_at_threads(now);
@@ -120,47 +126,57 @@ void EndingWatch::look(const Snapshot& now) {
 void EndingWatch::begin(Run& run, Ending::What what, Instant now) {
   run = Run();
   run.under_way = true;
-  run.told.what = what;
-  run.told.began = now;
+  run.ending.what = what;
+  run.ending.began = now;
 }
 
 void EndingWatch::finish(Run& run, Instant at) {
   run.under_way = false;
-  if (stopped(run.told.by)) run.told.who = run.who, time_the_stop(run, at);
-  if (run.quiet && as_meant(run.told.by)) return;
-  run.told.at = at;
-  tell_(run.told);
+  if (stopped(run.ending.by)) run.ending.who = run.who, time_the_stop(run, at);
+  if (run.quiet && as_meant(run.ending.by)) return;
+  run.ending.at = at;
+  report_(run.ending);
 }
 
 void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
   Run& run = axes_[ix(axis)];
   const AxisState& state = now.axes[ix(axis)];
   if (now.axis_moves(axis)) {
-    if (!run.under_way) begin(run, what_moves(state.activity), now.at);
-    if (state.activity != Activity::stopping) run.told.what = what_moves(state.activity);
-    run.told.at_travel_end = goes_to_travel_end(state);
-    run.quiet = something_tells(now);
+    const bool another = run.rests_since != Instant{} && state.seen_at - run.rests_since > a_pause;
+    if (!run.under_way || another) begin(run, what_moves(state.activity), now.at);
+    run.rests_since = {};
+    if (state.activity != Activity::stopping) run.ending.what = what_moves(state.activity);
+    run.ending.at_travel_end = goes_to_travel_end(state);
+    run.quiet = something_reports(now);
+    run.ending.of_run = run.ending.of_run || run.quiet;
     see_slowing(run, state);
     return;
   }
   if (!run.under_way) return;
-  const bool lost_its_place = state.trust.doubtful() && state.trust.since >= run.told.began;
+  const bool lost_its_place = state.trust.doubtful() && state.trust.since >= run.ending.began;
   const bool restarted = state.ended_by == EndedBy::lost && lost_its_place;
-  if (state.activity == Activity::unknown && !restarted) return;  // it shows when the axis is heard again
-  // How it ended may show a round later.
-  if (state.ended_by == EndedBy::nothing && state.activity != Activity::error) return;
-  run.quiet = run.quiet || something_tells(now);
-  run.told.axis = axis;
-  run.told.at_travel_end = run.told.at_travel_end && state.ended_by == EndedBy::target;
-  run.told.by = state.ended_by == EndedBy::nothing ? EndedBy::error : state.ended_by;
-  run.told.beside_program = something_tells(now);
-  if (restarted) run.told.lost_with = state.trust.cause;
-  run.told.error = state.error;
-  run.told.limit_minus = state.limits_known && state.limit_minus;
-  run.told.limit_plus = state.limits_known && state.limit_plus;
-  run.told.place_known = state.position_known;
-  run.told.place = state.position;
-  run.told.off = state.loop == Loop::none ? Steps() : state.following_error();
+  if (state.activity == Activity::unknown && !restarted) {  // it shows when the axis answers again
+    run.rests_since = {};
+    return;
+  }
+  // How it ended may show a round later, or never.
+  const bool explained = state.ended_by != EndedBy::nothing || state.activity == Activity::error;
+  if (!explained && run.rests_since == Instant{}) run.rests_since = state.seen_at;
+  if (!explained && state.seen_at - run.rests_since < longest_unexplained) return;
+  run.quiet = run.quiet || something_reports(now);
+  run.ending.axis = axis;
+  run.ending.at_travel_end = run.ending.at_travel_end && state.ended_by == EndedBy::target;
+  run.ending.by = state.activity == Activity::error && state.ended_by == EndedBy::nothing ? EndedBy::error
+                                                                                          : state.ended_by;
+  run.ending.beside_program = something_reports(now);
+  run.ending.of_run = run.ending.of_run || run.ending.beside_program;
+  if (restarted) run.ending.lost_with = state.trust.cause;
+  run.ending.error = state.error;
+  run.ending.limit_minus = state.limits_known && state.limit_minus;
+  run.ending.limit_plus = state.limits_known && state.limit_plus;
+  run.ending.place_known = state.position_known;
+  run.ending.place = state.position;
+  run.ending.off = state.loop == Loop::none ? Steps() : state.following_error();
   finish(run, now.at);
 }
 
@@ -169,14 +185,14 @@ void EndingWatch::look_at_program(const Snapshot& now) {
   const bool runs = p.owned && p.run != RunState::idle && p.run != RunState::error;
   if (runs && now.link.connected()) {
     if (!program_.under_way) begin(program_, Ending::What::program, now.at);
-    program_.told.slot = p.slot;
+    program_.ending.slot = p.slot;
     return;
   }
   if (!program_.under_way || !now.link.connected()) return;
   if (p.ended_by == EndedBy::nothing && p.run != RunState::error) return;
-  program_.told.by = p.run == RunState::error ? EndedBy::error : p.ended_by;
-  if (program_.told.by == EndedBy::error) find_cause(program_.told, now, -1);
-  if (program_.told.by == EndedBy::limit) find_axis_at_limit(program_.told, now);
+  program_.ending.by = p.run == RunState::error ? EndedBy::error : p.ended_by;
+  if (program_.ending.by == EndedBy::error) find_cause(program_.ending, now, -1);
+  if (program_.ending.by == EndedBy::limit) find_axis_at_limit(program_.ending, now);
   finish(program_, now.at);
 }
 
@@ -190,59 +206,60 @@ void EndingWatch::look_at_threads(const Snapshot& now) {
       continue;
     }
     if (!run.under_way) continue;
-    run.told.slot = i;
-    // How one of several has ended is not told; a stop that was for it is known.
-    run.told.by = thread.run == RunState::error              ? EndedBy::error
-                  : run.who != StoppedBy::nobody             ? EndedBy::stop
-                  : stopped(now.program.ended_by)            ? EndedBy::elsewhere
-                  : now.program.ended_by == EndedBy::nothing ? EndedBy::target
-                                                             : now.program.ended_by;
-    if (run.told.by == EndedBy::error) find_cause(run.told, now, thread.line);
+    run.ending.slot = i;
+    // The controller does not report how one of several ended; a stop of this one is known.
+    run.ending.by = thread.run == RunState::error              ? EndedBy::error
+                    : run.who != StoppedBy::nobody             ? EndedBy::stop
+                    : stopped(now.program.ended_by)            ? EndedBy::elsewhere
+                    : now.program.ended_by == EndedBy::nothing ? EndedBy::target
+                                                               : now.program.ended_by;
+    if (run.ending.by == EndedBy::error) find_cause(run.ending, now, thread.line);
     finish(run, now.at);
   }
 }
 
 /// An axis that is in error keeps a program from going on.
-void EndingWatch::find_cause(Ending& told, const Snapshot& now, int line) {
-  told.line = line;
-  for (int i = 0; i < now.axis_count && told.failed_axis < 0; ++i)
-    if (now.axes[ix(i)].error != AxisError::none) told.failed_axis = i, told.error = now.axes[ix(i)].error;
+void EndingWatch::find_cause(Ending& ending, const Snapshot& now, int line) {
+  ending.line = line;
+  for (int i = 0; i < now.axis_count && ending.failed_axis < 0; ++i)
+    if (now.axes[ix(i)].error != AxisError::none)
+      ending.failed_axis = i, ending.error = now.axes[ix(i)].error;
 }
 
-void EndingWatch::find_axis_at_limit(Ending& told, const Snapshot& now) {
-  for (int i = 0; i < now.axis_count && told.failed_axis < 0; ++i) {
+void EndingWatch::find_axis_at_limit(Ending& ending, const Snapshot& now) {
+  for (int i = 0; i < now.axis_count && ending.failed_axis < 0; ++i) {
     const AxisState& axis = now.axes[ix(i)];
     if (axis.ended_by != EndedBy::limit || !axis.limits_known) continue;
-    told.failed_axis = i;
-    told.error = axis.limit_minus == axis.limit_plus ? AxisError::limit
-                 : axis.limit_minus                  ? AxisError::limit_minus
-                                                     : AxisError::limit_plus;
+    ending.failed_axis = i;
+    ending.error = axis.limit_minus == axis.limit_plus ? AxisError::limit
+                   : axis.limit_minus                  ? AxisError::limit_minus
+                                                       : AxisError::limit_plus;
   }
 }
 
 void EndingWatch::look_at_list(const Snapshot& now) {
   if (now.feed.running) {
     if (!list_.under_way) begin(list_, Ending::What::list, now.at);
-    list_.told.done = now.feed.sent, list_.told.total = now.feed.total;
+    list_.ending.done = now.feed.sent, list_.ending.total = now.feed.total;
     return;
   }
   if (!list_.under_way || now.any_axis_moving() || !now.link.connected()) return;
-  list_.told.done = now.feed.sent;
-  list_.told.by = list_.who != StoppedBy::nobody ? EndedBy::stop : EndedBy::target;
+  list_.ending.done = now.feed.sent;
+  list_.ending.by = list_.who != StoppedBy::nobody ? EndedBy::stop : EndedBy::target;
   finish(list_, now.at);
 }
 
 void EndingWatch::look_at_pieces(const Snapshot& now) {
   if (now.pieces.running) {
     if (!pieces_.under_way) begin(pieces_, Ending::What::pieces, now.at);
-    pieces_.told.done = now.pieces.done, pieces_.told.total = now.pieces.total;
+    pieces_.ending.done = now.pieces.done, pieces_.ending.total = now.pieces.total;
     return;
   }
   if (!pieces_.under_way || now.any_axis_moving() || !now.link.connected()) return;
-  pieces_.told.done = now.pieces.done;
-  pieces_.told.by = pieces_.who != StoppedBy::nobody         ? EndedBy::stop
-                    : pieces_.told.done < pieces_.told.total ? EndedBy::elsewhere
-                                                             : EndedBy::target;
+  pieces_.ending.done = now.pieces.done;
+  pieces_.ending.by = pieces_.who != StoppedBy::nobody             ? EndedBy::stop
+                      : pieces_.ending.done < pieces_.ending.total ? EndedBy::elsewhere
+                                                                   : EndedBy::target;
   finish(pieces_, now.at);
 }
 

@@ -11,9 +11,9 @@ namespace hw {
 
 class EndingWatch {
  public:
-  using Tell = std::function<void(const Ending&)>;
-  /// The catalog must outlive it. `tell` null: ends are not reported.
-  EndingWatch(const Catalog& catalog, Tell tell) : catalog_(catalog), tell_(std::move(tell)) {}
+  using Report = std::function<void(const Ending&)>;
+  /// The catalog must outlive it. `report` null: ends are not reported.
+  EndingWatch(const Catalog& catalog, Report report) : catalog_(catalog), report_(std::move(report)) {}
 
   /// A stop was requested: from now on, ends by a stop are attributed to it.
   void stop_asked(const StopOrder& order, const Snapshot& now, Instant at);
@@ -27,10 +27,11 @@ class EndingWatch {
   struct Run {
     bool under_way = false;
     bool quiet = false;  ///< of a motion: reported with its program or list
-    Ending told;
+    Ending ending;
     StoppedBy who = StoppedBy::nobody;
     Instant asked_at{}, sent_at{};  ///< of the first stop
     Instant slow_at{};              ///< it was first seen to slow down behind that
+    Instant rests_since{};          ///< of a motion whose end is not explained yet
     Steps asked_place{};
     Pps asked_speed{};
     Instant seen_at{};  ///< the latest reading
@@ -40,19 +41,19 @@ class EndingWatch {
   void look_at_axis(const Snapshot& now, int axis);
   void look_at_program(const Snapshot& now);
   void look_at_threads(const Snapshot& now);
-  static void find_cause(Ending& told, const Snapshot& now, int line);
+  static void find_cause(Ending& ending, const Snapshot& now, int line);
   void look_at_list(const Snapshot& now);
   void look_at_pieces(const Snapshot& now);
   static void begin(Run& run, Ending::What what, Instant now);
   void finish(Run& run, Instant at);
   static void see_slowing(Run& run, const AxisState& axis);
   static bool falls_behind(Run& run, const AxisState& axis);
-  static void find_axis_at_limit(Ending& told, const Snapshot& now);
+  static void find_axis_at_limit(Ending& ending, const Snapshot& now);
   static void time_the_stop(Run& run, Instant at);
   static bool stops_axis(const StopOrder& order, int axis);
 
   const Catalog& catalog_;
-  const Tell tell_;
+  const Report report_;
   std::array<Run, max_axes> axes_;
   std::array<Run, max_threads> threads_;
   Run program_, list_, pieces_;

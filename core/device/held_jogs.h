@@ -36,7 +36,7 @@ class HeldJogs {
     std::erase_if(jogs_, [axis](const Jog& jog) { return axis < 0 || jog.axis == axis; });
     disarm_if_none_is_guarded();
   }
-  /// Forgets a script's jogs that have ended by themselves, at a limit, as `over(id, axis)` tells.
+  /// Forgets a script's jogs that have ended by themselves, at a limit, as `over(id, axis)` reports.
   template <class Over>
   void forget_if(Over over) {
     std::erase_if(jogs_, [&](const Jog& jog) { return !jog.guarded && over(jog.id, jog.axis); });
@@ -74,7 +74,7 @@ class HeldJogs {
     int axis = -1;
     bool guarded = false;
   };
-  /// The jog that ends when a hand lets go: the hand's own, whatever a script has begun.
+  /// The jog that ends when a hand lets go: the hand's own, not one that a script has begun.
   [[nodiscard]] Jog in_hand() const {
     const auto own = std::find_if(jogs_.rbegin(), jogs_.rend(), [](const Jog& jog) { return jog.guarded; });
     return own != jogs_.rend() ? *own : Jog();

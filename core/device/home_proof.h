@@ -1,6 +1,6 @@
 #pragma once
 // Whether a home search that is over has set the count, judged by its readings alone: for controllers that do
-// not tell. Another host may have stopped it halfway, and then its end looks the same. A search that has
+// not report it. Another host may have stopped it halfway, and then its end looks the same. A search that has
 // found its home has set the count to zero there: a reading shows that no motion explains, or the place that
 // was zero before lies on its way, and it rests shortly behind it.
 #include "core/base/units.h"

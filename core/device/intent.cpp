@@ -2,6 +2,12 @@
 
 namespace hw {
 
+IntentBody::IntentBody(const IntentBody& other) = default;
+IntentBody::IntentBody(IntentBody&& other) noexcept = default;
+IntentBody& IntentBody::operator=(const IntentBody& other) = default;
+IntentBody& IntentBody::operator=(IntentBody&& other) noexcept = default;
+IntentBody::~IntentBody() = default;
+
 intent::Closing* closing_of(IntentBody& body) {
   if (auto* i = std::get_if<intent::SetPower>(&body)) return &i->closing;
   if (auto* i = std::get_if<intent::SetParam>(&body)) return &i->closing;

@@ -267,7 +267,7 @@ struct FeedMoves {
   explicit FeedMoves(std::vector<std::vector<std::int64_t>> r) : rows(std::move(r)) {}
 };
 /// Run a sequence in pieces; see Pieces. A stop ends it, a hold keeps the next piece back, and a new one
-/// replaces what is left.
+/// replaces the rest.
 struct RunInPieces {
   std::shared_ptr<const Pieces> pieces;
   std::shared_ptr<PieceSeat> seat;  ///< among the controllers that run it together; null: it runs alone
@@ -292,7 +292,7 @@ struct ReadAgain {};  ///< read the whole state again
 
 }  // namespace intent
 
-using IntentBody = std::variant<
+using AnyIntent = std::variant<
     intent::MoveTo, intent::MoveBy, intent::JogStart, intent::JogKeepAlive, intent::JogStop, intent::Home,
     intent::Stop, intent::Abort, intent::SetPosition, intent::TrustPosition, intent::RecallPositions,
     intent::SetTravel, intent::SetBacklash, intent::SetEncoder, intent::SetPower, intent::SetOutput,
@@ -302,8 +302,22 @@ using IntentBody = std::variant<
     intent::SetVariable, intent::Watch, intent::Sample, intent::FeedMoves, intent::RunInPieces,
     intent::OverrideSpeed, intent::SendText, intent::Reset, intent::Reconnect, intent::ReadAgain>;
 
-// Not inline, as the move of an intent and a visit of all of them would be compiled again in every file that
-// includes this one: two seconds each.
+// What copies, moves, destroys or visits any intent is not inline: every file that includes this one would
+// compile it again, two seconds each.
+
+struct IntentBody : AnyIntent {
+  using AnyIntent::AnyIntent;
+  IntentBody(const IntentBody& other);
+  IntentBody(IntentBody&& other) noexcept;
+  IntentBody& operator=(const IntentBody& other);
+  IntentBody& operator=(IntentBody&& other) noexcept;
+  ~IntentBody();
+};
+
+template <class... Intents>
+bool is_any_of(const IntentBody& body) {
+  return (std::holds_alternative<Intents>(body) || ...);
+}
 
 /// The answer in an intent that may close a servo loop; null for any other intent.
 intent::Closing* closing_of(IntentBody& body);
@@ -314,7 +328,7 @@ void asked_by(IntentBody& body, StoppedBy who);
 struct Intent {
   IntentId id = 0;
   IntentBody body;
-  Instant asked_at{};  ///< when the hand or script requested it, on its own thread; 0: not told
+  Instant asked_at{};  ///< when the hand or script requested it, on its own thread; 0: not known
   Intent(IntentId i, IntentBody b, Instant at = {});
 };
 

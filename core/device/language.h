@@ -162,6 +162,11 @@ class Language {
   /// worker.
   [[nodiscard]] virtual Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
                                                   const Catalog& catalog) const = 0;
+  /// Compiled lines (ProgramReport::listing) as a text that can be loaded like the program's own. Empty:
+  /// programs are stored as they are written.
+  [[nodiscard]] virtual std::string write_listing(const std::vector<std::string>& /*lines*/) const {
+    return {};
+  }
 };
 
 }  // namespace hw

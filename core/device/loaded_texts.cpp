@@ -8,6 +8,7 @@
 #include "core/device/decision_log.h"
 #include "core/device/places_in_text.h"
 #include "core/device/sequence_travel.h"
+#include "core/device/travel_check.h"
 #include "core/sequence/steps_in.h"
 
 namespace hw {
@@ -16,6 +17,8 @@ namespace {
 /// What is read while the controller waits for its next command.
 constexpr std::size_t longest_text = 8 * 1024;
 constexpr std::ptrdiff_t most_lines = 200;
+/// It is read before it is sent, while all else waits.
+constexpr std::size_t longest_typed_text = 256;
 
 sequence::Sequence frame_in_steps(const Catalog& catalog) {
   sequence::Sequence frame;
@@ -44,6 +47,13 @@ bool keep_known(sequence::StepList& steps, const sequence::Sequence& of) {
     return false;
   }
   return true;
+}
+
+bool only_distances(const sequence::StepList& steps) {
+  return std::all_of(steps.begin(), steps.end(), [](const sequence::Step& step) {
+    const auto* move = std::get_if<sequence::Move>(&step.body);
+    return move && move->relative;
+  });
 }
 
 /// Adds what the text names beside its known steps, as moves of their own.
@@ -92,6 +102,25 @@ std::optional<sequence::Sequence> LoadedTexts::read(const std::string& text, int
     return known;
   } catch (const std::exception& defect) {  // from a library: nothing is known of it then
     pump_log().debug("a loaded program could not be read: {}", defect.what());
+    return {};
+  }
+}
+
+std::optional<PastTravel> LoadedTexts::past_travel_of(const std::string& text, const Snapshot& now) const {
+  const auto end = now.axes.begin() + now.axis_count;
+  const bool some = std::any_of(now.axes.begin(), end, [](const AxisState& a) { return a.travel_holds(); });
+  if (!language_ || !some || text.size() > longest_typed_text) return {};
+  try {
+    auto read = language_->read(text, frame_in_steps(catalog_), catalog_);
+    if (!read) return {};
+    keep_known(read->sequence.steps, read->sequence);
+    // A remark says that part of it was assumed: perhaps that places are absolute.
+    if (!read->remarks.empty() && !only_distances(read->sequence.steps)) return {};
+    auto past = past_travel(catalog_, now, intent::MoveTo(places_of_run(read->sequence, catalog_, now)));
+    if (past) past->of = PastTravel::Of::text;
+    return past;
+  } catch (const std::exception& defect) {  // from a library
+    pump_log().debug("a text could not be read: {}", defect.what());
     return {};
   }
 }

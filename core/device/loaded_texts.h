@@ -15,6 +15,7 @@
 #include "core/device/intent.h"
 #include "core/device/language.h"
 #include "core/device/snapshot.h"
+#include "core/device/travel.h"
 
 namespace hw {
 
@@ -23,6 +24,9 @@ class LoadedTexts {
   /// `language`: null if the controller has none.
   LoadedTexts(const Catalog& catalog, const Language* language) : catalog_(catalog), language_(language) {}
 
+  /// The first place past a limit to which a raw text sends an axis, as far as the language reads it;
+  /// absolute places only if the language always knows them to be absolute.
+  [[nodiscard]] std::optional<PastTravel> past_travel_of(const std::string& text, const Snapshot& now) const;
   /// A restart of the controller may have taken it: its places count as long as it may be there.
   void loaded(const intent::LoadProgram& load);
   /// Something may have changed the stored programs.

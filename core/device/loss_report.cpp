@@ -29,8 +29,7 @@ std::string LossReport::back(const Catalog& catalog, const Snapshot& known, bool
                     known.axis_moves(i) ? "moves, and is" : "stands", axis.position.value, catalog.step_word);
   }
   owed_ = false;
-  if (known.restarts != restarts_)
-    return {};  // that it was switched off is told, and ends what was under way
+  if (known.restarts != restarts_) return {};  // the power cycle is reported, and ends the motions
   if (places.empty() && !at_work) places = "every axis stands where it stood";
   const char* what = was_at_work_ ? "the controller was at work" : "a command was on its way";
   const char* now = was_at_work_ ? at_work ? "It still is" : "It has finished meanwhile"

@@ -1,5 +1,5 @@
 #pragma once
-// Marks as unknown what no reading supports any more. Each driver adds its own state.
+// Marks state as unknown when no reading supports it any more. Each driver adds its own state.
 #include "core/device/snapshot.h"
 
 namespace hw {

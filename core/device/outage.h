@@ -34,7 +34,7 @@ class Outage {
   }
   [[nodiscard]] bool may_run() const { return may_run_; }
   /// See LossReport::back().
-  std::string told_when_back(const Catalog& catalog, const Snapshot& known, bool at_work, Instant now) {
+  std::string report_when_back(const Catalog& catalog, const Snapshot& known, bool at_work, Instant now) {
     return report_.back(catalog, known, at_work, now);
   }
 
@@ -58,7 +58,7 @@ class Outage {
   }
   /// The next attempt begins at once.
   void hurry() { at_once_ = on_; }
-  /// The same for a stop requested now: it is not known what runs since the loss.
+  /// The same for a stop requested now: since the loss it is unknown whether anything runs.
   void hurry_with_a_stop() {
     hurry();
     may_run_ = may_run_ || on_;

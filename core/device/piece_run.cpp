@@ -15,22 +15,22 @@ Result<> PieceRun::begin(const intent::RunInPieces& request) {
   if (!running() && !at_rest())
     return fail(FaultKind::refused, "A program is running or an axis is moving.", "Nothing was sent.",
                 "Stop it first.");
-  if (std::string why = why_not_begun(*request.pieces, catalog_, draft_); !why.empty())
+  if (std::string why = why_not_begun(*request.pieces, catalog_, snapshot_); !why.empty())
     return fail(FaultKind::refused, std::move(why), "Nothing was sent.", "Switch it off first.");
   end();  // what is left of another one
   pieces_ = request.pieces, seat_ = request.seat;
   if (seat_) seat_->take(wake_);
   piece_ = step_ = acts_before_ = 0;
   begun_ = doubts_ = false;
-  restarts_ = draft_.restarts;
-  const PiecesState before = std::exchange(draft_.pieces, PiecesState());
-  draft_.pieces.running = true;
-  draft_.pieces.drawing = pieces_->drawing;
-  draft_.pieces.rest_of = before.rest_of, draft_.pieces.rest_step = before.rest_step;
-  draft_.pieces.draws = seat_ || std::any_of(pieces_->all.begin(), pieces_->all.end(),
-                                             [](const Piece& piece) { return piece.draws >= 0; });
-  draft_.pieces.speed_can_change = draft_.pieces.draws || pieces_->text_at;
-  draft_.pieces.total = static_cast<std::int32_t>(pieces_->all.size());
+  restarts_ = snapshot_.restarts;
+  const PiecesState before = std::exchange(snapshot_.pieces, PiecesState());
+  snapshot_.pieces.running = true;
+  snapshot_.pieces.drawing = pieces_->drawing;
+  snapshot_.pieces.rest_of = before.rest_of, snapshot_.pieces.rest_step = before.rest_step;
+  snapshot_.pieces.draws = seat_ || std::any_of(pieces_->all.begin(), pieces_->all.end(),
+                                                [](const Piece& piece) { return piece.draws >= 0; });
+  snapshot_.pieces.speed_can_change = snapshot_.pieces.draws || pieces_->text_at;
+  snapshot_.pieces.total = static_cast<std::int32_t>(pieces_->all.size());
   return {};
 }
 
@@ -41,7 +41,7 @@ Result<> PieceRun::allows(const IntentBody& body) const {
                            FeedMoves({}), SingleStep());
   const bool moves = std::holds_alternative<MoveTo>(body) || std::holds_alternative<MoveBy>(body) ||
                      std::holds_alternative<JogStart>(body) || std::holds_alternative<Home>(body);
-  if (running() && moves && draft_.pieces.draws && step_ > 0)
+  if (running() && moves && snapshot_.pieces.draws && step_ > 0)
     return fail(FaultKind::refused,
                 "A piece is being drawn, and would continue from another place with its tool on.",
                 "Nothing was sent.", "Stop it first.");
@@ -56,33 +56,33 @@ Result<> PieceRun::allows(const IntentBody& body) const {
 Result<> PieceRun::override_speed(int percent) {
   constexpr int least = 10, most = 200;
   if (percent < least || percent > most)
-    return fail(FaultKind::refused, fmt::format("The speed goes from {} to {} percent.", least, most),
+    return fail(FaultKind::refused, fmt::format("Choose a speed from {} to {} percent.", least, most),
                 "Nothing was changed.");
-  if (!draft_.pieces.speed_can_change)
+  if (!snapshot_.pieces.speed_can_change)
     return fail(FaultKind::refused,
                 "Nothing is running in pieces, so there is no speed to change: a program runs at the speeds "
                 "written in it.",
                 "Nothing was changed.");
-  if (!draft_.pieces.draws) {
+  if (!snapshot_.pieces.draws) {
     const std::size_t next = step_ == 0 ? piece_ : piece_ + 1;
     if (next == pieces_->all.size())
       return fail(FaultKind::refused, "The last piece is running, at the speeds written in it.",
                   "Nothing was changed.");
     if (auto text = pieces_->text_at(pieces_->all[next], percent); !text) return fail(text.error());
   }
-  draft_.pieces.percent = percent;
+  snapshot_.pieces.percent = percent;
   return {};
 }
 
 bool PieceRun::at_rest() const {
-  const ProgramState& p = draft_.program;
+  const ProgramState& p = snapshot_.program;
   const bool runs = p.owned && p.run != RunState::idle && p.run != RunState::error;
-  return !runs && !draft_.any_axis_moving() && !draft_.working && !draft_.feed.running;
+  return !runs && !snapshot_.any_axis_moving() && !snapshot_.working && !snapshot_.feed.running;
 }
 
 const IntentBody* PieceRun::due(std::uint64_t rounds, Instant now) {
-  if (!running() || rounds < shows_in_ || !draft_.link.connected() || !at_rest()) return nullptr;
-  if (now < not_before_ || draft_.restarts != restarts_ || doubts_) return nullptr;
+  if (!running() || rounds < shows_in_ || !snapshot_.link.connected() || !at_rest()) return nullptr;
+  if (now < not_before_ || snapshot_.restarts != restarts_ || doubts_) return nullptr;
   const std::vector<PieceAct>& does = pieces_->all[piece_].does;
   while (step_ < does.size() && may_begin()) {  // behind the last the next round shows what has come of it
     if (does[step_].what) return &*does[step_].what;
@@ -93,7 +93,7 @@ const IntentBody* PieceRun::due(std::uint64_t rounds, Instant now) {
 }
 
 bool PieceRun::may_begin() {
-  if (!seat_) return step_ > 0 || !draft_.pieces.held;
+  if (!seat_) return step_ > 0 || !snapshot_.pieces.held;
   if (seen_ < shows_in_) return false;  // the round that was to show it has failed
   seat_->has_done(acts_before_ + step_);
   return seat_->may_begin(acts_before_ + step_);
@@ -102,18 +102,18 @@ bool PieceRun::may_begin() {
 void PieceRun::hold(bool on) {
   if (seat_ && on) seat_->hold();
   if (seat_ && !on) seat_->go_on();
-  draft_.pieces.held = running() && (seat_ ? seat_->is_held() : on);
+  snapshot_.pieces.held = running() && (seat_ ? seat_->is_held() : on);
 }
 
 Result<IntentBody> PieceRun::at_speed(const IntentBody& due) const {
   if (const auto* move = std::get_if<intent::MoveTo>(&due); move && seat_ && move->speed.value > 0) {
-    const double speed = move->speed.value * draft_.pieces.percent / 100;
+    const double speed = move->speed.value * snapshot_.pieces.percent / 100;
     const Pps possible(std::clamp(speed, catalog_.jog_speed_min.value, catalog_.jog_speed_max.value));
     return IntentBody(intent::MoveTo(move->targets, possible));
   }
   const auto* load = std::get_if<intent::LoadProgram>(&due);
-  if (!load || !pieces_->text_at || draft_.pieces.percent == 100) return due;
-  auto text = pieces_->text_at(pieces_->all[piece_], draft_.pieces.percent);
+  if (!load || !pieces_->text_at || snapshot_.pieces.percent == 100) return due;
+  auto text = pieces_->text_at(pieces_->all[piece_], snapshot_.pieces.percent);
   if (!text) return fail(text.error());
   return IntentBody(intent::LoadProgram(load->slot, std::move(*text)));
 }
@@ -130,28 +130,29 @@ void PieceRun::done(std::uint64_t shows_in, Instant now) {
   not_before_ = now + pieces_->all[piece_].does[step_].then;
   ++step_;
   doubts_ = false;
-  if (begun_ && pieces_->drawing != 0) draft_.pieces.rest_of = 0, draft_.pieces.rest_step = 0;
+  if (begun_ && pieces_->drawing != 0) snapshot_.pieces.rest_of = 0, snapshot_.pieces.rest_step = 0;
 }
 
-/// As far as the controller tells; else the piece's first.
+/// As far as the controller reports it; else the piece's first.
 void PieceRun::show_step() {
   const Piece& piece = pieces_->all[piece_];
   const bool threads = catalog_.program.threads > 0;
-  const int command = threads ? draft_.threads.front().line : draft_.program.command;
-  const bool told = draft_.program.owned && command >= 0 && ix(command) < piece.step_of_command.size();
-  int step = told ? piece.step_of_command[ix(command)] : -1;
+  const int command = threads ? snapshot_.threads.front().line : snapshot_.program.command;
+  const bool reported = snapshot_.program.owned && command >= 0 && ix(command) < piece.step_of_command.size();
+  int step = reported ? piece.step_of_command[ix(command)] : -1;
   const bool draws = piece.draws >= 0 && step_ == ix(piece.draws) + 1;
-  const int row = draws ? std::min(draft_.feed.sent, static_cast<int>(piece.step_of_row.size())) - 1 : -1;
+  const int row = draws ? std::min(snapshot_.feed.sent, static_cast<int>(piece.step_of_row.size())) - 1 : -1;
   if (row >= 0) step = piece.step_of_row[ix(row)];
   if (step_ <= piece.step_of_act.size()) step = piece.step_of_act[step_ - 1];
-  draft_.pieces.step = std::max({draft_.pieces.step, piece.first_step, step});
+  snapshot_.pieces.step = std::max({snapshot_.pieces.step, piece.first_step, step});
 }
 
 std::string PieceRun::watch(std::uint64_t rounds) {
   seen_ = rounds;
   if (!running()) return {};
-  if (seat_ && seat_->has_ended()) return end(), std::string();  // whoever has ended it has said why
-  if (draft_.restarts != restarts_) {
+  if (seat_ && seat_->has_ended())
+    return end(), std::string();  // the other controllers' run has given the reason
+  if (snapshot_.restarts != restarts_) {
     end();
     return "The controller was switched off and on, or reset, while pieces were under way. Nothing follows.";
   }
@@ -169,9 +170,9 @@ std::string PieceRun::watch(std::uint64_t rounds) {
   if (!whole) return {};
   acts_before_ += std::exchange(step_, 0);
   if (seat_) seat_->has_done(acts_before_);
-  draft_.pieces.done = static_cast<std::int32_t>(++piece_);
+  snapshot_.pieces.done = static_cast<std::int32_t>(++piece_);
   if (piece_ < pieces_->all.size()) {
-    draft_.pieces.step = std::max(draft_.pieces.step, pieces_->all[piece_].first_step);
+    snapshot_.pieces.step = std::max(snapshot_.pieces.step, pieces_->all[piece_].first_step);
     return {};
   }
   if (seat_) seat_->finish();
@@ -181,8 +182,8 @@ std::string PieceRun::watch(std::uint64_t rounds) {
 
 void PieceRun::show_others() {
   if (!seat_) return;
-  draft_.pieces.held = seat_->is_held();
-  draft_.pieces.rests = seat_->rests();
+  snapshot_.pieces.held = seat_->is_held();
+  snapshot_.pieces.rests = seat_->rests();
 }
 
 /// In two rounds: in the first a position may have been read in the moment before all came to rest.
@@ -197,14 +198,14 @@ std::string PieceRun::end_now(std::string_view what) {
   return why;
 }
 
-/// What drives the list has said why; what is in the buffer would go on, with the tool.
+/// The driver has reported why; moves in the buffer would go on, with the tool.
 bool PieceRun::list_broke_off(const Piece& piece) const {
-  const FeedState& list = draft_.feed;
+  const FeedState& list = snapshot_.feed;
   return piece.draws >= 0 && step_ == ix(piece.draws) + 1 && !list.running && list.sent < list.total;
 }
 
 std::string PieceRun::why_not_whole(const Piece& piece) const {
-  if (draft_.program.run == RunState::error) return "ended with an error.";
+  if (snapshot_.program.run == RunState::error) return "ended with an error.";
   for (const AxisTarget& end : piece.ends_at)
     if (std::string why = why_not_there(end); !why.empty()) return why;
   return {};
@@ -216,7 +217,7 @@ std::string PieceRun::why_not_done(const Piece& piece) const {
   const auto* move = what ? std::get_if<intent::MoveTo>(&*what) : nullptr;
   if (!move) return {};
   for (const AxisTarget& end : move->targets) {
-    const EndedBy by = draft_.axes[end.axis.index].ended_by;
+    const EndedBy by = snapshot_.axes[end.axis.index].ended_by;
     if (by == EndedBy::limit) return fmt::format("hit a limit of {}.", catalog_.axes[end.axis.index].name);
     if (std::string why = why_not_there(end); !why.empty()) return why;
   }
@@ -224,7 +225,7 @@ std::string PieceRun::why_not_done(const Piece& piece) const {
 }
 
 std::string PieceRun::why_not_there(const AxisTarget& end) const {
-  const AxisState& axis = draft_.axes[end.axis.index];
+  const AxisState& axis = snapshot_.axes[end.axis.index];
   const std::string& name = catalog_.axes[end.axis.index].name;
   if (axis.error != AxisError::none) return fmt::format("ended with an error of {}.", name);
   if (axis.trust.doubtful()) return fmt::format("left {} at a position that cannot be trusted.", name);
@@ -236,16 +237,16 @@ std::string PieceRun::why_not_there(const AxisTarget& end) const {
 }
 
 void PieceRun::end() {
-  const bool whole = draft_.pieces.done >= draft_.pieces.total;
-  const bool begun = begun_ || draft_.pieces.done > 0;  // the others may have moved, and this one not
+  const bool whole = snapshot_.pieces.done >= snapshot_.pieces.total;
+  const bool begun = begun_ || snapshot_.pieces.done > 0;  // the others may have moved, and this one not
   if (pieces_ && pieces_->drawing != 0 && begun) {
-    draft_.pieces.rest_of = whole ? 0 : pieces_->drawing;
-    draft_.pieces.rest_step = whole ? 0 : std::max(draft_.pieces.step, pieces_->all[piece_].first_step);
+    snapshot_.pieces.rest_of = whole ? 0 : pieces_->drawing;
+    snapshot_.pieces.rest_step = whole ? 0 : std::max(snapshot_.pieces.step, pieces_->all[piece_].first_step);
   }
   pieces_.reset();
   if (seat_) seat_->leave();
   seat_.reset();
-  PiecesState& shown = draft_.pieces;
+  PiecesState& shown = snapshot_.pieces;
   shown.running = shown.held = shown.rests = shown.draws = shown.speed_can_change = false;
 }
 

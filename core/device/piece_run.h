@@ -12,12 +12,12 @@ namespace hw {
 
 class PieceRun {
  public:
-  /// `draft` shows the progress. `wake` is notified when something may be due.
-  PieceRun(const Catalog& catalog, Snapshot& draft, Event& wake)
-      : catalog_(catalog), draft_(draft), wake_(wake) {}
+  /// `snapshot` shows the progress. `wake` is notified when something may be due.
+  PieceRun(const Catalog& catalog, Snapshot& snapshot, Event& wake)
+      : catalog_(catalog), snapshot_(snapshot), wake_(wake) {}
   ~PieceRun() { end(); }
 
-  /// Replaces what is left of a sequence that runs, after its present piece.
+  /// Replaces the rest of a running sequence, after its present piece.
   [[nodiscard]] Result<> begin(const intent::RunInPieces& request);
   [[nodiscard]] bool running() const { return pieces_ != nullptr; }
   /// The pieces are two halves of one move, which a typed command may have changed.
@@ -66,7 +66,7 @@ class PieceRun {
   std::string end_now(std::string_view what);
 
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   Event& wake_;
   std::shared_ptr<const Pieces> pieces_;
   std::shared_ptr<PieceSeat> seat_;   ///< null: no other controller takes part
@@ -77,7 +77,7 @@ class PieceRun {
                     0;  ///< status rounds: the first that shows the present act; the last that was watched
   Instant not_before_{};
   bool begun_ = false;          ///< something that may move was sent
-  bool doubts_ = false;         ///< a piece may have failed: the next round tells
+  bool doubts_ = false;         ///< a piece may have failed: the next round shows it
   std::uint32_t restarts_ = 0;  ///< restarts of the controller when the run began
 };
 

@@ -49,7 +49,7 @@ struct Pieces {
   std::vector<OpenLoop> open_loops;  ///< empty: no loop matters
   int lifts = 0;                     ///< how often the tool is lifted within one chain
   ToolOff tool;                      ///< the tool that the acts switch; a program's text names its own
-  std::string remark;                ///< to be told before the run; may be empty
+  std::string remark;                ///< to be shown before the run; may be empty
   bool one_move = false;             ///< the two halves of one move
   std::uint64_t drawing = 0;  ///< a number of one's own: the rest can be drawn after a stop; 0: it cannot
   /// The program of a piece at a share of its speeds, as near as the controller can. Null: no step names a

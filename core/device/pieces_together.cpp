@@ -30,8 +30,8 @@ class TogetherWriter final : public ActWriter {
     parts_.front().tool = tool_off_of(draft_.sequence, static_cast<int>(draft_.catalog.outputs.size()));
     for (Pieces& part : parts_)
       part.remark =
-          "Each controller moves by itself and comes to rest at each corner. Lines are straight but for the "
-          "time of one command on the wire between their starts.";
+          "Each controller moves on its own and stops at each corner. Their starts differ by the time of one "
+          "command on the wire, so lines are not quite straight.";
     return std::move(parts_);
   }
 
@@ -42,9 +42,9 @@ class TogetherWriter final : public ActWriter {
   }
   [[nodiscard]] bool can_move(int) const override { return true; }
 
-  Result<> speeds(const seq::Speeds& said) override {
+  Result<> speeds(const seq::Speeds& given) override {
     for (int a = 0; a < draft_.axis_count(); ++a) {
-      auto steps = draft_.speeds(a, said);
+      auto steps = draft_.speeds(a, given);
       if (!steps) return fail(steps.error());
       if (steps->low != 0) set(a, low_speed_param, steps->low);
       if (steps->ramp_ms != 0) set(a, ramp_param, std::max<std::int64_t>(std::llround(steps->ramp_ms), 1));

@@ -31,9 +31,8 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
       callbacks_(std::move(callbacks)),
       tool_(catalog),
       jogs_(scheduler, [this] { jog_let_go(); }),
-      pieces_(catalog, draft_, wake_),
+      pieces_(catalog, snapshot_, wake_),
       endings_(catalog, callbacks_.ended),
-      travel_(catalog),
       counts_(catalog),
       loaded_(catalog, type.language ? &type.language() : nullptr),
       wake_(scheduler),
@@ -46,16 +45,16 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
         pump_log().debug("{}: nothing comes while a stop is owed; connecting begins anew", Whose{catalog_});
         station_->preempt();
       }) {
-  draft_.axis_count = static_cast<int>(catalog.axes.size());
-  draft_.slot_bytes_used.fill(-1);
-  draft_.identity.model = catalog.name;
+  snapshot_.axis_count = static_cast<int>(catalog.axes.size());
+  snapshot_.slot_bytes_used.fill(-1);
+  snapshot_.identity.model = catalog.name;
   const auto changed = [this] {
     rounds_.due_at(scheduler_.now());
     publish();
     wake_.notify();
   };
   driver_ = type.make_driver(
-      DriverContext{scheduler, catalog_, draft_, texts_, callbacks_.notify, changed, callbacks_.sample});
+      DriverContext{scheduler, catalog_, snapshot_, texts_, callbacks_.notify, changed, callbacks_.sample});
   will_ = std::make_unique<JogWill>(*driver_);
   if (callbacks_.line) callbacks_.line->join(*this, catalog_.address);
 }
@@ -76,7 +75,7 @@ Task<> Pump::shut_down() {
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogs_.any()) post_stop(StopOrder());
   co_await let_end();
-  for (std::string left : {driver_->leaves_behind(), describe_torn_is_left(catalog_, draft_)})
+  for (std::string left : {driver_->leaves_behind(), describe_torn_is_left(catalog_, snapshot_)})
     if (!left.empty())  // a lost link takes nothing away
       callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
   life_ = Life::closes;
@@ -116,11 +115,11 @@ Task<> Pump::let_end() {
   }
 }
 
-bool Pump::connected() const { return draft_.link.connected(); }
+bool Pump::connected() const { return snapshot_.link.connected(); }
 
 bool Pump::something_runs() const {
-  const RunState run = draft_.program.run;
-  return draft_.any_axis_moving() || run == RunState::running || run == RunState::waiting;
+  const RunState run = snapshot_.program.run;
+  return snapshot_.any_axis_moving() || run == RunState::running || run == RunState::waiting;
 }
 
 // ---- the life of the connection
@@ -134,11 +133,11 @@ Task<> Pump::live() {
       if (made) co_await serve();
     } catch (const std::exception& defect) {  // from a library; nothing above may see it
       lose_wire(Fault(FaultKind::internal,
-                      fmt::format("The connection failed by an internal error: {}.", defect.what())));
+                      fmt::format("An internal error ended the connection: {}.", defect.what())));
     }
     if (!closes()) co_await wait_for_retry();
   }
-  draft_.link.state = LinkState::closed;
+  snapshot_.link.state = LinkState::closed;
   station_.reset();
   publish();
   life_ = Life::over;
@@ -146,8 +145,8 @@ Task<> Pump::live() {
 }
 
 Task<bool> Pump::open_and_connect() {
-  draft_.link.state = LinkState::connecting;
-  draft_.link.attempts = outage_.try_again(scheduler_.now());
+  snapshot_.link.state = LinkState::connecting;
+  snapshot_.link.attempts = outage_.try_again(scheduler_.now());
   publish();
   const Station::Manner manner = station_ ? station_->manner() : Station::Manner();
   station_.reset();
@@ -170,10 +169,10 @@ Task<bool> Pump::open_and_connect() {
   co_return co_await connect();
 }
 
-/// Behind a wire that was lost, or in a controller that has been heard and not yet been seen.
+/// After a lost wire, or in a controller that has answered and whose state is not known yet.
 bool Pump::something_may_run() const { return outage_.may_run() || (station_ && station_->has_received()); }
 
-/// Where nobody has ever been heard, a few times: there may be nobody.
+/// A few times where no controller has ever answered: there may be none.
 bool Pump::stop_goes_out_again() const {
   return desk_.any() && (something_may_run() || !desk_.all_were_sent(times_blind));
 }
@@ -206,55 +205,55 @@ Task<bool> Pump::connect() {
   co_return true;
 }
 
-/// To a stop, and to whatever was asked behind it. Where nobody has been heard yet the end of an attempt says
-/// why.
+/// To a stop, and to every question after it. Where no controller has answered yet, the end of an attempt
+/// reports why.
 void Pump::nothing_comes_back() {
   desk_.send_all_again();
   if (!something_may_run()) return;
-  draft_.link.state = LinkState::lost;
+  snapshot_.link.state = LinkState::lost;
   if (rounds_.ended() > 0)  // else it says already why nobody has answered yet
-    draft_.link.sentence =
-        "The controller was told to stop but does not answer. The stop is sent again until it does.";
+    snapshot_.link.sentence =
+        "Stop was sent, but the controller does not answer. The stop is sent again until it does.";
   stops_did_not_arrive();
   refuse_queued("The controller does not answer. Nothing was sent.");
   publish();
 }
 
 void Pump::connection_made() {
-  if (outage_.end(draft_))  // what runs now is somebody else's
+  if (outage_.end(snapshot_))  // what runs now is somebody else's
     desk_.orders().remove_if(
-        [](const StopOrder& order) { return order.told && order.what != StopOrder::What::tool; });
-  pump_log().debug("{}: connected at attempt {}", Whose{catalog_}, draft_.link.attempts);
-  draft_.link.state = LinkState::good;
-  draft_.link.when_lost = UnderWay();
-  draft_.link.attempts = 0;
-  draft_.link.misses_in_a_row = 0;
-  draft_.link.sentence.clear();
+        [](const StopOrder& order) { return order.reported && order.what != StopOrder::What::tool; });
+  pump_log().debug("{}: connected at attempt {}", Whose{catalog_}, snapshot_.link.attempts);
+  snapshot_.link.state = LinkState::good;
+  snapshot_.link.when_lost = UnderWay();
+  snapshot_.link.attempts = 0;
+  snapshot_.link.misses_in_a_row = 0;
+  snapshot_.link.sentence.clear();
   rounds_.look_often(scheduler_.now());
   for (StopOrder& order : desk_.orders())  // what was typed may have gone into a wire that carried nothing
     if (order.what == StopOrder::What::words) order.what = StopOrder::What::everything;
   const auto& stops = desk_.orders();
   if (something_runs() &&
-      std::any_of(stops.begin(), stops.end(), [](const auto& order) { return order.told; }))
-    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                             "When the link was lost a jog was held or a stop was being sent, and the axis "
-                             "still moved. It is being stopped now."));
+      std::any_of(stops.begin(), stops.end(), [](const auto& order) { return order.reported; }))
+    callbacks_.notify(Notice(
+        Notice::Kind::warning, scheduler_.now(),
+        "The axis is being stopped now: it still moved after the link was lost during a jog or a stop."));
   publish();
 }
 
 Task<> Pump::wait_for_retry() {
   constexpr std::string_view silent = "The controller does not answer. Nothing was sent.";
-  refuse_queued(outage_.hurries() ? draft_.link.sentence.view() : silent);
+  refuse_queued(outage_.hurries() ? snapshot_.link.sentence.view() : silent);
   const auto next = [this] {
     return desk_.any() ? outage_.attempt_at() + retry_with_a_stop : scheduler_.now() + outage_.back_off();
   };
-  draft_.link.next_attempt = next();
+  snapshot_.link.next_attempt = next();
   if (!outage_.hurries())
     pump_log().debug("{}: the next attempt to connect is in {:.1f} s", Whose{catalog_},
-                     seconds(draft_.link.next_attempt - scheduler_.now()));
+                     seconds(snapshot_.link.next_attempt - scheduler_.now()));
   publish();
-  while (!closes() && !outage_.hurries() && scheduler_.now() < draft_.link.next_attempt) {
-    co_await wake_.wait_until(draft_.link.next_attempt);
+  while (!closes() && !outage_.hurries() && scheduler_.now() < snapshot_.link.next_attempt) {
+    co_await wake_.wait_until(snapshot_.link.next_attempt);
     refuse_queued(silent);
   }
 }
@@ -268,13 +267,13 @@ void Pump::lose_wire(const Fault& why) {
   const bool never_seen = rounds_.ended() == 0;
   loss.may_run =
       never_seen || not_seen_yet || loss.at_work || loss.on_the_way || (connected() && desk_.any());
-  if (outage_.begin(draft_, loss, scheduler_.now())) {
-    draft_.link.lost_at = scheduler_.now();
-    draft_.link.when_lost = draft_.shows_under_way();
+  if (outage_.begin(snapshot_, loss, scheduler_.now())) {
+    snapshot_.link.lost_at = scheduler_.now();
+    snapshot_.link.when_lost = snapshot_.shows_under_way();
   }
-  draft_.link.state = LinkState::lost;
-  draft_.link.sentence = why.sentence();
-  pump_log().debug("{}: lost: {}", Whose{catalog_}, draft_.link.sentence.view());
+  snapshot_.link.state = LinkState::lost;
+  snapshot_.link.sentence = why.sentence();
+  pump_log().debug("{}: lost: {}", Whose{catalog_}, snapshot_.link.sentence.view());
   if (will_->may_be_carried_out())  // the wire may be back before anybody has read why it was given up
     callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), why.sentence()));
   const bool together = pieces_.runs_together();
@@ -328,7 +327,7 @@ Task<> Pump::run_round() {
   const Round round = next_round();
   if (round != Round::stopping) rounds_.begin();
   auto polled = co_await driver_->poll(round);
-  if (!station_->is_open()) co_return;  // lose_wire() has said it all
+  if (!station_->is_open()) co_return;  // lose_wire() has reported everything
   if (station_->preempted()) {          // a stop has cut it short: it is no round
     pump_log().debug("{}: a stop has cut a status round short", Whose{catalog_});
     if (round != Round::stopping) rounds_.cut();
@@ -340,13 +339,13 @@ Task<> Pump::run_round() {
   if (round != Round::stopping) watch_counts();
   watch_tool();
   // This one would drive on to the end of its line, alone. A pending stop of all axes does it already.
-  if (pieces_.others_have_ended() && draft_.any_axis_moving() && !desk_.stops_all()) {
+  if (pieces_.others_have_ended() && snapshot_.any_axis_moving() && !desk_.stops_all()) {
     pump_log().debug("{}: another controller of the drawing has ended: this one is stopped", Whose{catalog_});
     StopOrder order;
     order.by = StoppedBy::nobody;  // on this controller
     post_stop(std::move(order));
   }
-  const bool cuts = draft_.pieces.draws;
+  const bool cuts = snapshot_.pieces.draws;
   if (std::string why = pieces_.watch(rounds_.ended()); !why.empty()) pieces_end(std::move(why), cuts);
 }
 
@@ -355,16 +354,15 @@ bool Pump::nobody_answers() const {
 }
 
 Fault Pump::not_answering() const {
-  return Fault(
-      FaultKind::lost,
-      fmt::format("The controller has failed to answer {} times.", station_->statistics().misses_in_a_row),
-      "No command was repeated and no motion will resume by itself.",
-      "Check its power, the cable and the baud rate.");
+  return Fault(FaultKind::lost,
+               fmt::format("The controller did not answer {} times.", station_->statistics().misses_in_a_row),
+               "No command was repeated and no motion will resume by itself.",
+               "Check its power, the cable and the baud rate.");
 }
 
 void Pump::poll_finished(const Result<>& result) {
   const StationStatistics& s = station_->statistics();
-  LinkHealth& health = draft_.link;
+  LinkHealth& health = snapshot_.link;
   health.round_trip = s.last_round_trip;
   health.polls_per_second = static_cast<float>(s.polls_per_second);
   health.timeouts = s.timeouts;
@@ -379,7 +377,7 @@ void Pump::poll_finished(const Result<>& result) {
   else
     desk_.send_all_again();  // nothing shows that they have arrived
   if (!result) driver_log(catalog_).debug("{}: round failed: {}", Whose{catalog_}, result.error().sentence());
-  if (result) tell_what_came_of_the_loss();
+  if (result) report_loss();
   const bool understood =
       result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);
   health.state = s.misses_in_a_row > 0 || !understood ? LinkState::late : LinkState::good;
@@ -387,10 +385,10 @@ void Pump::poll_finished(const Result<>& result) {
     health.sentence = result.error().sentence();
   else
     health.sentence.clear();
-  const bool fast =
-      desk_.any() || rounds_.often() || draft_.any_axis_moving() || draft_.program.run == RunState::running;
-  draft_.poll_period = fast ? driver_->moving_period() : driver_->idle_period();
-  rounds_.schedule(scheduler_.now(), draft_.poll_period);
+  const bool fast = desk_.any() || rounds_.often() || snapshot_.any_axis_moving() ||
+                    snapshot_.program.run == RunState::running;
+  snapshot_.poll_period = fast ? driver_->moving_period() : driver_->idle_period();
+  rounds_.schedule(scheduler_.now(), snapshot_.poll_period);
   publish();
 }
 

@@ -69,16 +69,16 @@ class Pump {
   std::uint64_t want_round();
   /// This round, or a later one, is over, and the controller answered it.
   [[nodiscard]] bool has_seen(std::uint64_t round) const {
-    return rounds_.ended() >= round && draft_.link.state == LinkState::good;
+    return rounds_.ended() >= round && snapshot_.link.state == LinkState::good;
   }
   [[nodiscard]] std::uint64_t rounds_ended() const { return rounds_.ended(); }
   /// See Driver::watch_inputs().
   void watch_inputs(Instant until) { driver_->watch_inputs(until); }
   void watch_limits(Instant until) { driver_->watch_limits(until); }
 
-  /// The number of writes that only an emulator can tell.
+  /// The number of writes, which only an emulator knows.
   void know_store_count(std::int32_t writes_used);
-  [[nodiscard]] const Snapshot& known() const { return draft_; }
+  [[nodiscard]] const Snapshot& known() const { return snapshot_; }
   /// A stop of all axes is under way: a second one means "at once, without a ramp".
   [[nodiscard]] bool stops_all() const { return desk_.stops_all(); }
   [[nodiscard]] bool busy() const { return jobs_.performs() || !jobs_.empty() || desk_.any(); }
@@ -108,7 +108,7 @@ class Pump {
   Task<> serve();
   Task<> run_round();
   [[nodiscard]] Round next_round() const;
-  void tell_what_came_of_the_loss();
+  void report_loss();
   void watch_counts();
   Task<> wait_for_retry();
   void poll_finished(const Result<>& result);
@@ -122,12 +122,13 @@ class Pump {
   [[nodiscard]] bool stop_goes_out_again() const;
   [[nodiscard]] bool something_runs() const;
   void publish();
+  void warn_of(const std::optional<PastTravel>& past);
   [[nodiscard]] bool runs() const { return life_ > Life::made && life_ < Life::over; }
   [[nodiscard]] bool leaves() const { return life_ >= Life::leaves; }
   [[nodiscard]] bool closes() const { return life_ >= Life::closes; }
   void set_outcome(IntentId id, IntentState outcome, std::string_view sentence = {});
-  void set_outcome(const IntentOutcome& told);
-  void report_fault(IntentId id, const Fault& fault, IntentOutcome told = {});
+  void set_outcome(const IntentOutcome& report);
+  void report_fault(IntentId id, const Fault& fault, IntentOutcome report = {});
 
   // ---- pump_stops.cpp
   void post_stop(StopOrder order);
@@ -149,7 +150,7 @@ class Pump {
   void note_broadcast(const std::string& text, const TextMeaning& meaning);
   Task<Result<std::string>> query_stop(std::string text, TextMeaning meaning, Duration patience);
 
-  // ---- pump_intents.cpp: what is asked of the controller
+  // ---- pump_intents.cpp: commands for the controller
   void post_text(Intent intent);
   Task<> pass_on(Intent intent, Pump& other);
   void enqueue(std::unique_ptr<Job> job);
@@ -157,16 +158,17 @@ class Pump {
   Task<Result<>> perform_guarding_tool(const IntentBody& body);
   Task<Result<>> perform_beside_pieces(const IntentBody& body);
   Task<> perform_piece(const IntentBody& body);
-  void tell_hold_behind_piece();
+  void report_hold_behind_piece();
   void pieces_end(std::string why, bool cuts);
   void words_come_between(const TextMeaning& words);
-  void words_were_sent(const Job& job, const Result<>& performed);
+  void words_were_sent(const Job& job, const Result<>& performed, const std::optional<PastTravel>& past);
+  [[nodiscard]] std::optional<PastTravel> past_travel_of_words(const Job& job) const;
   Result<> trust_position(AxisId axis);
   void recall_positions(const std::vector<KeptPosition>& kept);
   void set_travel(IntentId id, const intent::SetTravel& request);
   void set_backlash(IntentId id, const intent::SetBacklash& request);
-  Result<> take_up_backlash(IntentBody& body, IntentOutcome& told) const;
-  [[nodiscard]] Result<> admit(Job& job, IntentOutcome& told);
+  Result<> take_up_backlash(IntentBody& body, IntentOutcome& report) const;
+  [[nodiscard]] Result<> admit(Job& job, IntentOutcome& report);
   Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
                                                  Duration patience);
   Task<Result<std::string>> wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience);
@@ -187,7 +189,7 @@ class Pump {
   Scheduler& scheduler_;
   const Catalog& catalog_;
   Callbacks callbacks_;
-  Snapshot draft_;
+  Snapshot snapshot_;
   ScriptTexts texts_;
   StopDesk desk_;
   ToolGuard tool_;

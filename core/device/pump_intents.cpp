@@ -1,5 +1,5 @@
-// What is asked of an open controller: commands and questions in their order. Jogs: pump_jogs.cpp. Stops:
-// pump_stops.cpp.
+// What is asked of an open controller: commands and questions in their order. Jogs: pump_jogs.cpp. Raw texts
+// with a reply: pump_queries.cpp. Stops: pump_stops.cpp.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -136,7 +136,7 @@ Task<> Pump::pass_on(Intent intent, Pump& other) {
 
 void Pump::enqueue(std::unique_ptr<Job> job) {
   if (callbacks_.line) job->line_epoch = callbacks_.line->epoch();
-  job->restarts_before = draft_.restarts;
+  job->restarts_before = snapshot_.restarts;
   job->first_round = tool_.is_seen_before(job->intent.body) ? rounds_.want(scheduler_.now()) : 0;
   jobs_.push(std::move(job));
   wake_.notify();
@@ -159,7 +159,7 @@ void Pump::refuse(std::unique_ptr<Job> job, std::string_view why) {
   job.release();  // its asker owns it from here
 }
 
-// Whoever has its own idea of the programs in the controller hears that others may have changed them.
+// Users of a copy of the controller's programs are notified that the programs may have changed.
 void Pump::count_program_change(const Intent& intent) {
   const IntentBody& body = intent.body;
   const auto* raw = std::get_if<intent::SendText>(&body);  // a question too
@@ -170,14 +170,14 @@ void Pump::count_program_change(const Intent& intent) {
                                  std::holds_alternative<intent::Reset>(body);
   if (!changes) return;
   loaded_.forget(body);
-  ++draft_.program_changes;
-  draft_.program_changed_by = intent.id;
+  ++snapshot_.program_changes;
+  snapshot_.program_changed_by = intent.id;
 }
 
 Result<> Pump::trust_position(AxisId axis) {
   if (axis.index >= catalog_.axes.size())
     return fail(FaultKind::refused, fmt::format("There is no axis {}.", axis.index + 1));
-  AxisState& state = draft_.axes[axis.index];
+  AxisState& state = snapshot_.axes[axis.index];
   if (!state.position_known)
     return fail(FaultKind::refused,
                 fmt::format("The position of {} is not known, so it cannot be confirmed.",
@@ -188,8 +188,8 @@ Result<> Pump::trust_position(AxisId axis) {
 }
 
 void Pump::recall_positions(const std::vector<KeptPosition>& kept) {
-  for (std::size_t i = 0; i < kept.size() && static_cast<int>(i) < draft_.axis_count; ++i) {
-    AxisState& axis = draft_.axes[i];
+  for (std::size_t i = 0; i < kept.size() && static_cast<int>(i) < snapshot_.axis_count; ++i) {
+    AxisState& axis = snapshot_.axes[i];
     const bool nothing_better = axis.trust == PositionTrust();
     if (!axis.position_known || !nothing_better) {
       pump_log().debug(
@@ -203,57 +203,57 @@ void Pump::recall_positions(const std::vector<KeptPosition>& kept) {
 
 /// At once, also without a connection: what waits goes by it.
 void Pump::set_travel(IntentId id, const intent::SetTravel& request) {
-  const std::string why_not = describe_no_travel(catalog_, request);
-  if (why_not.empty()) draft_.axes[request.axis.index].travel = request.travel;
+  const std::string why_not =
+      describe_no_travel(catalog_, request, words_in_steps(catalog_, snapshot_).position);
+  if (why_not.empty()) snapshot_.axes[request.axis.index].travel = request.travel;
   set_outcome(id, why_not.empty() ? IntentState::done : IntentState::refused, why_not);
   publish();
 }
 
 void Pump::set_backlash(IntentId id, const intent::SetBacklash& request) {
   const std::string why_not = describe_no_backlash(request, catalog_.axes.size());
-  if (why_not.empty()) draft_.axes[request.axis.index].backlash = request.backlash;
+  if (why_not.empty()) snapshot_.axes[request.axis.index].backlash = request.backlash;
   set_outcome(id, why_not.empty() ? IntentState::done : IntentState::refused, why_not);
   publish();
 }
 
 /// The place from where it is taken up has to lie within the travel too.
-Result<> Pump::take_up_backlash(IntentBody& body, IntentOutcome& told) const {
-  auto in_two = with_backlash_taken_up(draft_, body);
+Result<> Pump::take_up_backlash(IntentBody& body, IntentOutcome& report) const {
+  auto in_two = with_backlash_taken_up(snapshot_, body);
   if (!in_two) return {};
-  told.past = past_travel(catalog_, draft_, *in_two->pieces->all[0].does[0].what);
-  if (told.past)
+  report.past = past_travel(catalog_, snapshot_, *in_two->pieces->all[0].does[0].what);
+  if (report.past) {
+    report.past->of = PastTravel::Of::backlash;
     return fail(FaultKind::refused,
-                fmt::format("To take up backlash the move would pass a place that cannot be reached. {}",
-                            describe_past(catalog_, *told.past, words_in_steps(catalog_, draft_).position)));
+                describe_past(catalog_, *report.past, words_in_steps(catalog_, snapshot_).position));
+  }
   pump_log().debug("{}: command {}: the move is made in two parts, to take up backlash", Whose{catalog_},
-                   told.id);
+                   report.id);
   body = std::move(*in_two);
   return {};
 }
 
 /// What no driver is asked for is refused here, see refusals.h and travel_check.h; a jog gets its end.
-/// `told`: what a sentence in other units needs.
-Result<> Pump::admit(Job& job, IntentOutcome& told) {
+/// `report`: what a sentence in other units needs.
+Result<> Pump::admit(Job& job, IntentOutcome& report) {
   IntentBody& body = job.intent.body;
-  const auto steps = words_in_steps(catalog_, draft_);
-  if (says_where_it_stands(body) && job.restarts_before != draft_.restarts)
+  const auto steps = words_in_steps(catalog_, snapshot_);
+  if (says_where_it_stands(body) && job.restarts_before != snapshot_.restarts)
     return fail(FaultKind::refused, "The controller was switched off and on after this command was given.",
                 "Nothing was sent.", "Check where it stands, then give the command again.");
   if (const auto* home = std::get_if<intent::Home>(&body))
     if (auto possible = check_home(catalog_, *home); !possible) return possible;
   if (auto* run = std::get_if<intent::RunProgram>(&body); run && run->places.empty() && !run->despite_doubt)
-    run->places = loaded_.places_in_doubt(run->slot, draft_);
-  told.doubtful = doubtful_axes(catalog_, draft_, body);
-  if (told.doubtful != 0)
-    return fail(FaultKind::refused, describe_doubtful(catalog_, draft_, body, told.doubtful, steps));
-  if (const int torn = torn_program(catalog_, draft_, body); torn >= 0)
+    run->places = loaded_.places_in_doubt(run->slot, snapshot_);
+  report.doubtful = doubtful_axes(catalog_, snapshot_, body);
+  if (report.doubtful != 0)
+    return fail(FaultKind::refused, describe_doubtful(catalog_, snapshot_, body, report.doubtful, steps));
+  if (const int torn = torn_program(catalog_, snapshot_, body); torn >= 0)
     return fail(FaultKind::refused, describe_torn(catalog_, torn));
-  told.past = past_travel(catalog_, draft_, body);
-  if (told.past) return fail(FaultKind::refused, describe_past(catalog_, *told.past, steps.position));
-  if (auto* jog = std::get_if<intent::JogStart>(&body))
-    if (std::string end = bound_by_travel(catalog_, draft_, *jog); !end.empty())
-      return fail(FaultKind::refused, std::move(end));
-  return take_up_backlash(body, told);
+  report.past = past_travel(catalog_, snapshot_, body);
+  if (auto* jog = std::get_if<intent::JogStart>(&body)) report.past = bound_by_travel(snapshot_, *jog);
+  if (report.past) return fail(FaultKind::refused, describe_past(catalog_, *report.past, steps.position));
+  return take_up_backlash(body, report);
 }
 
 /// A text to all controllers of a wire that was asked for before a stop of one of them, or while one is being
@@ -269,35 +269,38 @@ Result<> Pump::may_go_to_all(const Job& job) const {
 }
 
 /// Not of a text that was refused: nothing of it reached the controller.
-void Pump::words_were_sent(const Job& job, const Result<>& performed) {
+void Pump::words_were_sent(const Job& job, const Result<>& performed, const std::optional<PastTravel>& past) {
   const bool words = job.is_query || std::holds_alternative<intent::SendText>(job.intent.body);
   const Fault* fault = nullptr;
   if (!performed) fault = &performed.error();
   if (job.is_query && !job.reply) fault = &job.reply.error();
   const bool sent = !fault || fault->kind != FaultKind::refused;
-  if (words && sent && job.meaning.whom != TextMeaning::For::another) words_come_between(job.meaning);
+  if (!words || !sent || job.meaning.whom == TextMeaning::For::another) return;
+  words_come_between(job.meaning);
+  warn_of(past);
 }
 
 Task<> Pump::perform_next() {
   std::unique_ptr<Job> job = jobs_.begin();
   keep_will();
   count_program_change(job->intent);
-  IntentOutcome told;
+  IntentOutcome report;
   const std::uint64_t epoch = desk_.epoch();
-  const std::uint32_t restarts = draft_.restarts;
+  const std::uint32_t restarts = snapshot_.restarts;
+  const std::optional<PastTravel> past = past_travel_of_words(*job);
   Result<> performed = may_go_to_all(*job);
   const bool to_all = performed && jobs_.performs_for_all_on_the_wire() && callbacks_.line;
   if (to_all)
     callbacks_.line->for_each_but(*this, [&](Pump& other) {
       other.note_broadcast(std::get<intent::SendText>(job->intent.body).text, job->meaning);
     });
-  if (performed && job->meaning.runs_program) tool_.program_may_run(draft_);
+  if (performed && job->meaning.runs_program) tool_.program_may_run(snapshot_);
   if (performed && job->is_query) {
     job->since = texts_.next();
     job->reply = co_await guarded("question", driver_->query(job->text, job->patience));
   } else if (!performed && job->is_query) {
     job->reply = fail(performed.error());
-  } else if (auto admitted = admit(*job, told); performed && !admitted) {
+  } else if (auto admitted = admit(*job, report); performed && !admitted) {
     performed = std::move(admitted);
   } else if (const auto* request = std::get_if<intent::TrustPosition>(&job->intent.body)) {
     performed = trust_position(request->axis);
@@ -306,11 +309,12 @@ Task<> Pump::perform_next() {
   } else if (performed) {
     performed = co_await perform_beside_pieces(job->intent.body);
   }
-  words_were_sent(*job, performed);
+  words_were_sent(*job, performed, past);
   if (to_all) callbacks_.line->for_each_but(*this, [](Pump& other) { other.counts_.disturbed(); });
   jobs_.end();
   if (!performed) driver_log(catalog_).debug("{}: {}", Whose{catalog_}, performed.error().sentence());
-  if (performed && draft_.restarts != restarts && restarts_it(*job)) jobs_.restart_was_asked(draft_.restarts);
+  if (performed && snapshot_.restarts != restarts && restarts_it(*job))
+    jobs_.restart_was_asked(snapshot_.restarts);
   if (job->is_query) {
     job->answered = true;
     job->asker.resume(scheduler_.executor());
@@ -320,72 +324,16 @@ Task<> Pump::perform_next() {
   if (const auto* load = std::get_if<intent::LoadProgram>(&job->intent.body); load && performed)
     loaded_.loaded(*load);
   if (const auto* read = std::get_if<intent::UploadProgram>(&job->intent.body); read && performed)
-    draft_.slots_torn = static_cast<std::uint8_t>(draft_.slots_torn & ~torn_bit(catalog_, read->slot));
+    snapshot_.slots_torn = static_cast<std::uint8_t>(snapshot_.slots_torn & ~torn_bit(catalog_, read->slot));
   if (performed && desk_.epoch() != epoch && leads_to_a_start(job->intent.body))
     performed = fail(FaultKind::stopped, "A stop came while this was under way.", "It was completed.",
-                     "What should have followed was dropped: ask for it again.");
+                     "The steps that should have followed were dropped: request them again.");
   if (performed)
     set_outcome(job->intent.id, IntentState::done);
   else
-    report_fault(job->intent.id, performed.error(), told);
+    report_fault(job->intent.id, performed.error(), report);
   if (!performed) jog_failed(job->intent, performed.error().kind);
   publish();
-}
-
-TextMeaning Pump::meaning_of(const std::string& text) const {
-  return driver_->meaning_of(intent::SendText(text));
-}
-
-Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
-  const Asking asking(*this);
-  const TextMeaning meaning = meaning_of(text);
-  if (meaning.whom == TextMeaning::For::another && callbacks_.line)
-    if (Pump* other = callbacks_.line->at(meaning.address))
-      co_return co_await other->query(std::move(text), patience);
-  if (meaning.is_stop()) {
-    if (meaning.whom == TextMeaning::For::everybody && callbacks_.line)
-      callbacks_.line->for_each_but(*this, [&](Pump& other) { other.note_broadcast(text, meaning); });
-    co_return co_await query_stop(std::move(text), meaning, patience);
-  }
-  if (leaves()) co_return fail(FaultKind::refused, "The controller was closed.", "Nothing was sent.");
-  const bool lost = draft_.link.state == LinkState::lost || draft_.link.state == LinkState::closed;
-  if (lost) co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
-  auto owned = std::make_unique<Job>(Intent(0, intent::SendText(text)));
-  Job* job = owned.get();
-  job->is_query = true;
-  job->meaning = meaning;
-  job->text = std::move(text);
-  job->patience = patience;
-  enqueue(std::move(owned));
-  const std::uint64_t epoch = desk_.epoch();
-  while (!job->answered) co_await job->asker.here();
-  std::unique_ptr<Job> mine(job);
-  if (!mine->reply || meaning.answered != TextMeaning::Answered::later) co_return std::move(mine->reply);
-  co_return co_await add_what_comes_later(std::move(*mine->reply), mine->since, epoch, patience);
-}
-
-/// Of several commands in one text the first may have been answered already.
-Task<Result<std::string>> Pump::add_what_comes_later(std::string reply, std::uint64_t since,
-                                                     std::uint64_t epoch, Duration patience) {
-  auto text = co_await wait_for_text(since, epoch, patience);
-  if (reply.empty()) co_return text;
-  if (text) (reply += '\r') += *text;
-  co_return std::move(reply);
-}
-
-/// What the controller says by itself when that which a text began is over.
-Task<Result<std::string>> Pump::wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience) {
-  const Instant deadline = scheduler_.now() + patience;
-  for (bool in_time = true;;) {
-    if (desk_.epoch() != epoch)
-      co_return fail(FaultKind::stopped, "A stop ended the wait for the answer.", "It was sent.");
-    if (auto text = texts_.answer_since(since)) co_return std::move(*text);
-    if (!connected() || closes())
-      co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
-    if (!in_time)
-      co_return fail(FaultKind::no_answer, fmt::format("No answer came in {:g} s.", seconds(patience)));
-    in_time = co_await published_.wait_until(deadline);
-  }
 }
 
 }  // namespace hw

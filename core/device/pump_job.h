@@ -16,9 +16,9 @@ constexpr std::string_view stopped_first = "A stop came first. This was not sent
 constexpr Duration retry_with_a_stop = Millis(250);
 
 inline Fault failed_inside(const char* what, const std::exception& defect) {
-  return Fault(
-      FaultKind::internal, fmt::format("The {} failed by an internal error: {}.", what, defect.what()),
-      "It is not known what the controller did with it.", "Check its state before the next command.");
+  return Fault(FaultKind::internal, fmt::format("An internal error ended the {}: {}.", what, defect.what()),
+               "Whether the controller carried it out is unknown.",
+               "Check its state before the next command.");
 }
 
 /// Runs a driver's procedure; an exception becomes a fault.

@@ -22,13 +22,13 @@ void Pump::keep_will() {
 // held stays guarded.
 void Pump::release_jogs(const StopOrder& order) {
   using What = StopOrder::What;
-  const TextMeaning& said = order.meaning;
+  const TextMeaning& meaning = order.meaning;
   if (order.what == What::program && catalog_.program.threads > 0) return;
-  if (order.what == What::words && !said.stops_here()) return;
+  if (order.what == What::words && !meaning.stops_here()) return;
   if (order.what != What::words) return jogs_.stop(order.what == What::program ? -1 : order.axis);
-  if (said.stops == TextMeaning::Stops::all) return jogs_.stop(-1);
-  for (int axis = 0; axis < draft_.axis_count; ++axis)
-    if (axis == said.axis || (said.axes >> axis & 1u) != 0) jogs_.stop(axis);
+  if (meaning.stops == TextMeaning::Stops::all) return jogs_.stop(-1);
+  for (int axis = 0; axis < snapshot_.axis_count; ++axis)
+    if (axis == meaning.axis || (meaning.axes >> axis & 1u) != 0) jogs_.stop(axis);
 }
 
 /// The hand's jog, if it still waits for its turn: it has moved nothing, so nothing is stopped.
@@ -48,13 +48,13 @@ void Pump::jog_not_begun(const Intent& intent) {
 /// A script does not let go of what a limit has ended; nothing else is to be stopped in its name.
 void Pump::forget_jogs_that_ended() {
   jogs_.forget_if([this](IntentId id, int axis) {
-    const Activity activity = draft_.axes[axis].activity;
+    const Activity activity = snapshot_.axes[axis].activity;
     return !jobs_.has(id) && activity != Activity::jogging && activity != Activity::unknown;
   });
 }
 
-/// One that may have begun although nobody can tell is stopped: its hand has been told of the failure, and
-/// will not stop it. It is stopped by its axis, so that nothing else is.
+/// A jog that may have begun is stopped: its requester was notified of the failure, and will not stop it. The
+/// stop is for its axis, so that nothing else is stopped.
 void Pump::jog_failed(const Intent& intent, FaultKind kind) {
   const auto* jog = std::get_if<intent::JogStart>(&intent.body);
   if (!jog || !jogs_.has(intent.id)) return;
@@ -63,7 +63,7 @@ void Pump::jog_failed(const Intent& intent, FaultKind kind) {
   if (rejected) return jog_not_begun(intent);
   pump_log().debug("{}: command {}: the jog may have begun, so it is stopped", Whose{catalog_}, intent.id);
   callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                           "It is not known whether the jog began, so the axis was told to stop."));
+                           "A stop is being sent to the axis, because the jog may have begun."));
   StopOrder lets_go;
   lets_go.what = StopOrder::What::jog;
   lets_go.axis = jog->axis.index;
@@ -74,7 +74,7 @@ void Pump::jog_let_go() {
   pump_log().debug("{}: nobody has kept the jog alive for {} ms", Whose{catalog_},
                    dead_man.count() / 1'000'000);
   callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                           "The jog was no longer held, so the axis was stopped."));
+                           "The jog was no longer held, so a stop is being sent."));
   StopOrder lets_go;
   lets_go.what = StopOrder::What::jog;
   post_stop(std::move(lets_go));
@@ -86,7 +86,7 @@ void Pump::stop_jogs_out_of_sight() {
     pump_log().debug("{}: {} answers were missed: the jog of axis {} is stopped", Whose{catalog_},
                      station_->statistics().misses_in_a_row, axis + 1);
     callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                             "The controller does not answer, so the jog was stopped."));
+                             "The controller does not answer, so a stop is being sent."));
     StopOrder lets_go;
     lets_go.what = StopOrder::What::jog;
     lets_go.axis = axis;

@@ -8,18 +8,18 @@
 
 namespace hw {
 
-void Pump::tell_what_came_of_the_loss() {
-  std::string told = outage_.told_when_back(catalog_, draft_, something_runs(), scheduler_.now());
-  if (!told.empty()) callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(told)));
+void Pump::report_loss() {
+  std::string report = outage_.report_when_back(catalog_, snapshot_, something_runs(), scheduler_.now());
+  if (!report.empty()) callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(report)));
 }
 
 void Pump::watch_counts() {
-  const std::uint32_t set = counts_.look(draft_);
-  for (int axis = 0; set != 0 && axis < draft_.axis_count; ++axis) {
+  const std::uint32_t set = counts_.look(snapshot_);
+  for (int axis = 0; set != 0 && axis < snapshot_.axis_count; ++axis) {
     if ((set >> axis & 1u) == 0) continue;
     pump_log().debug("{}: the count of axis {} was set elsewhere, to {} now", Whose{catalog_}, axis + 1,
-                     draft_.axes[axis].commanded().value);
-    draft_.axes[axis].trust.doubt(Doubt::another, scheduler_.now());
+                     snapshot_.axes[axis].commanded().value);
+    snapshot_.axes[axis].trust.doubt(Doubt::another, scheduler_.now());
     callbacks_.notify(
         Notice(Notice::Kind::warning, scheduler_.now(), describe_count_was_set(catalog_, axis)));
   }
@@ -39,27 +39,27 @@ Task<> Pump::refresh() {
 }
 
 void Pump::know_store_count(std::int32_t writes_used) {
-  if (std::exchange(draft_.store_count, writes_used) != writes_used && runs()) publish();
+  if (std::exchange(snapshot_.store_count, writes_used) != writes_used && runs()) publish();
 }
 
-// ---- what is told
+// ---- reports
 
 void Pump::set_outcome(IntentId id, IntentState outcome, std::string_view sentence) {
-  IntentOutcome told;
-  told.id = id;
-  told.state = outcome;
-  if (outcome == IntentState::failed) told.kind = FaultKind::controller;
-  told.sentence = sentence;
-  set_outcome(told);
+  IntentOutcome report;
+  report.id = id;
+  report.state = outcome;
+  if (outcome == IntentState::failed) report.kind = FaultKind::controller;
+  report.sentence = sentence;
+  set_outcome(report);
 }
 
-void Pump::set_outcome(const IntentOutcome& told) {
-  if (told.state == IntentState::refused || told.state == IntentState::failed)
-    pump_log().debug("{}: command {} not done: {}", Whose{catalog_}, told.id, told.sentence.view());
-  if (told.id == 0) return;
-  auto& outcomes = draft_.outcomes;
-  auto at =
-      std::find_if(outcomes.begin(), outcomes.end(), [&](const IntentOutcome& f) { return f.id == told.id; });
+void Pump::set_outcome(const IntentOutcome& report) {
+  if (report.state == IntentState::refused || report.state == IntentState::failed)
+    pump_log().debug("{}: command {} not done: {}", Whose{catalog_}, report.id, report.sentence.view());
+  if (report.id == 0) return;
+  auto& outcomes = snapshot_.outcomes;
+  auto at = std::find_if(outcomes.begin(), outcomes.end(),
+                         [&](const IntentOutcome& f) { return f.id == report.id; });
   if (at == outcomes.end()) {  // what still waits is not forgotten for what is over
     const auto over = std::find_if(outcomes.rbegin(), outcomes.rend(), [](const IntentOutcome& f) {
       return f.id == 0 || f.state != IntentState::pending;
@@ -68,26 +68,41 @@ void Pump::set_outcome(const IntentOutcome& told) {
     std::move_backward(outcomes.begin(), room, room + 1);
     at = outcomes.begin();
   }
-  *at = told;
+  *at = report;
 }
 
-void Pump::report_fault(IntentId id, const Fault& fault, IntentOutcome told) {
-  told.id = id;
-  told.asks = fault.kind == FaultKind::asks;
-  told.state = told.asks || fault.kind == FaultKind::refused ? IntentState::refused : IntentState::failed;
-  told.tell(fault);
-  set_outcome(told);
+void Pump::report_fault(IntentId id, const Fault& fault, IntentOutcome report) {
+  report.id = id;
+  report.asks = fault.kind == FaultKind::asks;
+  report.state = report.asks || fault.kind == FaultKind::refused ? IntentState::refused : IntentState::failed;
+  report.set_fault(fault);
+  set_outcome(report);
+}
+
+/// From where the axes stand before it is sent.
+std::optional<PastTravel> Pump::past_travel_of_words(const Job& job) const {
+  const auto* typed = std::get_if<intent::SendText>(&job.intent.body);
+  if ((!typed && !job.is_query) || job.meaning.only_asks) return {};
+  return loaded_.past_travel_of(typed ? typed->text : job.text, snapshot_);
+}
+
+/// Of an axis that goes, or will go, past the user's limit.
+void Pump::warn_of(const std::optional<PastTravel>& past) {
+  if (!past) return;
+  Notice notice(Notice::Kind::warning, scheduler_.now(),
+                describe_warned(catalog_, *past, words_in_steps(catalog_, snapshot_).position));
+  notice.past = past;
+  callbacks_.notify(std::move(notice));
 }
 
 void Pump::publish() {
-  ++draft_.sequence;
-  draft_.at = scheduler_.now();
+  ++snapshot_.sequence;
+  snapshot_.at = scheduler_.now();
   keep_will();
-  draft_.link.jog_ends = station_ ? station_->jog_ends() : JogEnds::by_nobody;
-  endings_.look(draft_);
-  if (std::string passed = travel_.look(draft_); !passed.empty())
-    callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(passed)));
-  callbacks_.publish(draft_);
+  snapshot_.link.jog_ends = station_ ? station_->jog_ends() : JogEnds::by_nobody;
+  endings_.look(snapshot_);
+  warn_of(travel_.look(snapshot_));
+  callbacks_.publish(snapshot_);
   published_.notify();
 }
 

@@ -10,11 +10,11 @@ namespace {
 
 constexpr int attempts_in_a_row = 3;
 constexpr std::string_view no_way =
-    "Stop cannot reach the controller: there is no connection. Use its power switch.";
+    "Use the controller's power switch: Stop cannot reach it without a connection.";
 
 Fault not_answered() {
-  return Fault(FaultKind::no_answer, "The controller was told to stop but does not answer.",
-               "The stop is sent again until it does.", "Use its power switch if it moves.");
+  return Fault(FaultKind::no_answer, "Stop was sent, but the controller does not answer.",
+               "The stop is sent again until it does.", "If it moves, use its power switch.");
 }
 
 }  // namespace
@@ -44,10 +44,10 @@ StopOrder& Pump::ask(StopOrder order) {
   using What = StopOrder::What;
   const bool leaves_tool =
       order.what == What::jog || (order.what == What::words && !order.meaning.stops_here());
-  endings_.stop_asked(order, draft_, order.asked_at == Instant{} ? scheduler_.now() : order.asked_at);
+  endings_.stop_asked(order, snapshot_, order.asked_at == Instant{} ? scheduler_.now() : order.asked_at);
   StopOrder& asked = desk_.ask(std::move(order));
   if (!leaves_tool) pieces_.end();
-  if (leaves_tool || !tool_.may_be_on(draft_)) return asked;
+  if (leaves_tool || !tool_.may_be_on(snapshot_)) return asked;
   tool_.forget_hold();
   pump_log().debug("{}: the tool is switched off behind {}", Whose{catalog_}, asked);
   desk_.ask_tool(tool_.outputs());
@@ -110,7 +110,7 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
       return close_stop(order);
     }
     order.sent = order.confirmed = sent.has_value();
-    order.told = true;
+    order.reported = true;
     if (sent)
       set_outcome(order.intent, IntentState::done);
     else
@@ -142,13 +142,13 @@ void Pump::follow_words(const StopOrder& words) {
                    log::Bytes{words.words});
   StopOrder own;
   own.intent = words.intent;
-  own.told = true;
+  own.reported = true;
   own.by = words.by;
   own.times_sent = words.times_sent;
   own.sent_at = words.sent_at, own.first_sent_at = words.first_sent_at;
   const TextMeaning& meaning = words.meaning;
   if (meaning.stops == TextMeaning::Stops::all) ask(own).at_once = false;
-  for (int axis = 0; axis < draft_.axis_count; ++axis) {
+  for (int axis = 0; axis < snapshot_.axis_count; ++axis) {
     if (meaning.axis != axis && (meaning.axes >> axis & 1u) == 0) continue;
     own.axis = axis;
     ask(own).at_once = false;  // what the console says again is as it was asked for
@@ -168,7 +168,7 @@ void Pump::look_at_stops() {
 
 void Pump::look_at_stop(StopOrder& order) {
   const bool tool = order.what == StopOrder::What::tool;
-  StopProgress progress = tool ? tool_.progress(order, draft_) : driver_->stop_progress(order);
+  StopProgress progress = tool ? tool_.progress(order, snapshot_) : driver_->stop_progress(order);
   if (progress.now == StopProgress::Now::wait && !order.confirmed) progress = StopProgress::again();
   switch (progress.now) {
     case StopProgress::Now::wait: return;
@@ -189,7 +189,7 @@ void Pump::look_at_stop(StopOrder& order) {
       if (tool) tool_.give_up();
       return close_stop(order);
     case StopProgress::Now::stands:
-      if (!order.told) set_outcome(order.intent, IntentState::done);
+      if (!order.reported) set_outcome(order.intent, IntentState::done);
       return close_stop(order);
   }
 }
@@ -197,7 +197,7 @@ void Pump::look_at_stop(StopOrder& order) {
 void Pump::stop_failed(StopOrder& order, const Fault& why) {
   pump_log().debug("{}: {} failed: {}", Whose{catalog_}, order, why.what);
   if (order.answer) std::exchange(order.answer, nullptr)(fail(why));
-  if (!std::exchange(order.told, true)) set_outcome(order.intent, IntentState::failed, why.sentence());
+  if (!std::exchange(order.reported, true)) set_outcome(order.intent, IntentState::failed, why.sentence());
 }
 
 void Pump::close_stop(StopOrder& order) {
@@ -207,13 +207,13 @@ void Pump::close_stop(StopOrder& order) {
   wake_.notify();
 }
 
-/// Whoever has asked is told; what may still run is stopped as soon as the wire carries it. `why` there is no
-/// connection, if that is known.
+/// Notifies the requesters; motions that may still run are stopped as soon as there is a wire. `why`: the
+/// reason that there is no connection, if known.
 void Pump::stops_did_not_arrive(const Fault* why) {
   for (StopOrder& order : desk_.orders()) {
     const bool sent = order.times_sent > 0;
-    const Fault told = !sent ? Fault(FaultKind::lost, std::string(no_way)) : why ? *why : not_answered();
-    stop_failed(order, told);
+    const Fault reported = !sent ? Fault(FaultKind::lost, std::string(no_way)) : why ? *why : not_answered();
+    stop_failed(order, reported);
   }
   publish();
 }
@@ -231,21 +231,21 @@ void Pump::keep_stops_at_loss(const Fault& why, bool drew_together) {
   const bool tool = tool_.at_work();
   if ((tool || drew_together) && !desk_.stops_all()) {  // the others do not go on either
     StopOrder ends;
-    ends.told = true;
+    ends.reported = true;
     ask(std::move(ends)).at_once = false;
     if (tool)
       callbacks_.notify(Notice(
           Notice::Kind::warning, scheduler_.now(),
-          "The link was lost while a program with a tool was running. When the link is back, everything "
-          "is stopped and the tool is switched off; until then nothing can be done."));
+          "The link was lost while a program with a tool was running. Use the power switch of the tool: the "
+          "console can stop everything and switch the tool off only when the link is back."));
   }
   jogs_.for_each_axis([this](int axis) {
     StopOrder lets_go;
     lets_go.what = StopOrder::What::jog;
     lets_go.axis = axis;
-    lets_go.told = true;
+    lets_go.reported = true;
     desk_.ask(std::move(lets_go));
-    if (axis >= 0) draft_.link.when_lost.axes |= 1u << axis;  // its motion may not have been seen yet
+    if (axis >= 0) snapshot_.link.when_lost.axes |= 1u << axis;  // its motion may not have been seen yet
   });
   desk_.send_all_again();
 }
@@ -258,7 +258,7 @@ void Pump::note_broadcast(const std::string& text, const TextMeaning& meaning) {
   if (meaning.is_stop()) {
     if (meaning.stops == TextMeaning::Stops::all) {  // whether it has come here, the next rounds show
       StopOrder order;
-      order.sent = order.told = true;
+      order.sent = order.reported = true;
       order.by = StoppedBy::text;
       order.times_sent = 1;
       order.sent_at = order.first_sent_at = scheduler_.now();
@@ -271,11 +271,11 @@ void Pump::note_broadcast(const std::string& text, const TextMeaning& meaning) {
   }
   counts_.disturbed();
   driver_->note_broadcast(text);
-  if (meaning.runs_program) tool_.program_may_run(draft_);
+  if (meaning.runs_program) tool_.program_may_run(snapshot_);
   if (meaning.changes_programs) {
     loaded_.forget();
-    ++draft_.program_changes;
-    draft_.program_changed_by = 0;
+    ++snapshot_.program_changes;
+    snapshot_.program_changed_by = 0;
   }
   wake_.notify();
 }

@@ -6,7 +6,7 @@
 namespace hw {
 
 /// The next job waits for a round that shows whether a program that may have its tool on still runs; but not
-/// for ever for one that does not tell.
+/// for ever for one that does not report it.
 bool Pump::tool_is_seen_first() const {
   constexpr std::uint64_t enough_rounds = 3;
   if (!tool_.is_seen_before(jobs_.next().intent.body)) return false;
@@ -18,11 +18,11 @@ bool Pump::tool_is_seen_first() const {
 /// too.
 void Pump::watch_tool() {
   if (desk_.any()) return;
-  switch (tool_.watch(draft_, rounds_.ended())) {
-    case ToolGuard::Wish::nothing: return;
-    case ToolGuard::Wish::look: return tool_.looks_by(rounds_.want(scheduler_.now()), scheduler_.now());
-    case ToolGuard::Wish::switch_off: return switch_tool_off();
-    case ToolGuard::Wish::stop:
+  switch (tool_.watch(snapshot_, rounds_.ended())) {
+    case ToolGuard::Request::nothing: return;
+    case ToolGuard::Request::look: return tool_.looks_by(rounds_.want(scheduler_.now()), scheduler_.now());
+    case ToolGuard::Request::switch_off: return switch_tool_off();
+    case ToolGuard::Request::stop:
       callbacks_.notify(Notice(
           Notice::Kind::warning, scheduler_.now(),
           "A limit switch was hit with the tool on, so everything was stopped and the tool switched off."));
@@ -31,8 +31,8 @@ void Pump::watch_tool() {
 }
 
 void Pump::switch_tool_off() {
-  const bool held = draft_.program.run == RunState::held || draft_.pieces.draws;
-  if (held) tool_.note_hold(draft_);
+  const bool held = snapshot_.program.run == RunState::held || snapshot_.pieces.draws;
+  if (held) tool_.note_hold(snapshot_);
   callbacks_.notify(Notice(
       Notice::Kind::warning, scheduler_.now(),
       fmt::format("{} with the tool on: {} was switched off.{}",
@@ -55,7 +55,7 @@ Task<Result<>> Pump::bring_tool_back() {
 }
 
 Task<Result<>> Pump::perform_guarding_tool(const IntentBody& body) {
-  auto may = tool_.begin(body, draft_);
+  auto may = tool_.begin(body, snapshot_);
   if (!may) co_return may;
   if (std::holds_alternative<intent::Resume>(body)) {
     auto back = co_await bring_tool_back();
@@ -64,14 +64,14 @@ Task<Result<>> Pump::perform_guarding_tool(const IntentBody& body) {
   auto performed = co_await guarded("command", driver_->perform(body));
   if (performed) tool_.done(body);
   const bool refused = !performed && performed.error().kind == FaultKind::refused;
-  if (refused && draft_.slots_torn == 0) tool_.refused(body);
+  if (refused && snapshot_.slots_torn == 0) tool_.refused(body);
   co_return performed;
 }
 
 Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
   if (const auto* request = std::get_if<intent::RunInPieces>(&body)) {
     auto begun = pieces_.begin(*request);
-    if (begun) tool_.pieces_begin(request->pieces->tool, draft_);
+    if (begun) tool_.pieces_begin(request->pieces->tool, snapshot_);
     co_return begun;
   }
   if (const auto* request = std::get_if<intent::OverrideSpeed>(&body))
@@ -79,39 +79,39 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
   if (auto may = pieces_.allows(body); !may) co_return may;
   const bool holds = std::holds_alternative<intent::Pause>(body);
   if (pieces_.running() && (holds || std::holds_alternative<intent::Resume>(body))) {
-    if (!holds && draft_.pieces.draws)
+    if (!holds && snapshot_.pieces.draws)
       if (auto back = co_await bring_tool_back(); !back) co_return back;
     pieces_.hold(holds);
-    if (draft_.pieces.draws) co_return Result<>();
-    const RunState run = draft_.program.run;
-    const bool at_work = draft_.program.owned && (holds ? run == RunState::running : run == RunState::held);
+    if (snapshot_.pieces.draws) co_return Result<>();
+    const RunState run = snapshot_.program.run;
+    const bool at_work =
+        snapshot_.program.owned && (holds ? run == RunState::running : run == RunState::held);
     const bool can_hold = catalog_.can.single_step || catalog_.program.threads > 0;
     const bool within = at_work && can_hold && catalog_.can.outputs_while_held;
-    if (holds && at_work && !within) tell_hold_behind_piece();
+    if (holds && at_work && !within) report_hold_behind_piece();
     if (!within) co_return Result<>();
   }
   co_return co_await perform_guarding_tool(body);
 }
 
-/// The way back of a move in two relies on what the controller was told before it.
+/// The second part of a move in two relies on the settings before it.
 void Pump::words_come_between(const TextMeaning& words) {
   if (words.only_asks || !pieces_.is_one_move()) return;
-  pieces_end(
-      "Move there again: a text was sent while the move took up backlash, so its last part was not done.",
-      false);
+  pieces_end("Repeat the move: a text was sent while it took up backlash, so its last part was not done.",
+             false);
 }
 
 /// Where a program cannot be held within itself, or its tool would stay on.
-void Pump::tell_hold_behind_piece() {
+void Pump::report_hold_behind_piece() {
   callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                           fmt::format("It will be held after piece {}, which is finished first with its "
-                                       "tool. Stop ends it now and switches the tool off.",
-                                       draft_.pieces.done + 1)));
+                           fmt::format("Piece {} is finished first, with its tool; then it is held. Press "
+                                       "Stop to end the piece now and switch the tool off.",
+                                       snapshot_.pieces.done + 1)));
 }
 
 /// A stop that comes meanwhile has ended them.
 Task<> Pump::perform_piece(const IntentBody& body) {
-  const bool cuts = draft_.pieces.draws;
+  const bool cuts = snapshot_.pieces.draws;
   const auto asked = pieces_.at_speed(body);  // a copy: theirs may go with them
   if (!asked) co_return pieces_end(asked.error().sentence(), cuts);
   count_program_change(Intent(0, *asked));
@@ -131,11 +131,11 @@ void Pump::pieces_end(std::string why, bool cuts) {
   pump_log().debug("{}: the rest of the pieces is dropped: {}", Whose{catalog_}, why);
   if (cuts) {
     StopOrder order;
-    order.by = StoppedBy::nobody;  // `why` tells it
+    order.by = StoppedBy::nobody;  // `why` gives the reason
     post_stop(std::move(order));
   }
   pieces_.end();
-  draft_.pieces.ended_because = why;
+  snapshot_.pieces.ended_because = why;
   callbacks_.notify(Notice(Notice::Kind::error, scheduler_.now(), std::move(why)));
   publish();
 }

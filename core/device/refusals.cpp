@@ -87,7 +87,7 @@ std::string_view words_of(Doubt cause, bool several) {
     case Doubt::power_cut: return several ? "their power was cut" : "its power was cut";
     case Doubt::restarted:
       return several ? "their power was cut, or they were reset" : "its power was cut, or it was reset";
-    case Doubt::unheard:
+    case Doubt::after_silence:
       return several ? "they read zero after answers were missing"
                      : "it reads zero after answers were missing";
     case Doubt::reset: return several ? "they were reset" : "it was reset";
@@ -109,7 +109,7 @@ std::string_view brief_words_of(Doubt cause) {
   switch (cause) {
     case Doubt::power_cut: return "power was cut";
     case Doubt::restarted: return "was restarted";
-    case Doubt::unheard: return "answers were missing";
+    case Doubt::after_silence: return "answers were missing";
     case Doubt::reset: return "was reset";
     case Doubt::killed: return "killed at speed";
     case Doubt::slipped: return "has slipped";
@@ -122,13 +122,12 @@ std::string_view brief_words_of(Doubt cause) {
 
 namespace {
 
-constexpr std::string_view may_lie_elsewhere = "may lie elsewhere than before. Nothing was sent.";
+constexpr std::string_view may_lie_elsewhere = "may differ from before. Nothing was sent.";
 
 std::string describe_of_one(const Catalog& catalog, const PositionTrust& trust, const AxisTarget& place,
                             const DoubtWords& words) {
   return fmt::format(
-      "The position of {} cannot be trusted: {}{}. {} {} Home it, say where it stands, or go on for this "
-      "once.",
+      "The position of {} cannot be trusted: {}{}. {} {} Home it, set its position, or go on just this once.",
       spoken_name(catalog, place.axis.index), words_of(trust.cause), words.when(trust.since),
       words.position(place.axis, place.value), may_lie_elsewhere);
 }
@@ -148,8 +147,8 @@ std::string describe_of_several(const Catalog& catalog, const Snapshot& now,
   const std::string why =
       one_cause ? fmt::format(": {}{}", words_of(first.cause, true), words.when(first.since)) : "";
   return fmt::format(
-      "The positions of {} cannot be trusted{}. Where they are sent {} Home them, say where they stand, or "
-      "go on for this once.",
+      "The positions of {} cannot be trusted{}. Where they are sent {} Home them, set their positions, or go "
+      "on just this once.",
       listed(names), why, may_lie_elsewhere);
 }
 
@@ -204,20 +203,20 @@ int torn_program(const Catalog& catalog, const Snapshot& now, const IntentBody& 
 
 std::string describe_torn(const Catalog& catalog, int slot) {
   return fmt::format(
-      "{} {} in the controller is not what was sent last: its transfer was broken off, or it reads back "
-      "differently. Nothing was started. Load it again, read it, or run it as it is for this once.",
+      "{} {} in the controller differs from the text sent last: its transfer was broken off, or it reads "
+      "back differently. Nothing was started. Load it again, read it, or run it once as it is.",
       catalog.program.slot_word, slot);
 }
 
 std::string describe_torn_is_left(const Catalog& catalog, const Snapshot& now) {
   if (now.slots_torn == 0) return {};
   if (catalog.program.threads > 0)
-    return "What is stored in the controller is not what was sent last. Load it again before it is run.";
+    return "Load the program again before you run it: the controller does not hold the text sent last.";
   std::string which;
   int count = 0;
   for (int n = 0; n < max_slots; ++n)
     if ((now.slots_torn >> n & 1) != 0) which += fmt::format("{}{}", count++ > 0 ? ", " : "", n);
-  return fmt::format("{}{} {} in the controller {} not what was sent last. Load {} again before {} run.",
+  return fmt::format("{}{} {} in the controller {} not the text sent last. Load {} again before {} run.",
                      catalog.program.slot_word, count > 1 ? "s" : "", which, count > 1 ? "are" : "is",
                      count > 1 ? "them" : "it", count > 1 ? "they are" : "it is");
 }

@@ -42,13 +42,13 @@ std::string describe_doubtful(const Catalog& catalog, const Snapshot& now, const
 std::string_view words_of(Doubt cause, bool several = false);  ///< "its power was cut", "their ..."
 std::string_view brief_words_of(Doubt cause);                  ///< "power was cut"
 
-/// Marks it to be done just this once, whatever is doubtful.
+/// Marks it to be done just this once despite any doubt.
 void go_despite_doubt(IntentBody& body);
 /// The intent for "the axis stands at `place`". If it counts so already the count is only trusted, as not
 /// every controller can be set to any number.
 IntentBody stands_at(const Snapshot& now, AxisId axis, Steps place);
 
-// ---- what is stored
+// ---- stored programs
 
 /// The slot that it would start although its program is not what was sent last; -1: none. The user's own text
 /// is not checked.

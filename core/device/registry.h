@@ -45,6 +45,7 @@ struct DeviceType {
   std::string_view probe;
   /// Whether the reply to `probe` is this model's. Null if `probe` is empty.
   bool (*recognises)(std::string_view reply);
+  /// Without a range: its motions take no acceleration of their own.
   AccelerationUnit acceleration = {};
   /// Whether a reply is a refusal by the controller. Null: it has no such replies.
   bool (*refuses)(std::string_view reply) = nullptr;

@@ -158,9 +158,9 @@ void SequenceDraft::as_if_moved(const seq::Move& move) {
 }
 
 void SequenceDraft::remark(std::string_view what) {
-  std::string said = refuse(what).value().what;
-  if (std::find(remarks_.begin(), remarks_.end(), said) == remarks_.end())
-    remarks_.push_back(std::move(said));
+  std::string sentence = refuse(what).value().what;
+  if (std::find(remarks_.begin(), remarks_.end(), sentence) == remarks_.end())
+    remarks_.push_back(std::move(sentence));
 }
 
 // ---- the text
@@ -190,8 +190,8 @@ Result<> SequenceDraft::tool_line(std::string_view mark, std::string_view aside)
   if (!tool.empty()) {
     line(std::string(mark) + tool_off_line(tool));
     tool_ = fmt::format(
-        "Each stop, hold, limit and end switches the tool ({}) off. While the link is lost nothing can: it "
-        "is switched off when the link is back.",
+        "Each stop, hold, limit and end switches the tool ({}) off. While the link is lost the console "
+        "cannot switch it off; it does so when the link is back.",
         tool_outputs_words(tool));
     if (!aside.empty()) tool_ += fmt::format(" {}", aside);
   } else {
@@ -219,7 +219,7 @@ Result<std::int64_t> SequenceDraft::steps_of(int place, double units, double low
   const double per_unit = sequence.axes[ix(place)].per_unit, steps = std::round(units * per_unit);
   if (!(steps >= low && steps <= high)) {
     const double nearest = steps > high ? high : low;
-    const bool plain = per_unit == 1 && sequence.unit == catalog.step_word;  // then they are said once
+    const bool plain = per_unit == 1 && sequence.unit == catalog.step_word;  // then they are written once
     const std::string are =
         plain ? " is too far:" : fmt::format(" are {:.15g} {};", steps, catalog.step_word);
     return refuse_field(place_field(place),

@@ -111,7 +111,7 @@ class SequenceDraft {
   [[nodiscard]] Result<StepSpeeds> speeds_of(int place, const sequence::OwnSpeeds& own) const;
   /// Checks that they go one way, from the axis' place by then if it is known.
   [[nodiscard]] Result<StepStairs> stairs(const sequence::SpeedStairs& stairs) const;
-  void say_speeds(const sequence::Speeds& units) { speeds_now_ = over(speeds_now_, units); }
+  void set_speeds(const sequence::Speeds& units) { speeds_now_ = over(speeds_now_, units); }
   /// For steps that are carried out elsewhere: they may rely on no earlier speeds. Returns the speeds so far.
   sequence::Speeds change_speeds(const sequence::Speeds& units) { return std::exchange(speeds_now_, units); }
   /// Whether all axes have the same steps per unit.
@@ -138,7 +138,7 @@ class SequenceDraft {
 
  private:
   [[nodiscard]] Result<std::int64_t> steps_of(int place, double units, double low, double high) const;
-  /// The key of the field that says where an axis goes.
+  /// The key of the field with the target of an axis.
   [[nodiscard]] std::string place_field(int place) const;
   [[nodiscard]] std::string numbers() const;  ///< of the present step: "3.2"
   void as_if_moved(const sequence::Move& move);
@@ -178,7 +178,7 @@ constexpr std::string_view routine_name(bool down) { return down ? "Pen down" : 
 std::string_view kind_of(const sequence::Step& step);
 /// The sentence of refuse_own_speed().
 inline constexpr std::string_view no_own_speed =
-    "an earlier step has changed the speed, and no step says what it is otherwise.";
+    "an earlier step has changed the speed, and no other step sets it.";
 /// The step of a refusal, by its places in the nested lists; none: not of a step.
 std::optional<std::vector<std::size_t>> refused_step(std::string_view what);
 

@@ -69,7 +69,7 @@ class Proof {
       if (!leave_what_differs(our == ours.end() ? nullptr : &*our, their == theirs.end() ? nullptr : &*their,
                               *written))
         return no_block_for(text_, our == ours.end() ? text_.size() : our->at.begin,
-                            "no block can hold this, and blocks around it would change it.");
+                            "no block can represent this, and blocks around it would change it.");
     }
   }
 
@@ -120,7 +120,7 @@ class Proof {
           return no_block_for(
               text_, step.at.begin,
               std::get<sequence::Custom>(step.body).about + ". The rest is not a block either.");
-      return fail(FaultKind::text, "The text commands nothing.", "The blocks are as they were.");
+      return fail(FaultKind::text, "The text contains no command.", "The blocks are as they were.");
     }
     return SequenceRead{std::move(made), std::move(read_.remarks)};
   }
@@ -192,7 +192,7 @@ class Proof {
   static bool leave_between(const Spot& spot, const Operation& operation) {
     if (operation.at.begin == operation.at.end) return false;
     spot.list->insert(spot.list->begin() + static_cast<std::ptrdiff_t>(spot.i),
-                      own_text("no block says this by itself", operation.at));
+                      own_text("no block represents this alone", operation.at));
     return true;
   }
   bool leave_refused(std::string_view refusal) {
@@ -223,7 +223,7 @@ class Proof {
     int step = written.step_of_line[ix(line_of(written.text, their->at.begin))];
     return step >= 0 && leave(numbered(read_.steps, step), why);
   }
-  /// All of them: then motions have none, and nothing is said in front of them. False: there are none.
+  /// All of them: then motions have none, and no speed step stands before them. False: there are none.
   bool leave_speeds() {
     bool any = false;
     for (ReadSteps* list : lists()) any = leave_speeds(*list) || any;
@@ -234,7 +234,7 @@ class Proof {
     for (ReadStep& step : list) {
       any = leave_speeds(step.inner) || any;
       if (!std::holds_alternative<sequence::Speed>(step.body)) continue;
-      step = own_text("speeds as only this text sets them", step.at);
+      step = own_text("speeds that only this text sets", step.at);
       any = true;
     }
     return any;

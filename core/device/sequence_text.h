@@ -13,7 +13,7 @@ struct SequenceText {
   std::vector<int> step_of_line;
   /// Remarks, with their steps, on what the controller does differently from the sequence.
   std::vector<std::string> remarks;
-  /// A remark on the tool that it switches, to be told before it is run; empty: no tool.
+  /// A remark on the tool that it switches, to be shown before it is run; empty: no tool.
   std::string tool;
 };
 

@@ -49,8 +49,8 @@ std::vector<AxisTarget> places_of_run(const seq::Sequence& sequence, const Catal
   for (std::size_t a = 0; a < sequence.axes.size(); ++a) {
     const int at = catalog.find_axis(sequence.axes[a].name);
     if (at < 0 || at >= max_axes) continue;
-    const bool endless = reach.endless_minus[a] || reach.endless_plus[a];
-    if (!endless && reach.least[a] == begin[a] && reach.greatest[a] == begin[a]) continue;
+    const bool has_end = !reach.endless_minus[a] && !reach.endless_plus[a];
+    if (has_end && reach.least[a] == begin[a] && reach.greatest[a] == begin[a]) continue;
     const auto put = [&](const std::optional<double>& units, bool endless, Steps end) {
       const AxisId axis{static_cast<std::uint8_t>(at)};
       if (endless)

@@ -35,7 +35,7 @@ struct ProgramState {
   bool owned = false;                   ///< the user's stored program, not a move of the console
   std::int8_t slot = -1;                ///< the program that runs, or the selected one
   std::int16_t command = -1;            ///< index of the live command in the slot's listing; -1 unknown
-  bool command_told = false;            ///< true: reported by the controller; false: worked out
+  bool command_reported = false;        ///< true: reported by the controller; false: worked out
   bool stepping = false;                ///< stops before each command
   EndedBy ended_by = EndedBy::nothing;  ///< of the latest run of the user's programs
   Instant started_at{};
@@ -105,7 +105,7 @@ struct IntentOutcome {
   std::uint32_t doubtful = 0;  ///< why it was refused: a bit per axis whose position cannot be trusted
   std::optional<PastTravel> past = {};  ///< why it was refused
 
-  void tell(const Fault& fault) {
+  void set_fault(const Fault& fault) {
     const std::string whole = fault.sentence();
     const std::size_t at = whole.size() - fault.advice.size();
     const bool apart = !fault.advice.empty() && at > 0 && whole.size() <= sentence_room;
@@ -113,7 +113,7 @@ struct IntentOutcome {
     sentence = whole;
     advice_at = static_cast<std::uint16_t>(apart ? at : 0);
   }
-  /// The fault that was told, as far as it is kept; its sentence is the same.
+  /// The fault that was reported, as far as it is kept; its sentence is the same.
   [[nodiscard]] Fault fault() const {
     if (advice_at == 0) return {kind, std::string(sentence.view())};
     return {kind,
@@ -201,7 +201,7 @@ struct LinkHealth {
   [[nodiscard]] bool connected() const { return state == LinkState::good || state == LinkState::late; }
 };
 
-inline constexpr int max_inputs = 32, max_outputs = 32, max_analog = 8, max_params = 256, max_slots = 8;
+inline constexpr int max_outputs = 32, max_analog = 8, max_params = 256, max_slots = 8;
 inline constexpr int max_readouts = 96, max_variables = 128, max_threads = 4;
 
 struct Snapshot {
@@ -301,8 +301,8 @@ struct AxisSample {
   bool output_known = false;
 };
 
-/// How a motion or a program ended: told once for each. The motions of a program or a list are told with it,
-/// unless one ended badly.
+/// How a motion or a program ended, reported once. A program or a list is reported as a whole, with its
+/// motions, unless one of them ended badly.
 struct Ending {
   enum class What : std::uint8_t { motion, jog, homing, program, list, pieces };
   What what = What::motion;
@@ -311,12 +311,13 @@ struct Ending {
   Instant began{}, at{};  ///< when each was first seen
   EndedBy by = EndedBy::nothing;
   StoppedBy who = StoppedBy::nobody;  ///< if it was stopped
-  Doubt lost_with = Doubt::none;      ///< if it was lost: what became of the controller
+  Doubt lost_with = Doubt::none;      ///< if it was lost: the state of the controller afterwards
   bool beside_program = false;        ///< of a motion: a program of the controller ran when it ended
+  bool of_run = false;                ///< of a motion: a program, list or drawing ran while it moved
   /// Of a motion that the console stopped: from the request to the first byte, and to rest.
   bool timed = false;
   Duration to_wire{}, to_rest{};
-  /// To the first answer behind it in which the axis slowed down; none: the controller does not tell.
+  /// To the first answer behind it in which the axis slowed down; none: the controller does not report it.
   std::optional<Duration> to_slowing;
   Steps ran_on{};  ///< distance in that time, from its last seen position and speed
   AxisError error =
@@ -338,10 +339,11 @@ struct Notice {
   Kind kind = Kind::info;
   Instant at{};
   IntentId intent = 0;
-  int slot = -1;           ///< program: which slot `text` is the listing of ...
-  bool whole = true;       ///< ... and false: `text` leaves out code that could not be read
-  std::string text;        ///< a sentence, or the listing
-  std::vector<int> slots;  ///< question: one of these must be emptied before a move is possible
+  int slot = -1;                        ///< program: which slot `text` is the listing of ...
+  bool whole = true;                    ///< ... and false: `text` leaves out code that could not be read
+  std::string text;                     ///< a sentence, or the listing
+  std::vector<int> slots;               ///< question: one of these must be emptied before a move is possible
+  std::optional<PastTravel> past = {};  ///< warning: of a limit that is passed, for `text` in other units
 
   Notice() = default;
   Notice(Kind k, Instant when, std::string t) : kind(k), at(when), text(std::move(t)) {}

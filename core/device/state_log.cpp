@@ -49,11 +49,11 @@ void StateLog::look(const Snapshot& now) {
   }
   const Seen before = std::exchange(last_, seen_in(now));
   if (!std::exchange(looks_, true)) return;
-  tell_controller(before, last_);
-  for (int i = 0; i < now.axis_count; ++i) tell_axis(i, before, last_);
+  log_controller(before, last_);
+  for (int i = 0; i < now.axis_count; ++i) log_axis(i, before, last_);
 }
 
-void StateLog::tell_controller(const Seen& before, const Seen& now) const {
+void StateLog::log_controller(const Seen& before, const Seen& now) const {
   const Whose whose{catalog_};
   if (now.link != before.link)
     log_.debug("{}: link {}, was {}", whose, word(link_state_names, now.link),
@@ -73,7 +73,7 @@ void StateLog::tell_controller(const Seen& before, const Seen& now) const {
     log_.debug("{}: guard of held jogs {}", whose, word(guard_names, now.guard.state));
 }
 
-void StateLog::tell_axis(int axis, const Seen& before, const Seen& now) const {
+void StateLog::log_axis(int axis, const Seen& before, const Seen& now) const {
   const PositionTrust& trust = now.trust[ix(axis)];
   if (!(trust == before.trust[ix(axis)]))
     log_.debug("{}: the count of {} is {}{}{}{}", Whose{catalog_}, spoken_name(catalog_, axis),

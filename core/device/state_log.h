@@ -29,8 +29,8 @@ class StateLog {
     std::array<Activity, max_axes> activity{};
   };
   static Seen seen_in(const Snapshot& now);
-  void tell_controller(const Seen& before, const Seen& now) const;
-  void tell_axis(int axis, const Seen& before, const Seen& now) const;
+  void log_controller(const Seen& before, const Seen& now) const;
+  void log_axis(int axis, const Seen& before, const Seen& now) const;
 
   const Catalog& catalog_;
   const log::Subject& log_;

@@ -43,7 +43,7 @@ struct StopOrder {
   Instant sent_at{}, first_sent_at{};
   bool sent = false;       ///< sent since it was last due
   bool confirmed = false;  ///< the controller has acknowledged it, or acknowledges none
-  bool told = false;       ///< the requester knows the outcome
+  bool reported = false;   ///< the requester knows the outcome
   bool in_haste = false;   ///< a more urgent stop waits for the wire
 
   [[nodiscard]] bool same_scope(const StopOrder& other) const {
@@ -70,7 +70,7 @@ struct StopOrder {
 /// The progress of a stop, as a status round shows it.
 struct StopProgress {
   enum class Now : std::uint8_t {
-    stands,   ///< what it was to stop is at rest
+    stands,   ///< everything that it was to stop is at rest
     wait,     ///< it is taking effect
     again,    ///< no effect seen: send it again, in the same form
     at_once,  ///< its ramp does not end: stop at once

@@ -1,46 +1,57 @@
 #include "core/device/target_check.h"
 
+#include <cmath>
+
 #include <fmt/core.h>
 
+#include "core/device/refusals.h"
 #include "core/device/snapshot.h"
 
 namespace hw {
-namespace {
 
-Result<> check_pace(const Catalog& catalog, const intent::Pace& pace) {
-  if (pace.acceleration)
+Result<WholePace> check_pace(const Catalog& catalog, const AccelerationUnit& unit, const intent::Pace& pace) {
+  const double speed = std::round(pace.speed.value);
+  const double slowest = catalog.jog_speed_min.value, fastest = catalog.jog_speed_max.value;
+  if (pace.speed.value != 0 &&
+      !(speed >= slowest && speed <= fastest))  // this way round for what is no number
+    return fail(FaultKind::refused,
+                fmt::format("A speed of {} is not possible. The range is {:.0f} to {:.0f} {}/s.",
+                            pace.speed.value, slowest, fastest, catalog.step_word),
+                "Nothing was sent.");
+  const std::int64_t acceleration = pace.acceleration.value_or(0);
+  if (pace.acceleration && unit.maximum == 0)
     return fail(FaultKind::refused, "This controller has one ramp for all motions.", "Nothing was sent.");
-  const double speed = pace.speed.value;
-  if (speed == 0 || (speed >= catalog.jog_speed_min.value && speed <= catalog.jog_speed_max.value)) return {};
+  if (pace.acceleration && (acceleration < unit.minimum || acceleration > unit.maximum))
+    return fail(FaultKind::refused,
+                fmt::format("An acceleration of {} is not possible. The range is {} to {} {}.", acceleration,
+                            unit.minimum, unit.maximum, unit.unit),
+                "Nothing was sent.");
+  return WholePace{static_cast<std::int64_t>(speed), acceleration};
+}
+
+Result<Steps> check_target(const Catalog& catalog, AxisId axis, Steps from, Steps value) {
+  const Steps low = catalog.position_min, high = catalog.position_max;
+  std::int64_t target = 0;
+  const bool overflows = __builtin_add_overflow(from.value, value.value, &target);
+  if (!overflows && Steps(target) >= low && Steps(target) <= high) return Steps(target);
+  if (overflows) target = value.value;
   return fail(FaultKind::refused,
-              fmt::format("{:.0f} {}/s is not a possible speed. The range is {:.0f} to {:.0f}.", speed,
-                          catalog.step_word, catalog.jog_speed_min.value, catalog.jog_speed_max.value),
+              fmt::format("Position {} of {} lies outside its range, {} to {}.", target,
+                          spoken_name(catalog, axis.index), low.value, high.value),
               "Nothing was sent.");
 }
 
-}  // namespace
-
 Result<std::vector<Steps>> check_move(const Catalog& catalog, const Snapshot& now,
-                                      const std::vector<AxisTarget>& all, MoveBase base,
-                                      const intent::Pace& pace) {
-  if (const auto possible = check_pace(catalog, pace); !possible) return fail(possible.error());
+                                      const std::vector<AxisTarget>& all, MoveBase base) {
   std::vector<Steps> targets;
   for (const AxisTarget& to : all) {
     if (to.axis.index >= catalog.axes.size())
       return fail(FaultKind::refused, fmt::format("There is no axis {}.", to.axis.index + 1),
                   "Nothing was sent.");
-    const std::int64_t from = base == MoveBase::position ? now.axes[to.axis.index].commanded().value : 0;
-    std::int64_t target = 0;
-    if (!__builtin_add_overflow(from, to.value.value, &target) && Steps(target) >= catalog.position_min &&
-        Steps(target) <= catalog.position_max) {
-      targets.emplace_back(target);
-      continue;
-    }
-    return fail(FaultKind::refused,
-                fmt::format("{} {} from {} is out of the range of axis {}, {} to {}.", to.value.value,
-                            catalog.step_word, from, catalog.axes[to.axis.index].name,
-                            catalog.position_min.value, catalog.position_max.value),
-                "Nothing was sent.");
+    const Steps from = base == MoveBase::position ? now.axes[to.axis.index].commanded() : Steps(0);
+    const auto target = check_target(catalog, to.axis, from, to.value);
+    if (!target) return fail(target.error());
+    targets.push_back(*target);
   }
   return targets;
 }

@@ -9,7 +9,7 @@ struct TextMeaning {
   enum class Stops : std::uint8_t { nothing, some, all };
   enum class Answered : std::uint8_t {
     at_once,
-    later,  ///< answered by a prompt when what it began is over
+    later,  ///< answered by a prompt when the action that it began is over
     never
   };
   /// The addressee, on a shared wire.
@@ -23,7 +23,7 @@ struct TextMeaning {
   int axis = -1;           ///< the axis that it stops; -1: several, or none
   std::uint32_t axes = 0;  ///< bit per axis that it may stop, if not all; none for a program
   Answered answered = Answered::at_once;
-  bool end_is_told = false;  ///< the controller reports the end of what it began
+  bool end_is_reported = false;  ///< the controller reports the end of what it began
   bool changes_programs = false;
   bool runs_program = false;  ///< starts a stored program, or continues one
   bool restarts = false;      ///< the controller restarts

@@ -11,11 +11,6 @@ namespace {
 constexpr int attempts = 5;
 constexpr int place_of_pieces = -2;
 
-template <class... Kinds>
-bool is_any_of(const IntentBody& body) {
-  return (std::holds_alternative<Kinds>(body) || ...);
-}
-
 bool program_goes_on(const ProgramState& program) {
   return program.owned && (program.run == RunState::running || program.run == RunState::waiting);
 }
@@ -140,31 +135,31 @@ ToolGuard::Cause ToolGuard::cause(const Snapshot& now) {
   return at_work_ && !moves_on ? Cause::rests : Cause::none;
 }
 
-ToolGuard::Wish ToolGuard::watch(const Snapshot& now, std::uint64_t rounds) {
-  if (all_.empty()) return Wish::nothing;
+ToolGuard::Request ToolGuard::watch(const Snapshot& now, std::uint64_t rounds) {
+  if (all_.empty()) return Request::nothing;
   const Cause seen = cause(now);
   if (look_ == 0) {
     cause_ = seen;
-    return seen == Cause::none ? Wish::nothing : Wish::look;
+    return seen == Cause::none ? Request::nothing : Request::look;
   }
-  if (rounds < look_) return Wish::nothing;
-  if (now.io_seen_at < asked_at_) return Wish::look;  // its outputs were not told
+  if (rounds < look_) return Request::nothing;
+  if (now.io_seen_at < asked_at_) return Request::look;  // its outputs were not reported since
   look_ = 0;
   const Cause judged = std::exchange(cause_, Cause::none);
-  if (judged == Cause::limit) return is_off(now) ? Wish::nothing : Wish::stop;
-  if (seen != Cause::rests) return Wish::nothing;  // it goes on
-  if (!is_off(now)) return Wish::switch_off;
-  if (now.any_axis_moving()) return Wish::nothing;  // what a part of it has begun may switch it on again
+  if (judged == Cause::limit) return is_off(now) ? Request::nothing : Request::stop;
+  if (seen != Cause::rests) return Request::nothing;  // it goes on
+  if (!is_off(now)) return Request::switch_off;
+  if (now.any_axis_moving()) return Request::nothing;  // what a part of it has begun may switch it on again
   at_work_ = false;
   if (!now.pieces.draws && by_place_.erase(place_of_pieces) > 0) gather();
-  return Wish::nothing;
+  return Request::nothing;
 }
 
 StopProgress ToolGuard::progress(const StopOrder& order, const Snapshot& now) const {
   if (now.io_seen_at <= order.sent_at) return StopProgress::wait();
   for (const ToolOutput& o : order.tool) {
     const auto on = is_on(o.number, now);
-    if (on == o.on || (!on && order.confirmed)) continue;  // not every controller tells what its outputs are
+    if (on == o.on || (!on && order.confirmed)) continue;  // not every controller reports its outputs
     if (order.times_sent < attempts) return StopProgress::again();
     return StopProgress::failed(
         Fault(FaultKind::controller,

@@ -38,22 +38,22 @@ class ToolGuard {
   /// `intent` uses the wire for seconds, so a status round must show first that no tool is on.
   [[nodiscard]] bool is_seen_before(const IntentBody& intent) const;
 
-  enum class Wish : std::uint8_t {
+  enum class Request : std::uint8_t {
     nothing,
     look,        ///< a whole status round must show its state: see looks_by()
     switch_off,  ///< no program runs that could switch it off
     stop         ///< a limit ended a motion with the tool on, and the program continues
   };
   /// What to do after a status round; `rounds`: ended so far.
-  [[nodiscard]] Wish watch(const Snapshot& now, std::uint64_t rounds);
+  [[nodiscard]] Request watch(const Snapshot& now, std::uint64_t rounds);
   void looks_by(std::uint64_t round, Instant asked_at) { look_ = round, asked_at_ = asked_at; }
   /// The guard waits for that round.
   [[nodiscard]] bool looks() const { return look_ != 0; }
 
   /// Progress of the stop that switches the tool off, judged by a whole round after all other stops.
   [[nodiscard]] StopProgress progress(const StopOrder& order, const Snapshot& now) const;
-  /// The tool could not be switched off, and the user was told: nothing more is tried until a program runs
-  /// again.
+  /// The tool could not be switched off, and the user was notified: nothing more is tried until a program
+  /// runs again.
   void give_up();
 
   /// Pieces that switch the tool act by act begin (Snapshot::pieces).

@@ -106,7 +106,7 @@ Result<ToolOff> tool_off_in(std::string_view text) {
                   fmt::format("Line {} does not say how the tool is switched off: \"{}\".", n,
                               trimmed_of_blanks(line)),
                   "Nothing was sent.",
-                  "Write it like \"Tool off: output 1 off, output 2 on\", or take the line out.");
+                  "Write it like \"Tool off: output 1 off, output 2 on\", or remove the line.");
   }
   return tool;
 }

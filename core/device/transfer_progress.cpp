@@ -12,7 +12,7 @@ void TransferProgress::begin(int slot, Instant now) {
   shown_ = TransferState();
   shown_.slot = static_cast<std::int8_t>(slot);
   shown_.running = true;
-  began_ = told_ = logged_ = now;
+  began_ = reported_at_ = logged_ = now;
   work_done_ = work_left_ = 0;
 }
 
@@ -34,22 +34,22 @@ void TransferProgress::worked(Instant now) {
   shown_.left = known ? so_far / work_done_ * work_left_ : Duration{};
   if (now - logged_ < between_log_lines) return;
   logged_ = now;
-  tell_log();
+  write_log();
 }
 
-void TransferProgress::tell_log() const {
+void TransferProgress::write_log() const {
   constexpr std::string_view verbs[] = {"read", "written", "compared"};
   const std::string of = shown_.total > 0 ? fmt::format(" of {}", shown_.total) : std::string();
   const std::string left =
       shown_.left > Duration{} ? fmt::format(", {:.0f} s left", seconds(shown_.left)) : std::string();
-  driver_log(catalog_).say(log::Level::info,
+  driver_log(catalog_).add(log::Level::info,
                            fmt::format("{}: {}{} lines {}{}", Whose{catalog_}, shown_.done, of,
                                        verbs[static_cast<std::size_t>(shown_.phase)], left));
 }
 
 bool TransferProgress::is_news(Instant now) {
-  const bool is = now - told_ >= Millis(100);
-  if (is) told_ = now;
+  const bool is = now - reported_at_ >= Millis(100);
+  if (is) reported_at_ = now;
   return is;
 }
 
@@ -58,7 +58,7 @@ void TransferProgress::end() {
   shown_.left = Duration{};
 }
 
-std::string say_written(const TransferState& t) {
+std::string report_written(const TransferState& t) {
   const bool compares = t.phase == TransferState::Phase::comparing;
   if (compares && t.total > 0)
     return fmt::format("all of its lines are written, and {} of {} {} compared", t.done, t.total,

@@ -29,16 +29,16 @@ class TransferProgress {
   void end();
 
  private:
-  void tell_log() const;
+  void write_log() const;
 
   TransferState& shown_;
   const Catalog& catalog_;
-  Instant began_{}, told_{}, logged_{};
+  Instant began_{}, reported_at_{}, logged_{};
   int work_done_ = 0, work_left_ = 0;
 };
 
 /// "the first 41 of its 302 lines are written", for a broken transfer to the controller; empty: there was
 /// none, or it is not known.
-std::string say_written(const TransferState& transfer);
+std::string report_written(const TransferState& transfer);
 
 }  // namespace hw

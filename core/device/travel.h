@@ -1,7 +1,7 @@
 #pragma once
 // How far the user lets an axis go: soft limits of the console's own, with or without limits of the
 // controller.
-#include <optional>
+#include <cstdint>
 
 #include "core/base/units.h"
 
@@ -31,6 +31,13 @@ struct PastTravel {
   Steps place{};
   Steps nearest{};  ///< the limit
   int row = -1;     ///< row of a list, from 0; -1: not in a list
+  enum class Of : std::uint8_t {
+    target,
+    backlash,  ///< where a move to a target inside would come from, to take up backlash
+    jog,       ///< `place` is where the axis stands
+    text       ///< a raw text, which is sent anyway
+  };
+  Of of = Of::target;
   bool operator==(const PastTravel&) const = default;
 };
 

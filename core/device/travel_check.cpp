@@ -81,6 +81,12 @@ std::optional<PastTravel> past(const AxisState& axis, const Goal& goal) {
   return {};
 }
 
+std::string capital(std::string words) {
+  if (!words.empty())
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return words;
+}
+
 }  // namespace
 
 std::optional<PastTravel> past_travel(const Catalog& catalog, const Snapshot& now, const IntentBody& body) {
@@ -93,67 +99,79 @@ std::optional<PastTravel> past_travel(const Catalog& catalog, const Snapshot& no
 }
 
 std::string describe_past(const Catalog& catalog, const PastTravel& past, const PlaceWords& place) {
-  if (past.place == without_end || past.place == Steps(0) - without_end)
+  const std::string name = spoken_name(catalog, past.axis.index), limit = place(past.axis, past.nearest);
+  const char* sign = past.side == Sign::plus ? "+" : "\u2212";
+  const std::string_view done =
+      past.of == PastTravel::Of::text ? "It was sent as it is." : "Nothing was sent.";
+  if (past.of == PastTravel::Of::jog)
     return fmt::format(
-        "An endless loop moves {} further in each pass, and so past its {} limit, {}. Nothing was sent.",
-        spoken_name(catalog, past.axis.index), past.side == Sign::plus ? "+" : "\u2212",
-        place(past.axis, past.nearest));
+        "{} stands at the {} limit that is set for it, {}, or beyond. {} Jog it the other way, or change the "
+        "limit.",
+        capital(name), sign, limit, done);
+  if (past.place == without_end || past.place == Steps(0) - without_end)
+    return fmt::format("An endless loop moves {} further in each pass, and so past its {} limit, {}. {}",
+                       name, sign, limit, done);
   const Steps beyond = past.side == Sign::plus ? past.place - past.nearest : past.nearest - past.place;
-  const std::string where = past.row < 0 ? std::string() : fmt::format("Row {}: ", past.row + 1);
-  return fmt::format("{}{} lies {} past the {} limit of {}, {}. Nothing was sent.", where,
-                     place(past.axis, past.place), place(past.axis, beyond),
-                     past.side == Sign::plus ? "+" : "\u2212", spoken_name(catalog, past.axis.index),
-                     place(past.axis, past.nearest));
+  std::string where = past.row < 0 ? std::string() : fmt::format("Row {}: ", past.row + 1);
+  if (past.of == PastTravel::Of::backlash)
+    where += "To take up backlash, the move would go further than its target: ";
+  if (past.of == PastTravel::Of::text) where += "This text leads past a limit: ";
+  return fmt::format("{}{} lies {} past the {} limit of {}, {}. {}", where, place(past.axis, past.place),
+                     place(past.axis, beyond), sign, name, limit, done);
 }
 
-std::string bound_by_travel(const Catalog& catalog, const Snapshot& now, intent::JogStart& jog) {
+Steps nearest_allowed(const Snapshot& now, const PastTravel& past) {
+  if (past.of != PastTravel::Of::backlash) return past.nearest;
+  const Backlash& backlash = now.axes[past.axis.index].backlash;
+  return past.nearest + (backlash.last == Sign::plus ? backlash.by : Steps(0) - backlash.by);
+}
+
+std::optional<PastTravel> bound_by_travel(const Snapshot& now, intent::JogStart& jog) {
   if (jog.axis.index >= max_axes) return {};  // its driver refuses it
   const AxisState& axis = now.axes[jog.axis.index];
   if (!axis.travel_holds() || !axis.travel.has(jog.sign)) return {};
   const Steps end = axis.travel.end(jog.sign);
-  if (axis.travel.past(jog.sign, axis.commanded()) < Steps(0)) {
-    jog.up_to = end;
-    return {};
-  }
-  return fmt::format(
-      "{} stands at the {} limit that is set for it, {}, or beyond. Nothing was sent. Jog it "
-      "the other way, or change the limit.",
-      spoken_name(catalog, jog.axis.index), jog.sign == Sign::plus ? "+" : "\u2212",
-      words_in_steps(catalog, now).position(jog.axis, end));
+  if (axis.travel.past(jog.sign, axis.commanded()) >= Steps(0))
+    return PastTravel{jog.axis, jog.sign, axis.commanded(), end, -1, PastTravel::Of::jog};
+  jog.up_to = end;
+  return {};
 }
 
-std::string describe_no_travel(const Catalog& catalog, const intent::SetTravel& request) {
+std::string describe_no_travel(const Catalog& catalog, const intent::SetTravel& request,
+                               const PlaceWords& place) {
   if (request.axis.index >= catalog.axes.size())
     return fmt::format("There is no axis {}.", request.axis.index + 1);
   const Travel& t = request.travel;
   if (t.has_minus && t.has_plus && t.minus >= t.plus)
     return fmt::format("The \u2212 limit of {}, {}, must lie below its + limit, {}. Nothing was changed.",
-                       spoken_name(catalog, request.axis.index), t.minus.value, t.plus.value);
+                       spoken_name(catalog, request.axis.index), place(request.axis, t.minus),
+                       place(request.axis, t.plus));
   return {};
 }
 
-std::string TravelWatch::look(const Snapshot& now) {
-  std::string said;
+std::string describe_warned(const Catalog& catalog, const PastTravel& past, const PlaceWords& place) {
+  if (past.of == PastTravel::Of::text) return describe_past(catalog, past, place);
+  return fmt::format("{} has passed its {} limit, {}: nothing ends this motion there.",
+                     capital(spoken_name(catalog, past.axis.index)), past.side == Sign::plus ? "+" : "\u2212",
+                     place(past.axis, past.nearest));
+}
+
+std::optional<PastTravel> TravelWatch::look(const Snapshot& now) {
   for (int i = 0; i < now.axis_count; ++i) {
     const AxisState& axis = now.axes[ix(i)];
     if (!axis.travel_holds()) {
       outside_ &= ~(1u << i);
       continue;
     }
-    const bool plus = axis.travel.past(Sign::plus, axis.position) > Steps(0);
-    const bool outside = plus || axis.travel.past(Sign::minus, axis.position) > Steps(0);
+    const Sign side = axis.travel.past(Sign::plus, axis.position) > Steps(0) ? Sign::plus : Sign::minus;
+    const bool outside = axis.travel.past(side, axis.position) > Steps(0);
     const bool before = (outside_ >> i & 1u) != 0;
     outside_ = outside ? outside_ | 1u << i : outside_ & ~(1u << i);
     if (!outside || before || !now.axis_moves(i) || axis.activity == Activity::homing)
-      continue;  // where it is merely set, a hand has said so
-    const auto words = words_in_steps(catalog_, now).position;
-    const AxisId id{static_cast<std::uint8_t>(i)};
-    said = fmt::format("{} has passed its {} limit, {}: nothing ends this motion there.",
-                       spoken_name(catalog_, i), plus ? "+" : "\u2212",
-                       words(id, axis.travel.end(plus ? Sign::plus : Sign::minus)));
-    said.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(said.front())));
+      continue;  // where it was merely set, the user has set it
+    return PastTravel{AxisId{static_cast<std::uint8_t>(i)}, side, axis.position, axis.travel.end(side)};
   }
-  return said;
+  return {};
 }
 
 }  // namespace hw

@@ -17,14 +17,14 @@ enum class Trust : std::uint8_t {
 /// What has made a count doubtful.
 enum class Doubt : std::uint8_t {
   none,
-  power_cut,   ///< the controller was switched off and on
-  restarted,   ///< switched off and on, or reset by somebody else: it does not show which
-  unheard,     ///< it read zero after a silence: switched off and on, or set by what was sent
-  reset,       ///< reset by a command
-  killed,      ///< stopped without a ramp from a speed at which a motor overshoots
-  slipped,     ///< the encoder of a step motor differed from its count
-  zero_since,  ///< it reads zero, and an earlier session left it elsewhere
-  another      ///< its count was changed without a motion, and not by this program
+  power_cut,      ///< the controller was switched off and on
+  restarted,      ///< switched off and on, or reset by somebody else: it does not show which
+  after_silence,  ///< it read zero after a silence: switched off and on, or set by what was sent
+  reset,          ///< reset by a command
+  killed,         ///< stopped without a ramp from a speed at which a motor overshoots
+  slipped,        ///< the encoder of a step motor differed from its count
+  zero_since,     ///< it reads zero, and an earlier session left it elsewhere
+  another         ///< its count was changed without a motion, and not by this program
 };
 
 struct PositionTrust {

@@ -11,11 +11,11 @@ class WrittenSpeeds {
   /// The speeds that must be written so that a motion has the wanted ones; 0: nothing to write. None: one
   /// must be the controller's own, and the text has changed it.
   std::optional<StepSpeeds> towards(const StepSpeeds& wanted) {
-    StepSpeeds say;
-    if (!high_.towards(wanted.high, say.high) || !low_.towards(wanted.low, say.low) ||
-        !ramp_.towards(wanted.ramp_ms, say.ramp_ms))
+    StepSpeeds needed;
+    if (!high_.towards(wanted.high, needed.high) || !low_.towards(wanted.low, needed.low) ||
+        !ramp_.towards(wanted.ramp_ms, needed.ramp_ms))
       return std::nullopt;
-    return say;
+    return needed;
   }
   /// After foreign text, which may have set other speeds.
   void doubt() { high_.doubt(false), low_.doubt(false), ramp_.doubt(false); }
@@ -24,12 +24,12 @@ class WrittenSpeeds {
 
  private:
   template <class Value>
-  struct Told {
+  struct Written {
     Value value{};  ///< 0: not the controller's own, and unknown
     bool changed = false;
-    bool towards(Value wanted, Value& say) {
+    bool towards(Value wanted, Value& needed) {
       if (wanted == Value{}) return !changed;
-      if (!changed || value != wanted) say = wanted;
+      if (!changed || value != wanted) needed = wanted;
       value = wanted, changed = true;
       return true;
     }
@@ -37,8 +37,8 @@ class WrittenSpeeds {
       if (any || changed) value = Value{}, changed = true;
     }
   };
-  Told<std::int64_t> high_, low_;
-  Told<double> ramp_;
+  Written<std::int64_t> high_, low_;
+  Written<double> ramp_;
 };
 
 /// Whether any step sets speeds, loops included.

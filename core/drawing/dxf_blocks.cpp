@@ -103,7 +103,7 @@ class Collector : public DL_CreationAdapter {
     constexpr int closed = 1, smoothed = 4, in_space = 8, mesh = 16, faces = 64;
     polyline_ = Polyline{(p.flags & closed) != 0, (p.flags & in_space) != 0, is_mirrored(), {}};
     if ((p.flags & (mesh | faces)) != 0) leave_out("it is a mesh");
-    if ((p.flags & smoothed) != 0) leave_out("it is smoothed by a spline of its program's own");
+    if ((p.flags & smoothed) != 0) leave_out("it is smoothed by a spline that only its program knows");
     if (!polyline_->mirrored && !polyline_->in_space)
       leave_out("it does not lie in the plane of the drawing");
   }
@@ -227,10 +227,10 @@ class Collector : public DL_CreationAdapter {
     left_out_ = false;
     if (current_ >= scanned_.size()) return;
     const ScannedEntity& e = scanned_[current_];
-    if (e.on_sheet) leave_out("it stands on the sheet, not in the model");
+    if (e.on_sheet) leave_out("it is on the sheet, not in the model");
     if (e.hidden) leave_out("it is hidden in the file");
     if (e.no_number != 0) leave_out(no_number(e));
-    if (e.miscounted) leave_out("it does not have as many parts as it says");
+    if (e.miscounted) leave_out("its number of parts differs from the number it declares");
   }
   static std::string no_number(const ScannedEntity& e) {
     return fmt::format("line {} holds no number", e.no_number);
@@ -307,11 +307,10 @@ class Collector : public DL_CreationAdapter {
     if (spline && !std::all_of(spline->points.begin(), spline->points.end(), is_finite))
       return leave_out("its points lie too far apart or too close together");
     put(std::move(*shape));
-    file_.understood.push_back(
-        {std::string(name_),
-         "it has points to go through and no control points, so it is drawn as a smooth "
-         "curve through them: another program may draw it a little beside that",
-         number(), line()});
+    file_.understood.push_back({std::string(name_),
+                                "it has fit points and no control points, so it is drawn as a smooth curve "
+                                "through them: other programs may draw it slightly differently",
+                                number(), line()});
   }
 
   DxfFile& file_;

@@ -1,10 +1,12 @@
 #include "core/drawing/dxf_places.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "core/drawing/space.h"
 
 namespace hw::drawing {
 namespace {
@@ -42,21 +44,44 @@ std::optional<double> coordinate(std::string_view text) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-/// Its points are those of the drawing only where it is seen from above: what lies mirrored, or askew, has
-/// others.
-bool lies_otherwise(int code, std::string_view value) {
-  constexpr int extrusion_x = 210, extrusion_y = 220, extrusion_z = 230;
-  if (code == extrusion_z) return !(coordinate(value).value_or(0) > 0);
-  return (code == extrusion_x || code == extrusion_y) && coordinate(value) != 0.0;
+/// Its own direction upwards, and its first point as the file has it.
+struct Lying {
+  std::optional<double> x, y, height;
+  Point3 up{0, 0, 1};
+};
+
+/// Whether the file has its points in its own plane, turned as `up` is, and not in space.
+bool lies_in_own_plane(std::string_view entity, int flags) {
+  constexpr int in_space = 8 | 16 | 64;  // a line, a mesh or faces of points in space
+  constexpr std::array<std::string_view, 10> all{"CIRCLE", "ARC",   "TEXT",   "ATTRIB", "SOLID",
+                                                 "TRACE",  "SHAPE", "INSERT", "HATCH",  "LWPOLYLINE"};
+  if (entity == "POLYLINE") return (flags & in_space) == 0;
+  return std::find(all.begin(), all.end(), entity) != all.end();
+}
+
+Point3 cross(Point3 a, Point3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Point3 of_length_1(Point3 v) { return v * (1 / length(v)); }
+
+/// Seen from above. A plane's own X follows from where it points to: the format's arbitrary axis algorithm.
+std::optional<Point> seen_from_above(const Lying& lying) {
+  constexpr double nearly_up = 1.0 / 64;
+  if (!lying.x || !lying.y || !(length(lying.up) > 0)) return std::nullopt;
+  const Point3 up = of_length_1(lying.up);
+  const bool steep = std::fabs(up.x) < nearly_up && std::fabs(up.y) < nearly_up;
+  const Point3 own_x = of_length_1(cross(steep ? Point3(0, 1, 0) : Point3(0, 0, 1), up));
+  const Point3 at = own_x * *lying.x + cross(up, own_x) * *lying.y + up * lying.height.value_or(0);
+  return Point{at.x, at.y};
 }
 
 /// Behind the line of its name: its first point. That of a hatch is how high it lies, and so is that of a
 /// polyline, whose own ones are of its vertices.
 std::optional<Point> first_point(Lines& lines, std::string_view entity) {
-  constexpr int x_code = 10, y_code = 20;
-  int points_before = entity == "HATCH" ? 1 : 0;
+  constexpr int x_code = 10, y_code = 20, z_code = 30, height_code = 38, flags_code = 70, up_code = 210;
+  int points_before = entity == "HATCH" ? 1 : 0, flags = 0;
   bool in_header = entity == "POLYLINE", found = false;
-  std::optional<double> x, y;
+  Lying lying;
   while (!lines.empty()) {
     const int code = whole_number<int>(lines.take()).value_or(-1);
     const std::string_view value = lines.take();
@@ -65,14 +90,20 @@ std::optional<Point> first_point(Lines& lines, std::string_view entity) {
       continue;
     }
     if (code <= 0) break;
-    if (lies_otherwise(code, value)) return std::nullopt;
+    const std::optional<double> number = coordinate(value);
+    if (code == up_code) lying.up.x = number.value_or(0);
+    if (code == up_code + 10) lying.up.y = number.value_or(0);
+    if (code == up_code + 20) lying.up.z = number.value_or(0);
+    if (code == flags_code && in_header) flags = whole_number<int>(value).value_or(0);
+    if (!lying.height && (code == height_code || code == z_code)) lying.height = number;
     if (in_header || found) continue;
-    if (code == x_code) x = coordinate(value);
+    if (code == x_code) lying.x = number;
     if (code != y_code || points_before-- > 0) continue;
-    y = coordinate(value);
+    lying.y = number;
     found = true;
   }
-  return x && y ? std::optional(Point{*x, *y}) : std::nullopt;
+  if (lies_in_own_plane(entity, flags)) return seen_from_above(lying);
+  return lying.x && lying.y ? std::optional(Point{*lying.x, *lying.y}) : std::nullopt;
 }
 
 /// The line that names the section of the model; 0: there is none.
@@ -90,12 +121,12 @@ int line_of_model(std::string_view text) {
 
 }  // namespace
 
-void find_places(std::string_view text, std::vector<LeftOut>& told) {
-  if (told.empty()) return;
+void find_places(std::string_view text, std::vector<LeftOut>& left_out) {
+  if (left_out.empty()) return;
   const int model = line_of_model(text);
   if (model == 0) return;
   std::vector<LeftOut*> by_line;
-  for (LeftOut& l : told)
+  for (LeftOut& l : left_out)
     if (l.line > model) by_line.push_back(&l);
   std::stable_sort(by_line.begin(), by_line.end(),
                    [](const LeftOut* a, const LeftOut* b) { return a->line < b->line; });

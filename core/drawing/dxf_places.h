@@ -9,6 +9,6 @@
 namespace hw::drawing {
 
 /// `text`: the file whose lines they give. Entities in blocks get no place.
-void find_places(std::string_view text, std::vector<LeftOut>& told);
+void find_places(std::string_view text, std::vector<LeftOut>& left_out);
 
 }  // namespace hw::drawing

@@ -46,7 +46,7 @@ class InsertPlacing {
     if (curves_ <= most_curves) return {};
     return fail(FaultKind::text, fmt::format("{} draws more than {} lines and arcs.", name, most_curves),
                 "Nothing was taken from it.",
-                "A block that is inserted many times in others can make so many.");
+                "Blocks that are inserted many times in other blocks can cause this.");
   }
 
  private:
@@ -58,22 +58,22 @@ class InsertPlacing {
       if (curves_ > most_curves) return;
       // Entities on layer 0 take the layer of their insert, and so do all within a frozen one.
       const std::string& own = entity.layer == "0" || frozen ? layer : entity.layer;
-      const DxfEntity& told = outermost ? *outermost : entity;
-      if (!entity.shapes.empty()) draw_path(entity, affine, own, told);
-      for (const DxfInsert& insert : entity.inserts) place_insert(insert, affine, own, told, depth);
+      const DxfEntity& named = outermost ? *outermost : entity;
+      if (!entity.shapes.empty()) draw_path(entity, affine, own, named);
+      for (const DxfInsert& insert : entity.inserts) place_insert(insert, affine, own, named, depth);
     }
   }
 
   void draw_path(const DxfEntity& entity, const Affine& affine, const std::string& layer,
-                 const DxfEntity& told) {
+                 const DxfEntity& named) {
     Path path;
-    path.entity = told.number, path.line = told.line;
+    path.entity = named.number, path.line = named.line;
     for (const Shape& shape : entity.shapes) draw(moved(shape, affine), tolerance_, path.curves);
     for (std::size_t i = 1; i < path.curves.size(); ++i) path.curves[i].from = path.curves[i - 1].to;
     double length = 0;
     for (const Curve& curve : path.curves) length += curve.length();
-    if (!std::isfinite(length) || !is_finite(path.curves)) return leave_out(told, "it is too large");
-    if (length == 0 && entity.name != "POINT") return leave_out(told, "it has no length");
+    if (!std::isfinite(length) || !is_finite(path.curves)) return leave_out(named, "it is too large");
+    if (length == 0 && entity.name != "POINT") return leave_out(named, "it has no length");
     close(path, length);
     path.layer = layer_of(layer);
     curves_ += path.curves.size();
@@ -88,13 +88,13 @@ class InsertPlacing {
   }
 
   void place_insert(const DxfInsert& insert, const Affine& affine, const std::string& layer,
-                    const DxfEntity& told, int depth) {
+                    const DxfEntity& named, int depth) {
     const auto block = file_.blocks.find(insert.block);
     if (block == file_.blocks.end())
-      return leave_out(told, fmt::format("there is no block {}", insert.block));
+      return leave_out(named, fmt::format("there is no block {}", insert.block));
     const bool inside_itself = std::find(open_.begin(), open_.end(), &block->second) != open_.end();
-    if (inside_itself) return leave_out(told, fmt::format("block {} contains itself", insert.block));
-    if (depth >= deepest_insert) return leave_out(told, fmt::format("blocks stand in blocks {} deep", depth));
+    if (inside_itself) return leave_out(named, fmt::format("block {} contains itself", insert.block));
+    if (depth >= deepest_insert) return leave_out(named, fmt::format("blocks are nested {} deep", depth));
     open_.push_back(&block->second);
     const Affine to_base{1, 0, 0, 1, -block->second.base.x, -block->second.base.y};
     const std::size_t before = curves_;
@@ -104,7 +104,7 @@ class InsertPlacing {
         Affine copy = insert.place;
         copy.e += c * insert.column.x + r * insert.row.x;
         copy.f += c * insert.column.y + r * insert.row.y;
-        place(block->second, affine.after(copy).after(to_base), layer, &told, depth + 1);
+        place(block->second, affine.after(copy).after(to_base), layer, &named, depth + 1);
         draws = curves_ > before && curves_ <= most_curves;
       }
     open_.pop_back();
@@ -116,8 +116,8 @@ class InsertPlacing {
     return at->second;
   }
   void leave_out(const DxfEntity& entity, std::string why) {
-    const auto& told = drawing_.left_out;
-    if (!told.empty() && told.back().entity == entity.number && told.back().why == why) return;
+    const auto& named = drawing_.left_out;
+    if (!named.empty() && named.back().entity == entity.number && named.back().why == why) return;
     drawing_.left_out.push_back({std::string(entity.name), std::move(why), entity.number, entity.line});
   }
 

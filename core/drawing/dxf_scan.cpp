@@ -167,8 +167,7 @@ class Scan {
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (counts[i].entity != name_of_entity_) continue;
       if (declared_[i] > pairs_ - began_at_pair_)
-        return wrong(began_at_line_,
-                     fmt::format("{} says that it has more parts than there are", name_of_entity_),
+        return wrong(began_at_line_, fmt::format("{} declares more parts than it has", name_of_entity_),
                      "The file is damaged.");
       if (in_entity_ && counts[i].part >= 0 && declared_[i] != parts_[i]) found_.back().miscounted = true;
     }

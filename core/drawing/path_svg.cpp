@@ -9,6 +9,8 @@
 namespace hw::drawing {
 namespace {
 
+constexpr double picture_px = 800;
+
 bool known_to_svg(std::string_view unit) { return unit == "mm" || unit == "cm" || unit == "in"; }
 
 std::string escaped(std::string_view text) {
@@ -17,13 +19,16 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-void write_runs(std::string& out, const SvgLayer& layer, bool tool_on) {
+/// `px`: a pixel of the picture in the path's units. Not every program knows a stroke that does not scale.
+void write_runs(std::string& out, const SvgLayer& layer, bool tool_on, double px) {
   const ToolPath& path = *layer.path;
   const auto wanted = [tool_on](const ToolPath::Run& run) { return run.tool_on == tool_on; };
   if (std::none_of(path.runs.begin(), path.runs.end(), wanted)) return;
-  out += fmt::format("<g id=\"{}{}\" stroke=\"{}\" stroke-width=\"{}\"{}>\n", layer.name,
+  const std::string dashes =
+      tool_on ? "" : fmt::format(" stroke-dasharray=\"{:.4g} {:.4g}\"", 5 * px, 4 * px);
+  out += fmt::format("<g id=\"{}{}\" stroke=\"{}\" stroke-width=\"{:.4g}\"{}>\n", layer.name,
                      tool_on ? "" : "-tool-off", tool_on ? layer.colour : "#888",
-                     tool_on ? layer.width_px : 1.0, tool_on ? "" : " stroke-dasharray=\"5 4\"");
+                     (tool_on ? layer.width_px : 1.0) * px, dashes);
   for (const ToolPath::Run& run : path.runs) {
     if (!wanted(run)) continue;
     out += "<polyline points=\"";
@@ -53,13 +58,13 @@ std::vector<Arrow> arrows_along(const ToolPath& path, double apart) {
   return arrows;
 }
 
-void write_arrows(std::string& out, const SvgLayer& layer, double size) {
+void write_arrows(std::string& out, const SvgLayer& layer, double size, double px) {
   constexpr double apart = 9, most = 300, back = 0.87, aside = 0.5;  // in arrows
   const ToolPath& path = *layer.path;
   const auto arrows = arrows_along(path, std::max(apart * size, (path.way_on + path.way_off) / most));
   if (arrows.empty()) return;
-  out += fmt::format("<g id=\"{}-direction\" stroke=\"{}\" stroke-width=\"{}\">\n", layer.name, layer.colour,
-                     layer.width_px);
+  out += fmt::format("<g id=\"{}-direction\" stroke=\"{}\" stroke-width=\"{:.4g}\">\n", layer.name,
+                     layer.colour, layer.width_px * px);
   for (const Arrow& a : arrows) {
     const Point tip{a.at.x + a.unit.x * size / 2, a.at.y + a.unit.y * size / 2};
     const auto end = [&](double side) {
@@ -81,18 +86,18 @@ double round_length(double most) {
 
 /// What stands below the paths: a bar of a round length, and what the axes are.
 struct Foot {
-  Foot(double left, double top, double wide, double longest, const SvgWords& said)
-      : x(left), y(top), width(wide), words(said) {
+  Foot(double left, double top, double wide, double longest, const SvgWords& given)
+      : x(left), y(top), width(wide), words(given) {
     constexpr double lines = 45, of_a_letter = 0.62, room = 3;  // in the height of a letter
-    const auto letters = static_cast<double>(std::max<std::size_t>(said.about.size(), 16));
+    const auto letters = static_cast<double>(std::max<std::size_t>(given.about.size(), 16));
     letter = std::min(longest / lines, wide / (of_a_letter * letters));
-    height = said.about.empty() && said.unit.empty() ? 0 : room * letter;
+    height = given.about.empty() && given.unit.empty() ? 0 : room * letter;
   }
-  void write(std::string& out) const {
+  void write(std::string& out, double px) const {
     if (height == 0) return;
     constexpr std::string_view text =
         "<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.6g}\" font-family=\"sans-serif\">{}</text>\n";
-    out += "<g id=\"scale\" stroke=\"#000\" stroke-width=\"1\">\n";
+    out += fmt::format("<g id=\"scale\" stroke=\"#000\" stroke-width=\"{:.4g}\">\n", px);
     const double bar = round_length(width / 5), high = y + letter * 0.8;
     if (!words.unit.empty())
       out += fmt::format("<polyline points=\"{:.6g},{:.6g} {:.6g},{:.6g}\"/>\n", x, high, x + bar, high);
@@ -122,19 +127,19 @@ std::string path_svg(std::span<const SvgLayer> layers, const SvgWords& words) {
     out += fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}{}\" height=\"{}{}\"", w,
                        words.unit, h, words.unit);
   else
-    out += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\"";
+    out += fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\"", picture_px);
   // y points up on the table and down in SVG.
   out += fmt::format(" viewBox=\"{} {} {} {}\" fill=\"none\" stroke-linejoin=\"round\">\n", box.low.x - air,
                      -box.high.y - air, w, h);
   if (!words.about.empty()) out += fmt::format("<desc>{}</desc>\n", escaped(words.about));
-  out += "<style>polyline { vector-effect: non-scaling-stroke }</style>\n";
+  const double px = w / picture_px;
   for (const SvgLayer& layer : layers) {
     if (!layer.path) continue;
-    write_runs(out, layer, false);
-    write_runs(out, layer, true);
-    if (layer.directed) write_arrows(out, layer, longest / 90);
+    write_runs(out, layer, false, px);
+    write_runs(out, layer, true, px);
+    if (layer.directed) write_arrows(out, layer, longest / 90, px);
   }
-  foot.write(out);
+  foot.write(out, px);
   return out += "</svg>\n";
 }
 

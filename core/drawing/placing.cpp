@@ -61,7 +61,7 @@ class Draw {
       travel(corner);
   }
   void chain(const Chain& c) {
-    const std::vector<Curve> curves = told_apart(c);
+    const std::vector<Curve> curves = distinct(c);
     if (on_the_way_ && !curves.empty()) return contours(curves);
     travel(c.begin());
     add(Pen{true});
@@ -79,7 +79,7 @@ class Draw {
   void add(Step::Body body) { s_.steps.push_back({std::move(body)}); }
   /// The curves that the machine can resolve: lines that end on another step than they begin on, and arcs
   /// that differ from such a line.
-  [[nodiscard]] std::vector<Curve> told_apart(const Chain& c) const {
+  [[nodiscard]] std::vector<Curve> distinct(const Chain& c) const {
     std::vector<Curve> curves;
     Point at = c.begin();
     for (Curve curve : c.curves) {

@@ -137,9 +137,9 @@ std::string_view flaw_of(const Spline& s) {
   if (s.degree < 1 || s.degree > highest_degree) return "its degree is not possible";
   const auto degree = static_cast<std::size_t>(s.degree);
   if (s.points.size() < degree + 1) return "it has too few control points";
-  if (s.knots.size() != s.points.size() + degree + 1) return "it does not have as many knots as it needs";
+  if (s.knots.size() != s.points.size() + degree + 1) return "it has the wrong number of knots";
   if (!std::is_sorted(s.knots.begin(), s.knots.end())) return "its knots are not in order";
-  if (!(s.knots[degree] < s.knots[s.points.size()])) return "its knots span nothing";
+  if (!(s.knots[degree] < s.knots[s.points.size()])) return "its knots span no range";
   if (s.weights.size() != s.points.size()) return "it does not have a weight for each control point";
   if (std::any_of(s.weights.begin(), s.weights.end(), [](double w) { return !(w > 0); }))
     return "a weight is not above 0";

@@ -231,7 +231,7 @@ class Reader {
       return takes(2, "alarm = [\"X\", true]") ? on_axis<bench::Alarm>(args, "alarm") : std::nullopt;
     if (verb == "slip") return takes(2, "slip = [\"1\", 40]") ? timed_slip(args) : std::nullopt;
     if (verb == "power_cycle") return BenchCommand(bench::PowerCycle{});
-    wrong(node, fmt::format("nothing called \"{}\" can happen on this bench", verb),
+    wrong(node, fmt::format("a bench has no event \"{}\"", verb),
           "Known here: input, analog, limit, home, button, jam, alarm, slip, power_cycle.");
     return {};
   }

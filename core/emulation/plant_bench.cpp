@@ -8,8 +8,7 @@ Result<> check_place(const AxisPlace& place, bool servo) {
   if (place.home_from.has_value() != place.home_to.has_value())
     return fail(FaultKind::refused, "A home zone needs both ends.", "Nothing was changed.");
   if (place.motor && !servo)
-    return fail(FaultKind::refused,
-                "This controller has stepping motors; what motor describes is a servo motor.",
+    return fail(FaultKind::refused, "This controller has stepping motors; motor describes a servo motor.",
                 "Nothing was changed.");
   return {};
 }

@@ -34,7 +34,7 @@ concept ActsOnPlant = requires(motion::Plant& plant, const Hand& hand) {
 };
 
 /// For a controller that has axes and a power switch, and nothing else on its bench. `plant_of` gives the
-/// plant of an axis, null where there is none, and `changed` is told which one was acted on; `power` switches
+/// plant of an axis, null where there is none, and `changed` receives the one acted on; `power` switches
 /// it.
 template <class PlantOf, class Changed, class SwitchPower>
 Result<> act_on_plants(const BenchCommand& command, const PlantOf& plant_of, const Changed& changed,

@@ -44,22 +44,22 @@ bool two_answer(const LinkFacts& f) { return f.talk.second_answers > 2; }
 
 Finding silence(const LinkFacts& f) {
   if (f.talk.received == 0)
-    return {
-        Kind::silence, State::wrong, "Nothing comes back",
-        fmt::format("Look at these in turn: the controller's supply; the cable, also with RX and TX "
-                    "swapped; {}the address, which says where it is looked for.",
-                    f.rate > 0 ? fmt::format("the rate, {} here, which must be the one that it is set to; ",
-                                             in_baud(f.rate))
-                               : std::string()),
-        Fix::change_address};
-  return {Kind::silence, State::wrong, "What comes back makes no sense",
-          f.rate > 0 ? fmt::format("Most likely the controller speaks at another rate than {}. Give the rate "
-                                   "that it is set to. If that is right, two controllers may answer at "
-                                   "once: connect one alone.",
-                                   in_baud(f.rate))
-                     : std::string("Most likely another kind of controller is there, or the converter at its "
-                                   "end has another rate. Check its set-up."),
-          Fix::change_address};
+    return {Kind::silence, State::wrong, "Nothing comes back",
+            fmt::format(
+                "Look at these in turn: the controller's supply; the cable, also with RX and TX swapped; "
+                "{}the address, whose port and id must be those of the controller.",
+                f.rate > 0 ? fmt::format("the rate, {} here, which must match its setting; ", in_baud(f.rate))
+                           : std::string()),
+            Fix::change_address};
+  return {
+      Kind::silence, State::wrong, "The replies make no sense",
+      f.rate > 0
+          ? fmt::format("Most likely the controller speaks at another rate than {}. Enter the rate that it "
+                        "is set to. If that is right, two controllers may answer at once: connect one alone.",
+                        in_baud(f.rate))
+          : std::string("Most likely the controller is of another model, or the converter at its end has "
+                        "another rate. Check its set-up."),
+      Fix::change_address};
 }
 
 std::vector<Finding> strange_bytes(const LinkFacts& f) {
@@ -71,15 +71,15 @@ std::vector<Finding> strange_bytes(const LinkFacts& f) {
                                  "look for RX and TX that touch.",
                                  t.echoes)});
   if (t.second_answers > 0)
-    found.push_back(
-        {Kind::bytes, State::wrong, "Two answers came to one question",
-         fmt::format("{} times. Two controllers with one address, or another program that asks on "
-                     "the same wire. Give each controller an address of its own.",
-                     t.second_answers)});
+    found.push_back({Kind::bytes, State::wrong, "One question got two answers",
+                     fmt::format("{} times. Give each controller its own address. If they have one, another "
+                                 "program uses the same wire.",
+                                 t.second_answers)});
   if (t.wrong > 0 && f.answers)
-    found.push_back(
-        {Kind::bytes, State::wrong, fmt::format("{} of {} bytes make no sense", t.wrong, t.received),
-         "Something disturbs the wire. Check its ground and its shield, and the termination of a long one."});
+    found.push_back({Kind::bytes, State::wrong,
+                     fmt::format("{} of {} bytes make no sense", t.wrong, t.received),
+                     "Check the ground and the shield of the wire, and the termination of a long one: "
+                     "something disturbs it."});
   if (found.empty() && f.answers && t.received > 0)
     found.push_back({Kind::bytes, State::good, "No echo, no second answer, no wrong bytes",
                      fmt::format("{} bytes were looked at.", t.received)});
@@ -92,15 +92,15 @@ Finding adapter(const LinkFacts& f) {
   const Duration now = *f.adapter_waits;
   const auto ms = [](Duration d) { return std::chrono::duration_cast<Millis>(d).count(); };
   if (!timer_is_long(f))
-    return {Kind::adapter, State::good, "The USB adapter hands bytes on at once",
-            fmt::format("Its latency timer stands at {} ms.", ms(now))};
+    return {Kind::adapter, State::good, "The USB adapter passes bytes on at once",
+            fmt::format("Its latency timer is {} ms.", ms(now))};
   const Duration saved = link_budget(f).adapter - std::min(link_budget(f).adapter, shortest_timer);
-  std::string why = fmt::format("Its latency timer stands at {} ms.", ms(now));
+  std::string why = fmt::format("Its latency timer is {} ms.", ms(now));
   if (saved > Duration::zero()) why += fmt::format(" 1 ms saves {} a question.", in_millis(saved));
   why += f.adapter_timer_can_be_set ? " No controller is touched."
                                     : fmt::format(" Type: echo 1 | sudo tee {}", f.adapter_timer);
   return {Kind::adapter, State::could_be_better,
-          fmt::format("The USB adapter waits up to {} ms before it hands bytes on", ms(now)), std::move(why),
+          fmt::format("The USB adapter waits up to {} ms before it passes bytes on", ms(now)), std::move(why),
           f.adapter_timer_can_be_set ? Fix::set_adapter_timer : Fix::none};
 }
 
@@ -112,7 +112,7 @@ Finding rate(const LinkFacts& f) {
   const int bytes = f.talk.bytes_out + f.talk.bytes_in;
   const Duration saved = on_wire(bytes, f.rate) - on_wire(bytes, best);
   std::string why = saved > Duration::zero() ? fmt::format("It saves {} a question. ", in_millis(saved)) : "";
-  why += f.rate_is_set_by.empty() ? "The controller has no parameter for it: look for its switches."
+  why += f.rate_is_set_by.empty() ? "Set the switches on the controller: it has no parameter for this."
                                   : "Each step is read back; if one fails, the old rate comes back.";
   return {Kind::rate,
           State::could_be_better,
@@ -137,14 +137,14 @@ std::vector<Finding> answers_in_time(const LinkFacts& f) {
     found.push_back(
         {Kind::scatter, State::could_be_better,
          fmt::format("One answer in a hundred takes {} or longer", in_millis(t.slowest_of_hundred)),
-         "The usual one comes sooner. Check whether the computer or a network on the way is busy."});
+         "Check whether the computer or the network is busy: the usual answer comes sooner."});
   return found;
 }
 
 Finding holder(const LinkFacts& f) {
   if (f.holder.empty())
     return {Kind::holder, State::good, "No other program has the port open",
-            "Looked at every program that this user may see."};
+            "Every program that this user may see was checked."};
   return {Kind::holder, State::wrong, fmt::format("{} has the port open too", f.holder),
           "Two programs on one port take each other's answers. Close it there."};
 }

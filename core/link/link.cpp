@@ -10,7 +10,7 @@ namespace hw {
 
 Fault stop_came_first() { return Fault(FaultKind::stopped, "A stop came first.", "This was not sent."); }
 
-static TrafficKind kind_of(const Transaction& t) {
+static TrafficKind traffic_kind(const Transaction& t) {
   if (t.own_question) return TrafficKind::poll;
   switch (t.priority) {
     case Priority::stop: return TrafficKind::stop;
@@ -113,7 +113,7 @@ void Link::start_next() {
   if (in_flight_ || !is_open() || nothing_waits()) return;
   if (a_will_may_be_carried_out())
     return give_up_soon(Fault(FaultKind::lost,
-                              "This program stood still for about a second while a jog was held.",
+                              "This program was suspended for about a second while a jog was held.",
                               "The watchdog has stopped the jog."));
   const Instant now = scheduler_.now();
   const bool settling = stream_ && now < settle_until_;
@@ -139,7 +139,7 @@ void Link::start_next() {
     in_flight_->suspended.resume(scheduler_.executor());
     return;
   }
-  spoke_last_->record(sent_at_, Way::sent, kind_of(t), t.bytes);
+  spoke_last_->record(sent_at_, Way::sent, traffic_kind(t), t.bytes);
   if (!in_flight_->is_question()) {
     stream_->send(t.bytes);
     // It stays in flight while its bytes are on the wire: the next text, perhaps a stop, must not wait in the
@@ -210,7 +210,8 @@ void Link::on_deadline() {
   if (!in_flight_) return;
   if (!in_flight_->is_question()) return finish(std::string());
   if (in_flight_->transaction.reply.kind == ReplyShape::Kind::quiet_end && !received_.empty()) {
-    in_flight_->station.record(scheduler_.now(), Way::received, kind_of(in_flight_->transaction), received_);
+    in_flight_->station.record(scheduler_.now(), Way::received, traffic_kind(in_flight_->transaction),
+                               received_);
     finish(std::exchange(received_, {}));
     return;
   }
@@ -229,7 +230,7 @@ void Link::on_deadline() {
   Fault fault(FaultKind::no_answer, "The controller did not answer in time.");
   if (!received_.empty()) {
     fault = Fault(FaultKind::garbled, "The controller's answer stopped in the middle.",
-                  "The part that came was not used.", "Check the cable.");
+                  "The part received was not used.", "Check the cable.");
     give_up_on(std::exchange(received_, {}));
   }
   finish(fail(std::move(fault)));
@@ -267,7 +268,7 @@ void Link::end_babble() {
   give_up_on(std::exchange(received_, {}));
 }
 
-// False: the received bytes cannot be told from a reply yet.
+// False: the received bytes may still be a reply.
 bool Link::take_unsolicited() {
   const auto& unsolicited_length = in_flight_->transaction.unsolicited_length;
   if (!unsolicited_length) return true;
@@ -317,7 +318,7 @@ void Link::take_received() {
     std::string reply = received_.substr(0, *length);
     received_.erase(0, *length);
     const Instant now = scheduler_.now();
-    in_flight_->station.record(now, Way::received, kind_of(t), reply);
+    in_flight_->station.record(now, Way::received, traffic_kind(t), reply);
     silent_in_a_row_ = 0;
     learn_from_answer(t, reply.size(), now);
     finish(std::move(reply));

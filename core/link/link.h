@@ -46,7 +46,7 @@ struct Transaction {
   /// A status question of the console's own: recorded as a poll, whatever its priority.
   bool own_question = false;
   /// Returns how many bytes at the front of the received ones are not part of the reply (a prompt that
-  /// crossed the question); they go to `unsolicited`. npos: more bytes are needed to tell. Null: none.
+  /// crossed the question); they go to `unsolicited`. npos: more bytes are needed to decide. Null: none.
   std::function<std::size_t(std::string_view received)> unsolicited_length;
 
   Transaction() = default;
@@ -67,7 +67,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   [[nodiscard]] bool is_open() const { return stream_ || window_; }
   /// The wire is a window: bus cycles, not bytes.
   [[nodiscard]] bool is_window() const { return window_ != nullptr; }
-  [[nodiscard]] bool tells_interrupts() const { return window_ && window_->tells_interrupts(); }
+  [[nodiscard]] bool reports_interrupts() const { return window_ && window_->reports_interrupts(); }
   /// Line rate in baud; 0: the wire has none, or is gone.
   [[nodiscard]] int rate() const { return stream_ ? stream_->rate() : 0; }
   [[nodiscard]] bool carries_messages() const { return stream_ && stream_->carries_messages(); }

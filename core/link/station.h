@@ -79,7 +79,7 @@ class Station {
   /// Returns whether this device is being stopped; the other stations' questions wait until stop_was_sent().
   std::function<bool()> stops;
   /// Handles bytes that no transaction claimed (at least one). Returns how many at the front it has used;
-  /// npos: more bytes are needed to tell, and they are offered again with those. Bytes that no station
+  /// npos: more bytes are needed to decide, and these are offered again with them. Bytes that no station
   /// understands count as unparsed.
   std::function<std::size_t(std::string_view)> unsolicited;
   /// On a window: called when the controller interrupts its host.
@@ -131,7 +131,7 @@ class Station {
   /// The wire carries whole messages to this device alone (Stream::carries_messages).
   [[nodiscard]] bool carries_messages() const { return link_ && link_->carries_messages(); }
   [[nodiscard]] bool is_window() const { return link_ && link_->is_window(); }
-  [[nodiscard]] bool tells_interrupts() const { return link_ && link_->tells_interrupts(); }
+  [[nodiscard]] bool reports_interrupts() const { return link_ && link_->reports_interrupts(); }
   /// Leaves a last will with the watchdog; null: no watchdog runs.
   [[nodiscard]] std::shared_ptr<WillKeeper::Will> leave_will(const LastWill& will) {
     return link_ ? link_->leave_will(will) : nullptr;

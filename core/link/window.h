@@ -51,7 +51,7 @@ class Window {
   /// Ends a run() that is under way soon, with a fault.
   virtual void abandon() {}
   /// Interrupts of the controller are reported. False: they must stay off.
-  [[nodiscard]] virtual bool tells_interrupts() const { return false; }
+  [[nodiscard]] virtual bool reports_interrupts() const { return false; }
   /// How the watchdog reaches the window; none: it ends with this program.
   [[nodiscard]] virtual WireShare share() const { return {}; }
   /// A name for the user: "bus port 127.0.0.1:5000".

@@ -1,7 +1,8 @@
 #pragma once
 // A plain step axis of an emulated controller: one motion at a time, in closed form. It ends at its target,
 // at a travel limit switch, at the home switch or by a stop. Nothing ticks: its owner asks when something is
-// next due.
+// next due. The listed controllers keep their own: Arcus and VME58 move axes together (course.h), and a VXM
+// counts pulses and detects its limits on the way.
 #include <cstdint>
 #include <optional>
 

@@ -16,7 +16,7 @@ namespace {
 using Kind = Argument::Kind;
 
 tl::unexpected<Fault> wrong_words(std::string what) {
-  return fail(FaultKind::text, std::move(what), {}, "--help tells what there is.");
+  return fail(FaultKind::text, std::move(what), {}, "--help lists the options.");
 }
 
 const Argument* named(const std::vector<Argument>& known, const std::string& name) {
@@ -100,7 +100,12 @@ class ArgumentReader {
   Result<> take_place(const std::string& word) {
     for (const Argument& one : known_)
       if (one.required && !given_.values.contains(one.name)) return put(one, word);
-    return wrong_words(fmt::format("\"{}\" is one word too many.", word));
+    std::vector<std::string> names;
+    for (const Argument& one : known_) names.push_back(one.name);
+    const std::size_t equals = word.find('=');
+    return wrong_words(
+        fmt::format("\"{}\" is one word too many.{}", word,
+                    equals == word.npos ? std::string() : did_you_mean(word.substr(0, equals), names)));
   }
 
   Result<> put(const Argument& argument, const std::string& value) {

@@ -9,23 +9,22 @@
 
 namespace hw::script {
 
-void AxisUnits::tell(const std::shared_ptr<Session>& session, int axis, AxisUnit unit) {
-  told_[session][ix(axis)] = std::move(unit);
+void AxisUnits::set(const std::shared_ptr<Session>& session, int axis, AxisUnit unit) {
+  set_by_script_[session][ix(axis)] = std::move(unit);
 }
 
 std::optional<AxisUnit> AxisUnits::find(const std::shared_ptr<Session>& session, int axis) const {
-  const auto found = told_.find(session);
-  if (found != told_.end() && found->second[ix(axis)]) return found->second[ix(axis)];
+  const auto found = set_by_script_.find(session);
+  if (found != set_by_script_.end() && found->second[ix(axis)]) return found->second[ix(axis)];
   return kept ? kept(*session, axis) : std::nullopt;
 }
 
 double Counting::steps_per_unit(const Call& call, const OneAxis& one) const {
   if (!in_units_) return 1;
   if (const auto unit = call.runner().notes().units.find(one.session, one.index)) return unit->steps_per_unit;
-  throw Misuse(
-      fmt::format("{}: axis {} has no unit yet: tell it first, c:units(axis, {{unit=\"mm\", "
-                  "steps_per_unit=400}})",
-                  call.function(), one.session->catalog().axes[ix(one.index)].name));
+  throw Misuse(fmt::format(
+      "{}: axis {} has no unit yet: set it first, c:units(axis, {{unit=\"mm\", steps_per_unit=400}})",
+      call.function(), one.session->catalog().axes[ix(one.index)].name));
 }
 
 double Counting::common_to(const Call& call, const std::vector<OneAxis>& axes) const {
@@ -55,7 +54,7 @@ static std::string value_at(lua_State* L, int place) {
 
 static const char* hint_of(lua_State* L, int place) {
   if (lua_type(L, place) != LUA_TNUMBER) return "";
-  return ": round it, or tell units with c:units() and add {unit=true}";
+  return ": round it, or set a unit with c:units() and add {unit=true}";
 }
 
 Steps Counting::steps(const Call& call, int place, const OneAxis& one, const char* what) const {

@@ -32,11 +32,11 @@ class AxisUnits {
   using Kept = std::function<std::optional<AxisUnit>(const Session&, int axis)>;
   Kept kept;  ///< null: the console keeps none
 
-  void tell(const std::shared_ptr<Session>& session, int axis, AxisUnit unit);
+  void set(const std::shared_ptr<Session>& session, int axis, AxisUnit unit);
   [[nodiscard]] std::optional<AxisUnit> find(const std::shared_ptr<Session>& session, int axis) const;
 
  private:
-  std::map<std::shared_ptr<Session>, std::array<std::optional<AxisUnit>, max_axes>> told_;
+  std::map<std::shared_ptr<Session>, std::array<std::optional<AxisUnit>, max_axes>> set_by_script_;
 };
 
 /// The unit of one call: the axis' own with the option {unit=true}, else steps.

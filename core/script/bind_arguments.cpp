@@ -128,9 +128,9 @@ int arguments(Call& call) {
     throw Misuse(given.error().sentence());
   }
   if (!given->wants_help) return push_given(L, declared, known, *given);
-  const auto told = options.print(arguments_help(known, options.path, own_text(L, declared, "about")));
-  if (!told)
-    call.runner().end_unread(L, told.error());
+  const auto reported = options.print(arguments_help(known, options.path, own_text(L, declared, "about")));
+  if (!reported)
+    call.runner().end_unread(L, reported.error());
   else
     call.runner().end_for_words(L, {});
   throw Misuse("help was asked for");

@@ -53,7 +53,7 @@ int now(Call& call) {
 
 int check(Call& call) {
   if (lua_toboolean(call.L, call.place(1))) return lua_gettop(call.L);  // returns its arguments
-  const std::string why = call.has(2) ? call.text(2, "message") : "what was checked is not true";
+  const std::string why = call.has(2) ? call.text(2, "message") : "the checked condition is false";
   call.runner().end_run(call.L, "hw.check failed: " + why);
   throw Misuse(why);
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/index.h"
 #include "core/base/near_name.h"
 #include "core/base/shown_text.h"
 #include "core/script/bind.h"
@@ -193,13 +194,29 @@ Refusal of_wait(Refusal refusal) {
   return refusal.kind == FaultKind::no_answer ? too_late(std::move(refusal)) : refusal;
 }
 
+/// What helps after a motion that ended before its target; `axis` -1: not one axis.
+std::string_view what_to_do_about(const Session& session, FaultKind kind, int axis) {
+  if (kind == FaultKind::lost) return "Repair the cable or the power: the console reconnects by itself.";
+  if (axis < 0) return {};
+  switch (session.known().axes[ix(axis)].ended_by) {
+    case EndedBy::limit: return "Move it the other way, off the switch.";
+    case EndedBy::error: return "Call clear_errors(), then give the command again.";
+    case EndedBy::elsewhere: return "Find out which program or button stops it, then give the command again.";
+    case EndedBy::lost: return "Check where it stands and home it, then give the command again.";
+    case EndedBy::not_in_place: return "Find out why it does not move, then give the command again.";
+    default: return {};
+  }
+}
+
 Task<Answer> wait_idle(SessionPtr session, Duration patience, bool on_bus) {
   const auto idle = co_await session->wait_until_idle(patience);
   if (idle) co_return answer_yes();
   const bool ended = idle.error().kind == FaultKind::controller;
   const int index = ended ? axis_not_finished(session->known(), session->catalog()) : -1;
   std::string axis = index >= 0 ? name_of_axis(*session, id_of(index)) : std::string();
-  co_return answer_refused(of_wait(refusal_of(idle.error(), *session, std::move(axis), on_bus)));
+  Refusal refusal = refusal_of(idle.error(), *session, std::move(axis), on_bus);
+  if (refusal.what_to_do.empty()) refusal.what_to_do = what_to_do_about(*session, idle.error().kind, index);
+  co_return answer_refused(of_wait(std::move(refusal)));
 }
 Task<Answer> wait_bus_idle(std::shared_ptr<SessionGroup> bus, Duration patience) {
   const auto idle = co_await bus->wait_until_idle(patience);

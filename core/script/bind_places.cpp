@@ -33,7 +33,7 @@ Travel read_travel(const Call& call, int argument, const Counting& counting, con
     const char* key = lua_type(call.L, -2) == LUA_TSTRING ? lua_tostring(call.L, -2) : "";
     const bool minus = std::strcmp(key, "minus") == 0, plus = std::strcmp(key, "plus") == 0;
     if (!minus && !plus)
-      throw Misuse(fmt::format("limits: there is no \"{}\": the ends are called minus and plus", key));
+      throw Misuse(fmt::format("limits: there is no \"{}\": the ends are minus and plus", key));
     (minus ? travel.minus : travel.plus) = counting.steps(call, lua_absindex(call.L, -1), one, "a limit");
     (minus ? travel.has_minus : travel.has_plus) = true;
     lua_pop(call.L, 1);
@@ -57,7 +57,7 @@ Answer answer_travel(Travel travel, double per_unit) {
   };
 }
 
-Task<Answer> tell_travel(SessionPtr session, int axis, double per_unit) {
+Task<Answer> report_travel(SessionPtr session, int axis, double per_unit) {
   co_return answer_travel(session->known().axes[axis].travel, per_unit);
 }
 
@@ -65,7 +65,7 @@ int limits(Call& call) {
   const OneAxis one = one_axis(call, 1, "limits");
   if (one.index < 0) return call.refuse(one.refusal);
   const Counting counting = Options(call, 3, "limits", {"unit"}).counting();
-  if (!call.has(2)) return call.wait(tell_travel(one.session, one.index, counting.per_unit(call, one)));
+  if (!call.has(2)) return call.wait(report_travel(one.session, one.index, counting.per_unit(call, one)));
   Travel travel = read_travel(call, 2, counting, one);
   travel.in_counts = one.session->known().axes[one.index].in_counts;
   return perform(call, one.session, intent::SetTravel(id_of(one.index), travel));
@@ -94,10 +94,10 @@ int backlash(Call& call) {
   const std::string ends = options.text("ends").value_or("+");
   if (ends != "+" && ends != "-")
     throw Misuse("backlash: ends is \"+\" or \"-\": the way in which every move ends");
-  Backlash wish;
-  wish.by = Steps(std::llround(options.above_zero("by", "steps").value_or(0)));
-  wish.last = ends == "+" ? Sign::plus : Sign::minus;
-  return perform(call, one.session, intent::SetBacklash(id_of(one.index), wish));
+  Backlash request;
+  request.by = Steps(std::llround(options.above_zero("by", "steps").value_or(0)));
+  request.last = ends == "+" ? Sign::plus : Sign::minus;
+  return perform(call, one.session, intent::SetBacklash(id_of(one.index), request));
 }
 
 // ---- places

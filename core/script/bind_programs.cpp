@@ -78,15 +78,15 @@ int run_in_pieces(Call& call) {
   return perform(call, intent::RunInPieces(std::make_shared<const Pieces>(std::move(*pieces))));
 }
 
-Task<Answer> tell_together(std::shared_ptr<SessionGroup> bus, IntentBody request) {
-  const auto told = co_await bus->tell_together(std::move(request));
-  co_return answer_of_bus(told, *bus);
+Task<Answer> post_together(std::shared_ptr<SessionGroup> bus, IntentBody request) {
+  const auto reported = co_await bus->post_together(std::move(request));
+  co_return answer_of_bus(reported, *bus);
 }
 
 int override_speed(Call& call) {
   const std::int64_t percent = call.whole(1, "percent");
   intent::OverrideSpeed request(static_cast<int>(std::clamp<std::int64_t>(percent, 0, 1000)));
-  if (const auto bus = bus_of(call)) return call.wait(tell_together(bus, request));
+  if (const auto bus = bus_of(call)) return call.wait(post_together(bus, request));
   return perform(call, request);
 }
 
@@ -94,7 +94,7 @@ int override_speed(Call& call) {
 template <class Verb>
 int of_thread(Call& call) {
   if constexpr (!std::is_same_v<Verb, intent::HaltProgram>)
-    if (const auto bus = bus_of(call); bus && !call.has(1)) return call.wait(tell_together(bus, Verb()));
+    if (const auto bus = bus_of(call); bus && !call.has(1)) return call.wait(post_together(bus, Verb()));
   const int threads = session_of(call)->catalog().program.threads;
   if (!call.has(1)) return perform(call, Verb());
   const std::int64_t thread = call.whole(1, "thread");

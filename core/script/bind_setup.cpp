@@ -142,12 +142,12 @@ intent::Closing closing_of(const Call& call, int argument) {
   throw Misuse("set: argument 3 must be \"drive\" or \"stay\"");
 }
 
-Task<Answer> set_param(SessionPtr session, intent::SetParam wish) {
-  const std::string name = wish.mnemonic;
-  const IntentId id = session->post(std::move(wish));
+Task<Answer> set_param(SessionPtr session, intent::SetParam request) {
+  const std::string name = request.mnemonic;
+  const IntentId id = session->post(std::move(request));
   auto done = co_await session->outcome(id);
-  const IntentOutcome* told_outcome = session->known().outcome_of(id);
-  if (!done && told_outcome && told_outcome->asks)
+  const IntentOutcome* reported = session->known().outcome_of(id);
+  if (!done && reported && reported->asks)
     co_return answer_refused(
         fmt::format("{} A script says which: c:set(\"{}\", value, \"stay\"), or \"drive\".",
                     done.error().sentence(), name));
@@ -162,9 +162,9 @@ int set(Call& call) {
   const int index = catalog.find_param(name);
   if (index < 0) return call.refuse(no_param(catalog, name));
   const ParamInfo& info = catalog.params[static_cast<std::size_t>(index)];
-  intent::SetParam wish(name, value_of(call, 2, info), true);
-  wish.closing = closing_of(call, 3);
-  return call.wait(set_param(session_of(call), std::move(wish)));
+  intent::SetParam request(name, value_of(call, 2, info), true);
+  request.closing = closing_of(call, 3);
+  return call.wait(set_param(session_of(call), std::move(request)));
 }
 
 constexpr Function setup_table[] = {

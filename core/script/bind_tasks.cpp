@@ -23,7 +23,7 @@ SpawnedPtr task_at(lua_State* L, int place) {
 
 SpawnedPtr task_of(const Call& call) {
   auto spawned = task_at(call.L, 1);
-  if (!spawned) throw Misuse("call this with a colon on what hw.spawn() gave: task:wait()");
+  if (!spawned) throw Misuse("call this with a colon on a task returned by hw.spawn(): task:wait()");
   return spawned;
 }
 
@@ -78,13 +78,13 @@ int wait_any(Call& call) {
     }
   }
   return call.wait(
-      wait_for_first(call.runner(), std::move(racers), true, patience, "Timeout: none of them is over."));
+      wait_for_first(call.runner(), std::move(racers), true, patience, "Timeout: none of them has ended."));
 }
 
 int task_wait(Call& call) {
   std::vector<Racer> one{{task_of(call), false}};
   return call.wait(wait_for_first(call.runner(), std::move(one), false, call.patience(1, 1e6),
-                                  "Timeout: the task is not over."));
+                                  "Timeout: the task has not ended."));
 }
 
 int task_over(Call& call) {

@@ -25,7 +25,7 @@ int send(Call& call) {
   const auto bus = bus_of(call);
   const SessionPtr& session = bus ? speaker_of(*bus) : session_of(call);
   if (bus && !session->catalog().can.broadcast)
-    return call.refuse(fmt::format("{} has no message to all devices of a wire. Send it to each of them.",
+    return call.refuse(fmt::format("Send it to each device: {} has no message to all devices of a wire.",
                                    session->catalog().short_name));
   if (is_lost(session))
     return call.refuse(fmt::format("There is no connection. {}", session->known().link.sentence.view()));

@@ -7,12 +7,12 @@
 namespace hw::script {
 namespace {
 
-struct Told {
+struct Reported {
   const char* word;
   std::string why;
 };
 
-Told tell_trust(const AxisState& axis) {
+Reported tell_trust(const AxisState& axis) {
   if (!axis.position_known) return {"untrusted", "its position is not known"};
   if (axis.trust.restored && !axis.trust.doubtful())
     return {"restored", axis.trust.kind == Trust::homed
@@ -20,8 +20,8 @@ Told tell_trust(const AxisState& axis) {
                             : "the position was set in an earlier session, which left it at this count"};
   switch (axis.trust.kind) {
     case Trust::counted: return {"counted", "the controller counts from an unknown zero"};
-    case Trust::homed: return {"homed", "its home has set it"};
-    case Trust::set: return {"set", "somebody has said where it stands"};
+    case Trust::homed: return {"homed", "homing has set it"};
+    case Trust::set: return {"set", "its position was set"};
     case Trust::untrusted: break;
   }
   return {"untrusted", std::string(words_of(axis.trust.cause))};
@@ -30,10 +30,10 @@ Told tell_trust(const AxisState& axis) {
 /// From a status round that begins after the call, like all readings.
 Task<Answer> ask_trust(SessionPtr session, int axis) {
   co_await session->pump().refresh();
-  const Told told = tell_trust(session->known().axes[axis]);
-  co_return [told](lua_State* L) {
-    lua_pushstring(L, told.word);
-    lua_pushlstring(L, told.why.data(), told.why.size());
+  const Reported reported = tell_trust(session->known().axes[axis]);
+  co_return [reported](lua_State* L) {
+    lua_pushstring(L, reported.word);
+    lua_pushlstring(L, reported.why.data(), reported.why.size());
     return 2;
   };
 }

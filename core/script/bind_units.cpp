@@ -21,9 +21,9 @@ int push_unit(lua_State* L, const std::string& name, double steps_per_unit) {
 int units(Call& call) {
   const OneAxis one = one_axis(call, 1, "units");
   if (one.index < 0) return call.refuse(one.refusal);
-  AxisUnits& told = call.runner().notes().units;
+  AxisUnits& of_script = call.runner().notes().units;
   if (!call.has(2)) {
-    if (const auto unit = told.find(one.session, one.index))
+    if (const auto unit = of_script.find(one.session, one.index))
       return push_unit(call.L, unit->name, unit->steps_per_unit);
     return push_unit(call.L, one.session->catalog().step_word, 1);
   }
@@ -31,8 +31,8 @@ int units(Call& call) {
   const auto name = options.text("unit");
   const auto steps = options.above_zero("steps_per_unit", "steps");
   if (!name || name->empty() || !steps)
-    throw Misuse("units: it takes both, as in {unit=\"mm\", steps_per_unit=400}");
-  told.tell(one.session, one.index, {*name, *steps});
+    throw Misuse("units: give both, as in {unit=\"mm\", steps_per_unit=400}");
+  of_script.set(one.session, one.index, {*name, *steps});
   return call.yes();
 }
 

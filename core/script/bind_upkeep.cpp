@@ -29,7 +29,7 @@ Task<Answer> clear_all(SessionPtr session) {
   const Snapshot& now = session->known();
   for (int i = 0; i < now.axis_count; ++i)
     if (now.axes[i].activity == Activity::error)
-      co_return answer_refused(fmt::format("The error of axis {} stays: its cause is still there.",
+      co_return answer_refused(fmt::format("The error of axis {} remains: its cause is still there.",
                                            catalog.axes[static_cast<std::size_t>(i)].name));
   if (!now.link.connected())
     co_return answer_refused(fmt::format("There is no connection. {}", now.link.sentence.view()));

@@ -281,7 +281,7 @@ int wait_until(Call& call) {
   std::vector<Racer> racers{{begin_loop(call, hold_key, watch, call.place(1)), true}};
   return call.wait(
       wait_for_first(call.runner(), std::move(racers), false, patience,
-                     fmt::format("Timeout: it did not come true within {:g} s.", seconds(patience))));
+                     fmt::format("Timeout: the condition was not met within {:g} s.", seconds(patience))));
 }
 
 constexpr Function watch_table[] = {{"on", on}, {"wait_until", wait_until}};

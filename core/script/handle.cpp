@@ -18,7 +18,7 @@ struct Handle {
 const Handle& handle_of(const Call& call) {
   for (const char* type : {controller_type, bench_type})
     if (void* found = luaL_testudata(call.L, 1, type)) return *static_cast<Handle*>(found);
-  throw Misuse("call this with a colon on what hw.open() gave: c:position(1)");
+  throw Misuse("call this with a colon on a controller returned by hw.open(): c:position(1)");
 }
 
 void push_handle(lua_State* L, Handle handle, const char* type) {
@@ -144,13 +144,13 @@ void name_device(lua_State* L, Refusal& refusal) {
 }
 
 /// The axis of an intent; empty: none, or several.
-static std::string axis_of_wish(const IntentBody& body, const Catalog& catalog) {
+static std::string axis_of_request(const IntentBody& body, const Catalog& catalog) {
   const int axis = std::visit(
-      [](const auto& wish) -> int {
-        if constexpr (requires { wish.axis.index; })
-          return wish.axis.index;
-        else if constexpr (requires { wish.targets.front().axis; })
-          return wish.targets.size() == 1 ? wish.targets.front().axis.index : -1;
+      [](const auto& request) -> int {
+        if constexpr (requires { request.axis.index; })
+          return request.axis.index;
+        else if constexpr (requires { request.targets.front().axis; })
+          return request.targets.size() == 1 ? request.targets.front().axis.index : -1;
         else
           return -1;
       },
@@ -176,7 +176,7 @@ Answer answer_of_bus(const Result<>& result, const SessionGroup& bus) {
 }
 
 static Task<Answer> perform_body(SessionPtr session, IntentBody body, bool on_bus) {
-  std::string axis = axis_of_wish(body, session->catalog());
+  std::string axis = axis_of_request(body, session->catalog());
   const auto result = co_await session->perform(std::move(body));
   if (result) co_return answer_yes();
   co_return answer_refused(refusal_of(result.error(), *session, std::move(axis), on_bus));

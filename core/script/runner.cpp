@@ -8,6 +8,7 @@
 
 #include "core/base/shown_text.h"
 #include "core/script/bind.h"
+#include "core/script/lua_places.h"
 #include "core/script/module.h"
 #include "core/script/sandbox.h"
 
@@ -19,28 +20,6 @@ constexpr std::uint64_t cost_of_a_wait = 1000;  // so that a loop of sleep(0) en
 
 // The file name only: Lua shortens long paths, and the user knows where the script is.
 std::string chunk_name(const std::string& path) { return "@" + shown_path(path.substr(path.rfind('/') + 1)); }
-
-// The line that runs now: "script.lua:12: ".
-std::string where(lua_State* L) {
-  lua_Debug at;
-  for (int level = 0; lua_getstack(L, level, &at); ++level) {
-    lua_getinfo(L, "Sl", &at);
-    if (at.currentline > 0) return fmt::format("{}:{}: ", at.short_src, at.currentline);
-  }
-  return {};
-}
-
-// The calling lines, without that of the error itself, which the message names.
-std::string callers(lua_State* L) {
-  std::string all;
-  lua_Debug at;
-  for (int level = 0, found = 0; found < 9 && lua_getstack(L, level, &at); ++level) {
-    lua_getinfo(L, "Sl", &at);
-    if (at.currentline <= 0 || *at.source == '=') continue;  // '=': not of the script
-    if (found++ > 0) all += fmt::format("\n  called from {}:{}", at.short_src, at.currentline);
-  }
-  return all;
-}
 
 std::string too_long(Duration limit) {
   return fmt::format(
@@ -140,7 +119,7 @@ void Runner::count_time(lua_State* L) {
 void Runner::end_run(lua_State* L, std::string sentence) {
   if (ending_) return;
   ending_ = true;
-  failure_ = where(L) + sentence;
+  failure_ = running_line(L) + sentence;
   unwind(L);
 }
 
@@ -208,7 +187,7 @@ void Runner::go_on(Fiber& fiber) {
 int resume_with_answer(lua_State* L, int, lua_KContext) {
   const auto fiber = Runner::of(L).fibers_.find(L);
   if (fiber == Runner::of(L).fibers_.end() || !fiber->second->answer)
-    return luaL_error(L, "only what a call waits for can resume it");
+    return luaL_error(L, "only the call that it waits for can resume it");
   int results = 0;
   {
     const WayOut::Closed closed(Runner::of(L).way_out());
@@ -295,14 +274,15 @@ void Runner::fiber_failed(Fiber& fiber, int status) {
   main_over_ = true;
   if (!failure_.empty() || ending_) return;
   if (status == LUA_ERRMEM) {
-    failure_ = fmt::format("{}The script needed more than {} MB of memory, so it was ended.", where(fiber.L),
-                           options_.limits.memory_bytes >> 20);
+    failure_ = fmt::format("{}The script needed more than {} MB of memory, so it was ended.",
+                           running_line(fiber.L), options_.limits.memory_bytes >> 20);
     return;
   }
   const char* message = lua_tostring(fiber.L, -1);
-  failure_ = (message ? message + notes_.advice.on(message)
-                      : fmt::format("{}an error that is a {}", where(fiber.L), luaL_typename(fiber.L, -1))) +
-             callers(fiber.L);
+  failure_ =
+      (message ? message + notes_.advice.on(message)
+               : fmt::format("{}an error that is a {}", running_line(fiber.L), luaL_typename(fiber.L, -1))) +
+      calling_lines(fiber.L);
 }
 
 // ---- the run
@@ -350,7 +330,7 @@ void Runner::take_turns() {
     const auto turn = scheduler_.run_until(next_frame_, turn_over);
     tell_notices();
     if (turn == HybridScheduler::Turn::stuck) {
-      failure_ = "The script waits for something that can no longer come.";
+      failure_ = "The script waits for an event that can no longer come.";
       return;
     }
     if (!acts_.empty())

@@ -33,7 +33,7 @@ struct Runner::Leaving {
   void stop() {
     for (Left& one : all)
       if (one.closed)
-        one.trouble = "It was closed already: what the script has left running goes on.";
+        one.trouble = "It was already closed: motions and programs that the script left running go on.";
       else if (!one.session->pump().stops_all())
         one.stop = one.session->post(intent::Stop(-1, StoppedBy::script));
   }
@@ -111,11 +111,11 @@ void Runner::tell_of_stops(const Leaving& leaving) {
   std::string troubles;
   for (const Left& one : leaving.all) {
     std::string_view trouble = one.trouble;
-    if (one.stop != 0) trouble = "It was told to stop, and has not come to rest yet. Watch it.";
+    if (one.stop != 0) trouble = "Watch it: stop was sent, and it has not come to rest yet.";
     if (!trouble.empty()) troubles += fmt::format("\n{}: {}", one.session->address().text(), trouble);
   }
   if (!troubles.empty())
-    failure_ += "\nNot every controller is known to have stopped:" + troubles;
+    failure_ += "\nThese controllers may not have stopped:" + troubles;
   else if (from_outside_ && !leaving.all.empty())
     failure_ += " The controllers were told to stop.";
 }

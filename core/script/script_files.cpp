@@ -21,8 +21,8 @@ bool is_plain_name(std::string_view name) {
 }
 
 bool is_a_link(const std::string& path) {
-  struct stat told {};
-  return ::lstat(path.c_str(), &told) == 0 && S_ISLNK(told.st_mode);
+  struct stat status {};
+  return ::lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ Result<std::string> file_of_script(const std::string& folder, const std::string&
   const std::string root = real_path(folder), path = folder + "/" + name;
   const std::string inside = real_path(path.substr(0, path.rfind('/')));
   if (inside.empty())
-    return fail(FaultKind::port, fmt::format("The folder of \"{}\" is not there.", name),
+    return fail(FaultKind::port, fmt::format("The folder of \"{}\" does not exist.", name),
                 "Nothing was read or written.", "Make it first.");
   if ((inside != root && !is_below(root, inside)) || is_a_link(path))
     return fail(FaultKind::port, fmt::format("\"{}\" leads out of the script's folder.", name),

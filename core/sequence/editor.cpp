@@ -234,6 +234,11 @@ std::optional<StepPath> Editor::replace(const StepPath& at, Step::Body body) {
   return keep(std::move(s), &at) ? std::optional(at) : std::nullopt;
 }
 
+void Editor::replace_frame(Sequence frame) {
+  frame.steps = now_->steps;
+  if (frame != *now_) keep(std::move(frame));
+}
+
 void Editor::go(std::vector<Change>& from, std::vector<Change>& to, bool back) {
   if (from.empty()) return;
   Change change = std::move(from.back());

@@ -65,6 +65,8 @@ class Editor {
   std::optional<StepPath> skip(const StepSpan& which, bool skipped);
   /// Consecutive changes of one step are undone together, like a typed word.
   std::optional<StepPath> replace(const StepPath& at, Step::Body body);
+  /// Replaces everything but the steps: one change too.
+  void replace_frame(Sequence frame);
 
   [[nodiscard]] bool can_undo() const { return !done_.empty(); }
   [[nodiscard]] bool can_redo() const { return !undone_.empty(); }

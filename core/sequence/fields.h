@@ -9,7 +9,7 @@
 
 namespace hw::sequence {
 
-inline constexpr std::array<std::string_view, std::variant_size_v<Step::Body>> kind_names{
+inline constexpr std::array<std::string_view, std::variant_size_v<Step::Any>> kind_names{
     "speed",         "move",   "arc",    "jog", "home",    "stop", "wait_motion", "delay",   "wait_input",
     "move_on_input", "output", "enable", "pen", "comment", "loop", "custom",      "contour", "speed_stairs"};
 inline constexpr std::array<std::string_view, 3> input_moves{"move", "jog", "home"};

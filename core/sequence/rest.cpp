@@ -105,8 +105,10 @@ class Pass {
     if (!c.ends_ramped) return;
     const auto end = end_of(c);
     const auto by = rehearsed_ == Rehearsed::yes ? runs_on_by(c, standing.speeds) : std::nullopt;
-    set(c.plane.right, end && by ? std::optional(end->x + end->dx * *by) : std::nullopt);
-    set(c.plane.up, end && by ? std::optional(end->y + end->dy * *by) : std::nullopt);
+    const bool known = end && by;
+    const double way = by.value_or(0);
+    set(c.plane.right, known ? std::optional(end->x + end->dx * way) : std::nullopt);
+    set(c.plane.up, known ? std::optional(end->y + end->dy * way) : std::nullopt);
   }
   void take(const SpeedStairs& s) { set(s.axis, s.stop_at); }
   void take(const Jog& j) { lose(j.axis); }
@@ -289,7 +291,7 @@ std::string_view why_no_lift(const Sequence& sequence) {
   for (const StepList* routine : {&sequence.pen_up, &sequence.pen_down})
     for (const Step& step : *routine)
       if (const auto* move = std::get_if<Move>(&step.body); move && move->relative && !step.skipped)
-        return "The tool is lifted by a distance, not to a place: it is not known whether it is up.";
+        return "The tool is lifted by a distance, not to a place, so it may not be up.";
   return {};
 }
 
@@ -298,7 +300,7 @@ std::string_view why_no_lift(const Sequence& sequence) {
 Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places& begin, Rehearsed rehearsed,
                        const OnlySets& only_sets) {
   if (const std::string_view why = why_no_lift(sequence); !why.empty())
-    return cannot(std::string(why), "Let it be moved to a place, up and down.");
+    return cannot(std::string(why), "Move it to a place, up and down.");
   Pass before(sequence, begin, rehearsed);
   for (std::size_t i = 0; i < step; ++i) {
     const Step& passed = sequence.steps[i];
@@ -311,8 +313,8 @@ Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places&
       continue;
     }
     if (has<Custom>({passed}))
-      return cannot(fmt::format("It is not known what step {} ({} {}) leaves behind.", i + 1,
-                                title_of(passed.body), summary_of(passed.body, sequence)),
+      return cannot(fmt::format("The state after step {} ({} {}) is unknown.", i + 1, title_of(passed.body),
+                                summary_of(passed.body, sequence)),
                     fmt::format("Begin at step {}, or before it.", i + 1));
     before.step(passed, static_cast<int>(i));
   }
@@ -323,12 +325,12 @@ Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places&
     rest.start[a] = axis.at;
     if (!axis.moved || axis.at || axis.by_routine) continue;
     const Step::Body& lost = sequence.steps[ix(axis.lost_by)].body;
-    return cannot(fmt::format("It is not known where {} stands before step {}: step {} ({} {}) leaves it "
-                              "where its machine decides.",
-                              sequence.axes[a].name, step + 1, axis.lost_by + 1, title_of(lost),
-                              summary_of(lost, sequence)),
-                  fmt::format("Begin at step {}, or behind a step that sends {} to a place.",
-                              axis.lost_by + 1, sequence.axes[a].name));
+    return cannot(
+        fmt::format(
+            "The position of {} before step {} is unknown: the machine decides where step {} ({} {}) ends.",
+            sequence.axes[a].name, step + 1, axis.lost_by + 1, title_of(lost), summary_of(lost, sequence)),
+        fmt::format("Begin at step {}, or behind a step that sends {} to a place.", axis.lost_by + 1,
+                    sequence.axes[a].name));
   }
   rest.sequence = frame_of(sequence);
   Leading(sequence, standing, rest.sequence).write(step);
@@ -351,13 +353,11 @@ Result<std::size_t> step_to_begin_at(const Sequence& sequence, int counted) {
     }
     if (counted > first && std::holds_alternative<Repeat>(step.body))
       return cannot(
-          fmt::format(
-              "It lies within the loop of step {}: it is not known how many of its passes have been made.",
-              i + 1),
+          fmt::format("It lies within the loop of step {}: the number of passes made is unknown.", i + 1),
           "Begin before the loop or after it.");
     return i;
   }
-  return cannot("No step draws this.", "Click a line that is drawn by a step.");
+  return cannot("No step draws this line.", "Click a line that is drawn by a step.");
 }
 
 std::string words_of_leading(const Rest& rest) {

@@ -151,20 +151,21 @@ struct Custom {
 };
 
 struct Step {
-  using Body = std::variant<Speed, Move, Arc, Jog, Home, Stop, WaitMotion, Delay, WaitInput, MoveOnInput,
-                            Output, Enable, Pen, Comment, Repeat, Custom, Contour, SpeedStairs>;
+  using Any = std::variant<Speed, Move, Arc, Jog, Home, Stop, WaitMotion, Delay, WaitInput, MoveOnInput,
+                           Output, Enable, Pen, Comment, Repeat, Custom, Contour, SpeedStairs>;
+  /// Not inline: every file that copies a step would compile the copy of each kind again.
+  struct Body : Any {
+    using Any::Any;
+    Body(const Body& other);
+    Body(Body&& other) noexcept;
+    Body& operator=(const Body& other);
+    Body& operator=(Body&& other) noexcept;
+    ~Body();
+  };
   Body body;
   bool skipped = false;  ///< stays in the list but does nothing
-  bool operator==(const Step&) const = default;
+  bool operator==(const Step& other) const;
 };
-// Not defaulted: clang 14 fails on an operator that is defaulted after its class.
-inline bool Repeat::operator==(const Repeat& other) const {
-  return times == other.times && steps == other.steps;
-}
-inline bool Contour::operator==(const Contour& other) const {
-  return x == other.x && y == other.y && lead_in == other.lead_in && ends_ramped == other.ends_ramped &&
-         own == other.own && plane == other.plane && steps == other.steps;
-}
 
 struct Axis {
   std::string name;     ///< the controller's name

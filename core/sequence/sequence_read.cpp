@@ -218,7 +218,7 @@ Step read_step(const toml::table& table, File& file, int depth) {
     return step;
   }
   step.body = body_of(static_cast<std::size_t>(found - kind_names.begin()),
-                      std::make_index_sequence<std::variant_size_v<Step::Body>>());
+                      std::make_index_sequence<std::variant_size_v<Step::Any>>());
   std::visit([&reader](auto& body) { fields(reader, body); }, step.body);
   reader.flag("skip", step.skipped);
   reader.end();
@@ -297,7 +297,7 @@ Result<Sequence> read_sequence(std::string_view text, const std::string& name) {
   reader.end();
   if (file.fault) return fail(std::move(*file.fault));
   if (sequence.axes.empty())
-    return fail(FaultKind::text, fmt::format("{} does not say which axes there are.", name),
+    return fail(FaultKind::text, fmt::format("{} does not list its axes.", name),
                 "Nothing was taken from the file.", "Add axes = [ { name = \"X\" } ].");
   return sequence;
 }

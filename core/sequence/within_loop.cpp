@@ -85,7 +85,7 @@ Result<RestOfLoop> rest_within(const Sequence& sequence, int counted, std::int64
   if (!rest) {
     Fault fault = rest.error();
     fault.advice += fault.advice.empty() ? "" : " ";
-    fault.advice += "The steps are counted with this pass of the loop written out.";
+    fault.advice += "Steps are counted as if this pass of the loop were written out.";
     return tl::unexpected(std::move(fault));
   }
   const Step::Body& first = whole.steps[opened.begin].body;

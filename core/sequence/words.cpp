@@ -56,8 +56,9 @@ struct Summary {
   /// With its unit if the axes have different ones.
   [[nodiscard]] std::string place(double value, int axis) const {
     const Scale& scale = look.of_axis(axis);
-    const std::string told = number(value, scale);
-    return scale.unit == look.all.unit ? told : fmt::format("{}{}{}", told, space_before(scale), scale.unit);
+    const std::string in_words = number(value, scale);
+    return scale.unit == look.all.unit ? in_words
+                                       : fmt::format("{}{}{}", in_words, space_before(scale), scale.unit);
   }
   /// Names the axes unless they are the first two.
   [[nodiscard]] std::string point(double x, double y, const Plane& plane) const {
@@ -171,7 +172,7 @@ bool Look::mirrors(const Plane& plane) const {
 bool clockwise(const Arc& arc, const Look& look) { return (arc.degrees < 0) != look.mirrors(arc.plane); }
 
 std::string_view title_of(const Step::Body& body) {
-  static constexpr std::array<std::string_view, std::variant_size_v<Step::Body>> titles{
+  static constexpr std::array<std::string_view, std::variant_size_v<Step::Any>> titles{
       "Speed", "Move to",        "Arc",           "Jog",         "Home",        "Stop", "Until still",
       "Delay", "Wait for input", "Move on input", "Output",      "Motor power", "Tool", "Comment",
       "Loop",  "Own text",       "Contour",       "Speed stairs"};

@@ -5,11 +5,6 @@
 
 namespace hw {
 
-template <class... Intents>
-static bool is_any_of(const IntentBody& body) {
-  return (std::holds_alternative<Intents>(body) || ...);
-}
-
 /// Single complete commands only: a combination may do anything. Not one that also means a motion in another
 /// state.
 bool BegunHere::only_asks(const std::string& text) {

@@ -94,9 +94,9 @@ std::vector<std::size_t> off_the(const drawing::Box& table, const std::vector<dr
 Result<> can_be_counted(const std::vector<drawing::Chain>& chains, const Catalog& catalog,
                         const ConversionOptions& o) {
   constexpr double furthest = 9007199254740992;  // steps, 2^53: beyond, neighbouring steps are equal
-  const bool told = catalog.position_max > catalog.position_min;
-  const double low = told ? static_cast<double>(catalog.position_min.value) : -furthest;
-  const double high = told ? static_cast<double>(catalog.position_max.value) : furthest;
+  const bool has_range = catalog.position_max > catalog.position_min;
+  const double low = has_range ? static_cast<double>(catalog.position_min.value) : -furthest;
+  const double high = has_range ? static_cast<double>(catalog.position_max.value) : furthest;
   for (const drawing::Chain& chain : chains) {
     const drawing::Box box = drawing::box_of({chain});
     const std::array<std::array<double, 2>, 2> reach{{{box.low.x, box.high.x}, {box.low.y, box.high.y}}};
@@ -145,6 +145,19 @@ Result<> are_axes_that_draw(const Catalog& catalog, const ConversionOptions& o) 
                              : fmt::format("Axis {} draws, and so cannot lower the tool.", o.axes[i].name),
                       "Choose another axis.");
   return {};
+}
+
+/// Both speeds or neither: a controller would keep the only one for all of its moves. Contours have a speed
+/// of their own.
+Result<> has_its_speeds(Going going, const Catalog& catalog, const ConversionOptions& o) {
+  const bool cuts = o.cutting.high > 0, travels = o.travel.high > 0;
+  if (going == Going::contours && !cuts)
+    return refuse(fmt::format("A {} draws contours at one speed, and none is given.", catalog.short_name),
+                  fmt::format("Give {}.", o.cutting_name));
+  if (going == Going::contours || cuts == travels) return {};
+  return refuse(fmt::format("Only {} is given, and the controller would keep it for all of its moves.",
+                            cuts ? o.cutting_name : o.travel_name),
+                fmt::format("Give {} too.", cuts ? o.travel_name : o.cutting_name));
 }
 
 /// Refuses a drawing smaller than a step or the tolerance: it has no shape any more.
@@ -246,8 +259,8 @@ const std::string& unit_of(const drawing::Drawing& drawing, const ConversionOpti
 Result<Outline> outline_of(const drawing::Drawing& whole, const ConversionOptions& o) {
   constexpr double chord_of_size = 2e-4;
   Outline outline;
-  outline.unit_is_said = !unit_of(whole, o).empty();
-  const auto scale = outline.unit_is_said ? scale_of(whole, o) : o.times;
+  outline.unit_is_given = !unit_of(whole, o).empty();
+  const auto scale = outline.unit_is_given ? scale_of(whole, o) : o.times;
   if (!scale) return fail(scale.error());
   auto put = put_chains(whole, *scale, o);
   if (!put) return fail(put.error());
@@ -265,9 +278,9 @@ Result<Outline> outline_of(const drawing::Drawing& whole, const ConversionOption
   return outline;
 }
 
-Result<std::string> said_of_tool(const sequence::Sequence& sequence, const Catalog& together) {
+Result<std::string> tool_remark(const sequence::Sequence& sequence, const Catalog& together) {
   SequenceDraft draft(sequence, together);  // with the note of the program writers
-  if (auto said = draft.tool_line({}); !said) return fail(said.error());
+  if (auto done = draft.tool_line({}); !done) return fail(done.error());
   return std::move(draft).finish().tool;
 }
 
@@ -293,9 +306,7 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   if (auto axes = are_axes_that_draw(catalog, o); !axes) return fail(axes.error());
   Conversion made;
   made.going = going_of(catalog, o);
-  if (made.going == Going::contours && !(o.cutting.high > 0))
-    return refuse(fmt::format("A {} draws contours at one speed, and none is given.", catalog.short_name),
-                  "Give the speed with the tool on.");
+  if (auto speeds = has_its_speeds(made.going, catalog, o); !speeds) return fail(speeds.error());
   const auto scale = scale_of(whole, o);
   if (!scale) return fail(scale.error());
   const auto tolerance = tolerance_of(made.going, o);

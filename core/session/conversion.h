@@ -28,6 +28,8 @@ struct ConversionOptions {
   std::optional<double> tolerance;   ///< of chords and stairs, in `unit`; none: half a step
   bool keep_order = false;           ///< keep the order of the file
   sequence::Speeds cutting, travel;
+  /// The names by which the user finds the two speeds.
+  std::string cutting_name = "the speed with the tool on", travel_name = "the speed with the tool off";
   sequence::StepList pen_up, pen_down;
   std::optional<drawing::Box> table;  ///< reach of the tool, in `unit`
 };
@@ -61,7 +63,7 @@ Result<drawing::Drawing> read_drawing(const std::filesystem::path& file, const C
 struct Outline {
   drawing::ToolPath path;  ///< in `unit`, tool always on; a source is a chain
   drawing::Affine placed;  ///< from the drawing
-  bool unit_is_said = true;
+  bool unit_is_given = true;
 };
 Result<Outline> outline_of(const drawing::Drawing& drawing, const ConversionOptions& options);
 /// The unit assumed for the drawing; empty: unknown.
@@ -70,7 +72,7 @@ Result<Outline> outline_of(const drawing::Drawing& drawing, const ConversionOpti
 std::optional<double> millimetres(const std::string& unit);
 
 /// Notes on the tool for controllers that draw together; a program's text already has them.
-Result<std::string> said_of_tool(const sequence::Sequence& sequence, const Catalog& together);
+Result<std::string> tool_remark(const sequence::Sequence& sequence, const Catalog& together);
 
 Result<Conversion> convert(const drawing::Drawing& drawing, const Catalog& catalog,
                            const ConversionOptions& options, const drawing::Progress& progress = {});

@@ -14,12 +14,12 @@ using nlohmann::json;
 
 constexpr const char* what_it_is = "how the last session ended";
 
-static std::string_view words_of(LastEnd::Outcome outcome) {
+static std::string_view outcome_words(LastEnd::Outcome outcome) {
   switch (outcome) {
     case LastEnd::Outcome::at_rest: return "it was stopped, and confirmed at rest.";
-    case LastEnd::Outcome::told:
+    case LastEnd::Outcome::stop_sent:
       return "a stop was sent, but the program ended before it was seen at rest. Look at it first.";
-    case LastEnd::Outcome::not_told:
+    case LastEnd::Outcome::no_stop_sent:
       return "no stop could be sent, for there was no link. It may still be moving: look at it first.";
     case LastEnd::Outcome::left_alone: break;
   }
@@ -31,7 +31,7 @@ std::string LastEnd::sentence(const std::string& today) const {
       date == today ? fmt::format("At {}", time) : fmt::format("On {} at {}", date, time);
   std::string all = fmt::format("{} the session was ended ({}).", when, how);
   for (const Controller& c : controllers)
-    all += fmt::format(" {}: {}; {}", c.name, c.what, words_of(c.outcome));
+    all += fmt::format(" {}: {}; {}", c.name, c.what, outcome_words(c.outcome));
   return all;
 }
 

@@ -10,14 +10,14 @@ namespace hw {
 
 struct LastEnd {
   enum class Outcome : int {
-    at_rest,    ///< stopped, and seen at rest
-    told,       ///< stop sent; not seen at rest
-    not_told,   ///< no stop could be sent
-    left_alone  ///< not begun by this session
+    at_rest,       ///< stopped, and seen at rest
+    stop_sent,     ///< stop sent; not seen at rest
+    no_stop_sent,  ///< no stop could be sent
+    left_alone     ///< not begun by this session
   };
   struct Controller {
     std::string name, what;  ///< "Table"; "axis X was moving"
-    Outcome outcome = Outcome::told;
+    Outcome outcome = Outcome::stop_sent;
     bool operator==(const Controller&) const = default;
   };
   std::string date, time;  ///< "2026-11-23", "14:02:11"

@@ -61,6 +61,16 @@ Backlash backlash_of(const json& axis) {
   return backlash;
 }
 
+void put_jog_speed(json& axis, Pps speed) {
+  if (speed.value > 0) axis["jog_speed"] = speed.value;
+}
+
+/// 0: none.
+Pps jog_speed_of(const json& object) {
+  const double speed = object.value("jog_speed", 0.0);
+  return Pps(speed >= 0 && speed < 1e9 ? speed : 0.0);
+}
+
 json to_json(const SavedPlaces& places) {
   json all = json::array();
   for (const SavedPlace& place : places) {
@@ -109,8 +119,7 @@ Result<Profile> ProfileStore::load(std::string_view key) const {
     profile.bus_name = object->value("bus_name", "");
     profile.unit = object->value("unit", "");
     profile.jog_step = within_reason(object->value("jog_step", std::int64_t{1}));
-    const double jog_speed = object->value("jog_speed", 0.0);
-    profile.jog_speed = Pps(jog_speed >= 0 && jog_speed < 1e9 ? jog_speed : 0.0);  // 0: the controller's own
+    profile.jog_speed = jog_speed_of(*object);
     profile.places = saved_places(*object);
     std::size_t i = 0;
     for (const json& axis : object->value("axes", json::array())) {
@@ -122,6 +131,7 @@ Result<Profile> ProfileStore::load(std::string_view key) const {
       out.travel = travel_of(axis);
       out.backlash = backlash_of(axis);
       out.own_unit = own_unit_of(axis);
+      out.jog_speed = jog_speed_of(axis);
     }
     return profile;
   } catch (const json::exception&) {  // parses, but a field has the wrong type
@@ -137,6 +147,7 @@ Result<> ProfileStore::save(std::string_view key, const Profile& profile) const 
     put_travel(axes.back(), axis.travel);
     put_backlash(axes.back(), axis.backlash);
     put_own_unit(axes.back(), axis.own_unit);
+    put_jog_speed(axes.back(), axis.jog_speed);
   }
   const json object = {{"controller", std::string(key)},
                        {"name", profile.name},

@@ -30,6 +30,7 @@ struct AxisProfile {
   bool reversed = false;  ///< real units count opposite to steps
   Travel travel;          ///< allowed range
   Backlash backlash;
+  Pps jog_speed{};  ///< of its held jog; 0: Profile::jog_speed
   bool operator==(const AxisProfile&) const = default;
 };
 

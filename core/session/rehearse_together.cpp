@@ -62,6 +62,7 @@ class Stage {
   std::shared_ptr<SessionGroup> group_;
   std::optional<std::string_view> id_with_tool_;  ///< none: no track is kept
   std::optional<TrackTogether> track_;
+  Instant ready_at_{};            ///< all are connected and known
   std::optional<Instant> began_;  ///< start of the work
   Instant piece_began_{};
   std::optional<Result<>> drawn_;
@@ -101,6 +102,7 @@ Task<Result<>> Stage::draw(Duration at_most) {
   auto connected = co_await group_->wait_until_connected();
   if (!connected) co_return connected;
   co_await time_.sleep_for(everything_is_read);
+  ready_at_ = time_.now();
   auto begun = co_await begin_(*group_);
   if (!begun) co_return begun;
   began_ = piece_began_ = time_.now();  // and nothing moves yet
@@ -169,8 +171,9 @@ void Stage::look_at_steps() {
 void Stage::read_events() {
   if (!group_) return;
   group_->members().front()->notices().drain([this](const Notice& notice) {
-    if (notice.kind != Notice::Kind::info) return;
-    alone_.told += (alone_.told.empty() ? "" : " ") + notice.text;
+    const bool of_opening = notice.at < ready_at_;  // of an emulator that the user has not opened
+    if (notice.kind != Notice::Kind::info || of_opening) return;
+    alone_.messages += (alone_.messages.empty() ? "" : " ") + notice.text;
   });
 }
 
@@ -178,11 +181,11 @@ void Stage::read_events() {
 Fault Stage::why_not() {
   Fault why = drawn_->error();
   if (!group_) return why;
-  bool said = false;
+  bool reported = false;
   for (const auto& member : group_->members())
     member->notices().drain([&](const Notice& notice) {
-      if (said || notice.kind != Notice::Kind::error) return;
-      said = true;
+      if (reported || notice.kind != Notice::Kind::error) return;
+      reported = true;
       why.what = notice.text;
     });
   return why;

@@ -28,7 +28,7 @@ struct RehearsedPieces {
   bool finished = false;
   std::vector<Arrival> came_to;  ///< `step` and `t` increase
   /// Messages for the user on the way, for example that lines go slower than asked; may be empty.
-  std::string told;
+  std::string messages;
   /// Time of arrival at `step`, interpolated between reported steps.
   [[nodiscard]] double when(int step) const;
 };

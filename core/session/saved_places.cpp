@@ -37,7 +37,7 @@ Result<std::vector<AxisTarget>> standing_place(const Catalog& catalog, const Sna
     return fail(FaultKind::refused,
                 fmt::format("The position of {} is not {}.", spoken_name(catalog, i),
                             axis.position_known ? "to be trusted" : "known"),
-                "Nothing was saved.", "Home it, or say where it stands.");
+                "Nothing was saved.", "Home it, or set its position.");
   }
   return at;
 }

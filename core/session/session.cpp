@@ -102,11 +102,11 @@ IntentId Session::send_text(std::string text, bool to_all) {
 
 void Session::follow_texts(const Snapshot& snapshot) {
   std::erase_if(scripts_texts_.sent, [&](IntentId id) {
-    const IntentOutcome* told_outcome = snapshot.outcome_of(id);
+    const IntentOutcome* reported = snapshot.outcome_of(id);
     const bool posted = id <= posted_;
-    if (!posted || (told_outcome && told_outcome->state == IntentState::pending)) return false;
-    if (told_outcome && told_outcome->state != IntentState::done && scripts_texts_.refused.empty())
-      scripts_texts_.refused = told_outcome->sentence.view();
+    if (!posted || (reported && reported->state == IntentState::pending)) return false;
+    if (reported && reported->state != IntentState::done && scripts_texts_.refused.empty())
+      scripts_texts_.refused = reported->sentence.view();
     return true;
   });
 }
@@ -130,12 +130,12 @@ Task<Result<>> Session::perform(IntentBody body) {
 Task<Result<>> Session::outcome(IntentId id) {
   const auto self = shared_from_this();
   for (;;) {
-    const IntentOutcome* told_outcome = known().outcome_of(id);
-    if (!told_outcome)
+    const IntentOutcome* reported = known().outcome_of(id);
+    if (!reported)
       co_return fail(FaultKind::internal, "Too many commands at once: the outcome of this one is not known.");
-    if (told_outcome->state == IntentState::done) co_return Result<>();
-    if (told_outcome->state == IntentState::refused || told_outcome->state == IntentState::failed)
-      co_return fail(told_outcome->fault());
+    if (reported->state == IntentState::done) co_return Result<>();
+    if (reported->state == IntentState::refused || reported->state == IntentState::failed)
+      co_return fail(reported->fault());
     co_await pump_.published().wait();
   }
 }

@@ -113,7 +113,7 @@ class Session : public std::enable_shared_from_this<Session> {
   std::shared_ptr<BenchAccess> bench_;
   BenchView bench_view_;
   SavedPlaces places_;
-  std::map<int, std::string> listings_;  ///< by slot, as last told
+  std::map<int, std::string> listings_;  ///< by slot, as last reported
   Snapshot shown_;                       ///< snapshot of the reader's latest wake
   StateLog state_log_{catalog_};
   FaultKind why_no_wire_ = FaultKind::lost;  ///< of the latest attempt to open it

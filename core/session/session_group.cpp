@@ -111,7 +111,7 @@ Task<Result<>> SessionGroup::run_together(sequence::Sequence sequence, int from_
   co_return co_await outcomes(std::move(begun));
 }
 
-Task<Result<>> SessionGroup::tell_together(IntentBody request) {
+Task<Result<>> SessionGroup::post_together(IntentBody request) {
   const auto self = shared_from_this();
   std::vector<Asked> all;
   for (std::size_t i = 0; i < members_.size(); ++i)

@@ -37,7 +37,7 @@ class SessionGroup : public std::enable_shared_from_this<SessionGroup> {
   /// part have begun; if one refuses, none begins, and the fault gives the reason.
   Task<Result<>> run_together(sequence::Sequence sequence, int from_step);
   /// Sends a hold, its end or another speed to the members that run it.
-  Task<Result<>> tell_together(IntentBody request);
+  Task<Result<>> post_together(IntentBody request);
   /// Resumes when nothing moves or runs on any member.
   Task<Result<>> wait_until_idle(Duration patience);
   /// Resumes when every member answers, or with the reason for the first that does not.

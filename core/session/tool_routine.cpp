@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/base/number_text.h"
 #include "core/device/tool_off.h"
 
 namespace hw {
@@ -34,13 +34,6 @@ RoutineWords words_of_routine(std::string_view text) {
 bool same_word(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
-std::optional<double> routine_number(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
 }
 
 double turned(double to, double per_unit) { return per_unit < 0 && to != 0 ? -to : to; }
@@ -72,7 +65,7 @@ class RoutineReader {
     return not_understood(words);
   }
   Result<> read_wait(const RoutineWords& words) {
-    const auto ms = routine_number(words[1]);
+    const auto ms = finite_number(words[1]);
     if (!ms || *ms < 0) return not_understood(words);
     steps_.push_back({sequence::Delay{*ms}});
     return {};
@@ -92,7 +85,7 @@ class RoutineReader {
     return refuse(fmt::format("{} has no output \"{}\".", catalog_.short_name, name));
   }
   Result<> read_move(const RoutineWords& words) {
-    const auto to = routine_number(words[2]);
+    const auto to = finite_number(words[2]);
     if (!to) return not_understood(words);
     const auto found = std::find_if(catalog_.axes.begin(), catalog_.axes.end(),
                                     [&](const AxisInfo& axis) { return same_word(axis.name, words[0]); });

@@ -99,15 +99,15 @@ void obey(Wills& wills, const std::string& bytes, int fd) {
 int watch() {
   Wills wills;
   std::string bytes;
-  for (std::int64_t heard_at = now_ms();;) {
-    const std::int64_t left = heard_at + longest_silence_ms - now_ms();
+  for (std::int64_t received_at = now_ms();;) {
+    const std::int64_t left = received_at + longest_silence_ms - now_ms();
     pollfd socket{socket_number, POLLIN, 0};
     const int news = ::poll(&socket, 1, wills.any() ? static_cast<int>(std::max<std::int64_t>(left, 0)) : -1);
     if (news < 0 && errno != EINTR) return EXIT_FAILURE;
     if (news > 0) {
       int fd = -1;
       if (!receive(bytes, fd)) break;
-      heard_at = now_ms();
+      received_at = now_ms();
       obey(wills, bytes, fd);
     } else if (news == 0 && left <= 0) {
       wills.carry_out();

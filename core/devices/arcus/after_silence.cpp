@@ -4,12 +4,12 @@ namespace hw::arcus {
 
 Task<Result<>> AfterSilence::look() {
   if (!watch_.was_silent() && !watch_.in_doubt()) co_return Result<>();
-  const std::uint32_t restarts = console_.draft.restarts;
+  const std::uint32_t restarts = console_.snapshot.restarts;
   const RestartWatch::Look look = watch_.begin_look();
   auto seen = co_await status_.read(Priority::intent);
   if (seen && watch_.in_doubt()) seen = co_await lines_.read(Priority::intent);
   if (seen && watch_.in_doubt()) seen = co_await watch_.look_at_motors(look);
-  if (seen && console_.draft.restarts == restarts) co_return seen;
+  if (seen && console_.snapshot.restarts == restarts) co_return seen;
   if (!seen && worth_another_try(seen.error())) {
     seen.error().kind = FaultKind::refused;
     seen.error().done = "Nothing was sent.";

@@ -274,7 +274,7 @@ struct CommonActions {
 
   /// One field for the changes of all axes: the ramp seldom differs from the one set.
   [[nodiscard]] ActionField accel_field() const {
-    ActionField f = number_field("accel", "Ramp of a change, 0: as set", "ms", 0, longest_ramp_ms(model));
+    ActionField f = number_field("accel", "Ramp, 0: as set", "ms", 0, longest_ramp_ms(model));
     f.for_all_rows = true;
     return f;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/device/catalog.h"
+#include "core/device/registry.h"
 #include "core/devices/arcus/facts.h"
 
 namespace hw::arcus {
@@ -23,5 +24,9 @@ std::string mnemonic_of(const Model& model, const SettingFact& fact, int place);
 
 /// The longest ramp that table A.0 allows at any speed.
 std::int64_t longest_ramp_ms(const Model& model);
+inline AccelerationUnit acceleration_unit(const Model& model) {
+  return {"ms", "the time of the ramp, as ACC; of the ramp down too unless separate deceleration is on", 1,
+          longest_ramp_ms(model)};
+}
 
 }  // namespace hw::arcus

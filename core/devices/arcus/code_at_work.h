@@ -53,7 +53,7 @@ class CodeAtWork {
   struct Called {
     int number;
     std::optional<Duration> rests;  ///< ended once nothing has moved for this long
-    bool told = false;
+    bool reported = false;
   };
 
   const Console& console_;

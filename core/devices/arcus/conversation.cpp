@@ -72,13 +72,13 @@ Task<Result<Reply>> Conversation::exchange(std::string text, Priority priority, 
                                             : reply_kinds::of_text(console_.forms, command);
   if (command.starts_with("DN=")) also_called_ = number_in_name(console_.model(), command.substr(3));
   if (goes_out) goes_out(command);
-  const int heard_before = texts_received_;
+  const int received_before = texts_received_;
   auto reply = co_await transmit(text, priority, patience, own_question, false);
   if (not_done && (reply ? reply->refused() : was_kept_back(reply.error()))) not_done(command);
   if (!reply || !must_be_sure || !others_may_say(reply_kind)) co_return reply;
   auto named = co_await receive_its_name(priority);
   if (!named) co_return fail(named.error());
-  if (texts_received_ == heard_before) co_return reply;
+  if (texts_received_ == received_before) co_return reply;
   co_return fail(
       FaultKind::garbled,
       fmt::format("{} was answered twice: one of the replies came too late and belongs to another question.",

@@ -17,9 +17,7 @@ DeviceType family_type() {
   };
   t.probe = "\r@NNID\r";
   t.recognises = [](std::string_view reply) { return names_product(reply, model); };
-  t.acceleration = {"ms",
-                    "the time of the ramp, as ACC; of the ramp down too unless separate deceleration is on",
-                    1, longest_ramp_ms(model)};
+  t.acceleration = acceleration_unit(model);
   t.refuses = [](std::string_view reply) { return decode_reply(reply).refused(); };
   return t;
 }

@@ -19,9 +19,9 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       texts_(console_, conversation_, known_.code, known_.borrowed, known_.setup, known_.list, known_.watch,
              known_.motions, known_.threads, known_.lines, silence_),
       finding_(console_, conversation_) {
-  console_.draft.axis_count = console_.axes();
-  console_.draft.identity.model = console_.catalog.name;
-  for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].enabled = false;
+  console_.snapshot.axis_count = console_.axes();
+  console_.snapshot.identity.model = console_.catalog.name;
+  for (int i = 0; i < console_.axes(); ++i) console_.snapshot.axes[i].enabled = false;
 }
 
 void ArcusDriver::attach(Station& station) { conversation_.attach(station); }
@@ -181,7 +181,7 @@ Task<Result<>> ArcusDriver::read_params(std::string only) {
 
 Task<Result<>> ArcusDriver::read_again() {
   known_.setup.forget_all();
-  console_.draft.variables_known.reset();
+  console_.snapshot.variables_known.reset();
   known_.motions.loops_are_unknown();
   co_return co_await read_state();
 }

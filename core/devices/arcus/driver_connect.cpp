@@ -13,9 +13,9 @@ Task<Result<>> ArcusDriver::connect() {
   auto found = co_await find();
   // A device is there, but a question or reply was lost or garbled: tries once more, since a real fault
   // persists.
-  const bool heard = conversation_.is_open() && conversation_.station()->received_at() > began;
+  const bool received = conversation_.is_open() && conversation_.station()->received_at() > began;
   const bool soon = console_.scheduler.now() - began < Finding::long_asked;
-  if (!found && heard && soon &&
+  if (!found && received && soon &&
       (worth_another_try(found.error()) || found.error().kind == FaultKind::refused)) {
     co_await conversation_.wait_for_quiet();
     conversation_.forget_unexpected();
@@ -44,15 +44,15 @@ Task<Result<>> ArcusDriver::read_state() {
 }
 
 void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
-  ++console_.draft.restarts;
+  ++console_.snapshot.restarts;
   known_.setup.restarted();
-  for (ThreadState& t : console_.draft.threads) t = ThreadState();
-  console_.draft.variables_known.reset();
-  console_.draft.readouts_known.reset();
+  for (ThreadState& t : console_.snapshot.threads) t = ThreadState();
+  console_.snapshot.variables_known.reset();
+  console_.snapshot.readouts_known.reset();
   known_.borrowed.forget();
   work_.guard.forget();
   known_.code.restarted();
-  if (known_.code.program_may_run()) console_.draft.program.ended_by = EndedBy::lost;
+  if (known_.code.program_may_run()) console_.snapshot.program.ended_by = EndedBy::lost;
   known_.list.end();
   known_.watch.forget();
   known_.motions.restarted(moved);
@@ -73,8 +73,8 @@ void ArcusDriver::wire_lost() {
   known_.list.end();
   known_.motions.wire_lost();
   known_.code.lines().forget();
-  nothing_is_known(console_.draft);  // keeps thread states: those that ran are stopped first
-  for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].own_speed = Pps{};
+  nothing_is_known(console_.snapshot);  // keeps thread states: those that ran are stopped first
+  for (int i = 0; i < console_.axes(); ++i) console_.snapshot.axes[i].own_speed = Pps{};
 }
 
 }  // namespace hw::arcus

@@ -22,7 +22,7 @@ Known::Known(const Console& console, Conversation& conversation,
   conversation.goes_out = [this](std::string_view command) {
     watch.goes_out(command);
     threads.may_start(command);
-    threads.are_told(command);
+    threads.command_sent(command);
     code.goes_out(command);
   };
   // A glance is itself a poll question, so the other glance may come before it. None on a dirty line, where

@@ -49,8 +49,8 @@ Task<Result<>> ArcusDriver::poll(Round round) {
 
 /// Between two acts of a drawing the next one waits only for the positions.
 bool ArcusDriver::is_at_work() const {
-  const PiecesState& pieces = console_.draft.pieces;
-  return console_.draft.any_axis_moving() || (pieces.running && pieces.draws && !pieces.held);
+  const PiecesState& pieces = console_.snapshot.pieces;
+  return console_.snapshot.any_axis_moving() || (pieces.running && pieces.draws && !pieces.held);
 }
 
 // A few values each round: an unwatched readout, an analog input, some parameters.
@@ -92,18 +92,19 @@ const char* what_happened(AxisError error) {
 
 // Called each round: nothing here allocates while all is well.
 void ArcusDriver::show_worst() {
-  console_.draft.notice.clear();
+  console_.snapshot.notice.clear();
   for (int i = 0; i < console_.axes(); ++i) {
     const AxisError error = known_.motions.error_of(i);
     if (error == AxisError::none) continue;
-    console_.draft.notice = fmt::format("Axis {} {}. Clear the errors before the next move.",
-                                        console_.axis_name(i), what_happened(error));
+    console_.snapshot.notice = fmt::format("Axis {} {}. Clear the errors before the next move.",
+                                           console_.axis_name(i), what_happened(error));
     return;
   }
   for (int i = 0; i < console_.model().programs; ++i)
-    if (console_.draft.threads[ix(i)].known && console_.draft.threads[ix(i)].run == RunState::error) {
-      console_.draft.notice = fmt::format("Program {} stopped with an error at line {} of its stored code.",
-                                          i, console_.draft.threads[ix(i)].line);
+    if (console_.snapshot.threads[ix(i)].known && console_.snapshot.threads[ix(i)].run == RunState::error) {
+      console_.snapshot.notice =
+          fmt::format("Program {} stopped with an error at line {} of its stored code.", i,
+                      console_.snapshot.threads[ix(i)].line);
       return;
     }
 }

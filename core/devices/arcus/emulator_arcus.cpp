@@ -65,7 +65,7 @@ void ArcusEmulator::obey(std::string_view command, bool answers) {
   const bool timed_out = controller_.timed_out();
   // Only the beginning of an overlong text is kept: it is refused in any case.
   const std::string reply = overlong_ ? "?" + std::string(command) : answer(controller_, commands_, command);
-  controller_.heard_from_host(timed_out);
+  controller_.command_answered(timed_out);
   if (answers && options_.usb) {
     std::string block = reply.substr(0, transfer - 1);
     block.resize(transfer, '\0');

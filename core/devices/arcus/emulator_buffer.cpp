@@ -37,8 +37,8 @@ void Controller::buffer_off() {
   bring_up_to_date();
   for (Motion& m : motions_)
     if (m.active && m.kind == MotionKind::buffered && !m.stopping) {
-      const Pps now(m.profile.speed(now_).value * m.path.pulses_per_step());
-      continue_by(m, segment_profile(m.path, buffer_.queue.front(), now, m.profile.distance(now_), true));
+      const Pps now(m.profile.speed(now_).value * m.track.pulses_per_step());
+      continue_by(m, segment_profile(m.track, buffer_.queue.front(), now, m.profile.distance(now_), true));
     }
 }
 
@@ -65,8 +65,8 @@ Refusal Controller::buffer_move(const Segment& segment) {
   for (Motion& m : motions_)  // the running segment need no longer slow down
     if (m.active && m.kind == MotionKind::buffered && !m.stopping &&
         m.profile.phase(now_) != motion::Phase::decelerating) {
-      const Pps now(m.profile.speed(now_).value * m.path.pulses_per_step());
-      continue_by(m, segment_profile(m.path, buffer_.queue.front(), now, m.profile.distance(now_), false));
+      const Pps now(m.profile.speed(now_).value * m.track.pulses_per_step());
+      continue_by(m, segment_profile(m.track, buffer_.queue.front(), now, m.profile.distance(now_), false));
     }
   return Refusal::none;
 }

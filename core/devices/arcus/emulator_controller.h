@@ -17,24 +17,18 @@
 #include "core/devices/arcus/emulator_speeds.h"
 #include "core/devices/arcus/facts.h"
 #include "core/devices/arcus/language/vm.h"
+#include "core/motion/course.h"
 #include "core/motion/path.h"
-#include "core/motion/profile.h"
 
 namespace hw::arcus {
 
 enum class MotionKind : std::uint8_t { target, jog, homing, correction, interpolated, buffered, joystick };
 
 /// A motion of one or more axes.
-struct Motion {
-  bool active = false, stopping = false;
+struct Motion : motion::Course<motion::Path> {
   MotionKind kind = MotionKind::target;
-  unsigned axes = 0;     ///< a bit for each
   bool by_hand = false;  ///< STOP or ABORT: the resting place becomes the target
   SpeedOrder order;      ///< as it began, or as SSPD left it (decision AMB-047)
-  motion::Path path;
-  motion::Profile profile;
-  std::int64_t applied = 0;    ///< steps of the path made
-  std::int64_t next_mark = 0;  ///< step of the next check
 };
 
 using Targets = std::array<std::optional<std::int64_t>, most_axes>;
@@ -99,7 +93,7 @@ class Controller {
   [[nodiscard]] std::int64_t timer_ms() const;
   void set_timer(std::int64_t ms);
   /// Call after a command for this unit was answered.
-  void heard_from_host(bool timeout_was_shown);
+  void command_answered(bool timeout_was_shown);
   [[nodiscard]] bool timed_out() const { return timeout_.fired(); }
 
   // Moves (emulator_moves.cpp, emulator_homing.cpp, emulator_motion.cpp).
@@ -229,12 +223,10 @@ class Controller {
   void look(Motion& m);
   void plan(Motion& m);
   void plan_axis(Motion& m, int axis);
-  void mark(Motion& m, int axis, int way, std::optional<std::int64_t> turns);
   /// `reached`: the profile has come to its end; `cut`: nothing follows; `halted`: the caller goes on.
   enum class End : std::uint8_t { reached, cut, halted };
   void finish(Motion& m, End end);
   void replan(int axis);
-  [[nodiscard]] std::optional<Instant> due(const Motion& m) const;
   Motion* motion_of(int axis) {
     const int slot = axes_[ix(axis)].slot;
     return slot < 0 ? nullptr : &motions_[ix(slot)];
@@ -317,7 +309,7 @@ class Controller {
   [[nodiscard]] bool joystick_at_end(int axis) const;
   void joystick_tick();
   void joystick_turn(int axis);
-  [[nodiscard]] double joystick_wish(int axis) const;
+  [[nodiscard]] double joystick_target(int axis) const;
   void schedule_joystick();
   void joystick_stops(int axis);
 

@@ -27,8 +27,8 @@ struct HostManners {
 /// The time-out of TOC: the host has been silent for too long.
 class HostTimeout {
  public:
-  /// The host has been heard. `ms`: the silence allowed; 0: any.
-  void heard(std::int64_t ms, Instant now) {
+  /// A command of the host has arrived. `ms`: the silence allowed; 0: any.
+  void command_came(std::int64_t ms, Instant now) {
     if (ms > 0) due_ = now + std::chrono::milliseconds(ms);
   }
   /// The bit is shown to the host once (decision AMB-044).

@@ -29,15 +29,14 @@ void Controller::zero(int a) {
   axis.pulses = 0;
   axis.set_encoder(0);
   axis.target = axis.anchor_target = 0;
-  if (const Motion* m = motion_of(a)) axis.anchor_offset = m->path.offset(ix(a), m->applied);
+  if (const Motion* m = motion_of(a)) axis.anchor_offset = m->track.offset(ix(a), m->applied);
 }
 
 void Controller::watch_homing(Motion& m, int a, int way, Sign load) {
   const Axis& axis = axes_[ix(a)];
   const auto until_home = [&](bool active) {
     const bool operated = active != inverted(model_->polarity.home, a);
-    mark(m, a, way,
-         operated ? axis.plant.turns_until_home(load) : axis.plant.turns_until_home_released(load));
+    m.mark(a, way, operated ? axis.plant.turns_until_home(load) : axis.plant.turns_until_home_released(load));
   };
   switch (axis.homing.step) {
     case HomeStep::seek_switch:
@@ -45,7 +44,7 @@ void Controller::watch_homing(Motion& m, int a, int way, Sign load) {
       break;
     case HomeStep::back_out: until_home(!axis.homing.seen); break;
     case HomeStep::approach: until_home(true); break;
-    case HomeStep::seek_index: mark(m, a, way, axis.turns_until_index(load)); break;
+    case HomeStep::seek_index: m.mark(a, way, axis.turns_until_index(load)); break;
     default: break;
   }
 }

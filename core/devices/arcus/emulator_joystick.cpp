@@ -33,7 +33,7 @@ void Controller::schedule_joystick() {
 }
 
 /// Signed speed that the stick asks for here, the soft limits included.
-double Controller::joystick_wish(int a) const {
+double Controller::joystick_target(int a) const {
   const auto jv = [&](int group) { return settings_.get(Setting::joystick_values, 4 * group + a); };
   const auto jl = [&](int n) { return settings_.get(Setting::joystick_limits, 4 * a + n); };
   const Axis& axis = axes_[ix(a)];
@@ -76,12 +76,12 @@ void Controller::joystick_tick() {
     if (joystick_on(a) || joystick_.speed[ix(a)] != 0) joystick_turn(a);
 }
 
-/// One reading of the stick: the speed approaches the wish by at most the largest change.
+/// One reading of the stick: the speed approaches its target by at most the largest change.
 void Controller::joystick_turn(int a) {
-  const double wish = joystick_wish(a), now = joystick_.speed[ix(a)];
+  const double target = joystick_target(a), now = joystick_.speed[ix(a)];
   const auto change = static_cast<double>(settings_.get(Setting::joystick_values, 4 + a));
-  double next = change > 0 ? std::clamp(wish, now - change, now + change) : wish;
-  if (wish == 0 && !joystick_on(a)) next = 0;
+  double next = change > 0 ? std::clamp(target, now - change, now + change) : target;
+  if (target == 0 && !joystick_on(a)) next = 0;
   if (next * now < 0) next = 0;  // through rest
   joystick_.speed[ix(a)] = next;
   Motion* m = motion_of(a);
@@ -97,7 +97,7 @@ void Controller::joystick_turn(int a) {
           order(a));
     if (motion_of(a) == nullptr) joystick_.speed[ix(a)] = 0;  // into a switch
   }
-  if (wish != joystick_.speed[ix(a)] || joystick_slows(a)) schedule_joystick();
+  if (target != joystick_.speed[ix(a)] || joystick_slows(a)) schedule_joystick();
 }
 
 void Controller::joystick_stops(int a) {

@@ -19,7 +19,7 @@ std::int64_t Controller::target_at(int a, std::int64_t offset) const {
 
 std::int64_t Controller::target(int a) const {
   const Motion* m = motion_of(a);
-  return m == nullptr ? axes_[ix(a)].target : target_at(a, m->path.offset(ix(a), m->applied));
+  return m == nullptr ? axes_[ix(a)].target : target_at(a, m->track.offset(ix(a), m->applied));
 }
 
 void Controller::freeze_target(int a) {
@@ -35,10 +35,10 @@ std::int64_t Controller::loop_delta(int a) const {
 void Controller::watch_loop(Motion& m, int a, int way, Sign load) {
   if (!closed(a)) return;
   const Axis& axis = axes_[ix(a)];
-  const std::int64_t here = m.path.offset(ix(a), m.applied);
-  const std::int64_t most = std::abs(m.path.offset(ix(a), m.path.next_turn(m.applied)) - here);
+  const std::int64_t here = m.track.offset(ix(a), m.applied);
+  const std::int64_t most = std::abs(m.track.offset(ix(a), m.track.next_turn(m.applied)) - here);
   const std::int64_t range = settings_.get(Setting::loop_range, a);
-  mark(m, a, way, axis.first_turn(most, [&](std::int64_t turns) {
+  m.mark(a, way, axis.first_turn(most, [&](std::int64_t turns) {
     const std::int64_t delta =
         target_at(a, here + way * turns) - axis.encoder_at(axis.plant.load_after(load, turns));
     return std::abs(delta) > range;

@@ -48,7 +48,7 @@ void Controller::power_up() {
     axis.set_encoder(0);
   }
   hold_loads();
-  heard_from_host(false);
+  command_answered(false);
   if (settings_.get(Setting::joystick) != 0) schedule_joystick();
   programs_power_up();
 }

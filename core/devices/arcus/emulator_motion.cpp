@@ -1,8 +1,7 @@
-// Motions run from mark to mark. A mark is a step of the path at which something must be checked (a switch,
-// an index, a sync position, a lost load, a turn of the path); between marks nothing is computed.
+// Motions run from mark to mark (core/motion/course.h). Marks are switches, indexes, sync positions, lost
+// loads and turns of the path.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/devices/arcus/emulator_controller.h"
 
@@ -12,10 +11,6 @@ using motion::Path;
 using motion::Profile;
 
 namespace {
-
-constexpr std::int64_t no_mark = std::numeric_limits<std::int64_t>::max();
-
-bool takes_part(const Motion& m, int axis) { return (m.axes >> axis & 1u) != 0; }
 
 Sign sign_of(int way) { return way < 0 ? Sign::minus : Sign::plus; }
 
@@ -27,12 +22,12 @@ void Controller::begin(MotionKind kind, unsigned axes, const Path& path, const P
   while ((axes >> slot & 1u) == 0) ++slot;
   Motion& m = motions_[ix(slot)];
   m = Motion();
-  m.active = true, m.kind = kind, m.axes = axes, m.path = path, m.profile = profile;
+  m.active = true, m.kind = kind, m.axes = axes, m.track = path, m.profile = profile;
   m.order = order;
   for (int a = 0; a < this->axes(); ++a) {
     Axis& axis = axes_[ix(a)];
-    axis.moved_with = takes_part(m, a) ? axes : axis.moved_with & ~axes;
-    if (takes_part(m, a)) axis.slot = slot, axis.arrived_by = 0;
+    axis.moved_with = m.has(a) ? axes : axis.moved_with & ~axes;
+    if (m.has(a)) axis.slot = slot, axis.arrived_by = 0;
   }
   ++moves_begun;
   look(m);
@@ -46,26 +41,15 @@ void Controller::continue_by(Motion& m, const Profile& profile) {
   if (profile.end() <= now_) finish(m, End::reached);
 }
 
-std::optional<Instant> Controller::due(const Motion& m) const {
-  if (!m.active) return std::nullopt;
-  return m.next_mark <= m.profile.length() ? m.profile.time_at(m.next_mark) : m.profile.end();
-}
-
 void Controller::bring_up_to_date() {
   for (Motion& m : motions_)
-    if (m.active) apply(m, std::min(m.profile.steps(now_), m.next_mark));
+    if (m.active) apply(m, m.reached(now_));
 }
 
 void Controller::apply(Motion& m, std::int64_t step) {
-  if (step <= m.applied) return;
-  for (int a = 0; a < axes(); ++a) {
-    if (!takes_part(m, a)) continue;
-    const std::int64_t made = m.path.offset(ix(a), step) - m.path.offset(ix(a), m.applied);
-    if (made == 0) continue;
-    const int way = made < 0 ? -1 : 1;
-    axes_[ix(a)].turn(way, load_way(a, sign_of(way)), std::abs(made));
-  }
-  m.applied = step;
+  m.make_steps(step, [this](int a, int way, std::int64_t count) {
+    axes_[ix(a)].turn(way, load_way(a, sign_of(way)), count);
+  });
 }
 
 std::optional<Instant> Controller::next_event() const {
@@ -74,7 +58,7 @@ std::optional<Instant> Controller::next_event() const {
   const auto sooner = [&next](std::optional<Instant> t) {
     if (t && (!next || *t < *next)) next = t;
   };
-  for (const Motion& m : motions_) sooner(due(m));
+  for (const Motion& m : motions_) sooner(m.due());
   for (const Axis& a : axes_)
     if (a.sync.open && a.sync.pulse_until > now_) sooner(a.sync.pulse_until);
   sooner(joystick_.due);
@@ -88,11 +72,11 @@ void Controller::advance(Instant now) {
   if (!powered_) return;
   bring_up_to_date();
   for (Motion& m : motions_) {
-    const auto when = due(m);
+    const auto when = m.due();
     if (!when || *when > now_) continue;
     if (m.applied >= m.next_mark) look(m);
     if (m.active) plan(m);
-    if (m.active && m.profile.end() <= now_ && m.applied >= m.profile.length()) finish(m, End::reached);
+    if (m.active && m.has_arrived(now_)) finish(m, End::reached);
   }
   for (int a = 0; a < axes(); ++a) {
     const SyncOutput& s = axes_[ix(a)].sync;
@@ -106,11 +90,11 @@ void Controller::advance(Instant now) {
 /// Does what is due at the motion's present step. A new motion is checked before its first pulse.
 void Controller::look(Motion& m) {
   for (int a = 0; a < axes(); ++a) {
-    if (!takes_part(m, a)) continue;
+    if (!m.has(a)) continue;
     update_sync(a);
   }
   for (int a = 0; a < axes(); ++a) {
-    if (!m.active || !takes_part(m, a)) continue;
+    if (!m.active || !m.has(a)) continue;
     const Axis& axis = axes_[ix(a)];
     const MotionKind kind = m.kind;
     const HomeStep step = axis.homing.step;
@@ -128,34 +112,26 @@ void Controller::look(Motion& m) {
 }
 
 void Controller::plan(Motion& m) {
-  const std::int64_t turn = m.path.next_turn(m.applied);
-  m.next_mark = turn < m.path.steps() ? turn : no_mark;
+  m.mark_turn();
   for (int a = 0; a < axes(); ++a)
-    if (takes_part(m, a)) plan_axis(m, a);
-}
-
-void Controller::mark(Motion& m, int axis, int way, std::optional<std::int64_t> turns) {
-  if (!turns || *turns <= 0) return;
-  const std::int64_t here = m.path.offset(ix(axis), m.applied);
-  if (const auto step = m.path.first_at(ix(axis), m.applied, here + way * *turns))
-    m.next_mark = std::min(m.next_mark, *step);
+    if (m.has(a)) plan_axis(m, a);
 }
 
 void Controller::plan_axis(Motion& m, int a) {
-  const int way = m.path.direction(ix(a), m.applied);
+  const int way = m.track.direction(ix(a), m.applied);
   if (way == 0) return;
   const Axis& axis = axes_[ix(a)];
   const Sign side = sign_of(way), load = load_way(a, side);
   if (!limit_active(a, side)) {
     if (limits_inverted())
-      mark(m, a, way, axis.plant.turns_until_limit_released(side, load));
+      m.mark(a, way, axis.plant.turns_until_limit_released(side, load));
     else if (side == load)
-      mark(m, a, way, axis.plant.turns_until_limit(side));
+      m.mark(a, way, axis.plant.turns_until_limit(side));
   }
   if (m.kind == MotionKind::homing) watch_homing(m, a, way, load);
   if (m.kind == MotionKind::joystick)
     for (int limit = 0; limit < 4; ++limit)
-      mark(m, a, way, way * (settings_.get(Setting::joystick_limits, 4 * a + limit) - axis.pulses));
+      m.mark(a, way, way * (settings_.get(Setting::joystick_limits, 4 * a + limit) - axis.pulses));
   watch_loop(m, a, way, load);
   watch_sync(m, a, way, load);
 }
@@ -171,7 +147,7 @@ void Controller::replan(int axis) {
 bool Controller::hit_switch(Motion& m, int a) {
   Axis& axis = axes_[ix(a)];
   const bool forgives = settings_.on(Setting::ignore_errors);
-  const int ahead = m.path.direction(ix(a), m.applied);
+  const int ahead = m.track.direction(ix(a), m.applied);
   for (const int way : {axis.arrived_by, ahead}) {
     if (way == 0 || !limit_active(a, sign_of(way))) continue;
     if (!m.stopping && axis.homing.step == HomeStep::seek_switch && axis.homing.mode == HomeMode::limit)
@@ -202,7 +178,7 @@ void Controller::cut(Motion& m) {
     buffer_.running = false;
   }
   for (int a = 0; a < axes(); ++a)
-    if (takes_part(m, a)) {
+    if (m.has(a)) {
       axes_[ix(a)].then_target.reset();
       axes_[ix(a)].homing = Homing();
       if (m.kind == MotionKind::joystick) joystick_.speed[ix(a)] = 0;
@@ -214,9 +190,9 @@ void Controller::cut(Motion& m) {
 void Controller::finish(Motion& m, End end) {
   const Motion done = m;
   const bool reached = end == End::reached;
-  if (reached) apply(m, std::min(m.profile.length(), m.path.steps()));
+  if (reached) apply(m, m.last_step());
   for (int a = 0; a < axes(); ++a) {
-    if (!takes_part(done, a)) continue;
+    if (!done.has(a)) continue;
     freeze_target(a);
     axes_[ix(a)].slot = -1;
     axes_[ix(a)].rested_at = now_;
@@ -225,11 +201,11 @@ void Controller::finish(Motion& m, End end) {
   m.active = false;
   if (end == End::halted) return;
   if (done.kind == MotionKind::buffered && reached) {
-    segment_ended(Pps(done.profile.final_speed().value * done.path.pulses_per_step()));
+    segment_ended(Pps(done.profile.final_speed().value * done.track.pulses_per_step()));
     return;
   }
   for (int a = 0; a < axes(); ++a) {
-    if (!takes_part(done, a)) continue;
+    if (!done.has(a)) continue;
     Axis& axis = axes_[ix(a)];
     if (done.kind == MotionKind::homing && reached && !done.stopping && axis.homing.step != HomeStep::none) {
       home_stage_ended(a);
@@ -254,20 +230,14 @@ void Controller::finish(Motion& m, End end) {
 
 void Controller::stop_motion(Motion& m) {
   for (int a = 0; a < axes(); ++a)
-    if (takes_part(m, a)) axes_[ix(a)].then_target.reset(), axes_[ix(a)].announces = false;
+    if (m.has(a)) axes_[ix(a)].then_target.reset(), axes_[ix(a)].announces = false;
   if (m.kind == MotionKind::buffered && buffer_.queue.size() > 1) {
     buffer_.queue.resize(1);
     buffer_.end = buffer_.start;
   }
   m.stopping = true;
   if (std::exchange(m.by_hand, true)) return;  // STOP again changes nothing
-  const motion::Ramp ramp = stop_ramps(m).ramp;
-  const double from = m.profile.distance(now_);
-  const Pps speed = m.profile.speed(now_);
-  Profile down = Profile::ramp_down(now_, from, speed, ramp);
-  if (down.length() > m.path.steps())  // the way is shorter: a steeper ramp
-    down = Profile::approach(now_, from, speed, speed, ramp.decel, ramp, m.path.steps());
-  continue_by(m, down);
+  continue_by(m, m.ramp_within_track(now_, stop_ramps(m).ramp));
 }
 
 void Controller::stop(int axis) {
@@ -287,7 +257,7 @@ void Controller::abort(int axis) {
   if (Motion* m = motion_of(axis)) {
     constexpr Duration one_update = std::chrono::milliseconds(1);
     for (int a = 0; a < axes(); ++a)
-      if (takes_part(*m, a)) axes_[ix(a)].aborted_until = now_ + one_update;
+      if (m->has(a)) axes_[ix(a)].aborted_until = now_ + one_update;
     m->by_hand = true;
     cut(*m);
   }

@@ -54,15 +54,15 @@ SpeedOrder Controller::path_order(unsigned axes) const {
 }
 
 RampOrder Controller::ramps_of(const Motion& m) const {
-  return scaled(ramps(*model_, m.order), m.path.pulses_per_step());
+  return scaled(ramps(*model_, m.order), m.track.pulses_per_step());
 }
 
 /// STOP takes ACC (or DEC) from full speed, or from the present speed if that is higher.
 RampOrder Controller::stop_ramps(const Motion& m) const {
   SpeedOrder o = m.order;
-  const double now = m.profile.speed(now_).value * m.path.pulses_per_step() / o.ratio;
+  const double now = m.profile.speed(now_).value * m.track.pulses_per_step() / o.ratio;
   o.high = std::max<std::int64_t>(o.high, std::llround(now));
-  return scaled(ramps(*model_, o), m.path.pulses_per_step());
+  return scaled(ramps(*model_, o), m.track.pulses_per_step());
 }
 
 void Controller::begin_index(MotionKind kind, int a, std::int64_t pulses, const SpeedOrder& by) {
@@ -137,22 +137,22 @@ Refusal Controller::move(const Targets& targets) {
     way[ix(a)] = std::llround(static_cast<double>(goal[ix(a)] - here) * ratio(a));
   }
   if (closed_loops != 0 && closed_loops != count) return Refusal::unknown;
-  std::string said = "moves";
+  std::string sentence = "moves";
   for (int a = 0; a < axes(); ++a) {
     if (!targets[ix(a)]) continue;
     Axis& axis = axes_[ix(a)];
     axis.target = goal[ix(a)], axis.attempts = 0, axis.extra_done = false;
     axis.announces = true;
-    said += " " + letter(a) + " to " + std::to_string(goal[ix(a)]);
+    sentence += " " + letter(a) + " to " + std::to_string(goal[ix(a)]);
     if (count == 1) {
-      tell(said, wanted);
+      tell(sentence, wanted);
       begin_index(MotionKind::target, a, way[ix(a)]);
       return Refusal::none;
     }
     axis.follows = closed(a);
     axis.anchor_target = goal[ix(a)], axis.anchor_offset = way[ix(a)];
   }
-  tell(said, wanted);
+  tell(sentence, wanted);
   const Path path = Path::line(way);
   const double length = static_cast<double>(path.steps()) * path.pulses_per_step();
   const SpeedOrder by = path_order(wanted);
@@ -224,11 +224,11 @@ Refusal Controller::change_target(int a, std::int64_t wanted) {
     axis.then_target = wanted;
     return Refusal::none;
   }
-  const int way = m->path.offset(ix(a), 1) < 0 ? -1 : 1;
+  const int way = m->track.offset(ix(a), 1) < 0 ? -1 : 1;
   const std::int64_t old =
-      closed(a) ? axis.anchor_target : wrap_position(axis.pulses + way * (m->path.steps() - m->applied));
+      closed(a) ? axis.anchor_target : wrap_position(axis.pulses + way * (m->track.steps() - m->applied));
   const std::int64_t steps =
-      m->path.steps() + std::llround(static_cast<double>(way * (wanted - old)) * ratio(a));
+      m->track.steps() + std::llround(static_cast<double>(way * (wanted - old)) * ratio(a));
   const RampOrder r = ramps_of(*m);
   const motion::Ramp slowing = stop_ramps(*m).ramp;  // SSPD may still be slowing it down
   const double from = m->profile.distance(now_);
@@ -237,13 +237,13 @@ Refusal Controller::change_target(int a, std::int64_t wanted) {
   if (steps <= m->applied || steps < down.length()) {
     axis.then_target = wanted;
     m->stopping = true;
-    m->path = Path::along(ix(a), way < 0 ? Sign::minus : Sign::plus, Profile::endless);
+    m->track = Path::along(ix(a), way < 0 ? Sign::minus : Sign::plus, Profile::endless);
     continue_by(*m, down);
     return Refusal::none;
   }
   axis.target = axis.anchor_target = wanted;
   axis.anchor_offset = way * steps;
-  m->path = Path::along(ix(a), way < 0 ? Sign::minus : Sign::plus, steps);
+  m->track = Path::along(ix(a), way < 0 ? Sign::minus : Sign::plus, steps);
   continue_by(*m, Profile::approach(now_, from, speed, r.top, slowing.decel, r.ramp, steps));
   return Refusal::none;
 }
@@ -273,7 +273,7 @@ Refusal Controller::change_speed(int a, std::int64_t wanted) {
     continue_by(*m,
                 Profile::change(now_, from, Pps(now), Pps(to), motion::Ramp(rate, rate), Profile::endless));
   else
-    continue_by(*m, Profile::approach(now_, from, Pps(now), Pps(to), rate, ramp, m->path.steps()));
+    continue_by(*m, Profile::approach(now_, from, Pps(now), Pps(to), rate, ramp, m->track.steps()));
   return Refusal::none;
 }
 

@@ -47,7 +47,7 @@ Refusal Controller::write_setting(Setting id, std::int64_t value, int which) {
   switch (id) {
     case Setting::comm_timeout:
       timeout_.forget();
-      if (!host_talks) timeout_.heard(value, now_);
+      if (!host_talks) timeout_.command_came(value, now_);
       break;
     case Setting::joystick:
     case Setting::joystick_limits:
@@ -80,9 +80,9 @@ std::int64_t Controller::status(int a) const {
   if (const Motion* m = motion_of(a)) {
     motion::Phase phase = m->profile.phase(now_);
     if (m->kind == MotionKind::joystick) {
-      const double now = joystick_.speed[ix(a)], wish = joystick_wish(a);
-      const bool faster = wish * now > 0 && std::abs(wish) > std::abs(now);
-      if (wish != now) phase = faster ? motion::Phase::accelerating : motion::Phase::decelerating;
+      const double now = joystick_.speed[ix(a)], target = joystick_target(a);
+      const bool faster = target * now > 0 && std::abs(target) > std::abs(now);
+      if (target != now) phase = faster ? motion::Phase::accelerating : motion::Phase::decelerating;
     }
     set(bits.accelerating, phase == motion::Phase::accelerating);
     set(bits.decelerating, phase == motion::Phase::decelerating);
@@ -110,8 +110,8 @@ std::int64_t Controller::speed(int a) const {
   if (m == nullptr) return 0;
   const double speed = m->profile.speed(now_).value;
   if (m->kind == MotionKind::interpolated || m->kind == MotionKind::buffered)
-    return std::llround(speed * m->path.pulses_per_step() *
-                        std::abs(m->path.share(ix(a), m->profile.distance(now_))));
+    return std::llround(speed * m->track.pulses_per_step() *
+                        std::abs(m->track.share(ix(a), m->profile.distance(now_))));
   return std::llround(speed / ratio(a));
 }
 
@@ -167,9 +167,9 @@ std::int64_t Controller::timer_ms() const {
 
 void Controller::set_timer(std::int64_t ms) { timer_end_ = now_ + std::chrono::milliseconds(ms); }
 
-void Controller::heard_from_host(bool timeout_was_shown) {
+void Controller::command_answered(bool timeout_was_shown) {
   if (timeout_was_shown) timeout_.was_shown();
-  if (!host_talks) timeout_.heard(settings_.get(Setting::comm_timeout), now_);
+  if (!host_talks) timeout_.command_came(settings_.get(Setting::comm_timeout), now_);
 }
 
 void Controller::tell(std::string what, unsigned axes, int limit) {

@@ -248,11 +248,11 @@ void Controller::watch_sync(Motion& m, int a, int way, Sign load) {
   const bool rising = (load == Sign::plus) == (axis.counts_per_pulse > 0);
   const std::int64_t at = settings_.get(Setting::sync_position, a), here = axis.encoder();
   const std::int64_t most =
-      std::abs(m.path.offset(ix(a), m.path.next_turn(m.applied)) - m.path.offset(ix(a), m.applied));
+      std::abs(m.track.offset(ix(a), m.track.next_turn(m.applied)) - m.track.offset(ix(a), m.applied));
   // The condition changes where the counter reaches the position, and where it leaves it.
   const std::int64_t threshold = rising ? (here < at ? at : at + 1) : (here > at ? at : at - 1);
   if (rising ? here >= threshold : here <= threshold) return;
-  mark(m, a, way, axis.first_turn(most, [&](std::int64_t turns) {
+  m.mark(a, way, axis.first_turn(most, [&](std::int64_t turns) {
     const std::int64_t there = axis.encoder_at(axis.plant.load_after(load, turns));
     return rising ? there >= threshold : there <= threshold;
   }));

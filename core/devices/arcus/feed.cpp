@@ -18,7 +18,7 @@ Task<Result<>> Feed::start(intent::FeedMoves request) {
 
 Task<Result<>> Feed::go_on() {
   std::function<void()> moves = [this] {
-    const bool begins = !console_.draft.any_axis_moving();
+    const bool begins = !console_.snapshot.any_axis_moving();
     for (int axis = 0; axis < 3 && axis < console_.axes(); ++axis)
       motions_.begun(axis, Activity::moving, status_.round_began());
     if (begins) console_.changed();  // the next round of status is a few moves away

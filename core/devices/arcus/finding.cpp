@@ -29,8 +29,8 @@ Task<Result<>> Finding::identify() {
     const Instant began = console_.scheduler.now();
     const auto anybody = co_await conversation_.greet(first_patience);
     if (!anybody && anybody.error().kind == FaultKind::lost) co_return fail(anybody.error());
-    const bool heard = conversation_.is_open() && conversation_.station()->received_at() > began;
-    if (!anybody && heard) co_return conversation_.two_answer();
+    const bool received = conversation_.is_open() && conversation_.station()->received_at() > began;
+    if (!anybody && received) co_return conversation_.two_answer();
     if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
   }
   auto reply = co_await ask_who_it_is("ID", [this](std::string_view text) {
@@ -52,8 +52,8 @@ Task<Result<>> Finding::identify() {
   co_await conversation_.wait_for_quiet();  // a second device with this address would have spoken by now
   if (conversation_.unexpected() > 0) co_return conversation_.two_answer();
   conversation_.know_product(known);
-  console_.draft.identity.model = known ? reply->text : hex_of(reply->text);
-  console_.draft.identity.firmware = version->text;
+  console_.snapshot.identity.model = known ? reply->text : hex_of(reply->text);
+  console_.snapshot.identity.firmware = version->text;
   if (!known)
     console_.report(
         Notice::Kind::warning,
@@ -75,8 +75,8 @@ Task<Result<Reply>> Finding::ask_who_it_is(std::string question,
     if (reply && (is_it(reply->text) || reply->text == before)) break;
     if (!reply && !worth_another_try(reply.error())) break;
     silences += !reply && reply.error().kind == FaultKind::no_answer ? 1 : 0;
-    const bool heard = conversation_.is_open() && conversation_.station()->received_at() > began;
-    if ((silences > 1 && !heard) || console_.scheduler.now() - began > long_asked) break;
+    const bool received = conversation_.is_open() && conversation_.station()->received_at() > began;
+    if ((silences > 1 && !received) || console_.scheduler.now() - began > long_asked) break;
     if (reply) before = reply->text;
     co_await conversation_.wait_for_quiet();
     conversation_.forget_unexpected();
@@ -92,7 +92,7 @@ void Finding::note_how_slow() {
   const Station& station = *conversation_.station();
   const Duration waited =
       std::max(station.lateness(), station.statistics().last_round_trip) - station.wire_time(usual_bytes);
-  if (waited <= slow_from || std::exchange(slow_told_, true)) return;
+  if (waited <= slow_from || std::exchange(slow_reported_, true)) return;
   console_.report(Notice::Kind::warning,
                   fmt::format("It takes {:.1f} s to answer. The values shown are as old as this, and the "
                               "confirmation of a stop is as late.",
@@ -102,11 +102,11 @@ void Finding::note_how_slow() {
 Task<Result<>> Finding::read_name() {
   auto name = co_await conversation_.ask("DN", Priority::intent);
   if (!name) co_return fail(name.error());
-  console_.draft.identity.serial = *name;
+  console_.snapshot.identity.serial = *name;
   conversation_.know_name(*name);
   const bool usb = conversation_.framing() == Framing::message;
   const auto number = number_in_name(console_.model(), *name);
-  if (!number && !usb && !std::exchange(name_told_, true))
+  if (!number && !usb && !std::exchange(name_reported_, true))
     console_.report(
         Notice::Kind::warning,
         fmt::format(
@@ -115,7 +115,7 @@ Task<Result<>> Finding::read_name() {
             "switch it off and on.",
             console_.catalog.address, hex_of(*name), console_.model().title, console_.model().name_prefix,
             console_.catalog.address));
-  if (number && *number != console_.catalog.address && !usb && !std::exchange(name_told_, true))
+  if (number && *number != console_.catalog.address && !usb && !std::exchange(name_reported_, true))
     console_.report(
         Notice::Kind::info,
         fmt::format("It answers at {:02} and is to be called {}: it will answer at {:02} after Store and "
@@ -153,7 +153,7 @@ std::string Finding::where_it_went(int rate) const {
   const auto stored = [this](std::string_view mnemonic) -> std::optional<std::int64_t> {
     const int index = console_.catalog.find_param(mnemonic);
     if (index < 0) return std::nullopt;
-    const ParamState& state = console_.draft.params[ix(index)];
+    const ParamState& state = console_.snapshot.params[ix(index)];
     return state.known && state.stored ? std::optional(state.value) : std::nullopt;
   };
   std::string words, options;

@@ -1,5 +1,5 @@
 #pragma once
-// Identifies the controller that answers, and its name; or tells why none does.
+// Identifies the controller that answers, and its name; or reports why none does.
 #include <chrono>
 #include <functional>
 #include <string>
@@ -34,7 +34,7 @@ class Finding {
   const Console& console_;
   Conversation& conversation_;
   bool was_lost_ = false;
-  bool name_told_ = false, slow_told_ = false;
+  bool name_reported_ = false, slow_reported_ = false;
 };
 
 }  // namespace hw::arcus

@@ -20,7 +20,7 @@ std::string variable(int number) { return fmt::format("V{}", number); }
 
 // ---- what is kept in the controller
 
-void GuardThread::is(JogGuard::State state) { console_.draft.jog_guard.state = state; }
+void GuardThread::is(JogGuard::State state) { console_.snapshot.jog_guard.state = state; }
 
 // The guard's thread is no user's program until it has ended; at any other time another host's may run there.
 void GuardThread::watches(unsigned axes) {
@@ -36,7 +36,7 @@ void GuardThread::is_installed(std::vector<std::string> lines, std::int64_t time
   lines_ = std::move(lines);
   time_out_ = time_out;
   is(JogGuard::State::installed);
-  console_.draft.jog_guard.silence = silence();
+  console_.snapshot.jog_guard.silence = silence();
 }
 
 void GuardThread::forget() {
@@ -63,7 +63,7 @@ Result<> GuardThread::allows(std::string_view command) const {
 
 // The time-out, by the rate of status rounds on this wire.
 std::chrono::milliseconds GuardThread::silence() const {
-  const double rounds = console_.draft.link.polls_per_second;
+  const double rounds = console_.snapshot.link.polls_per_second;
   const auto known =
       rounds > 0 ? std::chrono::milliseconds(std::lround(std::ceil(1000 * rounds_of_silence / rounds)))
                  : std::chrono::milliseconds();
@@ -77,7 +77,7 @@ Task<Result<>> GuardThread::set(std::string name, std::int64_t value) {
 }
 
 Task<Result<>> GuardThread::may_install() {
-  if (console_.draft.any_axis_moving())
+  if (console_.snapshot.any_axis_moving())
     co_return fail(FaultKind::refused, "An axis moves.", "Nothing was written.", "Stop it first.");
   auto read = co_await threads_.read(true, Priority::intent);
   if (!read) co_return read;
@@ -125,7 +125,7 @@ Task<Result<>> GuardThread::install() {
   code_.forget();
   auto written = co_await stored_.write(lines);
   if (!written) co_return stored_.broken_off(std::move(written.error()));
-  console_.draft.slots_torn = 0;
+  console_.snapshot.slots_torn = 0;
   code_.know(read_stored_code(language::decode(lines, dialect_), console_.model()));
   is_installed(std::move(lines), *time_out);
   console_.report(Notice::Kind::info, fmt::format("The guard is now program {} of the controller, and was "
@@ -148,7 +148,7 @@ Task<Result<>> GuardThread::remove() {
   code_.forget();
   auto cleared = co_await stored_.write({});
   if (!cleared) co_return stored_.broken_off(std::move(cleared.error()));
-  console_.draft.slots_torn = 0;
+  console_.snapshot.slots_torn = 0;
   is(JogGuard::State::absent);
   for (const int number : {guard_axes_variable, guard_work_variable})
     if (auto zero = co_await set(variable(number), 0); !zero) co_return zero;
@@ -160,7 +160,7 @@ Task<Result<>> GuardThread::remove() {
 
 // After a stop in between the guard stays at work until the next round.
 Task<Result<>> GuardThread::watch(int axis) {
-  if (console_.draft.jog_guard.state != JogGuard::State::installed) co_return Result<>();
+  if (console_.snapshot.jog_guard.state != JogGuard::State::installed) co_return Result<>();
   if (auto has = console_.has_axis(axis); !has) co_return has;
   if (!at_work()) {
     if (auto there = co_await still_there(); !there) co_return there;
@@ -213,9 +213,9 @@ Task<Result<>> GuardThread::time_out_is_as_it_was() {
 // TOC comes before the program: the silence counts from then, and earlier silence no longer matters.
 Task<Result<>> GuardThread::start(unsigned axes) {
   const int program = guard_program(console_.model());
-  if (auto told = co_await set(variable(guard_axes_variable), axes); !told) co_return told;
-  if (auto told = co_await set("TOC", silence().count()); !told) co_return told;
-  if (auto told = co_await set(fmt::format("SR{}", program), 1); !told) co_return told;
+  if (auto sent = co_await set(variable(guard_axes_variable), axes); !sent) co_return sent;
+  if (auto sent = co_await set("TOC", silence().count()); !sent) co_return sent;
+  if (auto sent = co_await set(fmt::format("SR{}", program), 1); !sent) co_return sent;
   auto runs = co_await conversation_.ask_number(fmt::format("SASTAT{}", program), Priority::intent);
   if (!runs) co_return fail(runs.error());
   if (*runs == 1) co_return Result<>();
@@ -226,16 +226,16 @@ Task<Result<>> GuardThread::start(unsigned axes) {
 Task<Result<>> GuardThread::let_go() {
   unsigned still = 0;
   for (unsigned left = watched_; left != 0; left &= left - 1)
-    if (const int axis = std::countr_zero(left); console_.draft.axis_moves(axis)) still |= 1u << axis;
+    if (const int axis = std::countr_zero(left); console_.snapshot.axis_moves(axis)) still |= 1u << axis;
   if (still == watched_) co_return Result<>();
-  auto told = co_await set(variable(guard_axes_variable), still);
-  if (told && still == 0) told = co_await set("TOC", time_out_);
-  if (told) {
+  auto sent = co_await set(variable(guard_axes_variable), still);
+  if (sent && still == 0) sent = co_await set("TOC", time_out_);
+  if (sent) {
     watches(still);
     setup_.was_borrowed("TOC");
   }
-  if (!told && told.error().kind == FaultKind::stopped) co_return Result<>();  // the next round does it
-  co_return told;
+  if (!sent && sent.error().kind == FaultKind::stopped) co_return Result<>();  // the next round does it
+  co_return sent;
 }
 
 // ---- looking for it
@@ -243,7 +243,7 @@ Task<Result<>> GuardThread::let_go() {
 Task<Result<>> GuardThread::look() {
   using State = JogGuard::State;
   constexpr int lines_a_round = 4;
-  JogGuard& guard = console_.draft.jog_guard;
+  JogGuard& guard = console_.snapshot.jog_guard;
   if (guard.state == State::installed && !at_work()) guard.silence = silence();
   const std::vector<std::string> wanted = guard.state == State::unknown
                                               ? guard_lines(dialect_, console_.model(), time_out_)

@@ -33,7 +33,7 @@ void LimitSwitches::take(const std::vector<std::int64_t>& words, Instant asked_a
              std::uint64_t{has_bit(words[ix(i)], bits.plus_limit)};
   const bool agree = look_.agrees(limits, conversation_.times_cleaned());
   for (int i = 0; i < console_.axes(); ++i) {
-    AxisState& axis = console_.draft.axes[i];
+    AxisState& axis = console_.snapshot.axes[i];
     axis.limit_minus = has_bit(words[ix(i)], bits.minus_limit);
     axis.limit_plus = has_bit(words[ix(i)], bits.plus_limit);
     axis.limits_known = agree;

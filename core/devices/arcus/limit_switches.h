@@ -14,7 +14,7 @@ class LimitSwitches {
   LimitSwitches(const Console& console, Conversation& conversation)
       : console_(console), conversation_(conversation) {}
 
-  /// Takes the words asked for at `asked_at`, unless newer ones are shown. Watchers are told at once.
+  /// Takes the words asked for at `asked_at`, unless newer ones are shown. Watchers are notified at once.
   void take(const std::vector<std::int64_t>& words, Instant asked_at);
   /// Until `until` the words are also read between the questions of a round.
   void watch(Instant until) { watched_until_ = until; }

@@ -29,9 +29,9 @@ void Lines::tell_who_watches(std::int64_t inputs) {
 }
 
 void Lines::show_inputs(std::int64_t inputs, Instant asked_at) {
-  console_.draft.inputs = static_cast<std::uint32_t>(inputs);
-  console_.draft.inputs_known = (1u << console_.model().inputs) - 1;
-  console_.draft.inputs_asked_at = asked_at;
+  console_.snapshot.inputs = static_cast<std::uint32_t>(inputs);
+  console_.snapshot.inputs_known = (1u << console_.model().inputs) - 1;
+  console_.snapshot.inputs_asked_at = asked_at;
 }
 
 Task<Result<>> Lines::read(Priority priority) {
@@ -52,11 +52,11 @@ Task<Result<>> Lines::read(Priority priority) {
       if (!again) continue;
       break;  // what was shown keeps its age
     }
-    if (inputs_asked_at >= console_.draft.inputs_asked_at) show_inputs(*inputs, inputs_asked_at);
-    console_.draft.outputs = static_cast<std::uint32_t>(*outputs);
-    console_.draft.outputs_known = (1u << console_.model().outputs) - 1;
-    console_.draft.io_seen_at = console_.scheduler.now();
-    for (int i = 0; i < console_.axes(); ++i) console_.draft.axes[i].enabled = (*enables >> i & 1) != 0;
+    if (inputs_asked_at >= console_.snapshot.inputs_asked_at) show_inputs(*inputs, inputs_asked_at);
+    console_.snapshot.outputs = static_cast<std::uint32_t>(*outputs);
+    console_.snapshot.outputs_known = (1u << console_.model().outputs) - 1;
+    console_.snapshot.io_seen_at = console_.scheduler.now();
+    for (int i = 0; i < console_.axes(); ++i) console_.snapshot.axes[i].enabled = (*enables >> i & 1) != 0;
     break;
   }
   co_return Result<>();
@@ -86,7 +86,7 @@ Task<Result<>> Lines::set_output(intent::SetOutput request) {
   if (!set) co_return set;
   auto seen = co_await read(Priority::intent);
   if (!seen) co_return seen;
-  const bool shows = (console_.draft.outputs >> (request.number - 1) & 1) != 0;
+  const bool shows = (console_.snapshot.outputs >> (request.number - 1) & 1) != 0;
   if (shows == request.on) co_return Result<>();
   co_return fail(
       FaultKind::controller,
@@ -109,11 +109,11 @@ Task<Result<>> Lines::switch_tool_off(ToolOff tool) {
 // Decisions AMB-087, AMB-091.
 std::string Lines::who_has(int output) const {
   constexpr int in_position_output = 1, alarm_output = 3;
-  const bool told_by_outputs =
-      setup_.setting(Setting::status_outputs).value_or(0) != 0 && console_.draft.axes[0].in_counts;
-  if (told_by_outputs && output == in_position_output)
+  const bool shown_by_outputs =
+      setup_.setting(Setting::status_outputs).value_or(0) != 0 && console_.snapshot.axes[0].in_counts;
+  if (shown_by_outputs && output == in_position_output)
     return "it shows in-position while EDO=1 and StepNLoop is on";
-  if (told_by_outputs && output == alarm_output) return "it shows the alarm while EDO=1 and StepNLoop is on";
+  if (shown_by_outputs && output == alarm_output) return "it shows the alarm while EDO=1 and StepNLoop is on";
   return "the controller itself uses it now, as a sync output or to show its state";
 }
 

@@ -14,7 +14,7 @@ class Lines {
       : console_(console), conversation_(conversation), setup_(setup) {}
 
   Task<Result<>> read(Priority priority);
-  /// Until `until` the inputs are also read between the questions of a round, and told at once.
+  /// Until `until` the inputs are also read between the questions of a round, and reported at once.
   void watch_inputs(Instant until) { watched_until_ = until; }
   [[nodiscard]] bool glance_is_due() const;
   Task<> glance();

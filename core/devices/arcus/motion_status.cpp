@@ -47,7 +47,7 @@ Task<Result<>> MotionStatus::read_counters(Priority priority) {
   asked_at_ = asked_at;
   take_status(*status);
   for (int i = 0; i < console_.axes(); ++i) {
-    AxisState& axis = console_.draft.axes[i];
+    AxisState& axis = console_.snapshot.axes[i];
     const Steps position((*positions)[ix(i)]);
     const Steps move = position - axis.position;
     const bool was_known = axis.position_known;
@@ -69,7 +69,7 @@ void MotionStatus::take_status(const std::vector<std::int64_t>& words) {
   for (int i = 0; i < console_.axes(); ++i) {
     const std::int64_t word = words[ix(i)];
     motions_.status_is(i, word);
-    AxisState& axis = console_.draft.axes[i];
+    AxisState& axis = console_.snapshot.axes[i];
     axis.home = has_bit(word, bits.home);
     axis.alarm = has_bit(word, bits.alarm);
     axis.phase = has_bit(word, bits.accelerating)   ? Phase::accelerating
@@ -113,8 +113,9 @@ Task<Fault> MotionStatus::after_doubt(Fault why, std::string_view sent) {
   auto seen = co_await read(Priority::intent);
   std::string where;
   for (int i = 0; seen && i < console_.axes(); ++i)
-    where += fmt::format("{}{} {} at {}", i ? ", " : "", console_.axis_name(i),
-                         motions_.says_moving(i) ? "moves" : "stands", console_.draft.axes[i].position.value);
+    where +=
+        fmt::format("{}{} {} at {}", i ? ", " : "", console_.axis_name(i),
+                    motions_.says_moving(i) ? "moves" : "stands", console_.snapshot.axes[i].position.value);
   fault.what = fmt::format("{} had no clear reply.", sent);
   fault.done = "It was sent once and is not repeated.";
   fault.advice = seen ? fmt::format("The state was read again: {}.", where)

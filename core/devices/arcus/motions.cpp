@@ -28,7 +28,7 @@ bool loop_sets_out(int state) {
   return loop_works(state) && !loop_stops(state) && state != static_cast<int>(LoopState::correcting);
 }
 
-/// The motor or its encoder did not follow: nobody can tell which of the two counts is true.
+/// The motor or its encoder did not follow: which of the two counts is true is unknown.
 bool loses_its_place(AxisError error) {
   return error == AxisError::stalled || error == AxisError::too_far || error == AxisError::not_corrected;
 }
@@ -59,14 +59,14 @@ void Motions::begun(int index, Activity activity, Instant when) {
   tracking.top_speed = {};
   tracking.home.begin();
   tracking.was_stopped = false;
-  AxisState& axis = console_.draft.axes[index];
-  const bool rests = axis.position_known && !console_.draft.axis_moves(index);
+  AxisState& axis = console_.snapshot.axes[index];
+  const bool rests = axis.position_known && !console_.snapshot.axis_moves(index);
   tracking.at_rest_at = rests ? axis.seen_at : Instant{};
   tracking.at_rest = axis.position;
   axis.activity = activity;
   axis.ended_by = EndedBy::nothing;
   axis.error = AxisError::none;  // the same one again is a new one, also if no round sees it move
-  console_.draft.program.ended_by = EndedBy::nothing;
+  console_.snapshot.program.ended_by = EndedBy::nothing;
 }
 
 void Motions::begun_together(const std::vector<int>& axes, Activity activity) {
@@ -79,7 +79,7 @@ void Motions::begun_together(const std::vector<int>& axes, Activity activity) {
 }
 
 void Motions::goes_to(int index, Steps target, Pps speed) {
-  AxisState& axis = console_.draft.axes[index];
+  AxisState& axis = console_.snapshot.axes[index];
   axis.has_target = true;
   axis.target = target;
   tracked_[ix(index)].top_speed = speed.value > 0 ? speed : axis.own_speed;
@@ -87,7 +87,7 @@ void Motions::goes_to(int index, Steps target, Pps speed) {
 
 void Motions::searches(int index, Sign side, Pps speed) {
   AxisTracking& tracking = tracked_[ix(index)];
-  AxisState& axis = console_.draft.axes[index];
+  AxisState& axis = console_.snapshot.axes[index];
   axis.has_target = false;
   tracking.top_speed = speed.value > 0 ? speed : axis.own_speed;
   if (tracking.at_rest_at == Instant{} || tracking.top_speed.value <= 0) return;
@@ -96,8 +96,8 @@ void Motions::searches(int index, Sign side, Pps speed) {
 }
 
 void Motions::goes_elsewhere(int axis, Steps target) {
-  console_.draft.axes[axis].target = target;
-  console_.draft.axes[axis].has_target = true;
+  console_.snapshot.axes[axis].target = target;
+  console_.snapshot.axes[axis].has_target = true;
   tracked_[ix(axis)].ours = true;
   tracked_[ix(axis)].wanted = Activity::moving;
 }
@@ -107,21 +107,21 @@ void Motions::another_begins(int axis) {
   tracking.ours = false;
   tracking.with = 0;
   tracking.wanted = Activity::idle;
-  console_.draft.axes[axis].has_target = false;
+  console_.snapshot.axes[axis].has_target = false;
 }
 
 void Motions::stopping(int axis, bool at_once) {
   for (int i = 0; i < console_.axes(); ++i) {
-    if ((axis >= 0 && i != axis) || !console_.draft.axis_moves(i)) continue;
+    if ((axis >= 0 && i != axis) || !console_.snapshot.axis_moves(i)) continue;
     ended_by_us(i, at_once ? EndedBy::abort : EndedBy::stop);
-    console_.draft.axes[i].activity = Activity::stopping;
+    console_.snapshot.axes[i].activity = Activity::stopping;
     tracked_[ix(i)].stopping = true;
   }
 }
 
 void Motions::ended_by_us(int axis, EndedBy why) {
   for (int i = 0; i < console_.axes(); ++i) {
-    if (!console_.draft.axis_moves(i) || (i != axis && (tracked_[ix(axis)].with >> i & 1u) == 0)) continue;
+    if (!console_.snapshot.axis_moves(i) || (i != axis && (tracked_[ix(axis)].with >> i & 1u) == 0)) continue;
     if (tracked_[ix(i)].ended_by != EndedBy::abort) tracked_[ix(i)].ended_by = why;
     tracked_[ix(i)].was_stopped = true;
     if (why == EndedBy::abort) doubt_killed_position(i);
@@ -131,7 +131,7 @@ void Motions::ended_by_us(int axis, EndedBy why) {
 // ABORT ends the pulses, not the motion of the mass: a step motor stays in step only up to the speed at which
 // it also starts without a ramp. With StepNLoop the encoder counts the real motion.
 void Motions::doubt_killed_position(int index) {
-  AxisState& axis = console_.draft.axes[index];
+  AxisState& axis = console_.snapshot.axes[index];
   const std::int64_t safe = setup_.start_speed(index);
   if (axis.in_counts || axis.trust.doubtful() || axis.speed.value <= static_cast<double>(safe)) return;
   axis.trust.doubt(Doubt::killed, console_.scheduler.now());
@@ -161,7 +161,7 @@ void Motions::turned(int axis, Steps way) {
 }
 
 void Motions::seen(int index) {
-  const AxisState& axis = console_.draft.axes[index];
+  const AxisState& axis = console_.snapshot.axes[index];
   AxisTracking& tracking = tracked_[ix(index)];
   if (tracking.wanted == Activity::homing && axis.seen_at > tracking.begun_at)
     tracking.home.read(axis.position, axis.speed, axis.seen_at);
@@ -171,7 +171,7 @@ void Motions::loop_is(int axis, std::int64_t state) {
   AxisTracking& tracking = tracked_[ix(axis)];
   const int before = std::exchange(tracking.loop_state, static_cast<int>(state));
   if (loop_stops(before) && loop_sets_out(tracking.loop_state)) tracking.ended_by = EndedBy::nothing;
-  console_.draft.axes[axis].in_counts = state != static_cast<std::int64_t>(LoopState::off);
+  console_.snapshot.axes[axis].in_counts = state != static_cast<std::int64_t>(LoopState::off);
 }
 
 bool Motions::take_loop(int axis, std::int64_t state, Instant asked_at) {
@@ -193,7 +193,7 @@ void Motions::loop_is_unknown(int axis) {
 // after the question is not judged by its reply.
 void Motions::show(int index, Instant asked_at) {
   AxisTracking& tracking = tracked_[ix(index)];
-  AxisState& axis = console_.draft.axes[index];
+  AxisState& axis = console_.snapshot.axes[index];
   if (tracking.begun_at > asked_at) return;
   if (tracking.stopping) {  // until the stop has seen it stand
     axis.activity = Activity::stopping;
@@ -216,7 +216,7 @@ void Motions::show(int index, Instant asked_at) {
     axis.error = AxisError::none;
     return;
   }
-  if (console_.draft.axis_moves(index) || axis.activity == Activity::unknown) show_ended(index);
+  if (console_.snapshot.axis_moves(index) || axis.activity == Activity::unknown) show_ended(index);
   const AxisError before = std::exchange(axis.error, error_of(index));
   if (axis.error != before && loses_its_place(axis.error) && !axis.trust.doubtful())
     axis.trust.doubt(Doubt::slipped, console_.scheduler.now());
@@ -227,8 +227,8 @@ void Motions::show(int index, Instant asked_at) {
 
 void Motions::show_ended(int index) {
   AxisTracking& tracking = tracked_[ix(index)];
-  AxisState& axis = console_.draft.axes[index];
-  const bool was_moving = console_.draft.axis_moves(index);
+  AxisState& axis = console_.snapshot.axes[index];
+  const bool was_moving = console_.snapshot.axis_moves(index);
   if (was_moving) axis.ended_by = how_it_ended(index);
   if (was_moving && tracking.wanted == Activity::homing && axis.ended_by == EndedBy::target)
     axis.trust.settle(Trust::homed, console_.scheduler.now());
@@ -238,7 +238,7 @@ void Motions::show_ended(int index) {
 
 void Motions::restarted(unsigned moved) {
   for (int i = 0; i < console_.axes(); ++i) {
-    AxisState& axis = console_.draft.axes[i];
+    AxisState& axis = console_.snapshot.axes[i];
     if ((moved >> i & 1u) != 0) axis.ended_by = EndedBy::lost;
     tracked_[ix(i)] = AxisTracking();
     axis.has_target = false;
@@ -301,7 +301,7 @@ EndedBy Motions::how_it_ended(int axis) const {
 /// A motion of the console without a target, which nothing that is known has ended.
 bool Motions::was_cut_short(int index) const {
   const AxisTracking& tracking = tracked_[ix(index)];
-  const AxisState& axis = console_.draft.axes[index];
+  const AxisState& axis = console_.snapshot.axes[index];
   if (!tracking.ours || tracking.was_stopped || axis.has_target) return false;
   if (tracking.wanted == Activity::homing) return !tracking.home.may_have_found(axis.position);
   return tracking.wanted == Activity::jogging;
@@ -309,7 +309,7 @@ bool Motions::was_cut_short(int index) const {
 
 // With StepNLoop the axis may miss its target by up to SLT.
 bool Motions::misses_its_target(int index) const {
-  const AxisState& axis = console_.draft.axes[index];
+  const AxisState& axis = console_.snapshot.axes[index];
   if (!axis.has_target) return false;
   return std::abs((axis.position - axis.target).value) > (axis.in_counts ? loop_tolerance(index) : 0);
 }
@@ -325,9 +325,9 @@ std::int64_t Motions::loop_tolerance(int axis) const {
 // not come to rest there.
 Pps Motions::fastest_way_to_zero(int index) const {
   constexpr Pps at_once{std::numeric_limits<double>::infinity()};
-  const AxisState& axis = console_.draft.axes[index];
+  const AxisState& axis = console_.snapshot.axes[index];
   const AxisTracking& tracking = tracked_[ix(index)];
-  if (!console_.draft.axis_moves(index)) return Pps{};
+  if (!console_.snapshot.axis_moves(index)) return Pps{};
   if (!tracking.ours || tracking.wanted == Activity::homing) return at_once;
   const bool away = axis.position.value * axis.direction > 0;
   if (tracking.wanted == Activity::jogging) return away ? Pps{} : std::max(axis.speed, tracking.top_speed);
@@ -338,11 +338,11 @@ Pps Motions::fastest_way_to_zero(int index) const {
 }
 
 RestartWatch::AxisNow Motions::now(int axis) const {
-  const AxisState& state = console_.draft.axes[axis];
+  const AxisState& state = console_.snapshot.axes[axis];
   const Steps room = state.in_counts ? Steps(loop_tolerance(axis)) : Steps(0);
   RestartWatch::AxisNow now;
   now.runs = runs(axis);
-  now.moving = console_.draft.axis_moves(axis);
+  now.moving = console_.snapshot.axis_moves(axis);
   now.to_encoder =
       state.in_counts && (tracked_[ix(axis)].stopping || loop_stops(tracked_[ix(axis)].loop_state));
   now.towards_zero = fastest_way_to_zero(axis);
@@ -352,7 +352,7 @@ RestartWatch::AxisNow Motions::now(int axis) const {
 }
 
 bool Motions::leaves_zero(int index) const {
-  const AxisState& axis = console_.draft.axes[index];
+  const AxisState& axis = console_.snapshot.axes[index];
   const AxisTracking& tracking = tracked_[ix(index)];
   if (!runs(index) || !tracking.ours || tracking.stopping) return false;
   if (tracking.wanted == Activity::jogging) return axis.position.value * axis.direction > 0;

@@ -38,7 +38,7 @@ Task<Result<>> MoveList::switch_buffer_on() {
   if (!on) co_return on;
   console_.report(
       Notice::Kind::info,
-      console_.draft.pieces.running
+      console_.snapshot.pieces.running
           ? "Buffered mode is on while this is drawn. After a stop it stays on until you switch it off."
           : "Buffered mode was switched on for the list. It stays on until you switch it off.");
   co_return Result<>();
@@ -46,27 +46,27 @@ Task<Result<>> MoveList::switch_buffer_on() {
 
 void MoveList::begin(std::vector<std::vector<std::int64_t>> rows) {
   const auto& columns = console_.catalog.move_list.columns;
-  const auto own_speed = std::llround(console_.draft.axes[0].own_speed.value);
+  const auto own_speed = std::llround(console_.snapshot.axes[0].own_speed.value);
   for (std::vector<std::int64_t>& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) {
       const int axis = columns[c].of_axis;
-      const std::int64_t now = axis >= 0 ? console_.draft.axes[axis].position.value : own_speed;
+      const std::int64_t now = axis >= 0 ? console_.snapshot.axes[axis].position.value : own_speed;
       if (row[c] == intent::FeedMoves::as_it_is) row[c] = std::max(now, columns[c].minimum);
     }
   to_feed_.assign(std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
-  for (std::size_t a = 0; a < behind_.size(); ++a) behind_[a] = console_.draft.axes[a].position.value;
+  for (std::size_t a = 0; a < behind_.size(); ++a) behind_[a] = console_.snapshot.axes[a].position.value;
   if (row_takes_ == Duration::zero() && conversation_.is_open())
     row_takes_ = conversation_.station()->wire_time(40);
-  if (console_.draft.pieces.step < 0) slow_is_told_ = false;  // the first of all
-  console_.draft.feed.running = !to_feed_.empty();
-  console_.draft.feed.sent = 0;
-  console_.draft.feed.total = static_cast<std::int32_t>(to_feed_.size());
+  if (console_.snapshot.pieces.step < 0) slow_reported_ = false;  // the first of all
+  console_.snapshot.feed.running = !to_feed_.empty();
+  console_.snapshot.feed.sent = 0;
+  console_.snapshot.feed.total = static_cast<std::int32_t>(to_feed_.size());
 }
 
 // A move is taken from the list before it is sent, so it is never sent twice, whatever the reply. Only a full
 // buffer has certainly not taken it.
 Task<Result<>> MoveList::feed(std::function<void()> moves) {
-  if (console_.draft.pieces.held) co_return Result<>();
+  if (console_.snapshot.pieces.held) co_return Result<>();
   // A status round takes as long as a few moves: more are sent before the buffer runs dry.
   const bool runs_dry = 2 * buffer_free_ > console_.catalog.move_list.depth;
   const int most = runs_dry ? 2 * most_per_round : most_per_round;
@@ -95,26 +95,26 @@ Task<Result<>> MoveList::feed(std::function<void()> moves) {
     row_took(console_.scheduler.now() - asked_at);
     std::copy_n(row.begin(), behind_.size(), behind_.begin());
     --buffer_free_;
-    ++console_.draft.feed.sent;
+    ++console_.snapshot.feed.sent;
     moves();
   }
   if (!to_feed_.empty()) co_return Result<>();
-  console_.draft.feed.running = false;
+  console_.snapshot.feed.running = false;
   co_return Result<>();
 }
 
 std::int64_t MoveList::speed_of(const std::vector<std::int64_t>& row) {
-  if (!console_.draft.pieces.running) return row[3];
+  if (!console_.snapshot.pieces.running) return row[3];
   const ActionField& column = console_.catalog.move_list.columns[3];
   const std::int64_t speed =
-      std::clamp(row[3] * console_.draft.pieces.percent / 100, column.minimum, column.maximum);
+      std::clamp(row[3] * console_.snapshot.pieces.percent / 100, column.minimum, column.maximum);
   if (to_feed_.empty()) return speed;
   double way = 0;
   for (std::size_t a = 0; a < behind_.size(); ++a)
     way = std::hypot(way, static_cast<double>(row[a] - behind_[a]));
   const double at_least_s = status_takes_part * seconds(row_takes_);
   if (way >= at_least_s * static_cast<double>(speed)) return speed;
-  if (!std::exchange(slow_is_told_, true))
+  if (!std::exchange(slow_reported_, true))
     console_.report(Notice::Kind::info,
                     fmt::format("Short lines are drawn more slowly than set: sending a line takes {} ms on "
                                 "this wire, and no line may end sooner.",
@@ -125,7 +125,7 @@ std::int64_t MoveList::speed_of(const std::vector<std::int64_t>& row) {
 void MoveList::row_took(Duration time) { row_takes_ = std::max(time, row_takes_ - row_takes_ / 16); }
 
 void MoveList::broken_off(Fault why) {
-  const int sent = console_.draft.feed.sent;
+  const int sent = console_.snapshot.feed.sent;
   end();
   if (why.kind == FaultKind::stopped) return;
   why.done = fmt::format("Only {} moves of the list were sent.", sent);
@@ -134,7 +134,7 @@ void MoveList::broken_off(Fault why) {
 
 void MoveList::end() {
   to_feed_.clear();
-  console_.draft.feed.running = false;
+  console_.snapshot.feed.running = false;
 }
 
 }  // namespace hw::arcus

@@ -41,7 +41,7 @@ class MoveList {
   bool buffer_on_ = false;
   std::array<std::int64_t, 3> behind_{};  ///< end of the latest row
   Duration row_takes_{};                  ///< its reply included, on this wire
-  bool slow_is_told_ = false;
+  bool slow_reported_ = false;
 };
 
 }  // namespace hw::arcus

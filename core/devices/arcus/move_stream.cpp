@@ -45,8 +45,8 @@ class Streamer final : public ActWriter {
   }
   [[nodiscard]] bool can_move(int place) const override { return draft_.axis(place).index < buffer_axes; }
 
-  Result<> speeds(const seq::Speeds& said) override {
-    auto steps = draft_.speeds(0, said);
+  Result<> speeds(const seq::Speeds& sent) override {
+    auto steps = draft_.speeds(0, sent);
     if (!steps) return fail(steps.error());
     if (steps->low != 0) set("LS", steps->low);
     if (steps->ramp_ms != 0) set("ACC", std::max<std::int64_t>(std::llround(steps->ramp_ms), 1));

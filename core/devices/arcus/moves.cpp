@@ -1,10 +1,9 @@
 #include "core/devices/arcus/moves.h"
 
-#include <cmath>
-
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/target_check.h"
 #include "core/devices/arcus/catalog_params.h"
 
 namespace hw::arcus {
@@ -37,8 +36,8 @@ Task<Result<std::int64_t>> Moves::ask_position(int axis) {
   std::string question = fill(console_.forms, console_.forms.position, axis);
   Conversation::Decode decode = decode_number;
   auto position = co_await conversation_.ask_surely(
-      std::move(question), std::move(decode), console_.draft.axes[axis].position.value, Priority::intent);
-  if (position || !console_.draft.axes[axis].position_known || position.error().kind != FaultKind::garbled)
+      std::move(question), std::move(decode), console_.snapshot.axes[axis].position.value, Priority::intent);
+  if (position || !console_.snapshot.axes[axis].position_known || position.error().kind != FaultKind::garbled)
     co_return position;
   co_return fail(
       FaultKind::garbled,
@@ -53,33 +52,29 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> request, intent::Pace pace, b
   if (!incremental) co_return fail(incremental.error());
   std::vector<AxisValue> values;
   std::vector<int> axes;
-  std::vector<std::int64_t> goals;
+  std::vector<Steps> goals;
   for (const AxisTarget& t : request) {
     const int axis = t.axis.index;
     if (auto may = console_.has_axis(axis); !may) co_return may;
-    std::int64_t here = console_.draft.axes[axis].position.value;
+    std::int64_t here = console_.snapshot.axes[axis].position.value;
     // Otherwise the mode takes the number as it is, and the move begins where the axis was seen at rest.
-    if (relative != *incremental || console_.draft.axis_moves(axis)) {
+    if (relative != *incremental || console_.snapshot.axis_moves(axis)) {
       auto read = co_await ask_position(axis);
       if (!read) co_return fail(read.error());
       here = *read;
     }
-    const std::int64_t target = relative ? here + t.value.value : t.value.value;
-    if (target < position_min || target > position_max)
-      co_return fail(FaultKind::refused,
-                     fmt::format("{} is not a position for axis {}: positions go from {} to {}.", target,
-                                 console_.axis_name(axis), position_min, position_max),
-                     "Nothing was sent.");
-    values.push_back({axis, *incremental ? target - here : target});
+    const auto target = check_target(console_.catalog, t.axis, Steps(relative ? here : 0), t.value);
+    if (!target) co_return fail(target.error());
+    values.push_back({axis, *incremental ? target->value - here : target->value});
     axes.push_back(axis);
-    goals.push_back(target);
+    goals.push_back(*target);
   }
   auto borrowed = co_await borrow_pace(pace, axes.size() == 1 ? axes.front() : -1);
   if (!borrowed) co_return borrowed;
   auto started = co_await start(move_command(console_.forms, values), axes, shown_as);
   for (std::size_t i = 0; started && i < axes.size(); ++i) {
-    motions_.goes_to(axes[i], Steps(goals[i]), pace.speed);
-    watch_.was_sent_to(axes[i], Steps(goals[i]));
+    motions_.goes_to(axes[i], goals[i], pace.speed);
+    watch_.was_sent_to(axes[i], goals[i]);
   }
   co_await give_back_pace();
   co_return started;
@@ -105,8 +100,8 @@ Task<Result<>> Moves::jog(intent::JogStart request) {
   auto started = co_await start(fill(console_.forms, console_.forms.jog, axis, request.sign), std::move(axes),
                                 Activity::jogging);
   if (started) {
-    console_.draft.axes[axis].direction = static_cast<std::int8_t>(factor(request.sign));
-    console_.draft.axes[axis].has_target = false;
+    console_.snapshot.axes[axis].direction = static_cast<std::int8_t>(factor(request.sign));
+    console_.snapshot.axes[axis].has_target = false;
     watch_.jogs(axis, request.sign);
   }
   co_await give_back_pace();
@@ -135,20 +130,6 @@ Task<Result<>> Moves::home(intent::Home request) {
 
 // ---- the pace of one motion
 
-Result<> Moves::checked(const intent::Pace& pace) const {
-  const auto speed = static_cast<std::int64_t>(std::llround(pace.speed.value));
-  if (speed > max_speed)
-    return fail(FaultKind::refused, fmt::format("{} is not a speed: it goes from 1 to {}.", speed, max_speed),
-                "Nothing was sent.");
-  const std::int64_t longest = longest_ramp_ms(console_.model());
-  if (pace.acceleration && (*pace.acceleration < 1 || *pace.acceleration > longest))
-    return fail(FaultKind::refused,
-                fmt::format("{} is not possible: the acceleration is the time of the ramp, from 1 to {} ms.",
-                            *pace.acceleration, longest),
-                "Nothing was sent.");
-  return {};
-}
-
 Task<Result<bool>> Moves::has_own_speeds(int axis) {
   if (axis < 0 || !console_.forms.axis_speeds) co_return false;
   bool own = true;
@@ -162,18 +143,18 @@ Task<Result<bool>> Moves::has_own_speeds(int axis) {
 }
 
 Task<Result<>> Moves::borrow_pace(intent::Pace pace, int axis) {
-  if (auto may = checked(pace); !may) co_return may;
-  const auto speed = static_cast<std::int64_t>(std::llround(pace.speed.value));
-  if (speed <= 0 && !pace.acceleration) co_return Result<>();
+  const auto whole = check_pace(console_.catalog, acceleration_unit(console_.model()), pace);
+  if (!whole) co_return fail(whole.error());
+  if (whole->speed == 0 && !pace.acceleration) co_return Result<>();
   const auto own = co_await has_own_speeds(axis);
   if (!own) co_return fail(own.error());
   const auto name_of = [&](std::string_view of_all, std::string_view of_axis) {
     return *own ? fill(console_.forms, of_axis, axis) : std::string(of_all);
   };
-  if (speed > 0) {
+  if (whole->speed > 0) {
     std::string name = name_of(console_.forms.high_speed, console_.forms.axis_high_speed);
     const auto shown = setup_.param(name);
-    auto borrowed = co_await borrowed_.borrow(std::move(name), speed, shown);
+    auto borrowed = co_await borrowed_.borrow(std::move(name), whole->speed, shown);
     if (!borrowed) co_return borrowed;
   }
   if (!pace.acceleration) co_return Result<>();
@@ -198,15 +179,15 @@ Task<Result<>> Moves::set_position(intent::SetPosition request) {
         set_command(fill(console_.forms, console_.forms.position, axis), request.value.value),
         Priority::intent);
     if (!set) {
-      if (console_.draft.axes[axis].in_counts && set.error().kind == FaultKind::refused)
+      if (console_.snapshot.axes[axis].in_counts && set.error().kind == FaultKind::refused)
         set.error().advice = fmt::format(
             "While StepNLoop of {} is on its position follows the encoder: set the encoder counter instead.",
             console_.axis_name(axis));
       co_return set;
     }
     watch_.position_was_set(axis, request.value);
-    console_.draft.axes[axis].trust.settle(Trust::set, console_.scheduler.now());
-    console_.draft.axes[axis].has_target = false;  // the count has another origin now
+    console_.snapshot.axes[axis].trust.settle(Trust::set, console_.scheduler.now());
+    console_.snapshot.axes[axis].has_target = false;  // the count has another origin now
   }
   co_return co_await status_.read(Priority::intent);
 }
@@ -221,7 +202,7 @@ Task<Result<>> Moves::set_encoder(intent::SetEncoder request) {
         Priority::intent);
     if (!set) co_return set;
     watch_.encoder_was_set(axis, request.value);
-    console_.draft.axes[axis].has_target = false;
+    console_.snapshot.axes[axis].has_target = false;
   }
   co_return co_await status_.read(Priority::intent);
 }

@@ -40,7 +40,6 @@ class Moves {
   Task<Result<>> borrow_pace(intent::Pace pace, int axis);
   /// Whether this axis has its own speeds, not those for all axes.
   Task<Result<bool>> has_own_speeds(int axis);
-  Result<> checked(const intent::Pace& pace) const;
   /// Call after the motion command; a failure does not stop the motion.
   Task<> give_back_pace();
 

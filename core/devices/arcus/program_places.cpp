@@ -1,6 +1,7 @@
 #include "core/devices/arcus/program_places.h"
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "core/base/index.h"
@@ -42,8 +43,13 @@ class PlaceReader {
     if (number < 0 || ix(number) >= programs.size() || !programs[ix(number)]) return;
     if (std::exchange(read_[ix(number)], true)) return;
     const int starter = std::exchange(depth_, 0);  // each has a stack of its own
+    const auto of_starter = std::exchange(at_error_, std::nullopt);
     read_from(*programs[ix(number)], standing);
-    if (const auto& on_error = program_.subs[language::error_subroutine]) read_from(*on_error, standing);
+    may_fail(standing);
+    const auto& on_error = program_.subs[language::error_subroutine];
+    if (auto at_error = std::exchange(at_error_, std::nullopt); at_error && on_error)
+      read_from(*on_error, *at_error);
+    at_error_ = of_starter;
     depth_ = starter;
   }
   [[nodiscard]] std::vector<AxisTarget> places() && { return std::move(places_); }
@@ -61,6 +67,7 @@ class PlaceReader {
     --depth_;
   }
   void read(const Instruction& next, Standing& standing) {
+    may_fail(standing);
     add_homed(standing.counted, next);
     switch (next.op) {
       case Opcode::absolute: standing.absolute = true; break;
@@ -73,6 +80,19 @@ class PlaceReader {
       case Opcode::move: move(next, standing); break;
       default: break;
     }
+  }
+  /// The error subroutine may start at any statement, long behind the motion that failed: it can count only
+  /// on what holds at each of them.
+  void may_fail(const Standing& standing) {
+    if (!at_error_) {
+      at_error_ = standing;
+      return;
+    }
+    at_error_->absolute = at_error_->absolute || standing.absolute;
+    language::AxisSet counted;
+    for (int axis = 0; axis < language::max_axes; ++axis)
+      if (at_error_->counted.has(axis) && standing.counted.has(axis)) counted.add(axis);
+    at_error_->counted = counted;
   }
   void call(std::int32_t sub, Standing& standing) {
     if (sub >= 0 && sub < language::subroutines && program_.subs[ix(sub)])
@@ -102,7 +122,8 @@ class PlaceReader {
   std::array<bool, language::max_programs> read_{};  ///< programs that have been
   std::array<std::int32_t, language::variables> variables_{};
   std::vector<AxisTarget> places_;
-  int depth_ = 0, left_ = 100'000;  ///< calls; lines to be read at most
+  std::optional<Standing> at_error_;  ///< of the program that is being read
+  int depth_ = 0, left_ = 100'000;    ///< calls; lines to be read at most
 };
 
 }  // namespace

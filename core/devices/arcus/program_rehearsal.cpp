@@ -6,6 +6,7 @@
 
 #include "core/base/index.h"
 #include "core/devices/arcus/language/compiler.h"
+#include "core/devices/arcus/language/listing.h"
 #include "core/devices/arcus/move_stream.h"
 #include "core/devices/arcus/program_language.h"
 #include "core/devices/arcus/program_places.h"
@@ -294,6 +295,10 @@ Result<Pieces> ProgramLanguage::in_pieces(const sequence::Sequence& sequence, co
 Result<SequenceRead> ProgramLanguage::read(std::string_view text, const sequence::Sequence& frame,
                                            const Catalog& catalog) const {
   return read_sequence(text, frame, catalog, dialect_);
+}
+
+std::string ProgramLanguage::write_listing(const std::vector<std::string>& lines) const {
+  return language::write_listing(lines, dialect_);
 }
 
 std::vector<AxisTarget> ProgramLanguage::places_in(std::string_view text, int start) const {

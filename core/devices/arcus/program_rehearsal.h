@@ -36,6 +36,7 @@ class ProgramLanguage final : public Language, public PartialWriter, public Plac
                                          int from_step) const override;
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,
                                           const Catalog& catalog) const override;
+  [[nodiscard]] std::string write_listing(const std::vector<std::string>& lines) const override;
   [[nodiscard]] std::vector<AxisTarget> places_in(std::string_view text, int start) const override;
 
  private:

@@ -83,8 +83,8 @@ bool incremental(const ControllerState& state, const Catalog& catalog) {
 }
 
 /// The value of one axis's readout, by the last letter of its name: S its state, P and E its positions.
-std::optional<std::int64_t> told(const ControllerState& state, const Catalog& catalog, Group group, int axis,
-                                 char what) {
+std::optional<std::int64_t> setting(const ControllerState& state, const Catalog& catalog, Group group,
+                                    int axis, char what) {
   for (std::size_t i = 0; i < catalog.readouts.size(); ++i) {
     const ReadoutInfo& info = catalog.readouts[i];
     if (info.group == group && info.axis == axis && info.id.back() == what &&
@@ -103,7 +103,8 @@ std::int64_t hidden_outputs(const Controller& controller, const ControllerState&
   std::int64_t hidden = 0;
   if (controller.loop_has_outputs()) hidden |= bit(model.in_position_output) | bit(model.alarm_output);
   for (int i = 0; i < controller.axes(); ++i)
-    if (told(state, catalog, sync_outputs, i, 'S').value_or(0) != 0) hidden |= bit(model.sync_outputs[ix(i)]);
+    if (setting(state, catalog, sync_outputs, i, 'S').value_or(0) != 0)
+      hidden |= bit(model.sync_outputs[ix(i)]);
   return hidden;
 }
 
@@ -117,10 +118,11 @@ void put_outputs(Controller& controller, const ControllerState& state, const Cat
 /// Call when the inputs are set: none of their edges must be caught.
 void arm(Controller& controller, const ControllerState& state, const Catalog& catalog) {
   for (int i = 0; i < controller.axes(); ++i) {
-    if (const auto latch = told(state, catalog, latches, i, 'S'))
-      controller.axis(i).latch = {static_cast<int>(*latch), told(state, catalog, latches, i, 'P').value_or(0),
-                                  told(state, catalog, latches, i, 'E').value_or(0)};
-    const auto sync = told(state, catalog, sync_outputs, i, 'S');
+    if (const auto latch = setting(state, catalog, latches, i, 'S'))
+      controller.axis(i).latch = {static_cast<int>(*latch),
+                                  setting(state, catalog, latches, i, 'P').value_or(0),
+                                  setting(state, catalog, latches, i, 'E').value_or(0)};
+    const auto sync = setting(state, catalog, sync_outputs, i, 'S');
     if (sync == 1) controller.sync_on(i);
     if (sync == 2) controller.axis(i).sync.state = 2;
   }
@@ -159,7 +161,7 @@ void name_unarmed(std::vector<RehearsedAssumption>& all, const ControllerState& 
     const bool latch = info.group == latches, sync = info.group == sync_outputs;
     if ((!latch && !sync) || info.axis < 0 || info.id.back() != 'S') continue;
     const bool matters = ((latch ? first.at_latch : first.at_sync) >> info.axis & 1u) != 0;
-    if (matters && !told(state, catalog, latch ? latches : sync_outputs, info.axis, 'S'))
+    if (matters && !setting(state, catalog, latch ? latches : sync_outputs, info.axis, 'S'))
       all.push_back({info.id, "off"});
   }
 }

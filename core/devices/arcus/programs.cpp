@@ -45,7 +45,7 @@ Task<Result<>> Programs::perform(IntentBody body) {
     code_.forget();
     auto cleared = co_await stored_.write({});
     if (!cleared) co_return stored_.broken_off(std::move(cleared.error()));
-    console_.draft.slots_torn = 0;
+    console_.snapshot.slots_torn = 0;
     co_return Result<>();
   }
   if (std::holds_alternative<SelectProgram>(body)) co_return Result<>();
@@ -65,21 +65,21 @@ Task<Result<>> Programs::control(int thread, int what) {
         fmt::format("There is no program {}: there are 0 to {}.", thread, console_.model().programs - 1),
         "Nothing was sent.");
   const std::string text = fmt::format("SR{}={}", thread, what);
-  if (what == thread_run) console_.draft.program.ended_by = EndedBy::nothing;
+  if (what == thread_run) console_.snapshot.program.ended_by = EndedBy::nothing;
   auto done = co_await conversation_.command(text, Priority::intent);
   if (!done) {
     Fault fault = co_await status_.after_doubt(std::move(done.error()), text);
     co_return fail(std::move(fault));
   }
-  if (what == thread_run) console_.draft.program.started_at = console_.scheduler.now();
+  if (what == thread_run) console_.snapshot.program.started_at = console_.scheduler.now();
   auto read = co_await threads_.read(false, Priority::intent);
   if (!read) co_return read;
-  const RunState now = console_.draft.threads[ix(thread)].run;
+  const RunState now = console_.snapshot.threads[ix(thread)].run;
   if (what == thread_run && now == RunState::error) {
     has_run(thread);
     co_return fail(FaultKind::controller,
                    fmt::format("Program {} stopped with an error at line {} of its stored code.", thread,
-                               console_.draft.threads[ix(thread)].line),
+                               console_.snapshot.threads[ix(thread)].line),
                    {}, "Check the program, and whether an axis has an error.");
   }
   co_return Result<>();
@@ -87,7 +87,7 @@ Task<Result<>> Programs::control(int thread, int what) {
 
 // The program ended before its state was read: notices of ends need to see that it ran.
 void Programs::has_run(int thread) {
-  ThreadState& state = console_.draft.threads[ix(thread)];
+  ThreadState& state = console_.snapshot.threads[ix(thread)];
   const RunState over = std::exchange(state.run, RunState::running);
   console_.changed();
   state.run = over;
@@ -97,7 +97,7 @@ void Programs::has_run(int thread) {
 // that does not run may have ended already, so the stored code is checked.
 Task<Result<>> Programs::run(int program) {
   auto started = co_await control(program, thread_run);
-  if (!started || console_.draft.threads[ix(program)].run != RunState::idle) co_return started;
+  if (!started || console_.snapshot.threads[ix(program)].run != RunState::idle) co_return started;
   if (code_.known() && code_.known()->programs[ix(program)]) {
     has_run(program);
     co_return started;
@@ -129,7 +129,8 @@ Task<Result<>> Programs::control_all(int thread, int what) {
   const bool pauses = what == thread_pause;
   bool any = false;
   for (int n = 0; n < console_.model().programs; ++n) {
-    const bool concerned = console_.draft.threads[ix(n)].run == (pauses ? RunState::running : RunState::held);
+    const bool concerned =
+        console_.snapshot.threads[ix(n)].run == (pauses ? RunState::running : RunState::held);
     if (!concerned || (thread >= 0 && n != thread)) continue;
     any = true;
     auto done = co_await control(n, what);
@@ -184,7 +185,7 @@ Task<Result<>> Programs::load(int program, std::string text) {
   code_.forget();
   auto written = co_await stored_.write(lines);
   if (!written) co_return stored_.broken_off(std::move(written.error()));
-  console_.draft.slots_torn = 0;
+  console_.snapshot.slots_torn = 0;
   note_stored(lines);
   console_.report(Notice::Kind::info, stored_lines(static_cast<int>(lines.size()), *written));
   co_return Result<>();
@@ -197,7 +198,7 @@ Task<Result<>> Programs::upload(int program) {
   auto lines = co_await stored_.read();
   if (!lines) co_return fail(lines.error());
   note_stored(*lines);
-  console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(lines->size());
+  console_.snapshot.slot_bytes_used[0] = static_cast<std::int16_t>(lines->size());
   const language::Decompiled source = language::decompile(*lines, dialect_);
   const bool whole = program <= 0;
   Notice notice(Notice::Kind::program, console_.scheduler.now(),

@@ -20,17 +20,17 @@ Readouts::Readouts(const Console& console, Conversation& conversation,
   for (std::size_t i = 0; i < by_status_.size(); ++i) {
     const std::string& id = console_.catalog.readouts[i].id;
     by_status_[i] = id.starts_with("MST") || id == "LATCHIN" || id == "INDEX";
-    for (const std::string_view told : console_.forms.behind_status)
-      by_status_[i] = by_status_[i] || id == told;
+    for (const std::string_view behind : console_.forms.behind_status)
+      by_status_[i] = by_status_[i] || id == behind;
   }
 }
 
 void Readouts::put(std::string_view id, std::int64_t value) {
   const int index = console_.catalog.find_readout(id);
   if (index < 0) return;
-  console_.draft.readouts[ix(index)] = value;
-  console_.draft.readouts_known.set(ix(index));
-  console_.draft.readouts_seen_at[ix(index)] = console_.scheduler.now();
+  console_.snapshot.readouts[ix(index)] = value;
+  console_.snapshot.readouts_known.set(ix(index));
+  console_.snapshot.readouts_seen_at[ix(index)] = console_.scheduler.now();
   if (id == "MM") incremental_ = value != 0;
 }
 
@@ -48,26 +48,26 @@ Task<Result<>> Readouts::read(int index, Priority priority) {
 Task<Result<>> Readouts::read_analog(int number, Priority priority) {
   auto value = co_await conversation_.ask_number(fmt::format("AI{}", number), priority);
   if (!value) co_return fail(value.error());
-  console_.draft.analog[ix(number - 1)] = static_cast<std::int32_t>(*value);
-  console_.draft.analog_known |= 1u << (number - 1);
-  console_.draft.analog_seen_at[ix(number - 1)] = console_.scheduler.now();
+  console_.snapshot.analog[ix(number - 1)] = static_cast<std::int32_t>(*value);
+  console_.snapshot.analog_known |= 1u << (number - 1);
+  console_.snapshot.analog_seen_at[ix(number - 1)] = console_.scheduler.now();
   co_return Result<>();
 }
 
 Task<Result<>> Readouts::read_variable(int number, Priority priority) {
   auto value = co_await conversation_.ask_number(fmt::format("V{}", number), priority);
   if (!value) co_return fail(value.error());
-  console_.draft.variables[ix(number)] = static_cast<std::int32_t>(*value);
-  console_.draft.variables_known.set(ix(number));
+  console_.snapshot.variables[ix(number)] = static_cast<std::int32_t>(*value);
+  console_.snapshot.variables_known.set(ix(number));
   co_return Result<>();
 }
 
 Task<Result<>> Readouts::read_watched() {
-  const auto& threads = console_.draft.threads;
+  const auto& threads = console_.snapshot.threads;
   const bool runs = std::any_of(threads.begin(), threads.end(),
                                 [](const ThreadState& thread) { return thread.run == RunState::running; });
   // The program may change them, and without a reader nobody would notice.
-  if (runs && !(watched_ >> variable_values & 1)) console_.draft.variables_known.reset();
+  if (runs && !(watched_ >> variable_values & 1)) console_.snapshot.variables_known.reset();
   for (int i = 0; i < static_cast<int>(console_.catalog.readouts.size()); ++i) {
     if (by_status_[ix(i)] || !(watched_ >> console_.catalog.readouts[ix(i)].group & 1)) continue;
     auto done = co_await read(i, Priority::poll);

@@ -19,10 +19,10 @@ RestartWatch::Stood RestartWatch::where_all_stand() const {
   Stood stood;
   stood.seen_at = console_.scheduler.now();
   stood.misses = conversation_.misses();
-  stood.program_ran = console_.draft.program.run == RunState::running;
-  for (int i = 0; i < console_.draft.axis_count; ++i) {
+  stood.program_ran = console_.snapshot.program.run == RunState::running;
+  for (int i = 0; i < console_.snapshot.axis_count; ++i) {
     const AxisNow now = callbacks_.axis_now(i);
-    stood.axes[ix(i)] = {console_.draft.axes[i].position, console_.draft.axes[i].encoder, now,
+    stood.axes[ix(i)] = {console_.snapshot.axes[i].position, console_.snapshot.axes[i].encoder, now,
                          now.leaves_zero, false};
   }
   return stood;
@@ -78,8 +78,8 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   const double elapsed = between_two_looks + seconds(console_.scheduler.now() - before->seen_at);
   Change all;
   bool stands_at_zero = true, others_at_zero = true, others_came_there = false;  // than those sent away
-  for (int i = 0; i < console_.draft.axis_count; ++i) {
-    const AxisState& axis = console_.draft.axes[i];
+  for (int i = 0; i < console_.snapshot.axis_count; ++i) {
+    const AxisState& axis = console_.snapshot.axes[i];
     const bool at_zero =
         !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) && axis.encoder == Steps(0);
     const Change change = change_of(axis, before->axes[ix(i)], elapsed, targets_stay);
@@ -125,7 +125,8 @@ RestartWatch::Change RestartWatch::change_of(const AxisState& now, const Stood::
 // differs from EOBOOT shows that the supply was never cut.
 Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   std::int64_t on = 0;
-  for (int i = 0; i < console_.draft.axis_count; ++i) on |= std::int64_t{console_.draft.axes[i].enabled} << i;
+  for (int i = 0; i < console_.snapshot.axis_count; ++i)
+    on |= std::int64_t{console_.snapshot.axes[i].enabled} << i;
   const bool a_program_may = code_.switches_motors() && (code_.program_may_run() || code_.was_called());
   const bool unexplained = motors_.answered(look.motors) && !a_program_may;
   const auto before = std::exchange(motors_on_, on);
@@ -155,10 +156,10 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   co_return Result<>();
 }
 
-/// While in doubt, nobody who waits is told that all is well.
+/// While in doubt, no wait ends well.
 void RestartWatch::be_in_doubt(std::optional<InDoubt> doubt) {
   zero_in_doubt_ = std::move(doubt);
-  console_.draft.working = zero_in_doubt_.has_value();
+  console_.snapshot.working = zero_in_doubt_.has_value();
 }
 
 Task<Result<>> RestartWatch::decide(InDoubt in_doubt) {
@@ -186,11 +187,11 @@ Task<Result<>> RestartWatch::decide(InDoubt in_doubt) {
 // Either a power cycle or a sent command has set the counters; which, and how motions ended, cannot be known.
 void RestartWatch::tell_of_doubt(const Stood& before) {
   for (int i = 0; i < console_.axes(); ++i) {
-    AxisState& axis = console_.draft.axes[i];
+    AxisState& axis = console_.snapshot.axes[i];
     if (before.axes[ix(i)].then.moving) axis.ended_by = EndedBy::lost;
-    if (axis.position == Steps(0)) axis.trust.doubt(Doubt::unheard, console_.scheduler.now());
+    if (axis.position == Steps(0)) axis.trust.doubt(Doubt::after_silence, console_.scheduler.now());
   }
-  if (before.program_ran) console_.draft.program.ended_by = EndedBy::lost;
+  if (before.program_ran) console_.snapshot.program.ended_by = EndedBy::lost;
   console_.report(Notice::Kind::warning,
                   "Check where the axes are, and home them before the next absolute move: replies were "
                   "missing, and then all positions read zero. Either a command that was sent did this, or "

@@ -45,7 +45,7 @@ class BlockReader {
       out_.remarks.push_back(fmt::format(
           "Speeds apply to all axes, and the units of these axes differ: it is in {}.", out_.unit));
     }
-    find_remarks(compiled);
+    add_remarks(text_, compiled, remarks_);
   }
 
   Result<ReadText> run() {
@@ -65,16 +65,6 @@ class BlockReader {
  private:
   enum class Mode : std::uint8_t { as_it_is, abs, inc, unclear };
 
-  /// Except the names of the tool's routines.
-  void find_remarks(const language::Compilation& compiled) {
-    std::vector<Opcode> ops(text_.lines.size(), Opcode::empty);
-    for (const language::Statement& s : text_.statements) ops[ix(s.line)] = s.instruction.op;
-    for (std::size_t line = 0; line < std::min(ops.size(), compiled.text.size()); ++line)
-      for (const Token& token : compiled.text[line].tokens)
-        if (token.kind == TokenKind::comment && ops[line] != Opcode::sub)
-          remarks_.add({text_.lines[line].begin + ix(token.begin), text_.lines[line].end},
-                       ops[line] != Opcode::empty);
-  }
   /// The tool's routines are named behind their heads; others are no blocks.
   Result<> find_routines() {
     for (std::size_t i = 0; i < text_.statements.size(); ++i) {
@@ -307,12 +297,6 @@ class BlockReader {
   std::size_t leave_block(std::string_view why, std::size_t from, std::size_t end, ReadSteps& list) {
     mode_ = mode_behind(from, end);
     return leave(why, from, end + 1, list);
-  }
-  /// "IF DI1=1", "WHILE DI1=0".
-  static bool asks_input(const Instruction& s) {
-    return s.values[0].kind == Operand::Kind::quantity && s.values[0].quantity == Quantity::input &&
-           s.comparison == language::Comparison::equal &&
-           (is_number(s.values[1], 0) || is_number(s.values[1], 1));
   }
   std::size_t read_condition(std::size_t i, ReadSteps& list) {
     const std::size_t end = text_.end_of[i];

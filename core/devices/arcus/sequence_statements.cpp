@@ -135,7 +135,7 @@ Operations operations_of(std::string_view text, const language::Dialect& dialect
   Operations operations;
   for (std::size_t i = 0; i < read.statements.size(); ++i) {
     const Instruction& s = read.at(i);
-    if (i == 0 && s.op == Opcode::prg && is_number(s.values[0], 0)) continue;  // said or not
+    if (i == 0 && s.op == Opcode::prg && is_number(s.values[0], 0)) continue;  // written or not
     Operation operation;
     operation.text = source_of(s, dialect);
     operation.at = read.stretch(i);
@@ -165,6 +165,22 @@ Operations operations_of(std::string_view text, const language::Dialect& dialect
       operations.push_back(std::move(operation));
   }
   return operations;
+}
+
+void add_remarks(const StatementText& text, const language::Compilation& compiled, TextRemarks& remarks) {
+  std::vector<Opcode> ops(text.lines.size(), Opcode::empty);
+  for (const language::Statement& s : text.statements) ops[ix(s.line)] = s.instruction.op;
+  for (std::size_t line = 0; line < std::min(ops.size(), compiled.text.size()); ++line)
+    for (const Token& token : compiled.text[line].tokens)
+      if (token.kind == TokenKind::comment && ops[line] != Opcode::sub)
+        remarks.add({text.lines[line].begin + ix(token.begin), text.lines[line].end},
+                    ops[line] != Opcode::empty);
+}
+
+bool asks_input(const Instruction& s) {
+  return s.values[0].kind == Operand::Kind::quantity && s.values[0].quantity == Quantity::input &&
+         s.comparison == language::Comparison::equal &&
+         (is_number(s.values[1], 0) || is_number(s.values[1], 1));
 }
 
 TextEffects effects_of(std::string_view text, const language::Dialect& dialect) {

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/device/sequence_reading.h"
+#include "core/device/text_remarks.h"
+#include "core/devices/arcus/language/compiler.h"
 #include "core/devices/arcus/language/dialect.h"
 #include "core/devices/arcus/language/parser.h"
 
@@ -19,6 +21,9 @@ inline bool is_number(const language::Operand& o, std::int32_t n) { return is_nu
 inline bool goes_by_mode(language::Opcode op) {
   return op >= language::Opcode::move && op <= language::Opcode::circle_counterclockwise;
 }
+
+/// "IF DI1=1", "WHILE DI1=0".
+bool asks_input(const language::Instruction& s);
 
 /// V1=0, WHILE V1<10, ..., V1=V1+1, ENDWHILE, where nothing else in the text uses that variable.
 struct CountedLoop {
@@ -40,6 +45,9 @@ struct StatementText {
   /// From its first character to the end of its line, remark included.
   [[nodiscard]] Stretch stretch(std::size_t i) const;
 };
+
+/// Its comments, but the names of the tool's routines. `compiled`: the same text.
+void add_remarks(const StatementText& text, const language::Compilation& compiled, TextRemarks& remarks);
 
 [[nodiscard]] Operations operations_of(std::string_view text, const language::Dialect& dialect);
 

@@ -37,7 +37,7 @@ class Writer {
   Result<SequenceText> run(std::vector<RefusedStep>* refused) {
     draft_.collect_refused(refused, "; ");
     if (auto found = draft_.find_axes(); !found) return fail(found.error());
-    if (auto said = draft_.tool_line("; "); !said) return fail(said.error());
+    if (auto done = draft_.tool_line("; "); !done) return fail(done.error());
     if (auto written = write_steps(*this, draft_, draft_.sequence.steps); !written)
       return fail(written.error());
     draft_.line("END");
@@ -47,9 +47,9 @@ class Writer {
   }
 
   Result<> write(const seq::Speed& s) {
-    draft_.say_speeds(s.speeds);
-    if (!draft_.all_alike()) return {};  // said before each motion, in pulses of its axis
-    return say_speeds(0, {});
+    draft_.set_speeds(s.speeds);
+    if (!draft_.all_alike()) return {};  // written before each motion, in pulses of its axis
+    return write_speeds(0, {});
   }
   Result<> write(const seq::Move& m) {
     int first = -1;
@@ -64,20 +64,20 @@ class Writer {
       if (first < 0) first = a;
     }
     if (first < 0) return draft_.refuse("it moves no axis.");
-    if (auto said = say_speeds(first, m.own); !said) return said;
+    if (auto done = write_speeds(first, m.own); !done) return done;
     choose(m.relative ? Mode::inc : Mode::abs);
     draft_.line(text);
     return {};
   }
   Result<> write(const seq::Arc& a);
   Result<> write(const seq::Jog& j) {
-    if (auto said = say_speeds(j.axis, j.own); !said) return said;
+    if (auto done = write_speeds(j.axis, j.own); !done) return done;
     draft_.line(fmt::format("JOG{}{}", draft_.name(j.axis), letter(j.direction)));
     draft_.stands(j.axis, std::nullopt);
     return {};
   }
   Result<> write(const seq::Home& h) {
-    if (auto said = say_speeds(h.axis, h.own); !said) return said;
+    if (auto done = write_speeds(h.axis, h.own); !done) return done;
     draft_.line(fmt::format("HOME{}{}", draft_.name(h.axis), letter(h.direction)));
     draft_.stands(h.axis, std::nullopt);
     return {};
@@ -141,7 +141,7 @@ class Writer {
     draft_.lines(c.text);
     const TextEffects does = effects_of(c.text, dialect_);
     if (does.moves) draft_.nothing_known();
-    if (does.speeds) told_.doubt();
+    if (does.speeds) written_.doubt();
     if (does.mode) mode_ = Mode::unknown;
     return {};
   }
@@ -157,20 +157,21 @@ class Writer {
   void choose(Mode mode) {
     if (std::exchange(mode_, mode) != mode) draft_.line(mode == Mode::abs ? "ABS" : "INC");
   }
-  Result<> say_speeds(int axis, const seq::OwnSpeeds& own) {
+  Result<> write_speeds(int axis, const seq::OwnSpeeds& own) {
     const auto wanted = draft_.speeds_of(axis, own);
     if (!wanted) return fail(wanted.error());
-    const auto say = told_.towards(*wanted);
-    if (!say) return draft_.refuse_own_speed();
-    if (say->high != 0) draft_.line(fmt::format("HSPD={}", say->high));
-    if (say->low != 0) draft_.line(fmt::format("LSPD={}", say->low));
-    if (say->ramp_ms != 0) draft_.line(fmt::format("ACC={}", std::max(std::llround(say->ramp_ms), 1LL)));
+    const auto needed = written_.towards(*wanted);
+    if (!needed) return draft_.refuse_own_speed();
+    if (needed->high != 0) draft_.line(fmt::format("HSPD={}", needed->high));
+    if (needed->low != 0) draft_.line(fmt::format("LSPD={}", needed->low));
+    if (needed->ramp_ms != 0)
+      draft_.line(fmt::format("ACC={}", std::max(std::llround(needed->ramp_ms), 1LL)));
     return {};
   }
   /// Call after steps that are written elsewhere or run more than once.
   void behind_foreign(const seq::StepList& steps) {
     draft_.forget_what_moves(steps);
-    if (sets_speeds(steps)) told_.begin_repeated();
+    if (sets_speeds(steps)) written_.begin_repeated();
     if (chooses_mode(steps)) mode_ = Mode::unknown;
   }
   Result<> write_routine(bool down) {
@@ -178,7 +179,7 @@ class Writer {
     if (auto begun = draft_.begin_routine(routine_name(down)); !begun) return begun;
     draft_.nothing_known();
     draft_.change_speeds({});
-    told_ = {};
+    written_ = {};
     mode_ = Mode::unknown;
     draft_.line(fmt::format("SUB {} ; {}", down ? pen_down_sub : pen_up_sub, routine_name(down)));
     const seq::StepList& steps = down ? draft_.sequence.pen_down : draft_.sequence.pen_up;
@@ -190,7 +191,7 @@ class Writer {
 
   SequenceDraft draft_;
   const language::Dialect& dialect_;
-  WrittenSpeeds told_;
+  WrittenSpeeds written_;
   Mode mode_ = Mode::unknown;
   int depth_ = 0;
   bool calls_up_ = false, calls_down_ = false;
@@ -223,7 +224,7 @@ Result<> Writer::write(const seq::Arc& a) {
                     radius, largest_radius));
   if (!(std::fabs(a.degrees) > 0 && std::fabs(a.degrees) <= 360))
     return draft_.refuse("it goes round by more than 0 and at most 360 degrees.");
-  if (auto said = say_speeds(right, a.own); !said) return said;
+  if (auto done = write_speeds(right, a.own); !done) return done;
   choose(Mode::abs);
   const char way = a.degrees > 0 ? 'N' : 'P';
   if (std::fabs(a.degrees) == 360) {
@@ -238,9 +239,9 @@ Result<> Writer::write(const seq::Arc& a) {
   draft_.line(
       fmt::format("ARC{}{}:{}:{}:{}", way, *cx, *cy, angle, std::llround(std::fabs(a.degrees) * 1000)));
   // On a large arc a thousandth of a degree exceeds a pulse.
-  const double told = static_cast<double>(angle) / 180'000 * std::numbers::pi;
-  if (*cx + std::llround(-radius * std::cos(told)) != end_x ||
-      *cy + std::llround(radius * std::sin(told)) != end_y)
+  const double angle_sent = static_cast<double>(angle) / 180'000 * std::numbers::pi;
+  if (*cx + std::llround(-radius * std::cos(angle_sent)) != end_x ||
+      *cy + std::llround(radius * std::sin(angle_sent)) != end_y)
     draft_.line(fmt::format("X{}Y{}", end_x, end_y));
   draft_.stands(right, end_x), draft_.stands(up, end_y);
   return {};
@@ -248,7 +249,7 @@ Result<> Writer::write(const seq::Arc& a) {
 
 Result<> Writer::write(const seq::MoveOnInput& m) {
   if (auto input = draft_.input(m.input); !input) return fail(input.error());
-  if (auto said = say_speeds(m.axis, m.own); !said) return said;
+  if (auto done = write_speeds(m.axis, m.own); !done) return done;
   const std::string& axis = draft_.name(m.axis);
   std::string motion;
   if (m.kind == seq::MoveOnInput::Kind::move) {

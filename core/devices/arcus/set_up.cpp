@@ -38,14 +38,14 @@ const SettingFact* SetUp::fact_of(int index) const {
 
 std::optional<std::int64_t> SetUp::param(std::string_view mnemonic) const {
   const int index = console_.catalog.find_param(mnemonic);
-  if (index < 0 || !console_.draft.params[ix(index)].known) return std::nullopt;
-  return console_.draft.params[ix(index)].value;
+  if (index < 0 || !console_.snapshot.params[ix(index)].known) return std::nullopt;
+  return console_.snapshot.params[ix(index)].value;
 }
 
 std::optional<std::int64_t> SetUp::setting(Setting id, int axis) const {
   int first = 0;
   for (const SettingFact& fact : console_.model().settings) {
-    const ParamState& state = console_.draft.params[ix(first + axis)];
+    const ParamState& state = console_.snapshot.params[ix(first + axis)];
     if (fact.id == id) return state.known ? std::optional(state.value) : std::nullopt;
     first += fact.count;
   }
@@ -78,19 +78,19 @@ void SetUp::show_own_speeds() {
     const auto own = has_own_speeds(i);
     const auto speed =
         own.value_or(false) ? setting(Setting::axis_high_speed, i) : setting(Setting::high_speed);
-    console_.draft.axes[i].own_speed = Pps(own ? static_cast<double>(speed.value_or(0)) : 0);
+    console_.snapshot.axes[i].own_speed = Pps(own ? static_cast<double>(speed.value_or(0)) : 0);
   }
 }
 
 void SetUp::forget(std::string_view head) {
   for (std::size_t i = 0; i < console_.catalog.params.size(); ++i)
-    if (console_.catalog.params[i].mnemonic.starts_with(head)) console_.draft.params[i].known = false;
+    if (console_.catalog.params[i].mnemonic.starts_with(head)) console_.snapshot.params[i].known = false;
 }
 
 Task<Result<>> SetUp::read(int index, Priority priority) {
   const ParamInfo& info = console_.catalog.params[ix(index)];
   Conversation::Decode decode = [&info](std::string_view text) { return decode_value(info, text); };
-  const ParamState& before = console_.draft.params[ix(index)];
+  const ParamState& before = console_.snapshot.params[ix(index)];
   const std::int64_t expected = before.known ? before.value : after_power_up_[ix(index)];
   auto reply = co_await conversation_.ask_surely(info.mnemonic, std::move(decode), expected, priority);
   if (!reply) co_return fail(reply.error());
@@ -103,15 +103,15 @@ Task<Result<>> SetUp::read(int index, Priority priority) {
                                      encode_value(info, value)));
   const bool read_twice = before.known && before.value == value;  // not just garbled twice in the same way
   nobody_sets_.set(ix(index), read_twice && (code_.leaves_param(ix(index)) || !code_.program_may_run()));
-  console_.draft.params[ix(index)].value = value;
-  console_.draft.params[ix(index)].known = true;
+  console_.snapshot.params[ix(index)].value = value;
+  console_.snapshot.params[ix(index)].known = true;
   if (info.stored) compare_with_stored(index);
   co_return Result<>();
 }
 
 // A value that reads as stored needs no Store: it was set back, or the power was off.
 void SetUp::compare_with_stored(int index) {
-  ParamState& read = console_.draft.params[ix(index)];
+  ParamState& read = console_.snapshot.params[ix(index)];
   if (read.stored) {
     after_power_up_[ix(index)] = read.value;
     stored_known_.set(ix(index));
@@ -119,8 +119,8 @@ void SetUp::compare_with_stored(int index) {
   }
   if (!stored_known_.test(ix(index)) || read.value != after_power_up_[ix(index)]) return;
   read.stored = true;
-  console_.draft.unsaved_setup =
-      unsaved_variables_ || std::any_of(console_.draft.params.begin(), console_.draft.params.end(),
+  console_.snapshot.unsaved_setup =
+      unsaved_variables_ || std::any_of(console_.snapshot.params.begin(), console_.snapshot.params.end(),
                                         [](const ParamState& p) { return !p.stored; });
 }
 
@@ -134,7 +134,7 @@ void SetUp::code_may_set() {
 
 // Not in non-volatile memory.
 bool SetUp::in_ram_only(int index) const {
-  return (!console_.catalog.params[ix(index)].stored || !console_.draft.params[ix(index)].stored) &&
+  return (!console_.catalog.params[ix(index)].stored || !console_.snapshot.params[ix(index)].stored) &&
          !borrowed_.is_out();
 }
 
@@ -150,9 +150,9 @@ Task<Result<>> SetUp::read_what_power_keeps() {
 int SetUp::next_that_would_show() {
   return kept_.next(static_cast<int>(console_.catalog.params.size()), [this](int index) {
     const ParamInfo& info = console_.catalog.params[ix(index)];
-    const ParamState& state = console_.draft.params[ix(index)];
-    const bool told = !info.stored || stored_known_.test(ix(index));
-    return state.known && told && state.value != after_power_up_[ix(index)] && in_ram_only(index);
+    const ParamState& state = console_.snapshot.params[ix(index)];
+    const bool stored_is_known = !info.stored || stored_known_.test(ix(index));
+    return state.known && stored_is_known && state.value != after_power_up_[ix(index)] && in_ram_only(index);
   });
 }
 
@@ -175,7 +175,7 @@ Task<Result<bool>> SetUp::code_has_left_something() {
     if (console_.catalog.params[i].stored || !sets.test(i)) continue;
     auto read_again = co_await read(static_cast<int>(i), Priority::poll);
     if (!read_again) co_return fail(read_again.error());
-    if (console_.draft.params[i].value != console_.catalog.params[i].fallback) co_return true;
+    if (console_.snapshot.params[i].value != console_.catalog.params[i].fallback) co_return true;
   }
   co_return false;
 }
@@ -186,7 +186,7 @@ Task<Result<>> SetUp::read_in_turn() {
   int read_now = 0;
   for (int tried = 0; tried < params && read_now < params_per_round; ++tried) {
     const int index = params_.next(params);
-    if (console_.draft.params[ix(index)].known) continue;
+    if (console_.snapshot.params[ix(index)].known) continue;
     auto done = co_await read(index, Priority::poll);
     if (!done) co_return done;
     ++read_now;
@@ -200,10 +200,10 @@ Task<Result<>> SetUp::read_in_turn() {
 // Dependencies: ramp times are adjusted to the speeds, the joystick switches StepNLoop off.
 void SetUp::changed(int index) {
   const ParamInfo& info = console_.catalog.params[ix(index)];
-  ParamState& state = console_.draft.params[ix(index)];
+  ParamState& state = console_.snapshot.params[ix(index)];
   state.known = false;
   state.stored = !info.stored;
-  console_.draft.unsaved_setup = console_.draft.unsaved_setup || info.stored;
+  console_.snapshot.unsaved_setup = console_.snapshot.unsaved_setup || info.stored;
   const SettingFact* fact = fact_of(index);
   if (!fact) return;
   switch (fact->id) {
@@ -234,7 +234,7 @@ Task<Result<bool>> SetUp::set(intent::SetParam request) {
   changed(index);
   auto read_back = co_await read(index, Priority::intent);
   if (!read_back) co_return fail(read_back.error());
-  const std::int64_t kept = console_.draft.params[ix(index)].value;
+  const std::int64_t kept = console_.snapshot.params[ix(index)].value;
   if (kept == request.value) co_return true;
   const bool ramp = info.unit == "ms" && !info.stored;
   if (!ramp)
@@ -251,13 +251,13 @@ Task<Result<bool>> SetUp::set(intent::SetParam request) {
 
 void SetUp::is_stored() {
   for (std::size_t i = 0; i < console_.catalog.params.size(); ++i) {
-    ParamState& p = console_.draft.params[i];
+    ParamState& p = console_.snapshot.params[i];
     if (console_.catalog.params[i].stored) stored_known_.set(i, p.known);
     if (console_.catalog.params[i].stored && p.known) after_power_up_[i] = p.value;
     p.stored = true;
   }
   unsaved_variables_ = false;
-  console_.draft.unsaved_setup = false;
+  console_.snapshot.unsaved_setup = false;
 }
 
 Task<Result<>> SetUp::store() {
@@ -277,7 +277,7 @@ Task<Result<>> SetUp::store() {
 }
 
 void SetUp::forget_all() {
-  for (ParamState& p : console_.draft.params) p.known = false;
+  for (ParamState& p : console_.snapshot.params) p.known = false;
 }
 
 void SetUp::was_borrowed(std::string_view name) {
@@ -285,7 +285,7 @@ void SetUp::was_borrowed(std::string_view name) {
 }
 
 void SetUp::restarted() {
-  set_up_is_unknown(console_.draft);
+  set_up_is_unknown(console_.snapshot);
   nobody_sets_.reset();
   unsaved_variables_ = false;
 }

@@ -45,7 +45,7 @@ class SetUp {
   Task<Result<bool>> set(intent::SetParam request);
   Task<Result<>> store();
   void is_stored();
-  void variable_is_unsaved() { unsaved_variables_ = console_.draft.unsaved_setup = true; }
+  void variable_is_unsaved() { unsaved_variables_ = console_.snapshot.unsaved_setup = true; }
   void changed(int index);
   void forget(std::string_view head);
   void forget_all();

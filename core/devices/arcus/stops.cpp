@@ -27,8 +27,8 @@ Fault joystick_not_read(bool switched_off) {
 Task<Result<>> Stops::stop(const StopOrder& order) {
   const Instant began = console_.scheduler.now();
   auto sent = co_await send(order, until_next_of_stop);
-  const bool heard = conversation_.is_open() && conversation_.station()->received_at() >= began;
-  const bool may_ask = heard && !order.in_haste;
+  const bool received = conversation_.is_open() && conversation_.station()->received_at() >= began;
+  const bool may_ask = received && !order.in_haste;
   if (!sent && may_ask &&
       worth_another_try(sent.error())) {  // on a clean line the replies belong to the stop
     const bool clean = co_await conversation_.come_clean(Priority::stop);
@@ -66,17 +66,17 @@ Task<Result<>> Stops::stop_axes(const StopOrder& order, Duration patience) {
   const std::string word =
       axis < 0 ? std::string(form.substr(0, form.find('a'))) : fill(console_.forms, form, axis);
   motions_.stopping(axis, order.at_once);
-  Result<> said;
+  Result<> sent;
   if (axis < 0 && !motion_only)
-    said = co_await stop_all(word, patience);
+    sent = co_await stop_all(word, patience);
   else
-    said = co_await conversation_.command(word, Priority::stop, patience);
-  const bool understood = said || said.error().kind == FaultKind::refused;
-  if (motion_only || !understood) co_return said;
+    sent = co_await conversation_.command(word, Priority::stop, patience);
+  const bool understood = sent || sent.error().kind == FaultKind::refused;
+  if (motion_only || !understood) co_return sent;
   if (order.in_haste)
     co_return fail(FaultKind::stopped, "Another stop waits.", "The joystick was not checked.");
   auto released = co_await release_joystick(axis, word);
-  co_return said ? released : said;
+  co_return sent ? released : sent;
 }
 
 // Running programs are stopped first, then the motion they began meanwhile; then programs that were idle when
@@ -86,7 +86,7 @@ Task<Result<>> Stops::stop_all(std::string word, Duration patience) {
   halting_ = true;
   std::bitset<max_threads> running;
   for (int n = 0; n < console_.model().programs; ++n) {
-    const RunState last = console_.draft.threads[ix(n)].run;  // even if no longer known
+    const RunState last = console_.snapshot.threads[ix(n)].run;  // even if no longer known
     running.set(ix(n), last == RunState::running || last == RunState::held);
   }
   Result<> all = co_await conversation_.command(word, Priority::stop, patience);
@@ -94,16 +94,16 @@ Task<Result<>> Stops::stop_all(std::string word, Duration patience) {
     if (all && !next) all = std::move(next);
   };
   for (const bool those_that_run : {true, false}) {
-    bool told = false;
+    bool any_halted = false;
     for (int n = 0; n < console_.model().programs; ++n) {
       if (running.test(ix(n)) != those_that_run) continue;
-      told = true;
+      any_halted = true;
       auto halted = co_await halt_thread(n, patience);
       note(std::move(halted));
     }
-    if (!told) continue;
-    auto said = co_await conversation_.command(word, Priority::stop, patience);
-    note(std::move(said));
+    if (!any_halted) continue;
+    auto sent = co_await conversation_.command(word, Priority::stop, patience);
+    note(std::move(sent));
   }
   co_return all;
 }
@@ -137,18 +137,18 @@ Task<Result<>> Stops::release_joystick(int axis, std::string stop) {
   const std::int64_t kept = axis < 0 || !mask ? 0 : *mask & ~(std::int64_t{1} << axis);
   if (mask && kept == *mask) co_return Result<>();
   if (!mask && axis >= 0) {
-    console_.draft.params[ix(index)].known = false;
+    console_.snapshot.params[ix(index)].known = false;
     co_return fail(joystick_not_read(false));
   }
   const auto set = co_await conversation_.command(set_command("JE", kept), Priority::stop);
   setup_.changed(index);
-  auto said = co_await conversation_.command(stop, Priority::stop);
+  auto sent = co_await conversation_.command(stop, Priority::stop);
   if (!set) co_return set;
   if (!mask) co_return fail(joystick_not_read(true));
-  console_.draft.params[ix(index)].value = kept;
-  console_.draft.params[ix(index)].known = true;
+  console_.snapshot.params[ix(index)].value = kept;
+  console_.snapshot.params[ix(index)].known = true;
   console_.report(Notice::Kind::info, "The joystick was switched off by the stop.");
-  co_return said;
+  co_return sent;
 }
 
 // Replies to the command cut short and to the last question may still be on the line: the stop waits for them
@@ -208,7 +208,7 @@ StopProgress Stops::progress(const StopOrder& order) {
 // A halted program may be restarted by one that is not halted yet.
 StopProgress Stops::programs_end(const StopOrder& order) const {
   for (int n = 0; n < console_.model().programs; ++n) {
-    const RunState run = console_.draft.threads[ix(n)].run;
+    const RunState run = console_.snapshot.threads[ix(n)].run;
     const bool meant = order.thread < 0 || n == order.thread;
     if (!meant || (run != RunState::running && run != RunState::held)) continue;
     if (!order.confirmed || order.times_sent < stop_attempts) return StopProgress::again();

@@ -46,7 +46,7 @@ class Stops {
   Motions& motions_;
   MotionStatus& status_;
   Threads& threads_;
-  bool halting_ = false;  ///< programs were told to end: their state is read while axes stop
+  bool halting_ = false;  ///< programs are being ended: their state is read while axes stop
 };
 
 }  // namespace hw::arcus

@@ -40,11 +40,11 @@ Task<Result<>> StoredLines::write_line(int line) {
   std::string sent = fmt::format("SA{}={}", line, wanted(line));
   read_[ix(line)] = false;
   const std::uint8_t before =
-      std::exchange(console_.draft.slots_torn, stored_code);  // in case the console closes now
+      std::exchange(console_.snapshot.slots_torn, stored_code);  // in case the console closes now
   auto written = co_await conversation_.command(std::move(sent), Priority::transfer, Millis(500));
   progress_.worked(console_.scheduler.now());
   // After an earlier stop or a refusal this line is not stored.
-  if (!written && was_kept_back(written.error())) console_.draft.slots_torn = before;
+  if (!written && was_kept_back(written.error())) console_.snapshot.slots_torn = before;
   // Reading the line tells whether the reply was lost or the line itself garbled.
   if (!written && worth_another_try(written.error())) co_return Result<>();
   co_return written;
@@ -67,12 +67,12 @@ Task<Result<std::vector<std::string>>> StoredLines::read() {
   progress_.begin(0, console_.scheduler.now());
   auto lines = co_await read_all();
   progress_.end();
-  heard_ = now_heard();
+  known_at_ = faults_now();
   co_return lines;
 }
 
 Task<Result<std::vector<std::string>>> StoredLines::read_all() {
-  const int used = std::max<int>(console_.draft.slot_bytes_used[0], 0);
+  const int used = std::max<int>(console_.snapshot.slot_bytes_used[0], 0);
   progress_.enter(TransferState::Phase::reading, used);
   if (used > 0) progress_.expect(used + empty_lines_end_it);
   std::vector<std::string> lines;
@@ -99,14 +99,14 @@ Task<Result<int>> StoredLines::write(std::vector<std::string> lines) {
   progress_.begin(0, console_.scheduler.now());
   auto written = co_await write_all();
   progress_.end();
-  if (written) console_.draft.slot_bytes_used[0] = static_cast<std::int16_t>(wanted_.size());
-  heard_ = now_heard();
+  if (written) console_.snapshot.slot_bytes_used[0] = static_cast<std::int16_t>(wanted_.size());
+  known_at_ = faults_now();
   co_return written;
 }
 
 /// After a missed reply or unsolicited ones, other hosts may have written.
 void StoredLines::doubt_what_is_held() {
-  if (heard_ != now_heard()) code_.lines().forget();
+  if (known_at_ != faults_now()) code_.lines().forget();
 }
 
 void StoredLines::forget_what_is_held() {
@@ -197,8 +197,8 @@ Task<Result<std::optional<StoredLines::OtherLine>>> StoredLines::compare_what_wa
 // ---- what a broken transfer leaves
 
 std::string StoredLines::what_stands() const {
-  const TransferState& t = console_.draft.transfer;
-  const std::string written = say_written(t);
+  const TransferState& t = console_.snapshot.transfer;
+  const std::string written = report_written(t);
   if (written.empty() || differs_) return fmt::format("{}.", torn);
   if (t.phase == TransferState::Phase::comparing)
     return fmt::format("The stored code may not be the new program: {}.", written);
@@ -206,15 +206,15 @@ std::string StoredLines::what_stands() const {
 }
 
 tl::unexpected<Fault> StoredLines::broken_off(Fault why) {
-  if (console_.draft.slots_torn == 0) return fail(std::move(why));
-  console_.draft.slot_bytes_used[0] = -1;
+  if (console_.snapshot.slots_torn == 0) return fail(std::move(why));
+  console_.snapshot.slot_bytes_used[0] = -1;
   why.done = what_stands();
   why.advice = mend_it;
   return fail(std::move(why));
 }
 
 std::string StoredLines::leaves_behind() const {
-  return console_.draft.slots_torn != 0 ? fmt::format("{} {}", what_stands(), mend_it) : std::string();
+  return console_.snapshot.slots_torn != 0 ? fmt::format("{} {}", what_stands(), mend_it) : std::string();
 }
 
 }  // namespace hw::arcus

@@ -16,7 +16,7 @@ class StoredLines {
         conversation_(conversation),
         code_(code),
         live_(live),
-        progress_(console.draft.transfer, console.catalog) {}
+        progress_(console.snapshot.transfer, console.catalog) {}
 
   Task<Result<std::vector<std::string>>> read();
   /// Stores these lines and nothing behind them. Each line is read before it is reported as stored, because
@@ -46,12 +46,12 @@ class StoredLines {
   void forget_what_is_held();
   void doubt_what_is_held();
   [[nodiscard]] std::string what_stands() const;
-  struct Heard {
+  struct Faults {
     std::uint64_t misses = 0;
     int unexpected = 0;
-    bool operator==(const Heard&) const = default;
+    bool operator==(const Faults&) const = default;
   };
-  [[nodiscard]] Heard now_heard() const { return {conversation_.misses(), conversation_.unexpected()}; }
+  [[nodiscard]] Faults faults_now() const { return {conversation_.misses(), conversation_.unexpected()}; }
 
   const Console& console_;
   Conversation& conversation_;
@@ -62,7 +62,7 @@ class StoredLines {
   std::vector<bool> read_;           ///< by line: read in this call, and not written since
   int seen_ = 0, written_ = 0;       ///< lines, in one pass
   bool differs_ = false;             ///< found by the latest comparison
-  Heard heard_;                      ///< when its lines were last known
+  Faults known_at_;                  ///< when its lines were last known
 };
 
 }  // namespace hw::arcus

@@ -63,7 +63,7 @@ TextMeaning meaning_of(const Forms& forms, const intent::SendText& request, Addr
   }
   meaning.answered =
       to_all && model.broadcast >= 0 ? TextMeaning::Answered::never : TextMeaning::Answered::at_once;
-  meaning.end_is_told = addressing.tells_end;
+  meaning.end_is_reported = addressing.tells_end;
   // A line of the program memory: SA[line]=[code].
   meaning.changes_programs = word.starts_with("SA") && word.find('=') != word.npos;
   meaning.runs_program = runs_program(text);

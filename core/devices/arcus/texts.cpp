@@ -57,9 +57,9 @@ Task<Result<std::string>> Texts::stop(const StopOrder& order) {
     co_return std::string();
   }
   // Limits the asker's patience: if a device that has answered before does not, the console repeats the stop.
-  const bool was_heard = conversation_.is_open() && conversation_.station()->has_received();
+  const bool was_received = conversation_.is_open() && conversation_.station()->has_received();
   const Duration asked = order.patience > Duration::zero() ? order.patience : typed_patience;
-  const Duration patience = was_heard ? std::min(asked, typed_patience) : asked;
+  const Duration patience = was_received ? std::min(asked, typed_patience) : asked;
   auto stopped = co_await transmit(text, Priority::stop, patience);
   if (stopped && stopped->starts_with('?'))  // it received something else
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
@@ -142,14 +142,14 @@ void Texts::note_sent(std::string_view as_typed) {
     if (index >= 0) setup_.changed(index);
     if (name.starts_with('V'))
       if (const auto n = decode_number(name.substr(1)); n && *n >= 0 && *n < variables)
-        console_.draft.variables_known.reset(static_cast<std::size_t>(*n));
+        console_.snapshot.variables_known.reset(static_cast<std::size_t>(*n));
   }
   if (may_switch_motor(text)) lines_.look_soon();
-  threads_.are_told(text);
+  threads_.command_sent(text);
   code_.goes_out(text);
   if (text.starts_with("SA") && equals != text.npos) code_.forget();
   if (const int axis = axis_named_in(console_.forms, text); axis >= 0 && takes_target_away(text))
-    console_.draft.axes[axis].has_target = false;
+    console_.snapshot.axes[axis].has_target = false;
   if (ends_motion(text)) note_stop(text);
   if (!arcus::may_move(console_.forms, text)) return;
   // Homing sets the counters; a short move to zero may end before it is seen moving.
@@ -162,7 +162,8 @@ void Texts::note_stop(std::string_view text) {
   list_.end();
   const int only = console_.axes() > 1 ? axis_named_in(console_.forms, text) : -1;
   for (int i = 0; i < console_.axes(); ++i)
-    if ((only < 0 || i == only) && console_.draft.axis_moves(i)) motions_.ended_by_us(i, how_it_ends(text));
+    if ((only < 0 || i == only) && console_.snapshot.axis_moves(i))
+      motions_.ended_by_us(i, how_it_ends(text));
 }
 
 }  // namespace hw::arcus

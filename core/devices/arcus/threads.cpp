@@ -23,7 +23,7 @@ Task<Result<>> Threads::read(bool all, Priority priority) {
   bool one_idle_read = false, one_ended = false;
   for (int n = 0; n < console_.model().programs; ++n) {
     const int thread = (first + n) % console_.model().programs;
-    const ThreadState& known = console_.draft.threads[ix(thread)];
+    const ThreadState& known = console_.snapshot.threads[ix(thread)];
     const bool ran = known.known && known.run == RunState::running;
     const bool quiet = known.known && !ran;
     if (quiet && one_idle_read && !all) continue;
@@ -40,22 +40,22 @@ Task<Result<>> Threads::read(bool all, Priority priority) {
 }
 
 void Threads::show_program() const {
-  console_.draft.program.run = RunState::idle;
-  console_.draft.program.owned = false;
-  console_.draft.program.slot = 0;
+  console_.snapshot.program.run = RunState::idle;
+  console_.snapshot.program.owned = false;
+  console_.snapshot.program.slot = 0;
   for (int n = console_.model().programs - 1; n >= 0; --n) {
-    const RunState run = console_.draft.threads[ix(n)].run;
+    const RunState run = console_.snapshot.threads[ix(n)].run;
     if (run == RunState::running ||
-        (run == RunState::held && console_.draft.program.run != RunState::running))
-      console_.draft.program.run = run;
-    console_.draft.program.owned =
-        console_.draft.program.owned || run == RunState::running || run == RunState::held;
+        (run == RunState::held && console_.snapshot.program.run != RunState::running))
+      console_.snapshot.program.run = run;
+    console_.snapshot.program.owned =
+        console_.snapshot.program.owned || run == RunState::running || run == RunState::held;
   }
 }
 
 Task<Result<>> Threads::read_one(int thread, Priority priority) {
   if (is_apart(thread)) {
-    console_.draft.threads[ix(thread)] = ThreadState{RunState::idle, true};
+    console_.snapshot.threads[ix(thread)] = ThreadState{RunState::idle, true};
     co_return Result<>();
   }
   auto state = co_await conversation_.ask_number(fmt::format("SASTAT{}", thread), priority);
@@ -66,11 +66,11 @@ Task<Result<>> Threads::read_one(int thread, Priority priority) {
     auto looked = co_await watch_.look_at_start(thread, priority);
     if (!looked) co_return looked;
   }
-  ThreadState& known = console_.draft.threads[ix(thread)];
+  ThreadState& known = console_.snapshot.threads[ix(thread)];
   known.run = run;
   known.known = true;
   if (known.run == RunState::running) {
-    console_.draft.program.ended_by = EndedBy::nothing;
+    console_.snapshot.program.ended_by = EndedBy::nothing;
     program_runs();
   }
   if (known.run == RunState::idle) {
@@ -79,7 +79,7 @@ Task<Result<>> Threads::read_one(int thread, Priority priority) {
   }
   auto line = co_await conversation_.ask_number(fmt::format("SPC{}", thread), priority);
   if (!line) co_return fail(line.error());
-  console_.draft.threads[ix(thread)].line = static_cast<std::int16_t>(*line);
+  console_.snapshot.threads[ix(thread)].line = static_cast<std::int16_t>(*line);
   co_return Result<>();
 }
 
@@ -88,17 +88,18 @@ Task<Result<>> Threads::read_one(int thread, Priority priority) {
 void Threads::may_start(std::string_view command) {
   if (is_apart(thread_named_in(command).value_or(-1))) return;
   if (command.starts_with("SR") && !ends_program(command)) {
-    console_.draft.variables_known.reset();  // it may be over before its state is read
+    console_.snapshot.variables_known.reset();  // it may be over before its state is read
     program_runs();
   }
   if (command.starts_with("GS")) program_runs(code_.longest_run(command));
 }
 
-void Threads::are_told(std::string_view command) {
+void Threads::command_sent(std::string_view command) {
   const auto n = thread_named_in(command);
   if (!n || *n < 0 || *n >= console_.model().programs || is_apart(*n)) return;
-  console_.draft.threads[ix(*n)].known = false;
-  if (!ends_program(command)) console_.draft.threads[ix(*n)].run = RunState::running;  // a stop ends it first
+  console_.snapshot.threads[ix(*n)].known = false;
+  if (!ends_program(command))
+    console_.snapshot.threads[ix(*n)].run = RunState::running;  // a stop ends it first
 }
 
 void Threads::program_runs(Duration at_most) {
@@ -109,7 +110,7 @@ void Threads::program_runs(Duration at_most) {
 // ---- what may run
 
 bool Threads::may_run(int thread) const {
-  const ThreadState& state = console_.draft.threads[ix(thread)];
+  const ThreadState& state = console_.snapshot.threads[ix(thread)];
   return state.known && state.run != RunState::idle && state.run != RunState::error;
 }
 
@@ -121,7 +122,7 @@ bool Threads::any_may_run() const {
 
 Result<> Threads::none_runs() const {
   for (int n = 0; n < console_.model().programs; ++n) {
-    const RunState run = console_.draft.threads[ix(n)].run;
+    const RunState run = console_.snapshot.threads[ix(n)].run;
     if (run == RunState::running || run == RunState::held)
       return fail(FaultKind::refused,
                   fmt::format("Program {} runs, and all programs share the stored code.", n),

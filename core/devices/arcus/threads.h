@@ -20,7 +20,7 @@ class Threads {
   /// Call before the command is sent: it may start code unconfirmed.
   void may_start(std::string_view command);
   /// A command to a thread (SR0=1) may change its state.
-  void are_told(std::string_view command);
+  void command_sent(std::string_view command);
   /// A program may run; within a second the status shows whether it still does.
   void program_runs(Duration at_most = std::chrono::seconds(1));
 

@@ -13,11 +13,10 @@ using arcus::SettingFact;
 using arcus::SpeedRow;
 
 inline constexpr int axes = 1, inputs = 6, outputs = 3, enables = 1, programs = 2;
-inline constexpr int default_id = 1, broadcast = 0;
+inline constexpr int broadcast = 0;
 inline constexpr int counts_per_turn = 4000, pulses_per_turn = 3200;
 inline constexpr int latch_input = 2, sync_output = 2;
 inline constexpr int in_position_output = 1, alarm_output = 3;
-inline constexpr int quiet_pulses_per_second = 400'000;  ///< of the feature list (decision AMB-061)
 
 /// Table A.0.
 inline constexpr std::array<SpeedRow, 9> speed_rows{{

@@ -15,7 +15,6 @@ using arcus::SpeedRow;
 inline constexpr int axes = 4, inputs = 8, outputs = 8, enables = 4, analog_inputs = 8, programs = 4;
 inline constexpr int buffer_places = 36, buffer_axes = 3;
 inline constexpr int analog_max_mv = 5000;
-inline constexpr int default_id = 0;
 
 /// Table A.0.
 inline constexpr std::array<SpeedRow, 7> speed_rows{{

@@ -53,7 +53,7 @@ Task<Result<>> Actions::act(intent::Act request) {
 
 void Actions::clear_flags() {
   for (std::size_t i = 0; i < catalog_.readouts.size(); ++i)
-    if (catalog_.readouts[i].group == flag_group) draft_.readouts[i] = 0;
+    if (catalog_.readouts[i].group == flag_group) snapshot_.readouts[i] = 0;
 }
 
 }  // namespace hw::vme58

@@ -9,7 +9,7 @@ class Actions {
  public:
   Actions(const Selection& selection, Commands& commands, ServoLoops& loops, ServoDrive& drive,
           Motions& motions, Moves& moves, Speeds& speeds, NextRound& next, const Catalog& catalog,
-          Snapshot& draft)
+          Snapshot& snapshot)
       : selection_(selection),
         commands_(commands),
         loops_(loops),
@@ -19,7 +19,7 @@ class Actions {
         speeds_(speeds),
         next_(next),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   Task<Result<>> act(intent::Act request);
 
@@ -35,7 +35,7 @@ class Actions {
   Speeds& speeds_;
   NextRound& next_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
 };
 
 }  // namespace hw::vme58

@@ -67,8 +67,9 @@ void AllStop::in_vain() {
 
 void AllStop::doubt_positions() {
   for (int i = 0; i < static_cast<int>(catalog_.axes.size()); ++i) {
-    if (effect_.is_watched(i) && draft_.axes[i].trust.cause == Doubt::killed) continue;  // KL is sent again
-    motions_.doubt_killed_position(i, draft_.axes[i].speed.value);
+    if (effect_.is_watched(i) && snapshot_.axes[i].trust.cause == Doubt::killed)
+      continue;  // KL is sent again
+    motions_.doubt_killed_position(i, snapshot_.axes[i].speed.value);
   }
 }
 

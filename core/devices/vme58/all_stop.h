@@ -10,7 +10,8 @@ namespace hw::vme58 {
 class AllStop {
  public:
   AllStop(Wire& wire, const Selection& selection, Conversation& conversation, Mailbox& mailbox,
-          Queues& queues, Motions& motions, const StopEffect& effect, const Catalog& catalog, Snapshot& draft)
+          Queues& queues, Motions& motions, const StopEffect& effect, const Catalog& catalog,
+          Snapshot& snapshot)
       : wire_(wire),
         selection_(selection),
         conversation_(conversation),
@@ -19,7 +20,7 @@ class AllStop {
         motions_(motions),
         effect_(effect),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   /// Also sends the stop through the ring if the mailbox has no effect, or if its effect could not be seen:
   /// no axis is seen turning, yet one may creep.
@@ -52,7 +53,7 @@ class AllStop {
   Motions& motions_;
   const StopEffect& effect_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   bool mailbox_deaf_ = false;  ///< mail was acknowledged without effect
   bool by_mail_alone_ = false;
   Behind behind_ = Behind::nothing;

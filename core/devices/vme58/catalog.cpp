@@ -53,7 +53,7 @@ std::vector<AxisInfo> axes(const Variant& variant) {
 
 bool is_output(std::uint16_t outputs, int line) { return (outputs >> line & 1) != 0; }
 
-/// Direction of a line and its neighbours of the same direction.
+/// Direction of a line and of the adjacent lines with the same direction.
 std::string direction_of(std::uint16_t outputs, int line) {
   const bool out = is_output(outputs, line);
   int first = line, last = line;

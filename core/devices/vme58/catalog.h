@@ -5,6 +5,8 @@
 
 namespace hw::vme58 {
 
+inline constexpr AccelerationUnit acceleration_unit{"counts/s²", "as AC of the axis", 1, acceleration_max};
+
 /// Readout groups, in their order.
 enum Group : std::uint8_t { flag_group, queue_group, memory_group, loop_group };
 /// Auxiliary outputs are numbered after the general lines: 14 is X.

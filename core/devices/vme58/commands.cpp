@@ -20,7 +20,7 @@ std::string Commands::open_loop_words(std::string_view text, Context context) co
       const bool one = command.context.mode == where::single;
       const bool meant = one ? i == command.context.axis
                              : ix(i) < command.numbers.size() && command.numbers[ix(i)].has_value();
-      if (!meant || !catalog_.axes[ix(i)].switchable || draft_.axes[i].enabled ||
+      if (!meant || !catalog_.axes[ix(i)].switchable || snapshot_.axes[i].enabled ||
           !wants_closed_loop(command.fact->op))
         continue;
       return fmt::format(
@@ -61,7 +61,7 @@ Task<Result<>> Commands::transmit(std::string text, Priority priority) {
 }
 
 Task<Result<>> Commands::settle_late(Priority priority) {
-  if (!draft_.working) co_return Result<>();
+  if (!snapshot_.working) co_return Result<>();
   const auto late = co_await readings_.was_rejected(priority);
   if (!late) co_return fail(late.error());
   if (*late) show_late();
@@ -70,7 +70,7 @@ Task<Result<>> Commands::settle_late(Priority priority) {
 
 void Commands::show_late() {
   std::string words = fmt::format("The board reports a command error, in a queued command or in \"{}\".",
-                                  without_end(conversation_.last_said()));
+                                  without_end(conversation_.last_not_polled()));
   if (rejected_late) rejected_late(words);
   wire_.report(Notice::Kind::error, std::move(words));
 }

@@ -12,13 +12,13 @@ namespace hw::vme58 {
 class Commands {
  public:
   Commands(Wire& wire, Readings& readings, Conversation& conversation, const Selection& selection,
-           const Catalog& catalog, Snapshot& draft)
+           const Catalog& catalog, Snapshot& snapshot)
       : wire_(wire),
         readings_(readings),
         conversation_(conversation),
         selection_(selection),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   /// Sends `text`. Succeeds once the board has taken it without a command error.
   Task<Result<>> transmit(std::string text, Priority priority);
@@ -49,7 +49,7 @@ class Commands {
   Conversation& conversation_;
   const Selection& selection_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
 };
 
 }  // namespace hw::vme58

@@ -88,7 +88,7 @@ Task<Result<bool>> Conversation::put(std::string text, Priority priority) {
   in_wq_ = in_wq_ || text.find("WQ") != text.npos;
   put_ = end;
   last_sent_ = text;
-  if (priority != Priority::poll) last_said_ = text;
+  if (priority != Priority::poll) last_not_polled_ = text;
   wire_.record(Way::sent, priority, text);
   co_return true;
 }
@@ -144,7 +144,7 @@ Task<Result<>> Conversation::select_again(Priority priority) {
   if (!selection_.is_lost() || selection_.recording()) co_return Result<>();
   std::string text = selection_.selector() + "\n";
   auto written = co_await write(std::move(text), priority);
-  if (written) selection_.is_said();
+  if (written) selection_.is_restored();
   co_return written;
 }
 

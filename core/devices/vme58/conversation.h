@@ -61,11 +61,11 @@ class Conversation {
   /// Whether text was put that the board is not known to have taken.
   [[nodiscard]] bool is_under_way() const { return on_its_way_; }
   [[nodiscard]] bool waits_in_wq() const { return in_wq_; }
-  /// End of the command ring. Changes with each text put, so it tells whether one was.
+  /// End of the command ring. Changes with each text put, so it shows whether one was.
   [[nodiscard]] int end() const { return put_; }
   [[nodiscard]] const std::string& last_sent() const { return last_sent_; }
   /// The latest text that was no poll: the user's, or sent on the user's behalf.
-  [[nodiscard]] const std::string& last_said() const { return last_said_; }
+  [[nodiscard]] const std::string& last_not_polled() const { return last_not_polled_; }
 
   // ---- replies
   Task<Result<std::string>> ask(std::string question, Priority priority, ReplyForm form = {},
@@ -107,7 +107,7 @@ class Conversation {
   std::string received_;             ///< characters of an incomplete reply
   std::deque<std::string> replies_;  ///< complete replies not yet taken
   std::optional<Owed> owed_;
-  std::string last_sent_, last_said_;
+  std::string last_sent_, last_not_polled_;
 };
 
 }  // namespace hw::vme58

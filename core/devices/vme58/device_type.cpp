@@ -20,7 +20,7 @@ DeviceType device_type() {
   t.explain = explain;
   t.probe = "";
   t.recognises = recognises;
-  t.acceleration = {"counts/s²", "as AC of the axis", 1, acceleration_max};
+  t.acceleration = acceleration_unit;
   return t;
 }
 

@@ -65,7 +65,7 @@ Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
 Task<Result<>> Vme58Driver::send_text(std::string text) {
   auto sent = co_await strings_.texts.send(std::move(text), Millis(200));
   if (!sent) co_return fail(sent.error());
-  if (!sent->empty()) texts_heard_.add(std::move(*sent));
+  if (!sent->empty()) script_texts_.add(std::move(*sent));
   co_return Result<>();
 }
 
@@ -106,7 +106,7 @@ Duration Vme58Driver::moving_period() const {
   return samples_.are_taken() ? sample_pause : Duration(Millis(20));
 }
 Duration Vme58Driver::idle_period() const {
-  if (draft_.working) return moving_period();
+  if (snapshot_.working) return moving_period();
   return samples_.are_taken() ? sample_pause : Duration(Millis(200));
 }
 
@@ -123,8 +123,8 @@ Task<Result<>> Vme58Driver::poll(Round round) {
   }
   talk_.readings.take(*registers);
   if (registers->mark == 0) {
-    auto told = co_await found_reset(Doubt::restarted);
-    if (!told) co_return told;
+    auto reset_handled = co_await found_reset(Doubt::restarted);
+    if (!reset_handled) co_return reset_handled;
     co_return co_await read_state();
   }
   auto read = co_await talk_.readings.read_axes(priority, Readings::Copy::is_asked_for);
@@ -138,14 +138,14 @@ Task<Result<>> Vme58Driver::poll(Round round) {
 /// The rest of a round: unsolicited replies, and questions by command.
 Task<Result<>> Vme58Driver::read_more(Registers registers) {
   known_.questions.begins();
-  auto heard = co_await talk_.conversation.receive(registers.input_put, Priority::poll);
-  if (!heard) co_return heard;
+  auto received = co_await talk_.conversation.receive(registers.input_put, Priority::poll);
+  if (!received) co_return received;
   if (known_.values.mark_is_due()) {
     auto marked = co_await finding_.leave_mark();
     if (!marked) co_return marked;
   }
-  draft_.window.rings_known = known_.questions.watches(memory_group);
-  if (draft_.window.rings_known) {
+  snapshot_.window.rings_known = known_.questions.watches(memory_group);
+  if (snapshot_.window.rings_known) {
     auto rings = co_await talk_.readings.read_rings(Priority::poll);
     if (!rings) co_return rings;
   }
@@ -168,7 +168,7 @@ void Vme58Driver::registers_read(const Registers& registers) {
   const LimitEnds::Change change = known_.limits.take(registers.limit);
   if (change.any) known_.next.asks_flags();
   known_.motions.met_switches(change.met);
-  for (int i = 0; i < axes(); ++i) draft_.axes[i].home = bit(registers.home, i);
+  for (int i = 0; i < axes(); ++i) snapshot_.axes[i].home = bit(registers.home, i);
   known_.lines.take(registers.io);
 }
 
@@ -177,7 +177,7 @@ void Vme58Driver::axes_read(int whole, Instant at) {
   known_.values.take(whole);
   for (int i = 0; i < axes(); ++i) {
     known_.motions.show(i, at);
-    draft_.axes[i].own_speed = Pps(static_cast<double>(known_.speeds.velocity.own(i)));
+    snapshot_.axes[i].own_speed = Pps(static_cast<double>(known_.speeds.velocity.own(i)));
   }
   samples_.take(at);
 }
@@ -185,17 +185,18 @@ void Vme58Driver::axes_read(int whole, Instant at) {
 void Vme58Driver::record_round() {
   round_text_.clear();
   for (int i = 0; i < axes(); ++i)
-    fmt::format_to(std::back_inserter(round_text_), "{}{}", i == 0 ? "" : " ", draft_.axes[i].position.value);
+    fmt::format_to(std::back_inserter(round_text_), "{}{}", i == 0 ? "" : " ",
+                   snapshot_.axes[i].position.value);
   talk_.wire.record(Way::sent, Priority::poll, "data area");
   talk_.wire.record(Way::received, Priority::poll, round_text_);
 }
 
 void Vme58Driver::show_worst() {
-  draft_.notice.clear();
+  snapshot_.notice.clear();
   talk_.commands.show_late_if_any();
-  if (draft_.program.run == RunState::error) draft_.notice = strings_.programs.rejection();
+  if (snapshot_.program.run == RunState::error) snapshot_.notice = strings_.programs.rejection();
   if (talk_.selection.recording())
-    draft_.notice = "A contour is being recorded: end it (CE or CK) before moves and set-up.";
+    snapshot_.notice = "A contour is being recorded: end it (CE or CK) before moves and set-up.";
 }
 
 }  // namespace hw::vme58

@@ -74,8 +74,8 @@ class Vme58Driver final : public Driver, private Readings::Listener {
   [[nodiscard]] int axes() const { return static_cast<int>(catalog_.axes.size()); }
 
   const Catalog& catalog_;
-  Snapshot& draft_;
-  ScriptTexts& texts_heard_;
+  Snapshot& snapshot_;
+  ScriptTexts& script_texts_;
   std::function<void()> changed_;
 
   Talk talk_;

@@ -29,21 +29,21 @@ std::unique_ptr<Driver> make_driver(DriverContext context) {
 
 Vme58Driver::Vme58Driver(DriverContext context)
     : catalog_(context.catalog),
-      draft_(context.draft),
-      texts_heard_(context.texts),
+      snapshot_(context.snapshot),
+      script_texts_(context.texts),
       changed_(context.changed),
       talk_(context, *this),
       known_(talk_, variant_of(catalog_), context),
       work_(talk_, known_, context),
       strings_(talk_, known_, context),
-      samples_(talk_.wire, talk_.readings, known_.values, catalog_, draft_, context.sample),
+      samples_(talk_.wire, talk_.readings, known_.values, catalog_, snapshot_, context.sample),
       finding_(talk_.wire, talk_.readings, talk_.selection, talk_.conversation, known_.values, known_.lines,
-               catalog_, variant_of(catalog_), draft_) {
+               catalog_, variant_of(catalog_), snapshot_) {
   strings_.texts.reset = [this](std::string text) { return reset_by_text(std::move(text)); };
-  draft_.axis_count = axes();
-  draft_.identity.model = catalog_.name;
-  draft_.slot_bytes_used.fill(0);
-  for (int i = 0; i < axes(); ++i) draft_.axes[i].has_encoder = variant_of(catalog_).fitting(i).encoder;
+  snapshot_.axis_count = axes();
+  snapshot_.identity.model = catalog_.name;
+  snapshot_.slot_bytes_used.fill(0);
+  for (int i = 0; i < axes(); ++i) snapshot_.axes[i].has_encoder = variant_of(catalog_).fitting(i).encoder;
   forget();
 }
 
@@ -52,7 +52,7 @@ Vme58Driver::Vme58Driver(DriverContext context)
 void Vme58Driver::forget() {
   talk_.readings.forget();
   talk_.conversation.echoes(false);
-  draft_.window.rings_known = false;
+  snapshot_.window.rings_known = false;
   known_.forget();
   strings_.forget();
 }
@@ -71,8 +71,8 @@ void Vme58Driver::wire_lost() {
   lose_motions();
   known_.speeds.wire_lost();
   forget();
-  set_up_is_unknown(draft_);
-  nothing_is_known(draft_);
+  set_up_is_unknown(snapshot_);
+  nothing_is_known(snapshot_);
   talk_.conversation.lose();
   samples_.end();
   talk_.wire.detach();
@@ -132,7 +132,7 @@ Task<Result<>> Vme58Driver::found_reset(Doubt why) {
   talk_.wire.report(Notice::Kind::warning,
                     "The board has been reset, or switched off and on, since the console last read it. "
                     "Positions, set-up and queues have their factory values: home the axes again.");
-  ++draft_.restarts;
+  ++snapshot_.restarts;
   lose_motions();
   known_.speeds.forget();
   forget();
@@ -140,10 +140,10 @@ Task<Result<>> Vme58Driver::found_reset(Doubt why) {
   talk_.selection.lose();  // connecting selected the user's old axis, before the reset was known
   known_.values.as_from_factory();
   known_.lines.as_from_factory();
-  for (int i = 0; i < axes(); ++i) draft_.axes[i].trust.doubt(why, talk_.wire.now());
+  for (int i = 0; i < axes(); ++i) snapshot_.axes[i].trust.doubt(why, talk_.wire.now());
   std::string text = fmt::format("EF {}\n", talk_.selection.selector());
   auto quiet = co_await talk_.conversation.write(std::move(text), Priority::intent);
-  if (quiet) talk_.selection.is_said();
+  if (quiet) talk_.selection.is_restored();
   co_return quiet;
 }
 
@@ -176,8 +176,8 @@ Task<Result<>> Vme58Driver::starts_again(std::string_view how) {
     seen = seen || !registers->started() || registers->mark == 0;
     if (!seen) talk_.readings.take(*registers);
     if (seen && registers->started()) {
-      auto told = co_await found_reset(Doubt::reset);
-      if (!told) co_return told;
+      auto reset_handled = co_await found_reset(Doubt::reset);
+      if (!reset_handled) co_return reset_handled;
       co_return co_await read_state();
     }
     auto paused = co_await talk_.wire.pause(reset_look);

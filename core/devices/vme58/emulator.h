@@ -3,7 +3,7 @@
 // address:
 //   variant=8S|4S4|8|4E|2S2|2S6|6S2|4S|4   in any case, 8S by default
 //   jumpers=IIO    general lines 0-3, 4-7, 8-11: I input, O output; 12 and 13 are always outputs
-//   firmware=2.24  the revision that WY tells; hosts go by it
+//   firmware=2.24  the revision in the reply to WY; hosts rely on it
 //   quirk=padded|oms-kk|deaf-mailbox   several joined by +: board_options.h
 //
 // The bench starts with axes that have no travel limits, home zones or motors, and with inputs open, that is

@@ -1,10 +1,9 @@
-// Runs go from mark to mark. A mark is a step of the track that needs a check (a switch, an index, a place of
-// a contour, a lost load, a turn of the track); between marks nothing is computed.
+// Runs go from mark to mark (core/motion/course.h). Marks are switches, indexes, places of a contour, lost
+// loads and turns of the track.
 #include "core/devices/vme58/emulator_motion.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hw::vme58 {
 
@@ -13,7 +12,6 @@ using What = MotionEvent::What;
 
 namespace {
 
-constexpr std::int64_t no_mark = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t furthest_look = std::int64_t{1} << 40;  // counts: twelve days at full speed
 
 Sign side_of(int way) { return way < 0 ? Sign::minus : Sign::plus; }
@@ -51,7 +49,7 @@ std::optional<Instant> Motion::next_event() const {
   const auto sooner = [&next](std::optional<Instant> t) {
     if (t && (!next || *t < *next)) next = t;
   };
-  for (const Run& r : runs_) sooner(due(r));
+  for (const Run& r : runs_) sooner(r.due());
   for (const MotionAxis& x : axes_) sooner(x.correct_at);
   return next;
 }
@@ -60,11 +58,11 @@ void Motion::advance_to(Instant to) {
   now_ = to;
   bring_up_to_date();
   for (Run& r : runs_) {
-    const auto when = due(r);
+    const auto when = r.due();
     if (!when || *when > now_) continue;
     if (r.applied >= r.next_mark) look(r);
     if (r.active) plan(r);
-    if (r.active && r.profile.end() <= now_ && r.applied >= r.profile.length()) finish(r, End::reached);
+    if (r.active && r.has_arrived(now_)) finish(r, End::reached);
   }
   for (int a = 0; a < most_axes; ++a)
     if (axes_[ix(a)].correct_at && *axes_[ix(a)].correct_at <= now_) correct(a);
@@ -76,24 +74,13 @@ void Motion::take_events(std::vector<MotionEvent>& sink) {
   events_.clear();
 }
 
-std::optional<Instant> Motion::due(const Run& r) const {
-  if (!r.active) return std::nullopt;
-  return r.next_mark <= r.profile.length() ? r.profile.time_at(r.next_mark) : r.profile.end();
-}
-
 void Motion::bring_up_to_date() {
   for (Run& r : runs_)
-    if (r.active) apply(r, std::min(r.profile.steps(now_), r.next_mark));
+    if (r.active) apply(r, r.reached(now_));
 }
 
 void Motion::apply(Run& r, std::int64_t step) {
-  if (step <= r.applied) return;
-  for (int a = 0; a < most_axes; ++a) {
-    if (!r.has(a)) continue;
-    const std::int64_t made = r.track.offset(a, step) - r.track.offset(a, r.applied);
-    if (made != 0) axes_[ix(a)].turn(made < 0 ? -1 : 1, std::abs(made));
-  }
-  r.applied = step;
+  r.make_steps(step, [this](int a, int way, std::int64_t count) { axes_[ix(a)].turn(way, count); });
 }
 
 // --- runs --------------------------------------------------------------------------------------------------
@@ -115,7 +102,7 @@ void Motion::begin(RunKind kind, unsigned axes, Track track, const Profile& prof
     x.arrived_by = 0;
     x.correct_at.reset();
     x.loop.wake();
-    if (const int way = r.track.direction(a, 0); way != 0) x.direction = side_of(way);
+    if (const int way = r.track.direction(ix(a), 0); way != 0) x.direction = side_of(way);
   }
   look(r);
   for (int a = 0; r.active && a < most_axes; ++a)
@@ -140,7 +127,7 @@ void Motion::look(Run& r) {
     if (!r.active) return;
     if (found_home(r, a) && !r.active) return;
     if (met_limit(r, a)) return;
-    told_nearly_done(r, a);
+    report_nearly_done(r, a);
     MotionAxis& x = axes_[ix(a)];
     if (x.passes && factor(x.direction) * (x.position - *x.passes) >= 0) {
       x.passes.reset();
@@ -153,7 +140,7 @@ void Motion::look(Run& r) {
 bool Motion::met_limit(Run& r, int a) {
   MotionAxis& x = axes_[ix(a)];
   if (!x.settings.limits_on || (r.over_limit >> a & 1u) != 0) return false;
-  for (const int way : {x.arrived_by, r.track.direction(a, r.applied)}) {
+  for (const int way : {x.arrived_by, r.track.direction(ix(a), r.applied)}) {
     if (way == 0 || !x.plant.limit_operated(side_of(way))) continue;
     r.over_limit |= 1u << a;
     tell(What::limit_hit, a, way > 0);
@@ -178,10 +165,10 @@ std::optional<std::int64_t> Motion::counts_left(const Run& r, int a) const {
                motion::Contour::steps_per_count;
   }
   if (r.kind != RunKind::move || r.stopping) return std::nullopt;
-  return std::abs(r.track.offset(a, r.track.steps()) - r.track.offset(a, r.applied));
+  return std::abs(r.track.offset(ix(a), r.track.steps()) - r.track.offset(ix(a), r.applied));
 }
 
-void Motion::told_nearly_done(Run& r, int a) {
+void Motion::report_nearly_done(Run& r, int a) {
   MotionAxis& x = axes_[ix(a)];
   const auto left = counts_left(r, a);
   if (!x.notify || !left || *left > *x.notify) return;
@@ -190,8 +177,7 @@ void Motion::told_nearly_done(Run& r, int a) {
 }
 
 void Motion::plan(Run& r) {
-  const std::int64_t turn = r.track.next_turn(r.applied);
-  r.next_mark = turn < r.track.steps() ? turn : no_mark;
+  r.mark_turn();
   if (r.score && r.cue < r.score->cues.size()) {
     r.next_mark = std::min(r.next_mark, r.score->cues[r.cue].step);
     for (const MotionAxis& x : axes_) {
@@ -204,34 +190,28 @@ void Motion::plan(Run& r) {
     if (r.has(a)) plan_axis(r, a);
 }
 
-void Motion::mark(Run& r, int a, int way, std::optional<std::int64_t> counts) {
-  if (!counts || *counts <= 0) return;
-  const std::int64_t here = r.track.offset(a, r.applied);
-  if (const auto step = r.track.first_at(a, r.applied, here + way * *counts))
-    r.next_mark = std::min(r.next_mark, *step);
-}
-
 void Motion::plan_axis(Run& r, int a) {
-  const int way = r.track.direction(a, r.applied);
+  const int way = r.track.direction(ix(a), r.applied);
   if (way == 0) return;
   const MotionAxis& x = axes_[ix(a)];
-  if (x.passes) mark(r, a, way, way * (*x.passes - x.position));
+  if (x.passes) r.mark(a, way, way * (*x.passes - x.position));
   if (x.notify && r.kind == RunKind::move)
-    if (const auto left = counts_left(r, a)) mark(r, a, way, *left - *x.notify);
+    if (const auto left = counts_left(r, a)) r.mark(a, way, *left - *x.notify);
   if (x.has_motor) return;  // each update of the loop checks its load
   const Sign side = side_of(way);
-  if (x.settings.limits_on && (r.over_limit >> a & 1u) == 0) mark(r, a, way, x.plant.turns_until_limit(side));
-  if (x.homing) mark(r, a, way, x.counts_until_home(side));
+  if (x.settings.limits_on && (r.over_limit >> a & 1u) == 0) r.mark(a, way, x.plant.turns_until_limit(side));
+  if (x.homing) r.mark(a, way, x.counts_until_home(side));
   if (!x.watches_slip() || x.slipped) return;
   // Once the error grows it keeps growing, so the first count beyond the tolerance is found by bisection.
-  const std::int64_t ahead = r.track.offset(a, r.track.next_turn(r.applied)) - r.track.offset(a, r.applied);
+  const std::int64_t ahead =
+      r.track.offset(ix(a), r.track.next_turn(r.applied)) - r.track.offset(ix(a), r.applied);
   std::int64_t low = 0, high = std::min(std::abs(ahead), furthest_look);
   const auto beyond = [&](std::int64_t counts) {
     return std::abs(x.error_after(way, counts)) > x.settings.slip_tolerance;
   };
   if (!beyond(high)) return;
   while (high - low > 1) (beyond(low + (high - low) / 2) ? high : low) = low + (high - low) / 2;
-  mark(r, a, way, high);
+  r.mark(a, way, high);
 }
 
 void Motion::replan(int a) {
@@ -244,7 +224,7 @@ void Motion::replan(int a) {
 }
 
 void Motion::finish(Run& r, End end) {
-  if (end == End::reached) apply(r, std::min(r.profile.length(), r.track.steps()));
+  if (end == End::reached) apply(r, r.last_step());
   const unsigned axes = r.axes;
   r.active = false;
   r.score.reset();
@@ -286,7 +266,7 @@ bool Motion::moving(int a) const { return axes_[ix(a)].run >= 0; }
 double Motion::velocity(int a) const {
   const Run* r = run_of(a);
   if (r == nullptr) return 0;
-  return std::abs(r->track.slope(a, r->profile.distance(now_))) * r->profile.speed(now_).value;
+  return std::abs(r->track.slope(ix(a), r->profile.distance(now_))) * r->profile.speed(now_).value;
 }
 
 bool Motion::occupied(int a) const {

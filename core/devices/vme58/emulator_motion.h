@@ -145,14 +145,12 @@ class Motion {
   void slip(int axis, std::int64_t counts);
   /// Sets only the encoder count; the load stays where it is.
   void set_encoder(int axis, std::int64_t count);
-  /// Range of the counter since measure_from_here(), and the counts made.
-  [[nodiscard]] const Span& span(int axis) const { return axes_[ix(axis)].span; }
+  /// Counters, load and motor; its span since measure_from_here().
+  [[nodiscard]] const MotionAxis& axis(int axis) const { return axes_[ix(axis)]; }
   void measure_from_here();
   /// Loads, switches, jams.
   void look(BenchView& view) const;
 
-  /// Output of a servo axis with a motor.
-  [[nodiscard]] double output_volts(int axis) const { return axes_[ix(axis)].loop.volts(); }
   /// Command position and speed at the latest update of the loop, so that they match the encoder in time.
   /// Without a working loop: position() and velocity().
   [[nodiscard]] std::int64_t sampled_position(int axis) const;
@@ -171,21 +169,19 @@ class Motion {
   void look(Run& run);
   void plan(Run& run);
   void plan_axis(Run& run, int axis);
-  void mark(Run& run, int axis, int way, std::optional<std::int64_t> counts);
   /// `reached`: the profile has ended; `rests`: no further count comes; `cut`: nor does anything planned
   /// behind it.
   enum class End : std::uint8_t { reached, rests, cut };
   void finish(Run& run, End end);
   void rest(int axis);
   void replan(int axis);
-  [[nodiscard]] std::optional<Instant> due(const Run& run) const;
   [[nodiscard]] const Run* run_of(int axis) const {
     return axes_[ix(axis)].run < 0 ? nullptr : &runs_[ix(axes_[ix(axis)].run)];
   }
   Run* run_of(int axis) { return const_cast<Run*>(std::as_const(*this).run_of(axis)); }
   [[nodiscard]] Run& free_run();
   bool met_limit(Run& run, int axis);
-  void told_nearly_done(Run& run, int axis);
+  void report_nearly_done(Run& run, int axis);
   [[nodiscard]] std::optional<std::int64_t> counts_left(const Run& run, int axis) const;
 
   // Moves (emulator_moves.cpp).

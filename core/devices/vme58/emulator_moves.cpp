@@ -49,7 +49,7 @@ Ramp Motion::ramp_of(const Run& r) const {
   std::int64_t longest = -1;
   for (int a = 0; a < most_axes; ++a) {
     if (!r.has(a)) continue;
-    const std::int64_t way = r.alone() ? 0 : std::abs(r.track.offset(a, r.track.steps()));
+    const std::int64_t way = r.alone() ? 0 : std::abs(r.track.offset(ix(a), r.track.steps()));
     if (way > longest) longest = way, lead = a;
     rate = std::min(rate, settings(a).acceleration), base = std::min(base, settings(a).base_velocity);
   }
@@ -112,7 +112,7 @@ bool Motion::jog(int a, double velocity) {
   x.passes.reset(), x.then_jog.reset();
   const double from = r->profile.distance(now_);
   const Pps now = r->profile.speed(now_);
-  if (velocity != 0 && sign_of(velocity) == sign_of(r->track.direction(a, r->applied))) {
+  if (velocity != 0 && sign_of(velocity) == sign_of(r->track.direction(ix(a), r->applied))) {
     r->stopping = false;
     r->wanted = std::abs(velocity);
     continue_by(*r, Profile::change(now_, from, now, Pps(r->wanted), ramp_of(a), Profile::endless));
@@ -139,7 +139,7 @@ bool Motion::move_velocity(int a, std::int64_t position, double velocity) {
     return true;
   }
   if (r->stopping || (r->kind != RunKind::jog && r->kind != RunKind::staircase)) return false;
-  if (r->track.direction(a, r->applied) != factor(x.direction)) return false;
+  if (r->track.direction(ix(a), r->applied) != factor(x.direction)) return false;
   x.passes = position;
   r->kind = RunKind::staircase;
   r->wanted = velocity;
@@ -150,7 +150,7 @@ bool Motion::move_velocity(int a, std::int64_t position, double velocity) {
 
 /// Lets the run end `counts` counts further on, at `speed` as far as the distance permits.
 void Motion::run_to(Run& r, int a, std::int64_t counts, double speed) {
-  const Sign way = r.track.direction(a, r.applied) < 0 ? Sign::minus : Sign::plus;
+  const Sign way = r.track.direction(ix(a), r.applied) < 0 ? Sign::minus : Sign::plus;
   const std::int64_t end = r.applied + counts;
   r.track = Track(way_along(a, way, end));
   r.kind = RunKind::move;
@@ -171,7 +171,7 @@ bool Motion::stop_at(int a, std::int64_t position) {
   if ((r->stopping && !turns) || !in_range(position)) return false;
   x.passes.reset();
   const double speed = turns ? std::abs(*std::exchange(x.then_jog, std::nullopt)) : r->wanted;
-  const std::int64_t left = r->track.direction(a, r->applied) * (position - x.position);
+  const std::int64_t left = r->track.direction(ix(a), r->applied) * (position - x.position);
   if (turns || left < 0) {
     turn_back(*r, a, {position, speed});
   } else {
@@ -198,7 +198,7 @@ bool Motion::force_position(int a, std::int64_t position) {
   Run* r = run_of(a);
   if (r == nullptr || ends(*r, a)) return true;
   x.then_jog.reset(), x.then_to.reset();
-  const double cruise = std::abs(r->track.slope(a, r->profile.distance(now_))) * r->wanted;
+  const double cruise = std::abs(r->track.slope(ix(a), r->profile.distance(now_))) * r->wanted;
   if (r->alone() && r->kind != RunKind::contour) {
     x.homing.reset(), x.passes.reset();
   } else {
@@ -206,7 +206,7 @@ bool Motion::force_position(int a, std::int64_t position) {
     r = run_of(a);
   }
   if (r == nullptr) return true;
-  const int way = r->track.direction(a, r->applied);
+  const int way = r->track.direction(ix(a), r->applied);
   const double from = r->profile.distance(now_);
   const Pps speed = r->profile.speed(now_);
   const std::int64_t left = way * (position - x.position);
@@ -224,14 +224,12 @@ bool Motion::force_position(int a, std::int64_t position) {
 void Motion::stop_run(Run& r) {
   if (std::exchange(r.stopping, true)) return;
   const Ramp ramp = ramp_of(r);
-  const double from = r.profile.distance(now_);
   const Pps speed = r.profile.speed(now_);
   // Below one pulse per second an axis stands between two pulses: no further pulse follows a stop.
   if (speed.value < 1) return finish(r, End::rests);
-  Profile down = Profile::ramp_down(now_, from, speed, ramp);
-  if (down.length() > r.track.steps() && r.kind != RunKind::contour)  // too short a way: steeper
-    down = Profile::approach(now_, from, speed, speed, ramp.decel, ramp, r.track.steps());
-  continue_by(r, down);
+  const bool on_contour = r.kind == RunKind::contour;
+  continue_by(r, on_contour ? Profile::ramp_down(now_, r.profile.distance(now_), speed, ramp)
+                            : r.ramp_within_track(now_, ramp));
 }
 
 /// All axes of a line or a contour ramp down together, along their path.
@@ -252,7 +250,7 @@ void Motion::kill(int a) {
 /// The axis leaves the run and goes on by itself, endlessly, at its present speed.
 void Motion::leave(Run& r, int a) {
   const double speed = velocity(a);
-  const int way = r.track.direction(a, r.applied);
+  const int way = r.track.direction(ix(a), r.applied);
   MotionAxis& x = axes_[ix(a)];
   x.homing.reset(), x.goal.reset(), x.passes.reset();
   if (speed <= 0 || way == 0) {
@@ -262,8 +260,8 @@ void Motion::leave(Run& r, int a) {
     return rest(a);
   }
   // Keeps the fraction of a count already made.
-  const double part =
-      way * (r.track.exact(a, r.profile.distance(now_)) - static_cast<double>(r.track.offset(a, r.applied)));
+  const double part = way * (r.track.exact(ix(a), r.profile.distance(now_)) -
+                             static_cast<double>(r.track.offset(ix(a), r.applied)));
   r.axes &= ~(1u << a);
   if (r.axes == 0) r.active = false;
   Run& own = free_run();
@@ -304,12 +302,12 @@ void Motion::load_position(int a, std::int64_t position) {
 void Motion::aim_again(Run& r, int a) {
   MotionAxis& x = axes_[ix(a)];
   if (x.then_to || r.stopping) return;
-  const std::int64_t left = r.track.direction(a, r.applied) * (*x.goal - x.position);
+  const std::int64_t left = r.track.direction(ix(a), r.applied) * (*x.goal - x.position);
   const std::int64_t end = r.applied + left;
   const Profile down = Profile::ramp_down(now_, r.profile.distance(now_), r.profile.speed(now_), ramp_of(a));
   if (left > 0 && end >= down.length()) return run_to(r, a, left, r.wanted);
-  r.track =
-      Track(way_along(a, r.track.direction(a, r.applied) < 0 ? Sign::minus : Sign::plus, Profile::endless));
+  r.track = Track(
+      way_along(a, r.track.direction(ix(a), r.applied) < 0 ? Sign::minus : Sign::plus, Profile::endless));
   turn_back(r, a, {*x.goal, r.wanted});
 }
 

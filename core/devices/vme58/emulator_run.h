@@ -1,6 +1,6 @@
 #pragma once
-// Building blocks of the board's motion. A run takes one or more axes along a track by a profile, from mark
-// to mark; an axis has counters, a load, and perhaps a motor.
+// Building blocks of the board's motion. A run takes one or more axes along a track (core/motion/course.h);
+// an axis has counters, a load, and perhaps a motor.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -13,9 +13,9 @@
 #include "core/devices/vme58/emulator_axis.h"
 #include "core/devices/vme58/facts.h"
 #include "core/motion/contour.h"
+#include "core/motion/course.h"
 #include "core/motion/path.h"
 #include "core/motion/plant.h"
-#include "core/motion/profile.h"
 #include "core/motion/servo.h"
 #include "core/time/clock.h"
 
@@ -36,25 +36,26 @@ class Track {
   explicit Track(std::shared_ptr<const motion::Contour> contour) : contour_(std::move(contour)) {}
 
   [[nodiscard]] std::int64_t steps() const { return contour_ ? contour_->steps() : path_.steps(); }
-  [[nodiscard]] std::int64_t offset(int axis, std::int64_t step) const {
-    return contour_ ? contour_->offset(ix(axis), step) : path_.offset(ix(axis), step);
+  [[nodiscard]] std::int64_t offset(std::size_t axis, std::int64_t step) const {
+    return contour_ ? contour_->offset(axis, step) : path_.offset(axis, step);
   }
-  [[nodiscard]] double exact(int axis, double step) const {
-    return contour_ ? contour_->exact(ix(axis), step) : path_.exact(ix(axis), step);
+  [[nodiscard]] double exact(std::size_t axis, double step) const {
+    return contour_ ? contour_->exact(axis, step) : path_.exact(axis, step);
   }
-  [[nodiscard]] int direction(int axis, std::int64_t step) const {
-    return contour_ ? contour_->direction(ix(axis), step) : path_.direction(ix(axis), step);
+  [[nodiscard]] int direction(std::size_t axis, std::int64_t step) const {
+    return contour_ ? contour_->direction(axis, step) : path_.direction(axis, step);
   }
   [[nodiscard]] std::int64_t next_turn(std::int64_t step) const {
     return contour_ ? contour_->next_turn(step) : path_.next_turn(step);
   }
-  [[nodiscard]] std::optional<std::int64_t> first_at(int axis, std::int64_t step, std::int64_t offset) const {
-    return contour_ ? contour_->first_at(ix(axis), step, offset) : path_.first_at(ix(axis), step, offset);
+  [[nodiscard]] std::optional<std::int64_t> first_at(std::size_t axis, std::int64_t step,
+                                                     std::int64_t offset) const {
+    return contour_ ? contour_->first_at(axis, step, offset) : path_.first_at(axis, step, offset);
   }
   /// Counts of the axis per step at that place: -1 to 1.
-  [[nodiscard]] double slope(int axis, double step) const {
-    if (contour_) return contour_->share(ix(axis), step) / motion::Contour::steps_per_count;
-    return path_.share(ix(axis), step) * path_.pulses_per_step();
+  [[nodiscard]] double slope(std::size_t axis, double step) const {
+    if (contour_) return contour_->share(axis, step) / motion::Contour::steps_per_count;
+    return path_.share(axis, step) * path_.pulses_per_step();
   }
 
  private:
@@ -79,22 +80,12 @@ struct Score {
 
 enum class RunKind : std::uint8_t { move, jog, staircase, home, contour };
 
-struct Run {
-  bool active = false;
-  bool stopping = false;  ///< on its last ramp
+struct Run : motion::Course<Track> {
   RunKind kind = RunKind::move;
-  unsigned axes = 0;        ///< a bit for each
   unsigned over_limit = 0;  ///< axes that ramp down beyond their switch (SL)
-  Track track;
-  motion::Profile profile;
-  double wanted = 0;           ///< commanded speed in steps/s, whatever the present one
-  std::int64_t applied = 0;    ///< steps made
-  std::int64_t next_mark = 0;  ///< step of the next mark
+  double wanted = 0;        ///< commanded speed in steps/s, whatever the present one
   std::shared_ptr<const Score> score;
   std::size_t cue = 0;
-
-  [[nodiscard]] bool has(int axis) const { return (axes >> axis & 1u) != 0; }
-  [[nodiscard]] bool alone() const { return (axes & (axes - 1)) == 0; }
 };
 
 /// Range and number of counts of a counter, for rehearsals.

@@ -45,8 +45,8 @@ double Motion::exact_command(int a) const {
   const Run* r = run_of(a);
   const auto here = static_cast<double>(x.position);
   if (r == nullptr) return here;
-  return here - static_cast<double>(r->track.offset(a, r->applied)) +
-         r->track.exact(a, r->profile.distance(now_));
+  return here - static_cast<double>(r->track.offset(ix(a), r->applied)) +
+         r->track.exact(ix(a), r->profile.distance(now_));
 }
 
 bool Motion::at_work(int a) const {

@@ -49,16 +49,16 @@ std::string explain_sent(std::string_view bytes) {
   if (bytes.starts_with("mailbox "))
     return "urgent, past everything that waits: " + explain_sent(bytes.substr(8));
   std::string all;
-  std::size_t said = 0;
+  std::size_t explained = 0;
   const auto commands = commands_in_likely_mode(bytes);
   for (const TextCommand& command : commands) {
     const bool selector = command.fact && command.fact->op <= Op::AS;
     if (selector && commands.size() > 1) continue;
-    if (said++ == most_explained) return all + "; ...";
+    if (explained++ == most_explained) return all + "; ...";
     const std::string* help = command.fact ? help_of(command) : nullptr;
     if (!all.empty()) all += "; ";
     if (command.fact && command.fact->where & where::single && commands.front().fact &&
-        commands.front().fact->op <= Op::AS && said == 1 && commands.size() > 1)
+        commands.front().fact->op <= Op::AS && explained == 1 && commands.size() > 1)
       all += fmt::format("{}: ", commands.front().text.substr(1) == "A"   ? "all axes"
                                  : commands.front().text.substr(1) == "M" ? "a group"
                                                                           : commands.front().text.substr(1));

@@ -34,7 +34,6 @@ inline constexpr std::uint16_t reserved1 = 0xA04, mailbox = 0xF88, reserved2 = 0
 
 inline constexpr std::uint16_t axis_stride = 0x80;
 inline constexpr int ring_cells = 256;  ///< characters; 255 fit, equal indexes mean empty
-inline constexpr std::uint16_t ring_bytes = 512;
 
 /// Values of an axis block, in memory order.
 enum class AxisValue : std::uint8_t {

@@ -27,9 +27,9 @@ bool Feed::load(const std::string& plain) {
 }
 
 void Feed::begin() {
-  draft_.feed.running = true;
-  draft_.feed.sent = 0;
-  draft_.feed.total = static_cast<std::int32_t>(to_feed_.size());
+  snapshot_.feed.running = true;
+  snapshot_.feed.sent = 0;
+  snapshot_.feed.total = static_cast<std::int32_t>(to_feed_.size());
 }
 
 /// If the user's text has selected an axis meanwhile, adds the program's selector before the command and the
@@ -61,7 +61,7 @@ Task<Result<std::optional<std::string>>> Feed::go_on() {
       if (!finished || *finished) co_return finished;
     }
     if (to_feed_.empty()) {
-      draft_.feed.running = false;
+      snapshot_.feed.running = false;
       co_return std::nullopt;
     }
     const auto late = co_await readings_.was_rejected(Priority::transfer);
@@ -79,11 +79,11 @@ Task<Result<std::optional<std::string>>> Feed::finish() {
   const auto bad = co_await readings_.was_rejected(Priority::transfer);
   if (!bad) co_return fail(bad.error());
   const std::string sent = std::exchange(fed_.text, {});
-  ++draft_.feed.sent;
+  ++snapshot_.feed.sent;
   // Commands taken by the board wait in its queues, and the one under way is not reported; only pieces need
   // this count.
-  draft_.program.command =
-      draft_.pieces.running ? static_cast<std::int16_t>(draft_.feed.sent) : std::int16_t{-1};
+  snapshot_.program.command =
+      snapshot_.pieces.running ? static_cast<std::int16_t>(snapshot_.feed.sent) : std::int16_t{-1};
   if (*bad) {
     std::string what = fed_.waits ? rejected_late()  // other commands may have run meanwhile
                                   : fmt::format("Line {}: the board rejected \"{}\".", fed_.line + 1, sent);
@@ -109,7 +109,7 @@ Task<Result<bool>> Feed::put_next() {
   fed_.before = std::exchange(context_, after);
   if (!apart_) selection_.set(after);
   selection_.set_recording(after.recording);
-  if (!after.recording) selection_.is_said();
+  if (!after.recording) selection_.is_restored();
   fed_.line = line;
   fed_.waits = false;
   fed_.text = std::move(command);
@@ -124,7 +124,7 @@ void Feed::end() {
 void Feed::forget() {
   to_feed_.clear();
   fed_.text.clear();
-  draft_.feed.running = false;
+  snapshot_.feed.running = false;
 }
 
 }  // namespace hw::vme58

@@ -12,14 +12,14 @@ namespace hw::vme58 {
 class Feed {
  public:
   Feed(Readings& readings, Selection& selection, Conversation& conversation, Commands& commands,
-       Motions& motions, Effects& effects, Snapshot& draft)
+       Motions& motions, Effects& effects, Snapshot& snapshot)
       : readings_(readings),
         selection_(selection),
         conversation_(conversation),
         commands_(commands),
         motions_(motions),
         effects_(effects),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   /// `plain` must have no comments. False: it contains no command.
   bool load(const std::string& plain);
@@ -30,7 +30,7 @@ class Feed {
   void end();
   /// See Effects::program_ended().
   void program_ended(bool whole) { effects_.program_ended(whole); }
-  [[nodiscard]] bool is_under_way() const { return draft_.feed.running; }
+  [[nodiscard]] bool is_under_way() const { return snapshot_.feed.running; }
   /// The user's text selects an axis during a feed: user and program each keep their own selection.
   void user_selects() { apart_ = apart_ || is_under_way(); }
   void forget();
@@ -53,7 +53,7 @@ class Feed {
   Commands& commands_;
   Motions& motions_;
   Effects& effects_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   std::deque<std::pair<int, std::string>> to_feed_;  ///< line and command
   Fed fed_;
   Context context_;     ///< of the program, after the commands already put

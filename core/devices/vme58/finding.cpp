@@ -71,25 +71,25 @@ Task<Result<>> Finding::ask_variant() {
     co_return fail(FaultKind::garbled,
                    fmt::format("The device that answers WY is not a VME58: \"{}\".", *name),
                    "Nothing more was sent.", "Check the address.");
-  draft_.identity.model =
+  snapshot_.identity.model =
       greeting->variant.empty() ? greeting->model : greeting->model + "-" + greeting->variant;
-  draft_.identity.firmware = greeting->version;
+  snapshot_.identity.firmware = greeting->version;
   co_return co_await ask_axes(greeting->variant);
 }
 
-Task<Result<>> Finding::ask_axes(std::string_view told_variant) {
+Task<Result<>> Finding::ask_axes(std::string_view reported_variant) {
   const ReplyForm numbers{ReplyForm::Of::numbers};
   std::string text = fmt::format("AA RP {}\n", selection_.selector());  // ends with the user's selection
   auto positions = co_await conversation_.ask(std::move(text), Priority::intent, numbers);
   if (!positions) co_return fail(positions.error());
   const auto fields = decode_numbers(*positions);
   const int axes = fields ? static_cast<int>(fields->size()) : 0;
-  if (axes != variant_.axes() || (!told_variant.empty() && find_variant(told_variant) != &variant_))
+  if (axes != variant_.axes() || (!reported_variant.empty() && find_variant(reported_variant) != &variant_))
     wire_.report(
         Notice::Kind::warning,
         fmt::format("The board says that it is a {} with {} axes; it was opened as an {}. Open it with "
                     "variant={} in its address.",
-                    draft_.identity.model.view(), axes, catalog_.name, told_variant));
+                    snapshot_.identity.model.view(), axes, catalog_.name, reported_variant));
   co_return Result<>();
 }
 

@@ -10,7 +10,7 @@ class Finding {
  public:
   Finding(Wire& wire, Readings& readings, const Selection& selection, Conversation& conversation,
           ParameterValues& values, Lines& lines, const Catalog& catalog, const Variant& variant,
-          Snapshot& draft)
+          Snapshot& snapshot)
       : wire_(wire),
         readings_(readings),
         selection_(selection),
@@ -19,7 +19,7 @@ class Finding {
         lines_(lines),
         catalog_(catalog),
         variant_(variant),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   /// Only reads, and no cell whose reading has another effect on a board than clearing its flags.
   Task<Result<>> find();
@@ -37,7 +37,7 @@ class Finding {
 
  private:
   Task<Result<>> ask_variant();
-  Task<Result<>> ask_axes(std::string_view told_variant);
+  Task<Result<>> ask_axes(std::string_view reported_variant);
 
   Wire& wire_;
   Readings& readings_;
@@ -47,7 +47,7 @@ class Finding {
   Lines& lines_;
   const Catalog& catalog_;
   const Variant& variant_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
 };
 
 }  // namespace hw::vme58

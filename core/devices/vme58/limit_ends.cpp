@@ -32,7 +32,7 @@ void LimitEnds::crept(int axis, int way) {
 
 bool LimitEnds::met(int axis) const { return at(axis).hit && !(at(axis).from_limit && at(axis).turned); }
 
-void LimitEnds::hear_direction(int axis, bool plus, bool rests) {
+void LimitEnds::read_direction(int axis, bool plus, bool rests) {
   const auto letter = static_cast<std::int8_t>(plus ? 1 : -1);
   Axis& a = at(axis);
   const bool turned_round = rests && a.from_limit && a.letter != 0 && a.letter != letter;
@@ -42,7 +42,7 @@ void LimitEnds::hear_direction(int axis, bool plus, bool rests) {
 }
 
 void LimitEnds::show(int axis) {
-  AxisState& shown = draft_.axes[axis];
+  AxisState& shown = snapshot_.axes[axis];
   const std::int8_t end = at(axis).end;
   shown.limits_known = !on(axis) || end != 0;
   shown.limit_minus = on(axis) && end < 0;

@@ -11,7 +11,7 @@ namespace hw::vme58 {
 
 class LimitEnds {
  public:
-  explicit LimitEnds(Snapshot& draft) : draft_(draft) {}
+  explicit LimitEnds(Snapshot& snapshot) : snapshot_(snapshot) {}
 
   struct Change {
     unsigned met = 0;  ///< axes that have just met a switch
@@ -35,7 +35,7 @@ class LimitEnds {
   [[nodiscard]] bool met(int axis) const;
   /// Takes the direction letter. It belongs to the latest motion, which may have led away from the switch, so
   /// it counts only when the switch is met, or when the axis was sent the other way and did not move.
-  void hear_direction(int axis, bool plus, bool rests);
+  void read_direction(int axis, bool plus, bool rests);
   void show(int axis);
   void forget();
 
@@ -50,7 +50,7 @@ class LimitEnds {
   [[nodiscard]] Axis& at(int axis) { return axes_[static_cast<std::size_t>(axis)]; }
   [[nodiscard]] const Axis& at(int axis) const { return axes_[static_cast<std::size_t>(axis)]; }
 
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   std::uint8_t limits_ = 0;
   std::array<Axis, most_axes> axes_{};
 };

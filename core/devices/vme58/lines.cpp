@@ -25,17 +25,18 @@ void Lines::go_these_ways(unsigned outputs) {
 }
 
 void Lines::take(std::uint16_t levels) {
-  draft_.inputs = levels;
-  draft_.inputs_known = (1u << io_lines) - 1;
+  snapshot_.inputs = levels;
+  snapshot_.inputs_known = (1u << io_lines) - 1;
   for (std::size_t place = 0; place < catalog_.outputs.size(); ++place) {
     const int line = catalog_.outputs[place].number;
     if (line >= io_lines) continue;  // auxiliary
     const std::uint32_t mask = 1u << place;
-    draft_.outputs_known =
-        bit(directions_, line) ? draft_.outputs_known | mask : draft_.outputs_known & ~mask;
-    draft_.outputs = bit(levels, line) ? draft_.outputs & ~mask : draft_.outputs | mask;  // low is on
+    snapshot_.outputs_known =
+        bit(directions_, line) ? snapshot_.outputs_known | mask : snapshot_.outputs_known & ~mask;
+    snapshot_.outputs =
+        bit(levels, line) ? snapshot_.outputs & ~mask : snapshot_.outputs | mask;  // low is on
   }
-  draft_.io_seen_at = wire_.now();
+  snapshot_.io_seen_at = wire_.now();
 }
 
 Task<Result<>> Lines::set(intent::SetOutput request) {
@@ -53,7 +54,7 @@ Task<Result<>> Lines::set_auxiliary(int axis, bool on, std::uint32_t mask) {
   std::string text = selection_.addressed(axis, on ? "AN" : "AF");
   auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
   if (sent) know_auxiliary(axis, on);
-  if (!sent && wire_.perhaps_done(sent.error())) draft_.outputs_known &= ~mask;
+  if (!sent && wire_.perhaps_done(sent.error())) snapshot_.outputs_known &= ~mask;
   co_return sent;
 }
 
@@ -63,7 +64,7 @@ Task<Result<>> Lines::set_line(int line, bool on, std::uint32_t mask) {
   if (!sent) co_return sent;
   auto looked = co_await readings_.look_at_registers(Priority::intent);
   if (!looked) co_return looked;
-  if ((draft_.outputs_known & mask) == 0 || ((draft_.outputs & mask) != 0) == on) co_return Result<>();
+  if ((snapshot_.outputs_known & mask) == 0 || ((snapshot_.outputs & mask) != 0) == on) co_return Result<>();
   co_return fail(FaultKind::controller,
                  fmt::format("Output {} was switched {}, but its line still reads {}.", line,
                              on ? "on (low)" : "off (high)", on ? "high" : "low"),
@@ -91,12 +92,13 @@ Task<Result<>> Lines::switch_tool_off(ToolOff tool) {
 }
 
 std::string Lines::through_free_queue(std::string text) const {
-  const auto rests = [this](int axis) { return draft_.axes[ix(axis)].activity == Activity::idle; };
+  const auto rests = [this](int axis) { return snapshot_.axes[ix(axis)].activity == Activity::idle; };
   const Context& context = selection_.context();
-  const bool selected_rests = context.mode == where::single ? rests(context.axis) : !draft_.any_axis_moving();
+  const bool selected_rests =
+      context.mode == where::single ? rests(context.axis) : !snapshot_.any_axis_moving();
   int axis = 0;
-  while (axis < draft_.axis_count && !rests(axis)) ++axis;
-  if (selected_rests || axis == draft_.axis_count) return text + "\n";
+  while (axis < snapshot_.axis_count && !rests(axis)) ++axis;
+  if (selected_rests || axis == snapshot_.axis_count) return text + "\n";
   return selection_.addressed(axis, text);
 }
 
@@ -105,14 +107,14 @@ void Lines::know_auxiliary(int axis, bool on) {
   const int place = catalog_.find_output(first_auxiliary + axis);
   if (place < 0) return;
   const std::uint32_t mask = 1u << place;
-  draft_.outputs = on ? draft_.outputs | mask : draft_.outputs & ~mask;
-  draft_.outputs_known |= mask;
+  snapshot_.outputs = on ? snapshot_.outputs | mask : snapshot_.outputs & ~mask;
+  snapshot_.outputs_known |= mask;
 }
 
 void Lines::doubt_auxiliary(int axis) {
   queued_.erase(axis);
   if (const int place = catalog_.find_output(first_auxiliary + axis); place >= 0)
-    draft_.outputs_known &= ~(1u << place);
+    snapshot_.outputs_known &= ~(1u << place);
 }
 
 void Lines::queue_auxiliary(int axis, bool on) {

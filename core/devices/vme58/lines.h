@@ -12,13 +12,13 @@ namespace hw::vme58 {
 class Lines {
  public:
   Lines(Wire& wire, Readings& readings, const Selection& selection, Commands& commands,
-        const Catalog& catalog, Snapshot& draft)
+        const Catalog& catalog, Snapshot& snapshot)
       : wire_(wire),
         readings_(readings),
         selection_(selection),
         commands_(commands),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   /// Takes the directions that RB reports: bit per line that is an output. The lines are shown as the address
   /// declares them; warns if the board differs.
@@ -49,7 +49,7 @@ class Lines {
   const Selection& selection_;
   Commands& commands_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   unsigned directions_ = factory_outputs;
   std::map<int, bool> queued_;  ///< auxiliary outputs, as the program that runs leaves them
 };

@@ -28,14 +28,14 @@ bool is_no_motion(const AxisState& axis, Steps change, Instant when) {
 // ---- readings
 
 void Motions::show(int i, Instant when) {
-  AxisState& axis = draft_.axes[i];
-  Axis& mind = at(i);
+  AxisState& axis = snapshot_.axes[i];
+  Axis& own = at(i);
   const Steps command(readings_.value(i, AxisValue::command_position));
   const Steps change = command - axis.command;
-  const bool crept = axis.position_known && readings_.seen() && change.value != 0 && !mind.counted &&
+  const bool crept = axis.position_known && readings_.seen() && change.value != 0 && !own.counted &&
                      !is_no_motion(axis, change, when);
-  if (crept) mind.way = change.value > 0 ? 1 : -1;
-  mind.counted = false;
+  if (crept) own.way = change.value > 0 ? 1 : -1;
+  own.counted = false;
   const double speed = std::abs(static_cast<double>(readings_.value(i, AxisValue::command_velocity)));
   axis.command = command;
   axis.encoder = Steps(readings_.value(i, AxisValue::encoder_position));
@@ -43,69 +43,69 @@ void Motions::show(int i, Instant when) {
   axis.seen_at = when;
   axis.position_known = true;
   axis.speed = Pps(speed);
-  if (crept && mind.jog_gap > Duration::zero()) mind.creeps_until = when + mind.jog_gap;
-  const bool turns = speed > 0 || crept || when < mind.creeps_until;
-  axis.direction = turns ? mind.way : std::int8_t{0};
+  if (crept && own.jog_gap > Duration::zero()) own.creeps_until = when + own.jog_gap;
+  const bool turns = speed > 0 || crept || when < own.creeps_until;
+  axis.direction = turns ? own.way : std::int8_t{0};
   loops_.look(i, when, turns);
-  if (crept) limits_.crept(i, mind.way);
+  if (crept) limits_.crept(i, own.way);
   limits_.show(i);
   if (!turns) {
-    if (!mind.ours && !mind.stopping && !mind.by_text) limits_.rests(i);
+    if (!own.ours && !own.stopping && !own.by_text) limits_.rests(i);
     return show_still(i, when);
   }
   if (speed > 0 || crept) {
     limits_.turns(i);
-    mind.still_since = when;
-    mind.asks_queue = false;
+    own.still_since = when;
+    own.asks_queue = false;
   }
-  axis.activity = mind.stopping ? Activity::stopping : mind.ours ? mind.wanted : Activity::moving;
+  axis.activity = own.stopping ? Activity::stopping : own.ours ? own.wanted : Activity::moving;
 }
 
 void Motions::show_still(int i, Instant when) {
-  AxisState& axis = draft_.axes[i];
-  Axis& mind = at(i);
-  if (mind.stopping) return end(i, mind.ended_by);
+  AxisState& axis = snapshot_.axes[i];
+  Axis& own = at(i);
+  if (own.stopping) return end(i, own.ended_by);
   if (loops_.settles(i)) {  // the command has ended, the axis has not arrived yet
-    mind.still_since = when;
-    axis.activity = mind.ours ? mind.wanted : Activity::moving;
+    own.still_since = when;
+    axis.activity = own.ours ? own.wanted : Activity::moving;
     return;
   }
-  if (!mind.ours) {
+  if (!own.ours) {
     if (axis.activity != Activity::idle) axis.activity = Activity::idle;
     if (loops_.judged(i, EndedBy::target) == EndedBy::not_in_place) axis.ended_by = EndedBy::not_in_place;
-    if (mind.by_text && limits_.has_turned(i) && limits_.met(i)) axis.ended_by = EndedBy::limit;
+    if (own.by_text && limits_.has_turned(i) && limits_.met(i)) axis.ended_by = EndedBy::limit;
     return;
   }
   const bool there = axis.has_target && axis.command == axis.target;
   const bool limited = limits_.met(i);
   // A done flag alone is no proof: the board carries out the ID behind a move that a switch has cut short,
   // and the flag of an earlier motion stays until the move's GD is carried out.
-  const bool believed = limits_.has_turned(i) || there || limited || mind.wanted == Activity::homing;
-  if (mind.done && believed && !jogs(i)) return end(i, limited && !there ? EndedBy::limit : EndedBy::target);
+  const bool believed = limits_.has_turned(i) || there || limited || own.wanted == Activity::homing;
+  if (own.done && believed && !jogs(i)) return end(i, limited && !there ? EndedBy::limit : EndedBy::target);
   if (limited) return end(i, EndedBy::limit);
   // On a straight line the axis with the shortest way may show no motion for long: the axes of a group rest
   // together.
   for (int other = 0; other < count(); ++other)
-    if ((mind.group >> other & 1) != 0 && moving(other)) mind.still_since = when;
-  axis.activity = mind.wanted;
-  if (when - mind.still_since < rest_patience(i)) return;
+    if ((own.group >> other & 1) != 0 && moving(other)) own.still_since = when;
+  axis.activity = own.wanted;
+  if (when - own.still_since < rest_patience(i)) return;
   if (selection_.recording()) return end(i, there ? EndedBy::target : EndedBy::elsewhere);
-  mind.asks_queue = true;
+  own.asks_queue = true;
 }
 
 void Motions::take_done(unsigned axes) {
   for (int i = 0; i < count(); ++i) {
-    Axis& mind = at(i);
-    if (!bit(axes, i) || !mind.ours || mind.stopping) continue;
-    mind.done = true;
+    Axis& own = at(i);
+    if (!bit(axes, i) || !own.ours || own.stopping) continue;
+    own.done = true;
     if (!moving(i)) show_still(i, wire_.now());
   }
 }
 
 bool Motions::waits_for_done() const {
   for (int i = 0; i < count(); ++i) {
-    const Axis& mind = at(i);
-    if (mind.ours && !mind.stopping && !moving(i) && !loops_.settles(i) && !jogs(i)) return true;
+    const Axis& own = at(i);
+    if (own.ours && !own.stopping && !moving(i) && !loops_.settles(i) && !jogs(i)) return true;
   }
   return false;
 }
@@ -114,17 +114,17 @@ bool Motions::waits_for_done() const {
 void Motions::take_queues(unsigned has_room, bool were_empty, bool empty) {
   const unsigned groups = 3u << count();
   for (int i = 0; i < count(); ++i) {
-    Axis& mind = at(i);
-    if (!were_empty && empty && mind.jog_gap > Duration::zero()) {
-      creeps(i, mind.jog_gap);
-      if (draft_.axes[i].activity == Activity::idle) draft_.axes[i].activity = Activity::moving;
+    Axis& own = at(i);
+    if (!were_empty && empty && own.jog_gap > Duration::zero()) {
+      creeps(i, own.jog_gap);
+      if (snapshot_.axes[i].activity == Activity::idle) snapshot_.axes[i].activity = Activity::moving;
     }
-    if ((has_room & groups) == groups) mind.in_group = false;
-    if (!std::exchange(mind.asks_queue, false) || !mind.ours) continue;
-    const unsigned its = mind.group != 0 ? groups : 1u << i;
-    const AxisState& axis = draft_.axes[i];
+    if ((has_room & groups) == groups) own.in_group = false;
+    if (!std::exchange(own.asks_queue, false) || !own.ours) continue;
+    const unsigned its = own.group != 0 ? groups : 1u << i;
+    const AxisState& axis = snapshot_.axes[i];
     if ((has_room & its) != its)
-      mind.still_since = wire_.now();  // still queued: under way, or yet to begin
+      own.still_since = wire_.now();  // still queued: under way, or yet to begin
     else
       end(i, axis.has_target && axis.command == axis.target ? EndedBy::target : EndedBy::elsewhere);
   }
@@ -132,11 +132,11 @@ void Motions::take_queues(unsigned has_room, bool were_empty, bool empty) {
 
 void Motions::all_worked_off() {
   for (int i = 0; i < count(); ++i) {
-    Axis& mind = at(i);
-    mind.by_text = false;
-    if (mind.ours) continue;
-    if (draft_.axes[i].ended_by == EndedBy::nothing) comes_home(i);
-    mind.at_home = AtHome::nothing;
+    Axis& own = at(i);
+    own.by_text = false;
+    if (own.ours) continue;
+    if (snapshot_.axes[i].ended_by == EndedBy::nothing) comes_home(i);
+    own.at_home = AtHome::nothing;
   }
 }
 
@@ -146,18 +146,18 @@ Motions::Before Motions::begin(const Way& way) {
   Before before{};
   for (int i = 0; i < count(); ++i) {
     if ((way.axes >> i & 1) == 0) continue;
-    Axis& mind = at(i);
-    before[ix(i)] = {mind.wanted, mind.group, mind.ours, mind.by_text};
-    mind.wanted = way.activity;
-    mind.ours = true;
-    mind.at_home = way.at_home;
-    mind.group = (way.axes & (way.axes - 1)) != 0 ? way.axes : 0;
-    mind.done = mind.stopping = mind.by_text = mind.asks_queue = false;
-    AxisState& axis = draft_.axes[i];
+    Axis& own = at(i);
+    before[ix(i)] = {own.wanted, own.group, own.ours, own.by_text};
+    own.wanted = way.activity;
+    own.ours = true;
+    own.at_home = way.at_home;
+    own.group = (way.axes & (way.axes - 1)) != 0 ? way.axes : 0;
+    own.done = own.stopping = own.by_text = own.asks_queue = false;
+    AxisState& axis = snapshot_.axes[i];
     axis.has_target = way.has_targets;
     if (!jogs(i)) creeps(i, {});
     limits_.begins(i, !moving(i));
-    mind.still_since = wire_.now();
+    own.still_since = wire_.now();
     loops_.begins(i, !jogs(i));
     axis.activity = way.activity;
     axis.ended_by = EndedBy::nothing;
@@ -169,32 +169,32 @@ Motions::Before Motions::begin(const Way& way) {
 void Motions::did_not_begin(const Way& way, const Before& before, bool may_begin) {
   for (int i = 0; i < count(); ++i) {
     if ((way.axes >> i & 1) == 0) continue;
-    Axis& mind = at(i);
+    Axis& own = at(i);
     const Earlier& earlier = before[ix(i)];  // an axis still moving does what it did before
-    mind.wanted = earlier.wanted;
-    mind.group = earlier.group;
-    mind.ours = moving(i) && earlier.ours;
-    mind.by_text = may_begin || (moving(i) && earlier.by_text);
-    mind.at_home = AtHome::nothing;
-    draft_.axes[i].has_target = false;
+    own.wanted = earlier.wanted;
+    own.group = earlier.group;
+    own.ours = moving(i) && earlier.ours;
+    own.by_text = may_begin || (moving(i) && earlier.by_text);
+    own.at_home = AtHome::nothing;
+    snapshot_.axes[i].has_target = false;
     show_still(i, wire_.now());
   }
   if (may_begin) next_.awaits_queues();
 }
 
 void Motions::end(int i, EndedBy ended_by) {
-  AxisState& axis = draft_.axes[i];
-  Axis& mind = at(i);
+  AxisState& axis = snapshot_.axes[i];
+  Axis& own = at(i);
   ended_by = loops_.judged(i, ended_by);
   if (ended_by == EndedBy::target) comes_home(i);
-  mind.at_home = AtHome::nothing;
+  own.at_home = AtHome::nothing;
   axis.activity = Activity::idle;
   axis.ended_by = ended_by;
   axis.has_target = false;
   axis.direction = 0;
-  mind.ours = mind.stopping = mind.done = mind.by_text = mind.asks_queue = false;
-  mind.group = 0;
-  mind.wanted = Activity::idle;
+  own.ours = own.stopping = own.done = own.by_text = own.asks_queue = false;
+  own.group = 0;
+  own.wanted = Activity::idle;
   creeps(i, {});
   limits_.rests(i);
   if (ended_by != EndedBy::limit) return;
@@ -210,7 +210,7 @@ void Motions::comes_home(int i) {
     doubt_killed_position(i, static_cast<double>(readings_.value(i, AxisValue::maximum_velocity)));
 }
 
-void Motions::trust(int axis, Trust how) { draft_.axes[axis].trust.settle(how, wire_.now()); }
+void Motions::trust(int axis, Trust how) { snapshot_.axes[axis].trust.settle(how, wire_.now()); }
 
 /// The axis is driven to its command, or its command set to the axis: the reported end of its last motion no
 /// longer holds.
@@ -223,15 +223,15 @@ void Motions::begins_to_settle(int i) {
 void Motions::stopping(int axis, bool at_once) {
   for (int i = 0; i < count(); ++i) {
     if (axis >= 0 && i != axis) continue;
-    Axis& mind = at(i);
+    Axis& own = at(i);
     creeps(i, {});
-    mind.at_home = AtHome::nothing;  // a queued homing is dropped by the stop
+    own.at_home = AtHome::nothing;  // a queued homing is dropped by the stop
     loops_.begins(i, false);
     if (at_rest(i)) continue;
-    const bool killed = mind.stopping && mind.ended_by == EndedBy::abort;
-    mind.stopping = true;
-    mind.ended_by = at_once || killed ? EndedBy::abort : EndedBy::stop;
-    draft_.axes[i].activity = Activity::stopping;
+    const bool killed = own.stopping && own.ended_by == EndedBy::abort;
+    own.stopping = true;
+    own.ended_by = at_once || killed ? EndedBy::abort : EndedBy::stop;
+    snapshot_.axes[i].activity = Activity::stopping;
   }
 }
 
@@ -248,10 +248,10 @@ void Motions::stands(int axis) {
 }
 
 void Motions::is_anothers(int axis) {
-  Axis& mind = at(axis);
-  mind.ours = mind.stopping = false;
-  mind.by_text = true;
-  mind.wanted = Activity::idle;
+  Axis& own = at(axis);
+  own.ours = own.stopping = false;
+  own.by_text = true;
+  own.wanted = Activity::idle;
 }
 
 // ---- motions of texts and programs
@@ -262,7 +262,7 @@ void Motions::note(const TextCommand& command) {
   const Op op = command.fact->op;
   const bool jogs = op == Op::JG || op == Op::JF;
   if (!jogs && !stops_motion(op) && !moves_in_queue(op)) return;
-  if (!stops_motion(op)) draft_.program.ended_by = EndedBy::nothing;
+  if (!stops_motion(op)) snapshot_.program.ended_by = EndedBy::nothing;
   const bool one = command.context.mode == where::single && (jogs || op == Op::ST || moves_in_queue(op));
   for (int i = 0; i < count(); ++i)
     if (!one || i == command.context.axis) note_of_axis(i, command, one);
@@ -274,18 +274,18 @@ void Motions::note_of_axis(int i, const TextCommand& command, bool one) {
   const std::size_t place = one ? 0 : ix(i);
   const bool meant = place < command.numbers.size() && command.numbers[place].has_value();
   if (jogs && !meant) return;
-  Axis& mind = at(i);
-  if (!mind.ours && !stops && !std::exchange(mind.by_text, true)) {
+  Axis& own = at(i);
+  if (!own.ours && !stops && !std::exchange(own.by_text, true)) {
     limits_.begins(i, !moving(i));
-    draft_.axes[i].ended_by = EndedBy::nothing;
+    snapshot_.axes[i].ended_by = EndedBy::nothing;
   }
   loops_.goes_to_place(i, !jogs && !stops);
   if (op == Op::HM || op == Op::HR)
-    mind.at_home = one ? AtHome::sets_counter : AtHome::nothing;
+    own.at_home = one ? AtHome::sets_counter : AtHome::nothing;
   else if (op == Op::KM || op == Op::KR)
-    mind.at_home = AtHome::stops_dead;
+    own.at_home = AtHome::stops_dead;
   else if (jogs || stops)
-    mind.at_home = AtHome::nothing;
+    own.at_home = AtHome::nothing;
   const double speed = jogs ? std::abs(*command.numbers[place]) : 0;
   if (jogs) will_jog(i, speed);
   creeps(i, speed > 0 ? jog_gap(i, speed) : Duration::zero());
@@ -296,29 +296,29 @@ void Motions::note_group(const TextCommand& command) {
   const bool contour = command.is(Op::CX), begins = command.is(Op::GO) || command.is(Op::GD);
   const bool all = command.is(Op::KM) || command.is(Op::KR) || (contour && command.context.contour_axes == 0);
   for (int i = 0; i < count(); ++i) {
-    Axis& mind = at(i);
+    Axis& own = at(i);
     const bool named = ix(i) < command.numbers.size() && command.numbers[ix(i)].has_value();
     const bool listed = command.fact->shape == Shape::list && named;
     const bool drawn = contour && (command.context.contour_axes >> i & 1) != 0;
-    mind.listed = mind.listed || listed;
-    if (all || drawn || listed || (begins && mind.listed)) mind.in_group = true;
+    own.listed = own.listed || listed;
+    if (all || drawn || listed || (begins && own.listed)) own.in_group = true;
   }
 }
 
 void Motions::others_may_move_all() {
-  for (Axis& mind : axes_) mind.in_group = mind.listed = true;
+  for (Axis& own : axes_) own.in_group = own.listed = true;
 }
 
 void Motions::program_begins() {
   for (int i = 0; i < count(); ++i) {
     limits_.begins(i, true);
     at(i).by_text = false;
-    draft_.axes[i].ended_by = EndedBy::nothing;
+    snapshot_.axes[i].ended_by = EndedBy::nothing;
   }
 }
 
 void Motions::program_ends() {
-  for (Axis& mind : axes_) mind.by_text = mind.in_group = false, mind.at_home = AtHome::nothing;
+  for (Axis& own : axes_) own.by_text = own.in_group = false, own.at_home = AtHome::nothing;
 }
 
 bool Motions::met_limit() const {
@@ -332,8 +332,8 @@ void Motions::come_home() {
 }
 
 void Motions::queued_was_rejected() {
-  for (Axis& mind : axes_)
-    if (!mind.ours) mind.at_home = AtHome::nothing;
+  for (Axis& own : axes_)
+    if (!own.ours) own.at_home = AtHome::nothing;
 }
 
 // ---- for how long a motion may show nothing
@@ -341,9 +341,9 @@ void Motions::queued_was_rejected() {
 /// How long a turning axis may show neither velocity nor count, on a very gentle ramp. The axis' own queue
 /// tells of its motion only when it moves by itself.
 Duration Motions::rest_patience(int i) const {
-  const Axis& mind = at(i);
-  if (mind.group == 0 && !jogs(i)) return rest_time;
-  return std::max(jog_gap(i, 1), mind.jog_gap);
+  const Axis& own = at(i);
+  if (own.group == 0 && !jogs(i)) return rest_time;
+  return std::max(jog_gap(i, 1), own.jog_gap);
 }
 
 Duration Motions::jog_gap(int i, double speed) const {
@@ -369,7 +369,7 @@ void Motions::met_switches(unsigned axes) {
 void Motions::doubt_killed_position(int i, double speed) {
   const std::int64_t safe = readings_.value(i, AxisValue::base_velocity);
   if (catalog_.axes[ix(i)].switchable || speed <= static_cast<double>(safe)) return;
-  draft_.axes[i].trust.doubt(Doubt::killed, wire_.now());
+  snapshot_.axes[i].trust.doubt(Doubt::killed, wire_.now());
   wire_.report(
       Notice::Kind::warning,
       fmt::format(
@@ -380,15 +380,15 @@ void Motions::doubt_killed_position(int i, double speed) {
 
 void Motions::lose(bool program_runs) {
   for (int i = 0; i < count(); ++i) {
-    const bool waits = at(i).by_text && (draft_.working || program_runs);
-    if (!at_rest(i) || waits) draft_.axes[i].ended_by = EndedBy::lost;
+    const bool waits = at(i).by_text && (snapshot_.working || program_runs);
+    if (!at_rest(i) || waits) snapshot_.axes[i].ended_by = EndedBy::lost;
   }
 }
 
 void Motions::forget() {
   axes_ = {};
   for (int i = 0; i < count(); ++i) {
-    AxisState& axis = draft_.axes[i];
+    AxisState& axis = snapshot_.axes[i];
     axis.limits_known = false;
     axis.activity = Activity::unknown;
     axis.speed = axis.own_speed = {};

@@ -18,7 +18,7 @@ enum class AtHome : std::uint8_t { nothing, sets_counter, stops_dead };
 class Motions {
  public:
   Motions(Wire& wire, const Catalog& catalog, const Readings& readings, const Selection& selection,
-          LimitEnds& limits, ServoLoops& loops, NextRound& next, Snapshot& draft)
+          LimitEnds& limits, ServoLoops& loops, NextRound& next, Snapshot& snapshot)
       : wire_(wire),
         catalog_(catalog),
         readings_(readings),
@@ -26,7 +26,7 @@ class Motions {
         limits_(limits),
         loops_(loops),
         next_(next),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   // ---- readings
   void show(int axis, Instant at);
@@ -68,7 +68,7 @@ class Motions {
   [[nodiscard]] bool in_company(int axis) const { return at(axis).group != 0; }
   /// An endless jog; a jog to the end of a travel counts as a move.
   [[nodiscard]] bool jogs(int axis) const {
-    return at(axis).wanted == Activity::jogging && !draft_.axes[axis].has_target;
+    return at(axis).wanted == Activity::jogging && !snapshot_.axes[axis].has_target;
   }
   /// The counter is set, or may be, so its next change is no motion.
   void counts(int axis) { at(axis).counted = true; }
@@ -143,7 +143,7 @@ class Motions {
   LimitEnds& limits_;
   ServoLoops& loops_;
   NextRound& next_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   std::array<Axis, most_axes> axes_{};
 };
 

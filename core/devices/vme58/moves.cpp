@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
-#include "core/devices/vme58/catalog.h"
 
 namespace hw::vme58 {
 
-void forget_rejection(Snapshot& draft) {
-  if (draft.program.run != RunState::error) return;
-  draft.program.run = RunState::idle;
-  draft.notice.clear();
+void forget_rejection(Snapshot& snapshot) {
+  if (snapshot.program.run != RunState::error) return;
+  snapshot.program.run = RunState::idle;
+  snapshot.notice.clear();
 }
 
 // ---- checks
@@ -22,7 +21,7 @@ Result<> Moves::may_move(int axis) const {
   if (auto may = commands_.may_talk(); !may) return may;
   if (axis < 0 || axis >= axes())
     return fail(FaultKind::refused, fmt::format("There is no axis {} here.", axis + 1), "Nothing was sent.");
-  if (draft_.program.run == RunState::running)
+  if (snapshot_.program.run == RunState::running)
     return fail(FaultKind::refused, "A program is running.", "Nothing was sent.",
                 "Wait until it ends, or stop it.");
   // An axis that only settles may be sent on, so that repeated single steps need not wait for each other.
@@ -32,37 +31,19 @@ Result<> Moves::may_move(int axis) const {
   return {};
 }
 
-Result<WholePace> Moves::checked(const intent::Pace& pace) const {
-  const auto speed = static_cast<std::int64_t>(std::llround(pace.speed.value));
-  if (pace.speed.value != 0 && (speed < 1 || speed > velocity_max))
-    return fail(FaultKind::refused,
-                fmt::format("{:g} counts/s is not possible: a VME58 axis takes 1 to {} counts/s.",
-                            pace.speed.value, velocity_max),
-                "Nothing was sent.");
-  const std::int64_t acceleration = pace.acceleration.value_or(0);
-  if (pace.acceleration && (acceleration < 1 || acceleration > acceleration_max))
-    return fail(FaultKind::refused,
-                fmt::format("{} is not an acceleration: a VME58 axis takes 1 to {} counts/s².", acceleration,
-                            acceleration_max),
-                "Nothing was sent.");
-  return WholePace{speed, acceleration};
-}
-
 Result<Moves::Request> Moves::checked(const std::vector<AxisTarget>& targets, bool relative) const {
+  for (const AxisTarget& t : targets)
+    if (auto may = may_move(t.axis.index); !may) return fail(may.error());
+  const auto goals = check_move(catalog_, snapshot_, targets, relative ? MoveBase::position : MoveBase::zero);
+  if (!goals) return fail(goals.error());
   Request request;
   request.way.has_targets = true;
-  for (const AxisTarget& t : targets) {
-    const int axis = t.axis.index;
-    if (auto may = may_move(axis); !may) return fail(may.error());
-    const std::int64_t goal = relative ? draft_.axes[axis].command.value + t.value.value : t.value.value;
-    if (std::abs(goal) > position_max)
-      return fail(FaultKind::refused,
-                  fmt::format("Position {} of axis {} lies outside the board's range, ±{}.", goal, name(axis),
-                              position_max),
-                  "Nothing was sent.");
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const AxisTarget& t = targets[i];
     if (relative && t.value.value == 0) continue;
+    const int axis = t.axis.index;
     request.operands[ix(axis)] = t.value.value;
-    request.way.targets[ix(axis)] = Steps(goal);
+    request.way.targets[ix(axis)] = (*goals)[i];
     request.way.axes |= 1u << axis;
   }
   return request;
@@ -72,17 +53,17 @@ Result<Moves::Request> Moves::checked(const std::vector<AxisTarget>& targets, bo
 
 /// Sends the text that starts a motion, and shows the motion as begun until the board reports more.
 Task<Result<>> Moves::begin(std::string text, Motions::Way way) {
-  forget_rejection(draft_);
-  draft_.program.ended_by = EndedBy::nothing;  // from here on the end of this motion is reported
+  forget_rejection(snapshot_);
+  snapshot_.program.ended_by = EndedBy::nothing;  // from here on the end of this motion is reported
   const Motions::Before before = motions_.begin(way);
   auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
   if (!sent) motions_.did_not_begin(way, before, wire_.perhaps_done(sent.error()));
   co_return sent;
 }
 
-Task<Result<>> Moves::move(std::vector<AxisTarget> targets, intent::Pace pace_wish, bool relative,
+Task<Result<>> Moves::move(std::vector<AxisTarget> targets, intent::Pace requested_pace, bool relative,
                            Activity shown_as) {
-  const auto pace = checked(pace_wish);
+  const auto pace = checked(requested_pace);
   if (!pace) co_return fail(pace.error());
   auto request = checked(targets, relative);
   if (!request) co_return fail(request.error());
@@ -161,8 +142,8 @@ Task<Result<>> Moves::jog_slowly(int axis, std::int64_t thousandths) {
   co_return co_await begin_jog(std::move(text), axis);
 }
 
-// A user told that the jog has not begun will not stop it. A command error may belong to another command,
-// seen while the jog waited in the ring: so this axis alone is stopped, which has no effect if it stands.
+// A user who is informed that the jog has not begun will not stop it. A command error may belong to another
+// command, seen while the jog waited in the ring: so this axis alone is stopped, without effect at rest.
 Task<Result<>> Moves::begin_jog(std::string text, int axis) {
   Motions::Way way;
   way.axes = 1u << axis;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/device/intent.h"
+#include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/speeds.h"
 
 namespace hw::vme58 {
@@ -11,7 +12,7 @@ class Moves {
  public:
   Moves(Wire& wire, Readings& readings, const Selection& selection, Conversation& conversation,
         Commands& commands, const ServoLoops& loops, Motions& motions, Speeds& speeds, const Catalog& catalog,
-        Snapshot& draft)
+        Snapshot& snapshot)
       : wire_(wire),
         readings_(readings),
         selection_(selection),
@@ -21,7 +22,7 @@ class Moves {
         motions_(motions),
         speeds_(speeds),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   /// Moves one axis by itself, or several on a straight line as a group of AM, beside which others may run.
   Task<Result<>> move(std::vector<AxisTarget> targets, intent::Pace pace, bool relative,
@@ -38,7 +39,9 @@ class Moves {
     Motions::Way way;
   };
   [[nodiscard]] Result<> may_move(int axis) const;
-  [[nodiscard]] Result<WholePace> checked(const intent::Pace& pace) const;
+  [[nodiscard]] Result<WholePace> checked(const intent::Pace& pace) const {
+    return check_pace(catalog_, acceleration_unit, pace);
+  }
   [[nodiscard]] Result<Request> checked(const std::vector<AxisTarget>& targets, bool relative) const;
   [[nodiscard]] std::string move_text(const Request& request, WholePace pace, bool relative) const;
   Task<Result<>> begin(std::string text, Motions::Way way);
@@ -57,10 +60,10 @@ class Moves {
   Motions& motions_;
   Speeds& speeds_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
 };
 
 /// Clears the report on the latest rejected program, which stays until something else is done.
-void forget_rejection(Snapshot& draft);
+void forget_rejection(Snapshot& snapshot);
 
 }  // namespace hw::vme58

@@ -8,7 +8,7 @@ namespace hw::vme58 {
 
 class NextRound {
  public:
-  explicit NextRound(Snapshot& draft) : draft_(draft) {}
+  explicit NextRound(Snapshot& snapshot) : snapshot_(snapshot) {}
 
   void asks_flags() { flags_ = true; }
   [[nodiscard]] bool wants_flags() const { return flags_; }
@@ -20,20 +20,20 @@ class NextRound {
 
   /// A command was put that may wait in a queue: the board counts as working until a round sees all queues
   /// empty and no axis turning.
-  void awaits_queues() { draft_.working = queues_ = true; }
+  void awaits_queues() { snapshot_.working = queues_ = true; }
   /// Whether the queues are due: as soon as no axis turns, and then in their turn.
   bool takes_queues(bool turning) {
     const bool due = queues_ && !turning;
-    queues_ = turning && (queues_ || draft_.working);
+    queues_ = turning && (queues_ || snapshot_.working);
     return due;
   }
   void forget() {
     flags_ = true;
-    queues_ = draft_.working = false;
+    queues_ = snapshot_.working = false;
   }
 
  private:
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   bool flags_ = false, loops_ = false, queues_ = false;
 };
 

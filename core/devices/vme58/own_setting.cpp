@@ -53,7 +53,7 @@ Task<Result<>> OwnSetting::give_back(int axis, Priority priority) {
   auto given = co_await commands_.transmit(std::move(text), priority);
   if (!given && given.error().kind != FaultKind::controller) co_return given;  // must be tried again
   at(axis).borrowed.reset();
-  if (draft_.working) at(axis).put = Put{borrowed.before};
+  if (snapshot_.working) at(axis).put = Put{borrowed.before};
   // Shows the value as the axis' own before its turn to be read.
   readings_.know(axis, cell_, borrowed.before);
   readings_.next_is(axis);

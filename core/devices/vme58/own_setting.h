@@ -15,7 +15,7 @@ class OwnSetting {
  public:
   OwnSetting(std::string_view letters, AxisValue cell, Readings& readings, const Selection& selection,
              Commands& commands, Queues& queues, const Motions& motions, const Catalog& catalog,
-             Snapshot& draft)
+             Snapshot& snapshot)
       : letters_(letters),
         cell_(cell),
         readings_(readings),
@@ -24,7 +24,7 @@ class OwnSetting {
         queues_(queues),
         motions_(motions),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   /// The user's value, even while a motion with a pace of its own has borrowed the setting or the value waits
   /// in a queue.
@@ -88,7 +88,7 @@ class OwnSetting {
   Queues& queues_;
   const Motions& motions_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   std::array<Axis, most_axes> axes_{};
 };
 

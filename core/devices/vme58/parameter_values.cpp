@@ -23,15 +23,15 @@ std::int64_t in_units(double number, const ParameterFact& fact) {
 
 std::optional<std::int64_t> ParameterValues::known(int axis, std::string_view letters) const {
   for (std::size_t i = 0; i < all_.size(); ++i)
-    if (all_[i].axis == axis && all_[i].fact->letters == letters && draft_.params[i].known)
-      return draft_.params[i].value;
+    if (all_[i].axis == axis && all_[i].fact->letters == letters && snapshot_.params[i].known)
+      return snapshot_.params[i].value;
   return std::nullopt;
 }
 
 bool ParameterValues::drives(int axis) const {
   for (std::size_t i = 0; i < all_.size(); ++i)
     if (all_[i].axis == axis && all_[i].fact->drives &&
-        (!draft_.params[i].known || draft_.params[i].value != 0))
+        (!snapshot_.params[i].known || snapshot_.params[i].value != 0))
       return true;
   return false;
 }
@@ -59,8 +59,8 @@ std::optional<motion::ServoGains> ParameterValues::gains(int axis) const {
 }
 
 void ParameterValues::know(std::size_t place, std::int64_t value) {
-  draft_.params[place].value = value;
-  draft_.params[place].known = true;
+  snapshot_.params[place].value = value;
+  snapshot_.params[place].known = true;
   note_fraction(*all_[place].fact, value);
 }
 
@@ -76,7 +76,7 @@ void ParameterValues::take(int axis) {
     if (parameter.axis != axis || !parameter.fact->shown) continue;
     const std::int64_t unit = unit_of(parameter.fact->decimals);
     const std::int64_t shown = readings_.value(axis, *parameter.fact->shown);
-    ParamState& state = draft_.params[i];
+    ParamState& state = snapshot_.params[i];
     if (state.known && state.value / unit == shown) continue;
     state.value = shown * unit;
     state.known = unit == 1 || gains_are_whole_;
@@ -88,7 +88,7 @@ void ParameterValues::note(const TextCommand& sent) {
     const ParameterFact& fact = *all_[i].fact;
     if (all_[i].axis >= 0 && (sent.context.mode != where::single || all_[i].axis != sent.context.axis))
       continue;
-    ParamState& state = draft_.params[i];
+    ParamState& state = snapshot_.params[i];
     const std::string_view letters = sent.fact->letters;
     if (!fact.on.empty() && fact.letters != "PA" && (letters == fact.on || letters == fact.off)) {
       state.value = letters == fact.on;
@@ -105,8 +105,8 @@ void ParameterValues::note(const TextCommand& sent) {
 
 void ParameterValues::as_from_factory() {
   for (std::size_t i = 0; i < all_.size(); ++i) {
-    draft_.params[i].value = catalog_.params[i].fallback;
-    draft_.params[i].known = true;
+    snapshot_.params[i].value = catalog_.params[i].fallback;
+    snapshot_.params[i].known = true;
   }
 }
 

@@ -15,8 +15,9 @@ namespace hw::vme58 {
 
 class ParameterValues {
  public:
-  ParameterValues(const Catalog& catalog, const Variant& variant, const Readings& readings, Snapshot& draft)
-      : catalog_(catalog), readings_(readings), draft_(draft), all_(parameters_of(variant)) {}
+  ParameterValues(const Catalog& catalog, const Variant& variant, const Readings& readings,
+                  Snapshot& snapshot)
+      : catalog_(catalog), readings_(readings), snapshot_(snapshot), all_(parameters_of(variant)) {}
 
   /// The parameter at this place in the catalog.
   [[nodiscard]] const Parameter& at(std::size_t place) const { return all_[place]; }
@@ -37,7 +38,7 @@ class ParameterValues {
   void note(const TextCommand& command);
   void as_from_factory();
 
-  /// No gain with a fraction was set since the board's start. A mark on the board tells other sessions.
+  /// No gain with a fraction was set since the board's start. A mark on the board informs other sessions.
   [[nodiscard]] bool gains_are_whole() const { return gains_are_whole_; }
   void gains_are_whole(bool whole) { gains_are_whole_ = whole; }
   [[nodiscard]] bool mark_is_due() const { return mark_due_; }
@@ -46,7 +47,7 @@ class ParameterValues {
  private:
   const Catalog& catalog_;
   const Readings& readings_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   const std::vector<Parameter> all_;  ///< in catalog order
   bool gains_are_whole_ = false, mark_due_ = false;
 };

@@ -133,7 +133,7 @@ class Check {
         error(commands[i], fmt::format("{} is taken {}. The text after it is read as if {} came before it.",
                                        commands[i].fact->letters,
                                        where_it_is_taken(commands[i].fact->where, false), all ? "AA" : "AM"));
-        assumed_ = told_already_ = true;
+        assumed_ = reported_ = true;
         read_as_if_ = std::string(begin, ' ') + plain_.substr(begin);
         context = Context{all ? where::all : where::tasks};
         commands = read_commands(read_as_if_, context);
@@ -168,7 +168,7 @@ class Check {
                                  where_it_is_taken(command.fact->where, command.context.recording)));
     else
       look_closer(command);
-    const bool bad = std::exchange(told_already_, false) ||
+    const bool bad = std::exchange(reported_, false) ||
                      (report_.problems.size() > problems && report_.problems.back().error);
     row.tokens.push_back(
         {column, column + static_cast<int>(command.length), bad ? TokenKind::bad : kind_of(command)});
@@ -299,7 +299,7 @@ class Check {
   std::string_view text_;
   std::string plain_;
   std::string read_as_if_;  ///< blanked up to the missing mode
-  bool assumed_ = false, told_already_ = false;
+  bool assumed_ = false, reported_ = false;
   static constexpr int most_modes_missed = 20;  ///< each rereads the rest; more are reported one by one
   int modes_missed_ = 0;
   std::vector<std::size_t> begins_;

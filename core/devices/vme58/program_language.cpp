@@ -1,6 +1,9 @@
 #include "core/devices/vme58/program_language.h"
 
+#include <algorithm>
+
 #include "core/device/places_in_text.h"
+#include "core/device/settings_in_text.h"
 #include "core/devices/vme58/program_check.h"
 #include "core/devices/vme58/program_rehearsal.h"
 #include "core/devices/vme58/sequence_commands.h"
@@ -10,7 +13,10 @@
 namespace hw::vme58 {
 namespace {
 
-class CommandStrings final : public Language, public PartialWriter, public PlacesInText {
+class CommandStrings final : public Language,
+                             public PartialWriter,
+                             public PlacesInText,
+                             public SettingsInText {
  public:
   [[nodiscard]] ProgramReport analyse(std::string_view text, int) const override {
     return check_program(text);
@@ -34,6 +40,11 @@ class CommandStrings final : public Language, public PartialWriter, public Place
   }
   [[nodiscard]] std::vector<AxisTarget> places_in(std::string_view text, int) const override {
     return places_of_text(text);
+  }
+  [[nodiscard]] bool only_sets(std::string_view text) const override {
+    Operations all = operations_of(std::string("AA ") += text);  // as blocks write it
+    if (!all.empty()) all.erase(all.begin());
+    return !all.empty() && std::all_of(all.begin(), all.end(), [](const Operation& o) { return o.speed; });
   }
 };
 

@@ -228,7 +228,7 @@ class Rehearsing {
   Rehearsal finish() {
     result_.duration_s = seconds(now_.time_since_epoch());
     for (int i = 0; i < axes(); ++i) {
-      const Span& span = board_.motion().span(i);
+      const Span& span = board_.motion().axis(i).span;
       RehearsedAxis a;
       a.name = std::string(axis_letters.substr(ix(i), 1));
       a.position = board_.motion().position(i);
@@ -245,7 +245,7 @@ class Rehearsing {
 
   [[nodiscard]] std::uint32_t moved() const {
     std::uint32_t bits = 0;
-    for (int i = 0; i < axes(); ++i) bits |= std::uint32_t{board_.motion().span(i).travel > 0} << i;
+    for (int i = 0; i < axes(); ++i) bits |= std::uint32_t{board_.motion().axis(i).span.travel > 0} << i;
     return bits;
   }
 

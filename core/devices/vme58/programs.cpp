@@ -20,9 +20,9 @@ Result<> Programs::load(std::string text) {
       return fail(FaultKind::refused,
                   fmt::format("Line {}: {}", line_holding(text, command.begin) + 1, command.flaw),
                   "The program was not taken.", "Correct it and load it again.");
-  forget_rejection(draft_);
+  forget_rejection(snapshot_);
   text_ = std::move(text);
-  draft_.slot_bytes_used[0] = static_cast<std::int16_t>(std::min<std::size_t>(text_.size(), 32767));
+  snapshot_.slot_bytes_used[0] = static_cast<std::int16_t>(std::min<std::size_t>(text_.size(), 32767));
   return {};
 }
 
@@ -36,7 +36,7 @@ Task<Result<>> Programs::run() {
   if (auto may = commands_.may_talk(); !may) co_return may;
   if (is_running())
     co_return fail(FaultKind::refused, "The program is running already.", "Nothing was sent.");
-  if (draft_.any_axis_moving())
+  if (snapshot_.any_axis_moving())
     co_return fail(FaultKind::refused, "An axis is still moving.", "Nothing was sent.",
                    "Wait until it ends, or stop it.");
   auto own = co_await speeds_.give_all_back(Priority::intent);
@@ -47,7 +47,7 @@ Task<Result<>> Programs::run() {
   if (!feed_.load(plain))
     co_return fail(FaultKind::refused, "There is no program to run: its text is empty.", "Nothing was sent.");
   motions_.program_begins();
-  ProgramState& p = draft_.program;
+  ProgramState& p = snapshot_.program;
   p.run = RunState::running;
   ends_by_ = EndedBy::target;
   p.owned = true;
@@ -75,7 +75,7 @@ Task<Result<>> Programs::end_rejected(std::string what) {
   }
   rejection_ = what + " The program ends there, and all axes were stopped.";
   end(EndedBy::error);
-  draft_.notice = rejection_;
+  snapshot_.notice = rejection_;
   wire_.report(Notice::Kind::error, rejection_);
   co_return stopped;
 }
@@ -83,7 +83,7 @@ Task<Result<>> Programs::end_rejected(std::string what) {
 void Programs::end(EndedBy ended_by) {
   feed_.end();
   motions_.program_ends();
-  ProgramState& p = draft_.program;
+  ProgramState& p = snapshot_.program;
   if (!is_running()) return;
   p.run = ended_by == EndedBy::error ? RunState::error : RunState::idle;
   p.owned = false;
@@ -98,7 +98,7 @@ Task<Result<>> Programs::watch() {
     auto fed = co_await feed();
     if (!fed || feed_.is_under_way()) co_return fed;
   }
-  if (draft_.any_axis_moving()) co_return Result<>();
+  if (snapshot_.any_axis_moving()) co_return Result<>();
   const auto worked_off = co_await questions_.is_worked_off();
   if (!worked_off) co_return fail(worked_off.error());
   if (!*worked_off) co_return Result<>();
@@ -124,14 +124,14 @@ void Programs::queued_was_rejected(std::string& words) {
 
 /// Marks a running program as lost: nobody sees how it ends.
 void Programs::lose() {
-  if (is_running()) draft_.program.ended_by = EndedBy::lost;
+  if (is_running()) snapshot_.program.ended_by = EndedBy::lost;
 }
 
 void Programs::forget() {
   feed_.program_ended(false);
   feed_.forget();
-  draft_.program.run = RunState::idle;
-  draft_.program.owned = false;
+  snapshot_.program.run = RunState::idle;
+  snapshot_.program.owned = false;
 }
 
 }  // namespace hw::vme58

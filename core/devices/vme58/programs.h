@@ -13,7 +13,7 @@ class Programs {
  public:
   Programs(Wire& wire, Readings& readings, Conversation& conversation, const Commands& commands,
            Motions& motions, Speeds& speeds, StatusQuestions& questions, AllStop& all_stop, Feed& feed,
-           Snapshot& draft)
+           Snapshot& snapshot)
       : wire_(wire),
         readings_(readings),
         conversation_(conversation),
@@ -23,13 +23,13 @@ class Programs {
         questions_(questions),
         all_stop_(all_stop),
         feed_(feed),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   Result<> load(std::string text);
   /// Shows the program as a listing.
   void show();
   Task<Result<>> run();
-  [[nodiscard]] bool is_running() const { return draft_.program.run == RunState::running; }
+  [[nodiscard]] bool is_running() const { return snapshot_.program.run == RunState::running; }
   /// Call once a round. A program has ended when all of it has been taken, every queue is empty and no axis
   /// moves.
   Task<Result<>> watch();
@@ -57,7 +57,7 @@ class Programs {
   StatusQuestions& questions_;
   AllStop& all_stop_;
   Feed& feed_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   std::string text_;
   EndedBy ends_by_ = EndedBy::target;  ///< reason to report once its queues are empty
   std::string rejection_;

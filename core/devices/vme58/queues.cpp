@@ -17,7 +17,7 @@ Task<Result<>> Queues::read(Priority priority) {
   const ReplyForm numbers{ReplyForm::Of::numbers};
   auto replies = co_await conversation_.ask_several(std::move(text), ix(axes()) + 2, priority, numbers);
   if (!replies && replies.error().kind == FaultKind::no_answer) {
-    draft_.queue_known = 0;
+    snapshot_.queue_known = 0;
     co_return Result<>();
   }
   if (!replies) co_return fail(replies.error());
@@ -36,8 +36,8 @@ Result<> Queues::take(const std::vector<std::string>& replies, bool were_empty) 
     const auto free = [](std::int64_t entries) { return entries >= queue_entries; };
     if (std::all_of(numbers->begin(), numbers->end(), free)) room.all_free |= 1u << i;
     if (i >= ix(axes()) || numbers->size() != 1) continue;
-    draft_.queue_free[i] = static_cast<std::int16_t>(numbers->front());
-    draft_.queue_known |= 1u << i;
+    snapshot_.queue_free[i] = static_cast<std::int16_t>(numbers->front());
+    snapshot_.queue_known |= 1u << i;
   }
   room.empty = empty_ = room.all_free == (1u << replies.size()) - 1;
   if (were_read) were_read(room);
@@ -45,20 +45,20 @@ Result<> Queues::take(const std::vector<std::string>& replies, bool were_empty) 
 }
 
 void Queues::show_full() {
-  draft_.queue_known = 0;
+  snapshot_.queue_known = 0;
   Context context = selection_.context();
   if (conversation_.waits_in_wq()) return;
   for (const TextCommand& command : read_commands(conversation_.last_sent(), context)) {
     if (!command.fact || command.fact->when != When::queued || command.context.mode != where::single)
       continue;
-    draft_.queue_known = 1u << command.context.axis;
-    draft_.queue_free[ix(command.context.axis)] = 0;
+    snapshot_.queue_known = 1u << command.context.axis;
+    snapshot_.queue_free[ix(command.context.axis)] = 0;
   }
 }
 
 void Queues::forget() {
   empty_ = false;
-  draft_.queue_known = 0;
+  snapshot_.queue_known = 0;
 }
 
 }  // namespace hw::vme58

@@ -13,15 +13,15 @@ class Queues {
     unsigned all_free = 0;                   ///< bit per empty queue; AA's and AM's after those of the axes
     bool were_empty = false, empty = false;  ///< all queues, at the previous reading and now
   };
-  Queues(const Catalog& catalog, const Selection& selection, Conversation& conversation, Snapshot& draft)
-      : catalog_(catalog), selection_(selection), conversation_(conversation), draft_(draft) {}
+  Queues(const Catalog& catalog, const Selection& selection, Conversation& conversation, Snapshot& snapshot)
+      : catalog_(catalog), selection_(selection), conversation_(conversation), snapshot_(snapshot) {}
 
   /// Reads the queues. A full ring or a WQ holds questions back: nothing is known then, and that is no fault.
   Task<Result<>> read(Priority priority);
   /// All queues were empty when last read.
   [[nodiscard]] bool empty() const { return empty_; }
   /// At least one queue is known from the last reading.
-  [[nodiscard]] bool known() const { return draft_.queue_known != 0; }
+  [[nodiscard]] bool known() const { return snapshot_.queue_known != 0; }
   /// The board reads no further: no queue can be read. Shows as full the queue that the latest text
   /// addresses, as it has fewer free entries than the text takes.
   void show_full();
@@ -37,7 +37,7 @@ class Queues {
   const Catalog& catalog_;
   const Selection& selection_;
   Conversation& conversation_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   bool empty_ = false;
 };
 

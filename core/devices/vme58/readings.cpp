@@ -61,15 +61,15 @@ Task<Result<Registers>> Readings::read_registers(Priority priority, bool ask_for
   r.input_put = static_cast<int>(word(1)), r.output_get = static_cast<int>(word(3));
   r.output_put = static_cast<int>(word(5));
   for (std::size_t i = first; i < cycles.size(); ++i)
-    draft_.window.put(cycles[i].offset, cycles[i].width, cycles[i].value);
-  draft_.window.known = true;
+    snapshot_.window.put(cycles[i].offset, cycles[i].width, cycles[i].value);
+  snapshot_.window.known = true;
   co_return r;
 }
 
 void Readings::take(const Registers& registers) {
   if ((registers.status & status::command_error) != 0) command_error_ = true;
   status_ = registers.status;
-  if ((status_ & status::done) == 0) draft_.window.put(reg::done, 1, 0);
+  if ((status_ & status::done) == 0) snapshot_.window.put(reg::done, 1, 0);
   listener_.registers_read(registers);
 }
 
@@ -136,7 +136,7 @@ Task<Result<>> Readings::read_all(Priority priority) {
 
 void Readings::take_values(const std::vector<BusCycle>& cycles) {
   for (const BusCycle& cycle : cycles) {
-    draft_.window.put(cycle.offset, cycle.width, cycle.value);
+    snapshot_.window.put(cycle.offset, cycle.width, cycle.value);
     if (cycle.width != 4) continue;
     const int axis = (cycle.offset - at::axis_data) / axis_stride;
     const int place = (cycle.offset - at::axis_data) % axis_stride / 4;
@@ -169,7 +169,7 @@ Task<Result<>> Readings::read_rings(Priority priority) {
       cycles.push_back(BusCycle::read(2, static_cast<std::uint16_t>(buffer + 2 * i)));
   auto done = co_await wire_.run(cycles, priority);
   if (!done) co_return done;
-  for (const BusCycle& cycle : cycles) draft_.window.put(cycle.offset, cycle.width, cycle.value);
+  for (const BusCycle& cycle : cycles) snapshot_.window.put(cycle.offset, cycle.width, cycle.value);
   co_return Result<>();
 }
 

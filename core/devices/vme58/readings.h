@@ -35,8 +35,8 @@ class Readings {
   /// Whether the board was already asked to copy its axis data, with the registers, or must be asked now.
   enum class Copy : std::uint8_t { is_asked_for, ask };
 
-  Readings(Wire& wire, const Catalog& catalog, Snapshot& draft, Listener& listener)
-      : wire_(wire), catalog_(catalog), draft_(draft), listener_(listener) {}
+  Readings(Wire& wire, const Catalog& catalog, Snapshot& snapshot, Listener& listener)
+      : wire_(wire), catalog_(catalog), snapshot_(snapshot), listener_(listener) {}
 
   // ---- registers
   /// `ask_for_data`: asks the board in the same burst to copy the axis data.
@@ -81,7 +81,7 @@ class Readings {
 
   Wire& wire_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   Listener& listener_;
   std::uint8_t status_ = 0;
   bool command_error_ = false;  ///< seen in the status register, not yet reported

@@ -11,7 +11,7 @@ void Samples::start(const intent::Sample& request) {
 
 void Samples::take(Instant at) {
   if (axis_ < 0 || !sample_) return;
-  const AxisState& axis = draft_.axes[axis_];
+  const AxisState& axis = snapshot_.axes[axis_];
   AxisSample s;
   s.at = at;
   s.axis = static_cast<std::uint8_t>(axis_);

@@ -11,12 +11,12 @@ namespace hw::vme58 {
 class Samples {
  public:
   Samples(const Wire& wire, const Readings& readings, const ParameterValues& values, const Catalog& catalog,
-          const Snapshot& draft, std::function<void(const AxisSample&)> sample)
+          const Snapshot& snapshot, std::function<void(const AxisSample&)> sample)
       : wire_(wire),
         readings_(readings),
         values_(values),
         catalog_(catalog),
-        draft_(draft),
+        snapshot_(snapshot),
         sample_(std::move(sample)) {}
 
   void start(const intent::Sample& request);
@@ -30,7 +30,7 @@ class Samples {
   const Readings& readings_;
   const ParameterValues& values_;
   const Catalog& catalog_;
-  const Snapshot& draft_;
+  const Snapshot& snapshot_;
   std::function<void(const AxisSample&)> sample_;
   int axis_ = -1;
   Instant until_{};

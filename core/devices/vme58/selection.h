@@ -29,7 +29,7 @@ class Selection {
   /// selectors.
   [[nodiscard]] bool is_lost() const { return lost_; }
   void lose() { lost_ = true; }
-  void is_said() { lost_ = false; }
+  void is_restored() { lost_ = false; }
   /// A recording has ended, also on the board: by a selector, or with the connection. Returns whether one was
   /// under way.
   bool end_recording();

@@ -9,6 +9,7 @@
 #include "core/device/text_remarks.h"
 #include "core/devices/vme58/catalog.h"
 #include "core/devices/vme58/contour_reading.h"
+#include "core/devices/vme58/one_axis_text.h"
 #include "core/devices/vme58/program_check.h"
 #include "core/devices/vme58/sequence_commands.h"
 #include "core/devices/vme58/sequence_writer.h"
@@ -84,7 +85,7 @@ class BlockReader {
     if (c.context.mode != where::all || selects(c)) {
       std::size_t end = i + 1;
       while (end < to && !is(end, Op::AA)) ++end;
-      return leave("blocks address all axes at once (AA)", i, end, list);
+      return leave(why_not_single_, i, end, list);
     }
     switch (c.fact->op) {
       case Op::VL:
@@ -222,35 +223,35 @@ class BlockReader {
   /// Reads a speed step of all axes, in the writer's order.
   std::size_t read_speeds(std::size_t i, ReadSteps& list) {
     std::size_t behind = i;
-    std::array<bool, 3> told{};
+    std::array<bool, 3> speeds_given{};
     bool alike = true;
     constexpr std::array<Op, 3> ops{Op::VL, Op::VB, Op::AC};
     for (std::size_t k = 0; k < ops.size(); ++k) {
-      told[k] = is(behind, ops[k]);
-      if (!told[k]) continue;
+      speeds_given[k] = is(behind, ops[k]);
+      if (!speeds_given[k]) continue;
       const auto numbers = numbers_of(commands_[behind]);
       alike = alike && numbers && commands_[behind].given() == out_.axes.size();
       for (std::size_t a = 0; alike && a < out_.axes.size(); ++a)
-        (k == 0 ? told_[a].high : k == 1 ? told_[a].low : told_[a].rate) = *(*numbers)[a];
+        (k == 0 ? given_[a].high : k == 1 ? given_[a].low : given_[a].rate) = *(*numbers)[a];
       ++behind;
     }
     seq::Speed speed;
-    if (alike && speed_of_all(told, speed.speeds)) return put(speed, i, behind, list);
-    told_ = {}, ramp_ms_ = 0;
+    if (alike && speed_of_all(speeds_given, speed.speeds)) return put(speed, i, behind, list);
+    given_ = {}, ramp_ms_ = 0;
     while (is(behind, Op::VL) || is(behind, Op::VB) || is(behind, Op::AC)) ++behind;
     return leave("speeds that differ between axes", i, behind, list);
   }
-  bool speed_of_all(const std::array<bool, 3>& told, seq::Speeds& speeds) {
-    const double high = units(0, told_[0].high), low = units(0, told_[0].low);
+  bool speed_of_all(const std::array<bool, 3>& speeds_given, seq::Speeds& speeds) {
+    const double high = units(0, given_[0].high), low = units(0, given_[0].low);
     for (std::size_t a = 0; a < out_.axes.size(); ++a)
-      if (std::round(high * out_.axes[a].per_unit) != told_[a].high ||
-          std::round(low * out_.axes[a].per_unit) != told_[a].low)
+      if (std::round(high * out_.axes[a].per_unit) != given_[a].high ||
+          std::round(low * out_.axes[a].per_unit) != given_[a].low)
         return false;
-    if (told[0]) speeds.high = high;
-    if (told[1]) speeds.low = low;
-    if (!told[2]) return true;
-    if (told_[0].high == 0 || told_[0].rate == 0) return false;
-    const double exact = (told_[0].high - told_[0].low) / told_[0].rate * 1000;
+    if (speeds_given[0]) speeds.high = high;
+    if (speeds_given[1]) speeds.low = low;
+    if (!speeds_given[2]) return true;
+    if (given_[0].high == 0 || given_[0].rate == 0) return false;
+    const double exact = (given_[0].high - given_[0].low) / given_[0].rate * 1000;
     for (const double ramp : {ramp_ms_, std::round(exact), exact}) {
       if (ramp == 0 || !has_ramp(ramp)) continue;
       speeds.ramp_ms = ramp_ms_ = ramp;
@@ -261,20 +262,22 @@ class BlockReader {
   /// Whether a ramp of `ms` gives the rates as the writer computes them.
   [[nodiscard]] bool has_ramp(double ms) const {
     for (std::size_t a = 0; a < out_.axes.size(); ++a)
-      if (std::round((told_[a].high - told_[a].low) / (ms / 1000)) != told_[a].rate) return false;
+      if (std::round((given_[a].high - given_[a].low) / (ms / 1000)) != given_[a].rate) return false;
     return true;
   }
 
-  struct Told {
+  struct Given {
     double high = 0, low = 0, rate = 0;  ///< in counts; 0: not set
   };
+  static constexpr std::string_view why_not_single_ =
+      "a single axis (AX, AY ...) has a queue of its own, beside the one of all axes (AA) that blocks use";
   const std::string plain_;  ///< TextCommand::text is of it
   const Catalog& catalog_;
   std::vector<TextCommand> commands_;
   std::vector<std::size_t> end_of_;  ///< end of the loop with this head
   TextRemarks remarks_;
   ReadText out_;
-  std::array<Told, max_axes> told_{};
+  std::array<Given, max_axes> given_{};
   double ramp_ms_ = 0;
   int depth_ = 0;
 };
@@ -291,7 +294,9 @@ Result<SequenceRead> read_sequence(std::string_view text, const seq::Sequence& f
   language.write = [&](const seq::Sequence& made) { return write_sequence(made, catalog); };
   language.operations = operations_of;
   language.comment_mark = '#';
-  return prove(BlockReader(text, frame, catalog).run(), text, language);
+  const auto lists = in_lists(text);
+  const std::string_view alike = lists ? *lists : text;
+  return prove(BlockReader(alike, frame, catalog).run(), alike, language);
 }
 
 }  // namespace hw::vme58

@@ -27,17 +27,17 @@ class Writer {
     draft_.collect_refused(refused, "# ");
     if (auto found = draft_.find_axes(); !found) return fail(found.error());
     draft_.line("AA");
-    if (auto said = draft_.tool_line("# "); !said) return fail(said.error());
+    if (auto done = draft_.tool_line("# "); !done) return fail(done.error());
     if (auto written = write_steps(*this, draft_, draft_.sequence.steps); !written)
       return fail(written.error());
     return std::move(draft_).finish();
   }
 
   Result<> write(const seq::Speed& s) {
-    draft_.say_speeds(s.speeds);
+    draft_.set_speeds(s.speeds);
     std::vector<int> all(ix(draft_.axis_count()));
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-    return say_speeds(all, {});
+    return write_speeds(all, {});
   }
   Result<> write(const seq::Move& m);
   /// A single arc: a contour of one piece.
@@ -65,7 +65,7 @@ class Writer {
     return {};
   }
   Result<> write(const seq::Home& h) {
-    if (auto said = say_speeds({{h.axis}}, h.own); !said) return said;
+    if (auto done = write_speeds({{h.axis}}, h.own); !done) return done;
     draft_.line(list(h.direction == Sign::plus ? "HM" : "HR", h.axis, 0));
     draft_.stands(h.axis, std::nullopt);
     return {};
@@ -108,7 +108,7 @@ class Writer {
     if (does.moves) draft_.nothing_known();
     if (does.records) ++recorded_;
     if (does.speeds)
-      for (WrittenSpeeds& told : told_) told.doubt();
+      for (WrittenSpeeds& of_axis : written_) of_axis.doubt();
     return {};
   }
   Result<> write(const seq::Contour& c);
@@ -132,15 +132,15 @@ class Writer {
     one[draft_.axis(axis).index] = value;
     return list(letters, one);
   }
-  Result<> say_speeds(std::span<const int> axes, const seq::OwnSpeeds& own);
+  Result<> write_speeds(std::span<const int> axes, const seq::OwnSpeeds& own);
   Result<> switch_auxiliary(int axis, bool on);
 
   SequenceDraft draft_;
-  std::array<WrittenSpeeds, max_axes> told_;
+  std::array<WrittenSpeeds, max_axes> written_;
   int depth_ = 0, recorded_ = 0;
 };
 
-Result<> Writer::say_speeds(std::span<const int> axes, const seq::OwnSpeeds& own) {
+Result<> Writer::write_speeds(std::span<const int> axes, const seq::OwnSpeeds& own) {
   Lists high, low, rate;
   bool any_high = false, any_low = false, any_rate = false;
   for (const int a : axes) {
@@ -148,12 +148,12 @@ Result<> Writer::say_speeds(std::span<const int> axes, const seq::OwnSpeeds& own
     if (!wanted) return fail(wanted.error());
     if (wanted->ramp_ms != 0 && wanted->high == 0)
       return draft_.refuse("give a speed with the ramp time: a VME58 takes counts/s².");
-    const auto say = told_[ix(a)].towards(*wanted);
-    if (!say) return draft_.refuse_own_speed();
+    const auto needed = written_[ix(a)].towards(*wanted);
+    if (!needed) return draft_.refuse_own_speed();
     const std::size_t place = draft_.axis(a).index;
-    if (say->high != 0) high[place] = say->high, any_high = true;
-    if (say->low != 0) low[place] = say->low, any_low = true;
-    if (wanted->ramp_ms == 0 || (say->high == 0 && say->low == 0 && say->ramp_ms == 0)) continue;
+    if (needed->high != 0) high[place] = needed->high, any_high = true;
+    if (needed->low != 0) low[place] = needed->low, any_low = true;
+    if (wanted->ramp_ms == 0 || (needed->high == 0 && needed->low == 0 && needed->ramp_ms == 0)) continue;
     const double per_s2 = static_cast<double>(wanted->high - wanted->low) / (wanted->ramp_ms / 1000);
     rate[place] = std::clamp<std::int64_t>(std::llround(per_s2), 1, acceleration_max);
     if (per_s2 > static_cast<double>(acceleration_max))
@@ -180,7 +180,7 @@ Result<> Writer::write(const seq::Move& m) {
     draft_.stands(a, !m.relative ? std::optional(*steps) : at ? std::optional(*at + *steps) : at);
   }
   if (axes.empty()) return draft_.refuse("it moves no axis.");
-  if (auto said = say_speeds(axes, m.own); !said) return said;
+  if (auto done = write_speeds(axes, m.own); !done) return done;
   const bool line = axes.size() > 1;
   draft_.line(list(m.relative ? (line ? "ML" : "MR") : line ? "MT" : "MA", to) + " GO");
   return {};
@@ -225,7 +225,7 @@ Result<> Writer::write(const seq::Repeat& l) {
     return draft_.refuse(fmt::format("loops of a VME58 nest {} deep at most.", deepest_levels));
   draft_.forget_what_moves(l.steps);
   if (sets_speeds(l.steps))
-    for (WrittenSpeeds& told : told_) told.begin_repeated();
+    for (WrittenSpeeds& of_axis : written_) of_axis.begin_repeated();
   draft_.line(l.times == 0 ? "WH" : fmt::format("LS{}", l.times));
   ++depth_;
   auto written = write_steps(*this, draft_, l.steps);

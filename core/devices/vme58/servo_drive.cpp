@@ -33,7 +33,7 @@ Task<Result<>> ServoDrive::load_positions(int axis, Steps wanted) {
     for (int i = 0; i < axes(); ++i) {
       if (axis >= 0 && axis != i) continue;
       const bool keeps_error = loops_.is_servo(i) && loops_.closed(i) != false;
-      loaded[ix(i)] = wanted.value + (keeps_error ? draft_.axes[i].following_error().value : 0);
+      loaded[ix(i)] = wanted.value + (keeps_error ? snapshot_.axes[i].following_error().value : 0);
       motions_.counts(i);
     }
     std::string text = load_text(axis, loaded);
@@ -44,7 +44,7 @@ Task<Result<>> ServoDrive::load_positions(int axis, Steps wanted) {
     bool alike = false;
     for (int i = 0; i < axes(); ++i)
       alike = alike || (loaded[ix(i)] && *loaded[ix(i)] != wanted.value && !motions_.moving(i) &&
-                        draft_.axes[i].encoder.value == *loaded[ix(i)]);
+                        snapshot_.axes[i].encoder.value == *loaded[ix(i)]);
     if (!alike) break;
   }
   co_return Result<>();
@@ -62,11 +62,11 @@ Task<Result<>> ServoDrive::may_close(int axis, intent::Closing answer, std::stri
                                      std::string consequence) {
   auto read = co_await readings_.read_axes(Priority::intent);
   if (!read) co_return read;
-  if (!draft_.axes[axis].far_off || answer == intent::Closing::drive) co_return Result<>();
+  if (!snapshot_.axes[axis].far_off || answer == intent::Closing::drive) co_return Result<>();
   if (answer == intent::Closing::stay) co_return co_await take_place(axis);
   co_return fail(FaultKind::asks,
                  fmt::format("{}, and its encoder is {} counts from its command. {}", state,
-                             std::abs(draft_.axes[axis].following_error().value), consequence),
+                             std::abs(snapshot_.axes[axis].following_error().value), consequence),
                  "Nothing was sent.",
                  "First take its present position as its command, or let it be driven there.");
 }
@@ -74,7 +74,7 @@ Task<Result<>> ServoDrive::may_close(int axis, intent::Closing answer, std::stri
 // Asks before closing a loop that is open or unknown: the data sheet does not say what a board does with the
 // error when HN closes the loop.
 Task<Result<>> ServoDrive::switch_loop(int axis, bool on, intent::Closing answer) {
-  const bool was_far = draft_.axes[axis].far_off;
+  const bool was_far = snapshot_.axes[axis].far_off;
   if (on && loops_.closed(axis) != true) {
     std::string state = fmt::format("The loop of {} is open", name(axis));
     std::string consequence = "Closing it may drive the motor there at once.";
@@ -112,7 +112,7 @@ Task<Result<>> ServoDrive::may_drive(const Parameter& parameter, std::int64_t va
   if (!parameter.fact->drives || loops_.closed(axis) == false) co_return Result<>();
   const auto before = values_.known(axis, parameter.fact->letters);
   const bool harder = before ? value > *before : value != 0;
-  const bool at_work = values_.drives(axis) && draft_.axes[axis].loop == Loop::following;
+  const bool at_work = values_.drives(axis) && snapshot_.axes[axis].loop == Loop::following;
   if (!harder || at_work) co_return Result<>();
   const std::string set =
       fmt::format("{} = {}", parameter.mnemonic, encode_number(value, parameter.fact->decimals));
@@ -132,7 +132,7 @@ Task<Result<>> ServoDrive::take_place(int axis) {
     co_return fail(FaultKind::refused, fmt::format("Axis {} is still moving.", name(axis)),
                    "Nothing was sent.", "Wait until it ends, or stop it.");
   const bool closed = loops_.closed(axis) != false;
-  const std::int64_t here = draft_.axes[axis].encoder.value;
+  const std::int64_t here = snapshot_.axes[axis].encoder.value;
   std::string text =
       selection_.addressed(axis, closed ? fmt::format("HF LP{} HN", here) : fmt::format("LP{}", here));
   motions_.counts(axis);
@@ -143,11 +143,11 @@ Task<Result<>> ServoDrive::take_place(int axis) {
   auto read = co_await readings_.read_axes(Priority::intent);
   if (!read) co_return read;
   motions_.begins_to_settle(axis);
-  if (!draft_.axes[axis].far_off) co_return Result<>();
+  if (!snapshot_.axes[axis].far_off) co_return Result<>();
   co_return fail(
       FaultKind::controller,
       fmt::format("The position of {} was to become its command, but its command is still {} counts away.",
-                  name(axis), std::abs(draft_.axes[axis].following_error().value)),
+                  name(axis), std::abs(snapshot_.axes[axis].following_error().value)),
       "Nothing else was sent.", "Check whether it moves.");
 }
 

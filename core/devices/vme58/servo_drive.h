@@ -11,7 +11,7 @@ class ServoDrive {
  public:
   ServoDrive(Readings& readings, const Selection& selection, Commands& commands,
              const ParameterValues& values, ServoLoops& loops, Motions& motions, NextRound& next,
-             const Catalog& catalog, Snapshot& draft)
+             const Catalog& catalog, Snapshot& snapshot)
       : readings_(readings),
         selection_(selection),
         commands_(commands),
@@ -20,7 +20,7 @@ class ServoDrive {
         motions_(motions),
         next_(next),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   /// HN closes the loop; HF opens it and leaves the motor free.
   Task<Result<>> switch_loop(int axis, bool on, intent::Closing answer);
@@ -49,7 +49,7 @@ class ServoDrive {
   Motions& motions_;
   NextRound& next_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
 };
 
 }  // namespace hw::vme58

@@ -26,7 +26,7 @@ std::int64_t ServoLoops::deadband(int axis) const {
 void ServoLoops::know(int axis, std::optional<bool> closed) {
   if (!is_servo(axis)) return;
   at(axis).closed = closed;
-  AxisState& state = draft_.axes[axis];
+  AxisState& state = snapshot_.axes[axis];
   state.enabled = closed.value_or(true);
   const Loop place = at(axis).place.place();
   state.loop = !closed ? Loop::unknown : *closed ? place : Loop::open;
@@ -35,7 +35,7 @@ void ServoLoops::know(int axis, std::optional<bool> closed) {
 void ServoLoops::look(int i, Instant when, bool turns) {
   if (!is_servo(i)) return;
   Axis& servo = at(i);
-  AxisState& axis = draft_.axes[i];
+  AxisState& axis = snapshot_.axes[i];
   const std::int64_t off = std::abs((axis.command - axis.encoder).value), band = deadband(i);
   servo.place.look(when, turns, off, band);
   if (turns) servo.settling = servo.goes_to_place;
@@ -58,7 +58,7 @@ void ServoLoops::begins(int axis, bool to_a_place) {
 void ServoLoops::begins_to_settle(int axis) {
   at(axis).place.begin(wire_.now());
   at(axis).settling = true;
-  draft_.axes[axis].ended_by = EndedBy::nothing;
+  snapshot_.axes[axis].ended_by = EndedBy::nothing;
   know(axis, at(axis).closed);
 }
 
@@ -71,7 +71,7 @@ EndedBy ServoLoops::judged(int i, EndedBy ended_by) {
   const bool came = std::exchange(servo.settling, false) && ended_by == EndedBy::target;
   if (!came || servo.closed == false || servo.place.place() != Loop::off_place) return ended_by;
   next_.asks_loops();
-  const AxisState& axis = draft_.axes[i];
+  const AxisState& axis = snapshot_.axes[i];
   wire_.report(Notice::Kind::warning,
                fmt::format("{0} did not reach its target: 2 s after its command ended, its encoder is at "
                            "{1}, {2} counts from there. {3}",
@@ -84,7 +84,7 @@ EndedBy ServoLoops::judged(int i, EndedBy ended_by) {
 
 bool ServoLoops::warn_of_closing(const TextCommand& command) {
   const int axis = command.context.axis;
-  if (command.context.mode != where::single || !draft_.axes[axis].far_off) return false;
+  if (command.context.mode != where::single || !snapshot_.axes[axis].far_off) return false;
   const auto closed = at(axis).closed;
   const bool gain = command.is(Op::KP) || command.is(Op::KI);
   const bool above_zero = !command.numbers.empty() && command.numbers.front().value_or(0) > 0;
@@ -93,7 +93,7 @@ bool ServoLoops::warn_of_closing(const TextCommand& command) {
   wire_.report(Notice::Kind::warning, fmt::format("{} was sent while the encoder of {} was {} counts from "
                                                   "its command: the motor may be driven there at once.",
                                                   command.text, catalog_.axes[ix(axis)].name,
-                                                  std::abs(draft_.axes[axis].following_error().value)));
+                                                  std::abs(snapshot_.axes[axis].following_error().value)));
   return true;
 }
 

@@ -19,8 +19,8 @@ namespace hw::vme58 {
 class ServoLoops {
  public:
   ServoLoops(Wire& wire, const Catalog& catalog, const ParameterValues& values, NextRound& next,
-             Snapshot& draft)
-      : wire_(wire), catalog_(catalog), values_(values), next_(next), draft_(draft) {}
+             Snapshot& snapshot)
+      : wire_(wire), catalog_(catalog), values_(values), next_(next), snapshot_(snapshot) {}
 
   // ---- loops
   /// Sets the loop state learned from EA, HN or HF; none: not known.
@@ -65,7 +65,7 @@ class ServoLoops {
   const Catalog& catalog_;
   const ParameterValues& values_;
   NextRound& next_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   std::array<Axis, most_axes> axes_{};
 };
 

@@ -23,11 +23,11 @@ Task<Result<>> Setup::set(intent::SetParam request) {
   std::string text = parameter.axis >= 0 ? selection_.addressed(parameter.axis, words) : words + "\n";
   values_.note_fraction(*parameter.fact, request.value);
   auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
-  if (!sent && wire_.perhaps_done(sent.error())) draft_.params[*place].known = false;
+  if (!sent && wire_.perhaps_done(sent.error())) snapshot_.params[*place].known = false;
   if (!sent) co_return sent;
   values_.know(*place, request.value);
   const bool goes_there = request.closing == intent::Closing::drive && parameter.fact->drives;
-  if (goes_there && draft_.axes[parameter.axis].far_off) motions_.begins_to_settle(parameter.axis);
+  if (goes_there && snapshot_.axes[parameter.axis].far_off) motions_.begins_to_settle(parameter.axis);
   if (!parameter.fact->shown) co_return Result<>();
   co_return co_await look_what_came(*place, request.value);
 }
@@ -40,7 +40,7 @@ Task<Result<>> Setup::look_what_came(std::size_t place, std::int64_t wanted) {
   readings_.next_is(parameter.axis);
   auto read = co_await readings_.read_axes(Priority::intent);
   if (!read) co_return read;
-  const ParamState& state = draft_.params[place];
+  const ParamState& state = snapshot_.params[place];
   const ParamInfo& info = catalog_.params[place];
   if (own) own->was_put(parameter.axis, wanted, state.value != wanted);
   if (state.value == wanted) co_return Result<>();

@@ -9,7 +9,7 @@ class Setup {
  public:
   Setup(Wire& wire, Readings& readings, const Selection& selection, Commands& commands,
         ParameterValues& values, ServoDrive& drive, Motions& motions, Speeds& speeds, const Catalog& catalog,
-        Snapshot& draft)
+        Snapshot& snapshot)
       : wire_(wire),
         readings_(readings),
         selection_(selection),
@@ -19,7 +19,7 @@ class Setup {
         motions_(motions),
         speeds_(speeds),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   Task<Result<>> set(intent::SetParam request);
 
@@ -35,7 +35,7 @@ class Setup {
   Motions& motions_;
   Speeds& speeds_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
 };
 
 }  // namespace hw::vme58

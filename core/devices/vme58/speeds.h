@@ -1,22 +1,18 @@
 #pragma once
 // Speed and acceleration of the axes: VL and AC.
+#include "core/device/target_check.h"
 #include "core/devices/vme58/own_setting.h"
 
 namespace hw::vme58 {
 
-/// Pace of one motion, in whole counts; 0: as set for the axis.
-struct WholePace {
-  std::int64_t speed = 0, acceleration = 0;
-};
-
 class Speeds {
  public:
   Speeds(Readings& readings, const Selection& selection, Commands& commands, Queues& queues,
-         const Motions& motions, const Catalog& catalog, Snapshot& draft)
+         const Motions& motions, const Catalog& catalog, Snapshot& snapshot)
       : velocity("VL", AxisValue::maximum_velocity, readings, selection, commands, queues, motions, catalog,
-                 draft),
+                 snapshot),
         acceleration("AC", AxisValue::acceleration, readings, selection, commands, queues, motions, catalog,
-                     draft) {}
+                     snapshot) {}
 
   OwnSetting velocity, acceleration;
 

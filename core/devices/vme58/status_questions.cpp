@@ -27,26 +27,26 @@ Task<Result<>> StatusQuestions::ask_in_turn() {
     if (!asked) co_return asked;
     next_.loops_were_asked();
   }
-  const bool turning = draft_.any_axis_moving();
+  const bool turning = snapshot_.any_axis_moving();
   const bool queues = wants_queues();
   if (may_ask && queues) {
     const auto worked_off = co_await is_worked_off();
     if (!worked_off) co_return fail(worked_off.error());
-    if (*worked_off && std::exchange(draft_.working, false)) {
+    if (*worked_off && std::exchange(snapshot_.working, false)) {
       next_.asks_flags();
       motions_.all_worked_off();
     }
   }
-  if (!may_ask && !turning) draft_.working = false;  // the queues cannot be read
+  if (!may_ask && !turning) snapshot_.working = false;  // the queues cannot be read
   co_return co_await speeds_.give_all_back(Priority::poll);
 }
 
 // An axis may be working at commands of other hosts; a queue that is not empty is read until it is.
 bool StatusQuestions::wants_queues() {
-  bool matters = draft_.working || watches(queue_group) || draft_.program.run == RunState::running;
-  bool at_once = next_.takes_queues(draft_.any_axis_moving());
+  bool matters = snapshot_.working || watches(queue_group) || snapshot_.program.run == RunState::running;
+  bool at_once = next_.takes_queues(snapshot_.any_axis_moving());
   for (int i = 0; i < axes(); ++i) {
-    const bool waiting = bit(draft_.queue_known, i) && draft_.queue_free[ix(i)] < queue_entries;
+    const bool waiting = bit(snapshot_.queue_known, i) && snapshot_.queue_free[ix(i)] < queue_entries;
     const bool anothers = motions_.moving(i) && !motions_.ours(i);
     matters = matters || waiting || speeds_.velocity.may_wait(i) || anothers;
     at_once = at_once || motions_.asks_queue(i);
@@ -57,12 +57,12 @@ bool StatusQuestions::wants_queues() {
 Task<Result<bool>> StatusQuestions::is_worked_off() {
   auto queues = co_await queues_.read(Priority::poll);
   if (!queues) co_return fail(queues.error());
-  if (!queues_.empty() || draft_.any_axis_moving()) co_return false;
+  if (!queues_.empty() || snapshot_.any_axis_moving()) co_return false;
   auto looked = co_await readings_.look_at_registers(Priority::poll, true);
   if (!looked) co_return fail(looked.error());
   auto read = co_await readings_.read_axes(Priority::poll, Readings::Copy::is_asked_for);
   if (!read) co_return fail(read.error());
-  co_return !draft_.any_axis_moving();
+  co_return !snapshot_.any_axis_moving();
 }
 
 // ---- flags
@@ -76,7 +76,7 @@ Task<Result<>> StatusQuestions::read_flags() {
   const auto flags = decode_all_flags(*reply);
   unsigned done = 0;
   for (int i = 0; i < axes() && i < static_cast<int>(flags.size()); ++i) {
-    limits_.hear_direction(i, flags[ix(i)].plus, motions_.at_rest(i) && !draft_.working);
+    limits_.read_direction(i, flags[ix(i)].plus, motions_.at_rest(i) && !snapshot_.working);
     if (flags[ix(i)].done) done |= 1u << i;
   }
   take_done(done);
@@ -100,7 +100,7 @@ Task<Result<>> StatusQuestions::look_at_done() {
 }
 
 void StatusQuestions::take_done(unsigned axes) {
-  draft_.window.put(reg::done, 1, axes);
+  snapshot_.window.put(reg::done, 1, axes);
   motions_.take_done(axes);
 }
 
@@ -108,17 +108,17 @@ void StatusQuestions::take_done(unsigned axes) {
 
 void StatusQuestions::take_slip_flag(bool any) {
   if (!any) slips_ = 0;
-  draft_.window.put(reg::slip, 1, slips_);
+  snapshot_.window.put(reg::slip, 1, slips_);
   for (int i = 0; i < axes(); ++i) {
-    AxisState& axis = draft_.axes[i];
+    AxisState& axis = snapshot_.axes[i];
     axis.slipped = bit(slips_, i);
     show("SLIP", i, bit(slips_, i));
     if (axis.loop == Loop::unknown)
       show("HN", i, std::nullopt);
     else
       show("HN", i, axis.loop != Loop::open);
-    if (bit(draft_.queue_known, i))
-      show("RQ", i, draft_.queue_free[ix(i)]);
+    if (bit(snapshot_.queue_known, i))
+      show("RQ", i, snapshot_.queue_free[ix(i)]);
     else
       show("RQ", i, std::nullopt);
   }
@@ -128,9 +128,9 @@ void StatusQuestions::take_slip_flag(bool any) {
 void StatusQuestions::show(std::string_view letters, int axis, std::optional<std::int64_t> value) {
   const int place = catalog_.find_readout(fmt::format("{}{}", letters, catalog_.axes[ix(axis)].name));
   if (place < 0) return;
-  if (value) draft_.readouts[ix(place)] = *value;
-  draft_.readouts_known.set(ix(place), value.has_value());
-  draft_.readouts_seen_at[ix(place)] = wire_.now();
+  if (value) snapshot_.readouts[ix(place)] = *value;
+  snapshot_.readouts_known.set(ix(place), value.has_value());
+  snapshot_.readouts_seen_at[ix(place)] = wire_.now();
 }
 
 // RL leaves the flags as they are. A flag that was seen before is not reported again.
@@ -141,7 +141,7 @@ Task<Result<>> StatusQuestions::read_slips() {
   if (!reply) co_return fail(reply.error());
   for (int i = 0; i < axes() && ix(i) < reply->size(); ++i)
     if ((*reply)[ix(i)] == 'S' && !bit(slips_, i)) slipped(i);
-  draft_.window.put(reg::slip, 1, slips_);
+  snapshot_.window.put(reg::slip, 1, slips_);
   if (slips_ != before) co_return co_await read_loops();  // with TN a slip opens the loop
   co_return Result<>();
 }
@@ -149,10 +149,10 @@ Task<Result<>> StatusQuestions::read_slips() {
 // After a slip the count of a step motor is wrong; a servo motor is where its encoder is.
 void StatusQuestions::slipped(int i) {
   slips_ = static_cast<std::uint8_t>(slips_ | 1u << i);
-  draft_.axes[i].slipped = true;
-  if (!catalog_.axes[ix(i)].switchable) draft_.axes[i].trust.doubt(Doubt::slipped, wire_.now());
+  snapshot_.axes[i].slipped = true;
+  if (!catalog_.axes[ix(i)].switchable) snapshot_.axes[i].trust.doubt(Doubt::slipped, wire_.now());
   const std::string& name = catalog_.axes[ix(i)].name;
-  if (const int place = catalog_.find_readout("SLIP" + name); place >= 0) draft_.readouts[ix(place)] = 1;
+  if (const int place = catalog_.find_readout("SLIP" + name); place >= 0) snapshot_.readouts[ix(place)] = 1;
   wire_.report(
       Notice::Kind::warning,
       fmt::format("Axis {} has slipped: its encoder and its position differ by more than ES allows.", name));
@@ -164,7 +164,7 @@ Task<Result<>> StatusQuestions::read_loops() {
   std::string text;
   std::vector<int> asked;
   for (int i = 0; i < axes(); ++i) {
-    if (!catalog_.axes[ix(i)].switchable || !draft_.axes[i].has_encoder) continue;
+    if (!catalog_.axes[ix(i)].switchable || !snapshot_.axes[i].has_encoder) continue;
     text += fmt::format("A{} EA ", catalog_.axes[ix(i)].name);
     asked.push_back(i);
   }

@@ -12,7 +12,7 @@ class StatusQuestions {
  public:
   StatusQuestions(Wire& wire, Readings& readings, Conversation& conversation, const Selection& selection,
                   Queues& queues, LimitEnds& limits, ServoLoops& loops, Motions& motions, Speeds& speeds,
-                  NextRound& next, const Catalog& catalog, Snapshot& draft)
+                  NextRound& next, const Catalog& catalog, Snapshot& snapshot)
       : wire_(wire),
         readings_(readings),
         conversation_(conversation),
@@ -24,7 +24,7 @@ class StatusQuestions {
         speeds_(speeds),
         next_(next),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   /// intent::Watch.
   void watch(std::uint32_t groups) { watched_ = groups; }
@@ -65,7 +65,7 @@ class StatusQuestions {
   Speeds& speeds_;
   NextRound& next_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   std::uint32_t watched_ = 0;
   std::uint8_t slips_ = 0;
   int number_ = 0;

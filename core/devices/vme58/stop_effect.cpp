@@ -41,7 +41,7 @@ const StopEffect::SlowDown& StopEffect::look_at(int axis) {
   return *seen;
 }
 
-void StopEffect::told(int axis) {
+void StopEffect::stop_sent(int axis) {
   if (axes_[ix(axis)]) axes_[ix(axis)]->slower_at = wire_.now();
 }
 

@@ -20,7 +20,7 @@ class StopEffect {
   };
   Seen look(int axis, bool at_once);
   /// The stop was sent, or sent again.
-  void told(int axis);
+  void stop_sent(int axis);
   /// The axis was seen turning since the stop was sent.
   [[nodiscard]] bool is_watched(int axis) const { return axes_[static_cast<std::size_t>(axis)].has_value(); }
   /// -1: all axes.

@@ -20,7 +20,7 @@ Task<Result<>> Stops::send(StopOrder order) {
   if (!wire_.is_open())
     co_return fail(FaultKind::lost, "Stop cannot reach the board: there is no connection.",
                    "Nothing was sent.", "Switch the power of the drives off.");
-  forget_rejection(draft_);
+  forget_rejection(snapshot_);
   if (order.what == What::words) co_return co_await stop_by_text(std::move(order.words));
   co_return co_await stop_motion(order.axis, order.at_once, order.what == What::jog);
 }
@@ -28,7 +28,7 @@ Task<Result<>> Stops::send(StopOrder order) {
 /// ST of one axis empties only its own queue: the rest of a program, or commands in the queues of AA and AM,
 /// would move it again.
 bool Stops::stops_alone(int axis) const {
-  return !motions_.in_group(axis) && !programs_.is_running() && !draft_.feed.running;
+  return !motions_.in_group(axis) && !programs_.is_running() && !snapshot_.feed.running;
 }
 
 // A jog stop concerns only the jogging axis: other axes, and commands waiting for this one, go on.
@@ -132,7 +132,7 @@ LastWill Stops::last_will() const {
 
 void Stops::stopping(int axis, bool at_once) {
   for (int i = 0; i < static_cast<int>(catalog_.axes.size()); ++i)
-    if (axis < 0 || i == axis) effect_.told(i);
+    if (axis < 0 || i == axis) effect_.stop_sent(i);
   speeds_.forget_put(axis);
   motions_.stopping(axis, at_once);
 }

@@ -10,7 +10,7 @@ class Stops {
  public:
   Stops(Wire& wire, Readings& readings, Selection& selection, Conversation& conversation, Motions& motions,
         Speeds& speeds, Programs& programs, Effects& effects, StopEffect& effect, AllStop& all_stop,
-        NextRound& next, const Catalog& catalog, Snapshot& draft)
+        NextRound& next, const Catalog& catalog, Snapshot& snapshot)
       : wire_(wire),
         readings_(readings),
         selection_(selection),
@@ -23,7 +23,7 @@ class Stops {
         all_stop_(all_stop),
         next_(next),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   Task<Result<>> send(StopOrder order);
   /// SA, all axes: the mailbox has no place for an axis, and the ring cannot be written without reading it
@@ -57,7 +57,7 @@ class Stops {
   AllStop& all_stop_;
   NextRound& next_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   bool widened_ = false;  ///< a stop of one axis became one of all, not yet at rest
 };
 

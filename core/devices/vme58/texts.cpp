@@ -18,7 +18,7 @@ bool is_queued(const TextCommand& command) { return command.fact && command.fact
 }  // namespace
 
 Task<Result<std::string>> Texts::send(std::string text, Duration patience) {
-  forget_rejection(draft_);
+  forget_rejection(snapshot_);
   Context context = selection_.context();
   const auto commands = read_commands(text, context);
   if (auto may = may_say_while_feeding(commands); !may) co_return fail(may.error());
@@ -26,9 +26,9 @@ Task<Result<std::string>> Texts::send(std::string text, Duration patience) {
   if (!prepared) co_return fail(prepared.error());
   std::string answers;
   for (const TextCommand& command : commands) {
-    auto said = co_await transmit(command, patience);
-    if (!said) co_return fail(said.error());
-    if (!said->empty()) answers += (answers.empty() ? "" : "\n") + *said;
+    auto sent = co_await transmit(command, patience);
+    if (!sent) co_return fail(sent.error());
+    if (!sent->empty()) answers += (answers.empty() ? "" : "\n") + *sent;
     note_sent(command);
   }
   next_.asks_flags();

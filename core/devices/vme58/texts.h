@@ -13,7 +13,7 @@ class Texts {
  public:
   Texts(Readings& readings, Selection& selection, Conversation& conversation, Commands& commands,
         Motions& motions, Speeds& speeds, Feed& feed, Programs& programs, Effects& effects, NextRound& next,
-        const Catalog& catalog, Snapshot& draft)
+        const Catalog& catalog, Snapshot& snapshot)
       : readings_(readings),
         selection_(selection),
         conversation_(conversation),
@@ -25,7 +25,7 @@ class Texts {
         effects_(effects),
         next_(next),
         catalog_(catalog),
-        draft_(draft) {}
+        snapshot_(snapshot) {}
 
   /// Returns the replies to its queries, one per line.
   Task<Result<std::string>> send(std::string text, Duration patience);
@@ -52,7 +52,7 @@ class Texts {
   Effects& effects_;
   NextRound& next_;
   const Catalog& catalog_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
 };
 
 }  // namespace hw::vme58

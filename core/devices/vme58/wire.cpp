@@ -36,9 +36,9 @@ Wire::Wire(Scheduler& scheduler, std::function<void(Notice)> notify)
 
 void Wire::attach(Station& station) {
   station_ = &station;
-  enabled_ = station.tells_interrupts() ? control::interrupts | control::done_interrupt |
-                                              control::limit_interrupt | control::slip_interrupt
-                                        : 0;
+  enabled_ = station.reports_interrupts() ? control::interrupts | control::done_interrupt |
+                                                control::limit_interrupt | control::slip_interrupt
+                                          : 0;
 }
 
 std::vector<BusCycle>& Wire::burst() {

@@ -13,7 +13,7 @@ Result<> Admission::may_run() const {
   if (presence_.is_halted())
     return fail(FaultKind::refused, explain_error(presence_.error()).what, "Nothing was sent.",
                 explain_error(presence_.error()).advice);
-  const int slot = console_.draft.program.slot;
+  const int slot = console_.snapshot.program.slot;
   if (under_way_.program_runs())
     return fail(
         FaultKind::refused,
@@ -30,8 +30,8 @@ Result<> Admission::may_run() const {
                 "Try again.");
   const auto input_mode = parameters_.value("I");
   constexpr std::uint32_t in_4 = 1u << 3;
-  const Snapshot& draft = console_.draft;
-  if (input_mode && *input_mode & inputs_stop && draft.inputs_known & in_4 && !(draft.inputs & in_4))
+  const Snapshot& snapshot = console_.snapshot;
+  if (input_mode && *input_mode & inputs_stop && snapshot.inputs_known & in_4 && !(snapshot.inputs & in_4))
     return fail(FaultKind::refused,
                 "The Stop button is pressed or input 4 is low, so the controller starts nothing.",
                 "Nothing was sent.", "Release it, then try again.");
@@ -39,7 +39,7 @@ Result<> Admission::may_run() const {
 }
 
 Result<> Admission::may_move(int axis) const {
-  if (axis < 0 || axis >= console_.draft.axis_count)
+  if (axis < 0 || axis >= console_.snapshot.axis_count)
     return fail(FaultKind::refused, fmt::format("There is no motor {} here.", axis + 1), "Nothing was sent.");
   if (axis >= motors_per_controller && !identification_.has_slave())
     return fail(

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/stopping_way.h"
 #include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
@@ -110,7 +111,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.short_name = "VXM";
   c.summary = "stepping motors, 2 or 4";
   c.options = {{"motors", {{"2", "2 motors"}, {"4", "4 motors"}}}};
-  if (const auto said = options.find("motors"); said != options.end()) c.made_from.insert(*said);
+  if (const auto given = options.find("motors"); given != options.end()) c.made_from.insert(*given);
   for (int m = 1; m <= *motors; ++m) c.axes.push_back({fmt::format("{}", m), fmt::format("motor {}", m)});
   c.units = units();
   c.homing_modes = {{"limit", "to the limit switch", "", false},
@@ -140,7 +141,8 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
       "L5\n";
   c.bench = bench(*motors);
   c.can = capabilities();
-  c.stopping_way = stopping_way;
+  // It reports neither its speed nor its S and A: they are those requested, seen, or in force after power-up.
+  c.stopping_way = stopping_way_by_ramp;
   c.jog_speed = Pps{default_speed};
   c.jog_speed_min = Pps{min_speed};
   c.jog_speed_max = Pps{max_speed};

@@ -1,6 +1,7 @@
 #pragma once
 // The description of a Velmex VXM for drawing and for messages: pure data, from the manual.
 #include "core/device/registry.h"
+#include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 
@@ -12,8 +13,8 @@ inline constexpr std::string_view probe = "V";
 /// B, R, J or b, perhaps with an echoed V or a crossing prompt before it, and a CR in G mode.
 bool recognises(std::string_view reply);
 
-/// Catalog::stopping_way.
-std::optional<double> stopping_way(const Catalog& catalog, const Snapshot& now, AxisId axis);
+inline constexpr AccelerationUnit acceleration_unit{"x 1000 steps/s²", "as A of the motor", min_accel,
+                                                    max_accel};
 
 // Parts of the catalog, one file each. Used by make_catalog only.
 std::vector<ParamInfo> params(int motors);

@@ -201,7 +201,7 @@ constexpr Row bus_rows[] = {
 };
 // clang-format on
 
-CommandInfo told(const Row& r) {
+CommandInfo info_of(const Row& r) {
   CommandInfo c;
   c.form = r.form;
   c.example = r.example;
@@ -216,9 +216,9 @@ CommandInfo told(const Row& r) {
 
 std::vector<CommandInfo> commands(int motors) {
   std::vector<CommandInfo> all;
-  for (const Row& r : rows) all.push_back(told(r));
+  for (const Row& r : rows) all.push_back(info_of(r));
   if (motors > 2)
-    for (const Row& r : bus_rows) all.push_back(told(r));
+    for (const Row& r : bus_rows) all.push_back(info_of(r));
   return all;
 }
 

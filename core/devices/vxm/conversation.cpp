@@ -37,8 +37,8 @@ Transaction own_question(std::string text, ReplyShape shape, Priority priority,
 }  // namespace
 
 Conversation::Conversation(Scheduler& scheduler, std::function<Listening()> listening,
-                           std::function<void(const Message&)> heard)
-    : scheduler_(scheduler), listening_(std::move(listening)), heard_(std::move(heard)) {}
+                           std::function<void(const Message&)> on_unsolicited)
+    : scheduler_(scheduler), listening_(std::move(listening)), on_unsolicited_(std::move(on_unsolicited)) {}
 
 void Conversation::attach(Station& station) {
   station_ = &station;
@@ -120,11 +120,11 @@ Task<Result<std::int64_t>> Conversation::number(std::string question, Priority p
 Task<Result<>> Conversation::confirm(std::string text, std::int64_t number, Priority priority) {
   auto t = own_question(std::move(text), ReplyShape::line(), priority, before_number, reply_kind::number);
   const auto decode = [number](std::string_view reply) {
-    const auto told = decode_number(reply);
-    return told == number ? told : std::nullopt;
+    const auto decoded_number = decode_number(reply);
+    return decoded_number == number ? decoded_number : std::nullopt;
   };
-  auto told = co_await decoded<std::int64_t>(std::move(t), decode);
-  if (!told) co_return fail(told.error());
+  auto decoded_number = co_await decoded<std::int64_t>(std::move(t), decode);
+  if (!decoded_number) co_return fail(decoded_number.error());
   co_return Result<>();
 }
 
@@ -192,7 +192,7 @@ Task<Result<std::string>> Conversation::greet(std::uint16_t quiet_ms) {
   co_return reply;
 }
 
-Task<Result<std::string>> Conversation::whether_it_hears() {
+Task<Result<std::string>> Conversation::whether_it_answers() {
   auto t = own_question("V", ReplyShape::bytes(1), Priority::poll, before_state, reply_kind::letter);
   t.may_be_silent = true;
   co_return co_await exchange(std::move(t));
@@ -260,7 +260,7 @@ std::size_t Conversation::receive_unsolicited(std::string_view bytes) {
     if (unknown && !first_unknown) first_unknown = taken;
     if (unknown && asked_ == "V" && unsolicited_[taken] == 'V') echoes_ = true;
     taken += m.length;
-    if (!unknown) heard_(m);
+    if (!unknown) on_unsolicited_(m);
   }
   unsolicited_.erase(0, taken);
   if (!first_unknown) return bytes.size();

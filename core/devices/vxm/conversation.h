@@ -19,9 +19,9 @@ inline bool worth_another_try(const Fault& fault) {
 
 class Conversation {
  public:
-  /// `listening`: see listens(). `heard`: receives unsolicited messages.
+  /// `listening`: see listens(). `on_unsolicited`: receives unsolicited messages.
   Conversation(Scheduler& scheduler, std::function<Listening()> listening,
-               std::function<void(const Message&)> heard);
+               std::function<void(const Message&)> on_unsolicited);
 
   void attach(Station& station);
   void lost();
@@ -49,7 +49,7 @@ class Conversation {
   /// V, even while late replies may come. Returns all bytes received until the line is quiet.
   Task<Result<std::string>> greet(std::uint16_t quiet_ms);
   /// V, to a controller that usually does not answer. Silence counts as no miss.
-  Task<Result<std::string>> whether_it_hears();
+  Task<Result<std::string>> whether_it_answers();
   /// Any other question. A reply whose look is not given may look like any.
   Task<Result<std::string>> ask(std::string question, AnswerShape answer, Priority priority);
   Task<Result<std::string>> kill(Priority priority, Duration patience);
@@ -86,7 +86,7 @@ class Conversation {
 
   Scheduler& scheduler_;
   std::function<Listening()> listening_;
-  std::function<void(const Message&)> heard_;
+  std::function<void(const Message&)> on_unsolicited_;
   Station* station_ = nullptr;
   bool patient_ = false;
   int prompt_greetings_ = 0;  ///< in a row

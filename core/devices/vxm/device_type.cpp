@@ -20,7 +20,7 @@ DeviceType device_type() {
   t.explain = explain;
   t.probe = probe;
   t.recognises = recognises;
-  t.acceleration = {"x 1000 steps/s²", "as A of the motor", min_accel, max_accel};
+  t.acceleration = acceleration_unit;
   t.refuses = reports_error;
   return t;
 }

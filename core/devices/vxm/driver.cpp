@@ -21,9 +21,9 @@ VxmDriver::VxmDriver(DriverContext context)
       course_(console_, conversation_, known_),
       work_(console_, conversation_, known_, course_),
       watch_(console_, conversation_, known_, course_, work_) {
-  console_.draft.axis_count = static_cast<int>(console_.catalog.axes.size());
-  console_.draft.identity.model = console_.catalog.name;
-  console_.draft.slot_bytes_used.fill(-1);
+  console_.snapshot.axis_count = static_cast<int>(console_.catalog.axes.size());
+  console_.snapshot.identity.model = console_.catalog.name;
+  console_.snapshot.slot_bytes_used.fill(-1);
 }
 
 // ---- the wire
@@ -117,8 +117,8 @@ TextMeaning VxmDriver::meaning_of(const intent::SendText& text) const {
 Task<Result<>> VxmDriver::make_ready() {
   auto clean = co_await course_.status.see_to_dirt();
   if (!clean) co_return clean;
-  auto heard = co_await watch_.echo.hear_without();
-  if (!heard) co_return heard;
+  auto received = co_await watch_.echo.end_before_request();
+  if (!received) co_return received;
   co_return co_await work_.legs.settle();
 }
 

@@ -13,13 +13,13 @@
 //   knowledge         what is read once and holds until it changes
 //   presence          whether and how it listens
 //   job, under_way    what goes on in it, and how that ends
-//   ramp              what D has told to slow down
+//   ramp              motions that D slows down
 //   positions         where the motors are
 //   headline          what needs attention most
 //   kills             K
 //   hold_switch       H
 //   admission         whether something may be begun now
-//   restarts, status  what a restart leaves; what V tells
+//   restarts, status  the state after a restart; the replies to V
 //   legs, moves       moves, jogs, homing, zero, outputs: runs of a program that nobody uses
 //   runs              run, hold, step
 //   stops             stops (decision V102), and what shows of them

@@ -13,15 +13,15 @@ constexpr int attempts_to_end_echo = 4;
 
 Task<Result<>> Echo::end(char state) {
   if (state != ready) {
-    if (!std::exchange(told_, true))
+    if (!std::exchange(reported_, true))
       console_.report(Notice::Kind::warning,
                       "The controller echoes each command until its program ends. Until then "
                       "inputs, outputs and limits are not read, and the console sends only stops.");
     co_return Result<>();
   }
   for (int n = 0; n < attempts_to_end_echo && conversation_.echoes(); ++n) {
-    auto said = co_await conversation_.say_anyway("F");
-    if (!said) co_return said;
+    auto sent = co_await conversation_.say_anyway("F");
+    if (!sent) co_return sent;
     auto quiet = co_await conversation_.wait_for_quiet();
     if (!quiet) co_return quiet;
     auto reply = co_await conversation_.greet(slow_greeting_quiet_ms);
@@ -33,12 +33,12 @@ Task<Result<>> Echo::end(char state) {
   if (conversation_.echoes())
     co_return fail(FaultKind::garbled, "The controller still echoes each command, although F was sent.", {},
                    "Check whether another program uses it, or a device on the way sends bytes back.");
-  told_ = false;
+  reported_ = false;
   console_.report(Notice::Kind::info, "The controller echoed each command. Echo was switched off.");
   co_return Result<>();
 }
 
-Task<Result<>> Echo::hear_without() {
+Task<Result<>> Echo::end_before_request() {
   if (!conversation_.echoes()) co_return Result<>();
   auto state = co_await conversation_.state(Priority::intent);
   if (!state) co_return fail(state.error());

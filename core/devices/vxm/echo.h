@@ -12,17 +12,17 @@ class Echo {
   Echo(const Console& console, Conversation& conversation) : console_(console), conversation_(conversation) {}
 
   /// A new wire.
-  void begin() { told_ = false; }
+  void begin() { reported_ = false; }
   /// `state`: the reply to V. While a program runs, F is dropped and an echo looks like a status byte: only
   /// the state and the positions are believed until F is taken.
   Task<Result<>> end(char state);
-  /// Call before a request, whose reply could not be told from the echo: ends the echo.
-  Task<Result<>> hear_without();
+  /// Call before a request, whose reply would look like the echo: ends the echo.
+  Task<Result<>> end_before_request();
 
  private:
   const Console& console_;
   Conversation& conversation_;
-  bool told_ = false;
+  bool reported_ = false;
 };
 
 }  // namespace hw::vxm

@@ -25,7 +25,7 @@ void Box::start_run(int program) {
   captures_.clear();
   tally_ = RunTally();
   const bool stop_held = (memory_.setup.inputs & inputs_stop) != 0 && line(line_in_4).low && !is_slave_;
-  if (stop_held) {  // no program runs while Stop is held (App. C); the host is told as if one were stopped
+  if (stop_held) {  // no program runs while Stop is held (App. C); the host gets the report of a stopped one
     send_error(error_stopped);
     return prompt(vxm::prompt);
   }
@@ -221,14 +221,14 @@ void Box::moves_done() {
 /// For the first motor of a pair ( ) to stand: a limit switch hit is reported at once, not at the end of the
 /// other motor (App. F).
 bool Box::tell_first_of_pair() {
-  bool told = false;
+  bool any_moved = false;
   for (Box* box : {this, slave()}) {
     if (box == nullptr || box->motion_.active || (box != this && box->run_.on)) continue;
     if (!box->motion_ended_ || box->motion_.kind == MotionKind::nonstop) continue;
     take_motion_end(*box);
-    told = told || !box->motion_ended_;
+    any_moved = any_moved || !box->motion_ended_;
   }
-  return told;
+  return any_moved;
 }
 
 /// Reports a limit hit to the host. It may end the program (App. F), except in a move to a limit.

@@ -37,7 +37,7 @@ void Box::receive(char c) {
   settle();
 }
 
-void Box::error_letter(char c) {  // only K and res are heard (V34)
+void Box::error_letter(char c) {  // only K and res are accepted (V34)
   if (c == 'K') return kill();
   if (reset_word_.is_complete_with(c)) reset();
 }

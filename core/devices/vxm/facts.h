@@ -16,9 +16,7 @@ inline constexpr int min_accel = 1, max_accel = 127, default_accel = 2;
 /// Steps/s² per unit of `A` (given in Application Note 106 only). NF90 emulation doubles it.
 inline constexpr double accel_unit = 1000.0;
 inline constexpr std::int32_t home_give_up_steps = 16'000'000;  ///< "about 16 million"
-inline constexpr int steps_per_turn = 400;
-inline constexpr int hard_stop_safe_speed = 1000;  ///< above it `K` may lose position (p.23)
-inline constexpr int no_ramp_safe_speed = 800;     ///< U99, reversal in nonstop indexing (App. G)
+inline constexpr int hard_stop_safe_speed = 1000;               ///< above it `K` may lose position (p.23)
 
 // --- programs (p.16, 19-21) -----------------------------------------------------------------------------
 inline constexpr int program_count = 5, program_bytes = 256;

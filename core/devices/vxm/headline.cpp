@@ -6,19 +6,20 @@
 namespace hw::vxm {
 
 void Headline::show() const {
-  Snapshot& draft = console_.draft;
+  Snapshot& snapshot = console_.snapshot;
   if (presence_.is_halted()) {
     const ErrorWords words = explain_error(presence_.error());
-    draft.notice = words.what + " " + words.advice;
+    snapshot.notice = words.what + " " + words.advice;
     return;
   }
   if (presence_.stays_local()) {
-    draft.notice =
+    snapshot.notice =
         "The controller is in Local mode: its own buttons jog. The next command puts it on-line again.";
     return;
   }
-  draft.notice.clear();
-  if (identification_.has_slave() && draft.axis_count <= motors_per_controller) draft.notice = unused_slave;
+  snapshot.notice.clear();
+  if (identification_.has_slave() && snapshot.axis_count <= motors_per_controller)
+    snapshot.notice = unused_slave;
 }
 
 }  // namespace hw::vxm

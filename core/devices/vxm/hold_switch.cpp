@@ -14,10 +14,10 @@ Result<> HoldSwitch::may_switch() const {
 
 Task<Result<>> HoldSwitch::transmit(std::string text, bool on, Priority priority) {
   const bool switches = text.starts_with('H');
-  auto said = co_await conversation_.transmit(std::move(text), priority);
-  if (said) hold_.was_switched(on);
-  if (!said && switches && said.error().kind == FaultKind::lost) hold_.doubt();
-  co_return said;
+  auto sent = co_await conversation_.transmit(std::move(text), priority);
+  if (sent) hold_.was_switched(on);
+  if (!sent && switches && sent.error().kind == FaultKind::lost) hold_.doubt();
+  co_return sent;
 }
 
 // Another H would switch on a hold that has ended. K ends it in either case, and is answered.

@@ -27,14 +27,14 @@ Task<Result<>> Identification::read() {
   if (!date) co_return fail(date.error());
   auto motors = co_await conversation_.number("getD2", Priority::poll);
   if (!motors) co_return fail(motors.error());
-  console_.draft.identity.firmware = fmt::format("{} ({})", *version, *date);
+  console_.snapshot.identity.firmware = fmt::format("{} ({})", *version, *date);
   has_slave_ = *motors == 4;
   tells_outputs_ = hundredths(*version) >= firmware_of_outputs;
   tells_pulses_ = hundredths(*version) >= firmware_of_pulses;
   const int axes = static_cast<int>(console_.catalog.axes.size());
   for (int i = 0; i < axes; ++i) {
-    console_.draft.axes[i].enabled = i < motors_per_controller || has_slave_;
-    console_.draft.axes[i].own_speed =
+    console_.snapshot.axes[i].enabled = i < motors_per_controller || has_slave_;
+    console_.snapshot.axes[i].own_speed =
         console_.catalog.jog_speed;  // it has none: each motion of the console sets one
   }
   if (axes > motors_per_controller && !has_slave_)
@@ -51,8 +51,8 @@ Task<Result<>> Identification::read() {
 
 void Identification::lose_slave() {
   has_slave_ = false;
-  for (int i = motors_per_controller; i < console_.draft.axis_count; ++i) {
-    AxisState& axis = console_.draft.axes[i];
+  for (int i = motors_per_controller; i < console_.snapshot.axis_count; ++i) {
+    AxisState& axis = console_.snapshot.axes[i];
     axis.position_known = axis.limits_known = axis.enabled = false;
     axis.activity = Activity::unknown;
   }

@@ -10,7 +10,7 @@ Task<Result<>> Kills::kill(bool standing, Priority priority) {
   const bool something_ran = under_way_.busy() || presence_.is_halted();
   auto reply = co_await conversation_.kill(priority, kill_patience);
   if (!reply && reply.error().kind == FaultKind::stopped) co_return fail(reply.error());  // it was not sent
-  under_way_.kill_was_said();
+  under_way_.kill_was_sent();
   if (!standing) doubt_positions();
   const EndedBy ended_by = standing ? EndedBy::stop : EndedBy::abort;
   if (!reply) {
@@ -21,7 +21,7 @@ Task<Result<>> Kills::kill(bool standing, Priority priority) {
                    "Nothing else was sent.", "Watch the motors. If one still turns, use the power switch.");
   }
   under_way_.killed(ended_by);
-  if (something_ran && console_.draft.outputs_known && console_.draft.outputs)
+  if (something_ran && console_.snapshot.outputs_known && console_.snapshot.outputs)
     console_.report(Notice::Kind::info, "K ended the run and switched the outputs off.");
   headline_.show();
   if (console_.changed) console_.changed();
@@ -32,16 +32,18 @@ Task<Result<>> Kills::kill(bool standing, Priority priority) {
 // and a motion under way when the wire was lost as still turning.
 void Kills::doubt_positions() const {
   const bool program_runs = under_way_.program_runs();
-  for (int i = 0; i < console_.draft.axis_count; ++i) {
-    AxisState& axis = console_.draft.axes[i];
+  for (int i = 0; i < console_.snapshot.axis_count; ++i) {
+    AxisState& axis = console_.snapshot.axes[i];
     const bool turns = axis.activity == Activity::moving || axis.activity == Activity::jogging ||
                        axis.activity == Activity::homing || axis.activity == Activity::stopping;
     const bool hidden = program_runs && i >= motors_per_controller && identification_.has_slave();
     const bool unseen = axis.activity == Activity::unknown && under_way_.was_lost_while_busy() &&
                         (program_runs || under_way_.job().moves(i));
     if ((!turns && !hidden && !unseen) || axis.trust.doubtful()) continue;
-    const double told = axis.speed.value;
-    const double speed = told > 0 ? told : program_runs && !hidden ? readings_.speed(i) : default_speed;
+    const double set_speed = axis.speed.value;
+    const double speed = set_speed > 0             ? set_speed
+                         : program_runs && !hidden ? readings_.speed(i)
+                                                   : default_speed;
     if (speed <= hard_stop_safe_speed) continue;
     axis.trust.doubt(Doubt::killed, console_.scheduler.now());
     console_.report(Notice::Kind::warning,

@@ -90,7 +90,7 @@ void Legs::show_leg(const Leg& leg) {
   if (leg.activity == Activity::idle) return;
   for (const int index : {leg.axis, leg.second_axis}) {
     if (index < 0) continue;
-    AxisState& axis = console_.draft.axes[index];
+    AxisState& axis = console_.snapshot.axes[index];
     axis.activity = leg.activity;
     axis.direction = static_cast<std::int8_t>(factor(leg.sign));
     axis.has_target = leg.target.has_value() && index == leg.axis;
@@ -107,10 +107,10 @@ void Legs::show_leg(const Leg& leg) {
 
 /// Steps/s²; 0: not known.
 double Legs::ramp_of(const Leg& leg, int axis) const {
-  const int said = leg.pace.acceleration > 0 ? leg.pace.acceleration : speeds_.acceleration.usual(axis);
-  const ParamState& mode = console_.draft.params[ix(console_.catalog.find_param("DM"))];
+  const int units = leg.pace.acceleration > 0 ? leg.pace.acceleration : speeds_.acceleration.usual(axis);
+  const ParamState& mode = console_.snapshot.params[ix(console_.catalog.find_param("DM"))];
   if (!mode.known) return 0;
-  return said * accel_unit * ((mode.value & mode_nf90) != 0 ? 2 : 1);
+  return units * accel_unit * ((mode.value & mode_nf90) != 0 ? 2 : 1);
 }
 
 Task<Result<>> Legs::settle() {
@@ -152,12 +152,13 @@ Task<Result<>> Legs::end_leg(Priority priority) {
 }
 
 EndedBy Legs::how_it_ended(const Leg& leg) const {
-  const bool arrived = leg.axis >= 0 && leg.target && console_.draft.axes[leg.axis].position == *leg.target;
+  const bool arrived =
+      leg.axis >= 0 && leg.target && console_.snapshot.axes[leg.axis].position == *leg.target;
   if (under_way_.job().ended_by() == EndedBy::stop && under_way_.job().was_cut_whole() && arrived)
     return EndedBy::target;  // the stop came too late
   if (under_way_.job().ended_by() != EndedBy::nothing) return under_way_.job().ended_by();
   if (leg.axis < 0 || leg.activity == Activity::idle) return EndedBy::target;
-  const AxisState& axis = console_.draft.axes[leg.axis];
+  const AxisState& axis = console_.snapshot.axes[leg.axis];
   const bool at_limit =
       (axis.direction > 0 ? axis.limit_plus : axis.limit_minus) || under_way_.job().limit_was_reported();
   // Another host may have stopped it halfway: there the count must not become zero.
@@ -169,7 +170,7 @@ EndedBy Legs::how_it_ended(const Leg& leg) const {
 void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {
   for (const int index : {leg.axis, leg.second_axis}) {
     if (index < 0) continue;
-    AxisState& axis = console_.draft.axes[index];
+    AxisState& axis = console_.snapshot.axes[index];
     if (leg.activity != Activity::idle) {
       axis.ended_by = ended_by;
       axis.activity = Activity::idle;
@@ -183,7 +184,7 @@ void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {
 }
 
 Leg Legs::jog_leg(int axis, Sign sign, LegPace pace, std::optional<Steps> up_to) const {
-  const AxisState& state = console_.draft.axes[axis];
+  const AxisState& state = console_.snapshot.axes[axis];
   const Catalog& catalog = console_.catalog;
   const Steps end = up_to.value_or(sign == Sign::plus ? catalog.position_max : catalog.position_min);
   const Steps room = std::max(Steps(0), sign == Sign::plus ? end - state.position : state.position - end);
@@ -202,7 +203,7 @@ Leg Legs::jog_leg(int axis, Sign sign, LegPace pace, std::optional<Steps> up_to)
 std::optional<Leg> Legs::next_jog_leg(const Leg& last, EndedBy ended_by) const {
   if (!under_way_.job().is_jog() || ended_by != EndedBy::target) return std::nullopt;
   Leg leg = jog_leg(last.axis, last.sign, last.pace, last.up_to);
-  if (*leg.target == console_.draft.axes[last.axis].position) return std::nullopt;
+  if (*leg.target == console_.snapshot.axes[last.axis].position) return std::nullopt;
   return leg;
 }
 
@@ -212,7 +213,7 @@ bool Legs::clears_up() const {
                     under_way_.job().ended_by() != EndedBy::nothing;
   const bool something_left =
       scratch_.in_use() || !slots_.selection_is_given_back() || hold_.is_to_be_released();
-  return something_left && !presence_.reset_was_said() && presence_.is_on_line() && !presence_.is_halted() &&
+  return something_left && !presence_.reset_was_sent() && presence_.is_on_line() && !presence_.is_halted() &&
          ends;
 }
 
@@ -226,7 +227,7 @@ std::string Legs::leaves_behind() const {
 }
 
 std::string Legs::program_left_behind() const {
-  if (presence_.reset_was_said() || (!scratch_.in_use() && slots_.selection_is_given_back())) return {};
+  if (presence_.reset_was_sent() || (!scratch_.in_use() && slots_.selection_is_given_back())) return {};
   if (!scratch_.in_use())
     return fmt::format(
         "Send PM{} to select your program: one that the console used is still selected, and the Run button "
@@ -266,7 +267,7 @@ Result<> Legs::cut_short() const {
 
 Task<Result<>> Legs::restore_speeds() {
   Leg leg;
-  for (int axis = 0; axis < console_.draft.axis_count; ++axis) {
+  for (int axis = 0; axis < console_.snapshot.axis_count; ++axis) {
     if (const int value = to_set(speeds_.speed, axis, 0)) leg.text += speed(axis + 1, value);
     if (const int value = to_set(speeds_.acceleration, axis, 0)) leg.text += acceleration(axis + 1, value);
   }

@@ -1,10 +1,11 @@
 #include "core/devices/vxm/moves.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/core.h>
 
+#include "core/device/target_check.h"
+#include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/facts.h"
 
@@ -16,26 +17,16 @@ constexpr int homing_speed = hard_stop_safe_speed;  // the manual's limit for re
 
 bool on_slave(int axis) { return axis >= motors_per_controller; }
 
-Result<LegPace> checked(const intent::Pace& pace) {
-  const double value = std::round(pace.speed.value);
-  if (value != 0 && (value < min_speed || value > max_speed))
-    return fail(FaultKind::refused,
-                fmt::format("{:.0f} steps/s is not possible: a VXM motor takes {} to {} steps/s.", value,
-                            min_speed, max_speed),
-                "Nothing was sent.");
-  const std::int64_t code = pace.acceleration.value_or(0);
-  if (pace.acceleration && (code < min_accel || code > max_accel))
-    return fail(FaultKind::refused,
-                fmt::format("{} is not an acceleration: a VXM takes {} to {}, each unit {:.0f} steps/s².",
-                            code, min_accel, max_accel, accel_unit),
-                "Nothing was sent.");
-  return LegPace{static_cast<int>(value), static_cast<int>(code)};
+Result<LegPace> checked(const Catalog& catalog, const intent::Pace& requested) {
+  const auto pace = check_pace(catalog, acceleration_unit, requested);
+  if (!pace) return fail(pace.error());
+  return LegPace{static_cast<int>(pace->speed), static_cast<int>(pace->acceleration)};
 }
 
 }  // namespace
 
 Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, intent::Pace request, bool relative) {
-  auto pace = checked(request);
+  auto pace = checked(console_.catalog, request);
   if (!pace) co_return fail(pace.error());
   // Reads the positions first: the last round may have asked before a program ended.
   if (auto may = may_move_all(targets, relative); !may) co_return may;
@@ -66,14 +57,11 @@ Result<std::vector<AxisTarget>> Moves::checked_goals(const std::vector<AxisTarge
   std::vector<AxisTarget> goals;
   for (const AxisTarget& t : targets) {
     const int axis = t.axis.index;
-    const AxisState& state = console_.draft.axes[axis];
+    const AxisState& state = console_.snapshot.axes[axis];
     const Steps goal = relative ? state.position + t.value : t.value;
-    if ((!relative || state.position_known) &&
-        (goal < console_.catalog.position_min || goal > console_.catalog.position_max))
-      return fail(FaultKind::refused,
-                  fmt::format("Position {} of motor {} lies outside the controller's register, {} to {}.",
-                              goal.value, axis + 1, position_min, position_max),
-                  "Nothing was sent.");
+    if (!relative || state.position_known)
+      if (auto reached = check_target(console_.catalog, t.axis, Steps(0), goal); !reached)
+        return fail(reached.error());
     if (relative && t.value.value == 0) continue;
     admission_.warn_of_motor_type(axis);
     goals.push_back({t.axis, goal});
@@ -85,10 +73,10 @@ Result<std::vector<AxisTarget>> Moves::checked_goals(const std::vector<AxisTarge
 /// first (App. G p.47).
 void Moves::add_leg(Job& job, const AxisTarget& goal, LegPace pace, bool relative) const {
   const int axis = goal.axis.index;
-  const Steps distance = goal.value - console_.draft.axes[axis].position;
+  const Steps distance = goal.value - console_.snapshot.axes[axis].position;
   Leg* partner = job.last();
   const bool pairs = partner && partner->second_axis < 0 && on_slave(partner->axis) != on_slave(axis);
-  const Steps other = partner ? *partner->target - console_.draft.axes[partner->axis].position : Steps{};
+  const Steps other = partner ? *partner->target - console_.snapshot.axes[partner->axis].position : Steps{};
   if (pairs && distance.value != 0 && other.value != 0) {
     partner->second_axis = axis;
     partner->text = on_slave(axis) ? index_pair(axis + 1, distance, partner->axis + 1, other)
@@ -110,7 +98,7 @@ Task<Result<>> Moves::jog(const intent::JogStart& request) {
   if (auto may = admission_.may_move(axis); !may) co_return may;
   intent::Pace wanted = pace_of(request);
   if (wanted.speed.value == 0) wanted.speed = console_.catalog.jog_speed;
-  auto pace = checked(wanted);
+  auto pace = checked(console_.catalog, wanted);
   if (!pace) co_return fail(pace.error());
   if (request.up_to) {
     auto read = co_await positions_.read(Priority::intent, true);
@@ -118,11 +106,11 @@ Task<Result<>> Moves::jog(const intent::JogStart& request) {
   }
   admission_.warn_of_motor_type(axis);
   Job job = Job::jog(legs_.jog_leg(axis, request.sign, *pace, request.up_to));
-  if (*job.leg().target == console_.draft.axes[axis].position && request.up_to)
+  if (*job.leg().target == console_.snapshot.axes[axis].position && request.up_to)
     co_return fail(FaultKind::refused,
                    fmt::format("Motor {} is at the end of its travel, {}.", axis + 1, request.up_to->value),
                    "Nothing was sent.", "Jog it the other way, or change the limit.");
-  if (*job.leg().target == console_.draft.axes[axis].position)
+  if (*job.leg().target == console_.snapshot.axes[axis].position)
     co_return fail(FaultKind::refused,
                    fmt::format("Motor {} is at the end of the controller's position register.", axis + 1),
                    "Nothing was sent.", "Set its position to zero first.");
@@ -140,7 +128,7 @@ Task<Result<>> Moves::home(const intent::Home& request) {
                    fmt::format("In NF90 emulation I{}M0 runs to zero, not to the + limit switch.", axis + 1),
                    "Nothing was sent.",
                    "Switch NF90 emulation off in Setup (DM), or home to the - limit switch.");
-  auto pace = checked(request.pace);
+  auto pace = checked(console_.catalog, request.pace);
   if (!pace) co_return fail(pace.error());
   if (pace->speed > homing_speed)
     co_return fail(FaultKind::refused,
@@ -184,8 +172,8 @@ Task<Result<>> Moves::set_position(const intent::SetPosition& request) {
   if (auto may = request.axis < 0 ? admission_.may_run() : admission_.may_move(request.axis); !may)
     co_return may;
   if (request.axis < 0) {
-    auto said = co_await conversation_.transmit("N", Priority::intent);
-    if (!said) co_return said;
+    auto sent = co_await conversation_.transmit("N", Priority::intent);
+    if (!sent) co_return sent;
     positions_.are_zero();
   } else {
     Leg leg;
@@ -197,12 +185,12 @@ Task<Result<>> Moves::set_position(const intent::SetPosition& request) {
   }
   auto read = co_await positions_.read(Priority::intent, true);
   if (!read) co_return read;
-  for (int i = 0; i < console_.draft.axis_count; ++i)
-    if ((request.axis < 0 || request.axis == i) && console_.draft.axes[i].enabled &&
-        console_.draft.axes[i].position.value != 0)
+  for (int i = 0; i < console_.snapshot.axis_count; ++i)
+    if ((request.axis < 0 || request.axis == i) && console_.snapshot.axes[i].enabled &&
+        console_.snapshot.axes[i].position.value != 0)
       co_return fail(FaultKind::controller,
                      fmt::format("Motor {} was set to zero, but the controller reports {}.", i + 1,
-                                 console_.draft.axes[i].position.value),
+                                 console_.snapshot.axes[i].position.value),
                      "Its position is as before.", "Check whether the Stop button is held, then try again.");
   co_return Result<>();
 }
@@ -221,7 +209,7 @@ Task<Result<>> Moves::set_output(const intent::SetOutput& request) {
   auto read = co_await signals_.read("$", Priority::intent);
   if (!read) co_return read;
   if (!identification_.tells_outputs()) co_return Result<>();  // the outputs are not reported
-  const bool is_on = console_.draft.outputs >> (request.number - 1) & 1;
+  const bool is_on = console_.snapshot.outputs >> (request.number - 1) & 1;
   if (is_on == request.on) co_return Result<>();
   co_return fail(FaultKind::controller,
                  fmt::format("Output {} was switched {}, but the controller reports {}.", request.number,

@@ -51,11 +51,11 @@ Task<Result<>> Opening::greet() {
   conversation_.set_echoes(greeting.echo);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);
-  if (presence_.is_halted()) under_way_.killed(EndedBy::error);  // it hears again
+  if (presence_.is_halted()) under_way_.killed(EndedBy::error);  // it accepts commands again
   presence_.seen_on_line();
   // F ends echo and carriage returns after prompts, whoever asked for them.
-  auto said = co_await conversation_.say_anyway("F");
-  if (!said) co_return said;
+  auto sent = co_await conversation_.say_anyway("F");
+  if (!sent) co_return sent;
   auto state = co_await conversation_.state(Priority::intent);
   if (!state) co_return fail(state.error());
   if (greeting.echo) {

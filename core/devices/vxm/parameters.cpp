@@ -37,8 +37,8 @@ std::int64_t as_kept(std::string_view mnemonic, std::int64_t value) {
 
 std::optional<std::int64_t> Parameters::value(std::string_view mnemonic) const {
   const int index = console_.catalog.find_param(mnemonic);
-  if (index < 0 || !console_.draft.params[ix(index)].known) return std::nullopt;
-  return console_.draft.params[ix(index)].value;
+  if (index < 0 || !console_.snapshot.params[ix(index)].known) return std::nullopt;
+  return console_.snapshot.params[ix(index)].value;
 }
 
 // A set or get for motor 3 or 4 without a Slave would make the controller restart (EB).
@@ -52,8 +52,8 @@ Task<Result<>> Parameters::read_one(int index, Priority priority) {
   if (info.mnemonic == "PA" && !identification_.tells_pulses()) co_return Result<>();
   auto value = co_await conversation_.number(get_param(info.mnemonic), priority);
   if (!value) co_return fail(value.error());
-  console_.draft.params[ix(index)].value = *value;
-  console_.draft.params[ix(index)].known = true;
+  console_.snapshot.params[ix(index)].value = *value;
+  console_.snapshot.params[ix(index)].known = true;
   co_return Result<>();
 }
 
@@ -80,7 +80,7 @@ Task<Result<>> Parameters::read_essentials() {
 Task<Result<>> Parameters::read_some() {
   const int count = static_cast<int>(console_.catalog.params.size());
   for (int read = 0; next_ < count && read < values_at_once; ++next_) {
-    if (console_.draft.params[static_cast<std::size_t>(next_)].known ||
+    if (console_.snapshot.params[static_cast<std::size_t>(next_)].known ||
         !console_.catalog.params[static_cast<std::size_t>(next_)].readable)
       continue;
     auto done = co_await read_one(next_, Priority::poll);
@@ -95,15 +95,15 @@ void Parameters::was_set(std::string_view mnemonic) {
   next_ = 0;
   for (std::size_t i = 0; i < console_.catalog.params.size(); ++i)
     if (console_.catalog.params[i].mnemonic == mnemonic)
-      console_.draft.params[i].known = console_.draft.params[i].stored = false;
-  console_.draft.unsaved_setup = true;
+      console_.snapshot.params[i].known = console_.snapshot.params[i].stored = false;
+  console_.snapshot.unsaved_setup = true;
   if (mnemonic == "DM" || mnemonic == "I" || mnemonic == "D") essentials_read_ = false;
 }
 
 void Parameters::forget() {
   essentials_read_ = false;
   next_ = in_vain_ = 0;
-  set_up_is_unknown(console_.draft);
+  set_up_is_unknown(console_.snapshot);
 }
 
 Result<> Parameters::may_set(const ParamInfo& info) const {
@@ -125,9 +125,9 @@ Task<Result<>> Parameters::set(const intent::SetParam& request) {
   if (info.mnemonic == "B") co_return co_await set_baud(request.value);
   auto sent = co_await conversation_.transmit(vxm::set_param(info.mnemonic, request.value), Priority::intent);
   if (!sent) co_return sent;
-  ParamState& state = console_.draft.params[ix(index)];
+  ParamState& state = console_.snapshot.params[ix(index)];
   state.stored = !info.stored;
-  console_.draft.unsaved_setup = console_.draft.unsaved_setup || info.stored;
+  console_.snapshot.unsaved_setup = console_.snapshot.unsaved_setup || info.stored;
   if (info.mnemonic.starts_with("MA") && info.axis >= 0) {
     auto read =
         co_await read_one(console_.catalog.find_param(fmt::format("M{}M", info.axis + 1)), Priority::intent);
@@ -165,8 +165,8 @@ Task<Result<>> Parameters::follow_rate(std::int64_t number) {
     auto state = co_await conversation_.state(Priority::intent);
     if (state) {
       const int index = console_.catalog.find_param("B");
-      console_.draft.params[ix(index)] = {number, true, false};
-      console_.draft.unsaved_setup = true;
+      console_.snapshot.params[ix(index)] = {number, true, false};
+      console_.snapshot.unsaved_setup = true;
       co_return Result<>();
     }
   }
@@ -183,13 +183,13 @@ Task<Result<>> Parameters::follow_rate(std::int64_t number) {
 }
 
 void Parameters::found_at(int rate) {
-  ParamState& state = console_.draft.params[ix(console_.catalog.find_param("B"))];
+  ParamState& state = console_.snapshot.params[ix(console_.catalog.find_param("B"))];
   if (rate > 0 && baud_rate(state.value) != rate) state.known = false;
 }
 
 void Parameters::was_stored() {
-  for (ParamState& p : console_.draft.params) p.stored = true;
-  console_.draft.unsaved_setup = console_.draft.unsaved_programs = false;
+  for (ParamState& p : console_.snapshot.params) p.stored = true;
+  console_.snapshot.unsaved_setup = console_.snapshot.unsaved_programs = false;
 }
 
 Task<Result<>> Parameters::store() {
@@ -205,10 +205,10 @@ Task<Result<>> Parameters::store() {
         "Do not switch the controller off now. Ask for its state, and compare before you store again.");
   if (!reply) co_return fail(reply.error());
   was_stored();
-  if (console_.draft.store_count >= 0) {
+  if (console_.snapshot.store_count >= 0) {
     console_.report(Notice::Kind::info,
                     fmt::format("Set-up and programs are stored. {} of about {} writes are used.",
-                                console_.draft.store_count, store_life));
+                                console_.snapshot.store_count, store_life));
   } else {
     console_.report(Notice::Kind::info, fmt::format("Set-up and programs are stored. The memory is rated for "
                                                     "about {} writes; the number used so far is unknown.",

@@ -6,7 +6,7 @@ namespace hw::vxm {
 
 // Z and T are answered at standstill only.
 Task<Result<>> Positions::read(Priority priority, bool at_rest, bool and_a_signal) {
-  for (int i = 0; i < console_.draft.axis_count; ++i) {
+  for (int i = 0; i < console_.snapshot.axis_count; ++i) {
     if (i >= motors_per_controller && (!at_rest || !identification_.has_slave())) break;
     if (i == 1 && and_a_signal) {
       auto asked = co_await signals_.ask_next(priority);
@@ -23,7 +23,7 @@ Task<Result<>> Positions::read(Priority priority, bool at_rest, bool and_a_signa
 }
 
 void Positions::show(int index, Steps position) {
-  AxisState& axis = console_.draft.axes[index];
+  AxisState& axis = console_.snapshot.axes[index];
   const MotorReadings::Change change = readings_.take(index, axis, position, conversation_.asked_at());
   const bool program_runs = under_way_.program_runs(), moves = under_way_.job().active();
   if (program_runs && (change.begun || change.reversed)) program_has_begun_a_way(change);
@@ -54,8 +54,8 @@ void Positions::program_has_begun_a_way(const MotorReadings::Change& way) {
 }
 
 void Positions::are_zero() {
-  for (int i = 0; i < console_.draft.axis_count; ++i)
-    console_.draft.axes[i].trust.settle(Trust::set, console_.scheduler.now());
+  for (int i = 0; i < console_.snapshot.axis_count; ++i)
+    console_.snapshot.axes[i].trust.settle(Trust::set, console_.scheduler.now());
 }
 
 }  // namespace hw::vxm

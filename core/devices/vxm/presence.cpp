@@ -7,8 +7,8 @@ namespace hw::vxm {
 
 Task<Result<>> Presence::go_on_line() {
   for (const bool again : {false, true}) {
-    auto said = co_await conversation_.say_anyway("F");
-    if (!said) co_return said;
+    auto sent = co_await conversation_.say_anyway("F");
+    if (!sent) co_return sent;
     auto state = co_await conversation_.state(Priority::intent);
     if (!state) co_return fail(state.error());
     if (*state == ready || *state == busy) break;

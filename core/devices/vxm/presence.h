@@ -40,7 +40,7 @@ class Presence {
   }
   /// On-line is wanted, whatever the present mode.
   void wants_on_line() { stay_local_ = false; }
-  /// yes: F ended Local mode before that could be counted as a restart. perhaps: the mode was not heard. In a
+  /// yes: F ended Local mode before that could be counted as a restart. perhaps: the mode is unknown. In a
   /// controller never found before, Local mode is no sign of a restart.
   enum class LeftLocal : std::uint8_t { no, perhaps, yes };
   void left_local(LeftLocal left) {
@@ -58,16 +58,16 @@ class Presence {
     left_local_ = LeftLocal::no;
   }
   /// res was sent; its restart has not been seen.
-  [[nodiscard]] bool reset_was_said() const { return reset_said_; }
-  void say_reset() { reset_said_ = true; }
-  void reset_is_over() { reset_said_ = false; }
+  [[nodiscard]] bool reset_was_sent() const { return reset_sent_; }
+  void note_reset_sent() { reset_sent_ = true; }
+  void reset_is_over() { reset_sent_ = false; }
 
-  // ---- after an error that halts it, it hears nothing but K
+  // ---- after an error that halts it, it accepts nothing but K
   [[nodiscard]] bool is_halted() const { return halted_ != 0; }
   /// Letter of that error; 0: not halted.
   [[nodiscard]] char error() const { return halted_; }
   void halted_by(char letter);
-  void hears_again() { halted_ = 0; }
+  void note_answers_again() { halted_ = 0; }
   /// True once a second.
   bool is_to_be_asked_again();
 
@@ -79,7 +79,7 @@ class Presence {
   Mode mode_ = Mode::unknown;
   LeftLocal left_local_ = LeftLocal::no;
   bool found_before_ = false, stay_local_ = false;
-  bool restart_counted_ = false, reset_said_ = false;
+  bool restart_counted_ = false, reset_sent_ = false;
   char halted_ = 0;
   Instant ask_again_at_{};
 };

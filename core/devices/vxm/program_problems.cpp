@@ -76,8 +76,9 @@ Problem range_problem(const Reading& w, const Refusal& r, std::string_view text,
   // Beyond the digits that are read, the value says less than the typed text.
   constexpr int most_digits = 9;
   const std::string typed(text.substr(text.size() - static_cast<std::size_t>(where.length)));
-  const std::string said = where.length > most_digits ? typed : number(value);
-  Problem problem = at(where, complaint(w, value, said, r, motor) + " " + range_sentence(w, r, motor));
+  const std::string number_shown = where.length > most_digits ? typed : number(value);
+  Problem problem =
+      at(where, complaint(w, value, number_shown, r, motor) + " " + range_sentence(w, r, motor));
   if (w.head == Head::J || w.head == Head::JM) return problem;  // the program meant cannot be guessed
   const std::int64_t nearest = std::clamp(value, r.min, r.max);
   problem.fix_text = (w.minus && !by_sign && w.head != Head::A ? "-" : "") + number(nearest);

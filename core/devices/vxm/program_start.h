@@ -19,7 +19,7 @@ struct Ran {
   int slot = 0;    ///< of the first program
   std::function<bool(int)> text_fills;
 };
-/// The values assumed where the state tells none. `moved`: bit per motor.
+/// The values assumed where the state has none. `moved`: bit per motor.
 [[nodiscard]] std::vector<RehearsedAssumption> assumptions(const ControllerState& state,
                                                            const Catalog& catalog, std::uint32_t moved,
                                                            const Ran& ran);

@@ -58,7 +58,7 @@ void ProgramWatch::observe(const Trace& trace, const Box& box) {
   if (trace.command >= 0) {
     program_ = trace.program, command_ = trace.command;
     const Program& program = box.program(program_);
-    if (command_ < program.size()) hear_command(program[command_]);
+    if (command_ < program.size()) note_command(program[command_]);
   }
   if (trace.limit == 0 || stops_.size() == most_stops) return;
   const std::string motor = std::to_string(trace.motor);
@@ -68,7 +68,7 @@ void ProgramWatch::observe(const Trace& trace, const Box& box) {
   stops_.push_back(std::move(at_limit));
 }
 
-void ProgramWatch::hear_command(const Command& c) {
+void ProgramWatch::note_command(const Command& c) {
   switch (c.op) {
     case Op::loop_endless:
     case Op::jump:

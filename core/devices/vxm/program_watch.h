@@ -36,7 +36,7 @@ class ProgramWatch {
   struct Part {
     int program = 0, first = 0, last = 0;
   };
-  void hear_command(const Command& command);
+  void note_command(const Command& command);
   [[nodiscard]] bool knows_loop(const Box& box) const;
   /// From the target of the loop's command, through the programs that it jumps to, back to that command.
   /// Empty: some command may leave the loop.

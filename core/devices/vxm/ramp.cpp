@@ -59,7 +59,7 @@ void Ramp::saw_one_turn_round(Instant since) {
 // time has no ramp to speak of.
 StopProgress Ramp::watch_program() {
   if (!state_) return StopProgress::again();
-  if (console_.draft.program.run == RunState::held || stands_since()) {
+  if (console_.snapshot.program.run == RunState::held || stands_since()) {
     state_->over = true;
     return StopProgress::again();  // which is K, now
   }
@@ -89,7 +89,7 @@ bool Ramp::has_begun_anew() {
 
 bool Ramp::stands_since() const {
   const Instant now = console_.scheduler.now();
-  const int motors = std::min(console_.draft.axis_count, motors_per_controller);
+  const int motors = std::min(console_.snapshot.axis_count, motors_per_controller);
   for (int i = 0; i < motors; ++i)
     if (!readings_.has_stood_since(state_->began, i)) return false;
   return !some_are_hidden() || now - state_->began >= longest_ramp;
@@ -97,10 +97,10 @@ bool Ramp::stands_since() const {
 
 /// As far as the last readings show.
 bool Ramp::seems_to_stand() const {
-  const Snapshot& draft = console_.draft;
-  const int motors = std::min(draft.axis_count, motors_per_controller);
+  const Snapshot& snapshot = console_.snapshot;
+  const int motors = std::min(snapshot.axis_count, motors_per_controller);
   for (int i = 0; i < motors; ++i) {
-    if (!draft.axes[i].position_known || !readings_.has_stood_since(draft.program.started_at, i))
+    if (!snapshot.axes[i].position_known || !readings_.has_stood_since(snapshot.program.started_at, i))
       return false;
   }
   return !some_are_hidden();
@@ -110,7 +110,7 @@ bool Ramp::seems_to_stand() const {
 /// controller has been at rest.
 bool Ramp::some_are_hidden() const {
   return identification_.has_slave() ||
-         (!identification_.is_read() && console_.draft.axis_count > motors_per_controller);
+         (!identification_.is_read() && console_.snapshot.axis_count > motors_per_controller);
 }
 
 }  // namespace hw::vxm

@@ -18,7 +18,7 @@ constexpr Duration restart_pause = Millis(250);
 // Counts the restart before F removes the only sign of it; the wire may fail in between.
 Task<Result<>> Restarts::found(const char* why) {
   if (!presence_.restart_is_counted()) {
-    const bool was_moving = console_.draft.any_axis_moving() || under_way_.busy();
+    const bool was_moving = console_.snapshot.any_axis_moving() || under_way_.busy();
     under_way_.forget();
     auto reply = co_await conversation_.places(ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent);
     if (!reply && reply.error().kind != FaultKind::no_answer)
@@ -32,13 +32,13 @@ Task<Result<>> Restarts::found(const char* why) {
 }
 
 Task<Result<>> Restarts::found_left_local() {
-  const bool was_moving = console_.draft.any_axis_moving() || under_way_.busy();
+  const bool was_moving = console_.snapshot.any_axis_moving() || under_way_.busy();
   under_way_.forget();
   auto read = co_await positions_.read(Priority::intent, true);
   if (!read) co_return read;
   Digitized places;
-  for (int i = 0; i < console_.draft.axis_count; ++i)
-    places.positions.push_back(console_.draft.axes[i].position);
+  for (int i = 0; i < console_.snapshot.axis_count; ++i)
+    places.positions.push_back(console_.snapshot.axes[i].position);
   count("It answered from Local mode", was_moving, places);
   co_return Result<>();
 }
@@ -47,10 +47,10 @@ Task<Result<>> Restarts::may_have_left_local() {
   auto read = co_await positions_.read(Priority::intent, !under_way_.busy());
   if (!read) co_return read;
   bool zero = true;
-  for (int i = 0; i < console_.draft.axis_count; ++i)
-    zero = zero && console_.draft.axes[i].position == Steps(0);
+  for (int i = 0; i < console_.snapshot.axis_count; ++i)
+    zero = zero && console_.snapshot.axes[i].position == Steps(0);
   if (!zero) co_return Result<>();
-  stands_since(Doubt::unheard);
+  stands_since(Doubt::after_silence);
   knowledge_.may_be_of_before();
   console_.report(Notice::Kind::warning,
                   "Check where the axes are, and home them before the next absolute move: all positions read "
@@ -63,7 +63,7 @@ void Restarts::count(const char* why, bool was_moving, const std::optional<Digit
   presence_.count_restart();
   const bool zero = !places || std::all_of(places->positions.begin(), places->positions.end(),
                                            [](Steps place) { return place.value == 0; });
-  ++console_.draft.restarts;
+  ++console_.snapshot.restarts;
   stands_since(zero ? Doubt::restarted : Doubt::none);
   if (!zero)
     return console_.report(
@@ -80,7 +80,7 @@ void Restarts::count(const char* why, bool was_moving, const std::optional<Digit
 }
 
 Task<Result<>> Restarts::found_reset_on_line() {
-  ++console_.draft.restarts;
+  ++console_.snapshot.restarts;
   under_way_.forget();
   stands_since(Doubt::reset);
   forget_ram();
@@ -91,12 +91,12 @@ Task<Result<>> Restarts::found_reset_on_line() {
 }
 
 Task<Result<>> Restarts::reset() {
-  auto said = co_await conversation_.transmit("res", Priority::intent);
-  if (!said) co_return said;
+  auto sent = co_await conversation_.transmit("res", Priority::intent);
+  if (!sent) co_return sent;
   under_way_.drop_job();
   under_way_.run_ended(EndedBy::abort);
   forget_ram();
-  presence_.say_reset();  // if this is cut short, the next V finds it
+  presence_.note_reset_sent();  // if this is cut short, the next V finds it
   Result<> on_line = fail(FaultKind::no_answer, "The controller does not answer after its reset.");
   for (int attempt = 0; attempt < restart_attempts && !on_line && conversation_.station(); ++attempt) {
     auto waited = co_await conversation_.station()->pause(restart_pause);
@@ -114,8 +114,8 @@ Task<Result<>> Restarts::reset() {
 
 /// Shows all axes at rest, and doubts their positions. Doubt::none: the positions were kept.
 void Restarts::stands_since(Doubt why) {
-  for (int i = 0; i < console_.draft.axis_count; ++i) {
-    AxisState& axis = console_.draft.axes[i];
+  for (int i = 0; i < console_.snapshot.axis_count; ++i) {
+    AxisState& axis = console_.snapshot.axes[i];
     if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
     axis.activity = Activity::idle;
     axis.direction = 0;
@@ -127,12 +127,12 @@ void Restarts::stands_since(Doubt why) {
 
 void Restarts::forget_ram() {
   hold_.ended();
-  presence_.hears_again();
+  presence_.note_answers_again();
   scratch_.forget();
   knowledge_.forget();
   speeds_.forget();
-  console_.draft.program.command = -1;
-  console_.draft.program.stepping = false;
+  console_.snapshot.program.command = -1;
+  console_.snapshot.program.stepping = false;
 }
 
 }  // namespace hw::vxm

@@ -34,9 +34,9 @@ class Restarts {
   Task<Result<>> found(const char* why);
   /// A stop ended Local mode before the positions could be asked for.
   Task<Result<>> found_left_local();
-  /// Local mode may have been left; the mode was not heard.
+  /// Local mode may have been left; the mode is unknown.
   Task<Result<>> may_have_left_local();
-  /// res and F were sent in one text: only the sent res tells of the restart.
+  /// res and F were sent in one text: only the sent res shows the restart.
   Task<Result<>> found_reset_on_line();
   /// Requested by the user.
   Task<Result<>> reset();

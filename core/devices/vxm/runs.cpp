@@ -10,15 +10,15 @@
 
 namespace hw::vxm {
 
-// The controller reports no limit unless O tells it to. A motor that stands on the switch that it last moved
-// towards, and was not sent to find it, was stopped by it.
+// The controller reports no limit unless O is set for it. A motor that stands on the switch that it last
+// moved towards, and was not sent to find it, was stopped by it.
 void Runs::look_what_ended_the_run() {
   const auto slot = under_way_.take_ended_run();
   if (!slot) return;
-  console_.draft.working = false;
+  console_.snapshot.working = false;
   bool at_limit = false;
-  for (int i = 0; i < console_.draft.axis_count; ++i) {
-    AxisState& axis = console_.draft.axes[i];
+  for (int i = 0; i < console_.snapshot.axis_count; ++i) {
+    AxisState& axis = console_.snapshot.axes[i];
     const std::optional<Sign> way = readings_.went(i);
     const bool on_switch =
         way && axis.limits_known && (*way == Sign::plus ? axis.limit_plus : axis.limit_minus);
@@ -26,7 +26,7 @@ void Runs::look_what_ended_the_run() {
     axis.ended_by = EndedBy::limit;
     at_limit = true;
   }
-  ProgramState& p = console_.draft.program;
+  ProgramState& p = console_.snapshot.program;
   if (p.ended_by == EndedBy::nothing) p.ended_by = at_limit ? EndedBy::limit : EndedBy::target;
 }
 
@@ -52,14 +52,14 @@ bool Runs::may_turn(int slot, int motor) const {
 
 Task<Result<>> Runs::run(int slot) {
   if (auto may = admission_.may_run(); !may) co_return may;
-  if (console_.draft.slot_bytes_used[ix(slot)] == 0)
+  if (console_.snapshot.slot_bytes_used[ix(slot)] == 0)
     co_return fail(FaultKind::refused, fmt::format("Program {} of the controller is empty.", slot),
                    "Nothing was run.", "Load it first.");
   auto held = co_await hold_switch_.settle();
   if (!held) co_return held;
   auto speeds = co_await legs_.restore_speeds();
   if (!speeds) co_return speeds;
-  for (int i = 0; i < console_.draft.axis_count; ++i)
+  for (int i = 0; i < console_.snapshot.axis_count; ++i)
     if (may_turn(slot, i + 1)) admission_.warn_of_motor_type(i);
   auto chosen = co_await slots_.choose(slot, Priority::intent);
   if (!chosen) co_return chosen;
@@ -79,13 +79,13 @@ Task<Result<>> Runs::pause() {
     co_return fail(FaultKind::refused, "No program is running.", "Nothing was sent.");
   if (auto may = hold_switch_.may_switch(); !may) co_return may;
   if (hold_.is_on()) co_return Result<>();
-  auto said = co_await hold_switch_.transmit("H", true, Priority::intent);
-  if (said) console_.draft.program.stepping = true;
-  co_return said;
+  auto sent = co_await hold_switch_.transmit("H", true, Priority::intent);
+  if (sent) console_.snapshot.program.stepping = true;
+  co_return sent;
 }
 
 Task<Result<>> Runs::resume() {
-  ProgramState& p = console_.draft.program;
+  ProgramState& p = console_.snapshot.program;
   if (!under_way_.program_runs())
     co_return fail(FaultKind::refused, "No program is held or waits.", "Nothing was sent.", "Run it.");
   if (auto may = hold_switch_.may_switch(); !may && p.run != RunState::waiting) co_return may;
@@ -94,17 +94,17 @@ Task<Result<>> Runs::resume() {
                    "Nothing was sent.",
                    "If it is waiting for an input (U0 and similar), only that input lets it go on.");
   const bool waits = p.run == RunState::waiting;
-  auto said = waits ? co_await conversation_.transmit("G", Priority::intent)
+  auto sent = waits ? co_await conversation_.transmit("G", Priority::intent)
                     : co_await hold_switch_.transmit("H", false, Priority::intent);
-  if (!said) co_return said;
+  if (!sent) co_return sent;
   if (!waits) p.stepping = false;
   p.run = RunState::running;
   p.command = -1;
-  co_return said;
+  co_return sent;
 }
 
 Task<Result<>> Runs::single_step() {
-  ProgramState& p = console_.draft.program;
+  ProgramState& p = console_.snapshot.program;
   if (!under_way_.program_runs()) {  // start it held: nothing moves before the next step
     if (auto may = admission_.may_run(); !may) co_return may;
     auto held = co_await hold_switch_.settle();
@@ -116,9 +116,9 @@ Task<Result<>> Runs::single_step() {
     co_return started;
   }
   if (p.run != RunState::held) co_return co_await pause();
-  auto said = co_await conversation_.transmit("G", Priority::intent);
-  if (said) p.run = RunState::running;
-  co_return said;
+  auto sent = co_await conversation_.transmit("G", Priority::intent);
+  if (sent) p.run = RunState::running;
+  co_return sent;
 }
 
 }  // namespace hw::vxm

@@ -31,8 +31,8 @@ Task<Result<>> Scratch::fill(std::string commands) {
   for (int attempt = 0; attempt < attempts; ++attempt) {
     auto chosen = co_await slots_.choose(slot_, Priority::intent);
     if (!chosen) co_return chosen;
-    auto said = co_await conversation_.transmit("C" + commands, Priority::intent);
-    if (!said) co_return said;
+    auto sent = co_await conversation_.transmit("C" + commands, Priority::intent);
+    if (!sent) co_return sent;
     auto held = co_await holds(commands);
     if (held && *held) co_return Result<>();
     if (!held && !worth_another_try(held.error())) co_return fail(held.error());

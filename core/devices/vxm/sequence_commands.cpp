@@ -78,11 +78,11 @@ class Placer {
     any_ = true;
     const bool is_stored =
         std::any_of(stored_.begin(), stored_.end(), [&at](const Stretch& s) { return s.covers(at.begin); });
-    const std::string_view said = text_.substr(at.begin, at.end - at.begin);
-    if (is_stored || said == "E" || said == "F" || said == "G") return {};  // on-line: the console sees to it
-    if (!said.starts_with("PM"))
-      return no_block_for(text_, at.begin, fmt::format("{} acts at once. Blocks are programs.", said));
-    if (!std::exchange(heading_, true)) begin_program(said.back() - '0', at.begin);
+    const std::string_view done = text_.substr(at.begin, at.end - at.begin);
+    if (is_stored || done == "E" || done == "F" || done == "G") return {};  // on-line: the console sees to it
+    if (!done.starts_with("PM"))
+      return no_block_for(text_, at.begin, fmt::format("{} acts at once. Blocks are programs.", done));
+    if (!std::exchange(heading_, true)) begin_program(done.back() - '0', at.begin);
     return {};
   }
   void begin_program(int next, std::size_t begin) {

@@ -38,7 +38,7 @@ class BlockReader {
       for (const auto& program : text_.programs)
         if (program)
           return no_block_for(source_, program->at.begin, "blocks are program 0, and it has none.");
-      return fail(FaultKind::text, "The text commands nothing.", "The blocks are as they were.");
+      return fail(FaultKind::text, "The text contains no command.", "The blocks are as they were.");
     }
     read(*text_.programs[0], 0, text_.programs[0]->commands.size(), out_.steps);
     if (fault_) return fail(*fault_);
@@ -158,24 +158,24 @@ class BlockReader {
         return behind < to && all[behind].command.op == op &&
                place_of(all[behind].command) == static_cast<int>(a);
       };
-      told_[a].new_high = is(Op::speed);
-      if (is(Op::speed)) told_[a].high = all[behind++].command.value;
-      told_[a].accel = is(Op::accel) ? all[behind++].command.value : 0;
+      given_[a].new_high = is(Op::speed);
+      if (is(Op::speed)) given_[a].high = all[behind++].command.value;
+      given_[a].accel = is(Op::accel) ? all[behind++].command.value : 0;
     }
     seq::Speed speed;
     if (behind > i && speed_of_all(speed.speeds)) return put(speed, all, i, behind, list);
-    told_ = {}, ramp_ms_ = 0;
+    given_ = {}, ramp_ms_ = 0;
     for (behind = i;
          behind < to && (all[behind].command.op == Op::speed || all[behind].command.op == Op::accel);)
       ++behind;
     return leave("speeds that differ between axes", all, i, behind, list);
   }
   bool speed_of_all(seq::Speeds& speeds) {
-    const Told& first = told_[0];
+    const Given& first = given_[0];
     const double high = out_.units(0, first.high);
     for (std::size_t a = 0; a < out_.axes.size(); ++a)
-      if (told_[a].new_high != first.new_high || (told_[a].accel != 0) != (first.accel != 0) ||
-          std::llround(high * out_.axes[a].per_unit) != told_[a].high)
+      if (given_[a].new_high != first.new_high || (given_[a].accel != 0) != (first.accel != 0) ||
+          std::llround(high * out_.axes[a].per_unit) != given_[a].high)
         return false;
     if (first.high == 0) return false;
     if (first.new_high) speeds.high = high;
@@ -192,7 +192,7 @@ class BlockReader {
   /// The ramp that the writer would write.
   [[nodiscard]] bool has_ramp(double ms) const {
     for (std::size_t a = 0; a < out_.axes.size(); ++a)
-      if (std::llround(static_cast<double>(told_[a].high) / (ms / 1000) / accel_unit) != told_[a].accel)
+      if (std::llround(static_cast<double>(given_[a].high) / (ms / 1000) / accel_unit) != given_[a].accel)
         return false;
     return true;
   }
@@ -274,7 +274,7 @@ class BlockReader {
     return i + 1;
   }
 
-  struct Told {
+  struct Given {
     std::int64_t high = 0, accel = 0;
     bool new_high = false;
   };
@@ -282,7 +282,7 @@ class BlockReader {
   CommandText text_;
   const Catalog& catalog_;
   ReadText out_;
-  std::array<Told, max_axes> told_{};
+  std::array<Given, max_axes> given_{};
   double ramp_ms_ = 0;
   std::array<bool, program_count> used_{};
   int depth_ = 0;

@@ -16,7 +16,7 @@ namespace {
 
 namespace seq = sequence;  // its names are also those of commands
 
-constexpr std::string_view limits_are_told =
+constexpr std::string_view limits_are_reported =
     "Set limit switches (O) to 1 or 3 to have a brief limit hit reported.";
 constexpr double longest_delay_ms = 24.0 * 3600 * 1000;
 
@@ -28,7 +28,7 @@ class Writer {
     draft_.collect_refused(refused, "; ");
     if (auto found = draft_.find_axes(); !found) return fail(found.error());
     draft_.change_part(heading_part);
-    if (auto said = draft_.tool_line("; ", limits_are_told); !said) return fail(said.error());
+    if (auto done = draft_.tool_line("; ", limits_are_reported); !done) return fail(done.error());
     draft_.change_part(main_part);
     if (auto written = write_steps(*this, draft_, draft_.sequence.steps); !written)
       return fail(written.error());
@@ -40,9 +40,9 @@ class Writer {
   }
 
   Result<> write(const seq::Speed& s) {
-    draft_.say_speeds(s.speeds);
+    draft_.set_speeds(s.speeds);
     for (int a = 0; a < draft_.axis_count(); ++a)
-      if (auto said = say_speeds(a, {}); !said) return said;
+      if (auto done = write_speeds(a, {}); !done) return done;
     return {};
   }
   Result<> write(const seq::Move& m) {
@@ -65,7 +65,7 @@ class Writer {
   }
   /// Moves to the limit switch and sets zero there.
   Result<> write(const seq::Home& h) {
-    if (auto said = say_speeds(h.axis, h.own); !said) return said;
+    if (auto done = write_speeds(h.axis, h.own); !done) return done;
     for (const std::string& command : homing(h.axis, h.direction)) draft_.line(command);
     return {};
   }
@@ -106,7 +106,7 @@ class Writer {
   Result<> write(const seq::Custom& c) {
     draft_.lines(c.text);
     if (may_set_speeds(c.text))
-      for (WrittenSpeeds& told : told_) told.doubt();
+      for (WrittenSpeeds& before : written_) before.doubt();
     return {};
   }
   Result<> write(const seq::Contour& c);
@@ -130,7 +130,7 @@ class Writer {
   Result<> move(int axis, double units, bool relative, const seq::OwnSpeeds& own) {
     const auto to = relative ? draft_.distance(axis, units) : draft_.position(axis, units);
     if (!to) return fail(to.error());
-    if (auto said = say_speeds(axis, own); !said) return said;
+    if (auto done = write_speeds(axis, own); !done) return done;
     if (relative && *to == 0) return {};  // I1M0 would go to the limit switch
     draft_.line(fmt::format("I{}{}M{}", relative ? "" : "A", motor(axis), *to));
     return {};
@@ -140,7 +140,7 @@ class Writer {
             fmt::format("IA{}M-0", motor(axis))};
   }
   Result<> call_homing(int axis, Sign direction);
-  Result<> say_speeds(int axis, const seq::OwnSpeeds& own);
+  Result<> write_speeds(int axis, const seq::OwnSpeeds& own);
   void switch_output(int place, bool on) {
     draft_.line(fmt::format("U{}", (on ? output_on : output_off)[ix(place)]));
   }
@@ -155,27 +155,27 @@ class Writer {
   Result<int> call(std::string_view what, Body&& body);
   void repeated(const seq::StepList& steps) {
     if (!sets_speeds(steps)) return;
-    for (WrittenSpeeds& told : told_) told.begin_repeated();
+    for (WrittenSpeeds& before : written_) before.begin_repeated();
   }
 
   SequenceDraft draft_;
-  std::array<WrittenSpeeds, max_axes> told_;
+  std::array<WrittenSpeeds, max_axes> written_;
   int programs_ = 0;  ///< written beside the main one
   bool looked_at_axes_ = false;
   bool in_loop_ = false;                 ///< the current program has an open loop
   std::map<std::string, int> callable_;  ///< program numbers by what they do
 };
 
-Result<> Writer::say_speeds(int axis, const seq::OwnSpeeds& own) {
+Result<> Writer::write_speeds(int axis, const seq::OwnSpeeds& own) {
   const auto wanted = draft_.speeds_of(axis, own);
   if (!wanted) return fail(wanted.error());
   if (wanted->low != 0) return draft_.refuse("a VXM has no low speed: its ramps begin at rest.");
   if (wanted->ramp_ms != 0 && wanted->high == 0)
     return draft_.refuse("give a speed with the ramp time: a VXM takes steps/s².");
-  const auto say = told_[ix(axis)].towards(*wanted);
-  if (!say) return draft_.refuse_own_speed();
-  if (say->high != 0) draft_.line(fmt::format("S{}M{}", motor(axis), say->high));
-  if (wanted->ramp_ms == 0 || (say->ramp_ms == 0 && say->high == 0)) return {};
+  const auto needed = written_[ix(axis)].towards(*wanted);
+  if (!needed) return draft_.refuse_own_speed();
+  if (needed->high != 0) draft_.line(fmt::format("S{}M{}", motor(axis), needed->high));
+  if (wanted->ramp_ms == 0 || (needed->ramp_ms == 0 && needed->high == 0)) return {};
   const double rate = static_cast<double>(wanted->high) / (wanted->ramp_ms / 1000) / accel_unit;
   const auto a = std::clamp<std::int64_t>(std::llround(rate), min_accel, max_accel);
   if (rate < 0.5 || rate > max_accel + 0.5)
@@ -224,7 +224,7 @@ Result<> Writer::write(const seq::MoveOnInput& m) {
   if (!skip) return fail(skip.error());
   if (m.kind == seq::MoveOnInput::Kind::jog)
     return draft_.refuse("a stored program of a VXM has no jog. A home step goes to the limit switch.");
-  if (auto said = say_speeds(m.axis, m.own); !said) return said;
+  if (auto done = write_speeds(m.axis, m.own); !done) return done;
   if (m.kind == seq::MoveOnInput::Kind::move) {
     draft_.line(*skip);
     return move(m.axis, m.to, false, m.own);
@@ -265,11 +265,11 @@ Result<> Writer::write(const seq::Pen& p) {
     return {};
   }
   const auto speeds = draft_.change_speeds({});
-  const auto told = std::exchange(told_, {});
+  const auto before = std::exchange(written_, {});
   auto called = call(name, write_them);
   if (called) callable_[name] = *called;
   draft_.change_speeds(speeds);
-  told_ = told;
+  written_ = before;
   repeated(steps);
   if (!called) return fail(called.error());
   return {};

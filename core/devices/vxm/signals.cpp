@@ -9,7 +9,7 @@
 namespace hw::vxm {
 namespace {
 
-constexpr int readings = 4;  // one stray, one after it, and two that agree
+constexpr int readings = 4;  // one unexpected, one after it, and two that agree
 constexpr Duration limits_hold = std::chrono::seconds(3);
 constexpr int questions_between = 20;  // each as late as the line
 
@@ -22,14 +22,14 @@ void Signals::begin() {
 
 // Their age is that of the latest of them all.
 void Signals::forget_what_is_doubted() {
-  if (cleaned_[all.find('~')] != conversation_.times_cleaned()) draft_.inputs_known = 0;
-  if (cleaned_[all.find('$')] != conversation_.times_cleaned()) draft_.outputs_known = 0;
+  if (cleaned_[all.find('~')] != conversation_.times_cleaned()) snapshot_.inputs_known = 0;
+  if (cleaned_[all.find('$')] != conversation_.times_cleaned()) snapshot_.outputs_known = 0;
   const Station* station = conversation_.station();
   const Duration late = station ? questions_between * station->lateness() : Duration{};
   const bool old = scheduler_.now() - limits_at_ > limits_hold + late;
   const bool dirty = station && station->is_dirty();
   if (!dirty && !old && cleaned_[0] == conversation_.times_cleaned()) return;
-  for (int axis = 0; axis < draft_.axis_count; ++axis) draft_.axes[axis].limits_known = false;
+  for (int axis = 0; axis < snapshot_.axis_count; ++axis) snapshot_.axes[axis].limits_known = false;
 }
 
 // @ follows them: its reply is a line.
@@ -54,7 +54,7 @@ Task<Result<>> Signals::read(std::string_view which, Priority priority) {
     }
     auto state = co_await conversation_.state(priority);
     if (!state) co_return fail(state.error());
-    if (confirm() || !is_told(which.front())) break;
+    if (confirm() || !is_reported(which.front())) break;
   }
   co_return Result<>();
 }
@@ -76,7 +76,7 @@ Task<Result<>> Signals::ask_next(Priority priority) {
 }
 
 Task<Result<>> Signals::ask(char which, Priority priority) {
-  if (!is_told(which)) co_return Result<>();
+  if (!is_reported(which)) co_return Result<>();
   if (std::none_of(asked_.begin(), asked_.end(), [](const auto& byte) { return byte.has_value(); }))
     unexpected_ = conversation_.unexpected();
   auto byte = co_await conversation_.raw(which, priority);
@@ -96,9 +96,9 @@ Task<Result<>> Signals::read_analog(Priority priority) {
     asked_ = {};
     co_return fail(number.error());
   }
-  draft_.analog[0] = static_cast<std::int32_t>(*number);
-  draft_.analog_known |= 1;
-  draft_.analog_seen_at[0] = scheduler_.now();
+  snapshot_.analog[0] = static_cast<std::int32_t>(*number);
+  snapshot_.analog_known |= 1;
+  snapshot_.analog_seen_at[0] = scheduler_.now();
   co_return Result<>();
 }
 
@@ -126,21 +126,21 @@ bool Signals::believe(std::size_t i, unsigned char byte) {
 void Signals::show(std::size_t i, unsigned char byte) {
   switch (all[i]) {
     case '~':
-      draft_.inputs = inputs_of(byte);
-      draft_.inputs_known = 0xFF;
-      draft_.inputs_asked_at = inputs_asked_at_;
+      snapshot_.inputs = inputs_of(byte);
+      snapshot_.inputs_known = 0xFF;
+      snapshot_.inputs_asked_at = inputs_asked_at_;
       break;
     case '$':
-      draft_.outputs = byte & 0x0Fu;
-      draft_.outputs_known = 0x0F;
-      draft_.io_seen_at = scheduler_.now();
+      snapshot_.outputs = byte & 0x0Fu;
+      snapshot_.outputs_known = 0x0F;
+      snapshot_.io_seen_at = scheduler_.now();
       break;
     default:
       limits_at_ = scheduler_.now();
-      for (int axis = 0; axis < draft_.axis_count; ++axis) {
-        draft_.axes[axis].limit_minus = limit_active(byte, axis, Sign::minus);
-        draft_.axes[axis].limit_plus = limit_active(byte, axis, Sign::plus);
-        draft_.axes[axis].limits_known = axis < motors_per_controller || identification_.has_slave();
+      for (int axis = 0; axis < snapshot_.axis_count; ++axis) {
+        snapshot_.axes[axis].limit_minus = limit_active(byte, axis, Sign::minus);
+        snapshot_.axes[axis].limit_plus = limit_active(byte, axis, Sign::plus);
+        snapshot_.axes[axis].limits_known = axis < motors_per_controller || identification_.has_slave();
       }
   }
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Reads limits, inputs, outputs and the analog input, and shows them once they can be believed. A one-byte
-// reply may be any byte: it counts once a question of another kind has been answered after it with no stray
-// byte in between. After the line was dirty, two such readings must agree.
+// reply may be any byte: it counts once a question of another kind has been answered after it with no
+// unexpected byte in between. After the line was dirty, two such readings must agree.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -19,7 +19,7 @@ class Signals {
  public:
   Signals(const Console& console, Conversation& conversation, Identification& identification)
       : scheduler_(console.scheduler),
-        draft_(console.draft),
+        snapshot_(console.snapshot),
         changed_(console.changed),
         conversation_(conversation),
         identification_(identification) {}
@@ -51,12 +51,12 @@ class Signals {
  private:
   static constexpr std::string_view all = "?~$";
   Task<Result<>> read_analog(Priority priority);
-  [[nodiscard]] bool is_told(char which) const { return which != '$' || identification_.tells_outputs(); }
+  [[nodiscard]] bool is_reported(char which) const { return which != '$' || identification_.tells_outputs(); }
   bool believe(std::size_t which, unsigned char byte);
   void show(std::size_t which, unsigned char byte);
 
   Scheduler& scheduler_;
-  Snapshot& draft_;
+  Snapshot& snapshot_;
   std::function<void()> changed_;
   Conversation& conversation_;
   Identification& identification_;

@@ -24,7 +24,7 @@ bool may_be_select_without_m(const TextCommand& c) {
 void Slots::was_selected(int slot) {
   selected_ = chosen_ = slot;
   may_be_selected_ = only(slot);
-  if (!conversation_.listens().running) console_.draft.program.slot = static_cast<std::int8_t>(slot);
+  if (!conversation_.listens().running) console_.snapshot.program.slot = static_cast<std::int8_t>(slot);
 }
 
 // A PM that has lost its P is another question, M.
@@ -49,7 +49,7 @@ Task<Result<>> Slots::read_sizes() {
   auto read = co_await read_size();
   if (!read) co_return read;
   for (int slot = 0; slot < program_count; ++slot) {
-    if (console_.draft.slot_bytes_used[ix(slot)] >= 0) continue;
+    if (console_.snapshot.slot_bytes_used[ix(slot)] >= 0) continue;
     auto chosen = co_await choose(slot, Priority::poll);
     if (!chosen) co_return chosen;
     read = co_await read_size();
@@ -60,7 +60,7 @@ Task<Result<>> Slots::read_sizes() {
 }
 
 Task<Result<>> Slots::read_size() {
-  std::int16_t& used = console_.draft.slot_bytes_used[ix(chosen_)];
+  std::int16_t& used = console_.snapshot.slot_bytes_used[ix(chosen_)];
   if (used >= 0) co_return Result<>();
   auto free = co_await conversation_.number("M", Priority::poll);
   if (!free) co_return fail(free.error());
@@ -79,7 +79,7 @@ bool Slots::may_be_scratch(int slot) const {
 }
 
 Task<Result<int>> Slots::find_empty() {
-  const auto& used = console_.draft.slot_bytes_used;
+  const auto& used = console_.snapshot.slot_bytes_used;
   if (confirmed_empty_ >= 0 && used[ix(confirmed_empty_)] == 0 && may_be_scratch(confirmed_empty_))
     co_return confirmed_empty_;
   for (const bool selected_too : {false, true})  // the selected one only when no other is left
@@ -94,7 +94,7 @@ Task<Result<int>> Slots::find_empty() {
         co_return slot;
       }
       doubt(slot);
-      console_.draft.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - *free);
+      console_.snapshot.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - *free);
     }
   const Fault none(FaultKind::refused,
                    "All five programs of the controller contain commands, and a move from the console needs "
@@ -143,7 +143,7 @@ Task<Result<>> Slots::take_back_pauses(Priority priority) {
 
 // While the program holds more than it did and ends with a pause, that pause is the console's.
 Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
-  const std::int16_t used = console_.draft.slot_bytes_used[ix(slot)];
+  const std::int16_t used = console_.snapshot.slot_bytes_used[ix(slot)];
   for (int attempt = 0; attempt <= program_count; ++attempt) {
     auto chosen = co_await choose(slot, priority);
     if (!chosen) co_return chosen;
@@ -157,8 +157,8 @@ Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
     }
     if (listing->free_bytes >= program_bytes - used) co_return Result<>();
     if (listing->slot != slot || commands.empty() || commands.back().verb != Verb::pause) break;
-    auto said = co_await conversation_.transmit("del", priority);
-    if (!said) co_return said;
+    auto sent = co_await conversation_.transmit("del", priority);
+    if (!sent) co_return sent;
   }
   doubt(slot);
   console_.report(Notice::Kind::warning,
@@ -191,12 +191,12 @@ const std::optional<Slots::Lines>& Slots::listing(int slot) const {
 }
 
 void Slots::holds(int slot, const Listing& listing) {
-  console_.draft.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing.free_bytes);
+  console_.snapshot.slot_bytes_used[ix(slot)] = static_cast<std::int16_t>(program_bytes - listing.free_bytes);
   listings_[ix(slot)] = listing.commands;
 }
 
 void Slots::doubt(int slot) {
-  console_.draft.slot_bytes_used[ix(slot)] = -1;
+  console_.snapshot.slot_bytes_used[ix(slot)] = -1;
   listings_[ix(slot)].reset();
   if (confirmed_empty_ == slot) confirmed_empty_ = -1;
   sizes_read_ = false;
@@ -205,7 +205,7 @@ void Slots::doubt(int slot) {
 void Slots::selected_was_changed() {
   if (selected_ < 0) return;
   doubt(selected_);
-  console_.draft.unsaved_programs = true;
+  console_.snapshot.unsaved_programs = true;
 }
 
 void Slots::doubt_all() {
@@ -217,8 +217,8 @@ void Slots::forget() {
   selected_ = chosen_ = 0;
   may_be_selected_ = only(0);
   may_have_grown_ = 0;
-  console_.draft.unsaved_programs = false;
-  console_.draft.program.slot = 0;
+  console_.snapshot.unsaved_programs = false;
+  console_.snapshot.program.slot = 0;
 }
 
 }  // namespace hw::vxm

@@ -25,7 +25,7 @@ class Slots {
         conversation_(conversation),
         parameters_(setup),
         may_touch_(std::move(may_touch)),
-        progress_(console.draft.transfer, console.catalog) {}
+        progress_(console.snapshot.transfer, console.catalog) {}
 
   // ---- selection
   /// The user's choice; -1: not known.

@@ -205,9 +205,9 @@ Task<Result<>> Slots::load_slot(int slot, const Lines& lines, const Lines& expec
   auto chosen = co_await choose(slot, Priority::transfer);
   if (!chosen) co_return chosen;
   const std::uint8_t mark = torn_bit(console_.catalog, slot);
-  console_.draft.slots_torn |= mark;
+  console_.snapshot.slots_torn |= mark;
   doubt(slot);
-  console_.draft.unsaved_programs = true;
+  console_.snapshot.unsaved_programs = true;
   progress_.begin(slot, console_.scheduler.now());
   auto loaded = co_await write_slot(slot, lines, expected);
   if (!loaded && loaded.error().kind == FaultKind::garbled && !conversation_.listens().halted) {
@@ -215,7 +215,7 @@ Task<Result<>> Slots::load_slot(int slot, const Lines& lines, const Lines& expec
     if (chosen) loaded = co_await write_slot(slot, lines, expected);
   }
   progress_.end();
-  if (loaded) console_.draft.slots_torn = static_cast<std::uint8_t>(console_.draft.slots_torn & ~mark);
+  if (loaded) console_.snapshot.slots_torn = static_cast<std::uint8_t>(console_.snapshot.slots_torn & ~mark);
   co_return loaded;
 }
 
@@ -248,8 +248,8 @@ Task<Result<>> Slots::send_lines(const Lines& lines) {
 }
 
 std::string Slots::incomplete(int slot) const {
-  const TransferState& t = console_.draft.transfer;
-  const std::string written = say_written(t);
+  const TransferState& t = console_.snapshot.transfer;
+  const std::string written = report_written(t);
   const bool all = t.phase == TransferState::Phase::writing && t.total > 0 && t.done >= t.total;
   return fmt::format("Program {} {} in the controller{}{}.", slot,
                      all ? "may be incomplete" : "is incomplete", written.empty() ? "" : ": ", written);

@@ -11,8 +11,8 @@ Task<Result<>> Status::take(char state) {
     co_return co_await restarts_.found("The controller has gone to Local mode");
   }
   presence_.seen_on_line();
-  if (state == ready && presence_.reset_was_said()) co_return co_await restarts_.found_reset_on_line();
-  ProgramState& program = console_.draft.program;
+  if (state == ready && presence_.reset_was_sent()) co_return co_await restarts_.found_reset_on_line();
+  ProgramState& program = console_.snapshot.program;
   if (state == busy && !under_way_.busy()) {
     under_way_.program_begins(-1);  // by the Run button, or from before this connection
   } else if (state == ready && under_way_.job().active()) {
@@ -21,7 +21,7 @@ Task<Result<>> Status::take(char state) {
   } else if (state == ready && under_way_.program_runs()) {
     under_way_.run_ended(EndedBy::target);
   } else if (state == ready && program.run != RunState::error) {
-    // Overrides a stray message.
+    // Overrides an unexpected message.
     if (program.run == RunState::held) hold_.doubt();
     program.run = RunState::idle;
   }
@@ -37,9 +37,9 @@ Task<Result<>> Status::see_to_dirt() {
   co_return co_await take(*state);
 }
 
-Task<Result<>> Status::ask_whether_it_hears_again() {
+Task<Result<>> Status::ask_whether_it_answers_again() {
   if (!presence_.is_to_be_asked_again()) co_return Result<>();
-  auto reply = co_await conversation_.whether_it_hears();
+  auto reply = co_await conversation_.whether_it_answers();
   if (!reply) co_return reply.error().kind == FaultKind::lost ? fail(reply.error()) : Result<>();
   const auto state = decode_state(*reply);
   if (!state || !presence_.is_halted()) co_return Result<>();

@@ -26,7 +26,7 @@ class Status {
   Task<Result<>> see_to_dirt();
   /// After its error report the controller answers nothing but K. If it answers V, it was switched off and
   /// on, or received somebody else's K.
-  Task<Result<>> ask_whether_it_hears_again();
+  Task<Result<>> ask_whether_it_answers_again();
 
  private:
   const Console& console_;

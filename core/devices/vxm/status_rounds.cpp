@@ -16,7 +16,7 @@ constexpr Duration io_in_a_stop_every = Millis(500);  // a long ramp must not le
 
 Task<Result<>> StatusRounds::poll(Round round) {
   if (!conversation_.station()) co_return fail(FaultKind::lost, "There is no connection to the controller.");
-  if (presence_.is_halted()) co_return co_await status_.ask_whether_it_hears_again();
+  if (presence_.is_halted()) co_return co_await status_.ask_whether_it_answers_again();
   Result<> polled;
   if (presence_.stays_local())
     polled = co_await poll_local();
@@ -55,14 +55,14 @@ Task<Result<>> StatusRounds::poll_on_line(Round round) {
   auto settled = co_await legs_.settle();
   if (!settled && settled.error().kind == FaultKind::no_answer && conversation_.station()) {
     // A restart has left it in Local mode, where V is the only question that is answered.
-    const std::uint32_t restarts = console_.draft.restarts;
+    const std::uint32_t restarts = console_.snapshot.restarts;
     const int misses = conversation_.station()->statistics().misses_in_a_row;
     auto mode = co_await conversation_.state(Priority::poll);
     if (!mode) co_return settled;
     auto found = co_await status_.take(*mode);
-    if (console_.draft.restarts != restarts) co_return found;
+    if (console_.snapshot.restarts != restarts) co_return found;
     if (conversation_.station())
-      conversation_.station()->resume_misses(misses);  // V does not tell where it is
+      conversation_.station()->resume_misses(misses);  // V does not show where it is
   }
   if (!settled) co_return settled;
   // V first: it is answered in every mode, so a restart shows before X is asked in vain.
@@ -123,8 +123,8 @@ Task<Result<>> StatusRounds::poll_local() {
   if (!reply) co_return fail(reply.error());
   const auto places = decode_digitized(*reply, max_motors);
   if (!places) co_return Result<>();
-  for (int i = 0; i < console_.draft.axis_count && i < static_cast<int>(places->positions.size()); ++i) {
-    AxisState& axis = console_.draft.axes[i];
+  for (int i = 0; i < console_.snapshot.axis_count && i < static_cast<int>(places->positions.size()); ++i) {
+    AxisState& axis = console_.snapshot.axes[i];
     const auto before = axis.position;
     positions_.show(i, places->positions[static_cast<std::size_t>(i)]);
     const bool turns = *state == jog_moving && before != axis.position;

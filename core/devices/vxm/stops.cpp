@@ -39,8 +39,8 @@ Task<Result<>> Stops::stop_blind(const StopOrder& order) {
 // As far as known, nothing runs. In Local mode D is answered; nothing may be sent into that reply.
 Task<Result<>> Stops::stop_unknown() {
   const Instant sent_at = console_.scheduler.now();
-  auto said = co_await conversation_.transmit("D", Priority::stop);
-  if (!said || !conversation_.station()) co_return said;
+  auto sent = co_await conversation_.transmit("D", Priority::stop);
+  if (!sent || !conversation_.station()) co_return sent;
   auto waited = co_await conversation_.station()->pause(conversation_.station()->wire_time(4) + Millis(2));
   if (!waited || conversation_.received_at() <= sent_at) co_return waited;
   co_return co_await conversation_.wait_for_quiet();
@@ -48,8 +48,8 @@ Task<Result<>> Stops::stop_unknown() {
 
 // K is dropped in Local mode. F disables the jog buttons.
 Task<Result<>> Stops::stop_local() {
-  auto said = co_await conversation_.transmit("F", Priority::stop);
-  if (!said) co_return said;
+  auto sent = co_await conversation_.transmit("F", Priority::stop);
+  if (!sent) co_return sent;
   presence_.was_sent_on_line();
   co_return co_await kills_.kill(false);
 }
@@ -80,7 +80,7 @@ Task<Result<>> Stops::ramp_down() {
 // that stands when its stop comes is sent no H, unless it goes on after all.
 Task<Result<>> Stops::stop_program(const StopOrder& order) {
   if (order.what == StopOrder::What::jog) co_return Result<>();
-  const auto is_held = [this] { return console_.draft.program.run == RunState::held; };
+  const auto is_held = [this] { return console_.snapshot.program.run == RunState::held; };
   if (is_held() || ramp_.is_over()) co_return co_await kills_.kill(true);
   if (order.at_once) co_return co_await kills_.kill(false);
   ramp_.expect_of_program();
@@ -100,8 +100,8 @@ Task<Result<>> Stops::stop_program(const StopOrder& order) {
 
 void Stops::show_stopping() {
   for (const int index : {under_way_.job().leg().axis, under_way_.job().leg().second_axis})
-    if (index >= 0 && console_.draft.axes[index].activity != Activity::idle)
-      console_.draft.axes[index].activity = Activity::stopping;
+    if (index >= 0 && console_.snapshot.axes[index].activity != Activity::idle)
+      console_.snapshot.axes[index].activity = Activity::stopping;
 }
 
 // A command cut short by it is stored and not run.
@@ -110,7 +110,7 @@ LastWill Stops::last_will() { return {{Millis(0), "\rD"}}; }
 StopProgress Stops::progress(const StopOrder& order) {
   if (presence_.is_halted()) return StopProgress::stands();  // nothing goes on until K
   const bool ramps_by_words =
-      under_way_.job().active() && ramp_.is_expected();  // other stops are told by the reply
+      under_way_.job().active() && ramp_.is_expected();  // other stops show in the reply
   if (order.what == StopOrder::What::words && !ramps_by_words) return StopProgress::stands();
   if (under_way_.job().active()) {
     if (!under_way_.job().concerns(order)) return StopProgress::stands();

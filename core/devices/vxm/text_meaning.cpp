@@ -42,12 +42,12 @@ TextMeaning meaning_of(std::string_view text, const Listening& now, bool own_mov
   const Piece* last = last_command_of(pieces);
   TextMeaning meaning;
   meaning.stops = stopped_by(commands, now, own_move);
-  meaning.end_is_told = !last || !last->answer || last->answer->perhaps;  // by a prompt
+  meaning.end_is_reported = !last || !last->answer || last->answer->perhaps;  // by a prompt
   const bool at_rest = !now.running && !commands.empty() && is_letter(commands.back(), 'D');
-  if (at_rest && meaning.is_stop()) meaning.end_is_told = false;
+  if (at_rest && meaning.is_stop()) meaning.end_is_reported = false;
   const bool nothing_comes =
       last_is_dropped(commands, now) || (!commands.empty() && is_word(commands.back(), "res"));
-  if (meaning.end_is_told)
+  if (meaning.end_is_reported)
     meaning.answered = nothing_comes ? TextMeaning::Answered::never : TextMeaning::Answered::later;
   meaning.only_asks = !commands.empty() && std::all_of(commands.begin(), commands.end(), asks);
   meaning.changes_programs = std::any_of(commands.begin(), commands.end(), changes_programs);

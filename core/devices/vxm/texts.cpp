@@ -49,7 +49,7 @@ std::string with_answers(std::string_view answers, std::string_view done) {
 void Texts::note_taken(const Piece& piece) {
   for (const TextCommand& c : piece.taken)
     if (c.flaw == Flaw::none) note_taken(c);
-  if (piece.resets) presence_.say_reset();
+  if (piece.resets) presence_.note_reset_sent();
 }
 
 void Texts::note_taken(const TextCommand& c) {
@@ -62,7 +62,8 @@ void Texts::note_taken(const TextCommand& c) {
   if (c.verb == Verb::set) parameters_.was_set(c.name);
   if (c.verb == Verb::word && c.name == "del") slots_.selected_was_changed();
   if (c.verb == Verb::word && c.name == "rsm") parameters_.was_stored();
-  if (c.verb == Verb::word && c.name == "res") presence_.hears_again();  // the next V finds it restarted
+  if (c.verb == Verb::word && c.name == "res")
+    presence_.note_answers_again();  // the next V finds it restarted
   if (c.verb == Verb::letter) note_letter(c.letter);
 }
 
@@ -71,22 +72,22 @@ void Texts::note_letter(char letter) {
     case 'C': slots_.selected_was_changed(); break;
     case 'K':
       kills_.doubt_positions();
-      under_way_.kill_was_said();
+      under_way_.kill_was_sent();
       break;
     case 'D':
       if (!presence_.is_local()) under_way_.job().note_stop();
       break;
     case 'H':
       hold_.was_toggled();
-      if (console_.draft.program.run == RunState::held) console_.draft.program.run = RunState::running;
+      if (console_.snapshot.program.run == RunState::held) console_.snapshot.program.run = RunState::running;
       break;
     case 'Q': presence_.was_sent_to_local(); break;
     case 'E':
     case 'F':
     case 'G':
       presence_.was_sent_on_line();
-      if (letter == 'G' && console_.draft.program.run != RunState::idle)
-        console_.draft.program.run = RunState::running;
+      if (letter == 'G' && console_.snapshot.program.run != RunState::idle)
+        console_.snapshot.program.run = RunState::running;
       break;
     case 'R':
       if (!under_way_.program_runs()) under_way_.program_begins(slots_.selected());
@@ -173,7 +174,8 @@ Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, P
     if (!reply && may_be_silent && reply.error().kind == FaultKind::no_answer) continue;
     if (!reply) {
       if (was_sent && piece.kills) under_way_.kill_not_confirmed(EndedBy::abort);
-      if (was_sent && piece.stores) console_.draft.unsaved_setup = console_.draft.unsaved_programs = true;
+      if (was_sent && piece.stores)
+        console_.snapshot.unsaved_setup = console_.snapshot.unsaved_programs = true;
       all.fault = std::move(reply.error());
       co_return all;
     }

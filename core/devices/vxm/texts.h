@@ -40,7 +40,7 @@ class Texts {
   Task<Result<>> send(std::string text);
   /// Returns the replies; empty if the reply is a prompt that comes later.
   Task<Result<std::string>> converse(std::string text, Duration patience, Priority priority);
-  /// A stop by a text of the user. A caller that waits for the reply is also told the end of the move.
+  /// A stop by a text of the user. A caller that waits for the reply also gets the end of the move.
   Task<Result<std::string>> stop_by_words(const StopOrder& order);
 
  private:

@@ -12,24 +12,24 @@ void UnderWay::program_begins(int slot) {
   program_runs_ = true;
   hold_.nothing_runs_from_before();
   killed_at_ = {};  // the next prompt belongs to this run
-  ProgramState& p = console_.draft.program;
+  ProgramState& p = console_.snapshot.program;
   p.run = RunState::running;
   p.owned = true;
   p.slot = static_cast<std::int8_t>(slot >= 0 ? slot : slots_.selected());
   p.command = -1;
-  p.command_told = false;
+  p.command_reported = false;
   p.stepping = hold_.is_on();
   p.started_at = console_.scheduler.now();
   forget_how_it_ended();
   readings_.forget_directions();
   ended_run_.reset();
-  console_.draft.working = false;
+  console_.snapshot.working = false;
 }
 
 void UnderWay::forget_how_it_ended() {
-  Snapshot& draft = console_.draft;
-  draft.program.ended_by = EndedBy::nothing;
-  for (int i = 0; i < draft.axis_count; ++i) draft.axes[i].ended_by = EndedBy::nothing;
+  Snapshot& snapshot = console_.snapshot;
+  snapshot.program.ended_by = EndedBy::nothing;
+  for (int i = 0; i < snapshot.axis_count; ++i) snapshot.axes[i].ended_by = EndedBy::nothing;
 }
 
 // ---- end of a run
@@ -41,10 +41,10 @@ void UnderWay::run_ended(EndedBy ended_by) {
   }
   const bool was_running = std::exchange(program_runs_, false);
   if (!was_running) return;
-  ProgramState& p = console_.draft.program;
-  const bool untold = p.ended_by == EndedBy::nothing;
+  ProgramState& p = console_.snapshot.program;
+  const bool unreported = p.ended_by == EndedBy::nothing;
   const bool was_stopped = ramp_.is_expected();
-  if (was_stopped && ended_by == EndedBy::target && untold)
+  if (was_stopped && ended_by == EndedBy::target && unreported)
     ended_by = EndedBy::stop;                              // its last index was cut
   if (was_stopped && hold_.is_on()) hold_.release_soon();  // the hold of its stop must not keep the next run
   ramp_.forget();
@@ -53,15 +53,15 @@ void UnderWay::run_ended(EndedBy ended_by) {
   if (ended_by != EndedBy::target) p.ended_by = ended_by;
   if (ended_by == EndedBy::target) {
     ended_run_ = p.slot;
-    console_.draft.working = true;  // until the limits have shown how it ended
+    console_.snapshot.working = true;  // until the limits have shown how it ended
   }
   p.owned = false;
   p.stepping = false;
   p.command = -1;
-  p.command_told = false;
+  p.command_reported = false;
   p.slot = static_cast<std::int8_t>(slots_.selected());
-  for (int i = 0; i < console_.draft.axis_count; ++i) {
-    AxisState& axis = console_.draft.axes[i];
+  for (int i = 0; i < console_.snapshot.axis_count; ++i) {
+    AxisState& axis = console_.snapshot.axes[i];
     const bool turned = axis.activity != Activity::idle && axis.activity != Activity::unknown;
     if (turned && ended_by != EndedBy::target) axis.ended_by = ended_by;
     if (turned) axis.activity = Activity::idle;
@@ -70,8 +70,8 @@ void UnderWay::run_ended(EndedBy ended_by) {
 }
 
 void UnderWay::killed(EndedBy ended_by) {
-  kill_was_said();
-  presence_.hears_again();
+  kill_was_sent();
+  presence_.note_answers_again();
   hold_.ended();
   ramp_.forget();
   if (job_.active()) {
@@ -80,17 +80,17 @@ void UnderWay::killed(EndedBy ended_by) {
     job_.leg_is_over();
   }
   if (program_runs_) run_ended(ended_by);
-  Snapshot& draft = console_.draft;
-  draft.program.run = RunState::idle;
-  for (int i = 0; i < draft.axis_count; ++i)
-    if (draft.axes[i].activity == Activity::error) draft.axes[i].activity = Activity::idle;
+  Snapshot& snapshot = console_.snapshot;
+  snapshot.program.run = RunState::idle;
+  for (int i = 0; i < snapshot.axis_count; ++i)
+    if (snapshot.axes[i].activity == Activity::error) snapshot.axes[i].activity = Activity::idle;
   news_.notify();
 }
 
 void UnderWay::kill_not_confirmed(EndedBy ended_by) {
   if (hold_.is_on()) hold_.doubt();
   if (job_.active() && !job_.is_leg_over()) job_.ends_by(ended_by);
-  if (program_runs_) console_.draft.program.ended_by = ended_by;
+  if (program_runs_) console_.snapshot.program.ended_by = ended_by;
 }
 
 void UnderWay::forget() {
@@ -98,29 +98,29 @@ void UnderWay::forget() {
   presence_.reset_is_over();
   job_ = Job();
   program_runs_ = false;
-  console_.draft.program.run = RunState::idle;
-  console_.draft.program.owned = false;
+  console_.snapshot.program.run = RunState::idle;
+  console_.snapshot.program.owned = false;
   ramp_.forget();
 }
 
 void UnderWay::wire_lost() {
-  Snapshot& draft = console_.draft;
+  Snapshot& snapshot = console_.snapshot;
   lost_while_busy_ = lost_while_busy_ || busy();
-  if (std::exchange(ended_run_, std::nullopt) && draft.program.ended_by == EndedBy::nothing)
-    draft.program.ended_by = EndedBy::lost;
-  draft.working = false;
+  if (std::exchange(ended_run_, std::nullopt) && snapshot.program.ended_by == EndedBy::nothing)
+    snapshot.program.ended_by = EndedBy::lost;
+  snapshot.working = false;
   ramp_.forget();
   hold_.wire_lost();
   job_.drop_rest();  // no leg begins by itself after this
-  for (int i = 0; i < draft.axis_count; ++i) {
-    AxisState& axis = draft.axes[i];
+  for (int i = 0; i < snapshot.axis_count; ++i) {
+    AxisState& axis = snapshot.axes[i];
     if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
     axis.activity = Activity::unknown;
     axis.position_known = false;
     axis.limits_known = false;
     axis.direction = 0;
   }
-  draft.inputs_known = draft.outputs_known = draft.analog_known = 0;
+  snapshot.inputs_known = snapshot.outputs_known = snapshot.analog_known = 0;
   news_.notify();
 }
 

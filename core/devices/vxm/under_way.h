@@ -27,7 +27,7 @@ class UnderWay {
         news_(console.scheduler) {}
 
   [[nodiscard]] bool busy() const { return job_.active() || program_runs_; }
-  /// Notified when something was heard or found out.
+  /// Notified when something was received or concluded.
   Event& news() { return news_; }
 
   // ---- moves of the console
@@ -50,7 +50,7 @@ class UnderWay {
   void killed(EndedBy ended_by = EndedBy::abort);
   /// The next V shows what K has ended. Nothing shows whether it ended the hold.
   void kill_not_confirmed(EndedBy ended_by);
-  void kill_was_said() { killed_at_ = console_.scheduler.now(); }
+  void kill_was_sent() { killed_at_ = console_.scheduler.now(); }
   [[nodiscard]] Instant killed_at() const { return killed_at_; }
   /// The controller has restarted.
   void forget();

@@ -12,7 +12,7 @@ void UnsolicitedMessages::received(const Message& m) {
     case Message::Kind::prompt: received_prompt(); break;
     case Message::Kind::limit: received_limit(); break;
     case Message::Kind::waits:
-      if (under_way_.program_runs()) console_.draft.program.run = RunState::waiting;
+      if (under_way_.program_runs()) console_.snapshot.program.run = RunState::waiting;
       console_.texts.add("W");
       break;
     case Message::Kind::passed: console_.texts.add("@"); break;
@@ -47,11 +47,11 @@ void UnsolicitedMessages::received_held(std::string_view command) {
     hold_.release_soon();  // a hold left on must not keep a move of the console
     return;
   }
-  ProgramState& p = console_.draft.program;
+  ProgramState& p = console_.snapshot.program;
   p.run = RunState::held;
   p.stepping = true;
   hold_.showed();
-  p.command_told = false;
+  p.command_reported = false;
   const int before = p.command;
   p.command = -1;
   if (!slots_.listing(p.slot)) return;
@@ -64,11 +64,11 @@ void UnsolicitedMessages::received_held(std::string_view command) {
     if (next < 0 && i > before) next = i;
   }
   p.command = static_cast<std::int16_t>(next >= 0 ? next : first);
-  p.command_told = matches == 1;
+  p.command_reported = matches == 1;
 }
 
 void UnsolicitedMessages::received_limit() {
-  const ParamState& report = console_.draft.params[ix(console_.catalog.find_param("O"))];
+  const ParamState& report = console_.snapshot.params[ix(console_.catalog.find_param("O"))];
   const bool ends_program = report.known && (report.value & limit_ends_program) != 0;  // its end tells then
   if (under_way_.job().active())
     under_way_.job().report_limit();
@@ -78,7 +78,7 @@ void UnsolicitedMessages::received_limit() {
     console_.report(
         Notice::Kind::warning,
         "A limit switch was hit. The controller has stopped that motor, and its program goes on.");
-  if (under_way_.program_runs()) console_.draft.program.ended_by = EndedBy::limit;
+  if (under_way_.program_runs()) console_.snapshot.program.ended_by = EndedBy::limit;
   console_.texts.add("O");
 }
 
@@ -88,17 +88,18 @@ void UnsolicitedMessages::received_error(char letter) {
   console_.texts.add(std::string("E") + letter);
   if (letter == error_stopped) {
     if (under_way_.job().active()) under_way_.job().ends_by(EndedBy::elsewhere);
-    if (under_way_.program_runs()) console_.draft.program.ended_by = EndedBy::elsewhere;
-    console_.draft.program.command = -1;
+    if (under_way_.program_runs()) console_.snapshot.program.ended_by = EndedBy::elsewhere;
+    console_.snapshot.program.command = -1;
     return;
   }
   if (words.halts) {
     presence_.halted_by(letter);
-    console_.draft.inputs_known = console_.draft.outputs_known = console_.draft.analog_known =
+    console_.snapshot.inputs_known = console_.snapshot.outputs_known = console_.snapshot.analog_known =
         0;  // not reported now
     under_way_.run_ended(EndedBy::error);
-    console_.draft.program.run = RunState::error;
-    for (int i = 0; i < console_.draft.axis_count; ++i) console_.draft.axes[i].activity = Activity::error;
+    console_.snapshot.program.run = RunState::error;
+    for (int i = 0; i < console_.snapshot.axis_count; ++i)
+      console_.snapshot.axes[i].activity = Activity::error;
     headline_.show();
   }
   if (letter == error_bus) identification_.lose_slave();

@@ -49,14 +49,14 @@ class StructureCheck {
       default: break;
     }
     if (place_ == Place::outside) enter_text_before_headings(s);
-    if (place_ != Place::outside) see_block(s);  // a stray line is reported once
+    if (place_ != Place::outside) see_block(s);  // an unexpected line is reported once
   }
 
   void begin_program(const Statement& s) {
     leave_unfinished(s);
     place_ = Place::program;
     opened_by_ = &s;
-    stray_ = false;
+    unexpected_ = false;
     note(programs_, s, "PRG ");
   }
 
@@ -64,7 +64,7 @@ class StructureCheck {
     leave_unfinished(s);
     place_ = Place::sub;
     opened_by_ = &s;
-    stray_ = false;
+    unexpected_ = false;
     note(subs_, s, "SUB ");
   }
 
@@ -85,9 +85,9 @@ class StructureCheck {
       opened_by_ = programs_[0] = &s;
       return;
     }
-    if (!stray_)
+    if (!unexpected_)
       say(s, "Put this before END or ENDSUB, or under a PRG or SUB: here it is outside any program.");
-    stray_ = true;  // once for a run of such lines
+    unexpected_ = true;  // once for a run of such lines
   }
 
   void end_program(const Statement& s) {
@@ -188,7 +188,7 @@ class StructureCheck {
   std::vector<Problem>& problems_;
   Place place_ = Place::outside;
   const Statement* opened_by_ = nullptr;  ///< the first statement of what is open now, or was last
-  bool stray_ = false;
+  bool unexpected_ = false;
   std::vector<Block> blocks_;
   std::array<const Statement*, max_programs> programs_{};
   std::array<const Statement*, subroutines> subs_{};
