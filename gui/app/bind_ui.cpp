@@ -40,6 +40,14 @@ int value(Call& call) {
   });
 }
 
+int drag(Call& call) {
+  const double share = call.has(3) ? call.number(3, "share") : 0.5;
+  if (share < 0 || share > 1) throw Misuse("ui.drag: a share of the height from 0 to 1");
+  return call.wait_for_act([&ui = hands(call), id = call.text(1, "id"), onto = call.text(2, "id"), share] {
+    return done_or_error(ui.drag(id, onto, static_cast<float>(share)));
+  });
+}
+
 int exists(Call& call) {
   return call.wait_for_act([&ui = hands(call), id = call.text(1, "id")]() -> Answer {
     return [there = ui.exists(id)](lua_State* L) {
@@ -132,6 +140,7 @@ constexpr script::Function functions[] = {
     {"click", on_one<&gui::Automation::click>},
     {"press", on_one<&gui::Automation::press>},
     {"release", on_one<&gui::Automation::release>},
+    {"drag", drag},
     {"key", on_one<&gui::Automation::key>},
     {"key_down", on_one<&gui::Automation::key_down>},
     {"key_up", on_one<&gui::Automation::key_up>},

@@ -160,17 +160,17 @@ Result<> choose_logs(const Given& given) {
 }
 
 /// --help, --version.
-int fulfil(const CLI::App& app, const CLI::Success& wish) {
-  std::ostringstream told;
-  const int status = app.exit(wish, told, told);
-  write_result(told.str());
+int fulfil(const CLI::App& app, const CLI::Success& request) {
+  std::ostringstream output;
+  const int status = app.exit(request, output, output);
+  write_result(output.str());
   return status == 0 ? done : usage;
 }
 
 /// A result that cannot be written makes the job fail.
 int status_with_output(int status) {
   if (!output_is_lost() || status == usage) return status;
-  return output_loss_is_told() ? failed : complain(output_loss());
+  return output_loss_is_reported() ? failed : complain(output_loss());
 }
 
 }  // namespace
@@ -225,12 +225,11 @@ int run_command_line(int argc, char** argv) {
 
   try {
     app.parse(words_for_parser(argc, argv));
-  } catch (const CLI::Success& wish) {  // --help, --version
-    return status_with_output(fulfil(app, wish));
+  } catch (const CLI::Success& request) {  // --help, --version
+    return status_with_output(fulfil(app, request));
   } catch (const CLI::ParseError& error) {
     return complain(
-        fmt::format("{}. `{} --help` tells what there is.", why_not(app, error, argv[1]), asked_for(app)),
-        usage);
+        fmt::format("{}. `{} --help` shows the usage.", why_not(app, error, argv[1]), asked_for(app)), usage);
   }
   if (auto chosen = choose_logs(collect(of_all)); !chosen) return complain(chosen.error(), usage);
   for (Parsed& one : parsed)

@@ -39,7 +39,7 @@ Task<int> put_back(Scheduler& scheduler, const Address& address, std::string fil
   if (!report) co_return complain(report.error());
   print_result("{}\n", report->sentence());
   if (in_ram_only)
-    write_aside("What was written is in force, but gone with the power until the controller stores it.\n");
+    write_aside("The values are in force, and lost at power-off until you store them in the controller.\n");
   for (const std::string& sentence : report->warnings) write_aside(sentence);
   if (report->left_out.empty()) co_return done;
   for (const std::string& sentence : report->left_out) complain(sentence);
@@ -51,7 +51,7 @@ Task<int> put_back(Scheduler& scheduler, const Address& address, std::string fil
 static int backup(const Given& given) {
   const auto address = Address::parse(given.words[0]);
   if (!address) return complain(address.error(), usage);
-  if (!given.has("output")) return complain("It is not said where to: add -o FILE.toml.", usage);
+  if (!given.has("output")) return complain("Add -o FILE.toml: no file is named.", usage);
   return run_here([&](Scheduler& scheduler) { return take(scheduler, *address, given.one("output")); });
 }
 

@@ -30,7 +30,7 @@ static int check(const Given& given) {
 }
 
 const Subcommand check_subcommand{
-    "check", "look a program over without running it", {{"FILE", "the program", 1, 1}}, {model_option}, check,
+    "check", "check a program without running it", {{"FILE", "the program", 1, 1}}, {model_option}, check,
 };
 
 }  // namespace hw::app

@@ -1,6 +1,6 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "core/device/registry.h"
+#include "core/device/language.h"
 #include "core/session/text_file.h"
 #include "core/session/user_files.h"
 #include "gui/app/cli.h"
@@ -9,29 +9,20 @@
 
 namespace hw::app {
 
-/// The lines as a listing (core/devices/arcus/language/LISTING.md), which can be loaded like the program.
-static std::string listing_of(const ProgramReport& report, std::string_view model) {
-  const auto found = report.listing.find(0);
-  const std::vector<std::string> none;
-  const std::vector<std::string>& lines = found == report.listing.end() ? none : found->second;
-  std::string text = fmt::format("LISTING {} {}\n", model, lines.size());
-  for (std::size_t n = 0; n < lines.size(); ++n)
-    text += fmt::format("{:4}{}{}\n", n, lines[n].empty() ? "" : "  ", lines[n]);
-  return text;
-}
-
 static int compile(const Given& given) {
   const auto program = read_program(given);
   if (!program) return complain(program.error(), program.error().kind == FaultKind::text ? usage : failed);
   if (!program->catalog.program.compiled)
     return complain(
         fmt::format("Programs of the {} are stored as they are written: there is nothing to compile. "
-                    "`check` looks them over.",
+                    "`check` checks them.",
                     program->catalog.name));
   const ProgramReport report = program->language->analyse(program->text, 0);
   for (const std::string& line : problem_lines(*program, report)) write_aside(line);
   if (report.has_errors()) return failed;
-  const std::string listing = listing_of(report, program->catalog.model);
+  const auto lines = report.listing.find(0);
+  const std::string listing = program->language->write_listing(
+      lines == report.listing.end() ? std::vector<std::string>() : lines->second);
   if (given.has("listing")) write_result(listing);
   if (!given.has("output")) {
     if (given.has("listing")) return done;
@@ -46,7 +37,7 @@ static int compile(const Given& given) {
 
 const Subcommand compile_subcommand{
     "compile",
-    "make of a program what the controller stores",
+    "compile a program into the form that the controller stores",
     {{"FILE", "the program", 1, 1}},
     {model_option,
      {"output", "OUT", "the file for the stored form", false, "o"},

@@ -134,12 +134,12 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
         house.depart("the display went away");
         house.leave_controllers();
         house.keep_texts();
-        complain("The display has gone away. What this console had begun was told to stop.");
+        complain("The display is gone. Everything that this console had begun was told to stop.");
       },
       [&console] {
         console.let_go();
         console.toast(gui::Severity::warn,
-                      "The display refused a request of this window. Held jogs were let go.");
+                      "The display refused a request of this window. Held jogs were stopped.");
       });
   for (const std::string& address : addresses)
     if (auto opened = console.open(address); !opened) return complain(opened.error(), usage);
@@ -174,7 +174,7 @@ static int open_console(const Given& given) {
 static int demo(const Given& given) {
   if (has_display() && !given.has("headless")) return run_window({}, true);
   if (!has_display())
-    print_result("There is no display: emulated controllers do a job in words and pictures.\n");
+    print_result("There is no display: emulated controllers run a demonstration in text and pictures.\n");
   return headless_demo(given.one("pictures", folder_for_pictures()));
 }
 
@@ -194,7 +194,7 @@ const Subcommand demo_subcommand{
       "where the headless demonstration leaves its pictures (default: demo beside the program that was "
       "built, or "
       "handwheel-demo)"},
-     {"headless", "", "no window even where there is a display"}},
+     {"headless", "", "no window, even with a display"}},
     demo,
 };
 

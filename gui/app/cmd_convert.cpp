@@ -45,7 +45,7 @@ Result<MeantFor> read_who_draws(const Given& given) {
         fmt::format("--id {}: only several controllers of one axis each draw together.", given.one("id")), {},
         "Write --for dmx-k-sa --id 01-02, for instance.");
   if (!given.one("output").ends_with(".toml"))
-    return fail(FaultKind::text, "Several controllers have no one program.", {},
+    return fail(FaultKind::text, "Several controllers share no single program.", {},
                 "Write the sequence: -o OUT.toml. A script runs it with bus:run_in_pieces(text).");
   return MeantFor{nullptr, std::move(*together)};
 }
@@ -56,7 +56,7 @@ Result<SequenceText> write(const sequence::Sequence& sequence, const MeantFor& m
   const auto parts = pieces_together(sequence, meant.catalog, 0);
   if (!parts) return fail(parts.error());
   SequenceText none;
-  auto tool = said_of_tool(sequence, meant.catalog);
+  auto tool = tool_remark(sequence, meant.catalog);
   if (!tool) return fail(tool.error());
   none.tool = std::move(*tool);
   none.remarks.push_back(parts->front().remark);
@@ -69,8 +69,7 @@ Result<> leave_out(const drawing::Drawing& drawing, const Given& given, Conversi
     for (std::size_t i = 0; i < drawing.paths.size(); ++i)
       if (std::to_string(drawing.paths[i].entity) == entity) o.without.push_back(static_cast<int>(i));
     if (o.without.size() == before)
-      return fail(FaultKind::port,
-                  fmt::format("--without {}: the file has no such entity that is drawn.", entity));
+      return fail(FaultKind::port, fmt::format("--without {}: the file draws no such entity.", entity));
   }
   return {};
 }
@@ -156,14 +155,14 @@ void print_words(const Made& m) {
     if (m.saved_s)
       print_result(", {:.1f} s", *m.saved_s);
     else
-      print_result("; --travel-speed tells how long that is");
+      print_result("; --cut-speed and --travel-speed add the time");
     print_result("\n");
   }
   const auto place = [](double v) { return std::fabs(v) < 0.0005 ? 0.0 : v; };  // no "-0.000"
   print_result("from {:.3f}, {:.3f} to {:.3f}, {:.3f} {}\n", place(c.box.low.x), place(c.box.low.y),
                place(c.box.high.x), place(c.box.high.y), c.sequence.unit);
   if (const std::vector<int> box = box_around(m); !box.empty()) {
-    print_result("a box is around all else, perhaps a margin: without it by");
+    print_result("a box surrounds everything else, perhaps a margin: omit it with");
     for (const int entity : box) print_result(" --without {}", entity);
     print_result("\n");
   }
@@ -249,16 +248,16 @@ static void tell_remarks(const std::vector<std::string>& remarks) {
   constexpr std::size_t most = 6;
   for (std::size_t i = 0; i < std::min(most, remarks.size()); ++i) write_aside(remarks[i]);
   if (const std::size_t more = remarks.size() - std::min(most, remarks.size()); more > 0)
-    write_aside(fmt::format("And {} more remark{}; --json tells all.", more, more == 1 ? "" : "s"));
+    write_aside(fmt::format("And {} more remark{}; --json lists all.", more, more == 1 ? "" : "s"));
 }
 
 /// Reports assumed values, and those that differ from the file.
 static void tell_taken(const Given& given, const drawing::Drawing& drawing, const Catalog& catalog) {
   if (!given.has("per-unit") && !given.has("step-length") && !given.has("profile"))
-    write_aside(fmt::format("Nothing says how many {} a {} is: 1 is taken. Say it with --per-unit.",
-                            catalog.step_word, given.has("inch") ? "in" : "mm"));
+    write_aside(fmt::format("--per-unit was not given: 1 is assumed ({} per {}).", catalog.step_word,
+                            given.has("inch") ? "in" : "mm"));
   if (given.has("unit") && !drawing.unit.empty() && drawing.unit != given.one("unit"))
-    write_aside(fmt::format("The file says that it is in {}. It is read in {}, as --unit says.", drawing.unit,
+    write_aside(fmt::format("The file is in {}. It is read in {}, because of --unit.", drawing.unit,
                             given.one("unit")));
 }
 
@@ -278,7 +277,7 @@ static int convert_drawing(const Given& given) {
   if (!meant) return complain(meant.error(), status_of(meant.error()));
   auto options = read_conversion(given, meant->catalog);
   if (!options) return complain(options.error(), usage);
-  if (!given.has("output")) return complain("It is not said where to write it. Add -o OUT.", usage);
+  if (!given.has("output")) return complain("Add -o OUT: no output file is named.", usage);
   const std::string& path = given.words[0];
   const auto drawing = read_drawing(path, meant->catalog, *options);
   if (!drawing) return complain(drawing.error());
@@ -319,39 +318,39 @@ static int convert_drawing(const Given& given) {
 
 const Subcommand convert_subcommand{
     "convert",
-    "make a program of a drawing",
+    "turn a drawing into a program",
     {{"IN.dxf", "the drawing", 1, 1}},
     {model_option,
      {"output", "OUT", "the program; OUT.toml: the sequence", false, "o"},
-     {"unit", "UNIT", "of the drawing, whatever it says: mm, in, cm ..."},
-     {"times", "N", "so many times as large as in the file (1)"},
+     {"unit", "UNIT", "of the drawing, instead of its own: mm, in, cm ..."},
+     {"times", "N", "scale relative to the file (1)"},
      {"inch", "", "lengths of these options are inches, not mm"},
      {"layer", "NAME", "only this layer, also where it is frozen or off", true},
      {"without", "N", "not entity N of the file (1, 2 ...), as a margin", true},
      {"axes", "X,Y", "the axes that draw"},
-     {"per-unit", "N[,N]", "steps of them in a mm (1)"},
-     {"step-length", "D[,D]", "instead: how many mm a step of them is"},
+     {"per-unit", "N[,N]", "steps of an axis in a mm (1)"},
+     {"step-length", "D[,D]", "instead: length of a step in mm"},
      {"profile", "ADDRESS", "instead: the units that the console keeps for this controller"},
      {"origin", "WHERE", "as-drawn, lower-left, or X,Y of the drawing"},
      {"swap", "", "the drawing's X goes along the second axis"},
-     {"mirror", "x|y|xy", "which ways it is turned round"},
-     {"table", "X0,Y0,X1,Y1", "where the tool gets, to be checked"},
+     {"mirror", "x|y|xy", "axes to be mirrored"},
+     {"table", "X0,Y0,X1,Y1", "reach of the tool, to be checked"},
      {"frame", "", "only once around it, with the tool up"},
-     {"join", "D", "ends so near are joined"},
+     {"join", "D", "ends closer than this are joined"},
      {"tolerance", "D", "of chords and staircases"},
      {"keep-order", "", "draw in the order of the file"},
-     {"cut-speed", "V", "with the tool down, a second"},
-     {"travel-speed", "V", "with the tool up"},
-     {"low-speed", "V", "at which ramps of these speeds begin"},
-     {"ramp", "MS", "how long a ramp takes"},
+     {"cut-speed", "V", "per second, with the tool down"},
+     {"travel-speed", "V", "per second, with the tool up"},
+     {"low-speed", "V", "speed at which ramps begin"},
+     {"ramp", "MS", "duration of a ramp"},
      {"pen-output", "N", "is on while the tool is down"},
      {"pen-axis", "A:DOWN:UP", "moves the tool down and up"},
      {"pen-per-unit", "N", "steps of that axis in a mm, where it has others"},
-     {"pen-delay", "MS", "until the tool has acted"},
+     {"pen-delay", "MS", "wait until the tool has acted"},
      {"pen-down-delay", "MS", "the same, only down"},
      {"pen-up-delay", "MS", "the same, only up"},
      {"pen-down", "STEPS", "instead: \"Z to -2, DO1 on, wait 250\""},
-     {"pen-up", "STEPS", "and what takes that back"},
+     {"pen-up", "STEPS", "and the same to lift it"},
      {"variant", "V", "of the controller"},
      {"motors", "N", "of a VXM: 3 or 4 with a Slave"},
      {"id", "IDS", "01-02: these draw together, an axis each"},

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/number_text.h"
+#include "core/base/split.h"
 #include "core/session/tool_routine.h"
 #include "gui/app/cmd_convert_scale.h"
 #include "gui/app/option_numbers.h"
@@ -24,8 +26,9 @@ Result<> read_unit(const Given& given, ConversionOptions& o) {
 
 Result<> read_axes(const Given& given, const Catalog& catalog, ConversionOptions& o) {
   std::vector<std::string> names;
+  const std::string listed = given.one("axes");
   if (given.has("axes"))
-    names = split(given.one("axes"), ',');
+    for (const std::string_view name : split(listed, ',')) names.emplace_back(name);
   else
     for (std::size_t i = 0; i < std::min<std::size_t>(2, catalog.axes.size()); ++i)
       names.push_back(catalog.axes[i].name);
@@ -67,6 +70,7 @@ Result<> read_speeds(const Given& given, ConversionOptions& o) {
     const char* option;
     double* value;
   };
+  o.cutting_name = "--cut-speed", o.travel_name = "--travel-speed";
   double low = 0, ramp = 0;
   for (const Field& f : {Field{"cut-speed", &o.cutting.high}, Field{"travel-speed", &o.travel.high},
                          Field{"low-speed", &low}, Field{"ramp", &ramp}}) {
@@ -78,16 +82,17 @@ Result<> read_speeds(const Given& given, ConversionOptions& o) {
     if (s->high != 0) s->low = low, s->ramp_ms = ramp;
   for (const char* option : {"low-speed", "ramp"})
     if (given.has(option) && o.cutting.high == 0 && o.travel.high == 0)
-      return fail(FaultKind::text, fmt::format("--{} is of the speeds that you give.", option), {},
-                  "Add --cut-speed or --travel-speed.");
+      return fail(FaultKind::text, fmt::format("--{} applies to the speeds that you give.", option), {},
+                  "Add --cut-speed and --travel-speed.");
   return {};
 }
 
 Result<> read_pen_axis(const Given& given, PlainTool& tool) {
   if (!given.has("pen-axis")) return {};
-  const std::vector<std::string> parts = split(given.one("pen-axis"), ':');
-  const auto down = parts.size() == 3 ? number_in(parts[1]) : std::nullopt;
-  const auto up = parts.size() == 3 ? number_in(parts[2]) : std::nullopt;
+  const std::string text = given.one("pen-axis");
+  const std::vector<std::string_view> parts = split(text, ':');
+  const auto down = parts.size() == 3 ? finite_number(parts[1]) : std::nullopt;
+  const auto up = parts.size() == 3 ? finite_number(parts[2]) : std::nullopt;
   if (!down || !up) return wrong("pen-axis", given, "AXIS:DOWN:UP");
   tool.axis = parts[0], tool.down = *down, tool.up = *up;
   return {};
@@ -115,7 +120,7 @@ Result<> read_routines(const Given& given, const Catalog& catalog, ConversionOpt
   };
   for (const char* other : {"pen-output", "pen-axis", "pen-delay", "pen-down-delay", "pen-up-delay"})
     if (given.has(other))
-      return fail(FaultKind::text, fmt::format("--{} and --pen-down or --pen-up say the same.", other), {},
+      return fail(FaultKind::text, fmt::format("--{} and --pen-down or --pen-up mean the same.", other), {},
                   "Write one of them.");
   for (auto [option, routine] : {std::pair{"pen-down", &o.pen_down}, std::pair{"pen-up", &o.pen_up}}) {
     auto read = read_routine(given.one(option), catalog, per_unit, o.axes);

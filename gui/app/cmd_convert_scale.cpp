@@ -50,7 +50,7 @@ Result<double> kept_scale(const Given& given, const Catalog& catalog, const std:
 Result<std::vector<double>> read_scales(const Given& given, const Catalog& catalog,
                                         const std::vector<std::string>& axes) {
   if (given.has("per-unit") + given.has("step-length") + given.has("profile") > 1)
-    return fail(FaultKind::text, "--per-unit, --step-length and --profile say the same.", {},
+    return fail(FaultKind::text, "--per-unit, --step-length and --profile mean the same.", {},
                 "Write one of them.");
   std::vector<double> scales{1};
   for (const auto& [option, form] :

@@ -36,7 +36,7 @@ Result<> understand_ids(Order& order) {
                 "It has a line for itself.");
   for (const std::string& id : order.ids)
     if (id.size() != 2 || id.find_first_not_of("0123456789") != id.npos)
-      return fail(FaultKind::text, fmt::format("--id {} is no number on a line.", id), {},
+      return fail(FaultKind::text, fmt::format("--id {} is not a number on a line.", id), {},
                   "Give two digits, as --id 07.");
   for (auto id = order.ids.begin(); id != order.ids.end(); ++id)
     if (std::find(order.ids.begin(), id, *id) != id)
@@ -54,7 +54,7 @@ Result<> check_endpoints(const Order& order) {
   const std::string usual =
       board ? "Give --bus 127.0.0.1:5000." : "Give --tcp 127.0.0.1:4001 or --pty PATH, or both.";
   if (order.endpoints.empty())
-    return fail(FaultKind::text, "It is not said where to serve the emulator.", {}, usual);
+    return fail(FaultKind::text, "No place to serve the emulator is named.", {}, usual);
   for (const auto& [kind, where] : order.endpoints) {
     if ((kind == "bus") != board)
       return fail(
@@ -120,7 +120,7 @@ Result<> serve_pty(Scheduler& scheduler, const Order& order, EmulatorHost& host,
 void warn_of_empty_memory(const Order& order) {
   const auto catalog = order.type->make_catalog({});
   if (!order.keys.contains("state") || !catalog || catalog->can.store) return;
-  log::warning("emulate", fmt::format("The {} keeps nothing without power: {} will tell no more than that.",
+  log::warning("emulate", fmt::format("The {} keeps nothing without power, so {} stays empty.",
                                       catalog->short_name, order.keys.at("state")));
 }
 
@@ -167,12 +167,12 @@ const Subcommand emulate_subcommand{
      {"motors", "N", "number of motors; 3 or 4: a Master with its Slave linked"},
      {"variant", "V", "model of the board (vme58): 8S, 4S4, 8, 4E, 2S2, 2S6, 6S2, 4S or 4"},
      {"jumpers", "GGG", "its general lines 0-3, 4-7, 8-11 (vme58): I input, O output (default IIO)"},
-     {"speed", "X", "so many times faster than real time (default 1)"},
-     {"wire", "real|off", "spend the byte times of the baud rate (default: real with a --pty, else off)"},
-     {"quirk", "NAME", "a habit of certain units, as overrun or e-bar (vxm), padded (vme58)", true},
-     {"state", "FILE", "keep the non-volatile memory there; with several --id in FILE.NN of each"},
+     {"speed", "X", "speed relative to real time (default 1)"},
+     {"wire", "real|off", "simulate the byte times of the baud rate (default: real with a --pty, else off)"},
+     {"quirk", "NAME", "a quirk of some units, such as overrun or e-bar (vxm), padded (vme58)", true},
+     {"state", "FILE", "file for the non-volatile memory; with several --id, FILE.NN of each"},
      {"bench", "FILE.toml",
-      "what surrounds the controller (without it a VXM has limit switches at -100000 and 100000 steps)"},
+      "bench of the controller (without it a VXM has limit switches at -100000 and 100000 steps)"},
      {"allow-remote", "", "let other hosts connect (else only this one)"}},
     emulate,
 };

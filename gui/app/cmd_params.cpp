@@ -104,8 +104,8 @@ const Subcommand params_subcommand{
     "params",
     "the parameters of a model: name, label, unit, range, default",
     {{"MODEL", "the model", 1, 1}},
-    {{"json", "", "one JSON object instead of words"},
-     {"motors", "N", "so many motors (vxm): 2 or 4"},
+    {{"json", "", "print one JSON object"},
+     {"motors", "N", "number of motors (vxm): 2 or 4"},
      {"variant", "V", "model of the board (vme58): 8S, 4S4, 8, 4E, 2S2, 2S6, 6S2, 4S or 4"}},
     params,
 };

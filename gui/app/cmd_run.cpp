@@ -71,9 +71,9 @@ const Subcommand run_subcommand{
     "run a Lua script without a window",
     {{"SCRIPT.lua", "the script", 1, 1}, {"ARGS", "its hw.args; -- ends the options", 0, -1}},
     {{"realtime", "", "wall-clock time (else virtual time while every controller is an emulator in process)"},
-     {"gui", "", "with the panels, laid out and driven without a display"},
+     {"gui", "", "with the panels, without a display"},
      {"profile", "", "with the units that the console keeps for each controller (else with none)"},
-     {"traffic", "FILE", "write down every byte of every wire"}},
+     {"traffic", "FILE", "record every byte of every wire"}},
     run_script,
 };
 

@@ -80,7 +80,7 @@ Result<> read_ids(const std::string& text, DeviceSearch& search) {
       text.size() == 2 ? first : std::string_view(text).substr(std::min<std::size_t>(3, text.size()));
   const bool dash = text.size() == 2 || (text.size() == 5 && text[2] == '-');
   if (!dash || !two_digits(first) || !two_digits(last) || last < first)
-    return fail(FaultKind::text, fmt::format("--ids {} are no numbers on a line.", text), {},
+    return fail(FaultKind::text, fmt::format("--ids {} are not numbers on a line.", text), {},
                 "Give the first and the last with two digits each, as --ids 00-99.");
   search.first_id = std::stoi(std::string(first));
   search.last_id = std::stoi(std::string(last));
@@ -94,7 +94,7 @@ Result<DeviceSearch> understand_search(const Given& given) {
   for (const std::string& rate : given.all("baud")) {
     if (rate.empty() || rate.size() > 7 || rate.find_first_not_of("0123456789") != rate.npos ||
         std::stoi(rate) == 0)
-      return fail(FaultKind::text, fmt::format("--baud {} is no rate.", rate), {},
+      return fail(FaultKind::text, fmt::format("--baud {} is not a rate.", rate), {},
                   "Give a whole number, as --baud 9600.");
     search.bauds.push_back(std::stoi(rate));
   }

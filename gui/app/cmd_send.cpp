@@ -101,7 +101,7 @@ Task<int> send_one(std::shared_ptr<Session> session, Replies& replies, std::stri
 // A prompt belongs to the text that causes it, so the next text waits for it; but nothing delays a stop.
 bool waits_before(const Pump& pump, const std::string& text, const std::string& next) {
   const TextMeaning meaning = pump.meaning_of(text);
-  return meaning.answered != TextMeaning::Answered::at_once && meaning.end_is_told &&
+  return meaning.answered != TextMeaning::Answered::at_once && meaning.end_is_reported &&
          !pump.meaning_of(next).is_stop();
 }
 
@@ -123,14 +123,14 @@ Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
   const Pump& pump = session->pump();
   Replies replies(*session);
   int status = done;
-  bool end_is_told = false;
+  bool end_is_reported = false;
   for (std::size_t i = 0; i < texts.size() && !stopped.asked && !output_is_lost(); ++i) {
     stopped.unseen = true;
     const int sent = co_await send_one(session, replies, texts[i], wait_s);
     if (sent != done) co_return sent;
-    end_is_told = end_is_told || pump.meaning_of(texts[i]).end_is_told;
+    end_is_reported = end_is_reported || pump.meaning_of(texts[i]).end_is_reported;
     const bool last = i + 1 == texts.size();
-    if (last ? end_is_told : waits_before(pump, texts[i], texts[i + 1])) {
+    if (last ? end_is_reported : waits_before(pump, texts[i], texts[i + 1])) {
       const int rested = co_await wait_for_rest(scheduler, session, replies, texts[i], wait_s);
       status = std::max(status, rested);
     }

@@ -208,11 +208,11 @@ const Subcommand simulate_subcommand{
     {model_option,
      {"variant", "V", "model of the board (vme58): 8S, 4S4, 8, 4E, 2S2, 2S6, 6S2, 4S or 4"},
      {"jumpers", "GGG", "its general lines 0-3, 4-7, 8-11 (vme58): I input, O output (default IIO)"},
-     {"json", "", "one JSON object instead of words"},
+     {"json", "", "print one JSON object"},
      {"program", "N", "the one that is started (default 0); it may start others"},
      bench_option,
      {"like", "FILE.toml", "begin with the parameters, variables and other programs of this backup"},
-     {"strict", "", "end with status 1 when a limit is hit, too"},
+     {"strict", "", "end with status 1 when a limit is hit as well"},
      {"for-seconds", "N", "stop a program that does not end by then (default 3600, simulated)"}},
     simulate,
 };

@@ -164,7 +164,7 @@ std::string folder_of_program() {
 int headless_demo(const std::string& pictures) {
   std::error_code error;
   std::filesystem::create_directories(pictures, error);
-  if (error) return complain(fmt::format("The folder {} cannot be made: {}.", pictures, error.message()));
+  if (error) return complain(fmt::format("The folder {} cannot be created: {}.", pictures, error.message()));
   IoContext io{1};
   HybridScheduler scheduler(io, false);
   script::RunOptions options;

@@ -1,9 +1,6 @@
 #pragma once
 // Numbers within the text of an option: "200,100", "0,0,300,200".
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -11,9 +8,6 @@
 
 namespace hw::app {
 
-[[nodiscard]] std::vector<std::string> split(std::string_view text, char at);
-/// None: it is no number, or not finite.
-[[nodiscard]] std::optional<double> number_in(const std::string& text);
 /// `form`: what to write instead.
 [[nodiscard]] tl::unexpected<Fault> wrong(const char* option, const Given& given, const char* form);
 /// At least `least` and at most `most`, with `at` between them.

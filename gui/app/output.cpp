@@ -12,7 +12,7 @@ namespace {
 
 // A process has one stdout.
 int lost_by = 0;  // errno; 0: everything was written
-bool loss_told = false;
+bool loss_reported = false;
 std::function<void()> when_output_is_lost;
 
 std::string why_lost() {
@@ -34,10 +34,10 @@ bool write_result(std::string_view text) {
 }
 
 bool output_is_lost() { return lost_by != 0; }
-bool output_loss_is_told() { return loss_told; }
+bool output_loss_is_reported() { return loss_reported; }
 
 Fault output_loss() {
-  loss_told = true;
+  loss_reported = true;
   return Fault(FaultKind::port, fmt::format("The output cannot be written: {}.", why_lost()));
 }
 

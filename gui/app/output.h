@@ -26,7 +26,7 @@ bool print_result(fmt::format_string<T...> format, T&&... values) {
 /// The reason, as a sentence for the caller that reports it.
 [[nodiscard]] Fault output_loss();
 /// The loss was reported.
-[[nodiscard]] bool output_loss_is_told();
+[[nodiscard]] bool output_loss_is_reported();
 
 /// As RunOptions::print.
 Result<> print_of_script(std::string_view text);

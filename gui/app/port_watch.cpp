@@ -36,7 +36,7 @@ std::vector<FoundPort::Check> checks_of(const PortReport& r) {
     return check;
   };
   const Is behind = opened ? Is::bad : Is::not_reached;
-  return {link(opened ? Is::good : Is::bad, "Port opens", opened ? "nobody else holds it" : r.sentence()),
+  return {link(opened ? Is::good : Is::bad, "Port opens", opened ? "no other program uses it" : r.sentence()),
           link(opened ? Is::good : Is::not_reached, "Bytes leave",
                opened ? fmt::format("{} speeds", r.asked.size()) : ""),
           link(returned ? Is::good : behind, "Bytes return",

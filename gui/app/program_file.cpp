@@ -69,18 +69,18 @@ Result<ProgramFile> read_program(const Given& given) {
 
 std::vector<std::string> problem_lines(const ProgramFile& program, const ProgramReport& report) {
   constexpr std::size_t most_lines = 100, longest_sentence = 500;
-  std::vector<const Problem*> told;
-  for (const Problem& p : report.problems) told.push_back(&p);
-  if (told.size() > most_lines) {
-    std::stable_partition(told.begin(), told.end(), [](const Problem* p) { return p->error; });
-    told.resize(most_lines);
+  std::vector<const Problem*> shown;
+  for (const Problem& p : report.problems) shown.push_back(&p);
+  if (shown.size() > most_lines) {
+    std::stable_partition(shown.begin(), shown.end(), [](const Problem* p) { return p->error; });
+    shown.resize(most_lines);
   }
   const std::string path = shown_path(program.path);
   std::vector<std::string> lines;
-  for (const Problem* p : told)
+  for (const Problem* p : shown)
     lines.push_back(fmt::format("{}:{}:{}: {}: {}", path, p->line + 1, p->column + 1,
                                 p->error ? "error" : "warning", shown_text(p->sentence, longest_sentence)));
-  if (const std::size_t more = report.problems.size() - told.size(); more > 0)
+  if (const std::size_t more = report.problems.size() - shown.size(); more > 0)
     lines.push_back(fmt::format("{}: and {} more. Correct these first.", path, more));
   return lines;
 }

@@ -53,7 +53,8 @@ void SleepManners::follow(gui::Console& console) {
     makes_ready_ = false;
     for (const auto& tab : console.tabs()) tab->send(intent::ReadAgain());
     if (!console.tabs().empty())
-      console.toast(gui::Severity::warn, "The computer has slept. What each controller holds is read again.");
+      console.toast(gui::Severity::warn,
+                    "The computer has slept. The state of each controller is read again.");
   }
   if (makes_ready_ && !jogs(console)) {
     makes_ready_ = false;

@@ -84,7 +84,7 @@ class TappedWindow final : public Window, private Window::Listener {
     co_return done;
   }
   void abandon() override { inner_->abandon(); }
-  [[nodiscard]] bool tells_interrupts() const override { return inner_->tells_interrupts(); }
+  [[nodiscard]] bool reports_interrupts() const override { return inner_->reports_interrupts(); }
   [[nodiscard]] WireShare share() const override { return inner_->share(); }
   [[nodiscard]] std::string describe() const override { return inner_->describe(); }
 

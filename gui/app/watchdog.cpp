@@ -51,8 +51,8 @@ void Watchdog::look() {
   if (stands_still_ < patience) return;
   if (stands_still_ < patience + to_get_it_out) return runner_.break_out(beat);
   complain(
-      "The script hangs in a call that cannot be interrupted, so the run was ended. Its controllers could "
-      "not be told to stop: their axes may still move. Use their power switches.");
+      "Use the power switches of the controllers: the script hung in a call that cannot be interrupted, so "
+      "the run was ended without a stop, and axes may still move.");
   std::_Exit(failed);
 }
 

@@ -49,7 +49,7 @@ void Gamepad::arm(double now_s) {
   armed_ = must_rest_ = true;
   sticks_.fill(0);
   buttons_.fill(false);
-  heard_at_s_ = changed_at_s_ = now_s;
+  answered_at_s_ = changed_at_s_ = now_s;
 }
 
 void Gamepad::disarm(std::string_view why, double now_s) {
@@ -118,8 +118,7 @@ bool Gamepad::let_go() const {
 void Gamepad::stop_if_left_alone(double at_s) {
   if (!held_ || at_s - changed_at_s_ <= same_for_s) return;
   words_ = fmt::format(
-      "Nothing on the gamepad has changed for {:.0f} s, so nobody may be holding it: what it jogged was "
-      "stopped. Let go, then push again.",
+      "Let go, then push again: nothing on the gamepad had changed for {:.0f} s, so its jog was stopped.",
       same_for_s);
   gui_log().debug("the gamepad's jog ends: nothing on it has changed for {} s", same_for_s);
   must_rest_ = true;
@@ -127,9 +126,9 @@ void Gamepad::stop_if_left_alone(double at_s) {
 }
 
 /// True: nothing begins.
-bool Gamepad::hear(double at_s) {
-  if (held_ && at_s - heard_at_s_ > silent_after_s) begin_frame(at_s);
-  heard_at_s_ = at_s;
+bool Gamepad::poll_pad(double at_s) {
+  if (held_ && at_s - answered_at_s_ > silent_after_s) begin_frame(at_s);
+  answered_at_s_ = at_s;
   const std::optional<Command> now = pushed();
   const bool may = armed_ && buttons_[dead_man];
   if (held_ && (!may || now != held_)) end(at_s, !may);
@@ -162,14 +161,14 @@ bool Gamepad::on_arrival(const InputEvent& event) {
       if (event.code == GLFW_GAMEPAD_BUTTON_B && event.down) stop(event.at_s);
       if (event.code == dead_man && !event.down) end(event.at_s, true);
       return false;
-    case InputKind::pad_heard: {
+    case InputKind::pad_polled: {
       const bool had_words = !words_.empty();
-      return hear(event.at_s) && words_.empty() == !had_words;  // a frame shows why it has stopped
+      return poll_pad(event.at_s) && words_.empty() == !had_words;  // a frame shows why it has stopped
     }
     case InputKind::pad_gone:
       name_.clear();
-      disarm(held_ ? "The gamepad is gone: what it jogged was stopped. Plug it in and arm it again."
-                   : "The gamepad is gone. Plug it in and arm it again.",
+      disarm(held_ ? "Plug the gamepad in and arm it again: it is gone, and its jog was stopped."
+                   : "Plug the gamepad in and arm it again: it is gone.",
              event.at_s);
       return false;  // a frame shows it
     default: return false;
@@ -179,7 +178,7 @@ bool Gamepad::on_arrival(const InputEvent& event) {
 bool Gamepad::in_turn(const InputEvent& event) {
   if (event.kind < InputKind::pad_stick) return false;
   const std::optional<Command> now = pushed();
-  if (event.kind != InputKind::pad_heard || !armed_ || !buttons_[dead_man] || !now || must_rest_ || held_)
+  if (event.kind != InputKind::pad_polled || !armed_ || !buttons_[dead_man] || !now || must_rest_ || held_)
     return true;
   must_rest_ = keyboard_.covered();  // a dialog or a list must be answered first
   if (must_rest_) return true;
@@ -190,9 +189,8 @@ bool Gamepad::in_turn(const InputEvent& event) {
 }
 
 void Gamepad::begin_frame(double now_s) {
-  if (held_ && now_s - heard_at_s_ > silent_after_s)
-    disarm("The gamepad has not answered for 0.2 s: what it jogged was stopped. Arm it again to go on.",
-           now_s);
+  if (held_ && now_s - answered_at_s_ > silent_after_s)
+    disarm("Arm the gamepad again: it had not answered for 0.2 s, so its jog was stopped.", now_s);
 }
 
 }  // namespace hw::gui

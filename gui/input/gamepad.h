@@ -49,7 +49,7 @@ class Gamepad {
   static constexpr double same_for_s = 2;
 
  private:
-  bool hear(double at_s);
+  bool poll_pad(double at_s);
   void stop_if_left_alone(double at_s);
   void end(double at_s, bool cut_off);
   void stop(double at_s);
@@ -64,7 +64,7 @@ class Gamepad {
   std::array<bool, 16> buttons_{};
   std::optional<Command> held_;
   bool armed_ = false, must_rest_ = false;
-  double heard_at_s_ = 0, changed_at_s_ = 0;
+  double answered_at_s_ = 0, changed_at_s_ = 0;
 };
 
 struct PadControl {

@@ -27,11 +27,11 @@ int first_gamepad() {
 }
 
 std::optional<PadState> pad_state(int number) {
-  GLFWgamepadstate told;
-  if (number < 0 || !glfwGetGamepadState(number, &told)) return std::nullopt;
+  GLFWgamepadstate from_glfw;
+  if (number < 0 || !glfwGetGamepadState(number, &from_glfw)) return std::nullopt;
   PadState state;
-  std::copy(std::begin(told.axes), std::end(told.axes), state.axes.begin());
-  std::transform(std::begin(told.buttons), std::end(told.buttons), state.buttons.begin(),
+  std::copy(std::begin(from_glfw.axes), std::end(from_glfw.axes), state.axes.begin());
+  std::transform(std::begin(from_glfw.buttons), std::end(from_glfw.buttons), state.buttons.begin(),
                  [](unsigned char button) { return button == GLFW_PRESS; });
   return state;
 }
@@ -47,7 +47,7 @@ void PadChanges::tell(const std::optional<PadState>& now, double now_s, const Pu
     if (now->buttons[i] != before_.buttons[i])
       push(InputEvent::pad_button(static_cast<int>(i), now->buttons[i], now_s));
   before_ = *now;
-  push(InputEvent::pad_heard(now_s));
+  push(InputEvent::pad_polled(now_s));
 }
 
 void GamepadSource::watch() { glfwSetJoystickCallback(on_plugging); }

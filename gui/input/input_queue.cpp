@@ -74,8 +74,8 @@ InputEvent InputEvent::pad_stick(int glfw_axis, float place, double at_s) {
 InputEvent InputEvent::pad_button(int glfw_button, bool down, double at_s) {
   return make_event(InputKind::pad_button, down, glfw_button, 0, 0, at_s);
 }
-InputEvent InputEvent::pad_heard(double at_s) {
-  return make_event(InputKind::pad_heard, false, 0, 0, 0, at_s);
+InputEvent InputEvent::pad_polled(double at_s) {
+  return make_event(InputKind::pad_polled, false, 0, 0, 0, at_s);
 }
 InputEvent InputEvent::pad_gone(double at_s) { return make_event(InputKind::pad_gone, false, 0, 0, 0, at_s); }
 
@@ -114,7 +114,7 @@ bool InputQueue::fits(const InputEvent& event, const Fed& fed) const {
     case InputKind::focus_lost: return untouched && !fed.text;
     case InputKind::pad_stick:
     case InputKind::pad_button:
-    case InputKind::pad_heard:
+    case InputKind::pad_polled:
     case InputKind::pad_gone: return true;
   }
   return true;
@@ -154,7 +154,7 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
       break;
     case InputKind::pad_stick:  // ImGui does not handle the gamepad
     case InputKind::pad_button:
-    case InputKind::pad_heard:
+    case InputKind::pad_polled:
     case InputKind::pad_gone: break;
   }
 }

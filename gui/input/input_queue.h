@@ -21,7 +21,7 @@ enum class InputKind : std::uint8_t {
   focus_lost,    ///< releases all that is held
   pad_stick,     ///< code: a GLFW gamepad axis; x: its position, -1 to 1
   pad_button,    ///< code: a GLFW gamepad button; down
-  pad_heard,     ///< end of one poll of the gamepad: it is present and answers
+  pad_polled,    ///< end of one poll of the gamepad: it is present and answers
   pad_gone,      ///< it was unplugged
 };
 
@@ -53,7 +53,7 @@ struct InputEvent {
   static InputEvent focus_lost(double at_s);
   static InputEvent pad_stick(int glfw_axis, float place, double at_s);
   static InputEvent pad_button(int glfw_button, bool down, double at_s);
-  static InputEvent pad_heard(double at_s);
+  static InputEvent pad_polled(double at_s);
   static InputEvent pad_gone(double at_s);
 };
 

@@ -65,6 +65,20 @@ State state_of(const Snapshot& now, int axis, Instant clock) {
   return a.loop == Loop::in_place ? State::in_place : State::idle;
 }
 
+bool needs_attention(const Snapshot& now) {
+  if (!now.notice.empty()) return true;
+  for (const ThreadState& thread : now.threads)
+    if (thread.known && thread.run == RunState::error) return true;
+  for (int i = 0; i < now.axis_count; ++i) {
+    const AxisState& a = now.axes[static_cast<std::size_t>(i)];
+    const bool rests = a.activity == Activity::idle;
+    const bool at_limit = rests && a.limits_known && (a.limit_minus || a.limit_plus);
+    const bool lost = a.activity != Activity::homing && (!a.position_known || a.trust.doubtful());
+    if (lost || a.slipped || a.loop == Loop::off_place || a.loop == Loop::open || at_limit) return true;
+  }
+  return false;
+}
+
 State worst_state(const Snapshot& now, Instant clock) {
   if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) return State::lost;
   State worst = now.link.state == LinkState::late ? State::stale : State::idle;

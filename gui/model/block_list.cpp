@@ -74,7 +74,7 @@ UnsavedText BlockList::Unsaved::text() const {
 Result<> BlockList::restore(const std::vector<UnsavedText>& texts) {
   for (const UnsavedText& t : texts) {
     if (t.slot != UnsavedText::of_blocks) continue;
-    auto sequence = sequence::read_sequence(t.text, "The blocks of last time");
+    auto sequence = sequence::read_sequence(t.text, "Blocks of the last session");
     if (!sequence) return fail(sequence.error());
     editor.load(std::move(*sequence));
     file_ = t.path;  // the name only: the file's content is not known, so the blocks count as edited

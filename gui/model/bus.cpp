@@ -42,6 +42,18 @@ Tab& Bus::worst() const {
   return *worst;
 }
 
+Tab& Bus::most_urgent() const {
+  const auto urgency = [](const Tab* member) {
+    const int bad = badness(worst_state(member->now(), member->clock()));
+    const bool warns = bad < badness(State::connecting) && needs_attention(member->now());
+    return warns ? badness(State::connecting) : bad;
+  };
+  Tab* most = members[chosen];
+  for (Tab* member : members)
+    if (urgency(member) > urgency(most)) most = member;
+  return *most;
+}
+
 std::size_t Bus::connected() const {
   return static_cast<std::size_t>(std::count_if(members.begin(), members.end(), [](const Tab* member) {
     const LinkState link = member->now().link.state;
@@ -58,9 +70,9 @@ void Bus::stop_all(StoppedBy by) {
   for (std::size_t i = 0; i < members.size(); ++i) members[i]->stopped_with(stops[i]);
 }
 
-void Bus::tell_pieces(const IntentBody& wish) {
+void Bus::send_to_pieces(const IntentBody& request) {
   for (Tab* member : members)
-    if (member->now().pieces.running) member->send(wish);
+    if (member->now().pieces.running) member->send(request);
 }
 
 const PiecesState& Bus::pieces() const {

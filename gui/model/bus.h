@@ -47,11 +47,13 @@ struct Bus {
   void rename(std::string name);
   /// The member in the worst state; the chosen one if none is worse.
   [[nodiscard]] Tab& worst() const;
+  /// The member that the status line is about: in trouble, else in the worst state.
+  [[nodiscard]] Tab& most_urgent() const;
   /// The number of members that are connected.
   [[nodiscard]] std::size_t connected() const;
   void stop_all(StoppedBy by = StoppedBy::button);
-  /// Sends `wish` (a hold, its end, another speed) to each member that is working in pieces.
-  void tell_pieces(const IntentBody& wish);
+  /// Sends `request` (a hold, its end, another speed) to each member that is working in pieces.
+  void send_to_pieces(const IntentBody& request);
   /// State of the member that is working in pieces, or was last.
   [[nodiscard]] const PiecesState& pieces() const;
 };

@@ -6,7 +6,7 @@
 namespace hw::gui {
 namespace {
 
-IntentBody told_to(const Catalog& catalog, int action, AxisId axis) {
+IntentBody action_intent(const Catalog& catalog, int action, AxisId axis) {
   std::vector<std::int64_t> values;
   for (const ActionField& field : catalog.actions[static_cast<std::size_t>(action)].fields)
     values.push_back(field.id == "axis" ? axis.index : field.fallback);
@@ -40,7 +40,7 @@ std::optional<Clearing> clearing_of(const Catalog& catalog, const Snapshot& now,
   if (action >= 0) {
     const ActionInfo& info = catalog.actions[static_cast<std::size_t>(action)];
     const bool of_all = catalog.axes.size() > 1 && !names_axis(info);
-    return Clearing{axis, told_to(catalog, action, axis), info.help, of_all};
+    return Clearing{axis, action_intent(catalog, action, axis), info.help, of_all};
   }
   if (!error) return {};
   return Clearing{axis, intent::Stop(), "Stops the controller: that clears its error.", true};

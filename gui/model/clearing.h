@@ -12,10 +12,10 @@ namespace hw::gui {
 
 struct Clearing {
   AxisId axis;
-  IntentBody wish;
+  IntentBody request;
   std::string_view help;  ///< in the catalog's memory
   bool of_all = false;    ///< its command names no axis: it clears those of the others too
-  [[nodiscard]] bool stops_all() const { return std::holds_alternative<intent::Stop>(wish); }
+  [[nodiscard]] bool stops_all() const { return std::holds_alternative<intent::Stop>(request); }
 };
 
 /// Nothing: the axis has no error, or there is no link. A controller without a command for it is stopped.

@@ -47,7 +47,7 @@ CommandHelp::Hint CommandHelp::hint(std::string_view line) const {
   const auto found = candidates(line);
   if (found.empty()) {
     hint.unknown = true;
-    hint.sentence = "no command of this controller begins like this; Enter sends it as it is";
+    hint.sentence = "no command of this controller begins this way; Enter sends it as it is";
     return hint;
   }
   const CommandInfo& best = commands_[found.front()];

@@ -49,7 +49,7 @@ void Desk::rehearse(const Snapshot& now, const BenchView& bench) {
   const int slot = texts.start_of(texts.chosen());
   unread_.begin();
   rehearsed_slot_ = job.busy() ? -1 : slot;
-  if (job.busy() || !can_tell_more(now)) {
+  if (job.busy() || !can_read_more(now)) {
     prepared_.erase(slot);
     return start_rehearsal(slot, text, now, bench);
   }
@@ -79,7 +79,7 @@ void Desk::rehearse_prepared(const Snapshot& now, const BenchView& bench, const 
 }
 
 bool Desk::reads_set_up(const Snapshot& now, const Send& send) {
-  return can_tell_more(now) && awaits_set_up(set_up_read_by_, now, send);
+  return can_read_more(now) && awaits_set_up(set_up_read_by_, now, send);
 }
 
 void Desk::look_for_unread_programs(const Snapshot& now) {
@@ -90,7 +90,7 @@ void Desk::look_for_unread_programs(const Snapshot& now) {
   rehearsals.prepare(rehearsed_slot_);
 }
 
-bool Desk::can_tell_more(const Snapshot& now) const {
+bool Desk::can_read_more(const Snapshot& now) const {
   if (!now.link.connected()) return false;
   for (std::size_t i = 0; i < catalog_.params.size(); ++i)
     if (catalog_.params[i].readable && !now.params[i].known) return true;

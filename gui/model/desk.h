@@ -85,7 +85,7 @@ class Desk {
   /// way.
   void rehearse(const Snapshot& now, const BenchView& bench);
   /// Some of its set-up was never read.
-  [[nodiscard]] bool can_tell_more(const Snapshot& now) const;
+  [[nodiscard]] bool can_read_more(const Snapshot& now) const;
   /// The known state of the controller, with the programs that it is known to hold.
   [[nodiscard]] ControllerState state_of(const Snapshot& now) const;
   /// A listing was uploaded from the controller.

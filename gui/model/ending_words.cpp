@@ -30,8 +30,8 @@ std::string_view words_of(AxisError error) {
     case AxisError::limit: return " on a limit";
     case AxisError::alarm: return ": its driver gave an alarm";
     case AxisError::stalled: return ": it stalled";
-    case AxisError::too_far: return ": its load stood further off than is allowed";
-    case AxisError::not_corrected: return ": its place could not be corrected";
+    case AxisError::too_far: return ": its load was farther off than allowed";
+    case AxisError::not_corrected: return ": its position could not be corrected";
     case AxisError::none: break;
   }
   return "";
@@ -44,7 +44,7 @@ std::string_view what_failed(AxisError error) {
     case AxisError::limit: return "hit a limit";
     case AxisError::alarm: return "was stopped by an alarm of its driver";
     case AxisError::stalled: return "stalled";
-    case AxisError::too_far: return "stood further off than is allowed";
+    case AxisError::too_far: return "was farther off than allowed";
     case AxisError::not_corrected: return "could not be corrected";
     case AxisError::none: break;
   }
@@ -66,8 +66,8 @@ Happening::Mark mark_of(const Ending& e) {
     case EndedBy::error:
     case EndedBy::lost:
     case EndedBy::not_in_place: return Happening::Mark::error;
-    case EndedBy::target:
-    case EndedBy::nothing: break;
+    case EndedBy::nothing: return Happening::Mark::message;
+    case EndedBy::target: break;
   }
   return e.what == Ending::What::homing ? Happening::Mark::homed : Happening::Mark::reached;
 }
@@ -90,10 +90,10 @@ std::string axis_words(const Ending& e, const std::string& at, const ShowPositio
   const bool jog = e.what == Ending::What::jog, homing = e.what == Ending::What::homing;
   const std::string_view what = jog ? "jog" : homing ? "homing" : "motion";
   switch (e.by) {
+    case EndedBy::nothing: return fmt::format("{} ended{}", what, at);
     case EndedBy::target:
-    case EndedBy::nothing:
       if (homing) return fmt::format("found home{}", at);
-      if (e.at_travel_end) return fmt::format("jog reached the limit that is set for it{}", at);
+      if (e.at_travel_end) return fmt::format("jog reached its set limit{}", at);
       return jog ? fmt::format("jog ended{}", at) : fmt::format("reached its target{}", at);
     case EndedBy::limit: return fmt::format("{} ended on {} limit{}", what, limit_of(e), at);
     case EndedBy::stop:
@@ -119,10 +119,10 @@ std::string axis_words(const Ending& e, const std::string& at, const ShowPositio
 
 /// " at line 12 of its stored code: X hit its + limit", as far as known.
 std::string cause_words(const Ending& e, const Catalog& catalog) {
-  std::string said = e.line < 0 ? "" : fmt::format(" at line {} of its stored code", e.line);
+  std::string sentence = e.line < 0 ? "" : fmt::format(" at line {} of its stored code", e.line);
   if (e.failed_axis >= 0)
-    said += fmt::format(": {} {}", catalog.axes[ix(e.failed_axis)].name, what_failed(e.error));
-  return said;
+    sentence += fmt::format(": {} {}", catalog.axes[ix(e.failed_axis)].name, what_failed(e.error));
+  return sentence;
 }
 
 std::string run_words(const Ending& e, const Catalog& catalog) {
@@ -151,6 +151,12 @@ std::string name_of_run(const Ending& e, const Catalog& catalog) {
   return e.slot < 0 ? word : fmt::format("{} {}", word, e.slot);
 }
 
+/// ", at 12.000 mm"
+std::string place_words(const Ending& e, const ShowPosition& position) {
+  if (!e.place_known) return {};
+  return fmt::format(", at {}", position(AxisId{static_cast<std::uint8_t>(e.axis)}, e.place));
+}
+
 }  // namespace
 
 Happening event_of(const Ending& e, const Catalog& catalog, const ShowPosition& position) {
@@ -164,12 +170,23 @@ Happening event_of(const Ending& e, const Catalog& catalog, const ShowPosition& 
     event.words = run_words(e, catalog);
     return event;
   }
-  const std::string place =
-      e.place_known ? fmt::format(", at {}", position(AxisId{static_cast<std::uint8_t>(e.axis)}, e.place))
-                    : "";
   event.who = catalog.axes[ix(e.axis)].name;
-  event.words = axis_words(e, place, position);
+  event.words = axis_words(e, place_words(e, position), position);
   return event;
+}
+
+std::string words_beside_run(const Ending& motion, const Ending& run, const Catalog& catalog,
+                             const ShowPosition& position) {
+  const std::string& name = catalog.axes[ix(motion.axis)].name;
+  const std::string place = place_words(motion, position);
+  const bool by_a_stop = motion.by == EndedBy::stop || motion.by == EndedBy::abort;
+  if (by_a_stop && motion.by == run.by && motion.who == run.who) {
+    const std::string course = course_of(motion, position);
+    return fmt::format("; {} {}{}", name, course.empty() ? "stopped" : course.substr(2), place);
+  }
+  if (run.failed_axis == motion.axis && (motion.by == EndedBy::limit || motion.by == EndedBy::error))
+    return place;
+  return fmt::format("; {} {}", name, axis_words(motion, place, position));
 }
 
 }  // namespace hw::gui

@@ -1,17 +1,85 @@
 #include "gui/model/event_log.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/base/index.h"
 #include "core/device/refusals.h"
+#include "gui/model/bus.h"
+#include "gui/model/ending_words.h"
 
 namespace hw::gui {
+namespace {
+
+constexpr std::size_t most_recent = 16;
+
+bool is_as_meant(EndedBy by) { return by == EndedBy::target || by == EndedBy::nothing; }
+
+/// Both were cut short together: the motion a moment before the run, or it slowed down a moment longer.
+bool ended_with(const Ending& motion, const Ending& run) {
+  constexpr Duration a_moment = std::chrono::seconds(3);
+  if (!motion.of_run || is_as_meant(motion.by) || is_as_meant(run.by)) return false;
+  if (motion.at < run.began || motion.began > run.at) return false;
+  return std::chrono::abs(motion.at - run.at) <= a_moment;
+}
+
+}  // namespace
 
 void EventLog::add(Happening event) {
+  event.number = ++last_number_;
   list_.push_back(std::move(event));
   if (list_.size() > capacity) list_.pop_front();
+  ++version_;
+}
+
+void EventLog::add(const Ending& ending, const Catalog& catalog, const ShowPosition& position) {
+  if (ending.axis >= 0)
+    add_motion(ending, catalog, position);
+  else
+    add_run(ending, catalog, position);
+}
+
+void EventLog::add_motion(const Ending& ending, const Catalog& catalog, const ShowPosition& position) {
+  const auto run = std::find_if(recent_.rbegin(), recent_.rend(), [&](const Recent& recent) {
+    return recent.ending.axis < 0 && ended_with(ending, recent.ending);
+  });
+  if (run != recent_.rend() && find(run->number)) return join(ending, *run, catalog, position);
+  add(event_of(ending, catalog, position));
+  keep_recent(ending);
+}
+
+void EventLog::add_run(const Ending& ending, const Catalog& catalog, const ShowPosition& position) {
+  add(event_of(ending, catalog, position));
+  const Recent run{ending, last_number_};
+  std::erase_if(recent_, [&](const Recent& motion) {
+    if (motion.ending.axis < 0 || !ended_with(motion.ending, ending)) return false;
+    std::erase_if(list_, [&](const Happening& event) { return event.number == motion.number; });
+    join(motion.ending, run, catalog, position);
+    return true;
+  });
+  keep_recent(ending);
+}
+
+void EventLog::keep_recent(const Ending& ending) {
+  recent_.push_back({ending, last_number_});
+  if (recent_.size() > most_recent) recent_.erase(recent_.begin());
+}
+
+Happening* EventLog::find(std::uint64_t number) {
+  const auto found = std::find_if(list_.rbegin(), list_.rend(),
+                                  [number](const Happening& event) { return event.number == number; });
+  return found == list_.rend() ? nullptr : &*found;
+}
+
+void EventLog::join(const Ending& motion, const Recent& run, const Catalog& catalog,
+                    const ShowPosition& position) {
+  Happening* event = find(run.number);
+  if (!event) return;
+  const Happening own = event_of(motion, catalog, position);
+  if (own.bad && !event->bad) event->mark = own.mark, event->bad = true;
+  event->words += words_beside_run(motion, run.ending, catalog, position);
   ++version_;
 }
 
@@ -33,21 +101,38 @@ void EventLog::follow_link(const Snapshot& now) {
     add({Happening::Mark::link, false, now.at, {}, "answers again", seconds(now.at - lost_at_)});
 }
 
+/// Axes that one cause makes doubtful at once are one event.
 void EventLog::follow_trust(const Snapshot& now, const Catalog& catalog) {
+  constexpr Duration at_once = std::chrono::seconds(1);
+  struct Loss {
+    PositionTrust trust;
+    std::vector<std::string_view> axes;
+  };
+  std::vector<Loss> losses;
   for (int i = 0; i < now.axis_count; ++i) {
     const PositionTrust trust = now.axes[ix(i)].trust, before = std::exchange(trust_[ix(i)], trust);
     const bool as_before = before.doubtful() && before.cause == trust.cause && before.since == trust.since;
-    const bool told = trust.cause == Doubt::killed && looked_;  // by the driver, with the speed
-    if (!trust.doubtful() || as_before || told) continue;
-    add({Happening::Mark::place_lost, true, trust.since, catalog.axes[ix(i)].name,
-         fmt::format("cannot be trusted any more: {}", words_of(trust.cause)), -1});
+    const bool reported = trust.cause == Doubt::killed && looked_;  // by the driver, with the speed
+    if (!trust.doubtful() || as_before || reported) continue;
+    auto loss = std::find_if(losses.begin(), losses.end(), [&](const Loss& one) {
+      return one.trust.cause == trust.cause && std::chrono::abs(one.trust.since - trust.since) <= at_once;
+    });
+    if (loss == losses.end()) loss = losses.insert(losses.end(), {trust, {}});
+    loss->axes.push_back(catalog.axes[ix(i)].name);
+  }
+  for (const Loss& loss : losses) {
+    const bool one = loss.axes.size() == 1;
+    const std::string words = fmt::format("cannot be trusted any more: {}", words_of(loss.trust.cause));
+    add({Happening::Mark::place_lost, true, loss.trust.since, one ? std::string(loss.axes[0]) : std::string(),
+         one ? words : fmt::format("{} {}", in_words(loss.axes), words), -1});
   }
 }
 
 bool is_shown(const Happening& event, EventFilter filter) {
   switch (filter) {
     case EventFilter::ends:
-      return event.mark != Happening::Mark::message && event.mark != Happening::Mark::link;
+      if (event.mark == Happening::Mark::message) return event.took_s >= 0;  // an end that is not known
+      return event.mark != Happening::Mark::link;
     case EventFilter::trouble: return event.bad;
     case EventFilter::all: break;
   }

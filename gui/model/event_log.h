@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/device/snapshot.h"
 #include "gui/model/traffic_log.h"
@@ -19,9 +21,10 @@ struct Happening {
   Mark mark = Mark::message;
   bool bad = false;  ///< needs attention
   Instant at{};
-  std::string who;     ///< "X", "Program 2"; empty: the controller
-  std::string words;   ///< "reached its target, 85.810 mm"
-  double took_s = -1;  ///< negative: it has no duration
+  std::string who;           ///< "X", "Program 2"; empty: the controller
+  std::string words;         ///< "reached its target, 85.810 mm"
+  double took_s = -1;        ///< negative: it has no duration
+  std::uint64_t number = 0;  ///< set by EventLog::add()
 };
 
 /// Selects the events to show.
@@ -29,7 +32,12 @@ enum class EventFilter : std::uint8_t { all, ends, trouble };
 
 class EventLog {
  public:
+  using ShowPosition = std::function<std::string(AxisId, Steps)>;
+
   void add(Happening event);
+  /// How a motion, program, list or drawing ended. What ends together is one event: a program that is cut
+  /// short, and the motions that were cut short with it.
+  void add(const Ending& ending, const Catalog& catalog, const ShowPosition& position);
   /// Adds changes of link and trust. The first connection of a controller is no event.
   void follow(const Snapshot& now, const Catalog& catalog);
   [[nodiscard]] const std::deque<Happening>& list() const { return list_; }
@@ -41,11 +49,23 @@ class EventLog {
   static constexpr std::size_t capacity = 2000;
 
  private:
+  /// An end that others may still join.
+  struct Recent {
+    Ending ending;
+    std::uint64_t number = 0;  ///< of its event
+  };
   void follow_link(const Snapshot& now);
   void follow_trust(const Snapshot& now, const Catalog& catalog);
 
+  [[nodiscard]] Happening* find(std::uint64_t number);
+  void add_motion(const Ending& ending, const Catalog& catalog, const ShowPosition& position);
+  void add_run(const Ending& ending, const Catalog& catalog, const ShowPosition& position);
+  void join(const Ending& motion, const Recent& run, const Catalog& catalog, const ShowPosition& position);
+  void keep_recent(const Ending& ending);
+
   std::deque<Happening> list_;
-  std::uint64_t version_ = 0;
+  std::vector<Recent> recent_;
+  std::uint64_t version_ = 0, last_number_ = 0;
   bool looked_ = false, was_there_ = false;
   Instant lost_at_{};
   std::array<PositionTrust, max_axes> trust_{};

@@ -43,7 +43,7 @@ std::string what_goes_on(const Tab& tab, Tense tense) {
   if (axes.size() == 1) return fmt::format("axis {} {} moving", axes[0], is);
   if (!axes.empty()) return fmt::format("axes {} {} moving", in_words(axes), are);
   if (now.queued) return fmt::format("commands {} waiting in its queues", are);
-  return began_unseen(tab) ? "what was begun may have been under way" : std::string();
+  return began_unseen(tab) ? "a motion may have been under way" : std::string();
 }
 
 std::string whose(const Tab& tab, std::string_view what) {
@@ -70,10 +70,10 @@ std::string nobody_watches(std::size_t many) {
 
 /// "01 moves. 02 was moving when the link was lost. Nobody would watch 01 ...": the last part.
 std::string what_it_means(std::size_t watched, const Names& lost) {
-  std::string said = watched > 0 ? nobody_watches(watched) : std::string();
-  if (lost.empty()) return said;
-  if (watched > 0) said += ' ';
-  return said + no_stop_reaches(lost, watched > 0);
+  std::string sentence = watched > 0 ? nobody_watches(watched) : std::string();
+  if (lost.empty()) return sentence;
+  if (watched > 0) sentence += ' ';
+  return sentence + no_stop_reaches(lost, watched > 0);
 }
 
 std::string unwatched_alone(const Tab& tab) {
@@ -84,9 +84,8 @@ std::string unwatched_alone(const Tab& tab) {
     return fmt::format("{} when the link was lost. {}", what, no_stop_reaches({tab.name()}, false));
   }
   if (runs_program(tab))
-    return fmt::format(
-        "{} {} runs in the controller, and goes on there when this window no longer watches it.",
-        tab.catalog().program.slot_word, tab.now().program.slot);
+    return fmt::format("{} {} runs in the controller, and continues when this window no longer watches it.",
+                       tab.catalog().program.slot_word, tab.now().program.slot);
   return "An axis is moving, and nobody would watch it.";
 }
 
@@ -102,15 +101,15 @@ std::string unwatched_on_bus(const Bus& bus) {
       running.push_back(member->id());
     else
       moving.push_back(member->id());
-  std::string said;
-  if (!running.empty()) said += fmt::format("A program runs in {}. ", in_words(running));
+  std::string sentence;
+  if (!running.empty()) sentence += fmt::format("A program runs in {}. ", in_words(running));
   if (!moving.empty())
-    said += fmt::format("{} {}. ", in_words(moving), moving.size() == 1 ? "moves" : "move");
+    sentence += fmt::format("{} {}. ", in_words(moving), moving.size() == 1 ? "moves" : "move");
   if (!lost.empty())
-    said += fmt::format("{} {} under way when the link was lost. ", in_words(lost),
-                        lost.size() == 1 ? "was" : "were");
-  if (said.empty()) return "Nothing moves any more.";
-  return said + what_it_means(running.size() + moving.size(), lost);
+    sentence += fmt::format("{} {} under way when the link was lost. ", in_words(lost),
+                            lost.size() == 1 ? "was" : "were");
+  if (sentence.empty()) return "Nothing moves any more.";
+  return sentence + what_it_means(running.size() + moving.size(), lost);
 }
 
 }  // namespace
@@ -120,20 +119,20 @@ std::string goes_on_unwatched(const Tab& tab) {
 }
 
 std::string goes_on_unwatched(std::span<Tab* const> tabs) {
-  std::string said;
+  std::string sentence;
   std::size_t watched = 0;
   Names lost;
   for (const Tab* tab : tabs) {
     if (!goes_on(*tab)) continue;
     const bool now = reached(*tab);
     const std::string what = what_goes_on(*tab, now ? Tense::present : Tense::past);
-    said += fmt::format("{}: {}{}. ", whose(*tab, what), what, now ? "" : " when the link was lost");
+    sentence += fmt::format("{}: {}{}. ", whose(*tab, what), what, now ? "" : " when the link was lost");
     if (now)
       ++watched;
     else
       lost.push_back(tab->bus ? tab->id() : tab->name());
   }
-  return said.empty() ? "Nothing moves any more." : said + what_it_means(watched, lost);
+  return sentence.empty() ? "Nothing moves any more." : sentence + what_it_means(watched, lost);
 }
 
 void stop_what_goes_on(std::span<Tab* const> tabs) {

@@ -38,7 +38,7 @@ void JogHold::end(bool with_step) {
   } else if (with_step && held.want.step.value > 0) {
     std::vector<AxisTarget> one(1, AxisTarget{held.control.axis, held.want.step});
     if (held.control.sign == Sign::minus) one[0].value = -one[0].value;
-    send_(intent::MoveBy(std::move(one), held.want.speed));
+    tap_ = send_(intent::MoveBy(std::move(one), held.want.speed));
   }
 }
 

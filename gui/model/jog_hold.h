@@ -55,6 +55,8 @@ class JogHold {
   [[nodiscard]] std::optional<Control> control() const;
   /// The continuous jog started last; 0: none. A refusal of it must end the hold: see let_go().
   [[nodiscard]] IntentId jog_intent() const { return held_ ? held_->intent : 0; }
+  /// The move of the last tap; 0: none.
+  [[nodiscard]] IntentId tap_intent() const { return tap_; }
   /// Seconds from `now_s` until the next tick() has something to do.
   [[nodiscard]] double due_in_s(double now_s) const;
 
@@ -74,6 +76,7 @@ class JogHold {
 
   Send send_;
   std::optional<Held> held_;
+  IntentId tap_ = 0;
 };
 
 }  // namespace hw::gui

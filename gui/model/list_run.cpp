@@ -21,19 +21,20 @@ void ListRun::follow(const Snapshot& now, const Send& send) {
   if (was_away) may_start_ = false;
   if (const IntentOutcome* loaded = ended(loading_, now)) {
     if (loaded->state != IntentState::done) {
-      told_.push_back({Severity::fault, std::string(loaded->sentence.view())});
+      reports_.push_back({Severity::fault, std::string(loaded->sentence.view())});
     } else if (may_start_) {
       start_.emplace(0, places_);
       starting_ = send(*start_);
     } else {
-      told_.push_back(
-          {Severity::warn, "The list was loaded but not started, because another panel came to the front."});
+      reports_.push_back(
+          {Severity::warn,
+           "Start the list again: it was loaded, but another panel came to the front before it began."});
     }
   }
   const IntentOutcome* started = ended(starting_, now);
   if (!started || started->state == IntentState::done) return;
   if (was_away)
-    told_.push_back({Severity::fault, std::string(started->sentence.view())});
+    reports_.push_back({Severity::fault, std::string(started->sentence.view())});
   else
     refusal_ = *started;
 }

@@ -10,7 +10,7 @@
 
 #include "core/device/intent.h"
 #include "core/device/snapshot.h"
-#include "gui/model/told.h"
+#include "gui/model/report.h"
 
 namespace hw::gui {
 
@@ -34,7 +34,7 @@ class ListRun {
   [[nodiscard]] const std::optional<intent::RunProgram>& start() const { return start_; }
   /// The outcome of a refused start, returned once.
   [[nodiscard]] std::optional<IntentOutcome> take_refusal() { return std::exchange(refusal_, std::nullopt); }
-  [[nodiscard]] std::vector<Told> take_told() { return std::exchange(told_, {}); }
+  [[nodiscard]] std::vector<Report> take_report() { return std::exchange(reports_, {}); }
 
  private:
   [[nodiscard]] const IntentOutcome* ended(IntentId& id, const Snapshot& now) const;
@@ -45,7 +45,7 @@ class ListRun {
   std::vector<AxisTarget> places_;
   std::optional<intent::RunProgram> start_;
   std::optional<IntentOutcome> refusal_;
-  std::vector<Told> told_;
+  std::vector<Report> reports_;
 };
 
 }  // namespace hw::gui

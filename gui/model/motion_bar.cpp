@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/refusals.h"
 #include "gui/model/status_sentence.h"
 
 namespace hw::gui {

@@ -43,7 +43,7 @@ Result<std::vector<MoveRow>> read_moves(std::string_view text, const MoveListFac
     std::string_view rest = trimmed(next_part(text, '\n'));
     if (rest.empty() || rest.front() == ';' || rest.front() == '#') continue;
     const auto wrong = [&](std::string why) {
-      return fail(FaultKind::text, fmt::format("Line {}: {}", line, why), "The list is as it was.",
+      return fail(FaultKind::text, fmt::format("Line {}: {}", line, why), "The list is unchanged.",
                   fmt::format("Write {} numbers with commas between them.", facts.columns.size()));
     };
     MoveRow row;

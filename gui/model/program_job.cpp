@@ -15,26 +15,29 @@ namespace {
 std::string say_progress(const TransferState& t) {
   if (!t.running || (t.done == 0 && t.total == 0)) return {};
   const bool compares = t.phase == TransferState::Phase::comparing;
-  std::string said = fmt::format(": {}{}", compares ? "comparing, " : "", t.done);
-  said += t.total > 0 ? fmt::format(" of {}", count_of(t.total, "lines")) : t.done == 1 ? " line" : " lines";
+  std::string progress = fmt::format(": {}{}", compares ? "comparing, " : "", t.done);
+  progress += t.total > 0   ? fmt::format(" of {}", count_of(t.total, "lines"))
+              : t.done == 1 ? " line"
+                            : " lines";
   if (t.left > Duration{})
-    said += fmt::format(", {} left", format_duration(std::ceil(seconds(t.left))).view());
-  return said;
+    progress += fmt::format(", {} left", format_duration(std::ceil(seconds(t.left))).view());
+  return progress;
 }
 
 }  // namespace
 
 void ProgramJob::refuse(std::string sentence) {
   stage_ = Stage::idle;
-  told_ = {Severity::fault, std::move(sentence)};
+  report_ = {Severity::fault, std::move(sentence)};
 }
 
 bool ProgramJob::begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
                        const Send& send, RunTerms run) {
   if (busy()) {  // the other job, or its question, stays
-    told_ = {Severity::fault, stage_ == Stage::asking
-                                  ? "Answer the question about the program first."
-                                  : "One program transfer at a time: wait until the present one has ended."};
+    report_ = {Severity::fault,
+               stage_ == Stage::asking
+                   ? "Answer the question about the program first."
+                   : "One program transfer at a time: wait until the present one has ended."};
     return false;
   }
   ++begun_;
@@ -81,7 +84,7 @@ void ProgramJob::load(const Send& send) {
 void ProgramJob::after_load(const Send& send) {
   if (goal_ == Goal::load) {
     stage_ = Stage::idle;
-    told_ = {Severity::ok, "The controller holds this program now."};
+    report_ = {Severity::ok, "The controller holds this program now."};
     return;
   }
   if (goal_ == Goal::store) {
@@ -107,24 +110,24 @@ void ProgramJob::update(ProgramTexts& texts, const Snapshot& now, const Catalog&
   if (stage_ == Stage::idle) return;
   if (now.link.state == LinkState::lost || now.link.state == LinkState::closed) return lose_link(now);
   if (stage_ == Stage::asking) return;
-  const IntentOutcome* told_outcome = now.outcome_of(waiting_for_);
+  const IntentOutcome* outcome = now.outcome_of(waiting_for_);
   if (now.forgotten(waiting_for_)) {
     texts.forget();
     return refuse("The outcome of the transfer is not known. Check the controller's program.");
   }
-  if (!told_outcome || told_outcome->state == IntentState::pending) return;
-  if (told_outcome->state == IntentState::done && given_up_) return end_given_up(texts, clock);
-  if (told_outcome->state == IntentState::done) return done(texts, now, catalog, clock, send);
+  if (!outcome || outcome->state == IntentState::pending) return;
+  if (outcome->state == IntentState::done && given_up_) return end_given_up(texts, clock);
+  if (outcome->state == IntentState::done) return done(texts, now, catalog, clock, send);
   if (stage_ == Stage::loading || stage_ == Stage::clearing) texts.forget();
-  refuse(std::string(told_outcome->sentence.view()));
+  refuse(std::string(outcome->sentence.view()));
 }
 
 /// The refusal includes what was written so far.
 void ProgramJob::lose_link(const Snapshot& now) {
   const bool writes = stage_ == Stage::loading || stage_ == Stage::clearing;
-  const std::string written = writes && now.slots_torn != 0 ? say_written(now.transfer) : std::string();
+  const std::string written = writes && now.slots_torn != 0 ? report_written(now.transfer) : std::string();
   refuse(written.empty()
-             ? "The link was lost before the program was transferred. Look at it again when the link is back."
+             ? "The link was lost before the program was transferred. Check it when the link is back."
              : fmt::format("The link was lost while the program was transferred: {}. Load it again when the "
                            "link is back.",
                            written));
@@ -139,16 +142,15 @@ void ProgramJob::end_given_up(ProgramTexts& texts, Instant clock) {
   if (stage_ == Stage::loading) texts.loaded(slot_, text_, clock);
   if (stage_ == Stage::clearing) texts.cleared(slot_, clock);
   stage_ = Stage::idle;
-  told_ = {Severity::plain, "A stop came: the step under way was finished, and nothing follows it."};
+  report_ = {Severity::plain, "A stop came: the step under way was finished, and nothing follows it."};
 }
 
 void ProgramJob::fetched(ProgramTexts& texts, const Catalog& catalog) {
   const std::string& text = texts.held(slot_).text;
   const bool replaces = !texts.text(slot_).empty() && texts.text(slot_) != text;
   texts.set_text(slot_, text);
-  told_ = {Severity::ok,
-           fmt::format("{} {} was brought here from the controller.{}", catalog.program.slot_word, slot_,
-                       replaces ? " Ctrl+Z brings back what stood here." : "")};
+  report_ = {Severity::ok, fmt::format("{} {} was loaded from the controller.{}", catalog.program.slot_word,
+                                       slot_, replaces ? " Ctrl+Z restores the earlier text." : "")};
 }
 
 void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& catalog, Instant clock,
@@ -159,22 +161,22 @@ void ProgramJob::done(ProgramTexts& texts, const Snapshot& now, const Catalog& c
     case Stage::fetching:
       stage_ = Stage::idle;
       if (!texts.held(slot_).known)
-        return refuse("The controller listed nothing. The text here is as it was.");
+        return refuse("The controller listed nothing. The text here is unchanged.");
       if (goal_ == Goal::make_room) return empty_kept(texts, catalog, send);
       return fetched(texts, catalog);
     case Stage::clearing:
       stage_ = Stage::idle;
       texts.cleared(slot_, clock);
-      told_ = {Severity::ok,
-               fmt::format("{} {} in the controller is empty. {}", catalog.program.slot_word, slot_,
-                           goal_ == Goal::make_room ? "Its text is kept in the editor. Move again."
-                                                    : "The text here is as it was.")};
+      report_ = {Severity::ok,
+                 fmt::format("{} {} in the controller is empty. {}", catalog.program.slot_word, slot_,
+                             goal_ == Goal::make_room ? "Its text is kept in the editor. Move again."
+                                                      : "The text here is unchanged.")};
       return;
     case Stage::storing:
       stage_ = Stage::idle;
-      told_ = {Severity::ok, "Stored in the controller."};
+      report_ = {Severity::ok, "Stored in the controller."};
       if (now.store_count >= 0 && catalog.can.store_life > 0)
-        told_.sentence += fmt::format(" {} of {} writes used.", now.store_count, catalog.can.store_life);
+        report_.sentence += fmt::format(" {} of {} writes used.", now.store_count, catalog.can.store_life);
       return;
     default: stage_ = Stage::idle;
   }
@@ -186,8 +188,8 @@ void ProgramJob::empty_kept(ProgramTexts& texts, const Catalog& catalog, const S
     texts.set_text(slot_, texts.held(slot_).text);
   else if (!texts.controller_has(slot_))
     return refuse(
-        fmt::format("The editor's {0} {1} differs from the controller's, which would be lost. Nothing was "
-                    "emptied. Save the text and clear the editor, or choose another one.",
+        fmt::format("Save the text and clear the editor, or choose another {0}: the editor's {0} {1} differs "
+                    "from the controller's, which would be lost. Nothing was emptied.",
                     catalog.program.slot_word, slot_));
   stage_ = Stage::clearing;
   waiting_for_ = written_by_ = send(intent::ClearProgram(slot_));
@@ -221,7 +223,7 @@ void ProgramJob::answer(Answer answer, ProgramTexts& texts, const Send& send) {
       return;
     case Answer::leave:
       stage_ = Stage::idle;
-      told_ = {Severity::plain, "Nothing was sent. The controller's program is as it was."};
+      report_ = {Severity::plain, "Nothing was sent. The controller's program is unchanged."};
   }
 }
 

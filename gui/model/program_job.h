@@ -32,7 +32,7 @@ class ProgramJob {
   enum class Answer : std::uint8_t { overwrite, fetch_instead, leave };
 
   using Send = std::function<IntentId(IntentBody)>;
-  struct Told {
+  struct Report {
     Severity severity = Severity::plain;
     std::string sentence;
   };
@@ -60,8 +60,8 @@ class ProgramJob {
   [[nodiscard]] const std::string& question() const { return question_; }
   /// "Loading program 0: 41 of 302 lines, 14 s left": the present step; empty when idle.
   [[nodiscard]] std::string words(const ProgramFacts& facts, const TransferState& transfer) const;
-  /// The outcome, told once; empty sentence: nothing new.
-  Told take_told() { return std::exchange(told_, Told()); }
+  /// The outcome, reported once; empty sentence: nothing new.
+  Report take_report() { return std::exchange(report_, Report()); }
 
  private:
   void load(const Send& send);
@@ -85,7 +85,7 @@ class ProgramJob {
   RunTerms run_;
   std::string text_;  ///< the text loaded: as it was when the job began
   std::string question_;
-  Told told_;
+  Report report_;
 };
 
 }  // namespace hw::gui

@@ -239,7 +239,7 @@ bool is_torn(const Snapshot& now, int slot, const ProgramFacts& facts) {
 
 ProgramNote note_of_torn(const Snapshot& now, int slot, const ProgramFacts& facts, const std::string& mend) {
   const bool of_this = now.transfer.slot == (facts.threads > 0 ? 0 : slot);
-  const std::string written = of_this ? say_written(now.transfer) : std::string();
+  const std::string written = of_this ? report_written(now.transfer) : std::string();
   return {Severity::warn,
           fmt::format(
               "The controller does not hold this program{}{}. {}", written.empty() ? "" : ": ", written,

@@ -54,7 +54,7 @@ void take_axes(const ControllerState& of, const Catalog&, ControllerState& into)
   for (int i = 0; i < of.now.axis_count; ++i) into.now.axes[ix(i)] = begins_as(of.now.axes[ix(i)]);
 }
 
-/// `then`: as the rehearsal was told. Its results are in the count of the axis at its end, which the text may
+/// `then`: as given to the rehearsal. Its results are in the count of the axis at its end, which the text may
 /// change.
 Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& then, const AxisState& axis, bool moves) {
   if (!axis.position_known) return Footing::unknown;
@@ -253,7 +253,7 @@ Stand compare_queue(const Comparison& c) {
   return commands_wait(c.now, c.catalog) ? Stand{Footing::other_queue, -1, {}, {}} : Stand();
 }
 
-/// Every fact about the controller that a rehearsal is told, and how it is compared afterwards. A rehearsal
+/// Every fact about the controller that a rehearsal is given, and how it is compared afterwards. A rehearsal
 /// knows nothing else, so nothing enters it without being compared. The first difference in this order is
 /// reported.
 struct Fact {
@@ -273,7 +273,7 @@ constexpr std::array<Fact, 10> facts{{
     {take_queue, compare_queue},
 }};
 
-ControllerState told_to_rehearsals(const ControllerState& from, const Catalog& catalog) {
+ControllerState sent_to_rehearsals(const ControllerState& from, const Catalog& catalog) {
   ControllerState into;
   into.now.slot_bytes_used.fill(-1);
   for (const Fact& fact : facts) fact.take(from, catalog, into);
@@ -296,20 +296,21 @@ Stand compare(const Comparison& c, const Rehearsals::Scene& scene, const BenchVi
 
 std::string_view why_not_rehearse_now(const Snapshot& now, const Catalog& catalog) {
   if (!commands_wait(now, catalog)) return {};
-  return "Commands wait in the controller, and it does not tell what they say. Let them run, or press Stop; "
-         "then simulate.";
+  return "Let the commands in the controller's queues run, or press Stop; then simulate. Their text cannot "
+         "be read.";
 }
 
-void Rehearsals::start(const Language& language, std::string text, const RehearseOptions& wish,
+void Rehearsals::start(const Language& language, std::string text, const RehearseOptions& requested,
                        const ControllerState& from, const BenchView& bench, const Catalog& catalog,
                        Worker& worker) {
-  const int slot = wish.slot;
+  const int slot = requested.slot;
   prepared_.erase(slot);
   if (!running_.insert(slot).second) return;
-  Scene scene{std::make_shared<const ControllerState>(told_to_rehearsals(from, catalog)), std::nullopt};
+  Scene scene{std::make_shared<const ControllerState>(sent_to_rehearsals(from, catalog)), std::nullopt};
   if (bench.present) scene.switches = bench.switches;
   RehearseOptions options = rehearse_from(scene.state, bench, catalog);
-  options.slot = slot, options.for_seconds = wish.for_seconds, options.track_every_s = wish.track_every_s;
+  options.slot = slot, options.for_seconds = requested.for_seconds,
+  options.track_every_s = requested.track_every_s;
   worker.run(
       [&language, text = std::move(text), options = std::move(options), scene = std::move(scene)]() mutable {
         auto result = language.rehearse(text, options);

@@ -48,7 +48,7 @@ struct Stand {
   bool operator==(const Stand&) const = default;
 };
 
-/// Why no rehearsal may begin now: it would begin with empty queues, since no controller tells what waits in
+/// Why no rehearsal may begin now: it would begin with empty queues, since no controller lists what waits in
 /// its own. Empty: it may.
 [[nodiscard]] std::string_view why_not_rehearse_now(const Snapshot& now, const Catalog& catalog);
 
@@ -71,9 +71,9 @@ class Rehearsals {
   };
 
   /// Starts a dry run from the present state of the controller and the switches of the bench, as far as
-  /// known; the rest is as after power-up. Of `wish`, only the slot, the time and the track count are used.
-  /// Does nothing while a dry run is under way for this slot.
-  void start(const Language& language, std::string text, const RehearseOptions& wish,
+  /// known; the rest is as after power-up. Of `requested`, only the slot, the time and the track count are
+  /// used. Does nothing while a dry run is under way for this slot.
+  void start(const Language& language, std::string text, const RehearseOptions& requested,
              const ControllerState& from, const BenchView& bench, const Catalog& catalog, Worker& worker);
   /// Announces a dry run of this slot that starts once more is known: it counts as under way from now on.
   void prepare(int slot) { prepared_.insert(slot); }

@@ -19,26 +19,26 @@ static int started(const Snapshot& now, const ProgramFacts& facts) {
 
 void RunFollower::follow(const Snapshot& now, const BenchView& bench, Instant clock,
                          const ProgramTexts& texts, const Language* language, Worker& worker) {
-  told_ = now.program;
-  if (!under_way(told_)) {
+  program_ = now.program;
+  if (!under_way(program_)) {
     following_ = false;
     at_rest_ = now;
     return;
   }
-  if (!following_ || started_at_ != told_.started_at) {
+  if (!following_ || started_at_ != program_.started_at) {
     following_ = true;
-    started_at_ = seen_at_ = told_.started_at;
+    started_at_ = seen_at_ = program_.started_at;
     seen_run_ = RunState::running;
     run_s_ = 0;
     of_run_.reset();
     ++run_number_;
     if (language) begin(now, bench, texts, *language, worker);
   }
-  if (!texts.lines_known(told_.slot)) of_run_.reset();  // the rehearsal is of another program
+  if (!texts.lines_known(program_.slot)) of_run_.reset();  // the rehearsal is of another program
   if (seen_run_ == RunState::running) run_s_ += std::max(0.0, seconds(clock - seen_at_));
-  seen_run_ = told_.run;
+  seen_run_ = program_.run;
   seen_at_ = clock;
-  if (told_.run == RunState::held && told_.command >= 0) put_right(told_);
+  if (program_.run == RunState::held && program_.command >= 0) put_right(program_);
 }
 
 void RunFollower::begin(const Snapshot& now, const BenchView& bench, const ProgramTexts& texts,
@@ -60,12 +60,13 @@ void RunFollower::begin(const Snapshot& now, const BenchView& bench, const Progr
 
 // Sets the run time to the nearest time at which the rehearsal reaches the command before which the
 // controller is held.
-void RunFollower::put_right(const ProgramState& told) {
+void RunFollower::put_right(const ProgramState& reported) {
   const Rehearsal* r = rehearsal();
   if (!r) return;
   double nearest = run_s_, least = 1e18;
   for (const RehearsedEvent& event : r->events)
-    if (event.slot == told.slot && event.command == told.command && std::fabs(event.t - run_s_) < least) {
+    if (event.slot == reported.slot && event.command == reported.command &&
+        std::fabs(event.t - run_s_) < least) {
       least = std::fabs(event.t - run_s_);
       nearest = event.t;
     }
@@ -78,8 +79,8 @@ void RunFollower::see_turns(const Rehearsal& r, double since, Place& place) cons
                                       [](double t, const RehearsedTurn& turn) { return t < turn.t; });
   if (after != r.turns.begin()) {
     const RehearsedTurn& turn = *std::prev(after);
-    if (turn.t > since || (turn.t == since && place.slot == told_.slot))
-      place.slot = told_.slot, place.command = turn.command;
+    if (turn.t > since || (turn.t == since && place.slot == program_.slot))
+      place.slot = program_.slot, place.command = turn.command;
   }
   if (after == r.turns.end()) return;
   const double next = after->t - run_s_;
@@ -92,7 +93,7 @@ void RunFollower::count_passes(const Rehearsal& r, Place& place) const {
     ++place.passes;
     if (t <= run_s_ + 1e-6) ++place.pass;
   };
-  if (place.slot == told_.slot)
+  if (place.slot == program_.slot)
     for (const RehearsedTurn& turn : r.turns)
       if (turn.command == place.command) count(turn.t);
   if (place.passes == 0)
@@ -105,9 +106,9 @@ RunFollower::Place RunFollower::place() const {
   Place place;
   if (!following_) return place;
   const Rehearsal* r = rehearsal();
-  if (told_.command >= 0) {
-    place.slot = told_.slot;
-    place.command = told_.command;
+  if (program_.command >= 0) {
+    place.slot = program_.slot;
+    place.command = program_.command;
   } else if (r && run_s_ <= r->duration_s) {
     const auto after = std::upper_bound(r->events.begin(), r->events.end(), run_s_,
                                         [](double t, const RehearsedEvent& event) { return t < event.t; });

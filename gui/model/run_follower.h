@@ -35,7 +35,7 @@ class RunFollower {
  private:
   void begin(const Snapshot& now, const BenchView& bench, const ProgramTexts& texts, const Language& language,
              Worker& worker);
-  void put_right(const ProgramState& told);
+  void put_right(const ProgramState& reported);
   void see_turns(const Rehearsal& r, double since, Place& place) const;
   void count_passes(const Rehearsal& r, Place& place) const;
   [[nodiscard]] const Rehearsal* rehearsal() const { return of_run_ ? &*of_run_ : nullptr; }
@@ -44,7 +44,7 @@ class RunFollower {
   bool following_ = false;
   Instant started_at_{}, seen_at_{};
   RunState seen_run_ = RunState::idle;
-  ProgramState told_;
+  ProgramState program_;
   double run_s_ = 0;
   int run_number_ = 0;  ///< tells the rehearsal of an earlier run from this run's
   std::optional<Rehearsal> of_run_;

@@ -33,7 +33,7 @@ std::string why_not_run_there(const Tab& tab, const sequence::Sequence& sequence
   if (doubtful == 0) return {};
   const int axis = std::countr_zero(doubtful);
   return fmt::format(
-      "The position of {} cannot be trusted: {}. Nothing was sent. Home it, or say where it stands, then run "
+      "The position of {} cannot be trusted: {}. Nothing was sent. Home it, or set its position, then run "
       "this again.",
       spoken_name(catalog, axis), words_of(tab.now().axes[ix(axis)].trust.cause));
 }
@@ -56,8 +56,7 @@ std::string why_not_begin_any_more(const Tab& tab, const sequence::Sequence& seq
   const Catalog& catalog = tab.catalog();
   const intent::RunProgram run(0, places_of_run(sequence, catalog, tab.now()));
   if (past_travel(catalog, tab.now(), run))
-    return fmt::format("{} It goes past a limit that was set meanwhile. Press Run to see which.",
-                       not_started);
+    return fmt::format("{} It goes past a limit set meanwhile. Press Run to see which.", not_started);
   return why_doubted_meanwhile(tab, sequence, agreed);
 }
 
@@ -70,8 +69,8 @@ std::string why_doubted_meanwhile(const Tab& tab, const sequence::Sequence& sequ
     const PositionTrust& trust = tab.now().axes[ix(axis)].trust;
     if ((doubtful >> axis & 1u) == 0 || trust == agreed[ix(axis)]) continue;
     return fmt::format(
-        "{} Meanwhile the position of {} has become doubtful: {}. Press Run to see what can be done.",
-        not_started, spoken_name(catalog, axis), words_of(trust.cause));
+        "{} Meanwhile the position of {} has become doubtful: {}. Press Run to see the choices.", not_started,
+        spoken_name(catalog, axis), words_of(trust.cause));
   }
   return {};
 }
@@ -87,11 +86,12 @@ std::optional<sequence::Sequence> read_sequence(Tab& tab, const std::string& tex
 }
 
 std::string_view why_no_pieces(Tab& tab) {
-  if (!tab.now().link.connected()) return "There is no link. This comes back when the controller answers.";
+  if (!tab.now().link.connected())
+    return "There is no link. Run is available again when the controller answers.";
   if (tab.desk().job.busy()) return "A program is being transferred.";
   const ProgramState& p = tab.now().program;
   if (p.owned && p.run != RunState::idle && p.run != RunState::error)
-    return "A program is at work. This comes back when it has ended or was stopped.";
+    return "A program is running. Run is available again when it ends or is stopped.";
   return tab.why_not_move();
 }
 

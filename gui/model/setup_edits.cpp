@@ -116,15 +116,15 @@ std::string SetupWrite::what_store_keeps(const Catalog& catalog) const {
   const auto kept = static_cast<std::size_t>(std::count_if(
       values_.begin(), values_.end(), [&](const auto& value) { return catalog.params[value.first].stored; }));
   const bool one = values_.size() == 1;
-  if (kept == 0) return one ? "It is not kept over power-off." : "They are not kept over power-off.";
-  if (kept < values_.size()) return fmt::format("Store keeps {} of them over power-off.", kept);
-  return fmt::format("Store keeps {} over power-off.", one ? "it" : "them");
+  if (kept == 0) return one ? "It is lost at power-off." : "They are lost at power-off.";
+  if (kept < values_.size()) return fmt::format("Store keeps {} of them at power-off.", kept);
+  return fmt::format("Store keeps {} at power-off.", one ? "it" : "them");
 }
 
 void SetupWrite::update(const Snapshot& now, const Catalog& catalog, const Send& send) {
   if (!busy()) return;
   const auto ended = [&](bool good, std::string sentence) {
-    told_ = {good, std::move(sentence)};
+    report_ = {good, std::move(sentence)};
     values_.clear();
     next_ = 0;
   };
@@ -134,15 +134,15 @@ void SetupWrite::update(const Snapshot& now, const Catalog& catalog, const Send&
   if (now.forgotten(waiting_for_))
     return ended(false, fmt::format("The outcome for a value is not known: {} of {} values were written.",
                                     next_, values_.size()));
-  const IntentOutcome* told_outcome = now.outcome_of(waiting_for_);
-  if (!told_outcome || told_outcome->state == IntentState::pending) return;
-  if (told_outcome->state != IntentState::done) {
+  const IntentOutcome* outcome = now.outcome_of(waiting_for_);
+  if (!outcome || outcome->state == IntentState::pending) return;
+  if (outcome->state != IntentState::done) {
     const ParamInfo& p = catalog.params[values_[next_].first];
-    if (told_outcome->asks)  // a dialog asks, and sends it
+    if (outcome->asks)  // a dialog asks, and sends it
       return ended(false, fmt::format("{} must be answered first. {} of {} values were written.", p.mnemonic,
                                       next_, values_.size()));
     return ended(false, fmt::format("{}: {} {} of {} values were written.", p.mnemonic,
-                                    told_outcome->sentence.view(), next_, values_.size()));
+                                    outcome->sentence.view(), next_, values_.size()));
   }
   ++next_;
   if (busy()) return send_next(catalog, send);

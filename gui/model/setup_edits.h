@@ -58,12 +58,12 @@ class SetupWrite {
   [[nodiscard]] bool busy() const { return next_ < values_.size(); }
   [[nodiscard]] std::size_t written() const { return next_; }
   [[nodiscard]] std::size_t all() const { return values_.size(); }
-  /// The outcome, told once: "3 values written." or the refusal.
-  struct Told {
+  /// The outcome, reported once: "3 values written." or the refusal.
+  struct Report {
     bool good = true;
     std::string sentence;
   };
-  Told take_told() { return std::exchange(told_, Told()); }
+  Report take_report() { return std::exchange(report_, Report()); }
 
  private:
   void send_next(const Catalog& catalog, const Send& send);
@@ -72,7 +72,7 @@ class SetupWrite {
   std::size_t next_ = 0;
   IntentId waiting_for_ = 0;
   bool confirmed_ = false;
-  Told told_;
+  Report report_;
 };
 
 /// A value in written form: "0.800" with decimals, "4EX07" with a prefix, else the number.

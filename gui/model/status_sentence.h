@@ -15,7 +15,10 @@ namespace hw::gui {
 struct StatusSentence {
   Severity severity = Severity::plain;
   FixedText<800> text;
-  bool operator==(const StatusSentence&) const = default;
+  std::size_t goes_on = 0;  ///< bytes at the end of `text` that tell what goes on beside something worse
+  bool operator==(const StatusSentence& other) const {
+    return severity == other.severity && text == other.text;
+  }
 };
 
 /// Where a running program is, as the editor shows it.
@@ -43,6 +46,9 @@ struct StatusFacts {
 };
 
 StatusSentence status_sentence(const StatusFacts& facts);
+
+/// Adds a sentence on what else goes on.
+void add_what_goes_on(StatusSentence& sentence, std::string_view words);
 
 /// The index of a parameter that must be chosen before an axis may move and is not; -1: none.
 int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId axis);

@@ -55,6 +55,7 @@ void StepRecorder::begin(const Plan& plan, int steps, const View& view) {
 
 void StepRecorder::end_where_it_began() {
   const bool stands = stage_ == Stage::pausing, leads_away = sign_ > 0;
+  series_.learns_scatter = false;
   series_.steps_left = (stands ? 0 : 1) + (leads_away == stands ? 0 : 1);
   if (series_.steps_left == 0) end_series({});
 }
@@ -72,7 +73,7 @@ void StepRecorder::request(const View& view) {
   stage_ = Stage::idle;
   if (const std::string_view why = why_not(plan_.axis, view); !why.empty()) {
     series_ = {};
-    return tell(Severity::fault, std::string(why));
+    return report(Severity::fault, std::string(why));
   }
   runs_.emplace_back(++number_, plan_.axis, Steps(sign_ * plan_.step.value));
   span_ = {};
@@ -106,10 +107,10 @@ void StepRecorder::finish(const View& view) {
     const bool none = runs_.back().empty();
     drop_run();
     series_ = {};
-    return tell(Severity::fault, none ? "No sample has come: nothing was recorded."
-                                      : "The axis was not sent anywhere: nothing was recorded.");
+    return report(Severity::fault, none ? "No sample arrived: nothing was recorded."
+                                        : "The axis was not moved: nothing was recorded.");
   }
-  runs_.back().end();
+  runs_.back().end(plan_.length_ms);
   measured_ = measure(runs_.back());
   measured_number_ = runs_.back().number();
   while (runs_.size() > most_runs) runs_.pop_front();
@@ -122,13 +123,20 @@ void StepRecorder::finish(const View& view) {
   since_ = view.clock;
 }
 
-/// From steps away only; those back begin elsewhere.
+/// From steps away only; those back begin elsewhere. One with a gap is made again.
 void StepRecorder::count_into_scatter() {
   if (!series_.learns_scatter) return;
-  if (sign_ > 0) scatter_.take(measured_);
-  if (series_.steps_left == 0)
-    tell(Severity::ok,
-         "Three repetitions are measured: a smaller difference than theirs is called the same.");
+  if (sign_ > 0 && measured_.gaps == 0)
+    scatter_.take(measured_);
+  else if (sign_ > 0 && series_.spare > 0)
+    --series_.spare, series_.steps_left += 2;
+  if (series_.steps_left > 0) return;
+  if (scatter_.known())
+    report(Severity::ok,
+           "Three repetitions are measured: a difference within their scatter counts as the same.");
+  else
+    report(Severity::warn,
+           "Repeat the step three times again: the recordings have gaps, so their scatter is unknown.");
 }
 
 // ---- frame by frame
@@ -157,7 +165,7 @@ void StepRecorder::follow(const View& view) {
     drop_run();
     const bool others = stopped || asked_by_others(view);
     return end_series(
-        fmt::format("The step was not made: {}.", others ? "something else came first" : between));
+        fmt::format("The step was not made: {}.", others ? "another command came first" : between));
   }
   follow_series(view, between, stopped);
   if (stage_ == Stage::idle) return;  // the series has ended between two steps
@@ -165,7 +173,7 @@ void StepRecorder::follow(const View& view) {
   if (stage_ == Stage::arming && span_.any) make_step(view);
   const IntentOutcome* outcome = view.now.outcome_of(move_);
   if (outcome && (outcome->state == IntentState::refused || outcome->state == IntentState::failed)) {
-    tell(Severity::fault, std::string(outcome->sentence.view()));
+    report(Severity::fault, std::string(outcome->sentence.view()));
     series_ = {};
     return drop_run();
   }
@@ -183,7 +191,7 @@ void StepRecorder::follow_series(const View& view, std::string_view between, boo
   else if (!between.empty())
     end_series(fmt::format("Repeat is off: {}.", between));
   else if (asked_by_others(view))
-    end_series("Repeat is off: something else was asked of the controller.");
+    end_series("Repeat is off: the controller received another command.");
 }
 
 void StepRecorder::pause(const View& view) {
@@ -197,7 +205,7 @@ void StepRecorder::pause(const View& view) {
 void StepRecorder::end_series(std::string_view why) {
   series_ = {};
   if (stage_ == Stage::pausing) stage_ = Stage::idle;
-  if (!why.empty()) tell(Severity::plain, std::string(why));
+  if (!why.empty()) report(Severity::plain, std::string(why));
 }
 
 /// A step that has not settled is the subject of the tuning, and ends nothing.

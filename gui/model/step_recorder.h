@@ -1,5 +1,5 @@
 #pragma once
-// Makes steps of a servo axis and records them: one step, or to and fro until told otherwise. A recording
+// Makes steps of a servo axis and records them: one step, or to and fro until it is switched off. A recording
 // goes on while other panels are in front; the next step of a series is made only while its panel is looked
 // at. GUI thread.
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 #include "core/device/intent.h"
 #include "core/device/snapshot.h"
+#include "gui/model/report.h"
 #include "gui/model/step_response.h"
-#include "gui/model/told.h"
 
 namespace hw::gui {
 
@@ -66,7 +66,7 @@ class StepRecorder {
   [[nodiscard]] const StepMeasures& measured() const { return measured_; }
   /// Of the axis, step and length recorded last.
   [[nodiscard]] const StepScatter& scatter() const { return scatter_; }
-  [[nodiscard]] std::vector<Told> take_told() { return std::exchange(told_, {}); }
+  [[nodiscard]] std::vector<Report> take_report() { return std::exchange(reports_, {}); }
 
  private:
   enum class Stage : std::uint8_t {
@@ -79,6 +79,7 @@ class StepRecorder {
     bool on = false;
     int steps_left = 0;  ///< even, so that the axis returns to its start; negative: until it is ended
     bool learns_scatter = false;
+    int spare = StepScatter::enough;  ///< repetitions that may be made again
   };
   /// The link and the controller when the latest step was requested.
   struct Before {
@@ -104,7 +105,9 @@ class StepRecorder {
   [[nodiscard]] std::string_view interruption(const View& view, bool away) const;
   void follow_series(const View& view, std::string_view between, bool stopped);
   [[nodiscard]] bool asked_by_others(const View& view) const { return view.now.outcomes[0].id > newest_; }
-  void tell(Severity severity, std::string sentence) { told_.push_back({severity, std::move(sentence)}); }
+  void report(Severity severity, std::string sentence) {
+    reports_.push_back({severity, std::move(sentence)});
+  }
 
   Stage stage_ = Stage::idle;
   Series series_;
@@ -120,7 +123,7 @@ class StepRecorder {
   StepMeasures measured_;
   int measured_number_ = 0;
   StepScatter scatter_;
-  std::vector<Told> told_;
+  std::vector<Report> reports_;
 };
 
 /// Recorded milliseconds unless the user types another number.

@@ -10,17 +10,30 @@ namespace {
 constexpr double settled_share = 0.02;
 constexpr std::size_t usual_samples = 4096;
 
-/// When `y` first reaches `level`, between samples; nothing: never.
+/// When `y` first reaches `level`, between samples; nothing: never. In any earlier gap it may have been there
+/// and gone back.
 std::optional<Measure> reaches(const StepRun& run, double level) {
   const auto t = run.t_ms(), y = run.encoder();
+  std::optional<double> unseen_from;
   for (std::size_t i = 0; i < y.size(); ++i) {
-    if (t[i] < 0 || static_cast<double>(y[i]) < level) continue;
-    if (run.gap_before(i)) return Measure(t[i - 1], t[i]);
-    if (i == 0 || y[i] == y[i - 1]) return Measure(t[i]);
+    if (t[i] < 0) continue;
+    if (!unseen_from && t[i] > 0 && run.gap_before(i)) unseen_from = t[i - 1];
+    if (static_cast<double>(y[i]) < level) continue;
+    if (run.gap_before(i)) return Measure(unseen_from.value_or(t[i - 1]), t[i]);  // so i > 0
+    if (i == 0 || y[i] == y[i - 1]) return Measure(unseen_from.value_or(t[i]), t[i]);
     const double share = (level - static_cast<double>(y[i - 1])) / static_cast<double>(y[i] - y[i - 1]);
-    return Measure(static_cast<double>(t[i - 1]) + share * static_cast<double>(t[i] - t[i - 1]));
+    const double at = static_cast<double>(t[i - 1]) + share * static_cast<double>(t[i] - t[i - 1]);
+    return Measure(unseen_from.value_or(at), at);
   }
   return std::nullopt;
+}
+
+/// Time counts from the sample before the first that shows the step. In a gap between them it began later.
+double origin_gap(const StepRun& run) {
+  const auto t = run.t_ms();
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (t[i] > 0) return run.gap_before(i) ? static_cast<double>(t[i]) : 0.0;
+  return 0;
 }
 
 void measure_rise(const StepRun& run, double target, StepMeasures& m) {
@@ -29,18 +42,22 @@ void measure_rise(const StepRun& run, double target, StepMeasures& m) {
   if (m.rose) m.rise_ms = {std::max(0.0, high->low - low->high), high->high - low->low};
 }
 
-/// The encoder may have left the band again in any later gap.
+/// The encoder may have left the band again in any later gap of the step.
 void measure_settling(const StepRun& run, double target, StepMeasures& m) {
   const auto t = run.t_ms(), y = run.encoder();
   std::size_t within = 0;  // the first of the final samples within the band
   for (std::size_t i = 0; i < y.size(); ++i)
     if (std::fabs(static_cast<double>(y[i]) - target) > m.band) within = i + 1;
   m.settled = !y.empty() && within < y.size();
-  if (!m.settled || within == 0) return;
-  const double at = std::max(0.0f, t[within]);
-  m.settling_ms = {run.gap_before(within) ? std::max(0.0f, t[within - 1]) : at, at};
+  if (!m.settled) return;
+  if (within > 0) {
+    const double at = std::max(0.0f, t[within]);
+    const double from = run.gap_before(within) ? std::max(0.0, static_cast<double>(t[within - 1])) : at;
+    m.settling_ms = {std::max(0.0, from - origin_gap(run)), at};
+  }
+  if (run.cut_short()) m.settling_ms = Measure::at_least(m.settling_ms.low);
   for (std::size_t i = within + 1; i < y.size(); ++i)
-    if (run.gap_before(i)) m.settling_ms.high = t[i];
+    if (t[i] > 0 && run.gap_before(i) && !m.settling_ms.open()) m.settling_ms.high = t[i];
 }
 
 /// The mean of the last tenth, if it has no gap.
@@ -48,7 +65,7 @@ void measure_steady(const StepRun& run, StepMeasures& m) {
   const auto e = run.error();
   const std::size_t tail = std::max<std::size_t>(1, e.size() / 10);
   double sum = 0;
-  m.steady_known = true;
+  m.steady_known = !run.cut_short();
   for (std::size_t i = e.size() - tail; i < e.size(); ++i) {
     sum += e[i];
     if (run.gap_before(i)) m.steady_known = false;
@@ -94,15 +111,20 @@ void StepRun::take(const AxisSample& s) {
   if (s.output_known) output_.push_back(sign * s.output_percent);
 }
 
-void StepRun::end() {
+void StepRun::end(double length_ms) {
   constexpr std::size_t enough = 8;
-  constexpr float usual_jitter = 4;  // times the median spacing
-  if (t_ms_.size() < enough) return;
+  constexpr float usual_jitter = 4;  // times the median spacing; of a few samples, times the least
+  if (t_ms_.empty()) return;
+  planned_end_ms_ = t_ms_.front() + static_cast<float>(length_ms);
+  cut_short_ = length_ms > 0;
+  if (t_ms_.size() < 2) return;
   std::vector<float> spacing;
   for (std::size_t i = 1; i < t_ms_.size(); ++i) spacing.push_back(t_ms_[i] - t_ms_[i - 1]);
-  const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
+  const std::size_t usual = t_ms_.size() < enough ? 0 : spacing.size() / 2;
+  const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(usual);
   std::nth_element(spacing.begin(), middle, spacing.end());
   longest_joined_ms_ = usual_jitter * *middle;
+  cut_short_ = t_ms_.back() + longest_joined_ms_ < planned_end_ms_;
 }
 
 float StepRun::largest_output() const {
@@ -119,6 +141,7 @@ StepMeasures measure(const StepRun& run) {
   const double target = static_cast<double>(run.command().back());
   m.band = std::max(1.0, settled_share * run.step());
   for (std::size_t i = 1; i < y.size(); ++i) m.gaps += run.gap_before(i) && run.t_ms()[i] > 0;
+  m.gaps += run.cut_short();
   const auto as_seen = [&m](double value) { return m.gaps > 0 ? Measure::at_least(value) : Measure(value); };
   const auto highest = std::max_element(y.begin(), y.end());
   m.overshoot_percent = as_seen(std::max(0.0, (static_cast<double>(*highest) - target) / run.step() * 100));

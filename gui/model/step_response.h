@@ -19,8 +19,9 @@ class StepRun {
   StepRun(int number, AxisId axis, Steps step);
 
   void take(const AxisSample& sample);
-  /// All samples have been taken: an unusually long interval counts as a gap from now on.
-  void end();
+  /// All samples have been taken: an unusually long interval counts as a gap from now on, and so does what is
+  /// missing of a recording of `length_ms`; 0: nothing is.
+  void end(double length_ms = 0);
 
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] AxisId axis() const { return axis_; }
@@ -43,6 +44,10 @@ class StepRun {
   [[nodiscard]] bool gap_before(std::size_t sample) const {
     return sample > 0 && longest_joined_ms_ > 0 && t_ms_[sample] - t_ms_[sample - 1] > longest_joined_ms_;
   }
+  /// Its last samples are missing.
+  [[nodiscard]] bool cut_short() const { return cut_short_; }
+  /// When it would have ended.
+  [[nodiscard]] float planned_end_ms() const { return planned_end_ms_; }
   /// The largest magnitude of the output.
   [[nodiscard]] float largest_output() const;
 
@@ -50,10 +55,10 @@ class StepRun {
   int number_ = 0;
   AxisId axis_{};
   Steps step_{};
-  bool began_ = false;
+  bool began_ = false, cut_short_ = false;
   Instant first_at_{};
   Steps from_command_{}, from_encoder_{};
-  float origin_ms_ = 0, longest_joined_ms_ = 0;
+  float origin_ms_ = 0, longest_joined_ms_ = 0, planned_end_ms_ = 0;
   std::vector<float> t_ms_, command_, encoder_, error_, output_;
 };
 
@@ -70,7 +75,7 @@ struct Measure {
 
 struct StepMeasures {
   bool any = false;
-  int gaps = 0;  ///< after the step had begun
+  int gaps = 0;  ///< after the step had begun; a missing end is one of them
   Measure overshoot_percent;
   double peak_ms = 0;
   bool rose = false;

@@ -7,8 +7,6 @@
 #include "core/device/refusals.h"
 #include "core/device/travel_check.h"
 #include "core/session/session.h"
-#include "gui/model/ending_words.h"
-#include "gui/model/kept_unit.h"
 #include "gui/model/list_run.h"
 #include "gui/model/run_places.h"
 #include "gui/model/sample_feed.h"
@@ -18,11 +16,6 @@ namespace hw::gui {
 
 const Snapshot Tab::nothing_known;
 const BenchView Tab::no_bench;
-
-DisplayUnit display_unit(const Catalog& catalog, const Profile& profile, AxisId axis) {
-  const bool in_steps = profile.unit.empty() || profile.unit == catalog.step_word;
-  return kept_unit(catalog, in_steps ? AxisProfile() : profile.axes[axis.index]);
-}
 
 static Tab::Door door_of(Session& session) {
   return {[&session](IntentBody body, std::optional<double> ago_s) {
@@ -49,7 +42,7 @@ Tab::Tab(std::shared_ptr<Session> session, std::string key, bool on_bus)
       desk_(catalog_, session_->type().language ? &session_->type().language() : nullptr,
             session_->type().explain),
       bar_(catalog_) {
-  work_out_units();
+  units_.work_out(catalog_, profile);
   refresh();
 }
 
@@ -61,7 +54,7 @@ Tab::Tab(Address address, Catalog catalog, Door door, const Language* language, 
       door_(std::move(door)),
       desk_(catalog_, language, explain),
       bar_(catalog_) {
-  work_out_units();
+  units_.work_out(catalog_, profile);
 }
 
 const DeviceType* Tab::type() const { return session_ ? &session_->type() : nullptr; }
@@ -86,9 +79,10 @@ void Tab::show(const Snapshot& snapshot, const BenchView& bench, Instant clock) 
 }
 
 void Tab::look_at_snapshot() {
-  follow_counting();
+  units_.follow_counting(catalog_, *now_);
   followed_.refresh(*now_, [this](const IntentOutcome& outcome) { complain(outcome); });
-  tell_what_is_watched();
+  pad_looked_at_ = false;
+  report_watched();
   bar_.refresh(*now_);
   unset_read = unset_read || now_->any_axis_moving();
   banner_folded = banner_folded && now_->link.state == LinkState::lost;
@@ -100,6 +94,7 @@ void Tab::look_at_snapshot() {
 
 void Tab::take(Notice& notice) {
   if (notice.kind == Notice::Kind::program) return desk_.listed(notice);
+  if (notice.past) notice.text = describe_warned(catalog_, *notice.past, place_words());
   const bool bad = notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error;
   desk_.events.add({Happening::Mark::message, bad, notice.at, {}, notice.text, -1});
   notices_.push_back(std::move(notice));
@@ -148,7 +143,7 @@ void Tab::take(const Ending& ending) {
   const auto position = [this](AxisId axis, Steps place) {
     return std::string(format_with_unit(place, unit(axis)).view());
   };
-  desk_.events.add(event_of(ending, catalog_, position));
+  desk_.events.add(ending, catalog_, position);
   desk_.stop_times.add(ending, position);
 }
 
@@ -161,20 +156,26 @@ std::vector<Notice> Tab::take_notices() { return std::exchange(notices_, {}); }
 
 void Tab::complain(const IntentOutcome& outcome) {
   if (outcome.id == jog.jog_intent()) jog.forget();  // there is no jog to stop
-  complaints_.push_back(words_of(outcome));
-  desk_.events.add({Happening::Mark::message, true, clock_, {}, complaints_.back(), -1});
+  std::string words = words_of(outcome);
+  desk_.events.add({Happening::Mark::message, true, clock_, {}, words, -1});
+  if (pad_looked_at_ && outcome.past && outcome.id == jog.tap_intent())
+    tap_past_limit = {*outcome.past, std::move(words)};
+  else
+    complaints_.push_back(std::move(words));
 }
 
 std::string Tab::words_of(const IntentOutcome& outcome) const {
-  if (!outcome.past) return std::string(outcome.sentence.view());
-  return describe_past(catalog_, *outcome.past, [this](AxisId axis, Steps place) {
-    return std::string(format_with_unit(place, unit(axis)).view());
-  });
+  return outcome.past ? describe_past(catalog_, *outcome.past, place_words())
+                      : std::string(outcome.sentence.view());
+}
+
+PlaceWords Tab::place_words() const {
+  return [this](AxisId axis, Steps place) { return std::string(format_with_unit(place, unit(axis)).view()); };
 }
 
 // Sends the groups drawn since the last call. After an absence the controller has forgotten nothing, but its
 // driver may have.
-void Tab::tell_what_is_watched() {
+void Tab::report_watched() {
   const std::uint32_t groups = std::exchange(looked_at_, 0);
   const bool there = now_->link.state == LinkState::good || now_->link.state == LinkState::late;
   if (!there) {
@@ -202,11 +203,12 @@ std::string Tab::unkept() const {
 
 void Tab::profile_edited() {
   profile_changed = true;
-  work_out_units();
-  tell_travel();
+  units_.work_out(catalog_, profile);
+  units_.follow_counting(catalog_, *now_);
+  report_travel();
 }
 
-void Tab::tell_travel() {
+void Tab::report_travel() {
   for (std::size_t i = 0; i < catalog_.axes.size(); ++i)
     if (const Travel& travel = profile.axes[i].travel; travel != std::exchange(sent_.travel[i], travel))
       send_followed(intent::SetTravel(AxisId{static_cast<std::uint8_t>(i)}, travel));
@@ -227,18 +229,25 @@ void Tab::choose_jog(Steps step, Pps speed) {
   for (Tab* member : bus->members) take(*member);
 }
 
-// An axis counts in other units with a closed loop than without.
-void Tab::follow_counting() {
-  for (std::size_t i = 0; i < catalog_.axes.size() && i < units_.size(); ++i) {
-    if (units_[i].real || catalog_.loop_word.empty()) continue;
-    const std::string& word = now_->axes[i].in_counts ? catalog_.loop_word : catalog_.step_word;
-    if (units_[i].name != word) units_[i].name = word;
-  }
+void Tab::choose_jog_speed(Pps of_all) {
+  const auto share = [](Tab& tab) {
+    for (AxisProfile& axis : tab.profile.axes)
+      if (std::exchange(axis.jog_speed, Pps()).value > 0) tab.profile_changed = true;
+  };
+  if (bus)
+    for (Tab* member : bus->members) share(*member);
+  else
+    share(*this);
+  choose_jog(profile.jog_step, of_all);
 }
 
-void Tab::work_out_units() {
-  for (std::size_t i = 0; i < catalog_.axes.size() && i < units_.size(); ++i)
-    units_[i] = display_unit(catalog_, profile, AxisId{static_cast<std::uint8_t>(i)});
+void Tab::choose_jog_speed(AxisId axis, Pps speed) {
+  if (std::exchange(profile.axes[axis.index].jog_speed, speed) != speed) profile_edited();
+}
+
+Pps Tab::jog_speed(AxisId axis) const {
+  const Pps own = profile.axes[axis.index].jog_speed;
+  return own.value > 0 ? own : profile.jog_speed;
 }
 
 }  // namespace hw::gui

@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "core/device/refusals.h"
 #include "core/device/registry.h"
 #include "core/session/address.h"
 #include "core/session/profile.h"
+#include "gui/model/axis_units.h"
 #include "gui/model/bus.h"
 #include "gui/model/desk.h"
 #include "gui/model/followed_intents.h"
@@ -80,30 +82,47 @@ class Tab {
     if (group >= 0) look_at(1u << group);
   }
 
+  /// The jog pad is drawn in this frame, and with it the card of a refused tap.
+  void look_at_pad() { pad_looked_at_ = true; }
+
   // ---- names and units
   Profile profile;
   std::string default_name;      ///< until the user chooses a name
   std::string profile_key;       ///< key under which the profile is kept
   bool profile_changed = false;  ///< to be saved
   [[nodiscard]] std::string_view name() const;
-  [[nodiscard]] const DisplayUnit& unit(AxisId axis) const { return units_[axis.index]; }
+  [[nodiscard]] const AxisUnits& units() const { return units_; }
+  [[nodiscard]] const DisplayUnit& unit(AxisId axis) const { return units_.shown(axis); }
   /// After a change of the profile's units.
   void profile_edited();
   [[nodiscard]] Steps jog_step() const { return profile.jog_step; }
-  /// Held jog: the user's choice, else 0 (the controller's own).
+  /// Held jog of all axes without a choice of their own: the user's choice, else 0 (the controller's own).
   [[nodiscard]] Pps jog_speed() const { return profile.jog_speed; }
+  [[nodiscard]] Pps jog_speed(AxisId axis) const;
   /// Chooses both; on a bus, whose rows share one control, for all its controllers.
   void choose_jog(Steps step, Pps speed);
+  /// For all axes: choices of their own end. 0: the controller's own.
+  void choose_jog_speed(Pps of_all);
+  /// For this axis; 0: as for all.
+  void choose_jog_speed(AxisId axis, Pps speed);
 
   /// Traffic, program texts, edited set-up: all that outlives the panel that shows it.
   [[nodiscard]] Desk& desk() { return desk_; }
 
-  // ---- to be told once
+  // ---- to be shown once
   /// Why the intent was refused or has failed, in the displayed units.
   [[nodiscard]] std::string words_of(const IntentOutcome& outcome) const;
+  /// A place of an axis as it is shown.
+  [[nodiscard]] PlaceWords place_words() const;
   /// Messages since the last call; listings go to the desk.
   [[nodiscard]] std::vector<Notice> take_notices();
   [[nodiscard]] std::vector<std::string>& complaints() { return complaints_; }
+  /// A tap of the jog pad that was refused because it would have gone past a limit.
+  struct TapPastLimit {
+    PastTravel past;
+    std::string words;
+  };
+  std::optional<TapPastLimit> tap_past_limit;  ///< until the pad's card is closed
   using Question = FollowedIntents::Question;
   [[nodiscard]] std::optional<Question>& question() { return followed_.question(); }
 
@@ -126,13 +145,11 @@ class Tab {
  private:
   void look_at_snapshot();
   void complain(const IntentOutcome& outcome);
-  void tell_what_is_watched();
+  void report_watched();
   void take(Notice& notice);
   void take(const Ending& ending);
   void note(std::string words);
-  void work_out_units();
-  void follow_counting();
-  void tell_travel();
+  void report_travel();
 
   std::shared_ptr<Session> session_;
   const Address address_;
@@ -146,9 +163,10 @@ class Tab {
   const Snapshot* now_ = &nothing_known;
   const BenchView* bench_ = &no_bench;
   Instant clock_{};
-  std::array<DisplayUnit, max_axes> units_;
+  AxisUnits units_;
   MotionBar bar_;
   std::uint32_t looked_at_ = 0;  ///< in this frame
+  bool pad_looked_at_ = false;   ///< in this frame
   /// Last sent to the session.
   struct Sent {
     std::array<Travel, max_axes> travel;
@@ -160,8 +178,5 @@ class Tab {
   std::vector<Notice> notices_;
   std::vector<std::string> complaints_;
 };
-
-/// The conversion that the profile names for this axis; without one, the controller's own steps.
-DisplayUnit display_unit(const Catalog& catalog, const Profile& profile, AxisId axis);
 
 }  // namespace hw::gui

@@ -38,8 +38,9 @@ void Toasts::add(Severity severity, std::string text, const void* about, std::st
     return;
   }
   if (list_.size() == at_most) make_room();
-  std::string said = text;
-  list_.push_back({next_number_++, severity, std::move(text), -1, about, std::move(of), std::move(said)});
+  std::string shown_text = text;
+  list_.push_back(
+      {next_number_++, severity, std::move(text), -1, about, std::move(of), std::move(shown_text)});
   list_.back().stays = severity == Severity::fault;
 }
 
@@ -58,7 +59,7 @@ void Toasts::look_at(std::optional<std::string_view> front) {
   for (Toast& toast : list_) {
     const bool named = front && !toast.of.empty() && toast.of != *front;
     const std::size_t size = toast.text.size() + (named ? toast.of.size() + 2 : 0);
-    if (toast.said.size() != size) toast.said = named ? toast.of + ": " + toast.text : toast.text;
+    if (toast.shown_text.size() != size) toast.shown_text = named ? toast.of + ": " + toast.text : toast.text;
   }
 }
 

@@ -24,7 +24,7 @@ class Toasts {
     double until_s;  ///< on the clock of the frames; negative: not shown yet
     const void* about = nullptr;
     std::string of{};                 ///< the controller's name; empty: none
-    std::string said{};               ///< text as shown
+    std::string shown_text{};         ///< text as shown
     bool stays = false;               ///< until it is dismissed
     int times = 1;                    ///< how often it was added while it stands
     double since_s = 0;               ///< time of the latest addition

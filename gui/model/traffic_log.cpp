@@ -358,7 +358,7 @@ void TrafficLog::append_rows(std::string& out, std::size_t begin, std::size_t en
 
 std::string TrafficLog::text_of_all() const {
   std::string out;
-  if (lost_ > 0) out = fmt::format("{} entries came too fast and are missing.\n", lost_);
+  if (lost_ > 0) out = fmt::format("{} entries are missing: they came too fast.\n", lost_);
   for (std::uint64_t n = first_; n < next_; ++n)
     append_record(out, n, view_.decoded ? meaning_of(n) : std::string());
   return out;

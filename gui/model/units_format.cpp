@@ -80,9 +80,9 @@ NumberText format_speed(Pps speed, const DisplayUnit& unit) {
 }
 
 std::string counted_unit(const Catalog& catalog, const Snapshot& now, std::string_view unit, int axis) {
-  std::string said(unit);
-  const std::size_t word = said.find(catalog.step_word);
-  if (catalog.loop_word.empty() || word == said.npos) return said;
+  std::string text(unit);
+  const std::size_t word = text.find(catalog.step_word);
+  if (catalog.loop_word.empty() || word == text.npos) return text;
   int asked = 0, closed = 0;
   for (int i = 0; i < now.axis_count; ++i) {
     if (axis >= 0 && i != axis) continue;
@@ -90,8 +90,8 @@ std::string counted_unit(const Catalog& catalog, const Snapshot& now, std::strin
     closed += now.axes[static_cast<std::size_t>(i)].in_counts;
   }
   if (closed > 0)
-    said.replace(word, catalog.step_word.size(), closed == asked ? catalog.loop_word : std::string());
-  return said;
+    text.replace(word, catalog.step_word.size(), closed == asked ? catalog.loop_word : std::string());
+  return text;
 }
 
 std::string count_of(int n, std::string_view unit) {

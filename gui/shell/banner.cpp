@@ -69,7 +69,7 @@ std::string_view next_attempt(Ui& ui, const Console& console, const LinkHealth& 
 void begin_over(Ui& ui, std::string_view id, const Rect& r, bool over_status) {
   if (over_status) {
     begin_region(ui, "banner", r, Tone::panel, ImVec2(0, 0));
-    if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    if (ImGui::IsWindowAppearing()) bring_to_front();
   } else {
     ImGui::SetCursorScreenPos(r.min);
     begin_part(ui, std::string(id).c_str(), r.width(), r.height(), Tone::panel, 0, false);
@@ -88,11 +88,12 @@ struct BannerPlace {
   bool bar = false, over_status = false;
 };
 
-/// Full height if possible; a bar if that would leave too few rows of traffic.
+/// Full height if possible; a bar if that would leave too few rows of traffic; folded, one line.
 BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const Banner& what, bool actions,
                      bool folded) {
-  constexpr float bar = 48, traffic_at_least = 150;
+  constexpr float one_line = 36, traffic_at_least = 150;
   if (below.empty()) return {layout.status, true, true};
+  const float bar = folded ? one_line : banner_bar_height;
   const float whole = banner_height(ui, what, below.width, actions);
   if (!folded && below.height - whole >= traffic_at_least)
     return {{below.x, below.y, below.width, whole}, false, false};
@@ -121,7 +122,8 @@ int show_banner(Ui& ui, Console& console, const Layout& layout, const Box& below
     ImGui::SetCursorScreenPos(r.min);
     begin_part(ui, "bar", r.width() - ui.px(beside), r.height(), Tone::panel, 0, false);
   }
-  const int picked = place.bar ? banner_bar(ui, id, what, actions) : banner(ui, id, what, actions);
+  const int picked = place.bar ? banner_bar(ui, id, what, actions, folded && !place.over_status)
+                               : banner(ui, id, what, actions);
   if (beside > 0) end_part();
   end_over(place.over_status);
   return picked;
@@ -135,13 +137,12 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
   const std::string went_on = what_goes_on(tab, Tense::past);
   const std::string sentences = fmt::format(
       "{}{}\n{}Stop does not reach it now, and goes out first when it answers: to be sure, use its power "
-      "switch. "
-      "Then its state is read afresh; nothing moves by itself.",
+      "switch. Its state is read again afterwards; nothing moves by itself.",
       others ? "The others answer, so port and baud rate are right. " : "", link.sentence.view(),
-      went_on.empty() ? "Nothing was seen to move when the link went. "
-                      : fmt::format("When the link went, {}. ", went_on));
+      went_on.empty() ? "No motion was seen when the link was lost. "
+                      : fmt::format("When the link was lost, {}. ", went_on));
   // A bar may have no room for its last sentence.
-  std::string brief = went_on.empty() ? "Nothing was seen to move." : went_on + ".";
+  std::string brief = went_on.empty() ? "No motion was seen." : went_on + ".";
   brief[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(brief[0])));
   brief = "Stop does not reach it: use its power switch. " + brief;
   char attempt[64];
@@ -190,8 +191,8 @@ float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& la
 float draw_moved(Ui& ui, Console& console, Tab& tab, const FollowOffer& offer, const Layout& layout,
                  const Box& below) {
   const Banner what{Severity::warn, Icon::plug, "It keeps another rate",
-                    "It was given the new rate here, and has stored it. Follow it, and it is found there the "
-                    "next time too. Nothing moves by that; its state is read afresh."};
+                    "It has stored the new rate that was set here. Follow it to connect at that rate from "
+                    "now on. Nothing moves; its state is read again."};
   const Action actions[] = {{.id = "fault/follow", .label = offer.label, .main = true},
                             {.id = "fault/follow_left", .label = "Leave it"}};
   float taken = 0;
@@ -203,9 +204,9 @@ float draw_moved(Ui& ui, Console& console, Tab& tab, const FollowOffer& offer, c
 
 }  // namespace
 
-float draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below) {
+float draw_banner(Ui& ui, Console& console, Tab& tab, const BannerSubject& subject, const Layout& layout,
+                  const Box& below) {
   using What = BannerSubject::What;
-  const BannerSubject subject = banner_subject(tab, layout);
   switch (subject.what) {
     case What::lost: return draw_lost(ui, console, *subject.tab, layout, below);
     case What::moved: return draw_moved(ui, console, tab, subject.offer, layout, below);

@@ -17,6 +17,9 @@ struct BannerSubject {
   FollowOffer offer{};  ///< moved
 };
 
+/// Of a banner that is one bar: in a low part it is never higher.
+inline constexpr float banner_bar_height = 48;
+
 BannerSubject banner_subject(Tab& tab, const Layout& layout);
 /// The parameter to choose before this controller's first move; -1: none.
 int unset_in(const Tab& tab);

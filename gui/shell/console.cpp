@@ -1,6 +1,7 @@
 #include "gui/shell/console.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -99,12 +100,18 @@ void Console::step_size(int direction) {
 }
 
 /// The panel that opens files of such a name; else the program editor, which reports a file that is no text.
-static std::string_view opener_of(const PanelList& list, const Tab& tab, const std::string& path) {
+static const PanelEntry* opener_of(const PanelList& list, const std::string& path) {
   const std::string name = lower_case(path);
-  for (const PanelEntry& entry : list.panels)
-    if (!entry.opens.empty() && name.ends_with(entry.opens) && (!entry.wanted || entry.wanted(tab)))
-      return entry.id;
-  return "program";
+  const PanelEntry* editor = nullptr;
+  for (const PanelEntry& entry : list.panels) {
+    if (!entry.opens.empty() && name.ends_with(entry.opens)) return &entry;
+    if (entry.id == "program") editor = &entry;
+  }
+  return editor;
+}
+
+static bool has(const Tab& tab, const PanelEntry* panel) {
+  return panel && (!panel->wanted || panel->wanted(tab));
 }
 
 void Console::start_demo() {
@@ -121,8 +128,9 @@ void Console::start_demo() {
     }
     ProgramTexts& texts = (*opened)->desk().texts;
     if (texts.count() > 0 && texts.text(0).empty()) texts.set_text(0, catalog->program.example);
-    const std::string panel(opener_of(list_, **opened, drawing.string()));
-    if (!drawing.empty() && panel != "program") (*opened)->desk().dropped[panel].push_back(drawing);
+    const PanelEntry* panel = opener_of(list_, drawing.string());
+    if (!drawing.empty() && has(**opened, panel))
+      (*opened)->desk().dropped[std::string(panel->id)].push_back(drawing);
   }
   if (!tabs_.empty()) activate(*tabs_.front());
 }
@@ -156,12 +164,23 @@ void Console::let_go() {
 
 void Console::drop(const std::vector<std::string>& paths) {
   if (covered_)
-    return toast(Severity::warn, "Nothing was opened: answer the question first, then drop it again.");
+    return toast(Severity::warn, "Answer the question first, then drop the file again. Nothing was opened.");
   if (!active()) return toast(Severity::plain, "Connect a controller first: files are opened in its editor.");
+  std::map<const PanelEntry*, std::string> opened;
   for (const std::string& path : paths) {
-    const std::string panel(opener_of(list_, *active(), path));
-    active()->desk().dropped[panel].emplace_back(path);
-    show_panel(panel);
+    const std::string name = std::filesystem::path(path).filename().string();
+    const PanelEntry* panel = opener_of(list_, path);
+    if (!has(*active(), panel)) {
+      toast(Severity::warn,
+            fmt::format("{} was not opened: it needs the tab {}, which this controller does not have.", name,
+                        panel ? panel->title : "Program"));
+    } else if (const auto [first, alone] = opened.try_emplace(panel, name); !alone) {
+      toast(Severity::warn, fmt::format("{} was not opened: {} takes one file at a time, and opens {}.", name,
+                                        panel->title, first->second));
+    } else {
+      active()->desk().dropped[std::string(panel->id)].emplace_back(path);
+      show_panel(panel->id);
+    }
   }
 }
 
@@ -193,8 +212,8 @@ void Console::refresh(Ui& ui) {
 
 // A device of a bus is always named, as its neighbours are beside it.
 void Console::toast(const Tab& of, Severity severity, std::string sentence, const void* about) {
-  const bool neighbours = of.bus && of.bus->members.size() > 1;
-  if (neighbours && !speaks_of(sentence, of.id())) sentence = fmt::format("{}: {}", of.id(), sentence);
+  const bool adjacent = of.bus && of.bus->members.size() > 1;
+  if (adjacent && !speaks_of(sentence, of.id())) sentence = fmt::format("{}: {}", of.id(), sentence);
   toasts_.add(severity, std::move(sentence), about, std::string(of.name()));
 }
 
@@ -212,9 +231,10 @@ void Console::tell_news(Tab& tab) {
                                                  : Severity::plain,
           std::move(notice.text));
   }
-  for (Told& told : tab.desk().list_run->take_told()) toast(tab, told.severity, std::move(told.sentence));
-  for (Told& told : tab.desk().step_recorder->take_told())
-    toast(tab, told.severity, std::move(told.sentence));
+  for (Report& report : tab.desk().list_run->take_report())
+    toast(tab, report.severity, std::move(report.sentence));
+  for (Report& report : tab.desk().step_recorder->take_report())
+    toast(tab, report.severity, std::move(report.sentence));
   for (std::string& complaint : tab.complaints()) {
     // The refusal repeats in a toast the question of a dialog. An outcome has less room than a notice.
     const bool asked = !asked_.empty() && asked_.starts_with(complaint);
@@ -242,13 +262,15 @@ void Console::draw(Ui& ui) {
     ui.focus.move_to(wanted_.widget);
     wanted_.widget.clear();
   }
-  LayoutWishes wishes;
-  wishes.width = ui.size_px.x / ui.scale;
-  wishes.height = ui.size_px.y / ui.scale;
-  wishes.controllers = faces() + (page_.empty() ? 0 : 1);
-  wishes.splitters = splitters;
-  wishes.strip_height = active() ? strip_height(*active()) : 0;
-  const Layout layout = lay_out(wishes);
+  LayoutInput layout_input;
+  layout_input.width = ui.size_px.x / ui.scale;
+  layout_input.height = ui.size_px.y / ui.scale;
+  layout_input.controllers = faces() + (page_.empty() ? 0 : 1);
+  layout_input.splitters = splitters;
+  layout_input.strip_height = active() ? strip_height(*active()) : 0;
+  layout_input.right_open = right_open;
+  const Layout layout = lay_out(layout_input);
+  right_covers_ = layout.unfolded_covers;
   draw_top_bar(ui, *this, layout);  // STOP ALL is the first widget of the frame
   draw_workspace(ui, *this, layout);
   if (help_.open) draw_sheet(ui, *this, layout);

@@ -104,7 +104,9 @@ class Console {
   /// The open dialog, whichever controller it is about.
   Dialogs dialogs;
   LogLines log;
-  bool right_open = false;  ///< medium width: the right column covers the centre
+  bool right_open = false;  ///< medium width: the right column is unfolded
+  /// It lies over the centre, which has no room to give.
+  [[nodiscard]] bool right_covers() const { return right_covers_; }
   Fold lower_right = Fold::automatic;
 
   // ---- input
@@ -206,7 +208,7 @@ class Console {
     std::string widget;             ///< to be scrolled into view
   };
   Wanted wanted_;
-  bool ended_ = false, covered_ = false, close_asked_ = false, list_open_ = false;
+  bool ended_ = false, covered_ = false, close_asked_ = false, list_open_ = false, right_covers_ = false;
   std::string asked_;  ///< question of a dialog, which needs no toast
   struct Closing {
     std::shared_ptr<std::atomic<int>> left = std::make_shared<std::atomic<int>>(0);

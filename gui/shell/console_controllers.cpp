@@ -230,7 +230,7 @@ void Console::activate(Tab& tab) {
   }
   active_ = &tab;
   if (!page_.empty()) show_page({});
-  right_open = false;
+  if (right_covers_) right_open = false;
 }
 
 void Console::activate_next(int direction) {

@@ -45,15 +45,15 @@ void Console::depart(std::string_view how) {
   for (const auto& tab : tabs_) {
     const std::string what = what_goes_on(*tab, Tense::past);
     if (what.empty()) continue;
-    LastEnd::Controller& told = end.controllers.emplace_back();
-    told.name = whose(*tab, what), told.what = what;
-    told.outcome = !begun_here(*tab) ? LastEnd::Outcome::left_alone
-                   : reached(*tab)   ? LastEnd::Outcome::told
-                                     : LastEnd::Outcome::not_told;
-    if (told.outcome == LastEnd::Outcome::left_alone) continue;
+    LastEnd::Controller& controller = end.controllers.emplace_back();
+    controller.name = whose(*tab, what), controller.what = what;
+    controller.outcome = !begun_here(*tab) ? LastEnd::Outcome::left_alone
+                         : reached(*tab)   ? LastEnd::Outcome::stop_sent
+                                           : LastEnd::Outcome::no_stop_sent;
+    if (controller.outcome == LastEnd::Outcome::left_alone) continue;
     tab->jog.forget();  // the stop ends the jog; a second stop would mean "at once, without ramp"
     const IntentId stop = tab->send(intent::Stop(-1, StoppedBy::console));
-    if (!tab->session() || told.outcome == LastEnd::Outcome::not_told) continue;
+    if (!tab->session() || controller.outcome == LastEnd::Outcome::no_stop_sent) continue;
     watched.push_back(std::make_shared<Watched>(end.controllers.size() - 1));
     Task<> seen = see_at_rest(tab->session(), stop, watched.back());
     asio::co_spawn(outside_->scheduler.executor(), std::move(seen), asio::detached);
@@ -75,7 +75,7 @@ void Console::note_unreached(std::span<Tab* const> closed, std::string_view how)
   for (const Tab* tab : closed) {
     if (reached(*tab) || !goes_on(*tab) || !begun_here(*tab)) continue;
     const std::string what = what_goes_on(*tab, Tense::past);
-    end.controllers.push_back({whose(*tab, what), what, LastEnd::Outcome::not_told});
+    end.controllers.push_back({whose(*tab, what), what, LastEnd::Outcome::no_stop_sent});
   }
   if (!end.controllers.empty()) tell(LastEnds(outside_->folders).keep(end));
 }

@@ -73,7 +73,7 @@ void Console::jog_key(Tab& tab, const CommandEdge& edge) {
       return toast(Severity::warn, std::string(why));
     // A stick that snaps back overshoots its centre: that is not a tap.
     const bool taps = !edge.by_pad || key.axis == the_chosen;
-    tab.jog.press(control, {taps ? tap_of(tab, axis) : Steps(), tab.jog_speed()}, edge.at_s);
+    tab.jog.press(control, {taps ? tap_of(tab, axis) : Steps(), tab.jog_speed(axis)}, edge.at_s);
   }
 }
 

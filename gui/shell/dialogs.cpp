@@ -164,7 +164,7 @@ void Dialogs::draw(Ui& ui, Console& console) {
 
 void Dialogs::draw_names(Ui& ui, Console& console) {
   title(ui, "Names");
-  wrapped(ui, Face::small, Tone::ink2, "Yours, for the screen only. The controller does not know them.");
+  wrapped(ui, Face::small, Tone::ink2, "For the screen only. The controller does not know them.");
   gap(ui, 12);
   if (just_opened_) type_into(ui, "names/controller");
   const std::string& unnamed = tab_->bus ? tab_->bus->default_name : tab_->catalog().short_name;
@@ -207,7 +207,7 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
   show(ui, {.id = "close/why", .kind = gui::Kind::text, .label = "Why it is asked", .value = why},
        {at, ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + height)});
   if (goes_on_)
-    text(ui, Face::small, Tone::ink3, "Closing again, with the same key or button, stops and closes.");
+    text(ui, Face::small, Tone::ink3, "Close again with the same key or button to stop and close.");
   gap(ui, 12 + (words_height_ - height) / ui.scale);
   if (just_opened_) ui.focus.move_to("close/cancel");
   static constexpr Choice stay{"close/cancel", "Stay", ButtonStyle::outlined};
@@ -234,7 +234,7 @@ void Dialogs::draw_reset(Ui& ui) {
   std::string what =
       "As if its power had been switched off and on: it stops, and its positions start from zero.";
   if (now.unsaved_setup || now.unsaved_programs)
-    what += " What is in its RAM and not stored is lost. Store it first to keep it.";
+    what += " Store first to keep unsaved data: what is only in RAM is lost.";
   wrapped(ui, Face::body, Tone::ink2, what);
   gap(ui, 12);
   static constexpr Choice choices[] = {{"reset/cancel", "Cancel", ButtonStyle::outlined},
@@ -249,8 +249,8 @@ void Dialogs::draw_make_room(Ui& ui, Console& console) {
   const Snapshot& now = tab_->now();
   title(ui, "Which program may be emptied?");
   wrapped(ui, Face::body, Tone::ink2,
-          "All programs of the controller hold commands. A move of the console needs an empty one for its "
-          "time. The text of the one that you choose is brought into the editor first.");
+          "Choose one: a move of the console needs an empty program for its duration, and all of them hold "
+          "commands. The text of the chosen one is loaded into the editor first.");
   gap(ui, 12);
   int chosen = -1;
   for (const int slot : slots_) {
@@ -268,7 +268,7 @@ void Dialogs::draw_make_room(Ui& ui, Console& console) {
     gap(ui, 4);
   }
   gap(ui, 8);
-  static constexpr Choice choices[] = {{"room/cancel", "Leave all as they are", ButtonStyle::outlined}};
+  static constexpr Choice choices[] = {{"room/cancel", "Leave all unchanged", ButtonStyle::outlined}};
   if (draw_choices(ui, choices) == 0) close();
   if (chosen < 0) return;
   close();
@@ -285,7 +285,7 @@ void Dialogs::draw_closing(Ui& ui) {
   static constexpr Choice choices[] = {
       {"closing/cancel", "Cancel", ButtonStyle::outlined},
       {"closing/drive", "Drive it there", ButtonStyle::normal, true},
-      {"closing/stay", "Take this place as its command", ButtonStyle::primary}};
+      {"closing/stay", "Take this position as its command", ButtonStyle::primary}};
   const int pressed = draw_choices(ui, choices);
   if (pressed < 0) return;
   close();

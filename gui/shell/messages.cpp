@@ -68,20 +68,20 @@ RunPlace place_of_threads(Tab& tab) {
 /// it, and axes in error are named beside it.
 std::string failed_threads(Tab& tab) {
   ProgramTexts& texts = tab.desk().texts;
-  std::string said;
+  std::string sentence;
   const int count = std::min(tab.catalog().program.threads, max_threads);
   for (int n = 0; n < count; ++n) {
     const ThreadState& thread = tab.now().threads[static_cast<std::size_t>(n)];
     if (!thread.known || thread.run != RunState::error) continue;
-    said += fmt::format("{}{} {} stopped with an error", said.empty() ? "" : " ",
-                        tab.catalog().program.slot_word, n);
+    sentence += fmt::format("{}{} {} stopped with an error", sentence.empty() ? "" : " ",
+                            tab.catalog().program.slot_word, n);
     const int line = texts.live_line(0, thread.line);
     if (line >= 0)
-      said += fmt::format(" in line {}: {}.", line + 1, line_of(texts.text(0), line));
+      sentence += fmt::format(" in line {}: {}.", line + 1, line_of(texts.text(0), line));
     else
-      said += fmt::format(" at line {} of its stored code.", thread.line);
+      sentence += fmt::format(" at line {} of its stored code.", thread.line);
   }
-  return said;
+  return sentence;
 }
 
 RunPlace run_place(Tab& tab) {
@@ -95,30 +95,48 @@ RunPlace run_place(Tab& tab) {
   return run;
 }
 
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+}
+
+std::string_view goes_on_part(const StatusSentence& sentence) {
+  const std::string_view all = sentence.text;
+  return all.substr(all.size() - std::min(all.size(), sentence.goes_on));
+}
+/// What stands before it, with the space between them.
+std::string_view worse_part(const StatusSentence& sentence) {
+  const std::string_view all = sentence.text;
+  return all.substr(0, all.size() - goes_on_part(sentence).size());
+}
+
 /// On a bus the device stands for its only axis: "02 moves to ...", not "Axis X moves to ...".
-void name_device(StatusSentence& said, const Tab& tab) {
+void name_device(StatusSentence& sentence, const Tab& tab) {
   if (!tab.bus || tab.catalog().axes.size() != 1) return;
-  std::string name = tab.catalog().axes[0].description, text(said.text.view());
+  std::string name = tab.catalog().axes[0].description;
+  if (name.empty()) return;
+  std::string worse(worse_part(sentence)), goes_on(goes_on_part(sentence));
   for (const bool at_the_beginning : {false, true}) {
-    if (name.empty()) return;
     if (at_the_beginning) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-    if (const std::size_t at = text.find(name); at != text.npos) text.replace(at, name.size(), tab.id());
+    replace_all(worse, name, tab.id());
+    replace_all(goes_on, name, tab.id());
   }
-  said.text = text;
+  sentence.goes_on = goes_on.size();
+  sentence.text = worse + goes_on;
 }
 
 StatusSentence sentence_alone(Console& console, Tab& tab, const Layout& layout) {
   const bool in_banner =
       !tab.unset_read && unset_in(tab) >= 0 && banner_subject(tab, layout).what == BannerSubject::What::unset;
   const auto held = tab.jog.control();
-  StatusSentence said = status_sentence(
+  StatusSentence sentence = status_sentence(
       {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),
        [&](AxisId a, Steps s) { return std::string(format_with_unit(s, tab.unit(a)).view()); },
        [&](AxisId a, Pps v) { return std::string(format_speed(v, tab.unit(a)).view()); },
        [&](Instant when) { return console.time_of_day(when); }, run_place(tab), failed_threads(tab),
        tab.unset_read || in_banner});
-  name_device(said, tab);
-  return said;
+  name_device(sentence, tab);
+  return sentence;
 }
 
 /// "01, 02 and 03 move.": the moving devices of the bus other than `but`; empty: none.
@@ -144,19 +162,20 @@ std::string who_is_powerless(const Bus& bus) {
 /// For a bus: its worst state, and the other devices that move.
 StatusSentence sentence_of(Console& console, Tab& tab, const Layout& layout) {
   if (!tab.bus) return sentence_alone(console, tab, layout);
-  Tab& worst = tab.bus->worst();
+  Tab& worst = tab.bus->most_urgent();
   const std::string others = who_moves(*tab.bus, &worst);
-  const bool all_is_well = is_motion(worst_state(worst.now(), worst.clock()));
+  const bool all_is_well =
+      is_motion(worst_state(worst.now(), worst.clock())) && !needs_attention(worst.now());
   if (all_is_well && !others.empty() && !tab.jog.control())
     return {Severity::motion, fmt::format("{} Esc stops everything.", who_moves(*tab.bus, nullptr))};
-  StatusSentence said = sentence_alone(console, worst, layout);
-  if (said.severity == Severity::plain && worst_state(worst.now(), worst.clock()) == State::off)
+  StatusSentence sentence = sentence_alone(console, worst, layout);
+  if (sentence.severity == Severity::plain && worst_state(worst.now(), worst.clock()) == State::off)
     return {Severity::plain,
             fmt::format("Motor power of {} is off. Switch it on to move.", who_is_powerless(*tab.bus))};
-  if (&worst != &tab && !speaks_of(said.text.view(), worst.id()))
-    said.text = fmt::format("{}: {}", worst.id(), said.text.view());
-  if (!all_is_well && !others.empty()) said.text = fmt::format("{} {}", said.text.view(), others);
-  return said;
+  if (&worst != &tab && !speaks_of(sentence.text.view(), worst.id()))
+    sentence.text = fmt::format("{}: {}", worst.id(), sentence.text.view());
+  if (!all_is_well && !others.empty()) add_what_goes_on(sentence, others);
+  return sentence;
 }
 
 /// Marks values in RAM that are not stored, at the right of the status line in any state. Returns its width.
@@ -173,17 +192,17 @@ float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
   o.icon = Icon::warning;
   o.icon_tone = Tone::warn;
   o.height = 28;
-  o.tip = "It is in the controller's RAM only and gone when it is switched off. Store it in Setup.";
+  o.tip = "Store it in Setup: it is only in the controller's RAM and lost at power-off.";
   const float width = button_width(ui, words, o);
   ImGui::SetCursorScreenPos(ui.px(line.right() - width - 8, line.y + (line.height - 28) / 2));
   if (button(ui, "status/unsaved", words, o).clicked) console.show_panel("setup");
   return width + 16;
 }
 
-/// The error that the line tells of is cleared there, of the axis that it names; a stop is of all of them.
-/// Returns its width.
+/// The error that the line tells of is cleared there, of the device and axis that it names; a stop is of all
+/// of them. Returns its width.
 float draw_clear(Ui& ui, Tab& tab, const Box& line, float taken) {
-  Tab& of = tab.bus ? tab.bus->worst() : tab;
+  Tab& of = tab.bus ? tab.bus->most_urgent() : tab;
   const std::optional<Clearing> way = first_clearing(of.catalog(), of.now());
   if (!way) return 0;
   const bool of_axis = !way->of_all && of.catalog().axes.size() > 1;
@@ -197,11 +216,12 @@ float draw_clear(Ui& ui, Tab& tab, const Box& line, float taken) {
                     whose.empty() ? "" : " ", whose)
        .out = 0;
   ButtonOptions o;
+  o.style = ButtonStyle::outlined;  // a raised one hardly stands out from this line in the light theme
   o.height = 28;
   o.tip = way->help;
   const float width = button_width(ui, words, o);
   ImGui::SetCursorScreenPos(ui.px(line.right() - taken - width - 8, line.y + (line.height - 28) / 2));
-  if (button(ui, "status/clear", words, o).clicked) of.send_followed(way->wish);
+  if (button(ui, "status/clear", words, o).clicked) of.send_followed(way->request);
   return width + 16;
 }
 
@@ -224,6 +244,31 @@ float draw_messages_in(Ui& ui, Console& console, const Box& line, float taken) {
   return width + 12;
 }
 
+/// Returns whether draw_text_in_two_lines() shows all of it.
+bool fits_in_two_lines(const Ui& ui, std::string_view words, float room) {
+  if (text_width(ui, Face::body, words) <= room) return true;
+  const char* const begin = words.data();
+  const char* const end =
+      ui.font(Face::small)->CalcWordWrapPositionA(1.0f, begin, begin + words.size(), room);
+  words.remove_prefix(static_cast<std::size_t>(end - begin));
+  while (words.starts_with(' ')) words.remove_prefix(1);
+  return text_width(ui, Face::small, words) <= room;
+}
+
+/// Where there is no room for all, something worse loses its last words, and what goes on stays whole.
+FixedText<800> words_for(const Ui& ui, const StatusSentence& sentence, float room) {
+  FixedText<800> words = sentence.text;
+  std::string_view worse = worse_part(sentence);
+  if (worse.ends_with(' ')) worse.remove_suffix(1);
+  while (sentence.goes_on > 0 && !worse.empty() && !fits_in_two_lines(ui, words, room)) {
+    const std::size_t space = worse.rfind(' ');
+    worse = worse.substr(0, space == worse.npos ? 0 : space);
+    words = worse.empty() ? std::string(goes_on_part(sentence))
+                          : fmt::format("{}\u2026 {}", worse, goes_on_part(sentence));
+  }
+  return words;
+}
+
 }  // namespace
 
 void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
@@ -231,23 +276,27 @@ void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
   const Rect r = in_pixels(ui, layout.status);
   ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.max.x, r.min.y + ui.hair()), ui[Tone::line]);
   Tab* tab = console.active();
-  StatusSentence said;
+  StatusSentence sentence;
   float taken = 0;
   if (tab) {
-    said = sentence_of(console, *tab, layout);
+    sentence = sentence_of(console, *tab, layout);
     taken = draw_unsaved(ui, console, *tab, layout.status);
     taken += draw_clear(ui, *tab, layout.status, taken);
   } else if (!console.page().empty()) {
-    said = console.page_object(console.page()).status(console);
+    sentence = console.page_object(console.page()).status(console);
   }
   taken += draw_messages_in(ui, console, layout.status, taken);
-  const SeverityLook look = severity_look(said.severity);
+  const SeverityLook look = severity_look(sentence.severity);
   const float middle = r.centre().y, left = r.min.x + ui.px(16);
   draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(left + ui.px(6), std::floor(middle)), ui.px(12),
             ui[look.tone]);
-  draw_text_in_two_lines(ui, left + ui.px(24), r.max.x - ui.px(16 + taken), middle, Face::body, ui[Tone::ink],
-                         said.text);
-  show(ui, {"status/text", Kind::text, "Status", said.text, {}, false, {}},
+  const float begin = left + ui.px(24), end = r.max.x - ui.px(16 + taken);
+  const FixedText<800> words = words_for(ui, sentence, end - begin);
+  draw_text_in_two_lines(ui, begin, end, middle, Face::body, ui[Tone::ink], words);
+  if (words != sentence.text && ImGui::IsWindowHovered() &&
+      ImGui::IsMouseHoveringRect(ImVec2(begin, r.min.y), ImVec2(end, r.max.y)))
+    ui.note_cut(sentence.text);
+  show(ui, {"status/text", Kind::text, "Status", sentence.text, {}, false, {}},
        {r.min, ImVec2(r.max.x - ui.px(taken), r.max.y)});
   end_region();
 }

@@ -4,6 +4,7 @@
 
 namespace hw::gui {
 
+struct BannerSubject;
 class Console;
 class Tab;
 class Ui;
@@ -12,6 +13,7 @@ void draw_status_line(Ui& ui, Console& console, const Layout& layout);
 /// Draws the banner at the top of `below`, the part under the panel tabs, which shrinks; what is above keeps
 /// its place. Where that part is low, it shares one bar; where there is none, it is over the status line.
 /// Returns the height taken, logical; 0: nothing is wrong.
-float draw_banner(Ui& ui, Console& console, Tab& tab, const Layout& layout, const Box& below);
+float draw_banner(Ui& ui, Console& console, Tab& tab, const BannerSubject& subject, const Layout& layout,
+                  const Box& below);
 
 }  // namespace hw::gui

@@ -161,12 +161,17 @@ void draw_controllers(Ui& ui, Console& console, const Layout& layout) {
   float x = layout.tabs.x;
   Tab* chosen = nullptr;
   int number = 0;
+  bool brief = false;  // all alike: in words only if each of them has room
+  for (const auto& tab : console.tabs())
+    brief |= Console::is_face(*tab) && !fits_in_words(ui, tab_face(console, *tab), layout.tab_width);
   for (const auto& each : console.tabs()) {
     Tab& tab = *each;
     if (!Console::is_face(tab)) continue;
     const std::string id = fmt::format("controller/{}", ++number);
     stand_at(ui, x, 0);
-    if (controller_tab(ui, id, tab_face(console, tab), layout.tab_width).clicked) chosen = &tab;
+    ControllerTab face = tab_face(console, tab);
+    face.brief = brief;
+    if (controller_tab(ui, id, face, layout.tab_width).clicked) chosen = &tab;
     x += layout.tab_width;
   }
   if (!console.page().empty()) draw_page_tab(ui, console, x, layout.tab_width, layout.tabs.height);
@@ -251,7 +256,7 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
   *fmt::format_to_n(value, sizeof value - 1, "{}, {}", words.word, second).out = 0;
   if (!tab) return show(ui, {"link/health", Kind::text, words.word, value, {}, false, {}}, r);
   std::string_view why = tab->now().link.sentence.view();
-  if (why.empty()) why = "Where the time of a question goes, and what makes it shorter.";
+  if (why.empty()) why = "Shows how the time of a question is spent, and how to shorten it.";
   stand_at(ui, layout.link.x, layout.link.y);
   const Touch t = touch(ui, {"link/health", Kind::button, words.word, value, {}, false, why},
                         ImVec2(r.max.x - r.min.x, r.max.y - r.min.y));

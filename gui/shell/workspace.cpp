@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <imgui_internal.h>
 
+#include "gui/shell/banner_subject.h"
 #include "gui/shell/console.h"
 #include "gui/shell/messages.h"
 #include "gui/widgets/area.h"
@@ -172,18 +173,19 @@ void draw_centre(const Work& w) {
   const TabItems items = tab_items(w, below_is_tab);
   if (items.count == 0) return end_region();
   const TabItem& chosen = items.chosen(w.tab.centre_panel);
-  const float wish =
+  const float wanted_below =
       chosen.panel >= 0 ? w.console.list().panels[static_cast<std::size_t>(chosen.panel)].good_height : 0;
-  float below = below_height(centre_height, w.console.splitters, w.layout.tier, wish);
+  const BannerSubject subject = banner_subject(w.tab, w.layout);
+  float below = below_height(centre_height, w.console.splitters, w.layout.tier, wanted_below);
   draw_panel_tabs(w, items, chosen);
   const float top = ImGui::GetCursorScreenPos().y / ui.scale;
   if (box.bottom() - top - below < 160) below = std::max(0.0f, box.bottom() - top - 160);
   const Box work{box.x, top, box.width, box.bottom() - top - below};
   draw_chosen(w, chosen, work);
   const Box area{box.x, work.bottom(), box.width, below};
-  const float told = draw_banner(ui, w.console, w.tab, w.layout, area);
+  const float banner_height = draw_banner(ui, w.console, w.tab, subject, w.layout, area);
   if (below > 0) {
-    const Box rest{area.x, area.y + told, area.width, area.height - told};
+    const Box rest{area.x, area.y + banner_height, area.width, area.height - banner_height};
     ImGui::SetCursorScreenPos(ui.px(rest.x, rest.y));
     begin_part(ui, "below", 0, ui.px(rest.height), Tone::panel, 0, false);
     w.draw_all(Place::below, rest);
@@ -194,11 +196,11 @@ void draw_centre(const Work& w) {
     const bool wide = w.layout.tier == Tier::wide;
     Splitters& sizes = w.console.splitters;
     float& set = wide ? sizes.below : sizes.below_medium;
-    float shown = wish > 0 ? below : set;
+    float shown = below;
     splitter(ui, "splitter/below", in_pixels(ui, {box.x, area.y, box.width, 1}), false, shown,
              wide ? SplitRange{152, 700, Splitters().below} : SplitRange{108, 320, Splitters().below_medium},
              -1);
-    if (wish == 0 || shown != below) set = shown;
+    if (shown != below) set = shown;
   }
   end_region();
 }
@@ -265,7 +267,7 @@ void draw_right(const Work& w, const Box& box, bool over_centre) {
   Ui& ui = w.ui;
   begin_region(ui, over_centre ? "right over" : "right", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
   // A region that appears later than the others would be drawn under them.
-  if (over_centre && ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  if (over_centre && ImGui::IsWindowAppearing()) bring_to_front();
   const Rect r = in_pixels(ui, box);
   ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y),
                                             ui[over_centre ? Tone::edge : Tone::line]);
@@ -294,9 +296,7 @@ void draw_rail(const Work& w) {
   for (const Place place : {Place::right, Place::lower_right})
     w.draw_all(place, {box.x, box.y + 40, box.width, box.height - 40}, true);
   end_region();
-  if (!w.console.right_open) return;
-  const float width = 272;
-  draw_right(w, {box.x - width, box.y, width, box.height}, true);
+  if (!w.layout.unfolded.empty()) draw_right(w, w.layout.unfolded, w.layout.unfolded_covers);
 }
 
 void draw_strip(const Work& w) {
@@ -316,7 +316,7 @@ void draw_page(Ui& ui, Console& console, const Layout& layout) {
 }
 
 /// Beside the left column, and beside the right one if there is one: limits stay visible.
-Box place_of_sheet(const Layout& layout, const Console& console, bool controller) {
+Box place_of_sheet(const Layout& layout, bool controller) {
   constexpr float wanted = 440;
   if (controller && layout.tier == Tier::narrow) return layout.centre;
   Box box{0, layout.stop.bottom(), layout.status.width, layout.status.y - layout.stop.bottom()};
@@ -324,9 +324,7 @@ Box place_of_sheet(const Layout& layout, const Console& console, bool controller
   if (controller) {
     left = layout.left.right();
     right = layout.right.x;
-    const float over_centre = 272;
-    if (layout.right_is_rail && console.right_open && right - over_centre - left >= wanted)
-      right -= over_centre;
+    if (!layout.unfolded.empty() && layout.unfolded.x - left >= wanted) right = layout.unfolded.x;
   }
   box.width = std::min(wanted, right - left);
   box.x = right - box.width;
@@ -336,10 +334,10 @@ Box place_of_sheet(const Layout& layout, const Console& console, bool controller
 }  // namespace
 
 void draw_sheet(Ui& ui, Console& console, const Layout& layout) {
-  const Box box = place_of_sheet(layout, console, console.active() != nullptr);
+  const Box box = place_of_sheet(layout, console.active() != nullptr);
   const Rect r = in_pixels(ui, box);
   begin_region(ui, "sheet", r, Tone::panel, ImVec2(0, 0));
-  if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  if (ImGui::IsWindowAppearing()) bring_to_front();
   PageFrame frame{ui, console, box, layout.tier, false, console.clock()};
   console.help_object().draw(frame);
   ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y), ui[Tone::edge]);

@@ -46,7 +46,8 @@ void Automation::settle() {
 Result<> Automation::usable(std::string_view id) {
   const Widget* w = surface_.screen().registry().find(id);
   if (!w)
-    return refuse("There is no widget " + quoted(id) + " on the screen.", "ui.list() names those that are.");
+    return refuse("There is no widget " + quoted(id) + " on the screen.",
+                  "ui.list() lists those on the screen.");
   if (!w->enabled) {
     const std::string why = w->reason.empty() ? "." : ": " + std::string(w->reason);
     return refuse(quoted(id) + " is disabled" + why);
@@ -65,7 +66,7 @@ Result<> Automation::wait_until_it_stands(std::string_view id) {
   }
   const Widget* w = surface_.screen().registry().find(id);
   if (w && w->layer < surface_.screen().registry().top_layer()) return {};  // covered: the press reports it
-  return refuse(quoted(id) + " does not stand still: a press on it would not be taken.");
+  return refuse(quoted(id) + " is moving on the screen, so a press on it would not be taken.");
 }
 
 /// Brings the widget into view and moves the mouse over it.
@@ -132,6 +133,21 @@ Result<> Automation::release(std::string_view id) {
   pressed_.clear();
   push_button(false);
   settle();
+  return {};
+}
+
+Result<> Automation::drag(std::string_view id, std::string_view onto, float share) {
+  const auto widget = reach(id);
+  if (!widget) return fail(widget.error());
+  push_button(true);
+  frame();
+  const auto put_down = [this] { push_button(false), settle(); };
+  if (Result<> ok = usable(onto); !ok) return put_down(), ok;
+  const Rect to = surface_.screen().registry().find(onto)->rect;
+  if (!surface_.screen().registry().find(onto)->in_view())
+    return put_down(), refuse(quoted(onto) + " is out of view: nothing can be dragged there.");
+  point_at(ImVec2(to.centre().x, to.min.y + share * to.height()));
+  put_down();
   return {};
 }
 
@@ -220,7 +236,8 @@ Result<std::string> Automation::value(std::string_view id) {
   frame();
   const Widget* w = surface_.screen().registry().find(id);
   if (!w)
-    return refuse("There is no widget " + quoted(id) + " on the screen.", "ui.list() names those that are.");
+    return refuse("There is no widget " + quoted(id) + " on the screen.",
+                  "ui.list() lists those on the screen.");
   return std::string(w->value);
 }
 

@@ -26,6 +26,8 @@ class Automation {
   /// Presses the mouse button on the widget and keeps it down until release().
   Result<> press(std::string_view id);
   Result<> release(std::string_view id);
+  /// Carries the first widget onto another one that is in view: onto its middle, or this share of its height.
+  Result<> drag(std::string_view id, std::string_view onto, float share = 0.5f);
   /// Replaces the content of a field; '\n' is Enter. In an editor: types at the end of the text.
   Result<> type(std::string_view id, std::string_view text);
   /// "Escape", "Ctrl+Enter", "F5", "Left", "?", "a": down and up.

@@ -13,7 +13,7 @@ class FramePacer {
   static constexpr int frames_after_news = 2, frames_after_input = 3;
 
   /// The wishes for the next frame: see Screen.
-  struct Wishes {
+  struct Needs {
     bool more_input = false;
     double wake_in_s = 1e9;  ///< after the last frame
   };
@@ -28,17 +28,17 @@ class FramePacer {
     wanted_ = std::max(0, wanted_ - 1);
     last_s_ = now_s;
   }
-  [[nodiscard]] bool is_due(double now_s, const Wishes& wishes) const {
+  [[nodiscard]] bool is_due(double now_s, const Needs& needs) const {
     const double since = now_s - last_s_;
-    return since >= frame_seconds * 0.98 && (wants(wishes) || since >= wishes.wake_in_s);
+    return since >= frame_seconds * 0.98 && (wants(needs) || since >= needs.wake_in_s);
   }
   /// How long the window may sleep.
-  [[nodiscard]] double wait_s(double now_s, const Wishes& wishes) const {
-    return std::max(wants(wishes) ? 0.0 : wishes.wake_in_s, frame_seconds) - (now_s - last_s_);
+  [[nodiscard]] double wait_s(double now_s, const Needs& needs) const {
+    return std::max(wants(needs) ? 0.0 : needs.wake_in_s, frame_seconds) - (now_s - last_s_);
   }
 
  private:
-  [[nodiscard]] bool wants(const Wishes& wishes) const { return wanted_ > 0 || news_ || wishes.more_input; }
+  [[nodiscard]] bool wants(const Needs& needs) const { return wanted_ > 0 || news_ || needs.more_input; }
 
   std::atomic<bool> news_{true};
   int wanted_ = frames_after_input;

@@ -13,7 +13,7 @@ Tier tier_of(float width, float height) {
 }
 
 // From right to left: parts that must never disappear get their place first.
-void lay_out_top(Layout& l, const LayoutWishes& w) {
+void lay_out_top(Layout& l, const LayoutInput& w) {
   const float height = 56, stop = l.tier == Tier::wide ? 200.0f : 160.0f;
   // Without room only the logo, which opens the menu, and the help beside it; then the logo alone.
   const float brand = l.tier == Tier::wide ? 304.0f : l.tier == Tier::medium ? 88.0f : 56.0f;
@@ -38,7 +38,7 @@ void lay_out_top(Layout& l, const LayoutWishes& w) {
   l.add = {l.tabs.right(), 0, 48, height};
 }
 
-void lay_out_columns(Layout& l, const LayoutWishes& w, float top, float bottom) {
+void lay_out_columns(Layout& l, const LayoutInput& w, float top, float bottom) {
   const float height = bottom - top;
   const float left = l.tier == Tier::wide ? std::clamp(w.splitters.left, 264.0f, 400.0f) : 264.0f;
   l.right_is_rail = l.tier == Tier::medium;
@@ -46,9 +46,14 @@ void lay_out_columns(Layout& l, const LayoutWishes& w, float top, float bottom) 
   l.left = {0, top, left, height};
   l.right = {w.width - right, top, right, height};
   l.centre = {left, top, w.width - left - right, height};
+  if (!l.right_is_rail || !w.right_open) return;
+  constexpr float unfolded = 272, centre_at_least = 700;
+  l.unfolded = {l.right.x - unfolded, top, unfolded, height};
+  l.unfolded_covers = l.centre.width - unfolded < centre_at_least;
+  if (!l.unfolded_covers) l.centre.width -= unfolded;
 }
 
-void lay_out_strip(Layout& l, const LayoutWishes& w, float top, float bottom) {
+void lay_out_strip(Layout& l, const LayoutInput& w, float top, float bottom) {
   constexpr float centre_at_least = 84;  // in windows below the design's smallest, positions come first
   const float strip = std::min(w.strip_height, std::max((bottom - top) / 2, bottom - top - centre_at_least));
   l.left = {0, top, w.width, strip};
@@ -58,7 +63,7 @@ void lay_out_strip(Layout& l, const LayoutWishes& w, float top, float bottom) {
 
 }  // namespace
 
-Layout lay_out(const LayoutWishes& w) {
+Layout lay_out(const LayoutInput& w) {
   Layout l;
   l.tier = tier_of(w.width, w.height);
   lay_out_top(l, w);
@@ -72,13 +77,14 @@ Layout lay_out(const LayoutWishes& w) {
   return l;
 }
 
-float below_height(float centre_height, const Splitters& s, Tier tier, float wish) {
-  constexpr float title = 44, row = 20, command = 48, work_at_least = 280;
-  const float least = (tier == Tier::wide ? title : 0) + 3 * row + command;
+float below_height(float centre_height, const Splitters& s, Tier tier, float wanted) {
+  constexpr float title = 44, row = 20, command = 48, work_at_least = 280, title_from = 620;
+  const bool titled = tier == Tier::wide || (tier == Tier::medium && centre_height >= title_from);
+  const float least = (titled ? title : 0) + 3 * row + command;
   if (tier == Tier::narrow || centre_height < work_at_least + least) return 0;
   const float set = tier == Tier::medium ? s.below_medium : s.below;
   const float usual = tier == Tier::medium ? Splitters().below_medium : Splitters().below;
-  const float given = wish > 0 && set == usual ? std::min(set, centre_height - wish) : set;
+  const float given = wanted > 0 && set == usual ? std::min(set, centre_height - wanted) : set;
   return std::clamp(given, least, centre_height - work_at_least);
 }
 

@@ -34,19 +34,23 @@ struct Layout {
   float tab_width = 176;
   bool controller_menu = false;  ///< one menu instead of tabs
   bool right_is_rail = false;
+  Box unfolded;                  ///< the right column beside its rail while it is open
+  bool unfolded_covers = false;  ///< it lies over the centre, which has no room to give
 };
 
-struct LayoutWishes {
+struct LayoutInput {
   float width = 1440, height = 900;  ///< of the window
   int controllers = 1;               ///< number of tabs (including the connection page while it is shown)
   float strip_height = 0;            ///< narrow: height that the positions need
+  bool right_open = false;           ///< medium: the rail is unfolded
   Splitters splitters;
 };
 
-Layout lay_out(const LayoutWishes& wishes);
+Layout lay_out(const LayoutInput& input);
 
 /// Height of the lower part in a centre of that height, at least three rows of traffic; 0: no room, it
-/// becomes a tab. `wish`: of the panel above it, see PanelEntry::good_height.
-float below_height(float centre_height, const Splitters& splitters, Tier tier, float wish = 0);
+/// becomes a tab. `wanted`: of the panel above it, see PanelEntry::good_height. A banner takes rows from the
+/// part: nothing above it may shift when one appears.
+float below_height(float centre_height, const Splitters& splitters, Tier tier, float wanted = 0);
 
 }  // namespace hw::gui

@@ -45,7 +45,8 @@ ImU32 Offscreen::pixel(int x, int y) const { return raster_.at(x, y); }
 
 Result<> Offscreen::screenshot(const std::string& path) {
   const std::span<const std::uint32_t> pixels = render();
-  if (pixels.empty()) return fail(FaultKind::internal, "There is no frame yet to take a picture of.");
+  if (pixels.empty())
+    return fail(FaultKind::internal, "No frame has been drawn yet, so there is no picture.");
   return write_png(path, pixels, width_px(), height_px());
 }
 

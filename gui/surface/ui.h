@@ -109,7 +109,7 @@ class Ui {
   [[nodiscard]] TabTaken tab_taken() const { return tab_taken_; }
   [[nodiscard]] bool takes_arrows() const { return takes_arrows_; }
   // A text that was cut is shown whole under the mouse, unless its widget has a tip of its own.
-  void say_cut(std::string_view whole) const { cut_ = whole; }
+  void note_cut(std::string_view whole) const { cut_ = whole; }
   [[nodiscard]] std::string_view cut() const { return tip_shown_ ? std::string_view() : cut_.view(); }
   void say_tip() { tip_shown_ = true; }
   [[nodiscard]] bool cancelled() const { return keyboard.pressed(Command::stop_all); }

@@ -258,10 +258,10 @@ void Window::set_user_scale(float scale) {
   touched(2);
 }
 
-FramePacer::Wishes Window::wishes() const { return {screen_->more_input(), screen_->wake_in_s()}; }
+FramePacer::Needs Window::needs() const { return {screen_->more_input(), screen_->wake_in_s()}; }
 
 void Window::wait() {
-  double until = pacer_.wait_s(now_s(), wishes());
+  double until = pacer_.wait_s(now_s(), needs());
   if (keys_.any()) until = std::min(until, look_at_keys_every_s);
   if (screen_->gamepad().armed()) until = std::min(until, gamepads_.due_in_s(now_s()));
   if (until <= 0)
@@ -280,7 +280,7 @@ void Window::run(const Draw& draw) {
       glfwWaitEventsTimeout(0.5);
       touched(1);
     }
-    if (!pacer_.is_due(now_s(), wishes())) continue;
+    if (!pacer_.is_due(now_s(), needs())) continue;
     pacer_.begin_frame(now_s());
     frame(now_s(), draw);
   }
@@ -328,7 +328,7 @@ Result<> Window::screenshot(const std::string& path) {
   glfwGetFramebufferSize(window_, &w, &h);
   ImDrawData* data = screen_->draw_data();
   if (!data || w <= 0 || h <= 0)
-    return fail(FaultKind::internal, "There is no frame yet to take a picture of.");
+    return fail(FaultKind::internal, "No frame has been drawn yet, so there is no picture.");
   const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(screen_->theme()[Tone::ground]);
   glClearColor(ground.x, ground.y, ground.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);

@@ -70,7 +70,7 @@ class Window : public Surface {
   void look_for_pointer();
   void touched(int frames) { pacer_.touched(frames); }
   void wait();
-  [[nodiscard]] FramePacer::Wishes wishes() const;
+  [[nodiscard]] FramePacer::Needs needs() const;
   void show_cursor();
   [[nodiscard]] ImVec2 to_pixels(double x, double y) const;
   struct Callbacks;

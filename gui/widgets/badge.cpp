@@ -62,7 +62,7 @@ void emulated_badge(Ui& ui, std::string_view id, EmulatedForm form) {
         emulated_word,
         {},
         false,
-        "No real controller: an emulator inside this program."},
+        "Not a real controller: an emulator in this program."},
        {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
 }
 

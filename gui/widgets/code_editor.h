@@ -24,7 +24,7 @@ struct EditorLook {
   std::string_view comment_mark = "; ";
   int live_line = -1;                      ///< from 0; -1: none
   std::span<const int> also_live = {};     ///< of other programs running at the same time
-  bool live_told = false;                  ///< reported by the controller; false: worked out
+  bool live_reported = false;              ///< reported by the controller; false: worked out
   std::string_view live = "program/live";  ///< path of the live line
   std::string_view live_words = {};        ///< at the right of the live line: "pass 7 of 20"
   std::string_view read_only = {};         ///< why; empty: editable

@@ -131,7 +131,7 @@ void CodeEditor::draw_gutter(Ui& ui, const EditorLook& look, const Metrics& m, i
   ImDrawList* list = ImGui::GetWindowDrawList();
   const Problem* warning = problem_in(look, line, false);
   if (live)
-    draw_icon(list, look.live_told ? Icon::play : Icon::play_outline, mark, ui.px(11), ui[Tone::motion]);
+    draw_icon(list, look.live_reported ? Icon::play : Icon::play_outline, mark, ui.px(11), ui[Tone::motion]);
   else if (error)
     draw_icon(list, Icon::diamond_solid, mark, ui.px(11), ui[Tone::fault]);
   else if (warning)
@@ -165,18 +165,18 @@ void CodeEditor::draw_right(Ui& ui, const EditorLook& look, const Metrics& m, in
   const Problem* warning = problem_in(look, line, false);
   const bool live = line == look.live_line && !look.live_words.empty();
   if (line == look.live_line) {
-    char said[96];
-    std::snprintf(said, sizeof said, "line %d, %.*s", line + 1, static_cast<int>(look.live_words.size()),
+    char shown[96];
+    std::snprintf(shown, sizeof shown, "line %d, %.*s", line + 1, static_cast<int>(look.live_words.size()),
                   look.live_words.data());
-    show(ui, {look.live, Kind::text, "live line", said, {}, false, {}}, row);
+    show(ui, {look.live, Kind::text, "live line", shown, {}, false, {}}, row);
   }
   const bool warned = !live && warning && line == model_.caret().line;
   if (!live && !warned) return;
-  const std::string_view said = live ? look.live_words : std::string_view(warning->sentence);
+  const std::string_view shown = live ? look.live_words : std::string_view(warning->sentence);
   const Face face = live ? Face::small_bold : Face::small;
-  const float w = std::ceil(text_width(ui, face, said));
+  const float w = std::ceil(text_width(ui, face, shown));
   if (end - w > left)
-    draw_text_right(ui, ImVec2(end, row.min.y + ui.px(4)), face, ui[live ? Tone::motion : Tone::warn], said);
+    draw_text_right(ui, ImVec2(end, row.min.y + ui.px(4)), face, ui[live ? Tone::motion : Tone::warn], shown);
 }
 
 void CodeEditor::draw_problem_row(Ui& ui, const EditorLook& look, const Metrics& m, const Problem& problem,

@@ -150,7 +150,7 @@ std::optional<fs::path> FileDialog::accept() {
   if (is_there(path) && replaced_ != path) {
     replaced_ = path;
     path_text_ = path.string();
-    sentence_ = path.filename().string() + " is there already. Press Replace to write over it.";
+    sentence_ = path.filename().string() + " exists already. Press Replace to overwrite it.";
     return {};
   }
   return path;
@@ -239,7 +239,7 @@ std::optional<fs::path> FileDialog::draw_list(Ui& ui, float height) {
   if (reveal_ && chosen_ >= 0)
     ImGui::SetScrollY(std::max(0.0f, static_cast<float>(chosen_) * row_height - height * 0.5f));
   reveal_ = false;
-  if (entries_.empty()) text(ui, Face::body, Tone::ink3, "   Nothing to show in this folder.");
+  if (entries_.empty()) text(ui, Face::body, Tone::ink3, "   This folder has no matching files.");
   int entered = -1;
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(entries_.size()), row_height);

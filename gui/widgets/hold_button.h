@@ -24,7 +24,7 @@ struct Hold {
   bool started = false;  ///< this frame
   bool held = false;
   bool ended = false;                          ///< this frame; also when it became disabled while held
-  double pressed_at_s = 0, released_at_s = 0;  ///< of the input: to tell a tap from a hold
+  double pressed_at_s = 0, released_at_s = 0;  ///< of the input: to distinguish a tap from a hold
 };
 
 Hold hold_button(Ui& ui, std::string_view id, std::string_view label, const HoldOptions& options = {});

@@ -38,6 +38,15 @@ struct Pen {
     list->AddCircle(at(x, y), r * unit, colour, 0, w * unit);
   }
   void disc(float x, float y, float r) const { list->AddCircleFilled(at(x, y), r * unit, colour); }
+  /// An arrow to the side, behind half a circle.
+  void turn_back(float side) const {
+    constexpr float quarter = 1.5707963f;
+    list->PathLineTo(at(5 * side, -1.5f));
+    list->PathArcTo(at(-2 * side, 1.5f), 3 * unit, side < 0 ? -quarter : 3 * quarter, quarter);
+    list->PathLineTo(at(side, 4.5f));
+    list->PathStroke(colour, ImDrawFlags_None, 1.5f * unit);
+    path({ImVec2(2 * side, -4.5f), ImVec2(5 * side, -1.5f), ImVec2(2 * side, 1.5f)}, 1.5f);
+  }
 };
 
 using V = ImVec2;
@@ -158,6 +167,8 @@ void draw_tool(const Pen& p, Icon icon) {
       p.box(-6, -0.75f, 6, 0.75f);
       p.path({V(-3, -6), V(0, -3), V(3, -6)}, 1.25f), p.path({V(-3, 6), V(0, 3), V(3, 6)}, 1.25f);
       break;
+    case Icon::undo: p.turn_back(-1); break;
+    case Icon::redo: p.turn_back(1); break;
     default: break;
   }
 }

@@ -54,6 +54,8 @@ enum class Icon : std::uint8_t {
   save,     ///< an arrow down, onto a bar
   meaning,  ///< an equals sign: what the bytes mean
   folded,   ///< two arrowheads that press on a line
+  undo,     ///< an arrow that turns back to the left
+  redo,     ///< and to the right
   count
 };
 

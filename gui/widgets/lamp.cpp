@@ -1,5 +1,8 @@
 #include "gui/widgets/lamp.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "gui/widgets/icons.h"
 #include "gui/widgets/text.h"
 
@@ -41,6 +44,15 @@ std::string_view word_of(const ToggleOptions& o) {
     case ToggleState::stale: return "?";
   }
   return {};
+}
+
+/// A narrow toggle lamp has no word: its lamp and name stand as far apart, and from its edge, as they fit.
+struct NarrowSpacing {
+  float left = 0, apart = 0;
+};
+NarrowSpacing spacing_in(const Ui& ui, float width, std::string_view name) {
+  const float free = width - ui.px(12) - text_width(ui, Face::body_bold, name);
+  return {std::clamp(free / 4, ui.px(4), ui.px(8)), std::clamp(free / 4, ui.px(2), ui.px(8))};
 }
 
 void draw_toggle_frame(Ui& ui, const Touch& t, const ToggleOptions& o) {
@@ -102,7 +114,9 @@ Touch toggle_lamp(Ui& ui, std::string_view id, std::string_view name, const Togg
                         ImVec2(width_px(ui, o.width), ui.px(32)));
   draw_toggle_frame(ui, t, o);
   const float middle = std::floor(t.rect.centre().y);
-  const ImVec2 shape_at(t.rect.min.x + ui.px(o.narrow ? 10 : 14), middle);
+  const NarrowSpacing narrow = spacing_in(ui, t.rect.width(), o.narrow ? name : std::string_view());
+  const float shape_middle = o.narrow ? narrow.left + ui.px(6) : ui.px(14);
+  const ImVec2 shape_at(std::floor(t.rect.min.x + shape_middle), middle);
   const bool on = o.state == ToggleState::on, refused = o.state == ToggleState::refused;
   const bool dim = !t.enabled || o.state == ToggleState::stale;
   if (refused)
@@ -115,7 +129,8 @@ Touch toggle_lamp(Ui& ui, std::string_view id, std::string_view name, const Togg
   const Face word_face = on ? Face::small_bold : Face::small;
   const float word_left =
       t.rect.max.x - (o.narrow ? 0 : ui.px(8) + std::ceil(text_width(ui, word_face, word)));
-  draw_text_line(ui, t.rect.min.x + ui.px(o.narrow ? 18 : 26), word_left - ui.px(o.narrow ? 1 : 4), middle,
+  const float name_left = o.narrow ? narrow.left + ui.px(12) + narrow.apart : ui.px(26);
+  draw_text_line(ui, std::floor(t.rect.min.x + name_left), word_left - ui.px(o.narrow ? 1 : 4), middle,
                  o.narrow && on ? Face::body_bold : Face::body, ui[dim ? Tone::ink3 : Tone::ink], name);
   if (!o.narrow)
     draw_text_line(ui, word_left, t.rect.max.x, middle, word_face,

@@ -131,19 +131,45 @@ std::size_t end_without(std::string_view sentences, int left_out) {
   return end;
 }
 
+void show_under_mouse(Ui& ui, const Rect& in, const Banner& what) {
+  if (ImGui::IsWindowHovered() && in.contains(ImGui::GetIO().MousePos)) ui.note_cut(what.sentences);
+}
+
+std::string words_of_bar(const Banner& what) {
+  std::string words(what.brief.empty() ? what.sentences : what.brief);
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  return words;
+}
+
+/// The title, and behind it as many whole sentences as there is room for.
+void draw_words_in_one_line(Ui& ui, const Rect& in, const Banner& what) {
+  const std::string kept = words_of_bar(what);
+  const std::string_view words = kept;
+  const float middle = std::floor(in.centre().y);
+  const float behind = in.min.x + std::ceil(text_width(ui, Face::small_bold, what.title)) + ui.px(8);
+  draw_text_line(ui, in.min.x, in.max.x, middle, Face::small_bold, ui[Tone::ink], what.title);
+  show_under_mouse(ui, in, what);
+  if (behind + ui.px(80) > in.max.x) return;
+  std::size_t end = words.size();
+  for (int left_out = 1; end != 0 && behind + text_width(ui, Face::small, words.substr(0, end)) > in.max.x;
+       ++left_out)
+    end = end_without(words, left_out);
+  if (end == 0) end = words.size();  // even the first sentence is too long: it is cut
+  draw_text_line(ui, behind, in.max.x, middle, Face::small, ui[Tone::ink], words.substr(0, end));
+}
+
 /// The title, and the words behind or below it: as many whole sentences as two lines hold. What was left out
 /// is told under the mouse.
 void draw_bar_words(Ui& ui, const Rect& in, const Banner& what) {
-  std::string words(what.brief.empty() ? what.sentences : what.brief);
-  std::replace(words.begin(), words.end(), '\n', ' ');
+  const std::string kept = words_of_bar(what);
+  const std::string_view words = kept;
   const std::string title =
       std::string(what.title) + (what.aside.empty() ? "" : " ") + std::string(what.aside);
   const float upper = in.min.y + in.height() / 4, lower = in.max.y - in.height() / 4;
   draw_text_line(ui, in.min.x, in.max.x, upper, Face::small_bold, ui[Tone::ink], title);
   const float behind = in.min.x + std::ceil(text_width(ui, Face::small_bold, title)) + ui.px(8);
-  const auto told_by_mouse = [&](bool whole) {
-    if (!whole && ImGui::IsWindowHovered() && in.contains(ImGui::GetIO().MousePos))
-      ui.say_cut(what.sentences);
+  const auto shown_for_mouse = [&](bool whole) {
+    if (!whole) show_under_mouse(ui, in, what);
   };
   if (text_width(ui, Face::small, words) <= in.width() || behind + ui.px(80) > in.max.x) {
     std::size_t end = words.size();
@@ -151,30 +177,31 @@ void draw_bar_words(Ui& ui, const Rect& in, const Banner& what) {
          ++left_out)
       end = end_without(words, left_out);
     if (end == 0) end = words.size();  // even the first sentence is too long: it is cut
-    told_by_mouse(end == words.size());
+    shown_for_mouse(end == words.size());
     return draw_text_line(ui, in.min.x, in.max.x, lower, Face::small, ui[Tone::ink], words.substr(0, end));
   }
   std::string_view first, second;
   for (int left_out = 0;; ++left_out) {
     const std::size_t end = end_without(words, left_out);
     if (end == 0) break;  // even the first sentence is too long: it is cut
-    const std::string_view said = std::string_view(words).substr(0, end);
+    const std::string_view part = words.substr(0, end);
     const char* wrap =
         ui.font(Face::small)
-            ->CalcWordWrapPositionA(1.0f, said.data(), said.data() + said.size(), in.max.x - behind);
-    first = said.substr(0, static_cast<std::size_t>(wrap - said.data()));
-    second = said.substr(first.size());
+            ->CalcWordWrapPositionA(1.0f, part.data(), part.data() + part.size(), in.max.x - behind);
+    first = part.substr(0, static_cast<std::size_t>(wrap - part.data()));
+    second = part.substr(first.size());
     while (second.starts_with(' ')) second.remove_prefix(1);
     if (text_width(ui, Face::small, second) <= in.width()) break;
   }
-  told_by_mouse(first.size() + second.size() + 1 >= words.size());
+  shown_for_mouse(first.size() + second.size() + 1 >= words.size());
   draw_text_line(ui, behind, in.max.x + 1, upper, Face::small, ui[Tone::ink], first);
   draw_text_line(ui, in.min.x, in.max.x, lower, Face::small, ui[Tone::ink], second);
 }
 
 }  // namespace
 
-int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions) {
+int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions,
+               bool one_line) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const Rect all{at, ImVec2(at.x + room.x, at.y + room.y)};
   const SeverityMark look = severity_mark(what.severity);
@@ -185,7 +212,8 @@ int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const 
   float width = 0;
   for (const Action& a : actions) width += ui.px(button_width(ui, brief_label(a))) + ui.px(8);
   const float left = at.x + 2 * side, right = all.max.x - width - ui.px(8);
-  draw_bar_words(ui, {ImVec2(left, middle - line), ImVec2(right, middle + line)}, what);
+  const Rect words{ImVec2(left, middle - line), ImVec2(right, middle + line)};
+  one_line ? draw_words_in_one_line(ui, words, what) : draw_bar_words(ui, words, what);
   ImGui::SetCursorScreenPos(ImVec2(right + ui.px(8), middle - ui.px(14)));
   int picked = -1;
   for (int i = 0; i < static_cast<int>(actions.size()); ++i) {

@@ -36,9 +36,10 @@ struct Banner {
 int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions);
 /// Height of that banner in this width, logical.
 float banner_height(const Ui& ui, const Banner& what, float width, bool actions);
-/// The same in one bar that fills the current window: title and aside over the sentences, in small type; a
-/// cut text is shown whole under the mouse.
-int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions);
+/// The same in one bar that fills the current window: title and aside over the sentences, in small type, or
+/// folded to one line without the aside; a cut text is shown whole under the mouse.
+int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions,
+               bool one_line = false);
 /// Tints a row or card and its bar at the left, from the cursor down `height_px`; draws nothing else.
 void tinted(Ui& ui, Severity severity, float height_px);
 

@@ -74,7 +74,8 @@ void name_waiting(Ui& ui, const Toasts& toasts, const Rect& place) {
   char id[24];
   for (std::size_t i = 0; i + 1 < toasts.list().size(); ++i) {
     const Message& message = toasts.list()[i];
-    show(ui, {message_id(id, "toast/", message.number), Kind::text, message.said, message.said}, place);
+    show(ui, {message_id(id, "toast/", message.number), Kind::text, message.shown_text, message.shown_text},
+         place);
   }
 }
 
@@ -87,9 +88,9 @@ void draw_brief(Ui& ui, Toasts& toasts, const Rect& place) {
   const Touch t = touch(ui,
                         {.id = message_id(id, "toast/", newest.number),
                          .kind = Kind::button,
-                         .label = newest.said,
-                         .value = newest.said,
-                         .tip = newest.said},
+                         .label = newest.shown_text,
+                         .value = newest.shown_text,
+                         .tip = newest.shown_text},
                         ImVec2(place.width(), place.height()));
   draw_ground(ui, place, t.hovered);
   draw_mark(ui, newest, place.min.x - ui.px(4), place.centre().y);
@@ -121,8 +122,8 @@ void draw_sentence(Ui& ui, Toasts& toasts, const Rect& place) {
   const Touch t = touch(ui,
                         {.id = message_id(id, "toast/", newest.number),
                          .kind = Kind::button,
-                         .label = newest.said,
-                         .value = newest.said},
+                         .label = newest.shown_text,
+                         .value = newest.shown_text},
                         ImVec2(place.width(), place.height()));
   if (t.hovered) draw_fill(ui, t.rect, ui[Tone::hover]);
   const float middle = place.centre().y;
@@ -135,7 +136,7 @@ void draw_sentence(Ui& ui, Toasts& toasts, const Rect& place) {
     right = left - ui.px(12);
   }
   draw_text_in_two_lines(ui, place.min.x + ui.px(mark_width), right, middle, Face::body, ui[Tone::ink],
-                         newest.said);
+                         newest.shown_text);
   draw_ring(ui, t);
   toasts.in_frame.list_wanted |= t.clicked;
 }
@@ -163,7 +164,7 @@ namespace {
 
 float words_width(const Ui& ui, float width) { return width - ui.px(mark_width + cross_width + 8); }
 float row_height(const Ui& ui, const Message& message, float width) {
-  return ui.px(8) + wrapped_height(ui, Face::body, message.said, words_width(ui, width)) +
+  return ui.px(8) + wrapped_height(ui, Face::body, message.shown_text, words_width(ui, width)) +
          ui.line(Face::small) + ui.px(8);
 }
 
@@ -173,10 +174,12 @@ bool draw_row(Ui& ui, const Message& message, float width) {
   const float height = row_height(ui, message, width);
   const Rect row{at, ImVec2(at.x + width, at.y + height)};
   char id[40], aside[48];
-  show(ui, {message_id(id, "message/list/", message.number), Kind::text, message.said, message.said}, row);
+  show(ui,
+       {message_id(id, "message/list/", message.number), Kind::text, message.shown_text, message.shown_text},
+       row);
   draw_mark(ui, message, at.x, at.y + ui.px(18));
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(mark_width), at.y + ui.px(8)));
-  wrapped(ui, Face::body, Tone::ink, message.said, words_width(ui, width) / ui.scale);
+  wrapped(ui, Face::body, Tone::ink, message.shown_text, words_width(ui, width) / ui.scale);
   draw_text(ui, ImVec2(at.x + ui.px(mark_width), row.max.y - ui.px(8) - ui.line(Face::small)), Face::small,
             ui[Tone::ink2], count_and_age(ui, message, aside));
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, row.max.y - ui.hair()), row.max, ui[Tone::line]);

@@ -191,11 +191,11 @@ void draw_cursor(Ui& ui, std::string_view id, const PlotField& f, std::span<cons
   }
   if (!here) return;
   char words[192];
-  const std::string_view said = cursor_words(words, traces, o, cursor.x);
-  words_on_well(ui, f, ImVec2(x + ui.px(8), f.inside.min.y + ui.px(4)), ui[Tone::ink], said);
+  const std::string_view at_cursor = cursor_words(words, traces, o, cursor.x);
+  words_on_well(ui, f, ImVec2(x + ui.px(8), f.inside.min.y + ui.px(4)), ui[Tone::ink], at_cursor);
   char path[96];
   const auto end = fmt::format_to_n(path, sizeof path, "{}/cursor", id);
-  show(ui, {{path, std::min(end.size, sizeof path)}, Kind::text, "under the mouse", said}, f.inside);
+  show(ui, {{path, std::min(end.size, sizeof path)}, Kind::text, "under the mouse", at_cursor}, f.inside);
 }
 
 }  // namespace

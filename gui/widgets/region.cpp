@@ -36,6 +36,12 @@ void use_whole_window() {
   ImGui::PushClipRect(inside.Min, inside.Max, false);
 }
 
+void bring_to_front() {
+  ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  for (const ImGuiPopupData& popup : ImGui::GetCurrentContext()->OpenPopupStack)
+    if (popup.Window) ImGui::BringWindowToDisplayFront(popup.Window);
+}
+
 /// A separate window over the border, since the parts on both sides extend up to it.
 static void begin_border(std::string_view id, const Rect& hit) {
   char name[64];
@@ -48,7 +54,7 @@ static void begin_border(std::string_view id, const Rect& hit) {
                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleVar();
-  if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  if (ImGui::IsWindowAppearing()) bring_to_front();
 }
 
 bool splitter(Ui& ui, std::string_view id, const Rect& border, bool vertical, float& size,

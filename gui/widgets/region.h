@@ -17,6 +17,9 @@ void end_region();
 /// clip rectangle at the window's end.
 void use_whole_window();
 
+/// The current window, which appeared later than its neighbours; open lists and dialogs stay above it.
+void bring_to_front();
+
 struct SplitRange {
   float min, max, normal;
 };

@@ -9,6 +9,21 @@
 
 namespace hw::gui {
 
+namespace {
+
+constexpr std::string_view tab_badge_word = "EMULATED";
+
+float margin_of(float width) { return width < 170 ? 12.0f : 16.0f; }
+
+}  // namespace
+
+bool fits_in_words(const Ui& ui, const ControllerTab& tab, float width) {
+  if (!tab.emulated) return true;
+  const float words = std::ceil(text_width(ui, Face::small, tab.state)) +
+                      std::ceil(text_width(ui, Face::small_bold, tab_badge_word));
+  return words + ui.px(margin_of(width) + 16 + 6 + 12) <= ui.px(width);
+}
+
 Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, float width) {
   const Touch t = touch(ui, {id, Kind::tab, tab.name, tab.state, {}, false, {}}, ui.px(width, 56));
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -19,18 +34,16 @@ Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, floa
   if (tab.active)
     list->AddRectFilled(t.rect.min, ImVec2(t.rect.max.x, t.rect.min.y + ui.px(2)), ui[Tone::ink]);
   list->AddRectFilled(ImVec2(t.rect.max.x - ui.hair(), t.rect.min.y), t.rect.max, ui[Tone::line]);
-  const float left = t.rect.min.x + ui.px(width < 170 ? 12 : 16), right = t.rect.max.x - ui.px(12);
+  const float left = t.rect.min.x + ui.px(margin_of(width)), right = t.rect.max.x - ui.px(12);
   draw_text_line(ui, left, right, t.rect.min.y + ui.px(19), Face::body_bold,
                  ui[tab.active ? Tone::ink : Tone::ink2], tab.name);
   const float second = t.rect.min.y + ui.px(38);
   draw_icon(list, tab.icon, ImVec2(left + ui.px(6), second), ui.px(11), ui[tab.tone]);
   float end = right;
   if (tab.emulated) {
-    const float word = std::ceil(text_width(ui, Face::small_bold, "EMULATED"));
-    const float state = ui.px(16) + std::ceil(text_width(ui, Face::small, tab.state));
-    if (left + state + ui.px(6) + word <= right) {
-      end -= word;
-      draw_text_line(ui, end, t.rect.max.x, second, Face::small_bold, ui[Tone::emu], "EMULATED");
+    if (!tab.brief && fits_in_words(ui, tab, width)) {
+      end -= std::ceil(text_width(ui, Face::small_bold, tab_badge_word));
+      draw_text_line(ui, end, t.rect.max.x, second, Face::small_bold, ui[Tone::emu], tab_badge_word);
     } else {  // its shape, so that the state is not cut
       end -= ui.px(12);
       draw_icon(list, Icon::emulated, ImVec2(end + ui.px(6), second), ui.px(11), ui[Tone::emu]);

@@ -15,7 +15,10 @@ struct ControllerTab {
   std::string_view state = {};  ///< "moving", "late, 0.4 s"
   bool emulated = false;
   bool active = false;
+  bool brief = false;  ///< EMULATED as its shape only
 };
+/// The state and the word EMULATED fit beside each other.
+bool fits_in_words(const Ui& ui, const ControllerTab& tab, float width);
 /// Fills the height of the top bar (56) at the cursor and ends with a hairline at its right.
 Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, float width = 176);
 

@@ -56,7 +56,7 @@ void draw_text_line(const Ui& ui, float left, float right, float centre_y, Face 
   const float half = ui.line(face) * 0.5f;
   if (ImGui::IsWindowHovered() &&
       ImGui::IsMouseHoveringRect(ImVec2(left, centre_y - half), ImVec2(right, centre_y + half)))
-    ui.say_cut(s);
+    ui.note_cut(s);
   const std::size_t fits = text_fit(ui, face, s, right - left - text_width(ui, face, ellipsis));
   draw_text(ui, at, face, colour, s.substr(0, fits));
   draw_text(ui, ImVec2(left + text_width(ui, face, s.substr(0, fits)), at.y), face, colour, ellipsis);
@@ -91,7 +91,7 @@ void draw_text_in_lines(const Ui& ui, const Rect& in, Face face, ImU32 colour, s
     rest.remove_prefix(line.size());
     while (rest.starts_with(' ')) rest.remove_prefix(1);
     const bool cut = n + 1 == lines && text_width(ui, face, line) > in.width();
-    if (cut && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(in.min, in.max)) ui.say_cut(s);
+    if (cut && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(in.min, in.max)) ui.note_cut(s);
   }
 }
 

@@ -191,8 +191,8 @@ Field text_field(Ui& ui, std::string_view id, std::string_view label, std::strin
   f.touch.enabled = enabled;
   f.touch.hovered = over;
   f.touch.ring = ui.focus.ring_on(id) || ui.pretend == Ui::Pretend::ring;
-  const std::string_view said = enabled ? o.tip : o.disabled;
-  show(ui, {id, Kind::field, label, text, o.disabled, false, f.typing ? std::string_view() : said}, r);
+  const std::string_view shown = enabled ? o.tip : o.disabled;
+  show(ui, {id, Kind::field, label, text, o.disabled, false, f.typing ? std::string_view() : shown}, r);
   draw_ring(ui, f.touch);
   return f;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // A line of text. The panel owns the text: typed text is kept when the focus is lost, and a text set by the
-// panel holds, whatever has the caret.
+// panel holds, whichever widget has the caret.
 #include <functional>
 #include <string>
 #include <string_view>

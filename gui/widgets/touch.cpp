@@ -79,14 +79,14 @@ std::string_view why_not_taken(const Standing::Place& place) {
 
 /// Shows why it cannot be pressed, what it does, or why a press had no effect.
 void tell(Ui& ui, const About& about, const Touch& t, bool over, const Standing::Place* place) {
-  const std::string_view said = !t.enabled ? about.disabled : about.tip;
-  const bool told_by_ring = t.ring && !t.armed && !t.enabled;
+  const std::string_view shown = !t.enabled ? about.disabled : about.tip;
+  const bool shown_for_ring = t.ring && !t.armed && !t.enabled;
   if (t.armed)
     tooltip(ui, "Press again within two seconds: this moves something.", &t.rect);
   else if (t.not_taken)
     tooltip(ui, why_not_taken(*place), &t.rect);
-  else if (!said.empty() && !t.held && (over || told_by_ring))
-    tooltip(ui, said, over ? nullptr : &t.rect);
+  else if (!shown.empty() && !t.held && (over || shown_for_ring))
+    tooltip(ui, shown, over ? nullptr : &t.rect);
 }
 
 }  // namespace

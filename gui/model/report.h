@@ -8,7 +8,7 @@
 
 namespace hw::gui {
 
-struct Told {
+struct Report {
   Severity severity = Severity::plain;
   std::string sentence;
 };
