@@ -108,7 +108,7 @@ void Bench::draw_trouble(Frame& f) {
   ButtonOptions o;
   o.width = cells.cell();
   cells.stand_at_next();
-  o.tip = "Off, and on again: what is in RAM only is gone.";
+  o.tip = "Off and on again: data that is only in RAM is lost.";
   if (button(ui, "bench/power_cycle", "Power off, on", o).clicked) f.operate_bench(bench::PowerCycle());
   cells.stand_at_next();
   o.tip = "Flips bits in the next 4 bytes from the controller.";
@@ -127,7 +127,7 @@ void Bench::draw_supplies(Frame& f, Cells& cells) {
     const bool on = bit(f.bench.switches_on, static_cast<std::size_t>(i));
     if (!has_front_panel(f.catalog.bench, i)) {
       cells.stand_at_next();
-      if (on_off(f, path_of("power", box), "Power", on, cells.cell(), "The supply of this controller.")
+      if (on_off(f, path_of("power", box), "Power", on, cells.cell(), "The power supply of this controller.")
               .clicked)
         f.operate_bench(bench::Power(!on, i));
     }
@@ -135,7 +135,7 @@ void Bench::draw_supplies(Frame& f, Cells& cells) {
     cells.stand_at_next();
     ButtonOptions o;
     o.width = cells.cell();
-    o.tip = "Too much current: the circuit breaker pops out and takes the power away.";
+    o.tip = "Trips the circuit breaker: the power goes off.";
     o.disabled =
         bit(f.bench.breakers_out, static_cast<std::size_t>(i)) ? "It has tripped. Push it in first." : "";
     const Path name = box.name.empty() ? Path("Trip breaker") : Path("{} breaker", box.name);

@@ -112,7 +112,7 @@ class BenchRow {
     ButtonOptions o;
     o.width = slip_width;
     o.height = 28;
-    const Path tip("The load of {} jumps by 100 without the controller knowing. An encoder sees it.", name_);
+    const Path tip("Moves the load of {} by 100 unknown to the controller. An encoder shows it.", name_);
     o.tip = tip;
     ImGui::SetCursorScreenPos(
         ImVec2(top_left_.x + f_.ui.px(columns_.slip), top_left_.y + f_.ui.px((bench_row - 28) / 2)));

@@ -47,9 +47,7 @@ void draw_switch_scatter(Frame& f) {
   o.step = 1;
   o.value_text = words;
   o.width = f.area.width - name_width - words_width;
-  o.tip =
-      "Each limit and home switch acts up to this many steps before or after its place, differently each "
-      "time.";
+  o.tip = "Each limit and home switch acts up to this many steps before or after its position, at random.";
   double value = static_cast<double>(std::min(now, widest));
   if (slider(ui, "bench/scatter", "Switch scatter", value, o))
     let_all_scatter(f, Steps(static_cast<std::int64_t>(value)));

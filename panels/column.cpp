@@ -17,8 +17,8 @@ constexpr float hairline = 1, position_title = 44, steps_row = 32, speed_row = 3
 bool interpolates(const Frame& f) { return f.catalog.can.interpolates && f.catalog.axes.size() > 1; }
 
 /// Three and four axes in a wide window: as in the look, with all numbers in lines of the same height.
-Column of_many(const Frame& f) {
-  Column c;
+LeftColumn of_many(const Frame& f) {
+  LeftColumn c;
   c.head = 24, c.caption = 17;
   c.between_steps = 4;
   c.go_title = 28, c.go_row = 32, c.go_control = 28;
@@ -26,9 +26,9 @@ Column of_many(const Frame& f) {
   return c;
 }
 
-Column of_few(const Frame& f) {
+LeftColumn of_few(const Frame& f) {
   const bool wide = f.tier == Tier::wide;
-  Column c;
+  LeftColumn c;
   c.below = wide ? 8 : 4;
   c.above = hairline + c.below;
   c.digits = wide ? 48 : 36, c.caption = 16;
@@ -42,7 +42,7 @@ Column of_few(const Frame& f) {
 }
 
 /// Height of the column without travel bars.
-float height_of(const Frame& f, const Column& c) {
+float height_of(const Frame& f, const LeftColumn& c) {
   const auto axes = static_cast<float>(f.catalog.axes.size());
   const float pad = axes < 2 ? c.cell : 3 * c.cell + 2 * close_between;
   const float steps = axes == 2 ? c.between_steps : c.between_steps + steps_row + c.below_steps;
@@ -53,12 +53,12 @@ float height_of(const Frame& f, const Column& c) {
 
 }  // namespace
 
-float Column::block() const { return above + head + digits + caption + extras + travel + below; }
+float LeftColumn::block() const { return above + head + digits + caption + extras + travel + below; }
 
-Column column_of(const Frame& f) {
+LeftColumn column_of(const Frame& f) {
   const std::size_t axes = f.catalog.axes.size();
   const bool wide = f.tier == Tier::wide, rows = axes > 4 || f.tab.bus;
-  Column c = axes <= 2 ? of_few(f) : wide && !rows ? of_many(f) : Column{.above = 4, .below = 3};
+  LeftColumn c = axes <= 2 ? of_few(f) : wide && !rows ? of_many(f) : LeftColumn{.above = 4, .below = 3};
   if (f.tier == Tier::medium) {
     c.title = 36, c.reason = 52;  // one line more, because the column is narrower
     c.speed_in_title = true;

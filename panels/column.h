@@ -5,7 +5,7 @@
 
 namespace hw::panels {
 
-struct Column {
+struct LeftColumn {
   // ---- the block of an axis
   float above = 0, below = 0;  ///< space, with the hairline at its top
   float head = 20;             ///< its name and state
@@ -24,6 +24,6 @@ struct Column {
   [[nodiscard]] float block() const;
 };
 
-Column column_of(const gui::Frame& frame);
+LeftColumn column_of(const gui::Frame& frame);
 
 }  // namespace hw::panels

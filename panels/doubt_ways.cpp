@@ -77,7 +77,7 @@ void DoubtWays::name_ways(const Frame& f, std::string_view prefix) {
   const auto homes = [&](Sign sign) { return f.catalog.can.homes && homing_that_sets(f.catalog, -1, sign); };
   if (homes(Sign::minus)) offer(home_minus, "home/-", fmt::format("Home {} \u2212", name), "Home \u2212");
   if (homes(Sign::plus)) offer(home_plus, "home/+", fmt::format("Home {} +", name), "Home +");
-  offer(once, "once", "Go on for this once", "Go on once");
+  offer(once, "once", "Go on this once", "Go on once");
 }
 
 IntentId DoubtWays::draw(Frame& f, std::string_view prefix, std::string_view about, const Rect& row,
@@ -127,7 +127,7 @@ bool DoubtWays::draw_field(Frame& f) {
   o.range.decimals = unit.real ? unit.decimals : 0;
   o.range.unit = unit.name;
   o.width = bar ? bar_field : field_width;
-  o.tip = "Where it stands. As it counts, or what you read at the machine.";
+  o.tip = "Position of the axis: as counted, or as you read it at the machine.";
   o.disabled = f.no_link();
   o.sentence_below = false;
   return number_field(f.ui, field_id_, "It stands at", std::nullopt, field_, o).entered;
@@ -143,7 +143,7 @@ std::string_view DoubtWays::why_not(const Frame& f, Way way) const {
   if (way != set) return f.tab.why_not_move(axis_);
   if (!f.connected()) return f.no_link();
   if (f.now.axis_moves(axis_.index)) return "It moves.";
-  return place(f) ? "" : "Type where it stands first.";
+  return place(f) ? "" : "Type its position first.";
 }
 
 IntentId DoubtWays::go(Frame& f, Way way, int mode) {

@@ -49,8 +49,8 @@ float top_of_row(const BenchFacts& facts, int supply, int row) {
 
 /// The front panel of a second box need not repeat the box's name: "Slave Run" becomes "Run".
 std::string_view without(std::string_view owner, std::string_view name) {
-  const bool said = !owner.empty() && name.size() > owner.size() && name.starts_with(owner);
-  return said ? name.substr(owner.size() + 1) : name;
+  const bool sentence = !owner.empty() && name.size() > owner.size() && name.starts_with(owner);
+  return sentence ? name.substr(owner.size() + 1) : name;
 }
 
 /// The maker's word before "front panel".

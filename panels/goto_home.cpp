@@ -8,6 +8,7 @@
 #include "core/device/homing.h"
 #include "core/device/travel_check.h"
 #include "gui/model/tab.h"
+#include "gui/model/tap_size.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
@@ -41,6 +42,7 @@ float places_width(const Frame& f) { return medium(f) ? 58 : 62; }
 }  // namespace
 
 void GotoHome::draw(Frame& f) {
+  speed_is_shown_ = false;
   follow_units(f);
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) follow(f, AxisId{static_cast<std::uint8_t>(i)});
   if (many(f) && !all_)
@@ -56,7 +58,7 @@ void GotoHome::draw(Frame& f) {
 void GotoHome::draw_chosen(Frame& f) {
   Ui& ui = f.ui;
   const AxisId axis = f.tab.chosen_axis;
-  const Column column = column_of(f);
+  const LeftColumn column = column_of(f);
   constexpr float name = 48;
   ImVec2 at = ImGui::GetCursorScreenPos();
   const auto next_row = [&] {
@@ -98,7 +100,7 @@ void GotoHome::draw_axis_choice(Frame& f, float width) {
   DropdownOptions o;
   o.width = width;
   o.height = column_of(f).go_control;
-  o.tip = "Which axis goes. All axes: a row for each, and moves of several together.";
+  o.tip = "The axis to move. All axes: a row for each, and moves of several together.";
   const int picked = dropdown(f.ui, "goto/axis", "Axis", names_, f.tab.chosen_axis.index, o);
   if (picked < 0) return;
   all_ = picked == static_cast<int>(f.catalog.axes.size());
@@ -110,11 +112,18 @@ void GotoHome::draw_axis_choice(Frame& f, float width) {
 // ---- a row for each axis
 
 void GotoHome::draw_rows(Frame& f) {
+  follow_unit_of_speed(f.tab.unit(AxisId{0}));
+  speed_is_shown_ = true;  // in the title, or below the rows that already go by it
   draw_title(f);
   for (std::uint8_t i = 0; i < f.catalog.axes.size(); ++i) draw_row(f, AxisId{i});
-  const Column column = column_of(f);
+  const LeftColumn column = column_of(f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float places = many(f) ? 0 : places_width(f);
+  const float places = many(f) && !column.together_in_title ? 0 : places_width(f);
+  if (column.together_in_title) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(places + close_between), at.y));
+    draw_speed(f, AxisId{0}, 140);
+    ImGui::SetCursorScreenPos(at);
+  }
   if (places > 0) draw_places(f, places);
   if (!column.together_in_title && (can_go_together(f) || f.catalog.axes.size() == 1))
     draw_together(f,
@@ -133,7 +142,7 @@ void GotoHome::draw_rows(Frame& f) {
 void GotoHome::draw_title(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Column column = column_of(f);
+  const LeftColumn column = column_of(f);
   const float height = column.go_title, top = at.y + ui.px((height - column.go_control) / 2);
   constexpr float cell = 38, ways_end = 2 * cell + close_between;
   ImGui::SetCursorScreenPos(ImVec2(at.x, top));
@@ -141,7 +150,7 @@ void GotoHome::draw_title(Frame& f) {
   const float free = f.area.width - homes_width(f) - close_between - ways_end;
   if (column.together_in_title) {
     draw_together(f, {ways_end, 0, free, column.go_control}, ImVec2(at.x, top));
-  } else if (!many(f)) {
+  } else {
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(ways_end), top));
     draw_speed(f, AxisId{0}, free);
   }
@@ -201,7 +210,7 @@ void GotoHome::follow_units(const Frame& f) {
     else
       row.field.reset();
     row.unit = unit;
-    row.refused.clear(), row.offers = false;
+    row.refused.clear(), row.instead.reset();
   }
 }
 
@@ -233,7 +242,7 @@ void GotoHome::draw_target(Frame& f, AxisId axis, float width, float speed_width
   o.sentence_below = false;
   const NumberEvent typed =
       number_field(ui, Path("goto/{}", name), Path("Go to, axis {}", name), std::nullopt, row.field, o);
-  if (typed.field.edited) row.refused.clear(), row.offers = false;
+  if (typed.field.edited) row.refused.clear(), row.instead.reset();
   if (speed > 0) {
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(o.width), at.y));
     draw_speed(f, axis, speed);
@@ -243,7 +252,7 @@ void GotoHome::draw_target(Frame& f, AxisId axis, float width, float speed_width
   button_options.moving = true;
   button_options.width = go_width(f);
   button_options.height = o.height;
-  button_options.disabled = !why.empty() ? why : row.field.text.empty() ? "Type where to go first." : "";
+  button_options.disabled = !why.empty() ? why : row.field.text.empty() ? "Type a target first." : "";
   const bool clicked = button(ui, Path("goto/{}/go", name), "Go", button_options).clicked;
   if (clicked || typed.entered) go(f, axis);
 }
@@ -256,6 +265,7 @@ void GotoHome::draw_speed(Frame& f, AxisId axis, float width) {
   draw_text_line(ui, at.x + ui.px(4), at.x + ui.px(20), at.y + ui.px(column_of(f).go_control / 2),
                  Face::small, ui[Tone::ink2], "at");
   follow_unit_of_speed(unit);
+  speed_is_shown_ = true;
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(20), at.y));
   NumberOptions o;
   o.range.decimals = unit.real ? unit.decimals : 0;
@@ -264,20 +274,31 @@ void GotoHome::draw_speed(Frame& f, AxisId axis, float width) {
   o.width = width - 20 - close_between;
   o.height = column_of(f).go_control;
   o.sentence_below = false;
-  const Path tip("The speed of Go, in {} a second. Empty: as the controller is set.", unit.name);
+  const bool differ = unit_of_taps(f.tab) && !(many(f) && !all_);
+  const Path tip("Speed of Go, in {} per second. Empty: as set in the controller.",
+                 differ ? std::string_view("the unit of the axis that goes,") : std::string_view(unit.name));
   o.tip = tip;
   (void)number_field(ui, "goto/speed", "Speed of Go", std::nullopt, speed_, o);
 }
 
-Pps GotoHome::speed_of(const Frame& f, AxisId axis) const {
-  const DisplayUnit& unit = f.tab.unit(axis);
-  const double typed = speed_.value().value_or(0);
-  return Pps(std::round(std::abs(typed / (unit.real ? unit.per_step : 1))));
+/// The typed number in the unit of the axis that goes; of several axes the slowest, as they share one speed.
+Pps GotoHome::speed_of(const Frame& f, const Motion& motion) const {
+  const double typed = speed_is_shown_ ? std::abs(speed_.value().value_or(0)) : 0;
+  const bool some_real = std::any_of(motion.targets.begin(), motion.targets.end(),
+                                     [&f](const AxisTarget& t) { return f.tab.unit(t.axis).real; });
+  double slowest = 0;
+  for (const AxisTarget& target : motion.targets) {
+    const DisplayUnit& unit = f.tab.units().length(target.axis);
+    if (some_real && !unit.real) continue;
+    const double speed = typed / (unit.real ? unit.per_step : 1);
+    slowest = slowest > 0 ? std::min(slowest, speed) : speed;
+  }
+  return Pps(std::round(slowest));
 }
 
 void GotoHome::draw_places(Frame& f, float width) {
   const auto to = places_.draw(f, width, column_of(f).go_control);
-  if (to && !to->empty()) send(f, *to, false);
+  if (to && !to->empty()) send(f, {*to, false});
 }
 
 void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
@@ -319,7 +340,7 @@ void GotoHome::draw_name(Frame& f, AxisId axis, ImVec2 at) {
   o.on = chosen(f, axis.index);
   o.width = name_width_of(f) - close_between;
   o.height = column_of(f).go_control;
-  o.tip = "Takes part when several axes go together.";
+  o.tip = "Includes the axis in moves of several together.";
   ImGui::SetCursorScreenPos(at);
   if (button(ui, Path("goto/{}/with", name), name, o).clicked) together_ ^= 1u << axis.index;
 }

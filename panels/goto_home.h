@@ -13,6 +13,7 @@
 #include "panels/doubt_ways.h"
 #include "panels/places_menu.h"
 #include "panels/refusal_card.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -25,13 +26,17 @@ class GotoHome final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
+  struct Motion {
+    std::vector<AxisTarget> targets;
+    bool by = false;  ///< they are distances
+  };
   struct Row {
     gui::NumberField field;
-    gui::DisplayUnit unit;  ///< unit of the typed number
-    IntentId asked = 0;     ///< the latest move sent
-    std::string refused;    ///< why the latest move was not done
-    Steps nearest{};        ///< offered instead if `offers`
-    bool offers = false;
+    gui::DisplayUnit unit;          ///< unit of the typed number
+    IntentId asked = 0;             ///< the latest move sent
+    Motion sent;                    ///< the latest move
+    std::string refused;            ///< why it was not done
+    std::optional<Motion> instead;  ///< the nearest one that is allowed
     RefusalCard card;
     DoubtWays doubt;  ///< of the latest move, if refused for doubt
   };
@@ -53,7 +58,8 @@ class GotoHome final : public gui::Panel {
   void draw_homes(gui::Frame& frame, AxisId axis, std::string_view why);
   void draw_refusal(gui::Frame& frame, AxisId axis, const gui::Rect& beside);
   void go(gui::Frame& frame, AxisId axis);
-  void go_to(gui::Frame& frame, AxisId axis, Steps target);
+  static Path label_of_nearest(const gui::Frame& frame, AxisId axis, const Motion* nearest);
+  void go_instead(gui::Frame& frame, AxisId axis);
   void follow(gui::Frame& frame, AxisId axis);
   /// Nothing: not a number, or outside the controller's count range; the row tells which.
   std::optional<Steps> target_of(gui::Frame& frame, AxisId axis);
@@ -62,12 +68,15 @@ class GotoHome final : public gui::Panel {
   [[nodiscard]] bool chosen(const gui::Frame& frame, std::size_t axis) const;
   /// Why the first of the participating axes cannot be moved.
   [[nodiscard]] std::string_view why_not_together(const gui::Frame& frame) const;
-  void send(gui::Frame& frame, std::vector<AxisTarget> targets, bool by, Pps speed = {});
-  [[nodiscard]] Pps speed_of(const gui::Frame& frame, AxisId axis) const;
+  void send(gui::Frame& frame, Motion motion);
+  [[nodiscard]] static std::optional<Motion> nearest_to(const gui::Frame& frame, const Motion& motion,
+                                                        const PastTravel& past);
+  [[nodiscard]] Pps speed_of(const gui::Frame& frame, const Motion& motion) const;
 
   std::array<Row, max_axes> rows_;
   gui::NumberField speed_;  ///< of moves to and by; empty: the controller's own speed
   gui::DisplayUnit speed_unit_;
+  bool speed_is_shown_ = false;  ///< in this frame: no move goes by a number that is out of sight
   PlacesMenu places_;
   int mode_ = 0;
   bool by_ = false;                      ///< distances instead of targets

@@ -69,17 +69,17 @@ float words_begin(const Ui& ui, const EventLog& log, float width) {
 float Happened::draw_tools(Frame& f, float left, float top) {
   Ui& ui = f.ui;
   constexpr std::array<std::string_view, 3> names = {"all events", "how it ended", "trouble"};
-  const ButtonOptions copy{.style = ButtonStyle::quiet, .tip = "All that are shown, with their times."};
+  const ButtonOptions copy{.style = ButtonStyle::quiet, .tip = "Copies the events shown, with their times."};
   DropdownOptions o;
   o.width = 132;
-  o.tip = "Which events are shown.";
+  o.tip = "Events to show.";
   ImGui::SetCursorScreenPos(ImVec2(left, top));
   const int picked = dropdown(ui, "happened/filter", "Show", names, static_cast<int>(filter_), o);
   if (picked >= 0) filter_ = static_cast<EventFilter>(picked);
   left += ui.px(o.width + 8);
   ImGui::SetCursorScreenPos(ImVec2(left, top));
   if (button(ui, "happened/copy", "Copy", copy).clicked) {
-    ImGui::SetClipboardText(said_.c_str());
+    ImGui::SetClipboardText(shown_text_.c_str());
     f.toast(Severity::ok, "The events were copied.");
   }
   return left + ui.px(button_width(ui, "Copy", copy));
@@ -113,18 +113,18 @@ void Happened::draw_rows(Frame& f, const EventLog& log) {
   }
   if (y <= ui.px(4))
     draw_text_line(ui, corner.x + ui.px(event_time_x), corner.x + size.x, corner.y + ui.px(4) + row / 2,
-                   Face::body, ui[Tone::ink3], "Nothing has happened yet that is shown here.");
+                   Face::body, ui[Tone::ink3], "No event of this kind has happened yet.");
   ImGui::SetCursorPos(ImVec2(0, y + ui.px(4)));
   ImGui::Dummy(ImVec2(0, 0));
 }
 
 void Happened::say(Frame& f, const EventLog& log) {
-  if (said_version_ != log.version() || said_filter_ != filter_) {
-    said_version_ = log.version(), said_filter_ = filter_;
-    said_ = log.text(filter_, f.tab.desk().traffic.clock());
+  if (shown_version_ != log.version() || shown_filter_ != filter_) {
+    shown_version_ = log.version(), shown_filter_ = filter_;
+    shown_text_ = log.text(filter_, f.tab.desk().traffic.clock());
   }
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  show(f.ui, {.id = "happened/log", .kind = Kind::text, .label = "What happened", .value = said_},
+  show(f.ui, {.id = "happened/log", .kind = Kind::text, .label = "What happened", .value = shown_text_},
        {corner, ImVec2(corner.x + size.x, corner.y + size.y)});
 }
 

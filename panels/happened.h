@@ -21,9 +21,9 @@ class Happened {
   void say(gui::Frame& frame, const gui::EventLog& log);
 
   gui::EventFilter filter_ = gui::EventFilter::all;
-  std::string said_;  ///< for scripts and Copy
-  std::uint64_t said_version_ = ~std::uint64_t{0};
-  gui::EventFilter said_filter_ = gui::EventFilter::all;
+  std::string shown_text_;  ///< for scripts and Copy
+  std::uint64_t shown_version_ = ~std::uint64_t{0};
+  gui::EventFilter shown_filter_ = gui::EventFilter::all;
 };
 
 }  // namespace hw::panels

@@ -99,14 +99,14 @@ RailName rail_name(std::string_view name) {
 class WhatIsOn {
  public:
   void add(std::string_view name) {
-    const auto end = fmt::format_to_n(said_ + size_, sizeof said_ - size_, "{}{}", size_ == 0 ? "on: " : ", ",
-                                      rail_name(name).own);
-    size_ = std::min(size_ + end.size, sizeof said_);
+    const auto end = fmt::format_to_n(shown_ + size_, sizeof shown_ - size_, "{}{}",
+                                      size_ == 0 ? "on: " : ", ", rail_name(name).own);
+    size_ = std::min(size_ + end.size, sizeof shown_);
   }
-  [[nodiscard]] std::string_view view() const { return {said_, size_}; }
+  [[nodiscard]] std::string_view view() const { return {shown_, size_}; }
 
  private:
-  char said_[96];
+  char shown_[96];
   std::size_t size_ = 0;
 };
 

@@ -126,9 +126,9 @@ void Limits::draw_with_home(Frame& f) {
   const bool alerts = summary.alert_count > 0;
   const Path count("{} {}", alerts ? summary.alert_count : summary.on_count, alerts ? "hit" : "on");
   const bool fits = text_width(ui, Face::small, summary.words()) <= room;
-  const std::string_view said = fits ? summary.words() : count.view();
+  const std::string_view text = fits ? summary.words() : count.view();
   draw_text_right(ui, ImVec2(end, title.y + ui.px(12)), Face::small,
-                  ui[summary.warns() ? Tone::warn : Tone::ink2], said);
+                  ui[summary.warns() ? Tone::warn : Tone::ink2], text);
   group_line(ui, 10);
 }
 
@@ -152,8 +152,9 @@ void Limits::draw_in_halves(Frame& f, Summary& summary) {
       const float cell = signal.label.size() > 3 ? word_cell : sign_cell;
       const float x = corner.x + ui.px(used);
       if (i % rows == 0)
-        draw_text_line(ui, x, x + ui.px(cell), at.y + ui.px(names_height / 2), Face::small, ui[Tone::ink2],
-                       signal.label);
+        draw_text_centred(
+            ui, {ImVec2(x + ui.px(7 - cell), at.y), ImVec2(x + ui.px(7 + cell), at.y + ui.px(names_height))},
+            Face::small, ui[Tone::ink2], signal.label);
       draw_signal(f, signal, sure, ImVec2(x, corner.y), cell, false);
       used += cell;
     }
@@ -222,9 +223,9 @@ void Limits::draw_brief_rail(Frame& f) {
   constexpr float title = 20, signs = 18, line = 22;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float middle = std::floor(top.x + ui.px(f.area.width / 2)), apart = ui.px(17);
-  const auto words = [&](float x, float y, Face face, Tone tone, std::string_view said) {
+  const auto words = [&](float x, float y, Face face, Tone tone, std::string_view text) {
     draw_text_centred(ui, {ImVec2(x - ui.px(28), y), ImVec2(x + ui.px(28), y + ui.px(16))}, face, ui[tone],
-                      said);
+                      text);
   };
   words(middle, top.y, Face::small_bold, Tone::ink, "Limits");
   for (const Sign sign : {Sign::minus, Sign::plus})
@@ -256,9 +257,9 @@ void Limits::draw_rail(Frame& f) {
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float middle = top.x + ui.px(f.area.width / 2), apart = ui.px(15);
   float y = top.y;
-  const auto words = [&](float x, Face face, Tone tone, std::string_view said) {
+  const auto words = [&](float x, Face face, Tone tone, std::string_view text) {
     draw_text_centred(ui, {ImVec2(x - ui.px(28), y), ImVec2(x + ui.px(28), y + ui.px(16))}, face, ui[tone],
-                      said);
+                      text);
   };
   words(middle, Face::small_bold, Tone::ink, "Limits");
   y += ui.px(20);

@@ -59,7 +59,7 @@ LogView::LogView() {
 
 float LogView::draw_tools(PageFrame& f, float left, float right, float top) {
   Ui& ui = f.ui;
-  const ButtonOptions copy_look{.style = ButtonStyle::quiet, .tip = "The lines that are shown."};
+  const ButtonOptions copy_look{.style = ButtonStyle::quiet, .tip = "Copies the lines shown."};
   const float copy_width = button_width(ui, "Copy", copy_look);
   const auto room_for_words = [&](const LogToolWidths& w) {
     return (right - left) / ui.scale - (w.family + w.least + w.level + 4 * w.gap + copy_width);
@@ -96,7 +96,7 @@ void LogView::copy(PageFrame& f) {
 void LogView::draw_family(PageFrame& f, float width) {
   DropdownOptions o;
   o.width = width;
-  o.tip = "The part of the program whose lines are shown.";
+  o.tip = "Show lines of this part of the program.";
   const int picked = dropdown(f.ui, "decisions/subject", "Subject", families_, static_cast<int>(family_), o);
   if (picked < 0) return;
   family_ = static_cast<std::size_t>(picked);
@@ -106,7 +106,7 @@ void LogView::draw_family(PageFrame& f, float width) {
 void LogView::draw_least(PageFrame& f, float width) {
   DropdownOptions o;
   o.width = width;
-  o.tip = "The least serious lines that are shown.";
+  o.tip = "Show lines from this level up.";
   const int picked =
       dropdown(f.ui, "decisions/shown", "Shown", least_names, static_cast<int>(wanted_.least) - 1, o);
   if (picked >= 0) wanted_.least = static_cast<Level>(picked + 1);
@@ -116,8 +116,8 @@ void LogView::draw_level(PageFrame& f, float width) {
   DropdownOptions o;
   o.width = width;
   o.tip =
-      "How much the chosen subject logs from now on, here, in the file and on standard error. "
-      "\u201cLog all\u201d also logs each decision.";
+      "Level of the chosen subject from now on, here, in the file and on standard error. \u201cLog all\u201d "
+      "also logs each decision.";
   const std::string_view path = family_ == 0 ? std::string_view() : families_[family_];
   const std::optional<Level> level = log::common_level(path);
   const int shown = level ? static_cast<int>(*level) : static_cast<int>(level_names.size()) - 1;
@@ -144,7 +144,7 @@ LogView::Rows LogView::draw_rows(PageFrame& f) {
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   const float row = ui.px(log_row), scroll = std::floor(ImGui::GetScrollY());
   const float pad = ui.px(4) + draw_lost(ui, log.lost(), corner.y + ui.px(4) - scroll);
-  if (said_version_ != log.version()) {
+  if (shown_version_ != log.version()) {
     subject_width_ = 0;
     for (std::size_t i = 0; i < log.count(); ++i)
       subject_width_ = std::max(subject_width_, text_width(ui, Face::body_bold, log.line(i).subject));
@@ -160,7 +160,7 @@ LogView::Rows LogView::draw_rows(PageFrame& f) {
   if (log.count() == 0)
     draw_text_line(ui, corner.x + ui.px(log_time_x), corner.x + size.x - ui.px(16), corner.y + pad + row / 2,
                    Face::body, ui[Tone::ink3],
-                   "No line has been logged yet that this list shows. Choose \u201clog all\u201d to see each "
+                   "No line for this list has been logged yet. Choose \u201clog all\u201d to see each "
                    "decision from now on.");
   ImGui::SetCursorPos(ImVec2(0, static_cast<float>(log.count()) * row + pad + ui.px(4)));
   ImGui::Dummy(ImVec2(0, 0));
@@ -195,13 +195,14 @@ void LogView::draw_row(const Ui& ui, const log::Line& line, const Rect& place, f
 // Rebuilt only on a change.
 void LogView::say(PageFrame& f, Rows visible) {
   const LogLines& log = f.console.log;
-  if (said_version_ != log.version() || said_rows_.begin != visible.begin || said_rows_.end != visible.end) {
-    said_version_ = log.version(), said_rows_ = visible;
-    said_.clear();
-    log.append_text(said_, visible.begin, visible.end);
+  if (shown_version_ != log.version() || shown_rows_.begin != visible.begin ||
+      shown_rows_.end != visible.end) {
+    shown_version_ = log.version(), shown_rows_ = visible;
+    shown_text_.clear();
+    log.append_text(shown_text_, visible.begin, visible.end);
   }
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  show(f.ui, {.id = "decisions/log", .kind = Kind::text, .label = "Log", .value = said_},
+  show(f.ui, {.id = "decisions/log", .kind = Kind::text, .label = "Log", .value = shown_text_},
        {corner, ImVec2(corner.x + size.x, corner.y + size.y)});
 }
 

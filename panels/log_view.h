@@ -35,11 +35,11 @@ class LogView {
 
   std::vector<std::string_view> families_;  ///< the first: all
   gui::LogLines::View wanted_;
-  std::size_t family_ = 0;                          ///< of families_: the one shown
-  float subject_width_ = 0;                         ///< of the longest subject shown, pixels ...
-  std::string said_;                                ///< the visible text, for scripts ...
-  std::uint64_t said_version_ = ~std::uint64_t{0};  ///< ... both of this version
-  Rows said_rows_{0, 0};
+  std::size_t family_ = 0;                           ///< of families_: the one shown
+  float subject_width_ = 0;                          ///< of the longest subject shown, pixels ...
+  std::string shown_text_;                           ///< the visible text, for scripts ...
+  std::uint64_t shown_version_ = ~std::uint64_t{0};  ///< ... both of this version
+  Rows shown_rows_{0, 0};
 };
 
 }  // namespace hw::panels

@@ -167,11 +167,11 @@ void MemoryMap::draw_value(Frame& f, std::size_t i, float width) {
   const float hex_room = width >= 360 ? hex_width : 0;  // names need the room in a narrow column
   if (ImGui::IsRectVisible(row.min, row.max)) {
     const float middle = std::floor(row.centre().y);
-    draw_head(f, i, at, width - hex_room - 80, middle);
     const Face face = marked(f, i) ? Face::body_bold : Face::body;
     const float end = row.max.x - ui.px(hex_room);
-    draw_text_line(ui, std::max(at.x, end - std::ceil(text_width(ui, face, value))), end + 1, middle, face,
-                   ui[is_fresh ? Tone::ink : Tone::ink3], value);
+    const float begin = std::max(at.x, end - std::ceil(text_width(ui, face, value)));
+    draw_head(f, i, at, (begin - at.x) / ui.scale - 8, middle);
+    draw_text_line(ui, begin, end + 1, middle, face, ui[is_fresh ? Tone::ink : Tone::ink3], value);
     if (known && hex_room > 0) {
       const Path hex = hex_of(c, cells_[i].value);
       draw_text_line(ui, row.max.x - std::ceil(text_width(ui, Face::code_time, hex)), row.max.x + 1, middle,
@@ -251,15 +251,15 @@ void MemoryMap::draw_rings(Frame& f, float width) {
     const auto get = static_cast<int>(w.value(static_cast<std::size_t>(ring.get_index), 2)) % ring.cells;
     const int waiting = (put - get + ring.cells) % ring.cells;
     const Path words("put {}, get {}, {} waiting", put, get, waiting);
-    const std::string_view said = w.known ? words.view() : "?";
+    const std::string_view shown = w.known ? words.view() : "?";
     const float middle = std::floor(row.centre().y);
     draw_text_line(ui, at.x, row.max.x, middle, Face::body, ui[Tone::ink2], ring.name);
-    draw_text_line(ui, row.max.x - std::ceil(text_width(ui, Face::body, said)), row.max.x + 1, middle,
-                   Face::body, ui[f.connected() ? Tone::ink : Tone::ink3], said);
-    show(ui, {Path("ring/{}", ring.name), Kind::text, ring.name, said}, row);
+    draw_text_line(ui, row.max.x - std::ceil(text_width(ui, Face::body, shown)), row.max.x + 1, middle,
+                   Face::body, ui[f.connected() ? Tone::ink : Tone::ink3], shown);
+    show(ui, {Path("ring/{}", ring.name), Kind::text, ring.name, shown}, row);
     ImGui::SetCursorScreenPos(ImVec2(at.x, row.max.y));
     MeterOptions o;
-    o.words = said;
+    o.words = shown;
     o.old = !f.connected();
     o.width = width;
     meter(ui, Path("ring/{}/meter", ring.name), ring.name,

@@ -1,8 +1,10 @@
 #include "panels/moves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/base/index.h"
 #include "gui/model/tab.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
@@ -61,8 +63,44 @@ void Moves::follow(Frame& f) {
   const IntentOutcome* outcome = f.now.outcome_of(started_);
   if (!outcome || outcome->state == IntentState::pending) return;
   started_ = 0;
-  if (outcome->state != IntentState::done && !doubt_.take_refusal(f, *outcome))
-    f.toast(Severity::fault, std::string(outcome->sentence.view()));
+  if (outcome->state == IntentState::done || doubt_.take_refusal(f, *outcome)) return;
+  past_ = outcome->past;
+  refused_ = f.tab.words_of(*outcome);
+  int decimals = 0;
+  if (!cell_past_limit(f.catalog, decimals)) past_.reset(), f.toast(Severity::fault, refused_);
+}
+
+/// The number that names the place past a limit; null: it was removed or overwritten.
+NumberField* Moves::cell_past_limit(const Catalog& catalog, int& decimals) {
+  const auto& columns = catalog.move_list.columns;
+  if (!past_ || past_->row < 0 || ix(past_->row) >= rows_.size()) return nullptr;
+  Row& row = rows_[ix(past_->row)];
+  for (std::size_t c = 0; c < std::min(columns.size(), row.size()); ++c)
+    if (columns[c].is_place && columns[c].of_axis == past_->axis.index) {
+      decimals = columns[c].decimals;
+      const auto value = row[c].value();
+      return value && std::llround(*value * std::pow(10.0, decimals)) == past_->place.value ? &row[c]
+                                                                                            : nullptr;
+    }
+  return nullptr;
+}
+
+/// Offers the nearest place that is allowed, for the cell of the list.
+void Moves::draw_refusal(Frame& f, const Rect& beside) {
+  int decimals = 0;
+  NumberField* cell = cell_past_limit(f.catalog, decimals);
+  if (!cell) past_.reset();  // what it was about has been changed
+  if (!past_) return;
+  const Path label("Put {} into move {}", format_with_unit(past_->nearest, f.tab.unit(past_->axis)).view(),
+                   past_->row + 1);
+  const std::array<Action, 1> actions = {Action{.id = "list/nearest", .label = label}};
+  card_.begin(f, {.id = "list/refused", .about = "Start", .words = refused_, .actions = actions}, beside);
+  const RefusalTouch done = card_.end();
+  if (done.action == 0) {
+    cell->set(static_cast<double>(past_->nearest.value) / std::pow(10.0, decimals), decimals);
+    edited_ = true;
+  }
+  if (done.action == 0 || done.closed) past_.reset();
 }
 
 // ---- toolbar
@@ -93,13 +131,15 @@ void Moves::draw_toolbar(Frame& f) {
   stop.height = 40;
   stop.disabled = works_ ? "" : "No list is being sent.";
   stop.tip =
-      "Stops the axes and sends no more. Buffered mode is switched off, and what waits there is dropped.";
+      "Stops the axes and sends no more. Buffered mode is switched off, and moves that wait there are "
+      "dropped.";
   if (button(ui, "list/abort", "Abort", stop).clicked) abort(f);
   const float left = ImGui::GetItemRectMax().x + ui.px(16);
   const float right = ui.px(f.area.right() - 16);
   if (doubt_.open())
     if (const IntentId sent = doubt_.draw(f, "list", "Start", started.rect)) started_ = sent;
   draw_progress(f, left, right, at.y + ui.px(toolbar_height / 2));
+  draw_refusal(f, started.rect);
   end_toolbar(f, at);
 }
 
@@ -120,10 +160,10 @@ void Moves::draw_progress(Frame& f, float left, float right, float middle) {
                    : feed.sent == feed.total ? ", all of them"
                                              : ", then ended");
   const Path count("{} moves, {} fit into the buffer at once", rows_.size(), f.catalog.move_list.depth);
-  const std::string_view said = any ? words.view() : count.view();
-  const float width = std::ceil(text_width(ui, Face::body, said));
-  draw_text_line(ui, std::max(left, right - width), right + 1, middle, Face::body, ui[Tone::ink2], said);
-  show(ui, {"list/progress", Kind::text, "Progress", said, {}, false, {}},
+  const std::string_view shown = any ? words.view() : count.view();
+  const float width = std::ceil(text_width(ui, Face::body, shown));
+  draw_text_line(ui, std::max(left, right - width), right + 1, middle, Face::body, ui[Tone::ink2], shown);
+  show(ui, {"list/progress", Kind::text, "Progress", shown, {}, false, {}},
        {ImVec2(left, middle - ui.px(16)), ImVec2(right, middle + ui.px(16))});
   const float bar = std::min(ui.px(160), right - width - ui.px(12) - left);
   if (!any || bar < ui.px(40)) return;
@@ -143,7 +183,7 @@ void Moves::draw_file_line(Frame& f) {
   const std::string name = file_.empty() ? (edited_ ? "not in a file" : "") : file_.filename().string();
   const float buttons = button_width(ui, "New", quiet) + button_width(ui, "Open", quiet) +
                         button_width(ui, "Save", quiet) + button_width(ui, "Add a move", quiet);
-  const float left = ui.px(f.area.x + 16), end = ui.px(f.area.right() - 8 - buttons);
+  const float left = ui.px(f.area.x + 16), end = ui.px(f.area.right() - 4 - buttons);
   draw_text_line(ui, left, end, middle, Face::body_bold, ui[file_.empty() ? Tone::warn : Tone::ink], name);
   if (!file_.empty() && edited_)
     draw_text_line(ui, left + std::ceil(text_width(ui, Face::body_bold, name)) + ui.px(8), end, middle,

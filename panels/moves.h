@@ -2,6 +2,7 @@
 // Buffered moves: a list, with its own file, that is fed into the controller's buffer as entries become free.
 // All other controls stay live meanwhile. Ids: `list/ROW/COLUMN` (rows from 1), `list/start` ...
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "panels/control/action_form.h"
 #include "panels/control/readouts.h"
 #include "panels/doubt_ways.h"
+#include "panels/refusal_card.h"
 
 namespace hw::panels {
 
@@ -33,6 +35,8 @@ class Moves final : public gui::Panel {
   void draw_side(gui::Frame& frame, float width);
   void draw_param(gui::Frame& frame, std::size_t param, float width);
   void draw_dialogs(gui::Frame& frame);
+  void draw_refusal(gui::Frame& frame, const gui::Rect& beside);
+  [[nodiscard]] gui::NumberField* cell_past_limit(const Catalog& catalog, int& decimals);
 
   void add_row(const Catalog& catalog);
   void show_rows(const std::vector<gui::MoveRow>& rows, const MoveListFacts& facts);
@@ -55,6 +59,9 @@ class Moves final : public gui::Panel {
   bool works_ = true;  ///< the list is on its way, or all of it was sent and the buffer is not empty yet
   IntentId started_ = 0;
   DoubtWays doubt_;
+  std::optional<PastTravel> past_;  ///< why the latest Start was refused ...
+  std::string refused_;             ///< ... in words
+  RefusalCard card_;
 };
 
 }  // namespace hw::panels

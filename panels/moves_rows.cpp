@@ -65,6 +65,7 @@ void Moves::start(Frame& f) {
   std::string why;
   auto rows = values(f.catalog.move_list, why);
   if (!rows) return f.toast(Severity::fault, why + ". Nothing was sent.");
+  past_.reset();
   started_ = doubt_.send(f, intent::FeedMoves(std::move(*rows)));
 }
 

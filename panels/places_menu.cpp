@@ -122,7 +122,7 @@ void PlacesMenu::draw_axes(Frame& f, std::size_t i) {
         number_field(f.ui, Path("places/{}/{}", place.name, name), name, shown, fields_[a], o);
     row.place(200);
     ButtonOptions here{
-        .style = ButtonStyle::quiet, .tip = "Where this axis stands now.", .width = 52, .height = 28};
+        .style = ButtonStyle::quiet, .tip = "Present position of this axis.", .width = 52, .height = 28};
     here.disabled = f.now.axes[a].position_known ? "" : "Its position is not known.";
     const bool take = button(f.ui, Path("places/{}/{}/here", place.name, name), "Here", here).clicked;
     if (!typed.committed && !take) continue;
@@ -149,7 +149,7 @@ void PlacesMenu::draw_save(Frame& f) {
   row.place(list_width - side - 86);
   ButtonOptions b{.width = 86, .height = 28};
   b.disabled = name_.empty() ? "Type its name first." : "";
-  b.tip = "Saves where all axes stand, and replaces a place of that name.";
+  b.tip = "Saves the position of all axes; replaces a place of that name.";
   if (button(ui, "places/save", "Save here", b).clicked || (entered && !name_.empty())) save(f);
 }
 

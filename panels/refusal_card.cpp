@@ -36,7 +36,7 @@ float slot_width(const Refusal& what, As as) { return as == As::bar ? what.slot_
 
 /// Places slot and actions one after the other, in as many rows as needed. Logical.
 template <class Place>
-float in_rows(const Ui& ui, const Refusal& what, As as, float width, const Place& place) {
+float place_in_rows(const Ui& ui, const Refusal& what, As as, float width, const Place& place) {
   float x = 0, y = 0;
   const auto next = [&](int index, float wide) {
     if (x > 0 && x + wide > width) x = 0, y += action_height + action_gap;
@@ -57,7 +57,7 @@ float row_of_all(const Ui& ui, const Refusal& what) {
 }
 
 float rows_height(const Ui& ui, const Refusal& what, float width) {
-  return in_rows(ui, what, As::card, width, [](int, float, float) {});
+  return place_in_rows(ui, what, As::card, width, [](int, float, float) {});
 }
 
 float words_width(const Ui& ui) { return ui.px(card_width - 2 * card_side - mark); }
@@ -162,7 +162,7 @@ void RefusalCard::begin(Frame& f, const Refusal& what, const Rect& row) {
     draw_bar_words();
   else
     draw_card_words();
-  in_rows(ui, what_, As{bar_}, width_, [&](int index, float x, float y) {
+  place_in_rows(ui, what_, As{bar_}, width_, [&](int index, float x, float y) {
     if (index < 0) ImGui::SetCursorScreenPos(ImVec2(rows_.x + ui.px(x), rows_.y + ui.px(y)));
   });
 }
@@ -212,7 +212,7 @@ void RefusalCard::draw_bar_words() {
 RefusalTouch RefusalCard::end() {
   Ui& ui = *ui_;
   RefusalTouch done;
-  in_rows(ui, what_, As{bar_}, width_, [&](int index, float x, float y) {
+  place_in_rows(ui, what_, As{bar_}, width_, [&](int index, float x, float y) {
     if (index < 0) return;
     const Action& a = what_.actions[static_cast<std::size_t>(index)];
     ButtonOptions o;

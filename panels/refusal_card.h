@@ -8,7 +8,7 @@
 //
 //     const Path home("goto/{}/home", name), once("goto/{}/once", name);   // they must outlive the calls
 //     const gui::Action actions[] = {{.id = home, .label = "Home", .disabled = why, .moving = true},
-//                                    {.id = once, .label = "Go on for this once", .moving = true}};
+//                                    {.id = once, .label = "Go on this once", .moving = true}};
 //     Refusal refusal{.id = id, .about = "Go, X", .words = row.refused, .actions = actions};
 //     refusal.slot_width = 200, refusal.slot_in_bar = 120;  // only with a field of the panel's own
 //     card.begin(f, refusal, row_rect);  // row_rect: pixels, of the row that it is about

@@ -113,8 +113,7 @@ float Terminal::draw_tools(Frame& f, TrafficLog& log, float left, float top) {
 void Terminal::draw_messages_behind(Frame& f, float left, float top) {
   Ui& ui = f.ui;
   const float right = ui.px(f.area.right() - 16), room = right - left - ui.px(before_messages);
-  const bool covered = f.console.right_open && f.tier == Tier::medium;
-  if (covered || room < ui.px(messages_at_least)) return;
+  if (f.console.right_covers() || room < ui.px(messages_at_least)) return;
   const float width = std::min(room, ui.px(432));
   draw_messages(ui, f.console.toasts(), {ImVec2(right - width, top), ImVec2(right, top + ui.px(32))});
 }
@@ -125,15 +124,16 @@ float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float 
   TrafficLog::View view = log.view();
   filter_ = view.filter;
   const LogTool toggles[] = {
-      {"terminal/decoded", "Decoded", "What the bytes mean, after the manual.", Icon::meaning, &view.decoded},
-      {"terminal/fold", "Polls folded", "What the console asks by itself, in one line that counts.",
+      {"terminal/decoded", "Decoded", "Shows the meaning of the bytes, from the manual.", Icon::meaning,
+       &view.decoded},
+      {"terminal/fold", "Polls folded", "Shows the console's own questions in one line with a count.",
        Icon::folded, &view.fold_polls},
-      {"terminal/hex", "Hex", "Every byte in hexadecimal.", Icon::none, &view.hex},
+      {"terminal/hex", "Hex", "Shows every byte in hexadecimal.", Icon::none, &view.hex},
   };
   const LogTool actions[] = {
-      {"terminal/copy", "Copy", "Copies the chosen lines, or all that are shown.", Icon::copy, nullptr},
+      {"terminal/copy", "Copy", "Copies the selected lines, or all lines shown.", Icon::copy, nullptr},
       {"terminal/clear", "Clear", "Empties this list. Nothing is sent.", Icon::empty, nullptr},
-      {"terminal/save", "Save", "Saves all that is kept, with times, into a file.", Icon::save, nullptr},
+      {"terminal/save", "Save", "Saves all recorded lines, with times, into a file.", Icon::save, nullptr},
   };
   const float lost = log.lost() > 0 ? lost_width : 0;
   const float room = f.area.right() - 16 - left / ui.scale - lost;

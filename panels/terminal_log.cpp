@@ -180,14 +180,14 @@ std::string TerminalLog::copied(TrafficLog& log) const {
 
 // The visible text, for scripts and screen readers; rebuilt only on a change.
 void TerminalLog::say(Ui& ui, TrafficLog& log, Span visible) {
-  if (said_version_ != log.version() || said_begin_ != visible.begin) {
-    said_version_ = log.version();
-    said_begin_ = visible.begin;
-    said_.clear();
-    log.append_rows(said_, visible.begin, visible.end);
+  if (shown_version_ != log.version() || shown_begin_ != visible.begin) {
+    shown_version_ = log.version();
+    shown_begin_ = visible.begin;
+    shown_text_.clear();
+    log.append_rows(shown_text_, visible.begin, visible.end);
   }
   const ImVec2 corner = ImGui::GetWindowPos();
-  show(ui, {.id = "terminal/log", .kind = Kind::text, .label = "Traffic", .value = said_},
+  show(ui, {.id = "terminal/log", .kind = Kind::text, .label = "Traffic", .value = shown_text_},
        {corner, ImVec2(corner.x + size_.x, corner.y + size_.y)});
 }
 

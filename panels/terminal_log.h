@@ -36,9 +36,9 @@ class TerminalLog {
   std::uint64_t anchor_ = none, caret_ = none;
   bool dragging_ = false, active_ = false;  ///< active: the last click was into the rows
   std::optional<gui::TrafficLog::Row> to_toggle_;
-  std::string said_;  ///< for scripts
-  std::uint64_t said_version_ = 0;
-  std::size_t said_begin_ = 0;
+  std::string shown_text_;  ///< for scripts
+  std::uint64_t shown_version_ = 0;
+  std::size_t shown_begin_ = 0;
   ImVec2 size_{};
 };
 

@@ -78,7 +78,7 @@ void Variables::draw_grid(Frame& f, float width) {
   const int columns = std::max(1, static_cast<int>((width + wide_between) / (least_cell + wide_between)));
   const int kept = std::clamp(facts.stored_from, 0, facts.count);
   if (kept > 0) {
-    section_title(f.ui, fmt::format("{0}0 to {0}{1}", facts.prefix, kept - 1), "gone with the power");
+    section_title(f.ui, fmt::format("{0}0 to {0}{1}", facts.prefix, kept - 1), "lost at power-off");
     draw_part(f, 0, kept, columns, width);
   }
   if (kept < facts.count) {

@@ -25,10 +25,10 @@ void BlockDrafts::place(Kept& kept, const seq::Editor& editor, const BlockRows& 
   kept.row = is_it(editor.at(kept.path)) ? rows.row_of(kept.path) : -1;
   for (std::size_t row = 0; kept.row < 0 && row < rows.size(); ++row)
     if (is_it(&rows.step(row))) kept.row = static_cast<int>(row), kept.path = rows.path(row);
-  kept.here = fmt::format("{} Mend it before the next run.", kept.draft.problem);
+  kept.here = fmt::format("{} Correct it before the next run.", kept.draft.problem);
   std::string number;
   for (const std::size_t at : kept.path) number += fmt::format("{}{}", number.empty() ? "" : ".", at + 1);
-  kept.anywhere = fmt::format("Mend block {} first. {}", number, kept.draft.problem);
+  kept.anywhere = fmt::format("Correct block {} first. {}", number, kept.draft.problem);
 }
 
 void BlockDrafts::keep(const seq::StepPath& of, StepForm::Draft draft) {

@@ -35,7 +35,7 @@ class BlockDrafts {
     sequence::StepPath path;
     StepForm::Draft draft;
     int row = -1;
-    std::string here, anywhere;
+    std::string here{}, anywhere{};
   };
   void place(Kept& kept, const sequence::Editor& editor, const BlockRows& rows);
 

@@ -71,24 +71,40 @@ void BlockFiles::save(Frame& f, const std::filesystem::path& path) {
       desk.alive());
 }
 
-void BlockFiles::draw(Frame& f) {
+/// "Open", or its icon.
+static ButtonOptions look_of_file(Icon icon, const char* label, bool wordless) {
+  ButtonOptions look{.style = ButtonStyle::quiet, .height = 40};
+  if (wordless) look.icon = icon, look.tip = label, look.wordless = true;
+  return look;
+}
+
+float BlockFiles::width(const Ui& ui, bool wordless) {
+  return button_width(ui, "Open", look_of_file(Icon::folder, "Open", wordless)) +
+         button_width(ui, "Save", look_of_file(Icon::save, "Save", wordless));
+}
+
+void BlockFiles::draw(Frame& f, bool wordless) {
+  constexpr float least_name = 72;
   Ui& ui = f.ui;
   const BlockList& blocks = f.tab.desk().blocks;
-  const ButtonOptions look{.style = ButtonStyle::quiet, .height = 40};
-  const float width = button_width(ui, "Open", look) + button_width(ui, "Save", look);
+  const float width = BlockFiles::width(ui, wordless);
   next_in_toolbar(f, 0, width);
   const ImVec2 next = ImGui::GetCursorScreenPos();
   const bool own_row = next.y > ImGui::GetItemRectMax().y;
   const float x = own_row ? next.x : ui.px(f.area.right() - 8 - width);
   if (std::exchange(named_at_, blocks.changes()) != blocks.changes())
     name_ = blocks.file().filename().string();
-  if (!name_.empty() && !own_row)
-    draw_text_line(ui, next.x + ui.px(8), x - ui.px(8), next.y + ui.px(20), Face::body_bold,
-                   ui[blocks.edited() ? Tone::warn : Tone::ink], name_);
+  has_room_ = !own_row && x - next.x >= ui.px(least_name);
+  if (has_room_) draw_name(f, next.x + ui.px(8), x - ui.px(8), next.y + ui.px(20));
   ImGui::SetCursorScreenPos(ImVec2(x, next.y));
-  if (button(ui, "blocks/open", "Open", look).clicked) ask_open();
+  if (button(ui, "blocks/open", "Open", look_of_file(Icon::folder, "Open", wordless)).clicked) ask_open();
   ImGui::SameLine(0, 0);
-  if (button(ui, "blocks/save", "Save", look).clicked) ask_save(f);
+  if (button(ui, "blocks/save", "Save", look_of_file(Icon::save, "Save", wordless)).clicked) ask_save(f);
+}
+
+void BlockFiles::draw_name(const Frame& f, float left, float right, float middle) const {
+  const bool edited = f.tab.desk().blocks.edited();
+  draw_text_line(f.ui, left, right, middle, Face::body_bold, f.ui[edited ? Tone::warn : Tone::ink], name_);
 }
 
 void BlockFiles::draw_dialogs(Frame& f) {

@@ -13,8 +13,14 @@ class BlockFiles {
  public:
   /// Call once a frame. Handles files dropped on the window, and the chords.
   void follow(gui::Frame& frame);
-  /// Draws the name and the buttons from ImGui's cursor to the right edge.
-  void draw(gui::Frame& frame);
+  /// Draws the name and the buttons from ImGui's cursor to the right edge. `wordless`: as icons.
+  void draw(gui::Frame& frame, bool wordless);
+  /// Of the buttons, logical.
+  [[nodiscard]] static float width(const gui::Ui& ui, bool wordless);
+  /// The name had no room there: draw_name() is to be called elsewhere.
+  [[nodiscard]] bool wants_room() const { return !has_room_ && !name_.empty(); }
+  /// In pixels, cut where it would be too long.
+  void draw_name(const gui::Frame& frame, float left, float right, float middle) const;
   void draw_dialogs(gui::Frame& frame);
 
  private:
@@ -26,7 +32,7 @@ class BlockFiles {
 
   gui::FileDialog open_, save_;
   std::filesystem::path to_open_;  ///< the file the question is about
-  bool asking_open_ = false;
+  bool asking_open_ = false, has_room_ = false;
   std::string name_;                            ///< of the file, without its folder
   std::uint64_t named_at_ = ~std::uint64_t{0};  ///< BlockList::changes() when `name_` was made
 };

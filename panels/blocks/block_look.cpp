@@ -1,5 +1,6 @@
 #include "panels/blocks/block_look.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -37,12 +38,17 @@ sequence::Look look_of(const Frame& f, const sequence::Sequence& s) {
 
 }  // namespace
 
-bool BlockLook::follow(const Frame& f, const sequence::Editor& editor) {
-  bool same = std::exchange(version_, editor.version()) == editor.version();
-  for (std::size_t a = 0; a < f.catalog.axes.size() && a < units_.size(); ++a)
+std::span<const DisplayUnit> BlockLook::units(const Frame& f) {
+  const std::size_t count = std::min(f.catalog.axes.size(), units_.size());
+  for (std::size_t a = 0; a < count; ++a)
     if (const DisplayUnit& now = f.tab.unit(AxisId{static_cast<std::uint8_t>(a)}); units_[a] != now)
-      units_[a] = now, same = false;
-  if (same) return false;
+      units_[a] = now, version_ = ~std::uint64_t{0};
+  return {units_.data(), count};
+}
+
+bool BlockLook::follow(const Frame& f, const sequence::Editor& editor) {
+  units(f);
+  if (std::exchange(version_, editor.version()) == editor.version()) return false;
   sequence::Look now = look_of(f, editor.sequence());
   if (now == look_) return false;
   look_ = std::move(now);

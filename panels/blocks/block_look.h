@@ -2,6 +2,7 @@
 // The units of blocks: for each axis the unit shown everywhere in the console, else the sequence's own unit.
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "core/sequence/editor.h"
 #include "core/sequence/words.h"
@@ -14,6 +15,8 @@ class BlockLook {
  public:
   /// Call once a frame. True: the look has changed.
   bool follow(const gui::Frame& frame, const sequence::Editor& editor);
+  /// Shown for the axes now.
+  std::span<const gui::DisplayUnit> units(const gui::Frame& frame);
   [[nodiscard]] const sequence::Look& look() const { return look_; }
 
  private:

@@ -51,6 +51,17 @@ BlockWays jogs(const seq::Sequence& of, const Catalog&) {
   with_speed.own = seq::Speeds{about_steps(of, 1000), 0, 0};
   return {seq::Jog{}, with_speed};
 }
+/// With its first line: a contour without one is refused.
+BlockWays contours(const seq::Sequence& of, const Catalog&) {
+  const double length = about_steps(of, 1000);
+  seq::Move line;
+  if (of.axes.size() > 1) line.to[0] = length, line.to[1] = 0;
+  seq::Contour with_speed;
+  with_speed.steps = {{line}};
+  seq::Contour as_before = with_speed;
+  with_speed.own = seq::Speeds{length, 0, 0};
+  return {as_before, with_speed};
+}
 /// The second stair is twice as fast as the first.
 BlockWays speed_stairs(const seq::Sequence& of, const Catalog&) {
   const double unit = about_steps(of, 1000);
@@ -85,7 +96,7 @@ BlockWays plain(const seq::Sequence&, const Catalog&) {
 using Of = const seq::Sequence&;
 using With = const Catalog&;
 
-constexpr std::array<PaletteEntry, 19> palette{
+constexpr std::array<PaletteEntry, 20> palette{
     {{"Motion", "blocks/add/speed", "Speed", speeds},
      {"Motion", "blocks/add/move", "Move to",
       [](Of of, With) -> BlockWays { return {whole_move(of, false)}; }},
@@ -93,6 +104,7 @@ constexpr std::array<PaletteEntry, 19> palette{
       [](Of of, With) -> BlockWays { return {whole_move(of, true)}; }},
      {"Motion", "blocks/add/arc", "Arc", [](Of of, With) { return arcs(of, 90); }},
      {"Motion", "blocks/add/circle", "Circle", [](Of of, With) { return arcs(of, 360); }},
+     {"Motion", "blocks/add/contour", "Contour", contours},
      {"Motion", "blocks/add/jog", "Jog", jogs},
      {"Motion", "blocks/add/home", "Home", plain<seq::Home>},
      {"Motion", "blocks/add/stop", "Stop", plain<seq::Stop>},
@@ -229,7 +241,7 @@ BlockWays BlockPalette::draw(Frame& f, const seq::Sequence& of, bool all) {
     }
     if (draw_entry(ui, i, why_not_[i])) clicked = &entry;
   }
-  if (!any) wrapped(ui, Face::small, Tone::ink2, "No block has such a name.");
+  if (!any) wrapped(ui, Face::small, Tone::ink2, "No block has this name.");
   const bool entered = typed.entered && first && !wanted_.empty();
   if (entered || (clicked && !all)) wanted_.clear();
   if (clicked) return clicked->make(of, f.catalog);

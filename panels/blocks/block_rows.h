@@ -22,6 +22,8 @@ class BlockRows {
   /// Call when the units have changed.
   void forget_words();
 
+  /// Changes with the blocks.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] const sequence::Step& step(std::size_t row) const { return *rows_[row].step; }
   [[nodiscard]] int depth(std::size_t row) const { return rows_[row].depth; }

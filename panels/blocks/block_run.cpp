@@ -35,21 +35,31 @@ void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not
   ImGui::SameLine(0, f.ui.px(f.area.width < closer_below ? 4 : 8));
   const ButtonOptions to_program{
       .disabled = why_not, .tip = "Puts the text into the program editor.", .height = 40};
-  if (button(f.ui, "blocks/to_program", "To the program", to_program).clicked)
-    ask_or_put(f, text, Wanted::to_program);
+  const char* label = f.area.width < brief_below ? "To program" : "To the program";
+  if (button(f.ui, "blocks/to_program", label, to_program).clicked) ask_or_put(f, text, Wanted::to_program);
 }
 
 /// A refused run stands beside Run; the rest is told in passing.
 void BlockRun::take_what_came(Frame& f, const SequenceText& text) {
+  if (std::string why = run_from_.take_refusal(); !why.empty())
+    refusal_.tell(std::move(why), text.text, from_);
   Desk& desk = f.tab.desk();
-  auto told = desk.job.take_told();
-  if (told.sentence.empty()) return;
+  auto report = desk.job.take_report();
+  if (report.sentence.empty()) return;
   const ProgramJob::Goal goal = desk.job.goal();
   const bool of_run = goal == ProgramJob::Goal::run || goal == ProgramJob::Goal::run_stepping;
-  const bool of_blocks = desk.texts.text(desk.texts.chosen()) == text.text;
-  if (of_run && of_blocks && told.severity == Severity::fault)
-    return refusal_.tell(std::move(told.sentence), text.text);
-  f.toast(told.severity, std::move(told.sentence), &desk.texts);
+  const std::string& run = desk.texts.text(desk.texts.chosen());
+  if (of_run && report.severity == Severity::fault) {
+    if (run == text.text) return refusal_.tell(std::move(report.sentence), text.text);
+    if (run == run_from_.text()) return refusal_.tell(std::move(report.sentence), text.text, from_);
+  }
+  f.toast(report.severity, std::move(report.sentence), &desk.texts);
+}
+
+void BlockRun::ask_from(Frame& f, const sequence::Sequence& blocks, int step) {
+  refusal_.forget();
+  from_ = step;
+  run_from_.ask(f, blocks, {.step = step});
 }
 
 int BlockRun::draw_refusals(Frame& f, const SequenceText& text, const BlockRows& rows, const Rect& row) {
@@ -82,20 +92,20 @@ void BlockRun::put(Frame& f, const SequenceText& text) {
   switch (std::exchange(wanted_, Wanted::nothing)) {
     case Wanted::nothing: return;
     case Wanted::to_program: return f.show_panel("program");
-    case Wanted::run: return run(f, RunRequest::run);
-    case Wanted::run_stepping: return run(f, RunRequest::run_stepping);
+    case Wanted::run: return run(f, text, RunRequest::run);
+    case Wanted::run_stepping: return run(f, text, RunRequest::run_stepping);
   }
 }
 
 /// While the question stood, a stop may have come or another run may have begun: then the text is only put
 /// there.
-void BlockRun::run(Frame& f, RunRequest request) {
+void BlockRun::run(Frame& f, const SequenceText& text, RunRequest request) {
   if (go_ahead_.expired())
-    return f.toast(Severity::warn, "A stop came first. The text was put into the program and not run.");
+    return refusal_.tell("A stop came first. The text was put into the program and not run.", text.text);
   std::string_view why = why_none_runs(f);
   if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
   if (why.empty()) return begin_run(f, request, std::exchange(agreed_, std::nullopt));
-  f.toast(Severity::warn, std::string(why), &f.tab.desk().texts);
+  refusal_.tell(std::string(why), text.text);
 }
 
 void BlockRun::draw_dialog(Frame& f, const SequenceText& text) {

@@ -26,9 +26,7 @@ class BlockRun {
   int draw_refusals(gui::Frame& frame, const SequenceText& text, const BlockRows& rows, const gui::Rect& bar);
   void draw_dialog(gui::Frame& frame, const SequenceText& text);
   /// Asks whether to run all blocks from this one on. `step`: as SequenceText counts them.
-  void ask_from(gui::Frame& frame, const sequence::Sequence& blocks, int step) {
-    run_from_.ask(frame, blocks, {.step = step});
-  }
+  void ask_from(gui::Frame& frame, const sequence::Sequence& blocks, int step);
 
   /// The step being executed, as SequenceText counts the steps; -1: none of this text, or unknown.
   [[nodiscard]] int live_step() const { return live_.step(); }
@@ -42,9 +40,10 @@ class BlockRun {
   void ask_or_put(gui::Frame& frame, const SequenceText& text, Wanted wanted,
                   std::optional<gui::AgreedDoubts> agreed = {});
   void put(gui::Frame& frame, const SequenceText& text);
-  void run(gui::Frame& frame, RunRequest request);
+  void run(gui::Frame& frame, const SequenceText& text, RunRequest request);
 
   RunFrom run_from_;
+  int from_ = 0;                             ///< the block from which on it runs
   Wanted wanted_ = Wanted::nothing;          ///< to be done once the question is answered
   std::optional<gui::AgreedDoubts> agreed_;  ///< to a run despite these doubts
   RunDoubt doubt_;

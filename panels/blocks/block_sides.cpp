@@ -43,24 +43,29 @@ void BlockSides::show_list(const Frame& f) {
   if (f.area.width < palette_needs) side_first_ = false;
 }
 
+const char* BlockSides::other(const Frame& f) const {
+  return !side_first_ ? "Text, path" : f.area.width >= palette_needs ? "Palette" : "Blocks";
+}
+
+static ButtonOptions look_of_switch(const Frame& f) {
+  const char* tip =
+      f.area.width >= palette_needs ? "Shows it beside the blocks." : "Replaces the present view.";
+  return {.style = ButtonStyle::quiet, .tip = tip, .height = 40};
+}
+
+float BlockSides::switch_width(const Frame& f) const {
+  return shares(f) ? button_width(f.ui, other(f), look_of_switch(f)) : 0;
+}
+
 void BlockSides::draw_switch(Frame& f) {
   if (!shares(f)) return;
-  const bool of_palette = f.area.width >= palette_needs;
-  const char* other = !side_first_ ? (f.catalog.axes.size() < 2 ? "Text" : "Text and path")
-                      : of_palette ? "Palette"
-                                   : "Blocks";
-  const ButtonOptions look{
-      .style = ButtonStyle::quiet,
-      .tip = of_palette ? "Takes its place beside the blocks." : "Takes the place of what is shown now.",
-      .height = 40};
-  next_in_toolbar(f, f.area.width < 720 ? 0 : 16, button_width(f.ui, other, look));
-  if (button(f.ui, "blocks/aside", other, look).clicked) side_first_ = !side_first_;
+  next_in_toolbar(f, 0, switch_width(f));
+  if (button(f.ui, "blocks/aside", other(f), look_of_switch(f)).clicked) side_first_ = !side_first_;
 }
 
 void BlockSides::draw(Frame& f, float width, float height, const DrawPart& text, const DrawPart& path) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (f.catalog.axes.size() < 2) return text(width, height);
   const auto place_path = [&](float below, float high) {
     const ImVec2 corner(ui.px(f.area.right() - width) + ui.hair(), at.y + ui.px(below));
     line_across_side(f, corner.x, corner.y);

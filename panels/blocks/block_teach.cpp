@@ -15,8 +15,7 @@ namespace seq = sequence;
 namespace {
 
 constexpr std::string_view not_seen = "The positions of the axes are not known now.";
-constexpr std::string_view begins_nowhere =
-    "It is not known where this block begins. Put a move to a place in front of it.";
+constexpr std::string_view begins_nowhere = "Put a move to a place before this block: its start is unknown.";
 
 /// In the unit of the sequence. Nothing if the position is stale or unknown.
 std::optional<double> stands_at(const Frame& f, const seq::Sequence& s, int axis) {

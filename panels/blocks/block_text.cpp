@@ -60,17 +60,17 @@ bool draw_block_problem(Frame& f, const WrittenBlocks& written, float width) {
   const std::size_t count = written.refused.size();
   // Each block shows its own reason; here they are only counted.
   const Path counted("{} {} refused.", count, count == 1 ? "block is" : "blocks are");
-  const std::string_view said = count > 0 ? counted.view() : std::string_view(written.problem);
+  const std::string_view text = count > 0 ? counted.view() : std::string_view(written.problem);
   bool wanted = false;
   if (count > 0) {
-    named_text(ui, "blocks/problem", Face::body, Tone::fault, said);
-    ImGui::SetCursorScreenPos(ImVec2(from.x + text_width(ui, Face::body, said) + ui.px(8),
+    named_text(ui, "blocks/problem", Face::body, Tone::fault, text);
+    ImGui::SetCursorScreenPos(ImVec2(from.x + text_width(ui, Face::body, text) + ui.px(8),
                                      from.y + std::floor((ui.line(Face::body) - ui.line(Face::small)) / 2)));
     wanted = link(ui, "blocks/show_refused", count == 1 ? "Show it" : "Show the first");
     ImGui::SetCursorScreenPos(ImVec2(from.x, from.y + ui.line(Face::body)));
   } else {
-    wrapped(ui, Face::body, Tone::fault, said, width);
-    show(ui, {"blocks/problem", Kind::text, "Problem", said},
+    wrapped(ui, Face::body, Tone::fault, text, width);
+    show(ui, {"blocks/problem", Kind::text, "Problem", text},
          {from, ImVec2(from.x + ui.px(width), ImGui::GetCursorScreenPos().y)});
   }
   gap(ui, 8);
@@ -86,7 +86,7 @@ bool draw_block_text(Frame& f, const WrittenBlocks& written, const BlockTextMark
   const bool measured = written.cost > 0 && program.capacity > 0;
   const Path used("{} of {} {}", format_number(written.cost, 0).view(),
                   format_number(program.capacity, 0).view(), program.capacity_unit);
-  section_title(ui, "Text it writes", measured ? used.view() : "");
+  section_title(ui, "Resulting text", measured ? used.view() : "");
   const bool wanted = draw_block_problem(f, written, width);
   if (!written.remark.empty()) {
     wrapped(ui, Face::small, Tone::ink2, written.remark, width);
@@ -102,11 +102,11 @@ bool draw_block_text(Frame& f, const WrittenBlocks& written, const BlockTextMark
                       from.x + ui.px(width));
   }
   ImGui::Dummy(ImVec2(1, line * static_cast<float>(count)));
-  std::string_view told = text;
+  std::string_view visible_text = text;
   if (count > few_lines)
-    told = text.substr(written.line_begins[seen.first],
-                       written.line_begins[seen.behind] - written.line_begins[seen.first]);
-  show(ui, {"blocks/text", Kind::text, "Text it writes", told},
+    visible_text = text.substr(written.line_begins[seen.first],
+                               written.line_begins[seen.behind] - written.line_begins[seen.first]);
+  show(ui, {"blocks/text", Kind::text, "Resulting text", visible_text},
        {from, ImVec2(from.x + ui.px(width), ImGui::GetCursorScreenPos().y)});
   end_part();
   return wanted;

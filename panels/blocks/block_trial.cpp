@@ -31,18 +31,31 @@ bool out_of_time(const Rehearsal& r, double for_s) {
   return !r.finished && !r.endless && r.duration_s >= for_s;
 }
 
+/// The first two, unless others move instead; an axis alone is seen over time.
+PathAxes axes_of(const Rehearsal& r, const Catalog& catalog) {
+  std::vector<AxisId> moving;
+  for (std::size_t a = 0; a < r.axes.size() && a < catalog.axes.size(); ++a)
+    if (r.axes[a].travel > 0) moving.push_back(AxisId{static_cast<std::uint8_t>(a)});
+  PathAxes axes;
+  if (moving.size() > 1) axes.right = moving[0], axes.up = moving[1];
+  const bool another = moving.size() == 1 && moving[0] != axes.right && moving[0] != axes.up;
+  axes.over_time = another || catalog.axes.size() < 2;
+  if (axes.over_time) axes.right = axes.up = moving.empty() ? AxisId{0} : moving[0];
+  return axes;
+}
+
 }  // namespace
 
 void BlockTrial::forget() {
   times_.clear(), total_.clear(), assumed_.clear(), stops_.clear();
   path_ = nullptr;
-  none_ = "Nothing moves yet.";
   without_.clear();
   ends_ = goes_on_ = false;
 }
 
 void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& written) {
   Desk& desk = f.tab.desk();
+  if (!tried_) shown_ = axes_of(Rehearsal(), f.catalog);
   rehearsals_.follow(f.now, f.bench, f.catalog, [&desk](int slot) {
     const HeldProgram& held = desk.texts.held(slot);
     return held.known ? &held.text : nullptr;
@@ -88,7 +101,7 @@ bool BlockTrial::can_read(const Frame& f) const {
 
 /// As Simulate does; whatever cannot be read is named as an assumption.
 bool BlockTrial::reads_set_up(Frame& f) {
-  if (!can_read(f) || !f.tab.desk().can_tell_more(f.now)) return false;
+  if (!can_read(f) || !f.tab.desk().can_read_more(f.now)) return false;
   return awaits_set_up(reading_, f.now, [&f](IntentBody body) { return f.send(std::move(body)); });
 }
 
@@ -121,9 +134,9 @@ void BlockTrial::start(Frame& f, bool at_length) {
 
 Rehearsed BlockTrial::rehearsed(const Frame& f) const {
   if (!tried_ || tried_->text.text.empty()) return {};
-  if (rehearsals_.under_way(program_) || again_ || reads_reached_) return {false, "It is being rehearsed."};
+  if (rehearsals_.under_way(program_) || again_ || reads_reached_) return {false, "Rehearsing."};
   if (goes_on_ && outcome() && outcome()->text == tried_->text.text)
-    return {false, "Rehearsed for an hour: it goes on longer than that."};
+    return {false, "It takes more than the hour that was rehearsed."};
   return panels::rehearsed(f, outcome(), tried_->text.text);
 }
 
@@ -138,16 +151,16 @@ bool BlockTrial::is_old() const {
 static std::string without_words(const WrittenBlocks& written) {
   constexpr std::size_t most = 3;
   std::string all;
-  std::size_t told = 0;
+  std::size_t named = 0;
   for (const RefusedStep& r : written.refused) {
     if (r.step < 0) continue;
-    if (++told > most) continue;
+    if (++named > most) continue;
     const std::size_t begin = r.what.find(' ') + 1, end = r.what.find(" (");
     all += fmt::format(
         "{}{}", all.empty() ? "without " : ", ",
         r.what.starts_with("Step ") ? r.what.substr(begin, end - begin) : std::to_string(r.step + 1));
   }
-  if (told > most) all += fmt::format(" and {} more", told - most);
+  if (named > most) all += fmt::format(" and {} more", named - most);
   return all;
 }
 
@@ -168,17 +181,22 @@ void BlockTrial::take(Frame& f, const Rehearsals::Outcome& outcome) {
   without_ = without_words(*tried_);
   stops_ = stop_words(r);
   assumed_ = assumption_words(r);
-  if (f.catalog.axes.size() < 2) return;
+  take_path(f, r);
+}
+
+void BlockTrial::take_path(const Frame& f, const Rehearsal& r) {
+  const PathAxes before = std::exchange(shown_, axes_of(r, f.catalog));
+  if (before != shown_) canvas_.fit();
+  const auto axis = [&f](AxisId id) {
+    return TrackAxes::Axis{id.index, from_steps(Steps(1), f.tab.unit(id))};
+  };
   TrackAxes axes;
-  axes.right = {0, from_steps(Steps(1), f.tab.unit(AxisId{0}))};
-  axes.up = {1, from_steps(Steps(1), f.tab.unit(AxisId{1}))};
+  axes.right = axis(shown_.right), axes.up = axis(shown_.up), axes.over_time = shown_.over_time;
   take_tool_of(f.tab.desk().blocks.editor.sequence(), f.catalog, axes);
-  auto path = std::make_shared<const drawing::ToolPath>(track_path(r, axes, 0, steps));
-  if (!path->runs.empty()) path_ = std::move(path);
-  const bool others_move =
-      std::any_of(r.axes.begin() + 2, r.axes.end(), [](const RehearsedAxis& a) { return a.travel > 0; });
-  if (!path_ && others_move)
-    none_ = fmt::format("Only other axes than {} and {} move.", r.axes[0].name, r.axes[1].name);
+  auto path = std::make_shared<const drawing::ToolPath>(track_path(r, axes, 0, tried_->step_of_command));
+  const bool any_moves =
+      std::any_of(r.axes.begin(), r.axes.end(), [](const RehearsedAxis& a) { return a.travel > 0; });
+  if (any_moves && !path->runs.empty()) path_ = std::move(path);
 }
 
 std::string_view BlockTrial::time_of(std::size_t step) const {
@@ -188,7 +206,8 @@ std::string_view BlockTrial::time_of(std::size_t step) const {
 void BlockTrial::draw_path(Frame& f, int lit_step, float width, float height) {
   PathSubject subject;
   subject.path = path_;
-  subject.none = none_;
+  subject.none = "Nothing moves yet.";
+  subject.axes = shown_;
   subject.lit = lit_step;
   canvas_.draw(f, "blocks/path", subject, width, height);
 }

@@ -47,6 +47,7 @@ class BlockTrial {
 
  private:
   void take(gui::Frame& frame, const gui::Rehearsals::Outcome& outcome);
+  void take_path(const gui::Frame& frame, const Rehearsal& rehearsal);
   void forget();
   void start(gui::Frame& frame, bool at_length);
   [[nodiscard]] bool can_read(const gui::Frame& frame) const;
@@ -60,14 +61,15 @@ class BlockTrial {
   bool again_ = false, at_length_ = false;
   IntentId reading_ = 0;  ///< its set-up; 0: not now
   gui::UnreadPrograms unread_;
-  bool may_read_ = false;                         ///< asked for by again(), not by an edit
-  bool reads_reached_ = false;                    ///< what the last rehearsal reached; then it is repeated
-  int taken_ = 0;                                 ///< Rehearsals::Outcome::number
-  std::vector<std::string> times_;                ///< by step
-  std::string total_, without_, assumed_, none_;  ///< none_: why there is no path
+  bool may_read_ = false;           ///< asked for by again(), not by an edit
+  bool reads_reached_ = false;      ///< what the last rehearsal reached; then it is repeated
+  int taken_ = 0;                   ///< Rehearsals::Outcome::number
+  std::vector<std::string> times_;  ///< by step
+  std::string total_, without_, assumed_;
   std::vector<std::string> stops_;
   bool ends_ = false, goes_on_ = false;
   std::shared_ptr<const drawing::ToolPath> path_;
+  PathAxes shown_;  ///< of the path
   PathCanvas canvas_;
 };
 

@@ -17,7 +17,7 @@ void BlockWork::follow(Frame& f, const sequence::Editor& editor) {
   if (!language) {
     WrittenBlocks none;
     none.version = wanted_;
-    none.problem = "This controller has no language that blocks could be written in.";
+    none.problem = "Blocks cannot be written in the language of this controller.";
     written_ = std::make_shared<const WrittenBlocks>(std::move(none));
     return;
   }

@@ -46,7 +46,7 @@ void Blocks::draw(Frame& f) {
 /// Applies changes since the last frame.
 void Blocks::follow(Frame& f) {
   BlockList& blocks = f.tab.desk().blocks;
-  if (!f.catalog.axes.empty()) blocks.begin_in(f.catalog, {&f.tab.unit(AxisId{0}), f.catalog.axes.size()});
+  blocks.begin_in(f.catalog, look_.units(f));
   editor_ = &blocks.editor;
   chosen_.follow(*editor_, rows_);
   if (look_.follow(f, *editor_)) {
@@ -55,6 +55,7 @@ void Blocks::follow(Frame& f) {
     if (std::string_view(f.ui.focus.id()).starts_with("blocks/")) ImGui::ClearActiveID();
   }
   files_.follow(f);
+  tool_.follow(*editor_, f.catalog, look_.look());
   use_keys(f);
   chosen_.follow(*editor_, rows_);
   drafts_.follow(*editor_, rows_);
@@ -74,31 +75,44 @@ void Blocks::follow(Frame& f) {
 void Blocks::draw_toolbar(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = begin_toolbar(f);
-  std::string_view why = form_.problem();
-  if (why.empty()) why = drafts_.problem();
-  if (why.empty()) why = work_.why_none(*editor_);
   const Rehearsed rehearsed = work_.up_to_date() ? trial_.rehearsed(f) : Rehearsed();
-  run_.draw(f, work_.written()->text, why, rehearsed);
+  run_.draw(f, work_.written()->text, why_none(), rehearsed);
+  const bool close = f.area.width < closer_below, brief = f.area.width < brief_below;
   const ButtonOptions from_text{.disabled = TextToBlocks::why_not(f),
-                                .tip = "Makes blocks of the text in the program editor.",
+                                .tip = "Turns the text in the program editor into blocks.",
                                 .height = 40};
-  const bool close = f.area.width < closer_below;
-  next_in_toolbar(f, close ? 4 : 8, button_width(ui, "From the text", from_text));
-  if (button(ui, "blocks/from_text", "From the text", from_text).clicked) from_text_.start(f);
-  const auto step_back = [&](float gap, const char* id, const char* label, std::string_view why_not) {
-    const ButtonOptions look{.style = ButtonStyle::quiet, .disabled = why_not, .height = 40};
+  const char* from = brief ? "From text" : "From the text";
+  next_in_toolbar(f, close ? 4 : 8, button_width(ui, from, from_text));
+  if (button(ui, "blocks/from_text", from, from_text).clicked) from_text_.start(f);
+  ButtonOptions look{.style = ButtonStyle::quiet, .height = 40};
+  const float words = button_width(ui, "Undo", look) + button_width(ui, "Redo", look) +
+                      sides_.switch_width(f) + BlockFiles::width(ui, false);
+  look.wordless = ui.px(words + 16) > ui.px(f.area.right() - 8) - ImGui::GetItemRectMax().x;
+  const auto step_back = [&](float gap, const char* id, const char* label, Icon icon,
+                             std::string_view why_not) {
+    look.disabled = why_not;
+    if (look.wordless) look.icon = icon, look.tip = label;
     next_in_toolbar(f, gap, button_width(ui, label, look));
     return button(ui, id, label, look).clicked;
   };
-  if (step_back(close ? 0 : 16, "blocks/undo", "Undo", editor_->can_undo() ? "" : "Nothing to undo."))
+  if (step_back(close ? 0 : 16, "blocks/undo", "Undo", Icon::undo,
+                editor_->can_undo() ? "" : "Nothing to undo."))
     take_back();
-  if (step_back(0, "blocks/redo", "Redo", editor_->can_redo() ? "" : "Nothing was undone.")) make_again();
+  if (step_back(0, "blocks/redo", "Redo", Icon::redo, editor_->can_redo() ? "" : "Nothing was undone."))
+    make_again();
   sides_.draw_switch(f);
-  files_.draw(f);
+  files_.draw(f, look.wordless);
   end_toolbar(f, at);
   const Rect bar{at, ImVec2(ui.px(f.area.right()), ImGui::GetCursorScreenPos().y)};
   if (const int row = run_.draw_refusals(f, work_.written()->text, rows_, bar); row >= 0)
     bring_up(f, rows_.path(ix(row)));
+}
+
+std::string_view Blocks::why_none() const {
+  std::string_view why = form_.problem();
+  if (why.empty()) why = tool_.problem();
+  if (why.empty()) why = drafts_.problem();
+  return why.empty() ? work_.why_none(*editor_) : why;
 }
 
 void Blocks::draw_sides(Frame& f, float width, float height) {

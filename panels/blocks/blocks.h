@@ -21,6 +21,7 @@
 #include "panels/blocks/row_drag.h"
 #include "panels/blocks/step_form.h"
 #include "panels/blocks/text_to_blocks.h"
+#include "panels/blocks/tool_routines.h"
 
 namespace hw::panels {
 
@@ -54,6 +55,8 @@ class Blocks final : public gui::Panel {
   void draw_brackets(gui::Frame& frame, std::size_t row, ImVec2 corner, float bottom);
   void draw_chosen(gui::Frame& frame, std::size_t row, float left, float width);
   void draw_tools(gui::Frame& frame, const sequence::Step& step);
+  /// Why the blocks cannot be run or put anywhere; empty: they can.
+  [[nodiscard]] std::string_view why_none() const;
   [[nodiscard]] const RefusedStep* refusal_of(std::size_t row) const;
   /// The problem shown on its closed card; empty: none.
   [[nodiscard]] std::string_view complaint_of(std::size_t row) const;
@@ -91,6 +94,7 @@ class Blocks final : public gui::Panel {
   BlockRows rows_;
   BlockWork work_;
   StepForm form_;
+  ToolRoutines tool_;
   BlockDrafts drafts_;
   BlockTrial trial_;
   BlockRun run_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/base/index.h"
+#include "core/sequence/steps_in.h"
 #include "gui/model/tab.h"
 #include "panels/blocks/blocks.h"
 
@@ -37,16 +38,16 @@ seq::Step::Body first_taken(const Frame& f, const seq::Sequence& s, const seq::S
 
 }  // namespace
 
-/// After the chosen block, into a chosen loop, or at the end.
+/// After the chosen block, into a chosen loop or contour, or at the end.
 void Blocks::add(Frame& f, const BlockWays& ways) {
   seq::StepPath at{editor_->sequence().steps.size()};
   if (chosen_.any()) {
     const seq::StepSpan span = chosen_.span();
     at = span.first;
     const seq::Step* step = editor_->at(at);
-    const auto* loop = step && span.count == 1 ? std::get_if<seq::Repeat>(&step->body) : nullptr;
-    if (loop)
-      at.push_back(loop->steps.size());
+    const seq::StepList* inner = step && span.count == 1 ? steps_in(*step) : nullptr;
+    if (inner)
+      at.push_back(inner->size());
     else
       at.back() += span.count;
   }
@@ -108,7 +109,7 @@ void Blocks::click(std::size_t row) {
   choose(alone ? std::nullopt : std::optional(rows_.path(row)));
 }
 
-/// Up or down across all rows, into and out of loops.
+/// Up or down across all rows, into and out of loops and contours.
 void Blocks::move(int rows) {
   if (!chosen_.any()) return;
   const seq::StepSpan span = chosen_.span();
@@ -116,14 +117,13 @@ void Blocks::move(int rows) {
   if (rows < 0 && to.back() > 0) {
     --to.back();
     const seq::Step* above = editor_->at(to);
-    if (const auto* loop = above ? std::get_if<seq::Repeat>(&above->body) : nullptr)
-      to.push_back(loop->steps.size());
+    if (const seq::StepList* inner = above ? steps_in(*above) : nullptr) to.push_back(inner->size());
   } else if (rows < 0) {
     to.pop_back();  // out of its loop, before it
   } else {
     to.back() += span.count;
     const seq::Step* below = editor_->at(to);
-    if (below && std::holds_alternative<seq::Repeat>(below->body)) {
+    if (below && steps_in(*below)) {
       to.push_back(0);
     } else if (below) {
       ++to.back();
@@ -137,12 +137,12 @@ void Blocks::move(int rows) {
 }
 
 /// Drops the carried block there, together with the other chosen ones if it is one of them; after the row of
-/// a loop means inside it.
+/// a loop or contour means inside it.
 void Blocks::drop(const RowDrag::Drop& d) {
   if (d.from >= rows_.size() || d.to >= rows_.size()) return;
   seq::StepPath to = rows_.path(d.to);
   const seq::Step* there = editor_->at(to);
-  if (d.behind && there && std::holds_alternative<seq::Repeat>(there->body))
+  if (d.behind && there && steps_in(*there))
     to.push_back(0);
   else if (d.behind)
     ++to.back();

@@ -70,7 +70,11 @@ void Blocks::draw_title(Frame& f) {
   const auto progress = run_progress(f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x;
-  section_title(ui, "Blocks", progress ? "" : "lines, rehearsed");
+  const std::string_view columns = progress ? "" : "lines, rehearsed";
+  section_title(ui, "Blocks", columns);
+  if (!progress && files_.wants_room())
+    files_.draw_name(f, at.x + ui.px(64), right - text_width(ui, Face::small, columns) - ui.px(12),
+                     at.y + ui.px(20));
   if (!progress) return;
   const ImVec2 below = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(at.x, std::floor((at.y + below.y) / 2 - ui.px(20))));
@@ -177,7 +181,7 @@ void Blocks::draw_total(Frame& f, float width) {
 
 /// What has changed since the rehearsal, or could be known better.
 void Blocks::draw_again(Frame& f, float width) {
-  const bool old = trial_.is_old(), assumes = !trial_.assumed().empty() && f.tab.desk().can_tell_more(f.now);
+  const bool old = trial_.is_old(), assumes = !trial_.assumed().empty() && f.tab.desk().can_read_more(f.now);
   if ((!old && !assumes) || is_under_way(f.now.program)) return;
   Ui& ui = f.ui;
   if (old) wrapped(ui, Face::small, Tone::warn, trial_.rehearsed(f).words, width);
@@ -196,8 +200,8 @@ void Blocks::draw_end(Frame& f, float width, bool palette_aside) {
   draw_dashed_outline(ui, t.rect, ui[chosen_.any() ? Tone::edge : Tone::ink2]);
   draw_text_centred(ui, t.rect, Face::body, ui[chosen_.any() ? Tone::ink3 : Tone::ink2],
                     rows_.size() > 0 ? "Next block here"
-                    : palette_aside  ? "Choose a block at the left: it comes here"
-                                     : "Type the name of a block above: it comes here");
+                    : palette_aside  ? "Choose a block at the left to insert it here"
+                                     : "Type the name of a block above to insert it here");
   draw_ring(ui, t);
   if (t.clicked) choose(std::nullopt);
   ImGui::SetCursorScreenPos(ImVec2(at.x, t.rect.max.y));

@@ -109,26 +109,26 @@ void Blocks::draw_words(Frame& f, std::size_t row, const Rect& card) {
                                     : live       ? run_.live_words()
                                                  : trial_.time_of(row);
   const Face face = live ? Face::small_bold : Face::small;
-  const float said = at_right.empty() ? 0 : std::ceil(text_width(ui, face, at_right)) + ui.px(8);
+  const float words_width = at_right.empty() ? 0 : std::ceil(text_width(ui, face, at_right)) + ui.px(8);
   draw_text_right(ui, ImVec2(right, middle - ui.line(face) / 2), face,
                   ui[refused ? Tone::fault
                      : live  ? Tone::motion
                              : Tone::ink3],
                   at_right);
   show(ui, {Path("blocks/{}/time", row + 1), Kind::text, live ? "State" : "Rehearsed", at_right},
-       {ImVec2(right - said, card.min.y), ImVec2(right, card.max.y)});
+       {ImVec2(right - words_width, card.min.y), ImVec2(right, card.max.y)});
   const auto& lines = work_.written()->lines_of_step;
   const int count = work_.up_to_date() && !refused && row < lines.size() ? lines[row] : 0;
-  const float lines_right = right - std::max(said, ui.px(block_time_width));
+  const float lines_right = right - std::max(words_width, ui.px(block_time_width));
   const bool with_lines = lines_right - x > ui.px(280);
   if (with_lines && count > 0) {
-    const Path told("{}", count);
+    const Path lines_shown("{}", count);
     draw_text_right(ui, ImVec2(lines_right, middle - ui.line(Face::small) / 2), Face::small, ui[Tone::ink3],
-                    told);
-    show(ui, {Path("blocks/{}/lines", row + 1), Kind::text, "Lines", told},
+                    lines_shown);
+    show(ui, {Path("blocks/{}/lines", row + 1), Kind::text, "Lines", lines_shown},
          {ImVec2(lines_right - ui.px(24), card.min.y), ImVec2(lines_right, card.max.y)});
   }
-  const float end = with_lines ? lines_right - ui.px(28) : right - said;
+  const float end = with_lines ? lines_right - ui.px(28) : right - words_width;
   const float title = std::ceil(text_width(ui, Face::body_bold, words.title));
   const float summary = x + std::max(ui.px(160), ui.px(72) + title);
   draw_text_line(ui, x + ui.px(64), std::min(summary, end), middle, Face::body_bold, ui[ink], words.title);
@@ -159,7 +159,10 @@ void Blocks::draw_chosen(Frame& f, std::size_t row, float left, float width) {
   if (editor_->version() == version && chosen_.any() && !chosen_.several()) {
     const Path path("blocks/{}", row + 1);
     const StepAtHand step{path, rows_.step(row).body, editor_->sequence(), look_.look(), refusal_of(row)};
+    const bool is_tool = std::holds_alternative<seq::Pen>(step.body);
     if (auto body = form_.draw(f, step, inner)) editor_->replace(*chosen_.head(), std::move(*body));
+    if (is_tool)
+      if (auto frame = tool_.draw(f, path, inner)) editor_->replace_frame(std::move(*frame));
   }
   ImGui::Unindent(ui.px(left + 12));
   ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + ui.px(8)));
@@ -168,12 +171,15 @@ void Blocks::draw_chosen(Frame& f, std::size_t row, float left, float width) {
 void Blocks::draw_tools(Frame& f, const seq::Step& step) {
   Ui& ui = f.ui;
   const float left = ImGui::GetCursorScreenPos().x, edge = left + ImGui::GetContentRegionAvail().x;
+  const bool tight = edge - left < ui.px(tools_in_words);
   const auto tool = [&](const char* id, const char* label, Icon icon = Icon::none,
                         std::string_view why_not = {}, std::string_view tip = {}) {
     ButtonOptions look;
     look.disabled = why_not, look.tip = tip;
     look.style = ButtonStyle::outlined;
     look.icon = icon;
+    look.wordless = tight && icon != Icon::none;
+    if (look.wordless && tip.empty()) look.tip = label;
     const float width = ui.px(button_width(ui, label, look));
     if (ImGui::GetCursorScreenPos().x + width > edge) {
       ImGui::NewLine();
@@ -194,7 +200,7 @@ void Blocks::draw_tools(Frame& f, const seq::Step& step) {
   if (tool("blocks/up", "", Icon::chevron_up)) return move(-1);
   if (tool("blocks/down", "", Icon::chevron_down)) return move(1);
   if (tool("blocks/remove", "", Icon::cross)) return remove();
-  if (tool("blocks/duplicate", "Duplicate")) return duplicate();
+  if (tool("blocks/duplicate", "Duplicate", tight ? Icon::copy : Icon::none)) return duplicate();
   if (tool("blocks/skip", skipped ? "Take in" : "Leave out")) return skip(!skipped);
   if (!several && std::holds_alternative<seq::Repeat>(step.body)) {
     if (tool("blocks/unloop", "Take out of loop")) return choose(editor_->take_out_of_loop(at));
@@ -202,12 +208,10 @@ void Blocks::draw_tools(Frame& f, const seq::Step& step) {
     return put_into_loop();
   }
   if (!several) {
-    std::string_view why = form_.problem();
-    if (why.empty()) why = drafts_.problem();
-    if (why.empty()) why = work_.why_none(*editor_);
+    std::string_view why = why_none();
     if (why.empty()) why = why_not_run_from(f);
     if (tool("blocks/run_here", "Run from here", Icon::play_outline, why,
-             "Shows the moves to where this block begins, and asks first."))
+             "Shows the moves to the start of this block, and asks first."))
       run_.ask_from(f, editor_->sequence(), chosen_.row());
   }
   ImGui::NewLine();

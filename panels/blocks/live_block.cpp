@@ -28,11 +28,11 @@ void LiveBlock::follow(Frame& f, const SequenceText& blocks) {
   if (line < 0 || ix(line) >= held->step_of_line.size()) return;
   bool leads = false;
   step_ = block_of(held->step_of_line[ix(line)], leads);
-  words_ = run == RunState::held       ? "held here"
-           : run == RunState::waiting  ? "waits here"
-           : leads                     ? "on its way there"
-           : threads || p.command_told ? "runs"
-                                       : "runs, worked out";
+  words_ = run == RunState::held           ? "held here"
+           : run == RunState::waiting      ? "waits here"
+           : leads                         ? "on its way"
+           : threads || p.command_reported ? "runs"
+                                           : "runs, worked out";
   if (!threads && place.next_in_s > 0 && run == RunState::running) f.ui.wake_in(place.next_in_s + 0.01);
 }
 

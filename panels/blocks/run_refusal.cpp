@@ -1,7 +1,6 @@
 #include "panels/blocks/run_refusal.h"
 
 #include <charconv>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -47,25 +46,35 @@ int row_named(std::string_view words, const SequenceText& text, const BlockRows&
 
 }  // namespace
 
-void RunRefusal::tell(std::string words, std::string text) {
-  words_ = std::move(words), text_ = std::move(text);
+void RunRefusal::tell(std::string words, std::string text, std::optional<int> from) {
+  words_ = std::move(words), text_ = std::move(text), from_ = from;
+  found_in_ = ~std::uint64_t{0};
+}
+
+/// Blocks that write no text may be moved while the card stands.
+void RunRefusal::find_row(const SequenceText& text, const BlockRows& rows) {
+  if (found_in_ == rows.version()) return;
+  const bool has_moved = found_in_ != ~std::uint64_t{0};
+  found_in_ = rows.version();
+  row_ = !from_ ? row_named(words_, text, rows) : has_moved ? -1 : *from_;
+  if (row_ >= 0 && ix(row_) >= rows.size()) row_ = -1;
+  show_ = row_ < 0 ? "" : fmt::format("Show block {}", step_number(rows.path(ix(row_))));
 }
 
 int RunRefusal::draw(Frame& f, const SequenceText& text, const BlockRows& rows, const Rect& bar) {
   if (words_.empty()) return -1;
   if (text.text != text_) return forget(), -1;
-  const int row = row_named(words_, text, rows);
-  const std::string label = row < 0 ? "" : fmt::format("Show block {}", step_number(rows.path(ix(row))));
-  const Action show[] = {{.id = "blocks/run_refused/show", .label = label, .brief = "Show it"}};
+  find_row(text, rows);
+  const Action show[] = {{.id = "blocks/run_refused/show", .label = show_, .brief = "Show it"}};
   card_.begin(f,
               {.id = "blocks/run_refused",
-               .about = "Run",
+               .about = from_ ? "Run from here" : "Run",
                .words = words_,
-               .actions = std::span(show, row < 0 ? 0 : 1)},
+               .actions = std::span(show, show_.empty() ? 0 : 1)},
               bar);
   const RefusalTouch touched = card_.end();
   if (touched.closed) forget();
-  return touched.action == 0 ? row : -1;
+  return touched.action == 0 ? row_ : -1;
 }
 
 }  // namespace hw::panels

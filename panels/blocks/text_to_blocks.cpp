@@ -18,20 +18,20 @@ namespace {
 
 std::string what_came(const SequenceRead& read) {
   const int count = sequence::count_steps(read.sequence.steps);
-  std::string said = fmt::format("The text is {} {} now. Undo brings back those before.", count,
+  std::string text = fmt::format("The text has become {} {}. Undo restores the earlier ones.", count,
                                  count == 1 ? "block" : "blocks");
   constexpr std::size_t most = 2;
-  for (std::size_t i = 0; i < std::min(read.remarks.size(), most); ++i) said += " " + read.remarks[i];
+  for (std::size_t i = 0; i < std::min(read.remarks.size(), most); ++i) text += " " + read.remarks[i];
   const std::size_t more = read.remarks.size() - std::min(read.remarks.size(), most);
-  if (more > 0) said += fmt::format(" And {} more remark{}.", more, more == 1 ? "" : "s");
-  return said;
+  if (more > 0) text += fmt::format(" And {} more remark{}.", more, more == 1 ? "" : "s");
+  return text;
 }
 
 }  // namespace
 
 std::string_view TextToBlocks::why_not(const Frame& f) {
   Desk& desk = f.tab.desk();
-  if (!desk.language()) return "This controller has no language that blocks could be read from.";
+  if (!desk.language()) return "Blocks cannot be read from the language of this controller.";
   if (desk.texts.text(desk.texts.chosen()).empty()) return "The program is empty.";
   return {};
 }
@@ -69,12 +69,12 @@ void TextToBlocks::read(Frame& f) {
 
 void TextToBlocks::draw_dialog(Frame& f) {
   if (!asking_) return;
-  const Dialog what{.title = "Replace the blocks?",
-                    .sentences =
-                        "The blocks have unsaved changes. Those made from the text would replace them; undo "
-                        "brings them back.",
-                    .yes = "Replace",
-                    .no = "Keep them"};
+  const Dialog what{
+      .title = "Replace the blocks?",
+      .sentences =
+          "The blocks have unsaved changes. Blocks from the text would replace them; undo restores them.",
+      .yes = "Replace",
+      .no = "Keep them"};
   if (dialog(f.ui, "blocks/replace_all", asking_, what) == Answer::yes) read(f);
 }
 

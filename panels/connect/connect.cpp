@@ -75,14 +75,14 @@ StatusSentence Connect::status(Console& console) {
                                answering == 1 ? "controller answers" : "controllers answer", ports.size(),
                                ports.size() == 1 ? "port" : "ports")
                               .view()};
-  if (console.ports().busy()) return {Severity::plain, "Looking for ports, and for controllers that answer."};
+  if (console.ports().busy()) return {Severity::plain, "Searching for ports and controllers."};
   constexpr std::string_view another = "Plug in another, type its address, or start an emulator.";
   if (const int open = console.faces(); open > 1)
     return {Severity::plain, Path("{} controllers are open. {}", open, another).view()};
   else if (open == 1)
     return {Severity::plain, Path("One controller is open. {}", another).view()};
   return {Severity::plain,
-          "No controller is found yet. Plug one in, type its address, or start an emulator."};
+          "Plug a controller in, type its address, or start an emulator: none is found yet."};
 }
 
 void Connect::open(PageFrame& f, const std::string& address) {
@@ -121,15 +121,30 @@ void Connect::look_at_recent(Console& console) {
     r.name = !entry.name.empty() ? entry.name : r.understood ? r.address.model : entry.address;
     for (const Catalog& catalog : catalogs_.all())
       if (entry.name.empty() && r.understood && catalog.model == r.address.model) r.name = catalog.short_name;
-    r.place = r.address.emulated() ? std::string("emulator")
-              : r.understood && !r.address.where.empty()
-                  ? fmt::format("{} {}", r.address.transport, short_place(r.address.where))
-                  : entry.address;
-    for (const char* key : {"baud", "id"})
-      if (const auto option = r.address.options.find(key); option != r.address.options.end())
-        r.place += fmt::format(", {} {}", key, option->second);
+    tell_place(r);
     recent_.push_back(std::move(r));
   }
+}
+
+/// "ttyUSB1, 9600 baud". The ids of a bus stand in its name, as in its tab, unless the user has given
+/// another.
+void Connect::tell_place(Recent& r) {
+  const Address& address = r.address;
+  const bool somewhere = r.understood && !address.where.empty();
+  const std::string_view place = somewhere ? short_place(address.where) : std::string_view(r.entry.address);
+  const bool named_by_place = !somewhere || address.transport == "serial";
+  r.place = address.emulated() ? std::string("emulator")
+            : named_by_place   ? std::string(place)
+                               : fmt::format("{} {}", address.transport, place);
+  if (const auto baud = address.options.find("baud"); baud != address.options.end())
+    r.place += fmt::format(", {} baud", baud->second);
+  const auto id = address.options.find("id");
+  if (id == address.options.end()) return;
+  const std::size_t range = id->second.find('-');
+  if (range == std::string::npos || !r.entry.name.empty())
+    r.place += fmt::format(", id {}", id->second);
+  else
+    r.name += fmt::format(" {}\u2013{}", id->second.substr(0, range), id->second.substr(range + 1));
 }
 
 // ---- left: used before
@@ -150,8 +165,8 @@ void Connect::draw_left(PageFrame& f, float width) {
     if (!last_time) continue;
     gap(ui, 8);
     wrapped(ui, Face::small, Tone::ink2,
-            "Opening all restores tabs, units, names and limits. A controller that does not answer yet opens "
-            "when it does. Opening moves nothing.",
+            "Restores tabs, units, names and limits, and moves nothing. A controller that does not answer "
+            "opens when it does.",
             width);
     gap(ui, 8);
   }
@@ -214,7 +229,7 @@ void Connect::draw_newcomer(PageFrame& f, float width) {
   Ui& ui = f.ui;
   section_title(ui, "New here?", {}, recent_.empty() ? 56 : 40);
   wrapped(ui, Face::body, Tone::ink2,
-          "Start emulated controllers. They behave like the real ones, and nothing can break.", width);
+          "Start emulated controllers. They behave like real ones, and nothing can break.", width);
   gap(ui, 12);
   const bool other_is_primary =
       std::any_of(recent_.begin(), recent_.end(), [](const Recent& r) { return r.last_time; });

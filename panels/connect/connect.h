@@ -53,6 +53,7 @@ class Connect final : public gui::Page {
     Address address;
     bool understood = false, last_time = false;
   };
+  static void tell_place(Recent& recent);
   struct Choice {
     std::string model, key;
     int chosen = 0;

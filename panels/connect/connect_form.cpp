@@ -181,7 +181,7 @@ void ConnectForm::draw_rate_or_base(Ui& ui) {
     FieldOptions base;
     base.face = Face::code_field;
     base.width = rate_width;
-    base.tip = "Where the board's window begins in the short address space, as its jumpers say";
+    base.tip = "Address of the board's window in the short address space, set by its jumpers";
     text_field(ui, "connect/form/base", "Base", base_, base);
     return;
   }
@@ -247,7 +247,7 @@ std::string ConnectForm::words_of(const DeviceSearchState& state) const {
     return state.of == 0 ? "" : fmt::format("{} of {}: {}", state.asked, state.of, state.now);
   if (!searched_) return {};
   if (state.of == 0)
-    return state.found.empty() ? "There is no serial port to ask." : "No port could be asked.";
+    return state.found.empty() ? "There is no serial port to search." : "No port could be searched.";
   const auto devices = std::count_if(state.found.begin(), state.found.end(),
                                      [](const FoundDevice& d) { return !d.address.empty(); });
   return fmt::format("{} after {} of {} questions, {} found.", state.cancelled ? "Ended" : "Done",
@@ -263,7 +263,7 @@ void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
   one_port_ = one_port_ && places.size() > 1;
   DropdownOptions o;
   o.width = 132;
-  o.tip = "The ports that are searched";
+  o.tip = "Ports to search";
   if (const int i = dropdown(ui, "connect/search/port", "Ports", places, one_port_, o); i >= 0)
     one_port_ = i == 1;
   ImGui::SameLine(0, ui.px(between));
@@ -271,7 +271,7 @@ void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
   rates.add("every rate");
   for (const std::string& rate : rate_words_) rates.add(rate);
   o.width = 116;
-  o.tip = "The rates that are searched";
+  o.tip = "Rates to search";
   if (const int i = dropdown(ui, "connect/search/baud", "Rates", rates, rate_, o); i >= 0) rate_ = i;
   if (in_one_line)
     ImGui::SameLine(0, ui.px(between));
@@ -280,7 +280,7 @@ void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
   FieldOptions id;
   id.width = 40;
   id.face = Face::code_field;
-  id.tip = "First id that is asked";
+  id.tip = "First id to search";
   const auto word = [&](std::string_view s) {
     const ImVec2 here = ImGui::GetCursorScreenPos();
     draw_text_line(ui, here.x, here.x + ui.px(60), here.y + ui.px(16), Face::body, ui[Tone::ink2], s);
@@ -291,7 +291,7 @@ void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
   text_field(ui, "connect/search/first", "First id", first_, id);
   ImGui::SameLine(0, ui.px(between));
   word("to");
-  id.tip = "Last id that is asked";
+  id.tip = "Last id to search";
   text_field(ui, "connect/search/last", "Last id", last_, id);
   ImGui::SameLine(0, ui.px(between));
 }
@@ -328,10 +328,10 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
   for (std::size_t i = 0; i < state.found.size(); ++i) {
     const FoundDevice& device = state.found[i];
     const ImVec2 row = ImGui::GetCursorScreenPos();
-    const std::string said = fmt::format("{}, {}", device.title, device.sentence);
+    const std::string shown = fmt::format("{}, {}", device.title, device.sentence);
     const float left = row.x + ui.px(104), right = row.x + ui.px(width - 80);
-    draw_text_line(ui, left, right, row.y + ui.px(16), Face::body, ui[Tone::ink], said);
-    show(ui, {Path("connect/search/found/{}/text", i), Kind::text, "Found", said, {}, false, said},
+    draw_text_line(ui, left, right, row.y + ui.px(16), Face::body, ui[Tone::ink], shown);
+    show(ui, {Path("connect/search/found/{}/text", i), Kind::text, "Found", shown, {}, false, shown},
          {ImVec2(left, row.y), ImVec2(right, row.y + ui.px(32))});
     if (!device.address.empty()) {
       ImGui::SetCursorScreenPos(ImVec2(row.x + ui.px(width - 72), row.y));

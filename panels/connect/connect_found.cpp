@@ -175,7 +175,7 @@ void Connect::draw_rows(PageFrame& f, float width) {
   if (!ports.empty() || any_place || !tabs.empty()) return;
   gap(ui, 16);
   wrapped(ui, Face::body, Tone::ink2,
-          "No port found. Plug the cable in: this list fills by itself. Or start an emulator.", width);
+          "Plug the cable in or start an emulator: no port is found yet. This list updates itself.", width);
 }
 
 void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) {
@@ -213,12 +213,11 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
     const auto wire = options.find("wire");
     const bool takes_time = wire != options.end() && wire->second == "real";
     // A board has a bus of its own for each program.
-    const std::string_view why_not =
-        !server ? nobody_serves
-        : takes_time && !tab.catalog().can.window
-            ? "On a wire with byte times, the answer to another program would be taken for "
-              "one to this console. Serve another at the right."
-            : std::string_view();
+    const std::string_view why_not = !server ? nobody_serves
+                                     : takes_time && !tab.catalog().can.window
+                                         ? "Serve another emulator at the right: on a wire with byte times, "
+                                           "this console would take replies to the other program for its own."
+                                         : std::string_view();
     if (serve_switch(ui, Path("connect/here/{}/serve", index), "Serve", served, why_not, serve_width)) {
       // On a bus, any device leads to the one wire of all.
       turn_serving(ui, *server, served_key, address_of_all(tab), tab.session());
@@ -233,7 +232,7 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
     draw_served(ui, Path("connect/here/{}", index), *served, width - place_mark, true);
     ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y));
   }
-  if (row.chosen) card_.draw(f, tab, width);
+  if (row.chosen) card_.draw(f, tab, width, own > 0 && !serves);
   group_line(ui, 0);
   if (doctor || changes) card_.toggle(f, tab, changes);
   if (shows) f.console.activate(tab);
@@ -300,7 +299,7 @@ void Connect::draw_port(PageFrame& f, std::size_t index, const FoundPort& port, 
   const bool changes = changes_too && buttons.press(Path("connect/port/{}/change", index), "Change address",
                                                     change_width, test);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
-  if (row.chosen) card_.draw(f, *open_here, width);
+  if (row.chosen) card_.draw(f, *open_here, width, changes_too);
   if (!open_here && opened_path_ == port.path && !port.checks.empty())
     draw_checks(f, index, port, place_mark, width);
   group_line(ui, 0);
@@ -331,12 +330,12 @@ void Connect::draw_checks(PageFrame& f, std::size_t index, const FoundPort& port
     draw_text_line(ui, x + ui.px(40), end, at.y + ui.px(16), Face::body_bold,
                    ui[check.result == R::bad ? Tone::fault : Tone::ink], check.what);
     draw_text_line(ui, x + ui.px(40), end, at.y + ui.px(34), Face::small, ui[Tone::ink2], check.found);
-    const Path said("{}: {}",
-                    check.result == R::good  ? "good"
-                    : check.result == R::bad ? "bad"
-                                             : "not reached",
-                    check.found);
-    show(ui, {Path("connect/port/{}/check/{}", index, i + 1), Kind::text, check.what, said, {}, false, {}},
+    const Path words("{}: {}",
+                     check.result == R::good  ? "good"
+                     : check.result == R::bad ? "bad"
+                                              : "not reached",
+                     check.found);
+    show(ui, {Path("connect/port/{}/check/{}", index, i + 1), Kind::text, check.what, words, {}, false, {}},
          {ImVec2(x, at.y + ui.px(8)), ImVec2(end, at.y + ui.px(44))});
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(left), at.y + ui.px(56)));

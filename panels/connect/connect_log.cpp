@@ -11,6 +11,8 @@ using namespace gui;
 
 void Connect::draw_log_button(PageFrame& f) {
   gap(f.ui, 16);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x - f.ui.px(12), at.y));  // its words stand on the column's edge
   ButtonOptions o;
   o.style = ButtonStyle::quiet;
   o.tip = "Why a port was not opened, or a controller refused or was lost.";
@@ -26,9 +28,9 @@ void Connect::draw_log(PageFrame& f) {
   o.style = ButtonStyle::quiet;
   o.icon = Icon::chevron_left;
   const float back = button_width(ui, "Connections", o);
-  ImGui::SetCursorScreenPos(ui.px(a.x + 16, a.y + 12));
+  ImGui::SetCursorScreenPos(ui.px(a.x + 4, a.y + 12));
   if (button(ui, "connect/log/close", "Connections", o).clicked) log_shown_ = false;
-  log_.draw_tools(f, ui.px(a.x + 32 + back), ui.px(a.right() - 16), ui.px(a.y + 12));
+  log_.draw_tools(f, ui.px(a.x + 20 + back), ui.px(a.right() - 16), ui.px(a.y + 12));
   ImGui::SetCursorScreenPos(ui.px(a.x, a.y + head));
   log_.draw(f, ui.px(a.height - head));
   end_part();

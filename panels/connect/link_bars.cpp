@@ -70,18 +70,18 @@ void draw_link_bar(Ui& ui, std::string_view id, std::string_view name, ImVec2 at
   const std::string whole = in_millis(budget.whole());
   draw_text_right(ui, ImVec2(right, std::floor(middle - ui.line(Face::body_bold) / 2)), Face::body_bold,
                   ui[Tone::ink], whole);
-  const Path said("{}: question {:.1f}, answer {:.1f}, adapter {:.1f}, controller and computer {:.1f}", whole,
-                  seconds(budget.question) * 1e3, seconds(budget.answer) * 1e3, seconds(budget.adapter) * 1e3,
-                  seconds(budget.rest) * 1e3);
-  show(ui, {id, Kind::text, name, said, {}, false, {}}, {at, ImVec2(right, at.y + ui.px(bar_height))});
+  const Path shown("{}: question {:.1f}, answer {:.1f}, adapter {:.1f}, controller and computer {:.1f}",
+                   whole, seconds(budget.question) * 1e3, seconds(budget.answer) * 1e3,
+                   seconds(budget.adapter) * 1e3, seconds(budget.rest) * 1e3);
+  show(ui, {id, Kind::text, name, shown, {}, false, {}}, {at, ImVec2(right, at.y + ui.px(bar_height))});
 }
 
 void draw_link_legend(Ui& ui, ImVec2 at, float width, const LinkBudget& budget) {
   float x = at.x + ui.px(bar_name_column);
-  std::string_view told;
+  std::string_view last_legend;
   for (const Part& part : shares_of(budget)) {
-    if (part.takes <= Duration::zero() || part.legend == told) continue;
-    told = part.legend;
+    if (part.takes <= Duration::zero() || part.legend == last_legend) continue;
+    last_legend = part.legend;
     const float wide = std::ceil(text_width(ui, Face::small, part.legend));
     if (x + ui.px(16) + wide > at.x + ui.px(width)) break;
     draw_part(ui, {ImVec2(x, at.y + ui.px(5)), ImVec2(x + ui.px(10), at.y + ui.px(15))}, part);

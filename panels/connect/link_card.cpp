@@ -125,8 +125,9 @@ void LinkCard::look(PageFrame& f, Tab& tab) {
   findings_ = examine_link(facts_);
 }
 
-void LinkCard::draw(PageFrame& f, Tab& tab, float width) {
+void LinkCard::draw(PageFrame& f, Tab& tab, float width, bool address_offered) {
   Ui& ui = f.ui;
+  address_offered_ = address_offered || changes_address_;
   look(f, tab);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (height_ > 0)
@@ -160,7 +161,7 @@ void LinkCard::draw_summary(Ui& ui, const Tab& tab, float width) {
   const TalkMeasure& t = facts_.talk;
   const LinkHealth& link = tab.now().link;
   const std::string_view words = !link.connected() && !link.sentence.view().empty() ? link.sentence.view()
-                                 : summary_.empty() ? std::string_view("No question was answered yet.")
+                                 : summary_.empty() ? std::string_view("No question has been answered yet.")
                                                     : std::string_view(summary_);
   wrapped(ui, Face::body_bold, Tone::ink, words, width);
   const float end = at.y + wrapped_height(ui, Face::body_bold, words, ui.px(width));
@@ -195,7 +196,8 @@ void LinkCard::draw_finding(PageFrame& f, Tab& tab, std::size_t index, float wid
   const LinkFinding finding = findings_[index];  // a copy: the remedy changes the list
   using State = LinkFinding::State;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool has_fix = finding.fix != LinkFinding::Fix::none;
+  const bool offered = finding.fix == LinkFinding::Fix::change_address && address_offered_;
+  const bool has_fix = finding.fix != LinkFinding::Fix::none && !offered;
   const float words_px = ui.px(width - 24 - (has_fix ? fix_width + 16 : 0));
   ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.px(width), at.y + ui.hair()),
                                             ui[Tone::line]);
@@ -214,14 +216,14 @@ void LinkCard::draw_finding(PageFrame& f, Tab& tab, std::size_t index, float wid
   wrapped(ui, Face::small, Tone::ink2, finding.why, words_px / ui.scale);
   const float why_px = wrapped_height(ui, Face::small, finding.why, words_px);
   const float height = std::max(ui.px(44), ui.px(12) + what_px + why_px);
-  const std::string said = fmt::format("{}. {}", finding.what, finding.why);
-  show(ui, {Path("connect/doctor/finding/{}", index + 1), Kind::text, "Finding", said, {}, false, {}},
+  const std::string shown = fmt::format("{}. {}", finding.what, finding.why);
+  show(ui, {Path("connect/doctor/finding/{}", index + 1), Kind::text, "Finding", shown, {}, false, {}},
        {at, ImVec2(left + words_px, at.y + height)});
   if (has_fix) {
     ButtonOptions o;
     o.width = fix_width;
     if (finding.fix == LinkFinding::Fix::raise_rate)
-      o.disabled = raise_.under_way() ? "It is under way." : tab.why_not_move();
+      o.disabled = raise_.under_way() ? "It is running." : tab.why_not_move();
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(width - fix_width), at.y + ui.px(6)));
     Path room("");
     if (button(ui, Path("connect/doctor/fix/{}", index + 1), label_of(finding, room), o).clicked)

@@ -24,7 +24,8 @@ class LinkCard {
   [[nodiscard]] bool is_of(const gui::Tab& tab) const;
   /// A card of a still open controller is unfolded. Work it has begun continues while it is not visible.
   [[nodiscard]] bool is_open(gui::PageFrame& frame);
-  void draw(gui::PageFrame& frame, gui::Tab& tab, float width);
+  /// `address_offered`: the row above has a button to change the address.
+  void draw(gui::PageFrame& frame, gui::Tab& tab, float width, bool address_offered);
 
  private:
   void look(gui::PageFrame& frame, gui::Tab& tab);
@@ -42,8 +43,9 @@ class LinkCard {
   std::string summary_;
   std::vector<LinkFinding> findings_;
   double looked_at_s_ = -1, examined_at_s_ = 0;
-  float height_ = 0;  ///< pixels taken in the last frame
-  bool changes_address_ = false;
+  float height_ = 0;              ///< pixels taken in the last frame
+  bool changes_address_ = false;  ///< its field is shown
+  bool address_offered_ = false;  ///< in the row, or by that field: not by a finding too
   std::string address_, refused_;
   RateRaise raise_;
   bool wants_back_ = false;  ///< requested while drawing the controller that the way back closes

@@ -98,7 +98,7 @@ void RateRaise::start(Console& console, Tab& tab, int rate) {
   address_ = address_of_all(tab).text();
   old_address_ = with_rate(address_of_all(tab), old_rate_);
   new_address_ = with_rate(address_of_all(tab), new_rate_);
-  if (old_value_ < 0 || new_value_ < 0) return fail("The controller does not know one of the two rates.");
+  if (old_value_ < 0 || new_value_ < 0) return fail("The controller does not support one of the two rates.");
   enter(console, Step::set);
 }
 
@@ -144,14 +144,12 @@ RateRaise::Outcome RateRaise::outcome(Console& console) {
   const std::vector<Tab*> all = all_on_wire(*there);
   Outcome all_of_them = Outcome::done;
   for (std::size_t i = 0; i < all.size() && i < asked_.size(); ++i) {
-    const IntentOutcome* told_outcome = all[i]->now().outcome_of(asked_[i]);
-    if (told_outcome &&
-        (told_outcome->state == IntentState::refused || told_outcome->state == IntentState::failed)) {
-      words_ = all[i]->words_of(*told_outcome);
+    const IntentOutcome* reported = all[i]->now().outcome_of(asked_[i]);
+    if (reported && (reported->state == IntentState::refused || reported->state == IntentState::failed)) {
+      words_ = all[i]->words_of(*reported);
       return Outcome::failed;
     }
-    const bool is_done =
-        told_outcome ? told_outcome->state == IntentState::done : all[i]->now().forgotten(asked_[i]);
+    const bool is_done = reported ? reported->state == IntentState::done : all[i]->now().forgotten(asked_[i]);
     if (!is_done) all_of_them = Outcome::pending;
   }
   return all_of_them;
@@ -181,7 +179,7 @@ bool RateRaise::waits_for_power(const Console& console) const {
 
 void RateRaise::go_back(Console& console) {
   if (step_ != Step::ask) return;
-  words_ = fmt::format("It did not answer at {} baud. It is back at {} baud.", new_rate_, old_rate_);
+  words_ = fmt::format("It did not answer at {} baud, so it was set back to {} baud.", new_rate_, old_rate_);
   enter(console, Step::back);
 }
 
@@ -203,8 +201,8 @@ void RateRaise::tick_back(Console& console) {
   if (all_connected(*there)) return enter(console, Step::set_back);
   if (console.clock() - since_ > longest_way_back)
     fail(
-        fmt::format("It answers neither at {} nor at {} baud. Switch it off and on; it then has the rate "
-                    "that was stored last. Search finds it at any rate.",
+        fmt::format("Switch it off and on: it answers neither at {} nor at {} baud. It then uses the rate "
+                    "stored last. Search finds it at any rate.",
                     new_rate_, old_rate_));
 }
 

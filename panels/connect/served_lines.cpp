@@ -72,7 +72,7 @@ void draw_served(Ui& ui, std::string_view id, const ServedEmulator& served, floa
   if (!served.terminal.empty()) draw_served_place(ui, id, "port", served.terminal, width);
   const Path clients(
       "{} {} connected by TCP.{}", served.clients, served.clients == 1 ? "program is" : "programs are",
-      shared ? " It shares the wire with this console, and receives the answers to its questions." : "");
+      shared ? " It shares the wire with this console, and also receives the console's replies." : "");
   show(ui, {Path("{}/clients", id), Kind::text, "Clients", clients, {}, false, {}},
        {ImGui::GetCursorScreenPos(), ImVec2(at.x + ui.px(width), ImGui::GetCursorScreenPos().y + ui.px(16))});
   sentence(Tone::ink2, clients);

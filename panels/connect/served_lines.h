@@ -20,7 +20,7 @@ void turn_serving(gui::Ui& ui, gui::EmulatorServer& server, const std::string& k
                   std::shared_ptr<Session> session);
 /// Shown where the console cannot serve.
 inline constexpr std::string_view nobody_serves =
-    "This console keeps the time of a script, so it serves no emulator. \"handwheel emulate\" does.";
+    "Use \"handwheel emulate\": this console runs in the time of a script, so it serves no emulator.";
 /// Draws each address with a copy button, the number of connected programs, or why nothing is served. Ids
 /// begin with `id`. `shared`: the console uses the same wire.
 void draw_served(gui::Ui& ui, std::string_view id, const gui::ServedEmulator& served, float width,

@@ -121,7 +121,7 @@ std::string_view Contour::unkept() const {
 
 void Contour::follow(Frame& f) {
   run_->looked_at();
-  for (Told& told : run_->take_told()) f.toast(told.severity, std::move(told.sentence));
+  for (Report& report : run_->take_report()) f.toast(report.severity, std::move(report.sentence));
   if (const auto refused = run_->take_refusal(); refused && !doubt_.take_refusal(f, *run_->start(), *refused))
     f.toast(Severity::fault, std::string(refused->sentence.view()));
 }
@@ -238,8 +238,7 @@ void Contour::draw_text(Frame& f, float width) {
     deepest = std::max(deepest, y);
     if (y + ui.line(Face::code_field) > bottom) x += std::ceil(widest) + ui.px(20), y = at.y, widest = 0;
   }
-  show(ui, {"contour/text", Kind::text, "What is sent", worked_.text},
-       {at, ImVec2(at.x + ui.px(width), bottom)});
+  show(ui, {"contour/text", Kind::text, "Commands", worked_.text}, {at, ImVec2(at.x + ui.px(width), bottom)});
   ImGui::SetCursorScreenPos(ImVec2(at.x, deepest));
   gap(ui, 8);
 }

@@ -82,7 +82,7 @@ void Contour::draw_contour_list(Frame& f, float width) {
   if (contour_.pieces.empty()) {
     gap(ui, 4);
     wrapped(ui, Face::body, Tone::ink2,
-            "Add a line or an arc. An arc goes round its centre from where the path is.", width);
+            "Add a line or an arc. An arc begins at the end of the path and goes round its centre.", width);
   }
   gap(ui, 8);
   draw_adders(f);
@@ -164,7 +164,7 @@ void Contour::draw_adders(Frame& f) {
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions o;
   o.icon = Icon::plus;
-  o.disabled = names_.output_numbers.empty() ? "No output can be switched on a contour." : "";
+  o.disabled = names_.output_numbers.empty() ? "A contour cannot switch outputs here." : "";
   if (button(ui, "contour/add/output", "Add output", o).clicked) add(PieceKind::output);
 }
 

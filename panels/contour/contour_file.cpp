@@ -21,7 +21,7 @@ namespace {
 constexpr std::uintmax_t largest_file = 1u << 20;
 
 tl::unexpected<Fault> not_this(const std::string& file, std::string_view what) {
-  return fail(FaultKind::text, fmt::format("{} {}.", file, what), "The list here is as it was.",
+  return fail(FaultKind::text, fmt::format("{} {}.", file, what), "The list here is unchanged.",
               "Open it in Blocks.");
 }
 
@@ -80,7 +80,7 @@ Result<sequence::Sequence> with_rows(const sequence::Sequence& s, const sequence
       return not_this(file, "has a contour with more than lines, arcs and outputs");
   const auto right = static_cast<std::size_t>(c.plane.right), up = static_cast<std::size_t>(c.plane.up);
   if (right >= s.axes.size() || up >= s.axes.size() || right == up)
-    return not_this(file, "names no two axes for its contour");
+    return not_this(file, "does not name two axes for its contour");
   // A path has one speed, so the steps of both axes must be equally long.
   if (std::abs(s.axes[right].per_unit) != std::abs(s.axes[up].per_unit))
     return not_this(file, "has two axes with steps of different length");
@@ -131,7 +131,7 @@ void ContourFile::draw_buttons(Frame& f, std::string_view why_not_save, std::str
   next_in_toolbar(f, 0, width);
   const ImVec2 next = ImGui::GetCursorScreenPos();
   const bool own_row = next.y > ImGui::GetItemRectMax().y;
-  ImGui::SetCursorScreenPos(ImVec2(own_row ? next.x : ui.px(f.area.right() - 8 - width), next.y));
+  ImGui::SetCursorScreenPos(ImVec2(own_row ? next.x : ui.px(f.area.right() - 4 - width), next.y));
   if (button(ui, "contour/open", "Open", look).clicked)
     open_.ask_open("Open a contour or staircase", open_.folder(), {".toml"});
   ImGui::SameLine(0, 0);

@@ -21,7 +21,7 @@ void Contour::opened(Frame& f, const sequence::Sequence& s) {
   if (!(stairs ? take_staircase(s) : take_contour(s)))
     return f.toast(Severity::fault,
                    "The file names an axis or an output that this controller does not have. The list here is "
-                   "as it was.");
+                   "unchanged.");
   stairs_shown_ = stairs;
   (stairs ? stairs_.unkept : contour_.unkept) = false;
   changed_ = true;

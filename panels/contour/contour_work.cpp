@@ -38,7 +38,7 @@ Result<sequence::Sequence> Contour::contour() const {
   if (!x || !y) return no_number("The begin");
   if (!lead || *lead < 0) return no_number("The lead-in");
   if (contour_.first == contour_.second)
-    return fail(FaultKind::text, "A contour needs two different axes.", "Nothing was sent.");
+    return fail(FaultKind::text, "Choose two different axes for the contour.", "Nothing was sent.");
   sequence::Contour c;
   c.x = *x, c.y = *y;
   c.lead_in = *lead, c.ends_ramped = contour_.ramp;
@@ -72,7 +72,7 @@ Result<sequence::Sequence> Contour::contour() const {
 Result<sequence::Sequence> Contour::staircase() const {
   sequence::SpeedStairs stairs;
   const auto stop = stairs_.unit.steps(stairs_.stop_at);
-  if (!stop) return no_number("The place where it stops");
+  if (!stop) return no_number("The stop position");
   stairs.stop_at = *stop;
   for (std::size_t i = 0; i < stairs_.rows.size(); ++i) {
     const auto until = stairs_.unit.steps(stairs_.rows[i].until);

@@ -14,6 +14,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
+constexpr float narrow_column = 280, choice_lamp_width = 72;
 constexpr float choice_name_width = 128, choice_number_width = 104, choice_line_height = 32;
 
 const ActionInfo& its_info(const Catalog& c, const ActionForm& action) {
@@ -56,7 +57,9 @@ void draw_action_choice(Frame& f, std::vector<ActionForm>& actions, std::size_t 
   draw_choice_name(f, shown, at, width);
   show(ui, {Path("readout/{}", shown.id), Kind::text, shown.label, now.view(), {}, false, shown.help},
        {at, ImVec2(at.x + ui.px(choice_name_width - between), at.y + ui.px(choice_line_height))});
-  float x = at.x + ui.px(choice_name_width);
+  // In a narrow column a lamp stands at the right edge, as the lamps that fill the column do.
+  const bool at_the_right = lamp && width < narrow_column;
+  float x = at.x + ui.px(at_the_right ? width - choice_lamp_width : choice_name_width);
   for (std::size_t i = first; i < end; ++i) {
     const ActionInfo& info = its_info(f.catalog, actions[i]);
     const bool is = now.known() && f.now.readouts[readout] == info.sets_to;

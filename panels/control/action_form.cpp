@@ -1,8 +1,10 @@
 #include "panels/control/action_form.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/device/travel_check.h"
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/choice.h"
@@ -248,6 +250,7 @@ std::optional<std::int64_t> ActionForm::value(const ActionField& info, Field& fi
 
 void ActionForm::send(Frame& f) {
   refused_.clear();
+  past_.reset();
   std::vector<std::int64_t> values;
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     const ActionField& info = info_.fields[i];
@@ -292,9 +295,13 @@ void ActionForm::draw_in_row(Frame& f, std::string_view verb, bool on, bool lamp
   draw_refusal(f, width);
 }
 
-bool ActionForm::draw_shared(Frame& f, float label_width) {
+bool ActionForm::has_shared() const {
+  return std::any_of(info_.fields.begin(), info_.fields.end(),
+                     [](const ActionField& field) { return field.for_all_rows; });
+}
+
+void ActionForm::draw_shared(Frame& f, float label_width) {
   Ui& ui = f.ui;
-  bool any = false;
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     if (!info_.fields[i].for_all_rows) continue;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -303,9 +310,7 @@ bool ActionForm::draw_shared(Frame& f, float label_width) {
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(label_width + between), at.y));
     draw_bare_field(f, i, 104);
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(control_height + between)));
-    any = true;
   }
-  return any;
 }
 
 std::optional<std::int64_t> ActionForm::entered(std::size_t i) const {
@@ -327,22 +332,48 @@ void ActionForm::draw_refusal(Frame& f, float width) {
   if (const IntentOutcome* outcome = f.now.outcome_of(asked_);
       outcome && outcome->state != IntentState::pending) {
     asked_ = 0;
-    if (outcome->state != IntentState::done && !doubt_.take_refusal(f, *outcome))
-      refused_ = outcome->sentence.view();
+    if (outcome->state != IntentState::done && !doubt_.take_refusal(f, *outcome)) {
+      refused_ = f.tab.words_of(*outcome);
+      past_ = outcome->past;
+    }
   }
   if (f.now.forgotten(asked_)) asked_ = 0;
   if (refused_.empty() && !doubt_.open()) return;
   const ImVec2 after = ImGui::GetCursorScreenPos();
   const Rect form{ImVec2(after.x, after.y - f.ui.px(row_axis_ >= 0 ? row_height : height(width))),
                   ImVec2(after.x + f.ui.px(width), after.y - f.ui.px(between))};
-  const Path prefix("{}", path_), id("{}/refused", path_);
+  const Path prefix("{}", path_);
   if (doubt_.open()) {
     if (const IntentId sent = doubt_.draw(f, prefix, info_.label, form)) asked_ = sent;
   } else {
-    card_.begin(f, {.id = id, .about = info_.label, .words = refused_, .actions = {}}, form);
-    if (card_.end().closed) refused_.clear();
+    draw_refusal_card(f, form);
   }
   ImGui::SetCursorScreenPos(after);
+}
+
+std::optional<std::size_t> ActionForm::field_past_limit() const {
+  for (std::size_t i = 0; past_ && !info_.is_arc && i < fields_.size();
+       ++i)  // the centre of an arc is no target
+    if (info_.fields[i].is_place && std::max(axis_of(info_.fields[i]), 0) == past_->axis.index) return i;
+  return {};
+}
+
+/// Offers the nearest place that is allowed, where a field names the place.
+void ActionForm::draw_refusal_card(Frame& f, const Rect& form) {
+  const Path id("{}/refused", path_), nearest("{}/nearest", path_);
+  const auto field = field_past_limit();
+  const Steps place = field ? nearest_allowed(f.now, *past_) : Steps();
+  const Path label("Go to {}", field ? format_with_unit(place, f.tab.unit(past_->axis)).view() : "");
+  const std::array<Action, 1> actions = {
+      Action{.id = nearest, .label = label, .disabled = why_not(f), .moving = true}};
+  card_.begin(
+      f, {.id = id, .about = info_.label, .words = refused_, .actions = {actions.data(), field ? 1u : 0u}},
+      form);
+  const RefusalTouch done = card_.end();
+  if (done.closed) refused_.clear(), past_.reset();
+  if (done.action != 0) return;
+  put(*field, place.value);
+  send(f);
 }
 
 }  // namespace hw::panels

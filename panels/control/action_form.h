@@ -37,8 +37,10 @@ class ActionForm {
   /// Draws in a row at the cursor: the fields of the axis, and the button labelled `verb`. `on`: the state it
   /// switches to. `lamp`: the button is a lamp, lit while a press would switch off.
   void draw_in_row(gui::Frame& frame, std::string_view verb, bool on, bool lamp, float width);
-  /// Draws the field common to all rows, after its label. False: there is none.
-  bool draw_shared(gui::Frame& frame, float label_width);
+  /// It has a field common to all rows.
+  [[nodiscard]] bool has_shared() const;
+  /// Draws that field after its label.
+  void draw_shared(gui::Frame& frame, float label_width);
   static constexpr float row_height = 28;
   /// Width of the fields of a row, each with a gap after it, logical.
   [[nodiscard]] static float row_fields_width(const ActionInfo& action);
@@ -64,6 +66,9 @@ class ActionForm {
   [[nodiscard]] std::optional<std::int64_t> value(const ActionField& info, Field& field);
   void follow_unit(const gui::Frame& frame, std::size_t field);
   [[nodiscard]] int axis_of(const ActionField& info) const;
+  /// The field that names the place past a limit; none: it follows from others.
+  [[nodiscard]] std::optional<std::size_t> field_past_limit() const;
+  void draw_refusal_card(gui::Frame& frame, const gui::Rect& form);
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame) const;
 
   const int action_;
@@ -76,6 +81,7 @@ class ActionForm {
   float least_ = 104;  ///< of a cell, so that no list value is cut
   IntentId asked_ = 0;
   std::string refused_;
+  std::optional<PastTravel> past_;  ///< why
   RefusalCard card_;
   DoubtWays doubt_;
 };

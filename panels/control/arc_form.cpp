@@ -21,6 +21,17 @@ constexpr std::size_t centre_x = 0, centre_y = 1, sweep_field = 2;
 constexpr std::int64_t full_turn = 360'000;
 constexpr float label_column = 56, picture_width = 140, picture_height = 144, full_width = 56;
 
+/// Through the centre, and as far apart as the arc's usual radius.
+void draw_arc_grid(Ui& ui, const Rect& in, ImVec2 centre) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float apart = ui.px(48);
+  for (int n = -1; n <= 1; ++n) {
+    const float x = centre.x + apart * static_cast<float>(n), y = centre.y + apart * static_cast<float>(n);
+    list->AddRectFilled(ImVec2(x, in.min.y), ImVec2(x + ui.hair(), in.max.y), ui[Tone::line]);
+    list->AddRectFilled(ImVec2(in.min.x, y), ImVec2(in.max.x, y + ui.hair()), ui[Tone::line]);
+  }
+}
+
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 }  // namespace
@@ -86,7 +97,7 @@ void ArcPath::draw(Frame& f, ActionForm& form, float width) {
   right_half(36);
   ButtonOptions full;
   full.width = std::min(field, full_width);
-  full.tip = "All the way round, the way that the sign says.";
+  full.tip = "A full circle, in the direction of the sign.";
   if (button(ui, Path("action/{}/full", info.id), "Full", full).clicked) {
     const auto now = form.entered(sweep_field);
     form.put(sweep_field, now && *now < 0 ? -full_turn : full_turn);
@@ -101,11 +112,11 @@ void ArcPath::draw(Frame& f, ActionForm& form, float width) {
   known_ = known;
   const bool turns = known && std::hypot(arc.from_x - arc.centre_x, arc.from_y - arc.centre_y) >= 1;
   const std::string_view words = turns   ? std::string_view(words_)
-                                 : known ? "The centre is where the axes stand: choose another."
-                                         : "It is drawn when all three are numbers.";
-  const Rect said{ImVec2(at.x, at.y + ui.px(74)), ImVec2(at.x + ui.px(left), at.y + ui.px(108))};
-  draw_text_in_lines(ui, said, Face::small, ui[inside_ || !known ? Tone::ink2 : Tone::warn], words, 2);
-  show(ui, {Path("action/{}/path", info.id), Kind::text, info.label, words, {}, false, info.help}, said);
+                                 : known ? "Choose another centre: the axes stand at this one."
+                                         : "Enter three numbers to draw it.";
+  const Rect line{ImVec2(at.x, at.y + ui.px(74)), ImVec2(at.x + ui.px(left), at.y + ui.px(108))};
+  draw_text_in_lines(ui, line, Face::small, ui[inside_ || !known ? Tone::ink2 : Tone::warn], words, 2);
+  show(ui, {Path("action/{}/path", info.id), Kind::text, info.label, words, {}, false, info.help}, line);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(112)));
   form.draw_button(f, 0);
   if (picture)
@@ -120,9 +131,11 @@ void ArcPath::draw_path(Frame& f, const Rect& in) const {
   ImDrawList* list = ImGui::GetWindowDrawList();
   draw_fill(ui, in, ui[Tone::well], 0);
   const double radius = std::hypot(arc_.from_x - arc_.centre_x, arc_.from_y - arc_.centre_y);
+  const ImVec2 c(std::floor(in.centre().x), std::floor(in.centre().y));
+  draw_arc_grid(ui, in, c);
+  if (known_ && radius < 1) list->AddCircle(c, ui.px(5), ui[Tone::motion], 0, ui.px(2));
   if (!known_ || radius < 1) return;
   list->PushClipRect(in.min, in.max, true);
-  const ImVec2 c(std::floor(in.centre().x), std::floor(in.centre().y));
   const float r = ui.px(48);
   const double scale = r / radius;
   const auto at_angle = [&](double angle) {

@@ -82,10 +82,8 @@ void AxisTables::draw_motion(Frame& f, Cell& cell, std::size_t i, const Rect& in
   const float words_end = held ? clear_left - ui.px(close_between) : in.max.x - ui.px(speed_width);
   const Face face = does.tone == Tone::ink2 ? Face::body : Face::body_bold;
   draw_text_line(ui, in.min.x + ui.px(20), words_end, middle, face, ui[does.tone], does.word);
-  show(
-      ui,
-      {Path("control/{}/does", f.catalog.axes[i].name), Kind::text, "What it does", does.word, {}, false, {}},
-      {in.min, ImVec2(words_end, in.max.y)});
+  show(ui, {Path("control/{}/does", f.catalog.axes[i].name), Kind::text, "Motion", does.word, {}, false, {}},
+       {in.min, ImVec2(words_end, in.max.y)});
   if (held) {
     ImGui::SetCursorScreenPos(ImVec2(clear_left, in.min.y + ui.px(2)));
     return cell.form->draw_in_row(f, "Clear", true, false, 60);

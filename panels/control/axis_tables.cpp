@@ -18,7 +18,8 @@ using namespace gui;
 namespace {
 
 constexpr float band_title = 32, band_heads = 20, band_row = 32, name_column = 30;
-constexpr float does_width = 108, least_between = 16, most_between = 40;
+constexpr float shared_name_width = 120;  ///< so that its field stands under those of the other settings
+constexpr float does_width = 108, least_between = 16, most_between = 96;
 
 /// The id of a column for one axis: '*' becomes its name, or nothing if there is only one axis.
 std::string id_of_axis(const Catalog& c, std::string id, std::size_t axis) {
@@ -204,6 +205,7 @@ void AxisTables::draw(Frame& f, float width) {
     scale_ = f.ui.scale;
     units_ = units.view();
   }
+  second_column_ = 0;
   for (std::size_t first = 0; first < tables_.size();) {
     float used = name_column + tables_[first].width;
     std::size_t end = first + 1;
@@ -214,20 +216,40 @@ void AxisTables::draw(Frame& f, float width) {
   }
 }
 
-void AxisTables::draw_shared(Frame& f) {
+void AxisTables::draw_shared(Frame& f, float width) {
+  Ui& ui = f.ui;
   for (Table& table : tables_)
-    for (Column& column : table.columns)
-      if (column.shared) column.shared->draw_shared(f, 200);
+    for (Column& column : table.columns) {
+      if (!column.shared || !column.shared->has_shared()) continue;
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(title_height / 2), Face::body_bold,
+                     ui[Tone::ink], table.info->title);
+      ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(title_height)));
+      column.shared->draw_shared(f, shared_name_width);
+      const float end = ImGui::GetCursorScreenPos().y + ui.px(close_between);
+      row_hairline(ui, at.x, end, width);
+      ImGui::SetCursorScreenPos(ImVec2(at.x, end + ui.px(close_between)));
+    }
+}
+
+/// Two tables share the width evenly where both fit so; more of them spread over it.
+float AxisTables::apart_in_band(std::size_t first, std::size_t end, float width) {
+  float used = name_column;
+  for (std::size_t i = first; i < end; ++i) used += tables_[i].width;
+  const auto gaps = static_cast<float>(end - first - 1);
+  if (gaps == 0) return 0;
+  if (gaps > 1) return std::clamp(std::floor((width - used) / gaps), least_between, most_between);
+  const float before = name_column + tables_[first].width;
+  const float half = std::floor((width - between_columns) / 2) + between_columns;
+  const float least = before + least_between;
+  second_column_ = std::clamp(half, least, std::max(least, width - tables_[end - 1].width));
+  return second_column_ - before;
 }
 
 void AxisTables::draw_band(Frame& f, std::size_t first, std::size_t end, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  float used = name_column;
-  for (std::size_t i = first; i < end; ++i) used += tables_[i].width;
-  const auto gaps = static_cast<float>(end - first - 1);
-  const float apart =
-      gaps > 0 ? std::clamp(std::floor((width - used) / gaps), least_between, most_between) : 0;
+  const float apart = apart_in_band(first, end, width);
   const float rows_top = at.y + ui.px(band_title + band_heads);
   for (std::size_t axis = 0; axis < f.catalog.axes.size(); ++axis) {
     const float y = rows_top + ui.px(band_row) * static_cast<float>(axis);
@@ -310,17 +332,17 @@ void AxisTables::draw_row(Frame& f, Table& table, std::size_t axis, ImVec2 at) {
   const bool moves = f.now.axis_moves(static_cast<int>(axis)) && !only_goes_along(f.now.axes[axis]);
   const float end = at.x + ui.px(table.width);
   float x = at.x;
-  bool said = false;
+  bool reported = false;
   for (Column& column : table.columns) {
     const Rect in{ImVec2(x, at.y), ImVec2(x + ui.px(column.width), at.y + ui.px(band_row))};
     x = in.max.x + ui.px(between);
     if (column.cells[axis].index < 0 && column.info->shows != AxisColumn::Shows::motion) continue;
     if (only_while_on(*column.info) && !is_on(f, column.cells[axis]).value_or(false)) continue;
     if (column.info->while_moving && !moves) {
-      if (!said)
+      if (!reported)
         draw_text_line(ui, in.min.x, end, std::floor(in.centre().y), Face::body, ui[Tone::ink3],
                        "only while it moves");
-      said = true;
+      reported = true;
       continue;
     }
     draw_cell(f, column, axis, in);

@@ -19,8 +19,10 @@ class AxisTables {
   explicit AxisTables(const Catalog& catalog);
   /// Draws at ImGui's cursor and leaves it below.
   void draw(gui::Frame& frame, float width);
-  /// The fields that apply to all rows.
-  void draw_shared(gui::Frame& frame);
+  /// The fields that apply to all rows of a table, under its title, which is drawn again. Width logical.
+  void draw_shared(gui::Frame& frame, float width);
+  /// Where the second of two tables that share a band begins; 0: no band has two. Logical, from the left.
+  [[nodiscard]] float second_column() const { return second_column_; }
   /// The readouts in the tables, also as the state of a switch: they stand nowhere else.
   [[nodiscard]] const ReadoutSet& readouts() const { return readouts_; }
   [[nodiscard]] bool has_title(std::string_view title) const;
@@ -57,6 +59,7 @@ class AxisTables {
   static void measure(const gui::Frame& frame, Table& table);
   static Path head_of(const gui::Frame& frame, const Column& column);
   static bool has_numbers(const Catalog& catalog, const Column& column);
+  float apart_in_band(std::size_t first, std::size_t end, float width);
   void draw_band(gui::Frame& frame, std::size_t first, std::size_t end, float width);
   static void draw_heads(gui::Frame& frame, const Table& table, ImVec2 at);
   void draw_row(gui::Frame& frame, Table& table, std::size_t axis, ImVec2 at);
@@ -69,6 +72,7 @@ class AxisTables {
 
   std::vector<Table> tables_;
   ReadoutSet readouts_;
+  float second_column_ = 0;
   float scale_ = 0;    ///< scale at which they were measured ...
   std::string units_;  ///< ... and units shown then
 };

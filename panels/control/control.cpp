@@ -38,12 +38,14 @@ Path unanswered(const Frame& f) {
                                       f.catalog.params[i].mnemonic);
     size = std::min(sizeof names, size + end.size);
   }
-  if (silent == 0) return Path("nothing: it answers every setting");
+  if (silent == 0) return Path("nothing: it supports every setting");
   if (silent == readable) return Path("not known: read the set-up first");
   return Path("{}: {}{}", silent, std::string_view(names, size), size == sizeof names ? " ..." : "");
 }
 
-std::string_view told(const auto& text) { return text.empty() ? std::string_view("not told") : text.view(); }
+std::string_view reported(const auto& text) {
+  return text.empty() ? std::string_view("not told") : text.view();
+}
 
 }  // namespace
 
@@ -54,7 +56,7 @@ Control::Section& Control::section(const std::string& title) {
     if (s.title == title) return s;
   sections_.emplace_back();
   sections_.back().title = title;
-  sections_.back().titled = !tables_->has_title(title);
+  sections_.back().heading = tables_->has_title(title) ? "General" : title;
   return sections_.back();
 }
 
@@ -110,26 +112,34 @@ void Control::draw(Frame& f) {
   tables_->draw(f, whole);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool two = whole >= 640;
-  const float width = two ? std::floor((whole - between_columns) / 2) : whole;
+  const float second = two ? second_column(whole) : 0;
+  const float width = two ? second - between_columns : whole, second_width = whole - second;
   const std::size_t left = two ? first_column(f, width) : sections_.size();
   const auto stand = [&](float x, float y) { ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(x), y)); };
-  if (!two) tables_->draw_shared(f);
+  if (!two) tables_->draw_shared(f, width);
   for (std::size_t i = 0; i < left; ++i) {
     stand(0, ImGui::GetCursorScreenPos().y);
-    draw_section(f, sections_[i], width);
+    draw_section(f, sections_[i], width, two && i + 1 == left);
   }
   const float left_end = ImGui::GetCursorScreenPos().y;
-  if (two) stand(width + between_columns, at.y);
-  if (two) tables_->draw_shared(f);
+  if (two) stand(second, at.y);
+  if (two) tables_->draw_shared(f, second_width);
   for (std::size_t i = left; i < sections_.size(); ++i) {
-    stand(two ? width + between_columns : 0, ImGui::GetCursorScreenPos().y);
-    draw_section(f, sections_[i], width);
+    stand(second, ImGui::GetCursorScreenPos().y);
+    draw_section(f, sections_[i], second_width, false);
   }
-  stand(two ? width + between_columns : 0, ImGui::GetCursorScreenPos().y);
-  draw_about(f, width);
+  stand(second, ImGui::GetCursorScreenPos().y);
+  draw_about(f, second_width);
   stand(0, std::max(left_end, ImGui::GetCursorScreenPos().y));
   gap(ui, 16);
   end_part();
+}
+
+/// Under the second of two tables, if those share the width more or less evenly; else after half of it.
+float Control::second_column(float whole) const {
+  const float of_tables = tables_->second_column();
+  if (of_tables >= whole * 0.42f && of_tables <= whole * 0.58f) return of_tables;
+  return std::floor((whole - between_columns) / 2) + between_columns;
 }
 
 std::size_t Control::first_column(const Frame& f, float width) const {
@@ -146,7 +156,7 @@ std::size_t Control::first_column(const Frame& f, float width) const {
 
 float Control::height_of(const Frame& f, const Section& s, float width) const {
   if (s.readouts < 0 && s.actions.empty() && bars(f, s) == 0) return 0;
-  float height = (s.titled ? title_height : between) + below_section;
+  float height = title_height + below_section;
   if (s.readouts >= 0) height += readouts_height(f.catalog, s.readouts, elsewhere_);
   height += analog_bar_height * static_cast<float>(bars(f, s));
   for (const ActionForm& a : s.actions)
@@ -156,19 +166,19 @@ float Control::height_of(const Frame& f, const Section& s, float width) const {
   return height;
 }
 
-void Control::draw_section(Frame& f, Section& s, float width) {
+void Control::draw_section(Frame& f, Section& s, float width, bool last) {
   if (height_of(f, s, width) == 0) return;
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (s.titled)
-    draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(title_height / 2), Face::body_bold,
-                   ui[Tone::ink], s.title);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(s.titled ? title_height : between)));
+  draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(title_height / 2), Face::body_bold,
+                 ui[Tone::ink], s.heading);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(title_height)));
   if (s.readouts >= 0) draw_readouts(f, s.readouts, width, elsewhere_);
   for (int n = 1; n <= bars(f, s); ++n) draw_analog_bar(f, Path("control/analog/{}", n), n, width);
   if (s.readouts >= 0 && !s.actions.empty()) gap(ui, 8);
   draw_actions(f, s, width);
   gap(ui, below_section - 4);
+  if (last) return;
   const ImVec2 end = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, end.y),
                                             ImVec2(at.x + ui.px(width), end.y + ui.hair()), ui[Tone::line]);
@@ -236,11 +246,11 @@ void Control::draw_about(Frame& f, float width) {
     y = row.max.y;
   };
   const Identity& who = f.now.identity;
-  fact("about/model", "Says it is", told(who.model));
-  fact("about/firmware", "Firmware", told(who.firmware));
+  fact("about/model", "Reports", reported(who.model));
+  fact("about/firmware", "Firmware", reported(who.firmware));
   if (!who.serial.empty()) fact("about/serial", "Device name", who.serial.view());
   fact("about/console", "This program", "Handwheel " HW_VERSION);
-  fact("about/older", "Lacking in this firmware", unanswered(f));
+  fact("about/older", "Missing in this firmware", unanswered(f));
   ImGui::SetCursorScreenPos(ImVec2(at.x, y));
 }
 

@@ -19,9 +19,9 @@ class Control final : public gui::Panel {
  private:
   struct Section {
     std::string title;
-    bool titled = true;  ///< false: a table already has that title
-    int readouts = -1;   ///< index into Catalog::readout_groups
-    int analog = 0;      ///< number of bars
+    std::string heading;  ///< its title, or another one if a table already has it
+    int readouts = -1;    ///< index into Catalog::readout_groups
+    int analog = 0;       ///< number of bars
     std::vector<ActionForm> actions;
   };
   void make_sections(const Catalog& catalog);
@@ -30,9 +30,11 @@ class Control final : public gui::Panel {
   [[nodiscard]] static int bars(const gui::Frame& frame, const Section& section);
   Section& section(const std::string& title);
   [[nodiscard]] float height_of(const gui::Frame& frame, const Section& section, float width) const;
+  [[nodiscard]] float second_column(float whole) const;
   /// Number of sections in the first of two columns.
   [[nodiscard]] std::size_t first_column(const gui::Frame& frame, float width) const;
-  void draw_section(gui::Frame& frame, Section& section, float width);
+  /// `last`: of its column, so no line is drawn below.
+  void draw_section(gui::Frame& frame, Section& section, float width, bool last);
   void draw_actions(gui::Frame& frame, Section& section, float width);
   static void draw_about(gui::Frame& frame, float width);
 

@@ -72,12 +72,12 @@ ShownUnit shown_unit(const Frame& f, const ActionField& field, int axis) {
 }
 
 std::string text_in(const ShownUnit& unit, const ParamInfo& p, std::int64_t value) {
-  if (unit.per == 1 || !p.prefix.empty() || p.digits > 0) return value_text(p, value);
+  if (!p.prefix.empty() || p.digits > 0 || !p.choices.empty() || !p.bits.empty()) return value_text(p, value);
   return std::string(format_number(unit.shown(value), unit.decimals).view());
 }
 
 std::string range_in(const ShownUnit& unit, const ParamInfo& p) {
-  if (unit.per == 1 || !p.choices.empty()) return range_in_words(p);
+  if (!p.choices.empty()) return range_in_words(p);
   const std::string a = text_in(unit, p, p.minimum), b = text_in(unit, p, p.maximum);
   const bool turned = unit.per < 0;
   return (p.also_zero && p.minimum > 0 ? "0 or " : "") + (turned ? b : a) + " to " + (turned ? a : b);

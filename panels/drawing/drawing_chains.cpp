@@ -50,41 +50,41 @@ int DrawingChains::may_be_left_out(const Conversion& made) const {
   return ix(chosen_) < made.chains.size() ? chosen_ : made.box_around;
 }
 
-DrawingChains::Wish DrawingChains::draw_bar(Frame& f, const Shown& s, float width) {
+DrawingChains::Request DrawingChains::draw_bar(Frame& f, const Shown& s, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const int out = may_be_left_out(s.made);
-  const Path said = out < 0          ? Path("Choose a chain with a click.")
-                    : out == chosen_ ? Path("Chain {} is chosen.", out + 1)
-                                     : Path("Chain {} is around all: a margin?", out + 1);
-  Wish wish = Wish::nothing;
+  const Path sentence = out < 0          ? Path("Choose a chain with a click.")
+                        : out == chosen_ ? Path("Chain {} is chosen.", out + 1)
+                                         : Path("Chain {} is around all: a margin?", out + 1);
+  Request request = Request::nothing;
   ButtonOptions leave{.height = 28};
-  if (s.busy) leave.disabled = "It is being calculated.";
+  if (s.busy) leave.disabled = "Calculating.";
   if (out < 0) leave.disabled = "No chain is chosen.";
   ButtonOptions all{.style = ButtonStyle::quiet, .height = 28};
-  if (s.busy) all.disabled = "It is being calculated.";
+  if (s.busy) all.disabled = "Calculating.";
   if (s.all) all.disabled = "Nothing was left out.";
   const float right = ui.px(width) - ui.px(8);
   const float draw_all = ui.px(button_width(ui, "Draw all", all)),
               leave_out = ui.px(button_width(ui, "Leave out", leave));
   ImGui::SetCursorScreenPos(ImVec2(at.x + right - draw_all, at.y + ui.px(6)));
-  if (button(ui, "drawing/draw_all", "Draw all", all).clicked) wish = Wish::draw_all;
+  if (button(ui, "drawing/draw_all", "Draw all", all).clicked) request = Request::draw_all;
   ImGui::SetCursorScreenPos(ImVec2(at.x + right - draw_all - ui.px(8) - leave_out, at.y + ui.px(6)));
-  if (button(ui, "drawing/leave_out", "Leave out", leave).clicked) wish = Wish::leave_out;
+  if (button(ui, "drawing/leave_out", "Leave out", leave).clicked) request = Request::leave_out;
   draw_text_line(ui, at.x + ui.px(16), at.x + right - draw_all - leave_out - ui.px(16), at.y + ui.px(21),
-                 Face::small, ui[Tone::ink2], said);
+                 Face::small, ui[Tone::ink2], sentence);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(bar_height)));
-  return wish;
+  return request;
 }
 
-DrawingChains::Wish DrawingChains::draw(Frame& f, const Shown& shown, float width, float height) {
+DrawingChains::Request DrawingChains::draw(Frame& f, const Shown& shown, float width, float height) {
   const drawing::Drawing& drawing = shown.drawing;
   const Conversion& made = shown.made;
   const std::vector<double>& seconds = shown.seconds;
   Ui& ui = f.ui;
-  const Wish wish = draw_bar(f, shown, width);
+  const Request request = draw_bar(f, shown, width);
   height -= bar_height;
-  if (height <= 0) return wish;
+  if (height <= 0) return request;
   begin_part(ui, "drawing/chains_table", ui.px(width), ui.px(height), Tone::panel, 16);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Columns columns(ui, chain_columns, at.x, at.x + ImGui::GetContentRegionAvail().x);
@@ -115,7 +115,7 @@ DrawingChains::Wish DrawingChains::draw(Frame& f, const Shown& shown, float widt
     }
   clipper.End();
   end_part();
-  return wish;
+  return request;
 }
 
 }  // namespace hw::panels

@@ -19,11 +19,11 @@ class DrawingChains {
     bool busy;                           ///< other work is under way
     bool all;                            ///< nothing was left out
   };
-  enum class Wish : std::uint8_t { nothing, leave_out, draw_all };
+  enum class Request : std::uint8_t { nothing, leave_out, draw_all };
   static constexpr float bar_height = 40;
   /// Draws at ImGui's cursor, logical size; without the list the bar_height only. Leaving out concerns
   /// may_be_left_out().
-  Wish draw(gui::Frame& frame, const Shown& shown, float width, float height);
+  Request draw(gui::Frame& frame, const Shown& shown, float width, float height);
   /// The chosen chain, else the box around all others; -1: none.
   [[nodiscard]] int may_be_left_out(const Conversion& made) const;
   /// -1: none.
@@ -31,7 +31,7 @@ class DrawingChains {
   void choose(int chain) { chosen_ = chain, into_view_ = chain >= 0; }
 
  private:
-  Wish draw_bar(gui::Frame& frame, const Shown& shown, float width);
+  Request draw_bar(gui::Frame& frame, const Shown& shown, float width);
 
   int chosen_ = -1;
   bool into_view_ = false;

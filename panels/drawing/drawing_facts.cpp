@@ -48,7 +48,7 @@ std::string in_mm(double v) { return fmt::format("{} mm", format_number(v, 1).vi
 }  // namespace
 
 void DrawingFacts::follow(const DrawingJob& job, const ConversionOptions& wanted) {
-  if (std::exchange(said_, job.version()) == job.version()) return;
+  if (std::exchange(shown_version_, job.version()) == job.version()) return;
   time_.clear(), beside_.clear(), drawn_.clear(), travel_.clear(), saved_.clear(), size_.clear(),
       chains_.clear(), moves_.clear();
   untimed_ = false;
@@ -143,7 +143,7 @@ void DrawingFacts::draw(Frame& f, const DrawingJob& job) {
 }
 
 void DrawingFacts::draw_why_untimed(Frame& f) {
-  constexpr std::string_view why = "Give the speed with the tool off to see how long that is.";
+  constexpr std::string_view why = "Give both speeds to see how long that is.";
   const ImVec2 from = ImGui::GetCursorScreenPos();
   wrapped(f.ui, Face::small, Tone::ink3, why);
   show(f.ui, {"drawing/saved/untimed", Kind::text, "Saved by the order", why},

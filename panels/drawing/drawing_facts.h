@@ -29,7 +29,7 @@ class DrawingFacts {
   static void draw_remarks(gui::Frame& frame, const std::vector<std::string>& remarks);
   static void draw_why_untimed(gui::Frame& frame);
 
-  std::uint64_t said_ = ~std::uint64_t{0};  ///< DrawingJob::version() of the words
+  std::uint64_t shown_version_ = ~std::uint64_t{0};  ///< DrawingJob::version() of the words
   std::size_t count_ = 0;
   std::string time_, moves_, drawn_, travel_, saved_, beside_, size_, chains_, off_, left_out_title_,
       problem_;

@@ -1,219 +1,19 @@
 #include "panels/drawing/drawing_job.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "core/base/index.h"
-#include "core/device/pieces_together.h"
-#include "core/device/step_times.h"
-#include "core/device/track_path.h"
-#include "core/drawing/sequence_path.h"
-#include "core/sequence/steps_in.h"
-#include "core/session/rehearse_together.h"
-#include "core/session/way_together.h"
 #include "gui/model/tab.h"
-#include "gui/model/units_format.h"
 #include "gui/shell/console.h"
 #include "gui/surface/ui.h"
+#include "panels/drawing/drawing_making.h"
 #include "panels/drawing/drawn_together.h"
 
 namespace hw::panels {
 
 using namespace gui;
 namespace {
-
-constexpr double tried_for = 24 * 3600;
-
-/// The chain of each step, as SequenceText counts steps; -1: before all chains.
-std::vector<int> chains_of_steps(const Conversion& made) {
-  std::vector<int> chains;
-  int chain = -1;
-  for (std::size_t i = 0; i < made.sequence.steps.size(); ++i) {
-    while (ix(chain + 1) < made.begins.size() && made.begins[ix(chain + 1)] <= i) ++chain;
-    const sequence::Step& step = made.sequence.steps[i];
-    const sequence::StepList* inner = steps_in(step);
-    chains.insert(chains.end(), 1 + ix(inner ? count_steps(*inner) : 0), chain);
-  }
-  return chains;
-}
-
-/// Largest distance between chords and arcs, if the arcs go through a controller's buffer; else 0.
-double chord_of(const sequence::Sequence& sequence, const Parts& parts) {
-  constexpr double half_a_step = 0.5;
-  const bool streams = !parts.empty() && std::any_of(parts.front()->all.begin(), parts.front()->all.end(),
-                                                     [](const Piece& piece) { return piece.draws >= 0; });
-  return streams ? std::max(half_a_step / sequence.axes[0].per_unit, sequence.tolerance) : 0;
-}
-
-/// The path as the machine runs it; each run with its chain.
-std::shared_ptr<const drawing::ToolPath> tool_path_of(const Conversion& made, const Parts& parts,
-                                                      drawing::Point scale) {
-  drawing::ToolPath path = sequence_path(made.sequence, scale, chord_of(made.sequence, parts));
-  for (drawing::ToolPath::Run& run : path.runs) {
-    const auto next = std::upper_bound(made.begins.begin(), made.begins.end(),
-                                       static_cast<std::size_t>(std::max(run.source, 0)));
-    run.source = static_cast<int>(next - made.begins.begin()) - 1;
-  }
-  return std::make_shared<const drawing::ToolPath>(std::move(path));
-}
-
-double length_of_chain(const drawing::Chain& chain) {
-  double length = 0;
-  for (const drawing::Curve& curve : chain.curves) length += curve.length();
-  return length;
-}
-
-/// By chain, with the travel to it. Empty: no speeds are set, so the controller's own apply.
-std::vector<double> without_ramps(const Conversion& made, const ConversionOptions& options) {
-  std::vector<double> all;
-  if (!(options.cutting.high > 0) || !(options.travel.high > 0)) return all;
-  drawing::Point at;
-  for (const drawing::Chain& chain : made.chains) {
-    const double drawn = length_of_chain(chain);
-    const double way = std::hypot(chain.begin().x - at.x, chain.begin().y - at.y);
-    all.push_back(drawn / options.cutting.high + way / options.travel.high);
-    at = chain.end();
-  }
-  return all;
-}
-
-/// Writes the text of a controller that draws by itself, and rehearses its duration.
-Result<> write(DrawingJob::Made& made, const Catalog& catalog, const Language& language) {
-  auto written = language.write(made.conversion.sequence, catalog);
-  if (!written) return fail(written.error());
-  made.written = std::move(*written);
-  const ProgramReport report = language.analyse(made.written.text, 0);
-  for (const Problem& p : report.problems)
-    if (p.error && made.problem.empty()) made.problem = p.sentence;
-  if (!made.problem.empty()) return {};
-  RehearseOptions rehearse;
-  rehearse.device = catalog.made_from;
-  rehearse.for_seconds = tried_for;
-  const auto done = language.rehearse(made.written.text, rehearse);
-  if (!done || !done->finished) return {};
-  made.duration_s = done->duration_s;
-  const std::vector<int> chain_of_step = chains_of_steps(made.conversion);
-  std::vector<int> parts = lines_of_commands(report, 0);
-  for (int& part : parts) {
-    const int step =
-        part >= 0 && ix(part) < made.written.step_of_line.size() ? made.written.step_of_line[ix(part)] : -1;
-    part = step >= 0 && ix(step) < chain_of_step.size() ? chain_of_step[ix(step)] : -1;
-  }
-  made.chain_seconds = seconds_of_parts(*done, parts);
-  return {};
-}
-
-Result<> say_tool(DrawingJob::Made& made, const Catalog& catalog) {
-  auto tool = said_of_tool(made.conversion.sequence, catalog);
-  if (!tool) return fail(tool.error());
-  made.written.tool = std::move(*tool);
-  return {};
-}
-
-/// By chain: a piece may draw several chains, as dots are drawn with what follows them.
-std::vector<double> by_chain(const std::vector<double>& seconds, const DrawingJob::Made& made) {
-  const Conversion& c = made.conversion;
-  const auto& pieces = made.parts.front()->all;
-  const auto chain_at = [&](std::size_t piece) {
-    if (piece >= pieces.size()) return c.begins.size();
-    const auto step = static_cast<std::size_t>(std::max(pieces[piece].first_step, 0));
-    const auto next = std::upper_bound(c.begins.begin(), c.begins.end(), step) - c.begins.begin();
-    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - 1, 0));
-  };
-  std::vector<double> all(c.begins.size());
-  for (std::size_t p = 0; p < std::min(seconds.size(), pieces.size()); ++p) {
-    const std::size_t first = chain_at(p), end = std::max(chain_at(p + 1), first + 1);
-    double length = 0;
-    for (std::size_t i = first; i < std::min(end, all.size()); ++i) length += length_of_chain(c.chains[i]);
-    for (std::size_t i = first; i < std::min(end, all.size()); ++i)
-      all[i] += seconds[p] *
-                (length > 0 ? length_of_chain(c.chains[i]) / length : 1.0 / static_cast<double>(end - first));
-  }
-  return all;
-}
-
-/// Parts not rehearsed keep their intended path.
-void take_way(DrawingJob::Made& made, WayTogether&& way) {
-  const drawing::ToolPath& meant = *made.meant;
-  const int last = way.path.runs.empty() ? -1 : way.path.runs.back().source;
-  for (const drawing::ToolPath::Run& run : meant.runs)
-    for (std::size_t i = run.first + 1; run.source > last && i < run.first + run.size; ++i)
-      way.path.go(meant.points[i - 1], meant.points[i], run.tool_on, run.source);
-  made.beside = way.beside;
-  made.path = std::make_shared<const drawing::ToolPath>(std::move(way.path));
-}
-
-void time_by_ramps(DrawingJob::Made& made, const Catalog& catalog) {
-  std::vector<Pieces> parts;
-  for (const auto& part : made.parts) parts.push_back(*part);
-  const std::vector<double> seconds = least_seconds(parts, catalog);
-  if (seconds.empty()) return;
-  made.at_least_s = std::accumulate(seconds.begin(), seconds.end(), 0.0);
-  made.chain_seconds = by_chain(seconds, made);
-}
-
-/// For controllers that draw together, in mm; a piece is a chain.
-void take_rehearsal(DrawingJob::Made& made, const Catalog& catalog, const Console::Together& rehearse) {
-  made.path = made.meant = tool_path_of(made.conversion, made.parts, {1, 1});
-  made.written.remarks.push_back(made.parts.front()->remark);
-  made.with_transfers = true;  // nothing is sent in advance
-  auto done = rehearse ? rehearse(made.conversion.sequence) : RehearsedTogether();
-  if (!done)
-    made.written.remarks.insert(
-        made.written.remarks.begin(),
-        "Its lines are drawn straight, as it was not rehearsed to its end: " + done.error().sentence());
-  if (!done || !done->finished) time_by_ramps(made, catalog);
-  if (!done || done->track.empty()) return;
-  take_way(made, way_together(made.conversion, *done, catalog));
-  if (done->finished) {
-    made.duration_s = done->duration_s;
-    made.chain_seconds = by_chain(done->piece_seconds, made);
-  } else {
-    const std::vector<double> rehearsed = by_chain(done->piece_seconds, made);
-    for (std::size_t c = 0; c < std::min(made.chain_seconds.size(), rehearsed.size()); ++c)
-      if (rehearsed[c] > 0) made.chain_seconds[c] = rehearsed[c];
-    made.written.remarks.insert(
-        made.written.remarks.begin(),
-        fmt::format("The first {} of it were rehearsed. Behind that lines are drawn straight.",
-                    format_duration(done->duration_s).view()));
-  }
-  made.together = std::make_shared<const Rehearsal>(std::move(*done));
-}
-
-/// For one controller that draws in pieces. Pieces beyond the rehearsed time are extrapolated from their
-/// length, in the ratio found before.
-void time_pieces(DrawingJob::Made& made, const Console::InPieces& rehearse) {
-  std::vector<double>& chains = made.chain_seconds;  // from their lengths, so far
-  if (!rehearse) return;
-  const auto done = rehearse(made.parts.front());
-  made.with_transfers = done.has_value();
-  if (!done) {
-    made.written.remarks.insert(made.written.remarks.begin(),
-                                "It was not rehearsed to its end: " + done.error().sentence());
-    return;
-  }
-  const std::vector<std::size_t>& begins = made.conversion.begins;
-  if (done->finished) made.duration_s = done->duration_s;
-  if (!done->told.empty()) made.written.remarks.insert(made.written.remarks.begin(), done->told);
-  chains.resize(begins.size());
-  const int last_step = done->came_to.empty() ? -1 : done->came_to.back().step;
-  double before = 0, of_length = 0;
-  for (std::size_t c = 0; c < begins.size(); ++c) {
-    const bool last = c + 1 == begins.size();
-    if (!done->finished && (last || static_cast<int>(begins[c + 1]) > last_step)) {
-      const double stretch = of_length > 0 ? std::max(before / of_length, 1.0) : 1.0;
-      for (; c < chains.size(); ++c) chains[c] *= stretch;
-      return;
-    }
-    const double behind = last ? done->duration_s : done->when(static_cast<int>(begins[c + 1]));
-    of_length += chains[c];
-    chains[c] = behind - std::exchange(before, behind);
-  }
-}
 
 using SharedOutline = std::shared_ptr<const Outline>;
 
@@ -234,66 +34,7 @@ SharedOutline outline_in_units(const drawing::Drawing& drawing, const Conversion
   return std::make_shared<const Outline>(std::move(*outline));
 }
 
-/// How a worker rehearses a drawing in pieces; null: it cannot.
-struct Rehearsing {
-  Console::Together together;
-  Console::InPieces alone;
-};
-
-/// Makes all results of a drawing. Slow.
-Result<DrawingJob::Made> make(const drawing::Drawing& drawing, const Catalog& catalog,
-                              const Language* language, const Rehearsing& rehearsing,
-                              const ConversionOptions& options, drawing::Point scale,
-                              std::atomic<float>& ordered) {
-  auto converted = convert(drawing, catalog, options, [&](double done) {
-    ordered = static_cast<float>(done);
-    return true;
-  });
-  ordered = 1;
-  if (!converted) return fail(converted.error());
-  static std::atomic<std::uint64_t> number = 0;
-  DrawingJob::Made made;
-  made.number = ++number;
-  std::vector<double> least = without_ramps(*converted, options);
-  if (!least.empty()) made.at_least_s = std::accumulate(least.begin(), least.end(), 0.0);
-  made.conversion = std::move(*converted);
-  if (language)
-    if (auto text = write(made, catalog, *language); !text) return fail(text.error());
-  if (auto parts = parts_of(made.conversion.sequence, catalog, language, 0, made.number))
-    made.parts = std::move(*parts);
-  else
-    made.no_pieces = parts.error().sentence();
-  if (!language && !made.parts.empty()) {
-    if (auto said = say_tool(made, catalog); !said) return fail(said.error());
-    take_rehearsal(made, catalog, rehearsing.together);
-  } else if (made.chain_seconds.empty() && !made.parts.empty()) {
-    made.chain_seconds = std::move(least);
-    time_pieces(made, rehearsing.alone);
-  }
-  if (!made.path) made.path = tool_path_of(made.conversion, made.parts, scale);
-  return made;
-}
-
 }  // namespace
-
-Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalog, const Language* language,
-                       int from_step, std::uint64_t number) {
-  Parts parts;
-  if (language) {
-    auto pieces = language->in_pieces(sequence, catalog, from_step);
-    if (!pieces) return fail(pieces.error());
-    pieces->drawing = number;
-    parts.push_back(std::make_shared<const Pieces>(std::move(*pieces)));
-    return parts;
-  }
-  auto together = pieces_together(sequence, catalog, from_step);
-  if (!together) return fail(together.error());
-  for (Pieces& pieces : *together) {
-    pieces.drawing = number;
-    parts.push_back(std::make_shared<const Pieces>(std::move(pieces)));
-  }
-  return parts;
-}
 
 std::optional<double> DrawingJob::seconds_left(const Made& made, int step, int percent, double at_it_s) {
   const std::vector<std::size_t>& begins = made.conversion.begins;
@@ -324,8 +65,7 @@ void StepClock::follow(const PiecesState& now, Instant clock, bool at_work) {
 void DrawingJob::open(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted) {
   const bool opening = reading_ && anew_;        // else the previous file is read again, with nobody waiting
   if (opening && file == reading_file_) return;  // dropped twice
-  if (opening)
-    return f.toast(Severity::plain, "Another drawing is being read. Open this one again when it is there.");
+  if (opening) return f.toast(Severity::plain, "Open this drawing again when the other one has been read.");
   read(f, file, wanted, true);
 }
 
@@ -365,7 +105,7 @@ void DrawingJob::take(Result<Drawing> read, Console& console) {
 std::string_view DrawingJob::busy_with() const {
   if (reading_) return "reading the file";
   if (!converting_) return {};
-  return *ordered_ < 1 ? "putting it into order" : "rehearsing it";
+  return *ordered_ < 1 ? "sorting its lines" : "rehearsing it";
 }
 
 void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t version,
@@ -386,7 +126,7 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
        rehearsing = together ? Rehearsing{f.console.rehearsal_of(*f.tab.bus), nullptr}
                              : Rehearsing{nullptr, f.console.rehearsal_of(f.tab)},
        wanted, scale, ordered = ordered_] {
-        auto made = make(*drawing, catalog, language, rehearsing, wanted, scale, *ordered);
+        auto made = make_all(*drawing, catalog, language, rehearsing, wanted, scale, *ordered);
         auto outline = made ? nullptr : outline_in_units(*drawing, wanted, scale);
         return std::pair(std::move(made), std::move(outline));
       },
@@ -401,8 +141,7 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
           made_ = std::make_shared<const Made>(std::move(*made));
         else
           fault_ = made.error().sentence();
-        if (outline_ && !outline_->unit_is_said)
-          fault_ += " Until then its outline is shown as if it were in mm.";
+        if (outline_ && !outline_->unit_is_given) fault_ += " Until then its outline is shown as if in mm.";
         if (bus) show_on_bus(*bus);
       },
       alive_);

@@ -96,7 +96,7 @@ void DrawingOptions::draw_layers(Frame& f, const drawing::Drawing& drawing) {
     const bool drawn = is_drawn(layer);
     const std::string_view hidden = layer.frozen ? "frozen" : "off";
     const Path word("{}, {}", on_layer_[i], drawn ? "drawn" : layer.shown ? "left out" : hidden);
-    const Path tip("It is {} in the file, and so left out unless you want it.", hidden);
+    const Path tip("It is {} in the file, so it is left out unless you choose it.", hidden);
     ToggleOptions o;
     o.state = drawn ? ToggleState::on : ToggleState::off;
     o.word = word;

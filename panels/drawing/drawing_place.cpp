@@ -91,14 +91,14 @@ std::string DrawingPlace::wrong() const {
 }
 
 /// Warns if the table is incomplete, because it is then not checked.
-std::string_view DrawingPlace::said_of_table() const {
+std::string_view DrawingPlace::table_in_words() const {
   const auto& [left, right, bottom, top] = table_;
   const bool none = left.value() == 0 && right.value() == 0 && bottom.value() == 0 && top.value() == 0;
   if (!none && right.value() <= left.value())
-    return "Not checked yet: \"to X\" has to be more than \"from X\".";
+    return "Enter a \"to X\" above \"from X\": the table is not checked.";
   if (!none && top.value() <= bottom.value())
-    return "Not checked yet: \"to Y\" has to be more than \"from Y\".";
-  return "What leaves the table is named above.\nEmpty: not checked.";
+    return "Enter a \"to Y\" above \"from Y\": the table is not checked.";
+  return "Lines that leave the table are named above.\nEmpty: not checked.";
 }
 
 // ---- kept
@@ -148,7 +148,8 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
   static constexpr std::array<std::string_view, 3> origins{"As drawn", "Corner", "By click"};
   if (const int picked = segment(ui, "drawing/origin", origins, origin_, {.cell_width = 80}); picked >= 0)
     origin_ = picked, changed = true;
-  if (wants_origin()) wrapped(ui, Face::small, Tone::ink3, "Click the picture: that place comes to 0, 0.");
+  if (wants_origin())
+    wrapped(ui, Face::small, Tone::ink3, "Click a point of the picture to place it at 0, 0.");
   gap(ui, 4);
   changed |= toggle_option(f, "drawing/swap", "Swap the axes", swap_);
   changed |= toggle_option(f, "drawing/flip_x", "Flip left and right", flip_x_);
@@ -156,8 +157,8 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
   changed |= tolerance_.draw(f, "drawing/tolerance", "Tolerance", 0, "mm");
   const bool stairs = going_of(f.catalog) == drawing::Going::stairs;
   wrapped(ui, Face::small, stairs && !(tolerance_.value() > 0) ? Tone::warn : Tone::ink3,
-          stairs ? "One axis moves at a time: say how far the corners of the stairs may lie beside the line."
-                 : "Of chords and curves; empty: half a step.");
+          stairs ? "Give the largest distance of the stairs from the line: only one axis moves at a time."
+                 : "Of chords from their curves; empty: half a step.");
   changed |= join_.draw(f, "drawing/join", "Join ends within", 0, "mm");
   changed |= draw_table(f);
   group_line(ui);
@@ -168,11 +169,11 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
 bool DrawingPlace::draw_unit(Frame& f, const drawing::Drawing* drawing) {
   Ui& ui = f.ui;
   const bool says = drawing && !drawing->unit.empty();
-  const Path said("{}, by the file", says ? drawing->unit : "");
-  if (units_.empty() || (says ? said_by_file_ != said.view() : !said_by_file_.empty())) {
-    said_by_file_ = says ? said.view() : std::string_view();
+  const Path sentence("{}, by the file", says ? drawing->unit : "");
+  if (units_.empty() || (says ? unit_of_file_ != sentence.view() : !unit_of_file_.empty())) {
+    unit_of_file_ = says ? sentence.view() : std::string_view();
     units_.assign(file_units.begin(), file_units.end());
-    if (says) units_.insert(units_.begin(), said_by_file_);
+    if (says) units_.insert(units_.begin(), unit_of_file_);
   }
   const int before = says ? 1 : 0;
   const int chosen = unit_ >= 0 ? unit_ + before : says ? 0 : -1;
@@ -209,7 +210,7 @@ bool DrawingPlace::draw_axes(Frame& f) {
 }
 
 void DrawingPlace::draw_mirrored(Frame& f, std::string_view axis) {
-  const Path why("{} counts opposite to its {}: the drawing lies mirrored on it. Flip it.", axis,
+  const Path why("{} counts opposite to its {}: flip the drawing, which is mirrored on it.", axis,
                  f.catalog.step_word);
   const Path id("drawing/mirrored/{}", axis);
   const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -234,8 +235,8 @@ bool DrawingPlace::draw_table(Frame& f) {
   bool changed = false;
   for (std::size_t i = 0; i < table_ids.size(); ++i)
     changed |= table_[i].draw(f, table_ids[i], labels[i], furthest, "mm");
-  const std::string_view why = said_of_table();  // reserves the longer height: nothing below moves
-  const bool begun = why.starts_with("Not");
+  const std::string_view why = table_in_words();  // reserves the longer height: nothing below moves
+  const bool begun = why.starts_with("Enter");
   const ImVec2 from = ImGui::GetCursorScreenPos();
   wrapped(f.ui, Face::small, begun ? Tone::warn : Tone::ink3, why);
   if (begun)

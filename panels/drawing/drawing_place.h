@@ -58,10 +58,10 @@ class DrawingPlace {
   bool draw_scale_form(gui::Frame& frame);
   static void draw_mirrored(gui::Frame& frame, std::string_view axis);
   bool draw_table(gui::Frame& frame);
-  [[nodiscard]] std::string_view said_of_table() const;
+  [[nodiscard]] std::string_view table_in_words() const;
 
   int unit_ = -1;             ///< overrides the file's unit; -1: as in the file
-  std::string said_by_file_;  ///< "mm, by the file"; empty: the file names no unit
+  std::string unit_of_file_;  ///< "mm, by the file"; empty: the file names no unit
   std::vector<std::string_view> units_;
   NumberOption times_;
   int origin_ = 0;

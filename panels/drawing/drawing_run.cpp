@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,10 +15,8 @@
 #include "gui/shell/console.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/message.h"
-#include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/drawing/drawn_together.h"
-#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -28,7 +25,7 @@ using namespace gui;
 namespace {
 
 /// Of an axis of the frame's catalog.
-const AxisState& state_of(const Frame& f, int axis) {
+const AxisState& axis_state(const Frame& f, int axis) {
   return owner_of(f, axis).now().axes[draws_together(f) ? 0 : ix(axis)];
 }
 
@@ -39,29 +36,24 @@ std::string_view why_not_at_all(const Frame& f, const DrawingJob::Made* made) {
     const int place = f.catalog.find_axis(axis.name);
     if (place < 0) continue;
     if (const std::string_view why = why_no_pieces(owner_of(f, place)); !why.empty()) return why;
-    if (!state_of(f, place).position_known)
-      return "The position of one of its axes is not known. Home it, or say where it stands.";
+    if (!axis_state(f, place).position_known)
+      return "The position of one of its axes is not known. Home it, or set its position.";
   }
   return {};
 }
 
 /// The present position, and the way from there to the start of the rest.
-std::string said_way(const Frame& f, const sequence::Sequence& of, int first_step) {
+std::string way_in_words(const Frame& f, const sequence::Sequence& of, int first_step) {
   const sequence::Places to = places_before(of, {ix(first_step)});
   sequence::Places from;
   for (std::size_t a = 0; a < of.axes.size(); ++a)
     if (const int axis = f.catalog.find_axis(of.axes[a].name); axis >= 0 && to[a])
-      from[a] = static_cast<double>(state_of(f, axis).commanded().value) / of.axes[a].per_unit;
-  const std::string there = said_places(f, of, to);
+      from[a] = static_cast<double>(axis_state(f, axis).commanded().value) / of.axes[a].per_unit;
+  const std::string there = places_in_words(f, of, to);
   return there.empty()
              ? there
-             : fmt::format("\nFirst, with the tool off: from {} to {}.", said_places(f, of, from), there);
+             : fmt::format("\nFirst, with the tool off: from {} to {}.", places_in_words(f, of, from), there);
 }
-
-/// One that waits has been sent.
-bool runs_none(const ProgramState& p) { return p.run == RunState::idle || p.run == RunState::error; }
-
-bool was_stopped(const PiecesState& p) { return !p.running && p.step >= 0 && p.done < p.total; }
 
 /// The step where the rest of the drawing begins, as all of its controllers came to it; none: nothing is
 /// left.
@@ -79,18 +71,18 @@ std::optional<int> rest_of(const Frame& f, const DrawingJob::Made* made) {
 }
 
 /// Facts to know before any of it runs.
-std::string said_first(const Pieces& pieces, const Catalog& catalog, std::string_view tool) {
-  std::string said;
+std::string first_in_words(const Pieces& pieces, const Catalog& catalog, std::string_view tool) {
+  std::string lines;
   if (pieces.lifts > 0)
-    said += fmt::format("\nThe tool is lifted {} time{} within what it draws in one go.", pieces.lifts,
-                        pieces.lifts == 1 ? "" : "s");
+    lines += fmt::format("\nThe tool is lifted {} time{} within one chain.", pieces.lifts,
+                         pieces.lifts == 1 ? "" : "s");
   const bool by_programs =
       std::any_of(pieces.all.begin(), pieces.all.end(), [](const Piece& piece) { return piece.draws < 0; });
-  if (!pieces.remark.empty()) said += fmt::format("\n{}", pieces.remark);
+  if (!pieces.remark.empty()) lines += fmt::format("\n{}", pieces.remark);
   if (catalog.program.capacity > 0 && pieces.remark.empty() && by_programs)
-    said += fmt::format("\nWhat the controller holds as {} 0 is replaced.", catalog.program.slot_word);
-  if (!tool.empty()) said += fmt::format("\n{}", tool);
-  return said;
+    lines += fmt::format("\nIt replaces {} 0 in the controller.", catalog.program.slot_word);
+  if (!tool.empty()) lines += fmt::format("\n{}", tool);
+  return lines;
 }
 
 std::string in_pieces(std::size_t count) {
@@ -146,7 +138,7 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
   const bool any = wanted.made && !wanted.made->parts.empty();
   const Pieces* pieces = any ? wanted.made->parts.front().get() : nullptr;
   const std::string_view why = why_not_now(f, wanted.made.get());
-  const std::string_view now = working_ ? "It is being calculated." : why;
+  const std::string_view now = working_ ? "Calculating." : why;
   if (pieces) draw_loops(f, *pieces);
   const ButtonOptions options{.icon = Icon::play,
                               .disabled = any || wanted.in_work ? now : wanted.why_not,
@@ -171,7 +163,7 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
   ImGui::SameLine(0, f.ui.px(8));
   const ButtonOptions on{
       .disabled = *rest != wanted.made ? "The drawing has changed since." : now,
-      .tip = "Goes to the start of what was being drawn, with the tool off, and draws the rest.",
+      .tip = "Goes to the start of the unfinished part with the tool off, and draws the rest.",
       .height = 40,
       .moving = true};
   if (button(f.ui, "drawing/cut_on", "Go on", on).clicked) ask_to_go_on(f);
@@ -180,7 +172,7 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
 void DrawingRun::draw_while_running(Frame& f) {
   const bool held = pieces_of(f).held;
   const ButtonOptions hold{.icon = held ? Icon::play : Icon::pause,
-                           .tip = held ? "" : "Ends what it is at where it can, and begins nothing new.",
+                           .tip = held ? "" : "Finishes the present part where it can, and starts no other.",
                            .height = 40,
                            .moving = held};
   if (button(f.ui, "drawing/hold", held ? "Go on" : "Hold", hold).clicked) {
@@ -200,99 +192,17 @@ void DrawingRun::draw_while_running(Frame& f) {
 }
 
 /// To each controller involved.
-void DrawingRun::tell(Frame& f, const IntentBody& wish) {
+void DrawingRun::tell(Frame& f, const IntentBody& request) {
   if (draws_together(f))
-    f.tab.bus->tell_pieces(wish);
+    f.tab.bus->send_to_pieces(request);
   else
-    f.send(wish);
-}
-
-void DrawingRun::draw_override(Frame& f) {
-  const PiecesState& now = pieces_of(f);
-  const bool is_last = !now.draws && !now.held && now.done + 1 >= now.total;
-  double percent = now.percent;
-  speed_.clear();
-  fmt::format_to(std::back_inserter(speed_), "Speed: {:.0f} % of what was asked for", percent);
-  gap(f.ui, 8);
-  wrapped(f.ui, Face::small, Tone::ink2, speed_);
-  const SliderOptions o{
-      .min = 10,
-      .max = 200,
-      .step = 10,
-      .normal = 100,
-      .disabled = is_last ? "The last piece runs at the speeds written in it." : "",
-      .tip = now.draws ? "Applies to what is sent from now on." : "Applies from the next piece on.",
-      .value_text = speed_};
-  if (slider(f.ui, "drawing/override", "Speed", percent, o))
-    tell(f, intent::OverrideSpeed(static_cast<int>(std::lround(percent))));
-}
-
-/// A controller's only piece has no number worth showing.
-void DrawingRun::say_progress(const PiecesState& now, bool is_sent, RunState program) {
-  progress_.clear();
-  const auto to = std::back_inserter(progress_);
-  const Path piece("piece {} of {}", now.done + 1, now.total);
-  const std::string_view what = traces_ ? "the frame" : now.total == 1 ? "the drawing" : piece.view();
-  if (now.done == now.total)
-    fmt::format_to(to, "All of it is done");
-  else if (was_stopped(now))
-    fmt::format_to(to, "Stopped in {}", what);
-  else if (now.held && program == RunState::running)
-    fmt::format_to(to, "{}{} is finished first, then it holds", traces_ || now.total == 1 ? 'T' : 'P',
-                   what.substr(1));
-  else if (now.held)
-    fmt::format_to(to, "Held {} {}", now.draws || program == RunState::held ? "in" : "before", what);
-  else if (is_sent)
-    fmt::format_to(to, "The controller is being sent {}", what);
-  else if (traces_)
-    fmt::format_to(to, "The frame is being traced");
-  else if (now.total == 1)
-    fmt::format_to(to, "The drawing is being cut");
-  else
-    fmt::format_to(to, "At {}", what);
-}
-
-/// By time if known, as pieces and steps differ in length and some controllers report no steps.
-void DrawingRun::draw_progress(Frame& f) {
-  const PiecesState& now = pieces_of(f);
-  if (now.total == 0) return;
-  const bool by_itself = !draws_together(f) && !now.draws;  // from a program it has stored
-  const bool is_sent = now.running && !now.held && by_itself && runs_none(f.now.program);
-  const DrawingJob::Made* made = at_work(f);
-  const bool counts = !is_sent || (made && made->with_transfers);
-  clock_.follow(now, f.clock, counts);
-  // On a bus, another panel may have begun something since.
-  traces_ = traces_ && (!draws_together(f) || f.tab.bus->begun.get() == traced_);
-  say_progress(now, is_sent, by_itself && f.now.program.owned ? f.now.program.run : RunState::idle);
-  const auto left =
-      made ? DrawingJob::seconds_left(*made, now.step, now.percent, clock_.at_it_s()) : std::nullopt;
-  if (left && now.running)
-    fmt::format_to(std::back_inserter(progress_), ", {} left", format_duration(*left).view());
-  gap(f.ui, 8);
-  meter(f.ui, "drawing/cut_progress", "Progress", static_cast<float>(share_done(now, made, left)),
-        {.tone = Tone::motion, .old = !now.running, .words = progress_});
-  gap(f.ui, 4);
-  constexpr int lines = 2;  // always: nothing below moves with the words
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Rect in{at, ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + f.ui.px(16 * lines))};
-  draw_text_in_lines(f.ui, in, Face::small, f.ui[Tone::ink2], progress_, lines);
-  gap(f.ui, 16 * lines);
-}
-
-double DrawingRun::share_done(const PiecesState& now, const DrawingJob::Made* made,
-                              std::optional<double> left) {
-  if (now.done == now.total) return 1;
-  const auto all = made ? DrawingJob::seconds_left(*made, 0, now.percent) : std::nullopt;
-  if (left && all && *all > 0) return std::clamp(1 - *left / *all, 0.0, 1.0);
-  const auto steps = made ? made->conversion.sequence.steps.size() : 0;
-  return steps > 0 && now.step > 0 ? std::min(static_cast<double>(now.step) / static_cast<double>(steps), 1.0)
-                                   : static_cast<double>(now.done) / static_cast<double>(now.total);
+    f.send(request);
 }
 
 // ---- questions, and their results
 
 void DrawingRun::ask(Frame& f, What what, Made made, Parts parts, std::string question) {
-  asked_.question = std::move(question) + said_first(*parts.front(), f.catalog, made->written.tool);
+  asked_.question = std::move(question) + first_in_words(*parts.front(), f.catalog, made->written.tool);
   if (const Conversion& c = made->conversion; !c.off_the_table.empty())
     asked_.question +=
         fmt::format("\n{} of {} chains leave the table.", c.off_the_table.size(), c.chains.size());
@@ -319,7 +229,7 @@ int DrawingRun::chain_at_work(const Frame& f, const DrawingJob::Made* made) cons
 }
 
 std::string_view DrawingRun::why_no_trace(const Frame& f, const DrawingJob::Made* made) const {
-  if (working_) return "It is being calculated.";
+  if (working_) return "Calculating.";
   if (pieces_of(f).running)
     return "The drawing is being cut. Frame is available again when it has ended or was stopped.";
   return why_not_at_all(f, made);
@@ -349,13 +259,13 @@ void DrawingRun::draw_dialog(Frame& f) {
   auto [what, made, parts] = std::exchange(worked_out_, {});
   if (!parts.empty() && what == What::frame)
     ask(f, what, std::move(made), std::move(parts),
-        fmt::format("It goes once around the drawing with the tool off, and back to where that began.{}",
-                    left(f) ? "\nThe cut that was stopped can be gone on with after that." : ""));
+        fmt::format("It goes once around the drawing with the tool off, and returns to the start.{}",
+                    left(f) ? "\nYou can continue the stopped cut afterwards." : ""));
   else if (const Made* rest = left(f); !parts.empty() && rest && *rest == made) {
-    std::string question =
-        fmt::format("The tool goes to the start of what was being drawn, off, and draws the rest {}.",
-                    in_pieces(parts.front()->all.size()));
-    question += said_way(f, made->conversion.sequence, parts.front()->all.front().first_step);
+    std::string question = fmt::format(
+        "With the tool off, it goes to the start of the unfinished part. Then it draws the rest {}.",
+        in_pieces(parts.front()->all.size()));
+    question += way_in_words(f, made->conversion.sequence, parts.front()->all.front().first_step);
     ask(f, what, std::move(made), std::move(parts), std::move(question));
   }
   if (!asked_.open) return;

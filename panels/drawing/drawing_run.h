@@ -43,7 +43,7 @@ class DrawingRun {
   void work_out(gui::Frame& frame, What what, Made made, int from_step);
   void draw_while_running(gui::Frame& frame);
   void draw_override(gui::Frame& frame);
-  void tell(gui::Frame& frame, const IntentBody& wish);
+  void tell(gui::Frame& frame, const IntentBody& request);
   void draw_start(gui::Frame& frame, const Wanted& wanted);
   void draw_loops(gui::Frame& frame, const Pieces& pieces);
   [[nodiscard]] std::string_view why_not_now(const gui::Frame& frame, const DrawingJob::Made* made);

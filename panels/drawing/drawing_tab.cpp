@@ -87,7 +87,7 @@ PathSubject DrawingTab::subject_of(const Frame& f) {
   PathSubject subject;
   if (made) subject.path = made->path, subject.commanded = made->meant;
   if (const auto outline = job_.outline()) subject.path = {outline, &outline->path};
-  subject.none = job_.busy()      ? "It is being calculated."
+  subject.none = job_.busy()      ? "Calculating."
                  : job_.drawing() ? "Nothing in it can be drawn with these settings."
                                   : "Open a DXF file, or drop one on the window.";
   const auto axis = [&](std::size_t direction) {
@@ -149,10 +149,10 @@ void DrawingTab::draw_picture(Frame& f, float width, float height) {
   const DrawingChains::Shown shown{*job_.drawing(), made->conversion, made->chain_seconds, job_.busy(),
                                    options_.draws_all()};
   const int out = chains_table_.may_be_left_out(made->conversion);
-  const auto wish = chains_table_.draw(f, shown, width, chains);
-  if (wish == DrawingChains::Wish::nothing) return;
+  const auto request = chains_table_.draw(f, shown, width, chains);
+  if (request == DrawingChains::Request::nothing) return;
   chains_table_.choose(-1);
-  if (wish == DrawingChains::Wish::leave_out)
+  if (request == DrawingChains::Request::leave_out)
     options_.leave_out(made->conversion.chains[ix(out)].paths);
   else
     options_.draw_all();
@@ -181,7 +181,7 @@ void DrawingTab::open(Frame& f, const std::filesystem::path& path) {
 
 std::string_view DrawingTab::why_not() const {
   if (!job_.drawing()) return "No drawing has been opened.";
-  if (job_.busy()) return "It is being calculated.";
+  if (job_.busy()) return "Calculating.";
   if (!options_.wrong().empty()) return options_.wrong();
   if (!job_.made()) return job_.fault();
   return {};
@@ -191,7 +191,7 @@ std::string_view DrawingTab::why_no_use(const Frame& f, Use use) const {
   if (job_.drawing() && job_.busy()) return {};
   if (const auto why = why_not(); !why.empty()) return why;
   if (use == Use::frame) return run_.why_no_trace(f, job_.made());
-  if (together_) return "Several controllers draw it together: there is no one text for them.";
+  if (together_) return "Several controllers draw it together, so there is no single text.";
   return use == Use::program ? std::string_view(job_.made()->problem) : std::string_view();
 }
 
@@ -259,7 +259,7 @@ void DrawingTab::draw_toolbar(Frame& f) {
   draw_use(f, Use::blocks, "drawing/to_blocks", "To the blocks", 8, look);
   draw_use(f, Use::program, "drawing/to_program", "To the program", 8, look);
   look.style = ButtonStyle::quiet, look.tip = "Goes once around it with the tool off.", look.moving = true;
-  draw_use(f, Use::frame, "drawing/frame", "Frame", 0, look);
+  draw_use(f, Use::frame, "drawing/frame", "Frame", 8, look);
   look.tip = {}, look.moving = false;
   next_in_toolbar(f, 0, button_width(ui, "Fit", look));
   if (button(ui, "drawing/fit", "Fit", look).clicked) canvas_.fit();

@@ -26,6 +26,7 @@ const std::array<DrawingTool::Named, 8> DrawingTool::numbers{
      {"drawing/travel_speed", &DrawingTool::travel_speed_},
      {"drawing/low_speed", &DrawingTool::low_speed_},
      {"drawing/ramp", &DrawingTool::ramp_}}};
+static constexpr std::string_view cut_speed_name = "Speed, tool on", travel_speed_name = "Speed, tool off";
 static constexpr const char* scale_of_tool = "drawing/tool_axis/per_unit";
 static constexpr std::array<const char*, 2> routine_ids{"drawing/routine/on", "drawing/routine/off"};
 
@@ -58,6 +59,8 @@ void DrawingTool::put(const Frame& f, ConversionOptions& o) {
                             : sequence::Speeds();
   };
   o.cutting = speeds(cut_speed_), o.travel = speeds(travel_speed_);
+  o.cutting_name = fmt::format("\"{}\"", cut_speed_name);
+  o.travel_name = fmt::format("\"{}\"", travel_speed_name);
   wrong_.clear();
   if (own_)
     put_routines(f, o);
@@ -174,11 +177,11 @@ bool DrawingTool::draw(Frame& f, const std::array<int, 2>& drawing_axes, ScaleFo
 }
 
 bool DrawingTool::draw_speeds(Frame& f) {
-  bool changed = cut_speed_.draw(f, "drawing/cut_speed", "Speed, tool on", 0, "mm/s");
-  changed |= travel_speed_.draw(f, "drawing/travel_speed", "Speed, tool off", 0, "mm/s");
+  bool changed = cut_speed_.draw(f, "drawing/cut_speed", cut_speed_name, 0, "mm/s");
+  changed |= travel_speed_.draw(f, "drawing/travel_speed", travel_speed_name, 0, "mm/s");
   changed |= low_speed_.draw(f, "drawing/low_speed", "Ramps begin at", 0, "mm/s");
   changed |= ramp_.draw(f, "drawing/ramp", "A ramp takes", 0, "ms");
-  wrapped(f.ui, Face::small, Tone::ink3, "Empty: as the controller is set up.");
+  wrapped(f.ui, Face::small, Tone::ink3, "Both speeds empty: as set in the controller.");
   gap(f.ui, 4);
   return changed;
 }

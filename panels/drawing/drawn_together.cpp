@@ -10,7 +10,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-std::string said_places(const Frame& f, const sequence::Sequence& of, const sequence::Places& places) {
+std::string places_in_words(const Frame& f, const sequence::Sequence& of, const sequence::Places& places) {
   std::string all;
   for (std::size_t a = 0; a < of.axes.size(); ++a) {
     const int axis = f.catalog.find_axis(of.axes[a].name);

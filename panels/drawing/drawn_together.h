@@ -25,7 +25,7 @@ namespace hw::panels {
 }
 /// "X at 12.500 mm, Y at 3.000 mm", as some axes have numbers for names; of axes whose place is not known
 /// nothing.
-[[nodiscard]] std::string said_places(const gui::Frame& f, const sequence::Sequence& of,
-                                      const sequence::Places& places);
+[[nodiscard]] std::string places_in_words(const gui::Frame& f, const sequence::Sequence& of,
+                                          const sequence::Places& places);
 
 }  // namespace hw::panels

@@ -11,7 +11,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-static constexpr float option_label_width = 116, option_row = 36;
+static constexpr float option_label_width = 116, field_row = 36;
 
 /// "Tolerance: this is not a number."
 static std::string wrong_number(std::string_view label, const std::string& text, const NumberRange& range) {
@@ -25,7 +25,7 @@ static std::string wrong_number(std::string_view label, const std::string& text,
 void NumberOption::set(double value, int decimals) {
   field_.set(value, decimals);
   value_ = value;
-  told_ = field_.text;
+  shown_ = field_.text;
   wrong_.clear();
 }
 
@@ -45,8 +45,8 @@ bool NumberOption::draw(Frame& f, std::string_view id, std::string_view label, d
   const NumberEvent event = number_field(f.ui, id, label, std::nullopt, field_, o);
   end_option(f.ui, at);
   if (!event.field.entered && !event.field.left) return false;
-  if (field_.text == told_) {  // unedited: the value is more exact than its text
-    if (told_.empty()) field_.reset();
+  if (field_.text == shown_) {  // unedited: the value is more exact than its text
+    if (shown_.empty()) field_.reset();
     return !std::exchange(wrong_, {}).empty();
   }
   const auto typed = field_.value();
@@ -56,7 +56,7 @@ bool NumberOption::draw(Frame& f, std::string_view id, std::string_view label, d
     wrong_.clear();
     value_ = emptied ? 0 : *typed;
     if (emptied) field_.reset();  // empty is allowed, and not marked red
-    told_ = field_.text;
+    shown_ = field_.text;
   } else {
     wrong_ = wrong_number(label, field_.text, o.range);
   }
@@ -72,7 +72,7 @@ ImVec2 begin_option(Ui& ui, std::string_view label, Tone tone) {
 }
 
 void end_option(Ui& ui, ImVec2 begun) {
-  ImGui::SetCursorScreenPos(ImVec2(begun.x, begun.y + ui.px(option_row)));
+  ImGui::SetCursorScreenPos(ImVec2(begun.x, begun.y + ui.px(field_row)));
 }
 
 bool toggle_option(Frame& f, std::string_view id, std::string_view label, bool& value) {

@@ -26,7 +26,7 @@ class NumberOption {
  private:
   gui::NumberField field_;
   double value_ = 0;
-  std::string told_;  ///< the value as the field shows it, perhaps rounded
+  std::string shown_;  ///< the value as the field shows it, perhaps rounded
   std::string wrong_;
 };
 /// wrong() of the first invalid option; empty: all are valid.

@@ -32,14 +32,14 @@ constexpr Key in_editor[] = {
     {"Ctrl X  C  V", "Cut, copy, paste"},
     {"Ctrl A", "Select all"},
     {"Ctrl F", "Find; F3 finds the next"},
-    {"Ctrl /", "Make lines comments, or commands again"},
-    {"Ctrl ]  [", "Indent the line, and back"},
+    {"Ctrl /", "Comment or uncomment lines"},
+    {"Ctrl ]  [", "Indent or unindent the line"},
     {"Tab", "Indent the lines chosen, Shift Tab back; else leave"},
 };
 constexpr Key in_terminal[] = {
     {"Enter", "Send the line"},
-    {"Tab", "Complete, or list what could come"},
-    {"Up  Down", "Lines sent before, or along the list"},
+    {"Tab", "Complete, or list the possible commands"},
+    {"Up  Down", "Earlier lines, or along the list"},
     {"Ctrl C", "Copy the lines chosen with the mouse"},
 };
 
@@ -57,12 +57,12 @@ constexpr std::string_view rules[] = {
 };
 
 constexpr std::string_view pad_rules[] = {
-    "A gamepad acts while it is armed, by the switch beside the jog buttons. Hold LB first, then push: what "
-    "is pushed already when LB goes down moves nothing.",
-    "One axis at a time, the one that is pushed most, at the jog speed: a stick is on or off.",
-    "What ends a held jog ends the gamepad's too. It is disarmed when the window loses the keyboard, when it "
-    "is pulled out, and when it does not answer. When nothing on it has changed for 2 s while it jogs, the "
-    "jog stops: let go, then push again.",
+    "A gamepad acts while it is armed, by the switch beside the jog buttons. Hold LB first, then push: a "
+    "stick pushed before LB moves nothing.",
+    "It moves one axis at a time, in the direction pushed most, at the jog speed: a stick is on or off.",
+    "Everything that ends a held jog ends the gamepad's too. It is disarmed when the window loses the "
+    "keyboard, when it is unplugged, and when it does not answer. If nothing on it changes for 2 s, its jog "
+    "stops: let go, then push again.",
 };
 
 /// A row of 32: the framed key, its function, a hairline above.

@@ -151,9 +151,9 @@ class ManualSetter {
     const float room = out_.width - gutter() * static_cast<float>(least.size() - 1);
     const float taken = std::accumulate(least.begin(), least.end(), 0.0f);
     if (taken > room) return {};
-    float wish = 0;
-    for (std::size_t c = 0; c < least.size(); ++c) wish += wanted[c] - least[c];
-    const float share = wish > 0 ? std::min(1.0f, (room - taken) / wish) : 0;
+    float request = 0;
+    for (std::size_t c = 0; c < least.size(); ++c) request += wanted[c] - least[c];
+    const float share = request > 0 ? std::min(1.0f, (room - taken) / request) : 0;
     for (std::size_t c = 0; c < least.size(); ++c)
       least[c] = std::floor(least[c] + share * (wanted[c] - least[c])) + 1;
     return least;

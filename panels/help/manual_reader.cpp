@@ -53,7 +53,7 @@ void ManualReader::show(Place place) {
   now_ = place;
   text_ = place.page ? read_manual(place.page->markdown) : ManualText();
   layout_ = {};
-  wishes_scroll_ = true;
+  scroll_requested_ = true;
 }
 
 void ManualReader::open(std::string_view target) {
@@ -66,18 +66,18 @@ void ManualReader::open(std::string_view target) {
   if (page != now_.page || !page)
     show({page, 0});
   else
-    wishes_scroll_ = true;
-  wished_anchor_ = anchor;
+    scroll_requested_ = true;
+  requested_anchor_ = anchor;
 }
 
 void ManualReader::go_back() {
   if (before_.empty()) return;
   const Place place = before_.back();
   before_.pop_back();
-  wished_anchor_.clear();
+  requested_anchor_.clear();
   if (place.page != now_.page) return show(place);
   now_ = place;
-  wishes_scroll_ = true;
+  scroll_requested_ = true;
 }
 
 void ManualReader::draw(PageFrame& f, std::string_view own) {
@@ -85,18 +85,18 @@ void ManualReader::draw(PageFrame& f, std::string_view own) {
     draw_page(f);
   else
     draw_contents(f, own);
-  follow_wish(f.ui.scale);
-  if (!wishes_scroll_) now_.scroll = ImGui::GetScrollY() / f.ui.scale;
+  follow_request(f.ui.scale);
+  if (!scroll_requested_) now_.scroll = ImGui::GetScrollY() / f.ui.scale;
 }
 
 /// The scroll range is that of the last drawing, so scrolling works one frame later.
-void ManualReader::follow_wish(float scale) {
-  if (!wishes_scroll_ || (now_.page && layout_.width == 0)) return;
-  wishes_scroll_ = false;
+void ManualReader::follow_request(float scale) {
+  if (!scroll_requested_ || (now_.page && layout_.width == 0)) return;
+  scroll_requested_ = false;
   float to = now_.scroll * scale;
   for (const ManualMark& mark : layout_.marks)
-    if (!wished_anchor_.empty() && mark.anchor == wished_anchor_) to = mark.y;
-  wished_anchor_.clear();
+    if (!requested_anchor_.empty() && mark.anchor == requested_anchor_) to = mark.y;
+  requested_anchor_.clear();
   ImGui::SetScrollY(to);
 }
 
@@ -142,7 +142,7 @@ void ManualReader::draw_page(PageFrame& f) {
   const float width = std::floor(ImGui::GetContentRegionAvail().x);
   if (layout_.width != width || layout_.scale != ui.scale) {
     layout_ = lay_out_manual(ui, text_, width);
-    wishes_scroll_ = true;  // to its previous position, in the new scale
+    scroll_requested_ = true;  // to its previous position, in the new scale
   }
   gap(ui, 12);
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -33,15 +33,15 @@ class ManualReader {
   bool draw_row(gui::PageFrame& frame, const ManualPage& page);
   void draw_page(gui::PageFrame& frame);
   std::string_view draw_runs(gui::PageFrame& frame, ImVec2 at);
-  void follow_wish(float scale);
+  void follow_request(float scale);
 
   Place now_;
   std::vector<Place> before_;
   ManualText text_;  ///< of the page shown
   ManualLayout layout_;
   std::vector<std::string> titles_;  ///< of all pages
-  std::string wished_anchor_;        ///< to scroll to once the page is laid out
-  bool wishes_scroll_ = false;
+  std::string requested_anchor_;     ///< to scroll to once the page is laid out
+  bool scroll_requested_ = false;
 };
 
 }  // namespace hw::panels

@@ -105,10 +105,10 @@ class BlockReader {
     if (level == words.npos) return;
     ManualBlock& block = open(BlockKind::heading);
     block.level = static_cast<int>(level);
-    const std::string_view said = without_blanks(words.substr(level));
-    block.mark = manual_anchor(said);
-    block.line = read_manual_line(said);
-    if (text_.title.empty()) text_.title = without_marks(said);
+    const std::string_view sentence = without_blanks(words.substr(level));
+    block.mark = manual_anchor(sentence);
+    block.line = read_manual_line(sentence);
+    if (text_.title.empty()) text_.title = without_marks(sentence);
   }
   void take_row(std::string_view words) {
     if (!in_table_) {

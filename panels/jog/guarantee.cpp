@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "gui/model/tab.h"
+#include "gui/model/tap_size.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/text.h"
 #include "gui/widgets/touch.h"
@@ -25,7 +26,9 @@ enum class Who : std::uint8_t { controller, guard, watchdog, program, nobody };
 /// The weakest among all axes that the pad jogs.
 struct Guarantee {
   Who who = Who::controller;
-  Steps way{};  ///< the longest; with nobody, per second
+  Steps way{};                        ///< the longest; with nobody, per second
+  const DisplayUnit* unit = nullptr;  ///< of its axis
+  std::string_view axis = {};         ///< named where units differ
 };
 
 Guarantee of_axis(const Tab& tab, AxisId id) {
@@ -34,7 +37,7 @@ Guarantee of_axis(const Tab& tab, AxisId id) {
   if (axis.travel_holds() && axis.travel.has_minus && axis.travel.has_plus)
     return {Who::controller,
             std::max(axis.travel.plus - axis.commanded(), axis.commanded() - axis.travel.minus)};
-  const double speed = tab.jog_speed().value > 0 ? tab.jog_speed().value : axis.own_speed.value;
+  const double speed = held_speed(tab, id).value;
   if (now.jog_guard.state == JogGuard::State::installed)
     return {Who::guard, Steps(std::llround(speed * seconds(now.jog_guard.silence)))};
   if (now.link.jog_ends == JogEnds::with_program) return {Who::program, {}};
@@ -45,12 +48,12 @@ Guarantee of_axis(const Tab& tab, AxisId id) {
 Guarantee guarantee_of(const Frame& f) {
   Guarantee all;
   for_each_axis(f, [&](const Tab& tab, AxisId id) {
-    const Guarantee one = of_axis(tab, id);
-    if (one.who > all.who)
-      all = one;
-    else if (one.who == all.who)
-      all.way = std::max(all.way, one.way);
+    Guarantee one = of_axis(tab, id);
+    one.unit = &tab.units().length(id);
+    one.axis = tab.catalog().axes[id.index].name;
+    if (!all.unit || one.who > all.who || (one.who == all.who && one.way > all.way)) all = one;
   });
+  if (!unit_of_taps(f.tab)) all.unit = &common_unit(f), all.axis = {};
   return all;
 }
 
@@ -62,9 +65,8 @@ Words words_on(Who who) {
   switch (who) {
     case Who::controller:
       return {"controller", "stops it",
-              "A held jog is sent as a move to the limit that you have set. The controller ends it there, "
-              "whatever "
-              "becomes of this program.",
+              "A held jog is sent as a move to your limit. The controller ends it there even if this program "
+              "dies.",
               Tone::ok};
     case Who::guard:
       return {
@@ -73,11 +75,10 @@ Words words_on(Who who) {
           "then ramps down. No real hardware has confirmed this yet, so the watchdog stays on too.",
           Tone::ok};
     case Who::watchdog:
-      return {
-          "watchdog", "stops it",
-          "A process of its own stops a held jog: within 0.3 s when this program dies, within 1.3 s when it "
-          "stands still, and then the ramp. The way is that of 1.3 s at this speed.",
-          Tone::ink};
+      return {"watchdog", "stops it",
+              "A separate process stops a held jog: within 0.3 s if this program dies, within 1.3 s if it "
+              "hangs, and then the ramp. The distance is that of 1.3 s at this speed.",
+              Tone::ink};
     case Who::program:
       return {"this program", "ends it", "The controller is emulated in this program, and ends with it.",
               Tone::ink};
@@ -85,8 +86,8 @@ Words words_on(Who who) {
   }
   return {
       "nobody", "stops it",
-      "When this program dies a held jog runs on to a limit switch: its watchdog does not run, or does not "
-      "reach this wire. Set both limits of the axis, and the controller ends the jog there.",
+      "Set both limits of the axis, so that the controller ends the jog there. Otherwise, if this program "
+      "dies, a held jog runs on to a limit switch: its watchdog does not run, or does not reach this wire.",
       Tone::fault};
 }
 
@@ -108,7 +109,8 @@ bool draw_guarantee(const Frame& f, const Rect& place) {
   const Guarantee guarantee = guarantee_of(f);
   const Words words = words_on(guarantee.who);
   const bool known = guarantee.way > Steps(0);
-  const NumberText way = format_with_unit(guarantee.way, common_unit(f));
+  const NumberText length = format_with_unit(guarantee.way, *guarantee.unit);
+  const Path way("{}{}{}", guarantee.axis, guarantee.axis.empty() ? "" : " ", length.view());
   const std::string_view bound = guarantee.who == Who::controller ? "within " : "";
   const Path whole = guarantee.who == Who::guard    ? Path("{}, {}", way.view(), words.verb)
                      : guarantee.who == Who::nobody ? Path("{} a second", way.view())

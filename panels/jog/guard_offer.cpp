@@ -40,11 +40,11 @@ bool some_axis_moves(Frame& f) {
   return moves;
 }
 
-std::string_view state_of(const Tab& tab) {
+std::string_view guard_state(const Tab& tab) {
   switch (tab.now().jog_guard.state) {
     case JogGuard::State::absent: return "It is not installed. The program memory is empty.";
     case JogGuard::State::no_room:
-      return "The program memory holds a program. Save it and clear it, if this guard is to take its place.";
+      return "Save and clear the program in the program memory if this guard is to replace it.";
     case JogGuard::State::installed: break;
     case JogGuard::State::unknown: return "The program memory is read while the axes are at rest.";
   }
@@ -57,7 +57,7 @@ std::string_view why_not(Frame& f) {
   const Tab& tab = weakest(f);
   const bool may = tab.now().jog_guard.state == JogGuard::State::absent ||
                    tab.now().jog_guard.state == JogGuard::State::installed;
-  return may ? std::string_view() : state_of(tab);
+  return may ? std::string_view() : guard_state(tab);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void GuardOffer::draw(Frame& f) {
   }
   const Path silence("It is installed, and stops a held jog after a silence of {} ms.",
                      f.now.jog_guard.silence.count());
-  const std::string_view state = installed ? silence.view() : state_of(weakest(f));
+  const std::string_view state = installed ? silence.view() : guard_state(weakest(f));
   const ImVec2 from = ImGui::GetCursorScreenPos();
   wrapped(ui, Face::body_bold, Tone::ink, state, guard_words_width);
   show(ui, {"jog/guard/state", Kind::text, "Guard", state},
@@ -89,7 +89,7 @@ void GuardOffer::draw(Frame& f) {
 
 void GuardOffer::draw_buttons(Frame& f, bool installed) {
   Ui& ui = f.ui;
-  const std::string_view verb = installed ? "Take it away" : "Install it";
+  const std::string_view verb = installed ? "Remove it" : "Install it";
   const ButtonOptions close{.style = ButtonStyle::outlined};
   const ButtonOptions act{.style = ButtonStyle::primary, .disabled = why_not(f)};
   const float both = ui.px(button_width(ui, "Close", close) + button_width(ui, verb, act) + 8);

@@ -60,7 +60,7 @@ bool in_pairs(const Frame& f) { return f.catalog.axes.size() > 4 && !jogs_in_row
 // Each part has its place from the column's measures; no text or choice in one part moves the next.
 void Jog::draw(Frame& f) {
   follow_unit(f);
-  const Column column = column_of(f);
+  const LeftColumn column = column_of(f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_title(f, column);
   const bool narrow = f.tier == Tier::narrow;
@@ -75,10 +75,11 @@ void Jog::draw(Frame& f) {
   if (!column.speed_in_title) speed_.draw(f, column.speed_over_slider);
   if (!narrow) group_line(f.ui, 0);
   guard_.draw(f);
+  refused_tap_.draw(f, {origin_, ImVec2(origin_.x + f.ui.px(f.area.width), origin_.y + f.ui.px(height))});
 }
 
 /// Each device or axis has its jog buttons in its own row: the rest applies to all of them.
-float Jog::draw_stop_and_steps(Frame& f, const Column& column) {
+float Jog::draw_stop_and_steps(Frame& f, const LeftColumn& column) {
   const float for_pad = f.ui.gamepad.present() ? stop_height + close_between : 0;
   draw_stop(f, 0, 0, ImVec2(f.area.width - for_pad, stop_height));
   draw_gamepad_switch(f, ImVec2(origin_.x + f.ui.px(f.area.width - stop_height), origin_.y), stop_height);
@@ -89,7 +90,7 @@ float Jog::draw_stop_and_steps(Frame& f, const Column& column) {
 
 /// In a narrow window the strip of positions has no room for the unit, so it stands here together with the
 /// reason.
-void Jog::draw_title(Frame& f, const Column& column) {
+void Jog::draw_title(Frame& f, const LeftColumn& column) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   constexpr float title = 40;
@@ -119,20 +120,23 @@ void Jog::draw_reason(Frame& f, const Rect& place) {
                                              : f.tab.why_not_move();
   if (why.empty() && f.tier == Tier::narrow) return draw_guarantee_here(f, place);
   if (why.empty() && column_of(f).speed_in_title) return draw_hint_over_guarantee(f, place);
-  const bool unit_said = steps_unit_.name.empty();
-  const Path hint("Hold a button to move. A tap moves the chosen step{}{}.", unit_said ? "" : ", in ",
-                  unit_said ? std::string_view() : std::string_view(steps_unit_.name));
+  const bool unit_shown = steps_unit_.name.empty();
+  const Path hint("Hold a button to move. A tap moves the chosen step{}{}.", unit_shown ? "" : ", in ",
+                  unit_shown ? std::string_view() : std::string_view(steps_unit_.name));
   const OwnUnits own(f);
   const float line = ui.line(Face::small);
   const int lines = std::max(1, static_cast<int>(place.height() / line));
-  const float top = f.tier == Tier::narrow
-                        ? std::floor(place.centre().y - line * static_cast<float>(lines) / 2)
-                        : place.min.y;
+  const Rect left = draw_power_switches(f, place, off);
+  const float words_left = place.min.x + ui.px(20);
+  // One line beside switches stands in their middle.
+  const bool beside = off != 0 && text_width(ui, Face::small, why) <= left.max.x - words_left;
+  const bool in_middle = beside || f.tier == Tier::narrow;
+  const float shown = line * static_cast<float>(beside ? 1 : lines);
+  const float top = in_middle ? std::floor(place.centre().y - shown / 2) : place.min.y;
   const bool by_pad = why.empty() && f.ui.gamepad.armed();
   draw_icon(ImGui::GetWindowDrawList(), Icon::info, ImVec2(place.min.x + ui.px(6), top + ui.px(8)), ui.px(12),
             ui[why.empty() ? Tone::ink3 : Tone::ink2]);
-  const Rect left = draw_power_switches(f, place, off);
-  const Rect words{ImVec2(place.min.x + ui.px(20), top), left.max};
+  const Rect words{ImVec2(words_left, top), left.max};
   const Tone tone = !flaw.empty() ? Tone::fault : why.empty() ? Tone::ink3 : Tone::ink2;
   draw_text_in_lines(ui, words, Face::small, ui[tone],
                      by_pad               ? gamepad_hint(f).view()
@@ -178,7 +182,7 @@ int Jog::words_that_fit(const Frame& f, const Width& width) const {
   return room;
 }
 
-float Jog::draw_cross(Frame& f, const Column& column) {
+float Jog::draw_cross(Frame& f, const LeftColumn& column) {
   const std::size_t axes = f.catalog.axes.size();
   const bool flat = axes == 1, beside = axes == 2;
   const float cell = column.cell, pitch = cell + close_between;
@@ -281,14 +285,20 @@ void Jog::draw_stop_again(Frame& f, float x, float y, ImVec2 size) {
 // ---- step
 
 void Jog::follow_unit(Frame& f) {
-  const DisplayUnit of_each = unit_of_taps(f.tab), unit = of_each.real ? of_each : common_unit(f);
+  const DisplayUnit* of_each = unit_of_taps(f.tab);
+  const DisplayUnit& unit = of_each ? *of_each : common_unit(f);
+  const UnitNames names(f.tab);
+  const std::string_view name = of_each ? names.view() : std::string_view(unit.name);
   const int many = f.tier == Tier::wide || f.catalog.axes.size() != 2 ? 5 : 4;
   const auto chosen = [&](const JogStep& step) { return step.steps == f.tab.jog_step(); };
   const bool lit = std::any_of(steps_.begin(), steps_.end(), chosen);
-  if (unit == steps_unit_ && many == steps_many_ && lit) return;
+  units_differ_ = of_each != nullptr;
+  const bool same = unit.real == steps_unit_.real && unit.per_step == steps_unit_.per_step;
+  if (same && steps_unit_.name == name && many == steps_many_ && lit) return;
   steps_unit_ = unit;
+  steps_unit_.name = name;
   steps_many_ = many;
-  steps_ = jog_steps(unit, 5);
+  steps_ = jog_steps(steps_unit_, 5);
   // Never drop the chosen one.
   if (many < 5) steps_.erase(chosen(steps_.back()) ? steps_.begin() + 1 : steps_.end() - 1);
   // A tap never moves by a step that no button shows: a step chosen in another unit is replaced by the
@@ -307,10 +317,10 @@ void Jog::draw_step(Frame& f, const JogStep& step, std::string_view label, float
   ButtonOptions o;
   o.on = step.steps == f.tab.jog_step();
   o.width = width;
-  const bool one_unit = steps_unit_ == common_unit(f);
-  o.tip = !one_unit && step.id != "step" ? "A tap moves each axis this far in its own unit."
-          : step.caption.empty()         ? std::string_view("A tap moves this far.")
-                                         : std::string_view(step.caption);
+  o.tip = units_differ_ && step.id != "step"
+              ? "A tap moves each axis this far in its own unit, at least a step."
+          : step.caption.empty() ? std::string_view("A tap moves this far.")
+                                 : std::string_view(step.caption);
   if (button(f.ui, Path("jog/step/{}", step.id), label, o).clicked)
     f.tab.choose_jog(step.steps, f.tab.jog_speed());
 }

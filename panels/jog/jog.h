@@ -9,6 +9,7 @@
 #include "panels/jog/guard_offer.h"
 #include "panels/jog/jog_speed.h"
 #include "panels/jog/jog_units.h"
+#include "panels/jog/tap_card.h"
 #include "panels/position/unit_chooser.h"
 
 namespace hw::panels {
@@ -20,15 +21,15 @@ class Jog final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
-  void draw_title(gui::Frame& frame, const Column& column);
+  void draw_title(gui::Frame& frame, const LeftColumn& column);
   void draw_reason(gui::Frame& frame, const gui::Rect& place);
   void draw_guarantee_here(gui::Frame& frame, const gui::Rect& place);
   void draw_hint_over_guarantee(gui::Frame& frame, const gui::Rect& place);
   static void show_own_units(gui::Frame& frame, const OwnUnits& own, const gui::Rect& place);
   // Each returns its height.
-  [[nodiscard]] float draw_cross(gui::Frame& frame, const Column& column);
+  [[nodiscard]] float draw_cross(gui::Frame& frame, const LeftColumn& column);
   [[nodiscard]] float draw_pairs(gui::Frame& frame);
-  [[nodiscard]] float draw_stop_and_steps(gui::Frame& frame, const Column& column);
+  [[nodiscard]] float draw_stop_and_steps(gui::Frame& frame, const LeftColumn& column);
   void draw_button(gui::Frame& frame, AxisId axis, Sign sign, float x, float y, ImVec2 size);
   void draw_stop(gui::Frame& frame, float x, float y, ImVec2 size);
   void draw_stop_again(gui::Frame& frame, float x, float y, ImVec2 size);
@@ -43,9 +44,11 @@ class Jog final : public gui::Panel {
 
   JogSpeed speed_;
   GuardOffer guard_;
+  TapCard refused_tap_;
   UnitChooser chooser_;
   std::vector<gui::JogStep> steps_;
-  gui::DisplayUnit steps_unit_;  ///< where units differ, the first axis's, with the names of all
+  gui::DisplayUnit steps_unit_;  ///< where units differ, that of unit_of_taps(), with the names of all
+  bool units_differ_ = false;
   int steps_many_ = 0;
   ImVec2 origin_{};
 };

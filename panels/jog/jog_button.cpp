@@ -1,9 +1,8 @@
 #include "panels/jog/jog_button.h"
 
-#include <cmath>
-
 #include "gui/model/tap_size.h"
 #include "gui/model/units_format.h"
+#include "panels/jog/jog_units.h"
 
 namespace hw::panels {
 
@@ -21,10 +20,8 @@ static std::string_view limit_reason(const AxisState& a, Sign sign) {
 }
 
 Path tap_and_hold(const Tab& tab, AxisId axis) {
-  DisplayUnit unit = tab.unit(axis);
-  unit.per_step = std::fabs(unit.per_step);
-  const Pps chosen = tab.jog_speed(), own = tab.now().axes[axis.index].own_speed;
-  const Pps speed = chosen.value > 0 ? chosen : own;
+  const DisplayUnit& unit = tab.units().length(axis);
+  const Pps speed = held_speed(tab, axis);
   const NumberText step = format_with_unit(tap_of(tab, axis), unit);
   if (speed.value <= 0) return Path("A tap moves it {}.", step.view());
   return Path("A tap moves it {}; held, it runs at {}.", step.view(), format_speed(speed, unit).view());
@@ -40,7 +37,7 @@ void draw_jog_button(Ui& ui, Tab& tab, AxisId axis, Sign sign, std::string_view 
   o.lit = held && held->axis == axis && held->sign == sign;
   const Hold hold = hold_button(ui, Path("jog/{}/{}", name, letter(sign)), label, o);
   const JogHold::Control control{JogHold::Hand::mouse, axis, sign};
-  if (hold.started) tab.jog.press(control, {tap_of(tab, axis), tab.jog_speed()}, hold.pressed_at_s);
+  if (hold.started) tab.jog.press(control, {tap_of(tab, axis), tab.jog_speed(axis)}, hold.pressed_at_s);
   if (hold.held) tab.jog.confirm(control);
   if (!hold.ended) return;
   if (o.disabled.empty())

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/model/tap_size.h"
+#include "gui/widgets/button.h"
+#include "gui/widgets/popup.h"
 #include "gui/widgets/slider.h"
 #include "gui/widgets/text.h"
 #include "panels/jog/jog_units.h"
 #include "panels/position/position_words.h"
+#include "panels/widget_path.h"
 
 namespace hw::panels {
 
@@ -14,6 +18,7 @@ using namespace gui;
 namespace {
 
 constexpr float slider_height = 32, number_height = 26, speed_number_width = 112;  // whatever its text
+constexpr float speeds_width = 276, speeds_side = 12, speeds_row = 32;
 
 /// The speed of the axes without a requested speed.
 struct OwnSpeed {
@@ -35,18 +40,44 @@ OwnSpeed own_speed(const Frame& f) {
   });
   return known ? own : OwnSpeed();
 }
-NumberText own_speed_words(const OwnSpeed& own, const DisplayUnit& unit) {
-  if (own.speed.value > 0 && own.alike) return format_speed(own.speed, unit);
-  NumberText words;
-  words.append(own.alike ? "not known yet" : "each its own");
-  return words;
+
+/// The user's choices for all axes.
+struct ChosenSpeed {
+  bool any = false;   ///< else each is the controller's own
+  bool alike = true;  ///< the same for all axes
+  Pps speed{};        ///< the highest that is used
+};
+ChosenSpeed chosen_speed(const Frame& f) {
+  ChosenSpeed chosen;
+  bool first = true;
+  Pps before{};
+  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
+    const Pps speed = tab.jog_speed(axis);
+    chosen.any = chosen.any || speed.value > 0;
+    chosen.alike = chosen.alike && (first || speed == before);
+    chosen.speed = std::max(chosen.speed, held_speed(tab, axis));
+    before = speed, first = false;
+  });
+  return chosen;
 }
 
-bool by_itself(const Frame& f) { return f.tab.jog_speed().value <= 0; }
+bool by_itself(const Frame& f) { return !chosen_speed(f).any; }
+/// The units or the speeds of the axes differ: they are shown and typed for each.
+bool by_axis(const Frame& f) {
+  if (unit_of_taps(f.tab)) return true;
+  const ChosenSpeed chosen = chosen_speed(f);
+  return chosen.any ? !chosen.alike : !own_speed(f).alike;
+}
+
+constexpr std::string_view each_its_own = "each its own";
 
 NumberText speed_in_words(const Frame& f) {
-  const DisplayUnit unit = common_unit(f);
-  return by_itself(f) ? own_speed_words(own_speed(f), unit) : format_speed(f.tab.jog_speed(), unit);
+  const ChosenSpeed chosen = chosen_speed(f);
+  const Pps speed = chosen.any ? chosen.speed : own_speed(f).speed;
+  NumberText words;
+  if (by_axis(f)) return words.append(each_its_own), words;
+  if (speed.value <= 0) return words.append("not known yet"), words;
+  return format_speed(speed, common_unit(f));
 }
 
 double slowest(const Frame& f) { return std::max(1.0, f.catalog.jog_speed_min.value); }
@@ -60,8 +91,8 @@ double usual(const Frame& f) {
 }
 
 void choose(Frame& f, double speed) {
-  const double wished = std::clamp(std::round(speed), slowest(f), fastest(f));
-  f.tab.choose_jog(f.tab.jog_step(), Pps(wished == std::round(usual(f)) ? 0 : wished));
+  const double requested = std::clamp(std::round(speed), slowest(f), fastest(f));
+  f.tab.choose_jog_speed(Pps(requested == std::round(usual(f)) ? 0 : requested));
 }
 
 double per_step(const DisplayUnit& unit) { return unit.real ? unit.per_step : 1; }
@@ -75,12 +106,12 @@ void draw_number_words(const Frame& f, const Rect& r, std::string_view words) {
   const Ui& ui = f.ui;
   const auto fits = [&](std::string_view s) { return text_width(ui, Face::body_bold, s) <= r.width(); };
   NumberText brief;
-  if (!fits(words) && !by_itself(f)) brief = format_brief_speed(f.tab.jog_speed(), common_unit(f));
-  if (!fits(words) && by_itself(f) && own_speed(f).speed.value > 0 && own_speed(f).alike)
-    brief = format_brief_speed(own_speed(f).speed, common_unit(f));
-  const std::string_view said = brief.view().empty() ? words : brief.view();
-  const float width = std::min(r.width(), std::ceil(text_width(ui, Face::body_bold, said)));
-  draw_text_line(ui, r.max.x - width, r.max.x + 1, r.centre().y, Face::body_bold, ui[Tone::ink], said);
+  const Pps speed = by_itself(f) ? own_speed(f).speed : chosen_speed(f).speed;
+  if (!fits(words) && words != each_its_own && speed.value > 0)
+    brief = format_brief_speed(speed, common_unit(f));
+  const std::string_view shown = brief.view().empty() ? words : brief.view();
+  const float width = std::min(r.width(), std::ceil(text_width(ui, Face::body_bold, shown)));
+  draw_text_line(ui, r.max.x - width, r.max.x + 1, r.centre().y, Face::body_bold, ui[Tone::ink], shown);
 }
 
 }  // namespace
@@ -93,19 +124,22 @@ void JogSpeed::draw_slider(Frame& f, float width) {
   o.step = 1;
   o.logarithmic = true;
   o.normal = usual(f);
-  o.tip = !by_itself(f) ? "Speed while held. A double click goes back to the controller's own."
-          : own_speed(f).alike
-              ? "Speed while held: the controller's own. Drag to choose another."
-              : "Speed while held: each axis has one of its own. Drag to choose one for all.";
+  o.tip = !by_itself(f)        ? "Speed while held. Double-click for the controller's own."
+          : own_speed(f).alike ? "Speed while held: the controller's own. Drag to choose another."
+                               : "Speed while held: each axis has its own. Drag to choose one for all.";
+  if (unit_of_taps(f.tab))
+    o.tip =
+        "Speed while held, of all axes: as many steps a second. Click the words beside it to choose it for "
+        "each axis in its own unit.";
   o.value_text = words;
   o.width = width;
-  double speed = by_itself(f) ? o.normal : f.tab.jog_speed().value;
+  double speed = by_itself(f) ? o.normal : chosen_speed(f).speed.value;
   if (slider(f.ui, "jog/speed", "Speed while held", speed, o)) choose(f, speed);
 }
 
 void JogSpeed::begin_typing(Frame& f) {
-  const DisplayUnit unit = common_unit(f);
-  const double speed = by_itself(f) ? usual(f) : f.tab.jog_speed().value;
+  const DisplayUnit& unit = common_unit(f);
+  const double speed = by_itself(f) ? usual(f) : chosen_speed(f).speed.value;
   field_.set(speed * per_step(unit), unit.real ? unit.decimals : 0);
   typing_ = true;
   was_typing_ = false;
@@ -125,18 +159,70 @@ void JogSpeed::draw_number(Frame& f, ImVec2 at, float width, float height) {
                          words,
                          {},
                          false,
-                         "Speed while held. Click to type another."},
+                         by_axis(f) ? "Speed while held, of each axis. Click to change them."
+                                    : "Speed while held. Click to type another."},
                         ImVec2(ui.px(width), ui.px(height)));
+  draw_axes(f, by_axis(f) ? t : Touch());
   const float around = ui.px(4);
   if (t.hovered || t.held)
     draw_fill(ui, {t.rect.min, ImVec2(t.rect.max.x + around, t.rect.max.y)}, ui[Tone::hover]);
   draw_number_words(f, t.rect, words);
   draw_ring(ui, t);
-  if (t.clicked) begin_typing(f);
+  if (t.clicked && !by_axis(f)) begin_typing(f);
+}
+
+/// "X [12.000] mm/s  Reset", a row for each axis.
+void JogSpeed::draw_axes(Frame& f, const Touch& opener) {
+  int axes = 0;
+  for_each_axis(f, [&](const Tab&, AxisId) { ++axes; });
+  if (!begin_popup(f.ui, "jog/speeds", opener, speeds_width, static_cast<float>(axes) + 1, true)) return;
+  fields_.resize(static_cast<std::size_t>(axes));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_line(f.ui, at.x + f.ui.px(speeds_side), at.x + f.ui.px(speeds_width),
+                 at.y + f.ui.px(speeds_row / 2), Face::body_bold, f.ui[Tone::ink], "Speed while held");
+  float y = at.y + f.ui.px(speeds_row);
+  auto field = fields_.begin();
+  for_each_axis(f, [&](Tab& tab, AxisId axis) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+    draw_axis(f, tab, axis, *field++);
+    y += f.ui.px(speeds_row);
+  });
+  ImGui::SetCursorScreenPos(ImVec2(at.x, y));
+  end_popup();
+}
+
+void JogSpeed::draw_axis(Frame& f, Tab& tab, AxisId axis, NumberField& field) {
+  Ui& ui = f.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const std::string& name = tab.catalog().axes[axis.index].name;
+  const DisplayUnit& unit = tab.units().length(axis);
+  const double k = per_step(unit);
+  draw_text_line(ui, at.x + ui.px(speeds_side), at.x + ui.px(56), at.y + ui.px(speeds_row / 2),
+                 Face::body_bold, ui[Tone::ink], name);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(60), at.y + ui.px(2)));
+  const Path per_second("{}/s", unit.name);
+  NumberOptions o;
+  o.range = {std::max(1.0, tab.catalog().jog_speed_min.value) * k, tab.catalog().jog_speed_max.value * k,
+             unit.real ? unit.decimals : 0, per_second};
+  o.width = 136, o.height = 28;
+  o.sentence_below = false;
+  if (!field.sentence.empty()) o.tip = field.sentence;
+  const double speed = held_speed(tab, axis).value;
+  const NumberEvent typed = number_field(ui, Path("jog/speed/{}", name), Path("Speed while held, {}", name),
+                                         speed > 0 ? std::optional(speed * k) : std::nullopt, field, o);
+  if (typed.committed) tab.choose_jog_speed(axis, Pps(std::round(typed.value / k)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(204), at.y + ui.px(2)));
+  ButtonOptions reset{.style = ButtonStyle::quiet, .width = 60, .height = 28};
+  reset.tip = tab.jog_speed().value > 0 ? "As chosen for all axes." : "The controller's own.";
+  reset.disabled = tab.profile.axes[axis.index].jog_speed.value > 0 ? "" : "It has no speed of its own.";
+  if (button(ui, Path("jog/speed/{}/reset", name), "Reset", reset).clicked) {
+    tab.choose_jog_speed(axis, Pps());
+    field.reset();
+  }
 }
 
 void JogSpeed::draw_field(Frame& f, float width, float height) {
-  const DisplayUnit unit = common_unit(f);
+  const DisplayUnit& unit = common_unit(f);
   const double k = per_step(unit);
   const std::string name = unit.name + "/s";
   NumberOptions o;

@@ -1,5 +1,8 @@
 #pragma once
-// Speed of a held jog: a slider, and a field behind its number for exact values.
+// Speed of a held jog: a slider for all axes, and behind its number a field for exact values, or one for each
+// axis where their units or speeds differ.
+#include <vector>
+
 #include "gui/model/units_format.h"
 #include "gui/shell/panel_entry.h"
 #include "gui/widgets/number_field.h"
@@ -19,9 +22,12 @@ class JogSpeed {
   void draw_slider(gui::Frame& frame, float width);
   void draw_number(gui::Frame& frame, ImVec2 at, float width, float height);
   void draw_field(gui::Frame& frame, float width, float height);
+  void draw_axes(gui::Frame& frame, const gui::Touch& opener);
+  static void draw_axis(gui::Frame& frame, gui::Tab& tab, AxisId axis, gui::NumberField& field);
   void begin_typing(gui::Frame& frame);
 
   gui::NumberField field_;
+  std::vector<gui::NumberField> fields_;  ///< of the axes
   bool typing_ = false, was_typing_ = false;
 };
 

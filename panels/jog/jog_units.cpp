@@ -1,7 +1,6 @@
 #include "panels/jog/jog_units.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "gui/model/tap_size.h"
@@ -12,57 +11,73 @@ using namespace gui;
 namespace {
 
 /// The controllers' own unit: no word if some count pulses and others counts.
-DisplayUnit counted_by_all(const Frame& f) {
-  DisplayUnit unit;
-  bool first = true;
-  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
-    const Catalog& c = tab.catalog();
-    const bool in_counts = !c.loop_word.empty() && tab.now().axes[axis.index].in_counts;
-    const std::string& word = in_counts ? c.loop_word : c.step_word;
-    if (std::exchange(first, false))
-      unit.name = word;
-    else if (unit.name != word)
-      unit.name.clear();
-  });
-  return unit;
+const DisplayUnit& counted_by_all(const Frame& f) {
+  static const DisplayUnit mixed{"", 1, 0, false};
+  const DisplayUnit& first = f.tab.units().counted(AxisId{0});
+  bool same = true;
+  for_each_axis(
+      f, [&](const Tab& tab, AxisId axis) { same = same && tab.units().counted(axis).name == first.name; });
+  return same ? first : mixed;
 }
 
 }  // namespace
 
-DisplayUnit common_unit(const Frame& f) {
-  DisplayUnit unit = f.tab.unit(AxisId{0});
-  unit.per_step = std::fabs(unit.per_step);
+const DisplayUnit& common_unit(const Frame& f) {
+  const DisplayUnit& unit = f.tab.units().length(AxisId{0});
   bool same = unit.real;
   for_each_axis(f, [&](const Tab& tab, AxisId axis) {
-    const DisplayUnit& other = tab.unit(axis);
-    same = same && other.real && other.name == unit.name && std::fabs(other.per_step) == unit.per_step;
+    const DisplayUnit& other = tab.units().length(axis);
+    same = same && other.real && other.name == unit.name && other.per_step == unit.per_step;
   });
   return same ? unit : counted_by_all(f);
 }
 
-OwnUnits::OwnUnits(const Frame& f) {
-  bool some_real = false;
-  for_each_axis(f, [&](const Tab& tab, AxisId axis) { some_real = some_real || tab.unit(axis).real; });
-  if (!some_real || common_unit(f).real) return;
-  const auto list = [&](std::string_view head, const auto& words_of) {
-    append(head);
-    std::string_view before = ": ";
-    for_each_axis(f, [&](const Tab& tab, AxisId axis) {
-      DisplayUnit unit = tab.unit(axis);
-      unit.per_step = std::fabs(unit.per_step);
-      append(std::exchange(before, ", "));
-      append(tab.catalog().axes[axis.index].name);
-      append(" ");
-      append(words_of(tab, axis, unit));
-    });
-    append(".");
-  };
-  list("A tap", [](const Tab& tab, AxisId axis, const DisplayUnit& unit) {
-    return format_with_unit(tap_of(tab, axis), unit);
+Pps held_speed(const Tab& tab, AxisId axis) {
+  const Pps chosen = tab.jog_speed(axis);
+  return chosen.value > 0 ? chosen : tab.now().axes[axis.index].own_speed;
+}
+
+/// "X 0.250 mm, others 1 step": what the first or the last axis shares with most stands once.
+template <class Words>
+void OwnUnits::list(const Frame& f, std::string_view head, const Words& words_of) {
+  NumberText first, last;
+  int axes = 0, like_first = 0, like_last = 0;
+  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
+    last = words_of(tab, axis);
+    if (axes++ == 0) first = last;
   });
-  list(" Held", [](const Tab& tab, AxisId axis, const DisplayUnit& unit) {
-    const Pps chosen = tab.jog_speed(), own = tab.now().axes[axis.index].own_speed;
-    return format_speed(chosen.value > 0 ? chosen : own, unit);
+  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
+    const NumberText words = words_of(tab, axis);
+    like_first += words.view() == first.view();
+    like_last += words.view() == last.view();
+  });
+  const int shared = std::max(like_first, like_last);
+  const NumberText& common = like_first > like_last ? first : last;
+  append(head);
+  std::string_view before = ": ";
+  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
+    const NumberText words = words_of(tab, axis);
+    if (shared > 1 && words.view() == common.view()) return;
+    append(std::exchange(before, ", "));
+    append(tab.catalog().axes[axis.index].name);
+    append(" ");
+    append(words);
+  });
+  if (shared > 1) {
+    append(before);
+    append(shared == axes ? "all " : "others ");
+    append(common);
+  }
+  append(".");
+}
+
+OwnUnits::OwnUnits(const Frame& f) {
+  if (!unit_of_taps(f.tab)) return;
+  list(f, "A tap", [](const Tab& tab, AxisId axis) {
+    return format_with_unit(tap_of(tab, axis), tab.units().length(axis));
+  });
+  list(f, " Held", [](const Tab& tab, AxisId axis) {
+    return format_speed(held_speed(tab, axis), tab.units().length(axis));
   });
 }
 

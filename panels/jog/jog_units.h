@@ -13,26 +13,30 @@ namespace hw::panels {
 /// Acts on everything that steps and speed apply to: on a bus the axes of all its devices.
 template <class Act>
 void for_each_axis(const gui::Frame& f, Act act) {
-  const auto of = [&](const gui::Tab& tab) {
+  const auto of = [&](gui::Tab& tab) {
     for (std::size_t i = 0; i < tab.catalog().axes.size(); ++i)
       act(tab, AxisId{static_cast<std::uint8_t>(i)});
   };
   if (!f.tab.bus) return of(f.tab);
-  for (const gui::Tab* member : f.tab.bus->members) of(*member);
+  for (gui::Tab* member : f.tab.bus->members) of(*member);
 }
 
 /// For steps and speed of all axes: the real unit they have in common, without the sign of axes that count
 /// against their steps; else the controllers' own unit.
-[[nodiscard]] gui::DisplayUnit common_unit(const gui::Frame& frame);
+[[nodiscard]] const gui::DisplayUnit& common_unit(const gui::Frame& frame);
+/// Of a held jog: the user's choice, else the controller's own; 0: not known.
+[[nodiscard]] Pps held_speed(const gui::Tab& tab, AxisId axis);
 
-/// "A tap: X 0.250 mm, Y 1.80\u00B0. Held: X 2.500 mm/s, Y 18.00\u00B0/s." where the axes have units of their
-/// own that differ; else empty. On the stack.
+/// "A tap: X 0.250 mm, others 1.80\u00B0. Held: X 2.500 mm/s, others 18.00\u00B0/s." where the axes have
+/// units of their own that differ; else empty. On the stack.
 class OwnUnits {
  public:
   explicit OwnUnits(const gui::Frame& frame);
   [[nodiscard]] std::string_view view() const { return {bytes_.data(), size_}; }
 
  private:
+  template <class Words>
+  void list(const gui::Frame& frame, std::string_view head, const Words& words_of);
   void append(std::string_view text);
 
   std::array<char, 320> bytes_;

@@ -35,7 +35,7 @@ Rect draw_power_switches(Frame& f, const Rect& place, std::uint32_t axes) {
   const bool several = std::popcount(axes) > 1;
   ButtonOptions o;
   o.height = 28;
-  o.tip = "Gives the motor its current. It holds then, and can be moved.";
+  o.tip = "Switches the motor's current on: it holds, and can move.";
   o.width = several ? 28 : button_width(ui, "Switch on", o);
   const float top = std::floor(place.centre().y - ui.px(o.height / 2));
   Rect left = place;

@@ -69,13 +69,16 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
   list->AddRectFilled(whole.min, whole.max, ui[Tone::well]);
   const bool flat = !subject.axes.third;
   const float row = flat ? 0 : draw_standard_views(f, id, width);
-  const Rect in{
-      ImVec2(corner.x + ui.px(flat ? left_margin : right_margin), corner.y + ui.px(flat ? top_margin : row)),
-      ImVec2(whole.max.x - ui.px(right_margin), whole.max.y - ui.px(flat ? bottom_margin : right_margin))};
+  Rect in = view_in(ui, whole, flat, row);
   if (in.width() >= ui.px(40) && in.height() >= ui.px(40)) {
     if (!subject.own) trace_.follow(f, subject.axes);
     const KnownLimits limits = limits_of(f, subject);
     place(f, subject, limits, in);
+    if (const float wide = flat ? width_of_numbers(ui, view_) / ui.scale : 0; wide > numbers_) {
+      numbers_ = wide;
+      in = view_in(ui, whole, flat, row);
+      place(f, subject, limits, in);
+    }
     touch(f, id, subject, in);
     progress_.follow(subject);
     backdrop_.follow(f, {subject, trace_.path(), view_, progress_.done(), grip_.turned});
@@ -96,6 +99,17 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
     if (!subject.path && trace_.path().runs.empty()) draw_hint(ui, in, subject.none);
   }
   ImGui::SetCursorScreenPos(ImVec2(corner.x, whole.max.y));
+}
+
+/// The ruler on the left is as wide as its numbers, unless they would leave no room for the path.
+Rect PathCanvas::view_in(const Ui& ui, const Rect& whole, bool flat, float row) const {
+  constexpr float around_numbers = 14, most_of_it = 0.4f;
+  const float numbers =
+      std::min(std::max(left_margin, numbers_ + around_numbers), whole.width() / ui.scale * most_of_it);
+  const float left = flat ? numbers : right_margin, top = flat ? top_margin : row,
+              bottom = flat ? bottom_margin : right_margin;
+  return {ImVec2(whole.min.x + ui.px(left), whole.min.y + ui.px(top)),
+          ImVec2(whole.max.x - ui.px(right_margin), whole.max.y - ui.px(bottom))};
 }
 
 void PathCanvas::place(Frame& f, const PathSubject& s, const KnownLimits& limits, const Rect& in) {
@@ -125,8 +139,8 @@ void PathCanvas::touch(Frame& f, std::string_view id, const PathSubject& s, cons
                    format_number(view_.per_px().x, decimals_of(view_.per_px().x / 1000)).view(),
                    unit_name(s, directions_of(f, s.axes).all[0]));
   const Path looked("turned {:.0f}, tilted {:.0f}, {}", looking_.turn, looking_.tilt, scale.view());
-  const std::string_view said = !s.words.empty() ? s.words : view_.flat() ? scale.view() : looked.view();
-  const Touch t = gui::touch(ui, {id, Kind::slider, "Path", said}, ImVec2(in.width(), in.height()));
+  const std::string_view sentence = !s.words.empty() ? s.words : view_.flat() ? scale.view() : looked.view();
+  const Touch t = gui::touch(ui, {id, Kind::slider, "Path", sentence}, ImVec2(in.width(), in.height()));
   const ImGuiIO& io = ImGui::GetIO();
   const drawing::Point mouse{io.MousePos.x - in.min.x, io.MousePos.y - in.min.y};
   grip_.turned = false;

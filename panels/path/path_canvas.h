@@ -34,7 +34,10 @@ class PathCanvas {
   /// `id/side`, `id/iso`.
   void draw(gui::Frame& frame, std::string_view id, const PathSubject& subject, float width, float height);
   /// Fits all of it into the next frame.
-  void fit() { fitted_ = moved_ = with_limits_ = false; }
+  void fit() {
+    fitted_ = moved_ = with_limits_ = false;
+    numbers_ = 0;
+  }
   /// The same, with all known limits.
   void fit_limits() {
     fit();
@@ -71,6 +74,7 @@ class PathCanvas {
     int pans_with = 0;      ///< button pressed on it, other than the left; 0: none
     bool turned = false;    ///< in this frame
   };
+  [[nodiscard]] gui::Rect view_in(const gui::Ui& ui, const gui::Rect& whole, bool flat, float row) const;
   void place(gui::Frame& frame, const PathSubject& subject, const KnownLimits& limits, const gui::Rect& in);
   void touch(gui::Frame& frame, std::string_view id, const PathSubject& subject, const gui::Rect& in);
   void drag(const gui::Touch& touch, const PathSubject& subject);
@@ -87,6 +91,7 @@ class PathCanvas {
   drawing::Box3 all_;                                 ///< of everything shown
   bool fitted_ = false, moved_ = false;               ///< moved: by hand, so a new path keeps the view
   bool with_limits_ = false;                          ///< `all_` includes them
+  float numbers_ = 0;                                 ///< widest number left of the view since fit(); logical
   std::shared_ptr<const drawing::ToolPath> fitted_to_;
   Click click_;
   PathMeasure measure_;

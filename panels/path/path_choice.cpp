@@ -51,15 +51,15 @@ void PathChoice::draw(Frame& f, float top) {
   };
   if (axis_names_.size() > 1) {
     choose("path/right", "To the right", right_names_, right_,
-           "Which axis goes to the right; or time, and the other is seen over it.");
-    choose("path/up", "Upwards", axis_names_, up_, "Which axis goes upwards; of three axes, to the back.");
+           "Axis to the right; or time, with the other axis over it.");
+    choose("path/up", "Upwards", axis_names_, up_, "Axis upwards; with three axes, to the back.");
   }
   if (!third_names_.empty() && !axes().over_time)
-    choose("path/third", "Third", third_names_, third_, "With a third axis it is seen in perspective.");
+    choose("path/third", "Third", third_names_, third_, "A third axis is shown in perspective.");
   if (tool_names_.size() > 2)
-    choose("path/tool", "Tool", tool_names_, tool_,
-           "What switches the pen or laser: as in the blocks or the drawing that the program was written "
-           "from, or this output.");
+    choose(
+        "path/tool", "Tool", tool_names_, tool_,
+        "The output of the pen or laser: as in the blocks or the drawing behind the program, or this one.");
 }
 
 }  // namespace hw::panels

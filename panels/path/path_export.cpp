@@ -123,7 +123,7 @@ void PathExport::draw_button(Frame& f, std::string_view label, bool can) {
   if (button(f.ui, "path/save", label,
              {.style = ButtonStyle::quiet,
               .disabled = can ? "" : "There is no path yet.",
-              .tip = "All that is shown, as SVG in the units of the axes, or as PNG.",
+              .tip = "Saves the picture as SVG in the units of the axes, or as PNG.",
               .height = 40})
           .clicked)
     dialog_.ask_save("Save the path", dialog_.folder() / "path.svg", {".svg", ".png"});

@@ -24,6 +24,11 @@ double step_over(double range, float px, float apart_px) {
 
 namespace {
 
+double step_up(const Ui& ui, const drawing::PathView& view) {
+  const double range = view.from_px({0, 0}).y - view.from_px({0, view.height_px()}).y;
+  return step_over(range, static_cast<float>(view.height_px()), ui.px(50));
+}
+
 bool is_zero(double v, double step) { return std::fabs(v) < step * 1e-6; }
 
 Path axis_and_unit(const PathGround& g, std::size_t direction) {
@@ -39,8 +44,7 @@ void draw_rulers(const PathGround& g) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const Point3 low = g.view.from_px({0, g.view.height_px()}), high = g.view.from_px({g.view.width_px(), 0});
   const auto tone = [&](double v, double step) { return ui[is_zero(v, step) ? Tone::edge : Tone::line]; };
-  const double across = step_over(high.x - low.x, in.width(), ui.px(90)),
-               up = step_over(high.y - low.y, in.height(), ui.px(50));
+  const double across = step_over(high.x - low.x, in.width(), ui.px(90)), up = step_up(ui, g.view);
   const float name_begins = whole.max.x - text_width(ui, Face::small, axis_and_unit(g, 0)) - ui.px(16);
   for (double v = std::ceil(low.x / across) * across; v <= high.x; v += across) {
     const float x = std::floor(g.at({v, 0}).x);
@@ -111,6 +115,15 @@ void draw_floor(const PathGround& g) {
 }
 
 }  // namespace
+
+float width_of_numbers(const Ui& ui, const drawing::PathView& view) {
+  const double up = step_up(ui, view);
+  float widest = 0;
+  for (const double edge : {std::ceil(view.from_px({0, view.height_px()}).y / up) * up,
+                            std::floor(view.from_px({0, 0}).y / up) * up})
+    widest = std::max(widest, text_width(ui, Face::small, format_number(edge, decimals_of(up))));
+  return std::ceil(widest);
+}
 
 void draw_origin(const PathGround& g) {
   if (g.view.flat()) return;

@@ -98,7 +98,8 @@ void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s
   if (!program.path()) {
     if (program.under_way()) return;
     return wrapped(ui, Face::body, Tone::ink2,
-                   s.axes.over_time ? "This axis does not move in it." : "These axes do not move in it.");
+                   s.axes.over_time ? "This axis does not move in the program."
+                                    : "These axes do not move in the program.");
   }
   const ProgramPath::Facts& facts = program.facts();
   draw_size(ui, facts.size, ui.px(f.area.right() - 16));
@@ -124,7 +125,7 @@ void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s
   }
   if (facts.every > 1) {
     gap(ui, 8);
-    const Path thinned("It is long: one in {} places is shown.", facts.every);
+    const Path thinned("The path is long: one in {} places is shown.", facts.every);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     wrapped(ui, Face::body, Tone::warn, thinned);
     show(ui, {"path/thinned", Kind::text, "Thinned", thinned},

@@ -23,6 +23,8 @@ int decimals_of(double step);
 /// A round spacing for lines over this range of so many pixels, at least `apart_px` apart.
 double step_over(double range, float px, float apart_px);
 
+/// Of the widest number on the ruler of the second axis; px.
+float width_of_numbers(const gui::Ui& ui, const drawing::PathView& view);
 /// Two axes: rulers at the border and lines across the view. Three: numbered lines on the floor of the box.
 void draw_grid(const PathGround& ground);
 /// Three axes: the origin and name of each, over everything else.

@@ -160,7 +160,7 @@ std::string_view ProgramPath::why_not_rehearse() const {
     const Tab& tab = *made_.parts[n].tab;
     if (const auto why = why_not_rehearse_now(tab.now(), tab.catalog()); !why.empty()) return why;
   }
-  return under_way() ? "It is being calculated." : "";
+  return under_way() ? "Calculating." : "";
 }
 
 // ---- the path
@@ -313,10 +313,10 @@ bool ProgramPath::older() const {
 /// Passes that the controller makes without a break are one run, so they cannot be told apart.
 std::optional<int> ProgramPath::pass_of(std::size_t run) const {
   const std::vector<drawing::ToolPath::Run>& runs = path_->runs;
-  const bool told = std::any_of(runs.begin(), runs.end(), [&](const drawing::ToolPath::Run& r) {
+  const bool reported = std::any_of(runs.begin(), runs.end(), [&](const drawing::ToolPath::Run& r) {
     return r.source == runs[run].source && r.pass > 0;
   });
-  return told ? std::optional(runs[run].pass) : std::nullopt;
+  return reported ? std::optional(runs[run].pass) : std::nullopt;
 }
 
 int ProgramPath::source_at_work() const {

@@ -41,14 +41,14 @@ int first_step_of(const std::vector<Pieces>& parts) {
 
 std::string_view why_not_run_drawn(const Frame& f, const DrawnTogether& drawn) {
   if (!draws_together(f) || !drawn.sequence) return "There is no drawing.";
-  if (pieces_of(f).running) return "It is being drawn. Stop it first.";
+  if (pieces_of(f).running) return "Stop it first: it is being drawn.";
   for (const sequence::Axis& axis : drawn.sequence->axes) {
     const int place = f.catalog.find_axis(axis.name);
     if (place < 0) return "One of its axes is not on this bus.";
     Tab& owner = owner_of(f, place);
     if (const std::string_view why = why_no_pieces(owner); !why.empty()) return why;
     if (!owner.now().axes[0].position_known)
-      return "The position of one of its axes is not known. Home it, or say where it stands.";
+      return "The position of one of its axes is not known. Home it, or set its position.";
   }
   return {};
 }
@@ -75,14 +75,14 @@ void RunDrawnFrom::take(Frame& f, Result<Parts> parts) {
 void RunDrawnFrom::say(const Frame& f) {
   const sequence::Sequence& of = *drawn_.sequence;
   const int first = first_step_of(parts_);
-  question_ = fmt::format("The axes stand here: {}.\n", said_places(f, of, drawn_from(f, of)));
-  if (const std::string to = said_places(f, of, sequence::places_before(of, {ix(first)})); !to.empty())
+  question_ = fmt::format("The axes stand here: {}.\n", places_in_words(f, of, drawn_from(f, of)));
+  if (const std::string to = places_in_words(f, of, sequence::places_before(of, {ix(first)})); !to.empty())
     question_ += fmt::format("First, with the tool off: to {}.\n", to);
   question_ += fmt::format("Then step {} of {}", first + 1, drawn_.name);
   if (ix(first) < of.steps.size())
     question_ += fmt::format(", {} {}", sequence::title_of(of.steps[ix(first)].body),
                              sequence::summary_of(of.steps[ix(first)].body, of));
-  question_ += ", and all behind it.";
+  question_ += ", and everything after it.";
   if (!parts_.empty() && !parts_.front().remark.empty()) question_ += "\n" + parts_.front().remark;
 }
 

@@ -61,7 +61,7 @@ PathSubject ToolPath::subject_of(const Frame& f) const {
   PathSubject subject;
   subject.path = program_.path(), subject.commanded = program_.commanded();
   subject.none = program_.under_way() ? "The path is being calculated."
-                                      : "Simulate shows where the program goes. What moves leaves a trace.";
+                                      : "Simulate shows the path of the program. Moving axes leave a trace.";
   subject.axes = choice_.axes();
   subject.lit = at_work >= 0 ? at_work : hit_.source;
   subject.lit_count = at_work >= 0 ? 1 : hit_.count;
@@ -109,6 +109,7 @@ void ToolPath::draw_all(Frame& f) {
   if (asked > 0) draw_overwrite_question(f, bottom, asked);
   export_.draw_dialog(f, subject, canvas_);
   run_from_.draw_dialog(f, "path");
+  if (std::string why = run_from_.take_refusal(); !why.empty()) f.toast(Severity::warn, std::move(why));
   run_drawn_.draw_dialog(f, "path");
 }
 
@@ -145,7 +146,8 @@ void ToolPath::say_measure(const Frame& f) {
   const PathMeasure& measure = canvas_.measured();
   const auto way = measure.way();
   if (!way)
-    return hit_.words.assign(measure.from ? "Click where to measure to." : "Click where to measure from."),
+    return hit_.words.assign(measure.from ? "Click the end of the distance."
+                                          : "Click the start of the distance."),
            void();
   hit_.words = place_text(f, *way);
   const PathAxes axes = choice_.axes();
@@ -226,7 +228,7 @@ void ToolPath::draw_view_tools(Frame& f) {
   if (tool("path/nearer", "+", "Nearer. On the picture: +, or the wheel.")) canvas_.zoom(1.5);
   if (tool("path/further", "\u2212", "Further away. On the picture: -, or the wheel.")) canvas_.zoom(1 / 1.5);
   const bool brief = f.area.width < 900;
-  if (tool("path/forget", brief ? "Forget" : "Forget trace", "Forgets where the axes have been so far."))
+  if (tool("path/forget", brief ? "Forget" : "Forget trace", "Clears the trace of the axes."))
     for (const Direction& d : directions_of(f, seen.axes))
       if (d.tab) d.tab->desk().trace.clear();
   const std::string_view save = brief ? "Save" : "Save picture";
@@ -243,10 +245,10 @@ void ToolPath::draw_hit(Frame& f, float width) {
   const float middle = std::floor(row.centre().y);
   float right = row.max.x - ui.px(16);
   draw_hit_links(f, right, std::floor(middle - ui.line(Face::small) / 2));
-  const std::string_view said =
-      hit_.words.empty() ? std::string_view("Click the path: this line names what draws it.") : hit_.words;
+  const std::string_view sentence =
+      hit_.words.empty() ? std::string_view("Click the path to see its line here.") : hit_.words;
   draw_text_line(ui, row.min.x + ui.px(16), right, middle, Face::body,
-                 ui[hit_.words.empty() ? Tone::ink3 : Tone::ink], said);
+                 ui[hit_.words.empty() ? Tone::ink3 : Tone::ink], sentence);
   show(ui, {"path/hit", Kind::text, "Clicked", hit_.words}, {row.min, ImVec2(right, row.max.y)});
   ImGui::SetCursorScreenPos(ImVec2(corner.x, row.max.y));
 }

@@ -9,6 +9,7 @@
 #include "panels/jog/jog_button.h"
 #include "panels/measures.h"
 #include "panels/position/position_words.h"
+#include "panels/position/travel_bar.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -89,6 +90,7 @@ AxisLineTouch draw_axis_line(Ui& ui, Tab& tab, AxisId axis, const AxisLine& line
   touched.pressed = t.clicked;
   touched.number = draw_number(ui, tab, axis, line, r.min.x + name, right, r.min.y);
   touched.aside = {ImVec2(state_end + ui.px(8), middle - ui.px(8)), ImVec2(right, middle + ui.px(8))};
+  draw_travel_line(ui, tab, axis, ImVec2(r.min.x, r.max.y - ui.px(2)), right - r.min.x);
   ImGui::SetCursorScreenPos(ImVec2(at.x, t.rect.max.y));
   return touched;
 }

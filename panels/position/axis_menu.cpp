@@ -48,7 +48,7 @@ void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
       const char* words = clearing->stops_all() ? "Stop, to clear its error"
                           : clearing->of_all    ? "Clear the flags of all axes"
                                                 : "Clear its error";
-      if (popup_row(f.ui, Path("dro/{}/menu/clear", info.name), words)) f.send(clearing->wish);
+      if (popup_row(f.ui, Path("dro/{}/menu/clear", info.name), words)) f.send(clearing->request);
       popup_line(f.ui);
     }
     draw_position_rows(f, axis);
@@ -78,7 +78,7 @@ void AxisMenu::draw_position_rows(Frame& f, AxisId axis) {
   if (popup_row(f.ui, Path("dro/{}/copy", name), "Copy this number"))
     ImGui::SetClipboardText(
         std::string(format_position(f.now.axes[axis.index].position, unit).view()).c_str());
-  if (popup_row(f.ui, Path("dro/{}/zero", name), "Here is zero", {}, false, why))
+  if (popup_row(f.ui, Path("dro/{}/zero", name), "Set zero here", {}, false, why))
     f.send(intent::SetPosition(axis.index));
   if (!set_field(f, Path("dro/{}/set", name), "It stands at", position_, unit, why)) return;
   const auto value = parse_position(position_, unit);
@@ -96,6 +96,7 @@ void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
   const AxisState& state = f.now.axes[axis.index];
   Travel travel = f.tab.profile.axes[axis.index].travel;
   const Travel before = travel;
+  bool touched = false;
   for (const Sign sign : {Sign::minus, Sign::plus}) {
     const ImVec2 at(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y + ui.px(4));
     draw_text_line(ui, at.x, at.x + ui.px(60), at.y + ui.px(16), Face::body, ui[Tone::ink],
@@ -108,27 +109,29 @@ void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
     o.range.unit = unit.name;
     o.width = 108;
     o.sentence_below = false;
-    o.tip = "Jogs, moves and lists of the console do not go beyond it. Commands that are typed do.";
+    o.tip = "Jogs, moves and lists of the console stay within it. Typed commands do not.";
     const std::optional<double> shown = has ? std::optional(from_steps(end, unit)) : std::nullopt;
     const NumberEvent typed = number_field(ui, Path("dro/{}/limit/{}", name, letter(sign)), "Limit", shown,
                                            limits_[sign == Sign::minus ? 0 : 1], o);
-    if (typed.committed) has = true, end = to_steps(typed.value, unit);
+    if (typed.committed) touched = has = true, end = to_steps(typed.value, unit);
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(172), at.y));
-    ButtonOptions small{.style = ButtonStyle::quiet, .tip = "The limit lies where the axis stands now."};
+    ButtonOptions small{.style = ButtonStyle::quiet, .tip = "Sets the limit at the present position."};
     small.disabled = state.position_known && !state.trust.doubtful() ? "" : "Its position is not known.";
     small.width = 44;
     if (button(ui, Path("dro/{}/limit/{}/here", name, letter(sign)), "Here", small).clicked)
-      has = true, end = state.commanded();
+      touched = has = true, end = state.commanded();
     ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(216), at.y));
     small.tip = "No limit at this end.";
     small.disabled = has ? "" : "None is set.";
-    if (button(ui, Path("dro/{}/limit/{}/none", name, letter(sign)), "None", small).clicked) has = false;
+    if (button(ui, Path("dro/{}/limit/{}/none", name, letter(sign)), "None", small).clicked)
+      touched = true, has = false;
     ImGui::SetCursorScreenPos(ImVec2(at.x - ui.px(12), at.y + ui.px(36)));
   }
+  if (touched) f.withdraw(&limits_);
   if (travel == before) return;
   travel.in_counts = state.in_counts;
-  if (const std::string why = describe_no_travel(f.catalog, intent::SetTravel(axis, travel)); !why.empty())
-    return f.toast(Severity::fault, why);
+  const std::string why = describe_no_travel(f.catalog, intent::SetTravel(axis, travel), f.tab.place_words());
+  if (!why.empty()) return f.toast(Severity::fault, why, &limits_);
   for (NumberField& field : limits_) field.reset();
   f.tab.profile.axes[axis.index].travel = travel;
   f.tab.profile_edited();
@@ -150,15 +153,15 @@ void AxisMenu::draw_backlash_row(Frame& f, AxisId axis) {
   o.width = 100;
   o.sentence_below = false;
   o.tip =
-      "A move of the console that would end the other way goes this far past its target and comes back. 0: "
-      "off.";
+      "Moves of the console that would end in the other direction go this far past their target and come "
+      "back. 0: off.";
   const double sense = unit.per_step < 0 ? -1 : 1;
   const NumberEvent typed = number_field(ui, Path("dro/{}/backlash", name), "Backlash",
                                          from_steps(backlash.by, unit) * sense, backlash_, o);
   if (typed.committed) backlash.by = to_steps(typed.value * sense, unit);
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(172), at.y));
-  ButtonOptions way{.style = ButtonStyle::quiet, .tip = "The way in which every move ends, in steps."};
-  way.disabled = backlash.by > Steps(0) ? "" : "Type first how far a move goes past its target.";
+  ButtonOptions way{.style = ButtonStyle::quiet, .tip = "Direction in which every move ends, in steps."};
+  way.disabled = backlash.by > Steps(0) ? "" : "Type the distance past the target first.";
   way.width = 88;
   const bool plus = backlash.last == Sign::plus;
   if (button(ui, Path("dro/{}/backlash/way", name), plus ? "Ends in +" : "Ends in \u2212", way).clicked)

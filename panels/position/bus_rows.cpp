@@ -77,14 +77,16 @@ void BusRows::draw_summary(Frame& f, float width) {
   ButtonOptions o;
   o.style = ButtonStyle::quiet;
   o.height = 28;
-  o.tip = "Copy its position, make it zero, or say where it stands.";
+  o.tip = "Copy its position, set it to zero, or set it.";
   const Path label("Set {}", f.tab.id());
   o.width = button_width(ui, label, o);
   const float left = at.x + ui.px(width - o.width);
   const Path shows("Show {}", first ? first->id() : "");
   const float end = left - (first ? std::ceil(text_width(ui, Face::small, shows)) + ui.px(12) : 0);
+  const Path brief("trouble: {}", trouble);
+  const bool fits = !first || text_width(ui, Face::small, words) <= end - at.x;
   draw_text_line(ui, at.x, end, at.y + ui.px(height / 2 - 2), Face::small,
-                 ui[first ? Tone::warn : Tone::ink2], words);
+                 ui[first ? Tone::warn : Tone::ink2], fits ? words : brief.view());
   show(ui, {"bus/summary", Kind::text, "Bus", words, {}, false, words},
        {at, ImVec2(end, at.y + ui.px(height))});
   ImGui::SetCursorScreenPos(ImVec2(end + ui.px(8), at.y + ui.px(6)));

@@ -26,9 +26,9 @@ class FormLine {
   FormLine(const FormLine&) = delete;
   FormLine& operator=(const FormLine&) = delete;
 
-  void words(float x, std::string_view said) const {
+  void words(float x, std::string_view sentence) const {
     draw_text_line(f_.ui, at_.x + f_.ui.px(x), at_.x + f_.ui.px(x + 120), at_.y + f_.ui.px(16), Face::small,
-                   f_.ui[Tone::ink2], said);
+                   f_.ui[Tone::ink2], sentence);
   }
   void go_to(float x) const { ImGui::SetCursorScreenPos(ImVec2(at_.x + f_.ui.px(x), at_.y)); }
   NumberEvent number(float x, float width, std::string_view id, std::string_view label, NumberField& field,
@@ -55,11 +55,11 @@ class FormLine {
 }  // namespace
 
 bool OwnUnitForm::draw(Frame& f, AxisId axis, OwnUnit& own) {
-  const bool told = draw_step(f, axis, own);
+  const bool reported = draw_step(f, axis, own);
   const bool by_drive = draw_drive(f, axis, own);
   const bool measured = draw_points(f, axis, own);
   if (by_drive || measured) step_.reset();
-  return told || by_drive || measured;
+  return reported || by_drive || measured;
 }
 
 /// "1 step = [0.0025] [mm]"
@@ -89,11 +89,12 @@ bool OwnUnitForm::draw_drive(Frame& f, AxisId axis, OwnUnit& own) {
   line.words(236, "gear");
   line.number(264, 52, "gear", "Turns of the motor for one of the screw", gear_, std::nullopt, 6);
   line.words(322, "goes");
-  line.number(354, 54, "travel", "Way of one turn", travel_, std::nullopt, 6);
+  line.number(354, 54, "travel", "Distance of one turn", travel_, std::nullopt, 6);
   const double steps = full_.value().value_or(200) * micro_.value().value_or(1) * gear_.value().value_or(1);
   const auto travel = travel_.value();
   const bool known = travel && *travel != 0 && steps > 0;
-  if (!line.use(412, "drive", known ? "" : "Type how far one turn goes. Steps per turn: 200 if left empty."))
+  if (!line.use(412, "drive",
+                known ? "" : "Type the distance of one turn. Steps per turn: 200 if left empty."))
     return false;
   own.per_step = std::abs(*travel) / steps;
   return true;
@@ -111,7 +112,7 @@ bool OwnUnitForm::draw_points(Frame& f, AxisId axis, OwnUnit& own) {
   const Steps steps = taken ? *points_[1].steps - *points_[0].steps : Steps();
   const bool known = taken && steps != Steps(0) && *to != *from;
   if (!line.use(412, "measured",
-                known ? "" : "Type what you measure and press Here, move the axis, and do it again."))
+                known ? "" : "Type the measured position and press Here; move the axis and repeat."))
     return false;
   own.per_step = (*to - *from) / static_cast<double>(steps.value);
   return true;
@@ -128,7 +129,7 @@ void OwnUnitForm::draw_point(Frame& f, AxisId axis, Point& point, std::string_vi
   ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(x), at.y));
   number_field(f.ui, Path("dro/unit/own/{}/{}", name, id), "Measured place", std::nullopt, point.place, o);
   ImGui::SetCursorScreenPos(ImVec2(at.x + f.ui.px(x + 88), at.y));
-  ButtonOptions here{.tip = "The axis stands there now.", .width = 50, .on = point.steps.has_value()};
+  ButtonOptions here{.tip = "The axis is there now.", .width = 50, .on = point.steps.has_value()};
   here.disabled = !state.position_known          ? "Its count is not known."
                   : f.now.axis_moves(axis.index) ? "It moves."
                                                  : "";

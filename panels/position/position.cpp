@@ -50,9 +50,9 @@ constexpr float encoder_slot = 112;
 /// A unit common to all axes stands in the title of the column if it is a word: many numbers need the room.
 std::string_view unit_beside(const Frame& f, AxisId axis) {
   const DisplayUnit& unit = f.tab.unit(axis);
-  const bool said =
+  const bool text =
       (!in_strip(f) || as_lines(f)) && !unit.real && f.catalog.axes.size() > 2 && unit.name == shown_unit(f);
-  return said ? std::string_view() : std::string_view(unit.name);
+  return text ? std::string_view() : std::string_view(unit.name);
 }
 
 /// One size for all axes, so that their decimal points stay aligned.
@@ -98,7 +98,7 @@ void Position::draw_column(Frame& f) {
   draw_title(f);
   if (as_lines(f)) return draw_lines(f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Column column = column_of(f);
+  const LeftColumn column = column_of(f);
   const Face face = face_for_all(f, wanted_face(f), f.area.width);
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
     const float top = at.y + f.ui.px(column.block() * static_cast<float>(i));
@@ -106,6 +106,9 @@ void Position::draw_column(Frame& f) {
     group_line(f.ui, 0);
     ImGui::SetCursorScreenPos(ImVec2(at.x, top + f.ui.px(column.above)));
     draw_axis(f, axis_id(i), f.area.width, face, column);
+    if (column.travel == 0)
+      draw_travel_line(f.ui, f.tab, axis_id(i), ImVec2(at.x, top + f.ui.px(column.block() - 2)),
+                       f.ui.px(f.area.width));
   }
   const float end = at.y + f.ui.px(column.block() * static_cast<float>(f.catalog.axes.size()));
   ImGui::SetCursorScreenPos(ImVec2(at.x, end));
@@ -126,8 +129,8 @@ void Position::draw_lines(Frame& f) {
     line.state = state_of(f.now, static_cast<int>(i), f.clock);
     line.chosen = f.tab.chosen_axis == axis;
     line.face = face;
-    line.tip = line.chosen ? "Click to copy it, to make it zero, or to say where the axis stands."
-                           : "Click to choose it.";
+    line.tip =
+        line.chosen ? "Click to copy the position, to set it to zero, or to set it." : "Click to choose it.";
     AxisLineTouch touched = draw_axis_line(f.ui, f.tab, axis, line, f.area.width);
     if (touched.pressed || touched.number.clicked) f.tab.chosen_axis = axis;
     if (!line.chosen) touched.number.clicked = false;  // the first press only chooses the row
@@ -136,10 +139,10 @@ void Position::draw_lines(Frame& f) {
     show_phase(f, axis, aside);
     const ImVec2 beside(aside.min.x, std::floor(aside.centre().y - f.ui.line(Face::small) / 2));
     const float mark = f.ui.px(16);
-    const float said = draw_at_work(f, axis, ImVec2(beside.x + mark, beside.y), aside.width() - mark, true);
-    const bool alone = said == 0 && !f.catalog.axes[i].encoder;
+    const float text = draw_at_work(f, axis, ImVec2(beside.x + mark, beside.y), aside.width() - mark, true);
+    const bool alone = text == 0 && !f.catalog.axes[i].encoder;
     draw_about_number(f, axis, beside, alone ? aside.width() : mark);
-    if (said == 0 && aside.width() > f.ui.px(48)) draw_encoder(f, axis, aside.min, aside.width(), true);
+    if (text == 0 && aside.width() > f.ui.px(48)) draw_encoder(f, axis, aside.min, aside.width(), true);
     menu_.draw(f, axis, touched.number);
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + f.ui.px(axis_line_height) * static_cast<float>(i + 1)));
   }
@@ -174,11 +177,13 @@ void Position::draw_strip(Frame& f) {
   const float row_height = strip_row_height(axes);
   const float column = std::floor((f.area.width - between_strip_columns) / 2);
   const Face face = as_lines(f) ? Face::digits26 : face_for_all(f, Face::digits32, column);
-  const Column measures = column_of(f);
+  const LeftColumn measures = column_of(f);
   const float widest = widest_number(f, face);  // so that items beside a number keep their place
   for (std::size_t i = 0; i < axes; ++i) {
     const float x = (i % 2) * (column + between_strip_columns), y = static_cast<float>(i / 2) * row_height;
     const ImVec2 corner(at.x + ui.px(x), at.y + ui.px(y));
+    draw_travel_line(ui, f.tab, axis_id(i), ImVec2(corner.x, corner.y + ui.px(row_height - 3)),
+                     ui.px(column));
     if (as_lines(f)) {
       const float x_of_number = corner.x + ui.px(column) - widest;
       draw_beside_strip_number(f, axis_id(i),
@@ -201,7 +206,7 @@ void Position::draw_strip(Frame& f) {
   }
 }
 
-void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, const Column& column) {
+void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, const LeftColumn& column) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float w = ui.px(width), below_head = at.y + ui.px(column.head);
@@ -275,7 +280,7 @@ Touch Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
   o.face = face;
   o.width = width;
   o.state = digits_state(f.now, axis.index, f.clock);
-  o.tip = "Click to copy it, to make it zero, or to say where the axis stands.";
+  o.tip = "Click to copy the position, to set it to zero, or to set it.";
   const NumberText number = shown_position(f.now.axes[axis.index], f.tab.unit(axis));
   const Touch t = digits(f.ui, Path("dro/{}/position", name), Path("Position of {}", name), number,
                          unit_beside(f, axis), o);

@@ -21,7 +21,7 @@ class Position final : public gui::Panel {
   void draw_column(gui::Frame& frame);
   void draw_lines(gui::Frame& frame);
   void draw_strip(gui::Frame& frame);
-  void draw_axis(gui::Frame& frame, AxisId axis, float width, gui::Face face, const Column& column);
+  void draw_axis(gui::Frame& frame, AxisId axis, float width, gui::Face face, const LeftColumn& column);
   void draw_head(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px, float height);
   gui::Touch draw_digits(gui::Frame& frame, AxisId axis, float width, gui::Face face);
   void draw_captions(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px);

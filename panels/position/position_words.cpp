@@ -16,32 +16,33 @@ namespace hw::panels {
 using namespace gui;
 
 Caption about_number(Frame& f, AxisId axis, bool brief) {
-  Caption said;
-  said.words = provenance(f.now, axis, f.clock, f.tab.desk().traffic.clock(), brief);
+  Caption caption;
+  caption.words = provenance(f.now, axis, f.clock, f.tab.desk().traffic.clock(), brief);
   switch (origin_of(f.now, axis, f.clock)) {
-    case Origin::stale: f.ui.wake_in(1), said.tone = Tone::warn, said.mark = Icon::clock; break;
+    case Origin::stale: f.ui.wake_in(1), caption.tone = Tone::warn, caption.mark = Icon::clock; break;
     case Origin::unknown:
-    case Origin::untrusted: said.tone = Tone::warn, said.mark = Icon::diamond; break;
-    case Origin::homed: said.tone = Tone::ok, said.mark = Icon::house; break;
-    case Origin::set: said.mark = Icon::hand; break;
-    case Origin::counted: said.mark = Icon::tally; break;
+    case Origin::untrusted: caption.tone = Tone::warn, caption.mark = Icon::diamond; break;
+    case Origin::homed: caption.tone = Tone::ok, caption.mark = Icon::house; break;
+    case Origin::set: caption.mark = Icon::hand; break;
+    case Origin::counted: caption.mark = Icon::tally; break;
   }
-  return said;
+  return caption;
 }
 
 float draw_about_number(Frame& f, AxisId axis, ImVec2 at, float room) {
   Ui& ui = f.ui;
   const float mark = ui.px(12), gap = ui.px(4), line = ui.line(Face::small), middle = at.y + line / 2;
-  Caption said = about_number(f, axis);
-  const NumberText whole = said.words;
-  const auto width_of = [&] { return mark + gap + std::ceil(text_width(ui, Face::small, said.words)); };
-  if (width_of() > room) said = about_number(f, axis, true);
-  const bool warns = said.tone == Tone::warn;  // a warning is shown even in part
+  Caption caption = about_number(f, axis);
+  const NumberText whole = caption.words;
+  const auto width_of = [&] { return mark + gap + std::ceil(text_width(ui, Face::small, caption.words)); };
+  if (width_of() > room) caption = about_number(f, axis, true);
+  const bool warns = caption.tone == Tone::warn;  // a warning is shown even in part
   const bool with_words = width_of() <= room || (warns && room > ui.px(48));
   const float width = with_words ? std::min(width_of(), room) : mark;
-  draw_icon(ImGui::GetWindowDrawList(), said.mark, ImVec2(at.x + mark / 2, middle), mark, ui[said.tone]);
+  draw_icon(ImGui::GetWindowDrawList(), caption.mark, ImVec2(at.x + mark / 2, middle), mark,
+            ui[caption.tone]);
   if (with_words)
-    draw_text_line(ui, at.x + mark + gap, at.x + room, middle, Face::small, ui[said.tone], said.words);
+    draw_text_line(ui, at.x + mark + gap, at.x + room, middle, Face::small, ui[caption.tone], caption.words);
   const Rect where{at, ImVec2(at.x + width, at.y + line)};
   const Path id("dro/{}/provenance", f.catalog.axes[axis.index].name);
   show(ui, {.id = id, .kind = Kind::text, .label = "Provenance", .value = whole}, where);
@@ -127,11 +128,11 @@ Path at_work(const Frame& f, AxisId axis, int brevity) {
   else if (runs && (has_error ? brevity == 2 : brevity < least_words || waiting == 0))
     does = format_brief_speed(speed, f.tab.unit(axis));
   const auto comma = [](std::string_view before, bool more) { return before.empty() || !more ? "" : ", "; };
-  const Path said("{}{}{}", does.view(), comma(does, has_error), error.view());
-  if (waiting == 0) return said;
+  const Path caption("{}{}{}", does.view(), comma(does, has_error), error.view());
+  if (waiting == 0) return caption;
   if (brevity < 3)
-    return Path("{}{}queue {} of {}", said.view(), comma(said, true), waiting, f.catalog.queue_depth);
-  return Path("{}{}queue {}", said.view(), comma(said, true), waiting);
+    return Path("{}{}queue {} of {}", caption.view(), comma(caption, true), waiting, f.catalog.queue_depth);
+  return Path("{}{}queue {}", caption.view(), comma(caption, true), waiting);
 }
 
 /// Registers `dro/X/queue` at the place of the activity.

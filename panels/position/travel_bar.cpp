@@ -64,11 +64,12 @@ void draw_triangle(Ui& ui, float x, float top, ImU32 colour) {
 }
 
 /// Where the axis would come to rest if stopped now, with its ramp; nothing while the ramp is unknown.
-std::optional<Steps> would_stop_at(const Frame& f, AxisId axis) {
-  const AxisState& a = f.now.axes[axis.index];
-  if (!f.catalog.stopping_way || !a.position_known || a.direction == 0 || !f.now.axis_moves(axis.index))
+std::optional<Steps> would_stop_at(const Tab& tab, AxisId axis) {
+  const AxisState& a = tab.now().axes[axis.index];
+  const Catalog& catalog = tab.catalog();
+  if (!catalog.stopping_way || !a.position_known || a.direction == 0 || !tab.now().axis_moves(axis.index))
     return {};
-  const auto way = f.catalog.stopping_way(f.catalog, f.now, axis);
+  const auto way = catalog.stopping_way(catalog, tab.now(), axis);
   if (!way) return {};
   return Steps(a.position.value + std::llround(*way * a.direction));
 }
@@ -83,11 +84,42 @@ void draw_stop_mark(Ui& ui, float x, float middle, ImU32 colour) {
                      colour);
 }
 
+void draw_rule(Ui& ui, const Scale& scale, float middle, bool holds) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float half = ui.hair() / 2, dash = holds ? scale.right - scale.left : ui.px(3);
+  for (float x = scale.left; x < scale.right; x += holds ? dash : 2 * dash)
+    draw.AddRectFilled(ImVec2(x, middle - half), ImVec2(std::min(x + dash, scale.right), middle + half),
+                       ui[Tone::edge]);
+}
+
+void draw_where_it_would_stop(Ui& ui, const Tab& tab, AxisId axis, const Scale& scale, float middle) {
+  const auto stop = would_stop_at(tab, axis);
+  if (!stop) return;
+  const AxisState& a = tab.now().axes[axis.index];
+  const bool past = a.travel.past(a.direction > 0 ? Sign::plus : Sign::minus, *stop).value > 0;
+  const float x = scale.x(from_steps(*stop, tab.unit(axis)));
+  draw_stop_mark(ui, x, middle, ui[past && a.travel_holds() ? Tone::fault : Tone::ink]);
+  const NumberText words = format_with_unit(*stop, tab.unit(axis));
+  show(ui,
+       {Path("dro/{}/stop", tab.catalog().axes[axis.index].name),
+        Kind::text,
+        "Would stop at",
+        words.view(),
+        {},
+        false,
+        {}},
+       {ImVec2(x - ui.px(4), middle - ui.px(7)), ImVec2(x + ui.px(4), middle + ui.px(7))});
+}
+
+Tone tone_of_position(const Tab& tab, AxisId axis) {
+  return is_motion(state_of(tab.now(), axis.index, tab.clock())) ? Tone::motion : Tone::ink2;
+}
+
 }  // namespace
 
-NumberText travel_words(const Frame& f, AxisId axis) {
-  const DisplayUnit& unit = f.tab.unit(axis);
-  const Travel& t = f.now.axes[axis.index].travel;
+NumberText travel_words(const Tab& tab, AxisId axis) {
+  const DisplayUnit& unit = tab.unit(axis);
+  const Travel& t = tab.now().axes[axis.index].travel;
   NumberText words;
   if (!t.any()) return words.append("none"), words;
   if (t.has_minus && t.has_plus) {
@@ -101,12 +133,26 @@ NumberText travel_words(const Frame& f, AxisId axis) {
   return words;
 }
 
-std::string_view why_travel_does_not_hold(const Frame& f, AxisId axis) {
-  const AxisState& a = f.now.axes[axis.index];
+std::string_view why_travel_does_not_hold(const Tab& tab, AxisId axis) {
+  const AxisState& a = tab.now().axes[axis.index];
   if (!a.travel.any() || a.travel_holds()) return {};
   if (!a.position_known) return "The limits do not apply: the position of the axis is not known.";
   if (a.trust.doubtful()) return "The limits do not apply: the position cannot be trusted.";
   return "The limits do not apply: they were set in other units than the axis counts in now.";
+}
+
+static void show_travel(Ui& ui, const Tab& tab, AxisId axis, const Rect& place) {
+  const NumberText words = travel_words(tab, axis);
+  const std::string_view why_not = why_travel_does_not_hold(tab, axis);
+  show(ui,
+       {Path("dro/{}/travel", tab.catalog().axes[axis.index].name),
+        Kind::text,
+        "Limits",
+        words,
+        {},
+        false,
+        why_not.empty() ? words.view() : why_not},
+       place);
 }
 
 void draw_travel_bar(Frame& f, AxisId axis, ImVec2 at, float width) {
@@ -119,14 +165,7 @@ void draw_travel_bar(Frame& f, AxisId axis, ImVec2 at, float width) {
   const float aside = ui.px(numbers + beside_numbers), middle = std::floor(at.y + ui.px(height / 2)) + 0.5f;
   scale.left = std::round(at.x + aside), scale.right = std::round(at.x + width - aside);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const bool holds = a.travel_holds();
-  if (holds)
-    draw.AddRectFilled(ImVec2(scale.left, middle - ui.hair() / 2),
-                       ImVec2(scale.right, middle + ui.hair() / 2), ui[Tone::edge]);
-  else
-    for (float x = scale.left; x < scale.right; x += ui.px(6))
-      draw.AddRectFilled(ImVec2(x, middle - ui.hair() / 2),
-                         ImVec2(std::min(x + ui.px(3), scale.right), middle + ui.hair() / 2), ui[Tone::edge]);
+  draw_rule(ui, scale, middle, a.travel_holds());
   draw_end(ui, low, unit, scale.left, at.x, middle, false);
   draw_end(ui, high, unit, scale.right, scale.right + ui.px(beside_numbers), middle, true);
   if (scale.low < 0 && scale.high > 0)
@@ -138,20 +177,32 @@ void draw_travel_bar(Frame& f, AxisId axis, ImVec2 at, float width) {
   }
   if (a.position_known)
     draw_triangle(ui, scale.x(from_steps(a.position, unit)), middle + ui.px(2),
-                  ui[is_motion(state_of(f.now, axis.index, f.clock)) ? Tone::motion : Tone::ink2]);
-  const std::string_view name = f.catalog.axes[axis.index].name;
-  if (const auto stop = would_stop_at(f, axis)) {
-    const double at_stop = from_steps(*stop, unit);
-    const bool past = a.travel.past(a.direction > 0 ? Sign::plus : Sign::minus, *stop).value > 0;
-    const float x = scale.x(at_stop);
-    draw_stop_mark(ui, x, middle, ui[past && holds ? Tone::fault : Tone::ink]);
-    const NumberText words = format_with_unit(*stop, unit);
-    show(ui, {Path("dro/{}/stop", name), Kind::text, "Would stop at", words.view(), {}, false, {}},
-         {ImVec2(x - ui.px(4), at.y), ImVec2(x + ui.px(4), at.y + ui.px(height))});
-  }
-  const Path id("dro/{}/travel", name);
-  show(ui, {id, Kind::text, "Limits", travel_words(f, axis), {}, false, why_travel_does_not_hold(f, axis)},
-       {at, ImVec2(at.x + width, at.y + ui.px(height))});
+                  ui[tone_of_position(f.tab, axis)]);
+  draw_where_it_would_stop(ui, f.tab, axis, scale, middle);
+  show_travel(ui, f.tab, axis, {at, ImVec2(at.x + width, at.y + ui.px(height))});
+}
+
+void draw_travel_line(Ui& ui, const Tab& tab, AxisId axis, ImVec2 at, float width) {
+  const AxisState& a = tab.now().axes[axis.index];
+  if (!a.travel.any()) return;
+  const DisplayUnit& unit = tab.unit(axis);
+  End low, high;
+  Scale scale = scale_of(a, unit, low, high);
+  const float y = std::floor(at.y) + 0.5f, tick = ui.px(4);
+  scale.left = std::round(at.x), scale.right = std::round(at.x + width);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const auto mark = [&](float x, float half_width, float above, float below, Tone tone) {
+    draw.AddRectFilled(ImVec2(x - half_width, y - above), ImVec2(x + half_width, y + below), ui[tone]);
+  };
+  draw_rule(ui, scale, y, a.travel_holds());
+  if (low.set) mark(scale.left, ui.hair(), tick, ui.hair(), Tone::warn);
+  if (high.set) mark(scale.right, ui.hair(), tick, ui.hair(), Tone::warn);
+  if (scale.low < 0 && scale.high > 0) mark(scale.x(0), ui.hair() / 2, ui.px(2), ui.px(2), Tone::ink2);
+  if (a.has_target) mark(scale.x(from_steps(a.target, unit)), ui.hair(), tick, ui.hair(), Tone::motion);
+  if (a.position_known)
+    mark(scale.x(from_steps(a.position, unit)), ui.px(2), ui.px(2), ui.px(1), tone_of_position(tab, axis));
+  draw_where_it_would_stop(ui, tab, axis, scale, y);
+  show_travel(ui, tab, axis, {ImVec2(at.x, y - tick), ImVec2(at.x + width, y + ui.px(2))});
 }
 
 }  // namespace hw::panels

@@ -21,10 +21,10 @@ constexpr std::string_view own_conversion = "another conversion";
 
 /// The axis's load by its profile; empty: none, or incomplete.
 std::string_view unit_chosen(const Frame& f, std::size_t axis) {
-  const AxisProfile& wish = f.tab.profile.axes[axis];
-  if (wish.unit_choice == own_unit_choice && wish.own_unit.per_step != 0) return wish.own_unit.name;
+  const AxisProfile& request = f.tab.profile.axes[axis];
+  if (request.unit_choice == own_unit_choice && request.own_unit.per_step != 0) return request.own_unit.name;
   for (const UnitChoice& choice : f.catalog.units)
-    if (choice.label == wish.unit_choice) return choice.unit;
+    if (choice.label == request.unit_choice) return choice.unit;
   return {};
 }
 
@@ -81,16 +81,16 @@ float unit_chooser_width(const Frame& f) {
 
 void UnitChooser::draw_axis(Frame& f, std::size_t i) {
   const AxisInfo& axis = f.catalog.axes[i];
-  AxisProfile& wish = f.tab.profile.axes[i];
+  AxisProfile& request = f.tab.profile.axes[i];
   const std::string counted = counted_unit(f.catalog, f.now, f.catalog.step_word, static_cast<int>(i));
   std::vector<std::string_view> names{counted};
   int chosen = 0;
   for (const UnitChoice& choice : f.catalog.units) {
     names.push_back(choice.label);
-    if (choice.label == wish.unit_choice) chosen = static_cast<int>(names.size()) - 1;
+    if (choice.label == request.unit_choice) chosen = static_cast<int>(names.size()) - 1;
   }
   names.push_back(own_conversion);
-  if (wish.unit_choice == own_unit_choice) chosen = static_cast<int>(names.size()) - 1;
+  if (request.unit_choice == own_unit_choice) chosen = static_cast<int>(names.size()) - 1;
   gap(f.ui, 6);
   text(f.ui, Face::small, Tone::ink2, axis.description.empty() ? axis.name : axis.description);
   DropdownOptions o;
@@ -98,24 +98,24 @@ void UnitChooser::draw_axis(Frame& f, std::size_t i) {
   const int picked = dropdown(f.ui, Path("dro/unit/axis/{}", axis.name), axis.description, names, chosen, o);
   if (picked >= 0) {
     const bool own = picked == static_cast<int>(names.size()) - 1;
-    wish.unit_choice = picked == 0 ? std::string()
-                       : own       ? std::string(own_unit_choice)
-                                   : std::string(names[static_cast<std::size_t>(picked)]);
+    request.unit_choice = picked == 0 ? std::string()
+                          : own       ? std::string(own_unit_choice)
+                                      : std::string(names[static_cast<std::size_t>(picked)]);
     use(f, "real");
   }
-  if (wish.unit_choice.empty()) return;
+  if (request.unit_choice.empty()) return;
   ImGui::SameLine();
   ToggleOptions toggle;
-  toggle.state = wish.reversed ? ToggleState::on : ToggleState::off;
+  toggle.state = request.reversed ? ToggleState::on : ToggleState::off;
   toggle.width = 116;
-  toggle.tip = "The real unit counts against the steps.";
+  toggle.tip = "The real unit counts opposite to the steps.";
   if (toggle_lamp(f.ui, Path("dro/unit/reversed/{}", axis.name), "reversed", toggle).clicked) {
-    wish.reversed = !wish.reversed;
+    request.reversed = !request.reversed;
     use(f, f.tab.profile.unit);
   }
-  if (wish.unit_choice != own_unit_choice) return;
+  if (request.unit_choice != own_unit_choice) return;
   gap(f.ui, 4);
-  if (own_[i].draw(f, AxisId{static_cast<std::uint8_t>(i)}, wish.own_unit)) use(f, "real");
+  if (own_[i].draw(f, AxisId{static_cast<std::uint8_t>(i)}, request.own_unit)) use(f, "real");
 }
 
 void UnitChooser::draw(Frame& f) {
@@ -131,14 +131,14 @@ void UnitChooser::draw(Frame& f) {
   if (popup_row(ui, "dro/unit/steps", own_unit(f), "as the controller counts", !shows_real(f)))
     use(f, f.catalog.step_word);
   if (popup_row(ui, "dro/unit/real", real.empty() ? "real units" : real, {}, shows_real(f) && !real.empty(),
-                real.empty() ? "Choose below what an axis drives first." : ""))
+                real.empty() ? "First choose the mechanics of an axis below." : ""))
     use(f, "real");
   popup_line(ui);
   ImGui::SetCursorScreenPos(ImVec2(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ui.px(8, 4));
   ImGui::BeginGroup();
   gap(ui, 8);
-  text(ui, Face::body_bold, Tone::ink, "What each axis drives");
+  text(ui, Face::body_bold, Tone::ink, "Mechanics of each axis");
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) draw_axis(f, i);
   ImGui::EndGroup();
   ImGui::PopStyleVar();

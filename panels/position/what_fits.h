@@ -14,11 +14,11 @@ inline constexpr int least_words = 4;
 template <class Words>
 float draw_what_fits(gui::Ui& ui, ImVec2 at, float room, bool right_aligned, const Words& words) {
   for (int brevity = 0; brevity <= least_words; ++brevity) {
-    const auto said = words(brevity);
-    const float width = std::ceil(gui::text_width(ui, gui::Face::small, said));
+    const auto text = words(brevity);
+    const float width = std::ceil(gui::text_width(ui, gui::Face::small, text));
     if (width > room) continue;
     gui::draw_text(ui, ImVec2(right_aligned ? at.x + room - width : at.x, at.y), gui::Face::small,
-                   ui[gui::Tone::ink2], said);
+                   ui[gui::Tone::ink2], text);
     return width;
   }
   return 0;

@@ -28,17 +28,17 @@ bool shows_keys(const Frame& f) { return f.area.width >= 700; }
 /// The fault of the text itself; empty: none.
 FixedText<240> why_not_fit_to_run(ProgramTexts& texts, int slot, const ProgramFacts& facts) {
   char words[240];
-  const auto said = [&](const auto& end) {
+  const auto view_of = [&](const auto& end) {
     return FixedText<240>(std::string_view(words, std::min<std::size_t>(end.size, sizeof words)));
   };
   for (const Problem& p : texts.report(slot).problems)
     if (p.error)
-      return said(fmt::format_to_n(words, sizeof words,
-                                   "Line {}: {} Run is available again when it is corrected.", p.line + 1,
-                                   p.sentence));
+      return view_of(fmt::format_to_n(words, sizeof words,
+                                      "Line {}: {} Run is available again when it is corrected.", p.line + 1,
+                                      p.sentence));
   const int cost = texts.cost(slot), too_many = cost - facts.capacity;
   if (facts.capacity <= 0 || too_many <= 0) return {};
-  return said(fmt::format_to_n(
+  return view_of(fmt::format_to_n(
       words, sizeof words,
       "The program needs {} {} and {} fit: {} too many. Run is available again when it is shorter.", cost,
       facts.capacity_unit, facts.capacity, too_many));
@@ -72,7 +72,7 @@ static std::string_view why_not_simulate(const Frame& f) {
   const int slot = desk.texts.chosen();
   if (!desk.language()) return "This model has no rehearsal.";
   if (desk.texts.text(slot).empty()) return "The program is empty.";
-  if (desk.rehearsals.under_way(desk.texts.start_of(slot))) return "It is being calculated.";
+  if (desk.rehearsals.under_way(desk.texts.start_of(slot))) return "Calculating.";
   return why_not_rehearse_now(f.now, f.catalog);
 }
 
@@ -139,7 +139,7 @@ void Program::draw_simulate(Frame& f) {
              {.icon = Icon::play_outline,
               .keys = shows_keys(f) ? "F5" : "",
               .disabled = why_not_simulate(f),
-              .tip = "Tries the text without moving anything.",
+              .tip = "Runs the text in a simulation; nothing moves.",
               .height = 40})
           .clicked)
     f.tab.desk().rehearse(f.now, f.bench);

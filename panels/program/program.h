@@ -39,7 +39,7 @@ class Program final : public gui::Panel {
   void ask_save(const gui::Frame& frame);
   void draw_work(gui::Frame& frame, float bottom);
   float draw_below(gui::Frame& frame);
-  float draw_said(gui::Frame& frame, float top, float bottom);
+  float draw_message(gui::Frame& frame, float top, float bottom);
   void draw_note(gui::Frame& frame, float top, float height);
   float draw_transfer(gui::Frame& frame, float left, float right, float middle);
   float draw_problem_link(gui::Frame& frame, const ProgramReport& report, float right, float middle);

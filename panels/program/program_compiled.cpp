@@ -18,11 +18,11 @@ void Program::draw_compiled_row(Frame& f) {
   const std::string_view busy = !f.connected()    ? "There is no link. The text stays here."
                                 : desk.job.busy() ? "A program is being transferred."
                                                   : "";
-  ButtonOptions view{.style = ButtonStyle::quiet, .tip = "The low-level lines that the controller gets."};
+  ButtonOptions view{.style = ButtonStyle::quiet, .tip = "The lines that are stored in the controller."};
   view.on = view_compiled_;
   const ButtonOptions quiet{.style = ButtonStyle::quiet, .disabled = busy};
   const auto next = [&] { ImGui::SameLine(0, ui.px(4)); };
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16), at.y + ui.px(4)));
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 4), at.y + ui.px(4)));
   if (button(ui, "program/view", "View compiled", view).clicked) view_compiled_ = !view_compiled_;
   next();
   if (button(ui, "program/compile", "Compile", {.style = ButtonStyle::quiet}).clicked) check(f);

@@ -53,7 +53,7 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
   const RunFollower::Place place = f.tab.desk().follower.place();
   if (place.slot == slot) {
     look.live_line = texts.live_line(slot, place.command);
-    look.live_told = p.command_told;
+    look.live_reported = p.command_reported;
     say_where(p, place);
     look.live_words = {live_words_, live_size_};
     if (place.next_in_s > 0 && p.run == RunState::running) ui.wake_in(place.next_in_s + 0.01);
@@ -62,7 +62,7 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
   if (live > 0) {
     look.live_line = thread_lines_[0];
     look.also_live = {thread_lines_.data(), live};
-    look.live_told = true;
+    look.live_reported = true;
     look.live_words = {};
   }
   look.placeholder = "Type a program, or open one. Simulate tries it before metal moves.";
@@ -84,7 +84,7 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
 void ProgramEditor::say_where(const ProgramState& p, const RunFollower::Place& place) {
   const std::string_view how = p.run == RunState::held      ? "held here"
                                : p.run == RunState::waiting ? "waits here"
-                               : p.command_told             ? ""
+                               : p.command_reported         ? ""
                                                             : "worked out";
   char* end = live_words_;
   const auto add = [&](const char* format, const auto&... values) {

@@ -45,7 +45,7 @@ void Program::draw_slots(Frame& f) {
   }
   x = draw_start(f, x, at.y + ui.px(4));
 
-  const float files_left = std::max(ui.px(f.area.right() - 8) - file_buttons_width(f), x);
+  const float files_left = std::max(ui.px(f.area.right() - 4) - file_buttons_width(f), x);
   draw_file_name(f, {ImVec2(x, at.y), ImVec2(files_left, at.y + ui.px(slots_height))}, slots_left);
   ImGui::SetCursorScreenPos(ImVec2(files_left, at.y + ui.px(4)));
   draw_file_buttons(f);
@@ -127,7 +127,7 @@ ButtonOptions Program::file_button_look(const Frame& f, const char* keys) {
 }
 
 float Program::file_buttons_width(const Frame& f) {
-  float width = f.ui.px(72);
+  float width = f.ui.px(button_width(f.ui, "More", {.style = ButtonStyle::quiet}));
   for (const FileButton& b : file_buttons)
     if (is_there(b, f))
       width += f.ui.px(
@@ -141,7 +141,7 @@ void Program::draw_file_buttons(Frame& f) {
   const bool roomy = f.area.width >= 800;
   const std::string_view no_link =
       f.connected() ? std::string_view() : "There is no link. The text stays here.";
-  float too_much = ImGui::GetCursorScreenPos().x + file_buttons_width(f) - ui.px(f.area.right() - 8);
+  float too_much = ImGui::GetCursorScreenPos().x + file_buttons_width(f) - ui.px(f.area.right() - 4);
   for (const FileButton& b : file_buttons) {
     if (!is_there(b, f)) continue;
     ButtonOptions look = file_button_look(f, b.keys);
@@ -215,12 +215,10 @@ std::string other_text_in(const std::filesystem::path& path, const std::optional
   const auto there = load_text(path);
   const std::string name = path.filename().string();
   if (!known)
-    return fmt::format("What {} holds was not read since this text was recovered. Saving overwrites it.",
-                       name);
+    return fmt::format("Saving overwrites {}, which was not read since this text was recovered.", name);
   if (there && there->text == *known) return {};
   return fmt::format(
-      "{} no longer holds the text that was opened or saved here: another program has changed "
-      "it. Saving overwrites those changes.",
+      "Another program has changed {} since it was opened or saved here. Saving overwrites those changes.",
       name);
 }
 
@@ -301,7 +299,7 @@ void Program::draw_dialogs(Frame& f) {
   }
   if (asking_clear_) {
     const Dialog what{.title = "Empty the program in the controller?",
-                      .sentences = "The controller forgets it. The text here stays.",
+                      .sentences = "It is deleted in the controller. The text here stays.",
                       .yes = "Empty it",
                       .no = "Leave it"};
     if (dialog(f.ui, "program/clear", asking_clear_, what) == Answer::yes) start(f, ProgramJob::Goal::clear);
@@ -310,7 +308,7 @@ void Program::draw_dialogs(Frame& f) {
     const Dialog what{.title = "Overwrite the file?",
                       .sentences = overwrite_->question,
                       .yes = "Overwrite it",
-                      .no = "Leave it as it is"};
+                      .no = "Leave it unchanged"};
     if (dialog(f.ui, "program/overwrite", overwrite_->asking, what) == Answer::yes)
       write(f, overwrite_->slot, overwrite_->path, true);
   }

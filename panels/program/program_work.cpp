@@ -62,13 +62,13 @@ float Program::draw_below(Frame& f) {
     const int slot = f.tab.desk().texts.chosen();
     if (rehearsal_.draw_line(f, slot, rehearsal_open_)) rehearsal_open_ = !rehearsal_open_;
   }
-  y = draw_said(f, at.y, y);
+  y = draw_message(f, at.y, y);
   ImGui::SetCursorScreenPos(at);
   return y;
 }
 
 /// Draws a question, or the line on how text and controller agree, above `bottom`; returns its top.
-float Program::draw_said(Frame& f, float top, float bottom) {
+float Program::draw_message(Frame& f, float top, float bottom) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
   if (const float height = overwrite_question_height(f); height > 0) {
@@ -101,16 +101,16 @@ void Program::draw_note(Frame& f, float top, float height) {
                     : busy                        ? Tone::motion
                                                   : Tone::ink3;
   draw_icon(ImGui::GetWindowDrawList(), icon, ImVec2(left + ui.px(6), middle), ui.px(12), ui[tone]);
-  const std::string_view said = busy ? std::string_view(words_) : std::string_view(note_.sentence);
+  const std::string_view shown_words = busy ? std::string_view(words_) : std::string_view(note_.sentence);
   float right = ui.px(f.area.right() - 16);
   const ProgramReport& report = f.tab.desk().texts.report(f.tab.desk().texts.chosen());
-  const float said_end = left + ui.px(20) + std::ceil(text_width(ui, Face::body, said));
+  const float shown_end = left + ui.px(20) + std::ceil(text_width(ui, Face::body, shown_words));
   if (busy && f.now.transfer.running)
-    right = draw_transfer(f, said_end + ui.px(16), right, middle);
-  else if (!report.problems.empty() && said_end + ui.px(110) < right)
+    right = draw_transfer(f, shown_end + ui.px(16), right, middle);
+  else if (!report.problems.empty() && shown_end + ui.px(110) < right)
     right = draw_problem_link(f, report, right, middle);
-  draw_text_line(ui, left + ui.px(20), right, middle, Face::body, ui[Tone::ink2], said);
-  show(ui, {.id = "program/note", .kind = Kind::text, .label = "State", .value = said},
+  draw_text_line(ui, left + ui.px(20), right, middle, Face::body, ui[Tone::ink2], shown_words);
+  show(ui, {.id = "program/note", .kind = Kind::text, .label = "State", .value = shown_words},
        {ImVec2(left, top), ImVec2(right, top + ui.px(height))});
 }
 
@@ -146,10 +146,10 @@ float Program::draw_problem_link(Frame& f, const ProgramReport& report, float ri
   char label[48];
   const auto end = fmt::format_to_n(label, sizeof label, "{} {}{}, show", n, errors > 0 ? "error" : "warning",
                                     n == 1 ? "" : "s");
-  const std::string_view said(label, std::min(end.size, sizeof label));
-  const float left = right - std::ceil(text_width(ui, Face::small, said));
+  const std::string_view shown_words(label, std::min(end.size, sizeof label));
+  const float left = right - std::ceil(text_width(ui, Face::small, shown_words));
   ImGui::SetCursorScreenPos(ImVec2(left, std::floor(middle - ui.line(Face::small) / 2)));
-  if (link(ui, "program/next_problem", said)) {
+  if (link(ui, "program/next_problem", shown_words)) {
     next_problem_ = (next_problem_ + 1) % static_cast<int>(report.problems.size());
     const Problem& p = report.problems[static_cast<std::size_t>(next_problem_)];
     editor_.go_to(f.tab.desk().texts.chosen(), p.line, p.column);

@@ -59,16 +59,16 @@ void RehearsalCard::refresh_caption(const Frame& f, int slot) {
   of_running_ =
       outcome_ && p.owned && p.slot == slot && p.run != RunState::idle && runs && held.text == outcome_->text;
   if (desk.rehearsals.under_way(started))
-    said_caption_ = "calculating";
+    shown_caption_ = "calculating";
   else if (!outcome_)
-    said_caption_ = "";
+    shown_caption_ = "";
   else if (of_running_)
-    said_caption_ = "of the version running";
+    shown_caption_ = "of the version running";
   else if (old_) {
     const auto end = fmt::format_to_n(caption_, sizeof caption_, "before line {}", older + 1);
-    said_caption_ = {caption_, std::min(end.size, sizeof caption_)};
+    shown_caption_ = {caption_, std::min(end.size, sizeof caption_)};
   } else {
-    said_caption_ = "of this text";
+    shown_caption_ = "of this text";
   }
 }
 
@@ -122,11 +122,11 @@ bool RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
   bool again = false;
   refresh(f, slot);
   begin_part(ui, "rehearsal", ui.px(width), ui.px(height), Tone::panel, 16);
-  section_title(ui, "Rehearsal", said_caption_);
+  section_title(ui, "Rehearsal", shown_caption_);
   if (!outcome_) {
     wrapped(ui, Face::body, Tone::ink2,
-            "Simulate runs the text without moving anything: how long it takes, how far each axis goes, what "
-            "it sends.");
+            "Simulate runs the text without moving anything, and shows its time, the travel of each axis, "
+            "and its commands.");
   } else if (!outcome_->result) {
     named_text(ui, "rehearsal/result", Face::body_medium, Tone::fault, "It cannot run.");
     wrapped(ui, Face::body, Tone::ink, fault_);
@@ -273,7 +273,7 @@ void RehearsalCard::draw_events(Frame& f) {
 /// On limits, for the single line.
 RehearsalCard::Verdict RehearsalCard::verdict(const Frame& f) const {
   if (!begins_here()) return {"begins elsewhere: limits not judged", Icon::warning};
-  if (passes_travel(f, *outcome_->result)) return {"goes past a limit of yours", Icon::warning};
+  if (passes_travel(f, *outcome_->result)) return {"goes past your limit", Icon::warning};
   if (!judges_limits()) return {"limits not judged", Icon::none};
   if (outcome_->result->limit_touched) return {"a limit is touched", Icon::warning};
   return {"no limit touched", Icon::check};
@@ -303,7 +303,7 @@ bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
   const Tone tone = old_ && !of_running_ ? Tone::ink3 : Tone::ink;
   if (!outcome_) {
     word(Face::body, Tone::ink2,
-         said_caption_.empty() ? "Simulate runs the text without moving anything." : said_caption_);
+         shown_caption_.empty() ? "Simulate runs the text without moving anything." : shown_caption_);
   } else if (!outcome_->result || !fault_.empty()) {
     word(Face::body, Tone::fault, fault_);
   } else {
@@ -312,7 +312,7 @@ bool RehearsalCard::draw_line(Frame& f, int slot, bool opened) {
       word(Face::body_medium, Tone::motion, progress->left);
       if (f.now.program.run == RunState::running) ui.wake_in(0.2);
     }
-    if (old_ && !of_running_) word(Face::small, Tone::ink3, said_caption_);
+    if (old_ && !of_running_) word(Face::small, Tone::ink3, shown_caption_);
     const auto [verdict, mark] = this->verdict(f);
     // The verdict is never cut; spans are shown as far as they fit.
     const float verdict_width = ui.px(20 + 14) + std::ceil(text_width(ui, Face::body, verdict));

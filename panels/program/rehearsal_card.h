@@ -49,7 +49,7 @@ class RehearsalCard {
   std::vector<IoLane> lanes_;
   bool old_ = false, of_running_ = false;
   char caption_[48] = {};
-  std::string_view said_caption_;
+  std::string_view shown_caption_;
 };
 
 }  // namespace hw::panels

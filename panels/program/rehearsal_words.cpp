@@ -29,8 +29,7 @@ std::string position_difference(const Frame& f, const Stand& stand) {
       return fmt::format("Rehearsed as after power-up; {} counts in another unit now", axis);
     case Footing::unknown:
       return fmt::format("Rehearsed from {}; the position of {} is not known", began.view(), axis);
-    case Footing::other_encoder:
-      return fmt::format("Rehearsed before the encoder of {} came to read differently", axis);
+    case Footing::other_encoder: return fmt::format("Rehearsed before the encoder of {} changed", axis);
     case Footing::other_switch:
       if (stand.unread)
         return fmt::format("Rehearsed with known limit switches of {}; they are not known now", axis);
@@ -52,7 +51,7 @@ std::string difference(const Frame& f, const Stand& stand) {
   const Catalog& c = f.catalog;
   const auto place = static_cast<std::size_t>(std::max(0, stand.which));
   const auto differs = [&](std::string_view name, std::string_view then, std::string_view now) {
-    if (stand.unread) return fmt::format("Rehearsed with {} {}; what it is now is not known", name, then);
+    if (stand.unread) return fmt::format("Rehearsed with {} {}; its present value is unknown", name, then);
     return fmt::format("Rehearsed with {} {}; it is {} now", name, then, now);
   };
   switch (stand.footing) {
@@ -86,7 +85,7 @@ std::string difference(const Frame& f, const Stand& stand) {
     case Footing::other_queue: return "Rehearsed with empty queues; commands wait there now";
     case Footing::other_program:
       if (stand.unread)
-        return fmt::format("Rehearsed with {} {}; what it holds now is not known", c.program.slot_word,
+        return fmt::format("Rehearsed with {} {}; its present content is unknown", c.program.slot_word,
                            place);
       return fmt::format("Rehearsed before {} {} was changed", c.program.slot_word, place);
     default: return position_difference(f, stand);
@@ -108,7 +107,7 @@ std::string stand_words(const Frame& f, const Rehearsals::Outcome& outcome) {
   if (outcome.stand.footing != Footing::here)
     words = difference(f, outcome.stand);
   else if (!outcome.scene.switches)
-    words = "It is not known here where the limit switches are";
+    words = "The positions of the limit switches are unknown";
   return words.empty() ? words : words + ": limits are not judged.";
 }
 
@@ -137,7 +136,7 @@ std::string memory_words(const Rehearsal& r, const ProgramFacts& facts) {
 std::string assumption_words(const Rehearsal& r) {
   std::string words;
   for (const RehearsedAssumption& a : r.assumptions)
-    words += fmt::format("{}{}: {}", words.empty() ? "Not known, so assumed: " : "; ", a.name, a.value);
+    words += fmt::format("{}{}: {}", words.empty() ? "Unknown, so assumed: " : "; ", a.name, a.value);
   return words.empty() ? words : words + ".";
 }
 

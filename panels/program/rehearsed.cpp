@@ -19,7 +19,7 @@ std::string_view found(const Rehearsals::Outcome& o) {
   const bool out_of_time = !r.finished && r.duration_s >= RehearseOptions().for_seconds;
   if (!r.error.empty() && !out_of_time) return "Rehearsed: it ends with an error.";
   if (r.limit_touched) return "Rehearsed: a limit switch is hit.";
-  if (!r.finished) return "Rehearsed: no end was found. It loops, or waits for somebody.";
+  if (!r.finished) return "Rehearsed: no end was found. It loops, or waits for a hand.";
   return {};
 }
 
@@ -73,23 +73,24 @@ std::string_view changed(const Stand& stand) {
 Rehearsed rehearsed(const Frame& f) {
   Desk& desk = f.tab.desk();
   const int slot = desk.texts.chosen(), started = desk.texts.start_of(slot);
-  if (desk.rehearsals.under_way(started)) return {false, "It is being rehearsed."};
+  if (desk.rehearsals.under_way(started)) return {false, "Rehearsing."};
   return rehearsed(f, desk.rehearsals.of(started), desk.texts.text(slot));
 }
 
 Rehearsed rehearsed_thread(const Frame& f, int program) {
   Desk& desk = f.tab.desk();
   const HeldProgram& held = desk.texts.held(0);
-  if (!held.known) return {false, "Not rehearsed: what the controller holds was not read. Upload reads it."};
+  if (!held.known) return {false, "Upload to read the controller's program: it is not rehearsed."};
   const std::vector<int>& there = held.report.programs;
   if (std::find(there.begin(), there.end(), program) == there.end())
     return {false, "The controller holds no program with this number."};
-  if (desk.rehearsals.under_way(program)) return {false, "It is being rehearsed."};
+  if (desk.rehearsals.under_way(program)) return {false, "Rehearsing."};
   const Rehearsals::Outcome* outcome = desk.rehearsals.of(program);
   if (!outcome && there.size() == 1 && program == 0)
     return {false, "Not rehearsed: Simulate tries it first."};
   if (!outcome) return {false, "Not rehearsed: choose its number above, then Simulate."};
-  if (outcome->text != held.text) return {false, "Rehearsed another text than the controller holds."};
+  if (outcome->text != held.text)
+    return {false, "The text rehearsed is not the one that the controller holds."};
   for (int n = 0; n < std::min(f.catalog.program.threads, max_threads); ++n)
     if (n != program && is_busy(f.now.threads[static_cast<std::size_t>(n)]))
       return {false, "Rehearsed alone: another program is at work now."};
@@ -101,8 +102,7 @@ Rehearsed rehearsed(const Frame& f, const Rehearsals::Outcome* outcome, const st
   if (outcome->text != text) return {false, "Rehearsed before the text was changed."};
   for (const std::string_view why : {found(*outcome), changed(outcome->stand)})
     if (!why.empty()) return {false, why};
-  if (passes_travel(f, *outcome->result))
-    return {false, "Rehearsed: it goes past a limit that you have set."};
+  if (passes_travel(f, *outcome->result)) return {false, "Rehearsed: it goes past your limit."};
   if (!outcome->result->assumptions.empty())
     return {true, "Rehearsed: this text, from here, with the assumptions listed."};
   return {true, "Rehearsed: this text, from where the axes stand."};

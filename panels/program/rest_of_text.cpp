@@ -66,15 +66,13 @@ class Finder {
   Result<StepOfPlace> find() {
     auto read = language_.read(place_.text, frame_, catalog_);
     if (!read)
-      return not_from(
-          fmt::format("The state there is known only for what blocks can hold. {}", read.error().what));
+      return not_from(fmt::format("The state there is known only for text that blocks can represent. {}",
+                                  read.error().what));
     for (const std::size_t at : places_in_line())
       if (const int counted = step_at(at, read->sequence); counted >= 0)
         return StepOfPlace{std::move(read->sequence), counted};
-    return not_from(
-        fmt::format("Line {} stands in the middle of what only the controller's own text can say.",
-                    place_.line + 1),
-        "Begin at another line.");
+    return not_from(fmt::format("Line {} is within text that blocks cannot represent.", place_.line + 1),
+                    "Begin at another line.");
   }
 
  private:
@@ -160,17 +158,18 @@ tl::unexpected<Fault> why_not_known(const StepOfPlace& step, const PlaceToBegin&
   const bool in_loop = before < steps.size() && std::holds_alternative<seq::Repeat>(steps[before].body);
   if (const seq::Step* own = last_such(steps, before + (in_loop ? 1 : 0), is_own_text)) {
     const std::string& text = std::get<seq::Custom>(own->body).text;
-    return not_from(fmt::format("It is not known what \"{}\" above line {} leaves behind.",
+    return not_from(fmt::format("The state after \"{}\" above line {} is unknown.",
                                 text.substr(0, text.find('\n')), place.line + 1),
                     "Begin at that command, or above it.");
   }
   if (last_such(steps, before, has_no_end))
     return not_from(fmt::format("A loop above line {} has no end: it is never reached.", place.line + 1));
   if (const seq::Step* lost = last_such(steps, before + (in_loop ? 1 : 0), goes_where_the_machine_decides))
-    return not_from(fmt::format("It is not known where the axes stand before line {}: \"{} {}\" above it "
-                                "leaves one where its machine decides.",
-                                place.line + 1, title_of(lost->body), summary_of(lost->body, step.sequence)),
-                    "Begin at that command, or behind one that sends the axis to a place.");
+    return not_from(
+        fmt::format(
+            "The position before line {} is unknown: the machine decides where \"{} {}\" above it ends.",
+            place.line + 1, title_of(lost->body), summary_of(lost->body, step.sequence)),
+        "Begin at that command, or behind one that sends the axis to a place.");
   return not_from(fault.what, fault.advice);
 }
 
@@ -227,11 +226,11 @@ std::optional<Fault> otherwise_rehearsed(const seq::Rest& rest, const std::array
     const std::int64_t start = std::llround(*rest.start[a] * axis.per_unit);
     const auto [low, high] = std::minmax(begun[0].position[ix(i)], begun[1].position[ix(i)]);
     if (start >= low - 1 && start <= high + 1) continue;
-    return not_from(
-               fmt::format("In the rehearsal {} did not stand at {} {} when {} began, where the {} "
-                           "above it send it.",
-                           axis.name, start, catalog.step_word, what, above),
-               fmt::format("Begin at a {} that begins when all axes stand.", what.substr(0, what.find(' '))))
+    return not_from(fmt::format("In the rehearsal {} was not at {} {} when {} began, although the {} above "
+                                "it send it there.",
+                                axis.name, start, catalog.step_word, what, above),
+                    fmt::format("Begin at a {} that starts when all axes are at rest.",
+                                what.substr(0, what.find(' '))))
         .value();
   }
   return std::nullopt;
@@ -257,7 +256,7 @@ Result<RestOfText> rest_of_text(const Language& language, const PlaceToBegin& pl
   if (!rest) return why_not_known(*step, place, rest.error(), only_sets);
   const std::string line = fmt::format("line {}", place.line + 1);
   if (!place.begun)
-    return not_from(fmt::format("The rehearsal does not tell where the axes were when {} began.", line),
+    return not_from(fmt::format("The rehearsal does not show the positions when {} began.", line),
                     "Begin at a line that moves an axis.");
   if (auto fault = otherwise_rehearsed(*rest, *place.begun, line, "commands", catalog))
     return fail(std::move(*fault));

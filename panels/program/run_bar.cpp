@@ -36,7 +36,7 @@ struct Bar {
     const Path id("{}/{}", where, verb);
     if (look.brief && verb != "run") {
       options.tip = options.tip.empty() ? label : options.tip;
-      label = {};
+      options.wordless = true;
     }
     return button(frame.ui, id, label, options).clicked;
   }
@@ -197,8 +197,8 @@ void begin_run(Frame& f, RunRequest request, const std::optional<AgreedDoubts>& 
 
 void describe_what_came(Frame& f) {
   Desk& desk = f.tab.desk();
-  auto told = desk.job.take_told();
-  if (!told.sentence.empty()) f.toast(told.severity, std::move(told.sentence), &desk.texts);
+  auto report = desk.job.take_report();
+  if (!report.sentence.empty()) f.toast(report.severity, std::move(report.sentence), &desk.texts);
 }
 
 }  // namespace hw::panels

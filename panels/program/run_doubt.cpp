@@ -85,7 +85,7 @@ void RunDoubt::name_ways(const Frame& f, std::string_view where) {
   const auto homes = [&](Sign sign) { return f.catalog.can.homes && homing_that_sets(f.catalog, -1, sign); };
   if (homes(Sign::minus)) offer(home_minus, "home/-", fmt::format("Home {} \u2212", name), "Home \u2212");
   if (homes(Sign::plus)) offer(home_plus, "home/+", fmt::format("Home {} +", name), "Home +");
-  offer(once, "once", "Go on for this once", "Go on once");
+  offer(once, "once", "Go on this once", "Go on once");
 }
 
 std::string_view RunDoubt::why_not(const Frame& f, Way way) const {
@@ -103,8 +103,8 @@ RunDoubt::Once RunDoubt::draw(Frame& f, std::string_view where, const Rect& row,
   if (!same_text || (other_doubts && !find_places(f, text))) return request_ = RunRequest::none, Once();
   const std::uint32_t now = doubtful_axes(f.catalog, f.now, run_);
   if (now == 0 || is_beyond_travel(f)) return request_ = RunRequest::none, Once();
-  const bool told_anew = other_doubts || now != doubtful_;
-  if (told_anew) tell(f, now);
+  const bool shown_anew = other_doubts || now != doubtful_;
+  if (shown_anew) tell(f, now);
   if (offered_ == 0 || counted_ != f.now.axes[axis_.index].position) offered_ = 0, name_ways(f, where);
   std::array<Action, 4> actions;
   for (std::size_t i = 0; i < offered_; ++i)
@@ -117,7 +117,7 @@ RunDoubt::Once RunDoubt::draw(Frame& f, std::string_view where, const Rect& row,
               row);
   const RefusalTouch touched = card_.end();
   if (touched.closed) request_ = RunRequest::none;
-  if (touched.action < 0 || told_anew) return {};  // that click was on what was told before
+  if (touched.action < 0 || shown_anew) return {};  // that click was on what was told before
   const Way way = offers_[static_cast<std::size_t>(touched.action)].way;
   if (way == once) return {std::exchange(request_, RunRequest::none), doubted_};
   go(f, way);

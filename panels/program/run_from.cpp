@@ -58,8 +58,7 @@ std::string why_not_sent_there(const Frame& f, const sequence::Rest& rest,
     const AxisState& now = f.now.axes[ix(axis)];
     if (!now.position_known)
       return fmt::format(
-          "The position of {} is not known. Nothing was begun. Home it, or say where it stands, then ask "
-          "again.",
+          "The position of {} is not known. Nothing was begun. Home it, or set its position, then ask again.",
           spoken_name(f.catalog, axis));
     for (const RehearsedAxis& then : rehearsed)
       if (then.name == name && then.in_counts != now.in_counts)
@@ -148,14 +147,14 @@ void RunFrom::ask(Frame& f, PlaceToBegin place) {
 void RunFrom::ask(Frame& f, Result<Wanted> wanted) {
   const Language* language = f.tab.desk().language();
   if (!language) return;
-  if (!wanted) return f.toast(Severity::warn, wanted.error().sentence());
+  if (!wanted) return refuse(wanted.error().sentence());
   if (std::string why = why_not_sent_there(f, wanted->rest, wanted->axes); !why.empty())
-    return f.toast(Severity::warn, std::move(why));
+    return refuse(std::move(why));
   auto written = language->write(wanted->rest.sequence, f.catalog);
-  if (!written) return f.toast(Severity::warn, written.error().sentence());
+  if (!written) return refuse(written.error().sentence());
   const ProgramTexts& texts = f.tab.desk().texts;
   if (!wanted->text.empty() && texts.text(texts.chosen()) != wanted->text)
-    return f.toast(Severity::warn, "The text has been changed since. Nothing was begun.");
+    return refuse("The text has been changed since. Nothing was begun.");
   rest_ = std::move(wanted->rest), written_ = std::move(*written);
   replaces_ = texts.edited(texts.chosen());
   asking_ = true;
@@ -166,25 +165,25 @@ void RunFrom::say(const Frame& f, const Wanted& wanted) {
   const std::string at = standing_at(f, rest_);
   question_ = at.empty() ? std::string() : fmt::format("Now: {}.\n", at);
   question_ += fmt::format("First: {}\n", words_of_leading(rest_));
-  question_ += fmt::format("Then {}, and all behind it.", wanted.begins);
+  question_ += fmt::format("Then {}, and everything after it.", wanted.begins);
   if (wanted.counts_from_now) question_ += "\nDistances above it are counted from where the axes stand now.";
-  if (rest_.leaves_homing_out) question_ += "\nHoming is left out: the counts are trusted.";
+  if (rest_.leaves_homing_out) question_ += "\nHoming is skipped: the counts are trusted.";
   if (!speaks_of_a_tool(rest_))
-    question_ += "\nNo step mentions a tool: make sure that nothing is in its way.";
+    question_ += "\nMake sure that nothing is in the way: no step mentions a tool.";
   question_ += replaces_ ? "\nThe text of the program has unsaved changes and is replaced."
                          : "\nThe text of the program is replaced.";
 }
 
-void RunFrom::run(Frame& f) const {
+void RunFrom::run(Frame& f) {
   ProgramTexts& texts = f.tab.desk().texts;
   f.tab.desk().source.put({std::make_shared<const sequence::Sequence>(rest_.sequence), written_});
   texts.set_text(texts.chosen(), written_.text);
-  if (go_ahead_.expired())
-    return f.toast(Severity::warn, "A stop came first. The text was put into the program and not run.");
-  std::string_view why = why_none_runs(f);
+  if (go_ahead_.expired()) return refuse("A stop came first. The text was put into the program and not run.");
+  std::string why(why_none_runs(f));
   if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
-  if (why.empty()) return begin_run(f, RunRequest::run);
-  f.toast(Severity::warn, std::string(why), &texts);
+  if (why.empty()) why = why_not_run_there(f.tab, written_.text);
+  if (!why.empty()) return refuse(std::move(why));
+  begin_run(f, RunRequest::run);
 }
 
 void RunFrom::draw_dialog(Frame& f, std::string_view where) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/sequence/rest.h"
 #include "gui/model/program_source.h"
@@ -24,11 +25,15 @@ class RunFrom {
     std::span<const RehearsedAxis> axes = {};
     std::optional<std::array<RehearsedPlace, 2>> begun = {};  ///< none: it does not tell
   };
-  /// Tells why if the rest cannot be run.
+  /// If the rest cannot be run, take_refusal() has the reason.
   void ask(gui::Frame& frame, const sequence::Sequence& of, const Place& place);
   /// The same for a typed text, once it has been read.
   void ask(gui::Frame& frame, PlaceToBegin place);
   void draw_dialog(gui::Frame& frame, std::string_view where);
+  /// The text of the rest that was asked for last; empty: none.
+  [[nodiscard]] const std::string& text() const { return written_.text; }
+  /// Why the last request was not carried out, once: for the panel to show; empty: it was, or is under way.
+  [[nodiscard]] std::string take_refusal() { return std::exchange(refusal_, {}); }
   /// The first target of the tool while the question stands, in the units of the axes.
   [[nodiscard]] std::optional<drawing::Point3> goes_to(const gui::Frame& frame, const PathAxes& axes) const;
 
@@ -43,15 +48,16 @@ class RunFrom {
   void ask(gui::Frame& frame, Result<Wanted> wanted);
   static Result<Wanted> wanted_of(const sequence::Sequence& of, const Place& place,
                                   const sequence::Places& begin);
+  void refuse(std::string why) { refusal_ = std::move(why); }
   void say(const gui::Frame& frame, const Wanted& wanted);
-  void run(gui::Frame& frame) const;
+  void run(gui::Frame& frame);
 
   bool asking_ = false, reading_ = false;
   std::optional<Result<Wanted>> read_;  ///< result from the worker
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
   sequence::Rest rest_;
   SequenceText written_;
-  std::string question_;
+  std::string question_, refusal_;
   bool replaces_ = false;         ///< replaces a text that is in no file
   std::weak_ptr<void> go_ahead_;  ///< expires on a stop while the question stands
 };

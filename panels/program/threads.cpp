@@ -160,7 +160,7 @@ void Threads::draw_refusal(Frame& f, int n, const Rect& row) {
     return refused_.clear();  // loaded or read since
   const Path id("thread/{}/refused", n), once("thread/{}/as_it_is", n), about("Run, program {}", n);
   const Action actions[] = {{.id = once,
-                             .label = "Run it as it is for this once",
+                             .label = "Run it once as it is",
                              .brief = "Run it once",
                              .disabled = f.no_link(),
                              .moving = true}};

@@ -30,13 +30,13 @@ void column_line(Ui& ui, float x, float top, float bottom) {
 Path what_store_keeps(const Frame& f) {
   const Catalog& c = f.catalog;
   if (c.program.compiled && c.variables.count > 0)
-    return Path("Keeps the set-up, and variables from {}{} on, over power-off. A program is kept without it.",
+    return Path("Keeps the set-up, and variables from {}{} on, at power-off. Programs are kept anyway.",
                 c.variables.prefix, c.variables.stored_from);
-  if (c.can.store_life == 0) return Path("Keeps set-up and programs over power-off.");
+  if (c.can.store_life == 0) return Path("Keeps set-up and programs at power-off.");
   if (f.now.store_count < 0)
-    return Path("Keeps set-up and programs over power-off. The memory is rated for {} writes.",
+    return Path("Keeps set-up and programs at power-off. The memory is rated for {} writes.",
                 c.can.store_life);
-  return Path("Keeps set-up and programs over power-off. {} of {} writes used.", f.now.store_count,
+  return Path("Keeps set-up and programs at power-off. {} of {} writes used.", f.now.store_count,
               c.can.store_life);
 }
 
@@ -77,8 +77,8 @@ void Setup::follow(Frame& f) {
         break;
       }
   }
-  const auto told = f.tab.desk().setup_write.take_told();
-  if (!told.sentence.empty()) f.toast(told.good ? Severity::ok : Severity::fault, told.sentence);
+  const auto report = f.tab.desk().setup_write.take_report();
+  if (!report.sentence.empty()) f.toast(report.good ? Severity::ok : Severity::fault, report.sentence);
   if (f.now.forgotten(storing_)) storing_ = 0;
   const IntentOutcome* stored = f.now.outcome_of(storing_);
   if (stored && stored->state != IntentState::pending) {
@@ -106,7 +106,7 @@ std::string Setup::summary(const Frame& f) const {
   else if (unknown > 0)
     words = fmt::format("{} not read yet.", unknown);
   else if (!f.now.unsaved_setup)
-    words = "All as the controller has it.";
+    words = "All values are those of the controller.";
   if (f.now.unsaved_setup) words += words.empty() ? "In force, but not stored." : " Not stored.";
   return words;
 }
@@ -122,7 +122,7 @@ void Setup::draw_toolbar(Frame& f) {
   ImGui::SameLine(0, ui.px(8));
   if (button(ui, "setup/read", "Read all",
              {.disabled = f.no_link(),
-              .tip = "Asks the controller for every value. What you edited stays.",
+              .tip = "Reads every value from the controller. Your edits stay.",
               .height = 40})
           .clicked)
     f.send(intent::ReadParams());
@@ -167,7 +167,7 @@ void Setup::draw_file_buttons(Frame& f, float top) {
   Ui& ui = f.ui;
   const ButtonOptions quiet{.style = ButtonStyle::quiet, .height = 40};
   const float width = button_width(ui, "Open", quiet) + button_width(ui, "Save", quiet);
-  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 8 - width), top));
+  ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 4 - width), top));
   if (button(ui, "setup/open", "Open", quiet).clicked)
     open_.ask_open("Open a set-up", open_.folder(), {".toml"});
   ImGui::SameLine(0, 0);
@@ -263,7 +263,7 @@ void Setup::draw_list(Frame& f, float width) {
     wrapped(ui, Face::body, Tone::ink2,
             show_ == Show::changed && filter_.empty() ? "Nothing here differs from the controller."
             : filter_.empty()                         ? "Every value is the factory value."
-                              : "No parameter has these words in its name or explanation.");
+                              : "No parameter name or explanation contains these words.");
   }
   gap(ui, 24);
   end_part();
@@ -348,7 +348,8 @@ void Setup::write(Frame& f, bool confirmed) {
 
 void Setup::draw_question(Frame& f) {
   if (!asking_) return;
-  const Dialog what{.title = question_title_, .sentences = question_, .yes = "Write", .no = "Leave as it is"};
+  const Dialog what{
+      .title = question_title_, .sentences = question_, .yes = "Write", .no = "Leave it unchanged"};
   if (dialog(f.ui, "setup/confirm", asking_, what) == Answer::yes) write(f, true);
 }
 

@@ -14,20 +14,20 @@ namespace {
 constexpr float least_field = 152, chevron_and_edges = 38, most_of_a_row = 0.54f;
 
 /// Adjacent settings of one heading.
-struct Neighbours {
+struct Adjacent {
   std::size_t first, end;
   int axis;  ///< common to all; -1: of several axes, or of none
 };
 
-Neighbours neighbours_from(const Catalog& c, std::size_t first) {
-  Neighbours run{first, first, c.params[first].axis};
+Adjacent adjacent_to(const Catalog& c, std::size_t first) {
+  Adjacent run{first, first, c.params[first].axis};
   for (; run.end < c.params.size() && c.params[run.end].group == c.params[first].group; ++run.end)
     if (c.params[run.end].axis != run.axis) run.axis = -1;
   if (c.axes.size() < 2) run.axis = -1;
   return run;
 }
 
-std::string title_of(const Catalog& c, const Neighbours& run) {
+std::string title_of(const Catalog& c, const Adjacent& run) {
   const std::string& group = c.params[run.first].group;
   return run.axis < 0 ? group
                       : fmt::format("{} of {}", group, c.axes[static_cast<std::size_t>(run.axis)].name);
@@ -38,7 +38,7 @@ std::string title_of(const Catalog& c, const Neighbours& run) {
 const std::vector<SetupList::Section>& SetupList::sections(const Catalog& c) {
   if (!sections_.empty() || c.params.empty()) return sections_;
   for (std::size_t i = 0; i < c.params.size();) {
-    const Neighbours run = neighbours_from(c, i);
+    const Adjacent run = adjacent_to(c, i);
     std::string title = title_of(c, run);
     auto section =
         std::find_if(sections_.begin(), sections_.end(), [&](const Section& s) { return s.title == title; });

@@ -34,8 +34,7 @@ constexpr Line lines[] = {
      [](const StepMeasures& m) { return m.settled ? std::optional(m.settling_ms) : std::nullopt; },
      "not settled"},
     {"steady", "Steady error", "Steady", "", 1,
-     [](const StepMeasures& m) { return m.steady_known ? std::optional(m.steady_error) : std::nullopt; },
-     "gap in it"},
+     [](const StepMeasures& m) { return m.steady_known ? std::optional(m.steady_error) : std::nullopt; }, ""},
     {"crossings", "Target passed", "Passed", bare, 0,
      [](const StepMeasures& m) { return std::optional(m.crossings); }, ""},
     {"largest", "Largest error", "Largest", "", 0,
@@ -51,14 +50,18 @@ Path unit_of(const Frame& f, const Line& m) {
 /// Without unit: "12.0", "3.1 to 5.2", or "12.0 or more" if a gap hid the exact value.
 Path measure_number(const Line& m, const StepMeasures& of) {
   const auto value = m.of(of);
-  if (!of.any || !value) return Path("{}", of.any ? m.absent : "");
+  if (!of.any) return Path("{}", "");
+  if (!value) return Path("{}", of.gaps > 0 ? "gap in it" : m.absent);
   const NumberText low = format_number(value->low, m.decimals);
   if (value->open()) return Path("{} or more", low.view());
   const NumberText high = format_number(value->high, m.decimals);
   return low.view() == high.view() ? Path("{}", low.view()) : Path("{} to {}", low.view(), high.view());
 }
 Path measure_words(const Frame& f, const Line& m, const StepMeasures& of) {
-  const bool number = of.any && m.of(of);
+  const auto value = of.any ? m.of(of) : std::nullopt;
+  const bool number = value.has_value();
+  if (number && value->open())
+    return Path("{}{} or more", format_number(value->low, m.decimals).view(), unit_of(f, m).view());
   return Path("{}{}", measure_number(m, of).view(), number ? unit_of(f, m).view() : std::string_view());
 }
 
@@ -79,9 +82,10 @@ Change change_of(const Frame& f, const Line& m, const TwoSteps& s, bool roomy) {
   const double by = std::fabs(now->low) - std::fabs(was->low);
   const double printed = 0.5 * std::pow(10.0, -m.decimals);
   const auto scatter = s.scatter.of(m.of);
-  if (std::fabs(by) < printed || (scatter && std::fabs(by) <= *scatter)) return change_in_words("same");
-  const NumberText number = format_number(by, m.decimals);
-  const Path much("{}{}{}", by > 0 ? "+" : "", number.view(),
+  if (scatter && (std::fabs(by) < printed || std::fabs(by) <= *scatter)) return change_in_words("same");
+  const bool none = std::fabs(by) < printed;
+  const NumberText number = format_number(none ? 0 : by, m.decimals);
+  const Path much("{}{}{}", by > 0 && !none ? "+" : "", number.view(),
                   roomy ? unit_of(f, m).view() : std::string_view());
   if (!scatter) return {Path("{}", much.view()), Tone::ink2, much, {}};
   const std::string_view verdict = by < 0 ? "better" : "worse";

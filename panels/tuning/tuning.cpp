@@ -72,7 +72,7 @@ void Tuning::draw(Frame& f) {
 
 void Tuning::follow(Frame& f) {
   recorder_->looked_at();
-  for (Told& told : recorder_->take_told()) f.toast(told.severity, std::move(told.sentence));
+  for (Report& report : recorder_->take_report()) f.toast(report.severity, std::move(report.sentence));
   if (compared_.latest == recorder_->measured_number()) return;
   compared_.latest = recorder_->measured_number();
   name_runs();
@@ -110,7 +110,7 @@ void Tuning::choose_axis(Frame& f, int axis) {
 std::string_view Tuning::why_not(const Frame& f) const {
   if (const std::string_view why = recorder_->why_not(axis(), steps_view(f.tab)); !why.empty()) return why;
   const auto step = step_.value(), length = length_.value();
-  if (!step || std::llround(*step) == 0) return "Type how far the step goes.";
+  if (!step || std::llround(*step) == 0) return "Type the size of the step.";
   if (!length || *length < 10 || *length > longest_ms) return "Record from 10 to 10 000 ms.";
   return {};
 }
@@ -143,8 +143,8 @@ void Tuning::draw_toolbar(Frame& f) {
   again.on = recorder_->repeats();
   again.disabled = recorder_->repeats() ? std::string_view() : why_not(f);
   again.tip =
-      "Steps to and fro until it is pressed again, and ends where it began. A stop or another panel ends it "
-      "at once.";
+      "Steps to and fro until you press it again, and ends at the start. A stop or another panel ends it at "
+      "once.";
   if (button(ui, "tuning/repeat", "Repeat", again).clicked) {
     if (recorder_->repeats()) {
       recorder_->end_where_it_began();
@@ -208,7 +208,7 @@ void Tuning::draw_compare(Frame& f, float right, float top) {
     if (&runs[i] == with) chosen = static_cast<int>(i);
   ImGui::SetCursorScreenPos(ImVec2(right - ui.px(84), top));
   const int picked = dropdown(ui, "tuning/compare", "Compare with", compared_.names, chosen,
-                              {.tip = "The run that is drawn in grey.", .width = 84});
+                              {.tip = "The run drawn in grey.", .width = 84});
   if (picked < 0) return;
   compared_.wanted = runs[static_cast<std::size_t>(picked)].number();
   measure_before();

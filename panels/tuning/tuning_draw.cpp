@@ -57,7 +57,7 @@ std::string_view without_axis(const Frame& f, const ParamInfo& p) {
 PlotRange times(const StepRun* run, const StepRun* old, double usual) {
   PlotRange r{-20, static_cast<float>(usual)};
   if (!run || run->empty()) return r;
-  r = {run->t_ms().front(), run->t_ms().back()};
+  r = {run->t_ms().front(), std::max(run->t_ms().back(), run->planned_end_ms())};
   if (old && !old->empty()) r.take(old->t_ms());
   return r;
 }
@@ -220,12 +220,12 @@ void Tuning::draw_side(Frame& f, float width) {
   draw_scatter(f, width);
   if (!f.catalog.can.store)
     wrapped(ui, Face::small, Tone::ink2,
-            "The controller forgets its gains with its power. Setup saves them to a file.", width);
+            "The controller loses its gains at power-off. Save them to a file in Setup.", width);
   if (shows_output()) {
     gap(ui, 8);
     wrapped(ui, Face::small, Tone::ink2,
-            "The controller does not tell its output. The console calculates it from error, speed and these "
-            "gains; an integral counts from the start of the recording.",
+            "The console calculates the output from error, speed and these gains, because the controller "
+            "does not report it; an integral counts from the start of the recording.",
             width);
   }
   gap(ui, 16);
@@ -236,8 +236,8 @@ void Tuning::draw_scatter(Frame& f, float width) {
   Ui& ui = f.ui;
   wrapped(ui, Face::small, Tone::ink2,
           recorder_->scatter().known()
-              ? "A difference within the scatter of three repetitions is called the same."
-              : "Better or worse is said when the scatter of three repetitions is known.",
+              ? "A difference within the scatter of three repetitions counts as the same."
+              : "Better or worse is shown when the scatter of three repetitions is known.",
           width);
   gap(ui, 4);
   ButtonOptions three;

@@ -1,0 +1,20 @@
+#pragma once
+// What a worker makes of a drawing: its conversion, program text, pieces, path and times.
+#include "gui/shell/console.h"
+#include "panels/drawing/drawing_job.h"
+
+namespace hw::panels {
+
+/// How a worker rehearses a drawing in pieces; null: it cannot.
+struct Rehearsing {
+  gui::Console::Together together;
+  gui::Console::InPieces alone;
+};
+
+/// Makes all results of a drawing. Slow. `ordered`: how far its chains have been put in order, 0 to 1.
+Result<DrawingJob::Made> make_all(const drawing::Drawing& drawing, const Catalog& catalog,
+                                  const Language* language, const Rehearsing& rehearsing,
+                                  const ConversionOptions& options, drawing::Point scale,
+                                  std::atomic<float>& ordered);
+
+}  // namespace hw::panels
