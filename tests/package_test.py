@@ -103,7 +103,8 @@ class Package(unittest.TestCase):
                      "usr/share/metainfo/org.handwheel.handwheel.metainfo.xml",
                      "usr/share/bash-completion/completions/handwheel", "usr/share/zsh/vendor-completions/_handwheel",
                      "usr/share/fish/vendor_completions.d/handwheel.fish", "usr/share/doc/handwheel/copyright",
-                     "usr/share/doc/handwheel/changelog.gz", "usr/share/doc/handwheel/licenses/fonts-inter"):
+                     "usr/share/doc/handwheel/changelog.gz", "usr/share/doc/handwheel/CHANGELOG.md.gz",
+                     "usr/share/doc/handwheel/licenses/fonts-inter"):
             self.assertTrue((self.root / name).is_file(), name)
         for folder in ("manual", "examples"):
             there = {path.name for path in (self.share / "handwheel" / folder).iterdir()}

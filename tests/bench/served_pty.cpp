@@ -28,8 +28,8 @@ void start_at(Emulator& emulator, int baud) {
   const auto code = std::find(std::begin(rates), std::end(rates), baud) - std::begin(rates) + 1;
   emulator.receive("@00DB=" + std::to_string(code) + "\r@00STORE\r");
   if (!emulator.operate(bench::PowerCycle())) abort();
-  std::string said;
-  emulator.take_output(said);
+  std::string sentence;
+  emulator.take_output(sentence);
 }
 
 [[noreturn]] void serve(std::string_view model, int baud, const std::string& path, int ready) {

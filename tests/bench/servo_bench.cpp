@@ -24,7 +24,7 @@ Motion eight_axes(bool with_motors) {
 
 void moves(benchmark::State& state, bool with_motors) {
   Motion motion = eight_axes(with_motors);
-  std::vector<MotionEvent> told;
+  std::vector<MotionEvent> reported;
   Instant end{};
   std::int64_t updates = 0, goal = 20'000;
   for (auto _ : state) {
@@ -41,8 +41,8 @@ void moves(benchmark::State& state, bool with_motors) {
       ++updates;
     }
     motion.advance_to(end);
-    motion.take_events(told);
-    told.clear();
+    motion.take_events(reported);
+    reported.clear();
   }
   const auto simulated = static_cast<double>(state.iterations());
   state.counters["times_real"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);

@@ -25,20 +25,20 @@ struct Stack {
     const auto address = Address::parse(text);
     const DeviceType& type = *find_device_type(address->model);
     catalog = *type.make_catalog({});
-    draft.axis_count = static_cast<int>(catalog.axes.size());
+    snapshot.axis_count = static_cast<int>(catalog.axes.size());
     auto opener = make_wire_opener();
     auto wire = co_await opener(time, *address, nullptr);
     if (wire) {
       auto link = std::make_shared<Link>(time, std::move(wire->stream));
       station = std::make_unique<Station>(std::move(link), &traffic);
-      driver = type.make_driver(DriverContext{time, catalog, draft, texts, [](Notice) {}, [] {}});
+      driver = type.make_driver(DriverContext{time, catalog, snapshot, texts, [](Notice) {}, [] {}});
       driver->attach(*station);
       auto ready = co_await driver->connect();
       traffic.drain([](TrafficEntry&) {});  // what connecting took is not counted
       connected = ready.has_value();
       while (!over && ready) {
         ready = co_await driver->poll(Round::usual);
-        latest.publish(draft);
+        latest.publish(snapshot);
         traffic.drain([this](TrafficEntry& entry) { wire_bytes += entry.bytes.size(); });
       }
       if (!ready) trouble = ready.error().sentence();
@@ -51,7 +51,7 @@ struct Stack {
   IoContext& io;
   RealScheduler time;
   Catalog catalog;
-  Snapshot draft;
+  Snapshot snapshot;
   ScriptTexts texts;
   Latest<Snapshot> latest;
   TrafficRing traffic{1 << 12};

@@ -71,7 +71,7 @@ TEST_P(BacklashContract, AQuestionInBetweenLeavesTheWayBackToCome) {
   EXPECT_TRUE(now().pieces.ended_because.view().empty());
 }
 
-TEST_P(BacklashContract, ATextThatDoesSomethingEndsItAndThatIsTold) {
+TEST_P(BacklashContract, ATextThatDoesSomethingEndsItAndThatIsReported) {
   const auto [question, command] = question_and_command(session->catalog());
   lowest_on_the_way(to(800), 800);
   EXPECT_EQ(perform(to(300)).state, IntentState::done);
@@ -80,7 +80,7 @@ TEST_P(BacklashContract, ATextThatDoesSomethingEndsItAndThatIsTold) {
   ASSERT_TRUE(run_until([this] { return !now().pieces.running && !now().any_axis_moving(); }, seconds(60)));
   EXPECT_EQ(axis().commanded(), refused ? Steps(300) : Steps(240)) << "what was refused changed nothing";
   if (!refused)
-    EXPECT_THAT(std::string(now().pieces.ended_because.view()), testing::StartsWith("Move there again"));
+    EXPECT_THAT(std::string(now().pieces.ended_because.view()), testing::StartsWith("Repeat the move"));
 }
 
 TEST_P(BacklashContract, NothingElseMovesInBetween) {

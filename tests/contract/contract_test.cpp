@@ -100,7 +100,7 @@ TEST_P(ContractTest, StopEndsALongMoveAtOnceAndItStaysEnded) {
   EXPECT_EQ(axis().ended_by, EndedBy::stop);
 }
 
-TEST_P(ContractTest, APulledCableIsSaidAndHealsWithoutMovingAnything) {
+TEST_P(ContractTest, APulledCableIsReportedAndHealsWithoutMovingAnything) {
   perform(intent::MoveBy({{AxisId{0}, Steps(2000)}}));
   run(Millis(500));
   operate(bench::Unplug(true));
@@ -116,7 +116,7 @@ TEST_P(ContractTest, APulledCableIsSaidAndHealsWithoutMovingAnything) {
 }
 
 // Whether what was on its way came there no wire can know: it is not called lost, and the place is told.
-TEST_P(ContractTest, WhatCameOfALostLinkIsToldByTheirPlaces) {
+TEST_P(ContractTest, WhatCameOfALostLinkIsReportedByTheirPlaces) {
   session->send(intent::MoveBy({{AxisId{0}, Steps(2000)}}, Pps{500}));
   run(Millis(500));
   operate(bench::Unplug(true));
@@ -358,11 +358,11 @@ TEST_P(ContractTest, APowerCycleIsNoticedAndNothingMoves) {
                         seconds(30)));
   run(seconds(5));
   EXPECT_EQ(axis().position, Steps(0));
-  Notice told;
-  bool said = false;
+  Notice reported;
+  bool sentence = false;
   session->notices().drain(
-      [&](const Notice& n) { said = said || n.text.find("switched off and on") != n.text.npos; });
-  EXPECT_TRUE(said);
+      [&](const Notice& n) { sentence = sentence || n.text.find("switched off and on") != n.text.npos; });
+  EXPECT_TRUE(sentence);
 }
 
 TEST_P(ContractTest, ValuesOutOfRangeAreRefusedInWordsAndNothingIsSent) {

@@ -141,7 +141,7 @@ TEST_P(EndingContract, AHomeSearchThatAnotherHostStopsHasFoundNothing) {
   }
 }
 
-TEST_P(EndingContract, AStopAtOnceBehindAnotherIsToldAsOne) {
+TEST_P(EndingContract, AStopAtOnceBehindAnotherIsReportedAsOne) {
   switch_motor_on();
   EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000), false)).state, IntentState::done);
   run(seconds(1));

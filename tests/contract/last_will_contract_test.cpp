@@ -35,7 +35,7 @@ class ReachedWindow final : public Window {
   explicit ReachedWindow(std::unique_ptr<Window> inner) : inner_(std::move(inner)) {}
   void listen(Listener* listener) override { inner_->listen(listener); }
   Task<Result<>> run(std::span<BusCycle> cycles) override { return inner_->run(cycles); }
-  [[nodiscard]] bool tells_interrupts() const override { return inner_->tells_interrupts(); }
+  [[nodiscard]] bool reports_interrupts() const override { return inner_->reports_interrupts(); }
   [[nodiscard]] WireShare share() const override { return {WireShare::How::memory, 0, {}, 0}; }
   [[nodiscard]] std::string describe() const override { return inner_->describe(); }
 
@@ -108,10 +108,10 @@ class LastWillContract : public ContractTest {
       window = std::move(*host->plug_in_window());
     else
       stream = std::move(*host->plug_in());
-    Millis said{};
+    Millis sentence{};
     for (LastWords words : will) {
-      hold(words.after - said);
-      said = words.after;
+      hold(words.after - sentence);
+      sentence = words.after;
       if (stream) stream->send(words.bytes);
       if (window)
         asio::co_spawn(
@@ -175,7 +175,7 @@ TEST_P(LastWillContract, ComesBehindAMessageThatWasCutShort) {
   EXPECT_FALSE(moves());
 }
 
-TEST_P(LastWillContract, NothingIsSaidOnAWireWhoseWatchdogMayHaveSpoken) {
+TEST_P(LastWillContract, NothingIsSentOnAWireWhoseWatchdogMayHaveSpoken) {
   ASSERT_NO_FATAL_FAILURE(jog(Millis(500)));
   notary->silent = true;
   std::string why;

@@ -35,7 +35,7 @@ namespace {
 class LyingDriver final : public Driver {
  public:
   LyingDriver(const DeviceType& honest, DriverContext context, const Lie& lie)
-      : shown_(context.draft), lie_(lie), memory_(context), truth_(context.draft) {
+      : shown_(context.snapshot), lie_(lie), memory_(context), truth_(context.snapshot) {
     honest_ = honest.make_driver(around(std::move(context)));
   }
 

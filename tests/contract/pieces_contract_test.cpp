@@ -62,7 +62,7 @@ class PiecesContractTest : public TruthTest {
   bool ends(Duration patience = seconds(600)) {
     return run_until([this] { return !now().pieces.running && !now().any_axis_moving(); }, patience);
   }
-  [[nodiscard]] std::string told() {
+  [[nodiscard]] std::string reported() {
     std::string all;
     session->notices().drain([&](const Notice& n) { all += n.text + "\n"; });
     return all;
@@ -109,9 +109,9 @@ TEST_P(PiecesContractTest, AllOfItIsDoneWithTheToolOffInBetween) {
   EXPECT_FALSE(is_on());
   EXPECT_EQ(axis().position, Steps(at_));
   EXPECT_EQ(now().pieces.done, now().pieces.total);
-  const std::string said = told();
-  EXPECT_EQ(said.find("iece"), std::string::npos) << said;
-  EXPECT_EQ(said.find("tool"), std::string::npos) << said;
+  const std::string sentence = reported();
+  EXPECT_EQ(sentence.find("iece"), std::string::npos) << sentence;
+  EXPECT_EQ(sentence.find("tool"), std::string::npos) << sentence;
 }
 
 TEST_P(PiecesContractTest, AStopEndsAllAndItGoesOnFromAPiece) {
@@ -221,7 +221,7 @@ TEST_P(PiecesContractTest, APieceThatDoesNotEndWhereItShouldIsTheLast) {
   run(seconds(5));
   EXPECT_LT(now().pieces.done, now().pieces.total);
   EXPECT_FALSE(is_on());
-  EXPECT_FALSE(told().empty());
+  EXPECT_FALSE(reported().empty());
 }
 
 TEST_P(PiecesContractTest, APieceThatIsRefusedInMidDrawingIsTheLast) {
@@ -336,10 +336,10 @@ TEST_P(PiecesContractTest, ABufferNeverRunsDryOnTheWay) {
   EXPECT_LT(longest_rest, Millis(20)) << "a step takes less";
   EXPECT_FALSE(is_on());
   EXPECT_EQ(now().axes[0].position, Steps(at_));
-  EXPECT_EQ(now().pieces.done, 1) << told();
+  EXPECT_EQ(now().pieces.done, 1) << reported();
 }
 
-TEST_P(PiecesContractTest, ABufferIsDrawnWithTheRampsThatAreSaid) {
+TEST_P(PiecesContractTest, ABufferIsDrawnWithTheRampsThatAreSet) {
   if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
   s_.steps = {{seq::Pen{false}}, {seq::Speed{{4000, 150, 80}}}};
   add_chains(1, 1500);  // more than a program holds
@@ -355,7 +355,7 @@ TEST_P(PiecesContractTest, ABufferIsDrawnWithTheRampsThatAreSaid) {
   EXPECT_THAT(set, testing::IsSupersetOf({std::int64_t{150}, std::int64_t{80}}));
   must(intent::RunInPieces(pieces));
   ASSERT_TRUE(ends());
-  EXPECT_EQ(axis().position, Steps(at_)) << told();
+  EXPECT_EQ(axis().position, Steps(at_)) << reported();
 }
 
 TEST_P(PiecesContractTest, ASequenceSaysHowCloseChordsLieToItsArcs) {
@@ -427,7 +427,7 @@ TEST_P(PiecesContractTest, ABufferThatTakesNoMoreMovesIsStoppedWithItsToolOff) {
   run(seconds(5));
   EXPECT_FALSE(now().pieces.running);
   EXPECT_FALSE(is_on());
-  EXPECT_THAT(told(), HasSubstr("was not taken whole"));
+  EXPECT_THAT(reported(), HasSubstr("was not taken whole"));
 }
 
 TEST_P(PiecesContractTest, ABufferNeedsLoopsOpenAndSaysSoBeforeAnythingMoves) {
@@ -450,7 +450,7 @@ TEST_P(PiecesContractTest, ABufferNeedsLoopsOpenAndSaysSoBeforeAnythingMoves) {
   ASSERT_TRUE(run_until([&] { return loops_in_the_way(*pieces, now()) == 0; }, seconds(10)));
   must(intent::RunInPieces(pieces));
   ASSERT_TRUE(ends());
-  EXPECT_EQ(axis().position, Steps(at_)) << told();
+  EXPECT_EQ(axis().position, Steps(at_)) << reported();
 }
 
 TEST_P(PiecesContractTest, TheSpeedOfABufferCanBeOverridden) {
@@ -483,12 +483,12 @@ TEST_P(PiecesContractTest, TheSpeedOfTheNextProgramCanBeOverridden) {
   must(intent::OverrideSpeed(50));
   ASSERT_TRUE(run_until([&] { return axis().position >= Steps(at_ - way + ramps); }, seconds(900)));
   const Instant from = time.now();
-  ASSERT_TRUE(run_until([&] { return axis().position >= Steps(at_ - ramps); }, seconds(60))) << told();
+  ASSERT_TRUE(run_until([&] { return axis().position >= Steps(at_ - ramps); }, seconds(60))) << reported();
   const double took = std::chrono::duration<double>(time.now() - from).count();
   EXPECT_NEAR(took, (way - 2 * ramps) / 2000.0, 0.5) << "half of 4000 steps/s";
   EXPECT_EQ(perform(intent::OverrideSpeed(100)).state, IntentState::refused) << "it is the last";
   ASSERT_TRUE(ends());
-  EXPECT_EQ(axis().position, Steps(at_)) << told();
+  EXPECT_EQ(axis().position, Steps(at_)) << reported();
 }
 
 TEST_P(PiecesContractTest, AFaultNamesTheStepOfTheWholeSequence) {

@@ -55,7 +55,7 @@ class ToolGuardTest : public TruthTest {
     EXPECT_FALSE(is_on());
     EXPECT_FALSE(session->pump().busy());
   }
-  [[nodiscard]] std::string told() {
+  [[nodiscard]] std::string reported() {
     std::string all;
     session->notices().drain([&](const Notice& n) { all += n.text + "\n"; });
     return all;
@@ -94,7 +94,7 @@ TEST_P(ToolGuardTest, AnEndThatLeavesItOnDoesNot) {
   add_cut(6'000);
   start();
   expect_off_at_rest();
-  EXPECT_THAT(told(), HasSubstr("with the tool on"));
+  EXPECT_THAT(reported(), HasSubstr("with the tool on"));
 }
 
 TEST_P(ToolGuardTest, AnEndThatSwitchesItOffIsLeftAlone) {
@@ -104,7 +104,7 @@ TEST_P(ToolGuardTest, AnEndThatSwitchesItOffIsLeftAlone) {
   start();
   expect_off_at_rest();
   EXPECT_EQ(axis().position, Steps(0));
-  EXPECT_EQ(told().find("tool"), std::string::npos);
+  EXPECT_EQ(reported().find("tool"), std::string::npos);
 }
 
 TEST_P(ToolGuardTest, AHoldSwitchesItOffUntilItGoesOn) {
@@ -153,7 +153,7 @@ TEST_P(ToolGuardTest, ALimitThatIsMetWithItOffIsThePrograms) {
   must(intent::RunProgram(0));
   EXPECT_TRUE(run_until([this] { return is_on(); }, seconds(5)));
   expect_off_at_rest();
-  EXPECT_EQ(told().find("with the tool on"), std::string::npos);
+  EXPECT_EQ(reported().find("with the tool on"), std::string::npos);
 }
 
 TEST_P(ToolGuardTest, ALimitThatWasMetBeforeIsNoneOfTheRun) {
@@ -167,7 +167,7 @@ TEST_P(ToolGuardTest, ALimitThatWasMetBeforeIsNoneOfTheRun) {
   session->send(intent::LoadProgram(0, text()));  // no round of status between the two
   must(intent::RunProgram(0));
   expect_off_at_rest();
-  EXPECT_EQ(load(), Steps(8'000)) << told();
+  EXPECT_EQ(load(), Steps(8'000)) << reported();
 }
 
 TEST_P(ToolGuardTest, ALostLinkSwitchesItOffWhenItIsBack) {
@@ -177,7 +177,7 @@ TEST_P(ToolGuardTest, ALostLinkSwitchesItOffWhenItIsBack) {
   operate(bench::Unplug(true));
   ASSERT_TRUE(run_until([this] { return !now().link.connected(); }, seconds(20)));
   EXPECT_TRUE(is_on()) << "nobody can do anything about it";
-  EXPECT_THAT(told(), HasSubstr("switched off"));
+  EXPECT_THAT(reported(), HasSubstr("Use the power switch of the tool"));
   operate(bench::Unplug(false));
   ASSERT_TRUE(run_until([this] { return now().link.connected(); }, seconds(60)));
   expect_off_at_rest();

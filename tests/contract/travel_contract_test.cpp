@@ -1,5 +1,6 @@
 // The user's own limits on every controller: what would go past one is refused, and a jog ends there by the
 // controller itself.
+#include "core/device/travel_check.h"
 #include "tests/contract/rig.h"
 
 namespace hw {
@@ -112,6 +113,18 @@ TEST_P(TravelContract, LimitsByADoubtfulCountHoldNothing) {
   EXPECT_FALSE(axis().travel_holds());
   EXPECT_EQ(go_by(900).state, IntentState::done) << "a way out must be left";
   EXPECT_EQ(axis().travel, travel()) << "they are kept, and hold again when it is told where it stands";
+}
+
+TEST_P(TravelContract, BacklashIsNotTakenUpFromBeyondALimit) {
+  ASSERT_NO_FATAL_FAILURE(begin());
+  perform(intent::SetBacklash(AxisId{0}, Backlash{Steps(50), Sign::minus}));
+  const IntentOutcome refused = go_to(780);
+  EXPECT_EQ(refused.state, IntentState::refused);
+  ASSERT_TRUE(refused.past);
+  EXPECT_EQ(nearest_allowed(now(), *refused.past), Steps(750));
+  EXPECT_EQ(stands(), Steps(0));
+  EXPECT_EQ(go_to(750).state, IntentState::done);
+  EXPECT_EQ(stands(), Steps(750));
 }
 
 TEST_P(TravelContract, EndsThatCrossAreRefused) {

@@ -75,8 +75,8 @@ TEST_P(TrustContract, AfterAPowerCycleNothingGoesToAPlaceByItsCount) {
   EXPECT_THAT(std::string(refused.sentence.view()),
               AllOf(StartsWith("The position of "), HasSubstr(" cannot be trusted: its power was cut"),
                     HasSubstr(". 240 "),
-                    HasSubstr(" may lie elsewhere than before. Nothing was sent. Home it, "
-                              "say where it stands, or go on for this once.")));
+                    HasSubstr(" may differ from before. Nothing was sent. Home it, set its position, or go "
+                              "on just this once.")));
   EXPECT_EQ(load(), stood);
   EXPECT_EQ(axis().position, Steps(0));
 }
@@ -186,7 +186,7 @@ TEST_P(TrustContract, WhatTheLastSessionHasKeptIsTakenForWhatNobodyKnowsBetter) 
   EXPECT_FALSE(axis().trust.restored);
 }
 
-TEST_P(TrustContract, WhereItStandsCanBeSaid) {
+TEST_P(TrustContract, WhereItStandsCanBeSet) {
   ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
   EXPECT_EQ(perform(intent::SetPosition(0)).state, IntentState::done);
   EXPECT_EQ(axis().trust.kind, Trust::set);
@@ -228,7 +228,7 @@ TEST_P(TrustContract, AProgramThatGoesToAPlaceIsNotStartedByItsCount) {
   EXPECT_EQ(refused.state, IntentState::refused);
   EXPECT_EQ(refused.doubtful, 1u);
   EXPECT_THAT(std::string(refused.sentence.view()),
-              HasSubstr("Nothing was sent. Home it, say where it stands, or"));
+              HasSubstr("Nothing was sent. Home it, set its position, or"));
   run(seconds(2));
   EXPECT_EQ(load(), stood);
   intent::RunProgram once(0);

@@ -234,7 +234,7 @@ TEST_P(TruthTest, EachAxisFindsItsOwnHome) {
 
 // ---- limits
 
-TEST_P(TruthTest, ALimitIsToldOfTheSideThatWasRunInto) {
+TEST_P(TruthTest, ALimitIsReportedOnTheSideThatWasRunInto) {
   for (int i = 0; i < axes(); ++i)
     for (const Sign sign : {Sign::minus, Sign::plus}) {
       reopen();

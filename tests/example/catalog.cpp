@@ -1,5 +1,5 @@
 // What panels, terminal and scripts know of a Twin.
-#include "core/device/axis_tracking.h"
+#include "core/device/stopping_way.h"
 #include "tests/example/facts.h"
 #include "tests/example/twin.h"
 

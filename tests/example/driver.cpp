@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/base/number_text.h"
 #include "core/base/split.h"
 #include "core/device/axis_tracking.h"
 #include "core/device/param_check.h"
@@ -35,7 +36,7 @@ class TwinDriver final : public Driver {
     if (!id) co_return fail(id.error());
     if (*id != name)
       co_return fail(FaultKind::garbled, fmt::format("This is not a Twin. It answered \"{}\".", *id));
-    context_.draft.identity.firmware = std::string_view(*id).substr(5);
+    context_.snapshot.identity.firmware = std::string_view(*id).substr(5);
     set_up_read_ = false;
     co_return co_await poll(Round::everything);
   }
@@ -43,12 +44,14 @@ class TwinDriver final : public Driver {
     const Instant asked_at = context_.scheduler.now();
     auto text = co_await ask("?", Priority::poll, true);
     if (!text) co_return fail(text.error());
-    const auto fields = whole_numbers(*text, ' ', fields_of_status);
-    if (!fields) co_return fail(FaultKind::garbled, "The status of the Twin makes no sense.");
-    if (starts_ && *starts_ != fields->front()) tracking_.restarted(), set_up_read_ = false;
-    starts_ = fields->front();
+    std::vector<std::int64_t> fields;
+    for (const std::string_view part : split(*text, ' '))
+      if (const auto field = whole_number<std::int64_t>(part)) fields.push_back(*field);
+    if (fields.size() != fields_of_status) co_return fail(FaultKind::garbled, "Its status makes no sense.");
+    if (starts_ && *starts_ != fields.front()) tracking_.restarted(), set_up_read_ = false;
+    starts_ = fields.front();
     for (int a = 0; a < axes; ++a) {
-      const std::int64_t* f = fields->data() + 1 + a * fields_of_axis;
+      const std::int64_t* f = fields.data() + 1 + a * fields_of_axis;
       const bool minus = (f[3] & minus_bit) != 0, plus = (f[3] & plus_bit) != 0;
       const Pps speed(static_cast<double>(f[2]));
       tracking_.read(a, {Steps(f[0]), f[1] != 0, speed, minus, plus, f[4] == ended_by_home}, asked_at);
@@ -106,7 +109,7 @@ class TwinDriver final : public Driver {
     return fmt::format("{} {}", at_once ? "K" : "S", axis < 0 ? '*' : axis_letters[ix(axis)]);
   }
   [[nodiscard]] Pps known(int param) const {  // 0: not known
-    const ParamState& state = context_.draft.params[ix(param)];
+    const ParamState& state = context_.snapshot.params[ix(param)];
     return Pps(state.known ? static_cast<double>(state.value) : 0);
   }
   /// A stop begins with a line end, which ends whatever was cut short before it.
@@ -133,28 +136,26 @@ class TwinDriver final : public Driver {
     auto answer = co_await ask(text, priority);
     if (!answer) co_return fail(answer.error());
     if (*answer == "ok") co_return Result<>();
-    co_return fail(FaultKind::controller,
-                   fmt::format("The controller answered \"{}\" to {}.", *answer, text));
+    co_return fail(FaultKind::controller, fmt::format("It answered \"{}\" to {}.", *answer, text));
   }
-
-  Task<Result<>> begin(std::string text, int axis, AxisTracking::Motion motion) {
+  Task<Result<>> begin(std::string text, int axis, AxisTracking::Motion motion, intent::Pace requested) {
+    const auto pace = check_pace(context_.catalog, {}, requested);
+    if (!pace) co_return fail(pace.error());
+    if (pace->speed != 0) text += fmt::format(" {}", pace->speed);
     motion.ramp = known(ramp_param + axis).value;
     auto accepted = co_await command(std::move(text), Priority::intent);
     if (accepted) tracking_.begun(axis, motion);
     co_return accepted;
   }
-  static std::string speed_text(const intent::Pace& pace) {
-    return pace.speed.value == 0 ? "" : fmt::format(" {:.0f}", pace.speed.value);
-  }
   Task<Result<>> move(std::string verb, std::vector<AxisTarget> all, intent::Pace pace,
                       Activity activity = Activity::moving) {
     const auto base = verb == "D" ? MoveBase::position : MoveBase::zero;
-    const auto targets = check_move(context_.catalog, context_.draft, all, base, pace);
+    const auto targets = check_move(context_.catalog, context_.snapshot, all, base);
     if (!targets) co_return fail(targets.error());
     for (std::size_t i = 0; i < all.size(); ++i) {
       const int axis = all[i].axis.index;
       std::string text = fmt::format("{} {} {}", verb, axis_letters[ix(axis)], all[i].value.value);
-      auto begun = co_await begin(text + speed_text(pace), axis, {activity, (*targets)[i]});
+      auto begun = co_await begin(std::move(text), axis, {activity, (*targets)[i]}, pace);
       if (!begun) co_return begun;
     }
     co_return Result<>();
@@ -162,19 +163,19 @@ class TwinDriver final : public Driver {
   Task<Result<>> jog(intent::JogStart request) {
     std::vector<AxisTarget> end(1, {request.axis, request.up_to.value_or(Steps(0))});
     if (request.up_to) co_return co_await move("G", std::move(end), pace_of(request), Activity::jogging);
-    const auto possible = check_move(context_.catalog, context_.draft, end, MoveBase::zero, pace_of(request));
+    const auto possible = check_move(context_.catalog, context_.snapshot, end, MoveBase::zero);
     if (!possible) co_return fail(possible.error());
     std::string text = fmt::format("J {} {}", axis_letters[request.axis.index], letter(request.sign));
-    AxisTracking::Motion motion{Activity::jogging, {}, request.sign};
-    co_return co_await begin(text + speed_text(pace_of(request)), request.axis.index, motion);
+    const AxisTracking::Motion motion{Activity::jogging, {}, request.sign};
+    co_return co_await begin(std::move(text), request.axis.index, motion, pace_of(request));
   }
   Task<Result<>> home(intent::Home request) {
     if (request.pace.speed.value != 0 || request.pace.acceleration)
       co_return co_await refused("A Twin homes at its own speed.");
     const char way = request.mode == 0 ? 'L' : 'H';
     std::string text = fmt::format("H {} {} {}", axis_letters[request.axis.index], letter(request.sign), way);
-    AxisTracking::Motion motion{Activity::homing, {}, request.sign};
-    co_return co_await begin(std::move(text), request.axis.index, motion);
+    const AxisTracking::Motion motion{Activity::homing, {}, request.sign};
+    co_return co_await begin(std::move(text), request.axis.index, motion, {});
   }
   Task<Result<>> set_position(intent::SetPosition request) {
     for (int a = 0; a < axes; ++a) {
@@ -201,9 +202,9 @@ class TwinDriver final : public Driver {
       if (!text) co_return fail(text.error());
       const auto value = whole_number<std::int64_t>(*text);
       if (!value) co_return fail(FaultKind::garbled, "A parameter of the Twin is no number.");
-      context_.draft.params[i] = {*value, true, true};
+      context_.snapshot.params[i] = {*value, true, true};
     }
-    for (int a = 0; a < axes; ++a) context_.draft.axes[ix(a)].own_speed = known(speed_param + a);
+    for (int a = 0; a < axes; ++a) context_.snapshot.axes[ix(a)].own_speed = known(speed_param + a);
     co_return Result<>();
   }
   Task<Result<>> send_text(std::string text) {

@@ -24,8 +24,7 @@ inline constexpr int axes = 2, baud = 115200, fields_of_axis = 5,
                      fields_of_status = 1 + axes * fields_of_axis;
 inline constexpr std::int64_t position_max = 9'999'999, top_speed = 20'000;
 inline constexpr int start_speed = 400;  ///< steps/s at which a motor starts and stops without a ramp
-inline constexpr int minus_bit = 1, plus_bit = 2,
-                     ended_by_home = 3;  ///< of `limits`; of how the motion ended
+inline constexpr int minus_bit = 1, plus_bit = 2, ended_by_home = 3;  ///< of limits; of how a motion ended
 
 struct Param {
   std::string_view mnemonic;

@@ -139,7 +139,7 @@ class Host {
     const bool took_text = taken_to_ != get_index();
     for (const std::uint32_t get = get_index(); taken_to_ != get;
          taken_to_ = (taken_to_ + 1) % vme58::ring_cells)
-      hear(static_cast<char>(
+      receive(static_cast<char>(
           bus().read16(static_cast<std::uint16_t>(vme58::at::output_buffer + 2 * taken_to_))));
     for (int a = 0; a < board().variant().axes(); ++a) {
       const vme58::Motion& motion = board().motion();
@@ -152,10 +152,10 @@ class Host {
     }
     if (complete_ && board().idle()) may_move_ = false;
   }
-  void hear(char c) {
-    heard_[0] = heard_[1];
-    heard_[1] = c;
-    const std::string_view letters(heard_.data(), heard_.size());
+  void receive(char c) {
+    received_[0] = received_[1];
+    received_[1] = c;
+    const std::string_view letters(received_.data(), received_.size());
     const auto* mover =
         std::find_if(movers.begin(), movers.end(), [&](const Mover& m) { return m.letters == letters; });
     if (mover != movers.end()) {
@@ -168,7 +168,7 @@ class Host {
   /// Without power, and while it boots: nothing that came before counts.
   void forget() {
     taken_to_ = get_index();
-    heard_ = {};
+    received_ = {};
     may_move_ = false;
     rests_at_ = {};
   }
@@ -176,7 +176,7 @@ class Host {
   std::unique_ptr<Emulator> emulator_;
   Instant now_{};
   std::uint32_t taken_to_ = 0;
-  std::array<char, 2> heard_{};
+  std::array<char, 2> received_{};
   bool may_move_ = false;  ///< a command that moves has been taken, and not all has come to rest since
   bool complete_ = true;   ///< the latest of them: no number of it can come any more
   std::array<std::optional<std::int64_t>, vme58::most_axes> rests_at_{};

@@ -221,7 +221,7 @@ TEST(FileDialog, SavingOverAFileAsksOnce) {
   a.stage.frames(4);
   ASSERT_TRUE(a.stage.hand.click("file/save"));
   EXPECT_FALSE(a.chosen);
-  EXPECT_NE(a.stage.hand.value("file/sentence")->find("is there already"), std::string::npos);
+  EXPECT_NE(a.stage.hand.value("file/sentence")->find("exists already"), std::string::npos);
   ASSERT_TRUE(a.stage.hand.click("file/save"));
   ASSERT_TRUE(a.chosen);
   EXPECT_EQ(*a.chosen, a.folder.path / "a.vxm");

@@ -9,12 +9,12 @@ namespace {
 struct Loop {
   FramePacer pacer;
   double now_s = 0;
-  FramePacer::Wishes wishes{};
+  FramePacer::Needs needs{};
   /// As the window's loop does it; `during` happens while a frame is drawn.
   int frames_in(double seconds, auto during) {
     int frames = 0;
     for (const double end = now_s + seconds; now_s < end; now_s += 0.001)
-      if (pacer.is_due(now_s, wishes)) {
+      if (pacer.is_due(now_s, needs)) {
         pacer.begin_frame(now_s);
         during(frames++);
       }
@@ -62,7 +62,7 @@ TEST(FramePacer, NoMoreThanSixtyASecond) {
 
 TEST(FramePacer, WhatShowsTimeHasItsFrameWhenItIsTime) {
   Loop loop;
-  loop.wishes.wake_in_s = 0.5;
+  loop.needs.wake_in_s = 0.5;
   loop.frames_in(1);
   EXPECT_EQ(loop.frames_in(5), 10);
 }

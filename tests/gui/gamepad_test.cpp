@@ -51,7 +51,7 @@ class GamepadTest : public testing::Test {
     run(0.05);
   }
   /// "+left" and "-left" for what was pressed and let go, "x" for what was taken away.
-  std::string told() {
+  std::string reported() {
     std::string all;
     for (const CommandEdge& e : edges) {
       EXPECT_TRUE(e.by_pad);
@@ -75,16 +75,16 @@ class GamepadTest : public testing::Test {
 
 TEST_F(GamepadTest, AStickJogsWhileTheDeadManButtonIsHeld) {
   push_stick(left_x, 1);
-  EXPECT_EQ(told(), "") << "not without it";
+  EXPECT_EQ(reported(), "") << "not without it";
   push_stick(left_x, 0);
   hold(lb, true);
   push_stick(left_x, 1);
-  EXPECT_EQ(told(), "+right");
+  EXPECT_EQ(reported(), "+right");
   push_stick(left_x, 0.1f);
-  EXPECT_EQ(told(), "-right");
+  EXPECT_EQ(reported(), "-right");
   push_stick(left_x, -1);
   hold(lb, false);
-  EXPECT_EQ(told(), "+left xleft");
+  EXPECT_EQ(reported(), "+left xleft");
 }
 
 TEST_F(GamepadTest, EveryStickAndTheDPadHasItsAxis) {
@@ -92,7 +92,7 @@ TEST_F(GamepadTest, EveryStickAndTheDPadHasItsAxis) {
   const auto one = [&](int axis, float place) {
     push_stick(axis, place);
     push_stick(axis, 0);
-    return told();
+    return reported();
   };
   EXPECT_EQ(one(left_y, -1), "+up -up") << "up is plus";
   EXPECT_EQ(one(left_y, 1), "+down -down");
@@ -103,16 +103,16 @@ TEST_F(GamepadTest, EveryStickAndTheDPadHasItsAxis) {
   hold(GLFW_GAMEPAD_BUTTON_DPAD_UP, false);
   hold(GLFW_GAMEPAD_BUTTON_DPAD_LEFT, true);
   hold(GLFW_GAMEPAD_BUTTON_DPAD_LEFT, false);
-  EXPECT_EQ(told(), "+chosen+ -chosen+ +chosen- -chosen-");
+  EXPECT_EQ(reported(), "+chosen+ -chosen+ +chosen- -chosen-");
 }
 
 TEST_F(GamepadTest, WhatIsPushedAlreadyWhenTheDeadManButtonGoesDownMovesNothing) {
   push_stick(left_x, 1);  // it lies on its stick
   hold(lb, true);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
   push_stick(left_x, 0);
   push_stick(left_x, 1);
-  EXPECT_EQ(told(), "+right");
+  EXPECT_EQ(reported(), "+right");
 }
 
 TEST_F(GamepadTest, WhatIsPushedAlreadyWhenItIsArmedMovesNothing) {
@@ -122,17 +122,17 @@ TEST_F(GamepadTest, WhatIsPushedAlreadyWhenItIsArmedMovesNothing) {
   changes.forget();
   pad.arm(stage.now_s);
   run(0.5);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
 }
 
 TEST_F(GamepadTest, AStickIsOnOrOffAndDoesNotFlicker) {
   hold(lb, true);
   for (const float place : {0.3f, 0.5f, 0.59f}) push_stick(left_x, place);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
   for (const float place : {0.61f, 0.5f, 0.4f, 0.6f, 0.36f}) push_stick(left_x, place);
-  EXPECT_EQ(told(), "+right");
+  EXPECT_EQ(reported(), "+right");
   push_stick(left_x, 0.34f);
-  EXPECT_EQ(told(), "-right");
+  EXPECT_EQ(reported(), "-right");
 }
 
 TEST_F(GamepadTest, OneAxisAtATimeTheOneThatIsPushedMost) {
@@ -140,32 +140,32 @@ TEST_F(GamepadTest, OneAxisAtATimeTheOneThatIsPushedMost) {
   state.axes[left_x] = 0.7f;
   state.axes[left_y] = -0.9f;
   run(0.05);
-  EXPECT_EQ(told(), "+up");
+  EXPECT_EQ(reported(), "+up");
   push_stick(left_x, 1);
-  EXPECT_EQ(told(), "") << "hardly more";
+  EXPECT_EQ(reported(), "") << "hardly more";
   push_stick(left_y, -0.7f);
-  EXPECT_EQ(told(), "-up +right");
+  EXPECT_EQ(reported(), "-up +right");
 }
 
 TEST_F(GamepadTest, BStopsOnArrivalAndNothingBeginsBeforeTheSticksWereLetGo) {
   hold(lb, true);
   push_stick(left_x, 1);
-  told();
+  reported();
   stage.push(InputEvent::pad_button(b, true, stage.now_s));
-  EXPECT_EQ(told(), "+stop xright") << "before any frame, and the stop first";
+  EXPECT_EQ(reported(), "+stop xright") << "before any frame, and the stop first";
   state.buttons[b] = true;
   run(0.2);
-  EXPECT_EQ(told(), "") << "it is down already";
+  EXPECT_EQ(reported(), "") << "it is down already";
   hold(b, false);
   hold(b, true);
-  EXPECT_EQ(told(), "+stop") << "again: at once";
+  EXPECT_EQ(reported(), "+stop") << "again: at once";
   push_stick(left_y, 1);
   push_stick(left_x, 0.5f);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
   push_stick(left_x, 0);
   push_stick(left_y, 0);
   push_stick(left_y, 1);
-  EXPECT_EQ(told(), "+down");
+  EXPECT_EQ(reported(), "+down");
 }
 
 TEST_F(GamepadTest, NothingBeginsAfterAnEscThatCameLater) {
@@ -175,7 +175,7 @@ TEST_F(GamepadTest, NothingBeginsAfterAnEscThatCameLater) {
   stage.push(InputEvent::key(GLFW_KEY_ESCAPE, true, stage.now_s));
   edges.clear();  // Esc's own
   run(0.5);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
 }
 
 TEST_F(GamepadTest, AStickHalfWayBackIsNotLetGo) {
@@ -184,55 +184,55 @@ TEST_F(GamepadTest, AStickHalfWayBackIsNotLetGo) {
   };
   const auto let_go_and_push = [this] {
     push_stick(left_x, 0.3f);
-    told();
+    reported();
     push_stick(left_x, 0.65f);
-    return told();
+    return reported();
   };
   hold(lb, true);
   push_stick(left_x, 0.7f);
   push_stick(left_x, 0.5f);
-  told();
+  reported();
   stage.push(InputEvent::key(GLFW_KEY_ESCAPE, true, stage.now_s));
   edges.clear();  // Esc's own
   trembles();
-  EXPECT_EQ(told(), "") << "after Esc";
+  EXPECT_EQ(reported(), "") << "after Esc";
   stage.push(InputEvent::key(GLFW_KEY_ESCAPE, false, stage.now_s));
   EXPECT_EQ(let_go_and_push(), "+right");
   push_stick(left_x, 0.5f);
   hold(b, true);
   hold(b, false);
-  EXPECT_EQ(told(), "+stop xright");
+  EXPECT_EQ(reported(), "+stop xright");
   trembles();
-  EXPECT_EQ(told(), "") << "after B";
+  EXPECT_EQ(reported(), "") << "after B";
   EXPECT_EQ(let_go_and_push(), "+right");
   hold(lb, false);
   push_stick(left_x, 0.5f);
   hold(lb, true);
-  told();
+  reported();
   trembles();
-  EXPECT_EQ(told(), "") << "after the dead-man button";
+  EXPECT_EQ(reported(), "") << "after the dead-man button";
   EXPECT_EQ(let_go_and_push(), "+right");
 }
 
 TEST_F(GamepadTest, LosingTheWindowDisarms) {
   hold(lb, true);
   push_stick(left_x, 1);
-  told();
+  reported();
   stage.push(InputEvent::focus_lost(stage.now_s));
-  EXPECT_EQ(told(), "xright");
+  EXPECT_EQ(reported(), "xright");
   EXPECT_FALSE(pad.armed());
   EXPECT_NE(pad.take_words().find("lost the keyboard"), std::string::npos);
   EXPECT_EQ(pad.take_words(), "") << "told once";
   run(0.5);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
 }
 
 TEST_F(GamepadTest, OneThatIsPulledOutStopsAndIsDisarmed) {
   hold(lb, true);
   push_stick(left_x, 1);
-  told();
+  reported();
   changes.tell(std::nullopt, stage.now_s, [this](const InputEvent& e) { stage.push(e); });
-  EXPECT_EQ(told(), "xright");
+  EXPECT_EQ(reported(), "xright");
   EXPECT_FALSE(pad.armed());
   EXPECT_FALSE(pad.present());
   EXPECT_NE(pad.take_words().find("gone"), std::string::npos);
@@ -240,7 +240,7 @@ TEST_F(GamepadTest, OneThatIsPulledOutStopsAndIsDisarmed) {
 
 TEST_F(GamepadTest, OneThatIsPulledOutAtRestHasStoppedNothing) {
   changes.tell(std::nullopt, stage.now_s, [this](const InputEvent& e) { stage.push(e); });
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
   EXPECT_FALSE(pad.armed());
   const std::string words = pad.take_words();
   EXPECT_NE(words.find("gone"), std::string::npos);
@@ -250,24 +250,24 @@ TEST_F(GamepadTest, OneThatIsPulledOutAtRestHasStoppedNothing) {
 TEST_F(GamepadTest, OneThatDoesNotAnswerStopsAndIsDisarmed) {
   hold(lb, true);
   push_stick(left_x, 1);
-  told();
+  reported();
   const double from = stage.now_s;
   while (pad.armed() && stage.now_s < from + 1) stage.frame();  // nobody looks
   EXPECT_LT(stage.now_s - from, 0.25);
-  EXPECT_EQ(told(), "xright");
-  EXPECT_NE(pad.take_words().find("has not answered"), std::string::npos);
+  EXPECT_EQ(reported(), "xright");
+  EXPECT_NE(pad.take_words().find("had not answered"), std::string::npos);
 }
 
 TEST_F(GamepadTest, OneOnWhichNothingChangesIsTakenForLeftAlone) {  // out of reach, it keeps its last state
   const auto is_left_alone = [this](const std::string& jog) {
-    told();
+    reported();
     run(1.8);
-    EXPECT_EQ(told(), "");
+    EXPECT_EQ(reported(), "");
     run(0.3);
-    EXPECT_EQ(told(), "x" + jog);
-    EXPECT_NE(pad.take_words().find("has changed for 2 s"), std::string::npos);
+    EXPECT_EQ(reported(), "x" + jog);
+    EXPECT_NE(pad.take_words().find("had changed for 2 s"), std::string::npos);
     run(5);
-    EXPECT_EQ(told(), "") << "it must be let go first";
+    EXPECT_EQ(reported(), "") << "it must be let go first";
   };
   hold(lb, true);
   push_stick(left_x, 0.8f);
@@ -284,12 +284,12 @@ TEST_F(GamepadTest, OneOnWhichNothingChangesIsTakenForLeftAlone) {  // out of re
 TEST_F(GamepadTest, AStickInAHandIsNeverStill) {
   hold(lb, true);
   push_stick(left_x, 1);
-  told();
+  reported();
   for (int n = 0; n < 20; ++n) {
     push_stick(left_y, n % 2 ? 0.01f : 0.02f);  // across, it is not at its end
     run(0.5);
   }
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
 }
 
 TEST_F(GamepadTest, AtRestItWantsNoFrames) {
@@ -306,7 +306,7 @@ TEST_F(GamepadTest, NotArmedItIsNothing) {
   hold(lb, true);
   push_stick(left_x, 1);
   hold(b, true);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace hw::gui {
 namespace {
 
 Layout at(float width, float height, int controllers = 1) {
-  LayoutWishes w;
+  LayoutInput w;
   w.width = width;
   w.height = height;
   w.controllers = controllers;
@@ -75,7 +75,7 @@ TEST(Layout, FourControllersHaveTabsInEveryWindowButANarrowOne) {
 }
 
 TEST(Layout, SplittersStayWithinTheirLimits) {
-  LayoutWishes w;
+  LayoutInput w;
   w.splitters.left = 10;
   w.splitters.right = 9000;
   const Layout l = lay_out(w);
@@ -97,6 +97,29 @@ TEST(Layout, TheTerminalGivesWayToAPanelThatWantsHeightUnlessItWasDragged) {
   dragged.below = 320;
   EXPECT_EQ(below_height(768, dragged, Tier::wide, 616), 320);
   EXPECT_EQ(below_height(768, Splitters(), Tier::wide), Splitters().below);
+}
+
+TEST(Layout, AnUnfoldedColumnStandsBesideACentreThatHasRoom) {
+  LayoutInput w;
+  w.right_open = true;
+  w.width = 1366, w.height = 768;
+  const Layout laptop = lay_out(w);
+  EXPECT_FALSE(laptop.unfolded_covers);
+  EXPECT_EQ(laptop.centre.right(), laptop.unfolded.x);
+  EXPECT_EQ(laptop.unfolded.right(), laptop.right.x);
+  w.width = 1024, w.height = 700;
+  const Layout small = lay_out(w);
+  EXPECT_TRUE(small.unfolded_covers);
+  EXPECT_EQ(small.centre.right(), small.right.x);
+  w.width = 1440, w.height = 900;
+  EXPECT_TRUE(lay_out(w).unfolded.empty()) << "it is never folded there";
+}
+
+TEST(Layout, TheTerminalOfALaptopHasItsTitleAndThreeRows) {
+  constexpr float title_and_rows = 44 + 3 * 20 + 48;
+  const float laptop = at(1366, 768).centre.height - 40, small = at(1024, 700).centre.height - 40;
+  EXPECT_GE(below_height(laptop, Splitters(), Tier::medium, 560), title_and_rows);
+  EXPECT_LT(below_height(small, Splitters(), Tier::medium), title_and_rows);
 }
 
 }  // namespace

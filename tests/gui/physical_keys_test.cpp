@@ -42,7 +42,7 @@ TEST(PhysicalKeys, AKeyThatWasHeldWhenTheKeyboardCameBackIsNoPressUntilItHasBeen
   EXPECT_TRUE(s.keys.is_press(right, code, press));
 }
 
-TEST(PhysicalKeys, AReleaseThatIsToldEndsThatToo) {
+TEST(PhysicalKeys, AReleaseThatIsReportedEndsThatToo) {
   Server s;
   s.set(true);
   s.keys.come_back();

@@ -29,6 +29,7 @@ TEST(Plot, ValuesBetweenPoints) {
 struct PlotStage {
   std::vector<float> x, y;
   bool dashed = false;
+  float longest_joined = 0;
   PlotCursor cursor;
   Stage stage{in_window([this](Ui& ui) {
                 PlotOptions o;
@@ -36,7 +37,7 @@ struct PlotStage {
                 o.x = {0, 100}, o.y = {0, 100};
                 o.width = 400, o.height = 200;
                 o.empty = "Nothing yet.";
-                const PlotTrace trace{x, y, Tone::motion, 2, dashed, "encoder 100"};
+                const PlotTrace trace{x, y, Tone::motion, 2, dashed, "encoder 100", false, longest_joined};
                 plot(ui, "plot", "Plot", {&trace, 1}, o, cursor);
               }),
               440, 240};
@@ -53,6 +54,46 @@ TEST(Plot, TheCursorTellsTheValueUnderTheMouse) {
   ASSERT_TRUE(w);
   EXPECT_THAT(std::string(w->value), ::testing::StartsWith("50."));
   EXPECT_THAT(std::string(w->value), ::testing::HasSubstr("encoder 50"));
+}
+
+TEST(Plot, AGapIsDrawnAsAGapAndHasNoValue) {
+  PlotStage p;
+  for (int i = 0; i <= 100; ++i)
+    if (i <= 30 || i >= 70) p.x.push_back(static_cast<float>(i)), p.y.push_back(static_cast<float>(i));
+  const auto is_drawn_in_the_gap = [&p] {
+    bool drawn = false;
+    const Draw draw = p.stage.draw;
+    p.stage.draw = [&](Ui& ui) {
+      draw(ui);
+      ImGui::Begin("test");
+      // A stroke is made of corners: one across the gap has its triangle there.
+      const ImDrawList* list = ImGui::GetWindowDrawList();
+      const float middle = 16 + 52 + (400 - 68) / 2.0f;
+      const ImU32 colour = ui[Tone::motion];
+      for (int i = 0; i + 2 < list->IdxBuffer.Size; i += 3) {
+        float left = 1e9f, right = 0;
+        bool of_trace = true;
+        for (int k = 0; k < 3; ++k) {
+          const ImDrawVert& v = list->VtxBuffer[list->IdxBuffer[i + k]];
+          left = std::min(left, v.pos.x), right = std::max(right, v.pos.x);
+          of_trace = of_trace && (v.col & ~IM_COL32_A_MASK) == (colour & ~IM_COL32_A_MASK);
+        }
+        drawn = drawn || (of_trace && left < middle - 20 && right > middle + 20);
+      }
+      ImGui::End();
+    };
+    p.stage.frames(2);
+    p.stage.draw = draw;
+    return drawn;
+  };
+  EXPECT_TRUE(is_drawn_in_the_gap());
+  p.longest_joined = 4;
+  EXPECT_FALSE(is_drawn_in_the_gap());
+  p.stage.push(InputEvent::mouse_move(16 + 52 + (400 - 68) / 2, 100, p.stage.now_s));
+  p.stage.frames(2);
+  const Widget* w = p.stage.find("plot/cursor");
+  ASSERT_TRUE(w);
+  EXPECT_THAT(std::string(w->value), ::testing::Not(::testing::HasSubstr("encoder")));
 }
 
 std::size_t vertices_of(PlotStage& p) {

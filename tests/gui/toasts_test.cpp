@@ -26,18 +26,18 @@ TEST(ToastList, NameTheirControllerWhileAnotherIsInFront) {
   Toasts toasts;
   toasts.add(Severity::fault, "Line 2: no.", nullptr, "PMX");
   toasts.add(Severity::fault, "The disk is full.");
-  const auto said = [&](std::optional<std::string_view> front) {
+  const auto shown_text = [&](std::optional<std::string_view> front) {
     toasts.look_at(front);
-    return toasts.list()[0].said + " " + toasts.list()[1].said;
+    return toasts.list()[0].shown_text + " " + toasts.list()[1].shown_text;
   };
-  EXPECT_EQ(said("PMX"), "Line 2: no. The disk is full.");
-  EXPECT_EQ(said("DMX"), "PMX: Line 2: no. The disk is full.");
-  EXPECT_EQ(said(""), "PMX: Line 2: no. The disk is full.") << "a page of no controller";
-  EXPECT_EQ(said("PMX"), "Line 2: no. The disk is full.");
-  EXPECT_EQ(said(std::nullopt), "Line 2: no. The disk is full.") << "the only one";
+  EXPECT_EQ(shown_text("PMX"), "Line 2: no. The disk is full.");
+  EXPECT_EQ(shown_text("DMX"), "PMX: Line 2: no. The disk is full.");
+  EXPECT_EQ(shown_text(""), "PMX: Line 2: no. The disk is full.") << "a page of no controller";
+  EXPECT_EQ(shown_text("PMX"), "Line 2: no. The disk is full.");
+  EXPECT_EQ(shown_text(std::nullopt), "Line 2: no. The disk is full.") << "the only one";
 }
 
-TEST(ToastList, WhatIsSaidAgainIsCountedAndTheNewest) {
+TEST(ToastList, WhatIsReportedAgainIsCountedAndTheNewest) {
   Toasts toasts;
   toasts.add(Severity::warn, "It is hot.");
   toasts.add(Severity::ok, "It was copied.");
@@ -75,7 +75,7 @@ TEST(ToastList, WhatAFileBringsIntoASentenceIsCutAndMadeReadable) {
   EXPECT_EQ(text.substr(text.size() - 5), "\xC2\xB0\xE2\x80\xA6") << "no half of a character";
 }
 
-TEST(ToastList, AReasonThatIsGoneTakesWhatWasSaidWithIt) {
+TEST(ToastList, AReasonThatIsGoneTakesItsMessageWithIt) {
   Toasts toasts;
   const int stage = 0, table = 0;
   toasts.add(Severity::fault, "There is no link.", &stage);

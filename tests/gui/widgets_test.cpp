@@ -39,19 +39,19 @@ TEST(Button, FocusLossWhilePressedIsNoClick) {
   EXPECT_EQ(clicks, 0);
 }
 
-TEST(Text, WhatHadToBeCutIsToldWholeUnderTheMouse) {
-  std::string told;
+TEST(Text, WhatHadToBeCutIsShownWholeUnderTheMouse) {
+  std::string reported;
   Stage stage(in_window([&](Ui& ui) {
     draw_text_line(ui, 20, 120, 40, Face::body, ui[Tone::ink], "a sentence that is far too long for it");
     draw_text_line(ui, 20, 400, 80, Face::body, ui[Tone::ink], "short");
-    told = ui.cut();
+    reported = ui.cut();
   }));
   stage.push(InputEvent::mouse_move(60, 80, 0));
   stage.frames(3);
-  EXPECT_EQ(told, "");
+  EXPECT_EQ(reported, "");
   stage.push(InputEvent::mouse_move(60, 40, 0));
   stage.frames(3);
-  EXPECT_EQ(told, "a sentence that is far too long for it");
+  EXPECT_EQ(reported, "a sentence that is far too long for it");
 }
 
 /// The highest and the lowest line of pixels that is not the ground, from `top` to `bottom`.
@@ -66,10 +66,10 @@ std::pair<int, int> inked(Stage& stage, int top, int bottom) {
 }
 
 TEST(Text, ASentenceThatIsTooLongForItsLineTakesTwoSmallOnes) {
-  std::string sentence = "short", told;
+  std::string sentence = "short", reported;
   Stage stage(in_window([&](Ui& ui) {
     draw_text_in_two_lines(ui, 20, 400, 60, Face::body, ui[Tone::ink], sentence);
-    told = ui.cut();
+    reported = ui.cut();
   }));
   stage.push(InputEvent::mouse_move(60, 68, 0));
   stage.frames(3);
@@ -81,23 +81,23 @@ TEST(Text, ASentenceThatIsTooLongForItsLineTakesTwoSmallOnes) {
   EXPECT_LT(two.first, 56) << "a line above the middle";
   EXPECT_GT(two.second, 64) << "and one below";
   EXPECT_LT(two.second - two.first, 36) << "both within a status line";
-  EXPECT_EQ(told, "") << "nothing had to be cut";
+  EXPECT_EQ(reported, "") << "nothing had to be cut";
   sentence += " The cable of /dev/ttyUSB0 was pulled. No command was repeated.";
   stage.frames(3);
-  EXPECT_NE(told, "") << "what even two lines cannot hold is told under the mouse";
+  EXPECT_NE(reported, "") << "what even two lines cannot hold is told under the mouse";
 }
 
 TEST(Text, AWidgetsOwnTipGoesFirst) {
-  std::string told;
+  std::string reported;
   Stage stage(in_window([&](Ui& ui) {
     button(ui, "a", "a label that is far too long for it", {.tip = "Its tip.", .width = 60});
-    told = ui.cut();
+    reported = ui.cut();
   }));
   stage.frames(2);
   const ImVec2 at = stage.find("a")->rect.centre();
   stage.push(InputEvent::mouse_move(at.x, at.y, 0));
   stage.frames(3);
-  EXPECT_EQ(told, "");
+  EXPECT_EQ(reported, "");
 }
 
 struct HoldCount {

@@ -7,7 +7,7 @@
 namespace hw::panels {
 namespace {
 
-TEST(BenchScatter, IsSetForEveryAxisAndToldAsTheBenchHasIt) {
+TEST(BenchScatter, IsSetForEveryAxisAndReportedAsTheBenchHasIt) {
   ConsoleStage s;
   Example& a = s.add();
   s.run(0.1);

@@ -15,14 +15,14 @@ struct DraftsOfBlocks : test_blocks::BlocksStage {
   }
 };
 
-TEST_F(DraftsOfBlocks, AWrongNumberStaysWhenItsBlockIsClosedAndIsToldThere) {
+TEST_F(DraftsOfBlocks, AWrongNumberStaysWhenItsBlockIsClosedAndIsReportedThere) {
   type_wrong_number();
   s.click("blocks/2");
-  EXPECT_EQ(value("blocks/1/refusal"), "Output: 0 to 64 only. Mend it before the next run.");
+  EXPECT_EQ(value("blocks/1/refusal"), "Output: 0 to 64 only. Correct it before the next run.");
   EXPECT_EQ(value("blocks/1/time"), "not taken");
-  EXPECT_EQ(s.reason("blocks/run"), "Mend block 1 first. Output: 0 to 64 only.");
-  EXPECT_EQ(s.reason("blocks/run_here"), "Mend block 1 first. Output: 0 to 64 only.");
-  EXPECT_EQ(s.reason("blocks/to_program"), "Mend block 1 first. Output: 0 to 64 only.");
+  EXPECT_EQ(s.reason("blocks/run"), "Correct block 1 first. Output: 0 to 64 only.");
+  EXPECT_EQ(s.reason("blocks/run_here"), "Correct block 1 first. Output: 0 to 64 only.");
+  EXPECT_EQ(s.reason("blocks/to_program"), "Correct block 1 first. Output: 0 to 64 only.");
   s.click("blocks/1");
   EXPECT_FALSE(s.stage.find("blocks/1/refusal")) << "it stands beside its field";
   EXPECT_EQ(value("blocks/1/output"), "99");
@@ -43,7 +43,7 @@ TEST_F(DraftsOfBlocks, ItGoesWithItsBlockWhereverThatIsMoved) {
   key("ctrl+d");
   s.click("blocks/end");
   EXPECT_THAT(value("blocks/3/refusal"), HasSubstr("0 to 64 only")) << "one more stands before it";
-  EXPECT_THAT(s.reason("blocks/run"), HasSubstr("Mend block 3 first."));
+  EXPECT_THAT(s.reason("blocks/run"), HasSubstr("Correct block 3 first."));
 }
 
 TEST_F(DraftsOfBlocks, OneThatComesToThePlaceOfAnotherTakesNothingFromIt) {
@@ -80,9 +80,9 @@ TEST_F(DraftsOfBlocks, OfSeveralRefusedBlocksEachHasItsPlace) {
   s.click("blocks/1");
   s.type("blocks/1/output", "99\n");
   s.click("blocks/end");
-  const gui::Rect last = s.stage.find("blocks/3")->rect, said = s.stage.find("blocks/1/refusal")->rect;
+  const gui::Rect last = s.stage.find("blocks/3")->rect, sentence = s.stage.find("blocks/1/refusal")->rect;
   EXPECT_GT(last.min.y, plain + 20) << "there is room for what is told";
-  EXPECT_LT(said.max.y, s.stage.find("blocks/2")->rect.min.y + 1);
+  EXPECT_LT(sentence.max.y, s.stage.find("blocks/2")->rect.min.y + 1);
 }
 
 struct FieldsOfBlocks : test_blocks::BlocksStage {

@@ -31,31 +31,31 @@ TEST_F(LongBlocks, OfMoreThanTenMinutesTheTimeIsExact) {
   EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("Rehearsed: this text"));
 }
 
-TEST_F(LongBlocks, OfMoreThanAnHourThatIsSaid) {
+TEST_F(LongBlocks, OfMoreThanAnHourThatIsReported) {
   load({{sequence::Delay{5'000'000}}});
   s.stage.frames(6);
   EXPECT_THAT(value("blocks/at_least"), StartsWith("at least 1 h"));
   EXPECT_THAT(value("blocks/1/time"), StartsWith("over 1 h"));
-  EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("for an hour"));
+  EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("more than the hour"));
 }
 
-TEST_F(LongBlocks, OfAMotionWithoutEndThatIsSaidAtItsBlock) {
+TEST_F(LongBlocks, OfAMotionWithoutEndThatIsReportedAtItsBlock) {
   load({{sequence::Enable{0, true}}, {sequence::Home{0, Sign::minus}}});  // there is no switch
   s.stage.frames(6);
   EXPECT_THAT(value("blocks/no_end"), AllOf(StartsWith("Rehearsed for 1 h"), HasSubstr("line 2")));
   EXPECT_THAT(value("blocks/2/time"), StartsWith("over "));
 }
 
-TEST_F(LongBlocks, WhatTheControllerHasNotToldIsNamedAndIsReadByF5) {
+TEST_F(LongBlocks, WhatTheControllerHasNotReportedIsNamedAndIsReadByF5) {
   set("HSPD", 0, false);
   load({{sequence::Enable{0, true}}, {to(4000)}});
   s.stage.frames(6);
-  EXPECT_THAT(value("blocks/assumed"), AllOf(StartsWith("Not known, so assumed"), HasSubstr("HSPD")));
+  EXPECT_THAT(value("blocks/assumed"), AllOf(StartsWith("Unknown, so assumed"), HasSubstr("HSPD")));
   EXPECT_THAT(value("blocks/rehearsed"), Not(HasSubstr("card")));
   const std::string assumed = value("blocks/total");
   key("F5");
   ASSERT_TRUE(s.last<intent::ReadParams>());
-  EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("being rehearsed"));
+  EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("Rehearsing."));
   set("HSPD", 200, true);
   s.settle(IntentState::done);
   s.stage.frames(6);

@@ -66,7 +66,7 @@ TEST_F(BoundBlocks, WhatLeavesALimitIsRefusedWithHowFarBeforeAnythingIsSent) {
   EXPECT_TRUE(s.sent.empty());
 }
 
-TEST_F(BoundBlocks, WhatRunsIsToldWhereItGoesForWhateverComesMeanwhile) {
+TEST_F(BoundBlocks, TheBlockThatRunsIsNamedWhateverComesMeanwhile) {
   load({{sequence::Repeat{9, {by(100)}}}});
   s.click("blocks/run");
   ASSERT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
@@ -84,15 +84,14 @@ TEST_F(BoundBlocks, TheRestFromTheChosenBlockOnIsAskedForWithTheWayThere) {
   s.click("blocks/run_here");
   const std::string asked = value("blocks/run_from/says");
   EXPECT_THAT(asked, ::testing::HasSubstr("Move to X 150, Y 0 pulses.")) << s.toast();
-  EXPECT_THAT(asked,
-              ::testing::HasSubstr("Then step 2, Move to Y 300, and all behind it.\nDistances above it are "
-                                   "counted from where the axes stand now."));
+  EXPECT_THAT(asked, ::testing::HasSubstr("Then step 2, Move to Y 300, and everything after it.\nDistances "
+                                          "above it are counted from where the axes stand now."));
   EXPECT_TRUE(s.sent.empty());
   s.click("blocks/run_from/yes");
   EXPECT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
 }
 
-TEST_F(BoundBlocks, WhereNoDistanceCountsFromWhereTheAxesStandThatIsNotSaid) {
+TEST_F(BoundBlocks, WhereNoDistanceCountsFromWhereTheAxesStandThatIsNotReported) {
   s.now.axes[0].position = Steps(50);
   load({to(100), by(100), to({}, 300)});
   s.click("blocks/3");
@@ -111,15 +110,23 @@ TEST_F(LiveBlocks, BehindAContourThatRampsOutNoRehearsalHasShownWhereTheAxesStan
   load({{sequence::Speed{{1000, 0, 500}}}, {c}, {on}});
   s.click("blocks/4");
   s.click("blocks/run_here");
-  EXPECT_THAT(s.toast(), ::testing::HasSubstr("It is not known where X stands before step 3"));
+  EXPECT_THAT(value("blocks/run_refused"),
+              ::testing::HasSubstr("The position of X before step 3 is unknown"));
+  EXPECT_EQ(s.toast(), "") << "it stands beside Run";
   EXPECT_FALSE(s.stage.find("blocks/run_from/yes"));
+  s.click("blocks/2");
+  s.click("blocks/run_refused/show");
+  EXPECT_TRUE(s.stage.find("blocks/4/to/Y")) << "the block that it was asked of";
+  s.type("blocks/4/to/Y", "501");
+  s.stage.frames(6);
+  EXPECT_FALSE(s.stage.find("blocks/run_refused"));
 }
 
 struct RestOfBlocks : test_blocks::BlocksStage {
   RestOfBlocks() : BlocksStage("vxm") { s.now.slot_bytes_used[0] = 0; }
   void runs(int command) {
     s.now.program = {
-        .run = RunState::running, .owned = true, .slot = 0, .command = command, .command_told = true};
+        .run = RunState::running, .owned = true, .slot = 0, .command = command, .command_reported = true};
     s.stage.frames(3);
   }
 };
@@ -136,7 +143,7 @@ TEST_F(RestOfBlocks, OfARestThatRunsTheBlockAtWorkIsLit) {
   s.settle(IntentState::done);
   // IA1M400 leads there; P5; LM0 IA1M0 P3 LA2.
   runs(0);
-  EXPECT_EQ(value("blocks/2/time"), "on its way there");
+  EXPECT_EQ(value("blocks/2/time"), "on its way");
   runs(1);
   EXPECT_EQ(value("blocks/2/time"), "runs");
   runs(3);
@@ -154,7 +161,7 @@ TEST_F(BoundBlocks, WithinALoopNobodyKnowsWhichRoundIsMeant) {
   load({to(0), {sequence::Repeat{3, {by(10), to({}, 5)}}}});
   s.click("blocks/3");
   s.click("blocks/run_here");
-  EXPECT_THAT(s.toast(), ::testing::HasSubstr("it is not known how many of its passes have been made"));
+  EXPECT_THAT(value("blocks/run_refused"), ::testing::HasSubstr("the number of passes made is unknown"));
   EXPECT_FALSE(s.stage.find("blocks/run_from/yes"));
 }
 

@@ -151,7 +151,7 @@ TEST_F(RefusedBlocks, AnArcThatIsAddedBehindAMoveCanBeDrawn) {
   EXPECT_EQ(s.stage.find("blocks/problem"), nullptr) << value("blocks/problem");
 }
 
-TEST_F(RefusedBlocks, OfALongLoopThePassesAreTold) {
+TEST_F(RefusedBlocks, OfALongLoopThePassesAreReported) {
   sequence::Repeat loop;
   loop.times = 3000;
   loop.steps = {{sequence::Delay{2000}}};

@@ -53,7 +53,7 @@ TEST_F(RunBlocks, F5ReadsTheProgramsThatTheyReach) {
   key("F5");
   ASSERT_TRUE(s.last<intent::UploadProgram>());
   EXPECT_EQ(s.last<intent::UploadProgram>()->slot, 2);
-  EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("being rehearsed"));
+  EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("Rehearsing."));
   s.tab.desk().texts.listed(2, "P30", s.tab.clock());
   s.settle(IntentState::done);
   s.stage.frames(6);
@@ -81,7 +81,7 @@ TEST_F(RunBoardBlocks, F5IsRefusedWhileCommandsWait) {
   s.now.queue_known = 1, s.now.queue_free[0] = s.catalog.queue_depth - 1;
   s.stage.frames(4);
   key("F5");
-  EXPECT_THAT(s.toast(), HasSubstr("Commands wait in the controller"));
+  EXPECT_THAT(s.toast(), HasSubstr("Let the commands in the controller's queues run"));
 }
 
 TEST_F(RunPmxBlocks, WhatTheControllerRefusesStandsBesideRunUntilItIsMended) {

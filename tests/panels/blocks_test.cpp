@@ -112,7 +112,7 @@ TEST_F(BlocksTest, ATargetIsTaughtWhereTheAxesAre) {
       << "what was seen last is no place to be taught";
 }
 
-TEST_F(BlocksTest, WhatCannotBeTakenIsSaidBesideItsFieldAndKeepsItFromBeingRun) {
+TEST_F(BlocksTest, WhatCannotBeTakenIsReportedBesideItsFieldAndKeepsItFromBeingRun) {
   s.click("blocks/add/output");
   s.type("blocks/1/output", "99");
   EXPECT_THAT(s.reason("blocks/to_program"), HasSubstr("64"));
@@ -128,7 +128,7 @@ TEST_F(BlocksTest, OwnTextHasSeveralLines) {
   EXPECT_THAT(text(), HasSubstr("V1=5\nV2=6\n"));
 }
 
-TEST_F(BlocksTest, TheMemoryThatTheyTakeIsTold) {
+TEST_F(BlocksTest, TheMemoryThatTheyTakeIsReported) {
   s.click("blocks/add/delay");
   EXPECT_THAT(s.value("blocks/memory"), HasSubstr(" of 1275 "));
 }
@@ -143,7 +143,7 @@ TEST_F(BlocksTest, SpaceLeavesTheChosenOneOut) {
   EXPECT_EQ(text(), "; what comes now\nEND\n");
 }
 
-TEST_F(VxmBlocksTest, WhatCannotBeDoneIsSaidAtItsBlock) {
+TEST_F(VxmBlocksTest, WhatCannotBeDoneIsReportedAtItsBlock) {
   sequence::Sequence of_another = sequence::frame_of(s.tab.desk().blocks.editor.sequence());
   of_another.steps = {{sequence::Delay{500}}, {sequence::Arc{0, 0, 90, {}}}};
   s.tab.desk().blocks.editor.load(std::move(of_another));
@@ -183,7 +183,8 @@ TEST_F(VxmBlocksTest, BlocksRunWhereTheyStand) {
   ASSERT_TRUE(s.last<intent::RunProgram>());
   s.settle(IntentState::done);
 
-  s.now.program = {.run = RunState::running, .owned = true, .slot = 0, .command = 1, .command_told = true};
+  s.now.program = {
+      .run = RunState::running, .owned = true, .slot = 0, .command = 1, .command_reported = true};
   s.stage.frames(3);
   EXPECT_EQ(s.value("blocks/2/time"), "runs") << "the second line of the text is of the second block";
   EXPECT_NE(s.value("blocks/1/time"), "runs");
@@ -208,7 +209,7 @@ TEST_F(VxmBlocksTest, AStopWhileRunIsAskedAboutIsTheLastWord) {
   s.click("blocks/replace/yes");
   EXPECT_FALSE(s.last<intent::LoadProgram>());
   EXPECT_EQ(s.tab.desk().texts.text(0), text()) << "it is only there";
-  EXPECT_THAT(s.toast(), HasSubstr("A stop came first"));
+  EXPECT_THAT(s.value("blocks/run_refused"), HasSubstr("A stop came first"));
   s.click("blocks/run");
   EXPECT_TRUE(s.last<intent::LoadProgram>());
 }
@@ -220,7 +221,8 @@ TEST_F(VxmBlocksTest, ABlockOfAnotherTextIsNotLit) {
   ASSERT_TRUE(s.last<intent::LoadProgram>());
   s.settle(IntentState::done);
   s.settle(IntentState::done);
-  s.now.program = {.run = RunState::running, .owned = true, .slot = 0, .command = 0, .command_told = true};
+  s.now.program = {
+      .run = RunState::running, .owned = true, .slot = 0, .command = 0, .command_reported = true};
   s.stage.frames(3);
   EXPECT_EQ(s.value("blocks/1/time"), "runs");
   s.click("blocks/add/comment");
@@ -388,7 +390,7 @@ TEST_F(VxmBlocksTest, BlocksTellHowLongTheyTakeAndWhereTheyGo) {
   EXPECT_TRUE(s.stage.find("blocks/3/to/2")) << "its fields are open";
 }
 
-TEST_F(BlocksTest, WhatNeverEndsIsSaid) {
+TEST_F(BlocksTest, WhatNeverEndsIsReported) {
   s.click("blocks/add/loop");
   s.type("blocks/1/times", "0");
   s.click("blocks/add/delay");
@@ -450,7 +452,7 @@ TEST_F(BlocksTest, TheTextBecomesBlocks) {
   EXPECT_EQ(s.value("blocks/3"), "X 100");
   EXPECT_EQ(s.value("blocks/4"), "blocks have no variables");
   EXPECT_THAT(text(), HasSubstr("V1=MSTX\nEND\n"));
-  EXPECT_THAT(s.toast(), HasSubstr("The text is 4 blocks now"));
+  EXPECT_THAT(s.toast(), HasSubstr("The text has become 4 blocks"));
   s.click("blocks/undo");
   EXPECT_EQ(s.stage.find("blocks/1"), nullptr);
   EXPECT_EQ(s.tab.desk().texts.text(0), program);

@@ -79,7 +79,7 @@ TEST_F(BlocksInUnits, AMotionOfOneAxisHasItsSpeedInItsUnit) {
 TEST_F(BlocksInUnits, AWayIsTaughtFromWhereItBegins) {
   stand(300, 40);
   s.click("blocks/add/move_by");
-  EXPECT_THAT(s.reason("blocks/here"), HasSubstr("not known where this block begins"));
+  EXPECT_THAT(s.reason("blocks/here"), HasSubstr("its start is unknown"));
   load({{sequence::Move{{100, 100}, false, {}}}, {sequence::Move{{0, 0}, true, {}}}});
   s.click("blocks/2");
   s.click("blocks/here");

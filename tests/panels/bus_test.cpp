@@ -48,22 +48,32 @@ TEST_F(BusTest, ChoosingARowPutsTheOtherPanelsOnIt) {
 }
 
 TEST_F(BusTest, TheStatusLineNamesAllThatMove) {
-  const auto said = [&] {
+  const auto sentence = [&] {
     s.run(0.1);
     return s.value("status/text");
   };
   b.now.axes[0].activity = Activity::moving;
-  EXPECT_EQ(said(), "02 moves. Esc stops everything.");
+  EXPECT_EQ(sentence(), "02 moves. Esc stops everything.");
   c.now.axes[0].activity = Activity::moving;
-  EXPECT_EQ(said(), "02 and 03 move. Esc stops everything.");
+  EXPECT_EQ(sentence(), "02 and 03 move. Esc stops everything.");
   a.now.axes[0].activity = Activity::moving;
-  EXPECT_EQ(said(), "01, 02 and 03 move. Esc stops everything.");
+  EXPECT_EQ(sentence(), "01, 02 and 03 move. Esc stops everything.");
   b.now.axes[0].activity = Activity::error;
   b.now.notice = "Axis X hit its + limit.";
-  EXPECT_EQ(said(), "02: Axis X hit its + limit. 01 and 03 move.");
+  EXPECT_EQ(sentence(), "02: Axis X hit its + limit. 01 and 03 move.");
 }
 
-TEST_F(BusTest, WhatIsSaidOfADeviceNamesIt) {
+TEST_F(BusTest, TheStatusLineTellsTheWorstOfAllDevices) {
+  c.now.axes[0].trust.doubt(Doubt::power_cut, {});
+  s.run(0.1);
+  EXPECT_NE(s.value("status/text").find("03 cannot be trusted"), std::string::npos) << s.value("status/text");
+  a.now.axes[0].activity = Activity::moving;
+  s.run(0.1);
+  EXPECT_NE(s.value("status/text").find("03 cannot be trusted"), std::string::npos) << s.value("status/text");
+  EXPECT_NE(s.value("status/text").find("01 moves."), std::string::npos);
+}
+
+TEST_F(BusTest, WhatIsReportedOfADeviceNamesIt) {
   s.console.toast(*b.tab, Severity::fault, "The controller did not answer in time.");
   s.run(0.1);
   EXPECT_EQ(s.value("toast/1"), "02: The controller did not answer in time.");
@@ -124,7 +134,7 @@ TEST_F(BusTest, TheStatusLineCallsADeviceByItsIdAndNotItsOnlyAxis) {
   b.now.axes[0].activity = Activity::idle;
   a.now.axes[0].position_known = false;
   s.run(0.2);
-  EXPECT_EQ(s.value("status/text"), "The position of 01 is not known. Home it, or say where it stands.");
+  EXPECT_EQ(s.value("status/text"), "The position of 01 is not known. Home it, or set its position.");
 }
 
 TEST_F(BusTest, TheTerminalSpeaksToOneOrToAll) {
@@ -181,40 +191,45 @@ TEST(Bus, WhoJoinsTakesTheStepThatIsLit) {
   EXPECT_EQ(b.tab->jog_speed(), Pps(300));
 }
 
-TEST_F(BusTest, TheSpeedThatIsSaidIsThatOfAllRows) {
+TEST_F(BusTest, TheSpeedShownIsThatOfAllRows) {
   EXPECT_EQ(s.value("jog/speed"), "2000 steps/s");
   c.now.axes[0].own_speed = Pps(500);
   s.run(0.1);
   EXPECT_EQ(s.value("jog/speed"), "each its own");
 }
 
-TEST_F(BusTest, RowsInDifferentUnitsShareStepsOfTheControllers) {
-  MUST(s.hand.click("jog/step/1000"));
+TEST_F(BusTest, RowsInDifferentUnitsCountInTheirOwn) {
   b.tab->profile.unit = "real";
   b.tab->profile.axes[0].unit_choice = "screw of 1 mm";
   b.tab->profile_edited();
   MUST(s.hand.click("bus/02"));
   s.run(0.1);
-  EXPECT_EQ(s.value("jog/step/1000"), "on");
+  MUST(s.hand.click("jog/step/10"));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/step/10"), "on");
   MUST(s.hand.click("jog/02/+"));
   s.run(0.1);
   ASSERT_TRUE(b.last<intent::MoveBy>());
-  EXPECT_EQ(b.last<intent::MoveBy>()->distances[0].value, Steps(1000));
+  EXPECT_EQ(b.last<intent::MoveBy>()->distances[0].value, Steps(4000)) << "10 mm";
+  MUST(s.hand.click("jog/03/+"));
+  s.run(0.1);
+  ASSERT_TRUE(c.last<intent::MoveBy>());
+  EXPECT_EQ(c.last<intent::MoveBy>()->distances[0].value, Steps(10));
 }
 
 TEST_F(BusTest, TheNameIsThatOfTheBus) {
   MUST(s.hand.click("bus/02"));
   s.run(0.1);
-  for (const char* wished : {"Lift bus", ""}) {
+  for (const char* requested : {"Lift bus", ""}) {
     MUST(s.hand.click("menu"));
     s.run(0.1);
     MUST(s.hand.click("menu/names"));
     s.run(0.1);
-    MUST(s.hand.type("names/controller", wished));
+    MUST(s.hand.type("names/controller", requested));
     MUST(s.hand.click("names/ok"));
     s.run(0.1);
     for (const Example* e : {&a, &b, &c})
-      EXPECT_EQ(e->tab->name(), *wished ? std::string_view(wished) : "Example 01-03");
+      EXPECT_EQ(e->tab->name(), *requested ? std::string_view(requested) : "Example 01-03");
   }
 }
 

@@ -92,7 +92,7 @@ TEST(Clearing, AFlagThatIsNoErrorIsClearedByItsOwnAction) {
   const auto way = gui::first_clearing(c, now);
   ASSERT_TRUE(way);
   EXPECT_EQ(way->axis, AxisId{1});
-  EXPECT_TRUE(std::holds_alternative<intent::Act>(way->wish));
+  EXPECT_TRUE(std::holds_alternative<intent::Act>(way->request));
   EXPECT_FALSE(way->of_all);
 }
 

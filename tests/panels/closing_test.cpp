@@ -47,7 +47,7 @@ struct Closing : testing::Test {
     s.run(0.1);
   }
   /// At the next start.
-  [[nodiscard]] std::string told_at_next_start() const {
+  [[nodiscard]] std::string shown_at_next_start() const {
     std::string all;
     const auto ends = LastEnds(folders).take();
     for (const LastEnd& end : ends.value_or(std::vector<LastEnd>()))
@@ -216,7 +216,7 @@ TEST_F(ClosingWhatMoves, WhatComesToRestMeanwhileMovesNoButton) {
   EXPECT_EQ(before.min.y, after.min.y);
 }
 
-TEST_F(ClosingWhatMoves, WhatWouldBeLostIsSaidInTheSameQuestion) {
+TEST_F(ClosingWhatMoves, WhatWouldBeLostIsReportedInTheSameQuestion) {
   with_a_list();
   EXPECT_FALSE(window_may_close());
   EXPECT_THAT(s.value("close/why"), HasSubstr("Stage: axis 1 is moving."));
@@ -232,12 +232,12 @@ TEST_F(ClosingWhatMoves, OfWhatWasLostTheTabIsAskedAboutToo) {
             "Axis 1 was moving when the link was lost. A stop cannot reach it now: use its power switch.");
   key("Enter");
   EXPECT_EQ(s.console.tabs().size(), 2u) << "Enter stays";
-  EXPECT_EQ(told_at_next_start(), "");
+  EXPECT_EQ(shown_at_next_start(), "");
   key("Ctrl+W");
   click("close/leave");
   EXPECT_EQ(s.console.tabs().size(), 1u);
   EXPECT_EQ(moving.count<intent::Stop>(), 0);
-  EXPECT_EQ(told_at_next_start(),
+  EXPECT_EQ(shown_at_next_start(),
             "the session was ended (Stage was closed). Stage: axis 1 was moving; no stop could be "
             "sent, for there was no link. It may still be moving: look at it first.");
 }
@@ -253,8 +253,8 @@ TEST_F(ClosingWhatMoves, OfWhatWasLostTheWindowAsksToo) {
       "it. A stop cannot reach Table now: use its power switch.");
   EXPECT_TRUE(window_may_close()) << "asked again, it stops what it can and closes";
   EXPECT_EQ(moving.count<intent::Stop>(), 1);
-  EXPECT_THAT(told_at_next_start(), testing::StartsWith("the session was ended (the window was closed). "
-                                                        "Table: Program 2 was running; no stop could"));
+  EXPECT_THAT(shown_at_next_start(), testing::StartsWith("the session was ended (the window was closed). "
+                                                         "Table: Program 2 was running; no stop could"));
 }
 
 TEST_F(ClosingWhatMoves, WhatWasLostIsAskedAboutWhileItIsTriedAgain) {
@@ -272,7 +272,7 @@ TEST_F(ClosingWhatMoves, WhatIsSeenToStandAfterALossIsNotAskedAbout) {
   moving.now.axes[0].activity = Activity::idle;
   s.run(0.1);
   EXPECT_TRUE(window_may_close());
-  EXPECT_EQ(told_at_next_start(), "");
+  EXPECT_EQ(shown_at_next_start(), "");
 }
 
 TEST_F(ClosingWhatMoves, WhatStoodWhenItsLinkWasLostIsNotAskedAbout) {
@@ -284,12 +284,12 @@ TEST_F(ClosingWhatMoves, WhatStoodWhenItsLinkWasLostIsNotAskedAbout) {
 TEST_F(ClosingWhatMoves, OfWhatWasLostASignalTellsAtTheNextStart) {
   lose(moving);
   s.console.depart("SIGTERM");
-  EXPECT_EQ(told_at_next_start(),
+  EXPECT_EQ(shown_at_next_start(),
             "the session was ended (SIGTERM). Stage: axis 1 was moving; no stop could be sent, for there "
             "was no link. It may still be moving: look at it first.");
 }
 
-TEST_F(Closing, OfABusItIsSaidWhichMembersWereLost) {
+TEST_F(Closing, OfABusItIsReportedWhichMembersWereLost) {
   for (const char* id : {"01", "02"}) {
     Catalog c = example_catalog(1);
     c.axes[0].name = id, c.address = id[1] - '0';
@@ -306,7 +306,7 @@ TEST_F(Closing, OfABusItIsSaidWhichMembersWereLost) {
 
 // ---- a session that ends by itself
 
-TEST(Departing, WhatWasDoneIsToldOnceAtTheNextStart) {
+TEST(Departing, WhatWasDoneIsReportedOnceAtTheNextStart) {
   test::Folder folder;
   IoContext io{1};
   VirtualScheduler scheduler{io};

@@ -46,7 +46,7 @@ FoundPort silent_after_test() {
     c.result = result, c.what = what, c.found = found;
     p.checks.push_back(c);
   };
-  check(Is::good, "Port opens", "nobody else holds it");
+  check(Is::good, "Port opens", "no other program uses it");
   check(Is::good, "Bytes leave", "3 speeds");
   check(Is::bad, "Bytes return", "none came back");
   check(Is::not_reached, "Reply makes sense", "not reached");
@@ -118,7 +118,7 @@ TEST(ConnectPage, ShowsTheLogWhileNoControllerIsOpen) {
     Page p(width, height, scale);
     ASSERT_TRUE(p.stage.hand.click("connect/log")) << width;
     ::testing::internal::CaptureStderr();
-    log::subject("link").say(log::Level::warning, "/dev/ttyUSB0 not opened: no permission");
+    log::subject("link").add(log::Level::warning, "/dev/ttyUSB0 not opened: no permission");
     ::testing::internal::GetCapturedStderr();
     p.stage.frames(3);
     EXPECT_NE(p.stage.hand.value("decisions/log").value_or("").find("warning link: /dev/ttyUSB0 not opened"),
@@ -138,7 +138,8 @@ TEST(ConnectPage, APortIsTestedAndSaysHowFarItCame) {
   ASSERT_TRUE(p.stage.hand.click("connect/port/4/test"));
   EXPECT_EQ(p.ports.asked, std::vector<std::string>{"/dev/ttyS0"});
   p.stage.frames(2);
-  EXPECT_EQ(p.stage.hand.value("connect/port/4/check/1").value_or("(none)"), "good: nobody else holds it");
+  EXPECT_EQ(p.stage.hand.value("connect/port/4/check/1").value_or("(none)"),
+            "good: no other program uses it");
   EXPECT_EQ(p.stage.hand.value("connect/port/4/check/3").value_or("(none)"), "bad: none came back");
   EXPECT_EQ(p.stage.hand.value("connect/port/4/check/4").value_or("(none)"), "not reached: not reached");
 }

@@ -164,7 +164,7 @@ TEST_F(ContourUnitsTest, AStaircaseIsTypedInTheUnitOfItsAxis) {
   EXPECT_EQ(s.value("contour/text"), "stairs of X 2000 at 500 stop 10000\n");
 }
 
-TEST_F(ContourUnitsTest, WhatIsWrongWithAStaircaseIsSaidInThatUnit) {
+TEST_F(ContourUnitsTest, WhatIsWrongWithAStaircaseIsReportedInThatUnit) {
   s.click("contour/kind/Staircase");
   s.type("stairs/stop", "25");
   s.click("stairs/add");
@@ -213,7 +213,7 @@ TEST_F(ContourUnitsTest, AFileThatDoesMoreIsRefusedAndNothingIsLost) {
   more.steps = {{sequence::Delay{100}}};
   ASSERT_TRUE(write_file(folder.path() / "more.toml", sequence::write_sequence(more)));
   open(folder.path() / "more.toml");
-  EXPECT_THAT(s.toast(), HasSubstr("more.toml has no contour and no staircase. The list here is as it was."));
+  EXPECT_THAT(s.toast(), HasSubstr("more.toml has no contour and no staircase. The list here is unchanged."));
   EXPECT_EQ(s.value("contour/text"), text);
 }
 

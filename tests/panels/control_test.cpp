@@ -242,7 +242,7 @@ TEST_F(ControlUnitsTest, WhatIsTypedInTheUnitOfAnAxisIsSentInItsPulses) {
   EXPECT_EQ(s.last<intent::Act>()->values[1], 500) << "degrees";
 }
 
-TEST_F(ControlUnitsTest, ARangeIsToldInTheSameUnit) {
+TEST_F(ControlUnitsTest, ARangeIsReportedInTheSameUnit) {
   s.type("action/change_speed/X/speed", "0");
   s.click("action/change_speed/X/go");
   EXPECT_THAT(s.value("action/change_speed/X/refused"), HasSubstr("0.0025 to 15000 mm/s"));
@@ -256,7 +256,7 @@ TEST_F(ControlUnitsTest, ANumberStaysWhatItIsWhenAnotherUnitIsChosen) {
   EXPECT_EQ(s.value("action/change_speed/X/speed"), "1000");
 }
 
-TEST_F(ControlUnitsTest, PlacesAreToldInTheUnitOfTheirAxis) {
+TEST_F(ControlUnitsTest, PlacesAreReportedInTheUnitOfTheirAxis) {
   tell("LTPX", 46'914);
   EXPECT_EQ(s.value("readout/LTPX"), "117.2850");
   tell("LTPU", 46'914);
@@ -289,6 +289,30 @@ TEST(ControlOfPmx, WhatMeansNothingNowIsAWordAndNothingStandsTwice) {
   s.click("action/timer/go");
   ASSERT_TRUE(s.last<intent::Act>());
   EXPECT_THAT(s.last<intent::Act>()->values, ElementsAre(250));
+}
+
+// The second column of the settings stands under the second of two tables.
+TEST(ControlOfPmx, WhatIsUnderTheTablesStandsOnTheirEdges) {
+  for (const float width : {864.0f, 1046.0f, 704.0f}) {
+    Control panel;
+    test::PanelStage s{panel,
+                       static_cast<int>(width),
+                       1600,
+                       1,
+                       width == 864 ? gui::Tier::wide : gui::Tier::medium,
+                       true,
+                       pmx_4ex_sa::make_catalog({}).value()};
+    s.now.axis_count = 4;
+    s.stage.frames(4);
+    const gui::Rect ramp = s.stage.find("action/change_speed/accel")->rect;
+    const gui::Rect choice = s.stage.find("action/absolute/go")->rect,
+                    timer = s.stage.find("action/timer/time")->rect;
+    EXPECT_EQ(ramp.min.x, timer.min.x) << width << ": the fields of the settings have one edge";
+    EXPECT_EQ(choice.min.x, timer.min.x) << width;
+    if (width < 800) continue;  // there each table has a band of its own
+    const gui::Rect sync = s.stage.find("readout/SYNXS")->rect;
+    EXPECT_NEAR(ramp.min.x - 128, sync.min.x - 20, 1) << width << ": under the table of the sync outputs";
+  }
 }
 
 TEST(ControlOfPmx, SwitchesOfItsTablesAreReadOnceWithoutAVisitToTheSetUp) {
@@ -357,7 +381,7 @@ TEST(ControlOfPmx, AnArcWithoutARadiusIsNotDrawnAndSaysWhy) {
   s.now.axis_count = 4;
   for (AxisState& a : s.now.axes) a.position_known = true;
   s.stage.frames(4);
-  EXPECT_EQ(s.value("action/arc/path"), "The centre is where the axes stand: choose another.");
+  EXPECT_EQ(s.value("action/arc/path"), "Choose another centre: the axes stand at this one.");
   s.type("action/arc/centre_x", "1000");
   EXPECT_THAT(s.value("action/arc/path"), HasSubstr("Radius 1000 pulses"));
   EXPECT_LT(s.stage.find("action/arc/path")->rect.min.x, s.stage.find("action/timer/go")->rect.min.x)
@@ -378,7 +402,7 @@ TEST_F(ControlTest, WhatAnOlderFirmwareLacksIsListed) {
   EXPECT_EQ(s.value("about/older"), "not known: read the set-up first");
   for (ParamState& p : s.now.params) p.known = true;
   s.stage.frames(2);
-  EXPECT_EQ(s.value("about/older"), "nothing: it answers every setting");
+  EXPECT_EQ(s.value("about/older"), "nothing: it supports every setting");
   std::size_t silent = 0;
   while (!s.catalog.params[silent].readable) ++silent;
   s.now.params[silent].known = false;

@@ -59,8 +59,8 @@ TEST_F(DoubtTest, TheRefusalSpeaksTheConsolesUnitsAndClock) {
   const std::string words = s.value("goto/1/refused");
   EXPECT_TRUE(words.starts_with("The position of motor 1 cannot be trusted: its power was cut (")) << words;
   EXPECT_TRUE(
-      words.ends_with("). 240.000 mm may lie elsewhere than before. Nothing was sent. Home it, say "
-                      "where it stands, or go on for this once."))
+      words.ends_with("). 240.000 mm may differ from before. Nothing was sent. Home it, set its position, or "
+                      "go on just this once."))
       << words;
   EXPECT_EQ(s.value("goto/1/stands_at"), "0.000") << "as it counts";
 }
@@ -79,7 +79,7 @@ TEST_F(DoubtTest, OnceGoesOnce) {
   EXPECT_FALSE(a.last<intent::MoveTo>()->despite_doubt);
 }
 
-TEST_F(DoubtTest, ItStandsWhereItCountsOrWhereItIsSaidTo) {
+TEST_F(DoubtTest, ItStandsWhereItCountsOrWhereTheUserSetsIt) {
   go_and_be_refused();
   EXPECT_EQ(s.value("goto/1/stands_at"), "40");
   MUST(s.hand.click("goto/1/set"));
@@ -204,7 +204,7 @@ TEST_F(DoubtTest, TheSwitchStandsBesideTheReason) {
   EXPECT_FALSE(s.hand.exists("jog/2/power"));
 }
 
-TEST_F(DoubtTest, AKeyOfAnAxisWithoutPowerIsToldWhy) {
+TEST_F(DoubtTest, AKeyOfAnAxisWithoutPowerShowsWhy) {
   a.now.axes[0].enabled = false;
   s.run(0.1);
   MUST(s.hand.key_down("Right"));

@@ -112,7 +112,7 @@ TEST_F(VxmDrawingTabTest, BeforeItIsCutItsMovesAreCounted) {
   EXPECT_THAT(s.value("drawing/ask_cut/says"), HasSubstr(std::to_string(std::stoi(moves)) + " moves in all"));
 }
 
-TEST_F(SlaveDrawingTabTest, MotorsOfMasterAndSlaveDrawOneAfterTheOtherAndThatIsSaid) {
+TEST_F(SlaveDrawingTabTest, MotorsOfMasterAndSlaveDrawOneAfterTheOtherAndThatIsReported) {
   drop();
   s.type("drawing/tolerance", "0.5\n");
   s.stage.frames(6);

@@ -67,13 +67,13 @@ TEST_F(DrawingTabTest, NothingIsCutWhileAFieldHoldsNoNumber) {
   EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("Tolerance: 0 to"));
 }
 
-TEST_F(DrawingTabTest, ATableThatIsNotSaidWholeIsNotCheckedAndSaysSo) {
+TEST_F(DrawingTabTest, ATableThatIsNotFullyDescribedIsNotCheckedAndSaysSo) {
   drop();
   EXPECT_FALSE(s.stage.find("drawing/table/unchecked"));
   s.type("drawing/table/left", "25\n");
-  EXPECT_THAT(s.value("drawing/table/unchecked"), HasSubstr("\"to X\" has to be more than \"from X\""));
+  EXPECT_THAT(s.value("drawing/table/unchecked"), HasSubstr("Enter a \"to X\" above \"from X\""));
   s.type("drawing/table/right", "100\n");
-  EXPECT_THAT(s.value("drawing/table/unchecked"), HasSubstr("\"to Y\" has to be more than \"from Y\""));
+  EXPECT_THAT(s.value("drawing/table/unchecked"), HasSubstr("Enter a \"to Y\" above \"from Y\""));
   s.type("drawing/table/top", "100\n");
   s.stage.frames(6);
   EXPECT_FALSE(s.stage.find("drawing/table/unchecked"));
@@ -92,7 +92,7 @@ TEST_F(DrawingTabTest, RampsAreChosenLikeSpeeds) {
   for (const char* part : {"HSPD=2000", "LSPD=400", "ACC=150"}) EXPECT_THAT(text, HasSubstr(part));
 }
 
-TEST_F(DrawingTabTest, ThePointerIsToldInMillimetresOfTheTable) {
+TEST_F(DrawingTabTest, ThePointerIsShownInMillimetresOfTheTable) {
   drop();
   two_hundred_pulses_in_a_mm();
   s.stage.frames(6);
@@ -114,7 +114,7 @@ TEST_F(DrawingTabTest, WhatWasChosenStaysWhereTheNextFileCannotBeRead) {
   EXPECT_EQ(s.value("drawing/drawn"), "30.0 mm");
 }
 
-TEST_F(DrawingTabTest, AFileThatFallsTwiceIsReadOnceAndNothingIsSaidOfIt) {
+TEST_F(DrawingTabTest, AFileThatFallsTwiceIsReadOnceAndNothingIsReportedOfIt) {
   s.tab.desk().dropped["drawing"].push_back(file);
   drop();
   EXPECT_EQ(s.toast(), "");

@@ -298,10 +298,12 @@ TEST_F(DrawingTabTest, WhereTheSpeedWithTheToolOffIsMissingTheSavingSaysSo) {
   EXPECT_THAT(s.value("drawing/saved"), HasSubstr(" s"));
   EXPECT_FALSE(s.stage.find("drawing/saved/untimed"));
   s.type("drawing/cut_speed", "\n");
+  s.stage.frames(6);
+  EXPECT_THAT(s.value("drawing/outline"), HasSubstr("Give \"Speed, tool on\" too."));
   s.type("drawing/travel_speed", "\n");
   s.stage.frames(6);
   EXPECT_THAT(s.value("drawing/saved"), testing::Not(HasSubstr(" s")));
-  EXPECT_THAT(s.value("drawing/saved/untimed"), HasSubstr("Give the speed with the tool off"));
+  EXPECT_THAT(s.value("drawing/saved/untimed"), HasSubstr("Give both speeds"));
   s.click("drawing/keep_order");
   s.stage.frames(6);
   EXPECT_FALSE(s.stage.find("drawing/saved/untimed")) << "nothing is saved";
@@ -316,7 +318,7 @@ TEST_F(DrawingTabTest, WhereNobodyKnowsWhereAnAxisStandsNothingIsCut) {
   EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("The position of one of its axes is not known."));
 }
 
-TEST_F(DrawingTabTest, HowLongItStillTakesIsTold) {
+TEST_F(DrawingTabTest, HowLongItStillTakesIsReported) {
   drop();
   two_hundred_pulses_in_a_mm();
   s.stage.frames(6);
@@ -431,7 +433,7 @@ TEST_F(DrawingTabTest, AFileWithoutAUnitIsShownAsIfThatWereMm) {
   text.replace(text.find("70\n4\n"), 5, "70\n0\n");
   ASSERT_TRUE(write_file(file, text));
   drop();
-  EXPECT_THAT(s.value("drawing/outline"), HasSubstr("shown as if it were in mm"));
+  EXPECT_THAT(s.value("drawing/outline"), HasSubstr("shown as if in mm"));
   s.click("drawing/unit");
   s.click("drawing/unit/mm");
   s.stage.frames(10);
@@ -450,7 +452,7 @@ TEST_F(VxmDrawingTabTest, StairsWithinTheTolerance) {
   EXPECT_EQ(s.value("drawing/size"), "20.000 x 10.000 mm");
 }
 
-TEST(DrawnTogether, BeforeACutItIsSaidThatALostLinkLeavesTheToolOn) {
+TEST(DrawnTogether, BeforeACutItIsReportedThatALostLinkLeavesTheToolOn) {
   const auto file = std::filesystem::temp_directory_path() / "hw_drawing_together.dxf";
   ASSERT_TRUE(write_file(file, square_and_text));
   const DeviceType& dmx = *find_device_type("dmx-k-sa");
@@ -469,11 +471,11 @@ TEST(DrawnTogether, BeforeACutItIsSaidThatALostLinkLeavesTheToolOn) {
   MUST(s.hand.click("drawing/cut"));
   s.run(0.1);
   EXPECT_THAT(s.value("drawing/ask_cut/says"),
-              HasSubstr("(output 1) off. While the link is lost nothing can"));
+              HasSubstr("(output 1) off. While the link is lost the console cannot switch it off"));
   std::filesystem::remove(file);
 }
 
-TEST_F(DrawingTabTest, AFileThatIsNoDrawingIsToldAndLosesNothing) {
+TEST_F(DrawingTabTest, AFileThatIsNoDrawingIsReportedAndLosesNothing) {
   drop();
   ASSERT_TRUE(write_file(file, "this is no DXF"));
   drop();

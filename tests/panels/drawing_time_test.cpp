@@ -39,7 +39,7 @@ TEST(TimeLeft, GoesDownWhileAStepIsAtWork) {
   EXPECT_DOUBLE_EQ(*DrawingJob::seconds_left(made, 6, 50, 40), 0);
 }
 
-TEST(TimeLeft, OfAStepIsCountedFromWhereItWasToldFirst) {
+TEST(TimeLeft, OfAStepIsCountedFromWhereItWasReportedFirst) {
   StepClock clock;
   PiecesState pieces;
   pieces.running = true;
@@ -98,7 +98,7 @@ TEST_F(DrawingTabTest, TheBarGoesOnWhereTheControllerTellsNoSteps) {
   s.now.pieces.running = false, s.now.pieces.done = 1;
   s.now.program.run = RunState::idle;
   s.stage.frames(3);
-  EXPECT_EQ(s.value("drawing/cut_progress"), "All of it is done");
+  EXPECT_EQ(s.value("drawing/cut_progress"), "Everything is drawn");
 }
 
 }  // namespace

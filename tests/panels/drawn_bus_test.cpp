@@ -64,7 +64,7 @@ class DrawnBusTest : public testing::Test {
   }
 };
 
-TEST_F(DrawnBusTest, BeforehandItIsRehearsedAndSaidHowFarItLiesBesideItsLines) {
+TEST_F(DrawnBusTest, BeforehandItIsRehearsedAndItsDistanceFromItsLinesIsReported) {
   EXPECT_EQ(value("drawing/time").find("at least"), std::string::npos) << value("drawing/time");
   EXPECT_THAT(value("drawing/beside"), testing::MatchesRegex("0\\.[0-9]+ mm at most"));
   EXPECT_NE(value("drawing/beside"), "0.000 mm at most");
@@ -135,7 +135,7 @@ TEST_F(DrawnBusTest, FromAPlaceOnItsPathTheRestIsDrawnBehindTheWayThere) {
   run(0.3);
   const std::string asked = value("path/run_from/says");
   EXPECT_THAT(asked, HasSubstr("The axes stand here: 01 at 0 pulses, 02 at 0 pulses."));
-  EXPECT_THAT(asked, HasSubstr("and all behind it."));
+  EXPECT_THAT(asked, HasSubstr("and everything after it."));
   EXPECT_FALSE(console.active()->bus->pieces().running) << "nothing is done before it is agreed to";
   MUST(stage.hand.click("path/run_from/yes"));
   run(2);

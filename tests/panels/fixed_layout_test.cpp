@@ -148,7 +148,7 @@ class FixedStage {
   std::vector<Snapshot> at_first;
 };
 
-struct Said {
+struct Change {
   const char* name;
   std::function<void(FixedStage&)> say;
   bool in_go = false;  ///< by typing there, for which a hand scrolls: what it has scrolled to is compared
@@ -189,8 +189,8 @@ void run_programs(FixedStage& f, RunState state) {
   }
 }
 
-const std::vector<Said>& all_said() {
-  static const std::vector<Said> said = {
+const std::vector<Change>& all_changes() {
+  static const std::vector<Change> change = {
       {"long digits",
        [](FixedStage& f) { each_axis(f, [](AxisState& a) { a.position = Steps(-100'000); }); }},
       {"longest digits",
@@ -292,7 +292,7 @@ const std::vector<Said>& all_said() {
        true},
       {"typed", [](FixedStage& f) { f.go_to("-123456.789"); }, true},
   };
-  return said;
+  return change;
 }
 
 void expect_same(const std::map<std::string, Rect>& was, const std::map<std::string, Rect>& is,
@@ -323,16 +323,16 @@ class FixedLayout : public testing::TestWithParam<FixedWindow> {
       f.as_at_first();
       const auto was = f.places_in(panel);
       ASSERT_FALSE(was.empty());
-      for (const Said& said : all_said()) {
-        if (said.in_go) {
+      for (const Change& change : all_changes()) {
+        if (change.in_go) {
           f.s.stage.frames(3);
           f.go_to("");
         }
-        const auto before = said.in_go ? f.places() : was;
-        said.say(f);
+        const auto before = change.in_go ? f.places() : was;
+        change.say(f);
         f.s.stage.frames(3);
-        expect_same(before, f.places(), fmt::format("{}, {}, {}", what, panel, said.name));
-        if (said.in_go) f.go_to("");
+        expect_same(before, f.places(), fmt::format("{}, {}, {}", what, panel, change.name));
+        if (change.in_go) f.go_to("");
         f.as_at_first();
       }
     }

@@ -361,7 +361,7 @@ TEST_P(GamepadWire, OneThatIsPulledOutStops) {
   expect_stopped();
   EXPECT_FALSE(hand.pad.present());
   ASSERT_FALSE(rig.console.toasts().list().empty());
-  EXPECT_THAT(rig.console.toasts().list().back().text, HasSubstr("The gamepad is gone"));
+  EXPECT_THAT(rig.console.toasts().list().back().text, HasSubstr("it is gone"));
 }
 
 TEST_P(GamepadWire, OneThatDoesNotAnswerStops) {

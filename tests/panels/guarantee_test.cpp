@@ -55,7 +55,7 @@ TEST_F(GuaranteeTest, TheControllerDoesWhereEveryAxisHasItsLimits) {
   EXPECT_EQ(s.value("jog/guarantee"), "stops it: within 2000 steps");
 }
 
-TEST_F(GuaranteeTest, NobodyIsSaidAsWhatItIs) {
+TEST_F(GuaranteeTest, NobodyIsReportedAsSuch) {
   ends(JogEnds::by_nobody);
   EXPECT_EQ(label(), "nobody");
   EXPECT_EQ(s.value("jog/guarantee"), "1000 steps a second");

@@ -278,7 +278,7 @@ TEST_F(HandsTest, WhileAProgramRunsNothingElseMovesAndItSaysSo) {
 
 // ---- outputs
 
-TEST_F(HandsTest, OutputChangesWhenTheControllerHasSaidSo) {
+TEST_F(HandsTest, AnOutputChangesWhenTheControllerHasReportedIt) {
   MUST(s.hand.click("io/out/1"));
   ASSERT_TRUE(a.last<intent::SetOutput>());
   EXPECT_TRUE(a.last<intent::SetOutput>()->on);

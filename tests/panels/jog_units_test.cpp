@@ -1,5 +1,6 @@
 // Steps and speed of jogging where axes are shown in real units.
 #include <cmath>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -48,13 +49,13 @@ TEST_F(JogUnitsTest, OneUnitOfAllAxesIsThatOfTheSteps) {
   EXPECT_EQ(s.value("jog/speed"), "5.000 mm/s");
 }
 
-TEST_F(JogUnitsTest, WhereUnitsDifferATapIsSaidInEachOnesOwn) {
+TEST_F(JogUnitsTest, WhereUnitsDifferATapIsShownInEachOnesOwn) {
   show_in("screw of 1 mm", "screw of 1 mm");
   EXPECT_FALSE(s.hand.exists("jog/own_units")) << "the buttons say it";
   show_in("screw of 1 mm", "screw of 2 mm");
   MUST(s.hand.click("jog/step/1"));
   s.run(0.1);
-  EXPECT_EQ(s.value("jog/own_units"), "A tap: 1 1.000 mm, 2 1.000 mm. Held: 1 5.000 mm/s, 2 10.000 mm/s.");
+  EXPECT_EQ(s.value("jog/own_units"), "A tap: all 1.000 mm. Held: 1 5.000 mm/s, 2 10.000 mm/s.");
 }
 
 TEST_F(JogUnitsTest, AStepIsANumberInTheUnitOfEachAxis) {
@@ -71,17 +72,73 @@ TEST_F(JogUnitsTest, AStepIsANumberInTheUnitOfEachAxis) {
     EXPECT_EQ(a.last<intent::MoveBy>()->distances[0].value, Steps(std::llround(1 / per_step))) << "by key";
     MUST(s.hand.click("jog/step/step"));
     EXPECT_EQ(tap("jog/2/+"), Steps(1)) << second;
-    EXPECT_EQ(s.value("jog/speed"), "2000 steps/s") << second;
+    EXPECT_EQ(s.value("jog/speed"), "each its own") << second;
   }
 }
 
-TEST_F(JogUnitsTest, WhereAnAxisHasNoUnitOfItsOwnStepsAreSteps) {
-  show_in("screw of 1 mm", "");
-  MUST(s.hand.click("jog/step/1000"));
+TEST_F(JogUnitsTest, AnAxisWithoutAUnitCountsSteps) {
+  for (const bool first : {true, false}) {
+    show_in(first ? "" : "screw of 1 mm", first ? "screw of 1 mm" : "");
+    const char *real = first ? "jog/2/+" : "jog/1/+", *counted = first ? "jog/1/+" : "jog/2/+";
+    MUST(s.hand.click("jog/step/10"));
+    s.run(0.1);
+    EXPECT_EQ(tap(real), Steps(4000)) << first;
+    EXPECT_EQ(tap(counted), Steps(10)) << first;
+    MUST(s.hand.click("jog/step/0.1"));
+    EXPECT_EQ(tap(real), Steps(40)) << first;
+    EXPECT_EQ(tap(counted), Steps(1)) << "never nothing";
+  }
+  EXPECT_EQ(s.value("jog/own_units"), "A tap: 1 0.100 mm, 2 1 step. Held: 1 5.000 mm/s, 2 2000 steps/s.");
+}
+
+TEST_F(JogUnitsTest, WhatMostAxesShareIsSaidOnce) {
+  Example& b = s.add(example_catalog(4));
+  b.tab->profile.unit = "real";
+  b.tab->profile.axes[0].unit_choice = "screw of 1 mm";
+  b.tab->profile_edited();
   s.run(0.1);
-  EXPECT_EQ(s.value("jog/step/1000"), "on");
-  EXPECT_EQ(tap("jog/1/+"), Steps(1000));
-  EXPECT_EQ(tap("jog/2/+"), Steps(1000));
+  EXPECT_EQ(s.value("jog/own_units"),
+            "A tap: 1 0.003 mm, others 1 step. Held: 1 5.000 mm/s, others 2000 steps/s.");
+}
+
+TEST_F(JogUnitsTest, TheSpeedOfEachAxisIsTypedInItsOwnUnit) {
+  show_in("screw of 1 mm", "table");
+  MUST(s.hand.click("jog/speed/number"));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/speed/1"), "5.000");
+  EXPECT_EQ(s.value("jog/speed/2"), "25.00");
+  MUST(s.hand.type("jog/speed/2", "10\n"));
+  s.run(0.1);
+  MUST(s.hand.type("jog/speed/1", "99999\n"));  // more than the controller can
+  MUST(s.hand.key("Escape"));
+  s.run(0.1);
+  for (const auto& [id, axis, speed] :
+       {std::tuple("jog/1/+", AxisId{0}, Pps(0)), {"jog/2/+", AxisId{1}, Pps(800)}}) {
+    MUST(s.hand.press(id));
+    s.run(0.6);
+    ASSERT_TRUE(a.last<intent::JogStart>());
+    EXPECT_EQ(a.last<intent::JogStart>()->axis, axis);
+    EXPECT_EQ(a.last<intent::JogStart>()->speed, speed) << id;
+    MUST(s.hand.release(id));
+    s.run(0.1);
+  }
+  MUST(s.hand.click("jog/speed/number"));
+  s.run(0.1);
+  MUST(s.hand.click("jog/speed/2/reset"));
+  EXPECT_EQ(a.tab->jog_speed(AxisId{1}), Pps(0));
+}
+
+TEST_F(JogUnitsTest, TheSliderChoosesForAllAxesAgain) {
+  a.tab->choose_jog_speed(AxisId{1}, Pps(800));
+  s.run(0.1);
+  EXPECT_EQ(s.value("jog/speed"), "each its own");
+  MUST(s.hand.press("jog/speed"));
+  MUST(s.hand.release("jog/speed"));
+  s.run(0.1);
+  const Pps chosen = a.tab->jog_speed();
+  EXPECT_GT(chosen.value, 0);
+  EXPECT_EQ(a.tab->jog_speed(AxisId{1}), chosen);
+  EXPECT_NE(s.value("jog/speed"), "each its own");
 }
 
 TEST_F(JogUnitsTest, EachButtonSaysInTheUnitOfItsAxisWhatItDoes) {
@@ -94,12 +151,6 @@ TEST_F(JogUnitsTest, EachButtonSaysInTheUnitOfItsAxisWhatItDoes) {
   s.run(0.1);
   EXPECT_EQ(tap_and_hold(*a.tab, AxisId{0}).view(), "A tap moves it 1.000 mm; held, it runs at 2.500 mm/s.");
   EXPECT_EQ(tap_and_hold(*a.tab, AxisId{1}).view(), "A tap moves it 1.000 mm; held, it runs at 5.000 mm/s.");
-}
-
-TEST_F(JogUnitsTest, AnAxisThatCountsStepsIsNoReasonToShowAnothersUnit) {
-  show_in("", "screw of 1 mm");
-  EXPECT_EQ(s.value("jog/speed"), "2000 steps/s");
-  EXPECT_EQ(tap("jog/2/+"), Steps(1));
 }
 
 TEST_F(JogUnitsTest, ASpeedIsNotNegativeOnAReversedAxis) {

@@ -188,7 +188,7 @@ TEST(LinkDoctorCard, SetsTheTimerOfTheAdapter) {
   d.click(button);
   d.run(1.2);
   EXPECT_THAT(d.machine.eyes.asked.back(), "/dev/ttyS9 to 1");
-  EXPECT_THAT(d.findings(), HasSubstr("The USB adapter hands bytes on at once"));
+  EXPECT_THAT(d.findings(), HasSubstr("The USB adapter passes bytes on at once"));
 }
 
 TEST(LinkDoctorCard, LooksAgainForAnotherProgramOnThePort) {
@@ -247,7 +247,8 @@ TEST(LinkDoctorCard, GoesBackToTheOldRateWhenNobodyAnswers) {
   d.run(12);
   d.click("connect/doctor/back");
   d.run(15);
-  EXPECT_EQ(d.value("connect/doctor/raise"), "It did not answer at 115200 baud. It is back at 9600 baud.");
+  EXPECT_EQ(d.value("connect/doctor/raise"),
+            "It did not answer at 115200 baud, so it was set back to 9600 baud.");
   EXPECT_TRUE(d.tab().now().link.connected());
   EXPECT_EQ(rate_of(d.tab()), 9600);
   d.switch_power();
@@ -286,6 +287,22 @@ TEST(ChangeAddress, TriesAnotherPlaceWithoutGoingBack) {
   EXPECT_EQ(d.console.page(), "connect");
 }
 
+TEST(ChangeAddress, IsOfferedOnce) {
+  const auto offers = [](Desk& d) {
+    const auto& all = d.stage.surface.screen().registry().widgets();
+    return std::count_if(all.begin(), all.end(),
+                         [](const gui::Widget& w) { return w.label == "Change address"; });
+  };
+  Desk d("vxm");
+  d.open("vxm@tcp:nowhere:1");
+  EXPECT_EQ(offers(d), 1);
+  d.click("connect/here/0/doctor");
+  d.run(1.5);
+  EXPECT_TRUE(d.stage.find("connect/doctor/finding/1"));
+  EXPECT_TRUE(d.stage.find("connect/doctor/address"));
+  EXPECT_EQ(offers(d), 1) << "by its row, not by what was found too";
+}
+
 TEST(ChangeAddress, APlaceThatAnotherControllerHasIsRefused) {
   Desk d("vxm");
   d.open("vxm@serial:/dev/ttyS9,baud=9600");
@@ -316,7 +333,7 @@ TEST(ServeEmulator, TheOpenOneWithByteTimesIsNotServed) {  // two would take eac
     d.open(fmt::format("{}@emulator,wire=real", model));
     const gui::Widget* serve = d.stage.find("connect/here/0/serve");
     ASSERT_TRUE(serve) << model;
-    EXPECT_THAT(serve->reason, HasSubstr("Serve another at the right.")) << model;
+    EXPECT_THAT(serve->reason, HasSubstr("Serve another emulator at the right")) << model;
   }
 }
 
@@ -368,7 +385,7 @@ TEST(LastTime, APlaceOfTheNetworkStandsInTheCentre) {
   EXPECT_EQ(d.tab().address().text(), "vxm@tcp:127.0.0.1:9");
 }
 
-TEST(LastTime, OnlyAPortThatWouldBeListedIsSaidToBeGone) {
+TEST(LastTime, OnlyAPortThatWouldBeListedIsReportedAsGone) {
   const test::Folder folder;
   const UserFolders folders = UserFolders::below(folder.path());
   {
@@ -384,6 +401,17 @@ TEST(LastTime, OnlyAPortThatWouldBeListedIsSaidToBeGone) {
   d.run(0.2);
   EXPECT_EQ(d.value("connect/recent/0/state"), "") << "a pseudo-terminal is in no list of ports";
   EXPECT_EQ(d.value("connect/recent/1/state"), "not plugged in");
+}
+
+TEST(LastTime, ABusHasTheNameOfItsTab) {
+  const test::Folder folder;
+  const UserFolders folders = UserFolders::below(folder.path());
+  Desk("dmx-k-sa", {}, 1440, 900, folders).open("dmx-k-sa@serial:/dev/ttyUSB1,baud=9600,id=01-04");
+  Desk d("dmx-k-sa", {}, 1440, 900, folders);
+  d.console.show_page("connect");
+  d.run(0.2);
+  ASSERT_TRUE(d.stage.find("connect/recent/0/state"));
+  EXPECT_EQ(d.stage.find("connect/recent/0/state")->label, "DMX 01\u201304");
 }
 
 int catalogs_made = 0;
@@ -417,7 +445,7 @@ TEST(ServeEmulator, ABusWithByteTimesSaysWhyItIsNotServed) {
   const gui::Widget* serve = d.stage.find("connect/here/0/serve");
   ASSERT_TRUE(serve);
   EXPECT_FALSE(serve->enabled);
-  EXPECT_THAT(std::string(serve->reason), HasSubstr("Serve another at the right."));
+  EXPECT_THAT(std::string(serve->reason), HasSubstr("Serve another emulator at the right"));
 }
 
 TEST(ServeEmulator, EndsWhenItsControllerIsClosed) {

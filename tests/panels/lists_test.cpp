@@ -35,7 +35,7 @@ struct Lists : testing::Test {
   }
   std::string toasts() {
     std::string text;
-    for (const auto& toast : s.console.toasts().list()) text += toast.said + "\n";
+    for (const auto& toast : s.console.toasts().list()) text += toast.shown_text + "\n";
     return text;
   }
 };
@@ -58,7 +58,7 @@ TEST_F(Lists, EscClosesItAndStopsAndSaysWhatItStopped) {
   }
 }
 
-TEST_F(Lists, WhereNothingMovedThatIsSaid) {
+TEST_F(Lists, WhereNothingMovedThatIsReported) {
   s.run(0.1);
   open(all[0]);
   MUST(s.hand.key("Escape"));

@@ -22,7 +22,7 @@ class LogViewTest : public ::testing::Test {
     ::testing::internal::GetCapturedStderr();
   }
   void write(std::string_view subject, log::Level level, std::string_view sentence) {
-    log::subject(subject).say(level, sentence);
+    log::subject(subject).add(level, sentence);
     s.console.log.follow();  // as the console does once a frame
     s.stage.frames(2);
   }
@@ -77,7 +77,7 @@ TEST_F(LogViewTest, ChoosesHowMuchIsLogged) {
   EXPECT_FALSE(log::subject("driver.vxm").wants(log::Level::error)) << "everything is all of them";
 }
 
-TEST_F(LogViewTest, OnePartThatLogsMoreIsSaidOfItsFamily) {
+TEST_F(LogViewTest, OnePartThatLogsMoreIsReportedOfItsFamily) {
   log::set_level("driver.vxm", log::Level::debug);
   s.stage.frames(2);
   EXPECT_EQ(s.value("decisions/level"), "log mixed") << "all of them";
@@ -94,7 +94,7 @@ TEST_F(LogViewTest, OnePartThatLogsMoreIsSaidOfItsFamily) {
 }
 
 TEST_F(LogViewTest, DrawsOnlyTheRowsThatAreSeen) {
-  for (int i = 0; i < 500; ++i) log::subject("link").say(log::Level::warning, fmt::format("line {}.", i));
+  for (int i = 0; i < 500; ++i) log::subject("link").add(log::Level::warning, fmt::format("line {}.", i));
   write("link", log::Level::warning, "the newest");
   EXPECT_THAT(s.value("decisions/log"), HasSubstr("the newest"));
   EXPECT_THAT(s.value("decisions/log"), Not(HasSubstr("line 400.")));
@@ -107,7 +107,7 @@ TEST_F(LogViewTest, IsStillAtRest) {
 }
 
 TEST_F(LogViewTest, LinesThatCameTooFastAreCounted) {
-  for (int i = 0; i < 3000; ++i) log::subject("link").say(log::Level::warning, "many");
+  for (int i = 0; i < 3000; ++i) log::subject("link").add(log::Level::warning, "many");
   s.console.log.follow();
   s.stage.frames(2);
   EXPECT_GT(s.console.log.lost(), 0u);
@@ -122,7 +122,7 @@ TEST_F(LogViewTest, IsReachedByTheMenuWhereThereIsNoRoomForATitle) {
   small.click("terminal/log_menu");
   small.click("terminal/log_menu/Log all");
   EXPECT_TRUE(log::subject("link").wants(log::Level::debug));
-  log::subject("link").say(log::Level::debug, "dropped");
+  log::subject("link").add(log::Level::debug, "dropped");
   small.console.log.follow();
   small.stage.frames(2);
   EXPECT_THAT(small.value("decisions/log"), HasSubstr("debug link: dropped"));

@@ -101,6 +101,21 @@ TEST(MessagePlace, IsBesideTheTitleInASmallWindowWithATallTerminal) {
   EXPECT_GE(strip_of(s)->min.x, s.stage.find("terminal/save")->rect.max.x);
 }
 
+TEST(MessagePlace, IsBesideTheTitleOnALaptopAlsoWithTheRightColumnUnfolded) {
+  for (const bool unfolded : {false, true}) {
+    ConsoleStage s(1366, 768);
+    s.add();
+    s.console.right_open = unfolded;
+    s.run(0.1);
+    s.console.toast(gui::Severity::fault, "The home switch is not there.");
+    s.run(0.2);
+    ASSERT_TRUE(s.stage.find("terminal/view/log"));
+    ASSERT_TRUE(strip_of(s));
+    EXPECT_EQ(strip_of(s)->centre().y, s.stage.find("terminal/view/log")->rect.centre().y) << unfolded;
+    EXPECT_EQ(under_the_strip(s), "") << unfolded;
+  }
+}
+
 // At 1024x700 the terminal has three rows and no title.
 TEST(MessagePlace, IsInTheStatusLineWhereThereIsNoTitle) {
   ConsoleStage s(1024, 700);
@@ -180,6 +195,18 @@ TEST(MessagePlace, WhatAClosedControllerRefusedGoesWithIt) {
   EXPECT_EQ(s.console.toasts().list()[0].text, "The disk is full.") << "that is still so";
 }
 
+TEST(MessagePlace, ABannerLeavesARowOfTraffic) {
+  for (const int width : {1024, 1366}) {
+    ConsoleStage s(width, width == 1024 ? 700 : 768);
+    Example& a = s.add();
+    s.run(0.2);
+    a.now.link.state = LinkState::lost;
+    s.run(0.2);
+    EXPECT_TRUE(s.stage.find("fault/lost"));
+    EXPECT_GE(s.stage.find("terminal/log")->rect.height(), 20) << width;
+  }
+}
+
 TEST(MessagePlace, AFoldedBannerKeepsWhatMattersAndCanBeUnfolded) {
   ConsoleStage s(1024, 700);
   Example& a = s.add();
@@ -192,7 +219,7 @@ TEST(MessagePlace, AFoldedBannerKeepsWhatMattersAndCanBeUnfolded) {
   EXPECT_FALSE(s.stage.find("fault/report")) << "its words need the room";
   EXPECT_TRUE(s.stage.find("fault/try_now"));
   EXPECT_EQ(s.stage.find("fault/fold")->label, "Unfold");
-  EXPECT_LE(s.stage.find("fault/lost")->rect.height(), 48) << "one line";
+  EXPECT_LE(s.stage.find("fault/lost")->rect.height(), 36) << "one line";
   ASSERT_TRUE(s.hand.click("fault/fold").has_value());
   s.run(0.2);
   EXPECT_EQ(s.stage.find("fault/fold")->label, "Fold");

@@ -55,7 +55,7 @@ TEST_F(MovesTest, AWrongNumberNamesItsMove) {
   EXPECT_THAT(s.toast(), HasSubstr("Move 1, Speed: 1 to 6"));
 }
 
-TEST_F(MovesTest, ProgressIsToldAndAbortStops) {
+TEST_F(MovesTest, ProgressIsReportedAndAbortStops) {
   add("1", "1", "1000");
   s.now.feed = {true, 12, 100};
   s.stage.frames(2);
@@ -94,6 +94,7 @@ TEST_F(MovesTest, TheBufferStandsBesideTheList) {
   s.now.readouts_seen_at[i] = Instant(from_seconds(s.stage.now_s));
   s.stage.frames(2);
   EXPECT_EQ(s.value("readout/BUFFREE"), "33");
+  EXPECT_EQ(s.stage.find("action/buffer_on/go")->rect.max.x, s.stage.find("list/param/IACC")->rect.max.x);
   s.click("action/buffer_on/go");
   EXPECT_TRUE(s.last<intent::Act>());
   s.click("list/param/IACC");

@@ -26,7 +26,7 @@ class OwnUnitTest : public testing::Test {
   const DisplayUnit& unit() { return a.tab->unit(AxisId{0}); }
 };
 
-TEST_F(OwnUnitTest, IsToldAsUnitsAStep) {
+TEST_F(OwnUnitTest, IsReportedAsUnitsAStep) {
   EXPECT_FALSE(unit().real) << "nothing is told yet";
   MUST(s.hand.type("dro/unit/own/1/step", "0.0025\n"));
   EXPECT_TRUE(unit().real);

@@ -141,9 +141,9 @@ TEST_F(PathInSpaceTest, AClickTellsTheLine) {
 TEST_F(PathInSpaceTest, MeasuresBetweenWhatIsOnThePathOnly) {
   s.click("path/measure");
   click_on(at({400, 0, 0}));
-  EXPECT_EQ(s.value("path/hit"), "Click where to measure to.");
+  EXPECT_EQ(s.value("path/hit"), "Click the end of the distance.");
   click_on(ImVec2(at({}).x - 30, at({}).y + 20));
-  EXPECT_EQ(s.value("path/hit"), "Click where to measure to.") << "there is nothing, and so no depth";
+  EXPECT_EQ(s.value("path/hit"), "Click the end of the distance.") << "there is nothing, and so no depth";
   click_on(at({400, 300, 200}));
   EXPECT_EQ(s.value("path/hit"), "X 0 pulses, Y 300 pulses, Z 200 pulses - 361 pulses straight");
 }

@@ -101,7 +101,7 @@ struct PathAtWorkTest : ::testing::Test {
   void runs(std::int16_t command) {
     s.tab.desk().texts.loaded(0, s.tab.desk().texts.text(0), s.tab.clock());
     s.now.program = {
-        .run = RunState::running, .owned = true, .slot = 0, .command = command, .command_told = true};
+        .run = RunState::running, .owned = true, .slot = 0, .command = command, .command_reported = true};
     s.now.program.started_at = s.tab.clock();
     s.stage.frames(6);
   }

@@ -60,6 +60,27 @@ struct PathShownTest : ::testing::Test {
   test::PanelStage s{panel, 900, 620, 1, gui::Tier::wide, true, *type.make_catalog({}), &type.language()};
 };
 
+// ---- rulers
+
+TEST_F(PathShownTest, TheRulerIsAsWideAsItsNumbers) {
+  s.stage.frames(2);
+  const float usual = view().min.x;
+  s.now.axes[1].position = Steps(123'456'789'012);
+  s.click("path/fit");
+  s.stage.frames(3);
+  EXPECT_GT(view().min.x, usual + 20);
+  s.stage.surface.render();
+  const ImU32 ground = s.stage.surface.pixel(2, static_cast<int>(view().max.y) + 12);
+  for (int y = static_cast<int>(view().min.y) + 24; y < static_cast<int>(view().max.y); ++y)
+    ASSERT_EQ(s.stage.surface.pixel(2, y), ground) << "a number is cut off at " << y;
+  s.now.axes[1].position = Steps(0);
+  s.stage.frames(1);
+  s.click("path/forget");
+  s.click("path/fit");
+  s.stage.frames(3);
+  EXPECT_EQ(view().min.x, usual);
+}
+
 // ---- age
 
 TEST_F(PathShownTest, WhereItHasBeenFadesWithItsAge) {
@@ -84,7 +105,7 @@ TEST_F(PathShownTest, WhereItHasBeenFadesWithItsAge) {
   EXPECT_TRUE(s.stage.find("path/legend/trace"));
 }
 
-TEST(PathTrace, AgesAreToldFromItsNewestRun) {
+TEST(PathTrace, AgesAreReportedFromItsNewestRun) {
   drawing::ToolPath trace;
   for (int t = 0; t < 1000; ++t) trace.go({t * 1.0, 0}, {t + 1.0, 0}, true, t);
   const TraceAges ages = ages_of(trace);
@@ -184,6 +205,8 @@ TEST_F(PathShownTest, WhatIsSavedShowsItsDirectionAndItsScale) {
   EXPECT_THAT(svg, HasSubstr("<g id=\"rehearsed-direction\""));
   EXPECT_THAT(svg, HasSubstr("<g id=\"scale\""));
   EXPECT_THAT(svg, HasSubstr(" steps</text>"));
+  // 4000 steps and the air around them are 800 pixels, whatever draws them.
+  EXPECT_THAT(svg, HasSubstr("<g id=\"rehearsed\" stroke=\"#000000\" stroke-width=\"10.4\">"));
 }
 
 TEST_F(PathShownTest, ATraceAloneIsSavedWithTheLimits) {

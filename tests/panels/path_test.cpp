@@ -138,7 +138,7 @@ TEST_F(PathTest, ArrowsWithAltMoveTheViewAndJogNothing) {
   EXPECT_TRUE(s.sent.empty());
 }
 
-TEST_F(PathTest, WhyNothingCouldBeRehearsedIsToldHere) {
+TEST_F(PathTest, WhyNothingCouldBeRehearsedIsReportedHere) {
   rehearse("I1M400,\nnonsense\n");
   EXPECT_THAT(s.value("path/refusal"), HasSubstr("Line 2"));
   rehearse("I1M400,\nI2M300,\n");
@@ -149,7 +149,7 @@ TEST_F(PathTest, TwoClicksMeasure) {
   rehearse("I1M400,\nI2M300,\n");
   const auto right = static_cast<float>(200 / per_px()), up = static_cast<float>(150 / per_px());
   s.click("path/measure");
-  EXPECT_THAT(s.value("path/hit"), HasSubstr("Click where"));
+  EXPECT_THAT(s.value("path/hit"), HasSubstr("of the distance."));
   s.click_at(in_view(-right, up));
   s.click_at(in_view(right, -up));
   EXPECT_EQ(s.value("path/hit"), "1 400 steps, 2 300 steps - 500 steps straight - 36.9deg");

@@ -72,7 +72,7 @@ TEST_F(ProgramStart, NothingIsAskedWhereThereIsOnlyTheFirst) {
 
 TEST_F(ProgramStart, RunOfAThreadTellsWhetherWhatIsHeldHasBeenRehearsed) {
   put(both);
-  EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("was not read"));
+  EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("Upload to read"));
   s.tab.desk().texts.loaded(0, both, s.tab.clock());
   s.stage.frames(2);
   EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("Not rehearsed"));
@@ -91,7 +91,7 @@ TEST_F(ProgramStart, RunOfAThreadTellsWhetherWhatIsHeldHasBeenRehearsed) {
   s.now.threads[0].run = RunState::idle;
   put("PRG 1\nABS\nY300\nWAITY\nEND\n");
   rehearse();
-  EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("another text than the controller holds"));
+  EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("The text rehearsed is not the one"));
 }
 
 // What it starts is loaded with it, so its own loading is no change of another program.

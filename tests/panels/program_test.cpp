@@ -98,8 +98,8 @@ TEST_F(ProgramTest, WhatTheControllerCanTellIsReadBeforeARehearsal) {
   s.now.params[1].known = false;
   s.click("program/simulate");
   EXPECT_TRUE(s.last<intent::ReadParams>());
-  EXPECT_EQ(s.reason("program/simulate"), "It is being calculated.");
-  EXPECT_EQ(s.value("program/rehearsed"), "It is being rehearsed.");
+  EXPECT_EQ(s.reason("program/simulate"), "Calculating.");
+  EXPECT_EQ(s.value("program/rehearsed"), "Rehearsing.");
   const auto asked = s.sent.size();
   s.settle(IntentState::pending);
   EXPECT_EQ(s.language.rehearsed, 0);
@@ -171,7 +171,7 @@ TEST_F(ProgramTest, WhatIsHeldGoesOnWhateverIsTypedMeanwhile) {
   EXPECT_TRUE(s.last<intent::Resume>());
 }
 
-TEST_F(ProgramTest, TooLongIsSaidByMeterAndRefusedByRun) {
+TEST_F(ProgramTest, TooLongIsReportedByMeterAndRefusedByRun) {
   write("A,B,C,D,E,F,G,H,J,K,M");
   EXPECT_EQ(s.value("program/memory"), "22 of 20: 2 too many");
   EXPECT_THAT(s.reason("program/run"), HasSubstr("2 too many. Run is available again when it is shorter."));
@@ -204,7 +204,7 @@ TEST_F(PmxProgramTest, WhatIsShownAsBlocksBecomesThem) {
   s.click("program/more/Show as blocks");
   s.stage.frames(4);
   ASSERT_EQ(blocks.editor.shared()->steps.size(), 2u) << s.toast();
-  EXPECT_THAT(s.toast(), HasSubstr("The text is 2 blocks now"));
+  EXPECT_THAT(s.toast(), HasSubstr("The text has become 2 blocks"));
   s.tab.desk().texts.set_text(0, "X200\nEND\n");
   s.click("program/more");
   s.click("program/more/Show as blocks");
@@ -369,7 +369,7 @@ TEST_F(ProgramTest, FitsEachTier) {
   }
 }
 
-TEST(ProgramNarrow, AFileNameWithoutRoomIsToldAtTheSlots) {
+TEST(ProgramNarrow, AFileNameWithoutRoomIsReportedAtTheSlots) {
   Program panel;
   test::PanelStage s{panel, 380, 300, 1, gui::Tier::narrow};
   TextFile file;

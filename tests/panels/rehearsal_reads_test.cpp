@@ -37,7 +37,7 @@ TEST_F(RehearsalReads, EachProgramThatTheRunComesTo) {
   rehearse("I1M400,JM2");
   ASSERT_TRUE(s.last<intent::UploadProgram>());
   EXPECT_EQ(s.last<intent::UploadProgram>()->slot, 2);
-  EXPECT_EQ(s.reason("program/simulate"), "It is being calculated.");
+  EXPECT_EQ(s.reason("program/simulate"), "Calculating.");
   listed(2, "I2M300,JM1");
   ASSERT_EQ(s.last<intent::UploadProgram>()->slot, 1);
   listed(1, "I1M100");
@@ -54,7 +54,7 @@ TEST_F(RehearsalReads, WhatCannotBeReadIsNamed) {
   s.stage.frames(4);
   EXPECT_EQ(s.sent.size(), 1u) << "once is enough";
   EXPECT_EQ(rehearsal().axes[0].position, 400);
-  EXPECT_THAT(s.value("rehearsal/assumed"), HasSubstr("program 2: empty, since it was not read"));
+  EXPECT_THAT(s.value("rehearsal/assumed"), HasSubstr("program 2: empty, because it was not read"));
 }
 
 TEST_F(RehearsalReads, NothingWhereNoOtherProgramIsMet) {
@@ -81,7 +81,7 @@ TEST_F(RehearsalReads, NothingWhileAnAxisMoves) {
   EXPECT_TRUE(s.sent.empty()) << "it would begin elsewhere";
 }
 
-TEST_F(RehearsalReads, ALimitOfTheUsersThatItWouldPassIsTold) {
+TEST_F(RehearsalReads, ALimitOfTheUsersThatItWouldPassIsReported) {
   s.now.axes[0].travel.has_plus = true;
   s.now.axes[0].travel.plus = Steps(300);
   rehearse("I1M400");

@@ -99,18 +99,28 @@ TEST(RestOfText, WhatNoBlockCanHoldIsRefused) {
   const auto loop = rest_at("vxm", "I1M100,\nI2M100,\nL4,\n", 2, 1);
   ASSERT_FALSE(loop);
   EXPECT_THAT(loop.error().what, HasSubstr("a loop without a mark of its own"));
-  const auto one_axis = rest_at("vme58", "AX\nMR500 GO\nMR250 GO\n", 3);
-  ASSERT_FALSE(one_axis);
-  EXPECT_THAT(one_axis.error().what, HasSubstr("blocks address all axes at once (AA)"));
+  const auto side_by_side = rest_at("vme58", "AX\nMR500 GO\nAY MR250 GO\n", 3);
+  ASSERT_FALSE(side_by_side);
+  EXPECT_THAT(side_by_side.error().what, HasSubstr("a single axis (AX, AY ...) has a queue of its own"));
+}
+
+TEST(RestOfText, OneAxisAloneIsFollowedInItsOwnMode) {
+  const auto rest = rest_at("vme58", "AY\nVL8000 # fast\nMR500 GO\nLS2 MR250 GO LE\nMA0 GO\n", 5);
+  ASSERT_TRUE(rest) << rest.error().sentence();
+  EXPECT_EQ(*rest->rest.start[1], 1000);
+  EXPECT_EQ(rest->begins, "line 5, MA0 GO");
+  const std::string text = written("vme58", *rest);
+  EXPECT_THAT(text, HasSubstr("VL,8000; # fast\n"));
+  EXPECT_THAT(text, HasSubstr("MA,1000; GO\nWA\n# Here the rest begins.\nMA,0; GO\n"));
 }
 
 TEST(RestOfText, WhatIsNotKnownIsNamedWithItsLine) {
   const auto own = rest_at("pmx-4ex-sa", "ABS\nV1=5\nX1000\nWAITX\nX0\nWAITX\nEND\n", 5);
   ASSERT_FALSE(own);
-  EXPECT_THAT(own.error().what, HasSubstr("It is not known what \"V1=5\" above line 5 leaves behind."));
+  EXPECT_THAT(own.error().what, HasSubstr("The state after \"V1=5\" above line 5 is unknown."));
   const auto homed = rest_at("pmx-4ex-sa", "ABS\nHOMEX-\nWAITX\nX1000\nWAITX\nEND\n", 4);
   ASSERT_FALSE(homed);
-  EXPECT_THAT(homed.error().what, HasSubstr("It is not known where the axes stand before line 4"));
+  EXPECT_THAT(homed.error().what, HasSubstr("The position before line 4 is unknown"));
 }
 
 TEST(RestOfText, WhereAnAxisIsStillMovingNothingIsBegun) {
@@ -119,7 +129,8 @@ TEST(RestOfText, WhereAnAxisIsStillMovingNothingIsBegun) {
   for (const int line : {3, 4, 5}) {
     const auto moving = rest_at("pmx-4ex-sa", text, line);
     ASSERT_FALSE(moving) << "line " << line;
-    EXPECT_THAT(moving.error().sentence(), HasSubstr("Begin at a line that begins when all axes stand."));
+    EXPECT_THAT(moving.error().sentence(),
+                HasSubstr("Begin at a line that starts when all axes are at rest."));
   }
   const auto stands = rest_at("pmx-4ex-sa", text, 7);
   EXPECT_TRUE(stands) << stands.error().sentence();
@@ -130,7 +141,7 @@ TEST(RestOfText, WhereTheRehearsalDoesNotTellNothingIsBegun) {
   const auto rest = rest_of_text(type.language(), {"ABS\nX1000\nWAITX\nX0\nWAITX\nEND\n", 3, 0}, {},
                                  *type.make_catalog({}));
   ASSERT_FALSE(rest);
-  EXPECT_THAT(rest.error().what, HasSubstr("does not tell where the axes were when line 4 began"));
+  EXPECT_THAT(rest.error().what, HasSubstr("does not show the positions when line 4 began"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // its controller's own.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include "core/device/registry.h"
 #include "tests/core/session/folder.h"
@@ -44,7 +45,7 @@ TEST_P(EachController, HasARowOfItsBenchForEachAxis) {
   EXPECT_EQ(a.last_operated<bench::Limit>()->sign, Sign::minus);
 }
 
-TEST_P(EachController, NothingOfARowLiesOverItsNeighbour) {
+TEST_P(EachController, NothingOfARowLiesOverTheNextOne) {
   for (const auto& [width, height] : {std::pair{1440, 900}, {1280, 780}, {1024, 700}}) {
     ConsoleStage s(width, height);
     s.add(made(GetParam()));
@@ -171,6 +172,29 @@ TEST(RightColumn, OfABusTheBenchHasARowForEachDevice) {
   ASSERT_TRUE(s.examples[2].last_operated<bench::Jam>());
   EXPECT_TRUE(s.examples[2].last_operated<bench::Jam>()->on);
   EXPECT_TRUE(s.examples[0].operated.empty()) << "the one in front is left alone";
+}
+
+/// In the order in which ImGui draws; -1: there is no such window.
+int place_in_drawing_order(std::string_view name) {
+  const ImVector<ImGuiWindow*>& windows = ImGui::GetCurrentContext()->Windows;
+  for (int i = 0; i < windows.Size; ++i)
+    if (std::string_view(windows[i]->Name).find(name) != std::string_view::npos) return i;
+  return -1;
+}
+
+// The borders of the columns are windows of their own, which come with a larger size.
+TEST(RightColumn, AnOpenDialogStaysAboveWhatComesLater) {
+  ConsoleStage s(1024, 700);
+  Example& a = s.add();
+  s.run(0.1);
+  s.console.dialogs.names(*a.tab);
+  s.run(0.1);
+  MUST(s.hand.window(1440, 900));
+  s.run(0.1);
+  const int border = place_in_drawing_order("##splitter/right"), dialog = place_in_drawing_order("dialog");
+  ASSERT_GE(border, 0);
+  ASSERT_GE(dialog, 0);
+  EXPECT_GT(dialog, border);
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST_F(RunDoubtTest, ItIsHomedOrSaidToStandWhereItCounts) {
   EXPECT_FALSE(s.stage.find("program/doubt/refused"));
 }
 
-TEST_F(RunDoubtTest, AnAxisThatBecomesDoubtfulMeanwhileIsToldOf) {
+TEST_F(RunDoubtTest, AnAxisThatBecomesDoubtfulMeanwhileIsReportedOf) {
   s.now.axes[1].position = s.now.axes[1].command = Steps(5);
   put_two();
   s.click("program/run");

@@ -71,8 +71,8 @@ TEST_F(RunFromTest, TellsTheWayThereAndDoesNothingBeforeItIsAgreedTo) {
   const std::string asked = s.value("path/run_from/says");
   EXPECT_THAT(asked, HasSubstr("Now: motor 1 at 250 steps"));
   EXPECT_THAT(asked, HasSubstr("First: Tool up. Speed 2000 steps/s. Move to 1: 400, 2: 0. Tool down."));
-  EXPECT_THAT(asked, HasSubstr("Then step 6, Move to 2: 400, and all behind it."));
-  EXPECT_THAT(asked, Not(HasSubstr("No step mentions a tool")));
+  EXPECT_THAT(asked, HasSubstr("Then step 6, Move to 2: 400, and everything after it."));
+  EXPECT_THAT(asked, Not(HasSubstr("no step mentions a tool")));
   EXPECT_TRUE(s.sent.empty());
   const std::string before = s.tab.desk().texts.text(0);
   s.click("path/run_from/no");
@@ -157,8 +157,8 @@ TEST_F(RunFromTest, ATypedTextIsBegunWhereItsRehearsalCameTo) {
   const std::string asked = s.value("path/run_from/says");
   EXPECT_THAT(asked, HasSubstr("Now: motor 1 at 0 steps, motor 2 at 70 steps")) << s.toast();
   EXPECT_THAT(asked, HasSubstr("First: Move to 1: 400, 2: 50.")) << "where it was rehearsed";
-  EXPECT_THAT(asked, HasSubstr("Then line 2, I2M400, and all behind it."));
-  EXPECT_THAT(asked, HasSubstr("No step mentions a tool"));
+  EXPECT_THAT(asked, HasSubstr("Then line 2, I2M400, and everything after it."));
+  EXPECT_THAT(asked, HasSubstr("no step mentions a tool"));
   EXPECT_TRUE(s.sent.empty());
   s.click("path/run_from/yes");
   s.stage.frames(4);
@@ -184,8 +184,8 @@ TEST_F(RunFromTest, WhatATypedTextLeavesBehindThatNobodyKnowsIsNamed) {
   ASSERT_THAT(s.value("path/hit"), HasSubstr("Line 3"));
   s.click("path/run_here");
   s.stage.frames(3);
-  EXPECT_THAT(s.toast(), HasSubstr("It is not known what \"U99"));
-  EXPECT_THAT(s.toast(), HasSubstr("above line 3 leaves behind."));
+  EXPECT_THAT(s.toast(), HasSubstr("The state after \"U99"));
+  EXPECT_THAT(s.toast(), HasSubstr("above line 3 is unknown."));
   EXPECT_FALSE(s.stage.find("path/run_from/yes"));
   EXPECT_TRUE(s.sent.empty());
 }

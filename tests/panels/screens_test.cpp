@@ -478,7 +478,7 @@ TEST(ScreensOnce, AnAddressThatMakesNoSenseIsRefusedInWords) {
   EXPECT_EQ(s.value("connect/address"), "teapot@stove");
 }
 
-TEST(ScreensOnce, ARefusalThatNobodyWatchesIsSaidOnce) {
+TEST(ScreensOnce, ARefusalThatNobodyWatchesIsReportedOnce) {
   ConsoleStage s;
   Example& a = s.add();
   s.run(0.1);
@@ -506,7 +506,7 @@ TEST(ScreensOnce, AToastNamesItsControllerOverTheTabOfAnother) {
   EXPECT_EQ(s.value("toast/1"), "Stage: The home switch is not there.");
 }
 
-TEST(ScreensOnce, WhatWasSaidOfATextGoesWhenTheTextChanges) {
+TEST(ScreensOnce, WhatWasReportedOfATextGoesWhenTheTextChanges) {
   ConsoleStage s;
   Example& a = s.add();
   a.tab->centre_panel = "program";

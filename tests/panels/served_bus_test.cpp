@@ -23,19 +23,19 @@ struct OtherProgram final : Stream::Listener {
   ~OtherProgram() override { wire->listen(nullptr); }
   void look() {
     if (clock.now() < next) return;
-    heard.clear();
+    received.clear();
     wire->send(question);
     next = clock.now() + Millis(50);
     ++asked;
   }
   void bytes_arrived(std::string_view bytes) override {
-    heard += bytes;
-    if (heard.ends_with('\0')) last = heard, next = std::min(next, clock.now() + Millis(7));
+    received += bytes;
+    if (received.ends_with('\0')) last = received, next = std::min(next, clock.now() + Millis(7));
   }
   void stream_closed(const Fault&) override {}
   VirtualScheduler& clock;
   std::unique_ptr<Stream> wire;
-  std::string question, heard, last;
+  std::string question, received, last;
   Instant next{};
   int asked = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "core/devices/pmx_4ex_sa/catalog.h"
 #include "core/devices/vme58/catalog.h"
+#include "panels/control/shown_unit.h"
 #include "tests/core/session/folder.h"
 #include "tests/panels/panel_stage.h"
 
@@ -60,7 +61,17 @@ TEST_F(SetupTest, WhatCountsStepsIsTypedInTheUnitOfItsAxis) {
   EXPECT_EQ(other.last<intent::SetParam>()->value, 2000) << "the controller is told pulses";
 }
 
-TEST_F(SetupTest, OutOfRangeIsSaidAndNotTaken) {
+TEST(SetupFacts, LargeNumbersAreGroupedAsInTheirField) {
+  ParamInfo p;
+  p.maximum = 1'044'000;
+  const ShownUnit own;
+  EXPECT_EQ(text_in(own, p, 200'000), "200\u2009000");
+  EXPECT_EQ(range_in(own, p), "0 to 1\u2009044\u2009000");
+  p.prefix = "4EX", p.digits = 2;
+  EXPECT_EQ(text_in(own, p, 7), "4EX07");
+}
+
+TEST_F(SetupTest, OutOfRangeIsReportedAndNotTaken) {
   s.type("setup/j1M", "9000\n");
   EXPECT_THAT(s.reason("setup/write"), HasSubstr("Nothing here differs"));
   EXPECT_EQ(s.value("setup/j1M"), "9000") << "what was typed stays to be mended";

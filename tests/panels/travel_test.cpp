@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/device/travel_check.h"
 #include "tests/panels/console_stage.h"
 #include "tests/panels/must.h"
 
@@ -90,7 +91,9 @@ TEST_F(TravelTest, OfGoTheNearestPlaceInsideIsOffered) {
   EXPECT_EQ(a.last<intent::MoveTo>()->targets.at(0).value, Steps(120'000));
 }
 
-TEST_F(TravelTest, ARefusalOfAnotherSpeaksTheUnitOfTheAxis) {
+TEST_F(TravelTest, OfATapTheWayToTheLimitIsOfferedBesideThePad) {
+  hold_to(from_to(-8000, 120'000));
+  a.now.axes[0].position = Steps(119'999);
   MUST(s.hand.press("jog/1/+"));
   MUST(s.hand.release("jog/1/+"));
   s.run(0.1);
@@ -99,10 +102,93 @@ TEST_F(TravelTest, ARefusalOfAnotherSpeaksTheUnitOfTheAxis) {
   outcome.past = PastTravel{AxisId{0}, Sign::plus, Steps(120'400), Steps(120'000)};
   a.outcome(IntentState::refused, "in the controller's own words");
   s.run(0.1);
-  bool said = false;
-  for (const auto& w : s.stage.surface.screen().registry().widgets())
-    said = said || w.value.find("301.000 mm lies 1.000 mm past the + limit of motor 1") != std::string::npos;
-  EXPECT_TRUE(said);
+  EXPECT_EQ(s.value("jog/1/refused"),
+            "301.000 mm lies 1.000 mm past the + limit of motor 1, 300.000 mm. Nothing was sent.");
+  s.run(0.5);
+  MUST(s.hand.click("jog/1/nearest"));
+  ASSERT_TRUE(a.last<intent::MoveTo>());
+  EXPECT_EQ(a.last<intent::MoveTo>()->targets.at(0).value, Steps(120'000));
+  s.run(0.1);
+  EXPECT_FALSE(s.hand.exists("jog/1/refused"));
+}
+
+TEST_F(TravelTest, AJogAtTheLimitIsRefusedInTheUnitOfTheAxis) {
+  IntentOutcome outcome;
+  outcome.state = IntentState::refused;
+  outcome.past = PastTravel{AxisId{0}, Sign::plus, Steps(120'000), Steps(120'000), -1, PastTravel::Of::jog};
+  EXPECT_EQ(
+      a.tab->words_of(outcome),
+      "Motor 1 stands at the + limit that is set for it, 300.000 mm, or beyond. Nothing was sent. Jog it the "
+      "other way, or change the limit.");
+}
+
+TEST_F(TravelTest, ASavedPlaceOutsideOffersTheNearestInside) {
+  a.tab->profile.places.push_back({"far", {{AxisId{0}, Steps(130'000)}, {AxisId{1}, Steps(50)}}});
+  hold_to(from_to(-8000, 120'000));
+  MUST(s.hand.click("places"));
+  MUST(s.hand.click("places/far/go"));
+  ASSERT_TRUE(a.last<intent::MoveTo>());
+  a.now.outcomes[0].past = PastTravel{AxisId{0}, Sign::plus, Steps(130'000), Steps(120'000)};
+  a.outcome(IntentState::refused, "in the controller's own words");
+  s.run(0.5);
+  EXPECT_EQ(s.value("goto/1/refused"),
+            "325.000 mm lies 25.000 mm past the + limit of motor 1, 300.000 mm. Nothing was sent.");
+  a.now.outcomes[0].past.reset();
+  MUST(s.hand.click("goto/1/nearest"));
+  const auto* to = a.last<intent::MoveTo>();
+  EXPECT_EQ(a.count<intent::MoveTo>(), 2);
+  ASSERT_EQ(to->targets.size(), 2u);
+  EXPECT_EQ(to->targets[0].value, Steps(120'000));
+  EXPECT_EQ(to->targets[1].value, Steps(50));
+}
+
+TEST_F(TravelTest, AMoveWhoseBacklashHasNoRoomIsOfferedWhereItHas) {
+  hold_to(from_to(-8000, 120'000));
+  a.now.axes[0].backlash = {Steps(400), Sign::minus};
+  MUST(s.hand.type("goto/1", "299.5\n"));
+  ASSERT_TRUE(a.last<intent::MoveTo>());
+  a.now.outcomes[0].past =
+      PastTravel{AxisId{0}, Sign::plus, Steps(120'200), Steps(120'000), -1, PastTravel::Of::backlash};
+  a.outcome(IntentState::refused, "in the controller's own words");
+  s.run(0.5);
+  EXPECT_EQ(
+      s.value("goto/1/refused"),
+      "To take up backlash, the move would go further than its target: 300.500 mm lies 0.500 mm past the + "
+      "limit of motor 1, 300.000 mm. Nothing was sent.");
+  MUST(s.hand.click("goto/1/nearest"));
+  EXPECT_EQ(a.last<intent::MoveTo>()->targets.at(0).value, Steps(119'600));
+}
+
+TEST_F(TravelTest, LimitsThatCrossAreSaidInTheUnitUntilTheyAreMended) {
+  MUST(s.hand.click("dro/1/position"));
+  MUST(s.hand.type("dro/1/limit/+", "300\n"));
+  MUST(s.hand.type("dro/1/limit/-", "400\n"));
+  s.run(0.1);
+  const auto told = [&] {
+    for (const auto& w : s.stage.surface.screen().registry().widgets())
+      if (w.value.find("limit of motor 1, 400.000 mm, must lie below its + limit, 300.000 mm") !=
+          std::string::npos)
+        return true;
+    return false;
+  };
+  EXPECT_TRUE(told());
+  MUST(s.hand.type("dro/1/limit/-", "200\n"));
+  s.run(0.1);
+  EXPECT_FALSE(told());
+}
+
+TEST_F(TravelTest, ALimitPassedIsToldInTheUnitOfTheAxis) {
+  PastTravel passed{AxisId{0}, Sign::plus, Steps(120'400), Steps(120'000)};
+  EXPECT_EQ(describe_warned(a.tab->catalog(), passed, a.tab->place_words()),
+            "Motor 1 has passed its + limit, 300.000 mm: nothing ends this motion there.");
+}
+
+TEST_F(TravelTest, EachOfManyAxesHasItsTravelInItsRow) {
+  Example& b = s.add(example_catalog(8));
+  b.now.axes[5].travel = from_to(-10, 20);
+  s.run(0.1);
+  EXPECT_EQ(s.value("dro/6/travel"), "-10 to 20 steps");
+  EXPECT_FALSE(s.hand.exists("dro/5/travel"));
 }
 
 TEST_F(TravelTest, AtTheEndOnlyTheWayBackIsOffered) {
@@ -120,6 +206,45 @@ TEST_F(TravelTest, GoHasASpeedInTheUnitOfTheAxis) {
   MUST(s.hand.type("goto/speed", ""));
   MUST(s.hand.type("goto/1", "30\n"));
   EXPECT_EQ(a.last<intent::MoveTo>()->speed, Pps(0)) << "as the controller is set";
+}
+
+TEST_F(TravelTest, SavedPlacesAndZeroGoAtTheSpeedOfGo) {
+  a.tab->profile.axes[1].unit_choice = "table";
+  a.tab->profile.places.push_back({"load", {{AxisId{0}, Steps(4000)}, {AxisId{1}, Steps(50)}}});
+  a.tab->profile_edited();
+  MUST(s.hand.type("goto/speed", "5\n"));
+  s.run(0.1);
+  MUST(s.hand.click("places"));
+  MUST(s.hand.click("places/load/go"));
+  ASSERT_TRUE(a.last<intent::MoveTo>());
+  EXPECT_EQ(a.last<intent::MoveTo>()->speed, Pps(400)) << "5 degrees a second, the slower of both";
+}
+
+TEST_F(TravelTest, NoMoveGoesByASpeedThatIsOutOfSight) {
+  Example& b = s.add(example_catalog(4));
+  s.run(0.1);
+  MUST(s.hand.type("goto/speed", "500\n"));
+  MUST(s.hand.click("goto/axis"));
+  MUST(s.hand.click("goto/axis/All axes"));
+  s.run(0.1);
+  MUST(s.hand.type("goto/2", "20\n"));
+  ASSERT_TRUE(b.last<intent::MoveTo>());
+  EXPECT_EQ(b.last<intent::MoveTo>()->speed, s.hand.exists("goto/speed") ? Pps(500) : Pps(0));
+}
+
+TEST_F(TravelTest, ARowOfManyAxesGoesByTheSpeedThatStandsBelowIt) {
+  Catalog catalog = example_catalog(4);
+  catalog.can.interpolates = true;
+  Example& b = s.add(std::move(catalog));
+  s.run(0.1);
+  MUST(s.hand.type("goto/speed", "500\n"));
+  MUST(s.hand.click("goto/axis"));
+  MUST(s.hand.click("goto/axis/All axes"));
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.exists("goto/speed"));
+  MUST(s.hand.type("goto/2", "20\n"));
+  ASSERT_TRUE(b.last<intent::MoveTo>());
+  EXPECT_EQ(b.last<intent::MoveTo>()->speed, Pps(500));
 }
 
 TEST_F(TravelTest, WhatIsTypedForGoStaysWhereItIsInAnotherUnit) {

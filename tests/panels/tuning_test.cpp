@@ -22,7 +22,8 @@ struct TuningTest : ::testing::Test {
   /// As a driver would: 250 samples, the command jumps after 10 ms, the encoder swings in.
   void samples(double damping, int axis = 0, int step = 400) {
     at += std::chrono::seconds(1);
-    for (int i = 0; i < 250; ++i) {
+    for (int i = 0; i < (breaks_off ? 60 : 250); ++i) {
+      if (i > 30 && i < 30 + missing) continue;
       const double t = (i - 10) / 1000.0, w = 60;
       const double wd = w * std::sqrt(1 - damping * damping);
       const double swing = std::exp(-damping * w * t) *
@@ -39,6 +40,9 @@ struct TuningTest : ::testing::Test {
     }
     s.stage.frames(3);
   }
+  /// As many samples are missing from 20 ms behind the step on, or from the 60th on for good.
+  int missing = 0;
+  bool breaks_off = false;
   /// Three times to and fro, with these dampings on the way there. They are runs 1 to 6.
   void learn_scatter(std::initializer_list<double> dampings) {
     s.click("tuning/scatter");
@@ -123,6 +127,39 @@ TEST_F(TuningTest, TheOutputIsShownAsWorkedOutAndOnlyWhereItIsKnown) {
   EXPECT_TRUE(s.stage.find("tuning/output")) << "nothing jumps while the next one begins";
 }
 
+TEST_F(TuningTest, WhatAGapTouchesIsReportedToBeUnsure) {
+  s.click("tuning/record");
+  samples(0.5);
+  missing = 40;
+  s.click("tuning/record");
+  samples(0.5);
+  EXPECT_THAT(s.value("tuning/measure/overshoot"), HasSubstr(" % or more"));
+  EXPECT_THAT(s.value("tuning/measure/rise"), HasSubstr(" to "));
+  EXPECT_EQ(s.value("tuning/measure/overshoot/change"), "not sure: a gap");
+}
+
+TEST_F(TuningTest, ARecordingThatBreaksOffIsNotMeasuredAsIfItWereWhole) {
+  breaks_off = true;
+  s.click("tuning/record");
+  samples(0.5);
+  s.stage.frames(60 * 3);
+  EXPECT_THAT(s.value("tuning/measure/overshoot"), HasSubstr(" % or more"));
+  EXPECT_EQ(s.value("tuning/measure/settling"), "gap in it");
+  EXPECT_EQ(s.value("tuning/measure/steady"), "gap in it");
+}
+
+TEST_F(TuningTest, SameIsReportedOnlyOfAScatterThatIsKnown) {
+  for (int i = 0; i < 2; ++i) {
+    s.click("tuning/record");
+    samples(0.5);
+  }
+  EXPECT_EQ(s.value("tuning/measure/overshoot/change"), "0.0 %");
+  learn_scatter({0.5, 0.5, 0.5});
+  s.click("tuning/record");
+  samples(0.5);
+  EXPECT_EQ(s.value("tuning/measure/overshoot/change"), "same");
+}
+
 // The room in the centre of a window of 1024 x 700; of 1440 x 900, where the terminal gives way.
 struct TuningInASmallWindow : TuningTest {
   TuningInASmallWindow() : TuningTest(704, 452) {}
@@ -143,7 +180,7 @@ TEST_F(TuningTest, TheNextRunIsComparedWithTheOneBefore) {
   EXPECT_EQ(s.value("tuning/measure/overshoot/change"), "-32.8 %") << "no verdict: the scatter is not known";
 }
 
-TEST_F(TuningTest, BetterAndWorseAreSaidWhenTheScatterIsKnown) {
+TEST_F(TuningTest, BetterAndWorseAreReportedWhenTheScatterIsKnown) {
   learn_scatter({0.5, 0.5, 0.5});
   sends_nothing_more();
   s.click("tuning/record");
@@ -293,7 +330,7 @@ TEST_F(TuningTest, AStopBeforeTheStepKeepsItFromBeingMade) {
   EXPECT_THAT(s.toast(), HasSubstr("was not made"));
 }
 
-TEST_F(TuningTest, ARefusedStepIsToldAndIsNoRun) {
+TEST_F(TuningTest, ARefusedStepIsReportedAndIsNoRun) {
   s.click("tuning/repeat");
   s.tab.desk().step_recorder->take(AxisSample());
   s.stage.frames(2);
@@ -306,7 +343,7 @@ TEST_F(TuningTest, ARefusedStepIsToldAndIsNoRun) {
 TEST_F(TuningTest, NothingRecordedIsNoResponse) {
   s.click("tuning/record");
   s.stage.frames(60 * 3);
-  EXPECT_THAT(s.toast(), HasSubstr("No sample has come"));
+  EXPECT_THAT(s.toast(), HasSubstr("No sample arrived"));
   EXPECT_FALSE(s.stage.find("tuning/measure/overshoot"));
 }
 

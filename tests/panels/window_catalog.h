@@ -84,7 +84,7 @@ class WindowLanguage final : public Language {
   }
   [[nodiscard]] Result<SequenceRead> read(std::string_view, const sequence::Sequence&,
                                           const Catalog&) const override {
-    return fail(FaultKind::text, "Line 1: no block can hold this.");
+    return fail(FaultKind::text, "Line 1: no block can represent this.");
   }
 
  private:

@@ -18,7 +18,7 @@ LIBRARIES = {
 
 
 def tags(files, kinds):
-    command = ["ctags", "--output-format=json", "--fields=+nSk", f"--kinds-C++={kinds}", "-f", "-", *map(str, files)]
+    command = ["ctags", "--output-format=json", "--fields=+nSk", "--fields-C++=+{template}", f"--kinds-C++={kinds}", "-f", "-", *map(str, files)]
     lines = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
     return [json.loads(line) for line in lines]
 
@@ -29,11 +29,13 @@ def declared_in(headers):
 
 
 def hidden(files):
-    """(namespace, name, kind and signature, file) of all that is in an unnamed namespace."""
+    """(namespace, name, kind and signature, file) of all that is static or in an unnamed namespace."""
     for tag in tags(files, "fvsgtec"):
         space, anonymous, inner = tag.get("scope", "").partition("::__anon")
-        if anonymous and "::" not in inner and tag.get("scopeKind") == "namespace":
-            yield space, tag["name"], tag["kind"] + tag.get("signature", ""), tag["path"]
+        static = not anonymous and tag["pattern"].startswith("/^static ")
+        if (anonymous or static) and "::" not in inner and tag.get("scopeKind") == "namespace":
+            template = " template" if "template" in tag else ""
+            yield space, tag["name"], tag["kind"] + template + tag.get("signature", ""), tag["path"]
 
 
 def clashes(folder, without):
@@ -48,7 +50,7 @@ def clashes(folder, without):
             yield f"{space}::{name} is hidden in {', '.join(sorted(places))} and declared in {headers[space, name]}."
         kinds = [what for each in places.values() for what in each]
         # One with a default argument may be meant by the same call as another without.
-        overloads = len(kinds) == len(set(kinds)) and all(k.startswith("function") and "=" not in k for k in kinds)
+        overloads = len(kinds) == len(set(kinds)) and all(k.startswith("function(") and "=" not in k for k in kinds)
         if len(places) > 1 and not overloads:
             yield f"{space}::{name} is hidden in {', '.join(sorted(places))}: give one another name, or share it."
 

@@ -181,7 +181,7 @@ class Scripts(Case):
                            (["a", "way=pluss"], '"way" must be one of plus, minus, not "pluss". Did you mean "plus"?'),
                            (["a", "count=1", "count=2"], '"count" is given twice.'),
                            (["a", "--", "--count"], 'A value is missing behind "--count".')):
-            self.expect(self.script(declared, *words), 2, why, "--help tells what there is.")
+            self.expect(self.script(declared, *words), 2, why, "--help lists the options.")
         told = self.script(declared, "--", "--help")
         self.assertEqual(told.returncode, 0, told)
         for part in ("TABLE [-- OPTIONS]", "Scans a plate.", "--count N", "how many rows (default 10)", "--way plus|minus"):
@@ -317,7 +317,7 @@ class Ends(Case):
 
     def test_all_controllers_are_told_before_the_first_is_waited_for(self):
         said = self.traffic_after(1, self.SLOW + "a:query('X1000000') b:query('X1000000') hw.sleep(25) hw.check(false)",
-                                  "pmx-4ex-sa@emulator: It was told to stop, and has not come to rest yet.")
+                                  "pmx-4ex-sa@emulator: Watch it: stop was sent, and it has not come to rest yet.")
         stops = self.first_stops(said)
         self.assertEqual(sorted(stops), [1, 2])
         self.assertAlmostEqual(stops[1], stops[2], delta=0.01)
@@ -331,7 +331,7 @@ class Ends(Case):
     def test_a_stop_that_reaches_nobody_is_said(self):
         self.traffic_after(1, "local a, b = hw.open('vxm@emulator'), hw.open('pmx-4ex-sa@emulator')\n"
                               "a.bench:unplug(true) hw.sleep(5) hw.check(false)\n",
-                           "Not every controller is known to have stopped:\nvxm@emulator: Stop cannot reach")
+                           "These controllers may not have stopped:\nvxm@emulator: Use the controller's power switch")
 
 
 class Interrupted(Case):
@@ -1202,7 +1202,7 @@ class Convert(Case):
                          r"(?s)SUB 1 .*DO1=0.*Z300.*SUB 2 .*Z-200.*DO1=1")  # on only when it is down, as in the window
         for wrong, says in ((("--pen-down", "hop"), '--pen-down: "hop" is not understood.'),
                             (("--pen-down", "DO1 on"), "nothing switches it back"),
-                            (("--pen-down", "DO1 on", "--pen-up", "DO1 off", "--pen-output", "1"), "say the same")):
+                            (("--pen-down", "DO1 on", "--pen-up", "DO1 off", "--pen-output", "1"), "mean the same")):
             self.expect(self.convert(file, "pmx-4ex-sa", *wrong), 2, says)
 
     def test_motors_of_a_slave_draw_too(self):
@@ -1215,7 +1215,7 @@ class Convert(Case):
 
     def test_what_the_order_saves_is_told_in_seconds_too(self):
         file = self.drawing(self.line(0, 0, 1, 0), self.line(50, 0, 51, 0), self.line(2, 0, 3, 0))
-        result = self.convert(file, "pmx-4ex-sa", "--per-unit", "100", "--travel-speed", "10")
+        result = self.convert(file, "pmx-4ex-sa", "--per-unit", "100", "--cut-speed", "10", "--travel-speed", "10")
         travel = json.loads(result.stdout)["travel"]
         self.assertAlmostEqual(travel["saved_s"], (travel["as_drawn"] - travel["ordered"]) / 10)
         self.assertGreater(travel["saved_s"], 4)
@@ -1230,7 +1230,7 @@ class Convert(Case):
         self.assertIn("X1000Y800", by_steps)
         self.assertEqual(drawn("--step-length", "0.005,0.0025"), by_steps)
         self.expect(self.convert(file, "pmx-4ex-sa", "--step-length", "0"), 2, "more than 0")
-        self.expect(self.convert(file, "pmx-4ex-sa", "--step-length", "1", "--per-unit", "1"), 2, "say the same")
+        self.expect(self.convert(file, "pmx-4ex-sa", "--step-length", "1", "--per-unit", "1"), 2, "mean the same")
         self.expect(self.convert(file, "pmx-4ex-sa", "--profile", "pmx-4ex-sa@emulator"), 2, "keeps no unit of length for axis X")
         self.expect(self.convert(file, "pmx-4ex-sa", "--profile", "vxm@emulator"), 2, "is not a pmx-4ex-sa")
 
@@ -1238,7 +1238,7 @@ class Convert(Case):
         sides = [self.line(0, 0, 90, 0), self.line(90, 0, 90, 60), self.line(90, 60, 0, 60), self.line(0, 60, 0, 0)]
         file = self.drawing(*sides, self.line(10, 10, 20, 10))
         result = run("convert", file, "--for", "pmx-4ex-sa", "--per-unit", "10", "-o", self.folder / "out.prg")
-        self.expect(result, 0, "perhaps a margin: without it by --without 1 --without 2 --without 3 --without 4")
+        self.expect(result, 0, "perhaps a margin: omit it with --without 1 --without 2 --without 3 --without 4")
         report = json.loads(self.convert(file, "pmx-4ex-sa", "--per-unit", "10").stdout)
         self.assertEqual(report["box_around"], [1, 2, 3, 4])
         without = [word for entity in report["box_around"] for word in ("--without", str(entity))]
@@ -1311,9 +1311,9 @@ class Convert(Case):
     def test_two_on_a_bus_draw_together(self):
         file = self.drawing(self.line(0, 0, 5, 5))
         result = self.convert(file, "dmx-k-sa", "--id", "01-02", "--per-unit", "100", "--pen-output", "1", out="both.toml")
-        self.expect(result, 0, "comes to rest at each corner", "It was not rehearsed: DO1 stays on")
+        self.expect(result, 0, "stops at each corner", "It was not rehearsed: DO1 stays on")
         self.assertEqual(json.loads(result.stdout)["duration_s"], None)
-        self.assertIn("While the link is lost nothing can", json.loads(result.stdout)["tool"])
+        self.assertIn("While the link is lost the console cannot switch it off", json.loads(result.stdout)["tool"])
         result = self.convert(file, "dmx-k-sa", "--id", "01-02", "--per-unit", "100", "--pen-output", "2", "--cut-speed", "5",
                               "--travel-speed", "10", out="both.toml")
         self.assertGreater(json.loads(result.stdout)["duration_s"], 1)
@@ -1328,19 +1328,19 @@ class Convert(Case):
         for wrong, status, says in ((("--axes", "X,X"), 1, "Axis X would draw in both directions."),
                                     (("--pen-axis", "X:1:2"), 1, "Axis X draws, and so cannot lower the tool."),
                                     (("--unit", "furlong"), 2, "--unit furlong is not understood."),
-                                    (("--ramp", "100"), 2, "Add --cut-speed or --travel-speed."),
+                                    (("--ramp", "100"), 2, "Add --cut-speed and --travel-speed."),
                                     (("--table", "5,5,5,9"), 2, "lie across from each other"),
                                     (("--tolerance", "1000"), 1, "is more than all of the drawing"),
                                     (("--per-unit", "1e-9"), 1, "lies within one of the pulses"),
                                     (("--layer", "bend"), 1, 'It has "Cut".')):
             self.expect(self.convert(file, "pmx-4ex-sa", "--per-unit", "100", *wrong) if wrong[0] != "--per-unit"
                         else self.convert(file, "pmx-4ex-sa", *wrong), status, says)
-        for passed_over, says in ((("--layer", "CUT"), "Nothing says how many pulses a mm is"),
-                                  (("--unit", "in"), "The file says that it is in mm")):
+        for passed_over, says in ((("--layer", "CUT"), "--per-unit was not given: 1 is assumed"),
+                                  (("--unit", "in"), "The file is in mm")):
             result = self.convert(file, "pmx-4ex-sa", *passed_over)
             self.expect(result, 0)
             self.assertIn(says, result.stderr)
-        self.expect(self.convert(file, "vme58", "--per-unit", "100"), 1, "Give the speed with the tool on.")
+        self.expect(self.convert(file, "vme58", "--per-unit", "100"), 1, "Give --cut-speed.")
         self.expect(self.convert(file, "dmx-k-sa"), 1, "Two controllers of one axis each on a bus draw together.")
 
     def test_what_cannot_be_converted_is_1(self):

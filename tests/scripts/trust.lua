@@ -6,7 +6,7 @@ end
 local function refused(ok, why)
   same(ok, nil, "a move to a place")
   hw.check(why:find("cannot be trusted: its power was cut", 1, true), why)
-  hw.check(why:find("Nothing was sent. Home it, say where it stands, or go on for this once.", 1, true), why)
+  hw.check(why:find("Nothing was sent. Home it, set its position, or go on just this once.", 1, true), why)
 end
 
 for _, kind in ipairs{

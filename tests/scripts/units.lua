@@ -37,7 +37,7 @@ wrong('Did you mean "speed"?', c.go, c, "away", {sped = 2})
 
 wrong("needs axes of one unit", c.move_to, c, {X = 1, Y = 1}, {unit = true, speed = 1})
 wrong("unit must be true or false", c.move_to, c, {X = 1}, {unit = "mm"})
-wrong("it takes both", c.units, c, "X", {unit = "mm"})
+wrong("give both", c.units, c, "X", {unit = "mm"})
 wrong("must be a number above 0", c.units, c, "X", {unit = "mm", steps_per_unit = -4})
 wrong("must be a number of units", c.move_to, c, {X = "1"}, {unit = true})
 

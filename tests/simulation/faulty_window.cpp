@@ -10,7 +10,7 @@ class FaultyWindow final : public Window {
 
   void listen(Listener* listener) override { inner_->listen(listener); }
   void abandon() override { inner_->abandon(); }
-  [[nodiscard]] bool tells_interrupts() const override { return inner_->tells_interrupts(); }
+  [[nodiscard]] bool reports_interrupts() const override { return inner_->reports_interrupts(); }
   [[nodiscard]] std::string describe() const override { return inner_->describe(); }
 
   Task<Result<>> run(std::span<BusCycle> cycles) override {

@@ -209,7 +209,7 @@ int Judge::call_begun(std::string what, Duration longest) {
 
 void Judge::call_ended(int call) { calls_.erase(call); }
 
-void Judge::told_idle(int device, Instant begun) {
+void Judge::reported_idle(int device, Instant begun) {
   const DeviceCase& d = at(device);
   // Where a restart may be in doubt, what has been made since is what the wait is about.
   const bool made_since = !facts_.restart_always_shows && d.moved_last > d.cut_off;
@@ -222,7 +222,7 @@ void Judge::told_idle(int device, Instant begun) {
 }
 
 void Judge::left_behind(int device, std::string_view question, std::string_view word) {
-  if (at(device).told.find(word) != std::string::npos) return;
+  if (at(device).reported.find(word) != std::string::npos) return;
   accuse("clean", fmt::format("Device {}: {} is left in it as an answer to {}, and nobody was told.", device,
                               word, question.substr(0, question.find('\r'))));
 }

@@ -43,7 +43,7 @@ class Judge final : public Witness {
   static constexpr Duration stop_in_window = Millis(60);
   /// For each neighbour on the line: its transaction, and its own stop where all are stopped (on a doubtful
   /// wire 60 ms of silence behind each of the first two texts of it).
-  static constexpr Duration neighbour_stops = Millis(150);
+  static constexpr Duration other_device_stops = Millis(150);
   /// Where an answer may be missing the stop waits 0.2 s for it, and 60 ms for that of each of its texts.
   static constexpr Duration stop_on_doubtful_wire = Millis(500);
   static constexpr Duration wire_is_prompt_again = std::chrono::seconds(5);
@@ -137,11 +137,11 @@ class Judge final : public Witness {
   /// A call that must succeed has failed, or the other way round.
   void call_went_wrong(std::string what) { accuse("end", std::move(what)); }
   /// A warning of its session.
-  void told(int device, std::string_view sentence) { at(device).told += sentence; }
+  void reported(int device, std::string_view sentence) { at(device).reported += sentence; }
   /// The console has closed without a word, and this stands in the controller's set-up or programs.
   void left_behind(int device, std::string_view question, std::string_view word);
   /// A wait that was begun then has said that nothing moves or runs.
-  void told_idle(int device, Instant begun);
+  void reported_idle(int device, Instant begun);
 
   // ---- what happens
   void controller_received(int device, std::string_view bytes) override;
@@ -173,7 +173,7 @@ class Judge final : public Witness {
     Instant ended_motion_began{};      ///< of the last that has ended
     Instant counts_anew{};             ///< since its position was set last
     std::optional<bool> whole;         ///< what it did last was what one command asked for, to its end
-    EndedBy told = EndedBy::nothing;   ///< why it had ended, when last looked at
+    EndedBy reported = EndedBy::nothing;  ///< why it had ended, when last looked at
     struct Doubted {
       Instant since;
       Instant spoilt;  ///< the latest word to the controller that was, when that was first seen
@@ -192,7 +192,7 @@ class Judge final : public Witness {
     IntentId id;
     Instant at;
     std::string text;                          ///< that was typed
-    std::size_t heard = 0;                     ///< bytes that the controller had received then
+    std::size_t received = 0;                  ///< bytes that the controller had received then
     std::uint32_t counts_anew = 0;             ///< axes whose position it sets
     std::optional<Instant> stands_since = {};  ///< of a stop: nothing moves or runs, and the wire carries
   };
@@ -239,7 +239,7 @@ class Judge final : public Witness {
     std::vector<Asked> stops;   ///< since everything stood
     std::string received;       ///< its end
     std::size_t forgotten = 0;  ///< bytes before those
-    std::string told;           ///< what was said: of all that failed, and in warnings
+    std::string reported;       ///< what was said: of all that failed, and in warnings
   };
   struct Call {
     std::string what;

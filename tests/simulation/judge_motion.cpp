@@ -150,9 +150,9 @@ void Judge::judge_stops(int device) {
 
 /// When the stop of that axis has taken effect, but for its ramp.
 Instant Judge::latest_stop(int device, const AxisCase& axis) const {
-  const Duration neighbours = neighbour_stops * (devices_.size() - 1);
+  const Duration others = other_device_stops * (devices_.size() - 1);
   const bool doubtful = axis.stopped->doubtful || !prompt();
-  const Duration bound = (doubtful ? stop_on_doubtful_wire : stop_when_prompt_) + neighbours;
+  const Duration bound = (doubtful ? stop_on_doubtful_wire : stop_when_prompt_) + others;
   const std::optional<Instant>& seen = at(device).first_connected;
   const Duration after_hurt = seen && *seen < axis.stopped->at ? stop_after_hurt : stop_of_the_unseen;
   return std::max(axis.stopped->at + bound, carries_a_stop(*axis.stopped) + after_hurt);

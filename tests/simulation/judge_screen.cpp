@@ -13,10 +13,10 @@ namespace hw::simulation {
 // What is done was received by the controller as it was typed.
 void Judge::judge_text(int device, const Intended& typed, IntentState outcome) {
   const DeviceCase& d = at(device);
-  if (typed.text.empty() || outcome != IntentState::done || typed.heard < d.forgotten) return;
+  if (typed.text.empty() || outcome != IntentState::done || typed.received < d.forgotten) return;
   if (faults_.out.hurt() >= typed.at || faults_.carries_since(scheduler_.now()) > typed.at) return;
   // Word by word: where a driver puts something of its own between them the order stays.
-  std::size_t place = typed.heard - d.forgotten;
+  std::size_t place = typed.received - d.forgotten;
   std::istringstream words(typed.text);
   for (std::string word; place != d.received.npos && words >> word;) place = d.received.find(word, place);
   if (place == d.received.npos)
@@ -36,7 +36,7 @@ void Judge::judge_outcomes(int device) {
       remark(fmt::format("device {}: {}: {}", device,
                          outcome->state == IntentState::refused ? "refused" : "failed",
                          outcome->sentence.view()));
-    if (outcome->state == IntentState::failed) d.told += outcome->sentence.view();
+    if (outcome->state == IntentState::failed) d.reported += outcome->sentence.view();
     for (const auto& [id, of_tool] : d.tool.loading)
       if (id == i.id && outcome->state == IntentState::done)
         d.tool.guarded = of_tool, d.tool.half_loaded = false;
@@ -97,11 +97,11 @@ void Judge::judge_positions(int device) {
       low = std::min(low, stand->position), high = std::max(high, stand->position);
       if (stand->at <= from) break;
     }
-    const Steps told = s.commanded();
-    if (told < low || told > high)
+    const Steps reported = s.commanded();
+    if (reported < low || reported > high)
       accuse("true",
              fmt::format("Device {}: axis {} is shown at {} (seen {:.3f} s ago); it was between {} and {}.",
-                         device, a, told.value, seconds(now - s.seen_at), low.value, high.value));
+                         device, a, reported.value, seconds(now - s.seen_at), low.value, high.value));
   }
 }
 
@@ -236,7 +236,7 @@ void Judge::judge_reasons(int device) {
   for (int a = 0; a < std::min(shown.axis_count, d.truth.axis_count); ++a) {
     AxisCase& axis = d.axes[ix(a)];
     const EndedBy why = shown.axes[ix(a)].ended_by;
-    if (std::exchange(axis.told, why) == why || why == EndedBy::nothing) continue;
+    if (std::exchange(axis.reported, why) == why || why == EndedBy::nothing) continue;
     const Instant drawn = std::max({d.stop_drawn, hurt, d.ever_restarted ? now : never});
     const bool stop = why == EndedBy::stop || why == EndedBy::abort;
     const char* what = nullptr;

@@ -31,7 +31,7 @@ class Script {
         "local function at(t) if t > hw.now() then hw.sleep(t - hw.now()) end end\n",
         place);
     for (const Step& step : plan_.steps) {
-      const std::string call = said(step);
+      const std::string call = call_of(step);
       all += call.empty() ? fmt::format("-- {}\n", step.written())
                           : fmt::format("at({:.3f}) {}\n", seconds(step.at), call);
     }
@@ -53,7 +53,7 @@ class Script {
   [[nodiscard]] std::string axis_or_none(std::int64_t axis) const { return axis < 0 ? "" : key(axis); }
 
   // Empty: a script has no words for it.
-  [[nodiscard]] std::string said(const Step& s) const {
+  [[nodiscard]] std::string call_of(const Step& s) const {
     const std::string c = who(s);
     const auto n = [&](std::size_t place) { return s.numbers[place]; };
     const char* sign = s.numbers.size() > 1 && n(1) < 0 ? "-" : "+";

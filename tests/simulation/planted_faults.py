@@ -53,7 +53,7 @@ FAULTS = [
            'Result<> performed;'
            ' for (int n = 0; n < 2; ++n) performed = co_await guarded("command", driver_->perform(body));')),
     fault("the queue outlives a loss", ALL,
-          ("device", "Pump::refuse_queued(", "{", "if (draft_.link.state == LinkState::lost) return;")),
+          ("device", "Pump::refuse_queued(", "{", "if (snapshot_.link.state == LinkState::lost) return;")),
     fault("an outcome is not told", ALL,
           ("device", "Pump::perform_next(", "set_outcome(job->intent.id, IntentState::done);",
            "if (!std::holds_alternative<intent::MoveBy>(job->intent.body)) set_outcome(job->intent.id, IntentState::done);")),
@@ -69,7 +69,7 @@ FAULTS = [
     fault("a silent link is never lost", ("pmx-4ex-sa", "vxm"),
           ("device", "Pump::nobody_answers(", "{", "if (true) return false;")),
     fault("a lost wire is not tried again", ALL,
-          ("device", "Pump::wait_for_retry(", "scheduler_.now() < draft_.link.next_attempt", "true")),
+          ("device", "Pump::wait_for_retry(", "scheduler_.now() < snapshot_.link.next_attempt", "true")),
     # ---- the link
     fault("a dirty line is believed", ("vxm", "dmx-k-sa"),
           ("link", "Station::is_dirty(", "{", "if (true) return false;")),
@@ -100,8 +100,8 @@ FAULTS = [
           ("devices/vxm", "Stops::send(", "order.times_sent > 1", "false")),
     # ---- Arcus
     fault("Arcus: the second STOP is left out (row 19)", ("pmx-4ex-sa", "dmx-k-sa"),
-          ("devices/arcus", "Stops::stop_all(", "auto said = co_await conversation_.command(word, Priority::stop, patience);",
-           "auto said = Result<>();")),
+          ("devices/arcus", "Stops::stop_all(", "auto sent = co_await conversation_.command(word, Priority::stop, patience);",
+           "auto sent = Result<>();")),
     fault("Arcus: programs are not halted by a stop", ("pmx-4ex-sa", "dmx-k-sa"),
           ("devices/arcus", "::halt_thread(", "{", NOTHING_DONE)),
     fault("Arcus: a borrowed speed is not given back", ("pmx-4ex-sa", "dmx-k-sa"),

@@ -128,7 +128,7 @@ void Stage::judge_what_is_left(std::size_t machine) {
   const Machine& m = machines_[machine];
   MachineTruth truth;
   m.emulator->tell_truth(truth);
-  if (m.told || !truth.powered || truth.program || truth.moving() != 0) return;
+  if (m.reported || !truth.powered || truth.program || truth.moving() != 0) return;
   const std::vector<std::string> answers = settings(machine);
   for (std::size_t i = 0; i < answers.size(); ++i)
     for (const std::string& word : words_of(answers[i]))
@@ -176,7 +176,7 @@ void Stage::close() {
   for (std::size_t i = 0; i < group_->members().size(); ++i)
     group_->members()[i]->notices().drain([&](const Notice& n) {
       if (n.kind == Notice::Kind::warning || n.kind == Notice::Kind::error)
-        judge_.told(static_cast<int>(i), n.text);
+        judge_.reported(static_cast<int>(i), n.text);
     });
   ++closing_now_;
   asio::co_spawn(io_, close_and_look(group_, call), asio::detached);
@@ -195,7 +195,7 @@ Task<> Stage::close_and_look(std::shared_ptr<SessionGroup> group, int call) {
   co_await never.wait_until(now() + opening_takes);
   if (--closing_now_ == 0 && opens_later_) open();
   for (std::size_t i = 0; i < machines_.size(); ++i)
-    group->members()[i]->notices().drain([&](const Notice&) { machines_[i].told = true; });
+    group->members()[i]->notices().drain([&](const Notice&) { machines_[i].reported = true; });
   if (!connected) co_return;
   constexpr Duration arrives = std::chrono::seconds(1);
   co_await never.wait_until(now() + arrives);  // what is on the wire
@@ -365,7 +365,7 @@ Task<bool> Stage::is_idle(std::shared_ptr<Session> session, int device, Duration
   const int call = judge_.call_begun("wait", patience + Judge::longest_outcome);
   const Instant begun = now();
   const auto idle = co_await session->wait_until_idle(patience);
-  if (idle) judge_.told_idle(device, begun);
+  if (idle) judge_.reported_idle(device, begun);
   judge_.call_ended(call);
   co_return idle.has_value();
 }

@@ -88,8 +88,8 @@ class Stage {
   struct Machine {
     const Emulator* emulator;  ///< the host has it
     std::vector<std::string> questions;
-    Words settings;     ///< before the console has come, and what the plan itself puts in
-    bool told = false;  ///< a closing console has said what it leaves behind
+    Words settings;         ///< before the console has come, and what the plan itself puts in
+    bool reported = false;  ///< a closing console has said what it leaves behind
   };
   std::vector<Machine> machines_;
   std::shared_ptr<EmulatorHost> host_;

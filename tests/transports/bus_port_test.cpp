@@ -58,8 +58,8 @@ TEST_F(BusPortTest, SpeaksTheBytesOfTheContract) {
   client->send(bytes({0x82, 0x08, 0x04, 0x00, 0x41}));              // write 16
   client->send(bytes({0x84, 0x04, 0x00, 0xFF, 0xFE, 0xDC, 0xBA}));  // write 32
   client->send(bytes({0x01, 0x00, 0x10, 0x02, 0x08, 0x04, 0x04, 0x04, 0x00}));
-  ASSERT_TRUE(poll_until(io, [&] { return ear.heard.size() >= 7; }));
-  EXPECT_EQ(ear.heard, bytes({0xAB, 0x00, 0x41, 0xFF, 0xFE, 0xDC, 0xBA}));
+  ASSERT_TRUE(poll_until(io, [&] { return ear.received.size() >= 7; }));
+  EXPECT_EQ(ear.received, bytes({0xAB, 0x00, 0x41, 0xFF, 0xFE, 0xDC, 0xBA}));
   EXPECT_THAT(board->cycles, ElementsAre("w8 010 AB", "w16 804 0041", "w16 400 FFFE", "w16 402 DCBA",
                                          "r8 010", "r16 804", "r16 400", "r16 402"));
 }
@@ -72,8 +72,8 @@ TEST_F(BusPortTest, AMessageMayComeInPieces) {
     client->send(std::string(1, c));
     for (int i = 0; i < 3; ++i) io.poll();
   }
-  ASSERT_TRUE(poll_until(io, [&] { return ear.heard.size() >= 2; }));
-  EXPECT_EQ(ear.heard, bytes({0x12, 0x34}));
+  ASSERT_TRUE(poll_until(io, [&] { return ear.received.size() >= 2; }));
+  EXPECT_EQ(ear.received, bytes({0x12, 0x34}));
 }
 
 TEST_F(BusPortTest, WhatIsNoMessageEndsTheConnectionAndNotTheBoard) {
@@ -83,7 +83,7 @@ TEST_F(BusPortTest, WhatIsNoMessageEndsTheConnectionAndNotTheBoard) {
   ASSERT_TRUE(poll_until(io, [&] { return ear.closed; }));
   EXPECT_TRUE(board->cycles.empty());
   EXPECT_THAT(troubles,
-              ElementsAre(AllOf(HasSubstr("sent 47 where an operation begins"),
+              ElementsAre(AllOf(HasSubstr("sent 47 instead of an operation"),
                                 HasSubstr("Its connection was closed"), HasSubstr("81, 82 and 84"))))
       << "once";
   auto good = window();
@@ -99,7 +99,7 @@ TEST_F(BusPortTest, ACycleBeyondTheWindowEndsTheConnectionAndReachesNoBoard) {
     Ear ear(*client);
     client->send(beyond);
     ASSERT_TRUE(poll_until(io, [&] { return ear.closed; }));
-    EXPECT_EQ(ear.heard, "");
+    EXPECT_EQ(ear.received, "");
   }
   EXPECT_TRUE(board->cycles.empty());
   EXPECT_THAT(troubles,
@@ -108,7 +108,7 @@ TEST_F(BusPortTest, ACycleBeyondTheWindowEndsTheConnectionAndReachesNoBoard) {
   auto client = raw();
   Ear ear(*client);
   client->send(bytes({0x01, 0x0F, 0xFF, 0x02, 0x0F, 0xFE, 0x04, 0x0F, 0xFC}));
-  ASSERT_TRUE(poll_until(io, [&] { return ear.heard.size() >= 7; })) << "its last bytes";
+  ASSERT_TRUE(poll_until(io, [&] { return ear.received.size() >= 7; })) << "its last bytes";
 }
 
 TEST_F(BusPortTest, BothEndsAgree) {
@@ -119,10 +119,10 @@ TEST_F(BusPortTest, BothEndsAgree) {
   EXPECT_EQ(burst[1].value, 0x03u);
   EXPECT_EQ(burst[2].value, 0x0102u);
   EXPECT_EQ(burst[3].value, 0x01020304u);
-  EXPECT_FALSE(client->tells_interrupts());
+  EXPECT_FALSE(client->reports_interrupts());
 }
 
-TEST_F(BusPortTest, AnEndOfTheServerIsSaidAndEndsWhatIsUnderWay) {
+TEST_F(BusPortTest, AnEndOfTheServerIsReportedAndEndsWhatIsUnderWay) {
   std::unique_ptr<Stream> far;
   auto silent =
       *TcpEndpoint::open(clock, "127.0.0.1:0", false, [&](std::unique_ptr<Stream> s) { far = std::move(s); });

@@ -44,7 +44,7 @@ class BusStage {
     Member& member = *members.back();
     member.catalog = std::move(catalog);
     Pump::Callbacks callbacks;
-    callbacks.open_wire = [this] { return wire->link(); };
+    callbacks.open_wire = [this] { return link(); };
     callbacks.line = wire->line();
     callbacks.publish = [&member](const Snapshot& s) {
       member.latest = s;
@@ -83,9 +83,15 @@ class BusStage {
   std::shared_ptr<EmulatorHost> host;
   std::shared_ptr<SharedWire> wire;
   std::vector<std::unique_ptr<Member>> members;
-  int opened = 0;  ///< how often the wire was
+  std::weak_ptr<Link> open_link;  ///< while somebody has it
+  int opened = 0;                 ///< how often the wire was
 
  private:
+  Task<Result<std::shared_ptr<Link>>> link() {
+    auto shared = co_await wire->link();
+    if (shared) open_link = *shared;
+    co_return shared;
+  }
   Task<Result<Wire>> open() {
     ++opened;
     auto stream = host->plug_in();

@@ -34,8 +34,8 @@ class SearchOnALine : public ::testing::Test {
       auto emulator = find_device_type("dmx-k-sa")->make_emulator({{"id", id}}).value();
       emulator->receive("@" + id + "DB=" + std::to_string(baud_code) + "\r@" + id + "STORE\r");
       ASSERT_TRUE(emulator->operate(bench::PowerCycle()));
-      std::string said;
-      emulator->take_output(said);
+      std::string sentence;
+      emulator->take_output(sentence);
       devices.push_back(HostedDevice{id, std::move(emulator)});
     }
     HostOptions options;
@@ -58,7 +58,7 @@ class SearchOnALine : public ::testing::Test {
       return !end_it || !end_it(at);
     };
     std::function<void(const PortReport&)> tell = [this](const PortReport& r) {
-      told.push_back(r.sentence());
+      reported.push_back(r.sentence());
     };
     return run_task(io, search_devices(clock, std::move(search), go_on, tell), Millis(30'000));
   }
@@ -69,7 +69,7 @@ class SearchOnALine : public ::testing::Test {
   RealScheduler clock{io};
   std::shared_ptr<EmulatorHost> host;
   std::function<bool(const SearchProgress&)> end_it;
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   SearchProgress last;
 };
 
@@ -80,7 +80,7 @@ TEST_F(SearchOnALine, FindsEachDeviceWithItsIdAndRate) {
   const std::string line = folder / "line";
   EXPECT_EQ(found[0].address(), "dmx-k-sa@serial:" + line + ",baud=38400,id=07");
   EXPECT_EQ(found[1].address(), "dmx-k-sa@serial:" + line + ",baud=38400,id=11");
-  EXPECT_THAT(told, ElementsAre(HasSubstr("with id 07 answers at 38400 baud"), HasSubstr("with id 11")));
+  EXPECT_THAT(reported, ElementsAre(HasSubstr("with id 07 answers at 38400 baud"), HasSubstr("with id 11")));
   EXPECT_EQ(last.of, 16);
   for (std::size_t i = 0; i < host->device_count(); ++i) {
     BenchView view;
@@ -92,7 +92,7 @@ TEST_F(SearchOnALine, FindsEachDeviceWithItsIdAndRate) {
 TEST_F(SearchOnALine, WhereNobodyAnswersNothingIsFound) {
   serve({"07"});
   EXPECT_TRUE(search(what({38400}, 20, 23)).empty());
-  EXPECT_TRUE(told.empty());
+  EXPECT_TRUE(reported.empty());
   EXPECT_EQ(last.asked, 3) << "told before the last of four";
 }
 
@@ -104,11 +104,11 @@ TEST_F(SearchOnALine, IsEndedByWhoeverWantsIt) {
   EXPECT_EQ(found.front().id, "07");
 }
 
-TEST_F(SearchOnALine, APortThatIsNotThereIsSaid) {
+TEST_F(SearchOnALine, APortThatIsNotThereIsReported) {
   DeviceSearch nowhere = what({38400}, 1, 2);
   nowhere.ports.front().path = "/dev/ttyUSB77";
   EXPECT_TRUE(search(std::move(nowhere)).empty());
-  EXPECT_THAT(told, ElementsAre(HasSubstr("/dev/ttyUSB77")));
+  EXPECT_THAT(reported, ElementsAre(HasSubstr("/dev/ttyUSB77")));
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ class DmxBus : public ::testing::Test, protected test::BusStage {
       auto emulator = std::make_unique<test::LateEmulator>(type->make_emulator({{"id", names[i]}}).value());
       emulator->receive("@" + names[i] + "DB=5\r@" + names[i] + "STORE\r");
       ASSERT_TRUE(emulator->operate(bench::PowerCycle()));
-      std::string said;
-      emulator->take_output(said);
+      std::string sentence;
+      emulator->take_output(sentence);
       emulators.push_back(emulator.get());
       devices.push_back(HostedDevice{std::to_string(i), std::move(emulator)});
     }
@@ -124,17 +124,17 @@ TEST_F(DmxBus, AStopWaitsNoLongerForASilentOneThanItsPatience) {
   }
   Member& other = *members.front();
   other.traffic.drain([](const TrafficEntry&) {});
-  const Instant wished_at = time.now();
+  const Instant requested_at = time.now();
   other.pump->post(Intent(1, intent::Stop()));
   run(0.5);
   Duration waited = Millis(500);
   other.traffic.drain([&](const TrafficEntry& e) {
-    if (e.way == Way::sent && e.kind == TrafficKind::stop) waited = std::min(waited, e.at - wished_at);
+    if (e.way == Way::sent && e.kind == TrafficKind::stop) waited = std::min(waited, e.at - requested_at);
   });
   EXPECT_LT(waited, Millis(55)) << "not 200 ms: 29 others have answered at once";
 }
 
-TEST_F(DmxBus, AStopTypedToAllIsFollowedByNothingThatWaitedAtANeighbour) {
+TEST_F(DmxBus, AStopTypedToAllDropsWhatWaitedForAnotherDevice) {
   build_and_connect(2);
   Member& other = *members[1];
   let_move_wait(other);
@@ -148,7 +148,7 @@ TEST_F(DmxBus, AStopTypedToAllIsFollowedByNothingThatWaitedAtANeighbour) {
   EXPECT_TRUE(moves(other)) << "what is asked after the stop is done";
 }
 
-TEST_F(DmxBus, AStopTypedForANeighbourWaitsForNothing) {
+TEST_F(DmxBus, AStopTypedForAnotherDeviceWaitsForNothing) {
   build_and_connect(2);
   say(*members[1], "EO=1");
   say(*members[1], "X100000");
@@ -161,7 +161,7 @@ TEST_F(DmxBus, AStopTypedForANeighbourWaitsForNothing) {
 }
 
 // It waits there behind a round of status, which is long where another device is silent.
-TEST_F(DmxBus, AStopTakesBackWhatWaitsForItAtANeighbour) {
+TEST_F(DmxBus, AStopDropsWhatWaitsForItInAnotherDevicesQueue) {
   using Say = std::function<void()>;
   build_and_connect(3);
   Member &speaker = *members[0], &other = *members[1];
@@ -190,7 +190,7 @@ TEST_F(DmxBus, AStopTakesBackWhatWaitsForItAtANeighbour) {
 }
 
 // What the speaker's own jog has borrowed is given back first, and takes its time.
-TEST_F(DmxBus, AStopTakesBackWhatANeighbourIsAboutToSay) {
+TEST_F(DmxBus, AStopDropsWhatAnotherDeviceIsAboutToSend) {
   build_and_connect(3);
   Member &speaker = *members[0], &other = *members[1];
   say(speaker, "EO=1");
@@ -266,7 +266,7 @@ TEST_F(DmxBus, WhatIsTypedForADeviceThatIsBeingStoppedWaitsThere) {
   EXPECT_TRUE(moves(other));
 }
 
-TEST_F(DmxBus, ANeighbourSetsItInMotionAsSoonAsTheStopHasEnded) {
+TEST_F(DmxBus, AnotherDeviceSetsItInMotionAsSoonAsTheStopHasEnded) {
   build_and_connect(4);
   Member &speaker = *members[0], &other = *members[1];
   say(other, "EO=1");
@@ -320,7 +320,7 @@ TEST_F(DmxBus, ATextIsOneCommand) {
   EXPECT_TRUE(stopped);
 }
 
-TEST_F(DmxBus, AStopTypedToAllWithItsAddressIsHeardByAll) {
+TEST_F(DmxBus, AStopTypedToAllWithItsAddressIsReceivedByAll) {
   build_and_connect(2);
   Member& other = *members[1];
   let_move_wait(other);
@@ -351,7 +351,7 @@ TEST_F(DmxBus, ATextToAllThatBringsAnAddressShiftsNoAnswers) {
   for (const auto& member : members) EXPECT_THAT(member->notices, IsEmpty());
 }
 
-TEST_F(DmxBus, AStopThatALostWireSwallowsIsOwedByAllWhoHeardIt) {
+TEST_F(DmxBus, AStopThatALostWireSwallowsIsOwedByAllWhoReceivedIt) {
   for (const bool at_once : {true, false}) {
     build_and_connect(3);
     for (const auto& member : members) {
@@ -380,7 +380,7 @@ TEST_F(DmxBus, AStopThatALostWireSwallowsIsOwedByAllWhoHeardIt) {
   }
 }
 
-TEST_F(DmxBus, WhatANeighbourTellsItToStoreIsStoredWhenItSaysSo) {
+TEST_F(DmxBus, WhatAnotherDeviceTellsItToStoreIsStoredWhenItSaysSo) {
   build_and_connect(2);
   Member& other = *members[1];
   other.pump->post(Intent(1, intent::SetParam("SLR", 900)));
@@ -403,7 +403,7 @@ TEST_F(DmxBus, WhatANeighbourTellsItToStoreIsStoredWhenItSaysSo) {
   EXPECT_FALSE(other.latest.unsaved_setup);
 }
 
-TEST_F(DmxBus, ASubroutineThatItRefusesANeighbourWasNotCalled) {
+TEST_F(DmxBus, ASubroutineThatItRefusesAnotherDeviceWasNotCalled) {
   build_and_connect(2);
   Member& other = *members[1];
   say(*members[0], "@02GS3");
@@ -417,7 +417,7 @@ TEST_F(DmxBus, ASubroutineThatItRefusesANeighbourWasNotCalled) {
   EXPECT_LT(seconds(time.now() - asked), 0.5);
 }
 
-TEST_F(DmxBus, OneThatIsStoppedWhileOthersAreBusyIsNeverSaidToHaveArrived) {
+TEST_F(DmxBus, OneThatIsStoppedWhileOthersAreBusyIsNeverReportedAsArrived) {
   build_and_connect(6);
   for (const auto& member : members) {
     say(*member, "EO=1");
@@ -490,7 +490,7 @@ INSTANTIATE_TEST_SUITE_P(ByMilliseconds, LateAnswers,
 
 // A second one gets the name of the first while both are connected, as a careless STORE and a power cut do
 // it.
-TEST_F(DmxBus, ASecondOneOfTheSameNameIsSaidAndItsPositionsAreNotShown) {
+TEST_F(DmxBus, ASecondOneOfTheSameNameIsReportedAndItsPositionsAreNotShown) {
   build({"01", "02"});
   Member& first = connect("01");
   Member& second = connect("02");

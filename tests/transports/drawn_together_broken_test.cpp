@@ -144,9 +144,9 @@ TEST_F(DrawingOfTwo, AMoveThatOneRefusesEndsBothWithTheToolOff) {
   ASSERT_TRUE(
       time.run_until(time.now() + std::chrono::minutes(1), [this] { return place(0) >= first_line; }));
   expect_end_within(2);
-  std::string told;
-  member(1).notices().drain([&](const Notice& n) { told += n.text + "\n"; });
-  EXPECT_THAT(told, testing::HasSubstr("limit"));
+  std::string reported;
+  member(1).notices().drain([&](const Notice& n) { reported += n.text + "\n"; });
+  EXPECT_THAT(reported, testing::HasSubstr("limit"));
   EXPECT_LT(place(1), 1) << "it has not moved";
 }
 

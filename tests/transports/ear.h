@@ -9,7 +9,7 @@
 namespace hw::test {
 
 struct Ear final : Stream::Listener {
-  std::string heard;
+  std::string received;
   std::vector<Instant> times;  ///< one per byte
   std::optional<Fault> closed;
   std::function<void()> on_bytes, on_close;
@@ -19,7 +19,7 @@ struct Ear final : Stream::Listener {
   explicit Ear(Stream& stream, Scheduler* clock = nullptr) : scheduler(clock) { stream.listen(this); }
 
   void bytes_arrived(std::string_view bytes) override {
-    heard += bytes;
+    received += bytes;
     if (scheduler) times.insert(times.end(), bytes.size(), scheduler->now());
     if (on_bytes) on_bytes();
   }

@@ -57,10 +57,11 @@ class LateClock : public ::testing::Test {
   }
   // From the question to the last byte of the reply.
   Duration ask(Ear& ear, std::string_view question, std::size_t reply_size) {
-    const std::size_t enough = ear.heard.size() + reply_size;
+    const std::size_t enough = ear.received.size() + reply_size;
     const Instant began = clock.now();
     stream->send(question);
-    EXPECT_TRUE(clock.run_until(began + Millis(500), [&] { return ear.heard.size() >= enough; })) << question;
+    EXPECT_TRUE(clock.run_until(began + Millis(500), [&] { return ear.received.size() >= enough; }))
+        << question;
     return clock.now() - began;
   }
 

@@ -20,12 +20,12 @@ TEST_F(Memory, BytesArriveInOrderAndNeverInsideTheCall) {
   Ear at_b(*b);
   a->send("one ");
   a->send("two");
-  EXPECT_EQ(at_b.heard, "");
+  EXPECT_EQ(at_b.received, "");
   clock.run_for(Duration{});
-  EXPECT_EQ(at_b.heard, "one two");
+  EXPECT_EQ(at_b.received, "one two");
 }
 
-TEST_F(Memory, TheOneLeftHearsTheSentence) {
+TEST_F(Memory, TheRemainingEndGetsTheSentence) {
   MemoryWire wire;
   wire.gone = Fault(FaultKind::lost, "The cable was pulled.");
   auto [a, b] = make_memory_pair(clock, wire);
@@ -35,13 +35,13 @@ TEST_F(Memory, TheOneLeftHearsTheSentence) {
   EXPECT_FALSE(at_a.closed);
   clock.run_for(Duration{});
   ASSERT_TRUE(at_a.closed);
-  EXPECT_EQ(at_a.heard, "last words");
+  EXPECT_EQ(at_a.received, "last words");
   EXPECT_EQ(at_a.closed->what, "The cable was pulled.");
   a->send("into the void");
   clock.run_for(Duration{});
 }
 
-TEST_F(Memory, AnEndMayBeDestroyedWhileItIsBeingTold) {
+TEST_F(Memory, AnEndMayBeDestroyedWhileItIsBeingNotified) {
   auto [a, b] = make_memory_pair(clock);
   Ear at_b(*b);
   at_b.on_bytes = [&end = b] { end.reset(); };
@@ -50,17 +50,17 @@ TEST_F(Memory, AnEndMayBeDestroyedWhileItIsBeingTold) {
   EXPECT_FALSE(b);
   a->send("y");
   clock.run_for(Duration{});
-  EXPECT_EQ(at_b.heard, "x");
+  EXPECT_EQ(at_b.received, "x");
 }
 
-TEST_F(Memory, NothingIsToldAfterDestruction) {
+TEST_F(Memory, NothingIsNotifiedAfterDestruction) {
   auto [a, b] = make_memory_pair(clock);
   Ear at_b(*b);
   a->send("x");
   b.reset();
   a.reset();
   clock.run_for(Duration{});
-  EXPECT_EQ(at_b.heard, "");
+  EXPECT_EQ(at_b.received, "");
   EXPECT_FALSE(at_b.closed);
 }
 

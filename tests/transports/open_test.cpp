@@ -5,10 +5,12 @@
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
+#include <pty.h>
 #include <unistd.h>
 
 #include "core/session/transport_list.h"
 #include "tests/transports/ear.h"
+#include "tests/transports/pseudo_terminal.h"
 #include "tests/transports/toy_emulator.h"
 
 namespace hw {
@@ -91,7 +93,7 @@ TEST_F(Open, ABenchFileIsApplied) {
   auto stream = *(*host)->plug_in();
   Ear ear(*stream, &clock);
   clock.run_for(Millis(1000));
-  ASSERT_EQ(ear.heard, "J");
+  ASSERT_EQ(ear.received, "J");
   EXPECT_EQ(ear.times[0], Instant(Millis(500)));
   std::filesystem::remove(file);
 }
@@ -129,7 +131,7 @@ TEST_F(OpenVxm, AnEmulatorOfThisProcess) {
   Ear ear(*wire->stream);
   wire->stream->send("V");
   clock.run_for(Millis(10));
-  EXPECT_EQ(ear.heard, "J");
+  EXPECT_EQ(ear.received, "J");
   EXPECT_EQ(wire->stream->rate(), 0);
 }
 
@@ -152,10 +154,55 @@ TEST_F(OpenVxm, AtAnotherRateItIsNotUnderstood) {
   Ear ear(*wire->stream);
   wire->stream->send("V");
   clock.run_for(Millis(50));
-  EXPECT_EQ(ear.heard, "");
+  EXPECT_EQ(ear.received, "");
 }
 
-TEST_F(OpenVxm, AMisspeltKeyIsSaidForRealPortsToo) {
+// A controller that is closed lets its port go a moment later.
+struct OpenAgain : Open {
+  void SetUp() override {
+    HW_NEEDS_PSEUDO_TERMINAL();
+    int slave = -1;
+    char name[64];
+    ASSERT_EQ(::openpty(&master, &slave, name, nullptr, nullptr), 0);
+    ::close(slave);
+    address = fmt::format("vxm@serial:{}", name);
+  }
+  ~OpenAgain() override {
+    if (master >= 0) ::close(master);
+  }
+  /// Begins to open it, and runs for `time`.
+  void begin(Duration time) {
+    asio::co_spawn(io.get_executor(), opener(clock, *Address::parse(address), nullptr),
+                   [this](std::exception_ptr, Result<Wire> wire) { result.emplace(std::move(wire)); });
+    clock.run_for(time);
+  }
+
+  int master = -1;
+  std::string address;
+  std::optional<Result<Wire>> result;
+};
+
+TEST_F(OpenAgain, WaitsUntilThisProgramHasLetThePortGo) {
+  auto before = open(address);
+  ASSERT_TRUE(before) << before.error().sentence();
+  begin(Millis(200));
+  ASSERT_FALSE(result) << (*result ? "" : result->error().sentence());
+  before->stream.reset();
+  clock.run_for(Millis(50));
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(*result);
+}
+
+TEST_F(OpenAgain, DoesNotWaitForEver) {
+  auto before = open(address);
+  ASSERT_TRUE(before);
+  begin(std::chrono::seconds(4));
+  ASSERT_TRUE(result);
+  ASSERT_FALSE(*result);
+  EXPECT_NE(result->error().what.find("this program itself holds it"), std::string::npos);
+}
+
+TEST_F(OpenVxm, AMisspeltKeyIsReportedForRealPortsToo) {
   const auto wire = open("vxm@tcp:127.0.0.1:1,moters=4");
   ASSERT_FALSE(wire);
   EXPECT_NE(wire.error().what.find("moters"), std::string::npos);

@@ -55,7 +55,7 @@ struct PmxBuffer : testing::Test {
     int rows = 0;       ///< that were sent
     int stood = 0;      ///< so often it stood although there was more to be sent
     double took_s = 0;  ///< from the first row to the last
-    std::string told;
+    std::string messages;
   };
   Drawn draw(int arcs, double speed) {
     auto pieces = session->type().language().in_pieces(waves(arcs, speed), session->catalog());
@@ -79,8 +79,8 @@ struct PmxBuffer : testing::Test {
       }
       return was_at_it && !now.pieces.running;
     }));
-    session->notices().drain([&](const Notice& n) { drawn.told += n.text + "\n"; });
-    EXPECT_EQ(session->known().pieces.done, session->known().pieces.total) << drawn.told;
+    session->notices().drain([&](const Notice& n) { drawn.messages += n.text + "\n"; });
+    EXPECT_EQ(session->known().pieces.done, session->known().pieces.total) << drawn.messages;
     return drawn;
   }
 
@@ -96,17 +96,18 @@ TEST_F(PmxBuffer, IsNeverEmptyWhileLinesLastLongerThanTheyTakeToBeSent) {
   const double of_a_chord = 2 * std::acos(1 - beside / radius);
   EXPECT_NEAR(drawn.rows, arcs * std::ceil(3.1416 / of_a_chord), 10) << "no finer than was asked for";
   EXPECT_EQ(drawn.stood, 0);
-  EXPECT_EQ(drawn.told.find("slower"), std::string::npos) << drawn.told;
+  EXPECT_EQ(drawn.messages.find("slower"), std::string::npos) << drawn.messages;
   const double way = arcs * radius * 3.1416;
   EXPECT_NEAR(drawn.took_s, way / speed, 0.02 * way / speed);
 }
 
-TEST_F(PmxBuffer, IsNeverEmptySinceLinesThatAreTooShortGoSlowerAndThatIsSaid) {
+TEST_F(PmxBuffer, IsNeverEmptySinceLinesThatAreTooShortGoSlowerAndThatIsReported) {
   const int arcs = 1000;
   const double speed = 60;
   const Drawn drawn = draw(arcs, speed);
   EXPECT_EQ(drawn.stood, 0);
-  EXPECT_NE(drawn.told.find("Short lines are drawn more slowly than set"), std::string::npos) << drawn.told;
+  EXPECT_NE(drawn.messages.find("Short lines are drawn more slowly than set"), std::string::npos)
+      << drawn.messages;
   EXPECT_GT(drawn.took_s, 1.5 * arcs * radius * 3.1416 / speed);
 }
 

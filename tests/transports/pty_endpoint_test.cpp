@@ -84,7 +84,7 @@ TEST_F(PtyEndpoint, SurvivesClientsThatComeAndGo) {
   }
 }
 
-TEST_F(PtyEndpoint, EachOfTwoClientsIsHeard) {
+TEST_F(PtyEndpoint, EachOfTwoClientsIsServed) {
   serve();
   const int a = open_client(), b = open_client();
   EXPECT_EQ(ask(a, "V", 1), "R");
@@ -151,9 +151,9 @@ TEST_F(PtyEndpoint, AClientAtAnotherRateGetsGarbage) {
   ::tcsetattr(fd, TCSANOW, &settings);
   ASSERT_EQ(::write(fd, "V", 1), 1);
   EXPECT_EQ(read_client(fd, 1, Millis(30)), "");
-  const auto& heard = static_cast<const test::ToyEmulator&>(host->bench()->emulator()).heard();
-  EXPECT_GT(heard.size(), 1u);
-  EXPECT_EQ(heard.find('V', 1), std::string::npos);
+  const auto& received = static_cast<const test::ToyEmulator&>(host->bench()->emulator()).received();
+  EXPECT_GT(received.size(), 1u);
+  EXPECT_EQ(received.find('V', 1), std::string::npos);
   ::close(fd);
 }
 
@@ -163,7 +163,7 @@ TEST_F(PtyEndpoint, AClientThatNeverReadsDoesNotStopTheOthers) {
   auto end = *host->plug_in();
   test::Ear ear(*end);
   for (int i = 0; i < 2000; ++i) end->send("X");
-  EXPECT_TRUE(poll_until(io, [&] { return ear.heard.size() == 2000 * 9; }));
+  EXPECT_TRUE(poll_until(io, [&] { return ear.received.size() == 2000 * 9; }));
   ::close(deaf);
 }
 

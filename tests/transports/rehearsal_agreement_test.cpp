@@ -40,21 +40,21 @@ class RehearsalAgreement : public testing::TestWithParam<AgreementCase> {
     prepare(c);
     ASSERT_FALSE(HasFatalFailure());
     const std::string text = text_of(c);
-    const Rehearsal said = rehearse(c, text);
+    const Rehearsal rehearsed = rehearse(c, text);
     ASSERT_FALSE(HasFatalFailure());
-    const std::vector<RehearsedPlace> places = places_of(said);
+    const std::vector<RehearsedPlace> places = places_of(rehearsed);
     run_live(c, text, places, begins_on, answers_waits);
     ASSERT_TRUE(watched->has_seen_all()) << (watched->began() ? "it was not looked at" : "nothing began");
     for (std::size_t n = 0; n < places.size(); ++n) {
       const WatchedRun::Look& seen = watched->looks()[n];
       for (std::size_t i = 0; i < static_cast<std::size_t>(seen.truth.axis_count); ++i)
         EXPECT_EQ(places[n].position[i], seen.truth.axes[i].position.value)
-            << said.axes.at(i).name << " after " << places[n].t << " s";
+            << rehearsed.axes.at(i).name << " after " << places[n].t << " s";
       EXPECT_EQ(places[n].outputs, seen.outputs) << "after " << places[n].t << " s";
     }
-    if (!said.finished) return;
+    if (!rehearsed.finished) return;
     ASSERT_TRUE(watched->took()) << "it is still at work";
-    EXPECT_NEAR(seconds(*watched->took()), said.duration_s, 0.001);
+    EXPECT_NEAR(seconds(*watched->took()), rehearsed.duration_s, 0.001);
   }
   void TearDown() override {
     if (!session) return;
@@ -134,16 +134,16 @@ class RehearsalAgreement : public testing::TestWithParam<AgreementCase> {
   }
 
   /// Some of them, one after the other through all of the run, and how it ends.
-  static std::vector<RehearsedPlace> places_of(const Rehearsal& said) {
+  static std::vector<RehearsedPlace> places_of(const Rehearsal& rehearsed) {
     constexpr std::size_t moments = 12;
     std::vector<RehearsedPlace> all;
     for (std::size_t n = 1; n <= moments; ++n) {
-      const RehearsedPlace& place = said.track[(said.track.size() - 1) * n / (moments + 1)];
-      if (place.t > (all.empty() ? 0 : all.back().t) && place.t < said.duration_s) all.push_back(place);
+      const RehearsedPlace& place = rehearsed.track[(rehearsed.track.size() - 1) * n / (moments + 1)];
+      if (place.t > (all.empty() ? 0 : all.back().t) && place.t < rehearsed.duration_s) all.push_back(place);
     }
     RehearsedPlace end;
-    end.t = said.duration_s, end.outputs = said.track.back().outputs;
-    for (std::size_t i = 0; i < said.axes.size(); ++i) end.position[i] = said.axes[i].position;
+    end.t = rehearsed.duration_s, end.outputs = rehearsed.track.back().outputs;
+    for (std::size_t i = 0; i < rehearsed.axes.size(); ++i) end.position[i] = rehearsed.axes[i].position;
     all.push_back(end);
     return all;
   }

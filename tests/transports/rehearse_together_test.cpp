@@ -109,13 +109,13 @@ TEST_F(BusAtWork, IsRehearsedFromWhereItStands) {
   EXPECT_NEAR(from_there->duration_s, draw(two_chains()), 0.01 * from_there->duration_s);
 }
 
-TEST_F(BusAtWork, WhatTakesTooLongIsToldAsFarAsItCame) {
-  const auto told = rehearse_together(two_chains(), address, states(), opener, std::chrono::seconds(4));
-  ASSERT_TRUE(told) << told.error().sentence();
-  EXPECT_FALSE(told->finished);
-  EXPECT_NEAR(told->duration_s, 4, 0.5);
-  EXPECT_NEAR(told->track.back().t, 4, 0.5);
-  EXPECT_LT(told->piece_seconds.size(), 2u);
+TEST_F(BusAtWork, WhatTakesTooLongIsReportedAsFarAsItCame) {
+  const auto seen = rehearse_together(two_chains(), address, states(), opener, std::chrono::seconds(4));
+  ASSERT_TRUE(seen) << seen.error().sentence();
+  EXPECT_FALSE(seen->finished);
+  EXPECT_NEAR(seen->duration_s, 4, 0.5);
+  EXPECT_NEAR(seen->track.back().t, 4, 0.5);
+  EXPECT_LT(seen->piece_seconds.size(), 2u);
 }
 
 TEST_F(BusAtWork, GoesTheWayThatWasRehearsed) {
@@ -133,12 +133,12 @@ TEST_F(BusAtWork, GoesTheWayThatWasRehearsed) {
     one.track = std::move(track);
     return track_path(one, axes, 0, {});
   };
-  const drawing::ToolPath told = way_of(rehearsed->track), gone = way_of(live.take());
-  EXPECT_NEAR(told.way_on, gone.way_on, 0.005 * gone.way_on);
+  const drawing::ToolPath meant = way_of(rehearsed->track), gone = way_of(live.take());
+  EXPECT_NEAR(meant.way_on, gone.way_on, 0.005 * gone.way_on);
   ASSERT_GT(gone.points.size(), 100u);
   const drawing::PathView in_steps(gone.bounds, 1000, 1000, true);
   for (const drawing::Point3& p : gone.points) {
-    const auto near = nearest(told, in_steps, in_steps.to_px(p), 200);
+    const auto near = nearest(meant, in_steps, in_steps.to_px(p), 200);
     ASSERT_TRUE(near);
     EXPECT_LE(drawing::length(near->at - p), 40) << p.x << ", " << p.y << ": rounds of status fall otherwise";
   }
@@ -239,9 +239,10 @@ TEST_P(InPieces, WhatIsLeftAtEachStepIsWhatWasRehearsed) {
   const auto pieces = pieces_of(many_chains(session().catalog(), stores_little ? 12 : 40, 36));
   ASSERT_TRUE(pieces);
   ASSERT_GT(pieces->all.size(), 1u);
-  const auto told = rehearsed(pieces, an_hour);
-  ASSERT_TRUE(told) << told.error().sentence();
-  ASSERT_TRUE(told->finished);
+  const auto seen = rehearsed(pieces, an_hour);
+  ASSERT_TRUE(seen) << seen.error().sentence();
+  ASSERT_TRUE(seen->finished);
+  EXPECT_EQ(seen->messages.find("Local mode"), std::string::npos) << "of the opening: " << seen->messages;
   session().send(intent::RunInPieces(pieces));
   std::vector<RehearsedPieces::Arrival> came_to;
   const Instant began = time.now();
@@ -253,42 +254,43 @@ TEST_P(InPieces, WhatIsLeftAtEachStepIsWhatWasRehearsed) {
   }));
   const double took = seconds(time.now() - began);
   EXPECT_EQ(session().known().pieces.done, session().known().pieces.total);
-  EXPECT_NEAR(told->duration_s, took, 0.02 * took);
+  EXPECT_NEAR(seen->duration_s, took, 0.02 * took);
   ASSERT_GT(came_to.size(), 5u);
-  for (const auto& [step, t] : came_to) EXPECT_NEAR(told->when(step), t, 0.02 * took + 1) << step;
+  for (const auto& [step, t] : came_to) EXPECT_NEAR(seen->when(step), t, 0.02 * took + 1) << step;
 }
 
-TEST_P(InPieces, WhatTakesTooLongIsToldAsFarAsItCame) {
+TEST_P(InPieces, WhatTakesTooLongIsReportedAsFarAsItCame) {
   const auto pieces = pieces_of(many_chains(session().catalog(), 40, 36));
   ASSERT_TRUE(pieces);
-  const auto told = rehearsed(pieces, std::chrono::seconds(20));
-  ASSERT_TRUE(told) << told.error().sentence();
-  EXPECT_FALSE(told->finished);
-  ASSERT_FALSE(told->came_to.empty());
-  EXPECT_GT(told->came_to.back().step, 0);
-  EXPECT_LE(told->came_to.back().t, 21);
+  const auto seen = rehearsed(pieces, std::chrono::seconds(20));
+  ASSERT_TRUE(seen) << seen.error().sentence();
+  EXPECT_FALSE(seen->finished);
+  ASSERT_FALSE(seen->came_to.empty());
+  EXPECT_GT(seen->came_to.back().step, 0);
+  EXPECT_LE(seen->came_to.back().t, 21);
 }
 
-TEST_P(InPieces, LinesThatCannotBeSentInTimeAreToldBeforehand) {
+TEST_P(InPieces, LinesThatCannotBeSentInTimeAreReportedBeforehand) {
   if (session().catalog().move_list.columns.empty()) GTEST_SKIP() << "it stores all that it draws";
   seq::Sequence drawing = many_chains(session().catalog(), 40, 36);
   drawing.steps[1] = {seq::Speed{{5, 0, 100}}};
   const auto leisurely = rehearsed(pieces_of(drawing), an_hour);
   ASSERT_TRUE(leisurely);
-  EXPECT_EQ(leisurely->told.find("slower"), std::string::npos) << leisurely->told;
+  EXPECT_EQ(leisurely->messages.find("slower"), std::string::npos) << leisurely->messages;
   drawing.steps[1] = {seq::Speed{{100, 0, 100}}};
   const auto hasty = rehearsed(pieces_of(drawing), an_hour);
   ASSERT_TRUE(hasty);
-  EXPECT_NE(hasty->told.find("Short lines are drawn more slowly than set"), std::string::npos) << hasty->told;
+  EXPECT_NE(hasty->messages.find("Short lines are drawn more slowly than set"), std::string::npos)
+      << hasty->messages;
 }
 
-TEST(RehearsedInPieces, TheTimeBetweenTwoStepsThatWereToldIsShared) {
-  RehearsedPieces told;
-  told.came_to = {{0, 1}, {10, 3}};
-  EXPECT_DOUBLE_EQ(told.when(0), 1);
-  EXPECT_DOUBLE_EQ(told.when(5), 2);
-  EXPECT_DOUBLE_EQ(told.when(10), 3);
-  EXPECT_DOUBLE_EQ(told.when(20), 3);
+TEST(RehearsedInPieces, TheTimeBetweenTwoStepsThatWereReportedIsShared) {
+  RehearsedPieces seen;
+  seen.came_to = {{0, 1}, {10, 3}};
+  EXPECT_DOUBLE_EQ(seen.when(0), 1);
+  EXPECT_DOUBLE_EQ(seen.when(5), 2);
+  EXPECT_DOUBLE_EQ(seen.when(10), 3);
+  EXPECT_DOUBLE_EQ(seen.when(20), 3);
 }
 
 }  // namespace

@@ -115,8 +115,8 @@ TEST_F(Ser2net, CarriesEveryByteBothWays) {
   stream->send(all);
   EXPECT_EQ(read_master(256), all);
   ASSERT_EQ(::write(master, all.data(), all.size()), 256);
-  EXPECT_TRUE(poll_until(io, [&] { return ear.heard.size() >= 256; }));
-  EXPECT_EQ(ear.heard, all);
+  EXPECT_TRUE(poll_until(io, [&] { return ear.received.size() >= 256; }));
+  EXPECT_EQ(ear.received, all);
 }
 
 TEST_F(Ser2net, ChangesTheRateLater) {
@@ -133,7 +133,7 @@ TEST_F(Ser2net, ChangesTheRateLater) {
   EXPECT_FALSE(ear.closed);
 }
 
-TEST_F(Ser2net, TheServerGoingAwayIsSaid) {
+TEST_F(Ser2net, TheServerGoingAwayIsReported) {
   auto stream = open(9600);
   ASSERT_TRUE(stream);
   Ear ear(*stream);
@@ -194,7 +194,7 @@ TEST_F(OddServer, OneThatHasAnotherRate) {
     s.send("\xFF\xFA\x2C\x66\x08\xFF\xF0\xFF\xFA\x2C\x67\x01\xFF\xF0\xFF\xFA\x2C\x68\x01\xFF\xF0");
   });
   ASSERT_FALSE(stream);
-  EXPECT_NE(stream.error().what.find("does not do 9600 baud (it says 1200)"), std::string::npos)
+  EXPECT_NE(stream.error().what.find("does not accept 9600 baud (it uses 1200)"), std::string::npos)
       << stream.error().sentence();
 }
 
@@ -219,8 +219,8 @@ TEST_F(OddServer, OneThatAnswersLate) {
   Ear ear(**stream);
   const auto answers = [&](int baud) {
     server->send(rate_answer(baud) + "!");
-    const std::size_t heard = ear.heard.size();
-    poll_until(io, [&] { return ear.closed || ear.heard.size() > heard; });
+    const std::size_t received = ear.received.size();
+    poll_until(io, [&] { return ear.closed || ear.received.size() > received; });
   };
   ASSERT_TRUE((*stream)->set_rate(38400));
   ASSERT_TRUE((*stream)->set_rate(19200));
@@ -231,7 +231,7 @@ TEST_F(OddServer, OneThatAnswersLate) {
   answers(9600);
   poll_until(io, [&] { return ear.closed.has_value(); });
   ASSERT_TRUE(ear.closed);
-  EXPECT_NE(ear.closed->what.find("does not do 115200 baud (it says 9600)"), std::string::npos);
+  EXPECT_NE(ear.closed->what.find("does not accept 115200 baud (it uses 9600)"), std::string::npos);
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST_F(Scan, FindsTheModelAndItsRate) {
 TEST_F(Scan, AsksNothingButALoneV) {
   const auto host = serve("stage", 9600);
   probe(folder / "stage");
-  EXPECT_EQ(static_cast<const test::ToyEmulator&>(host->bench()->emulator()).heard(), "9V");
+  EXPECT_EQ(static_cast<const test::ToyEmulator&>(host->bench()->emulator()).received(), "9V");
 }
 
 TEST_F(Scan, ASilentPortIsAskedAtEachRate) {
@@ -108,19 +108,19 @@ TEST_F(Scan, BytesThatMakeNoSenseAreShown) {
   ::close(master), ::close(slave);
 }
 
-TEST_F(Scan, PortsInUseOrMissingAreSaidAndTheOthersStillAsked) {
+TEST_F(Scan, PortsInUseOrMissingAreReportedAndTheOthersStillAsked) {
   const auto host = serve("stage", 9600), other = serve("other", 9600);
   const auto held = open_serial(clock, folder / "other", 9600);
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   auto task = scan_ports(clock, {port(folder / "other"), port("/dev/ttyUSB77"), port(folder / "stage")},
-                         [&](const PortReport& report) { told.push_back(report.port.path); });
+                         [&](const PortReport& report) { reported.push_back(report.port.path); });
   const auto reports = run_task(io, std::move(task));
   ASSERT_EQ(reports.size(), 3u);
   EXPECT_EQ(reports[0].finding, PortFinding::busy);
   EXPECT_NE(reports[0].sentence().find("in use"), std::string::npos);
   EXPECT_EQ(reports[1].finding, PortFinding::unusable);
   EXPECT_EQ(reports[2].finding, PortFinding::answers);
-  EXPECT_EQ(told.size(), 3u);
+  EXPECT_EQ(reported.size(), 3u);
 }
 
 }  // namespace

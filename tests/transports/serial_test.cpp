@@ -51,10 +51,10 @@ class Serial : public ::testing::Test {
     return got;
   }
   std::string refusal_sentence(const std::string& path, PortRefusal expected) {
-    PortRefusal said = PortRefusal::none;
-    const auto stream = open_serial(clock, path, 9600, &said);
+    PortRefusal sentence = PortRefusal::none;
+    const auto stream = open_serial(clock, path, 9600, &sentence);
     EXPECT_FALSE(stream);
-    EXPECT_EQ(said, expected);
+    EXPECT_EQ(sentence, expected);
     if (stream) return {};
     EXPECT_EQ(stream.error().kind, FaultKind::port);
     EXPECT_EQ(stream.error().done, "Nothing was sent.");
@@ -75,8 +75,8 @@ TEST_F(Serial, CarriesEveryByteBothWaysUnchanged) {
   stream->send(all);
   EXPECT_EQ(read_master(256), all);
   ASSERT_EQ(::write(master, all.data(), all.size()), 256);
-  EXPECT_TRUE(poll_until(io, [&] { return ear.heard.size() == 256; }));
-  EXPECT_EQ(ear.heard, all);
+  EXPECT_TRUE(poll_until(io, [&] { return ear.received.size() == 256; }));
+  EXPECT_EQ(ear.received, all);
 }
 
 TEST_F(Serial, HasEveryRate) {
@@ -175,7 +175,7 @@ TEST_F(Serial, ThePermissionSentenceNamesGroupAndCommand) {
   EXPECT_NE(sentence.find("log out and in again"), std::string::npos);
 }
 
-TEST_F(Serial, NobodyIsToldToJoinAGroupThatHasNoRights) {
+TEST_F(Serial, NobodyIsAdvisedToJoinAGroupThatHasNoRights) {
   if (::geteuid() != 0) GTEST_SKIP() << "needs root to take the rights away";
   ASSERT_EQ(::chown(port.c_str(), 0, 0), 0);
   ASSERT_EQ(::chmod(port.c_str(), 0600), 0);
@@ -186,7 +186,7 @@ TEST_F(Serial, NobodyIsToldToJoinAGroupThatHasNoRights) {
   EXPECT_NE(sentence.find("chgrp dialout"), std::string::npos) << sentence;
 }
 
-TEST_F(Serial, APulledCableIsSaid) {
+TEST_F(Serial, APulledCableIsReported) {
   auto stream = *open_serial(clock, port, 9600);
   Ear ear(*stream);
   ear.on_close = [&] { stream.reset(); };
@@ -221,8 +221,8 @@ TEST_F(Serial, WhatStoodThereBeforeIsNotRead) {
   ::close(early);
   Ear ear(*stream);
   ASSERT_EQ(::write(master, "new", 3), 3);
-  ASSERT_TRUE(poll_until(io, [&] { return !ear.heard.empty(); }));
-  EXPECT_EQ(ear.heard, "new");
+  ASSERT_TRUE(poll_until(io, [&] { return !ear.received.empty(); }));
+  EXPECT_EQ(ear.received, "new");
 }
 
 TEST_F(Serial, AFloodArrivesWhole) {
@@ -236,7 +236,7 @@ TEST_F(Serial, AFloodArrivesWhole) {
         if (sent < 4'000'000)
           if (const ssize_t n = ::write(master, block.data(), block.size()); n > 0)
             sent += static_cast<std::size_t>(n);
-        return sent >= 4'000'000 && ear.heard.size() == sent;
+        return sent >= 4'000'000 && ear.received.size() == sent;
       },
       Millis(8000));
   EXPECT_TRUE(whole);

@@ -72,7 +72,7 @@ TEST_F(ServeBus, ReadingARegisterClearsIt) {
 
 TEST_F(ServeBus, AnInterruptReachesTheHostOnce) {
   WindowEar ear(*window);
-  EXPECT_TRUE(window->tells_interrupts());
+  EXPECT_TRUE(window->reports_interrupts());
   std::vector<BusCycle> burst{BusCycle::store(1, ToyBoard::clearing, 0xB4)};
   ASSERT_TRUE(run(burst));
   clock.run_for(Millis(4));

@@ -26,18 +26,18 @@ using namespace std::chrono_literals;
 class Counted final : public test::EmulatorAround {
  public:
   struct Bytes {
-    std::size_t heard = 0, said = 0;
+    std::size_t received = 0, sent = 0;
   };
   Counted(std::unique_ptr<Emulator> inner, Bytes& bytes) : EmulatorAround(std::move(inner)), bytes_(bytes) {}
 
   void receive(std::string_view text) override {
-    bytes_.heard += text.size();
+    bytes_.received += text.size();
     inner_->receive(text);
   }
   void take_output(std::string& sink) override {
     const std::size_t before = sink.size();
     inner_->take_output(sink);
-    bytes_.said += sink.size() - before;
+    bytes_.sent += sink.size() - before;
   }
 
  private:
@@ -68,13 +68,13 @@ class PtyPartner final : public talk::Partner {
   }
 
   void send(std::string_view text) override {
-    const std::size_t wanted = bytes_.heard + text.size();
+    const std::size_t wanted = bytes_.received + text.size();
     EXPECT_EQ(::write(fd_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-    settle([&] { return bytes_.heard >= wanted; });
+    settle([&] { return bytes_.received >= wanted; });
   }
   std::string receive(std::size_t count) override {
     const Instant limit = clock_.now() + 24h;
-    for (; came_.size() < count; hear()) {
+    for (; came_.size() < count; pass_on()) {
       const auto next = bench_->emulator().next_event();
       if (!next || *next > limit) break;
       clock_.run_until(std::max(*next, clock_.now() + Duration(1)));
@@ -84,12 +84,12 @@ class PtyPartner final : public talk::Partner {
     return taken;
   }
   std::string leftover() override {
-    hear();
+    pass_on();
     return std::exchange(came_, {});
   }
   void pass(Duration time) override {
     clock_.run_for(time);
-    hear();
+    pass_on();
   }
   Result<> operate(const BenchCommand& command) override { return bench_->operate(command); }
 
@@ -103,16 +103,16 @@ class PtyPartner final : public talk::Partner {
       io_.restart();
       io_.run_one_for(1ms);
     }
-    hear();
+    pass_on();
   }
   // Until everything that was said has come. Before a client is there it goes nowhere.
-  void hear() {
+  void pass_on() {
     if (fd_ < 0) {
-      read_ = bytes_.said;
+      read_ = bytes_.sent;
       return;
     }
     const auto end = std::chrono::steady_clock::now() + 5s;
-    while (read_ < bytes_.said) {
+    while (read_ < bytes_.sent) {
       ASSERT_LT(std::chrono::steady_clock::now(), end) << "the terminal does not carry what was answered";
       clock_.run_until(clock_.now());
       char part[512];

@@ -40,9 +40,9 @@ TEST_F(TcpTransport, CarriesBytesBothWays) {
   auto near = connect();
   Ear at_near(*near), at_far(*accepted[0]);
   near->send("X");
-  ASSERT_TRUE(poll_until(io, [&] { return at_far.heard == "X"; }));
+  ASSERT_TRUE(poll_until(io, [&] { return at_far.received == "X"; }));
   accepted[0]->send("+0000400\r");
-  ASSERT_TRUE(poll_until(io, [&] { return at_near.heard == "+0000400\r"; }));
+  ASSERT_TRUE(poll_until(io, [&] { return at_near.received == "+0000400\r"; }));
 }
 
 // A motion command that waits in a dead network must not start when the network is back.
@@ -55,7 +55,7 @@ TEST_F(TcpTransport, WhatHasNotLeftAWireThatIsGivenUpNeverArrives) {
   near.reset();
   Ear at_far(*accepted[0]);
   ASSERT_TRUE(poll_until(io, [&] { return at_far.closed; }));
-  EXPECT_LT(at_far.heard.size(), 2 * much.size());
+  EXPECT_LT(at_far.received.size(), 2 * much.size());
 }
 
 TEST_F(TcpTransport, ReportsThePortItReallyHas) {
@@ -68,7 +68,7 @@ TEST_F(TcpTransport, SeveralClientsAtOnce) {
   auto b = connect();
   Ear at_a(*a), at_b(*b);
   for (const auto& stream : accepted) stream->send("hello");
-  EXPECT_TRUE(poll_until(io, [&] { return at_a.heard == "hello" && at_b.heard == "hello"; }));
+  EXPECT_TRUE(poll_until(io, [&] { return at_a.received == "hello" && at_b.received == "hello"; }));
 }
 
 TEST_F(TcpTransport, ThePeerLeaving) {
@@ -77,7 +77,7 @@ TEST_F(TcpTransport, ThePeerLeaving) {
   accepted.clear();
   ASSERT_TRUE(poll_until(io, [&] { return ear.closed.has_value(); }));
   EXPECT_EQ(ear.closed->kind, FaultKind::lost);
-  EXPECT_EQ(ear.closed->done, "What was on the way may have been carried out.");
+  EXPECT_EQ(ear.closed->done, "Commands on the way may have been carried out.");
   EXPECT_NE(ear.closed->what.find(endpoint->address()), std::string::npos);
   near->send("into the void");
 }
@@ -104,7 +104,7 @@ TEST_F(TcpTransport, AFloodArrivesWhole) {
   Ear ear(*near), far(*accepted[0]);
   const std::string block(64 * 1024, 'x');
   std::size_t received = 0;
-  ear.on_bytes = [&] { received += ear.heard.size(), ear.heard.clear(); };
+  ear.on_bytes = [&] { received += ear.received.size(), ear.received.clear(); };
   for (int i = 0; i < 800; ++i) {  // 50 MB; no more than the queue bears at a time
     accepted[0]->send(block);
     const std::size_t so_far = static_cast<std::size_t>(i + 1) * block.size();
@@ -166,7 +166,7 @@ TEST_F(TcpTransport, AServerThatDoesNotAnswerIsGivenUp) {
   EXPECT_NE(stream.error().what.find("no answer in time"), std::string::npos);
 }
 
-TEST_F(TcpTransport, ATakenPortIsSaid) {
+TEST_F(TcpTransport, ATakenPortIsReported) {
   const auto second = TcpEndpoint::open(clock, endpoint->address(), false, {});
   ASSERT_FALSE(second);
   EXPECT_NE(second.error().what.find("another program"), std::string::npos);

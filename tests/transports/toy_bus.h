@@ -62,7 +62,7 @@ class BusToyDriver final : public Driver {
   Task<Result<>> connect() override { return poll(Round::usual); }
   Task<Result<>> poll(Round) override {
     auto polled = co_await ask("P", Priority::poll);
-    if (polled) context_.draft.axes[0].seen_at = context_.scheduler.now();
+    if (polled) context_.snapshot.axes[0].seen_at = context_.scheduler.now();
     co_return polled;
   }
   Task<Result<>> perform(const IntentBody&) override { return ask("P", Priority::intent); }

@@ -50,11 +50,11 @@ class ToyEmulator final : public Emulator {
   std::uint64_t memory_version() const override { return static_cast<std::uint64_t>(stores_); }
   std::unique_ptr<Emulator> clone() const override { return std::make_unique<ToyEmulator>(*this); }
 
-  const std::string& heard() const { return heard_; }
+  const std::string& received() const { return received_; }
 
  private:
   void take(char c) {
-    heard_ += c;
+    received_ += c;
     if (!powered_) return;
     if (c == 'V') output_ += 'R';
     if (c == 'X' || c == 'Y') output_ += "+0000400\r";
@@ -66,7 +66,7 @@ class ToyEmulator final : public Emulator {
 
   Instant now_{};
   std::optional<Instant> move_end_;
-  std::string output_, heard_;
+  std::string output_, received_;
   std::vector<TriggerPulse> pulses_;
   int rate_ = 9600, stores_ = 0;
   bool powered_ = true;

@@ -100,7 +100,7 @@ TEST_F(VmeDeviceTest, AWindowThatVanishesIsAFaultAndNoCrash) {
   EXPECT_FALSE(run(**window, burst)) << "it stays gone";
 }
 
-TEST_F(VmeDeviceTest, WhatIsWrongIsSaid) {
+TEST_F(VmeDeviceTest, WhatIsWrongIsReported) {
   auto missing = open_vme_device(clock, path, 0xF000);
   ASSERT_FALSE(missing);
   EXPECT_THAT(missing.error().sentence(), HasSubstr("There is no " + path));
@@ -166,7 +166,7 @@ TEST_F(VmeDeviceTest, TheKernelIsAskedForTheShortSpace) {
     std::memcpy(words.data(), kernel::argument.data(), sizeof words);
     EXPECT_THAT(words, testing::ElementsAre(1u, 0u, 0u, 0x10000u, 0u, 0x1u, 0x9001u, 0x2u))
         << "on, from 0, 64 KiB, A16, single supervisory data cycles, D16";
-    EXPECT_FALSE((*window)->tells_interrupts());
+    EXPECT_FALSE((*window)->reports_interrupts());
     std::vector<BusCycle> burst{BusCycle::store(2, 0x804, 0x41), BusCycle::read(2, 0x804)};
     ASSERT_TRUE(run(**window, burst));
     EXPECT_EQ(burst[1].value, 0x41u);

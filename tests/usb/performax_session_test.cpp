@@ -63,7 +63,7 @@ class UsbSession : public ::testing::Test {
     return done ? "" : done.error().sentence();
   }
   std::string jog() { return perform(intent::JogStart(x, Sign::plus, {}, false)); }
-  std::string told() {
+  std::string reported() {
     session->notices().drain([&](Notice& n) { notices += n.text + "\n"; });
     return notices;
   }
@@ -115,7 +115,7 @@ TEST_F(UsbSession, PulledOutWhileMovingTheStateIsLostAndReadAfresh) {
   EXPECT_THAT(sentence(), HasSubstr("is gone"));
   EXPECT_FALSE(axis().position_known);
   EXPECT_EQ(axis().activity, Activity::unknown);
-  EXPECT_THAT(perform(intent::Stop()), HasSubstr("cannot reach the controller"));
+  EXPECT_THAT(perform(intent::Stop()), HasSubstr("Stop cannot reach it"));
 
   EmulatedUsb& again = plug_in(std::move(pulled));  // it has gone on: it has a supply of its own
   ASSERT_TRUE(until([&] { return known().link.state == LinkState::good; })) << sentence();
@@ -123,10 +123,11 @@ TEST_F(UsbSession, PulledOutWhileMovingTheStateIsLostAndReadAfresh) {
   EXPECT_THAT(again.commands(), Contains("STOP")) << "the stop that is owed";
   EXPECT_THAT(again.commands(), Not(Contains("JX+"))) << "no motion is sent again";
   EXPECT_TRUE(until([&] { return axis().activity == Activity::idle; }));
-  EXPECT_TRUE(until([&] { return told().find("Nothing was sent again") != std::string::npos; })) << told();
+  EXPECT_TRUE(until([&] { return reported().find("Nothing was sent again") != std::string::npos; }))
+      << reported();
 }
 
-TEST_F(UsbSession, SwitchedOffMeanwhileItIsSaidSo) {
+TEST_F(UsbSession, SwitchedOffMeanwhileItIsReportedAsSuch) {
   plug_in(controller());
   open();
   ASSERT_EQ(jog(), "");
@@ -136,7 +137,7 @@ TEST_F(UsbSession, SwitchedOffMeanwhileItIsSaidSo) {
   ASSERT_TRUE(until([&] { return known().link.state == LinkState::lost; }));
   plug_in(controller());
   ASSERT_TRUE(until([&] { return known().link.state == LinkState::good; })) << sentence();
-  EXPECT_THAT(told(), HasSubstr("switched off and on"));
+  EXPECT_THAT(reported(), HasSubstr("switched off and on"));
   EXPECT_TRUE(axis().trust.doubtful());
 }
 
@@ -157,7 +158,7 @@ TEST_F(UsbSession, ACutReplyIsNeverTakenForAWholeOne) {
   EXPECT_EQ(axis().position, Steps(-12'345));
 }
 
-TEST_F(UsbSession, RepliesThatAreCutAreSaidInASentence) {
+TEST_F(UsbSession, RepliesThatAreCutAreReportedInASentence) {
   plug_in(controller());
   open();
   plug().cut_next_replies(1, 2);  // the question is asked once more

@@ -72,13 +72,13 @@ class PerformaxUsb : public ::testing::Test {
     stream->listen(&ear);
   }
   /// What came, with a bar for each closing zero.
-  std::string told() {
-    std::string text = ear.heard;
+  std::string reported() {
+    std::string text = ear.received;
     std::replace(text.begin(), text.end(), '\0', '|');
     return text;
   }
-  bool heard(const std::string& text) {
-    return poll_until(io, [&] { return told() == text; });
+  bool received(const std::string& text) {
+    return poll_until(io, [&] { return reported() == text; });
   }
 
   UMockdevTestbed* bus = umockdev_testbed_new();
@@ -97,17 +97,17 @@ TEST_F(PerformaxUsb, OpensFlushesTalksAndSaysGoodBye) {
   EXPECT_TRUE(stream->carries_messages());
   EXPECT_EQ(stream->describe(), "USB 4ex00");
   stream->send("PP");
-  ASSERT_TRUE(heard("PP|"));
+  ASSERT_TRUE(received("PP|"));
   stream->send("MST");
   stream->send("ID");
-  ASSERT_TRUE(heard("PP|MST|ID|")) << told();
+  ASSERT_TRUE(received("PP|MST|ID|")) << reported();
   EXPECT_THAT(device.commands(), ElementsAre("PP", "MST", "ID"));
   stream.reset();
   ASSERT_TRUE(poll_until(io, [&] { return device.controls().size() == 3; }));
   EXPECT_EQ(device.controls().back(), 4);
   open_good();
   stream->send("again");
-  EXPECT_TRUE(heard("PP|MST|ID|again|"));
+  EXPECT_TRUE(received("PP|MST|ID|again|"));
 }
 
 TEST_F(PerformaxUsb, WhatWasAskedBeforeIsNoAnswer) {
@@ -115,7 +115,7 @@ TEST_F(PerformaxUsb, WhatWasAskedBeforeIsNoAnswer) {
   device.leave_reply("old");
   open_good();
   stream->send("new");
-  EXPECT_TRUE(heard("new|")) << told();
+  EXPECT_TRUE(received("new|")) << reported();
 }
 
 TEST_F(PerformaxUsb, HalfAReplyHasNoClosingZero) {
@@ -123,16 +123,16 @@ TEST_F(PerformaxUsb, HalfAReplyHasNoClosingZero) {
   open_good();
   device.cut_next_replies(3);
   stream->send("-12345");
-  ASSERT_TRUE(heard("-12")) << told();
+  ASSERT_TRUE(received("-12")) << reported();
   stream->send("ok");
-  EXPECT_TRUE(heard("-12ok|")) << told();
+  EXPECT_TRUE(received("-12ok|")) << reported();
 }
 
 TEST_F(PerformaxUsb, AnEmptyReplyIsOne) {
   plug_in("4ex00");
   open_good();
   stream->send("E");
-  EXPECT_TRUE(heard("|"));
+  EXPECT_TRUE(received("|"));
 }
 
 TEST_F(PerformaxUsb, SaysWhenItIsPulledOut) {
@@ -146,7 +146,7 @@ TEST_F(PerformaxUsb, SaysWhenItIsPulledOut) {
   plug_in("4ex00");
   open_good();
   stream->send("PP");
-  EXPECT_TRUE(heard("PP|"));
+  EXPECT_TRUE(received("PP|"));
 }
 
 TEST_F(PerformaxUsb, OneOfSeveralIsNamed) {
@@ -159,11 +159,11 @@ TEST_F(PerformaxUsb, OneOfSeveralIsNamed) {
   stream = std::move(*opened);
   stream->listen(&ear);
   stream->send("here");
-  EXPECT_TRUE(heard("here|"));
+  EXPECT_TRUE(received("here|"));
   EXPECT_THAT(second.commands(), ElementsAre("here"));
 }
 
-TEST_F(PerformaxUsb, ThePortListHearsOfNewOnes) {
+TEST_F(PerformaxUsb, ThePortListShowsNewOnes) {
   int changed = 0;
   auto watch = PerformaxWatch::start(clock, [&] { ++changed; });
   ASSERT_TRUE(watch) << watch.error().sentence();

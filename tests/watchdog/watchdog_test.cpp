@@ -34,28 +34,28 @@ class Holder {
     EXPECT_EQ(::posix_spawn(&child_, HW_JOG_HOLDER, &files, nullptr, words, environ), 0);
     ::posix_spawn_file_actions_destroy(&files);
     ::close(ends[1]);
-    said_ = ends[0];
-    ::fcntl(said_, F_SETFL, O_NONBLOCK);
+    sent_ = ends[0];
+    ::fcntl(sent_, F_SETFL, O_NONBLOCK);
   }
   ~Holder() {
     tell(SIGKILL);
     ::waitpid(child_, nullptr, 0);
-    ::close(said_);
+    ::close(sent_);
   }
   Holder(const Holder&) = delete;
   Holder& operator=(const Holder&) = delete;
   void tell(int signal) const { ::kill(child_, signal); }
   [[nodiscard]] const std::string& words() {
     char buffer[256];
-    for (ssize_t n = 0; (n = ::read(said_, buffer, sizeof buffer)) > 0;)
-      heard_.append(buffer, static_cast<std::size_t>(n));
-    return heard_;
+    for (ssize_t n = 0; (n = ::read(sent_, buffer, sizeof buffer)) > 0;)
+      received_.append(buffer, static_cast<std::size_t>(n));
+    return received_;
   }
 
  private:
   pid_t child_ = 0;
-  int said_ = -1;
-  std::string heard_;
+  int sent_ = -1;
+  std::string received_;
 };
 
 class Watchdog : public testing::TestWithParam<const char*> {

@@ -11,8 +11,8 @@ TEST(FixedText, WhatFitsIsKeptAsItIs) {
 }
 
 TEST(FixedText, ALongSentenceEndsAfterAWholeWord) {
-  const FixedText<24> said("Check the cable, the supply and the baud rate.");
-  EXPECT_EQ(said.view(), "Check the cable, the\u2026");
+  const FixedText<24> sentence("Check the cable, the supply and the baud rate.");
+  EXPECT_EQ(sentence.view(), "Check the cable, the\u2026");
 }
 
 TEST(FixedText, OneLongWordIsCutBetweenCharacters) {

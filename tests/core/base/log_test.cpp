@@ -77,7 +77,7 @@ TEST_F(Log, LevelOfAPathIsOfAllBelowIt) {
   EXPECT_EQ(log::subject("").level(), log::Level::error);
 }
 
-TEST_F(Log, TheLevelOfAFamilyIsToldOnlyWhileAllBelowItShareIt) {
+TEST_F(Log, TheLevelOfAFamilyIsShownOnlyWhileAllBelowItShareIt) {
   EXPECT_EQ(log::common_level("driver"), log::Level::warning);
   log::set_level("driver.never_opened", log::Level::debug);
   EXPECT_EQ(log::common_level("driver"), std::nullopt);

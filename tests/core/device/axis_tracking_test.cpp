@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/device/stopping_way.h"
 #include "core/time/virtual_scheduler.h"
 
 namespace hw {
@@ -16,7 +17,7 @@ class AxisTrackingTest : public testing::Test {
  protected:
   AxisTrackingTest() {
     catalog.axes = {{"A", ""}, {"B", ""}};
-    draft.axis_count = 2;
+    snapshot.axis_count = 2;
     read(0, false);
     read(1, false, 0, 1);
   }
@@ -26,7 +27,7 @@ class AxisTrackingTest : public testing::Test {
     tracking.read(axis, reading, time.now());
   }
   void pass(double s) { time.run_for(from_seconds(s)); }
-  AxisState& a() { return draft.axes[0]; }
+  AxisState& a() { return snapshot.axes[0]; }
   [[nodiscard]] StopProgress::Now progress(int axis = -1) const {
     StopOrder order;
     order.axis = axis;
@@ -43,11 +44,11 @@ class AxisTrackingTest : public testing::Test {
   IoContext io;
   VirtualScheduler time{io};
   Catalog catalog;
-  Snapshot draft;
+  Snapshot snapshot;
   ScriptTexts texts;
-  std::vector<std::string> told;
-  DriverContext context{time, catalog, draft, texts, [this](const Notice& n) { told.push_back(n.text); },
-                        [] {}};
+  std::vector<std::string> reported;
+  DriverContext context{
+      time, catalog, snapshot, texts, [this](const Notice& n) { reported.push_back(n.text); }, [] {}};
   AxisTracking tracking{context, Pps(400)};
   AxisTracking::Reading reading;
   Instant sent_at{};
@@ -130,7 +131,7 @@ TEST_F(AxisTrackingTest, AStopIsSeenFirstAsStoppingThenAsTheEnd) {
   read(60, false);
   EXPECT_EQ(a().ended_by, EndedBy::stop);
   EXPECT_EQ(progress(0), StopProgress::Now::stands);
-  EXPECT_THAT(told, IsEmpty());
+  EXPECT_THAT(reported, IsEmpty());
   EXPECT_FALSE(a().trust.doubtful());
 }
 
@@ -164,10 +165,11 @@ TEST_F(AxisTrackingTest, AStopWithoutARampMakesTheCountOfAFastAxisDoubtful) {
   read(20, true, 401);
   stop(0, true);
   EXPECT_EQ(a().trust.cause, Doubt::killed);
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_THAT(told[0], HasSubstr("Axis A may have lost steps, as it was stopped at speed without a ramp"));
+  ASSERT_EQ(reported.size(), 1u);
+  EXPECT_THAT(reported[0],
+              HasSubstr("Axis A may have lost steps, as it was stopped at speed without a ramp"));
   stop(0, true);
-  EXPECT_EQ(told.size(), 1u) << "it is told once";
+  EXPECT_EQ(reported.size(), 1u) << "it is told once";
 }
 
 TEST_F(AxisTrackingTest, AMotionThatNobodyHereBeganIsShownAsAMove) {
@@ -180,14 +182,14 @@ TEST_F(AxisTrackingTest, AMotionThatNobodyHereBeganIsShownAsAMove) {
 }
 
 TEST_F(AxisTrackingTest, ARestartMakesAllCountsDoubtfulAndSaysSo) {
-  draft.params[3].known = true;
+  snapshot.params[3].known = true;
   tracking.begun(1, {Activity::moving, Steps(300)});
   tracking.restarted();
-  EXPECT_EQ(draft.restarts, 1u);
-  EXPECT_FALSE(draft.params[3].known);
-  EXPECT_EQ(draft.axes[1].ended_by, EndedBy::lost);
-  for (std::size_t i : {0, 1}) EXPECT_EQ(draft.axes[i].trust.cause, Doubt::power_cut);
-  EXPECT_THAT(told, testing::ElementsAre(HasSubstr("was switched off and on")));
+  EXPECT_EQ(snapshot.restarts, 1u);
+  EXPECT_FALSE(snapshot.params[3].known);
+  EXPECT_EQ(snapshot.axes[1].ended_by, EndedBy::lost);
+  for (std::size_t i : {0, 1}) EXPECT_EQ(snapshot.axes[i].trust.cause, Doubt::power_cut);
+  EXPECT_THAT(reported, testing::ElementsAre(HasSubstr("was switched off and on")));
   tracking.was_set(0);
   EXPECT_EQ(a().trust.kind, Trust::set);
 }
@@ -204,13 +206,13 @@ TEST_F(AxisTrackingTest, WithoutAWireNothingIsKnown) {
 TEST_F(AxisTrackingTest, TheWayOfARampNeverExceedsTheWayThatItCameNorTheRest) {
   AxisState& axis = a();
   axis.ramp = 1000, axis.speed = Pps(1000), axis.began_at = Steps(0), axis.position = Steps(10'000);
-  EXPECT_EQ(stopping_way_by_ramp(catalog, draft, AxisId{0}), 500);
+  EXPECT_EQ(stopping_way_by_ramp(catalog, snapshot, AxisId{0}), 500);
   axis.position = Steps(100);
-  EXPECT_EQ(stopping_way_by_ramp(catalog, draft, AxisId{0}), 100) << "it has not yet reached its speed";
+  EXPECT_EQ(stopping_way_by_ramp(catalog, snapshot, AxisId{0}), 100) << "it has not yet reached its speed";
   axis.position = Steps(10'000), axis.has_target = true, axis.target = Steps(10'040);
-  EXPECT_EQ(stopping_way_by_ramp(catalog, draft, AxisId{0}), 40);
+  EXPECT_EQ(stopping_way_by_ramp(catalog, snapshot, AxisId{0}), 40);
   axis.activity = Activity::stopping;
-  EXPECT_EQ(stopping_way_by_ramp(catalog, draft, AxisId{0}), std::nullopt);
+  EXPECT_EQ(stopping_way_by_ramp(catalog, snapshot, AxisId{0}), std::nullopt);
 }
 
 }  // namespace

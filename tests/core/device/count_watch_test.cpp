@@ -19,13 +19,13 @@ class CountWatchTest : public testing::Test {
   }
   /// Rounds of so long; what they have told in all.
   std::uint32_t reads(std::int64_t place, int rounds = 1, Duration each = Millis(200)) {
-    std::uint32_t told = 0;
+    std::uint32_t reported = 0;
     for (int n = 0; n < rounds; ++n) {
       axis.seen_at += each;
       axis.position = Steps(place);
-      told |= watch.look(now);
+      reported |= watch.look(now);
     }
-    return told;
+    return reported;
   }
   Catalog catalog;
   Snapshot now;
@@ -100,10 +100,10 @@ class CountWatchInAJog : public CountWatchTest {
   std::int64_t at = 5200;
 };
 
-TEST_F(CountWatchInAJog, ACountThatIsSetIsToldWhileTheJogGoesOn) {
-  std::uint32_t told = 0;
-  for (std::int64_t place = 0; place < 2000; place += 200) told |= reads(place);
-  EXPECT_EQ(told, 1u);
+TEST_F(CountWatchInAJog, ACountThatIsSetIsReportedWhileTheJogGoesOn) {
+  std::uint32_t reported = 0;
+  for (std::int64_t place = 0; place < 2000; place += 200) reported |= reads(place);
+  EXPECT_EQ(reported, 1u);
 }
 
 TEST_F(CountWatchInAJog, AndBehindItWhereItEndsAtOnce) {
@@ -154,20 +154,20 @@ class CountWatchInFlight : public CountWatchTest {
   std::int64_t at = 5000;
 };
 
-TEST_F(CountWatchInFlight, ACountThatIsSetDuringAMoveIsTold) {
-  std::uint32_t told = 0;
-  for (std::int64_t place = 0; place < 2000; place += 200) told |= reads(place);
-  EXPECT_EQ(told, 1u);
+TEST_F(CountWatchInFlight, ACountThatIsSetDuringAMoveIsReported) {
+  std::uint32_t reported = 0;
+  for (std::int64_t place = 0; place < 2000; place += 200) reported |= reads(place);
+  EXPECT_EQ(reported, 1u);
 }
 
-TEST_F(CountWatchInFlight, ASmallLeapIsToldEitherWay) {
+TEST_F(CountWatchInFlight, ASmallLeapIsReportedInBothDirections) {
   for (const int leap : {-300, -700, 400, 700}) {
     watch.disturbed();
     for (at = 5000; at < 6000; at += 200) EXPECT_EQ(reads(at), 0u);
     EXPECT_EQ(reads(at + leap, 1), 0u) << "it may be spoilt";
-    std::uint32_t told = 0;
-    for (at += 200; at < 7400; at += 200) told |= reads(at + leap);
-    EXPECT_EQ(told, 1u) << leap;
+    std::uint32_t reported = 0;
+    for (at += 200; at < 7400; at += 200) reported |= reads(at + leap);
+    EXPECT_EQ(reported, 1u) << leap;
   }
 }
 

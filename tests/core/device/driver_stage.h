@@ -104,7 +104,7 @@ class DriverStage : public testing::Test {
     t.value = Steps{value};
     return t;
   }
-  bool told(std::string_view part) {
+  bool reported(std::string_view part) {
     for (const Notice& n : notices)
       if (n.text.find(part) != std::string::npos) return true;
     return false;

@@ -90,6 +90,26 @@ TEST_F(LoadedTextsTest, AProgramWithVariablesIsReadToo) {
   EXPECT_FALSE(places_of("V1=7\nGOSUB 1\nX400\nWAITX\nEND\nSUB 1\nDO1=1\nENDSUB\n").empty());
 }
 
+TEST_F(LoadedTextsTest, AnErrorSubroutineCountsOnWhatHeldWhereverTheErrorCame) {
+  const DeviceType& four = *find_device_type("pmx-4ex-sa");
+  const Catalog axes = *four.make_catalog({});
+  LoadedTexts loaded(axes, &four.language());
+  const auto goes_away = [&](const std::string& text) {
+    loaded.loaded(intent::LoadProgram(0, text));
+    return !loaded.places_in_doubt(0, now).empty();
+  };
+  const std::string back = "END\nSUB 31\nECLEARX\nX0\nWAITX\nENDSUB\n";
+  EXPECT_TRUE(goes_away("V1=7\nHOMEX-\nWAITX\nX400\nWAITX\n" + back)) << "the search itself may fail";
+  EXPECT_TRUE(goes_away("V1=7\nPX=0\nX400\nWAITX\n" + back)) << "what sets its place may be refused";
+  EXPECT_TRUE(goes_away("V1=7\nINC\nX400\nWAITX\n" + back)) << "it may not come to INC";
+  EXPECT_TRUE(goes_away("V1=7\nINC\nX400\nWAITX\nABS\nY5\nWAITY\n" + back)) << "either";
+  EXPECT_TRUE(goes_away("V1=1/V2\n" + back)) << "a division by 0, without any motion";
+  EXPECT_TRUE(goes_away("V1=7\nINC\nX1000\nABS\nWAITX\n" + back)) << "it may come when ABS holds";
+  EXPECT_TRUE(goes_away("PRG 0\nV1=1/V2\nEND\nSUB 31\nX0\nENDSUB\n")) << "a division by 0, without a motion";
+  EXPECT_TRUE(goes_away("PRG 0\nINC\nX1000\nABS\nWAITX\nEND\nSUB 31\nX0\nENDSUB\n")) << "under ABS";
+  EXPECT_FALSE(goes_away("V1=7\nHOMEX-\nWAITX\nEND\nSUB 31\nECLEARX\nHOMEX-\nWAITX\nX0\nENDSUB\n"));
+}
+
 TEST_F(LoadedTextsTest, OnlyTheProgramThatIsStartedAndWhatItStartsAreRead) {
   const DeviceType& four = *find_device_type("pmx-4ex-sa");
   const Catalog axes = *four.make_catalog({});

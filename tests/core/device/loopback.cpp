@@ -92,11 +92,11 @@ void Loopback::step() {
     if (const auto event = emulator_->next_event()) next = std::min(next, *event);
     if (!in_.empty()) next = std::min(next, in_.front().at);
     emulator_->advance_to(next);
-    char said = 0;
+    char sentence = 0;
     if (!in_.empty() && in_.front().at <= next) {
       char c = in_.front().value;
       in_.pop_front();
-      said = c;
+      sentence = c;
       if (byte_times_ && client_rate && client_rate != emulator_->rate()) c = static_cast<char>(c * 7 + 129);
       if (other_)
         for (const char answer : other_(std::string_view(&c, 1))) out_.push_back({now, answer});
@@ -105,8 +105,8 @@ void Loopback::step() {
     }
     std::string output;
     emulator_->take_output(output);
-    if (on_its_way && said != 0) {
-      OnItsWay changed = on_its_way(said, std::move(output));
+    if (on_its_way && sentence != 0) {
+      OnItsWay changed = on_its_way(sentence, std::move(output));
       output = std::move(changed.bytes);
       if (changed.late > Duration::zero()) out_free_ = std::max(out_free_, next + changed.late);
     }

@@ -36,7 +36,7 @@ class Loopback {
     std::string bytes;
     Duration late{};
   };
-  std::function<OnItsWay(char said, std::string answer)> on_its_way;
+  std::function<OnItsWay(char sentence, std::string answer)> on_its_way;
 
   Emulator& emulator() { return *emulator_; }
   Result<> operate(const BenchCommand& command);

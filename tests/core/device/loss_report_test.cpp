@@ -23,7 +23,7 @@ struct LossReportTest : testing::Test {
   LossReport report;
 };
 
-TEST_F(LossReportTest, ACommandOnItsWayIsToldByWhereTheAxesStand) {
+TEST_F(LossReportTest, ACommandOnItsWayIsReportedByWhereTheAxesStand) {
   report.lost(known, false, true, at(2));
   read_at(5);
   known.axes[1].position = Steps(400);
@@ -40,7 +40,7 @@ TEST_F(LossReportTest, OneThatWasNotCarriedOutShowsInThatNothingMoved) {
   EXPECT_NE(back().find("every axis stands where it stood"), std::string::npos);
 }
 
-TEST_F(LossReportTest, AtRestNothingIsToldAndNothingOfWhatARestartEnded) {
+TEST_F(LossReportTest, AtRestNothingIsReportedAndNothingOfWhatARestartEnded) {
   report.lost(known, false, false, at(2));
   read_at(5);
   EXPECT_EQ(back(), "");

@@ -47,13 +47,13 @@ std::vector<std::string> acts_of(const Pieces& pieces) {
   std::vector<std::string> all;
   for (const Piece& piece : pieces.all)
     for (const PieceAct& act : piece.does) {
-      std::string said = "-";
+      std::string sentence = "-";
       if (const auto* move = act.what ? std::get_if<intent::MoveTo>(&*act.what) : nullptr)
-        said = "to " + std::to_string(move->targets.at(0).value.value) + " at " +
-               std::to_string(std::llround(move->speed.value));
+        sentence = "to " + std::to_string(move->targets.at(0).value.value) + " at " +
+                   std::to_string(std::llround(move->speed.value));
       if (const auto* output = act.what ? std::get_if<intent::SetOutput>(&*act.what) : nullptr)
-        said = output->on ? "on" : "off";
-      all.push_back(said);
+        sentence = output->on ? "on" : "off";
+      all.push_back(sentence);
     }
   return all;
 }

@@ -62,8 +62,8 @@ class ToyDriver : public Driver {
     Transaction t("?", ReplyShape::bytes(1), Priority::poll);
     auto reply = co_await station_->transact(std::move(t));
     if (!reply) co_return fail(reply.error());
-    context_.draft.axes[0].seen_at = context_.scheduler.now();
-    context_.draft.axes[0].activity = *reply == "M" ? Activity::moving : Activity::idle;
+    context_.snapshot.axes[0].seen_at = context_.scheduler.now();
+    context_.snapshot.axes[0].activity = *reply == "M" ? Activity::moving : Activity::idle;
     co_return Result<>();
   }
   Task<Result<>> perform(const IntentBody& body) override {
@@ -93,11 +93,11 @@ class ToyDriver : public Driver {
   }
   [[nodiscard]] LastWill last_will(unsigned) const override { return {}; }
   StopProgress stop_progress(const StopOrder&) override {
-    return context_.draft.any_axis_moving() ? StopProgress::again() : StopProgress::stands();
+    return context_.snapshot.any_axis_moving() ? StopProgress::again() : StopProgress::stands();
   }
   void wire_lost() override {
     station_ = nullptr;
-    context_.draft.axes[0].activity = Activity::unknown;
+    context_.snapshot.axes[0].activity = Activity::unknown;
   }
   Task<Result<std::string>> query(std::string text, Duration) override {
     if (text == "defect") throw std::runtime_error("a library gave up");
@@ -208,7 +208,7 @@ TEST_F(PumpTest, PollsSlowlyAtRestAfterAFewQuickRounds) {
   EXPECT_EQ(latest.link.state, LinkState::good);
 }
 
-TEST_F(PumpTest, WhatIsSaidBesidePollsIsToldSoThatItIsShown) {
+TEST_F(PumpTest, TrafficBesidePollsIsReportedSoThatItIsShown) {
   time.run_for(std::chrono::seconds(1));
   const int before = recorded;
   time.run_for(std::chrono::seconds(1));
@@ -361,7 +361,7 @@ TEST_F(PumpTest, AJogThatNobodySeesIsStoppedAtTheSecondMiss) {
   time.run_for(Millis(1));
   EXPECT_FALSE(machine.moves);
   EXPECT_NE(latest.link.state, LinkState::lost);
-  EXPECT_THAT(notices, testing::Contains(HasSubstr("the jog was stopped")));
+  EXPECT_THAT(notices, testing::Contains(HasSubstr("so a stop is being sent")));
   silent = false;
   time.run_for(Millis(300));
 }
@@ -416,7 +416,7 @@ TEST_F(PumpTest, WhileAStopIsOwedTheWireIsTriedEveryQuarterOfASecond) {
   EXPECT_THAT(notices, testing::Each(testing::Not(HasSubstr("It is stopped now")))) << "nothing ran any more";
 }
 
-TEST_F(PumpTest, WhatStillRunsWhenAnOwedStopComesThroughIsTold) {
+TEST_F(PumpTest, WhatStillRunsWhenAnOwedStopComesThroughIsReported) {
   post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   time.run_for(Millis(50));
   machine.deaf_to_stops = true;
@@ -425,7 +425,7 @@ TEST_F(PumpTest, WhatStillRunsWhenAnOwedStopComesThroughIsTold) {
   time.run_for(std::chrono::seconds(2));
   silent = false;
   time.run_for(Millis(400));
-  EXPECT_THAT(notices, testing::Contains(HasSubstr("a stop was being sent")));
+  EXPECT_THAT(notices, testing::Contains(HasSubstr("during a jog or a stop")));
   machine.deaf_to_stops = false;
   time.run_for(Millis(100));
   EXPECT_FALSE(machine.moves);
@@ -475,7 +475,7 @@ TEST_F(PumpTest, ALateKeepAliveDoesNotReviveAStoppedJog) {
   EXPECT_THAT(commands(), ElementsAre("hello", "jog", "stop"));
 }
 
-TEST_F(PumpTest, ThreeMissesAreALossThatIsSaidAndHeals) {
+TEST_F(PumpTest, ThreeMissesAreALossThatIsReportedAndHeals) {
   time.run_for(Millis(500));
   silent = true;
   while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
@@ -517,7 +517,7 @@ TEST_F(PumpTest, ReconnectTriesAtOnce) {
   EXPECT_LT(time.now() - before, Millis(11));
 }
 
-TEST_F(PumpTest, ARefusalIsToldApartFromAFailure) {
+TEST_F(PumpTest, ARefusalDiffersFromAFailure) {
   const IntentId store = post(intent::Store());
   time.run_for(Millis(50));
   EXPECT_EQ(latest.outcome_of(store)->state, IntentState::refused);

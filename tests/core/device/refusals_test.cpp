@@ -73,21 +73,21 @@ TEST(Refusals, TheSentenceNamesAxisCauseAndPlace) {
   Snapshot now = doubtful({0});
   const IntentBody one = intent::MoveTo({to(0, -240)});
   EXPECT_EQ(say(vxm, now, one),
-            "The position of motor 1 cannot be trusted: its power was cut. -240 steps may lie elsewhere than "
-            "before. Nothing was sent. Home it, say where it stands, or go on for this once.");
+            "The position of motor 1 cannot be trusted: its power was cut. -240 steps may differ from "
+            "before. Nothing was sent. Home it, set its position, or go on just this once.");
   now.axes[1].trust.doubt(Doubt::killed, {});
   EXPECT_EQ(say(vxm, now, intent::MoveTo({to(0, 0), to(1, 400)})),
             "The positions of motor 1 (power was cut) and motor 2 (killed at speed) cannot be trusted. Where "
-            "they are sent may lie elsewhere than before. Nothing was sent. Home them, say where they stand, "
-            "or go on for this once.");
-  EXPECT_EQ(say(vxm, doubtful({0, 1}), intent::MoveTo({to(0, 0), to(1, 400)})),
-            "The positions of motor 1 and motor 2 cannot be trusted: their power was cut. Where they are "
-            "sent may lie elsewhere than before. Nothing was sent. Home them, say where they stand, or go on "
-            "for this once.");
+            "they are sent may differ from before. Nothing was sent. Home them, set their positions, or go "
+            "on just this once.");
+  EXPECT_EQ(
+      say(vxm, doubtful({0, 1}), intent::MoveTo({to(0, 0), to(1, 400)})),
+      "The positions of motor 1 and motor 2 cannot be trusted: their power was cut. Where they are sent may "
+      "differ from before. Nothing was sent. Home them, set their positions, or go on just this once.");
   const DoubtWords clock{[](AxisId, Steps) { return "240.000 mm"; }, [](Instant) { return "12:31:07"; }};
   EXPECT_EQ(describe_doubtful(vxm, now, one, 1, clock),
-            "The position of motor 1 cannot be trusted: its power was cut (12:31:07). 240.000 mm may lie "
-            "elsewhere than before. Nothing was sent. Home it, say where it stands, or go on for this once.");
+            "The position of motor 1 cannot be trusted: its power was cut (12:31:07). 240.000 mm may differ "
+            "from before. Nothing was sent. Home it, set its position, or go on just this once.");
   const Catalog dmx = catalog_of("dmx-k-sa", {{"id", "03"}});
   EXPECT_TRUE(say(dmx, doubtful({0}), one).starts_with("The position of axis X of device 03 cannot"));
 }
@@ -122,10 +122,10 @@ TEST(Refusals, WhatIsNotAsItWasSentIsNamedAtClosing) {
   now.slots_torn = 0b1010;
   EXPECT_EQ(
       describe_torn_is_left(slots, now),
-      "Programs 1, 3 in the controller are not what was sent last. Load them again before they are run.");
+      "Programs 1, 3 in the controller are not the text sent last. Load them again before they are run.");
   now.slots_torn = 1;
   EXPECT_EQ(describe_torn_is_left(threads, now),
-            "What is stored in the controller is not what was sent last. Load it again before it is run.");
+            "Load the program again before you run it: the controller does not hold the text sent last.");
 }
 
 }  // namespace

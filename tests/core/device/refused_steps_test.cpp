@@ -55,7 +55,7 @@ TEST(RefusedSteps, SpeedStairsAreOfControllersThatChangeTheirSpeedAtAPlace) {
   }
 }
 
-TEST(RefusedSteps, AllAreToldAndTheRestIsWritten) {
+TEST(RefusedSteps, AllAreReportedAndTheRestIsWritten) {
   seq::Repeat loop;
   loop.times = 3;
   loop.steps = {{seq::Delay{10}}, {seq::WaitInput{77, true}}, {seq::Delay{20}}};

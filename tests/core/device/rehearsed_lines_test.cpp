@@ -10,16 +10,16 @@ namespace {
 
 using EventLine = RehearsedEvent::Line;
 
-struct Told {
+struct Reported {
   const char* model;
   const char* text;
   const char* output;
   const char* input;
   EventLine of_input;
 };
-std::ostream& operator<<(std::ostream& out, const Told& t) { return out << t.model; }
+std::ostream& operator<<(std::ostream& out, const Reported& t) { return out << t.model; }
 
-class RehearsedLines : public testing::TestWithParam<Told> {
+class RehearsedLines : public testing::TestWithParam<Reported> {
  protected:
   const RehearsedEvent* first(const Rehearsal& r, EventLine line, const char* name) {
     const auto found = std::find_if(r.events.begin(), r.events.end(), [&](const RehearsedEvent& e) {
@@ -29,8 +29,8 @@ class RehearsedLines : public testing::TestWithParam<Told> {
   }
 };
 
-TEST_P(RehearsedLines, OutputsAndInputsAreTold) {
-  const Told& t = GetParam();
+TEST_P(RehearsedLines, OutputsAndInputsAreReported) {
+  const Reported& t = GetParam();
   RehearseOptions options;
   options.for_seconds = 2;
   const auto r = find_device_type(t.model)->language().rehearse(t.text, options);
@@ -41,19 +41,19 @@ TEST_P(RehearsedLines, OutputsAndInputsAreTold) {
   EXPECT_TRUE(first(*r, t.of_input, t.input));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, RehearsedLines,
-                         testing::Values(Told{"vxm", "U4\nU5\nU0\n", "output 1", "input 1", EventLine::waits},
-                                         Told{"pmx-4ex-sa", "PRG 0\nDO1=1\nWHILE DI1=1\nENDWHILE\nEND\n",
-                                              "output 1", "DI1", EventLine::looked_at},
-                                         Told{"dmx-k-sa", "SL=0\nDO2=0\nDO2=1\nWHILE DI1=1\nENDWHILE\nEND\n",
-                                              "output 2", "DI1", EventLine::looked_at},
-                                         Told{"vme58", "AX BL8 SW0 MR10 GO ID\n", "Out 8", "line 0",
-                                              EventLine::looked_at}),
-                         [](const testing::TestParamInfo<Told>& info) {
-                           std::string name = info.param.model;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Each, RehearsedLines,
+    testing::Values(Reported{"vxm", "U4\nU5\nU0\n", "output 1", "input 1", EventLine::waits},
+                    Reported{"pmx-4ex-sa", "PRG 0\nDO1=1\nWHILE DI1=1\nENDWHILE\nEND\n", "output 1", "DI1",
+                             EventLine::looked_at},
+                    Reported{"dmx-k-sa", "SL=0\nDO2=0\nDO2=1\nWHILE DI1=1\nENDWHILE\nEND\n", "output 2",
+                             "DI1", EventLine::looked_at},
+                    Reported{"vme58", "AX BL8 SW0 MR10 GO ID\n", "Out 8", "line 0", EventLine::looked_at}),
+    [](const testing::TestParamInfo<Reported>& info) {
+      std::string name = info.param.model;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
 
 // Times of steps and passes go by them.
 TEST(RehearsedTurns, AreOfTheProgramThatIsStartedWhicheverItIs) {

@@ -48,7 +48,7 @@ TEST_F(SequenceTravel, DistancesInALoopAddUpFromWhereTheAxisStands) {
   EXPECT_THAT(refusal(), HasSubstr("1150 pulses lies 150 pulses past the + limit of axis X, 1000"));
 }
 
-TEST_F(SequenceTravel, ALoopThatMovesOnForEverIsSaidToLeaveTheLimit) {
+TEST_F(SequenceTravel, ALoopThatMovesOnForEverIsReportedAsLeavingTheLimit) {
   s.steps = {{seq::Repeat{0, {by(-3)}}}};
   EXPECT_THAT(refusal(), HasSubstr("An endless loop moves axis X further in each pass, and so past its "
                                    "\u2212 limit, -1000"));

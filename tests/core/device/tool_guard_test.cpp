@@ -7,7 +7,7 @@
 namespace hw {
 namespace {
 
-using Wish = ToolGuard::Wish;
+using Request = ToolGuard::Request;
 
 /// An output that stays on whatever it is told.
 TEST(ToolGuard, IsSwitchedOffInVainOnceForEachRun) {
@@ -17,14 +17,14 @@ TEST(ToolGuard, IsSwitchedOffInVainOnceForEachRun) {
   Snapshot now;
   now.axis_count = 1;
   now.outputs = now.outputs_known = 1;
-  const auto wish_behind_a_look = [&](std::uint64_t round) {
-    if (const Wish first = guard.watch(now, round); first != Wish::look) return first;
+  const auto request_after_a_look = [&](std::uint64_t round) {
+    if (const Request first = guard.watch(now, round); first != Request::look) return first;
     guard.looks_by(round + 1, now.io_seen_at);
     now.io_seen_at += std::chrono::seconds(1);
     return guard.watch(now, round + 1);
   };
   guard.pieces_begin(tool, now);
-  EXPECT_EQ(wish_behind_a_look(1), Wish::switch_off);
+  EXPECT_EQ(request_after_a_look(1), Request::switch_off);
   StopOrder order;
   order.what = StopOrder::What::tool;
   order.tool = tool;
@@ -34,10 +34,10 @@ TEST(ToolGuard, IsSwitchedOffInVainOnceForEachRun) {
   EXPECT_EQ(order.times_sent, 5);
   EXPECT_EQ(guard.progress(order, now).now, StopProgress::Now::failed);
   guard.give_up();
-  EXPECT_EQ(wish_behind_a_look(10), Wish::nothing);
+  EXPECT_EQ(request_after_a_look(10), Request::nothing);
   EXPECT_TRUE(guard.may_be_on(now)) << "a stop takes it along all the same";
   guard.pieces_begin(tool, now);
-  EXPECT_EQ(wish_behind_a_look(20), Wish::switch_off);
+  EXPECT_EQ(request_after_a_look(20), Request::switch_off);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST(ToolOff, ATextSaysItInAComment) {
   EXPECT_EQ(tool_off_in(";" + line).value(), tool) << "without a line end";
 }
 
-TEST(ToolOff, SaidTwiceItIsAllOfThem) {
+TEST(ToolOff, GivenTwiceItIsAllOfThem) {
   EXPECT_THAT(tool_off_in("; Tool off: output 1 off\n; Tool off: output 1 off, output 2 off\n").value(),
               ElementsAre(ToolOutput{1, false}, ToolOutput{2, false}));
 }
@@ -75,7 +75,7 @@ TEST(ToolOff, WhatIsNotUnderstoodIsNamedByItsLine) {
   }
 }
 
-TEST(ToolOff, IsToldByTheOutputs) {
+TEST(ToolOff, IsDerivedFromTheOutputs) {
   EXPECT_EQ(tool_outputs_words({{3, false}}), "output 3");
   EXPECT_EQ(tool_outputs_words({{1, false}, {3, true}, {4, false}}), "outputs 1, 3 and 4");
 }

@@ -106,7 +106,7 @@ TEST(TrackPath, OverTimeOneAxisRestsWhileItWaits) {
   EXPECT_NEAR(rests, 2, 0.05);
 }
 
-TEST(TrackPath, EachPassOfALoopIsTold) {
+TEST(TrackPath, EachPassOfALoopIsReported) {
   const auto path = path_of("vxm", "LM0\nI1M100\nI2M100\nLA3\n", first_two());
   std::vector<int> passes;
   for (const auto& run : path.runs)

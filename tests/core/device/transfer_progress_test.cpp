@@ -32,7 +32,7 @@ TEST_F(TransferProgressTest, TheTimeThatIsLeftIsNotKnownAtOnce) {
   EXPECT_EQ(shown.left, Millis(100) * 180) << "by the rate so far, with what is to come behind the writing";
 }
 
-TEST_F(TransferProgressTest, WhereNobodyKnowsHowMuchThereIsNoTimeIsTold) {
+TEST_F(TransferProgressTest, WhereNobodyKnowsHowMuchThereIsNoTimeIsReported) {
   progress.begin(0, now);
   progress.enter(Phase::reading, 0);
   work(50);
@@ -43,26 +43,26 @@ TEST_F(TransferProgressTest, WhereNobodyKnowsHowMuchThereIsNoTimeIsTold) {
 TEST_F(TransferProgressTest, WhatIsWrittenStaysKnownWhenItIsBrokenOff) {
   progress.begin(0, now);
   progress.enter(Phase::writing, 302);
-  EXPECT_EQ(say_written(shown), "at most the first of its 302 lines is written");
+  EXPECT_EQ(report_written(shown), "at most the first of its 302 lines is written");
   work(41);
   progress.end();
   EXPECT_FALSE(shown.running);
-  EXPECT_EQ(say_written(shown), "the first 41 of its 302 lines are written");
+  EXPECT_EQ(report_written(shown), "the first 41 of its 302 lines are written");
   progress.begin(0, now);
   progress.enter(Phase::writing, 302);
   work(1);
-  EXPECT_EQ(say_written(shown), "the first of its 302 lines is written");
+  EXPECT_EQ(report_written(shown), "the first of its 302 lines is written");
   progress.begin(0, now);
   progress.enter(Phase::writing, 1);
-  EXPECT_EQ(say_written(shown), "its line may be written");
+  EXPECT_EQ(report_written(shown), "its line may be written");
   work(1);
-  EXPECT_EQ(say_written(shown), "its line is written, and was not compared");
+  EXPECT_EQ(report_written(shown), "its line is written, and was not compared");
   progress.begin(0, now);
   progress.enter(Phase::comparing, 300);
-  EXPECT_EQ(say_written(shown), "all of its lines are written, and 0 of 300 were compared");
+  EXPECT_EQ(report_written(shown), "all of its lines are written, and 0 of 300 were compared");
   progress.begin(0, now);
   progress.enter(Phase::reading, 300);
-  EXPECT_EQ(say_written(shown), "");
+  EXPECT_EQ(report_written(shown), "");
 }
 
 }  // namespace

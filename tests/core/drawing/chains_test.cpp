@@ -206,7 +206,7 @@ TEST(Chains, NothingIsLostAndTheWayIsShort) {
   EXPECT_LT(way_now, 1.15 * 0.7124 * std::sqrt(2000.0 * 1e6));
 }
 
-TEST(Chains, OrderingEndsWhenItIsTold) {
+TEST(Chains, OrderingEndsOnRequest) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(0, 1000);
   std::vector<Path> paths;

@@ -27,11 +27,11 @@ class DxfFiles : public testing::TestWithParam<ExpectedDrawing> {
     return drawing;
   }
   static void expect_left_out(const Drawing& drawing, const std::vector<std::string>& expected) {
-    std::map<int, std::string> told;  // in the order of the file
+    std::map<int, std::string> reported;  // in the order of the file
     for (const LeftOut& l : drawing.left_out)
-      told[l.entity] += fmt::format("{} {} {}: {}", l.entity, l.what, l.line, l.why);
+      reported[l.entity] += fmt::format("{} {} {}: {}", l.entity, l.what, l.line, l.why);
     std::vector<std::string> rows;
-    for (const auto& [entity, row] : told) rows.push_back(row);
+    for (const auto& [entity, row] : reported) rows.push_back(row);
     ASSERT_EQ(rows.size(), expected.size()) << testing::PrintToString(rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const bool with_reason = expected[i].find(':') != std::string::npos;

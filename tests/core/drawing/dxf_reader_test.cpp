@@ -273,9 +273,10 @@ TEST(DxfReader, WhatCannotBeDrawnIsNamedWithItsPlace) {
               {30, 0}}) +
       groups({{0, "INSERT"}, {8, "0"}, {2, "nowhere"}, {10, 0}, {20, 0}, {30, 0}}) + line(5, 5, 6, 6)));
   EXPECT_EQ(d.paths.size(), 2u);
-  std::string told;
-  for (const LeftOut& l : d.left_out) told += fmt::format("{} {} {}: {}\n", l.entity, l.what, l.line, l.why);
-  EXPECT_EQ(told,
+  std::string reported;
+  for (const LeftOut& l : d.left_out)
+    reported += fmt::format("{} {} {}: {}\n", l.entity, l.what, l.line, l.why);
+  EXPECT_EQ(reported,
             "2 TEXT 22: it is a text\n3 MLINE 36: it is not drawn with lines and arcs\n4 LINE 42: it is not "
             "flat\n5 CIRCLE 58: its radius is not above 0\n6 SPLINE 68: it has too few control points\n7 "
             "INSERT 92: there is no block nowhere\n");
@@ -301,23 +302,29 @@ TEST(DxfReader, WhatIsLeftOutIsFoundInTheDrawing) {
   EXPECT_EQ(at.at("WIPEOUT6"), std::nullopt);
 }
 
-TEST(DxfReader, APolylineLiesWhereItsFirstVertexDoesAndWhatIsMirroredHasNoPlace) {
+TEST(DxfReader, APolylineLiesWhereItsFirstVertexDoesAndWhatIsTurnedWhereItIsSeen) {
   const std::string text =
       "0\nSECTION\n2\nENTITIES\n"
       "0\nPOLYLINE\n8\n0\n67\n1\n66\n1\n10\n0\n20\n0\n30\n0\n70\n0\n"
       "0\nVERTEX\n8\n0\n10\n3\n20\n4\n0\nVERTEX\n8\n0\n10\n5\n20\n6\n0\nSEQEND\n8\n0\n"
       "0\nTEXT\n8\n0\n10\n12\n20\n-3\n40\n1\n1\nhello\n210\n0\n220\n0\n230\n-1\n"
       "0\nTEXT\n8\n0\n10\n7\n20\n8\n40\n1\n1\nhello\n210\n0\n220\n0\n230\n1\n"
+      "0\nCIRCLE\n10\n5\n20\n2\n30\n10\n40\n3\n210\n0.6\n220\n0\n230\n0.8\n"
+      "0\nELLIPSE\n10\n5\n20\n2\n11\n1\n21\n0\n40\n0.5\n41\n0\n42\n6\n210\n3\n220\n0\n230\n4\n"
       "0\nENDSEC\n0\nEOF\n";
   const auto read = read_dxf(text, "a.dxf", {});
   ASSERT_TRUE(read) << read.error().sentence();
-  ASSERT_EQ(read->left_out.size(), 3u);
   std::map<int, std::optional<Point>> at;  // by line
   for (const LeftOut& l : read->left_out) at[l.line] = l.at;
-  auto place = at.begin();
-  EXPECT_EQ(place->second, (Point{3, 4})) << "that of its header is none";
-  EXPECT_EQ((++place)->second, std::nullopt) << "its numbers are not those of the drawing";
+  ASSERT_EQ(at.size(), 5u);
+  auto place = at.begin();  // that of the header of the polyline is none
+  EXPECT_EQ(place->second, (Point{3, 4}));
+  EXPECT_EQ((++place)->second, (Point{-12, -3})) << "seen from below";
   EXPECT_EQ((++place)->second, (Point{7, 8}));
+  const Point askew = (++place)->second.value_or(Point());  // its own X is the drawing's Y
+  EXPECT_NEAR(askew.x, -2 * 0.8 + 10 * 0.6, 1e-12);
+  EXPECT_NEAR(askew.y, 5, 1e-12);
+  EXPECT_EQ((++place)->second, (Point{5, 2})) << "an ellipse is given in space";
 }
 
 TEST(DxfReader, AnEntryThatBeginsLikeTheModelIsNotIt) {
@@ -365,7 +372,7 @@ struct BadFile {
 std::ostream& operator<<(std::ostream& out, const BadFile& b) { return out << b.name; }
 class DxfBad : public testing::TestWithParam<BadFile> {};
 
-TEST_P(DxfBad, IsToldInASentence) {
+TEST_P(DxfBad, IsReportedInASentence) {
   const auto drawing = read_dxf(GetParam().text, "a.dxf", Tolerance());
   ASSERT_FALSE(drawing);
   EXPECT_THAT(drawing.error().sentence(), HasSubstr(GetParam().sentence));
@@ -384,9 +391,9 @@ INSTANTIATE_TEST_SUITE_P(
                             "line 10: there is a zero byte"},
                     BadFile{"TooManyPoints",
                             file(groups({{0, "LWPOLYLINE"}, {8, "0"}, {90, 2e9}, {70, 0}, {10, 0}, {20, 0}})),
-                            "line 6: LWPOLYLINE says that it has more parts than there are"},
+                            "line 6: LWPOLYLINE declares more parts than it has"},
                     BadFile{"NegativeCount", file(groups({{0, "SPLINE"}, {8, "0"}, {71, 3}, {72, -5}})),
-                            "SPLINE says that"}),
+                            "SPLINE declares"}),
     [](const auto& info) { return info.param.name; });
 
 }  // namespace

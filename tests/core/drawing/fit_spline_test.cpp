@@ -56,7 +56,7 @@ TEST(FitSpline, IsSmoothToItsCurvature) {
   }
 }
 
-TEST(FitSpline, LeavesInTheDirectionsThatAreSaid) {
+TEST(FitSpline, LeavesInTheGivenDirections) {
   const Spline s = spline_through({{{0, 0}, {1, 3}, {5, 2}}, false, {2, 0}, {0, -7}});
   expect_at(direction_at(s, 0, 1e-6), 1, 0, 1e-5);
   expect_at(direction_at(s, s.knots.back(), -1e-6), 0, -1, 1e-5);
@@ -83,7 +83,7 @@ TEST(FitSpline, PointsOnALineAreDrawnStraightAndTwoAreALine) {
   EXPECT_FALSE(through({}));
 }
 
-TEST(FitSpline, AFileThatSaysNoMoreIsDrawnAndToldOf) {
+TEST(FitSpline, AFileThatSaysNoMoreIsDrawnAndReported) {
   const std::string head = "0\nSECTION\n2\nENTITIES\n0\nSPLINE\n8\n0\n70\n8\n71\n3\n72\n0\n73\n0\n74\n3\n";
   const auto points = [](const char* last_height) {
     return std::string("11\n0\n21\n0\n31\n0\n11\n1\n21\n3\n31\n0\n11\n5\n21\n2\n31\n") + last_height + "\n";

@@ -131,7 +131,7 @@ TEST(BenchFile, SaysWhereAndWhatIsWrong) {
   EXPECT_EQ(complaint("axes = 4\n").substr(0, 38), "b.toml:1:8: a bench has no \"axes\". Not");
 }
 
-TEST(BenchFile, NoTomlIsSaidWithItsPlace) {
+TEST(BenchFile, NoTomlIsReportedWithItsPlace) {
   const std::string text = complaint("[axis.1]\nplus = \n");
   EXPECT_EQ(text.substr(0, 9), "b.toml:2:") << text;
   EXPECT_NE(text.find("A bench file is TOML"), std::string::npos) << text;

@@ -194,7 +194,7 @@ TEST_F(DirtyLineTest, ASteadyDelayMakesItSlowAndIsNotALoss) {
     std::string bytes;
   };
   std::deque<Owed> outstanding;
-  std::size_t heard = 0;
+  std::size_t received = 0;
   int answered = 0, most_misses = 0, asked = 0;
   Answer answer;
   answer.came = true;
@@ -205,8 +205,9 @@ TEST_F(DirtyLineTest, ASteadyDelayMakesItSlowAndIsNotALoss) {
       answer = Answer();
       ask_number(answer, ++asked % 2 ? "X" : "Y");
     }
-    for (; heard < wire->sent.size(); ++heard)
-      outstanding.push_back({time.now() + std::chrono::seconds(2), wire->sent[heard] == "V" ? "R" : "42\r"});
+    for (; received < wire->sent.size(); ++received)
+      outstanding.push_back(
+          {time.now() + std::chrono::seconds(2), wire->sent[received] == "V" ? "R" : "42\r"});
     for (; !outstanding.empty() && outstanding.front().at <= time.now(); outstanding.pop_front())
       arrive(outstanding.front().bytes);
     time.run_for(Millis(1));

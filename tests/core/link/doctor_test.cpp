@@ -16,13 +16,13 @@ struct Talk {
   TalkRecorder recorder;
   Instant now{};
   void ask(std::string_view question) { recorder.record(now, Way::sent, TrafficKind::poll, question); }
-  void hear(std::string_view bytes, TrafficKind kind = TrafficKind::poll) {
+  void receive(std::string_view bytes, TrafficKind kind = TrafficKind::poll) {
     recorder.record(now, Way::received, kind, bytes);
   }
   void question(std::string_view question, std::string_view answer, Duration takes) {
     ask(question);
     now += takes;
-    hear(answer);
+    receive(answer);
     now += Millis(100);
   }
 };
@@ -72,10 +72,10 @@ TEST(TalkMeasure, TellsEchoSecondAnswerAndNonsenseApart) {
   Talk talk;
   talk.question("@01PX\r", "@01PX\r", Millis(5));
   talk.question("@01PX\r", "1200\r", Millis(5));
-  talk.hear("1200\r", TrafficKind::unparsed);
+  talk.receive("1200\r", TrafficKind::unparsed);
   talk.question("@01PX\r", "1200\r", Millis(5));
-  talk.hear("\xF0\x81\xFE", TrafficKind::unparsed);
-  talk.hear("^", TrafficKind::unsolicited);
+  talk.receive("\xF0\x81\xFE", TrafficKind::unparsed);
+  talk.receive("^", TrafficKind::unsolicited);
   const TalkMeasure m = talk.recorder.measure();
   EXPECT_EQ(m.echoes, 1);
   EXPECT_EQ(m.second_answers, 1);
@@ -92,12 +92,12 @@ TEST(TalkMeasure, AnEchoThatIsNoAnswerIsAnEchoAllTheSame) {
   Talk talk;
   for (const std::string_view letter : {"V", "X", "Y"}) {
     talk.ask(letter);
-    talk.hear(letter, TrafficKind::unparsed);
-    talk.hear("R");
+    talk.receive(letter, TrafficKind::unparsed);
+    talk.receive("R");
   }
   talk.ask("@01PX\r");
-  talk.hear("@01PX\r", TrafficKind::unparsed);
-  talk.hear("1200\r", TrafficKind::unparsed);
+  talk.receive("@01PX\r", TrafficKind::unparsed);
+  talk.receive("1200\r", TrafficKind::unparsed);
   const TalkMeasure m = talk.recorder.measure();
   EXPECT_EQ(m.echoes, 4);
   EXPECT_EQ(m.second_answers, 0) << "the answer behind an echo is the first";
@@ -107,9 +107,9 @@ TEST(TalkMeasure, AnEchoThatIsNoAnswerIsAnEchoAllTheSame) {
 TEST(TalkMeasure, TheSameAnswerTwiceIsASecondAnswerHoweverItEnds) {
   Talk talk;
   talk.question("V", "R", Millis(5));
-  talk.hear("R", TrafficKind::unparsed);
+  talk.receive("R", TrafficKind::unparsed);
   talk.question("@01PX\r", std::string_view("1200\0", 5), Millis(5));
-  talk.hear(std::string_view("1300\0", 5), TrafficKind::unparsed);
+  talk.receive(std::string_view("1300\0", 5), TrafficKind::unparsed);
   EXPECT_EQ(talk.recorder.measure().second_answers, 2);
   EXPECT_EQ(talk.recorder.measure().wrong, 0u);
 }
@@ -137,7 +137,7 @@ TEST(LinkDoctor, OffersTheFixesThatCanBeTakenBack) {
   const auto found = examine_link(slow_line());
   const LinkFinding* adapter = find(found, Kind::adapter);
   ASSERT_TRUE(adapter);
-  EXPECT_EQ(adapter->what, "The USB adapter waits up to 16 ms before it hands bytes on");
+  EXPECT_EQ(adapter->what, "The USB adapter waits up to 16 ms before it passes bytes on");
   EXPECT_THAT(adapter->why, HasSubstr("1 ms saves 15.0 ms a question. No controller is touched."));
   EXPECT_EQ(adapter->fix, Fix::set_adapter_timer);
   const LinkFinding* rate = find(found, Kind::rate);
@@ -172,7 +172,7 @@ TEST(LinkDoctor, TellsSilenceFromAWrongRate) {
   EXPECT_EQ(examine_link(f).front().what, "Nothing comes back");
   f.talk.received = f.talk.wrong = 12;
   const auto found = examine_link(f);
-  EXPECT_EQ(found.front().what, "What comes back makes no sense");
+  EXPECT_EQ(found.front().what, "The replies make no sense");
   EXPECT_THAT(found.front().why, HasSubstr("another rate than 9600 baud"));
   EXPECT_EQ(found.front().fix, Fix::change_address);
   EXPECT_FALSE(find(found, Kind::rate)) << "nothing is raised where nothing answers";
@@ -199,7 +199,7 @@ TEST(LinkDoctor, NamesEchoSecondAnswersLossesAndTheOtherProgram) {
   for (const LinkFinding& finding : examine_link(f))
     if (finding.state == State::wrong) all += finding.what + "\n";
   EXPECT_THAT(all, HasSubstr("The console receives its own bytes"));
-  EXPECT_THAT(all, HasSubstr("Two answers came to one question"));
+  EXPECT_THAT(all, HasSubstr("One question got two answers"));
   EXPECT_THAT(all, HasSubstr("8 of 40 questions got no answer"));
   EXPECT_THAT(all, HasSubstr("minicom (process 4182) has the port open too"));
 }

@@ -271,14 +271,14 @@ TEST_F(BusTest, AStopOfOneDeviceOvertakesAllAndDropsOnlyItsOwn) {
 }
 
 TEST_F(BusTest, BetweenTheWordsOfAStopNobodyElseIsAsked) {
-  Answer poll, first, second, neighbour;
+  Answer poll, first, second, other_device;
   bool stops = true;
   station.stops = [&] { return stops; };
   start_on(other, "@02PX\r", ReplyShape::line(), Priority::poll, poll);
   start_on(station, "@01SR0=0\r", ReplyShape::line(), Priority::stop, first);
   arrive("OK\r");
   EXPECT_THAT(wire->sent, ElementsAre("@01SR0=0\r"));
-  start_on(other, "@02STOP\r", ReplyShape::line(), Priority::stop, neighbour);
+  start_on(other, "@02STOP\r", ReplyShape::line(), Priority::stop, other_device);
   arrive("OK\r");
   start_on(station, "@01STOP\r", ReplyShape::line(), Priority::stop, second);
   arrive("OK\r");
@@ -357,18 +357,18 @@ TEST_F(BusTest, WhatLooksDifferentIsNotWaitedFor) {
 }
 
 TEST_F(BusTest, WhatNobodyAskedForGoesToWhoseItIs) {
-  const auto hears = [](std::string mark, std::string& heard) {
-    return [mark, &heard](std::string_view bytes) -> std::size_t {
+  const auto receives = [](std::string mark, std::string& received) {
+    return [mark, &received](std::string_view bytes) -> std::size_t {
       const auto end = bytes.find('\r');
       if (end == bytes.npos) return bytes.front() == '$' ? bytes.npos : 0;
       if (bytes.substr(0, end) != mark) return 0;
-      heard += mark;
+      received += mark;
       return end + 1;
     };
   };
   std::string first, second;
-  station.unsolicited = hears("$01P", first);
-  other.unsolicited = hears("$02P", second);
+  station.unsolicited = receives("$01P", first);
+  other.unsolicited = receives("$02P", second);
   arrive("$02P\r$01P\r$02P\r");
   EXPECT_EQ(first, "$01P");
   EXPECT_EQ(second, "$02P$02P");
@@ -397,13 +397,13 @@ TEST_F(BusTest, WhoLeavesTakesItsTransactionsAlongAndTheLateAnswerIsNobodys) {
 }
 
 TEST_F(BusTest, AClosedWireIsClosedForAll) {
-  int told = 0;
-  station.closed = other.closed = [&](const Fault&) { ++told; };
+  int reported = 0;
+  station.closed = other.closed = [&](const Fault&) { ++reported; };
   Answer waiting;
   start_on(other, "@02PX\r", ReplyShape::line(), Priority::poll, waiting);
   wire->listener->stream_closed(Fault(FaultKind::lost, "The cable was pulled."));
   time.run_for(Duration::zero());
-  EXPECT_EQ(told, 2);
+  EXPECT_EQ(reported, 2);
   EXPECT_EQ(waiting.result.error().what, "The cable was pulled.");
   EXPECT_FALSE(station.is_open() || other.is_open());
 }

@@ -172,11 +172,11 @@ TEST(Plant, AnIndexMarkIsFoundElsewhereAfterEachReversal) {
   std::set<std::int64_t> seen;
   for (int i = 0; i < 60; ++i) {
     const Sign way = i % 2 == 0 ? Sign::minus : Sign::plus;
-    const std::int64_t told = p.index_shift(way);
+    const std::int64_t reported = p.index_shift(way);
     p.turn(way, 10);
-    EXPECT_EQ(p.index_shift(), told) << "as it was told before the move";
-    EXPECT_EQ(p.index_shift(way), told);
-    seen.insert(told);
+    EXPECT_EQ(p.index_shift(), reported) << "as it was told before the move";
+    EXPECT_EQ(p.index_shift(way), reported);
+    seen.insert(reported);
   }
   EXPECT_EQ(seen.size(), 7u);
 }

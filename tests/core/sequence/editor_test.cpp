@@ -73,6 +73,21 @@ TEST_F(EditorTest, AStepMovesInAndOutOfLoops) {
   EXPECT_FALSE(editor.move({1}, {9}));
 }
 
+TEST_F(EditorTest, AllButTheStepsIsReplacedAsOneChange) {
+  Sequence frame = frame_of(editor.sequence());
+  frame.pen_down = {{Output{1, true}}};
+  editor.replace_frame(frame);
+  EXPECT_EQ(now(), "1 (2 3) 4");
+  EXPECT_EQ(editor.sequence().pen_down.size(), 1u);
+  const auto version = editor.version();
+  editor.replace_frame(frame);
+  EXPECT_EQ(editor.version(), version) << "no change";
+  EXPECT_EQ(after_undo(), "1 (2 3) 4");
+  EXPECT_TRUE(editor.sequence().pen_down.empty());
+  editor.redo();
+  EXPECT_EQ(editor.sequence().pen_down.size(), 1u);
+}
+
 TEST(SequenceEditor, OneThatPassesItsLikeStandsBehindIt) {
   Editor editor;
   Sequence s;

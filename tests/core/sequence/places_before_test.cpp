@@ -144,7 +144,7 @@ TEST_F(PlacesBefore, AContourThatEndsRampedComesToRestWhereItsRampTakesIt) {
   EXPECT_NEAR(*reaches_between(s, {0, 1}).front().greatest[1], 7, 1e-9);
 }
 
-TEST_F(PlacesBefore, OfAnAxisUntilItIsHomedOnlyWhereItIsSentBeforeIsTold) {
+TEST_F(PlacesBefore, OfAnAxisUntilItIsHomedOnlyEarlierTargetsAreListed) {
   const auto reach = [this] { return reaches_between(s, {0, s.steps.size()}, {}, {true, true}).front(); };
   s.steps = {{Repeat{2, {{Jog{1}}, to({}, 2, true), {Home{1}}, to({}, 4)}}}, to(1, {}), {Home{0}}, to(9, {})};
   EXPECT_FALSE(reach().greatest[1]) << "its home is looked for before it is sent to a place";

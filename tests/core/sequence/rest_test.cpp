@@ -162,7 +162,8 @@ TEST(Rest, BehindAContourThatEndsRampedItIsKnownWhereARehearsalShowsItAndNothing
   EXPECT_FALSE(rest_from(of({{c}, {to(0, 0)}}), 1, {}, Rehearsed::yes)) << "nobody has said how it ramps";
   const auto unseen = rest_from(s, 3);
   ASSERT_FALSE(unseen);
-  EXPECT_THAT(unseen.error().sentence(), HasSubstr("where X stands before step 4: step 2 (Contour"));
+  EXPECT_THAT(unseen.error().sentence(),
+              HasSubstr("position of X before step 4 is unknown: the machine decides where step 2 (Contour"));
   EXPECT_TRUE(rest_from(of({{c}, {to(0, 0)}, {to(5, 5)}}), 2)) << "it was sent to a place since";
 }
 
@@ -183,7 +184,7 @@ TEST(Rest, RefusesWhatNobodyCanKnow) {
     return rest ? "" : rest.error().sentence();
   };
   EXPECT_THAT(why(of({{by(5)}, {to(1, 1)}}), 1), HasSubstr("step 1 (Move by X 5)"));
-  EXPECT_THAT(why(of({{Home{1}}, {to(1, {})}}), 1), HasSubstr("where Y stands before step 2"));
+  EXPECT_THAT(why(of({{Home{1}}, {to(1, {})}}), 1), HasSubstr("position of Y before step 2 is unknown"));
   EXPECT_EQ(why(of({{Home{1}}, {to(1, 1)}, {to(2, 2)}}), 2), "") << "it was sent to a place since";
   EXPECT_THAT(why(of({{Repeat{0, {{by(5)}}}}, {to(1, 1)}}), 1), HasSubstr("never reached"));
   EXPECT_THAT(why(of({{to(1, 1)}, {Custom{"", "X5"}}, {to(1, {})}}), 2), HasSubstr("step 2 (Own text X5)"));

@@ -99,7 +99,7 @@ struct Wrong {
 std::ostream& operator<<(std::ostream& out, const Wrong& w) { return out << w.name; }
 class SequenceFileWrong : public testing::TestWithParam<Wrong> {};
 
-TEST_P(SequenceFileWrong, IsToldWithItsLine) {
+TEST_P(SequenceFileWrong, IsReportedWithItsLine) {
   const auto read = read_sequence(GetParam().text, "a.toml");
   ASSERT_FALSE(read);
   EXPECT_THAT(read.error().what, HasSubstr(GetParam().sentence));
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"NoToml", "handwheel_sequence = = 1", "line 1"},
         Wrong{"NoVersion", "unit = \"mm\"", "not a sequence"},
         Wrong{"Newer", "handwheel_sequence = 2", "version 1"},
-        Wrong{"NoAxes", "handwheel_sequence = 1\nsteps = []", "which axes"},
+        Wrong{"NoAxes", "handwheel_sequence = 1\nsteps = []", "does not list its axes"},
         Wrong{"AxisTwice",
               "handwheel_sequence = 1\naxes = [ { name = \"X\" }, { name = \"X\" } ]\nsteps = []",
               "line 2: each axis has a name of its own"},

@@ -31,7 +31,7 @@ TEST(AddressIds, EachDeviceHasAnAddressOfItsOwn) {
   EXPECT_EQ(address("vxm@emulator").devices().size(), 1u);
 }
 
-TEST(AddressIds, WhatIsNoIdIsSaid) {
+TEST(AddressIds, AnInvalidIdIsReported) {
   for (const char* wrong : {"7", "007", "1-4", "01-", "-04", "04-01", "01-01", "01,03-", "a1", "01-0x"}) {
     const auto read = Address::parse(std::string("vxm@emulator,id=") + wrong);
     ASSERT_FALSE(read) << wrong;

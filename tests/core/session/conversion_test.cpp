@@ -125,18 +125,33 @@ TEST_P(ConversionTest, WhatWouldLoseItsShapeIsRefused) {
   EXPECT_THAT(refusal(), HasSubstr("All of the drawing lies within one of the"));
 }
 
-TEST_P(ConversionTest, ALayerIsTheSameInCapitalsAndAnotherIsToldWhichThereAre) {
+TEST_P(ConversionTest, ALayerIsTheSameInCapitalsAndAnUnknownOneListsThem) {
   o.layers = {"CUT"};
   EXPECT_TRUE(convert(read(), catalog, o));
   o.layers = {"engrave"};
   EXPECT_THAT(convert(read(), catalog, o).error().sentence(), HasSubstr("It has \"cut\""));
 }
 
-TEST(Conversion, ContoursNeedASpeedThatSomebodyHasSaid) {
+TEST(Conversion, ContoursNeedAGivenSpeed) {
   EmulatorDrawing vme("vme58");
   vme.o.cutting = {};
   EXPECT_THAT(convert(read(), vme.catalog, vme.o).error().sentence(),
               HasSubstr("Give the speed with the tool on."));
+}
+
+TEST_P(ConversionTest, OneSpeedAloneIsNotTakenForTheOther) {
+  const auto refusal = [&] {
+    const auto converted = convert(read(), catalog, o);
+    return converted ? std::string("converted") : converted.error().sentence();
+  };
+  o.cutting_name = "--cut-speed", o.travel_name = "--travel-speed";
+  o.cutting = {}, o.travel = {20, 0, 0};
+  EXPECT_THAT(refusal(), HasSubstr("Give --cut-speed")) << "it would cut as fast as it travels";
+  o.cutting = {10, 0, 0}, o.travel = {};
+  if (catalog.can.contours)
+    EXPECT_EQ(refusal(), "converted") << "a contour has a speed of its own";
+  else
+    EXPECT_THAT(refusal(), HasSubstr("Give --travel-speed too."));
 }
 
 TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
@@ -157,10 +172,10 @@ TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
   EXPECT_THAT(refusal({line, {0, 0}, {1e12, 0}, {}, 0}),
               testing::ContainsRegex("(Entity|[Ss]tep) [0-9]+.*goes from"));
   for (const double far : {1e30, -1e300}) {
-    const std::string said = refusal({line, {0, 0}, {far, 0}, {}, 0});
-    EXPECT_THAT(said, HasSubstr(far > 0 ? "Entity 1, line 2 of the file, reaches to 1e+30 mm"
-                                        : "reaches to -1e+300 mm"));
-    EXPECT_LT(said.size(), 150u) << said;
+    const std::string sentence = refusal({line, {0, 0}, {far, 0}, {}, 0});
+    EXPECT_THAT(sentence, HasSubstr(far > 0 ? "Entity 1, line 2 of the file, reaches to 1e+30 mm"
+                                            : "reaches to -1e+300 mm"));
+    EXPECT_LT(sentence.size(), 150u) << sentence;
   }
   if (going_of(catalog) != drawing::Going::arcs) return;
   const double radius = reach - 2;
@@ -288,7 +303,7 @@ TEST_P(ConversionTest, WhatLiesBeyondTheControllersRangeIsNamedByItsEntityAndLin
   EXPECT_THAT(converted.error().sentence(), HasSubstr("a " + catalog.short_name + " goes from "));
 }
 
-TEST(Conversion, AnOutlineIsShownWhereNobodyHasSaidTheUnit) {
+TEST(Conversion, AnOutlineIsShownWhereTheUnitIsNotGiven) {
   const std::string lines = pairs({{0, "SECTION"}, {2, "ENTITIES"}, {0, "LINE"}, {8, "0"}}) +
                             "10\n10\n20\n20\n11\n40\n21\n60\n" + pairs({{0, "ENDSEC"}, {0, "EOF"}});
   const auto drawing = drawing::read_dxf(lines, "a.dxf", {});
@@ -297,24 +312,24 @@ TEST(Conversion, AnOutlineIsShownWhereNobodyHasSaidTheUnit) {
   o.placing.origin = drawing::Placing::Origin::lower_left;
   auto outline = outline_of(*drawing, o);
   ASSERT_TRUE(outline) << outline.error().sentence();
-  EXPECT_FALSE(outline->unit_is_said);
+  EXPECT_FALSE(outline->unit_is_given);
   EXPECT_DOUBLE_EQ(outline->path.way_on, 50);
   o.drawing_unit = "in", o.times = 0.5;
   outline = outline_of(*drawing, o);
   ASSERT_TRUE(outline);
-  EXPECT_TRUE(outline->unit_is_said);
+  EXPECT_TRUE(outline->unit_is_given);
   EXPECT_NEAR(outline->path.way_on, 50 * 25.4 / 2, 1e-9);
   EXPECT_NEAR(outline->path.points.back().y, 40 * 25.4 / 2, 1e-9);
 }
 
 TEST_P(ConversionTest, WhoSaysTheUnitIsBelievedBeforeTheFile) {
-  auto said = drawing::read_dxf(drawing_text(), "a.dxf", drawing::Tolerance{0.01});
-  ASSERT_TRUE(said) << said.error().sentence();
-  said->unit = "mm";
-  const auto by_file = convert(*said, catalog, o);
+  auto sentence = drawing::read_dxf(drawing_text(), "a.dxf", drawing::Tolerance{0.01});
+  ASSERT_TRUE(sentence) << sentence.error().sentence();
+  sentence->unit = "mm";
+  const auto by_file = convert(*sentence, catalog, o);
   ASSERT_TRUE(by_file) << by_file.error().sentence();
   o.drawing_unit = "cm", o.times = 0.2;
-  const auto by_user = convert(*said, catalog, o);
+  const auto by_user = convert(*sentence, catalog, o);
   ASSERT_TRUE(by_user) << by_user.error().sentence();
   EXPECT_NEAR(by_user->drawn, 2 * by_file->drawn, 1e-6 * by_file->drawn);
 }
@@ -332,7 +347,7 @@ TEST(Conversion, EveryUnitOfADxfFileHasALength) {
   EXPECT_FALSE(millimetres(""));
 }
 
-TEST(Conversion, OfToolsThatSeveralDrawWithItIsSaidWhatALostLinkMeans) {
+TEST(Conversion, OfToolsThatSeveralDrawWithItIsReportedWhatALostLinkMeans) {
   std::vector<Catalog> members;
   for (const char* id : {"01", "02"})
     members.push_back(*find_device_type("dmx-k-sa")->make_catalog({{"id", id}}));
@@ -341,11 +356,12 @@ TEST(Conversion, OfToolsThatSeveralDrawWithItIsSaidWhatALostLinkMeans) {
   ASSERT_TRUE(together);
   sequence::Sequence s;
   s.axes = {{"01", 100}, {"02", 100}};
-  EXPECT_EQ(*said_of_tool(s, *together), "") << "it has none";
+  EXPECT_EQ(*tool_remark(s, *together), "") << "it has none";
   s.pen_down = {{sequence::Output{1, true}}}, s.pen_up = {{sequence::Output{1, false}}};
   s.steps = {{sequence::Pen{true}}, {sequence::Pen{false}}};
-  EXPECT_THAT(*said_of_tool(s, *together), HasSubstr("output 1"));
-  EXPECT_THAT(*said_of_tool(s, *together), HasSubstr("While the link is lost nothing can"));
+  EXPECT_THAT(*tool_remark(s, *together), HasSubstr("output 1"));
+  EXPECT_THAT(*tool_remark(s, *together),
+              HasSubstr("While the link is lost the console cannot switch it off"));
 }
 
 TEST_P(ConversionTest, TheWayWithTheToolUpIsTheOneThatTheMachineGoes) {

@@ -230,16 +230,16 @@ TEST(HostileFiles, TheNameOfAFileStaysOnItsLine) {
        {std::string("a\x1B[2J\nb"), std::string("\u202Egnp.exe"), std::string("\xFF\xFE"),
         std::string(250, 'x'), std::string(100'000, 'x'), std::string("a\rb")}) {
     const auto path = folder.path() / name;
-    std::vector<std::string> said;
-    if (const auto read = read_file(path, 100); !read) said.push_back(read.error().sentence());
-    if (const auto read = load_text(path); !read) said.push_back(read.error().sentence());
-    if (const auto read = load_backup(path); !read) said.push_back(read.error().sentence());
+    std::vector<std::string> sentence;
+    if (const auto read = read_file(path, 100); !read) sentence.push_back(read.error().sentence());
+    if (const auto read = load_text(path); !read) sentence.push_back(read.error().sentence());
+    if (const auto read = load_backup(path); !read) sentence.push_back(read.error().sentence());
     if (const auto written = write_file(path / "a", "b"); !written)
-      said.push_back(written.error().sentence());
+      sentence.push_back(written.error().sentence());
     if (const auto read = decode_text(std::string(1, '\0'), name); !read)
-      said.push_back(read.error().sentence());
-    EXPECT_EQ(said.size(), 5u);
-    for (const std::string& sentence : said) {
+      sentence.push_back(read.error().sentence());
+    EXPECT_EQ(sentence.size(), 5u);
+    for (const std::string& sentence : sentence) {
       EXPECT_LT(sentence.size(), 1500u) << sentence.substr(0, 200);
       for (const char* acts : {"\x1B", "\n", "\r", "\u202E", "\xFF"})
         EXPECT_EQ(sentence.find(acts), std::string::npos) << sentence.substr(0, 200);

@@ -23,6 +23,8 @@ Profile stage() {
   p.axes[2].travel.has_plus = true;
   p.axes[3].unit_choice = own_unit_choice;
   p.axes[3].own_unit = {"inch", 0.000125};
+  p.axes[3].backlash = {Steps(60), Sign::minus};
+  p.axes[3].jog_speed = Pps(120);
   p.places = {{"load", {{AxisId{0}, Steps(5)}, {AxisId{2}, Steps(-7)}}},
               {"u\u00e9 \"x\"", {{AxisId{1}, Steps(1)}}}};
   p.jog_step = Steps(40);

@@ -31,7 +31,7 @@ TEST(LastEnds, WhatIsConfirmedLaterTakesThePlaceOfWhatWasWrittenFirst) {
   test::Folder folder;
   const LastEnds ends(UserFolders::below(folder.path()));
   LastEnd first = some_end(), other = some_end();
-  first.controllers[0].outcome = LastEnd::Outcome::told;
+  first.controllers[0].outcome = LastEnd::Outcome::stop_sent;
   other.time = "14:02:12";
   ASSERT_TRUE(ends.keep(first) && ends.keep(other) && ends.keep(some_end()));
   const auto taken = ends.take();
@@ -60,7 +60,7 @@ TEST(LastEnd, SaysWhatIsKnown) {
             "At 14:02:11 the session was ended (SIGTERM). PMX table: axis X was moving; it was stopped, and "
             "confirmed at rest.");
   EXPECT_TRUE(end.harmless());
-  end.controllers.push_back({"Stage", "Program 2 was running", LastEnd::Outcome::told});
+  end.controllers.push_back({"Stage", "Program 2 was running", LastEnd::Outcome::stop_sent});
   EXPECT_FALSE(end.harmless());
   EXPECT_THAT(end.sentence("2026-11-24"), HasSubstr("On 2026-11-23 at 14:02:11"));
   EXPECT_THAT(end.sentence("2026-11-24"), HasSubstr("before it was seen at rest"));

@@ -90,7 +90,7 @@ TEST(ParameterFile, OtherModelIsRefused) {
               HasSubstr("x.toml is for a controller \"other\", this one is \"toy\"."));
 }
 
-TEST(ParameterFile, AValueWithDecimalsIsSaidToBeInPartsOfItsUnit) {
+TEST(ParameterFile, AValueWithDecimalsIsReportedAsPartsOfItsUnit) {
   Catalog c = catalog();
   c.params[0].decimals = 3;
   Backup b;
@@ -111,7 +111,7 @@ TEST(ParameterFile, AUnitThatFollowsALoopIsNamedBothWays) {
   EXPECT_THAT(write_backup(b, c), HasSubstr("# Jog speed, steps/s (closed loop: counts/s)\n"));
 }
 
-TEST(ParameterFile, DiskFullIsSaid) {
+TEST(ParameterFile, DiskFullIsReported) {
   Backup b;
   b.model = "toy";
   const auto saved = save_backup("/dev/full", b, catalog());

@@ -99,7 +99,7 @@ TEST(TextFile, SavingKeepsLinkAndPermissions) {
   EXPECT_EQ(about.st_mode & 0777, 0640u);
 }
 
-TEST(TextFile, MissingFolderIsSaid) {
+TEST(TextFile, MissingFolderIsReported) {
   test::Folder folder;
   TextFile file;
   const auto saved = save_text(folder.path() / "no" / "such" / "a.vxm", file);

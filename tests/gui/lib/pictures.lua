@@ -2,6 +2,7 @@
 -- Arguments of the scripts that use it: FOLDER [PART-OF-A-NAME [dark|light]]
 folder, wanted, only_theme = hw.args[1] or ".", hw.args[2] or "", hw.args[3]
 wide = {1440, 900, 1, "1440"}
+laptop = {1366, 768, 1, "1366"}
 medium = {1024, 700, 1, "1024"}
 narrow = {720, 450, 2, "narrow200"}  -- 200 % in a window of 1440x900 pixels
 wide_200 = {1440, 900, 2, "wide200"}

@@ -33,9 +33,9 @@ TEST_F(CommandHelpTest, OneMovingCommandMakesTheLineMove) {
   EXPECT_THAT(hint("R,"), HasSubstr("may move"));
 }
 
-TEST_F(CommandHelpTest, UnknownCommandIsSaidSo) {
+TEST_F(CommandHelpTest, AnUnknownCommandIsReportedAsSuch) {
   EXPECT_TRUE(help.hint("zzz").unknown);
-  EXPECT_THAT(hint("zzz"), HasSubstr("no command of this controller begins like this"));
+  EXPECT_THAT(hint("zzz"), HasSubstr("no command of this controller begins this way"));
   EXPECT_TRUE(help.hint("r").unknown == false) << "rsm begins with r";
   EXPECT_TRUE(help.hint("S1M5x").unknown);
   EXPECT_EQ(hint(""), "");
@@ -71,15 +71,15 @@ TEST(Worker, RunsBesideAndHandsOver) {
 
 TEST(Worker, FinishesFilesAtTheEndAndDropsResultsOfTheGone) {
   std::atomic<bool> ran = false;
-  bool told = false;
+  bool reported = false;
   {
     Worker worker({}, true);
     auto gone = std::make_shared<int>(0);
-    worker.run([&] { return ran = true, 0; }, [&](int) { told = true; }, gone);
+    worker.run([&] { return ran = true, 0; }, [&](int) { reported = true; }, gone);
     gone.reset();
   }
   EXPECT_TRUE(ran);
-  EXPECT_FALSE(told);
+  EXPECT_FALSE(reported);
 }
 
 }  // namespace

@@ -44,6 +44,80 @@ TEST(EndingWords, SayHowAMotionEndedAndWhere) {
   EXPECT_DOUBLE_EQ(event_of(motion(EndedBy::target), catalog, in_mm).took_s, 7);
 }
 
+Ending of_run(Ending e, double at) {
+  e.of_run = e.beside_program = true;
+  e.at = Instant(from_seconds(at));
+  return e;
+}
+Ending program(EndedBy by, double at, StoppedBy who = StoppedBy::nobody) {
+  Ending e;
+  e.what = Ending::What::program;
+  e.slot = 2;
+  e.began = Instant{seconds(1)}, e.at = Instant(from_seconds(at));
+  e.by = by, e.who = who;
+  return e;
+}
+/// All lines, oldest first.
+std::string told(std::initializer_list<Ending> endings) {
+  EventLog log;
+  for (const Ending& ending : endings) log.add(ending, catalog, in_mm);
+  std::string all;
+  for (const Happening& event : log.list()) all += (all.empty() ? "" : " | ") + event.who + " " + event.words;
+  return all;
+}
+
+TEST(OneThingIsOneLine, AProgramAndTheMotionThatAStopEndsWithIt) {
+  Ending y = of_run(motion(EndedBy::stop, StoppedBy::key), 9);
+  y.timed = true;
+  y.to_rest = Millis(84), y.ran_on = Steps(100);
+  constexpr const char* line = "Program 2 stopped by Esc; Y at rest 84 ms later, 1 mm on, at 85 mm";
+  EXPECT_EQ(told({y, program(EndedBy::stop, 9.2, StoppedBy::key)}), line);
+  EXPECT_EQ(told({program(EndedBy::stop, 8.5, StoppedBy::key), y}), line) << "it still slowed down";
+  Ending x = y;
+  x.axis = 0;
+  EXPECT_EQ(told({y, x, program(EndedBy::stop, 9.2, StoppedBy::key)}),
+            std::string(line) + "; X at rest 84 ms later, 1 mm on, at 85 mm");
+}
+
+TEST(OneThingIsOneLine, AProgramThatALimitEnds) {
+  Ending y = of_run(motion(EndedBy::limit), 9);
+  y.limit_plus = true;
+  Ending run = program(EndedBy::limit, 9.1);
+  run.failed_axis = 1, run.error = AxisError::limit_plus;
+  EXPECT_EQ(told({y, run}), "Program 2 ended on a limit: Y hit its + limit, at 85 mm");
+}
+
+TEST(OneThingIsOneLine, NotAMotionThatEndedLongBeforeOrAsItWasMeant) {
+  Ending y = of_run(motion(EndedBy::limit), 4);
+  y.limit_plus = true;
+  EXPECT_EQ(told({y, program(EndedBy::target, 9)}),
+            "Y motion ended on its + limit, at 85 mm | Program 2 ran to its end");
+  EXPECT_EQ(told({of_run(motion(EndedBy::target), 9), program(EndedBy::stop, 9, StoppedBy::key)}),
+            "Y reached its target, at 85 mm | Program 2 stopped by Esc");
+  EXPECT_EQ(told({motion(EndedBy::stop, StoppedBy::key), program(EndedBy::stop, 9, StoppedBy::key)}),
+            "Y motion stopped by Esc, at 85 mm | Program 2 stopped by Esc")
+      << "it was no motion of the program";
+}
+
+TEST(OneThingIsOneLine, NotAMotionBesideAProgramThatRanToItsEnd) {
+  Ending y = of_run(motion(EndedBy::limit), 6.5);
+  y.limit_plus = true;
+  EXPECT_EQ(told({y, program(EndedBy::target, 9)}),
+            "Y motion ended on its + limit, at 85 mm | Program 2 ran to its end");
+}
+
+TEST(OneThingIsOneLine, NotAMotionThatEndsLongAfterTheProgram) {
+  const Ending y = of_run(motion(EndedBy::stop, StoppedBy::key), 9);
+  EXPECT_EQ(told({program(EndedBy::stop, 5, StoppedBy::key), y}),
+            "Program 2 stopped by Esc | Y motion stopped by Esc, at 85 mm");
+}
+
+TEST(EndingWords, AnEndThatIsNotKnownIsNotShownAsGood) {
+  const Happening event = event_of(motion(EndedBy::nothing), catalog, in_mm);
+  EXPECT_EQ(event.mark, Happening::Mark::message);
+  EXPECT_TRUE(is_shown(event, EventFilter::ends)) << "an end all the same";
+}
+
 TEST(EndingWords, NameTheLimitAndTheError) {
   Ending e = motion(EndedBy::limit);
   e.limit_plus = true;
@@ -124,7 +198,22 @@ class EventLogTest : public testing::Test {
   std::string text(EventFilter filter = EventFilter::all) { return log.text(filter, DayClock{}); }
 };
 
-TEST_F(EventLogTest, ALinkThatGoesAndComesBackIsToldOnceEach) {
+TEST_F(EventLogTest, AxesThatOneCauseMakesDoubtfulAreOneEvent) {
+  for (AxisState& axis : now.axes) axis.trust.doubt(Doubt::power_cut, Instant{seconds(2)});
+  at(2, LinkState::good);
+  EXPECT_EQ(text(), "00:00:02  X and Y cannot be trusted any more: its power was cut\n");
+}
+
+TEST_F(EventLogTest, AxesThatOneCauseMakesDoubtfulAtOtherTimesAreTwoEvents) {
+  now.axes[0].trust.doubt(Doubt::power_cut, Instant{seconds(2)});
+  now.axes[1].trust.doubt(Doubt::power_cut, Instant{seconds(5)});
+  at(6, LinkState::good);
+  EXPECT_EQ(text(),
+            "00:00:05  Y cannot be trusted any more: its power was cut\n"
+            "00:00:02  X cannot be trusted any more: its power was cut\n");
+}
+
+TEST_F(EventLogTest, ALinkThatGoesAndComesBackIsReportedOnceEach) {
   EXPECT_EQ(text(), "");
   at(2, LinkState::lost);
   at(3, LinkState::lost);
@@ -136,7 +225,7 @@ TEST_F(EventLogTest, ALinkThatGoesAndComesBackIsToldOnceEach) {
   EXPECT_EQ(text(EventFilter::ends), "");
 }
 
-TEST_F(EventLogTest, StepsThatAKillMayHaveLostAreToldByItsMessageAlone) {
+TEST_F(EventLogTest, StepsThatAKillMayHaveLostAreReportedByItsMessageAlone) {
   now.axes[1].trust.doubt(Doubt::killed, Instant{seconds(2)});
   at(2, LinkState::good);
   EXPECT_EQ(text(), "");

@@ -60,27 +60,27 @@ TEST_F(ListRunTest, ItIsNotStartedOnceAnotherPanelIsInFrontAndSaysSo) {
   settle(IntentState::done);
   frame(false);
   EXPECT_FALSE(started());
-  const auto told = run.take_told();
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_THAT(told[0].sentence, HasSubstr("not started"));
+  const auto reported = run.take_report();
+  ASSERT_EQ(reported.size(), 1u);
+  EXPECT_THAT(reported[0].sentence, HasSubstr("came to the front before it began"));
 }
 
-TEST_F(ListRunTest, ItIsBusyUntilItIsLoadedAndAFailureIsToldWhateverPanelIsInFront) {
+TEST_F(ListRunTest, ItIsBusyUntilItIsLoadedAndAFailureIsReportedWhateverPanelIsInFront) {
   begin();
   frame();
   frame(false);
   frame(false);
   EXPECT_TRUE(run.busy());
-  EXPECT_TRUE(run.take_told().empty()) << "it is under way still";
+  EXPECT_TRUE(run.take_report().empty()) << "it is under way still";
   settle(IntentState::failed, "The link was lost.");
   frame();
   EXPECT_FALSE(run.busy());
-  const auto told = run.take_told();
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].sentence, "The link was lost.");
+  const auto reported = run.take_report();
+  ASSERT_EQ(reported.size(), 1u);
+  EXPECT_EQ(reported[0].sentence, "The link was lost.");
 }
 
-TEST_F(ListRunTest, ARefusedStartIsToldEvenIfNoPanelTakesIt) {
+TEST_F(ListRunTest, ARefusedStartIsReportedEvenIfNoPanelTakesIt) {
   begin();
   frame();
   settle(IntentState::done);
@@ -90,9 +90,9 @@ TEST_F(ListRunTest, ARefusedStartIsToldEvenIfNoPanelTakesIt) {
   settle(IntentState::refused, "X is off.");
   frame(false);
   EXPECT_FALSE(run.take_refusal());
-  const auto told = run.take_told();
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].sentence, "X is off.");
+  const auto reported = run.take_report();
+  ASSERT_EQ(reported.size(), 1u);
+  EXPECT_EQ(reported[0].sentence, "X is off.");
 }
 
 }  // namespace

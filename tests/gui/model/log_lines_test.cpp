@@ -18,7 +18,7 @@ class LogLinesTest : public ::testing::Test {
     ::testing::internal::GetCapturedStderr();
   }
   void write(std::string_view subject, log::Level level, std::string_view sentence) {
-    log::subject(subject).say(level, sentence);
+    log::subject(subject).add(level, sentence);
     lines.follow();
   }
   [[nodiscard]] std::string shown() const {

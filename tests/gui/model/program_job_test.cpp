@@ -61,7 +61,7 @@ TEST_F(ProgramJobTest, NothingIsStartedBehindAStop) {
   settle(IntentState::done);
   EXPECT_FALSE(last<intent::RunProgram>());
   EXPECT_FALSE(job.busy());
-  EXPECT_THAT(job.take_told().sentence, HasSubstr("A stop came"));
+  EXPECT_THAT(job.take_report().sentence, HasSubstr("A stop came"));
   ASSERT_TRUE(begin(ProgramJob::Goal::run));
   EXPECT_TRUE(last<intent::RunProgram>()) << "asked for again, and loaded already";
 }
@@ -77,7 +77,7 @@ TEST_F(ProgramJobTest, WhatMustNotBeginWhenItIsLoadedIsNotStarted) {
     settle(IntentState::done);
     EXPECT_TRUE(last<intent::LoadProgram>()) << "nothing came behind it";
     EXPECT_FALSE(job.busy());
-    EXPECT_EQ(job.take_told().sentence, why);
+    EXPECT_EQ(job.take_report().sentence, why);
     EXPECT_TRUE(texts.controller_has(0));
   }
 }
@@ -119,7 +119,7 @@ TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesAnotherProgram) {
   EXPECT_EQ(sent.size(), 1u);
   job.answer(ProgramJob::Answer::leave, texts, send);
   EXPECT_EQ(sent.size(), 1u);
-  EXPECT_THAT(job.take_told().sentence, HasSubstr("Nothing was sent."));
+  EXPECT_THAT(job.take_report().sentence, HasSubstr("Nothing was sent."));
 
   ASSERT_TRUE(begin(ProgramJob::Goal::run));
   settle(IntentState::done);
@@ -135,7 +135,7 @@ TEST_F(ProgramJobTest, WhatWasTypedDuringTheQuestionIsNotAnsweredForByIt) {
   job.answer(ProgramJob::Answer::overwrite, texts, send);
   EXPECT_EQ(sent.size(), before);
   EXPECT_FALSE(job.busy());
-  EXPECT_THAT(job.take_told().sentence, HasSubstr("The text has changed since. Nothing was sent"));
+  EXPECT_THAT(job.take_report().sentence, HasSubstr("The text has changed since. Nothing was sent"));
 }
 
 TEST_F(ProgramJobTest, RoomIsMadeAfterTheTextWasBroughtIntoTheEditor) {
@@ -146,7 +146,7 @@ TEST_F(ProgramJobTest, RoomIsMadeAfterTheTextWasBroughtIntoTheEditor) {
   EXPECT_THAT(texts.text(0), HasSubstr("L9"));
   ASSERT_TRUE(last<intent::ClearProgram>());
   settle(IntentState::done);
-  EXPECT_THAT(job.take_told().sentence, HasSubstr("Its text is kept in the editor. Move again."));
+  EXPECT_THAT(job.take_report().sentence, HasSubstr("Its text is kept in the editor. Move again."));
 }
 
 TEST_F(ProgramJobTest, AQuestionStaysUntilItIsAnswered) {
@@ -154,7 +154,7 @@ TEST_F(ProgramJobTest, AQuestionStaysUntilItIsAnswered) {
   ASSERT_EQ(job.stage(), ProgramJob::Stage::asking);
   EXPECT_FALSE(begin(ProgramJob::Goal::make_room));
   EXPECT_EQ(job.stage(), ProgramJob::Stage::asking);
-  EXPECT_THAT(job.take_told().sentence, HasSubstr("Answer the question about the program first."));
+  EXPECT_THAT(job.take_report().sentence, HasSubstr("Answer the question about the program first."));
 }
 
 TEST_F(ProgramJobTest, NoRoomIsMadeWhereATextWouldBeLost) {
@@ -165,7 +165,7 @@ TEST_F(ProgramJobTest, NoRoomIsMadeWhereATextWouldBeLost) {
   EXPECT_FALSE(last<intent::ClearProgram>());
   EXPECT_FALSE(job.busy());
   EXPECT_EQ(texts.text(0), "I1M400");
-  EXPECT_THAT(job.take_told().sentence, HasSubstr("Nothing was emptied."));
+  EXPECT_THAT(job.take_report().sentence, HasSubstr("Nothing was emptied."));
 }
 
 TEST_F(ProgramJobTest, FetchingInsteadKeepsTheControllersProgram) {
@@ -180,18 +180,18 @@ TEST_F(ProgramJobTest, FetchingInsteadKeepsTheControllersProgram) {
   EXPECT_EQ(sent.size(), 1u);
 }
 
-TEST_F(ProgramJobTest, ErrorsInTheTextAreSaidAndNothingIsSent) {
+TEST_F(ProgramJobTest, ErrorsInTheTextAreReportedAndNothingIsSent) {
   texts.set_text(0, "I1\nBAD");
   EXPECT_FALSE(begin(ProgramJob::Goal::run));
-  EXPECT_EQ(job.take_told().sentence, "Nothing was sent. Line 2: BAD is no command.");
+  EXPECT_EQ(job.take_report().sentence, "Nothing was sent. Line 2: BAD is no command.");
   EXPECT_TRUE(sent.empty());
   EXPECT_EQ(texts.text(0), "I1\nBAD");
 }
 
-TEST_F(ProgramJobTest, ProgramTooLongIsSaidAndNothingIsSent) {
+TEST_F(ProgramJobTest, ProgramTooLongIsReportedAndNothingIsSent) {
   texts.set_text(0, "A,B,C,D,E,F,G,H,J,K,M");
   EXPECT_FALSE(begin(ProgramJob::Goal::run));
-  EXPECT_EQ(job.take_told().sentence,
+  EXPECT_EQ(job.take_report().sentence,
             "Nothing was sent. The program needs 22 bytes and 20 fit: 2 too many. Shorten it.");
   EXPECT_TRUE(sent.empty());
 }
@@ -201,11 +201,11 @@ TEST_F(ProgramJobTest, RefusedLoadEndsTheJobWithItsSentence) {
   begin(ProgramJob::Goal::run);
   settle(IntentState::refused, "A program runs. Nothing was sent.");
   EXPECT_FALSE(job.busy());
-  const auto told = job.take_told();
-  EXPECT_EQ(told.severity, Severity::fault);
-  EXPECT_EQ(told.sentence, "A program runs. Nothing was sent.");
+  const auto reported = job.take_report();
+  EXPECT_EQ(reported.severity, Severity::fault);
+  EXPECT_EQ(reported.sentence, "A program runs. Nothing was sent.");
   EXPECT_EQ(sent.size(), 1u);
-  EXPECT_EQ(job.take_told().sentence, "") << "told once";
+  EXPECT_EQ(job.take_report().sentence, "") << "told once";
 }
 
 TEST_F(ProgramJobTest, LostLinkEndsTheJob) {
@@ -214,7 +214,7 @@ TEST_F(ProgramJobTest, LostLinkEndsTheJob) {
   now.link.state = LinkState::lost;
   job.update(texts, now, catalog, Instant(), send);
   EXPECT_FALSE(job.busy());
-  EXPECT_THAT(job.take_told().sentence, HasSubstr("The link was lost"));
+  EXPECT_THAT(job.take_report().sentence, HasSubstr("The link was lost"));
 }
 
 TEST_F(ProgramJobTest, StoreSaysHowManyWritesWereUsed) {
@@ -224,7 +224,7 @@ TEST_F(ProgramJobTest, StoreSaysHowManyWritesWereUsed) {
   ASSERT_TRUE(last<intent::Store>());
   now.store_count = 13;
   settle(IntentState::done);
-  EXPECT_EQ(job.take_told().sentence, "Stored in the controller. 13 of 100000 writes used.");
+  EXPECT_EQ(job.take_report().sentence, "Stored in the controller. 13 of 100000 writes used.");
 }
 
 TEST_F(ProgramJobTest, WhatIsKeptWhenItIsLoadedIsNotStoredWithTheSetUp) {
@@ -235,7 +235,7 @@ TEST_F(ProgramJobTest, WhatIsKeptWhenItIsLoadedIsNotStoredWithTheSetUp) {
   EXPECT_TRUE(last<intent::LoadProgram>());
   EXPECT_FALSE(last<intent::Store>());
   EXPECT_FALSE(job.busy());
-  EXPECT_EQ(job.take_told().sentence, "The controller holds this program now.");
+  EXPECT_EQ(job.take_report().sentence, "The controller holds this program now.");
 }
 
 TEST_F(ProgramJobTest, SteppingHoldsBeforeTheFirstCommand) {
@@ -264,11 +264,11 @@ TEST_F(ProgramJobTest, FetchSaysHowToGetBackWhatItReplaces) {
   begin(ProgramJob::Goal::fetch);
   texts.listed(0, "L9\n", Instant());
   settle(IntentState::done);
-  EXPECT_THAT(job.take_told().sentence, testing::Not(HasSubstr("Ctrl+Z")));
+  EXPECT_THAT(job.take_report().sentence, testing::Not(HasSubstr("Ctrl+Z")));
   texts.set_text(0, "L9\n; a note\n");
   begin(ProgramJob::Goal::fetch);
   settle(IntentState::done);
-  EXPECT_THAT(job.take_told().sentence, HasSubstr("Ctrl+Z brings back what stood here."));
+  EXPECT_THAT(job.take_report().sentence, HasSubstr("Ctrl+Z restores the earlier text."));
 }
 
 TEST_F(ProgramJobTest, TextTypedDuringTheTransferIsNotTakenForLoaded) {
@@ -280,7 +280,7 @@ TEST_F(ProgramJobTest, TextTypedDuringTheTransferIsNotTakenForLoaded) {
   EXPECT_FALSE(texts.controller_has(0));
 }
 
-TEST_F(ProgramJobTest, LinesAndTheTimeThatIsLeftAreSaidAsFarAsTheyAreKnown) {
+TEST_F(ProgramJobTest, LinesAndTheTimeThatIsLeftAreReportedAsFarAsTheyAreKnown) {
   texts.set_text(0, "I1M400");
   begin(ProgramJob::Goal::load);
   const auto words = [&] { return job.words(catalog.program, now.transfer); };
@@ -298,7 +298,7 @@ TEST_F(ProgramJobTest, LinesAndTheTimeThatIsLeftAreSaidAsFarAsTheyAreKnown) {
   EXPECT_EQ(words(), "Loading Program 0: 7 lines");
 }
 
-TEST_F(ProgramJobTest, ALinkThatIsLostInTheMiddleLeavesWhatIsSaid) {
+TEST_F(ProgramJobTest, ALinkThatIsLostInTheMiddleLeavesWhatIsReported) {
   texts.set_text(0, "I1M400");
   begin(ProgramJob::Goal::load);
   now.transfer.phase = TransferState::Phase::writing;
@@ -307,7 +307,7 @@ TEST_F(ProgramJobTest, ALinkThatIsLostInTheMiddleLeavesWhatIsSaid) {
   now.link.state = LinkState::lost;
   settle(IntentState::pending);
   EXPECT_FALSE(job.busy());
-  EXPECT_EQ(job.take_told().sentence,
+  EXPECT_EQ(job.take_report().sentence,
             "The link was lost while the program was transferred: the first 41 of its 302 lines are written. "
             "Load it again when the link is back.");
 }

@@ -149,9 +149,10 @@ TEST_F(ProgramTextsTest, NoteSaysWhoHoldsWhat) {
   EXPECT_EQ(note(), "The controller holds this text, loaded at 14:02:04.");
   now.program.run = RunState::running, now.program.owned = true, now.program.slot = 0;
   texts.set_text(0, "I1\nBAD");
-  EXPECT_EQ(note(),
-            "The controller runs the text loaded at 14:02:04. It has changed since. Correct line 2 before the "
-            "next run.");
+  EXPECT_EQ(
+      note(),
+      "The controller runs the text loaded at 14:02:04. It has changed since. Correct line 2 before the "
+      "next run.");
 }
 
 TEST(TextDiff, FindsTheFirstChange) {
@@ -186,7 +187,7 @@ TEST(LineOf, IsOneLineWithoutItsIndent) {
   EXPECT_EQ(line_of("   ", 0), "");
 }
 
-TEST_F(ProgramTextsTest, WhatABrokenTransferHasLeftIsSaidUntilItIsLoadedAgain) {
+TEST_F(ProgramTextsTest, WhatABrokenTransferHasLeftIsReportedUntilItIsLoadedAgain) {
   texts.set_text(0, "I1M400");
   now.slots_torn = 1;
   EXPECT_EQ(note(), "The controller does not hold this program. Run loads it again.");

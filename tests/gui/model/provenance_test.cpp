@@ -28,7 +28,7 @@ class ProvenanceTest : public testing::Test {
   }
 };
 
-TEST_F(ProvenanceTest, NamesWhoHasSaidWhereItStandsAndWhen) {
+TEST_F(ProvenanceTest, NamesWhoHasSetWhereItStandsAndWhen) {
   EXPECT_EQ(words(), "counted");
   axis().trust.settle(Trust::homed, clock - minutes(116));
   EXPECT_EQ(words(), "homed 12:04");

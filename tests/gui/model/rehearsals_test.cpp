@@ -95,7 +95,7 @@ TEST(Rehearsals, SayWhatHasChangedOfTheWholeController) {
     return rehearsals.of(0)->stand;
   };
   EXPECT_EQ(stand(), Stand());
-  const auto told = [&](auto change) {
+  const auto reported = [&](auto change) {
     const Snapshot before = now;
     change();
     const Stand stood = stand();
@@ -104,35 +104,38 @@ TEST(Rehearsals, SayWhatHasChangedOfTheWholeController) {
     EXPECT_EQ(stand(), Stand()) << "as before";
     return stood;
   };
-  EXPECT_EQ(told([&] { now.params[1].value = 8; }), (Stand{Footing::other_setup, 1, Steps(7), Steps(8)}));
-  EXPECT_EQ(told([&] { now.params[2].known = true, now.params[2].value = 41; }),
+  EXPECT_EQ(reported([&] { now.params[1].value = 8; }), (Stand{Footing::other_setup, 1, Steps(7), Steps(8)}));
+  EXPECT_EQ(reported([&] { now.params[2].known = true, now.params[2].value = 41; }),
             (Stand{Footing::other_setup, 2, Steps(40), Steps(41)}))
       << "it was taken to be 40";
-  EXPECT_EQ(told([&] { now.params[2].known = true, now.params[2].value = 40; }), Stand());
-  EXPECT_EQ(told([&] { now.outputs = 4; }), (Stand{Footing::other_output, 2, Steps(0), Steps(1)}));
-  EXPECT_EQ(told([&] { now.inputs = 8; }), (Stand{Footing::other_input, 3, Steps(0), Steps(1)}));
-  EXPECT_EQ(told([&] { now.variables[5] = -9; }), (Stand{Footing::other_variable, 5, Steps(0), Steps(-9)}));
-  EXPECT_EQ(told([&] { now.axes[0].enabled = false; }).footing, Footing::other_power);
-  EXPECT_EQ(told([&] { now.axes[0].error = AxisError::limit_plus; }).footing, Footing::other_power);
-  EXPECT_EQ(told([&] { now.axes[0].alarm = true; }).footing, Footing::other_power);
-  EXPECT_EQ(told([&] { now.axes[0].encoder = Steps(9); }).footing, Footing::other_encoder);
-  EXPECT_EQ(told([&] { now.axes[0].encoder = Steps(1); }), Stand()) << "it only trembles";
-  EXPECT_EQ(told([&] { now.axes[0].limit_plus = true; }).footing, Footing::other_switch);
-  EXPECT_EQ(told([&] { now.axes[0].limits_known = false; }), (Stand{Footing::other_switch, 0, {}, {}, true}));
-  EXPECT_EQ(told([&] { now.analog[1] = 100; }), (Stand{Footing::other_analog, 1, Steps(900), Steps(100)}));
-  EXPECT_EQ(told([&] { now.analog[1] = 930; }), Stand()) << "it only trembles";
-  EXPECT_EQ(told([&] { now.readouts[2] = 1; }), (Stand{Footing::other_readout, 2, Steps(0), Steps(1)}));
-  EXPECT_EQ(told([&] { now.readouts_known.set(3), now.readouts[3] = 2; }),
+  EXPECT_EQ(reported([&] { now.params[2].known = true, now.params[2].value = 40; }), Stand());
+  EXPECT_EQ(reported([&] { now.outputs = 4; }), (Stand{Footing::other_output, 2, Steps(0), Steps(1)}));
+  EXPECT_EQ(reported([&] { now.inputs = 8; }), (Stand{Footing::other_input, 3, Steps(0), Steps(1)}));
+  EXPECT_EQ(reported([&] { now.variables[5] = -9; }),
+            (Stand{Footing::other_variable, 5, Steps(0), Steps(-9)}));
+  EXPECT_EQ(reported([&] { now.axes[0].enabled = false; }).footing, Footing::other_power);
+  EXPECT_EQ(reported([&] { now.axes[0].error = AxisError::limit_plus; }).footing, Footing::other_power);
+  EXPECT_EQ(reported([&] { now.axes[0].alarm = true; }).footing, Footing::other_power);
+  EXPECT_EQ(reported([&] { now.axes[0].encoder = Steps(9); }).footing, Footing::other_encoder);
+  EXPECT_EQ(reported([&] { now.axes[0].encoder = Steps(1); }), Stand()) << "it only trembles";
+  EXPECT_EQ(reported([&] { now.axes[0].limit_plus = true; }).footing, Footing::other_switch);
+  EXPECT_EQ(reported([&] { now.axes[0].limits_known = false; }),
+            (Stand{Footing::other_switch, 0, {}, {}, true}));
+  EXPECT_EQ(reported([&] { now.analog[1] = 100; }),
+            (Stand{Footing::other_analog, 1, Steps(900), Steps(100)}));
+  EXPECT_EQ(reported([&] { now.analog[1] = 930; }), Stand()) << "it only trembles";
+  EXPECT_EQ(reported([&] { now.readouts[2] = 1; }), (Stand{Footing::other_readout, 2, Steps(0), Steps(1)}));
+  EXPECT_EQ(reported([&] { now.readouts_known.set(3), now.readouts[3] = 2; }),
             (Stand{Footing::other_readout, 3, Steps(0), Steps(2)}))
       << "it was taken to be off";
-  EXPECT_EQ(told([&] { now.readouts[0] = 1; }), Stand()) << "no rehearsal begins from it";
-  EXPECT_EQ(told([&] { other_program = "I1M6"; }), (Stand{Footing::other_program, 2, {}, {}}));
-  EXPECT_EQ(told([&] { now.inputs_known = 0, now.inputs = 1; }),
+  EXPECT_EQ(reported([&] { now.readouts[0] = 1; }), Stand()) << "no rehearsal begins from it";
+  EXPECT_EQ(reported([&] { other_program = "I1M6"; }), (Stand{Footing::other_program, 2, {}, {}}));
+  EXPECT_EQ(reported([&] { now.inputs_known = 0, now.inputs = 1; }),
             (Stand{Footing::other_input, 0, Steps(0), {}, true}));
 }
 
 // What is not compared afterwards does not come into a rehearsal at all.
-TEST(Rehearsals, AreToldWhatIsComparedAndNothingElse) {
+TEST(Rehearsals, AreReportedWhatIsComparedAndNothingElse) {
   test::ToyLanguage language;
   Worker worker;
   Rehearsals rehearsals;
@@ -144,11 +147,11 @@ TEST(Rehearsals, AreToldWhatIsComparedAndNothingElse) {
   from.programs[2] = "I1";
   rehearsals.start(language, "I1", {}, from, {}, catalog, worker);
   worker.deliver();
-  const ControllerState& told = *rehearsals.of(0)->scene.state;
-  EXPECT_EQ(told.now.axes[1].position, Steps(12));
-  EXPECT_EQ(told.programs, from.programs);
-  EXPECT_EQ(told.now.axes[1].speed, Pps());
-  EXPECT_TRUE(told.now.readouts_known.none());
+  const ControllerState& reported = *rehearsals.of(0)->scene.state;
+  EXPECT_EQ(reported.now.axes[1].position, Steps(12));
+  EXPECT_EQ(reported.programs, from.programs);
+  EXPECT_EQ(reported.now.axes[1].speed, Pps());
+  EXPECT_TRUE(reported.now.readouts_known.none());
 }
 
 // ---- every fact that the clone of a controller begins with, on each controller

@@ -39,7 +39,7 @@ class Clockwork final : public Language {
   }
   [[nodiscard]] Result<SequenceRead> read(std::string_view, const sequence::Sequence&,
                                           const Catalog&) const override {
-    return fail(FaultKind::text, "Line 1: no block can hold this.");
+    return fail(FaultKind::text, "Line 1: no block can represent this.");
   }
 };
 
@@ -137,8 +137,8 @@ TEST_F(RunFollowerTest, WhatTheControllerTellsPutsItRight) {
   when(11.2);  // it is later in truth
   now.program.run = RunState::held;
   now.program.command = 2;
-  const auto told = when(11.3);
-  EXPECT_EQ(told.command, 2);
+  const auto reported = when(11.3);
+  EXPECT_EQ(reported.command, 2);
   EXPECT_NEAR(follower.run_s(), 2.0, 1e-6);
 }
 

@@ -101,20 +101,20 @@ TEST_F(SetupEditsTest, WritesOneAfterAnother) {
   EXPECT_EQ(sent[1].value, 3);
   settle(IntentState::done);
   EXPECT_FALSE(write.busy());
-  EXPECT_THAT(write.take_told().sentence, HasSubstr("2 values written and read back."));
+  EXPECT_THAT(write.take_report().sentence, HasSubstr("2 values written and read back."));
 }
 
-TEST_F(SetupEditsTest, WhatStoreKeepsIsSaidOfEachValue) {
+TEST_F(SetupEditsTest, WhatStoreKeepsIsReportedOfEachValue) {
   catalog.params[2].stored = false;
   edits.set(2, 5);
   write.begin(edits, now, catalog, false, send);
   settle(IntentState::done);
-  EXPECT_THAT(write.take_told().sentence, HasSubstr("It is not kept over power-off."));
+  EXPECT_THAT(write.take_report().sentence, HasSubstr("It is lost at power-off."));
   edits.set(1, 55);
   write.begin(edits, now, catalog, false, send);
   settle(IntentState::done);
   settle(IntentState::done);
-  EXPECT_THAT(write.take_told().sentence, HasSubstr("Store keeps 1 of them over power-off."));
+  EXPECT_THAT(write.take_report().sentence, HasSubstr("Store keeps 1 of them at power-off."));
 }
 
 TEST_F(SetupEditsTest, ARefusalStopsTheRest) {
@@ -123,9 +123,9 @@ TEST_F(SetupEditsTest, ARefusalStopsTheRest) {
   write.begin(edits, now, catalog, false, send);
   settle(IntentState::refused, "A program runs.");
   EXPECT_EQ(sent.size(), 1u);
-  const auto told = write.take_told();
-  EXPECT_FALSE(told.good);
-  EXPECT_EQ(told.sentence, "j1M: A program runs. 0 of 2 values were written.");
+  const auto reported = write.take_report();
+  EXPECT_FALSE(reported.good);
+  EXPECT_EQ(reported.sentence, "j1M: A program runs. 0 of 2 values were written.");
   EXPECT_EQ(edits.edited(2), 3) << "what was typed stays";
 }
 

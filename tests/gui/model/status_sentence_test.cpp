@@ -63,16 +63,50 @@ TEST_F(StatusSentenceTest, BetweenTwoMotionsOfADrawingItIsNotIdle) {
   EXPECT_EQ(say().text, "Held at piece 13 of 800. Go on, or stop it.");
 }
 
-TEST_F(StatusSentenceTest, ASlipIsSaidWhileNothingMoves) {
+TEST_F(StatusSentenceTest, TheWorstThingComesFirstWhateverMoves) {
+  constexpr std::string_view moves = "Motor 1 moves. Esc stops everything.";
+  now.axes[0].activity = Activity::moving;
+  const auto expect_first = [&](std::string_view worst) {
+    EXPECT_EQ(say().severity, Severity::warn) << worst;
+    EXPECT_EQ(say().text.view().find(worst), 0u) << say().text.view();
+    EXPECT_NE(say().text.view().find(moves), std::string::npos) << say().text.view();
+  };
+  now.axes[1].limit_plus = true;
+  expect_first("Motor 2 stands on its + limit. ");
+  now.axes[1].loop = Loop::open;
+  expect_first("The loop of motor 2 is open");
+  now.axes[1].slipped = true;
+  expect_first("Motor 2 has slipped");
+  now.axes[1].trust.doubt(Doubt::power_cut, {});
+  expect_first("The position of motor 2 cannot be trusted");
+  now.notice = "The program memory is full.";
+  expect_first("The program memory is full. ");
+  now.link.state = LinkState::late;
+  expect_first("Two is not understood. ");
+  now.axes[1].alarm = true;
+  EXPECT_EQ(say().severity, Severity::fault);
+}
+
+TEST_F(StatusSentenceTest, AnAxisThatIsBeingHomedOrLeavesItsLimitIsNotToldToDoSo) {
+  now.axes[0].activity = Activity::homing;
+  now.axes[0].trust.doubt(Doubt::power_cut, {});
+  EXPECT_EQ(say().severity, Severity::motion);
+  now.axes[0].trust = {};
+  now.axes[0].activity = Activity::moving;
+  now.axes[0].limit_plus = true;
+  EXPECT_EQ(say().text, "Motor 1 moves. Esc stops everything.");
+}
+
+TEST_F(StatusSentenceTest, ASlipIsReported) {
   now.axes[1].slipped = true;
   EXPECT_EQ(say().severity, Severity::warn);
-  EXPECT_EQ(say().text.view().find("Motor 2 has slipped: its encoder was further off than is allowed."), 0u);
+  EXPECT_EQ(say().text.view().find("Motor 2 has slipped: its encoder was farther off than allowed."), 0u);
   EXPECT_EQ(state_of(now, 1, clock), State::slipped);
   EXPECT_EQ(worst_state(now, clock), State::slipped) << "its tab says so too";
   now.axes[1].enabled = false;
   EXPECT_EQ(state_of(now, 1, clock), State::slipped) << "and it is why it is off";
   now.axes[1].activity = Activity::moving;
-  EXPECT_EQ(say().severity, Severity::motion);
+  EXPECT_EQ(say().severity, Severity::warn);
   EXPECT_EQ(state_of(now, 1, clock), State::moving);
 }
 
@@ -117,7 +151,7 @@ TEST_F(StatusSentenceTest, Moving) {
   EXPECT_EQ(say(), (StatusSentence{Severity::motion, "Motor 1 moves to 400 steps. Esc stops everything."}));
 }
 
-TEST_F(StatusSentenceTest, AProgramInErrorIsSaidWhileOthersRun) {
+TEST_F(StatusSentenceTest, AProgramInErrorIsReportedWhileOthersRun) {
   failed = "Program 2 stopped with an error in line 19: V2=5/V1.";
   EXPECT_EQ(say(),
             (StatusSentence{Severity::fault, failed + " Run starts it again, Stop clears the error."}));
@@ -138,7 +172,7 @@ TEST_F(StatusSentenceTest, AProgramInErrorIsSaidWhileOthersRun) {
   EXPECT_EQ(say().text.view(), failed + " Axis X hit its + limit. Clear the errors before the next move.");
 }
 
-TEST_F(StatusSentenceTest, WhatGoesOnBesideAnAxisInErrorIsSaid) {
+TEST_F(StatusSentenceTest, WhatGoesOnBesideAnAxisInErrorIsReported) {
   now.axes[0].activity = Activity::error;
   now.notice = "Axis X hit its + limit. Clear the errors before the next move.";
   now.axes[1].activity = Activity::moving;
@@ -146,7 +180,36 @@ TEST_F(StatusSentenceTest, WhatGoesOnBesideAnAxisInErrorIsSaid) {
                                                         " Motor 2 moves. Esc stops everything."}));
 }
 
-TEST_F(StatusSentenceTest, OfATextThatIsNotKnownTheStoredLineIsTold) {
+TEST_F(StatusSentenceTest, AProgramInErrorHidesNoMotion) {
+  now.program.run = RunState::error;
+  now.axes[1].activity = Activity::moving;
+  constexpr std::string_view moves = "Motor 2 moves. Esc stops everything.";
+  EXPECT_EQ(say(), (StatusSentence{Severity::fault,
+                                   "The program ended with an error. Motor 2 moves. Esc stops everything."}));
+  EXPECT_EQ(say().goes_on, moves.size()) << "where there is no room for both, this stays";
+  now.notice = "Limit + of motor 1.";
+  EXPECT_EQ(say().text, "Limit + of motor 1. Motor 2 moves. Esc stops everything.");
+}
+
+TEST_F(StatusSentenceTest, AProgramInErrorDoesNotHideThatTheAnswersAreLate) {
+  failed = "Program 2 stopped with an error.";
+  now.link.state = LinkState::late;
+  now.link.misses_in_a_row = 2;
+  now.axes[0].activity = Activity::moving;
+  EXPECT_EQ(say(), (StatusSentence{Severity::fault,
+                                   "Two answers late: 2 questions missed. Program 2 stopped with an error. "
+                                   "Motor 1 moves. Esc stops everything."}));
+}
+
+TEST_F(StatusSentenceTest, OfSeveralProgramsOneInErrorNeedsAttentionWhateverMoves) {
+  EXPECT_FALSE(needs_attention(now));
+  now.axes[0].activity = Activity::moving;
+  now.threads[1].known = true;
+  now.threads[1].run = RunState::error;
+  EXPECT_TRUE(needs_attention(now));
+}
+
+TEST_F(StatusSentenceTest, OfATextThatIsNotKnownTheStoredLineIsReported) {
   now.program.owned = true;
   now.program.slot = 0;
   now.program.run = RunState::running;
@@ -162,7 +225,7 @@ TEST_F(StatusSentenceTest, SeveralAxesThatMoveAreNamedTogether) {
   EXPECT_EQ(say().text, "Motor 1 and motor 2 move. Esc stops everything.");
 }
 
-TEST_F(StatusSentenceTest, ADirectionThatIsNotKnownIsNotSaid) {
+TEST_F(StatusSentenceTest, ADirectionThatIsNotKnownIsNotReported) {
   now.axes[0].activity = Activity::moving;
   EXPECT_EQ(say().text, "Motor 1 moves. Esc stops everything.");
 }
@@ -220,7 +283,7 @@ TEST_F(StatusSentenceTest, LostIsTheWorstAndNamesTheWayOut) {
                                    "power switch. The cable is gone."}));
 }
 
-TEST_F(StatusSentenceTest, AnErrorOfTheControllerIsToldAsTheDriverTellsIt) {
+TEST_F(StatusSentenceTest, AnErrorOfTheControllerIsReportedAsTheDriverTellsIt) {
   now.notice = "The program memory is full. Clear a program.";
   EXPECT_EQ(say().severity, Severity::warn);
   now.program.run = RunState::error;
@@ -235,7 +298,7 @@ TEST_F(StatusSentenceTest, LimitSaysWhereItCanGo) {
             "Both limits of motor 2 are active, so it cannot move. Check its switches and their cable.");
 }
 
-TEST_F(StatusSentenceTest, MotorThatIsNotChosenIsSaidBeforeTheFirstMove) {
+TEST_F(StatusSentenceTest, MotorThatIsNotChosenIsReportedBeforeTheFirstMove) {
   now.params[0].value = 0;
   EXPECT_EQ(say().severity, Severity::warn);
   EXPECT_EQ(say().text, catalog.params[0].before_moving);
@@ -245,11 +308,11 @@ TEST_F(StatusSentenceTest, MotorThatIsNotChosenIsSaidBeforeTheFirstMove) {
   EXPECT_EQ(unset_before_moving(catalog, now, AxisId{0}), -1) << "what was not read is not claimed";
 }
 
-TEST_F(StatusSentenceTest, DoubtIsSaid) {
+TEST_F(StatusSentenceTest, DoubtIsReported) {
   now.axes[0].trust.doubt(Doubt::power_cut, {});
   EXPECT_EQ(say().severity, Severity::warn);
   now.axes[0].position_known = false;
-  EXPECT_EQ(say().text, "The position of motor 1 is not known. Home it, or say where it stands.");
+  EXPECT_EQ(say().text, "The position of motor 1 is not known. Home it, or set its position.");
 }
 
 TEST_F(StatusSentenceTest, OldValuesAreNotTakenForNew) {
@@ -257,12 +320,12 @@ TEST_F(StatusSentenceTest, OldValuesAreNotTakenForNew) {
   EXPECT_EQ(say(), (StatusSentence{Severity::warn, "The position of motor 1 is 5.0 s old."}));
 }
 
-TEST_F(StatusSentenceTest, WhatIsNotStoredIsSaidByItsMarkOnly) {
+TEST_F(StatusSentenceTest, WhatIsNotStoredIsReportedByItsMarkOnly) {
   now.unsaved_setup = true;
   EXPECT_EQ(say().text, "Idle. Hold a jog button, type where to go, or run a program.");
 }
 
-TEST_F(StatusSentenceTest, NobodyIsToldToJogMotorsWithoutPower) {
+TEST_F(StatusSentenceTest, NobodyIsAdvisedToJogMotorsWithoutPower) {
   for (int i = 0; i < 2; ++i) {
     catalog.axes[static_cast<std::size_t>(i)].switchable = true;
     now.axes[i].enabled = false;
@@ -307,7 +370,7 @@ TEST_F(StatusSentenceTest, AnAlarmThatStandsIsNoErrorToClear) {
                                    "Look at its motor driver."}));
 }
 
-TEST_F(StatusSentenceTest, WhatABannerTellsIsNotSaidAgain) {
+TEST_F(StatusSentenceTest, WhatABannerTellsIsNotReportedAgain) {
   now.params[0].value = 0;
   unset_read = true;
   EXPECT_EQ(say().text, "Idle. Hold a jog button, type where to go, or run a program.");

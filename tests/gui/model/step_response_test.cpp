@@ -112,6 +112,98 @@ TEST(StepResponse, WhatAGapTouchesIsARangeOrIsWithheld) {
   EXPECT_FALSE(m.steady_known);
 }
 
+TEST(StepResponse, ARecordingThatBrokeOffHasAGapAtItsEnd) {
+  StepRun run(1, AxisId{2}, Steps(100));
+  for (int ms = -5; ms <= 14; ++ms) {
+    AxisSample s;
+    s.at = Instant(Millis(5000 + ms));
+    s.axis = 2;
+    s.command = Steps(ms > 0 ? 100 : 0);
+    s.encoder = Steps(std::clamp(10 * ms, 0, 100));
+    run.take(s);
+  }
+  run.end(45);
+  EXPECT_TRUE(run.cut_short());
+  EXPECT_FLOAT_EQ(run.planned_end_ms(), 40);
+  const StepMeasures m = measure(run);
+  EXPECT_EQ(m.gaps, 1);
+  EXPECT_DOUBLE_EQ(m.rise_ms.low, 8);
+  EXPECT_TRUE(m.rise_ms.exact()) << "that was seen";
+  EXPECT_TRUE(m.overshoot_percent.open()) << "it may have gone on";
+  EXPECT_DOUBLE_EQ(m.settling_ms.low, 10);
+  EXPECT_TRUE(m.settling_ms.open());
+  EXPECT_FALSE(m.steady_known);
+}
+
+TEST(StepResponse, AGapBeforeTheStepWidensTheSettling) {
+  StepRun run(1, AxisId{2}, Steps(100));
+  for (int ms = 0; ms <= 60; ++ms) {
+    if (ms > 10 && ms < 30) continue;  // somewhere in there the step began
+    AxisSample s;
+    s.at = Instant(Millis(5000 + ms));
+    s.axis = 2;
+    s.command = Steps(ms >= 30 ? 100 : 0);
+    s.encoder = Steps(std::clamp(10 * (ms - 29), 0, 100));
+    run.take(s);
+  }
+  run.end(60);
+  const StepMeasures m = measure(run);
+  EXPECT_EQ(m.gaps, 1);
+  EXPECT_DOUBLE_EQ(m.settling_ms.low, 9);
+  EXPECT_DOUBLE_EQ(m.settling_ms.high, 29);
+}
+
+/// A step of `step` at 10 ms whose encoder does what `encoder` says of each ms; samples between `from` and
+/// `to` are missing.
+template <class Encoder>
+StepRun small_step(int step, Encoder encoder, int from, int to) {
+  StepRun run(1, AxisId{2}, Steps(step));
+  for (int ms = 0; ms <= 40; ++ms) {
+    if (ms > from && ms < to) continue;
+    AxisSample s;
+    s.at = Instant(Millis(5000 + ms));
+    s.axis = 2;
+    s.command = Steps(ms > 10 ? step : 0);
+    s.encoder = Steps(encoder(ms));
+    run.take(s);
+  }
+  return run;
+}
+
+TEST(StepResponse, ALevelReachedInAGapThatEndsWhereTheStepBeginsIsARange) {
+  StepRun run = small_step(
+      5, [](int ms) { return ms >= 12   ? 5
+                             : ms >= 10 ? 1
+                                        : 0; }, 4, 10);
+  run.end(40);
+  ASSERT_FLOAT_EQ(run.t_ms()[5], 0) << "the first sample behind the gap";
+  const StepMeasures m = measure(run);  // 10 % of it is half a count
+  ASSERT_TRUE(m.rose);
+  EXPECT_FALSE(m.rise_ms.exact());
+  EXPECT_GT(m.rise_ms.high, 6) << "it may have begun right behind the sample before the gap";
+}
+
+TEST(StepResponse, OfAStepWithinItsBandAllTheTimeAMissingEndIsReported) {
+  StepRun run = small_step(
+      1, [](int ms) { return ms > 12 ? 1 : 0; }, 0, 0);
+  run.end(40);
+  EXPECT_TRUE(measure(run).settled);
+  EXPECT_TRUE(measure(run).settling_ms.exact());
+  run.end(80);
+  EXPECT_TRUE(run.cut_short());
+  EXPECT_TRUE(measure(run).settling_ms.open()) << "it may have left it again";
+}
+
+TEST(StepResponse, ARecordingOfOneSampleIsCutShort) {
+  StepRun run(1, AxisId{0}, Steps(10));
+  run.end(40);
+  EXPECT_FALSE(run.cut_short()) << "there is no recording";
+  run.take(AxisSample());
+  run.end(40);
+  EXPECT_TRUE(run.cut_short());
+  EXPECT_FLOAT_EQ(run.planned_end_ms(), 40);
+}
+
 TEST(StepScatter, IsWhatThreeRepetitionsDifferBy) {
   constexpr auto rise = [](const StepMeasures& m) { return std::optional(m.rise_ms); };
   StepScatter scatter;

@@ -88,6 +88,27 @@ TEST_F(TabTest, ARefusalThatNobodyWatchesBecomesAComplaint) {
   EXPECT_EQ(tab.complaints()[0], "Not now. Nothing was sent.");
 }
 
+TEST_F(TabTest, ATapRefusedAtALimitIsToldByThePadElseByAComplaint) {
+  const auto refuse_a_tap = [this] {
+    const JogHold::Control plus{JogHold::Hand::keyboard, AxisId{0}, Sign::plus};
+    tab.jog.press(plus, {Steps(1), Pps()}, 0);
+    tab.jog.release(plus, 0.1);
+    now.outcomes[0].id = tab.jog.tap_intent();
+    now.outcomes[0].state = IntentState::refused;
+    now.outcomes[0].past = PastTravel{AxisId{0}, Sign::plus, Steps(11), Steps(10)};
+    show();
+  };
+  refuse_a_tap();
+  EXPECT_EQ(tab.complaints().size(), 1u) << "no pad is drawn";
+  EXPECT_FALSE(tab.tap_past_limit);
+  tab.look_at_pad();
+  refuse_a_tap();
+  EXPECT_EQ(tab.complaints().size(), 1u);
+  EXPECT_TRUE(tab.tap_past_limit);
+  refuse_a_tap();
+  EXPECT_EQ(tab.complaints().size(), 2u) << "it was drawn in an earlier frame only";
+}
+
 TEST_F(TabTest, ARefusedJogIsNotHeldOn) {
   tab.jog.press({JogHold::Hand::mouse, AxisId{0}, Sign::plus}, {Steps(1), Pps()}, 0);
   for (double t = 0; t < 0.3; t += 0.016) {

@@ -175,7 +175,7 @@ TEST_F(TrafficLogTest, SaysHowManyWereLost) {
   log.drain(ring);
   EXPECT_EQ(log.records(), 4u);
   EXPECT_EQ(log.lost(), 6u);
-  EXPECT_THAT(log.text_of_all(), HasSubstr("6 entries came too fast and are missing."));
+  EXPECT_THAT(log.text_of_all(), HasSubstr("6 entries are missing: they came too fast."));
   log.clear();
   log.drain(ring);
   EXPECT_EQ(log.lost(), 0u);

@@ -46,7 +46,7 @@ class Wire:
 
 
 class Window(unittest.TestCase):
-    def setUp(self):
+    def set_the_display(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         home = pathlib.Path(self.folder.name)
@@ -57,6 +57,9 @@ class Window(unittest.TestCase):
         self.wait_until(lambda: subprocess.run(["xdotool", "getdisplaygeometry"], env=self.env,
                                                capture_output=True).returncode == 0, "the display is there")
         self.start_desktop()
+
+    def setUp(self):
+        self.set_the_display()
         emulator = self.start([PROGRAM, "emulate", "vxm", "--tcp", "127.0.0.1:0"], stdout=subprocess.PIPE, text=True)
         self.port = int(emulator.stdout.readline().rsplit(":", 1)[1])
         self.address = f"vxm@tcp:127.0.0.1:{self.port}"
@@ -190,12 +193,12 @@ class Window(unittest.TestCase):
             self.xdo("key", key)
             time.sleep(0.15)
 
-    def drag(self, start, end):
+    def drag(self, start, end, pace=0.03):
         self.xdo("mousemove", *start)
         self.xdo("mousedown", 1)
         for i in range(1, 9):
             self.xdo("mousemove", *(round(a + (b - a) * i / 8) for a, b in zip(start, end)))
-            time.sleep(0.03)
+            time.sleep(pace)
         self.xdo("mouseup", 1)
         time.sleep(0.3)
 
@@ -396,7 +399,7 @@ class Close(Window):
         self.hold("jog/1/+", lambda position: position > begin + 300)
         self.display.kill()
         self.assertEqual(self.console.wait(30), 1)
-        self.assertIn("The display has gone away.", self.console.stderr.read())
+        self.assertIn("The display is gone.", self.console.stderr.read())
         self.stands()
 
 

@@ -1,56 +1,14 @@
 -- Every object of the maker's graphical programmer with each of its settings, on the controllers beside the one that
 -- checklist_blocks.lua works: what the blocks write then, or why not. Where a setting stands without text here, the
 -- controller cannot do it, and its sentence has these words.
-require("lib.checklist")
+require("lib.blocks")
 
 ui.window(1440, 1000)
-local function at() ui.click("tab/blocks") ui.frame(2) end
-
--- The blocks are these and no others, added by their names; the last one is open.
-local function blocks(...)
-  at()
-  ui.click("blocks/end")
-  ui.frame(30)  -- the list scrolls back
-  for _ = 1, 40 do
-    if not ui.exists("blocks/1") then break end
-    if not ui.exists("blocks/remove") then ui.click("blocks/1") ui.frame(30) end
-    ui.click("blocks/remove")
-    ui.frame(30)
-  end
-  for _, name in ipairs{...} do
-    ui.type("blocks/add_by_name", name .. "\n")
-    ui.frame(2)
-  end
-end
-
--- "blocks/1/high = 4000" is typed, "blocks/1/on/off" is clicked.
-local function set(words)
-  local id, value = words:match("^(%S+) = (.*)$")
-  if id then ui.type(id, value .. "\n") else ui.click(words) end
-end
-
-local function text() return (ui.value("blocks/text") or ""):gsub("\n", " | "):gsub("[ |]*END[ |]*$", ""):gsub("[ |]+$", "") end
-
-local function in_time(look)
-  for _ = 1, 100 do
-    ui.frame(3)
-    if look() then return true end
-    hw.sleep(0.05)
-  end
-end
-
 local function works(row)
   local list, sets, wanted, why = row[1], row[2], row[3], row[4]
   blocks(table.unpack(list))
   for _, words in ipairs(sets) do set(words) end
-  if why then
-    local id = "blocks/" .. #list .. "/refusal"
-    if not in_time(function() return ui.exists(id) and ui.value(id):find(why, 1, true) end) then
-      error((ui.exists(id) and ui.value(id) or "no refusal; " .. text()) .. ", expected: " .. why)
-    end
-  elseif not in_time(function() return text() == wanted end) then
-    error("the blocks write " .. text() .. ", expected: " .. wanted)
-  end
+  if why then refuses(#list, why) else writes(wanted) end
 end
 
 -- ---- what each writes
@@ -144,7 +102,7 @@ for model, rows in pairs{vxm = vxm, ["dmx-k-sa"] = of_one(), vme58 = vme58} do
   for n, row in ipairs(rows) do
     block(model .. " " .. n .. " " .. row[1][1], function() works(row) end)
   end
-  at()
+  at_blocks()
   for _, w in ipairs(ui.list()) do
     local kind = w.id:match("^blocks/add/(.+)$")
     if kind and rows.never[kind] and w.enabled then error(model .. " is offered " .. kind) end

@@ -16,9 +16,9 @@ end
 
 block("DMX-N2", function()  -- what an older one lacks: tests/panels/control_test.cpp
   tab("setup")
-  is("setup/state", "All as the controller has it.")
+  is("setup/state", "All values are those of the controller.")
   tab("control")
-  is("about/older", "nothing: it answers every setting")
+  is("about/older", "nothing: it supports every setting")
 end)
 block("DMX-N1", function()
   is("about/firmware", one:query("VER"))

@@ -10,7 +10,7 @@ for _, a in ipairs(axes) do c.bench:place(a, {minus = -500000, plus = 500000}) e
 for n = 1, 4 do c:send("EO" .. n .. "=1") end
 choose("goto/axis", "All axes")
 tab("setup")
-is("setup/state", "All as the controller has it.")
+is("setup/state", "All values are those of the controller.")
 tab("control")
 
 local function at_rest()

@@ -47,9 +47,9 @@ local at_work = 0
 for _ = 1, 900 do
   hw.sleep(0.5)
   if ui.value("status/text") ~= "idle" and ui.value("drawing/cut_progress"):find(" left$") then at_work = at_work + 1 end
-  if ui.value("drawing/cut_progress") == "All of it is done" then break end
+  if ui.value("drawing/cut_progress") == "Everything is drawn" then break end
 end
-hw.check(ui.value("drawing/cut_progress") == "All of it is done", ui.value("drawing/cut_progress"))
+hw.check(ui.value("drawing/cut_progress") == "Everything is drawn", ui.value("drawing/cut_progress"))
 hw.check(at_work > 20, "and seen at it")
 hw.check(run_of("DMX") >= 3, "the strokes are followed")
 run_of("VME58")  -- it keeps no program, so it tells no line

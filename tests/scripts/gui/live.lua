@@ -6,7 +6,7 @@ local c = assert(hw.open("pmx-4ex-sa@emulator"))
 c.bench:place("U", {minus = -100000000, plus = 100000000})
 c:send("EO4=1")
 tab("setup")
-is("setup/state", "All as the controller has it.")
+is("setup/state", "All values are those of the controller.")
 
 local function goes_on(what)
   if not c:status("U").moving then c:jog("U", "+") end  -- Escape, which closes, also stops

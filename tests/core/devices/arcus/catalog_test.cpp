@@ -29,7 +29,7 @@ INSTANTIATE_TEST_SUITE_P(Both, ArcusCatalog,
                                          Subject{&dmx_k_sa::model, "arcus/dmx-k-sa.tsv"}),
                          [](const auto& info) { return std::string(info.param.model->title.substr(0, 3)); });
 
-TEST_P(ArcusCatalog, EveryParameterIsExplainedToAStranger) {
+TEST_P(ArcusCatalog, EveryParameterHasAnExplanation) {
   std::set<std::string> seen;
   for (const ParamInfo& p : catalog.params) {
     EXPECT_TRUE(seen.insert(p.mnemonic).second) << p.mnemonic << " stands twice";

@@ -47,7 +47,7 @@ TEST(ArcusCodec, RepliesEndWithEitherTerminatorAndMayBeginWithTheAddress) {
   EXPECT_EQ(decode_reply("\r"sv).text, "") << "an unused line of the program";
 }
 
-TEST(ArcusCodec, TheAutomaticMessageIsToldFromReplies) {
+TEST(ArcusCodec, TheAutomaticMessageDiffersFromReplies) {
   EXPECT_EQ(unsolicited_at_front("$01P\r"), 5u);
   EXPECT_EQ(unsolicited_at_front("$01P\r1000\0"sv), 5u);
   EXPECT_EQ(unsolicited_at_front("$01"), std::string_view::npos) << "the rest may come";
@@ -57,7 +57,7 @@ TEST(ArcusCodec, TheAutomaticMessageIsToldFromReplies) {
   EXPECT_FALSE(in_position("$07Q\r"));
 }
 
-TEST(ArcusCodec, ADeviceNameIsToldFromOtherReplies) {
+TEST(ArcusCodec, ADeviceNameDiffersFromOtherReplies) {
   const Model& dmx = *dmx_forms().model;
   EXPECT_EQ(number_in_name(dmx, "DMK07"), 7);
   EXPECT_EQ(number_in_name(dmx, "4EX07"), std::nullopt);

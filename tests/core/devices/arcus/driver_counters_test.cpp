@@ -18,7 +18,7 @@ class Counters : public DriverTest {
     ASSERT_EQ(perform(intent::SendText(std::move(text))), "");
     run(5);
   }
-  bool said_switched_off() { return told("switched off and on"); }
+  bool reports_switched_off() { return reported("switched off and on"); }
   /// Another program on the line; its answer is not ours.
   void another_sends(std::string_view bytes) {
     std::string answer;
@@ -28,18 +28,18 @@ class Counters : public DriverTest {
 };
 
 // With StepNLoop both counters are written (decision AMB-039).
-TEST_F(Counters, SetByTheUsersOwnTextNoPowerCycleIsSaid) {
+TEST_F(Counters, SetByTheUsersOwnTextNoPowerCycleIsReported) {
   start(closed_loop);
   ASSERT_EQ(perform(intent::SetParam("SLT", 30)), "");
   move_to(500);
   send("PX=0");
   EXPECT_EQ(position(), 0);
-  EXPECT_FALSE(said_switched_off()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
   EXPECT_TRUE(latest.unsaved_setup) << "SLT was not stored";
   move_to(500);
   ASSERT_TRUE(loop->operate(bench::PowerCycle()));
   run(40);
-  EXPECT_TRUE(said_switched_off()) << "a real one still is";
+  EXPECT_TRUE(reports_switched_off()) << "a real one still is";
 }
 
 TEST_F(Counters, AnEncoderCounterThatTakesThePositionAlong) {
@@ -48,7 +48,7 @@ TEST_F(Counters, AnEncoderCounterThatTakesThePositionAlong) {
   move_to(500);
   send("EX=0");
   EXPECT_EQ(position(), 0);
-  EXPECT_FALSE(said_switched_off()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
 }
 
 TEST_F(Counters, ByAQuestionOfAScript) {
@@ -57,7 +57,7 @@ TEST_F(Counters, ByAQuestionOfAScript) {
   EXPECT_EQ(query("PX=0"), "OK");
   EXPECT_EQ(query("EX=0"), "OK");
   run(5);
-  EXPECT_FALSE(said_switched_off()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
 }
 
 // The load has never moved, so the target goes back to zero (decision AMB-040).
@@ -72,7 +72,7 @@ TEST_F(Counters, ByClearingAStall) {
   send("CLR");
   EXPECT_EQ(position(), 0);
   EXPECT_TRUE(latest.axes[0].trust.doubtful()) << "until it is homed, or somebody says where it stands";
-  EXPECT_FALSE(said_switched_off()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
 }
 
 // 10 counts at 100 a second take less than the time between two rounds at rest.
@@ -83,7 +83,7 @@ TEST_F(Counters, AShortMoveToZeroByTheUsersOwnTextIsNoPowerCycle) {
   EXPECT_EQ(query("X0"), "OK");
   run(5);
   EXPECT_EQ(position(), 0);
-  EXPECT_FALSE(said_switched_off()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
 }
 
 // ---- cut short
@@ -139,12 +139,12 @@ TEST_F(Counters, AMoveToZeroThatIsOverBeforeAnybodyLooksIsNoPowerCycle) {
     for (const std::int64_t from : {13, -7, 100}) {
       move_to(from);
       move_to(0);
-      EXPECT_FALSE(said_switched_off()) << model << " from " << from;
+      EXPECT_FALSE(reports_switched_off()) << model << " from " << from;
     }
   }
 }
 
-TEST_F(Counters, AMoveThatComesToItsTargetIsSaidToHave) {
+TEST_F(Counters, AMoveThatComesToItsTargetIsReportedAsArrived) {
   for (const std::string_view model : {four_axes, closed_loop}) {
     start(model);
     move_to(3000);

@@ -111,7 +111,7 @@ TEST_F(Programs, OneThatIsHalfWrittenWhenTheConsoleIsClosedIsNamed) {
       if (stopped) perform(intent::Stop());
       asio::co_spawn(io, pump->shut_down(), asio::detached);
       run(1);
-      EXPECT_TRUE(told("The stored code is now neither the old program nor the new one: the first"))
+      EXPECT_TRUE(reported("The stored code is now neither the old program nor the new one: the first"))
           << model << stopped;
       next_model();
     }

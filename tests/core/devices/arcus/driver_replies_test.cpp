@@ -19,7 +19,7 @@ class Liar final : public test::EmulatorAround {
   using EmulatorAround::EmulatorAround;
 
   std::map<std::string, std::string, std::less<>> instead;  ///< by command without address, whole replies
-  std::map<std::string, int, std::less<>> heard;
+  std::map<std::string, int, std::less<>> received;
   bool line_feeds = false;  ///< a serial server on the way writes CR LF
 
   void receive(std::string_view bytes) override {
@@ -32,21 +32,21 @@ class Liar final : public test::EmulatorAround {
       const std::string line = std::exchange(line_, {});
       if (!line.starts_with('@')) continue;  // it ends what may have been cut off
       const std::string command = line.substr(3);
-      ++heard[command];
+      ++received[command];
       std::string reply;
       inner_->take_output(reply);
       const auto lie = instead.find(command);
-      said_ += lie == instead.end() ? reply : lie->second;
-      if (line_feeds && !said_.empty()) said_.back() = '\r', said_ += '\n';
+      sent_ += lie == instead.end() ? reply : lie->second;
+      if (line_feeds && !sent_.empty()) sent_.back() = '\r', sent_ += '\n';
     }
   }
   void take_output(std::string& sink) override {
-    sink += std::exchange(said_, {});
+    sink += std::exchange(sent_, {});
     inner_->take_output(sink);
   }
 
  private:
-  std::string line_, said_;
+  std::string line_, sent_;
 };
 
 struct BrokenReply {
@@ -71,7 +71,7 @@ class BrokenReplies : public DriverTest, public testing::WithParamInterface<Brok
   Liar* liar = nullptr;
 };
 
-TEST_P(BrokenReplies, AreSaidAndNeverShownAndHeal) {
+TEST_P(BrokenReplies, AreReportedAndNeverShownAndHeal) {
   start();
   ASSERT_EQ(perform(intent::SetPosition(0, Steps(1234))), "");
   liar->instead["EX"] = GetParam().answer;
@@ -120,7 +120,7 @@ class OneReply : public BrokenReplies {
   bool byte_times = false;
 };
 
-TEST_F(OneReply, LineFeedsBehindTheAnswersAreSaidToBeThat) {
+TEST_F(OneReply, LineFeedsBehindTheAnswersAreReported) {
   for (const bool slow : {false, true}) {
     byte_times = slow;
     for (const std::string_view model : {"dmx-k-sa", "pmx-4ex-sa"}) {
@@ -132,28 +132,28 @@ TEST_F(OneReply, LineFeedsBehindTheAnswersAreSaidToBeThat) {
   }
 }
 
-TEST_F(OneReply, ANameThatIsNotItsAddressIsSaid) {
+TEST_F(OneReply, ANameThatIsNotItsAddressIsReported) {
   meet("dmx-k-sa", [](Liar& device) { device.instead["DN"] = ended("DMK07"); });
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(told("It answers at 01 and is to be called DMK07: it will answer at 07"));
+  EXPECT_TRUE(reported("It answers at 01 and is to be called DMK07: it will answer at 07"));
   TearDown();
   meet("dmx-k-sa", [](Liar& device) { device.instead["DN"] = ended("STAGE"); });
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(told("It answers at 01 and calls itself "));
-  EXPECT_TRUE(told("where a DMX-K-SA calls itself DMK01"));
+  EXPECT_TRUE(reported("It answers at 01 and calls itself "));
+  EXPECT_TRUE(reported("where a DMX-K-SA calls itself DMK01"));
 }
 
 TEST_F(OneReply, OnceIsForgiven) {
   start();
-  const int before = liar->heard["PX"];
+  const int before = liar->received["PX"];
   liar->instead["PX"] = ended("12x");
-  ASSERT_TRUE(run_until([&] { return liar->heard["PX"] == before + 1; }, 5));
+  ASSERT_TRUE(run_until([&] { return liar->received["PX"] == before + 1; }, 5));
   liar->instead.clear();  // the question is asked once more
   for (int i = 0; i < 40; ++i) {
     run(0.05);
     EXPECT_EQ(latest.link.state, LinkState::good) << sentence();
   }
-  EXPECT_GT(liar->heard["PX"], before + 1);
+  EXPECT_GT(liar->received["PX"], before + 1);
 }
 
 TEST_F(OneReply, ACommandThatIsAnsweredWithNonsenseIsSentOnce) {
@@ -162,10 +162,10 @@ TEST_F(OneReply, ACommandThatIsAnsweredWithNonsenseIsSentOnce) {
   liar->instead["HSPD=5000"] = ended("NO");
   EXPECT_THAT(perform(intent::SetParam("HSPD", 5000)),
               HasSubstr("answered NO to HSPD=5000 instead of OK. It was sent once and is not repeated."));
-  EXPECT_EQ(liar->heard["HSPD=5000"], 1);
+  EXPECT_EQ(liar->received["HSPD=5000"], 1);
   liar->instead["X1000"] = ended("NO");
   EXPECT_THAT(perform(intent::MoveTo(targets({1000}))), HasSubstr("X1000"));
-  EXPECT_EQ(liar->heard["X1000"], 1);
+  EXPECT_EQ(liar->received["X1000"], 1);
 }
 
 TEST_F(OneReply, AStoredLineThatReadsBackWrongIsNamed) {
@@ -177,14 +177,15 @@ TEST_F(OneReply, AStoredLineThatReadsBackWrongIsNamed) {
   EXPECT_FALSE(latest.transfer.running);
 }
 
-TEST_F(OneReply, CodeOfAnotherProgramIsShownLineByLineAndSaid) {
+TEST_F(OneReply, CodeOfAnotherProgramIsShownLineByLineAndReported) {
   start();
   ASSERT_EQ(perform(intent::LoadProgram(0, "X400\nWAITX\nV1=1\nEND\n")), "");
   ASSERT_EQ(query("SA1=17 4 0 FF"), "OK");
   ASSERT_EQ(perform(intent::UploadProgram(0)), "");
   EXPECT_THAT(program_text(), AllOf(HasSubstr("X400"), HasSubstr("17 4 0 FF"), HasSubstr("V1=1")));
-  EXPECT_TRUE(told("1 line of the stored code cannot be read here: line 1 (17 4 0 FF).")) << all_notices();
-  EXPECT_TRUE(told("If you send the text back unchanged, it leaves it out.")) << all_notices();
+  EXPECT_TRUE(reported("1 line of the stored code cannot be read here: line 1 (17 4 0 FF)."))
+      << all_notices();
+  EXPECT_TRUE(reported("If you send the text back unchanged, it leaves it out.")) << all_notices();
 }
 
 TEST_F(OneReply, ALineThatIsNoTextIsRefusedNotSwallowed) {
@@ -230,9 +231,9 @@ TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfAllSwitchesItOffAndSaysSo) {
 // ---- another program on the line
 
 /// It asks the same controller again and again, and everybody hears the answers.
-class Overheard final : public test::EmulatorAround {
+class Received final : public test::EmulatorAround {
  public:
-  Overheard(std::unique_ptr<Emulator> inner, Duration period)
+  Received(std::unique_ptr<Emulator> inner, Duration period)
       : EmulatorAround(std::move(inner)), period_(period) {}
   [[nodiscard]] std::optional<Instant> next_event() const override {
     const auto next = inner_->next_event();
@@ -252,7 +253,7 @@ TEST_F(DriverTest, WhereAnotherProgramAsksAllTheTimeConnectingEnds) {
   for (const int period : {5, 10, 20}) {
     type = find_device_type("dmx-k-sa");
     loop = std::make_unique<test::Loopback>(
-        time, std::make_unique<Overheard>(type->make_emulator({}).value(), Millis(period)), false);
+        time, std::make_unique<Received>(type->make_emulator({}).value(), Millis(period)), false);
     catalog = type->make_catalog({}).value();
     open();
     EXPECT_EQ(latest.link.state, LinkState::lost) << period;

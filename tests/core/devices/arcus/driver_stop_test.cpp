@@ -52,10 +52,10 @@ TEST_F(Stopping, EndsTwoProgramsThatStartEachOther) {
         "");
     ASSERT_EQ(perform(intent::RunProgram(0)), "");
     run(1);
-    const std::string said = perform(intent::Stop());
+    const std::string sentence = perform(intent::Stop());
     const bool ended = query("SASTAT0") == "0" && query("SASTAT1") == "0";
-    EXPECT_EQ(ended, said.empty()) << said;
-    EXPECT_TRUE(ended || testing::Value(said, HasSubstr("still runs"))) << said;
+    EXPECT_EQ(ended, sentence.empty()) << sentence;
+    EXPECT_TRUE(ended || testing::Value(sentence, HasSubstr("still runs"))) << sentence;
     next();
   }
 }
@@ -114,7 +114,7 @@ TEST_F(Stopping, OfOneAxisLeavesTheOthersTheirJoystick) {
   ASSERT_EQ(query("JE=3"), "OK");
   EXPECT_EQ(perform(intent::Stop(1)), "");
   EXPECT_EQ(query("JE"), "1");
-  EXPECT_TRUE(told("joystick was switched off"));
+  EXPECT_TRUE(reported("joystick was switched off"));
 }
 
 TEST_F(Stopping, WithoutAJoystickChangesNoSetting) {
@@ -150,7 +150,7 @@ TEST_F(Stopping, SaysEverythingOnceBeforeASilentLineIsGivenUp) {
     run(1);
     loop->drop(1 << 20);
     const auto before = loop->to_controller.size();
-    EXPECT_THAT(perform(intent::Stop()), HasSubstr("was told to stop but does not answer"));
+    EXPECT_THAT(perform(intent::Stop()), HasSubstr("Stop was sent, but the controller does not answer"));
     EXPECT_THAT(loop->to_controller.substr(before),
                 testing::StartsWith("@00STOP\r~\r@00SR0=0\r~\r@00STOP\r~\r@00SR1=0\r~\r@00SR2=0\r"
                                     "~\r@00SR3=0\r~\r@00STOP\r"))

@@ -28,7 +28,7 @@ class Subroutine : public DriverTest {
   }
 };
 
-TEST_F(Subroutine, OneThatGoesOnIsNeverSaidToBeStopped) {
+TEST_F(Subroutine, OneThatGoesOnIsNeverReportedAsStopped) {
   for (const char* model : {pmx, dmx}) {
     start(model);
     ASSERT_EQ(load(endless), "");
@@ -37,9 +37,9 @@ TEST_F(Subroutine, OneThatGoesOnIsNeverSaidToBeStopped) {
     run(0.3);
     sent();
     const Instant asked = time.now();
-    const std::string said = stop();
-    EXPECT_THAT(said, HasSubstr("subroutine")) << model;
-    EXPECT_THAT(said, HasSubstr("Switch the power off")) << model;
+    const std::string sentence = stop();
+    EXPECT_THAT(sentence, HasSubstr("subroutine")) << model;
+    EXPECT_THAT(sentence, HasSubstr("Switch the power off")) << model;
     EXPECT_GT(stops(), 4) << "each move that it begins is stopped";
     EXPECT_LT(seconds(time.now() - asked), 15);
     next();

@@ -133,7 +133,7 @@ class Restart : public DriverTest {
     ASSERT_TRUE(loop->operate(bench::PowerCycle()));
     run(40);
   }
-  bool said() { return told("switched off and on"); }
+  bool reports_switched_off() { return reported("switched off and on"); }
 };
 
 TEST_F(Restart, PositionsThatReadZeroShowIt) {
@@ -141,7 +141,7 @@ TEST_F(Restart, PositionsThatReadZeroShowIt) {
   perform(intent::MoveTo(targets({500})));
   ASSERT_TRUE(wait_idle());
   power_cycle();
-  EXPECT_TRUE(said()) << all_notices();
+  EXPECT_TRUE(reports_switched_off()) << all_notices();
   EXPECT_TRUE(latest.axes[0].trust.doubtful());
   EXPECT_EQ(latest.restarts, 1u);
 }
@@ -151,7 +151,7 @@ TEST_F(Restart, InTheMiddleOfAMoveItIsNoArrival) {
   perform(intent::MoveTo(targets({50000})));
   run(5);
   power_cycle();
-  EXPECT_TRUE(said());
+  EXPECT_TRUE(reports_switched_off());
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::lost);
 }
 
@@ -191,8 +191,8 @@ TEST_F(Restart, AtZeroAValueThatWasNotStoredShowsIt) {
   ASSERT_EQ(perform(intent::SetParam("SLTX", 30)), "");
   run(2);
   power_cycle();
-  EXPECT_TRUE(told("SLTX read 30 and now reads 20")) << all_notices();
-  EXPECT_TRUE(said());
+  EXPECT_TRUE(reported("SLTX read 30 and now reads 20")) << all_notices();
+  EXPECT_TRUE(reports_switched_off());
   EXPECT_EQ(param("SLTX"), 20);
   EXPECT_TRUE(latest.axes[0].trust.doubtful());
   EXPECT_FALSE(latest.unsaved_setup) << "what was not stored is gone";
@@ -204,7 +204,7 @@ TEST_F(Restart, AtZeroASpeedThatIsNeverStoredShowsIt) {
   ASSERT_EQ(perform(intent::SetParam("HSPD", 5000)), "");
   run(2);
   power_cycle();
-  EXPECT_TRUE(told("HSPD read 5000 and now reads 1000")) << all_notices();
+  EXPECT_TRUE(reported("HSPD read 5000 and now reads 1000")) << all_notices();
 }
 
 TEST_F(Restart, AtZeroMotorPowerThatNobodyHasSwitchedShowsIt) {
@@ -212,7 +212,7 @@ TEST_F(Restart, AtZeroMotorPowerThatNobodyHasSwitchedShowsIt) {
   ASSERT_EQ(perform(intent::SetPower(2, true)), "");
   run(5);
   power_cycle();
-  EXPECT_TRUE(told("Motor power went off, and no command that was sent does this")) << all_notices();
+  EXPECT_TRUE(reported("Motor power went off, and no command that was sent does this")) << all_notices();
   EXPECT_EQ(latest.restarts, 1u);
   EXPECT_TRUE(latest.axes[0].trust.doubtful());
 }
@@ -224,7 +224,7 @@ TEST_F(Restart, AtZeroMotorPowerThatComesOnByItselfShowsItToo) {
   ASSERT_EQ(perform(intent::Store()), "");
   run(5);
   power_cycle();
-  EXPECT_TRUE(told("Motor power came on")) << all_notices();
+  EXPECT_TRUE(reported("Motor power came on")) << all_notices();
 }
 
 TEST_F(Restart, MotorPowerThatIsSwitchedByTextShowsNone) {
@@ -233,7 +233,7 @@ TEST_F(Restart, MotorPowerThatIsSwitchedByTextShowsNone) {
     EXPECT_EQ(query(text), "OK") << text;
     run(3);
   }
-  EXPECT_FALSE(said()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
   EXPECT_FALSE(latest.axes[1].enabled);
 }
 
@@ -244,7 +244,7 @@ TEST_F(Restart, MotorPowerThatAProgramSwitchesShowsNone) {
   ASSERT_EQ(perform(intent::RunProgram(0)), "");
   run(60);
   EXPECT_FALSE(latest.axes[0].enabled);
-  EXPECT_FALSE(said()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
 }
 
 TEST_F(Restart, MotorPowerThatASubroutineSwitchesShowsNone) {
@@ -254,7 +254,7 @@ TEST_F(Restart, MotorPowerThatASubroutineSwitchesShowsNone) {
   EXPECT_EQ(query("GS3"), "OK");
   run(60);
   EXPECT_FALSE(latest.axes[0].enabled);
-  EXPECT_FALSE(said()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
 }
 
 // A stop reads positions too: what it has read is no news any more for the round behind it.
@@ -265,7 +265,7 @@ TEST_F(Restart, WhatAStopHasReadFirstShowsItAllTheSame) {
   ASSERT_TRUE(loop->operate(bench::PowerCycle()));
   perform(intent::Stop());
   run(40);
-  EXPECT_TRUE(said()) << all_notices();
+  EXPECT_TRUE(reports_switched_off()) << all_notices();
 }
 
 // The loop corrects by a count or two, at any time.
@@ -277,7 +277,7 @@ TEST_F(Restart, AnAxisThatStepNLoopBringsToZeroShowsNone) {
   ASSERT_TRUE(loop->operate(bench::Jam(AxisId{0}, true)));
   EXPECT_EQ(query("X0"), "OK");
   run(40);
-  EXPECT_FALSE(said()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
 }
 
 // Nothing that the controller tells has changed, and nothing was lost either.
@@ -287,7 +287,7 @@ TEST_F(Restart, AtZeroWithEverythingStoredNothingShowsItAndNothingIsLost) {
   ASSERT_EQ(perform(intent::SetParam("SLT", 30)), "");
   ASSERT_EQ(perform(intent::Store()), "");
   power_cycle();
-  EXPECT_FALSE(said());
+  EXPECT_FALSE(reports_switched_off());
   EXPECT_EQ(param("SLT"), 30);
 }
 
@@ -301,7 +301,7 @@ TEST_F(Restart, AtZeroAfterAProgramHasRunItStillShows) {
   ASSERT_EQ(perform(intent::RunProgram(0)), "");
   run(1);
   power_cycle();
-  EXPECT_TRUE(said()) << all_notices();
+  EXPECT_TRUE(reports_switched_off()) << all_notices();
   EXPECT_FALSE(latest.unsaved_setup);
 }
 
@@ -328,7 +328,7 @@ TEST_F(Restart, WhatAProgramSetsIsNone) {
   ASSERT_EQ(perform(intent::LoadProgram(0, "HSPDY=0\nSCVX=0\nEND\n")), "");
   ASSERT_EQ(perform(intent::RunProgram(0)), "");
   run(60);
-  EXPECT_FALSE(said()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
 }
 
 // By hand, too.
@@ -368,7 +368,7 @@ TEST_F(Restart, WhatIsNone) {
   ASSERT_TRUE(wait_idle());
   perform(intent::Home(AxisId{0}, Sign::minus, 3));  // on the index: ends at zero
   ASSERT_TRUE(wait_idle());
-  EXPECT_FALSE(said()) << all_notices();
+  EXPECT_FALSE(reports_switched_off()) << all_notices();
 }
 
 // ---- moves
@@ -455,7 +455,7 @@ TEST_F(DriverTest, ASpeedThatALostWireKeptFromBeingGivenBackIsBackAfterIt) {
 TEST_F(DriverTest, ATargetBeyond28BitsIsRefusedHere) {
   start(dmx);
   sent();
-  EXPECT_THAT(perform(intent::MoveTo(targets({134'217'728}))), HasSubstr("not a position for axis X"));
+  EXPECT_THAT(perform(intent::MoveTo(targets({134'217'728}))), HasSubstr("Position 134217728 of axis X"));
   EXPECT_EQ(sent().find('X'), std::string::npos);
 }
 
@@ -562,11 +562,11 @@ TEST_F(DriverTest, ASetParameterIsReadBackAndMarkedUnstored) {
   EXPECT_FALSE(latest.unsaved_setup);
 }
 
-TEST_F(DriverTest, ATimeThatTheControllerAdjustsIsToldNotHidden) {
+TEST_F(DriverTest, ATimeThatTheControllerAdjustsIsReportedNotHidden) {
   start(dmx);
   EXPECT_EQ(perform(intent::SetParam("ACC", 40000)), "");
   EXPECT_LT(param("ACC"), 40'000);
-  EXPECT_TRUE(told("table A.0"));
+  EXPECT_TRUE(reported("table A.0"));
 }
 
 TEST_F(DriverTest, TheDeviceNameIsItsNumber) {
@@ -600,7 +600,7 @@ TEST_F(DriverTest, AnAnalogInputIsReadWhenItIsAskedFor) {
 }
 
 // Decisions AMB-087 and AMB-091: taken, remembered, not shown.
-TEST_F(DriverTest, AnOutputThatTheControllerUsesItselfIsSaidToBe) {
+TEST_F(DriverTest, AnOutputThatTheControllerUsesItselfIsMarked) {
   start(dmx);
   run(15);
   ASSERT_EQ(param("EDO"), 1);

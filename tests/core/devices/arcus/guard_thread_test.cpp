@@ -39,10 +39,10 @@ class GuardOnTheWire : public DriverTest {
   }
   /// The answer to each command on the line passes here.
   void on_the_way(std::function<std::string(const std::string& command, std::string answer)> change) {
-    loop->on_its_way = [change = std::move(change), line = std::string()](char said,
+    loop->on_its_way = [change = std::move(change), line = std::string()](char sentence,
                                                                           std::string answer) mutable {
-      line += said;
-      if (said != '\r') return test::Loopback::OnItsWay{std::move(answer)};
+      line += sentence;
+      if (sentence != '\r') return test::Loopback::OnItsWay{std::move(answer)};
       const auto address = line.rfind('@');
       const std::string command = address == line.npos ? line : line.substr(address + 3);
       line.clear();

@@ -279,7 +279,7 @@ TEST_P(ArcusRehearsal, AnAxisThatIsInErrorHoldsItsProgram) {
             "cleared the error.");
 }
 
-TEST_P(ArcusRehearsal, ALimitIsToldWithAxisDirectionLineAndTime) {
+TEST_P(ArcusRehearsal, ALimitIsReportedWithAxisDirectionLineAndTime) {
   RehearseOptions options;
   options.bench_toml = "[axis.X]\nplus = 500\n";
   const auto r = find_device_type(GetParam())
@@ -312,7 +312,7 @@ TEST(PmxRehearsal, SaysWhyEachProgramStopped) {
   EXPECT_LT(r->stops[0].t, r->stops[1].t);
 }
 
-TEST_P(ArcusRehearsal, ALoopWithoutEndIsToldWithItsLines) {
+TEST_P(ArcusRehearsal, ALoopWithoutEndIsReportedWithItsLines) {
   const auto for_ever =
       rehearse("V1=1\nWHILE 1=1\nDELAY=100\nGOSUB 2\nENDWHILE\nEND\nSUB 2\nDELAY=7\nENDSUB\n", 5);
   ASSERT_TRUE(for_ever);
@@ -334,7 +334,7 @@ TEST_P(ArcusRehearsal, ALoopWithoutEndIsToldWithItsLines) {
       << long_one->error;
 }
 
-TEST(PmxRehearsal, EachLoopWithoutEndIsTold) {
+TEST(PmxRehearsal, EachLoopWithoutEndIsReported) {
   RehearseOptions options;
   options.for_seconds = 5;
   const auto& language = find_device_type("pmx-4ex-sa")->language();

@@ -72,7 +72,7 @@ TEST_F(ArcusReading, SpeedsThatBlocksWouldSayElsewhereAreOwnText) {
       << "the first time X0 is slow, then fast";
 }
 
-TEST_F(ArcusReading, ByADistanceIsSaid) {
+TEST_F(ArcusReading, ByADistanceIsReported) {
   EXPECT_EQ(blocks("INC\nX100\nABS\nX0Y0\nEND\n"), "Move by X 1\nMove to X 0, Y 0\n");
   EXPECT_EQ(blocks("ABS\nX0\nWHILE 1=1\n  X100\n  INC\n  Y100\nENDWHILE\nEND\n"),
             "Move to X 0\nLoop for ever\n  own: X100\n  Move by Y 1\n")

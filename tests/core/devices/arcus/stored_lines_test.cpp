@@ -70,25 +70,25 @@ TEST_F(ProgramDownload, ADownloadWritesOnlyWhatIsNotKnownToBeThere) {
   for (const std::string_view model : both_models) {
     start(model);
     EXPECT_EQ(download(program()), (Wire{4 + all, count})) << model << ", the first time";
-    EXPECT_TRUE(told("302 of 1275 lines are stored: 302 were written and compared.")) << all_notices();
+    EXPECT_TRUE(reported("302 of 1275 lines are stored: 302 were written and compared.")) << all_notices();
     EXPECT_EQ(download(program()), (Wire{all, 0})) << model << ", once more";
-    EXPECT_TRUE(told("302 of 1275 lines are stored: nothing had to be written.")) << all_notices();
+    EXPECT_TRUE(reported("302 of 1275 lines are stored: nothing had to be written.")) << all_notices();
     EXPECT_EQ(download(program(150)), (Wire{all, 1})) << model << ", one line changed";
     next_model();
   }
 }
 
 // Behind the console's back: by another host, on the controller's other port.
-TEST_F(ProgramDownload, WhatAnotherHostHasWrittenUnheardIsFoundAndMended) {
+TEST_F(ProgramDownload, LinesWrittenByAnotherHostAreFoundAndRewritten) {
   for (const std::string_view model : both_models) {
     start(model);
     download(program());
-    std::string unheard;
+    std::string after_silence;
     for (const int line : {150, count + 1}) {
       loop->emulator().receive(fmt::format("@{}SA{}=END\r", model == "dmx-k-sa" ? "01" : "00", line));
-      loop->emulator().take_output(unheard);
+      loop->emulator().take_output(after_silence);
     }
-    ASSERT_THAT(unheard, HasSubstr("OK"));
+    ASSERT_THAT(after_silence, HasSubstr("OK"));
     EXPECT_EQ(download(program()), (Wire{all + 2 + 2, 2})) << model << ", two behind the new end, two mended";
     EXPECT_EQ(query(fmt::format("SA{}", count + 1)), "");
     ASSERT_EQ(perform(intent::UploadProgram(0), 600), "");
@@ -157,7 +157,7 @@ TEST_F(ProgramDownload, ALineThatWasGarbledOnItsWayIsFoundWhereverItWent) {
   EXPECT_LT(torn, 10);
 }
 
-TEST_F(ProgramDownload, HowFarItIsAndHowLongItTakesIsTold) {
+TEST_F(ProgramDownload, HowFarItIsAndHowLongItTakesIsReported) {
   start("pmx-4ex-sa", {}, true);
   const Instant began = time.now();
   const IntentId loading = begin_download(60);
@@ -200,15 +200,15 @@ TEST_F(ProgramDownload, AbortedInTheMiddleItSaysWhatIsWrittenAndGoesOnFromThere)
     download("V9=1\nEND\n");
     const IntentId loading = begin_download(100);
     ASSERT_EQ(perform(intent::HaltProgram()), "");
-    const std::string said = end_of(loading);
-    EXPECT_THAT(said,
+    const std::string sentence = end_of(loading);
+    EXPECT_THAT(sentence,
                 MatchesRegex("A stop came first. The stored code is now neither the old program nor the new "
                              "one: the first 1[0-9][0-9] of its 302 lines are written, and the other lines "
                              "are those of the old program. Download it again before anything runs it."));
     const int done = latest.transfer.done;
     EXPECT_FALSE(latest.transfer.running);
     EXPECT_EQ(latest.slots_torn, 1);
-    EXPECT_THAT(said, HasSubstr(fmt::format("the first {} of", done)));
+    EXPECT_THAT(sentence, HasSubstr(fmt::format("the first {} of", done)));
     EXPECT_NE(query(fmt::format("SA{}", done - 1)), "");
     EXPECT_EQ(query(fmt::format("SA{}", done + 1)), "");
     EXPECT_LE(download(program()).writes, count - done);
@@ -231,7 +231,7 @@ TEST_F(ProgramDownload, AbortedWhileItIsComparedAllIsWritten) {
   EXPECT_EQ(download(program()).writes, 0);
 }
 
-TEST_F(ProgramDownload, ALinkThatIsLostInTheMiddleLeavesWhatIsSaid) {
+TEST_F(ProgramDownload, ALinkThatIsLostInTheMiddleLeavesWhatIsReported) {
   for (const std::string_view model : both_models) {
     start(model, {}, true);
     download("V9=1\nEND\n");

@@ -68,8 +68,8 @@ TEST(ArcusTextMeaning, ATextIsForTheDeviceThatItNames) {
 TEST(ArcusTextMeaning, OnlyWhatGoesToAllIsNotAnswered) {
   EXPECT_EQ(typed_to_dmx("@01J+").answered, TextMeaning::Answered::at_once);
   EXPECT_EQ(typed_to_dmx("@00J+").answered, TextMeaning::Answered::never);
-  EXPECT_FALSE(typed_to_dmx("X1000").end_is_told);
-  EXPECT_TRUE(meaning_of(dmx_k_sa::forms(), intent::SendText("X1000"), Addressing{1, true}).end_is_told);
+  EXPECT_FALSE(typed_to_dmx("X1000").end_is_reported);
+  EXPECT_TRUE(meaning_of(dmx_k_sa::forms(), intent::SendText("X1000"), Addressing{1, true}).end_is_reported);
 }
 
 TEST(ArcusTextMeaning, ALineOfTheProgramMemoryChangesPrograms) {

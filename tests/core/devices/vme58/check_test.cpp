@@ -70,7 +70,7 @@ TEST(Vme58Check, MistakesAreNamedWhereTheyStand) {
   }
 }
 
-TEST(Vme58Check, AMissingModeIsSaidOnce) {
+TEST(Vme58Check, AMissingModeIsReportedOnce) {
   const auto verbatim = errors(
       "CV1000\nCD,,0,0;\nAN0;\nCR0,5000,3.1415926\nCR0,0,6.2831853\nAF0;\nMT-10,10000\nCE\n"
       "MT,,-1000,0; GO\nCX\n");

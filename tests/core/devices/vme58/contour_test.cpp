@@ -49,14 +49,14 @@ TEST(VmeContour, TheHoleOfTheDataSheet) {
   Stage s = ready();
   s.move({{Z, -1000}, {T, 0}});
   s.settle();
-  s.told.clear();
+  s.reported.clear();
   const Instant begins = s.motion.now();
   ASSERT_TRUE(s.motion.play(hole()));
   EXPECT_TRUE(s.motion.occupied(Z));
   s.listen();
   while (s.motion.moving(Z)) {
     s.wait(0.1);
-    const Told* on = s.find(What::output, X);
+    const Reported* on = s.find(What::output, X);
     const bool cuts = s.count(What::output, X) == 1 && on != nullptr;
     const double t = seconds(s.motion.now() - begins);
     const double out = 1.05 + 5 * std::numbers::pi;

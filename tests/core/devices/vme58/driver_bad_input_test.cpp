@@ -28,7 +28,7 @@ TEST_F(Vme58BadInput, IndexesOutOfRange) {
     poke(2, vme58::at::input_get_index, index);
     run(Seconds(1));
     EXPECT_EQ(now().link.state, LinkState::good) << index;
-    EXPECT_THAT(told(), HasSubstr("command error"));
+    EXPECT_THAT(reported(), HasSubstr("command error"));
     EXPECT_EQ(query("RQ").value_or(""), "200") << "set right with the next text";
   }
   works();

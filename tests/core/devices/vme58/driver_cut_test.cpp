@@ -47,7 +47,7 @@ TEST_F(Vme58Cut, AJogNeverOutlivesItsHand) {
   EXPECT_GT(held, 0);
 }
 
-TEST_F(Vme58Cut, AMoveIsSaidNotToBeSentOnlyIfItIsNot) {
+TEST_F(Vme58Cut, AMoveIsReportedAsNotSentOnlyIfItIsNot) {
   ASSERT_TRUE(query("AX VL20000 AC1000000"));
   int unsent = 0, unknown = 0, done = 0;
   for (int after_us = 0; after_us < longest_us; after_us += 90) {

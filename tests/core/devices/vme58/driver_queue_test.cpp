@@ -67,7 +67,7 @@ TEST_F(Vme58DriverQueues, OfAProgramThatIsLongerThanItsQueueIsShownAsFull) {
 }
 
 TEST_F(Vme58DriverQueues, AndLoopsAreReadoutsToo) {
-  const auto told = [&](const char* id) -> std::optional<std::int64_t> {
+  const auto reported = [&](const char* id) -> std::optional<std::int64_t> {
     const auto i = static_cast<std::size_t>(session->catalog().find_readout(id));
     return now().readouts_known[i] ? std::optional(now().readouts[i]) : std::nullopt;
   };
@@ -75,14 +75,14 @@ TEST_F(Vme58DriverQueues, AndLoopsAreReadoutsToo) {
   ASSERT_TRUE(query("AY HN"));
   ASSERT_TRUE(query("AX VL1000 AC1000000 WT2000 MR100 GO"));
   run(Millis(1000));
-  EXPECT_EQ(told("RQX"), truly_free(0));
-  EXPECT_LT(*told("RQX"), vme58::queue_entries);
-  EXPECT_EQ(told("RQZ"), vme58::queue_entries);
-  EXPECT_EQ(told("HNY"), 1);
+  EXPECT_EQ(reported("RQX"), truly_free(0));
+  EXPECT_LT(*reported("RQX"), vme58::queue_entries);
+  EXPECT_EQ(reported("RQZ"), vme58::queue_entries);
+  EXPECT_EQ(reported("HNY"), 1);
   ASSERT_TRUE(query("AY HF"));
   run(Seconds(3));
-  EXPECT_EQ(told("HNY"), 0);
-  EXPECT_EQ(told("RQX"), vme58::queue_entries);
+  EXPECT_EQ(reported("HNY"), 0);
+  EXPECT_EQ(reported("RQX"), vme58::queue_entries);
 }
 
 TEST_F(Vme58DriverQueues, WhatWaitsInTheRingIsLeftThereByTheRoundsOfStatus) {

@@ -46,7 +46,7 @@ class Vme58DriverTalk : public test::Vme58Rig, public testing::WithParamInterfac
         again = word;
       } else if (!reply->empty()) {
         std::istringstream lines(*reply);
-        for (std::string line; std::getline(lines, line);) heard.push_back(line);
+        for (std::string line; std::getline(lines, line);) received.push_back(line);
       }
     }
   }
@@ -54,15 +54,16 @@ class Vme58DriverTalk : public test::Vme58Rig, public testing::WithParamInterfac
     std::string wanted = step.bytes;
     std::erase_if(wanted, [](char c) { return c == '\n' || c == '\r'; });
     if (wanted.empty()) {
-      EXPECT_THAT(heard, IsEmpty()) << "line " << step.line;
+      EXPECT_THAT(received, IsEmpty()) << "line " << step.line;
       return;
     }
-    if (heard.empty() && !again.empty()) say(std::exchange(again, {}));  // it was held back and not answered
-    ASSERT_FALSE(heard.empty()) << "line " << step.line << ": no " << wanted;
-    EXPECT_PRED2([this](const std::string& a, const std::string& b) { return same(a, b); }, heard.front(),
+    if (received.empty() && !again.empty())
+      say(std::exchange(again, {}));  // it was held back and not answered
+    ASSERT_FALSE(received.empty()) << "line " << step.line << ": no " << wanted;
+    EXPECT_PRED2([this](const std::string& a, const std::string& b) { return same(a, b); }, received.front(),
                  wanted)
         << "line " << step.line;
-    heard.erase(heard.begin());
+    received.erase(received.begin());
   }
   /// While axes move the console asks a moment later.
   bool same(const std::string& got, const std::string& wanted) const {
@@ -76,7 +77,7 @@ class Vme58DriverTalk : public test::Vme58Rig, public testing::WithParamInterfac
     return true;
   }
 
-  std::vector<std::string> heard, failed;
+  std::vector<std::string> received, failed;
   std::string again;
 };
 
@@ -85,7 +86,7 @@ TEST_P(Vme58DriverTalk, MakesOfTheRepliesWhatTheySay) {
   bool echoes = false;
   for (const talk::Step& step : transcript.steps) {
     if (step.kind == talk::Step::Kind::send) {
-      if (echoes) heard.clear();  // the console keeps the echo off: of it the transcript alone tells
+      if (echoes) received.clear();  // the console keeps the echo off: of it the transcript alone tells
       echoes = step.bytes.starts_with("EN") || (echoes && !step.bytes.starts_with("UU"));
       if (!echoes) say(step.bytes);
     } else if (step.kind == talk::Step::Kind::expect && !echoes) {
@@ -97,7 +98,7 @@ TEST_P(Vme58DriverTalk, MakesOfTheRepliesWhatTheySay) {
       run(Millis(50));
     }
   }
-  EXPECT_THAT(heard, IsEmpty());
+  EXPECT_THAT(received, IsEmpty());
   if (GetParam() == "start_up")
     EXPECT_THAT(failed, ElementsAre("EA", "KK2")) << "no encoder there; of other firmware";
   else if (GetParam() == "queue")
@@ -124,7 +125,7 @@ class Vme58Liar : public test::Vme58Rig {
    public:
     LyingWindow(Vme58Liar& test, std::unique_ptr<Window> window) : test_(test), window_(std::move(window)) {}
     void listen(Listener* listener) override { window_->listen(listener); }
-    [[nodiscard]] bool tells_interrupts() const override { return window_->tells_interrupts(); }
+    [[nodiscard]] bool reports_interrupts() const override { return window_->reports_interrupts(); }
     [[nodiscard]] std::string describe() const override { return window_->describe(); }
     Task<Result<>> run(std::span<BusCycle> cycles) override {
       auto done = co_await window_->run(cycles);
@@ -220,22 +221,22 @@ TEST_F(Vme58Liar, AReplyThatIsNoStatusTellsNoEndOfTheTravel) {
   heals();
 }
 
-TEST_F(Vme58Liar, ACommandErrorThatNobodyCausedIsTold) {
+TEST_F(Vme58Liar, ACommandErrorThatNobodyCausedIsReported) {
   bool once = true;
   lie = [&once](BusCycle& c) {
     if (c.offset == vme58::reg::status && std::exchange(once, false)) c.value |= vme58::status::command_error;
   };
-  (void)told();
+  (void)reported();
   run(Seconds(1));
-  EXPECT_THAT(told(), HasSubstr("reports a command error"));
+  EXPECT_THAT(reported(), HasSubstr("reports a command error"));
   heals();
 }
 
 // The board may stand in the middle of a word then.
-TEST_F(Vme58Liar, ACommandErrorOfWhatAStopHasTakenBackIsNotTold) {
+TEST_F(Vme58Liar, ACommandErrorOfWhatAStopHasTakenBackIsNotReported) {
   ASSERT_TRUE(query("AX VL20000 AC40000 MR1000000 GO"));
   run(Seconds(1));
-  (void)told();
+  (void)reported();
   bool once = true;
   lie = [&once](BusCycle& c) {
     if (c.offset == vme58::reg::status && std::exchange(once, false)) c.value |= vme58::status::command_error;
@@ -243,7 +244,7 @@ TEST_F(Vme58Liar, ACommandErrorOfWhatAStopHasTakenBackIsNotTold) {
   EXPECT_EQ(perform(intent::Stop()).state, IntentState::done);
   EXPECT_FALSE(once);
   run(Seconds(1));
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
 }
 
 TEST_F(Vme58Liar, WhatIsNoVme58IsNotTakenForOne) {

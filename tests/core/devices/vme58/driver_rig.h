@@ -119,7 +119,7 @@ class Vme58Rig : public testing::Test {
     return run_until([this] { return !now().any_axis_moving() && now().program.run != RunState::running; },
                      patience);
   }
-  std::string told() {
+  std::string reported() {
     std::string all;
     session->notices().drain([&](const Notice& n) { all += n.text + "\n"; });
     return all;

@@ -19,7 +19,7 @@ class Vme58ServoPlace : public test::Vme58Rig {
     AxisPlace place;
     place.motor = Motor();
     operate(bench::Place(AxisId{Y}, place));
-    (void)told();
+    (void)reported();
   }
   /// Its motor has no gains: the command goes, the encoder stays.
   void leave_behind() {
@@ -39,9 +39,9 @@ class Vme58ServoPlace : public test::Vme58Rig {
     return result;
   }
   IntentOutcome set(const char* name, std::int64_t hundredths, Closing closing = Closing::ask) {
-    intent::SetParam wish(name, hundredths);
-    wish.closing = closing;
-    return perform(wish);
+    intent::SetParam request(name, hundredths);
+    request.closing = closing;
+    return perform(request);
   }
 };
 
@@ -66,8 +66,8 @@ TEST_F(Vme58ServoPlace, AServoThatDoesNotComeIsNotInPlaceTwoSecondsAfterItsComma
   EXPECT_EQ(axis(Y).following_error(), Steps(5000));
   EXPECT_EQ(axis(Y).loop, Loop::off_place);
   EXPECT_EQ(axis(Y).ended_by, EndedBy::not_in_place);
-  EXPECT_THAT(told(), HasSubstr("Y did not reach its target: 2 s after its command ended, its encoder "
-                                "is at 0, 5000 counts from there. Nothing drives it"));
+  EXPECT_THAT(reported(), HasSubstr("Y did not reach its target: 2 s after its command ended, its encoder "
+                                    "is at 0, 5000 counts from there. Nothing drives it"));
 }
 
 TEST_F(Vme58ServoPlace, WaitLastsUntilThenAndSaysWhy) {
@@ -143,12 +143,12 @@ TEST_F(Vme58ServoPlace, OneThatOnlySettlesMayBeSentOn) {
 
 TEST_F(Vme58ServoPlace, AnAxisThatTracksGoesNowhereInParticular) {
   ASSERT_TRUE(query("AY ET"));
-  (void)told();
+  (void)reported();
   operate(bench::Slip(AxisId{Y}, Steps(3000)));
   run(Seconds(4));
   EXPECT_EQ(axis(Y).activity, Activity::idle);
   EXPECT_NE(axis(Y).ended_by, EndedBy::not_in_place);
-  EXPECT_THAT(told(), IsEmpty());
+  EXPECT_THAT(reported(), IsEmpty());
 }
 
 TEST_F(Vme58ServoPlace, AStoppedAxisRestsByItsCommandAndShowsItsError) {
@@ -265,15 +265,15 @@ TEST_F(Vme58ServoPlace, PowerOnFarFromItsCommandIsAskedAbout) {
   EXPECT_TRUE(axis(Y).enabled);
 }
 
-TEST_F(Vme58ServoPlace, TypedTextGoesAsItIsTypedAndItIsSaid) {
+TEST_F(Vme58ServoPlace, TypedTextGoesAsItIsTypedAndIsReported) {
   leave_behind();
-  (void)told();
+  (void)reported();
   ASSERT_TRUE(query("AY KD8 KP2"));
-  EXPECT_THAT(told(), HasSubstr("KP2 was sent while the encoder of Y was 5000 counts from its command"));
+  EXPECT_THAT(reported(), HasSubstr("KP2 was sent while the encoder of Y was 5000 counts from its command"));
   run(Seconds(3));
   EXPECT_NEAR(static_cast<double>(axis(Y).position.value), 5000, 10);
   ASSERT_TRUE(query("AY KP3"));
-  EXPECT_THAT(told(), IsEmpty());
+  EXPECT_THAT(reported(), IsEmpty());
 }
 
 TEST_F(Vme58ServoPlace, HereIsZeroMakesTheEncoderReadZero) {

@@ -56,7 +56,7 @@ TEST_F(Vme58Stops, OneAxisOfAProgramIsStoppedForGood) {
     EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done);
     expect_stays(0);
     EXPECT_EQ(now().program.run, RunState::idle);
-    EXPECT_THAT(told(), HasSubstr("all axes were stopped"));
+    EXPECT_THAT(reported(), HasSubstr("all axes were stopped"));
     perform(intent::MoveTo({{AxisId{0}, Steps(0)}, {AxisId{1}, Steps(0)}}));
     ASSERT_TRUE(becomes_idle());
   }
@@ -165,14 +165,14 @@ TEST_F(Vme58Stops, WhatBeginsBehindAJogGoesOnWhenThatIsLetGo) {
   hold_jog(9);
   session->send(intent::SendText("AY MR6000 GO AA CV3000 CD0,0; MT3000,3000; CK CX"));  // waits for both axes
   hold_jog(1);
-  (void)told();
+  (void)reported();
   EXPECT_EQ(perform(intent::JogStop()).state, IntentState::done);
   run(Millis(100));
   EXPECT_EQ(axis(0).activity, Activity::moving) << "and jogs no more";
   ASSERT_TRUE(becomes_idle());
   EXPECT_EQ(axis(0).position, Steps(3000));
   EXPECT_EQ(axis(1).position, Steps(3000));
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
 }
 
 TEST_F(Vme58Stops, AnAbortRightBehindAStopFindsTheMailboxFree) {

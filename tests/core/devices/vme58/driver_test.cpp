@@ -300,7 +300,7 @@ TEST_F(Vme58Driver, OutputsGoByTheMakersNumbers) {
 TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
   perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   ASSERT_TRUE(becomes_idle());
-  (void)told();
+  (void)reported();
   perform(intent::Stop());  // which keeps nothing back afterwards
   run(Millis(500));
   operate(bench::PowerCycle());
@@ -309,7 +309,7 @@ TEST_F(Vme58Driver, AResetOfTheBoardIsNoticed) {
   run(Seconds(1));
   EXPECT_EQ(now().restarts, 1u) << "noticed once";
   EXPECT_EQ(axis(0).position, Steps(0));
-  EXPECT_THAT(told(), HasSubstr("switched off and on"));
+  EXPECT_THAT(reported(), HasSubstr("switched off and on"));
   EXPECT_TRUE(axis(0).trust.doubtful()) << "0 wherever the motor stands";
   intent::MoveTo once({{AxisId{0}, Steps(200)}});
   EXPECT_EQ(perform(once).state, IntentState::refused);
@@ -359,7 +359,7 @@ TEST_F(Vme58Driver, ALostLinkEndsARecordingAndAProgramThatIsFed) {
   perform(intent::SendText("AA CD0,0; CV1000;"));
   run(Seconds(1));
   reconnect();
-  EXPECT_THAT(told(), HasSubstr("its first part was lost with the connection"));
+  EXPECT_THAT(reported(), HasSubstr("its first part was lost with the connection"));
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
   std::string text = "AX VL20000 AC1000000\n";
@@ -390,7 +390,7 @@ TEST_F(Vme58Driver, AHomingThatNeverBeganTakesNoDoubtAway) {
   EXPECT_TRUE(axis(2).trust.doubtful());
 }
 
-TEST_F(Vme58Driver, IndexesThatAStrangerHasWrittenDoNotHarmForLong) {
+TEST_F(Vme58Driver, IndexesThatAnotherHostHasWrittenDoNotHarmForLong) {
   poke(2, vme58::at::output_put_index, 0xFFFF);
   run(Seconds(1));
   poke(2, vme58::at::output_put_index, peek(2, vme58::at::output_get_index));
@@ -426,7 +426,7 @@ TEST_F(Vme58Driver, AProgramWithARejectedCommandStopsAndNamesTheLine) {
             IntentState::done);
   perform(intent::RunProgram(0));
   ASSERT_TRUE(becomes_idle());
-  EXPECT_THAT(told(), HasSubstr("Line 3: the board rejected \"LE\""));
+  EXPECT_THAT(reported(), HasSubstr("Line 3: the board rejected \"LE\""));
   EXPECT_EQ(axis(2).position, Steps(0));
   EXPECT_LT(axis(0).position, Steps(5000));
 }
@@ -480,7 +480,7 @@ TEST_F(Vme58Driver, AMoveOfAnOpenServoLoopSaysHowItIsClosed) {
   ASSERT_EQ(perform(intent::LoadProgram(0, "AX MR100 GO ID\n")).state, IntentState::done);
   perform(intent::RunProgram(0));
   ASSERT_TRUE(becomes_idle());
-  EXPECT_THAT(told(), HasSubstr("servo loop of axis X is open"));
+  EXPECT_THAT(reported(), HasSubstr("servo loop of axis X is open"));
 }
 
 TEST_F(Vme58Driver, AContourIsCutByAProgram) {
@@ -566,10 +566,12 @@ class Vme58OfOtherJumpers : public Vme58Rig {
  protected:
   Vme58OfOtherJumpers() { board_is.emplace()["jumpers"] = "OII"; }
 };
-TEST_F(Vme58OfOtherJumpers, LinesThatGoAnotherWayThanIsShownAreTold) {
-  EXPECT_THAT(told(), HasSubstr("Open it with jumpers=OII in its address"));
+TEST_F(Vme58OfOtherJumpers, LinesThatGoAnotherWayThanIsShownAreReported) {
+  EXPECT_THAT(reported(), HasSubstr("Open it with jumpers=OII in its address"));
 }
-TEST_F(Vme58Driver, LinesThatGoAsShownAreNotTold) { EXPECT_THAT(told(), testing::Not(HasSubstr("jumpers"))); }
+TEST_F(Vme58Driver, LinesThatGoAsShownAreNotReported) {
+  EXPECT_THAT(reported(), testing::Not(HasSubstr("jumpers")));
+}
 
 class Vme58Driver4s4 : public Vme58Rig {
  protected:
@@ -598,7 +600,7 @@ TEST_F(Vme58Driver4s4, KilledAtSpeedAStepAxisMayStandElsewhere) {
   EXPECT_EQ(axis(4).trust.cause, Doubt::killed);
   EXPECT_FALSE(axis(0).trust.doubtful());
   EXPECT_THAT(
-      told(),
+      reported(),
       HasSubstr(
           "Axis U may have lost steps, as it was stopped without a ramp at 5000 counts/s, above 2000 (VB)"));
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{4}, Steps(0)}})).state, IntentState::refused);

@@ -112,13 +112,13 @@ TEST_F(Vme58Tool, IsOffAfterACommandThatTheBoardRejectsInMidDrawing) {
     return (view.outputs >> session->catalog().find_output(8) & 1u) != 0;
   };
   ASSERT_EQ(perform(intent::RunInPieces(std::make_shared<const Pieces>(pieces))).state, IntentState::done);
-  ASSERT_TRUE(run_until([&] { return lit(); }, Seconds(10))) << told();
+  ASSERT_TRUE(run_until([&] { return lit(); }, Seconds(10))) << reported();
   ASSERT_TRUE(run_until([&] { return !now().pieces.running; }, Seconds(60)));
   EXPECT_TRUE(run_until([&] { return !lit() && !now().any_axis_moving(); }, Seconds(1)));
   run(Seconds(5));
   EXPECT_FALSE(lit());
   EXPECT_EQ(now().pieces.done, 0);
-  EXPECT_THAT(told(), testing::AllOf(HasSubstr("rejected"), HasSubstr("all axes were stopped")));
+  EXPECT_THAT(reported(), testing::AllOf(HasSubstr("rejected"), HasSubstr("all axes were stopped")));
   EXPECT_LT(axis(1).position, Steps(10)) << "what stands behind it is not carried out";
 }
 
@@ -131,7 +131,7 @@ TEST_F(Vme58Tool, IsUnknownWhileAProgramSwitchesItAndKnownBehindIt) {
   EXPECT_EQ(now().outputs_known & mask, mask);
   EXPECT_EQ(now().outputs & mask, 0u);
   EXPECT_FALSE(is_on());
-  EXPECT_EQ(told().find("tool"), std::string::npos) << "it has switched it off itself";
+  EXPECT_EQ(reported().find("tool"), std::string::npos) << "it has switched it off itself";
   EXPECT_EQ(axis().position, Steps(0));
 }
 

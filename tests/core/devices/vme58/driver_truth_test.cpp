@@ -157,7 +157,7 @@ TEST_F(Vme58Truth, AProgramThatAResetEndsIsLost) {
 
 // ---- gentle ramps
 
-TEST_F(Vme58Truth, AMoveSoGentleThatNothingShowsAtFirstIsNotSaidToBeStopped) {
+TEST_F(Vme58Truth, AMoveSoGentleThatNothingShowsAtFirstIsNotReportedAsStopped) {
   ASSERT_EQ(perform(intent::SetParam("ACX", 1)).state, IntentState::done);
   ASSERT_EQ(perform(intent::SetParam("VLX", 1)).state, IntentState::done);
   ASSERT_EQ(move_by(5, Pps{}).state, IntentState::done);
@@ -176,7 +176,7 @@ TEST_F(Vme58Truth, TheShortWayOfAStraightLineEndsWithTheLongOne) {
   EXPECT_EQ(axis(1).ended_by, EndedBy::target);
 }
 
-TEST_F(Vme58Truth, AMoveThatAnotherProgramStopsIsSaidToBeStopped) {
+TEST_F(Vme58Truth, AMoveThatAnotherProgramStopsIsReportedAsStopped) {
   ASSERT_EQ(move_by(100000).state, IntentState::done);
   run(Seconds(1));
   ASSERT_TRUE(query("SA"));
@@ -339,15 +339,15 @@ class Vme58TruthOfSteps : public Vme58Truth {
  protected:
   Vme58TruthOfSteps() { options = {{"variant", "4e"}}; }
 };
-TEST_F(Vme58TruthOfSteps, ASlipIsToldOnceAndStaysForWhoeverAsks) {
+TEST_F(Vme58TruthOfSteps, ASlipIsReportedOnceAndStaysForWhoeverAsks) {
   ASSERT_TRUE(query("AX ES20 VL2000"));
   operate(bench::Jam(AxisId{0}, true));
   ASSERT_EQ(move_by(2000).state, IntentState::done);
   wait();
   run(Seconds(1));
-  const std::string told_now = told();
-  EXPECT_THAT(told_now, HasSubstr("Axis X has slipped"));
-  EXPECT_EQ(told_now.find("has slipped"), told_now.rfind("has slipped")) << told_now;
+  const std::string reported_now = reported();
+  EXPECT_THAT(reported_now, HasSubstr("Axis X has slipped"));
+  EXPECT_EQ(reported_now.find("has slipped"), reported_now.rfind("has slipped")) << reported_now;
   EXPECT_EQ(*query("RL"), "SNNN");
   EXPECT_EQ(now().readouts[static_cast<std::size_t>(session->catalog().find_readout("SLIPX"))], 1);
   EXPECT_TRUE(now().axes[0].slipped);
@@ -359,7 +359,7 @@ TEST_F(Vme58TruthOfSteps, ASlipIsToldOnceAndStaysForWhoeverAsks) {
   EXPECT_FALSE(now().axes[0].slipped) << "the flag is cleared";
 }
 
-TEST_F(Vme58TruthOfSteps, AnAxisThatASlipHasStoppedIsSaidToHaveSlipped) {
+TEST_F(Vme58TruthOfSteps, AnAxisThatASlipHasStoppedIsReportedAsSlipped) {
   ASSERT_TRUE(query("AX ES20 TN VL2000"));
   operate(bench::Jam(AxisId{0}, true));
   ASSERT_EQ(move_by(2000).state, IntentState::done);
@@ -422,9 +422,9 @@ TEST_F(Vme58Truth, ANoticeHasNoLineEndWithin) {
   ASSERT_TRUE(query("AX WT300 MR400 GO"));
   ASSERT_TRUE(query("HF")) << "the move is refused when its turn comes";
   run(Seconds(2));
-  const std::string said = told();
-  ASSERT_THAT(said, HasSubstr("in a queued command or in \"HF;\""));
-  EXPECT_EQ(said.find('\n'), said.size() - 1) << said;
+  const std::string sentence = reported();
+  ASSERT_THAT(sentence, HasSubstr("in a queued command or in \"HF;\""));
+  EXPECT_EQ(sentence.find('\n'), sentence.size() - 1) << sentence;
 }
 
 }  // namespace

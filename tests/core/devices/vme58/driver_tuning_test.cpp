@@ -23,7 +23,7 @@ class Vme58Tuning : public test::Vme58Rig {
   }
   double true_percent() {
     auto& emulator = dynamic_cast<vme58::Vme58Emulator&>(const_cast<Emulator&>(host->bench()->emulator()));
-    return 100 * emulator.board().motion().output_volts(0) * motion::output_steps_per_volt /
+    return 100 * emulator.board().motion().axis(0).loop.volts() * motion::output_steps_per_volt /
            motion::output_limit;
   }
   struct Recording {

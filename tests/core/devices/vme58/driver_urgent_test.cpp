@@ -166,13 +166,13 @@ class Vme58DeafMailbox : public Vme58Urgent {
 
 TEST_F(Vme58DeafMailbox, AStopGoesThroughTheRingToo) {
   turn();
-  (void)told();
+  (void)reported();
   (void)lines();
   session->send(intent::Stop());
   run(Millis(130));
   EXPECT_THAT(lines(), testing::IsSupersetOf({"> mailbox SA", "> SA"}));
   EXPECT_LT(axis().speed.value, 20000);
-  EXPECT_THAT(told(), HasSubstr("acknowledged a stop in its mailbox but did not act on it"));
+  EXPECT_THAT(reported(), HasSubstr("acknowledged a stop in its mailbox but did not act on it"));
   run(Seconds(1));
   expect_stays();
   EXPECT_EQ(axis().ended_by, EndedBy::stop);
@@ -181,20 +181,20 @@ TEST_F(Vme58DeafMailbox, AStopGoesThroughTheRingToo) {
   session->send(intent::Stop());
   run(Millis(60));
   EXPECT_LT(axis().speed.value, 20000);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
   run(Seconds(1));
   expect_stays();
 }
 
 TEST_F(Vme58DeafMailbox, ATypedStopIsWatchedToo) {
   turn();
-  (void)told();
+  (void)reported();
   (void)lines();
   session->send(intent::SendText("SA"));
   run(Millis(130));
   EXPECT_THAT(lines(), testing::IsSupersetOf({"> mailbox SA", "> SA"}));
   EXPECT_LT(axis().speed.value, 20000);
-  EXPECT_THAT(told(), HasSubstr("acknowledged a stop in its mailbox but did not act on it"));
+  EXPECT_THAT(reported(), HasSubstr("acknowledged a stop in its mailbox but did not act on it"));
   run(Seconds(1));
   expect_stays();
 }
@@ -222,7 +222,7 @@ TEST_F(Vme58DeafMailbox, AnAbortGoesThroughTheRingToo) {
   EXPECT_EQ(axis().speed.value, 0);
   EXPECT_EQ(axis().ended_by, EndedBy::abort);
   EXPECT_EQ(axis().trust.cause, Doubt::killed);
-  const std::string words = told();
+  const std::string words = reported();
   EXPECT_EQ(words.find("may have lost"), words.rfind("may have lost")) << "said once: " << words;
   expect_stays();
 }
@@ -240,11 +240,11 @@ TEST_F(Vme58DeafMailbox, AStopOfOneAxisThatAGroupMovesStaysOneOfAll) {
   EXPECT_EQ(perform(intent::Stop(0)).state, IntentState::done);
   EXPECT_EQ(axis(1).speed.value, 0);
   expect_stays();
-  const std::string words = told();
+  const std::string words = reported();
   EXPECT_EQ(words.find("so all axes were stopped"), words.rfind("so all axes were stopped")) << words;
 }
 
-TEST_F(Vme58DeafMailbox, WhereTheRingIsHeldTooItIsSaid) {
+TEST_F(Vme58DeafMailbox, WhereTheRingIsHeldTooItIsReported) {
   turn();
   (void)query(waits_in_wq);
   const IntentOutcome stopped = perform(intent::Stop(), Seconds(20));
@@ -271,7 +271,7 @@ TEST_F(Vme58Urgent, AGentleRampIsNotTakenForAStopInVain) {
     run(Seconds(1));  // for its last count
     expect_stays();
   }
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
 }
 
 TEST_F(Vme58Urgent, TheLeastOfAGroupMaySlowDownLate) {

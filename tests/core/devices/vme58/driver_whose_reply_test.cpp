@@ -35,7 +35,7 @@ class BendingWindow final : public Window {
  public:
   BendingWindow(Scheduler& time, std::unique_ptr<Window> window) : time_(time), window_(std::move(window)) {}
   void listen(Listener* listener) override { window_->listen(listener); }
-  [[nodiscard]] bool tells_interrupts() const override { return window_->tells_interrupts(); }
+  [[nodiscard]] bool reports_interrupts() const override { return window_->reports_interrupts(); }
   [[nodiscard]] std::string describe() const override { return window_->describe(); }
   Task<Result<>> run(std::span<BusCycle> cycles) override {
     for (BusCycle& c : cycles)

@@ -122,7 +122,7 @@ TEST(Vme58Window, PowerOffLeavesAnEmptySlot) {
   EXPECT_EQ(rig.value("WY"), "VME58 ver 2.24-8S");
 }
 
-TEST(Vme58Window, WhatIsSaidToABootingBoardIsLost) {
+TEST(Vme58Window, WhatIsSentToABootingBoardIsLost) {
   Rig rig;
   rig.send("RS");
   rig.send("AX LP5 ");
@@ -158,7 +158,7 @@ TEST(Vme58Window, OptionsThatMakeNoSense) {
   }
 }
 
-TEST(Vme58Window, WhatTheDataSheetLeavesOpenCanBeSaid) {
+TEST(Vme58Window, WhatTheDataSheetLeavesOpenCanBeConfigured) {
   Rig rig(DeviceOptions{{"velocity", "3000"},
                         {"acceleration", "7000"},
                         {"base_velocity", "20"},

@@ -218,8 +218,8 @@ TEST(VmeStaircase, AStopAtAPlaceBehindComesToRestAndGoesBack) {
     EXPECT_TRUE(s.motion.occupied(X));
     s.settle();
     EXPECT_EQ(s.motion.position(X), 900);
-    EXPECT_EQ(s.motion.span(X).highest, 2000) << "50 counts of ramp";
-    EXPECT_EQ(s.motion.span(X).travel, 2000 + 1100);
+    EXPECT_EQ(s.motion.axis(X).span.highest, 2000) << "50 counts of ramp";
+    EXPECT_EQ(s.motion.axis(X).span.travel, 2000 + 1100);
     EXPECT_EQ(s.count(What::rested), 1);
     EXPECT_NEAR(seconds(s.find(What::rested)->at.time_since_epoch()), 3.3, 2e-6) << "back at 1000/s, too";
   }

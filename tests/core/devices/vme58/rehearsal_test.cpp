@@ -335,7 +335,7 @@ TEST(Vme58Rehearsal, WhatWaitsInAQueueIsNamedByItsNumber) {
   EXPECT_EQ(last(), "queue of Y: empty, since the board does not report what its 12 entries say");
 }
 
-TEST(Vme58Rehearsal, ALimitIsToldWithAxisDirectionLineAndTime) {
+TEST(Vme58Rehearsal, ALimitIsReportedWithAxisDirectionLineAndTime) {
   RehearseOptions options;
   options.bench_toml = "[axis.Y]\nminus = -500\n";
   const Rehearsal r = rehearse("AX VL1000 AC1000000 MR10 GO\nAY VL1000 AC1000000\nMR-900 GO\n", options);
@@ -346,7 +346,7 @@ TEST(Vme58Rehearsal, ALimitIsToldWithAxisDirectionLineAndTime) {
   EXPECT_NEAR(r.stops[0].t, 0.5, 0.01);
 }
 
-TEST(Vme58Rehearsal, WhatNeverEndsIsToldWithItsLine) {
+TEST(Vme58Rehearsal, WhatNeverEndsIsReportedWithItsLine) {
   RehearseOptions options;
   options.for_seconds = 3;
   const Rehearsal loop = rehearse("AX VL1000 AC10000\nWH\nMR10 GO\nMR-10 GO\nWG\n", options);

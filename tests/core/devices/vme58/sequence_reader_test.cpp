@@ -43,10 +43,38 @@ TEST_F(Vme58Reading, ARecordingIsAContour) {
 TEST_F(Vme58Reading, CommandsOfOneAxisStayAsTheyAre) {
   EXPECT_EQ(blocks("AX KP2 HN # the loop\nAA MT100,200; GO\n"),
             "own: AX KP2 HN # the loop\nMove to X 1, Y 2\n");
-  EXPECT_EQ(blocks("AX MR1000 GO\n"),
-            "Line 1: blocks address all axes at once (AA). The rest is not a block either.");
+  EXPECT_EQ(blocks("AX MR1000 GO AY MR5 GO\n"),
+            "Line 1: a single axis (AX, AY ...) has a queue of its own, beside the one of all axes (AA) that "
+            "blocks use. The rest is not a block either.");
   EXPECT_THAT(blocks("MR1000 GO AA MT1,2; GO\n"), StartsWith("Line 1: "))
       << "for X, or whoever was addressed";
+}
+
+TEST_F(Vme58Reading, OneAxisAloneIsTheSameInListsOfAll) {
+  EXPECT_EQ(blocks("AY\nLS3 MR1000 GO WT10 LE BL8 MA-5 GO\n"),
+            "Loop 3 times\n  Move by Y 10\n  Delay 10 ms\nOutput 8 on\n"
+            "Move to Y \u22120.05\n");
+  EXPECT_EQ(blocks("AX JG500\n"), "Jog X +\n");
+  EXPECT_EQ(blocks("AX VL900 MR1 GO\n"), "own: VL900\nMove by X 0.01\n");
+  EXPECT_THAT(blocks("AX MR1000 GO ID\n"), StartsWith("Line 1: a single axis")) << "its own done flag";
+  EXPECT_THAT(blocks("AX KP2 MR1000 GO\n"), StartsWith("Line 1: a single axis"));
+}
+
+TEST_F(Vme58Reading, OneAxisAloneTakesAsLongInLists) {
+  const Catalog catalog = *make_catalog({});
+  constexpr std::string_view own = "AY VL4000 AC40000 LS3 MR1000 GO WT10 LE BL8 MR-2500 GO SW3 MA20 GO BH8\n";
+  const auto read = program_language().read(own, frame, catalog);
+  ASSERT_TRUE(read) << read.error().sentence();
+  const auto lists = program_language().write(read->sequence, catalog);
+  ASSERT_TRUE(lists) << lists.error().sentence();
+  const auto ours = program_language().rehearse(own, {}),
+             theirs = program_language().rehearse(lists->text, {});
+  ASSERT_TRUE(ours && theirs);
+  EXPECT_TRUE(ours->finished && theirs->finished);
+  EXPECT_GT(ours->duration_s, 1);
+  EXPECT_NEAR(ours->duration_s, theirs->duration_s, 0.001) << lists->text;
+  for (std::size_t axis = 0; axis < ours->axes.size(); ++axis)
+    EXPECT_EQ(ours->axes[axis].position, theirs->axes[axis].position);
 }
 
 TEST_F(Vme58Reading, MovesThatWaitStayAsTheyAre) {

@@ -145,7 +145,7 @@ TEST(VmeServo, AStalledMotorSlipsAndWithTnIsSwitchedOff) {
   EXPECT_FALSE(s.motion.moving(X));
   EXPECT_FALSE(s.motion.settings(X).holding);
   EXPECT_LT(s.motion.position(X), 80);
-  EXPECT_EQ(s.motion.output_volts(X), 0);
+  EXPECT_EQ(s.motion.axis(X).loop.volts(), 0);
 }
 
 TEST(VmeServo, InPositionWaitsForTheMotor) {
@@ -157,7 +157,7 @@ TEST(VmeServo, InPositionWaitsForTheMotor) {
   s.settle(0.066);
   ASSERT_FALSE(s.motion.occupied(X));
   EXPECT_FALSE(s.motion.in_position(X)) << "the command is there, the motor is not";
-  s.told.clear();
+  s.reported.clear();
   s.settle(2);
   EXPECT_TRUE(s.motion.in_position(X));
   EXPECT_EQ(s.count(What::ready, X), 1);

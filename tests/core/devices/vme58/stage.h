@@ -11,7 +11,7 @@ namespace hw::vme58 {
 inline constexpr int X = 0, Y = 1, Z = 2, T = 3;
 using What = MotionEvent::What;
 
-struct Told {
+struct Reported {
   Instant at;
   MotionEvent event;
   std::int64_t position;  ///< of that axis, then
@@ -22,12 +22,12 @@ class Stage {
   explicit Stage(std::string_view variant = "8S") : motion(*find_variant(variant)) {}
 
   Motion motion;
-  std::vector<Told> told;
+  std::vector<Reported> reported;
 
   void listen() {
     std::vector<MotionEvent> events;
     motion.take_events(events);
-    for (const MotionEvent& e : events) told.push_back({motion.now(), e, motion.position(e.axis)});
+    for (const MotionEvent& e : events) reported.push_back({motion.now(), e, motion.position(e.axis)});
   }
   /// Up to a moment; everything that is due happens at its own time.
   void until(Instant end) {
@@ -49,14 +49,14 @@ class Stage {
       listen();
     }
   }
-  [[nodiscard]] const Told* find(What what, int axis = 0) const {
-    for (const Told& t : told)
+  [[nodiscard]] const Reported* find(What what, int axis = 0) const {
+    for (const Reported& t : reported)
       if (t.event.what == what && t.event.axis == axis) return &t;
     return nullptr;
   }
   [[nodiscard]] int count(What what, int axis = 0) const {
     int n = 0;
-    for (const Told& t : told) n += t.event.what == what && t.event.axis == axis;
+    for (const Reported& t : reported) n += t.event.what == what && t.event.axis == axis;
     return n;
   }
 

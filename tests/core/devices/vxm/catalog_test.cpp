@@ -32,7 +32,7 @@ TEST(VxmCatalog, TheJogButtonsOfAMotorHaveItsNameOverThem) {
   }
 }
 
-TEST(VxmCatalog, EveryParameterIsExplainedToAStranger) {
+TEST(VxmCatalog, EveryParameterHasAnExplanation) {
   std::set<std::string> seen;
   for (const ParamInfo& p : catalog("4").params) {
     EXPECT_TRUE(seen.insert(p.mnemonic).second) << p.mnemonic << " stands twice";

@@ -85,7 +85,7 @@ TEST(VxmCodec, StatusBytesAreNumberedAsTheCatalogDoes) {
   EXPECT_EQ(inputs_of(0xFE), 255u & ~16u) << "jog 1-";
 }
 
-TEST(VxmCodec, MessagesAreToldApart) {
+TEST(VxmCodec, MessagesAreDistinguished) {
   EXPECT_EQ(next_message("^").kind, Kind::prompt);
   EXPECT_EQ(next_message("O\r").kind, Kind::limit);
   EXPECT_EQ(next_message("W").kind, Kind::waits);

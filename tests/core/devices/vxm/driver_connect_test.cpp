@@ -17,7 +17,7 @@ TEST_F(VxmDriverConnect, GoesOnLineAndFindsOutWhatItIs) {
   EXPECT_TRUE(latest.axes[0].limits_known);
   EXPECT_EQ(latest.inputs, 255u);
   EXPECT_EQ(latest.analog[0], 512);
-  EXPECT_TRUE(told("It is on-line now: its jog buttons are off."));
+  EXPECT_TRUE(reported("It is on-line now: its jog buttons are off."));
   EXPECT_EQ(loop->to_controller.substr(0, 2), "VF");
   run(3);
   for (std::size_t i = 0; i < catalog.params.size(); ++i)
@@ -30,7 +30,7 @@ TEST_F(VxmDriverConnect, EchoIsSwitchedOff) {
   loop->emulator().receive("E");
   open();
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(told("Echo was switched off."));
+  EXPECT_TRUE(reported("Echo was switched off."));
   EXPECT_EQ(query("X"), "+0000000");
 }
 
@@ -101,7 +101,7 @@ TEST_F(VxmDriverConnect, GModeDoesNotConfuseIt) {
   EXPECT_EQ(latest.link.unparsed_bytes, 0u);
 }
 
-TEST_F(VxmDriverConnect, NothingThereIsSaidWithWhatToLookAt) {
+TEST_F(VxmDriverConnect, NothingThereIsReportedWithWhatToLookAt) {
   loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   ASSERT_TRUE(loop->operate(bench::Power(false)));
   open();
@@ -136,7 +136,7 @@ TEST_F(VxmDriverConnect, AMissingPortIsNamed) {
   EXPECT_EQ(health(), "There is no port /dev/ttyUSB0.");
 }
 
-TEST_F(VxmDriverConnect, APulledCableIsToldAndNothingIsSentAgain) {
+TEST_F(VxmDriverConnect, APulledCableIsReportedAndNothingIsSentAgain) {
   start();
   ASSERT_EQ(perform(intent::LoadProgram(0, "I1M5\n")), "");
   ASSERT_EQ(move_to(0, 4000), "");
@@ -155,7 +155,7 @@ TEST_F(VxmDriverConnect, APulledCableIsToldAndNothingIsSentAgain) {
   EXPECT_EQ(position(), 4000) << "it went on by itself";
   EXPECT_EQ(loop->to_controller.find('R'), std::string::npos) << "nothing was run again";
   EXPECT_TRUE(
-      told("while the controller was at work. It has finished meanwhile; motor 1 stands at 4000 steps"))
+      reported("while the controller was at work. It has finished meanwhile; motor 1 stands at 4000 steps"))
       << all_notices();
   EXPECT_EQ(query("M"), "252") << "the user's program is there and selected";
   EXPECT_EQ(query("PM4,M"), "256") << "and nothing is left for the Run button";
@@ -168,12 +168,12 @@ TEST_F(VxmDriverConnect, ACableThatComesBackDuringTheMoveFollowsIt) {
   loop->pull();
   run(1);
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(told("It still is; motor 1 moves, and is at "));
+  EXPECT_TRUE(reported("It still is; motor 1 moves, and is at "));
   EXPECT_TRUE(wait_idle());
   EXPECT_EQ(position(), 8000);
 }
 
-TEST_F(VxmDriverConnect, APowerCycleIsNoticedAndSaid) {
+TEST_F(VxmDriverConnect, APowerCycleIsNoticedAndReported) {
   start();
   move_to(0, 1500);
   wait_idle();
@@ -185,11 +185,11 @@ TEST_F(VxmDriverConnect, APowerCycleIsNoticedAndSaid) {
   EXPECT_EQ(position(), 0);
   EXPECT_TRUE(latest.axes[0].trust.doubtful());
   EXPECT_EQ(latest.restarts, 1u);
-  EXPECT_TRUE(
-      told("The controller has gone to Local mode: the controller was switched off and on, or reset. Its "
-           "positions read zero where the motors are now, and unstored settings and programs are lost. Home "
-           "the axes "
-           "before the next absolute move."))
+  EXPECT_TRUE(reported(
+      "The controller has gone to Local mode: the controller was switched off and on, or reset. Its "
+      "positions read zero where the motors are now, and unstored settings and programs are lost. Home "
+      "the axes "
+      "before the next absolute move."))
       << all_notices();
   EXPECT_FALSE(latest.unsaved_programs);
   EXPECT_EQ(latest.slot_bytes_used[2], 0);
@@ -203,7 +203,7 @@ TEST_F(VxmDriverConnect, APowerCycleInMotionDoesNotTakeTheMotionUpAgain) {
   loop->to_controller.clear();
   ASSERT_TRUE(loop->operate(bench::PowerCycle()));
   run(2);
-  EXPECT_TRUE(told("The motion that was under way was not resumed."));
+  EXPECT_TRUE(reported("The motion that was under way was not resumed."));
   EXPECT_FALSE(latest.any_axis_moving());
   EXPECT_EQ(loop->to_controller.find("RX"), std::string::npos);
   EXPECT_EQ(position(), 0);
@@ -242,13 +242,13 @@ TEST_F(VxmDriverConnect, ASlaveThatLosesItsPowerRestartsItsMasterOnce) {
   constexpr int slave = 1;
   ASSERT_TRUE(loop->operate(bench::Power(false, slave)));
   run(10);
-  const std::string told_all = all_notices();
+  const std::string reported_all = all_notices();
   int restarts = 0;
-  for (auto at = told_all.find("reports EB"); at != std::string::npos;
-       at = told_all.find("reports EB", at + 1))
+  for (auto at = reported_all.find("reports EB"); at != std::string::npos;
+       at = reported_all.find("reports EB", at + 1))
     ++restarts;
-  EXPECT_EQ(restarts, 1) << told_all;
-  EXPECT_TRUE(told("motors 3 and 4 cannot be used"));
+  EXPECT_EQ(restarts, 1) << reported_all;
+  EXPECT_TRUE(reported("motors 3 and 4 cannot be used"));
   EXPECT_FALSE(latest.axes[2].position_known);
   EXPECT_EQ(move_by(0, 10), "");
   EXPECT_TRUE(wait_idle());
@@ -283,10 +283,10 @@ TEST_F(VxmDriverConnect, PowerOffIsALostLinkUntilItIsBack) {
   ASSERT_TRUE(loop->operate(bench::Power(false)));
   EXPECT_TRUE(run_until([&] { return latest.link.state == LinkState::lost; }, 5));
   run(4);
-  EXPECT_THAT(health(), testing::AnyOf(HasSubstr("has failed to answer"), HasSubstr("Nothing answers")));
+  EXPECT_THAT(health(), testing::AnyOf(HasSubstr("did not answer"), HasSubstr("Nothing answers")));
   ASSERT_TRUE(loop->operate(bench::Power(true)));
   EXPECT_TRUE(run_until([&] { return latest.link.state == LinkState::good; }, 15));
-  EXPECT_TRUE(told("It answers from Local mode: the controller was switched off and on, or reset."))
+  EXPECT_TRUE(reported("It answers from Local mode: the controller was switched off and on, or reset."))
       << all_notices();
 }
 
@@ -300,7 +300,7 @@ TEST_F(VxmDriverConnect, APowerCycleAfterAnErrorIsNoticed) {
   EXPECT_EQ(latest.link.state, LinkState::good) << "it hears K only: silence is no fault of the link";
   ASSERT_TRUE(loop->operate(bench::PowerCycle()));
   run(5);
-  EXPECT_TRUE(told("the controller was switched off and on, or reset.")) << all_notices();
+  EXPECT_TRUE(reported("the controller was switched off and on, or reset.")) << all_notices();
   EXPECT_NE(latest.program.run, RunState::error);
   EXPECT_EQ(latest.axes[0].trust.cause, Doubt::restarted);
   EXPECT_EQ(perform(intent::TrustPosition(AxisId{0})), "");
@@ -332,12 +332,12 @@ TEST_F(VxmDriverConnect, ALostPromptDoesNotLeaveAMoveOpen) {
   EXPECT_EQ(latest.link.state, LinkState::good);
 }
 
-TEST_F(VxmDriverConnect, ASlaveThatIsMissingIsSaidAndNothingIsSentToIt) {
+TEST_F(VxmDriverConnect, ASlaveThatIsMissingIsReportedAndNothingIsSentToIt) {
   loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   catalog_options = {{"motors", "4"}};
   open();
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(told("motors 3 and 4 cannot be used"));
+  EXPECT_TRUE(reported("motors 3 and 4 cannot be used"));
   EXPECT_EQ(move_by(2, 100),
             "Motor 3 belongs to a second controller, and none answers on the VXM bus. Nothing was sent. "
             "Check the Slave's "
@@ -366,11 +366,11 @@ TEST_F(VxmDriverConnect, PollsFiveTimesASecondAtRestAndAsTheWireBearsInMotion) {
   EXPECT_GE(count('X'), 83) << "43 rounds a second is all that 9600 baud can carry";
 }
 
-TEST_F(VxmDriverConnect, ASlaveThatTheAddressLeavesOutIsSaid) {
+TEST_F(VxmDriverConnect, ASlaveThatTheAddressLeavesOutIsReported) {
   loop = std::make_unique<test::Loopback>(time, make_emulator({{"motors", "4"}}).value(), false);
   open();
   ASSERT_EQ(latest.axis_count, 2);
-  EXPECT_TRUE(told("Open it with motors=4 in its address"));
+  EXPECT_TRUE(reported("Open it with motors=4 in its address"));
   for (const char* motor : {"M1M", "M2M"}) EXPECT_EQ(perform(intent::SetParam(motor, 4, true)), "");
   run(1);
   EXPECT_THAT(std::string(latest.notice.view()), HasSubstr("its motors 3 and 4 are not shown"));

@@ -40,7 +40,7 @@ TEST(VxmLooks, WhatIsOwedDecidesWhatMayBeAsked) {
   }
 }
 
-TEST(VxmLooks, NothingButKIsHeardInAnErrorAndNothingButVInLocalMode) {
+TEST(VxmLooks, OnlyKIsTakenInAnErrorAndOnlyVInLocalMode) {
   const Instant now{};
   OutstandingReplies outstanding;
   outstanding.add(reply_kind::position, now);
@@ -125,10 +125,10 @@ class VxmDirtyLine : public DriverTest, public testing::WithParamInterface<BadAn
       std::string held;
       bool done = false;
     };
-    loop->on_its_way = [bad, state = State()](char said, std::string answer) mutable {
-      if (bad.how == How::echoed) return test::Loopback::OnItsWay{said + answer};
+    loop->on_its_way = [bad, state = State()](char sentence, std::string answer) mutable {
+      if (bad.how == How::echoed) return test::Loopback::OnItsWay{sentence + answer};
       answer = std::exchange(state.held, {}) + answer;
-      if (state.done || said != bad.question || answer.empty()) return test::Loopback::OnItsWay{answer};
+      if (state.done || sentence != bad.question || answer.empty()) return test::Loopback::OnItsWay{answer};
       state.done = true;
       switch (bad.how) {
         case How::late: return test::Loopback::OnItsWay{answer, Millis(350)};

@@ -144,23 +144,23 @@ TEST_F(VxmDriverMoves, ClosingDuringAJogLeavesNothingForTheRunButton) {
   asio::co_spawn(io, pump->shut_down(), asio::detached);
   run(5);
   EXPECT_EQ(latest.link.state, LinkState::closed);
-  const std::string said = conversation();
-  EXPECT_THAT(said,
+  const std::string sentence = conversation();
+  EXPECT_THAT(sentence,
               ContainsRegex("PM4<0D>PM<0D>\n[^>]*4<0D>\n[^>]*> CM\n[^>]*256<0D>\n[^>]*> PM0<0D>PM<0D>\n"))
       << "the scratch program is emptied, the selection is the user's";
-  EXPECT_LT(said.find('D'), said.find("PM4"));
+  EXPECT_LT(sentence.find('D'), sentence.find("PM4"));
 }
 
 TEST_F(VxmDriverMoves, ClosingDuringAMoveSaysThatItsProgramStays) {
   start();
   EXPECT_EQ(move_by(0, 60000, 1000), "");
   run(1);
-  EXPECT_FALSE(told("the Run button would repeat it"));
+  EXPECT_FALSE(reported("the Run button would repeat it"));
   asio::co_spawn(io, pump->shut_down(), asio::detached);
   run(1);
   EXPECT_EQ(latest.link.state, LinkState::closed)
       << "a move may take as long as it likes: nobody waits for it";
-  EXPECT_TRUE(told("program 4 of the controller still holds it")) << all_notices();
+  EXPECT_TRUE(reported("program 4 of the controller still holds it")) << all_notices();
 }
 
 TEST_F(VxmDriverMoves, AStatusByteThatLooksLikeAMessageIsAByte) {
@@ -172,7 +172,7 @@ TEST_F(VxmDriverMoves, AStatusByteThatLooksLikeAMessageIsAByte) {
   ASSERT_EQ(move_by(0, 6000), "");
   run(2);
   EXPECT_EQ(latest.inputs, 0xFFu & ~0b1011u);
-  EXPECT_FALSE(told("limit switch"));
+  EXPECT_FALSE(reported("limit switch"));
   EXPECT_TRUE(wait_idle());
   EXPECT_EQ(position(), 6000);
 }
@@ -187,14 +187,14 @@ TEST_F(VxmDriverMoves, AJogAtTheSwitchStopsThereQuietly) {
   EXPECT_TRUE(latest.axes[0].limit_plus);
 }
 
-TEST_F(VxmDriverMoves, ALimitThatEndsAMoveIsToldByItsEndAlone) {
+TEST_F(VxmDriverMoves, ALimitThatEndsAMoveIsReportedByItsEndAlone) {
   start();
   EXPECT_EQ(move_to(0, 3000), "");
   run(1.0);
   ASSERT_TRUE(loop->operate(bench::Limit(AxisId{0}, Sign::plus, true)));
   EXPECT_TRUE(wait_idle());
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::limit);
-  EXPECT_FALSE(told("limit")) << all_notices();
+  EXPECT_FALSE(reported("limit")) << all_notices();
 }
 
 TEST_F(VxmDriverMoves, HomesToTheSwitchAndCallsItZero) {
@@ -235,10 +235,9 @@ TEST_F(VxmDriverMoves, SwitchesOutputs) {
 TEST_F(VxmDriverMoves, RefusesWhatCannotBe) {
   start();
   EXPECT_EQ(move_to(0, 9'000'000),
-            "Position 9000000 of motor 1 lies outside the controller's register, -8388608 to 8388607. "
-            "Nothing was sent.");
+            "Position 9000000 of motor 1 lies outside its range, -8388608 to 8388607. Nothing was sent.");
   EXPECT_EQ(move_by(0, 100, 7000),
-            "7000 steps/s is not possible: a VXM motor takes 1 to 6000 steps/s. Nothing was sent.");
+            "A speed of 7000 is not possible. The range is 1 to 6000 steps/s. Nothing was sent.");
   EXPECT_EQ(move_by(2, 100), "There is no motor 3 here. Nothing was sent.");
   move_by(0, 8000);
   EXPECT_EQ(move_by(1, 100),

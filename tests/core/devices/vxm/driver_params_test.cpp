@@ -59,7 +59,7 @@ TEST_F(VxmDriverParams, StoreSaysHowManyWritesAreKnown) {
   EXPECT_FALSE(latest.unsaved_setup);
   EXPECT_TRUE(state("j1M").stored);
   EXPECT_EQ(latest.store_count, -1);
-  EXPECT_TRUE(told("The memory is rated for about 100000 writes; the number used so far is unknown."));
+  EXPECT_TRUE(reported("The memory is rated for about 100000 writes; the number used so far is unknown."));
   EXPECT_EQ(query("V"), "R");
 }
 
@@ -80,7 +80,7 @@ TEST_F(VxmDriverParams, ResetIsAsPowerOffAndOn) {
   wait_idle();
   EXPECT_EQ(perform(intent::Reset()), "");
   EXPECT_EQ(position(), 0);
-  EXPECT_TRUE(told("The controller was reset: its positions read zero where the motors are now"));
+  EXPECT_TRUE(reported("The controller was reset: its positions read zero where the motors are now"));
   EXPECT_EQ(query("V"), "R");
 }
 
@@ -124,18 +124,18 @@ TEST_F(VxmDriverTalk, TextIsSentAsItIsAndClosed) {
   EXPECT_EQ(latest.slot_bytes_used[0], 4);
 }
 
-TEST_F(VxmDriverTalk, WhatTheControllerWouldDropSilentlyIsSaid) {
+TEST_F(VxmDriverTalk, WhatTheControllerWouldDropSilentlyIsReported) {
   start();
   EXPECT_EQ(send("U10,"), "");
   EXPECT_TRUE(
-      told("U10 is not possible, and the controller ignores it silently. It takes one of the manual's U "
-           "commands. It was sent as typed. Send it again with another number."))
+      reported("U10 is not possible, and the controller ignores it silently. It takes one of the manual's U "
+               "commands. It was sent as typed. Send it again with another number."))
       << all_notices();
   EXPECT_EQ(send("%"), "");
   EXPECT_TRUE(
-      told("% is no command of the VXM, and the controller ignores it silently. It was sent as typed."));
+      reported("% is no command of the VXM, and the controller ignores it silently. It was sent as typed."));
   EXPECT_EQ(send("S1M8000,"), "");
-  EXPECT_TRUE(told("S1M8000 is not possible"));
+  EXPECT_TRUE(reported("S1M8000 is not possible"));
   EXPECT_EQ(query("M"), "256");
 }
 

@@ -109,7 +109,7 @@ TEST_F(VxmProgramStop, WhileItStopsNothingButTheStateIsAskedOften) {
   EXPECT_THAT(loop->to_controller, testing::MatchesRegex("HD[VXY]+([?~$@][VXY]+)*K[VXY]+"));
 }
 
-TEST_F(VxmProgramStop, ADForAProgramThatDidNotGetThroughIsSaidAgain) {
+TEST_F(VxmProgramStop, ADForAProgramThatDidNotGetThroughIsSentAgain) {
   start();
   run_program("I1M90000\nI1M-90000\nL0\n");
   run(3);
@@ -138,7 +138,7 @@ TEST_F(VxmProgramStop, InItsLastIndexItEndsByItself) {
 }
 
 // D ends an index, and the program goes on with the next.
-TEST_F(VxmProgramStop, AnHThatDidNotGetThroughIsSaidAgain) {
+TEST_F(VxmProgramStop, AnHThatDidNotGetThroughIsSentAgain) {
   start();
   run_program("I1M90000\nI1M-90000\nL0\n");
   run(3);
@@ -151,7 +151,7 @@ TEST_F(VxmProgramStop, AnHThatDidNotGetThroughIsSaidAgain) {
   EXPECT_FALSE(latest.axes[0].trust.doubtful());
 }
 
-TEST_F(VxmProgramStop, AKWhoseAnswerIsLostIsSaidAgain) {
+TEST_F(VxmProgramStop, AKWhoseAnswerIsLostIsSentAgain) {
   start();
   run_program("I1M9000\nI1M-9000\nL0\n");
   EXPECT_EQ(perform(intent::Pause()), "");

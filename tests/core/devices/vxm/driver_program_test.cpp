@@ -21,7 +21,7 @@ TEST_F(VxmDriverProgram, LoadsReadsBackAndCompares) {
   EXPECT_EQ(query("PM"), "0");
 }
 
-TEST_F(VxmDriverProgram, ALimitBehindWhichItGoesOnIsToldAtOnce) {
+TEST_F(VxmDriverProgram, ALimitBehindWhichItGoesOnIsReportedAtOnce) {
   start();
   EXPECT_EQ(perform(intent::SetParam("O", 1)), "");
   perform(intent::LoadProgram(0, "S1M2000\nI1M8000\nI2M8000\n"));
@@ -29,7 +29,7 @@ TEST_F(VxmDriverProgram, ALimitBehindWhichItGoesOnIsToldAtOnce) {
   run(1.0);
   ASSERT_TRUE(loop->operate(bench::Limit(AxisId{0}, Sign::plus, true)));
   run(0.5);
-  EXPECT_TRUE(told("its program goes on")) << all_notices();
+  EXPECT_TRUE(reported("its program goes on")) << all_notices();
 }
 
 TEST_F(VxmDriverProgram, OneThatALimitCutsEndsOnIt) {
@@ -42,7 +42,7 @@ TEST_F(VxmDriverProgram, OneThatALimitCutsEndsOnIt) {
   run(0.5);
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::limit);
   EXPECT_EQ(latest.program.ended_by, EndedBy::limit);
-  EXPECT_FALSE(told("limit")) << "its end tells: " << all_notices();
+  EXPECT_FALSE(reported("limit")) << "its end tells: " << all_notices();
 }
 
 TEST_F(VxmDriverProgram, OneThatReachesItsEndEndsThere) {
@@ -63,15 +63,15 @@ TEST_F(VxmDriverProgram, ATextWithHeadingsFillsItsPrograms) {
   EXPECT_EQ(latest.slot_bytes_used[0], 2 + 2 + 3 + 4);
   EXPECT_EQ(latest.slot_bytes_used[1], 7);
   EXPECT_EQ(position(), 0) << "R in a text runs nothing";
-  EXPECT_TRUE(told("Not part of a program and so not sent: R in line 11."));
+  EXPECT_TRUE(reported("Not part of a program and so not sent: R in line 11."));
 }
 
 TEST_F(VxmDriverProgram, OnlyAMotorThatTheProgramTurnsIsWarnedOf) {
   start();
   perform(intent::LoadProgram(0, "S2M1000\nI1M7\n"));
   EXPECT_EQ(perform(intent::RunProgram(0)), "");
-  EXPECT_TRUE(told("Motor 1 is set to type 0"));
-  EXPECT_FALSE(told("Motor 2 is set to type 0"));
+  EXPECT_TRUE(reported("Motor 1 is set to type 0"));
+  EXPECT_FALSE(reported("Motor 2 is set to type 0"));
 }
 
 TEST_F(VxmDriverProgram, RefusesAWrongLineBeforeAnythingIsSent) {
@@ -135,13 +135,13 @@ TEST_F(VxmDriverProgram, StepsThroughAndKnowsTheLiveCommand) {
   run(0.2);
   EXPECT_EQ(latest.program.run, RunState::held);
   EXPECT_EQ(latest.program.command, 0);
-  EXPECT_FALSE(latest.program.command_told) << "I1M100 stands there twice";
+  EXPECT_FALSE(latest.program.command_reported) << "I1M100 stands there twice";
   EXPECT_EQ(position(), 0) << "nothing moves before the next step";
   EXPECT_EQ(perform(intent::SingleStep()), "");
   run(2);
   EXPECT_EQ(position(), 100);
   EXPECT_EQ(latest.program.command, 1);
-  EXPECT_TRUE(latest.program.command_told);
+  EXPECT_TRUE(latest.program.command_reported);
   EXPECT_EQ(perform(intent::SingleStep()), "");
   run(2);
   EXPECT_EQ(latest.program.command, 2);
@@ -251,9 +251,9 @@ TEST_F(VxmDriverProgram, ABusErrorIsExplainedAndTheRestartNoticed) {
   start();
   EXPECT_EQ(send("I3M400,R"), "");
   run(2);
-  EXPECT_TRUE(told(
+  EXPECT_TRUE(reported(
       "The controller reports EB: a command for motor 3 or 4 was met, but no second controller answers"));
-  EXPECT_TRUE(told("the controller was switched off and on, or reset"));
+  EXPECT_TRUE(reported("the controller was switched off and on, or reset"));
   EXPECT_EQ(latest.link.state, LinkState::good);
   EXPECT_EQ(latest.program.run, RunState::idle);
   EXPECT_EQ(move_by(0, 10), "");
@@ -266,7 +266,7 @@ TEST_F(VxmDriverProgram, FactoryDefaultsAreNoticed) {
   perform(intent::SetParam("j1M", 77));
   EXPECT_EQ(send("setD0,"), "");
   run(4);
-  EXPECT_TRUE(told("The controller reports EN: its memory was erased."));
+  EXPECT_TRUE(reported("The controller reports EN: its memory was erased."));
   EXPECT_EQ(latest.slot_bytes_used[0], 0);
   EXPECT_EQ(latest.params[catalog.find_param("j1M")].value, 2000);
 }
@@ -280,7 +280,7 @@ TEST_F(VxmDriverProgram, TheStopButtonEndsAProgramAndIsNamed) {
   run(0.1);
   ASSERT_TRUE(loop->operate(bench::Button("Stop", false)));
   EXPECT_TRUE(wait_idle());
-  EXPECT_TRUE(told("The controller reports ES: the Stop button or input 4 ended the program."));
+  EXPECT_TRUE(reported("The controller reports ES: the Stop button or input 4 ended the program."));
   EXPECT_LT(position(), 9000);
 }
 
@@ -314,8 +314,8 @@ TEST_F(VxmDriverProgram, OneThatIsNotWhatWasSentIsNotRun) {
   tear();
   EXPECT_EQ(
       perform(intent::RunProgram(2)),
-      "Program 2 in the controller is not what was sent last: its transfer was broken off, or it reads back "
-      "differently. Nothing was started. Load it again, read it, or run it as it is for this once.");
+      "Program 2 in the controller differs from the text sent last: its transfer was broken off, or it reads "
+      "back differently. Nothing was started. Load it again, read it, or run it once as it is.");
   EXPECT_EQ(perform(intent::RunProgram(0)), "") << "another one";
   EXPECT_TRUE(wait_idle());
   ASSERT_EQ(perform(intent::SelectProgram(2)), "");
@@ -332,9 +332,9 @@ TEST_F(VxmDriverProgram, OneThatIsNotWhatWasSentIsNotRun) {
   EXPECT_TRUE(wait_idle());
 
   tear();
-  intent::RunProgram wish(2);
-  wish.as_it_is = true;
-  EXPECT_EQ(perform(wish), "") << "on the user's word";
+  intent::RunProgram request(2);
+  request.as_it_is = true;
+  EXPECT_EQ(perform(request), "") << "on the user's word";
   EXPECT_TRUE(wait_idle());
   EXPECT_THAT(perform(intent::RunProgram(2)), HasSubstr("Nothing was started.")) << "once";
 }

@@ -24,7 +24,7 @@ class VxmDriverRecovery : public DriverTest {
   }
 };
 
-TEST_F(VxmDriverRecovery, TheUsersKEndsItAndIsSaidOnce) {
+TEST_F(VxmDriverRecovery, TheUsersKEndsItAndIsSentOnce) {
   open_one_in_error();
   EXPECT_EQ(latest.link.state, LinkState::lost);
   EXPECT_THAT(health(), HasSubstr("takes only K: send K."));
@@ -75,7 +75,7 @@ TEST_F(VxmDriverRecovery, WhereNothingIsKBringsNothingAndIsNotRepeated) {
   port_missing = true;
   loop->pull();
   run(10);
-  EXPECT_THAT(query("K"), HasSubstr("there is no connection"));
+  EXPECT_THAT(query("K"), HasSubstr("without a connection"));
   port_missing = false;
   run(30);
   EXPECT_EQ(times_sent('K'), 2) << "what was said to no wire is not said later";

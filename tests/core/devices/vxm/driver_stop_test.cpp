@@ -25,7 +25,7 @@ TEST_F(VxmDriverStop, AMoveOfTheConsoleIsRampedDownByDAlone) {
   EXPECT_FALSE(latest.axes[0].trust.doubtful());
 }
 
-TEST_F(VxmDriverStop, ADThatDidNotGetThroughIsSaidAgain) {
+TEST_F(VxmDriverStop, ADThatDidNotGetThroughIsSentAgain) {
   start();
   move_to(0, 50000);
   run(3);
@@ -124,15 +124,15 @@ TEST_F(VxmDriverStop, ASecondStopIsKAtOnceAndDoubtsAFastPosition) {
   EXPECT_TRUE(wait_idle());
   EXPECT_TRUE(latest.axes[0].trust.doubtful());
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::abort);
-  EXPECT_TRUE(
-      told("Motor 1 may have lost steps, as it was stopped without a ramp at about 2000 steps/s, above 1000: "
-           "its position is doubtful until it is homed or set to zero."))
+  EXPECT_TRUE(reported(
+      "Motor 1 may have lost steps, as it was stopped without a ramp at about 2000 steps/s, above 1000: "
+      "its position is doubtful until it is homed or set to zero."))
       << all_notices();
   EXPECT_EQ(perform(intent::SetPosition(0)), "");
   EXPECT_FALSE(latest.axes[0].trust.doubtful());
 }
 
-TEST_F(VxmDriverStop, AKThatNobodyConfirmsIsSaidAgain) {
+TEST_F(VxmDriverStop, AKThatNobodyConfirmsIsSentAgain) {
   start();
   move_to(0, 50000);
   run(3);
@@ -145,15 +145,15 @@ TEST_F(VxmDriverStop, AKThatNobodyConfirmsIsSaidAgain) {
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::abort);
 }
 
-TEST_F(VxmDriverStop, AStrayWOrColonLeavesNothingWaitingOrHeld) {
+TEST_F(VxmDriverStop, AnUnexpectedWOrColonLeavesNothingWaitingOrHeld) {
   start();
   ASSERT_EQ(perform(intent::LoadProgram(0, "I1M100\nI1M100\n")), "");
-  for (const char* stray : {"W", ":I1M400\r"}) {
-    loop->inject(stray);
+  for (const char* unexpected : {"W", ":I1M400\r"}) {
+    loop->inject(unexpected);
     run(1);
-    EXPECT_EQ(latest.program.run, RunState::idle) << stray;
-    EXPECT_EQ(perform(intent::RunProgram(0)), "") << stray;
-    EXPECT_TRUE(wait_idle(5)) << stray;
+    EXPECT_EQ(latest.program.run, RunState::idle) << unexpected;
+    EXPECT_EQ(perform(intent::RunProgram(0)), "") << unexpected;
+    EXPECT_TRUE(wait_idle(5)) << unexpected;
   }
   EXPECT_EQ(position(), 400) << "no hold was switched on";
 }

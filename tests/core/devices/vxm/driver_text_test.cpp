@@ -46,7 +46,7 @@ TEST_F(VxmDriverText, WhileAProgramRunsOnlyWhatIsTakenThenIsWaitedFor) {
   EXPECT_TRUE(listens());
 }
 
-TEST_F(VxmDriverText, AQuestionRightBehindAProgramIsHeardOut) {
+TEST_F(VxmDriverText, TheReplyToAQuestionRightBehindAProgramIsAwaited) {
   EXPECT_EQ(send("PM-0,I1M400,R"), "");
   int length_ms = 0;
   for (; unsolicited() != "^" && length_ms < 2000; ++length_ms) run(0.001);
@@ -71,7 +71,7 @@ TEST_F(VxmDriverText, WhatIsTakenBeforeADroppedQuestionIsKnown) {
 
 TEST_F(VxmDriverText, EchoStaysOff) {
   EXPECT_EQ(send("E"), "");
-  EXPECT_TRUE(told("Echo stays off"));
+  EXPECT_TRUE(reported("Echo stays off"));
   EXPECT_EQ(query("X"), "+0000000");
   EXPECT_TRUE(listens());
 }
@@ -88,7 +88,7 @@ TEST_F(VxmDriverText, WhatCameBeforeAnErrorReportIsAnAnswerToo) {
   EXPECT_TRUE(listens());
 }
 
-TEST_F(VxmDriverText, WhatCameBeforeAMissingAnswerIsTold) {
+TEST_F(VxmDriverText, WhatCameBeforeAMissingAnswerIsReported) {
   std::string answer;
   bool came = false;
   asio::co_spawn(io, ask(*pump, "XY", Millis(300), answer, came), asio::detached);
@@ -98,16 +98,17 @@ TEST_F(VxmDriverText, WhatCameBeforeAMissingAnswerIsTold) {
   EXPECT_THAT(answer, HasSubstr("Before that it answered +0000000"));
 }
 
-TEST_F(VxmDriverText, WhatAStateDropsIsSaid) {
+TEST_F(VxmDriverText, WhatAStateDropsIsReported) {
   EXPECT_EQ(send("PM-0,L5,I1M4000,R"), "");
   run(0.5);
   EXPECT_EQ(send("I1M5,X"), "");
-  EXPECT_TRUE(told("While a program runs the controller takes only a few letters and ignores I1M5 silently"))
+  EXPECT_TRUE(
+      reported("While a program runs the controller takes only a few letters and ignores I1M5 silently"))
       << all_notices();
   EXPECT_TRUE(wait_idle());
   EXPECT_EQ(send("Q"), "");
   EXPECT_EQ(send("X,V"), "");
-  EXPECT_TRUE(told("In local mode the controller takes only a few letters and ignores X silently"))
+  EXPECT_TRUE(reported("In local mode the controller takes only a few letters and ignores X silently"))
       << all_notices();
   EXPECT_EQ(
       query("X"),
@@ -188,7 +189,7 @@ TEST_F(VxmDriverText, AStopInAQuestionWaitsForNoOther) {
   }
 }
 
-TEST_F(VxmDriverText, AStopInAQuestionIsToldTheEndOfTheMove) {
+TEST_F(VxmDriverText, AStopInAQuestionGetsTheEndOfTheMove) {
   move_to(0, 400000);
   run(2);
   EXPECT_EQ(query("D", 10), "^");
@@ -269,7 +270,7 @@ TEST_F(VxmDriverText, AResetThatFHidesIsFound) {
     run(2);
     EXPECT_EQ(latest.restarts, before + 1) << at_once;
     EXPECT_TRUE(latest.axes[0].trust.doubtful());
-    EXPECT_TRUE(told("Home the axes before the next absolute move"));
+    EXPECT_TRUE(reported("Home the axes before the next absolute move"));
     notices.clear();
   }
 }
@@ -281,7 +282,7 @@ TEST_F(VxmDriverText, ClosingBehindATypedDLeavesNothingBehind) {
     EXPECT_EQ(send(stop), "");
     asio::co_spawn(io, pump->shut_down(), asio::detached);
     run(9);
-    EXPECT_FALSE(told("The move goes on without the console")) << stop;
+    EXPECT_FALSE(reported("The move goes on without the console")) << stop;
     pump.reset();
     open();
     EXPECT_EQ(query("PM4,lst,PM0,"), "PM4 M256") << stop;

@@ -343,7 +343,7 @@ TEST(VxmBus, APairTellsASwitchWhenItIsMet) {
   EXPECT_EQ(rig.position(2), 5) << "and the program with it";
 }
 
-TEST(VxmBus, TheLatestSlowingOfFourMotorsIsTold) {
+TEST(VxmBus, TheLatestSlowingOfFourMotorsIsReported) {
   Rig rig = Rig::online_with_slave();
   rig.run("I3M4000,");
   EXPECT_EQ(rig.ask("*"), "+0003000\r") << "1000 steps before its end";

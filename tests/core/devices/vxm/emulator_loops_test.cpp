@@ -27,7 +27,7 @@ TEST(VxmLoops, TheInnerLoopStartsAfreshEachTime) {
   EXPECT_EQ(rig.position(1), 0);
 }
 
-TEST(VxmLoops, OnlyTheImmediateNeighbourIsLeftOut) {
+TEST(VxmLoops, OnlyTheAdjacentCommandIsLeftOut) {
   Rig rig = Rig::online();
   rig.run("I1M1,LA2,L3,");
   EXPECT_EQ(rig.position(1), 6) << "a loop command is no neighbour to leave out (V38)";

@@ -27,7 +27,7 @@ const Problem& only(const ProgramReport& report) {
   return report.problems.empty() ? none : report.problems.front();
 }
 
-TEST(VxmAnalysis, TooFastIsSaidWithTheRangeAndAFix) {
+TEST(VxmAnalysis, TooFastIsReportedWithTheRangeAndAFix) {
   const auto report = analyse("I1M400\nS2M8000,I2M400\n");
   const Problem& p = only(report);
   EXPECT_TRUE(p.error);

@@ -55,7 +55,7 @@ TEST(VxmRehearsal, AnswersTheWaitForTheHost) {
   EXPECT_EQ(answers, 2);
 }
 
-TEST(VxmRehearsal, AWaitThatNobodyEndsIsSaidInWords) {
+TEST(VxmRehearsal, AWaitWithoutEndIsDescribed) {
   RehearseOptions options;
   options.for_seconds = 120;
   const Rehearsal r = rehearse("I1M400,U50,I1M-400", options);
@@ -271,8 +271,8 @@ TEST(VxmRehearsal, NamesProgramsThatNobodyHasReadWhereTheRunMayComeToThem) {
   RehearseOptions options;
   options.from = state;
   const auto assumed = [&](std::string_view text) { return assumed_in(rehearse(text, options)); };
-  const std::string of_3 = "program 3=empty, since it was not read";
-  const std::string of_4 = "program 4=empty, since it was not read";
+  const std::string of_3 = "program 3=empty, because it was not read";
+  const std::string of_4 = "program 4=empty, because it was not read";
   const std::string speed = "S1M900,A1M2,I1M100,";
   EXPECT_THAT(assumed(speed + "JM3"), testing::ElementsAre(of_3));
   EXPECT_THAT(assumed(speed + "J3"), testing::ElementsAre(of_3));
@@ -286,7 +286,7 @@ TEST(VxmRehearsal, NamesProgramsThatNobodyHasReadWhereTheRunMayComeToThem) {
   state->now.inputs = 0xFF & ~4u;  // input 3 is operated
   EXPECT_THAT(assumed(speed + "U0"), testing::ElementsAre(of_3)) << "a wait ends there";
   state->now.slot_bytes_used[2] = 9, state->programs.clear();
-  EXPECT_THAT(assumed(speed + "U23"), testing::Contains("program 2=empty, since it was not read"));
+  EXPECT_THAT(assumed(speed + "U23"), testing::Contains("program 2=empty, because it was not read"));
 }
 
 TEST(VxmRehearsal, TheAnalogInputIsAsItIsRead) {
@@ -305,7 +305,7 @@ TEST(VxmRehearsal, TheAnalogInputIsAsItIsRead) {
   EXPECT_THAT(assumed_in(rehearse("A1M9,S1M900,I1M2000", options)), testing::IsEmpty());
 }
 
-TEST(VxmRehearsal, ALimitIsToldWithMotorDirectionLineAndTime) {
+TEST(VxmRehearsal, ALimitIsReportedWithMotorDirectionLineAndTime) {
   RehearseOptions options;
   options.bench_toml = "[axis.1]\nminus = -500\nplus = 1000\n";
   const Rehearsal r = rehearse("I1M400\nP10\nI1M4000\nI2M10\n", options);
@@ -320,7 +320,7 @@ TEST(VxmRehearsal, ALimitIsToldWithMotorDirectionLineAndTime) {
   EXPECT_THAT(rehearse("S1M600,I1M0", options).stops, testing::IsEmpty()) << "it was to go there";
 }
 
-TEST(VxmRehearsal, ALoopWithoutEndIsToldWithItsLines) {
+TEST(VxmRehearsal, ALoopWithoutEndIsReportedWithItsLines) {
   RehearseOptions options;
   options.for_seconds = 30;
   const Rehearsal r = rehearse("S1M2000\nLM0\nI1M400\nI1M-400\nL0\n", options);
@@ -338,7 +338,7 @@ TEST(VxmRehearsal, ALoopWithoutEndIsToldWithItsLines) {
   EXPECT_FALSE(rehearse("P10\nL65535\n", options).endless) << "it only takes long";
 }
 
-TEST(VxmRehearsal, ALoopOfJumpsThroughProgramsIsToldWithItsLines) {
+TEST(VxmRehearsal, ALoopOfJumpsThroughProgramsIsReportedWithItsLines) {
   RehearseOptions options;
   options.for_seconds = 31;
   const Rehearsal r = rehearse("PM-0\nP5\nJ1\nPM-1\nP7\nJ0\n", options);

@@ -50,11 +50,11 @@ TEST(VxmTextMeaning, WhatFollowsAStopCountsOnlyIfItStartsSomething) {
 TEST(VxmTextMeaning, TellsWhenTheAnswerComes) {
   for (const char* text : {"V", "X", "lst", "getM1M", "rsm", "K", "PM1,M", "K,V"}) {
     EXPECT_EQ(meaning(text).answered, Answered::at_once) << text;
-    EXPECT_FALSE(meaning(text).end_is_told) << text;
+    EXPECT_FALSE(meaning(text).end_is_reported) << text;
   }
   for (const char* text : {"R", "PM1,R", "X,R", "I1M400,", "bogus"}) {
     EXPECT_EQ(meaning(text).answered, Answered::later) << text;
-    EXPECT_TRUE(meaning(text).end_is_told) << text;
+    EXPECT_TRUE(meaning(text).end_is_reported) << text;
   }
   EXPECT_EQ(meaning("D", own_move).answered, Answered::later) << "by the prompt of the move";
   EXPECT_EQ(meaning("D", local).answered, Answered::at_once) << "it asks for places";

@@ -183,7 +183,7 @@ def a_zero_byte():
 def too_many_parts():
     d = Dxf("AC1015")
     d.polyline(0, [(0, 0, 0), (1, 0, 0)], count=2000000000)
-    return d.finish().encode(), "LWPOLYLINE says that it has more parts than there are"
+    return d.finish().encode(), "LWPOLYLINE declares more parts than it has"
 
 
 BAD = {f.__name__: f for f in (

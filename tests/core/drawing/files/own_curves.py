@@ -79,7 +79,7 @@ def polylines_of_programs():
     d = Dxf()
     d.old_polyline(16, [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], "it is a mesh", "71 2 72 2", 64)
     d.old_polyline(64, [(0, 0, 0), (1, 0, 0), (1, 1, 0)], "it is a mesh", "71 3 72 1", 192)
-    d.old_polyline(4, [(0, 0, 0), (50, 0, 0)], "it is smoothed by a spline of its program's own", vertex_flags=8)
+    d.old_polyline(4, [(0, 0, 0), (50, 0, 0)], "it is smoothed by a spline that only its program knows", vertex_flags=8)
     d.line_of(0, 0, 1, 0)
     d.hand("paths 1", "length 1  # the line", "box 0 0 1 0", "exact", "unit mm")
     return d
@@ -126,7 +126,7 @@ def polylines_without_length():
 def polyline_count():
     d = Dxf("AC1015")
     for count in (2, 6):
-        d.polyline(0, SQUARE, "it does not have as many parts as it says", count=count)
+        d.polyline(0, SQUARE, "its number of parts differs from the number it declares", count=count)
     d.polyline(0, SQUARE)
     d.hand("paths 1", "length 11  # 4 + 3 + 4", "box 0 0 4 3", "exact", "unit mm")
     return d
@@ -196,10 +196,10 @@ def splines_through_points():
 def splines_wrong():
     d = Dxf("AC1015")
     d.spline(8, 3, [0, 0, 0, 0, 1, 1, 0.5, 1], HILL, why="its knots are not in order")
-    d.spline(8, 3, CLAMPED[1:], HILL, why="it does not have as many knots as it needs")
-    d.spline(8, 3, CLAMPED + [2], HILL, why="it does not have as many knots as it needs")
-    d.spline(8, 3, [], HILL, why="it does not have as many knots as it needs")
-    d.spline(8, 3, [1] * 8, HILL, why="its knots span nothing")
+    d.spline(8, 3, CLAMPED[1:], HILL, why="it has the wrong number of knots")
+    d.spline(8, 3, CLAMPED + [2], HILL, why="it has the wrong number of knots")
+    d.spline(8, 3, [], HILL, why="it has the wrong number of knots")
+    d.spline(8, 3, [1] * 8, HILL, why="its knots span no range")
     d.spline(8, 3, CLAMPED, HILL[:3], why="it has too few control points")
     d.spline(8, 0, CLAMPED, HILL, why="its degree is not possible")
     d.spline(12, 3, CLAMPED, HILL, [1, 1, -1, 1], why="a weight is not above 0")

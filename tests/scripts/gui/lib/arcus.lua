@@ -60,7 +60,7 @@ end
 function arcus.text_comes_back(text)
   write_program("")
   ui.click("program/upload")
-  said("was brought here")
+  said("was loaded from")
   sent("SA0")
   is("program/text", text)
 end

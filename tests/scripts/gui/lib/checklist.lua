@@ -187,7 +187,7 @@ end
 function file(path)
   ui.type("file/path", path .. "\n")
   ui.frame(2)
-  if ui.exists("file/sentence") and ui.value("file/sentence"):find("is there already") then ui.click("file/save") end
+  if ui.exists("file/sentence") and ui.value("file/sentence"):find("exists already") then ui.click("file/save") end
   must(not ui.exists("file/path"), "the dialog is still open: " .. tostring(ui.value("file/sentence")))
 end
 

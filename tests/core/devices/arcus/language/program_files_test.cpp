@@ -91,12 +91,12 @@ const Dialect& dialect_of(const std::string& model) {
 }
 
 void expect_problems(const ProgramFile& file, const Compilation& compiled) {
-  std::vector<std::string> said;
+  std::vector<std::string> sentence;
   for (const Problem& p : compiled.problems)
-    said.push_back(std::string(p.error ? "error " : "warning ") + std::to_string(p.line + 1) + ":" +
-                   std::to_string(p.column + 1) + " " + p.sentence);
-  for (std::size_t i = 0; i < std::max(said.size(), file.problems.size()); ++i) {
-    const std::string got = i < said.size() ? said[i] : "nothing";
+    sentence.push_back(std::string(p.error ? "error " : "warning ") + std::to_string(p.line + 1) + ":" +
+                       std::to_string(p.column + 1) + " " + p.sentence);
+  for (std::size_t i = 0; i < std::max(sentence.size(), file.problems.size()); ++i) {
+    const std::string got = i < sentence.size() ? sentence[i] : "nothing";
     const std::string wanted = i < file.problems.size() ? file.problems[i] : "nothing";
     std::istringstream parts(wanted);
     std::string kind, place, words;
