@@ -5,6 +5,8 @@ set(here ${PROJECT_SOURCE_DIR}/assets/package)
 set(made ${PROJECT_BINARY_DIR}/package)
 
 string(TIMESTAMP HW_RELEASE_DATE "%Y-%m-%d" UTC)
+string(TIMESTAMP HW_CHANGELOG_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
+configure_file(${here}/changelog.in ${made}/changelog @ONLY)
 configure_file(${here}/org.handwheel.handwheel.metainfo.xml.in ${made}/org.handwheel.handwheel.metainfo.xml @ONLY)
 
 # The program writes these itself, from the tables of its command line.
@@ -21,7 +23,8 @@ install(CODE [[
     execute_process(COMMAND ${program} reference ${form} OUTPUT_FILE ${made}/${file} COMMAND_ERROR_IS_FATAL ANY)
   endforeach()
   execute_process(COMMAND gzip -9nf ${made}/handwheel.1 COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(COMMAND gzip -9nc ${changes} OUTPUT_FILE ${made}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND gzip -9nkf ${made}/changelog COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND gzip -9nc ${changes} OUTPUT_FILE ${made}/CHANGELOG.md.gz COMMAND_ERROR_IS_FATAL ANY)
 ]])
 
 install(TARGETS handwheel RUNTIME DESTINATION bin)
@@ -37,7 +40,7 @@ install(FILES ${made}/handwheel.1.gz DESTINATION share/man/man1)
 install(FILES ${made}/handwheel DESTINATION share/bash-completion/completions)
 install(FILES ${made}/_handwheel DESTINATION share/zsh/vendor-completions)
 install(FILES ${made}/handwheel.fish DESTINATION share/fish/vendor_completions.d)
-install(FILES ${made}/changelog.gz ${here}/copyright DESTINATION share/doc/handwheel)
+install(FILES ${made}/changelog.gz ${made}/CHANGELOG.md.gz ${here}/copyright DESTINATION share/doc/handwheel)
 # What is inside the program and no package that it depends on.
 foreach(part IN ITEMS fonts-inter fonts-jetbrains-mono libimgui-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
     libexpected-dev)
@@ -49,10 +52,10 @@ set(CPACK_PACKAGE_NAME handwheel)
 set(CPACK_PACKAGE_VENDOR "The Handwheel authors")
 set(CPACK_PACKAGE_CONTACT "The Handwheel authors <authors@handwheel.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "control console for motion controllers")
-set(CPACK_PACKAGE_DESCRIPTION "One window to jog, home, program and set up a motion controller, real or emulated:
-Velmex VXM, Arcus PMX-4EX-SA and DMX-K-SA, Oregon Micro Systems VME58. Drawings
-(DXF) are cut, programs rehearsed before metal moves, and scripts run without a
-window.")
+set(CPACK_PACKAGE_DESCRIPTION "One window to jog, home, program and set up a motion controller, real or
+emulated: Velmex VXM, Arcus PMX-4EX-SA and DMX-K-SA, Oregon Micro Systems
+VME58. Drawings (DXF) are cut, programs rehearsed before metal moves, and
+scripts run without a window.")
 set(CPACK_PACKAGE_CHECKSUM SHA256)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
