@@ -99,9 +99,9 @@ class BenchRow {
 
  private:
   template <class Command>
-  void toggle(std::string_view id, std::string_view what, std::string_view tells, std::uint32_t bits,
+  void toggle(std::string_view id, std::string_view what, std::string_view effect, std::uint32_t bits,
               float width, Command command) {
-    const Path name("{} {}", what, name_), tip("{} {}: {}", what, name_, tells);
+    const Path name("{} {}", what, name_), tip("{} {}: {}", what, name_, effect);
     ImGui::SetCursorScreenPos(ImVec2(top_left_.x + f_.ui.px(columns_.name + x_), top_left_.y));
     x_ += width;
     const bool on = bit(bits, at_);

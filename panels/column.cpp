@@ -12,7 +12,8 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float hairline = 1, position_title = 44, steps_row = 32, speed_row = 32, travel_bar = 20;
+constexpr float hairline = 1, position_title = 44, steps_row = 32, speed_row = 32, travel_bar = 20,
+                above_go = 4;
 
 bool interpolates(const Frame& f) { return f.catalog.can.interpolates && f.catalog.axes.size() > 1; }
 
@@ -47,8 +48,21 @@ float height_of(const Frame& f, const LeftColumn& c) {
   const float pad = axes < 2 ? c.cell : 3 * c.cell + 2 * close_between;
   const float steps = axes == 2 ? c.between_steps : c.between_steps + steps_row + c.below_steps;
   const float jog = c.title + c.reason + pad + steps + (c.speed_over_slider ? 58 : speed_row) + hairline;
-  const float go = axes > 2 ? 4 + 2 * c.go_row : c.go_title + (axes + 1) * c.go_row;
+  const float go = axes > 2 ? above_go + 2 * c.go_row : c.go_title + (axes + 1) * c.go_row;
   return position_title + axes * c.block() + jog + go;
+}
+
+/// Of jog and Go where each axis has a row with jog buttons.
+float height_below_rows(const LeftColumn& c) {
+  const float jog = c.title + c.reason + c.wide_stop + c.between_steps + steps_row + c.below_steps;
+  return jog + hairline + above_go + 2 * c.go_row;
+}
+
+/// Rows of axes in a window too low for them.
+void keep_go_in_view(LeftColumn& c) {
+  c.title = 32, c.reason = 48, c.wide_stop = 32;
+  c.between_steps = 4, c.below_steps = 0;
+  c.go_row = 29, c.go_control = 28;
 }
 
 }  // namespace
@@ -72,6 +86,7 @@ LeftColumn column_of(const Frame& f) {
     }
   }
   if (rows) c.speed_over_slider = false, c.between_steps = 8, c.below_steps = wide ? 0 : 8;
+  if (rows && f.tier == Tier::medium && f.area.height < height_below_rows(c)) keep_go_in_view(c);
   if (wide && !rows) {
     const float left_over = f.area.height - height_of(f, c);
     if (left_over >= travel_bar * static_cast<float>(axes)) c.travel = travel_bar;

@@ -16,6 +16,7 @@ struct LeftColumn {
   // ---- jog
   float title = 40, reason = 36;
   float cell = 48, between_steps = 8, below_steps = 0;
+  float wide_stop = 40;  ///< height of a Stop over the whole width
   bool speed_in_title = false, speed_over_slider = false;
   // ---- go and home
   float go_title = 36, go_row = 36, go_control = 32;

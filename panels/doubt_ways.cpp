@@ -45,7 +45,7 @@ IntentId DoubtWays::send(Frame& f, IntentBody body) {
 
 bool DoubtWays::take_refusal(const Frame& f, const IntentOutcome& outcome) {
   if (outcome.doubtful != 0 && sent_)
-    tell(f, outcome.doubtful);
+    describe(f, outcome.doubtful);
   else if (open())
     words_ = outcome.sentence.view();  // a position to set was refused
   return open();
@@ -56,7 +56,7 @@ bool DoubtWays::take_refusal(const Frame& f, IntentBody sent, const IntentOutcom
   return take_refusal(f, outcome);
 }
 
-void DoubtWays::tell(const Frame& f, std::uint32_t doubtful) {
+void DoubtWays::describe(const Frame& f, std::uint32_t doubtful) {
   doubtful_ = doubtful;
   axis_ = AxisId{static_cast<std::uint8_t>(std::countr_zero(doubtful))};
   words_ = describe_doubtful(f.catalog, f.now, *sent_, doubtful, words_shown(f));
@@ -84,7 +84,7 @@ IntentId DoubtWays::draw(Frame& f, std::string_view prefix, std::string_view abo
                          int mode) {
   const std::uint32_t left = still_doubtful(f.now, doubtful_);
   if (left == 0) return close(), IntentId{0};
-  if (left != doubtful_) tell(f, left);
+  if (left != doubtful_) describe(f, left);
   if (offered_ == 0) name_ways(f, prefix);
   std::array<Action, 4> actions;
   for (std::size_t i = 0; i < offered_; ++i)

@@ -25,7 +25,7 @@ class DoubtWays {
  public:
   /// Sends like Frame::send_and_watch(), and forgets the previous refusal.
   IntentId send(gui::Frame& frame, IntentBody body);
-  /// Call with any outcome other than done. True: a position was doubtful, and the card tells it.
+  /// Call with any outcome other than done. True: a position was doubtful, and the card shows it.
   bool take_refusal(const gui::Frame& frame, const IntentOutcome& outcome);
   /// The same for a command that a job has sent.
   bool take_refusal(const gui::Frame& frame, IntentBody sent, const IntentOutcome& outcome);
@@ -43,7 +43,7 @@ class DoubtWays {
     Way way;
     std::string id, label, brief;
   };
-  void tell(const gui::Frame& frame, std::uint32_t doubtful);
+  void describe(const gui::Frame& frame, std::uint32_t doubtful);
   void name_ways(const gui::Frame& frame, std::string_view prefix);
   /// True: Enter was pressed.
   bool draw_field(gui::Frame& frame);

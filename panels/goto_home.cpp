@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
 #include "panels/column.h"
+#include "panels/goto_speed.h"
 #include "panels/measures.h"
 #include "panels/widget_path.h"
 
@@ -89,7 +91,7 @@ void GotoHome::draw_chosen(Frame& f) {
 void GotoHome::draw_by(Frame& f) {
   ButtonOptions o{
       .style = ButtonStyle::segment, .width = by_width, .height = column_of(f).go_control, .on = by_};
-  o.tip = "Go by a distance, and not to a place.";
+  o.tip = "Go by a distance instead of to a place.";
   if (button(f.ui, "goto/way/By", "By", o).clicked) by_ = !by_;
 }
 
@@ -275,26 +277,14 @@ void GotoHome::draw_speed(Frame& f, AxisId axis, float width) {
   o.height = column_of(f).go_control;
   o.sentence_below = false;
   const bool differ = unit_of_taps(f.tab) && !(many(f) && !all_);
-  const Path tip("Speed of Go, in {} per second. Empty: as set in the controller.",
-                 differ ? std::string_view("the unit of the axis that goes,") : std::string_view(unit.name));
+  const Path tip("Speed of Go, in {} per second. Empty: as set in the controller.{}",
+                 differ ? std::string_view("each axis' own unit") : std::string_view(unit.name),
+                 speed_together_is(f, std::popcount(together_) < 2 ? ~0u : together_));
   o.tip = tip;
   (void)number_field(ui, "goto/speed", "Speed of Go", std::nullopt, speed_, o);
 }
 
-/// The typed number in the unit of the axis that goes; of several axes the slowest, as they share one speed.
-Pps GotoHome::speed_of(const Frame& f, const Motion& motion) const {
-  const double typed = speed_is_shown_ ? std::abs(speed_.value().value_or(0)) : 0;
-  const bool some_real = std::any_of(motion.targets.begin(), motion.targets.end(),
-                                     [&f](const AxisTarget& t) { return f.tab.unit(t.axis).real; });
-  double slowest = 0;
-  for (const AxisTarget& target : motion.targets) {
-    const DisplayUnit& unit = f.tab.units().length(target.axis);
-    if (some_real && !unit.real) continue;
-    const double speed = typed / (unit.real ? unit.per_step : 1);
-    slowest = slowest > 0 ? std::min(slowest, speed) : speed;
-  }
-  return Pps(std::round(slowest));
-}
+double GotoHome::typed_speed() const { return speed_is_shown_ ? std::abs(speed_.value().value_or(0)) : 0; }
 
 void GotoHome::draw_places(Frame& f, float width) {
   const auto to = places_.draw(f, width, column_of(f).go_control);

@@ -61,7 +61,7 @@ class GotoHome final : public gui::Panel {
   static Path label_of_nearest(const gui::Frame& frame, AxisId axis, const Motion* nearest);
   void go_instead(gui::Frame& frame, AxisId axis);
   void follow(gui::Frame& frame, AxisId axis);
-  /// Nothing: not a number, or outside the controller's count range; the row tells which.
+  /// Nothing: not a number, or outside the controller's count range; the row shows which.
   std::optional<Steps> target_of(gui::Frame& frame, AxisId axis);
   void go_together(gui::Frame& frame);
   void go_to_zero(gui::Frame& frame);
@@ -71,7 +71,7 @@ class GotoHome final : public gui::Panel {
   void send(gui::Frame& frame, Motion motion);
   [[nodiscard]] static std::optional<Motion> nearest_to(const gui::Frame& frame, const Motion& motion,
                                                         const PastTravel& past);
-  [[nodiscard]] Pps speed_of(const gui::Frame& frame, const Motion& motion) const;
+  [[nodiscard]] double typed_speed() const;  ///< 0: none
 
   std::array<Row, max_axes> rows_;
   gui::NumberField speed_;  ///< of moves to and by; empty: the controller's own speed

@@ -4,6 +4,7 @@
 #include "core/device/travel_check.h"
 #include "gui/model/tab.h"
 #include "panels/goto_home.h"
+#include "panels/goto_speed.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -39,10 +40,10 @@ std::optional<Steps> GotoHome::target_of(Frame& f, AxisId axis) {
   offer(nearest);
   const bool above = target > high;
   const Steps past = above ? target - high : low - target;
-  row.refused =
-      fmt::format("{} lies {} past the {} end of the range of {}, {}. Nothing was sent.",
-                  format_with_unit(target, unit).view(), format_with_unit(past, unit).view(),
-                  above ? "+" : "\u2212", f.catalog.short_name, format_with_unit(nearest, unit).view());
+  row.refused = fmt::format("{} lies {} past the {} end of the range of {}, {}. Nothing was sent.",
+                            format_with_unit(target, unit).view(),
+                            format_with_unit(past, f.tab.units().length(axis)).view(), above ? "+" : "\u2212",
+                            f.catalog.short_name, format_with_unit(nearest, unit).view());
   return {};
 }
 
@@ -56,11 +57,15 @@ void GotoHome::send(Frame& f, Motion motion) {
   row.refused.clear();
   row.instead.reset();
   row.sent = motion;
-  const Pps speed = speed_of(f, motion);
+  const GoSpeed speed = speed_of_go(f, motion.targets, motion.by, typed_speed());
+  const auto send = [&](auto move) {
+    move.own_speeds = speed.own_speeds;
+    row.asked = row.doubt.send(f, std::move(move));
+  };
   if (motion.by)
-    row.asked = row.doubt.send(f, intent::MoveBy(std::move(motion.targets), speed));
+    send(intent::MoveBy(std::move(motion.targets), speed.speed));
   else
-    row.asked = row.doubt.send(f, intent::MoveTo(std::move(motion.targets), speed));
+    send(intent::MoveTo(std::move(motion.targets), speed.speed));
 }
 
 /// Each axis ends as near to its target as its limits allow. Nothing: it would still be refused.

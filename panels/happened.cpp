@@ -94,7 +94,7 @@ void Happened::draw(Frame& f, float height) {
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   draw_rows(f, log);
-  say(f, log);
+  register_text(f, log);
   ImGui::EndChild();
 }
 
@@ -118,7 +118,7 @@ void Happened::draw_rows(Frame& f, const EventLog& log) {
   ImGui::Dummy(ImVec2(0, 0));
 }
 
-void Happened::say(Frame& f, const EventLog& log) {
+void Happened::register_text(Frame& f, const EventLog& log) {
   if (shown_version_ != log.version() || shown_filter_ != filter_) {
     shown_version_ = log.version(), shown_filter_ = filter_;
     shown_text_ = log.text(filter_, f.tab.desk().traffic.clock());

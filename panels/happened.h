@@ -18,7 +18,7 @@ class Happened {
 
  private:
   void draw_rows(gui::Frame& frame, const gui::EventLog& log);
-  void say(gui::Frame& frame, const gui::EventLog& log);
+  void register_text(gui::Frame& frame, const gui::EventLog& log);
 
   gui::EventFilter filter_ = gui::EventFilter::all;
   std::string shown_text_;  ///< for scripts and Copy

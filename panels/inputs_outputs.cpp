@@ -96,7 +96,7 @@ RailName rail_name(std::string_view name) {
 }
 
 /// "on: 2, 5", for lamps without words.
-class WhatIsOn {
+class OnNames {
  public:
   void add(std::string_view name) {
     const auto end = fmt::format_to_n(shown_ + size_, sizeof shown_ - size_, "{}{}",
@@ -125,7 +125,7 @@ void InputsOutputs::draw_inputs(Frame& f) {
   for (std::size_t i = 0; i < inputs.size();) {
     const auto group = group_at(inputs, i);
     if (!group.front().of_output) {
-      WhatIsOn on;
+      OnNames on;
       if (lamp_columns(f, group) > 0)
         for (std::size_t n = i; n < i + group.size(); ++n)
           if (is_active(f, n)) on.add(inputs[n].name);
@@ -179,7 +179,7 @@ void InputsOutputs::draw_outputs(Frame& f) {
     const auto group = group_at(outputs, i);
     const int columns = output_columns(f, group, outputs.size() > 6 ? 4 : 2);
     const bool narrow = columns > 2;
-    WhatIsOn on;
+    OnNames on;
     for (std::size_t n = i; narrow && n < i + group.size(); ++n)
       if (bit_of(f.now.outputs & f.now.outputs_known, static_cast<int>(n) + 1)) on.add(outputs[n].name);
     draw_heading(f, "Outputs", group.front().group, on.view());

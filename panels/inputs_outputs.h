@@ -10,7 +10,7 @@
 namespace hw::panels {
 
 /// Inputs as lamps, outputs as toggles that change once the controller has confirmed, analog inputs as
-/// meters. Lines of a group stand under its name, which tells their direction.
+/// meters. Lines of a group stand under its name, which gives their direction.
 class InputsOutputs final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;

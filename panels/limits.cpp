@@ -10,6 +10,7 @@
 #include "gui/surface/ui.h"
 #include "gui/widgets/lamp.h"
 #include "gui/widgets/text.h"
+#include "panels/kept_legible.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -18,7 +19,16 @@ using namespace gui;
 
 namespace {
 
-constexpr float with_home_name = 24, signal_height = 28;
+constexpr float signal_height = 28;
+
+/// Room for the longest name of an axis: a device of a bus has two figures.
+float names_width(const Frame& f, float least) {
+  float longest = 0;
+  for (const AxisInfo& axis : f.catalog.axes)
+    longest = std::max(longest, text_width(f.ui, Face::body_bold, axis.name));
+  return std::max(least, std::ceil(longest / f.ui.scale) + 8);
+}
+float with_home_name(const Frame& f) { return names_width(f, 24); }
 
 struct LimitLook {
   LampState state;
@@ -34,19 +44,31 @@ LimitLook look_of(const Frame& f, int axis, Sign sign) {
   return hit ? LimitLook{LampState::hit, "HIT"} : LimitLook{LampState::off, "clear"};
 }
 
-bool tells_more_than_limits(const Catalog& c) {
+bool shows_more_than_limits(const Catalog& c) {
   return std::any_of(c.axes.begin(), c.axes.end(),
                      [](const AxisInfo& axis) { return axis.home_input || axis.alarm_input; });
 }
 
 }  // namespace
 
+/// Tooltips of what is above or in the lamps stand beside them.
 void Limits::draw(Frame& f) {
-  if (f.rail) return f.catalog.axes.size() > 4 ? draw_brief_rail(f) : draw_rail(f);
+  const float title = f.rail ? 20 : 40, left = ImGui::GetWindowPos().x;
+  const float top = ImGui::GetCursorScreenPos().y + f.ui.px(title);
+  if (f.rail)
+    f.catalog.axes.size() > 4 ? draw_brief_rail(f) : draw_rail(f);
+  else if (shows_more_than_limits(f.catalog))
+    draw_with_home(f);
+  else
+    draw_limits(f);
+  const ImVec2 end(left + ImGui::GetWindowWidth(), ImGui::GetCursorScreenPos().y);
+  keep_legible(f.ui, {ImVec2(left, top), end});
+}
+
+void Limits::draw_limits(Frame& f) {
   Ui& ui = f.ui;
-  if (tells_more_than_limits(f.catalog)) return draw_with_home(f);
   section_title(ui, "Limits", {}, 40);
-  const float name_width = 28, cell = (f.area.width - name_width) / 2;
+  const float name_width = names_width(f, 28), cell = (f.area.width - name_width) / 2;
   for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) {
     const std::string& name = f.catalog.axes[static_cast<std::size_t>(i)].name;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -117,10 +139,11 @@ void Limits::draw_with_home(Frame& f) {
   Summary summary;
   const ImVec2 title = ImGui::GetCursorScreenPos();
   section_title(ui, "Limits and home", {}, 40);
+  const float names = with_home_name(f);
   if (f.catalog.axes.size() > 4)
-    draw_in_halves(f, summary);
+    draw_in_halves(f, names, summary);
   else
-    for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) draw_signals(f, i, summary);
+    for (int i = 0; i < static_cast<int>(f.catalog.axes.size()); ++i) draw_signals(f, i, names, summary);
   const float end = title.x + ui.px(f.area.width);
   const float room = ui.px(f.area.width - 12) - text_width(ui, Face::body_bold, "Limits and home");
   const bool alerts = summary.alert_count > 0;
@@ -133,21 +156,21 @@ void Limits::draw_with_home(Frame& f) {
 }
 
 /// Many axes in two halves side by side: lamps under shared names.
-void Limits::draw_in_halves(Frame& f, Summary& summary) {
+void Limits::draw_in_halves(Frame& f, float names, Summary& summary) {
   Ui& ui = f.ui;
   constexpr float names_height = 20, apart = 16, sign_cell = 28, word_cell = 36;
   const int axes = static_cast<int>(f.catalog.axes.size()), rows = (axes + 1) / 2;
   const float half = std::floor((f.area.width - apart) / 2) + apart;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  float used = with_home_name;  // of one half; the lamps of a column stand under its name
+  float used = names;  // of one half; the lamps of a column stand under its name
   for (int i = 0; i < axes; ++i) {
     const ImVec2 corner(at.x + ui.px(half * static_cast<float>(i / rows)),
                         at.y + ui.px(names_height + signal_height * static_cast<float>(i % rows)));
     Signals signals;
     const bool sure = find_signals(f, i, signals, summary);
-    draw_text_line(ui, corner.x, corner.x + ui.px(with_home_name), corner.y + ui.px(signal_height / 2),
+    draw_text_line(ui, corner.x, corner.x + ui.px(names), corner.y + ui.px(signal_height / 2),
                    Face::body_bold, ui[Tone::ink], f.catalog.axes[static_cast<std::size_t>(i)].name);
-    used = with_home_name;
+    used = names;
     for (const Signal& signal : signals.list()) {
       const float cell = signal.label.size() > 3 ? word_cell : sign_cell;
       const float x = corner.x + ui.px(used);
@@ -185,17 +208,17 @@ bool Limits::find_signals(const Frame& f, int i, Signals& signals, Summary& summ
   return sure;
 }
 
-void Limits::draw_signals(Frame& f, int i, Summary& summary) {
+void Limits::draw_signals(Frame& f, int i, float names, Summary& summary) {
   Ui& ui = f.ui;
   Signals signals;
   const bool sure = find_signals(f, i, signals, summary);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text_line(ui, at.x, at.x + ui.px(with_home_name), at.y + ui.px(14), Face::body_bold, ui[Tone::ink],
+  draw_text_line(ui, at.x, at.x + ui.px(names), at.y + ui.px(14), Face::body_bold, ui[Tone::ink],
                  f.catalog.axes[static_cast<std::size_t>(i)].name);
   // A sign needs less room than a word.
   constexpr float sign_cell = 40;
-  const float word_cell = (f.area.width - with_home_name - 2 * sign_cell) / 2;
-  float x = with_home_name;
+  const float word_cell = (f.area.width - names - 2 * sign_cell) / 2;
+  float x = names;
   for (const Signal& signal : signals.list()) {
     const float cell = signal.label.size() > 3 ? word_cell : sign_cell;
     draw_signal(f, signal, sure, ImVec2(at.x + ui.px(x), at.y), cell, true);
@@ -220,7 +243,7 @@ void Limits::draw_signal(Frame& f, const Signal& s, bool sure, ImVec2 at, float 
 /// A line for each of many axes: both lamps with the axis between them, under shared signs.
 void Limits::draw_brief_rail(Frame& f) {
   Ui& ui = f.ui;
-  constexpr float title = 20, signs = 18, line = 22;
+  constexpr float title = 20, signs = 18, line = 21;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float middle = std::floor(top.x + ui.px(f.area.width / 2)), apart = ui.px(17);
   const auto words = [&](float x, float y, Face face, Tone tone, std::string_view text) {

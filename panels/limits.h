@@ -15,9 +15,10 @@ class Limits final : public gui::Panel {
   class Signals;
   struct Summary;
   static bool find_signals(const gui::Frame& frame, int axis, Signals& signals, Summary& summary);
+  void draw_limits(gui::Frame& frame);
   void draw_with_home(gui::Frame& frame);
-  void draw_signals(gui::Frame& frame, int axis, Summary& summary);
-  void draw_in_halves(gui::Frame& frame, Summary& summary);
+  void draw_signals(gui::Frame& frame, int axis, float names, Summary& summary);
+  void draw_in_halves(gui::Frame& frame, float names, Summary& summary);
   void draw_signal(gui::Frame& frame, const Signal& signal, bool sure, ImVec2 at, float cell, bool named);
   void draw_rail(gui::Frame& frame);
   void draw_brief_rail(gui::Frame& frame);

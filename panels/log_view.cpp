@@ -134,7 +134,7 @@ void LogView::draw(PageFrame& f, float height) {
                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
-  say(f, draw_rows(f));
+  register_text(f, draw_rows(f));
   ImGui::EndChild();
 }
 
@@ -193,7 +193,7 @@ void LogView::draw_row(const Ui& ui, const log::Line& line, const Rect& place, f
 }
 
 // Rebuilt only on a change.
-void LogView::say(PageFrame& f, Rows visible) {
+void LogView::register_text(PageFrame& f, Rows visible) {
   const LogLines& log = f.console.log;
   if (shown_version_ != log.version() || shown_rows_.begin != visible.begin ||
       shown_rows_.end != visible.end) {

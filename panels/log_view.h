@@ -31,7 +31,7 @@ class LogView {
   [[nodiscard]] Rows draw_rows(gui::PageFrame& frame);
   static float draw_lost(const gui::Ui& ui, std::uint64_t lost, float top);
   static void draw_row(const gui::Ui& ui, const hw::log::Line& line, const gui::Rect& place, float words_at);
-  void say(gui::PageFrame& frame, Rows visible);
+  void register_text(gui::PageFrame& frame, Rows visible);
 
   std::vector<std::string_view> families_;  ///< the first: all
   gui::LogLines::View wanted_;

@@ -50,18 +50,33 @@ void Moves::draw(Frame& f) {
     ImGui::GetWindowDrawList()->AddRectFilled(
         ImVec2(x, at.y), ImVec2(x + f.ui.hair(), f.ui.px(f.area.bottom())), f.ui[Tone::line]);
     ImGui::SetCursorScreenPos(ImVec2(x + f.ui.hair(), at.y));
-    begin_part(f.ui, "list/side", 0, 0, Tone::panel, 16);
+    // To the end of the panel: the rest of a window that scrolls would be less.
+    begin_part(f.ui, "list/side", 0, f.ui.px(f.area.bottom()) - at.y, Tone::panel, 16);
     draw_side(f, ImGui::GetContentRegionAvail().x / f.ui.scale);
     end_part();
   }
   draw_dialogs(f);
 }
 
+/// Moves wait in the controller's buffer, or it has not been asked since the last one was sent.
+bool Moves::buffer_waits(const Frame& f) const {
+  const int free = find_free_places(f.catalog);
+  const auto i = static_cast<std::size_t>(std::max(free, 0));
+  if (free < 0 || !f.connected() || !f.now.readouts_known[i]) return false;
+  return f.now.readouts_seen_at[i] <= sent_at_ || f.now.readouts[i] < f.catalog.move_list.depth;
+}
+
 void Moves::follow(Frame& f) {
-  works_ = f.now.feed.running || (works_ && f.now.feed.total > 0 && f.now.any_axis_moving());
-  if (f.now.forgotten(started_)) started_ = 0;
   const IntentOutcome* outcome = f.now.outcome_of(started_);
-  if (!outcome || outcome->state == IntentState::pending) return;
+  const bool ended = outcome && outcome->state != IntentState::pending;
+  const bool unseen = f.now.forgotten(started_);
+  const bool was_sent = unseen || (ended && outcome->state != IntentState::refused);
+  if (f.now.feed.running || was_sent) sent_at_ = f.clock;
+  if (f.connected())  // a controller out of reach may still work on it
+    works_ =
+        f.now.feed.running || buffer_waits(f) || (works_ && f.now.feed.total > 0 && f.now.any_axis_moving());
+  if (unseen) started_ = 0;
+  if (!ended) return;
   started_ = 0;
   if (outcome->state == IntentState::done || doubt_.take_refusal(f, *outcome)) return;
   past_ = outcome->past;
@@ -89,7 +104,7 @@ NumberField* Moves::cell_past_limit(const Catalog& catalog, int& decimals) {
 void Moves::draw_refusal(Frame& f, const Rect& beside) {
   int decimals = 0;
   NumberField* cell = cell_past_limit(f.catalog, decimals);
-  if (!cell) past_.reset();  // what it was about has been changed
+  if (!cell) past_.reset();  // its subject has been changed
   if (!past_) return;
   const Path label("Put {} into move {}", format_with_unit(past_->nearest, f.tab.unit(past_->axis)).view(),
                    past_->row + 1);
@@ -129,7 +144,7 @@ void Moves::draw_toolbar(Frame& f) {
   stop.icon = Icon::stop;
   stop.stops = true;
   stop.height = 40;
-  stop.disabled = works_ ? "" : "No list is being sent.";
+  stop.disabled = works_ || started_ != 0 ? "" : "No list is being sent.";
   stop.tip =
       "Stops the axes and sends no more. Buffered mode is switched off, and moves that wait there are "
       "dropped.";
@@ -308,7 +323,7 @@ bool Moves::draw_row(Frame& f, std::size_t row, float width) {
   return gone;
 }
 
-// ---- side: what the buffer does
+// ---- side: the state of the buffer
 
 void Moves::draw_side(Frame& f, float width) {
   Ui& ui = f.ui;

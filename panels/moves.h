@@ -26,6 +26,7 @@ class Moves final : public gui::Panel {
   using Row = std::vector<gui::NumberField>;
 
   void follow(gui::Frame& frame);
+  [[nodiscard]] bool buffer_waits(const gui::Frame& frame) const;
   void draw_toolbar(gui::Frame& frame);
   void draw_progress(gui::Frame& frame, float left, float right, float middle);
   void draw_file_line(gui::Frame& frame);
@@ -40,7 +41,7 @@ class Moves final : public gui::Panel {
 
   void add_row(const Catalog& catalog);
   void show_rows(const std::vector<gui::MoveRow>& rows, const MoveListFacts& facts);
-  /// Nothing: a cell holds no valid number; `why` tells which.
+  /// Nothing: a cell holds no valid number; `why` says which.
   std::optional<std::vector<gui::MoveRow>> values(const MoveListFacts& facts, std::string& why);
   void start(gui::Frame& frame);
   void abort(gui::Frame& frame);
@@ -57,6 +58,7 @@ class Moves final : public gui::Panel {
   gui::FileDialog open_, save_;
   bool asking_ = false, asked_to_open_ = false;  ///< before edited rows are discarded
   bool works_ = true;  ///< the list is on its way, or all of it was sent and the buffer is not empty yet
+  Instant sent_at_{};  ///< the latest move of the list
   IntentId started_ = 0;
   DoubtWays doubt_;
   std::optional<PastTravel> past_;  ///< why the latest Start was refused ...

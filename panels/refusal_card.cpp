@@ -120,7 +120,7 @@ std::optional<Rect> free_place(const Ui& ui, const Taken& taken, const Rect& row
   return {};
 }
 
-/// Covers the sentence of the status line, which tells no more than the card.
+/// Covers the sentence of the status line, which says no more than the card.
 Rect bar_place(const Ui& ui) {
   const Widget* status = ui.registry.find("status/text");
   Rect place = status ? status->rect : Rect{ImVec2(0, ui.size_px.y - ui.px(32)), ui.size_px};

@@ -13,6 +13,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -151,7 +152,7 @@ void Terminal::draw_list(Frame& f, float bottom) {
 }
 
 /// "all 4 motors"; if not all devices of the wire are open: "all devices of the wire".
-static Path whom_all_means(const Frame& f) {
+static Path devices_meant_by_all(const Frame& f) {
   if (f.tab.bus) return Path("all {} motors", f.tab.bus->members.size());
   return Path("all devices of the wire");
 }
@@ -162,7 +163,7 @@ void Terminal::make_hint(const Frame& f) {
   hint_to_all_ = to_all_;
   hint_ = f.tab.desk().help.hint(command_);
   if (to_all_ && !command_.empty())
-    hint_.sentence = fmt::format("to {}: {}", whom_all_means(f).view(), hint_.sentence);
+    hint_.sentence = fmt::format("to {}: {}", devices_meant_by_all(f).view(), hint_.sentence);
 }
 
 void Terminal::draw_command(Frame& f) {
@@ -177,20 +178,27 @@ void Terminal::draw_command(Frame& f) {
   send_look.disabled = f.connected() ? "" : "There is no link. What you type stays here.";
   send_look.moving = hint_.moves;
   const float send_width = button_width(ui, "Send", send_look);
-  const float menu_width = with_head_ ? 0 : button_width(ui, "More", {.style = ButtonStyle::quiet});
+  const float menu = with_head_ ? 0 : menu_width(ui);
   const float to_width = draw_to(f, f.area.bottom() - 40);
+  const float room = f.area.width - 40 - send_width - menu - to_width;
+  const float messages = width_for_messages(f, room);
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x + 16 + to_width), top));
   const FieldOptions look{.placeholder = "Command, or Tab for the list",
                           .hint = hint_.sentence,
                           .prompt = Icon::prompt,
                           .face = Face::code_field,
-                          .width = f.area.width - 40 - send_width - menu_width - to_width,
+                          .width = messages > 0 ? room - messages - close_between : room,
                           .keep_focus = true,
                           .help = &line_help_};
   const Field field = text_field(ui, "terminal/command", "Command", command_, look);
   if (field.edited && !took_offer_) offered_.clear();
   if (!with_head_) {
-    ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 20 - send_width - menu_width), top));
+    const float left = ui.px(f.area.right() - 20 - send_width - menu);
+    if (messages > 0)
+      draw_messages(ui, f.console.toasts(),
+                    {ImVec2(left - ui.px(close_between + messages), top),
+                     ImVec2(left - ui.px(close_between), top + ui.px(32))});
+    ImGui::SetCursorScreenPos(ImVec2(left, top));
     draw_log_menu(f);
   }
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.right() - 16 - send_width), top));
@@ -242,7 +250,7 @@ void Terminal::send(Frame& f) {
   f.send(intent::SendText(command_, to_all_));
   if (to_all_)
     f.toast(Severity::plain,
-            fmt::format("Sent to {}. None of them replies to that.", whom_all_means(f).view()));
+            fmt::format("Sent to {}. None of them replies to that.", devices_meant_by_all(f).view()));
   to_all_ = false;  // valid for one line: the next line must not go to all by oversight
   auto& history = f.tab.desk().history;
   if (history.empty() || history.back() != command_) history.push_back(command_);

@@ -24,6 +24,9 @@ class Terminal final : public gui::Panel {
   float draw_tools(gui::Frame& frame, gui::TrafficLog& log, float left_px, float top_px);
   float draw_traffic_tools(gui::Frame& frame, gui::TrafficLog& log, float left_px, float top_px);
   static void draw_messages_behind(gui::Frame& frame, float left_px, float top_px);
+  [[nodiscard]] std::string_view menu_label() const;
+  [[nodiscard]] float menu_width(const gui::Ui& ui) const;
+  [[nodiscard]] float width_for_messages(const gui::Frame& frame, float room) const;
   void draw_log_menu(gui::Frame& frame);
   void draw_menu_of_log(gui::Frame& frame);
   static void draw_lost(gui::Ui& ui, const gui::TrafficLog& log, float left, float right, float middle);

@@ -1,4 +1,5 @@
 // The title row of the terminal: the choice of its three lists, their tools, messages.
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -10,6 +11,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/message.h"
 #include "gui/widgets/text.h"
+#include "panels/measures.h"
 #include "panels/terminal.h"
 
 namespace hw::panels {
@@ -118,6 +120,15 @@ void Terminal::draw_messages_behind(Frame& f, float left, float top) {
   draw_messages(ui, f.console.toasts(), {ImVec2(right - width, top), ImVec2(right, top + ui.px(32))});
 }
 
+/// Beside the menu that is the title, where there is no title row: room that the command gives at its end, so
+/// that nothing else moves. 0: no hint, or too little room.
+float Terminal::width_for_messages(const Frame& f, float room) const {
+  constexpr float command_at_least = 220, legible = 240;
+  if (with_head_ || f.console.right_covers() || f.console.toasts().list().empty()) return 0;
+  const float width = std::min(room - command_at_least - close_between, messages_wanted);
+  return width < legible ? 0 : width;
+}
+
 /// Returns their right end.
 float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float top) {
   Ui& ui = f.ui;
@@ -165,6 +176,23 @@ float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float 
   return ui.px(x + lost);
 }
 
+/// Without a title row the menu is the title.
+std::string_view Terminal::menu_label() const {
+  if (with_head_) return "More";
+  switch (shows_) {
+    case Shows::traffic: break;
+    case Shows::events: return "Events";
+    case Shows::log: return "Log";
+  }
+  return "Terminal";
+}
+
+float Terminal::menu_width(const Ui& ui) const {
+  ButtonOptions look = log_menu_look;
+  if (!with_head_) look.icon_after = Icon::chevron_down;
+  return button_width(ui, menu_label(), look);
+}
+
 /// The menu of head functions that have no room.
 void Terminal::draw_log_menu(Frame& f) {
   if (shows_ == Shows::log) return draw_menu_of_log(f);
@@ -179,7 +207,7 @@ void Terminal::draw_log_menu(Frame& f) {
                                                  "Copy",
                                                  "Clear",
                                                  "Save"};
-  switch (menu(f.ui, "terminal/log_menu", "More", names)) {
+  switch (menu(f.ui, "terminal/log_menu", menu_label(), names, {}, 32, !with_head_)) {
     case 0: shows_ = traffic ? Shows::events : Shows::traffic; return;
     case 1: shows_ = Shows::log; return;
     case 2: view.decoded = !view.decoded; break;
@@ -196,7 +224,7 @@ void Terminal::draw_log_menu(Frame& f) {
 void Terminal::draw_menu_of_log(Frame& f) {
   constexpr std::array<std::string_view, 5> names = {"The terminal", "What happened", "Log all",
                                                      "Log warnings", "Copy"};
-  switch (menu(f.ui, "terminal/log_menu", "More", names)) {
+  switch (menu(f.ui, "terminal/log_menu", menu_label(), names, {}, 32, !with_head_)) {
     case 0: shows_ = Shows::traffic; return;
     case 1: shows_ = Shows::events; return;
     case 2: return log::set_level("", log::Level::debug);

@@ -86,7 +86,7 @@ void TerminalLog::draw_rows(Ui& ui, TrafficLog& log, float row_height) {
     const float y = top + static_cast<float>(i) * row_height;
     draw_row(ui, log, log.row(i), {ImVec2(corner.x, y), ImVec2(corner.x + size_.x, y + row_height)});
   }
-  say(ui, log, {begin, end});
+  register_text(ui, log, {begin, end});
   if (to_toggle_) log.toggle(*std::exchange(to_toggle_, std::nullopt));
 }
 
@@ -179,7 +179,7 @@ std::string TerminalLog::copied(TrafficLog& log) const {
 }
 
 // The visible text, for scripts and screen readers; rebuilt only on a change.
-void TerminalLog::say(Ui& ui, TrafficLog& log, Span visible) {
+void TerminalLog::register_text(Ui& ui, TrafficLog& log, Span visible) {
   if (shown_version_ != log.version() || shown_begin_ != visible.begin) {
     shown_version_ = log.version();
     shown_begin_ = visible.begin;

@@ -28,7 +28,7 @@ class TerminalLog {
   void draw_row(gui::Ui& ui, gui::TrafficLog& log, const gui::TrafficLog::Row& row, const gui::Rect& place);
   void draw_fold(gui::Ui& ui, gui::TrafficLog& log, const gui::TrafficLog::Row& row, const gui::Rect& place);
   void choose(gui::Ui& ui, gui::TrafficLog& log, float row_height);
-  void say(gui::Ui& ui, gui::TrafficLog& log, Span visible);
+  void register_text(gui::Ui& ui, gui::TrafficLog& log, Span visible);
   [[nodiscard]] bool chosen(const gui::TrafficLog::Row& row) const;
 
   bool follow_ = true;  ///< keep the newest row visible

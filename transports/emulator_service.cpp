@@ -14,11 +14,11 @@
 
 namespace hw {
 
-class Guest;
+class ServedStream;
 
-/// The connected clients. Each is a stream owned by the host, and can be told that the service has ended.
-struct EmulatorService::Guests {
-  std::vector<Guest*> all;
+/// The connected clients. Each is a stream owned by the host, and is notified when the service ends.
+struct EmulatorService::ServedStreams {
+  std::vector<ServedStream*> all;
   std::function<void(int)> changed;
   int by_tcp = 0;
 
@@ -29,16 +29,17 @@ struct EmulatorService::Guests {
 };
 
 /// Forwards a client's bytes in both directions.
-class Guest final : public Stream, private Stream::Listener {
+class ServedStream final : public Stream, private Stream::Listener {
  public:
-  Guest(std::shared_ptr<EmulatorService::Guests> guests, std::unique_ptr<Stream> inner, bool counts)
-      : guests_(std::move(guests)), inner_(std::move(inner)), counts_(counts) {
-    guests_->all.push_back(this);
-    if (counts_) guests_->count(1);
+  ServedStream(std::shared_ptr<EmulatorService::ServedStreams> streams, std::unique_ptr<Stream> inner,
+               bool counts)
+      : streams_(std::move(streams)), inner_(std::move(inner)), counts_(counts) {
+    streams_->all.push_back(this);
+    if (counts_) streams_->count(1);
   }
-  ~Guest() override {
-    std::erase(guests_->all, this);
-    if (counts_) guests_->count(-1);
+  ~ServedStream() override {
+    std::erase(streams_->all, this);
+    if (counts_) streams_->count(-1);
   }
   /// The host releases it: *this is gone afterwards.
   void leave() {
@@ -62,38 +63,38 @@ class Guest final : public Stream, private Stream::Listener {
     if (listener_) listener_->stream_closed(why);
   }
 
-  std::shared_ptr<EmulatorService::Guests> guests_;
+  std::shared_ptr<EmulatorService::ServedStreams> streams_;
   std::unique_ptr<Stream> inner_;
   const bool counts_;
   Stream::Listener* listener_ = nullptr;
 };
 
-EmulatorService::EmulatorService(std::shared_ptr<EmulatorHost> host, std::shared_ptr<Guests> guests)
-    : host_(std::move(host)), guests_(std::move(guests)) {}
+EmulatorService::EmulatorService(std::shared_ptr<EmulatorHost> host, std::shared_ptr<ServedStreams> streams)
+    : host_(std::move(host)), streams_(std::move(streams)) {}
 
 EmulatorService::~EmulatorService() {
   endpoint_.reset();
-  guests_->changed = nullptr;
-  while (!guests_->all.empty()) {
-    Guest* guest = guests_->all.back();
-    guest->leave();
-    std::erase(guests_->all, guest);  // one without a listener is destroyed later
+  streams_->changed = nullptr;
+  while (!streams_->all.empty()) {
+    ServedStream* served = streams_->all.back();
+    served->leave();
+    std::erase(streams_->all, served);  // one without a listener is destroyed later
   }
 }
 
 std::string EmulatorService::address() const { return endpoint_->address(); }
-int EmulatorService::clients() const { return guests_->by_tcp; }
+int EmulatorService::clients() const { return streams_->by_tcp; }
 
 Result<std::unique_ptr<EmulatorService>> EmulatorService::start(Scheduler& scheduler,
                                                                 std::shared_ptr<EmulatorHost> host,
                                                                 const Place& place,
                                                                 std::function<void(int)> clients_changed) {
-  auto guests = std::make_shared<Guests>();
-  guests->changed = std::move(clients_changed);
-  std::unique_ptr<EmulatorService> service(new EmulatorService(std::move(host), guests));
-  const auto accept = [host = service->host_, guests](std::unique_ptr<Stream> client) {
-    auto guest = std::make_unique<Guest>(guests, std::move(client), true);
-    host->is_board() ? host->attach_bus(std::move(guest)) : host->attach(std::move(guest));
+  auto streams = std::make_shared<ServedStreams>();
+  streams->changed = std::move(clients_changed);
+  std::unique_ptr<EmulatorService> service(new EmulatorService(std::move(host), streams));
+  const auto accept = [host = service->host_, streams](std::unique_ptr<Stream> client) {
+    auto served = std::make_unique<ServedStream>(streams, std::move(client), true);
+    host->is_board() ? host->attach_bus(std::move(served)) : host->attach(std::move(served));
   };
   const auto listen = [&](int port) {
     return TcpEndpoint::open(scheduler, fmt::format("127.0.0.1:{}", port), false, accept);
@@ -106,7 +107,7 @@ Result<std::unique_ptr<EmulatorService>> EmulatorService::start(Scheduler& sched
   auto terminal = open_pty_endpoint(scheduler, place.terminal, service->host_->bench()->emulator().rate());
   if (!terminal) return fail(terminal.error());
   service->terminal_ = place.terminal;
-  service->host_->attach(std::make_unique<Guest>(guests, std::move(*terminal), false));
+  service->host_->attach(std::make_unique<ServedStream>(streams, std::move(*terminal), false));
   return service;
 }
 

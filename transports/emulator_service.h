@@ -31,13 +31,13 @@ class EmulatorService {
   [[nodiscard]] const std::string& terminal() const { return terminal_; }
   [[nodiscard]] int clients() const;
 
-  struct Guests;
+  struct ServedStreams;
 
  private:
-  EmulatorService(std::shared_ptr<EmulatorHost> host, std::shared_ptr<Guests> guests);
+  EmulatorService(std::shared_ptr<EmulatorHost> host, std::shared_ptr<ServedStreams> streams);
 
   std::shared_ptr<EmulatorHost> host_;
-  std::shared_ptr<Guests> guests_;
+  std::shared_ptr<ServedStreams> streams_;
   std::unique_ptr<TcpEndpoint> endpoint_;
   std::string terminal_;
 };

@@ -137,8 +137,8 @@ Result<int> take_baud(const DeviceType& type, DeviceOptions& keys) {
   return catalog->can.usual_baud;
 }
 
-/// A controller that is closed lets go of its port only when what was on its way has ended. Who opens the
-/// port anew meanwhile waits for that; not for long, as another open tab may hold it as well.
+/// A closing controller releases its port only after its last commands have ended. A new opener of the port
+/// waits for that; not for long, as another open tab may hold it as well.
 Task<Result<std::unique_ptr<Stream>>> open_when_let_go(Scheduler& scheduler, std::string path, int baud) {
   constexpr Duration longest = Millis(500), between = Millis(20);
   const Instant given_up = scheduler.now() + longest;

@@ -19,7 +19,7 @@ struct PerformaxDevice {
   bool permitted = true;  ///< this user may open it
 };
 
-/// What to do when a user may not open one.
+/// Advice for a user who may not open the device.
 extern const char* const udev_advice;
 
 /// The devices plugged in now, permitted or not. Opens none; any thread.

@@ -77,7 +77,7 @@ Result<Terminal> make_terminal(const std::string& link, int baud) {
   return made;
 }
 
-/// Tells when somebody opens a file.
+/// Notifies when a program opens the file.
 class OpenNotice : public std::enable_shared_from_this<OpenNotice> {
  public:
   OpenNotice(Scheduler& scheduler, std::function<void()> opened)

@@ -73,7 +73,7 @@ class Rfc2217Stream final : public FdStream {
 };
 
 /// Notices the end of the stream while the settings are negotiated.
-struct Attendant final : Stream::Listener {
+struct CloseListener final : Stream::Listener {
   std::optional<Fault> closed;
   std::function<void()> news;
   void bytes_arrived(std::string_view) override {}
@@ -83,7 +83,7 @@ struct Attendant final : Stream::Listener {
   }
 };
 
-Fault not_spoken(const std::string& where) {
+Fault no_rfc2217(const std::string& where) {
   return Fault(FaultKind::port, fmt::format("{} does not speak RFC 2217.", where),
                "The connection was closed.",
                fmt::format("Use tcp:{} and set the rate in the server, or switch RFC 2217 on there.", where));
@@ -91,7 +91,7 @@ Fault not_spoken(const std::string& where) {
 
 std::optional<Fault> check(const Rfc2217Stream& stream, const std::string& where, int baud) {
   const telnet::ServerWord& word = stream.word();
-  if (!word.com_port.value_or(false)) return not_spoken(where);
+  if (!word.com_port.value_or(false)) return no_rfc2217(where);
   if (!word.settings_complete())
     return Fault(FaultKind::port, fmt::format("{} did not confirm the settings of its port in time.", where),
                  "The connection was closed.", "Check whether another program uses its serial port.");
@@ -111,7 +111,7 @@ Task<Result<std::unique_ptr<Stream>>> open_rfc2217(Scheduler& scheduler, std::st
   if (!socket) co_return fail(socket.error());
   auto stream = std::make_unique<Rfc2217Stream>(scheduler, *socket, where, baud);
   Event news(scheduler);
-  Attendant attendant;
+  CloseListener attendant;
   attendant.news = stream->negotiated = [&news] { news.notify(); };
   stream->listen(&attendant);
 

@@ -230,7 +230,7 @@ class Search {
         search_(std::move(search)),
         probes_(addressed_probes(search_.bauds)),
         go_on_(std::move(go_on)),
-        tell_(std::move(found)) {
+        on_report_(std::move(found)) {
     std::size_t rates = 0;
     for (const auto& [probe, bauds] : probes_) rates += bauds.size();
     const auto ids = static_cast<std::size_t>(std::max(0, search_.last_id - search_.first_id + 1));
@@ -254,7 +254,7 @@ class Search {
     progress_.port = port.path;
     const auto stream = open_for_asking(scheduler_, report);
     if (!stream) {
-      if (tell_) tell_(report);
+      if (on_report_) on_report_(report);
       co_return;
     }
     const bool taken = co_await line_is_taken(scheduler_, **stream, report);
@@ -285,7 +285,7 @@ class Search {
   }
 
   void take(const PortReport& report) {
-    if (tell_) tell_(report);
+    if (on_report_) on_report_(report);
     if (report.finding == PortFinding::answers) found_.push_back(report);
   }
 
@@ -293,7 +293,7 @@ class Search {
   const DeviceSearch search_;
   const std::map<std::string_view, std::set<int>> probes_;
   std::function<bool(const SearchProgress&)> go_on_;
-  std::function<void(const PortReport&)> tell_;
+  std::function<void(const PortReport&)> on_report_;
   SearchProgress progress_;
   std::vector<PortReport> found_;
   bool ended_ = false;

@@ -86,7 +86,7 @@ class EmulatorHost::Device final : public BenchAccess {
     host_.advance(host_.emulator_time());
     emulator_->look(view);
     view.present = true;
-    view.unplugged = host_.unplugged_;
+    view.unplugged = host_.faults_.unplugged;
   }
   void begin_like(const ControllerState& state, const Catalog& catalog) override {
     host_.advance(host_.emulator_time());
@@ -96,14 +96,14 @@ class EmulatorHost::Device final : public BenchAccess {
     host_.advance(host_.emulator_time());
     return *emulator_;
   }
-  void tell_changed() {
+  void notify_changed() {
     if (!changed) return;
     BenchView view;
     look(view);
     if (view == seen_) return;
     seen_ = view;
-    const auto tell = changed;  // it may replace itself
-    tell();
+    const auto notify = changed;  // it may replace itself
+    notify();
   }
 
  private:
@@ -219,25 +219,25 @@ void EmulatorHost::step_to(Instant when) {
     for (const auto& device : devices_) (void)apply(*device, command);  // no caller waits for the result
   }
   while (incoming_.due() <= when) {
-    late_by_ = reached_ - incoming_.due();  // by a late question
+    reply_.late_by = reached_ - incoming_.due();  // by a late question
     land(incoming_.first());
     incoming_.pop(line_rate());
   }
   take_output();
-  late_by_ = {};
+  reply_.late_by = {};
   while (outgoing_.due() <= when) {
     const ByteLine::Byte byte = outgoing_.first();
-    if (byte.sender_baud != leaving_baud_) deliver();
-    leaving_baud_ = byte.sender_baud;
-    leaving_ += byte.value;
-    left_at_ = outgoing_.due();
+    if (byte.sender_baud != sent_.baud) deliver();
+    sent_.baud = byte.sender_baud;
+    sent_.leaving += byte.value;
+    reply_.left_at = outgoing_.due();
     outgoing_.pop(line_rate());
   }
 }
 
 void EmulatorHost::finish_round() {
   deliver();
-  tell_interrupt();
+  notify_interrupt();
   for (const auto& device : devices_) device->keep_memory();
   if (const Instant next = next_due(); next != Instant::max()) {
     armed_for_ = next;
@@ -245,7 +245,7 @@ void EmulatorHost::finish_round() {
   } else {
     timer_.disarm();
   }
-  for (const auto& device : devices_) device->tell_changed();
+  for (const auto& device : devices_) device->notify_changed();
 }
 
 // ---- bytes ----
@@ -257,7 +257,7 @@ void EmulatorHost::add_client(std::unique_ptr<Stream> stream, bool by_cable) {
 void EmulatorHost::attach(std::unique_ptr<Stream> client) { add_client(std::move(client), false); }
 
 void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
-  if (unplugged_) return;
+  if (faults_.unplugged) return;
   const Instant now = emulator_time();
   catch_up(now);
   if (options_.byte_times) {
@@ -277,9 +277,9 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
 // return its next question. If the client asks at once, this delay is ours and the kernel's and does not
 // count as time on the wire. A client that asks later was not delayed.
 Duration EmulatorHost::time_off_the_wire(Instant now) {
-  const std::optional<Duration> late = std::exchange(late_, std::nullopt);
+  const std::optional<Duration> late = std::exchange(reply_.late, std::nullopt);
   if (!late) return {};
-  const Duration since_delivery = now - (left_at_ + *late);
+  const Duration since_delivery = now - (reply_.left_at + *late);
   return since_delivery <= at_once ? *late + std::min(since_delivery, hand_over) : Duration{};
 }
 
@@ -291,52 +291,52 @@ void EmulatorHost::take_output() {
   std::string reply;
   int rate = 0;
   for (const auto& device : devices_) {
-    fresh_.clear();
-    device->own().take_output(fresh_);
-    if (fresh_.empty() || unplugged_) continue;
+    sent_.fresh.clear();
+    device->own().take_output(sent_.fresh);
+    if (sent_.fresh.empty() || faults_.unplugged) continue;
     if (reply.empty()) rate = device->own().rate();
-    reply = reply.empty() ? fresh_ : collided(reply, fresh_);
+    reply = reply.empty() ? sent_.fresh : collided(reply, sent_.fresh);
   }
   if (reply.empty()) return;
   if (options_.byte_times)
-    outgoing_.put(reply, rate, reached_ - late_by_, line_rate());
+    outgoing_.put(reply, rate, reached_ - reply_.late_by, line_rate());
   else
-    leaving_ += reply;
+    sent_.leaving += reply;
 }
 
 void EmulatorHost::deliver() {
-  if (leaving_.empty()) return;
-  spoil(leaving_);
+  if (sent_.leaving.empty()) return;
+  spoil(sent_.leaving);
   for (const auto& client : clients_) {
     const int theirs = options_.byte_times ? client->stream->rate() : 0;
-    if (theirs == 0 || leaving_baud_ == 0 || theirs == leaving_baud_) {
-      client->stream->send(leaving_);
+    if (theirs == 0 || sent_.baud == 0 || theirs == sent_.baud) {
+      client->stream->send(sent_.leaving);
       continue;
     }
     std::string wrong;
-    for (const char c : leaving_) wrong += misread(static_cast<unsigned char>(c), leaving_baud_, theirs);
+    for (const char c : sent_.leaving) wrong += misread(static_cast<unsigned char>(c), sent_.baud, theirs);
     client->stream->send(wrong);
   }
-  leaving_.clear();
-  if (options_.byte_times) late_ = std::max(Duration{}, emulator_time() - left_at_);
+  sent_.leaving.clear();
+  if (options_.byte_times) reply_.late = std::max(Duration{}, emulator_time() - reply_.left_at);
 }
 
 void EmulatorHost::spoil(std::string& bytes) {
-  const auto dropped = std::min<std::size_t>(static_cast<std::size_t>(to_drop_), bytes.size());
+  const auto dropped = std::min<std::size_t>(static_cast<std::size_t>(faults_.to_drop), bytes.size());
   bytes.erase(0, dropped);
-  to_drop_ -= static_cast<int>(dropped);
+  faults_.to_drop -= static_cast<int>(dropped);
   static constexpr unsigned char flips[] = {0xA5, 0x5A, 0xC3, 0x3C};
   for (char& c : bytes) {
-    if (to_garble_ == 0) break;
-    --to_garble_;
-    c = static_cast<char>(static_cast<unsigned char>(c) ^ flips[garbled_++ % std::size(flips)]);
+    if (faults_.to_garble == 0) break;
+    --faults_.to_garble;
+    c = static_cast<char>(static_cast<unsigned char>(c) ^ flips[faults_.garbled++ % std::size(flips)]);
   }
 }
 
 // ---- bench ----
 
 Result<std::unique_ptr<Stream>> EmulatorHost::plug_in(int baud) {
-  if (unplugged_)
+  if (faults_.unplugged)
     return fail(FaultKind::port, fmt::format("The cable of the {} is pulled.", options_.name),
                 "Nothing was opened.", "Plug it in again on the bench.");
   MemoryWire wire;
@@ -375,9 +375,9 @@ Result<> EmulatorHost::apply(Device& device, const BenchCommand& command) {
   if (const auto* unplug = std::get_if<bench::Unplug>(&command)) {
     pull_cable(unplug->on);
   } else if (const auto* garble = std::get_if<bench::Garble>(&command)) {
-    to_garble_ = std::max(0, garble->bytes);
+    faults_.to_garble = std::max(0, garble->bytes);
   } else if (const auto* drop = std::get_if<bench::Drop>(&command)) {
-    to_drop_ = std::max(0, drop->bytes);
+    faults_.to_drop = std::max(0, drop->bytes);
   } else {
     return device.own().operate(command);
   }
@@ -385,10 +385,10 @@ Result<> EmulatorHost::apply(Device& device, const BenchCommand& command) {
 }
 
 void EmulatorHost::pull_cable(bool pulled) {
-  unplugged_ = pulled;
+  faults_.unplugged = pulled;
   incoming_.clear();
   outgoing_.clear();
-  leaving_.clear();
+  sent_.leaving.clear();
   if (pulled) pull_windows();
   if (pulled) std::erase_if(clients_, [](const auto& client) { return client->by_cable; });
 }

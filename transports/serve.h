@@ -79,6 +79,23 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   /// Time the kernel takes to pass a reply to another program and the next question back to this one.
   static constexpr Duration hand_over = std::chrono::microseconds(400);
 
+  /// Of the last reply, until the next question.
+  struct LastReply {
+    Instant left_at{};             ///< when its last byte was due to leave; emulated time
+    std::optional<Duration> late;  ///< of its sending
+    Duration late_by{};            ///< as the question was
+  };
+  /// Output just taken, and at the end of the wire, which is all sent at this rate.
+  struct Sent {
+    std::string fresh, leaving;
+    int baud = 0;
+  };
+  /// Of the cable, by the bench.
+  struct Faults {
+    bool unplugged = false;
+    int to_garble = 0, to_drop = 0, garbled = 0;  ///< bytes
+  };
+
   EmulatorHost(Scheduler& scheduler, HostOptions options);
   Result<> add_device(HostedDevice device, const std::string& state_file);
   [[nodiscard]] Instant emulator_time() const;
@@ -106,7 +123,7 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   [[nodiscard]] BusTarget* board() const;
   void run_cycles(std::span<BusCycle> cycles);
   void run_cycle(BusCycle& cycle);
-  void tell_interrupt();
+  void notify_interrupt();
   void pull_windows();
 
   Scheduler& scheduler_;
@@ -117,19 +134,13 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   Instant armed_for_{};        // this and `reached_` in emulated time
   mutable Instant reached_{};  // reading advances time too
   ByteLine incoming_, outgoing_;
-  // Of the last reply, until the next question: when its last byte was due to leave (emulated time), and how
-  // late it was sent.
-  Instant left_at_{};
-  std::optional<Duration> late_;
-  Duration late_by_{};
-  std::string fresh_, leaving_;  // output just taken; output at the end of the wire, ...
-  int leaving_baud_ = 0;         // ... all sent at this rate
+  LastReply reply_;
+  Sent sent_;
   std::vector<std::unique_ptr<Device>> devices_;
   std::vector<std::unique_ptr<Client>> clients_;
   std::vector<HostWindow*> windows_;
   std::vector<std::shared_ptr<BusClient>> bus_clients_;
-  bool unplugged_ = false;
-  int to_garble_ = 0, to_drop_ = 0, garbled_ = 0;
+  Faults faults_;
   std::deque<TimedBenchCommand> plan_;  // for each device; `at` in emulated time, earliest first
 };
 

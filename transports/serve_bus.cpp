@@ -41,18 +41,18 @@ class EmulatorHost::HostWindow final : public Window {
   }
 
  private:
-  struct Tell {
+  struct Link {
     Listener* listener = nullptr;
   };
-  template <class Say>
-  void post(Say say) {
-    asio::post(host_->scheduler_.executor(), [tell = link_, say] {
-      if (tell->listener) say(*tell->listener);
+  template <class Call>
+  void post(Call call) {
+    asio::post(host_->scheduler_.executor(), [link = link_, call] {
+      if (link->listener) call(*link->listener);
     });
   }
 
   std::shared_ptr<EmulatorHost> host_;  ///< null: the cable is pulled
-  std::shared_ptr<Tell> link_ = std::make_shared<Tell>();
+  std::shared_ptr<Link> link_ = std::make_shared<Link>();
   Fault gone_;
 };
 
@@ -87,7 +87,7 @@ struct EmulatorHost::BusClient final : Stream::Listener {
 };
 
 Result<std::unique_ptr<Window>> EmulatorHost::plug_in_window() {
-  if (unplugged_)
+  if (faults_.unplugged)
     return fail(FaultKind::port, fmt::format("The cable of the {} is pulled.", options_.name),
                 "Nothing was opened.", "Plug it in again on the bench.");
   return std::make_unique<HostWindow>(shared_from_this());
@@ -104,19 +104,19 @@ void EmulatorHost::run_cycles(std::span<BusCycle> cycles) {
   run_until(now);
 }
 
-// Nothing answers while the cable is pulled or the board has no power: a read gives ones.
+// There is no answer while the cable is pulled or the board has no power: a read gives ones.
 void EmulatorHost::run_cycle(BusCycle& cycle) {
   const std::uint32_t ones = 0xFFFFFFFFu >> (32 - 8 * cycle.width);
-  const bool dropped = to_drop_ > 0;
-  if (dropped) to_drop_ = std::max(0, to_drop_ - cycle.width);
-  if (unplugged_ || dropped) {
+  const bool dropped = faults_.to_drop > 0;
+  if (dropped) faults_.to_drop = std::max(0, faults_.to_drop - cycle.width);
+  if (faults_.unplugged || dropped) {
     if (!cycle.write) cycle.value = ones;
     return;
   }
   const std::uint32_t read = bus_cycle(*board(), cycle.write, cycle.width, cycle.offset, cycle.value);
   if (cycle.write) return;
   cycle.value = read;
-  if (to_garble_ == 0) return;
+  if (faults_.to_garble == 0) return;
   std::string bytes;
   for (int i = cycle.width; i-- > 0;) bytes += static_cast<char>(read >> (8 * i) & 0xFF);
   spoil(bytes);
@@ -125,7 +125,7 @@ void EmulatorHost::run_cycle(BusCycle& cycle) {
 }
 
 // Every host on the bus gets the interrupt; one acknowledges for all.
-void EmulatorHost::tell_interrupt() {
+void EmulatorHost::notify_interrupt() {
   BusTarget* target = board();
   if (!target || windows_.empty()) return;
   const auto vector = target->interrupt();

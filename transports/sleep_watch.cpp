@@ -52,7 +52,7 @@ class SleepWatch::Logind : public std::enable_shared_from_this<Logind> {
     const int matched = sd_bus_match_signal_async(bus_, nullptr, service, object, manager_interface,
                                                   "PrepareForSleep", on_sleep, nullptr, this);
     const int fd = sd_bus_get_fd(bus_);
-    if (matched < 0 || fd < 0) return log::debug("sleep", "the system bus tells nothing");
+    if (matched < 0 || fd < 0) return log::debug("sleep", "the system bus does not answer");
     descriptor_.assign(fd);
     take(delay_);
     serve();

@@ -68,10 +68,10 @@ struct UsbLoop::State : std::enable_shared_from_this<State> {
   static void LIBUSB_CALL fd_removed(int fd, void* state) { static_cast<State*>(state)->remove(fd); }
   // Posted: libusb must not be called from its own callback.
   static int LIBUSB_CALL plugged(libusb_context*, libusb_device*, libusb_hotplug_event, void* state) {
-    static_cast<State*>(state)->tell_soon();
+    static_cast<State*>(state)->notify_soon();
     return 0;
   }
-  void tell_soon() {
+  void notify_soon() {
     asio::post(scheduler.executor(), [weak = weak_from_this()] {
       if (const auto alive = weak.lock(); alive && alive->changed) alive->changed();
     });
@@ -111,7 +111,7 @@ Result<> UsbLoop::watch(int vendor, int product, std::function<void()> changed) 
   if (error != 0)
     return fail(FaultKind::port, fmt::format("New USB devices cannot be noticed: {}.", usb_error(error)));
   state_->changed = std::move(changed);
-  state_->tell_soon();
+  state_->notify_soon();
   return {};
 }
 

@@ -123,15 +123,15 @@ class VmeDevice final : public Window {
         base_(base),
         memory_(memory),
         place_(std::move(place)),
-        tell_(std::make_shared<Tell>()) {
+        link_(std::make_shared<Link>()) {
     catch_bus_errors();
   }
   ~VmeDevice() override {
-    tell_->listener = nullptr;
+    link_->listener = nullptr;
     ::munmap(memory_, window_bytes);
     ::close(fd_);
   }
-  void listen(Listener* listener) override { tell_->listener = listener; }
+  void listen(Listener* listener) override { link_->listener = listener; }
   [[nodiscard]] WireShare share() const override { return {WireShare::How::memory, fd_, {}, base_}; }
   [[nodiscard]] std::string describe() const override { return place_; }
 
@@ -141,14 +141,14 @@ class VmeDevice final : public Window {
         gone(fmt::format("The window {} is gone.", place_),
              "Check that the VME bridge and its driver are still there; it is opened again by itself.");
     if (!std::exchange(gone_, true))
-      asio::post(scheduler_.executor(), [tell = tell_, why] {
-        if (tell->listener) tell->listener->window_closed(why);
+      asio::post(scheduler_.executor(), [link = link_, why] {
+        if (link->listener) link->listener->window_closed(why);
       });
     co_return fail(why);
   }
 
  private:
-  struct Tell {
+  struct Link {
     Listener* listener = nullptr;
   };
   Scheduler& scheduler_;
@@ -156,7 +156,7 @@ class VmeDevice final : public Window {
   std::uint32_t base_;
   void* memory_;
   std::string place_;
-  std::shared_ptr<Tell> tell_;
+  std::shared_ptr<Link> link_;
   bool gone_ = false;
 };
 

@@ -33,7 +33,8 @@ using Task = asio::awaitable<T, Executor>;
 /// Completion token for Task: `co_await async_something(..., use_task)`.
 inline constexpr asio::use_awaitable_t<Executor> use_task{};
 
-/// A suspended Task, kept by its resumer. Resuming goes through the executor, never inline.
+/// A suspended Task, held by the caller that will resume it. Resuming goes through the executor, never
+/// inline.
 class Suspended {
  public:
   [[nodiscard]] bool waiting() const { return handler_.has_value(); }

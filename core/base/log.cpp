@@ -69,7 +69,7 @@ struct Desk {
   void apply() {
     for (auto& [name, subject] : subjects) subject->set_level(level_of(name));
   }
-  void tell_readers(Level level, std::string_view subject, std::string_view sentence) {
+  void publish_to_readers(Level level, std::string_view subject, std::string_view sentence) {
     if (readers.empty()) return;
     const std::string time = time_of_day_now();
     for (Feed* reader : readers) {
@@ -108,9 +108,12 @@ std::optional<Level> level_named(std::string_view word) {
   return std::nullopt;
 }
 
+// Only drivers have subjects below their own. The names of the models are not known here.
 bool is_subject(std::string_view path) {
-  return std::find(std::begin(subjects_there_are), std::end(subjects_there_are),
-                   path.substr(0, path.find('.'))) != std::end(subjects_there_are);
+  constexpr std::string_view of_a_driver = "driver.";
+  return (path.starts_with(of_a_driver) && path.size() > of_a_driver.size()) ||
+         std::find(std::begin(subjects_there_are), std::end(subjects_there_are), path) !=
+             std::end(subjects_there_are);
 }
 
 Result<> choose_one(std::string_view choice) {
@@ -137,7 +140,7 @@ void Subject::write(Level level, std::string_view sentence) const {
   const std::lock_guard lock(desk().mutex);
   desk().to_screen.log(of(level), "{}: {}", name_, sentence);
   if (desk().to_file) desk().to_file->log(of(level), "{}: {}", name_, sentence);
-  desk().tell_readers(level, name_, sentence);
+  desk().publish_to_readers(level, name_, sentence);
 }
 
 Feed::Feed(std::function<void()> wake) : lines(lines_for_a_reader), wake_(std::move(wake)) {

@@ -15,8 +15,8 @@ struct Line {
   std::string sentence;
 };
 
-/// All lines that are written while it lives, for one reader thread. Full: the newest lines are dropped and
-/// counted; stderr and the file have them.
+/// Collects all lines written during its lifetime, for one reader thread. When it is full, the newest lines
+/// are dropped and counted; stderr and the file have them.
 class Feed {
  public:
   /// `wake`: any thread, behind each line; it must not log. May be null.

@@ -6,7 +6,7 @@
 
 namespace hw {
 
-/// The one of `names` that is close enough to `wanted`; empty: none.
+/// The name among `names` that is close enough to `wanted`; empty: none.
 std::string_view near_name(std::string_view wanted, const std::vector<std::string>& names);
 
 /// ` Did you mean "HSX"?`, with the leading space; empty: no name is close.

@@ -9,7 +9,7 @@ namespace hw {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The number that the whole text is; none if it has anything else or does not fit.
+/// The whole text as a number; none if it contains anything else or does not fit.
 template <class Number>
 std::optional<Number> whole_number(std::string_view text) {
   Number n{};

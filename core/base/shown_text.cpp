@@ -16,7 +16,7 @@ std::uint32_t code_point(std::string_view character) {
   return code;
 }
 
-/// Controls, line and paragraph separators, and what turns the direction of writing.
+/// Controls, line and paragraph separators, and characters that change the direction of writing.
 bool acts(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E || code == 0x200F ||
          (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF;

@@ -6,13 +6,13 @@
 
 namespace hw {
 
-/// Length of the UTF-8 character at `at`; 0: it is none.
+/// Length in bytes of the UTF-8 character at `at`; 0: no valid character.
 std::size_t utf8_length(std::string_view text, std::size_t at);
 
 enum class LineEnds : bool { written_out, kept };
 
-/// What would act on a terminal or on the order of a line is written out: "\x1B", "\u202E". Longer than
-/// `most` bytes, it is cut, and the rest counted.
+/// Writes out characters that would act on a terminal or on the order of a line: "\x1B", "\u202E". A text
+/// longer than `most` bytes is cut, and the rest counted.
 std::string shown_text(std::string_view text, std::size_t most, LineEnds ends = LineEnds::written_out);
 
 /// A path in a sentence.

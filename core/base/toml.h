@@ -1,6 +1,6 @@
 #pragma once
-// The only access to toml++: declarations only. The parser is compiled once, in toml.cpp (two files that each
-// had it took 20 s of every build).
+// The only access to toml++: declarations only. The parser is compiled once, in toml.cpp (in two files it
+// took 20 s of every build).
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 0
 #include <string>
@@ -17,11 +17,11 @@ using namespace ::toml;
 ::toml::parse_result parse(std::string_view text);
 }  // namespace toml
 
-/// As a value in quotation marks, on one line.
+/// Formats a text as a value in quotation marks, on one line.
 std::string toml_quoted(std::string_view text);
-/// The same over several lines, as it stands.
+/// The same over several lines, unchanged.
 std::string toml_lines(std::string_view text);
-/// As a key: in quotation marks where it needs them.
+/// Formats a key, in quotation marks if necessary.
 std::string toml_key(std::string_view name);
 
 }  // namespace hw

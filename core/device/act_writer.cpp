@@ -58,7 +58,7 @@ Result<> ActWriter::write(const seq::Move& step) {
   return go(step.own);
 }
 
-/// Of a chord, in steps of the plane.
+/// Tolerance of a chord, in steps of the plane.
 double ActWriter::tolerance(const seq::Plane& plane) const {
   constexpr double half_a_step = 0.5;
   const seq::Sequence& s = draft_.sequence;
@@ -116,7 +116,7 @@ Result<> ActWriter::routine(bool down) {
   return {};
 }
 
-/// With the tool up, from where the axes stand by then.
+/// Begins with the tool up, from the present places of the axes.
 Result<> ActWriter::begin_here() {
   tool_down_ = false;
   if (auto up = routine(false); !up) return up;

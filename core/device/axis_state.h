@@ -42,11 +42,11 @@ enum class AxisError : std::uint8_t {
 /// How a servo axis (AxisInfo::servo) follows its command.
 enum class Loop : std::uint8_t {
   none,       ///< not a servo axis: its position is what the controller counts
-  unknown,    ///< it is not known yet whether its loop is closed
-  open,       ///< its motor is free: nothing holds it at its command
-  following,  ///< following its command, or settling
-  in_place,   ///< its error has been within the deadband for a while
-  off_place   ///< its command ended some time ago, and it has not arrived
+  unknown,    ///< not known yet whether its loop is closed
+  open,       ///< the motor is free: nothing holds it at its command
+  following,  ///< the axis follows its command, or settles
+  in_place,   ///< the position error has been within the deadband for a while
+  off_place   ///< the command ended some time ago, and the axis has not arrived
 };
 
 struct AxisState {
@@ -62,30 +62,35 @@ struct AxisState {
   EndedBy ended_by = EndedBy::nothing;
   std::int8_t direction = 0;  ///< -1, 0, +1 of the present motion
   Pps speed{};                ///< of the present motion, reported or commanded; 0: unknown or at rest
-  double ramp = 0;   ///< steps/s² at which the present motion speeds up and slows down; 0: not known
-  Steps began_at{};  ///< where it did, while its ramp is known
-  Pps own_speed{};   ///< of a motion that names no speed (intent::JogStart); 0: not known yet
+  double ramp = 0;   ///< steps/s²: acceleration and deceleration of the present motion; 0: not known
+  Steps began_at{};  ///< where the present motion began, while its ramp is known
+  Pps own_speed{};   ///< steps/s of a motion that names no speed (intent::JogStart); 0: not known yet
   bool has_target = false;
   Steps target{};
   bool in_counts = false;  ///< closed loop: position, speed and target count in Catalog::loop_word
   bool has_encoder = false;
   Steps encoder{};
   Loop loop = Loop::none;
-  Steps command{};       ///< servo axis: the commanded position at this instant
-  bool far_off = false;  ///< its error is so large that closing its loop needs an answer: intent::Closing
+  Steps command{};  ///< servo axis: the commanded position at this instant
+  bool far_off =
+      false;  ///< the position error is so large that closing the loop needs an answer: intent::Closing
   bool limit_minus = false, limit_plus = false, home = false, alarm = false;
   bool limits_known = false;
   bool enabled = true;   ///< motor current; see AxisInfo::switchable
-  bool slipped = false;  ///< its encoder was further off than allowed, and the flag has not been cleared
+  bool slipped = false;  ///< the encoder was further off than allowed, and the flag has not been cleared
   bool operator==(const AxisState&) const = default;
 
+  [[nodiscard]] bool moves() const {
+    return activity == Activity::moving || activity == Activity::jogging || activity == Activity::homing ||
+           activity == Activity::stopping;
+  }
   /// Where a move begins, and the base of a relative one.
   [[nodiscard]] Steps commanded() const { return loop == Loop::none ? position : command; }
-  /// The limits apply: a limit checked against a doubtful count would be worth nothing.
+  /// The limits apply. They do not while the count is doubtful: the check would be worthless.
   [[nodiscard]] bool travel_holds() const {
     return travel.any() && position_known && !trust.doubtful() && travel.in_counts == in_counts;
   }
-  /// Its present target; at rest, its position.
+  /// The present target; at rest, the position.
   [[nodiscard]] Steps goal() const { return has_target ? target : commanded(); }
   [[nodiscard]] Steps following_error() const { return commanded() - position; }
 };

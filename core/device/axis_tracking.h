@@ -1,8 +1,9 @@
 #pragma once
-// What a driver knows of the motion of each axis: what it has begun and stopped, and what the status rounds
-// show. For controllers that report whether an axis moves; writes the axes of the snapshot.
-// The listed families keep their own: a VXM reports no motion at all, an Arcus judges status words beside
-// StepNLoop, and on a VME58 motions wait in queues.
+// Tracks the motion of each axis for a driver: the motions that it has begun and stopped, and the readings of
+// the status rounds. For controllers that report whether an axis moves. Writes the axes of the snapshot. The
+// listed families decide for themselves whether an axis moves: a VXM reports no motion, an Arcus combines
+// status words with StepNLoop, and on a VME58 motions wait in queues. The consequences are the same for all
+// (axis_motion.h).
 #include <array>
 #include <optional>
 
@@ -17,8 +18,8 @@ class AxisTracking {
 
   struct Motion {
     Activity activity = Activity::moving;
-    std::optional<Steps> target = {};  ///< none: it runs until something ends it
-    Sign sign = Sign::plus;            ///< where there is no target
+    std::optional<Steps> target = {};  ///< none: the motion continues until something ends it
+    Sign sign = Sign::plus;            ///< the direction, if there is no target
     double ramp = 0;                   ///< steps/s²; 0: not known
   };
   /// One answer of the controller.
@@ -27,30 +28,30 @@ class AxisTracking {
     bool moves = false;
     Pps speed{};
     bool limit_minus = false, limit_plus = false;
-    bool homed = true;  ///< of a homing that is over: it has found its place
+    bool homed = true;  ///< of a homing that is over: home was found
   };
 
   /// The controller has accepted a motion.
   void begun(int axis, const Motion& motion);
-  /// A stop is sent; -1: for all axes. One without a ramp makes the count of a fast axis doubtful, and the
-  /// user is told.
+  /// A stop is sent; -1: for all axes. A stop without a ramp makes the count of a fast axis doubtful, and the
+  /// user is warned.
   void stopping(int axis, bool at_once);
   /// A reading to a question that was asked at `asked_at`.
   void read(int axis, const Reading& reading, Instant asked_at);
-  /// How far a stop of axes has come. Gives up after half a minute.
+  /// The progress of a stop of axes. Gives up after half a minute.
   [[nodiscard]] StopProgress progress(const StopOrder& order) const;
   /// The user has set the count.
   void was_set(int axis) { context_.snapshot.axes[axis].trust.settle(Trust::set, context_.scheduler.now()); }
   /// The controller was switched off and on: counts it, makes set-up and positions doubtful, notifies the
   /// user.
   void restarted();
-  /// Marks all as unknown.
+  /// Marks all axes as unknown.
   void wire_lost();
 
  private:
   struct Tracked {
-    Activity wanted = Activity::idle;       ///< what the latest command began
-    EndedBy stopped_by = EndedBy::nothing;  ///< a stop that was sent and not yet seen to have ended it
+    Activity wanted = Activity::idle;       ///< the activity that the latest command began
+    EndedBy stopped_by = EndedBy::nothing;  ///< a stop that was sent and whose effect has not been seen yet
     Instant begun_at{}, asked_at{};         ///< latest command, and latest reading
     bool moves = false;                     ///< as last read
   };

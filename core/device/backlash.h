@@ -7,7 +7,7 @@
 namespace hw {
 
 struct Backlash {
-  Steps by{};              ///< how far a move that would end the other way goes past its target; 0: off
+  Steps by{};              ///< how far a move in the other direction goes past its target first; 0: off
   Sign last = Sign::plus;  ///< the direction in which every move ends
   bool operator==(const Backlash&) const = default;
 };

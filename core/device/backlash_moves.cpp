@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/axis_check.h"
 #include "core/device/pieces.h"
 
 namespace hw {
@@ -10,7 +11,8 @@ namespace {
 
 Steps there(Sign way, Steps by) { return way == Sign::plus ? by : Steps(0) - by; }
 
-/// How far past its target it goes first; 0: it ends the right way by itself, or does not move.
+/// The distance that the axis goes past its target first; 0: it ends in the right direction anyway, or does
+/// not move.
 Steps overshoot(const AxisState& axis, Steps way) {
   const Backlash& backlash = axis.backlash;
   if (backlash.by <= Steps(0) || way == Steps(0)) return Steps(0);
@@ -68,14 +70,14 @@ std::optional<intent::RunInPieces> taken_up(const Snapshot& now, const intent::M
 }  // namespace
 
 std::optional<intent::RunInPieces> with_backlash_taken_up(const Snapshot& now, const IntentBody& body) {
-  if (now.pieces.running) return {};  // theirs are drawn as they are
+  if (now.pieces.running) return {};  // moves of pieces are not changed
   if (const auto* move = std::get_if<intent::MoveTo>(&body)) return taken_up(now, *move);
   if (const auto* move = std::get_if<intent::MoveBy>(&body)) return taken_up(now, *move);
   return {};
 }
 
 std::string describe_no_backlash(const intent::SetBacklash& request, std::size_t axes) {
-  if (request.axis.index >= axes) return fmt::format("There is no axis {}.", request.axis.index + 1);
+  if (request.axis.index >= axes) return describe_no_axis(request.axis.index);
   if (request.backlash.by < Steps(0))
     return "The backlash is how far a move goes past its target: it cannot be negative. Nothing was changed.";
   return {};

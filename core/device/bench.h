@@ -1,6 +1,6 @@
 #pragma once
-// The bench around an emulated controller: switches, loads, hands on its front panel, and what can be seen
-// there. Used by scripts, bench files and the bench panel.
+// The bench around an emulated controller: its switches, loads, front panel and lamps. Used by scripts, bench
+// files and the bench panel.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -95,9 +95,7 @@ using BenchCommand =
                  bench::Slip, bench::Alarm, bench::Place, bench::Power, bench::PowerCycle, bench::Breaker,
                  bench::Unplug, bench::Garble, bench::Drop>;
 
-enum class Lamp : std::uint8_t { off, on };
-
-/// All that can be seen on the bench at one instant. Fixed size, copied without allocation.
+/// The visible state of the bench at one instant. Fixed size, copied without allocation.
 struct BenchView {
   bool present = false;  ///< false: a real controller, nothing to see
   bool powered = true, unplugged = false;

@@ -1,5 +1,5 @@
 #pragma once
-// What the bench of an emulated device has: a part of the catalog.
+// Describes the bench of an emulated device: a part of the catalog.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,9 +11,9 @@ struct BenchButton {
   std::string name;  ///< "Run", "1-"
   bool moves = false;
   int row = 0;               ///< on its front panel
-  int supply = 0;            ///< the supply on whose front panel it is
+  int supply = 0;            ///< index of the supply whose front panel has it
   bool stops = false;        ///< a Stop: drawn as one
-  std::string caption = {};  ///< over adjacent buttons with the same caption: "Motor 1"
+  std::string caption = {};  ///< shown once over adjacent buttons with the same caption: "Motor 1"
 };
 struct BenchLamp {
   std::string name;
@@ -25,7 +25,7 @@ struct BenchSupply {
   std::string name;      ///< name of a second box: "Slave"; empty: the device itself
   bool breaker = false;  ///< has a circuit breaker that is reset by hand
 };
-/// What can be done to the emulated device by hand.
+/// The controls and lamps that a person can reach on the emulated device.
 struct BenchFacts {
   std::string panel_title;  ///< "VXM front panel"
   std::vector<BenchSupply> supplies{BenchSupply{}};

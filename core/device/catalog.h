@@ -22,11 +22,11 @@ struct Snapshot;
 struct AxisInfo {
   std::string name;          ///< the maker's name: "1", "X"
   std::string description;   ///< "motor 1"
-  bool switchable = false;   ///< its motor current can be switched: intent::SetPower
+  bool switchable = false;   ///< the motor current can be switched: intent::SetPower
   bool encoder = false;      ///< has an encoder counter that can be set: intent::SetEncoder
   bool home_input = false;   ///< reports its home switch: AxisState::home
   bool alarm_input = false;  ///< reports an alarm of its motor driver: AxisState::alarm
-  bool servo = false;        ///< its position is that of its encoder: AxisState::loop, AxisState::command
+  bool servo = false;        ///< a servo axis, positioned by its encoder: AxisState::loop, AxisState::command
 };
 
 /// A ready-made conversion from steps to a real unit (lead screws, rotary tables).
@@ -54,7 +54,7 @@ struct InputInfo {
   std::string group = {};  ///< heading over inputs of the same group: "Lines 0 to 7: inputs"
   bool of_output = false;  ///< the level of an output line: shown with the outputs of its group
 };
-/// A use that the controller itself makes of an output at times: "In position".
+/// The controller's own use of an output: "In position".
 struct OutputDuty {
   std::string name;                         ///< empty: the output has no duty
   std::vector<std::string> while_not_zero;  ///< on duty while all of these parameters and readouts are not 0
@@ -273,7 +273,9 @@ struct Capabilities {
   bool one_axis_at_a_time = false;
   bool homes = true;
   bool reset = false;
-  bool interpolates = false;  ///< moves several axes together on a straight line
+  bool interpolates = false;  ///< moves several axes together on a straight line ...
+  /// ... whose speed is that along its path; else it is that of its longest axis.
+  bool speed_along_path = false;
   bool arcs = false;          ///< moves its first two axes along an arc, from rest to rest
   bool broadcast = false;     ///< accepts text sent to all devices on a wire, without replies
   bool usb = false;           ///< has USB, beside any serial line

@@ -22,7 +22,7 @@ CommandForm::CommandForm(const CommandInfo& command, const std::vector<AxisInfo>
 
 namespace {
 
-/// "-2", "0.25": how much of `text` is one number; npos: none.
+/// "-2", "0.25": length of the number at the start of `text`; npos: none.
 std::size_t length_of_number(std::string_view text) {
   std::size_t n = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
   const std::size_t first = n;
@@ -35,7 +35,8 @@ std::size_t length_of_number(std::string_view text) {
 
 }  // namespace
 
-// The m of "rsm" stays a letter and the m of "SmMx" does not. A place whose example has a sign takes one.
+// In "rsm" the m is a letter; in "SmMx" it stands for a number. A place whose example has a sign accepts a
+// sign.
 void CommandForm::read_letters(const std::string& form, const std::string& example) {
   std::size_t e = 0;
   for (std::size_t i = 0; i < form.size(); ++i) {

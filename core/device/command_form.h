@@ -1,5 +1,5 @@
 #pragma once
-// One form of a command, as the catalog prints it, compared with what is typed or was sent. Two notations:
+// One form of a command, as the catalog prints it, compared with a typed or sent text. Two notations:
 //   SmMx               a letter is a place for a number where the example has digits instead of it
 //   HS[axis]=[value]   a bracket is a place: [axis] the name of an axis, [+/-] a sign, [1-8] a number, any
 //                      other a value (behind an equals sign any text); "..." at the end: and so on, and what
@@ -19,7 +19,7 @@ class CommandForm {
   enum class Match { none, begins, whole };
   /// `text` is one command without address and terminator.
   [[nodiscard]] Match match(std::string_view text) const;
-  /// The prefix of every text of this form.
+  /// The text before the first place: every text of this form begins with it.
   [[nodiscard]] const std::string& head() const { return head_; }
 
  private:
@@ -30,7 +30,7 @@ class CommandForm {
   };
   void read_letters(const std::string& form, const std::string& example);
   void read_brackets(std::string_view form);
-  /// How much of `text` this part matches; npos: it does not.
+  /// Number of bytes of `text` that this part matches; npos: no match.
   [[nodiscard]] std::size_t taken(const Part& part, std::string_view text) const;
 
   std::vector<Part> parts_;

@@ -13,7 +13,7 @@ std::optional<Steps> seen_from(const std::optional<Steps>& place, Steps from) {
   return place ? std::optional(*place - from) : std::nullopt;
 }
 
-/// The emulated controller of a rehearsal begins with its loads at 0: the switches come nearer instead.
+/// The emulated controller of a rehearsal begins with its loads at 0: the switches are shifted instead.
 std::vector<BenchCommand> moved_bench(const BenchView& bench, int axes) {
   std::vector<BenchCommand> all;
   for (int i = 0; i < axes; ++i) {
@@ -22,7 +22,7 @@ std::vector<BenchCommand> moved_bench(const BenchView& bench, int axes) {
     const SwitchPlaces& switches = bench.switches[axis.index];
     const Steps load = bench.load_position[axis.index];
     AxisPlace place;
-    all.emplace_back(bench::Place(axis, place));  // without those that an emulator is made with
+    all.emplace_back(bench::Place(axis, place));  // without the switches that a new emulator has
     place.minus = seen_from(switches.minus, load), place.plus = seen_from(switches.plus, load);
     place.home_from = seen_from(switches.home_from, load), place.home_to = seen_from(switches.home_to, load);
     if (switches != SwitchPlaces()) all.emplace_back(bench::Place(axis, place));
@@ -33,7 +33,7 @@ std::vector<BenchCommand> moved_bench(const BenchView& bench, int axes) {
   return all;
 }
 
-/// The switches of a real machine are at unknown positions; but one that is operated now is here.
+/// The switches of a real machine are at unknown positions, except those that are operated now.
 std::vector<BenchCommand> seen_switches(const Snapshot& now) {
   std::vector<BenchCommand> all;
   for (int i = 0; i < now.axis_count; ++i) {

@@ -9,17 +9,17 @@
 namespace hw {
 namespace {
 
-/// Whatever else explains another count (a restart, a program) shows by then.
+/// Other causes of a new count (a restart, a program) show within this time.
 constexpr Duration until_believed = std::chrono::seconds(1);
 constexpr double least_reach = 50;
-constexpr int most_missed = 2;  ///< one after the other
-constexpr int seen_moving = 2;  ///< readings on a way that is faster than what is known of the axis
+constexpr int most_missed = 2;  ///< in a row
+constexpr int seen_moving = 2;  ///< readings of a motion that is faster than known for the axis
 
 double way_between(const CountReading& from, const CountReading& to) {
   return static_cast<double>((to.place - from.place).value);
 }
 
-/// No motion between two looks is as long: the counter went on from its other end.
+/// The distance is too long for a motion between two readings: the counter has wrapped around.
 bool wraps_between(const CountReading& from, const CountReading& to) {
   return to.range > 0 && std::abs(way_between(from, to)) > to.range / 2;
 }
@@ -29,8 +29,8 @@ double rate_between(const CountReading& from, const CountReading& to) {
   return time > 0 ? way_between(from, to) / time : 0;
 }
 
-/// Between readings that follow each other; one that is spoilt makes one of the rates too high. 0: they
-/// differ in sign.
+/// The lowest rate between consecutive readings, as a garbled reading makes one of the rates too high. 0:
+/// they differ in sign.
 double lowest_rate(std::span<const CountReading> readings) {
   double lowest = 0;
   for (std::size_t i = 1; i < readings.size(); ++i) {
@@ -45,7 +45,7 @@ bool reaches(const CountReading& from, const CountReading& to, double speed, dou
   return std::abs(way_between(from, to)) <= least_reach + and_more * speed * seconds(to.when - from.when);
 }
 
-/// Also of a motion of somebody else's between two looks.
+/// A motion of any origin between two readings can explain the count.
 bool reaches(const CountReading& from, const CountReading& to) {
   constexpr double and_more = 1.5;
   return reaches(from, to, std::max(from.fastest, to.fastest), and_more);
@@ -78,7 +78,7 @@ double CountTrack::known_rate() const {
   return lowest_rate({known_.data() + (kept - count), known_.data() + kept});
 }
 
-/// An axis on its way to a target does not turn round.
+/// An axis that moves to a target does not reverse.
 bool CountTrack::leads(const CountReading& from, const CountReading& now) const {
   const bool turns = now.way * known_rate() > 0 && now.way * way_between(from, now) < -least_reach;
   return reaches(from, now) && !turns;
@@ -114,7 +114,7 @@ bool CountTrack::add(const CountReading& now) {
   return was_set;
 }
 
-/// The last known reading of an axis at rest: a place that was read twice.
+/// The last reading of an axis at rest: the same place was read twice.
 std::optional<CountReading> CountTrack::rested_last() const {
   for (int i = kept - 1; i >= 0; --i)
     for (int twin = i - 1; twin >= 0; --twin)
@@ -129,7 +129,8 @@ std::optional<CountReading> CountTrack::rests_first() const {
   return *first;
 }
 
-/// A motion speeds up and then slows down, so on the whole way it is at least as fast as at the slower end.
+/// A motion accelerates and then decelerates, so between its ends it is at least as fast as at the slower
+/// end.
 bool CountTrack::moved_on(const CountReading& from, const CountReading& to, double other_rate) const {
   constexpr double nearly = 1.25;
   const double speed = std::max({from.fastest, to.fastest, last_.fastest});

@@ -1,7 +1,7 @@
 #pragma once
-// The readings of one axis' count. Decides whether motion explains a new count, or somebody has set it. One
-// reading may be garbled, so a new count is believed only when further readings have followed from it for a
-// second, and when no motion leads to it from any of the last readings before it.
+// The readings of one axis' count. Decides whether motion explains a new count, or another host or a person
+// has set it. A single reading may be garbled: a new count is accepted only after further readings have
+// followed from it for a second, and if no motion leads to it from any of the readings before it.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -23,7 +23,7 @@ struct CountReading {
 class CountTrack {
  public:
   void forget() { *this = CountTrack(); }
-  /// True, once: the count was set.
+  /// Returns true once when the count was set.
   [[nodiscard]] bool add(const CountReading& now);
 
  private:

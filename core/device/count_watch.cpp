@@ -13,7 +13,7 @@ namespace {
 
 constexpr double most_counts_per_pulse = 10;
 
-/// That might set a count by itself.
+/// A program may set a count.
 bool a_program_runs(const Snapshot& now) {
   const auto runs = [](RunState run) { return run == RunState::running || run == RunState::waiting; };
   const bool owned = now.program.owned && runs(now.program.run);
@@ -22,19 +22,19 @@ bool a_program_runs(const Snapshot& now) {
                      [&](const ThreadState& thread) { return runs(thread.run); });
 }
 
-/// A motor that nothing holds may be turned by hand, and an encoder counts that.
+/// A free motor may be turned by hand, and the encoder counts.
 bool is_free(const AxisState& axis) {
   return axis.loop == Loop::open || axis.loop == Loop::unknown || (axis.in_counts && !axis.enabled);
 }
 
-bool can_tell(const AxisState& axis) {
+bool can_judge(const AxisState& axis) {
   const bool seen = axis.activity != Activity::unknown && axis.activity != Activity::homing;
   return axis.position_known && seen && !is_free(axis) && !axis.trust.doubtful();
 }
 
 }  // namespace
 
-/// Of a motion that is not the console's own, no speed is known: it may be as fast as the controller can.
+/// The speed of a motion that the console has not begun is unknown: it may be the highest of the controller.
 /// Speeds are in pulses; an encoder may make several counts for each pulse.
 CountReading CountWatch::reading_of(const AxisState& axis) const {
   CountReading reading;
@@ -52,7 +52,7 @@ CountReading CountWatch::reading_of(const AxisState& axis) const {
   return reading;
 }
 
-/// The controller may set the count until it stands.
+/// The controller may set the count until the axis stands.
 void CountWatch::look_for_homing(const Snapshot& now) {
   for (int i = 0; i < now.axis_count; ++i) {
     const Activity does = now.axes[ix(i)].activity;
@@ -63,8 +63,8 @@ void CountWatch::look_for_homing(const Snapshot& now) {
 
 std::uint32_t CountWatch::look(const Snapshot& now) {
   look_for_homing(now);
-  const World world{now.restarts, now.link.timeouts};
-  if (std::exchange(world_, world) != world || a_program_runs(now)) {
+  const Epoch epoch{now.restarts, now.link.timeouts};
+  if (std::exchange(epoch_, epoch) != epoch || a_program_runs(now)) {
     disturbed();
     return 0;
   }
@@ -73,7 +73,7 @@ std::uint32_t CountWatch::look(const Snapshot& now) {
     const AxisState& axis = now.axes[ix(i)];
     Track& track = tracks_[ix(i)];
     const bool homes = (homing_ >> i & 1u) != 0;
-    if (homes || !can_tell(axis) || std::exchange(track.in_counts, axis.in_counts) != axis.in_counts)
+    if (homes || !can_judge(axis) || std::exchange(track.in_counts, axis.in_counts) != axis.in_counts)
       track.readings.forget();
     else if (track.readings.add(reading_of(axis)))
       set |= 1u << i;

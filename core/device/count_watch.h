@@ -1,11 +1,11 @@
 #pragma once
-// Notices when somebody else sets the count of an axis: another program on the wire, or a person at the
-// controller. It looks for a count that no motion could have reached in the time (CountTrack). A count that
-// was set within the reach of a motion looks like that motion and cannot be noticed.
+// Notices when the count of an axis is set from elsewhere: by another program on the wire, or by a person at
+// the controller. Looks for a count that no motion could have reached in the time (CountTrack). A count that
+// was set within the reach of a motion looks like that motion and is not noticed.
 //
-// It ignores an axis that homes, or stops from homing; whose motor is free; or whose position is unknown or
-// not trusted anyway. It ignores all axes while a program, a list or a drawing runs, and for three readings
-// after a command that moves or may set a count, a restart or a missing answer.
+// Ignores an axis that homes, or stops from homing; whose motor is free; or whose position is unknown or not
+// trusted anyway. Ignores all axes while a program, a list or a drawing runs, and for three readings after a
+// command that moves or may set a count, a restart or a missing answer.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -20,16 +20,16 @@ class CountWatch {
  public:
   explicit CountWatch(const Catalog& catalog) : catalog_(catalog) {}
 
-  /// A command is sent that may set a count or move: the next readings are believed.
+  /// A command is sent that may set a count or move: the next readings are accepted.
   void disturbed() { tracks_ = {}; }
-  /// After each whole status round: a bit for each axis whose count somebody has set, reported once.
+  /// To be called after each whole status round. A bit for each axis whose count was set, reported once.
   [[nodiscard]] std::uint32_t look(const Snapshot& now);
 
  private:
-  struct World {
+  struct Epoch {
     std::uint32_t restarts = 0;
     std::uint64_t timeouts = 0;
-    bool operator==(const World&) const = default;
+    bool operator==(const Epoch&) const = default;
   };
   struct Track {
     CountTrack readings;
@@ -41,7 +41,7 @@ class CountWatch {
   const Catalog& catalog_;
   std::array<Track, max_axes> tracks_{};
   std::uint32_t homing_ = 0;  ///< a bit for each axis that homes, or stops from homing
-  World world_;
+  Epoch epoch_;
 };
 
 /// "The count of axis X was changed ..."

@@ -10,7 +10,7 @@
 namespace hw {
 
 /// Formats the controller's name: "vxm", "dmx-k-sa 03".
-struct Whose {
+struct LogName {
   const Catalog& catalog;
 };
 
@@ -21,9 +21,9 @@ log::Subject& driver_log(const Catalog& catalog);
 }  // namespace hw
 
 template <>
-struct fmt::formatter<hw::Whose> : fmt::formatter<std::string> {
-  auto format(hw::Whose whose, fmt::format_context& context) const {
-    const hw::Catalog& c = whose.catalog;
+struct fmt::formatter<hw::LogName> : fmt::formatter<std::string> {
+  auto format(hw::LogName name, fmt::format_context& context) const {
+    const hw::Catalog& c = name.catalog;
     return fmt::formatter<std::string>::format(
         c.address < 0 ? c.model : fmt::format("{} {:02}", c.model, c.address), context);
   }

@@ -7,8 +7,9 @@
 //
 // - Intents. MoveTo, MoveBy, JogStart, Home, SetPosition, SetParam, ReadParams, SendText, Reset and ReadAgain
 //   are handled by every driver, as far as its catalog offers them. A driver refuses what its controller
-//   cannot do with FaultKind::refused and a sentence, before a byte is sent. Stop, Abort, JogStop,
-//   JogKeepAlive, Reconnect, TrustPosition, RecallPositions, SetTravel, SetBacklash, RunInPieces and
+//   cannot do with FaultKind::refused and a sentence, before a byte is sent: panels request only what the
+//   catalog offers (outputs, programs, actions, readouts to watch), but scripts anything. Stop, Abort,
+//   JogStop, JogKeepAlive, Reconnect, TrustPosition, RecallPositions, SetTravel, SetBacklash, RunInPieces and
 //   OverrideSpeed never come here: the pump handles them.
 // - Faults. refused: nothing was sent. controller: it refused. no_answer, garbled: the command may have been
 //   carried out. stopped: a stop took the wire. lost: the wire is gone. The pump repeats nothing.
@@ -23,6 +24,7 @@
 //   editor waits. question: a move needs one of these slots to be emptied first.
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "core/base/asio.h"
 #include "core/device/catalog.h"
@@ -30,6 +32,7 @@
 #include "core/device/script_texts.h"
 #include "core/device/snapshot.h"
 #include "core/device/stop.h"
+#include "core/device/text_goals.h"
 #include "core/link/station.h"
 
 namespace hw {
@@ -45,27 +48,27 @@ struct DriverContext {
   std::function<void(const AxisSample&)> sample = nullptr;  ///< samples of a recording: intent::Sample
 };
 
-/// How much a status round asks for.
+/// The questions of a status round.
 enum class Round : std::uint8_t {
   stopping,  ///< only readings that show whether the controller is at rest
   usual,
-  everything  ///< somebody waits for it: also the readings that are usually asked in turn
+  everything  ///< a caller waits for it: also the readings that are usually taken in turn
 };
 
 class Driver {
  public:
   virtual ~Driver() = default;
 
-  /// A wire is open, and stops may be sent. Nothing is known of the controller yet. Must send nothing.
+  /// A wire is open, and stops may be sent. The state of the controller is not known yet. Must send nothing.
   virtual void attach(Station& station) = 0;
   /// Make the controller listen, identify it, and read its state. Moves nothing.
   virtual Task<Result<>> connect() = 0;
   /// Run one status round.
   virtual Task<Result<>> poll(Round round) = 0;
-  /// A script reacts to inputs until then: a long round asks for them again between its other questions, and
-  /// shows them at once.
+  /// A script reacts to inputs until then: a long round reads them again between its other questions, and
+  /// publishes them at once.
   virtual void watch_inputs(Instant /*until*/) {}
-  /// The same of limit switches.
+  /// The same for limit switches.
   virtual void watch_limits(Instant /*until*/) {}
   /// Perform any intent but a stop. Returns when a motion is under way, or anything else is finished.
   virtual Task<Result<>> perform(const IntentBody& intent) = 0;
@@ -89,14 +92,17 @@ class Driver {
   /// Send raw text and return its reply without terminator (scripts, `send`). Never a stop.
   virtual Task<Result<std::string>> query(std::string text, Duration patience) = 0;
   [[nodiscard]] virtual TextMeaning meaning_of(const intent::SendText& text) const = 0;
+  /// Where a raw text sends the axes, from where they stand now. Called before it is sent, so it must be
+  /// quick even for a long text.
+  [[nodiscard]] virtual TextGoals goals_of(std::string_view /*text*/) const { return {}; }
   /// Another session on this wire sends this text to all its controllers, and so to this one.
   virtual void note_broadcast(const std::string& /*text*/) {}
 
-  /// Something that the console put into the controller for its own use is still there, and the next status
-  /// rounds remove it: the wire stays open for that.
+  /// The controller still holds data that the console put there for its own use. The next status rounds
+  /// remove it; the wire stays open for that.
   [[nodiscard]] virtual bool clears_up() const { return false; }
-  /// A sentence on anything unexpected that stays in the controller if the connection is closed now; empty:
-  /// nothing. Also while the wire is lost.
+  /// A sentence on unexpected data that stays in the controller if the connection is closed now; empty: none.
+  /// Also valid while the wire is lost.
   [[nodiscard]] virtual std::string leaves_behind() const { return {}; }
 
   /// The poll law: how long to wait between rounds.

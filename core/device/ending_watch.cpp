@@ -10,12 +10,12 @@
 namespace hw {
 namespace {
 
-/// Between two motions of one command, such as an approach from one side: what begins later is another.
+/// The longest pause between two motions of one command, such as an approach from one side.
 constexpr Duration a_pause = Millis(500);
-/// A motion that has rested for so long without telling how it ended is reported as it is.
+/// An axis at rest for so long without an explanation is reported as it is.
 constexpr Duration longest_unexplained = std::chrono::seconds(2);
 
-/// Something that reports its motions itself, at its end.
+/// A program, list or drawing runs, which is reported with its motions at its end.
 bool something_reports(const Snapshot& now) {
   const ProgramState& p = now.program;
   const bool program = p.owned && p.run != RunState::idle && p.run != RunState::error;
@@ -55,6 +55,7 @@ void EndingWatch::stop_asked(const StopOrder& order, const Snapshot& now, Instan
   if (order.what == What::tool || (order.what == What::words && !order.meaning.stops_here())) return;
   for (int i = 0; i < max_axes; ++i) {
     if (!stops_axis(order, i)) continue;
+    ways_.stopped(i);
     Run& run = axes_[ix(i)];
     run.who = order.by;
     if (!run.under_way || run.asked_at != Instant{}) continue;
@@ -66,11 +67,12 @@ void EndingWatch::stop_asked(const StopOrder& order, const Snapshot& now, Instan
   }
   if (order.what == What::jog) return;
   const bool one_axis = order.what == What::everything && order.axis >= 0 && catalog_.program.threads > 0;
-  if (one_axis) return;  // its program goes on
+  if (one_axis) return;  // the program continues
+  ways_.disturbed();
   for (int i = 0; i < max_threads; ++i)
     if (order.thread < 0 || order.thread == i) threads_[ix(i)].who = order.by;
   program_.who = list_.who = order.by;
-  if (order.by != StoppedBy::nobody) pieces_.who = order.by;  // else it only ends what is over
+  if (order.by != StoppedBy::unknown) pieces_.who = order.by;  // else the stop only ends pieces that are over
   if (order.what == What::program)
     for (Run& axis : axes_) axis.who = order.by;
 }
@@ -80,7 +82,7 @@ void EndingWatch::stop_goes_out(const StopOrder& order, Instant at) {
     if (Run& run = axes_[ix(i)]; run.sent_at == Instant{} && stops_axis(order, i)) run.sent_at = at;
 }
 
-/// By its way between two readings, where that is long enough to judge by.
+/// Judged by the distance between two readings, if it is long enough.
 bool EndingWatch::falls_behind(Run& run, const AxisState& axis) {
   constexpr double plainly = 0.8, enough_steps = 20;
   const bool behind_stop = run.sent_at != Instant{} && run.seen_at >= run.sent_at;
@@ -94,7 +96,7 @@ bool EndingWatch::falls_behind(Run& run, const AxisState& axis) {
   return behind_stop && way < plainly * run.pace * time;
 }
 
-// By its status, its speed, or its positions alone: whichever the controller reports.
+// Judged by the status, the speed or the positions alone, whichever the controller reports.
 void EndingWatch::see_slowing(Run& run, const AxisState& axis) {
   constexpr double plainly = 0.98;
   const bool behind = axis.seen_at != run.seen_at && falls_behind(run, axis);
@@ -114,6 +116,7 @@ void EndingWatch::time_the_stop(Run& run, Instant at) {
 
 void EndingWatch::look(const Snapshot& now) {
   if (!report_) return;
+  for (const Ending& motion : ways_.look(now)) report_(motion);
   for (int i = 0; i < now.axis_count; ++i) look_at_axis(now, i);
   if (catalog_.program.threads > 0)
     look_at_threads(now);
@@ -131,7 +134,7 @@ void EndingWatch::begin(Run& run, Ending::What what, Instant now) {
 }
 
 void EndingWatch::finish(Run& run, Instant at) {
-  run.under_way = false;
+  run.under_way = run.over = false;
   if (stopped(run.ending.by)) run.ending.who = run.who, time_the_stop(run, at);
   if (run.quiet && as_meant(run.ending.by)) return;
   run.ending.at = at;
@@ -155,11 +158,11 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
   if (!run.under_way) return;
   const bool lost_its_place = state.trust.doubtful() && state.trust.since >= run.ending.began;
   const bool restarted = state.ended_by == EndedBy::lost && lost_its_place;
-  if (state.activity == Activity::unknown && !restarted) {  // it shows when the axis answers again
+  if (state.activity == Activity::unknown && !restarted) {  // decided when the axis answers again
     run.rests_since = {};
     return;
   }
-  // How it ended may show a round later, or never.
+  // The cause of the end may show a round later, or never.
   const bool explained = state.ended_by != EndedBy::nothing || state.activity == Activity::error;
   if (!explained && run.rests_since == Instant{}) run.rests_since = state.seen_at;
   if (!explained && state.seen_at - run.rests_since < longest_unexplained) return;
@@ -168,6 +171,8 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
   run.ending.at_travel_end = run.ending.at_travel_end && state.ended_by == EndedBy::target;
   run.ending.by = state.activity == Activity::error && state.ended_by == EndedBy::nothing ? EndedBy::error
                                                                                           : state.ended_by;
+  const bool by_text = run.who == StoppedBy::text && run.asked_at != Instant{};
+  if (by_text && run.ending.by == EndedBy::elsewhere) run.ending.by = EndedBy::stop;
   run.ending.beside_program = something_reports(now);
   run.ending.of_run = run.ending.of_run || run.ending.beside_program;
   if (restarted) run.ending.lost_with = state.trust.cause;
@@ -183,42 +188,64 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
 void EndingWatch::look_at_program(const Snapshot& now) {
   const ProgramState& p = now.program;
   const bool runs = p.owned && p.run != RunState::idle && p.run != RunState::error;
+  if (program_.over) finish_judged(program_);
   if (runs && now.link.connected()) {
+    if (program_.over) finish(program_, program_.ending.at);
     if (!program_.under_way) begin(program_, Ending::What::program, now.at);
     program_.ending.slot = p.slot;
     return;
   }
-  if (!program_.under_way || !now.link.connected()) return;
+  if (!program_.under_way || program_.over || !now.link.connected()) return;
   if (p.ended_by == EndedBy::nothing && p.run != RunState::error) return;
   program_.ending.by = p.run == RunState::error ? EndedBy::error : p.ended_by;
   if (program_.ending.by == EndedBy::error) find_cause(program_.ending, now, -1);
   if (program_.ending.by == EndedBy::limit) find_axis_at_limit(program_.ending, now);
-  finish(program_, now.at);
+  program_.over = true;
+  program_.ending.at = now.at;
+  finish_judged(program_);
+}
+
+/// A program that ran to its end, but whose last motion was cut short, ended with that motion.
+void EndingWatch::finish_judged(Run& run) {
+  if (ways_.is_judging()) return;
+  Ending& ending = run.ending;
+  if (const auto& cut = ways_.last_cut(); cut && as_meant(ending.by)) {
+    ending.by = cut->by;
+    ending.perhaps_limit = cut->perhaps_limit;
+    if (cut->by == EndedBy::limit)
+      ending.failed_axis = cut->axis,
+      ending.error = cut->limit_minus ? AxisError::limit_minus : AxisError::limit_plus;
+  }
+  finish(run, ending.at);
 }
 
 void EndingWatch::look_at_threads(const Snapshot& now) {
   for (int i = 0; i < std::min(catalog_.program.threads, max_threads); ++i) {
     Run& run = threads_[ix(i)];
     const ThreadState& thread = now.threads[ix(i)];
+    if (run.over) finish_judged(run);
     if (!thread.known) continue;
     if (thread.run != RunState::idle && thread.run != RunState::error) {
+      if (run.over) finish(run, run.ending.at);
       if (!run.under_way) begin(run, Ending::What::program, now.at);
       continue;
     }
-    if (!run.under_way) continue;
+    if (!run.under_way || run.over) continue;
     run.ending.slot = i;
-    // The controller does not report how one of several ended; a stop of this one is known.
+    // The controller does not report how one of several threads ended; a stop of this thread is known.
     run.ending.by = thread.run == RunState::error              ? EndedBy::error
-                    : run.who != StoppedBy::nobody             ? EndedBy::stop
+                    : run.who != StoppedBy::unknown            ? EndedBy::stop
                     : stopped(now.program.ended_by)            ? EndedBy::elsewhere
                     : now.program.ended_by == EndedBy::nothing ? EndedBy::target
                                                                : now.program.ended_by;
     if (run.ending.by == EndedBy::error) find_cause(run.ending, now, thread.line);
-    finish(run, now.at);
+    run.over = true;
+    run.ending.at = now.at;
+    finish_judged(run);
   }
 }
 
-/// An axis that is in error keeps a program from going on.
+/// An axis in error stops a program.
 void EndingWatch::find_cause(Ending& ending, const Snapshot& now, int line) {
   ending.line = line;
   for (int i = 0; i < now.axis_count && ending.failed_axis < 0; ++i)
@@ -245,7 +272,7 @@ void EndingWatch::look_at_list(const Snapshot& now) {
   }
   if (!list_.under_way || now.any_axis_moving() || !now.link.connected()) return;
   list_.ending.done = now.feed.sent;
-  list_.ending.by = list_.who != StoppedBy::nobody ? EndedBy::stop : EndedBy::target;
+  list_.ending.by = list_.who != StoppedBy::unknown ? EndedBy::stop : EndedBy::target;
   finish(list_, now.at);
 }
 
@@ -257,7 +284,7 @@ void EndingWatch::look_at_pieces(const Snapshot& now) {
   }
   if (!pieces_.under_way || now.any_axis_moving() || !now.link.connected()) return;
   pieces_.ending.done = now.pieces.done;
-  pieces_.ending.by = pieces_.who != StoppedBy::nobody             ? EndedBy::stop
+  pieces_.ending.by = pieces_.who != StoppedBy::unknown            ? EndedBy::stop
                       : pieces_.ending.done < pieces_.ending.total ? EndedBy::elsewhere
                                                                    : EndedBy::target;
   finish(pieces_, now.at);

@@ -1,7 +1,7 @@
 #pragma once
-// The jogs that are held, and the dead-man timer that releases a hand's jog when the console no longer holds
-// it. Jogs are identified by intent: the outcome of another command, or a stop of another axis, leaves a held
-// jog guarded. Io thread.
+// The held jogs, and the dead-man timer that ends a user's jog when the console no longer confirms it. Jogs
+// are identified by intent: the outcome of another command, or a stop of another axis, leaves a held jog
+// guarded. Io thread.
 #include <algorithm>
 #include <functional>
 #include <vector>
@@ -18,7 +18,7 @@ class HeldJogs {
   HeldJogs(Scheduler& scheduler, std::function<void()> not_held_any_more)
       : scheduler_(scheduler), dead_man_(scheduler, std::move(not_held_any_more)) {}
 
-  /// `guarded`: held by a hand, and must be kept alive.
+  /// `guarded`: held by the user, and must be kept alive.
   void begin(IntentId id, int axis, bool guarded) {
     jogs_.push_back({id, axis, guarded});
     if (guarded) dead_man_.arm(scheduler_.now() + patience);
@@ -57,7 +57,7 @@ class HeldJogs {
   [[nodiscard]] bool has(IntentId id) const {
     return std::any_of(jogs_.begin(), jogs_.end(), [id](const Jog& jog) { return jog.id == id; });
   }
-  /// A bit for each axis that a hand jogs and whose jog `has_begun(id)`.
+  /// A bit for each axis that the user jogs and whose jog `has_begun(id)`.
   template <class Begun>
   [[nodiscard]] unsigned guarded_axes_if(Begun has_begun) const {
     unsigned axes = 0;
@@ -74,7 +74,7 @@ class HeldJogs {
     int axis = -1;
     bool guarded = false;
   };
-  /// The jog that ends when a hand lets go: the hand's own, not one that a script has begun.
+  /// The jog that ends when the user lets go: the user's own, not a script's.
   [[nodiscard]] Jog in_hand() const {
     const auto own = std::find_if(jogs_.rbegin(), jogs_.rend(), [](const Jog& jog) { return jog.guarded; });
     return own != jogs_.rend() ? *own : Jog();

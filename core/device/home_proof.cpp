@@ -9,7 +9,7 @@ namespace hw {
 namespace {
 
 constexpr double jitter = 50;    // steps
-constexpr double plainly = 1.5;  // of a way that is too long for its time
+constexpr double plainly = 1.5;  // factor: the distance is too long for its time
 constexpr double full_speed = 0.98;
 
 double between(Steps from, Steps to) { return static_cast<double>((to - from).value); }
@@ -36,12 +36,12 @@ void HomeProof::read(Steps place, Pps speed, Instant when) {
   const double fastest = std::max({fastest_, speed.value, top_speed_});
   const double onward = direction_ != 0 ? direction_ : between(first_, last_);
   const bool goes_on = between(furthest_, place) * onward >= 0;
-  if (goes_on) furthest_ = place;  // a slow way back shows in several readings
+  if (goes_on) furthest_ = place;  // a slow return shows in several readings
   const bool turns = !goes_on && std::abs(between(furthest_, place)) > jitter;
   if (turns || std::abs(way) > jitter + plainly * fastest * gap) count_was_set_ = true;
   fastest_ = std::max(fastest_, speed.value);
   longest_gap_ = std::max(longest_gap_, gap);
-  if (!std::exchange(from_rest_, false)) {  // else it may have been faster before that reading
+  if (!std::exchange(from_rest_, false)) {  // else the axis may have been faster before that reading
     longest_gap_at_work_ = std::max(longest_gap_at_work_, gap);
     if (speed.value > 0 && speed.value >= full_speed * fastest_) at_full_speed_ = place;
   }
@@ -49,17 +49,17 @@ void HomeProof::read(Steps place, Pps speed, Instant when) {
   last_at_ = when;
 }
 
-/// As far as the count may jump between two readings without being seen to.
+/// The largest jump of the count between two readings that cannot be seen.
 double HomeProof::unseen_way() const {
   return jitter + plainly * std::max(fastest_, top_speed_) * longest_gap_;
 }
 
-/// As far as it may have come on at the speed at which it was seen.
+/// The distance that the axis may have travelled at the speed seen.
 double HomeProof::unseen_at_work() const {
   return fastest_ > 0 ? jitter + plainly * fastest_ * longest_gap_at_work_ : unseen_way();
 }
 
-/// It began before the place that was zero, and rests behind it.
+/// The search began before the former zero, and rests behind it.
 bool HomeProof::may_have_met_zero(Steps rests_at) const {
   if (direction_ == 0) return true;
   const auto began = static_cast<double>(first_.value) * direction_;
@@ -67,7 +67,8 @@ bool HomeProof::may_have_met_zero(Steps rests_at) const {
   return began <= unseen_way() && rests >= -unseen_way();
 }
 
-/// Where nothing has shown the count being set, it was near zero already; from there it only slows down.
+/// If no reading shows that the count was set, it was near zero already, and the axis only decelerated from
+/// there.
 bool HomeProof::may_have_found(Steps rests_at) const {
   if (count_was_set_ || last_at_ == Instant{}) return true;
   if (!may_have_met_zero(rests_at)) return false;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/axis_check.h"
 
 namespace hw {
 namespace {
@@ -22,13 +23,11 @@ std::string why_not_home(const Catalog& catalog, int mode, Sign sign) {
 }
 
 Result<> check_home(const Catalog& catalog, const intent::Home& request) {
-  if (request.axis.index >= catalog.axes.size())
-    return fail(FaultKind::refused, fmt::format("There is no axis {}.", request.axis.index + 1),
-                "Nothing was sent.");
+  if (auto may = check_axis(catalog, request.axis.index); !may) return may;
   if (!catalog.can.homes)
     return fail(FaultKind::refused, fmt::format("A {} has no homing.", catalog.short_name),
                 "Nothing was sent.");
-  const bool only_one = catalog.homing_modes.empty() && request.mode == 0;  // without a name
+  const bool only_one = catalog.homing_modes.empty() && request.mode == 0;  // the only mode has no name
   if (!only_one && !find_mode(catalog, request.mode))
     return fail(FaultKind::refused, fmt::format("There is no homing mode number {}.", request.mode),
                 "Nothing was sent.");

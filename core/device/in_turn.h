@@ -1,5 +1,5 @@
 #pragma once
-// Takes turns among many values of which a status round reads only a few.
+// Chooses in turn among many values of which a status round reads only a few.
 
 namespace hw {
 

@@ -1,6 +1,7 @@
 #pragma once
-// A request of the user, as a value. A few verbs serve every controller; a driver refuses with a sentence
-// what its controller cannot do.
+// A request of the user, as a value. The same intents serve every controller; a driver refuses an intent that
+// its controller cannot perform, with a sentence.
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -36,19 +37,18 @@ enum class StoppedBy : std::uint8_t {
   key,     ///< Esc
   script,
   text,     ///< a command that the user typed
-  let_go,   ///< the hand that held a jog
+  let_go,   ///< the user let go of a held jog
   console,  ///< the console itself: the jog was no longer held, the link was lost, the program ends
-  nobody    ///< not known
+  unknown
 };
 
 namespace intent {
 
-/// What to do with a servo axis whose loop is about to close, or to drive harder, while it is far from its
-/// command.
+/// How to treat a servo axis that is far from its command when its loop is closed or its gains are raised.
 enum class Closing : std::uint8_t {
   ask,    ///< refuse the intent and set IntentOutcome::asks
-  drive,  ///< let it be driven there at once
-  stay    ///< keep it where it is: its position becomes its command first
+  drive,  ///< let the loop drive the axis there at once
+  stay    ///< hold the axis where it is: its position becomes its command first
 };
 
 /// Of one motion, in the controller's own unit (DeviceType::acceleration). None: as the controller is set up.
@@ -60,18 +60,24 @@ struct Pace {
   Acceleration acceleration = {};
 };
 
+/// By axis: its speed in a move of several axes that move in turn (see Capabilities::interpolates); 0: the
+/// speed of the move.
+using AxisSpeeds = std::array<Pps, max_axes>;
+
 struct MoveTo {
   std::vector<AxisTarget>
       targets;  ///< absolute; several axes move together where the controller can, else in order
   Pps speed;    ///< 0: as the controller is set up
   Acceleration acceleration = {};  ///< see Pace
-  bool despite_doubt = false;      ///< just this once, although a position is doubtful; see PositionTrust
+  AxisSpeeds own_speeds{};
+  bool despite_doubt = false;  ///< perform it this once although a position is doubtful; see PositionTrust
   explicit MoveTo(std::vector<AxisTarget> t, Pps s = {}) : targets(std::move(t)), speed(s) {}
 };
 struct MoveBy {
   std::vector<AxisTarget> distances;
   Pps speed;
   Acceleration acceleration = {};
+  AxisSpeeds own_speeds{};
   explicit MoveBy(std::vector<AxisTarget> d, Pps s = {}) : distances(std::move(d)), speed(s) {}
 };
 template <class Motion>
@@ -84,15 +90,15 @@ struct JogStart {
   Sign sign;
   Pps speed;      ///< 0: the controller's own jog or high speed
   bool dead_man;  ///< false for scripts, which stop the jog themselves
-  /// The user's limit in that direction, filled in by the pump: the jog is sent as a move to it, so that the
-  /// controller ends the jog whatever happens to the console.
+  /// The user's limit in that direction, filled in by the pump. The jog is sent as a move to it, so that the
+  /// controller ends the jog even if the console dies.
   std::optional<Steps> up_to;
   Acceleration acceleration = {};
   JogStart(AxisId a, Sign s, Pps v = {}, bool guarded = true)
       : axis(a), sign(s), speed(v), dead_man(guarded) {}
 };
 struct JogKeepAlive {};
-/// The hand releases its jog; a jog that a script holds continues.
+/// The user releases a jog; a script's jog continues.
 struct JogStop {
   int axis = -1;  ///< filled in by the pump: the axis whose jog ends; -1: not known, so all
 };
@@ -127,7 +133,7 @@ struct TrustPosition {
   AxisId axis;
   explicit TrustPosition(AxisId a) : axis(a) {}
 };
-/// The positions kept by an earlier session, by AxisId: used for axes of which nothing better is known.
+/// The positions kept by an earlier session, by AxisId: used for axes whose position is not known better.
 /// Nothing is sent.
 struct RecallPositions {
   std::vector<KeptPosition> kept;
@@ -208,7 +214,8 @@ struct RunProgram {
   /// responsibility.
   std::vector<AxisTarget> places;
   bool despite_doubt = false;
-  bool as_it_is = false;  ///< just this once, although it is not what was sent last; see Snapshot::slots_torn
+  bool as_it_is =
+      false;  ///< run it this once although it is not what was sent last; see Snapshot::slots_torn
   explicit RunProgram(int s, std::vector<AxisTarget> p = {}) : slot(s), places(std::move(p)) {}
 };
 struct Pause {  ///< hold before the next command

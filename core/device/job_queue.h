@@ -42,7 +42,7 @@ class JobQueue {
     return std::any_of(waiting_.begin(), waiting_.end(),
                        [id](const auto& job) { return job->intent.id == id; });
   }
-  /// Null: it does not wait here.
+  /// Null: no such job waits.
   std::unique_ptr<Job> withdraw(IntentId id) {
     const auto found = std::find_if(waiting_.begin(), waiting_.end(),
                                     [id](const auto& job) { return job->intent.id == id; });
@@ -51,7 +51,7 @@ class JobQueue {
     waiting_.erase(found);
     return job;
   }
-  /// Removes and returns all that wait.
+  /// Removes and returns all waiting jobs.
   [[nodiscard]] std::deque<std::unique_ptr<Job>> take_all() { return std::exchange(waiting_, {}); }
 
   /// The queue must not be empty.
@@ -70,7 +70,7 @@ class JobQueue {
   }
   [[nodiscard]] bool performs() const { return performed_ != nullptr; }
   [[nodiscard]] bool performs_for_all_on_the_wire() const {
-    return performed_ != nullptr && performed_->meaning.whom == TextMeaning::For::everybody;
+    return performed_ != nullptr && performed_->meaning.addressee == TextMeaning::For::all;
   }
 
  private:

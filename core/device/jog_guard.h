@@ -9,9 +9,9 @@ namespace hw {
 
 /// The texts of the offer: a sentence or two each.
 struct JogGuardFacts {
-  std::string what;   ///< what it does; empty: the controller cannot run one
+  std::string what;   ///< what the guard does; empty: the controller cannot run one
   std::string where;  ///< where it is kept, and the cost of installing it
-  std::string doubt;  ///< what only real hardware can confirm
+  std::string doubt;  ///< what only a test on real hardware can confirm
   [[nodiscard]] bool offered() const { return !what.empty(); }
 };
 

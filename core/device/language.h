@@ -1,5 +1,5 @@
 #pragma once
-// What the console asks about a program text while it is typed, and before metal moves.
+// Answers the console's questions about a program text: while it is typed, and before anything moves.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -61,12 +61,12 @@ struct RehearsedEvent {
   double t = 0;
   std::string what;
   int slot = -1, command = -1;
-  /// What becomes of an output or input at it; `waits`: the program, for an operation of it, until it
+  /// The change of an output or input at this event; `waits`: the program waits for an input, until it
   /// `comes`.
   enum class Line : std::uint8_t { none, switched, looked_at, waits, comes };
   Line line = Line::none;
   std::string name = {};  ///< of that output or input: "output 1", "DI3"
-  int level = 0;          ///< switched or looked at: what it is from here on
+  int level = 0;          ///< switched or looked at: the level from here on
 };
 /// From this time on this command was running.
 struct RehearsedTurn {
@@ -102,12 +102,12 @@ struct Rehearsal {
   std::string sent_to_host;
   std::map<std::string, int> program_size;  ///< "0" -> 14
   std::vector<RehearsedEvent> events;  ///< in order of time; at most `most_events`, then one that says so
-  /// Of the program that was started, in order of time: a wait for a motion belongs to the command that began
-  /// it. At most `most_events`; later ones are missing.
+  /// The commands of the started program, in order of time: a wait for a motion belongs to the command that
+  /// began the motion. At most `most_events`; later ones are missing.
   std::vector<RehearsedTurn> turns;
   int moves = 0;
   bool limit_touched = false;
-  bool endless = false;              ///< it runs in a loop that nothing ends; `error` names its line
+  bool endless = false;              ///< the program runs in a loop that nothing ends; `error` names its line
   std::vector<RehearsedStop> stops;  ///< in order of time; at most 200
   std::vector<RehearsedAssumption> assumptions;
   std::vector<RehearsedPlace> track;  ///< in order of time, if RehearseOptions::track_every_s asks for it

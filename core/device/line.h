@@ -1,6 +1,6 @@
 #pragma once
-// The open controllers on one wire, each with a pump of its own: finds the one that a text names, and tells
-// all of a broadcast. Io thread only.
+// The open controllers on one wire, each with a pump of its own. Finds the controller that a text names, and
+// announces a broadcast to all. Io thread only.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -15,7 +15,7 @@ class Line {
   void leave(const Pump& pump) {
     std::erase_if(members_, [&](const Member& m) { return m.pump == &pump; });
   }
-  /// Null: none with that address is open.
+  /// Null: no controller with that address is open.
   [[nodiscard]] Pump* at(int address) const {
     const auto found =
         std::find_if(members_.begin(), members_.end(), [&](const Member& m) { return m.address == address; });
@@ -26,7 +26,7 @@ class Line {
     for (const Member& m : std::vector<Member>(members_))
       if (m.pump != &pump) each(*m.pump);
   }
-  /// One of them is being stopped: no broadcast from before that is sent.
+  /// One of the controllers is being stopped: no broadcast that was queued before is sent.
   void begin_epoch() { ++epoch_; }
   [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
 

@@ -7,18 +7,17 @@
 #include "core/base/index.h"
 #include "core/device/decision_log.h"
 #include "core/device/places_in_text.h"
+#include "core/device/scaled_numbers.h"
 #include "core/device/sequence_travel.h"
-#include "core/device/travel_check.h"
+#include "core/device/settings_in_text.h"
 #include "core/sequence/steps_in.h"
 
 namespace hw {
 namespace {
 
-/// What is read while the controller waits for its next command.
+/// In bytes: reading delays the controller's next command.
 constexpr std::size_t longest_text = 8 * 1024;
 constexpr std::ptrdiff_t most_lines = 200;
-/// It is read before it is sent, while all else waits.
-constexpr std::size_t longest_typed_text = 256;
 
 sequence::Sequence frame_in_steps(const Catalog& catalog) {
   sequence::Sequence frame;
@@ -31,7 +30,7 @@ bool some_count_is_doubtful(const Snapshot& now) {
                      [](const AxisState& axis) { return axis.trust.doubtful(); });
 }
 
-/// Drops what comes behind the first step that no block describes: it may set a count. False: there was one.
+/// Drops the steps after the first that no block describes, which may set a count. False: there was one.
 bool keep_known(sequence::StepList& steps, const sequence::Sequence& of) {
   for (auto step = steps.begin(); step != steps.end(); ++step) {
     bool known = !std::holds_alternative<sequence::Custom>(step->body);
@@ -40,7 +39,7 @@ bool keep_known(sequence::StepList& steps, const sequence::Sequence& of) {
       known = keep_known(routine, {});
     } else if (sequence::StepList* inner = sequence::steps_in(*step)) {
       known = keep_known(*inner, of);
-      if (!known) ++step;  // its own begin is known
+      if (!known) ++step;  // the places before it are known
     }
     if (known) continue;
     steps.erase(step, steps.end());
@@ -49,18 +48,23 @@ bool keep_known(sequence::StepList& steps, const sequence::Sequence& of) {
   return true;
 }
 
-bool only_distances(const sequence::StepList& steps) {
-  return std::all_of(steps.begin(), steps.end(), [](const sequence::Step& step) {
-    const auto* move = std::get_if<sequence::Move>(&step.body);
-    return move && move->relative;
+/// Texts that only set speeds move nothing.
+void drop_settings(sequence::StepList& steps, const Language& language) {
+  const auto* settings = dynamic_cast<const SettingsInText*>(&language);
+  if (!settings) return;
+  std::erase_if(steps, [settings](const sequence::Step& step) {
+    const auto* text = std::get_if<sequence::Custom>(&step.body);
+    return text && settings->only_sets(text->text);
   });
+  for (sequence::Step& step : steps)
+    if (sequence::StepList* inner = sequence::steps_in(step)) drop_settings(*inner, language);
 }
 
-/// Adds what the text names beside its known steps, as moves of their own.
+/// Adds the places that the text names beside its known steps, as separate moves.
 void add_places(sequence::Sequence& to, const Language& language, std::string_view text, int start) {
-  const auto* tells = dynamic_cast<const PlacesInText*>(&language);
-  if (!tells) return;
-  for (const AxisTarget& place : tells->places_in(text, start)) {
+  const auto* in_text = dynamic_cast<const PlacesInText*>(&language);
+  if (!in_text) return;
+  for (const AxisTarget& place : in_text->places_in(text, start)) {
     if (place.axis.index >= to.axes.size()) continue;
     sequence::Move move;
     move.to[place.axis.index] = static_cast<double>(place.value.value);
@@ -88,7 +92,7 @@ void LoadedTexts::forget(const IntentBody& body) {
     forget();
 }
 
-/// Blocks are program 0 where one text holds them all.
+/// Blocks are program 0 if one text holds all programs.
 std::optional<sequence::Sequence> LoadedTexts::read(const std::string& text, int start) const {
   try {
     sequence::Sequence known = frame_in_steps(catalog_);
@@ -100,39 +104,42 @@ std::optional<sequence::Sequence> LoadedTexts::read(const std::string& text, int
     }
     if (!whole) add_places(known, *language_, text, start);
     return known;
+  } catch (const std::exception& defect) {  // from a library: the program is treated as unknown
+    pump_log().debug("a loaded program could not be read: {}", defect.what());
+    return {};
+  }
+}
+
+std::vector<AxisTarget> LoadedTexts::places_of(int slot, const Snapshot& now) {
+  if (!language_ || !keeps(place_of(slot))) return {};
+  Load& load = loads_[ix(place_of(slot))];
+  if (load.text.empty()) return {};
+  auto known = load.known.find(slot);
+  if (known == load.known.end()) known = load.known.emplace(slot, read(load.text, slot)).first;
+  if (!known->second) return {};
+  return places_of_run(*known->second, catalog_, now);
+}
+
+/// Only for a text that was read completely and needs no assumptions, such as a mode that an earlier program
+/// may have set.
+std::optional<ProgramWays> LoadedTexts::ways_of(int slot) const {
+  if (!language_ || !keeps(place_of(slot)) || (catalog_.program.threads > 0 && slot != 0)) return {};
+  const std::string& text = loads_[ix(place_of(slot))].text;
+  if (text.empty() || dynamic_cast<const ScaledNumbers*>(language_)) return {};
+  try {
+    auto read = language_->read(text, frame_in_steps(catalog_), catalog_);
+    if (!read || !read->remarks.empty()) return {};
+    drop_settings(read->sequence.steps, *language_);
+    return hw::ways_of(read->sequence, catalog_);
   } catch (const std::exception& defect) {  // from a library: nothing is known of it then
     pump_log().debug("a loaded program could not be read: {}", defect.what());
     return {};
   }
 }
 
-std::optional<PastTravel> LoadedTexts::past_travel_of(const std::string& text, const Snapshot& now) const {
-  const auto end = now.axes.begin() + now.axis_count;
-  const bool some = std::any_of(now.axes.begin(), end, [](const AxisState& a) { return a.travel_holds(); });
-  if (!language_ || !some || text.size() > longest_typed_text) return {};
-  try {
-    auto read = language_->read(text, frame_in_steps(catalog_), catalog_);
-    if (!read) return {};
-    keep_known(read->sequence.steps, read->sequence);
-    // A remark says that part of it was assumed: perhaps that places are absolute.
-    if (!read->remarks.empty() && !only_distances(read->sequence.steps)) return {};
-    auto past = past_travel(catalog_, now, intent::MoveTo(places_of_run(read->sequence, catalog_, now)));
-    if (past) past->of = PastTravel::Of::text;
-    return past;
-  } catch (const std::exception& defect) {  // from a library
-    pump_log().debug("a text could not be read: {}", defect.what());
-    return {};
-  }
-}
-
 std::vector<AxisTarget> LoadedTexts::places_in_doubt(int slot, const Snapshot& now) {
-  if (!language_ || !keeps(place_of(slot)) || !some_count_is_doubtful(now)) return {};
-  Load& load = loads_[ix(place_of(slot))];
-  if (load.text.empty()) return {};
-  auto known = load.known.find(slot);
-  if (known == load.known.end()) known = load.known.emplace(slot, read(load.text, slot)).first;
-  if (!known->second) return {};
-  std::vector<AxisTarget> places = places_of_run(*known->second, catalog_, now);
+  if (!some_count_is_doubtful(now)) return {};
+  std::vector<AxisTarget> places = places_of(slot, now);
   std::erase_if(places,
                 [&now](const AxisTarget& place) { return !now.axes[place.axis.index].trust.doubtful(); });
   return places;

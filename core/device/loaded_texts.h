@@ -1,9 +1,9 @@
 #pragma once
 // The programs that the console has loaded into the controller. A program with absolute targets must not be
-// started while a count is doubtful, whoever starts it. One that a restart may have erased counts as long as
-// it may be there. Unknown are programs that the console has not loaded, long ones, and what stands behind a
-// command that no block describes, as that may set the count, except the places that the language names
-// there.
+// started while a count is doubtful, whoever starts it. A program that a restart may have erased is kept here
+// as long as it may be there. Not known are: programs that the console has not loaded; long programs; and the
+// rest of a program after a command that no block describes, as that command may set the count (except the
+// places that the language names there).
 #include <array>
 #include <cstdint>
 #include <map>
@@ -14,8 +14,8 @@
 #include "core/device/catalog.h"
 #include "core/device/intent.h"
 #include "core/device/language.h"
+#include "core/device/program_ways.h"
 #include "core/device/snapshot.h"
-#include "core/device/travel.h"
 
 namespace hw {
 
@@ -24,15 +24,16 @@ class LoadedTexts {
   /// `language`: null if the controller has none.
   LoadedTexts(const Catalog& catalog, const Language* language) : catalog_(catalog), language_(language) {}
 
-  /// The first place past a limit to which a raw text sends an axis, as far as the language reads it;
-  /// absolute places only if the language always knows them to be absolute.
-  [[nodiscard]] std::optional<PastTravel> past_travel_of(const std::string& text, const Snapshot& now) const;
-  /// A restart of the controller may have taken it: its places count as long as it may be there.
+  /// A later restart of the controller may erase it: its places are kept as long as it may be there.
   void loaded(const intent::LoadProgram& load);
   /// Something may have changed the stored programs.
   void forget() { loads_ = {}; }
-  /// This command changes them.
+  /// This command may change the stored programs.
   void forget(const IntentBody& body);
+  /// The least and the greatest place to which the program takes each axis; none if they are not known.
+  [[nodiscard]] std::vector<AxisTarget> places_of(int slot, const Snapshot& now);
+  /// The places where its motions can come to rest by themselves; none if not known.
+  [[nodiscard]] std::optional<ProgramWays> ways_of(int slot) const;
   /// The targets of the program on axes whose count is doubtful; none if they are not known.
   [[nodiscard]] std::vector<AxisTarget> places_in_doubt(int slot, const Snapshot& now);
 

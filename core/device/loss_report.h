@@ -1,5 +1,5 @@
 #pragma once
-// The report when a link that was lost at work is back. Nothing is sent again, and no transport can know
+// The report after a link that was lost during motion is back. Nothing is sent again. No transport can know
 // whether a command on its way was carried out: the positions of the axes show it.
 #include <array>
 #include <string>

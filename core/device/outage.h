@@ -45,7 +45,7 @@ class Outage {
     tried_at(now);
     return ++attempts_;
   }
-  /// Begins one on the same wire.
+  /// Begins an attempt on the same wire.
   void tried_at(Instant now) { attempt_at_ = now; }
   [[nodiscard]] Instant attempt_at() const { return attempt_at_; }
   /// An unconfirmed stop is sent again when an attempt takes this long. Each may take twice as long as the

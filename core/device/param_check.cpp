@@ -22,7 +22,7 @@ Result<std::size_t> check_param(const Catalog& catalog, const intent::SetParam& 
                                 const ParamRules& rules) {
   const int place = catalog.find_param(request.mnemonic);
   if (place < 0)
-    return fail(FaultKind::refused, fmt::format("{} has no parameter {}.", rules.who, request.mnemonic),
+    return fail(FaultKind::refused, fmt::format("{} has no parameter {}.", rules.title, request.mnemonic),
                 "Nothing was sent.");
   const ParamInfo& info = catalog.params[static_cast<std::size_t>(place)];
   const auto write = rules.write != nullptr ? rules.write : plain;

@@ -13,10 +13,10 @@
 namespace hw {
 
 struct ParamRules {
-  std::string_view who;  ///< "A VXM"
+  std::string_view title;  ///< "A VXM"
   std::string (*write)(const ParamInfo&,
                        std::int64_t) = nullptr;  ///< formats a value for a sentence; null: plain
-  std::function<Result<>(const ParamInfo&)> may_now = nullptr;  ///< any other reason against it now
+  std::function<Result<>(const ParamInfo&)> may_now = nullptr;  ///< any other reason why it cannot be set now
 };
 
 /// The parameter's place in the catalog, or why it was refused.

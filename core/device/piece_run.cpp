@@ -17,7 +17,7 @@ Result<> PieceRun::begin(const intent::RunInPieces& request) {
                 "Stop it first.");
   if (std::string why = why_not_begun(*request.pieces, catalog_, snapshot_); !why.empty())
     return fail(FaultKind::refused, std::move(why), "Nothing was sent.", "Switch it off first.");
-  end();  // what is left of another one
+  end();  // ends the rest of an earlier run
   pieces_ = request.pieces, seat_ = request.seat;
   if (seat_) seat_->take(wake_);
   piece_ = step_ = acts_before_ = 0;
@@ -84,7 +84,7 @@ const IntentBody* PieceRun::due(std::uint64_t rounds, Instant now) {
   if (!running() || rounds < shows_in_ || !snapshot_.link.connected() || !at_rest()) return nullptr;
   if (now < not_before_ || snapshot_.restarts != restarts_ || doubts_) return nullptr;
   const std::vector<PieceAct>& does = pieces_->all[piece_].does;
-  while (step_ < does.size() && may_begin()) {  // behind the last the next round shows what has come of it
+  while (step_ < does.size() && may_begin()) {  // after the last act the next round shows the outcome
     if (does[step_].what) return &*does[step_].what;
     not_before_ = now + does[step_++].then;
     if (now < not_before_) break;
@@ -94,7 +94,7 @@ const IntentBody* PieceRun::due(std::uint64_t rounds, Instant now) {
 
 bool PieceRun::may_begin() {
   if (!seat_) return step_ > 0 || !snapshot_.pieces.held;
-  if (seen_ < shows_in_) return false;  // the round that was to show it has failed
+  if (seen_ < shows_in_) return false;  // the round that should show it has failed
   seat_->has_done(acts_before_ + step_);
   return seat_->may_begin(acts_before_ + step_);
 }
@@ -133,7 +133,7 @@ void PieceRun::done(std::uint64_t shows_in, Instant now) {
   if (begun_ && pieces_->drawing != 0) snapshot_.pieces.rest_of = 0, snapshot_.pieces.rest_step = 0;
 }
 
-/// As far as the controller reports it; else the piece's first.
+/// The step that the controller reports; else the first of the piece.
 void PieceRun::show_step() {
   const Piece& piece = pieces_->all[piece_];
   const bool threads = catalog_.program.threads > 0;
@@ -186,7 +186,7 @@ void PieceRun::show_others() {
   snapshot_.pieces.rests = seat_->rests();
 }
 
-/// In two rounds: in the first a position may have been read in the moment before all came to rest.
+/// Confirmed by two rounds: in the first a position may have been read just before the axes came to rest.
 std::string PieceRun::end_because(std::string_view what) {
   return std::exchange(doubts_, true) ? end_now(what) : std::string();
 }
@@ -198,7 +198,7 @@ std::string PieceRun::end_now(std::string_view what) {
   return why;
 }
 
-/// The driver has reported why; moves in the buffer would go on, with the tool.
+/// The driver has reported why. Moves left in the buffer would continue, with the tool on.
 bool PieceRun::list_broke_off(const Piece& piece) const {
   const FeedState& list = snapshot_.feed;
   return piece.draws >= 0 && step_ == ix(piece.draws) + 1 && !list.running && list.sent < list.total;
@@ -211,7 +211,7 @@ std::string PieceRun::why_not_whole(const Piece& piece) const {
   return {};
 }
 
-/// Of the latest act, where it was a move: the tool may go on from there.
+/// For the latest act, if it was a move: the tool may be on.
 std::string PieceRun::why_not_done(const Piece& piece) const {
   const auto& what = piece.does[step_ - 1].what;
   const auto* move = what ? std::get_if<intent::MoveTo>(&*what) : nullptr;
@@ -238,7 +238,8 @@ std::string PieceRun::why_not_there(const AxisTarget& end) const {
 
 void PieceRun::end() {
   const bool whole = snapshot_.pieces.done >= snapshot_.pieces.total;
-  const bool begun = begun_ || snapshot_.pieces.done > 0;  // the others may have moved, and this one not
+  const bool begun =
+      begun_ || snapshot_.pieces.done > 0;  // the others may have moved although this one has not
   if (pieces_ && pieces_->drawing != 0 && begun) {
     snapshot_.pieces.rest_of = whole ? 0 : pieces_->drawing;
     snapshot_.pieces.rest_step = whole ? 0 : std::max(snapshot_.pieces.step, pieces_->all[piece_].first_step);

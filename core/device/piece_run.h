@@ -1,5 +1,6 @@
 #pragma once
-// Runs the pieces of a sequence one after the other: which is due, and why none is. Io thread only.
+// Runs the pieces of a sequence one after the other: decides which act is due, and why none is. Io thread
+// only.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -20,7 +21,7 @@ class PieceRun {
   /// Replaces the rest of a running sequence, after its present piece.
   [[nodiscard]] Result<> begin(const intent::RunInPieces& request);
   [[nodiscard]] bool running() const { return pieces_ != nullptr; }
-  /// The pieces are two halves of one move, which a typed command may have changed.
+  /// The pieces are the two halves of one move, which a typed command may have changed.
   [[nodiscard]] bool is_one_move() const { return pieces_ && pieces_->one_move; }
   /// Refuses an intent that would move the start of the next piece, or take its place.
   [[nodiscard]] Result<> allows(const IntentBody& body) const;
@@ -35,12 +36,12 @@ class PieceRun {
   [[nodiscard]] bool others_have_ended() const { return runs_together() && seat_->has_ended(); }
   /// `due` at the present speed override.
   [[nodiscard]] Result<IntentBody> at_speed(const IntentBody& due) const;
-  /// `act` goes out now. The first that may move anything replaces what was left of an earlier drawing.
-  /// Returns whether one had gone out before, see refused().
+  /// `act` is sent now. The first act that may move anything replaces the rest of an earlier drawing. Returns
+  /// whether such an act had been sent before, see refused().
   bool sends(const IntentBody& act);
-  /// It was not taken. `had_begun`: as sends() returned it.
+  /// The act was refused. `had_begun`: as sends() returned it.
   void refused(bool had_begun) { begun_ = had_begun; }
-  /// It was performed; its outcome shows from that status round on.
+  /// The act was performed; its outcome shows from that status round on.
   void done(std::uint64_t shows_in, Instant now);
   /// After a status round: breaks off if a piece did not end as it should, and returns a sentence that says
   /// why; empty: all is well.
@@ -50,7 +51,7 @@ class PieceRun {
   [[nodiscard]] Result<> override_speed(int percent);
   /// Keeps the next piece back.
   void hold(bool on);
-  /// Drops all that is left.
+  /// Drops all remaining pieces.
   void end();
 
  private:
@@ -76,7 +77,7 @@ class PieceRun {
                 seen_ =
                     0;  ///< status rounds: the first that shows the present act; the last that was watched
   Instant not_before_{};
-  bool begun_ = false;          ///< something that may move was sent
+  bool begun_ = false;          ///< an act that may move an axis was sent
   bool doubts_ = false;         ///< a piece may have failed: the next round shows it
   std::uint32_t restarts_ = 0;  ///< restarts of the controller when the run began
 };

@@ -36,7 +36,7 @@ void PieceSeat::leave() {
 }
 
 void PieceSeat::has_done(std::size_t acts) {
-  if (me().done == acts) return;  // it was reported, and wakes nobody twice
+  if (me().done == acts) return;  // already reported: wake no other controller twice
   me().done = acts;
   if (sync_->all_have_done(acts)) sync_->wake_all();
 }

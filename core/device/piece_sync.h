@@ -1,7 +1,7 @@
 #pragma once
 // Keeps controllers on one wire in step while they run their pieces together: an act begins when all have
-// ended the one before and no status round is on the wire, so that no question comes between their commands.
-// A hold holds all, and an end for one is the end for all. Io thread only, except the destructor.
+// ended the act before it and no status round is on the wire, so that no question comes between their
+// commands. A hold holds all of them; if one ends, all end. Io thread only, except the destructor.
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -21,9 +21,10 @@ class PieceSync {
  private:
   friend class PieceSeat;
   struct Member {
-    std::optional<std::size_t> done;  ///< acts done, counted over all pieces; none: it does not take part yet
+    std::optional<std::size_t>
+        done;  ///< acts done, counted over all pieces; none: this controller does not take part yet
     bool held = false;
-    bool ready = false;  ///< ready for the next act: it sends no question until all are
+    bool ready = false;  ///< ready for the next act: sends no question until all are ready
     Event* wake = nullptr;
   };
   void wake_all() const;
@@ -44,16 +45,16 @@ class PieceSeat {
   PieceSeat(const PieceSeat&) = delete;
   PieceSeat& operator=(const PieceSeat&) = delete;
 
-  /// `wake` is notified when the others may have made something due.
+  /// `wake` is notified when the progress of the others may have made an act due.
   void take(Event& wake) { me().wake = &wake; }
   void leave();
   /// This controller has ended that many acts.
   void has_done(std::size_t acts);
-  /// Whether this act (from 0) may begin. False: others are not as far, or not ready, see waits_ready(). To
+  /// Whether this act (from 0) may begin. False: the others are behind, or not ready, see waits_ready(). To
   /// be called only while this controller has nothing on the wire.
   [[nodiscard]] bool may_begin(std::size_t act);
-  /// All have ended the act before, but some have a status round on the wire: this one is woken when they are
-  /// ready, and sends nothing until then.
+  /// All have ended the act before, but some have a status round on the wire: this controller is woken when
+  /// they are ready, and sends nothing until then.
   [[nodiscard]] bool waits_ready() const;
   /// This controller has ended all of its acts.
   void finish() { finished_ = true; }

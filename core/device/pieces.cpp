@@ -22,7 +22,7 @@ namespace {
 
 namespace seq = sequence;  // its names are those of commands too
 
-/// What the steps so far have brought about.
+/// The state that the steps so far leave.
 struct Standing {
   seq::Speeds speeds;
   bool tool_down = false;
@@ -39,7 +39,7 @@ struct Standing {
     } else if (const auto* move = std::get_if<seq::Move>(&step.body)) {
       for (std::size_t a = 0; a < at.size(); ++a) {
         if (!move->to[a]) continue;
-        at[a] = move->relative ? std::nullopt : move->to[a];  // each distance is rounded by itself
+        at[a] = move->relative ? std::nullopt : move->to[a];  // each distance is rounded separately
       }
     } else if (const auto* arc = std::get_if<seq::Arc>(&step.body)) {
       behind_arc(*arc);
@@ -68,7 +68,7 @@ struct Standing {
   }
 };
 
-/// The steps at that share of their speeds, as near to it as the controller goes.
+/// Scales the speeds of the steps, as far as the controller's bounds allow.
 class Faster {
  public:
   Faster(const seq::Sequence& sequence, const Catalog& catalog, int percent) : share_(percent / 100.0) {
@@ -94,11 +94,11 @@ class Faster {
       if (!body.own) return;
       const double before = body.own->high;
       change(*body.own);
-      if constexpr (requires { body.lead_in; })  // its ramp takes as long as before
+      if constexpr (requires { body.lead_in; })  // the ramp takes as long as before
         if (before != 0) body.lead_in *= body.own->high / before;
     }
   }
-  /// One that is beyond the bounds already stays there: whether it can be is the writer's to say.
+  /// A speed beyond the bounds stays there: the writer decides whether it is possible.
   [[nodiscard]] double share_of(double speed) const {
     return std::clamp(speed * share_, std::min(least_, speed), std::max(most_, speed));
   }
@@ -111,7 +111,7 @@ class Faster {
   double share_, least_ = 0, most_ = std::numeric_limits<double>::infinity();
 };
 
-/// What it is asked again while the pieces are under way (text_at) changes nothing in it.
+/// text_at() may be called while the pieces run: it changes nothing here.
 class Cutter {
  public:
   Cutter(const Language& language, const seq::Sequence& sequence, const Catalog& catalog)
@@ -126,7 +126,7 @@ class Cutter {
   }
 
   Result<Pieces> run(std::size_t from) {
-    // All of it, so that a fault names the step that the user sees.
+    // Writes the whole sequence, so that a fault names the step that the user sees.
     if (auto whole = language_.write(sequence_, catalog_); !whole) return fail(whole.error());
     for (std::size_t begin = last_tool_up(sequence_.steps, from); begin < size();) {
       const auto end = end_of_piece(begin);
@@ -193,8 +193,7 @@ class Cutter {
              return output && output->on;
            });
   }
-  /// Behind the first chain: text that is fed on and on could be held nowhere else. None: no chain ends by
-  /// `last`.
+  /// The end of the first chain: text fed continuously can be held only there. None: no chain ends by `last`.
   [[nodiscard]] std::optional<std::size_t> end_of_chain(std::size_t begin, std::size_t last) const {
     for (std::size_t end = begin + 1; end <= last; ++end)
       if (!before_[end].tool_down &&
@@ -203,7 +202,7 @@ class Cutter {
     return std::nullopt;
   }
 
-  /// As far as fits; back to where the tool is up, if it is so anywhere in between.
+  /// As many steps as fit, back to the last with the tool up, if there is one.
   Result<std::size_t> end_of_piece(std::size_t begin) {
     const bool is_fed = catalog_.program.capacity == 0;
     const std::size_t last = is_fed ? std::min(size(), begin + longest_fed) : size();
@@ -237,7 +236,7 @@ class Cutter {
     put(made.ends_at, before_[end].at);
     pieces_.all.push_back(std::move(made));
   }
-  /// Those that are known.
+  /// Adds the known places.
   void put(std::vector<AxisTarget>& into, const seq::Places& places) const {
     for (std::size_t a = 0; a < sequence_.axes.size(); ++a)
       if (const int axis = catalog_.find_axis(sequence_.axes[a].name); places[a] && axis >= 0)
@@ -262,7 +261,7 @@ class Cutter {
     }
   }
 
-  /// Counted through, as the text has it, back to places in the whole list.
+  /// Converts the count of steps in the text to indexes in the whole list.
   [[nodiscard]] std::vector<int> steps_of_commands(const SequenceText& text, std::size_t begin,
                                                    std::size_t end) const {
     const seq::Sequence p = piece(begin, end);
@@ -286,18 +285,18 @@ class Cutter {
     }
     return steps;
   }
-  /// So many steps of piece() stand before those of the sequence.
+  /// Number of steps of piece() before those of the sequence.
   [[nodiscard]] std::size_t lead_in(std::size_t begin) const {
     if (begin == 0) return 0;
     const Standing& standing = before_[begin];
     return 1u + (standing.speeds != seq::Speeds()) + (standing.knows_place() ? 2u : 0u) + standing.tool_down;
   }
 
-  static constexpr std::size_t longest_fed = 250;  ///< steps: as far as a stop throws it back
+  static constexpr std::size_t longest_fed = 250;  ///< steps: a stop loses at most these
   const Language& language_;
   const seq::Sequence sequence_;
   const Catalog catalog_;
-  std::vector<Standing> before_;  ///< each step, and behind the last
+  std::vector<Standing> before_;  ///< before each step, and after the last
   seq::Sequence frame_;           ///< without steps
   std::size_t latest_size_ = 0;
   Pieces pieces_;

@@ -20,14 +20,14 @@ class Language;
 struct Snapshot;
 
 struct PieceAct {
-  std::optional<IntentBody> what;  ///< none: only other controllers have something to do, see PieceSync
+  std::optional<IntentBody> what;  ///< none: only other controllers act, see PieceSync
   Duration then{};                 ///< pause after it
 };
 
 struct Piece {
   std::vector<PieceAct> does;       ///< in this order, each when the controller is at rest
   std::vector<AxisTarget> ends_at;  ///< as far as known
-  /// If a program draws it: the least and the greatest known place of each axis, arcs included.
+  /// If a program draws the piece: the least and the greatest known place of each axis, arcs included.
   std::vector<AxisTarget> reaches;
   int first_step = 0;  ///< index of its first step in the sequence's list
   int end_step = 0;    ///< one past its last step, if a program draws it
@@ -51,7 +51,7 @@ struct Pieces {
   ToolOff tool;                      ///< the tool that the acts switch; a program's text names its own
   std::string remark;                ///< to be shown before the run; may be empty
   bool one_move = false;             ///< the two halves of one move
-  std::uint64_t drawing = 0;  ///< a number of one's own: the rest can be drawn after a stop; 0: it cannot
+  std::uint64_t drawing = 0;  ///< a number of its own: the rest can be drawn after a stop; 0: it cannot
   /// The program of a piece at a share of its speeds, as near as the controller can. Null: no step names a
   /// speed, or the moves go through the controller's buffer.
   std::function<Result<std::string>(const Piece& piece, int percent)> text_at;
@@ -62,7 +62,7 @@ Result<Pieces> cut_by_text(const Language& language, const sequence::Sequence& s
                            const Catalog& catalog, int from_step);
 /// A bit per axis whose loop is closed but must be open.
 [[nodiscard]] std::uint32_t loops_in_the_way(const Pieces& pieces, const Snapshot& now);
-/// A sentence that says so; empty: no loop is in the way.
+/// The reason as a sentence; empty: no loop is in the way.
 [[nodiscard]] std::string why_not_begun(const Pieces& pieces, const Catalog& catalog, const Snapshot& now);
 /// The fault says why the sequence cannot begin at that step.
 Result<> has_step(const sequence::Sequence& sequence, int step);

@@ -26,7 +26,7 @@ class TogetherWriter final : public ActWriter {
     if (auto written = write_all(); !written) return fail(written.error());
     if (parts_.front().all.empty())
       return fail(FaultKind::text, "It has no step that can be carried out.", "Nothing was written.");
-    // The output that switches it is the first one's.
+    // The output that switches the tool belongs to the first controller.
     parts_.front().tool = tool_off_of(draft_.sequence, static_cast<int>(draft_.catalog.outputs.size()));
     for (Pieces& part : parts_)
       part.remark =
@@ -51,7 +51,7 @@ class TogetherWriter final : public ActWriter {
     }
     return {};
   }
-  /// Each as fast as it has to be for all to come there together.
+  /// Chooses the speed of each axis so that all arrive together.
   Result<> go(const seq::OwnSpeeds& own) override {
     std::vector<std::optional<IntentBody>> acts(parts_.size());
     const double length = length_of_way();
@@ -73,7 +73,7 @@ class TogetherWriter final : public ActWriter {
   }
   void act(IntentBody what) override { add_one(0, std::move(what)); }
   Result<> pause(Duration time) override {
-    add(std::vector<std::optional<IntentBody>>(parts_.size()));  // behind what any of them has done
+    add(std::vector<std::optional<IntentBody>>(parts_.size()));  // after the acts of all of them
     open_.front().does.back().then = time;
     return {};
   }
@@ -118,15 +118,15 @@ class TogetherWriter final : public ActWriter {
 
   std::vector<Pieces> parts_;                       ///< of each member
   std::vector<Piece> open_;                         ///< the piece of each that is being written
-  std::vector<std::optional<std::int64_t>> stood_;  ///< each, behind the acts so far
+  std::vector<std::optional<std::int64_t>> stood_;  ///< place of each axis after the acts so far
 };
 
-/// One of those who do it, while it is timed.
+/// One member, while its acts are timed.
 class Timed {
  public:
   explicit Timed(const Catalog& catalog)
       : low_(fallback(catalog, low_speed_param)), ramp_ms_(fallback(catalog, ramp_param)) {}
-  /// None: nobody knows.
+  /// None: not known.
   std::optional<double> seconds(const IntentBody& what) {
     if (const auto* set = std::get_if<intent::SetParam>(&what)) {
       if (set->mnemonic == low_speed_param) low_ = set->value;
@@ -187,7 +187,7 @@ std::optional<Catalog> catalog_together(std::span<const Catalog* const> members)
     bus.axes.push_back(member->axes.front());
     bus.axes.back().name = member->id();
   }
-  bus.can.interpolates = true;  // by speeds that let all come to the end of a line together
+  bus.can.interpolates = true;  // by speeds that let all reach the end of a line together
   return bus;
 }
 

@@ -1,5 +1,4 @@
-// Connecting, polling and what is lost. What is reported: pump_reports.cpp. What is asked of the controller:
-// pump_intents.cpp.
+// Connecting, polling, and the loss of the connection. Reports: pump_reports.cpp. Commands: pump_intents.cpp.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -10,18 +9,11 @@
 namespace hw {
 namespace {
 
-constexpr Duration longest_clearing = std::chrono::seconds(8);  // the longest ramp, and a little
-constexpr int times_blind = 3;  // a stop goes out to a controller that has not been seen
-constexpr Duration others_take = std::chrono::seconds(1);  // to end the round that they are in
+constexpr Duration longest_clearing = std::chrono::seconds(8);  // the longest ramp, with a margin
+constexpr int times_blind = 3;  // sends of a stop to a controller that has never answered
+constexpr Duration others_take =
+    std::chrono::seconds(1);  // for the other controllers to end their present round
 constexpr Duration longest_end_of_a_command = std::chrono::seconds(1), longest_last_look = Millis(500);
-
-/// It moves nothing and sets no count.
-bool only_looks(const Job& job) {
-  const IntentBody& body = job.intent.body;
-  return job.meaning.only_asks || std::holds_alternative<intent::ReadParams>(body) ||
-         std::holds_alternative<intent::ReadAnalog>(body) || std::holds_alternative<intent::Watch>(body) ||
-         std::holds_alternative<intent::SetOutput>(body);
-}
 
 }  // namespace
 
@@ -32,7 +24,7 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
       tool_(catalog),
       jogs_(scheduler, [this] { jog_let_go(); }),
       pieces_(catalog, snapshot_, wake_),
-      endings_(catalog, callbacks_.ended),
+      endings_(catalog, callbacks_.ended, [this](int slot) { return loaded_.ways_of(slot); }),
       counts_(catalog),
       loaded_(catalog, type.language ? &type.language() : nullptr),
       wake_(scheduler),
@@ -42,7 +34,7 @@ Pump::Pump(Scheduler& scheduler, const DeviceType& type, const Catalog& catalog,
         if (!station_) return;
         const bool silent = station_->received_at() < outage_.attempt_at();
         if (!silent && !outage_.takes_too_long(scheduler_.now())) return silence_.arm(outage_.latest());
-        pump_log().debug("{}: nothing comes while a stop is owed; connecting begins anew", Whose{catalog_});
+        pump_log().debug("{}: no reply while a stop is pending; connecting starts again", LogName{catalog_});
         station_->preempt();
       }) {
   snapshot_.axis_count = static_cast<int>(catalog.axes.size());
@@ -64,21 +56,21 @@ Pump::~Pump() {
 }
 
 void Pump::start() {
-  life_ = Life::runs;
+  lifecycle_ = Lifecycle::runs;
   asio::co_spawn(scheduler_.executor(), live(), asio::detached);
 }
 
 Task<> Pump::shut_down() {
   if (!runs()) co_return;
-  life_ = Life::leaves;
-  pump_log().debug("{}: is closed", Whose{catalog_});
+  lifecycle_ = Lifecycle::leaves;
+  pump_log().debug("{}: is closed", LogName{catalog_});
   refuse_queued("The controller was closed. Nothing was sent.");
   if (jogs_.any()) post_stop(StopOrder());
   co_await let_end();
   for (std::string left : {driver_->leaves_behind(), describe_torn_is_left(catalog_, snapshot_)})
-    if (!left.empty())  // a lost link takes nothing away
+    if (!left.empty())  // what the controller keeps stays there while the link is lost
       callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), std::move(left)));
-  life_ = Life::closes;
+  lifecycle_ = Lifecycle::closes;
   if (callbacks_.line) callbacks_.line->leave(*this);
   if (station_) station_->close(Fault(FaultKind::lost, "The controller was closed."));
   wake_.notify();
@@ -91,9 +83,9 @@ Task<> Pump::shut_down() {
   while (asking_ > 0) co_await ended_.wait();
 }
 
-// What is on its way is let to its end, if that is near. A stop that was asked for a moment ago may still
-// wait for the answer to a question, or for a wire that is out; one that is typed behind the closing finds
-// the wire until what runs, or has just been begun, has been looked at once more.
+// Lets commands under way end, if that is near. A stop requested a moment ago may still wait for the answer
+// to a question, or for a lost wire. A stop that is requested while closing can still be sent until the last
+// status round has shown what runs.
 Task<> Pump::let_end() {
   const Instant began = scheduler_.now(), given_up = began + longest_clearing;
   const Instant cut_off = began + longest_end_of_a_command;
@@ -101,8 +93,7 @@ Task<> Pump::let_end() {
     co_await published_.wait_until(cut_off);
   const bool may_run = something_runs() || rounds_.often();
   const std::uint64_t last_look = may_run && !jobs_.performs() ? want_round() : 0;
-  const Instant looked_by =
-      scheduler_.now() + longest_last_look;  // whoever opens it again waits for the port
+  const Instant looked_by = scheduler_.now() + longest_last_look;  // the next opener waits for the port
   for (;;) {
     const Instant now = scheduler_.now();
     const bool has_wire = station_ && station_->is_open();
@@ -140,7 +131,7 @@ Task<> Pump::live() {
   snapshot_.link.state = LinkState::closed;
   station_.reset();
   publish();
-  life_ = Life::over;
+  lifecycle_ = Lifecycle::over;
   ended_.notify();
 }
 
@@ -148,7 +139,7 @@ Task<bool> Pump::open_and_connect() {
   snapshot_.link.state = LinkState::connecting;
   snapshot_.link.attempts = outage_.try_again(scheduler_.now());
   publish();
-  const Station::Manner manner = station_ ? station_->manner() : Station::Manner();
+  const Station::ReplyState reply_state = station_ ? station_->reply_state() : Station::ReplyState();
   station_.reset();
   auto opened = co_await callbacks_.open_wire();
   if (closes()) co_return false;
@@ -158,7 +149,7 @@ Task<bool> Pump::open_and_connect() {
   }
   station_ = std::make_unique<Station>(std::move(*opened), callbacks_.traffic);
   station_->address = catalog_.address;
-  station_->take_over(manner);
+  station_->take_over(reply_state);
   station_->recorded = callbacks_.recorded;
   station_->stops = [this] { return desk_.uses_the_wire(); };
   station_->closed = [this](const Fault& why) {
@@ -169,15 +160,16 @@ Task<bool> Pump::open_and_connect() {
   co_return co_await connect();
 }
 
-/// After a lost wire, or in a controller that has answered and whose state is not known yet.
+/// True after a lost wire, or if the controller has answered and its state is not known yet.
 bool Pump::something_may_run() const { return outage_.may_run() || (station_ && station_->has_received()); }
 
-/// A few times where no controller has ever answered: there may be none.
+/// A few times if no controller has ever answered: there may be none.
 bool Pump::stop_goes_out_again() const {
   return desk_.any() && (something_may_run() || !desk_.all_were_sent(times_blind));
 }
 
-// What is owed goes out before anything else that connecting needs, and again as long as nothing comes back.
+// Pending stops are sent before anything else that connecting needs, and again as long as nothing is
+// received.
 Task<bool> Pump::connect() {
   for (;;) {
     outage_.tried_at(scheduler_.now());
@@ -192,7 +184,7 @@ Task<bool> Pump::connect() {
     auto made = co_await guarded("connection", driver_->connect());
     silence_.disarm();
     if (closes() || !station_->is_open()) co_return false;
-    if (station_->preempted()) {  // by a stop, or because nothing comes
+    if (station_->preempted()) {  // by a stop, or because nothing is received
       const bool was_silent = scheduler_.now() - outage_.attempt_at() >= retry_with_a_stop;
       if (!desk_.due() && was_silent) nothing_comes_back();
       continue;
@@ -205,13 +197,13 @@ Task<bool> Pump::connect() {
   co_return true;
 }
 
-/// To a stop, and to every question after it. Where no controller has answered yet, the end of an attempt
-/// reports why.
+/// No reply to a stop, nor to any question after it. If no controller has answered yet, the end of the
+/// attempt reports the reason.
 void Pump::nothing_comes_back() {
   desk_.send_all_again();
   if (!something_may_run()) return;
   snapshot_.link.state = LinkState::lost;
-  if (rounds_.ended() > 0)  // else it says already why nobody has answered yet
+  if (rounds_.ended() > 0)  // else the sentence already says why there is no answer yet
     snapshot_.link.sentence =
         "Stop was sent, but the controller does not answer. The stop is sent again until it does.";
   stops_did_not_arrive();
@@ -220,17 +212,17 @@ void Pump::nothing_comes_back() {
 }
 
 void Pump::connection_made() {
-  if (outage_.end(snapshot_))  // what runs now is somebody else's
+  if (outage_.end(snapshot_))  // a run seen now was started by another host
     desk_.orders().remove_if(
         [](const StopOrder& order) { return order.reported && order.what != StopOrder::What::tool; });
-  pump_log().debug("{}: connected at attempt {}", Whose{catalog_}, snapshot_.link.attempts);
+  pump_log().debug("{}: connected at attempt {}", LogName{catalog_}, snapshot_.link.attempts);
   snapshot_.link.state = LinkState::good;
   snapshot_.link.when_lost = UnderWay();
   snapshot_.link.attempts = 0;
   snapshot_.link.misses_in_a_row = 0;
   snapshot_.link.sentence.clear();
   rounds_.look_often(scheduler_.now());
-  for (StopOrder& order : desk_.orders())  // what was typed may have gone into a wire that carried nothing
+  for (StopOrder& order : desk_.orders())  // a typed text may have been sent on a dead wire
     if (order.what == StopOrder::What::words) order.what = StopOrder::What::everything;
   const auto& stops = desk_.orders();
   if (something_runs() &&
@@ -249,7 +241,7 @@ Task<> Pump::wait_for_retry() {
   };
   snapshot_.link.next_attempt = next();
   if (!outage_.hurries())
-    pump_log().debug("{}: the next attempt to connect is in {:.1f} s", Whose{catalog_},
+    pump_log().debug("{}: the next attempt to connect is in {:.1f} s", LogName{catalog_},
                      seconds(snapshot_.link.next_attempt - scheduler_.now()));
   publish();
   while (!closes() && !outage_.hurries() && scheduler_.now() < snapshot_.link.next_attempt) {
@@ -262,8 +254,8 @@ void Pump::lose_wire(const Fault& why) {
   Outage::Loss loss;
   loss.at_work = something_runs() || jogs_.any();
   loss.on_the_way = jobs_.performs();
-  const bool not_seen_yet = rounds_.often();  // what was sent a moment ago may have begun something
-  // Of one that nobody has ever seen nothing is known, so that a stop stays owed.
+  const bool not_seen_yet = rounds_.often();  // a command sent a moment ago may have started a motion
+  // The state of a controller that has never answered is unknown, so a stop stays pending.
   const bool never_seen = rounds_.ended() == 0;
   loss.may_run =
       never_seen || not_seen_yet || loss.at_work || loss.on_the_way || (connected() && desk_.any());
@@ -273,14 +265,14 @@ void Pump::lose_wire(const Fault& why) {
   }
   snapshot_.link.state = LinkState::lost;
   snapshot_.link.sentence = why.sentence();
-  pump_log().debug("{}: lost: {}", Whose{catalog_}, snapshot_.link.sentence.view());
-  if (will_->may_be_carried_out())  // the wire may be back before anybody has read why it was given up
+  pump_log().debug("{}: lost: {}", LogName{catalog_}, snapshot_.link.sentence.view());
+  if (will_->may_be_carried_out())  // the wire may be back before the user has read why it was given up
     callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(), why.sentence()));
   const bool together = pieces_.runs_together();
   pieces_.end();
   keep_stops_at_loss(why, together);
   jogs_.stop(-1);
-  loaded_.forget();  // unseen, it may be switched off, or given other programs
+  loaded_.forget();  // meanwhile it may be switched off, or loaded with other programs
   if (station_) station_->give_up(why);
   driver_->wire_lost();
   publish();
@@ -290,16 +282,21 @@ Task<> Pump::serve() {
   while (!closes() && station_->is_open()) {
     station_->begin_procedure();
     if (StopOrder* stop = desk_.due()) {
-      if (stop->what == StopOrder::What::words) counts_.disturbed();  // they may say more than the stop
+      const bool words = stop->what == StopOrder::What::words;  // the text may do more than stop
+      if (words) disturbed();
       co_await send_stop(*stop);
+      if (words) endings_.disturbed();
       rounds_.due_at(scheduler_.now() + driver_->moving_period());
     } else if (!desk_.any() && !jobs_.empty() && !tool_is_seen_first()) {
-      if (!only_looks(jobs_.next())) counts_.disturbed();
+      const bool disturbs = !only_looks(jobs_.next()), program = only_handles_programs(jobs_.next());
+      if (disturbs) counts_.disturbed();
+      if (disturbs && !program) endings_.disturbed();
       co_await perform_next();
+      if (disturbs && !program) endings_.disturbed();  // it may have been read before the command acted
       rounds_.look_often(scheduler_.now());
     } else if (const IntentBody* piece = pieces_.due(rounds_.ended(), scheduler_.now());
                piece && !desk_.any() && !leaves()) {
-      counts_.disturbed();
+      disturbed();
       co_await perform_piece(*piece);
       rounds_.look_often(scheduler_.now());
     } else if (pieces_.waits_for_others() && !desk_.any() && jobs_.empty() && !leaves() &&
@@ -313,12 +310,12 @@ Task<> Pump::serve() {
   }
 }
 
-// Nothing but the stop uses the wire of its controller until it stands; somebody who waits for news gets them
-// in between once it has been confirmed.
+// Only the stop uses the wire of its controller until everything stands. A caller that waits for a round gets
+// one in between once the stop has been confirmed.
 Round Pump::next_round() const {
   const auto& stops = desk_.orders();
   const bool confirmed = std::all_of(stops.begin(), stops.end(), [](const auto& o) { return o.confirmed; });
-  const bool prompt = stops.empty() || !station_->is_dirty();  // else its questions take seconds
+  const bool prompt = stops.empty() || !station_->is_dirty();  // else the questions take seconds
   if (rounds_.one_is_wanted() && confirmed && prompt) return Round::everything;
   return stops.empty() ? Round::usual : desk_.only_tool() ? Round::everything : Round::stopping;
 }
@@ -328,8 +325,8 @@ Task<> Pump::run_round() {
   if (round != Round::stopping) rounds_.begin();
   auto polled = co_await driver_->poll(round);
   if (!station_->is_open()) co_return;  // lose_wire() has reported everything
-  if (station_->preempted()) {          // a stop has cut it short: it is no round
-    pump_log().debug("{}: a stop has cut a status round short", Whose{catalog_});
+  if (station_->preempted()) {          // cut short by a stop: it does not count as a round
+    pump_log().debug("{}: a stop has cut a status round short", LogName{catalog_});
     if (round != Round::stopping) rounds_.cut();
     co_return;
   }
@@ -338,18 +335,20 @@ Task<> Pump::run_round() {
   if (!polled || !station_->is_open()) co_return;
   if (round != Round::stopping) watch_counts();
   watch_tool();
-  // This one would drive on to the end of its line, alone. A pending stop of all axes does it already.
+  // Without a stop this controller would drive on alone to the end of its line. A pending stop of all axes
+  // suffices.
   if (pieces_.others_have_ended() && snapshot_.any_axis_moving() && !desk_.stops_all()) {
-    pump_log().debug("{}: another controller of the drawing has ended: this one is stopped", Whose{catalog_});
+    pump_log().debug("{}: another controller of the drawing has ended: this one is stopped",
+                     LogName{catalog_});
     StopOrder order;
-    order.by = StoppedBy::nobody;  // on this controller
+    order.by = StoppedBy::unknown;  // on this controller
     post_stop(std::move(order));
   }
   const bool cuts = snapshot_.pieces.draws;
   if (std::string why = pieces_.watch(rounds_.ended()); !why.empty()) pieces_end(std::move(why), cuts);
 }
 
-bool Pump::nobody_answers() const {
+bool Pump::is_silent() const {
   return station_->is_open() && station_->statistics().misses_in_a_row >= misses_until_lost;
 }
 
@@ -369,14 +368,15 @@ void Pump::poll_finished(const Result<>& result) {
   health.unparsed_bytes = s.unparsed_bytes;
   health.misses_in_a_row = static_cast<std::uint32_t>(s.misses_in_a_row);
   if (!result && result.error().kind == FaultKind::lost) return lose_wire(result.error());
-  if (nobody_answers()) return lose_wire(not_answering());
+  if (is_silent()) return lose_wire(not_answering());
   if (s.misses_in_a_row >= misses_until_a_jog_ends) stop_jogs_out_of_sight();
   forget_jogs_that_ended();
   if (result)
     look_at_stops();
   else
-    desk_.send_all_again();  // nothing shows that they have arrived
-  if (!result) driver_log(catalog_).debug("{}: round failed: {}", Whose{catalog_}, result.error().sentence());
+    desk_.send_all_again();  // no reply shows that they have arrived
+  if (!result)
+    driver_log(catalog_).debug("{}: round failed: {}", LogName{catalog_}, result.error().sentence());
   if (result) report_loss();
   const bool understood =
       result || (result.error().kind != FaultKind::garbled && result.error().kind != FaultKind::refused);

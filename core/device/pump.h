@@ -34,7 +34,7 @@ class Pump {
     std::function<void(Notice)> notify;
     TrafficRing* traffic = nullptr;
     std::function<void(const AxisSample&)> sample = nullptr;
-    /// The other controllers on its wire; null: the wire is not shared.
+    /// The controllers on the wire; null: the wire is not shared.
     std::shared_ptr<Line> line = nullptr;
     /// An entry that is not a poll was added to `traffic`.
     std::function<void()> recorded = nullptr;
@@ -92,7 +92,7 @@ class Pump {
  private:
   class Asking;
   /// The states of the pump, in this order.
-  enum class Life : std::uint8_t {
+  enum class Lifecycle : std::uint8_t {
     made,
     runs,
     leaves,  ///< shut_down() has begun: stops only
@@ -110,10 +110,11 @@ class Pump {
   [[nodiscard]] Round next_round() const;
   void report_loss();
   void watch_counts();
+  void disturbed();
   Task<> wait_for_retry();
   void poll_finished(const Result<>& result);
   void nothing_comes_back();
-  [[nodiscard]] bool nobody_answers() const;
+  [[nodiscard]] bool is_silent() const;
   [[nodiscard]] Fault not_answering() const;
   void connection_made();
   void lose_wire(const Fault& why);
@@ -123,9 +124,9 @@ class Pump {
   [[nodiscard]] bool something_runs() const;
   void publish();
   void warn_of(const std::optional<PastTravel>& past);
-  [[nodiscard]] bool runs() const { return life_ > Life::made && life_ < Life::over; }
-  [[nodiscard]] bool leaves() const { return life_ >= Life::leaves; }
-  [[nodiscard]] bool closes() const { return life_ >= Life::closes; }
+  [[nodiscard]] bool runs() const { return lifecycle_ > Lifecycle::made && lifecycle_ < Lifecycle::over; }
+  [[nodiscard]] bool leaves() const { return lifecycle_ >= Lifecycle::leaves; }
+  [[nodiscard]] bool closes() const { return lifecycle_ >= Lifecycle::closes; }
   void set_outcome(IntentId id, IntentState outcome, std::string_view sentence = {});
   void set_outcome(const IntentOutcome& report);
   void report_fault(IntentId id, const Fault& fault, IntentOutcome report = {});
@@ -161,8 +162,10 @@ class Pump {
   void report_hold_behind_piece();
   void pieces_end(std::string why, bool cuts);
   void words_come_between(const TextMeaning& words);
-  void words_were_sent(const Job& job, const Result<>& performed, const std::optional<PastTravel>& past);
-  [[nodiscard]] std::optional<PastTravel> past_travel_of_words(const Job& job) const;
+  bool words_were_sent(const Job& job, const Result<>& performed, const std::optional<PastTravel>& past);
+  void broadcast_was_sent(bool sent);
+  [[nodiscard]] std::optional<PastTravel> past_travel_of_words(const Job& job);
+  [[nodiscard]] std::optional<PastTravel> past_travel_of_text(const std::string& text);
   Result<> trust_position(AxisId axis);
   void recall_positions(const std::vector<KeptPosition>& kept);
   void set_travel(IntentId id, const intent::SetTravel& request);
@@ -200,6 +203,7 @@ class Pump {
   Outage outage_;
   EndingWatch endings_;
   TravelWatch travel_;
+  std::optional<PastTravel> past_by_broadcast_;  ///< of a text that another session sends to all now
   CountWatch counts_;
   LoadedTexts loaded_;
   std::unique_ptr<Driver> driver_;
@@ -207,8 +211,8 @@ class Pump {
   std::unique_ptr<JogWill> will_;
   Event wake_, published_, ended_;
   Timer silence_;   ///< repeats an unconfirmed stop to a silent controller
-  int asking_ = 0;  ///< coroutines that wait for an answer from this pump
-  Life life_ = Life::made;
+  int asking_ = 0;  ///< number of coroutines that wait for an answer from this pump
+  Lifecycle lifecycle_ = Lifecycle::made;
 };
 
 }  // namespace hw

@@ -1,9 +1,10 @@
-// What is asked of an open controller: commands and questions in their order. Jogs: pump_jogs.cpp. Raw texts
-// with a reply: pump_queries.cpp. Stops: pump_stops.cpp.
+// Commands and questions to an open controller, in their order. Jogs: pump_jogs.cpp. Raw texts with a reply:
+// pump_queries.cpp. Stops: pump_stops.cpp.
 #include <algorithm>
 
 #include <fmt/core.h>
 
+#include "core/device/axis_check.h"
 #include "core/device/backlash_moves.h"
 #include "core/device/homing.h"
 #include "core/device/pump_job.h"
@@ -12,14 +13,14 @@
 namespace hw {
 namespace {
 
-/// What is usually asked for in order to start a program next.
+/// Intents that usually precede the start of a program.
 bool leads_to_a_start(const IntentBody& body) {
   return std::holds_alternative<intent::LoadProgram>(body) ||
          std::holds_alternative<intent::UploadProgram>(body);
 }
 
-/// Meant for the controller as it was when it was asked.
-bool says_where_it_stands(const IntentBody& body) {
+/// Intents about a position: valid only for the controller as it was when the user sent them.
+bool states_position(const IntentBody& body) {
   return std::holds_alternative<intent::SetPosition>(body) ||
          std::holds_alternative<intent::SetEncoder>(body) ||
          std::holds_alternative<intent::TrustPosition>(body) ||
@@ -39,7 +40,7 @@ void Pump::post(Intent intent) {
   }
   const bool lets_go = std::holds_alternative<intent::JogStop>(intent.body);
   if (lets_go && (!jogs_.any_guarded() || (withdraw_waiting_jog() && !jogs_.any_guarded()))) {
-    // Released twice, a jog that was refused, or one whose turn had not come.
+    // The jog was released twice, was refused, or had not begun.
     set_outcome(intent.id, IntentState::done);
     return publish();
   }
@@ -68,21 +69,21 @@ void Pump::post(Intent intent) {
   enqueue(std::make_unique<Job>(std::move(intent)));
 }
 
-// On a wire of several a text goes to the session whose device it names, and waits for its turn there.
+// On a shared wire a text goes to the session of the device that it names, and waits for its turn there.
 void Pump::post_text(Intent intent) {
   const auto& text = std::get<intent::SendText>(intent.body);
   const TextMeaning meaning = driver_->meaning_of(text);
   set_outcome(intent.id, IntentState::pending);
-  if (meaning.whom == TextMeaning::For::another && callbacks_.line) {
+  if (meaning.addressee == TextMeaning::For::another && callbacks_.line) {
     if (Pump* other = callbacks_.line->at(meaning.address)) {
-      pump_log().debug("{}: \"{}\" is for device {:02} and goes by its session", Whose{catalog_},
+      pump_log().debug("{}: \"{}\" is for device {:02}: passed to its session", LogName{catalog_},
                        log::Bytes{text.text}, meaning.address);
       asio::co_spawn(scheduler_.executor(), pass_on(std::move(intent), *other), asio::detached);
       return;
     }
   }
   if (meaning.is_stop()) {
-    if (meaning.whom == TextMeaning::For::everybody && callbacks_.line)
+    if (meaning.addressee == TextMeaning::For::all && callbacks_.line)
       callbacks_.line->for_each_but(*this, [&](Pump& other) { other.note_broadcast(text.text, meaning); });
     StopOrder order;
     order.what = StopOrder::What::words;
@@ -106,7 +107,7 @@ void Pump::post_text(Intent intent) {
   enqueue(std::move(job));
 }
 
-/// To the session of the device that it names; what that answers is shown where it was typed.
+/// Passes a text to the session of the device that it names; the answer is shown where the text was typed.
 Task<> Pump::pass_on(Intent intent, Pump& other) {
   constexpr Duration usual_patience = Millis(200);
   const Asking asking(*this);
@@ -144,7 +145,7 @@ void Pump::enqueue(std::unique_ptr<Job> job) {
 
 void Pump::refuse_queued(std::string_view why) {
   if (jobs_.empty()) return;
-  pump_log().debug("{}: all that waits is dropped: {}", Whose{catalog_}, why);
+  pump_log().debug("{}: the waiting commands are dropped: {}", LogName{catalog_}, why);
   for (auto& job : jobs_.take_all()) refuse(std::move(job), why);
   publish();
 }
@@ -175,8 +176,8 @@ void Pump::count_program_change(const Intent& intent) {
 }
 
 Result<> Pump::trust_position(AxisId axis) {
-  if (axis.index >= catalog_.axes.size())
-    return fail(FaultKind::refused, fmt::format("There is no axis {}.", axis.index + 1));
+  if (axis.index >= catalog_.axes.size())  // nothing would be sent anyway
+    return fail(FaultKind::refused, describe_no_axis(axis.index));
   AxisState& state = snapshot_.axes[axis.index];
   if (!state.position_known)
     return fail(FaultKind::refused,
@@ -192,16 +193,15 @@ void Pump::recall_positions(const std::vector<KeptPosition>& kept) {
     AxisState& axis = snapshot_.axes[i];
     const bool nothing_better = axis.trust == PositionTrust();
     if (!axis.position_known || !nothing_better) {
-      pump_log().debug(
-          "{}: the kept position of axis {} is not used: {}", Whose{catalog_}, i + 1,
-          axis.position_known ? "its count is known to be better" : "it does not tell its count");
+      pump_log().debug("{}: the kept position of axis {} is not used: {}", LogName{catalog_}, i + 1,
+                       axis.position_known ? "a better count is known" : "its count is not known");
       continue;
     }
     axis.trust = recalled(kept[i], axis.commanded(), scheduler_.now());
   }
 }
 
-/// At once, also without a connection: what waits goes by it.
+/// At once, also without a connection: waiting commands are checked against the new limits.
 void Pump::set_travel(IntentId id, const intent::SetTravel& request) {
   const std::string why_not =
       describe_no_travel(catalog_, request, words_in_steps(catalog_, snapshot_).position);
@@ -217,7 +217,7 @@ void Pump::set_backlash(IntentId id, const intent::SetBacklash& request) {
   publish();
 }
 
-/// The place from where it is taken up has to lie within the travel too.
+/// The place from which backlash is taken up must lie within the limits too.
 Result<> Pump::take_up_backlash(IntentBody& body, IntentOutcome& report) const {
   auto in_two = with_backlash_taken_up(snapshot_, body);
   if (!in_two) return {};
@@ -227,18 +227,18 @@ Result<> Pump::take_up_backlash(IntentBody& body, IntentOutcome& report) const {
     return fail(FaultKind::refused,
                 describe_past(catalog_, *report.past, words_in_steps(catalog_, snapshot_).position));
   }
-  pump_log().debug("{}: command {}: the move is made in two parts, to take up backlash", Whose{catalog_},
+  pump_log().debug("{}: command {}: the move is made in two parts, to take up backlash", LogName{catalog_},
                    report.id);
   body = std::move(*in_two);
   return {};
 }
 
-/// What no driver is asked for is refused here, see refusals.h and travel_check.h; a jog gets its end.
-/// `report`: what a sentence in other units needs.
+/// Refuses intents before the driver is asked, see refusals.h and travel_check.h, and bounds jogs by the
+/// limits. `report` receives the values for a sentence in other units.
 Result<> Pump::admit(Job& job, IntentOutcome& report) {
   IntentBody& body = job.intent.body;
   const auto steps = words_in_steps(catalog_, snapshot_);
-  if (says_where_it_stands(body) && job.restarts_before != snapshot_.restarts)
+  if (states_position(body) && job.restarts_before != snapshot_.restarts)
     return fail(FaultKind::refused, "The controller was switched off and on after this command was given.",
                 "Nothing was sent.", "Check where it stands, then give the command again.");
   if (const auto* home = std::get_if<intent::Home>(&body))
@@ -256,10 +256,10 @@ Result<> Pump::admit(Job& job, IntentOutcome& report) {
   return take_up_backlash(body, report);
 }
 
-/// A text to all controllers of a wire that was asked for before a stop of one of them, or while one is being
+/// Refuses a broadcast that was queued before a stop of one of the controllers, or while one is being
 /// stopped.
 Result<> Pump::may_go_to_all(const Job& job) const {
-  if (job.meaning.whom != TextMeaning::For::everybody || !callbacks_.line) return {};
+  if (job.meaning.addressee != TextMeaning::For::all || !callbacks_.line) return {};
   if (callbacks_.line->epoch() != job.line_epoch) return fail(stop_came_first());
   bool one_is_stopped = false;
   callbacks_.line->for_each_but(*this, [&](Pump& other) { one_is_stopped |= other.desk_.any(); });
@@ -268,16 +268,17 @@ Result<> Pump::may_go_to_all(const Job& job) const {
               "Send it again when that device has stopped.");
 }
 
-/// Not of a text that was refused: nothing of it reached the controller.
-void Pump::words_were_sent(const Job& job, const Result<>& performed, const std::optional<PastTravel>& past) {
+/// Not for a refused text: it did not reach the controller. Returns whether it may have been sent.
+bool Pump::words_were_sent(const Job& job, const Result<>& performed, const std::optional<PastTravel>& past) {
   const bool words = job.is_query || std::holds_alternative<intent::SendText>(job.intent.body);
   const Fault* fault = nullptr;
   if (!performed) fault = &performed.error();
   if (job.is_query && !job.reply) fault = &job.reply.error();
   const bool sent = !fault || fault->kind != FaultKind::refused;
-  if (!words || !sent || job.meaning.whom == TextMeaning::For::another) return;
+  if (!words || !sent || job.meaning.addressee == TextMeaning::For::another) return sent;
   words_come_between(job.meaning);
   warn_of(past);
+  return sent;
 }
 
 Task<> Pump::perform_next() {
@@ -294,6 +295,8 @@ Task<> Pump::perform_next() {
     callbacks_.line->for_each_but(*this, [&](Pump& other) {
       other.note_broadcast(std::get<intent::SendText>(job->intent.body).text, job->meaning);
     });
+  const auto* run = std::get_if<intent::RunProgram>(&job->intent.body);
+  if (run) endings_.program_starts(run->slot, scheduler_.now());
   if (performed && job->meaning.runs_program) tool_.program_may_run(snapshot_);
   if (performed && job->is_query) {
     job->since = texts_.next();
@@ -309,10 +312,11 @@ Task<> Pump::perform_next() {
   } else if (performed) {
     performed = co_await perform_beside_pieces(job->intent.body);
   }
-  words_were_sent(*job, performed, past);
-  if (to_all) callbacks_.line->for_each_but(*this, [](Pump& other) { other.counts_.disturbed(); });
+  const bool sent = words_were_sent(*job, performed, past);
+  if (to_all) callbacks_.line->for_each_but(*this, [sent](Pump& other) { other.broadcast_was_sent(sent); });
+  if (run && !performed) endings_.disturbed();
   jobs_.end();
-  if (!performed) driver_log(catalog_).debug("{}: {}", Whose{catalog_}, performed.error().sentence());
+  if (!performed) driver_log(catalog_).debug("{}: {}", LogName{catalog_}, performed.error().sentence());
   if (performed && snapshot_.restarts != restarts && restarts_it(*job))
     jobs_.restart_was_asked(snapshot_.restarts);
   if (job->is_query) {

@@ -33,7 +33,7 @@ Task<Result<T>> guarded(const char* what, Task<Result<T>> procedure) {
   co_return result;
 }
 
-/// Keeps the pump alive while somebody waits for an answer from it.
+/// Keeps the pump alive while a coroutine waits for an answer from it.
 class Pump::Asking {
  public:
   explicit Asking(Pump& pump) : pump_(pump) { ++pump_.asking_; }
@@ -47,5 +47,20 @@ class Pump::Asking {
  private:
   Pump& pump_;
 };
+
+/// The job moves nothing and sets no count.
+inline bool only_looks(const Job& job) {
+  const IntentBody& body = job.intent.body;
+  return job.meaning.only_asks || std::holds_alternative<intent::ReadParams>(body) ||
+         std::holds_alternative<intent::ReadAnalog>(body) || std::holds_alternative<intent::Watch>(body) ||
+         std::holds_alternative<intent::SetOutput>(body);
+}
+
+/// The places where the axes rest remain as they were seen.
+inline bool only_handles_programs(const Job& job) {
+  return std::holds_alternative<intent::LoadProgram>(job.intent.body) ||
+         std::holds_alternative<intent::UploadProgram>(job.intent.body) ||
+         std::holds_alternative<intent::RunProgram>(job.intent.body);
+}
 
 }  // namespace hw

@@ -1,4 +1,5 @@
-// Held jogs of an open controller: begun, kept alive, released, and stopped when nobody holds or sees them.
+// Held jogs of an open controller: begun, kept alive, released, and stopped when they are no longer held or
+// seen.
 #include <fmt/core.h>
 
 #include "core/device/pump_job.h"
@@ -10,16 +11,16 @@ void Pump::hold_jog(const Intent& intent) {
   if (jog) jogs_.begin(intent.id, jog->axis.index, jog->dead_man);
 }
 
-/// Left just before a held jog goes out, taken back when its stop is over. One that waits for its turn has
-/// none: what moves then is no jog.
+/// Leaves the last will just before a held jog is sent, and takes it back when the stop of the jog is over. A
+/// jog that waits for its turn has no will: it moves nothing yet.
 void Pump::keep_will() {
   const bool has_wire = station_ && station_->is_open();
   const unsigned held = jogs_.guarded_axes_if([this](IntentId id) { return !jobs_.has(id); });
   will_->follow(held, desk_.any(), has_wire ? station_.get() : nullptr);
 }
 
-// Halting one of several threads leaves the motion alone, and a stop of one axis the others: what else is
-// held stays guarded.
+// Halting one of several threads does not affect motion, and a stop of one axis does not affect the others:
+// other held jogs stay guarded.
 void Pump::release_jogs(const StopOrder& order) {
   using What = StopOrder::What;
   const TextMeaning& meaning = order.meaning;
@@ -31,7 +32,7 @@ void Pump::release_jogs(const StopOrder& order) {
     if (axis == meaning.axis || (meaning.axes >> axis & 1u) != 0) jogs_.stop(axis);
 }
 
-/// The hand's jog, if it still waits for its turn: it has moved nothing, so nothing is stopped.
+/// Withdraws the user's jog if it still waits for its turn. It has moved nothing, so no stop is sent.
 bool Pump::withdraw_waiting_jog() {
   const auto jog = jogs_.any_guarded() ? jobs_.withdraw(jogs_.in_hand().id) : nullptr;
   if (!jog) return false;
@@ -45,7 +46,7 @@ void Pump::jog_not_begun(const Intent& intent) {
   if (std::holds_alternative<intent::JogStart>(intent.body)) jogs_.end(intent.id);
 }
 
-/// A script does not let go of what a limit has ended; nothing else is to be stopped in its name.
+/// A script does not release a jog that a limit has ended; its release must not stop a later motion.
 void Pump::forget_jogs_that_ended() {
   jogs_.forget_if([this](IntentId id, int axis) {
     const Activity activity = snapshot_.axes[axis].activity;
@@ -61,7 +62,7 @@ void Pump::jog_failed(const Intent& intent, FaultKind kind) {
   const bool rejected =
       kind == FaultKind::refused || kind == FaultKind::stopped || kind == FaultKind::controller;
   if (rejected) return jog_not_begun(intent);
-  pump_log().debug("{}: command {}: the jog may have begun, so it is stopped", Whose{catalog_}, intent.id);
+  pump_log().debug("{}: command {}: the jog may have begun, so it is stopped", LogName{catalog_}, intent.id);
   callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                            "A stop is being sent to the axis, because the jog may have begun."));
   StopOrder lets_go;
@@ -71,7 +72,7 @@ void Pump::jog_failed(const Intent& intent, FaultKind kind) {
 }
 
 void Pump::jog_let_go() {
-  pump_log().debug("{}: nobody has kept the jog alive for {} ms", Whose{catalog_},
+  pump_log().debug("{}: the jog was not kept alive for {} ms", LogName{catalog_},
                    dead_man.count() / 1'000'000);
   callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                            "The jog was no longer held, so a stop is being sent."));
@@ -80,10 +81,10 @@ void Pump::jog_let_go() {
   post_stop(std::move(lets_go));
 }
 
-// Nobody sees where a held jog goes. One that still waits for its turn moves nothing.
+// Held jogs whose axes are no longer seen are stopped. A jog that still waits for its turn moves nothing.
 void Pump::stop_jogs_out_of_sight() {
   for (const int axis : jogs_.axes_if([this](IntentId id) { return !jobs_.has(id); })) {
-    pump_log().debug("{}: {} answers were missed: the jog of axis {} is stopped", Whose{catalog_},
+    pump_log().debug("{}: {} answers were missed: the jog of axis {} is stopped", LogName{catalog_},
                      station_->statistics().misses_in_a_row, axis + 1);
     callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                              "The controller does not answer, so a stop is being sent."));

@@ -15,11 +15,11 @@ TextMeaning Pump::meaning_of(const std::string& text) const {
 Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   const Asking asking(*this);
   const TextMeaning meaning = meaning_of(text);
-  if (meaning.whom == TextMeaning::For::another && callbacks_.line)
+  if (meaning.addressee == TextMeaning::For::another && callbacks_.line)
     if (Pump* other = callbacks_.line->at(meaning.address))
       co_return co_await other->query(std::move(text), patience);
   if (meaning.is_stop()) {
-    if (meaning.whom == TextMeaning::For::everybody && callbacks_.line)
+    if (meaning.addressee == TextMeaning::For::all && callbacks_.line)
       callbacks_.line->for_each_but(*this, [&](Pump& other) { other.note_broadcast(text, meaning); });
     co_return co_await query_stop(std::move(text), meaning, patience);
   }
@@ -40,7 +40,7 @@ Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   co_return co_await add_what_comes_later(std::move(*mine->reply), mine->since, epoch, patience);
 }
 
-/// Of several commands in one text the first may have been answered already.
+/// The first of several commands in one text may have been answered already.
 Task<Result<std::string>> Pump::add_what_comes_later(std::string reply, std::uint64_t since,
                                                      std::uint64_t epoch, Duration patience) {
   auto text = co_await wait_for_text(since, epoch, patience);
@@ -49,7 +49,7 @@ Task<Result<std::string>> Pump::add_what_comes_later(std::string reply, std::uin
   co_return std::move(reply);
 }
 
-/// What the controller says by itself when that which a text began is over.
+/// Waits for the controller's message that the action of a text has ended.
 Task<Result<std::string>> Pump::wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience) {
   const Instant deadline = scheduler_.now() + patience;
   for (bool in_time = true;;) {

@@ -1,8 +1,8 @@
-// Stops of an open controller, in the console's verbs or the controller's own words: they end the procedure
-// under way and take its place, are sent again until their effect shows, and first of all when a lost wire is
-// back.
+// Stops of an open controller, as intents or as typed text. A stop ends the procedure under way and takes its
+// place. It is sent again until its effect shows, and before anything else when a lost wire is back.
 #include <fmt/core.h>
 
+#include "core/device/axis_check.h"
 #include "core/device/pump_job.h"
 
 namespace hw {
@@ -21,7 +21,7 @@ Fault not_answered() {
 
 void Pump::post_stop(StopOrder order) {
   if (order.axis >= static_cast<int>(catalog_.axes.size())) {
-    set_outcome(order.intent, IntentState::refused, fmt::format("There is no axis {}.", order.axis + 1));
+    set_outcome(order.intent, IntentState::refused, describe_no_axis(order.axis));
     return publish();
   }
   if (order.what == StopOrder::What::jog && order.axis < 0) order.axis = jogs_.in_hand().axis;
@@ -29,8 +29,8 @@ void Pump::post_stop(StopOrder order) {
   set_outcome(order.intent, IntentState::pending);
   const bool another = order.what == StopOrder::What::words && !order.meaning.stops_here();
   const StopOrder& asked = ask(std::move(order));
-  pump_log().debug("{}: {} is asked for{}", Whose{catalog_}, asked,
-                   another ? "" : "; what waits is dropped and what is under way ends");
+  pump_log().debug("{}: {} requested{}", LogName{catalog_}, asked,
+                   another ? "" : "; waiting commands are dropped, and the command under way ends");
   if (!another) drop_what_waits();
   const StopOrder* sending = desk_.sending();
   if (station_ && !(sending && sending->outlasts(asked))) station_->preempt();
@@ -39,7 +39,7 @@ void Pump::post_stop(StopOrder order) {
   wake_.notify();
 }
 
-/// Whatever ends what the tool cuts switches the tool off too, right behind it.
+/// A stop that ends cutting also switches the tool off, right after it.
 StopOrder& Pump::ask(StopOrder order) {
   using What = StopOrder::What;
   const bool leaves_tool =
@@ -49,12 +49,12 @@ StopOrder& Pump::ask(StopOrder order) {
   if (!leaves_tool) pieces_.end();
   if (leaves_tool || !tool_.may_be_on(snapshot_)) return asked;
   tool_.forget_hold();
-  pump_log().debug("{}: the tool is switched off behind {}", Whose{catalog_}, asked);
+  pump_log().debug("{}: the tool is switched off after {}", LogName{catalog_}, asked);
   desk_.ask_tool(tool_.outputs());
   return asked;
 }
 
-/// Nothing that was asked for before a stop goes out behind it, here or to all controllers of the wire.
+/// Commands queued before a stop are never sent after it, neither here nor as a broadcast.
 void Pump::drop_what_waits() {
   refuse_queued(stopped_first);
   if (!callbacks_.line) return;
@@ -75,13 +75,13 @@ bool Pump::stop_wire(bool at_once) {
   return true;
 }
 
-// The order may be withdrawn meanwhile: with the wire.
+// The order may be withdrawn meanwhile, when the wire is lost.
 Task<> Pump::send_stop(StopOrder& order) {
   ++order.times_sent;
   order.sent_at = scheduler_.now();
   if (order.times_sent == 1) order.first_sent_at = order.sent_at;
   endings_.stop_goes_out(order, order.sent_at);
-  pump_log().debug("{}: {} goes out, time {}", Whose{catalog_}, order, order.times_sent);
+  pump_log().debug("{}: {} is sent, time {}", LogName{catalog_}, order, order.times_sent);
   if (order.what == StopOrder::What::words)
     count_program_change(Intent(order.intent, intent::SendText(order.words)));
   order.in_haste = desk_.another_waits(order);
@@ -91,7 +91,7 @@ Task<> Pump::send_stop(StopOrder& order) {
   desk_.end_sending();
   if (station_) station_->stop_was_sent();
   if (StopOrder* still = desk_.find(sending.number)) stop_was_sent(*still, std::move(sent));
-  if (connected() && sending.times_sent >= attempts_in_a_row && nobody_answers()) lose_wire(not_answering());
+  if (connected() && sending.times_sent >= attempts_in_a_row && is_silent()) lose_wire(not_answering());
   publish();
 }
 
@@ -103,7 +103,7 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
       callbacks_.notify(Notice(Notice::Kind::error, scheduler_.now(), sent.error().sentence()));
     return close_stop(order);
   }
-  if (order.what == What::words) {  // as typed, once
+  if (order.what == What::words) {  // sent once, as typed
     if (sent && (!order.meaning.stops_here() || order.meaning.answered == TextMeaning::Answered::at_once)) {
       if (order.answer) std::exchange(order.answer, nullptr)(std::move(sent));
       set_outcome(order.intent, IntentState::done);
@@ -121,24 +121,25 @@ void Pump::stop_was_sent(StopOrder& order, Result<std::string> sent) {
     if (sent.error().kind != FaultKind::refused) follow_words(order);  // kept out
     return close_stop(order);
   }
-  if (cut) {  // it is due again behind the one that came
-    pump_log().debug("{}: {} was cut short by another stop and is due again", Whose{catalog_}, order);
+  if (cut) {  // it is due again after the stop that cut it short
+    pump_log().debug("{}: {} was cut short by another stop and is due again", LogName{catalog_}, order);
     return;
   }
   order.confirmed = sent.has_value();
   const bool connected_now = connected();
-  const bool tool = order.what == What::tool;  // not in a row: what stops the motion may be needed first
+  const bool tool = order.what == What::tool;  // not repeated in a row: a stop of motion may be needed first
   order.sent = sent || tool || order.times_sent >= attempts_in_a_row || !connected_now;
   if (sent) return;
-  if (tool) --order.times_sent;  // only what was sent can be in vain
+  if (tool) --order.times_sent;  // only a stop that was sent counts
   const bool no_such_program = order.what == What::program && sent.error().kind == FaultKind::refused;
-  if (no_such_program || (order.sent && connected_now && !nobody_answers())) stop_failed(order, sent.error());
+  if (no_such_program || (order.sent && connected_now && !is_silent())) stop_failed(order, sent.error());
   if (no_such_program) close_stop(order);
 }
 
-/// The console's own stop of the same follows words that may not have arrived, until it shows.
+/// If a typed stop may not have arrived, the console's own stop of the same scope follows, until its effect
+/// shows.
 void Pump::follow_words(const StopOrder& words) {
-  pump_log().debug("{}: \"{}\" may not have arrived: the console's own stop follows", Whose{catalog_},
+  pump_log().debug("{}: \"{}\" may not have arrived: the console's own stop follows", LogName{catalog_},
                    log::Bytes{words.words});
   StopOrder own;
   own.intent = words.intent;
@@ -151,11 +152,11 @@ void Pump::follow_words(const StopOrder& words) {
   for (int axis = 0; axis < snapshot_.axis_count; ++axis) {
     if (meaning.axis != axis && (meaning.axes >> axis & 1u) == 0) continue;
     own.axis = axis;
-    ask(own).at_once = false;  // what the console says again is as it was asked for
+    ask(own).at_once = false;  // the console's repetition ramps as the first did
   }
 }
 
-/// The tool waits until all that was to stop stands, and for the round that is asked for then.
+/// The tool waits until every stop has taken effect, and for one more status round.
 void Pump::look_at_stops() {
   auto& orders = desk_.orders();
   const bool tool_shows = desk_.only_tool();
@@ -173,14 +174,14 @@ void Pump::look_at_stop(StopOrder& order) {
   switch (progress.now) {
     case StopProgress::Now::wait: return;
     case StopProgress::Now::at_once:
-      pump_log().debug("{}: {} goes on at once, without a ramp", Whose{catalog_}, order);
+      pump_log().debug("{}: {} continues at once, without a ramp", LogName{catalog_}, order);
       order.at_once = true;
       [[fallthrough]];
     case StopProgress::Now::again:
-      pump_log().debug("{}: {} shows no effect", Whose{catalog_}, order);
+      pump_log().debug("{}: {} shows no effect", LogName{catalog_}, order);
       order.sent = order.confirmed = false;
       if (order.what == StopOrder::What::words)
-        order.what = StopOrder::What::everything;  // words go out once
+        order.what = StopOrder::What::everything;  // a typed text is sent once
       return;
     case StopProgress::Now::failed:
       if (progress.why) stop_failed(order, *progress.why);
@@ -195,13 +196,13 @@ void Pump::look_at_stop(StopOrder& order) {
 }
 
 void Pump::stop_failed(StopOrder& order, const Fault& why) {
-  pump_log().debug("{}: {} failed: {}", Whose{catalog_}, order, why.what);
+  pump_log().debug("{}: {} failed: {}", LogName{catalog_}, order, why.what);
   if (order.answer) std::exchange(order.answer, nullptr)(fail(why));
   if (!std::exchange(order.reported, true)) set_outcome(order.intent, IntentState::failed, why.sentence());
 }
 
 void Pump::close_stop(StopOrder& order) {
-  pump_log().debug("{}: {} is over", Whose{catalog_}, order);
+  pump_log().debug("{}: {} is over", LogName{catalog_}, order);
   desk_.close(order);
   rounds_.look_often(scheduler_.now());
   wake_.notify();
@@ -227,9 +228,9 @@ void Pump::keep_stops_at_loss(const Fault& why, bool drew_together) {
     return !outage_.may_run() || other;
   });
   for (const StopOrder& order : desk_.orders())
-    pump_log().debug("{}: {} stays owed until the link is back", Whose{catalog_}, order);
+    pump_log().debug("{}: {} stays pending until the link is back", LogName{catalog_}, order);
   const bool tool = tool_.at_work();
-  if ((tool || drew_together) && !desk_.stops_all()) {  // the others do not go on either
+  if ((tool || drew_together) && !desk_.stops_all()) {  // the other controllers do not continue either
     StopOrder ends;
     ends.reported = true;
     ask(std::move(ends)).at_once = false;
@@ -245,18 +246,19 @@ void Pump::keep_stops_at_loss(const Fault& why, bool drew_together) {
     lets_go.axis = axis;
     lets_go.reported = true;
     desk_.ask(std::move(lets_go));
-    if (axis >= 0) snapshot_.link.when_lost.axes |= 1u << axis;  // its motion may not have been seen yet
+    if (axis >= 0) snapshot_.link.when_lost.axes |= 1u << axis;  // the motion may not have been seen yet
   });
   desk_.send_all_again();
 }
 
-/// Another session of the wire says it to all.
+/// Another session on the wire sends this broadcast now.
 void Pump::note_broadcast(const std::string& text, const TextMeaning& meaning) {
-  pump_log().debug("{}: \"{}\" was sent to all on the wire{}", Whose{catalog_}, log::Bytes{text},
+  pump_log().debug("{}: \"{}\" was sent to all on the wire{}", LogName{catalog_}, log::Bytes{text},
                    meaning.is_stop() ? ", a stop" : "");
+  past_by_broadcast_ = meaning.is_stop() ? std::nullopt : past_travel_of_text(text);
   words_come_between(meaning);
   if (meaning.is_stop()) {
-    if (meaning.stops == TextMeaning::Stops::all) {  // whether it has come here, the next rounds show
+    if (meaning.stops == TextMeaning::Stops::all) {  // the next rounds show whether it was received here
       StopOrder order;
       order.sent = order.reported = true;
       order.by = StoppedBy::text;
@@ -269,7 +271,7 @@ void Pump::note_broadcast(const std::string& text, const TextMeaning& meaning) {
     refuse_queued(stopped_first);
     if (station_) station_->preempt();
   }
-  counts_.disturbed();
+  disturbed();
   driver_->note_broadcast(text);
   if (meaning.runs_program) tool_.program_may_run(snapshot_);
   if (meaning.changes_programs) {
@@ -278,6 +280,13 @@ void Pump::note_broadcast(const std::string& text, const TextMeaning& meaning) {
     snapshot_.program_changed_by = 0;
   }
   wake_.notify();
+}
+
+/// The broadcast of another session has been performed, or was not `sent`.
+void Pump::broadcast_was_sent(bool sent) {
+  disturbed();
+  if (sent) warn_of(past_by_broadcast_);
+  past_by_broadcast_.reset();
 }
 
 Task<Result<std::string>> Pump::query_stop(std::string text, TextMeaning meaning, Duration patience) {

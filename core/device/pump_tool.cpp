@@ -1,12 +1,12 @@
-// What cuts: the tool that a program switches, and drawings that are performed piece by piece.
+// Cutting: the tool that a program switches, and drawings that run piece by piece.
 #include <fmt/core.h>
 
 #include "core/device/pump_job.h"
 
 namespace hw {
 
-/// The next job waits for a round that shows whether a program that may have its tool on still runs; but not
-/// for ever for one that does not report it.
+/// Whether the next job must wait for a round that shows if a program with its tool on still runs. The wait
+/// is bounded, as some controllers do not report it.
 bool Pump::tool_is_seen_first() const {
   constexpr std::uint64_t enough_rounds = 3;
   if (!tool_.is_seen_before(jobs_.next().intent.body)) return false;
@@ -14,8 +14,8 @@ bool Pump::tool_is_seen_first() const {
   return rounds_.ended() < since + (tool_.looks() ? enough_rounds : 0);
 }
 
-/// After a round: what ends by itself, by its error, by a hold or by somebody else's stop leaves the tool off
-/// too.
+/// After a status round: switches the tool off if the program has ended by itself, by an error, by a hold or
+/// by another host's stop.
 void Pump::watch_tool() {
   if (desk_.any()) return;
   switch (tool_.watch(snapshot_, rounds_.ended())) {
@@ -42,7 +42,7 @@ void Pump::switch_tool_off() {
   wake_.notify();
 }
 
-/// What a hold has switched off, before what was cut goes on.
+/// Switches on again the outputs that a hold has switched off, before cutting continues.
 Task<Result<>> Pump::bring_tool_back() {
   const ToolOff held = tool_.of_hold();
   for (const ToolOutput& o : held) {
@@ -94,14 +94,14 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
   co_return co_await perform_guarding_tool(body);
 }
 
-/// The second part of a move in two relies on the settings before it.
+/// The second half of a move relies on the settings before it, which the text may change.
 void Pump::words_come_between(const TextMeaning& words) {
   if (words.only_asks || !pieces_.is_one_move()) return;
   pieces_end("Repeat the move: a text was sent while it took up backlash, so its last part was not done.",
              false);
 }
 
-/// Where a program cannot be held within itself, or its tool would stay on.
+/// For a program that cannot be held, or whose tool would stay on during a hold.
 void Pump::report_hold_behind_piece() {
   callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
                            fmt::format("Piece {} is finished first, with its tool; then it is held. Press "
@@ -109,10 +109,10 @@ void Pump::report_hold_behind_piece() {
                                        snapshot_.pieces.done + 1)));
 }
 
-/// A stop that comes meanwhile has ended them.
+/// If a stop comes meanwhile, the pieces have ended.
 Task<> Pump::perform_piece(const IntentBody& body) {
   const bool cuts = snapshot_.pieces.draws;
-  const auto asked = pieces_.at_speed(body);  // a copy: theirs may go with them
+  const auto asked = pieces_.at_speed(body);  // a copy: the original may be destroyed with the pieces
   if (!asked) co_return pieces_end(asked.error().sentence(), cuts);
   count_program_change(Intent(0, *asked));
   const bool had_begun = pieces_.sends(*asked);
@@ -126,12 +126,12 @@ Task<> Pump::perform_piece(const IntentBody& body) {
   publish();
 }
 
-/// `cuts`: its tool may be on, and what was not answered may have begun, so a stop ends it.
+/// `cuts`: the tool may be on, and an unanswered command may have begun, so a stop is sent.
 void Pump::pieces_end(std::string why, bool cuts) {
-  pump_log().debug("{}: the rest of the pieces is dropped: {}", Whose{catalog_}, why);
+  pump_log().debug("{}: the rest of the pieces is dropped: {}", LogName{catalog_}, why);
   if (cuts) {
     StopOrder order;
-    order.by = StoppedBy::nobody;  // `why` gives the reason
+    order.by = StoppedBy::unknown;  // `why` gives the reason
     post_stop(std::move(order));
   }
   pieces_.end();

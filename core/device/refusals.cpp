@@ -18,7 +18,7 @@ std::string listed(const std::vector<std::string>& names) {
   return all;
 }
 
-/// Of these columns those that are places, and the axis of each.
+/// Adds the columns that are places, each with its axis.
 void add_places(std::vector<AxisTarget>& places, const std::vector<ActionField>& fields,
                 const std::vector<std::int64_t>& values) {
   const std::size_t known = std::min(fields.size(), values.size());  // else its driver refuses it
@@ -46,7 +46,7 @@ std::string spoken_name(const Catalog& catalog, int axis) {
   const std::string name = info.description.empty() ? "axis " + info.name : info.description;
   if (!catalog.addressed() || catalog.axes.size() > 1) return name;
   const std::string device = "device " + catalog.id();
-  return info.name == catalog.id() ? device : name + " of " + device;  // on a bus the console calls it so
+  return info.name == catalog.id() ? device : name + " of " + device;  // the console's name on a bus
 }
 
 // ---- the count
@@ -93,7 +93,8 @@ std::string_view words_of(Doubt cause, bool several) {
     case Doubt::reset: return several ? "they were reset" : "it was reset";
     case Doubt::killed:
       return several ? "they were stopped without a ramp at speed" : "it was stopped without a ramp at speed";
-    case Doubt::slipped: return several ? "their encoders lay elsewhere" : "its encoder lay elsewhere";
+    case Doubt::slipped:
+      return several ? "their encoders and counts differed" : "its encoder and its count differed";
     case Doubt::zero_since:
       return several ? "they read zero, and stood elsewhere in the last session"
                      : "it reads zero, and stood elsewhere in the last session";

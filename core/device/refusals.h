@@ -1,7 +1,7 @@
 #pragma once
-// Refusals of the pump on any controller, before its driver is asked: moves to a place by a count that cannot
-// be trusted, and programs that are not what was sent last. And a refusal of the console: to move an axis
-// whose motor has no current. (A controller counts such a move, and other programs rely on that.)
+// Refusals of the pump on any controller, before its driver is asked: absolute moves of an axis whose count
+// is doubtful, and programs that differ from the text sent last. Also a refusal of the console: moving an
+// axis whose motor has no current. (A controller counts such a move, and other programs rely on that.)
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -23,7 +23,7 @@ std::string spoken_name(const Catalog& catalog, int axis);
 /// The targets that rely on counts; empty: none. A distance does not, nor does the user's own text.
 std::vector<AxisTarget> places_of(const Catalog& catalog, const IntentBody& body);
 
-/// A bit per axis that it would send to a place although its position is doubtful.
+/// A bit per axis that the intent would send to a place although its position is doubtful.
 std::uint32_t doubtful_axes(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
 
 /// Formats a place for a sentence.
@@ -42,27 +42,27 @@ std::string describe_doubtful(const Catalog& catalog, const Snapshot& now, const
 std::string_view words_of(Doubt cause, bool several = false);  ///< "its power was cut", "their ..."
 std::string_view brief_words_of(Doubt cause);                  ///< "power was cut"
 
-/// Marks it to be done just this once despite any doubt.
+/// Marks the intent to be performed this once despite any doubt.
 void go_despite_doubt(IntentBody& body);
-/// The intent for "the axis stands at `place`". If it counts so already the count is only trusted, as not
+/// The intent for "the axis stands at `place`". If the count is right already it is only trusted, as not
 /// every controller can be set to any number.
 IntentBody stands_at(const Snapshot& now, AxisId axis, Steps place);
 
 // ---- stored programs
 
-/// The slot that it would start although its program is not what was sent last; -1: none. The user's own text
-/// is not checked.
+/// The slot that the intent would start although its program is not what was sent last; -1: none. The user's
+/// own text is not checked.
 int torn_program(const Catalog& catalog, const Snapshot& now, const IntentBody& body);
 /// The refusal, with the ways out.
 std::string describe_torn(const Catalog& catalog, int slot);
-/// Told when the controller is closed; empty: all programs are as sent.
+/// The warning when the controller is closed; empty: all programs are as sent.
 std::string describe_torn_is_left(const Catalog& catalog, const Snapshot& now);
 /// The bit of program `n` in Snapshot::slots_torn.
 std::uint8_t torn_bit(const Catalog& catalog, int n);
 
 // ---- the current
 
-/// The axis' motor is switched off: the console offers the switch first.
+/// The motor of the axis is switched off: the console offers the switch first.
 [[nodiscard]] bool powerless(const Catalog& catalog, const Snapshot& now, AxisId axis);
 
 }  // namespace hw

@@ -15,15 +15,15 @@ struct RefusedStep {
   int step = -1;      ///< as SequenceText counts them
   std::string field;  ///< the refused field by its key in files, of a move "to/X"; empty: the whole step
   std::string what;   ///< "Step 3.2 (arc): a VXM draws no arcs."
-  std::string why;    ///< the sentence without the step
+  std::string why;    ///< the reason alone, as a sentence
   std::optional<double> nearest{};  ///< the nearest possible value, in the unit of the sequence
 };
 
 class PartialWriter {
  public:
   virtual ~PartialWriter() = default;
-  /// As Language::write, with a comment in place of each refused step. A fault: nothing can be written. Not
-  /// to be run.
+  /// As Language::write, with a comment in place of each refused step. A fault: nothing can be written. The
+  /// text must not be run.
   [[nodiscard]] virtual Result<SequenceText> write_what_can_be(const sequence::Sequence& sequence,
                                                                const Catalog& catalog,
                                                                std::vector<RefusedStep>& refused) const = 0;

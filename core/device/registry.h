@@ -26,8 +26,8 @@ struct AccelerationUnit {
   std::int64_t minimum = 0, maximum = 0;
 };
 
-/// All of it is constant. Members that may be null or empty say so, and all callers handle that. The least
-/// that a controller needs is in tests/example: model, make_catalog and make_driver.
+/// Constant. Each member that may be null or empty is marked so, and all callers handle that. The least that
+/// a controller needs is in tests/example: model, make_catalog and make_driver.
 struct DeviceType {
   std::string_view model;
   Result<Catalog> (*make_catalog)(const DeviceOptions&);
@@ -54,8 +54,8 @@ struct DeviceType {
 /// In the order of the address table. From core/devices/registry.cpp.
 std::span<const DeviceType> device_types();
 const DeviceType* find_device_type(std::string_view model);
-/// Lists one more, as the tests do with a controller that is not in the product. Only at the start of a
-/// program, before anybody holds what the two functions above return.
+/// Adds a controller to the list, as the tests do with one that is not in the product. To be called only at
+/// the start of a program, before the results of the two functions above are in use.
 void add_device_type(const DeviceType& type);
 
 }  // namespace hw

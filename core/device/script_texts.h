@@ -24,7 +24,7 @@ class ScriptTexts {
   }
   /// The number of the next text.
   [[nodiscard]] std::uint64_t next() const { return next_; }
-  /// The same as the answer to a text sent at `number`: an answer that another sender has taken counts too.
+  /// The same, as the answer to a text sent at `number`: an answer that another sender has taken counts too.
   std::optional<std::string> answer_since(std::uint64_t number) {
     const std::uint64_t before = next_;
     if (auto text = take_since(number)) {

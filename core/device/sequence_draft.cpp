@@ -119,15 +119,15 @@ std::optional<std::vector<std::size_t>> refused_step(std::string_view what) {
 
 bool SequenceDraft::pass_over(const seq::Step& step, const Fault& fault, const Before& before) {
   if (!refused_) return false;
-  // What it says of a field of this step is known beside it; of another refusal, or of one in a routine of
-  // the tool, only the sentence.
+  // Details are known for a refused field of this step; for another refusal, or one in a tool routine, only
+  // the sentence is known.
   RefusedStep refused = latest_.what == fault.what && routine_.empty() ? latest_ : RefusedStep();
   if (refused.what.empty()) {
     const std::size_t why = fault.what.find("): ");
     refused.what = fault.what;
     refused.why = routine_.empty() && why != fault.what.npos ? fault.what.substr(why + 3) : fault.what;
   }
-  if (!steps_in(step)) path_.resize(before.depth + 1);  // what it is written as is no step of the list
+  if (!steps_in(step)) path_.resize(before.depth + 1);  // its replacement is no step of the list
   refused.step = index();
   path_.resize(before.depth + 1);
   lines_.resize(before.lines);
@@ -143,7 +143,7 @@ bool SequenceDraft::pass_over(const seq::Step& step, const Fault& fault, const B
   return true;
 }
 
-/// So that an arc behind a move that goes too far is not refused for that.
+/// Otherwise an arc after a refused move would be refused too.
 void SequenceDraft::as_if_moved(const seq::Move& move) {
   constexpr double far = 1e15;
   for (int a = 0; a < axis_count(); ++a) {
@@ -219,13 +219,12 @@ Result<std::int64_t> SequenceDraft::steps_of(int place, double units, double low
   const double per_unit = sequence.axes[ix(place)].per_unit, steps = std::round(units * per_unit);
   if (!(steps >= low && steps <= high)) {
     const double nearest = steps > high ? high : low;
-    const bool plain = per_unit == 1 && sequence.unit == catalog.step_word;  // then they are written once
-    const std::string are =
-        plain ? " is too far:" : fmt::format(" are {:.15g} {};", steps, catalog.step_word);
-    return refuse_field(place_field(place),
-                        fmt::format("{} {} of {}{} a {} goes from {:.0f} to {:.0f}.", units, sequence.unit,
-                                    name(place), are, catalog.short_name, low, high),
-                        std::isnan(steps) ? std::nullopt : std::optional(nearest / per_unit));
+    return refuse_field(
+        place_field(place),
+        fmt::format("{} {} of {} is too far: a {} goes from {:.10g} to {:.10g}.", units, sequence.unit,
+                    name(place), catalog.short_name, std::min(low / per_unit, high / per_unit),
+                    std::max(low / per_unit, high / per_unit)),
+        std::isnan(steps) ? std::nullopt : std::optional(nearest / per_unit));
   }
   return static_cast<std::int64_t>(steps);
 }
@@ -249,7 +248,7 @@ Result<std::int64_t> SequenceDraft::distance(int place, double units) const {
 }
 
 Result<StepSpeeds> SequenceDraft::speeds(int place, const seq::Speeds& units) const {
-  const double per_unit = sequence.axes[ix(place)].per_unit;
+  const double per_unit = std::abs(sequence.axes[ix(place)].per_unit);
   StepSpeeds s;
   for (auto [key, from, to, word] :
        {std::tuple{"high", units.high, &s.high, "speed"}, {"low", units.low, &s.low, "low speed"}}) {
@@ -258,8 +257,8 @@ Result<StepSpeeds> SequenceDraft::speeds(int place, const seq::Speeds& units) co
     if (!(pps >= 1 && pps <= most))
       return refuse_field(
           key,
-          fmt::format("a {} of {} {}/s is {:.15g} {}/s on {}; a {} goes from 1 to {:.0f}.", word, from,
-                      sequence.unit, pps, catalog.step_word, name(place), catalog.short_name, most),
+          fmt::format("a {} of {} {}/s on {} is not possible: a {} goes from {:.6g} to {:.10g}.", word, from,
+                      sequence.unit, name(place), catalog.short_name, 1 / per_unit, most / per_unit),
           (pps > most ? most : 1) / per_unit);
     *to = static_cast<std::int64_t>(pps);
   }

@@ -1,6 +1,6 @@
 #pragma once
-// Shared state of all language writers: the present step, the controller's axis and steps that are meant, and
-// where the axes are by then.
+// Shared state of all language writers: the present step, the conversion to the controller's axes and steps,
+// and the positions of the axes before the step.
 //
 // A writer has a function write(const X&) for each kind of step; write_steps() calls them in turn.
 #include <algorithm>
@@ -43,7 +43,7 @@ class SequenceDraft {
  public:
   SequenceDraft(const sequence::Sequence& sequence, const Catalog& catalog)
       : sequence(sequence), catalog(catalog) {}
-  /// To be called first. The fault names an axis that the controller does not have.
+  /// To be called first. The fault names an axis that the controller lacks.
   [[nodiscard]] Result<> find_axes();
 
   const sequence::Sequence& sequence;
@@ -109,14 +109,14 @@ class SequenceDraft {
   [[nodiscard]] Result<StepSpeeds> speeds(int place, const sequence::Speeds& units) const;
   /// Speeds of a motion of this axis: its own, else those of the speed steps.
   [[nodiscard]] Result<StepSpeeds> speeds_of(int place, const sequence::OwnSpeeds& own) const;
-  /// Checks that they go one way, from the axis' place by then if it is known.
+  /// Checks that the stairs go in one direction, from the place of the axis before them if it is known.
   [[nodiscard]] Result<StepStairs> stairs(const sequence::SpeedStairs& stairs) const;
   void set_speeds(const sequence::Speeds& units) { speeds_now_ = over(speeds_now_, units); }
-  /// For steps that are carried out elsewhere: they may rely on no earlier speeds. Returns the speeds so far.
+  /// For steps that run elsewhere and cannot rely on earlier speeds. Returns the speeds so far.
   sequence::Speeds change_speeds(const sequence::Speeds& units) { return std::exchange(speeds_now_, units); }
   /// Whether all axes have the same steps per unit.
   [[nodiscard]] bool all_alike() const;
-  /// Both axes of it.
+  /// The controller has both axes of the plane.
   [[nodiscard]] bool has(const sequence::Plane& plane) const {
     return std::max(plane.right, plane.up) < axis_count();
   }
@@ -129,7 +129,7 @@ class SequenceDraft {
   [[nodiscard]] std::optional<std::int64_t> at(int place) const { return at_[ix(place)]; }
   void stands(int place, std::optional<std::int64_t> position) { at_[ix(place)] = position; }
   void nothing_known() { at_ = {}; }
-  /// Axes that the steps of a loop move are elsewhere in its next pass.
+  /// Forgets the places of axes that the steps of a loop move: they differ in the next pass.
   void forget_what_moves(const sequence::StepList& steps);
 
   /// The place in the catalog of the maker's number.

@@ -13,13 +13,13 @@
 namespace hw {
 namespace {
 
-/// So many rounds each leave one step to the controller; the next one leaves all behind it in its list.
+/// So many rounds each leave one step as text; the next round leaves all later steps of its list.
 constexpr int patient_rounds = 24;
 
 bool is_own(const ReadStep& step) { return std::holds_alternative<sequence::Custom>(step.body); }
 
-/// `at` as lines of their own: whole ones where nothing else is commanded on them, none empty, and no
-/// further to the right than they have to be.
+/// `at` as separate lines: complete where they hold no other command, none empty, and indented no further
+/// than necessary.
 std::string lines_of(std::string_view text, Stretch at, char mark) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
   std::size_t begin = at.begin, end = at.end;
@@ -74,7 +74,7 @@ class Proof {
   }
 
  private:
-  /// A step that has come of a place in the text, or, not `taken`, where one would stand.
+  /// The step made from a place in the text, or, if not `taken`, the place where it would be.
   struct Spot {
     ReadSteps* list = nullptr;
     std::size_t i = 0;
@@ -164,7 +164,7 @@ class Proof {
 
   // ---- what is left to the controller
 
-  /// Of the steps that one command became, keeps the first; returns its place.
+  /// Keeps the first of the steps made from one command; returns its index.
   static std::size_t only_step_of(ReadSteps& list, std::size_t i) {
     const Stretch at = list[i].at;
     const auto same = [&at](const ReadStep& s) {
@@ -175,7 +175,7 @@ class Proof {
       list.erase(list.begin() + static_cast<std::ptrdiff_t>(i + 1));
     return i;
   }
-  /// False: it was before.
+  /// False: it was left already.
   bool leave(const Spot& spot, std::string_view why) {
     if (!spot.taken || is_own((*spot.list)[spot.i])) return false;
     const std::size_t first = only_step_of(*spot.list, spot.i);
@@ -188,7 +188,7 @@ class Proof {
     }
     return true;
   }
-  /// Once: then that place is taken.
+  /// To be called once for each place.
   static bool leave_between(const Spot& spot, const Operation& operation) {
     if (operation.at.begin == operation.at.end) return false;
     spot.list->insert(spot.list->begin() + static_cast<std::ptrdiff_t>(spot.i),
@@ -202,7 +202,7 @@ class Proof {
     Spot spot{&read_.steps, 0, false};
     for (const std::size_t place : *path) {
       ReadSteps& list = spot.taken ? (*spot.list)[spot.i].inner : *spot.list;
-      if (place >= list.size()) break;  // within a contour: all of it
+      if (place >= list.size()) break;  // within a contour: the whole contour
       spot = {&list, place, true};
     }
     std::string_view why = refusal.substr(std::min(refusal.find("): ") + 3, refusal.size()));
@@ -215,7 +215,7 @@ class Proof {
     if (our) {
       const Spot spot = spot_of(our->at.begin);
       if (leave(spot, why) || (!spot.taken && leave_between(spot, *our))) return true;
-      // What it uses is set by a command that no step has come of.
+      // Its setting comes from a command without a step.
       const Spot set = spot_of(our->set_at.begin);
       if (our->set_at.end > 0 && !set.taken) return leave_between(set, {.text = {}, .at = our->set_at});
     }
@@ -223,7 +223,7 @@ class Proof {
     int step = written.step_of_line[ix(line_of(written.text, their->at.begin))];
     return step >= 0 && leave(numbered(read_.steps, step), why);
   }
-  /// All of them: then motions have none, and no speed step stands before them. False: there are none.
+  /// Removes all speed steps, so that motions have no speeds. False: there are none.
   bool leave_speeds() {
     bool any = false;
     for (ReadSteps* list : lists()) any = leave_speeds(*list) || any;
@@ -248,7 +248,7 @@ class Proof {
 
 }  // namespace
 
-/// Its routines say it, and it is written of them again.
+/// The tool line is written again from the routines.
 static void leave_out_tool_line(sequence::Sequence& sequence) {
   if (!uses_tool(sequence)) return;
   const std::string line = tool_off_line(tool_off_of(sequence, max_outputs));
@@ -266,7 +266,7 @@ Result<SequenceRead> prove(ReadText read, std::string_view text, const ReadingLa
 
 namespace {
 
-/// How what commands set stands at a place of the text.
+/// The values of all settings at a place in the text.
 class Settings {
  public:
   explicit Settings(const std::map<std::string, std::string>& assumed) {
@@ -290,7 +290,7 @@ class Settings {
     if (known) operation.set_at = found->second.at;
     return known;
   }
-  /// A block that is left out, or done again and again, leaves known only what it does not set otherwise.
+  /// After a block that may be skipped or repeated, the settings that it changes are unknown.
   void forget_what_changes(const Operations& operations, std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
       if (operations[i].flow == Operation::Flow::changes_all) return known_.clear();
@@ -307,7 +307,7 @@ class Settings {
   std::map<std::string, Value> known_;
 };
 
-/// By operation: where the block ends that it begins.
+/// For each operation that begins a block: the index of its end.
 std::vector<std::size_t> ends_of_blocks(const Operations& operations) {
   std::vector<std::size_t> ends(operations.size(), operations.size()), open;
   for (std::size_t i = 0; i < operations.size(); ++i) {
@@ -324,8 +324,8 @@ Operations essentials(const Operations& operations, const std::map<std::string, 
   const std::vector<std::size_t> ends = ends_of_blocks(operations);
   Operations kept;
   Settings now(assumed);
-  std::vector<Settings> throughout;       // of the blocks that are open
-  std::map<std::string, bool> all_known;  // by what is used
+  std::vector<Settings> throughout;       // for each open block
+  std::map<std::string, bool> all_known;  // by setting
   for (std::size_t i = 0; i < operations.size(); ++i) {
     Operation operation = operations[i];
     if (operation.flow == Operation::Flow::begins_block) {

@@ -1,10 +1,10 @@
 #pragma once
 // Shared by all language readers, which turn a text into steps: the stretch of text of each step, and the
-// proof that the steps are that text.
+// proof that the steps stand for that text.
 //
 // A reader interprets its text as well as it can. prove() writes the steps with the language's own writer,
-// compares what both texts command, and leaves differing parts as the controller's own text. So a reader may
-// be bold: it never shows another program.
+// compares the commands of both texts, and keeps differing parts as the controller's own text. A reader may
+// therefore guess: the steps never show another program.
 #include <functional>
 #include <map>
 #include <string>
@@ -24,7 +24,7 @@ struct Stretch {
   [[nodiscard]] bool covers(std::size_t at) const { return begin <= at && at < end; }
 };
 
-/// A Custom has only its words: its text is the stretch.
+/// A Custom step has only a reason: its text is the stretch.
 struct ReadStep {
   sequence::Step::Body body;
   Stretch at;
@@ -37,14 +37,14 @@ using ReadSteps = std::vector<ReadStep>;
 inline ReadStep own_text(std::string why, Stretch at) { return {sequence::Custom{std::move(why), {}}, at}; }
 
 struct ReadText {
-  /// In the unit and axes of `frame`; where it has none, in steps of all.
+  /// In the unit and axes of `frame`; if it has no axes, in steps of all axes.
   ReadText(const sequence::Sequence& frame, const Catalog& catalog);
 
   std::string unit;
   std::vector<sequence::Axis> axes;
   ReadSteps steps{}, pen_up{}, pen_down{};
   std::vector<std::string> remarks{};
-  /// Something that the text uses before it sets it; there is a remark about it.
+  /// Values that the text uses before it sets them; each has a remark.
   std::map<std::string, std::string> assumed{};
 
   /// The place in `axes` of an axis of the catalog; -1: not among them.
@@ -65,8 +65,9 @@ struct Operation {
   };
   std::string text;  ///< in one normal spelling
   Stretch at;
-  std::string sets{};    ///< not empty: it sets this to `text`, and has no effect if it is so already
-  bool constant = true;  ///< false: it may set another value each time
+  std::string
+      sets{};  ///< not empty: the command sets this to `text`, and has no effect if that is its value already
+  bool constant = true;  ///< false: the command may set another value each time
   bool speed = false;
   Flow flow = Flow::on;
   std::string uses{};  ///< not empty: its effect depends on this setting
@@ -79,7 +80,7 @@ using Operations = std::vector<Operation>;
 [[nodiscard]] Operations essentials(const Operations& operations,
                                     const std::map<std::string, std::string>& assumed);
 
-/// What prove() asks of a language.
+/// The parts of a language that prove() needs.
 struct ReadingLanguage {
   std::function<Result<SequenceText>(const sequence::Sequence&)> write;
   std::function<Operations(std::string_view text)> operations;

@@ -13,13 +13,13 @@ struct SequenceText {
   std::vector<int> step_of_line;
   /// Remarks, with their steps, on what the controller does differently from the sequence.
   std::vector<std::string> remarks;
-  /// A remark on the tool that it switches, to be shown before it is run; empty: no tool.
+  /// A remark on the tool that the text switches, to be shown before it runs; empty: no tool.
   std::string tool;
 };
 
 struct SequenceRead {
   sequence::Sequence sequence;
-  /// Remarks on what the text has and the steps do not show.
+  /// Remarks on parts of the text that the steps do not show.
   std::vector<std::string> remarks;
 };
 

@@ -27,7 +27,7 @@ seq::Places standing_at(const seq::Sequence& sequence, const Catalog& catalog, c
   return begin;
 }
 
-/// By place in the sequence.
+/// By index in the sequence.
 std::array<bool, max_axes> doubtful_in(const seq::Sequence& sequence, const Catalog& catalog,
                                        const Snapshot& now) {
   std::array<bool, max_axes> doubtful{};

@@ -1,5 +1,5 @@
 #pragma once
-// Of languages whose own commands may only set what later motions use: a second base class beside Language.
+// For languages with commands that only set speeds for later motions: a second base class beside Language.
 #include <string_view>
 
 namespace hw {

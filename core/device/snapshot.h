@@ -61,16 +61,16 @@ struct FeedState {
 struct PiecesState {
   bool running = false;
   bool held = false;                 ///< the next piece waits until it is resumed
-  bool draws = false;                ///< act by act, without a program: its tool may be on between acts
-  bool rests = false;                ///< held, and nothing of it is under way on any controller
-  bool speed_can_change = false;     ///< intent::OverrideSpeed is taken
+  bool draws = false;                ///< drawn act by act, without a program: the tool may be on between acts
+  bool rests = false;                ///< held, and no act is under way on any controller
+  bool speed_can_change = false;     ///< intent::OverrideSpeed is accepted
   std::int32_t done = 0, total = 0;  ///< pieces
   std::int32_t step = -1;            ///< place in the sequence's list of the present or latest step; -1: none
   std::int32_t percent = 100;        ///< of the requested speeds; see intent::OverrideSpeed
-  FixedText<240> ended_because;      ///< why it was broken off, as a sentence; empty: it was not
+  FixedText<240> ended_because;      ///< why the run was broken off, as a sentence; empty: it was not
   std::uint64_t drawing = 0;         ///< Pieces::drawing of the present or latest run
-  /// The latest drawing that did not come to its end, and the step where its rest begins; kept while others
-  /// run that are no drawings. 0: none.
+  /// The latest unfinished drawing, and the step where its rest begins; kept while sequences run that are no
+  /// drawings. 0: none.
   std::uint64_t rest_of = 0;
   std::int32_t rest_step = 0;
   bool operator==(const PiecesState&) const = default;
@@ -131,9 +131,9 @@ struct ParamState {
   bool operator==(const ParamState&) const = default;
 };
 
-/// The memory window of a controller as the console has last read it (Catalog::memory says what lies where).
-/// A register that is cleared by reading shows its last value. Copying an unknown image empties the copy, so
-/// that no old value is left when something is known again.
+/// The memory window of a controller as the console has last read it (layout: Catalog::memory). A register
+/// that is cleared by reading shows its last value. Copying an unknown image empties the copy, so that no old
+/// value remains when cells are read again.
 struct WindowImage {
   static constexpr std::size_t bytes = 4096;
   bool known = false;
@@ -165,15 +165,15 @@ struct WindowImage {
   }
 };
 
-/// What the controller reports about itself.
+/// The identity that the controller reports.
 struct Identity {
-  FixedText<32> model;     ///< as the controller, else the catalog, names it
+  FixedText<32> model;     ///< the controller's own name, else the catalog's
   FixedText<24> firmware;  ///< empty: not known
   FixedText<24> serial;
   bool operator==(const Identity&) const = default;
 };
 
-/// What a controller does by itself, and continues to do when nobody watches it.
+/// The work that a controller does by itself, and continues without the console.
 struct UnderWay {
   std::uint32_t axes = 0;  ///< bit per axis that moves
   bool program = false;    ///< the user's stored program runs, waits or is held
@@ -193,10 +193,10 @@ struct LinkHealth {
   Instant lost_at{};
   Instant next_attempt{};
   int attempts = 0;
-  FixedText<640> sentence;  ///< why it is late, lost or closed, and what is being done
-  /// What was under way when the link was lost; empty once it is good again.
+  FixedText<640> sentence;  ///< why the link is late, lost or closed, and what the console does about it
+  /// The work under way when the link was lost; empty once it is good again.
   UnderWay when_lost;
-  JogEnds jog_ends = JogEnds::by_nobody;  ///< who ends a held jog when this program dies
+  JogEnds jog_ends = JogEnds::never;  ///< who ends a held jog when this program dies
 
   [[nodiscard]] bool connected() const { return state == LinkState::good || state == LinkState::late; }
 };
@@ -233,13 +233,14 @@ struct Snapshot {
   std::array<std::int32_t, max_variables> variables{};  ///< by number
   std::bitset<max_variables> variables_known;
   std::array<std::int16_t, max_slots> slot_bytes_used{};  ///< -1 unknown
-  /// Bit per slot (bit 0 for all where programs run in threads): it does not hold what was sent last, because
-  /// the transfer was broken off or it reads back differently. Cleared when it is loaded or read again.
+  /// Bit per slot (bit 0 for all where programs run in threads): the slot does not hold the text sent last,
+  /// because the transfer was broken off or the slot reads back differently. Cleared when it is loaded or
+  /// read again.
   std::uint8_t slots_torn = 0;
   std::array<ParamState, max_params> params{};           ///< by index in Catalog::params
   bool unsaved_setup = false, unsaved_programs = false;  ///< changed in RAM and not stored
-  bool working = false;                                  ///< on queued commands, even if no axis moves
-  std::uint32_t restarts = 0;                            ///< of the controller, as seen while connected
+  bool working = false;           ///< the controller works on queued commands, even if no axis moves
+  std::uint32_t restarts = 0;     ///< of the controller, as seen while connected
   std::int32_t store_count = -1;  ///< writes to the non-volatile memory so far; only an emulator knows
   /// How many commands may have changed the stored programs, and the last of them (0: a raw query).
   std::uint32_t program_changes = 0;
@@ -253,16 +254,12 @@ struct Snapshot {
       if (f.id == id && id != 0) return &f;
     return nullptr;
   }
-  /// It was performed so long ago that its outcome is no longer here.
+  /// The intent was performed so long ago that its outcome has been dropped.
   [[nodiscard]] bool forgotten(IntentId id) const {
     if (id == 0 || outcome_of(id)) return false;
     return std::any_of(outcomes.begin(), outcomes.end(), [id](const IntentOutcome& f) { return f.id > id; });
   }
-  [[nodiscard]] bool axis_moves(int axis) const {
-    const Activity now = axes[axis].activity;
-    return now == Activity::moving || now == Activity::jogging || now == Activity::homing ||
-           now == Activity::stopping;
-  }
+  [[nodiscard]] bool axis_moves(int axis) const { return axes[axis].moves(); }
   [[nodiscard]] bool any_axis_moving() const {
     for (int i = 0; i < axis_count; ++i)
       if (axis_moves(i)) return true;
@@ -278,7 +275,7 @@ struct Snapshot {
     shown.queued = working || feed.running;
     return shown;
   }
-  /// While the link is lost: what was under way when it went, as nobody has seen it stop.
+  /// While the link is lost: the work under way at the loss, as its end has not been seen.
   [[nodiscard]] UnderWay under_way() const { return link.connected() ? shows_under_way() : link.when_lost; }
 };
 
@@ -310,14 +307,16 @@ struct Ending {
   int slot = -1;          ///< of a program, or its thread where the catalog has threads; -1: not known
   Instant began{}, at{};  ///< when each was first seen
   EndedBy by = EndedBy::nothing;
-  StoppedBy who = StoppedBy::nobody;  ///< if it was stopped
-  Doubt lost_with = Doubt::none;      ///< if it was lost: the state of the controller afterwards
-  bool beside_program = false;        ///< of a motion: a program of the controller ran when it ended
-  bool of_run = false;                ///< of a motion: a program, list or drawing ran while it moved
+  StoppedBy who = StoppedBy::unknown;  ///< if it was stopped
+  Doubt lost_with = Doubt::none;       ///< if it was lost: the state of the controller afterwards
+  bool beside_program = false;         ///< of a motion: a program of the controller ran when it ended
+  bool of_run = false;                 ///< of a motion: a program, list or drawing ran while it moved
+  bool perhaps_limit = false;          ///< of a motion cut short: nothing shows that it was not by a switch
   /// Of a motion that the console stopped: from the request to the first byte, and to rest.
   bool timed = false;
   Duration to_wire{}, to_rest{};
-  /// To the first answer behind it in which the axis slowed down; none: the controller does not report it.
+  /// To the first answer after the stop in which the axis slowed down; none: the controller does not report
+  /// it.
   std::optional<Duration> to_slowing;
   Steps ran_on{};  ///< distance in that time, from its last seen position and speed
   AxisError error =
@@ -343,7 +342,7 @@ struct Notice {
   bool whole = true;                    ///< ... and false: `text` leaves out code that could not be read
   std::string text;                     ///< a sentence, or the listing
   std::vector<int> slots;               ///< question: one of these must be emptied before a move is possible
-  std::optional<PastTravel> past = {};  ///< warning: of a limit that is passed, for `text` in other units
+  std::optional<PastTravel> past = {};  ///< warning: a passed limit, to show `text` in other units
 
   Notice() = default;
   Notice(Kind k, Instant when, std::string t) : kind(k), at(when), text(std::move(t)) {}

@@ -1,6 +1,6 @@
 #pragma once
-// Logs what a driver has concluded about its controller: that it was restarted, that a count cannot be
-// trusted any more, what runs, whether the guard is installed. --log driver.vxm=debug. Io thread.
+// Logs the conclusions of a driver about its controller: restarts, counts that became doubtful, programs and
+// how they ended, the state of the guard. --log driver.vxm=debug. Io thread.
 #include <array>
 #include <cstdint>
 
@@ -12,7 +12,7 @@ namespace hw {
 class StateLog {
  public:
   explicit StateLog(const Catalog& catalog) : catalog_(catalog), log_(driver_log(catalog)) {}
-  /// Compares with the snapshot before it. While nobody wants the lines it costs the read of a number.
+  /// Compares with the previous snapshot. While the level is off this costs the read of a number.
   void look(const Snapshot& now);
 
  private:
@@ -20,6 +20,7 @@ class StateLog {
     LinkState link = LinkState::connecting;
     std::uint32_t restarts = 0;
     RunState run = RunState::idle;
+    EndedBy run_ended_by = EndedBy::nothing;
     std::int8_t slot = -1;
     std::uint8_t slots_torn = 0;
     bool unsaved = false;
@@ -27,6 +28,7 @@ class StateLog {
     Identity identity;
     std::array<PositionTrust, max_axes> trust{};
     std::array<Activity, max_axes> activity{};
+    std::array<EndedBy, max_axes> ended_by{};
   };
   static Seen seen_in(const Snapshot& now);
   void log_controller(const Seen& before, const Seen& now) const;

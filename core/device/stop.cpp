@@ -68,7 +68,8 @@ bool StopDesk::uses_the_wire() const {
 void StopDesk::send_all_again() {
   for (StopOrder& order : orders_) {
     order.sent = order.confirmed = false;
-    if (order.what == StopOrder::What::words) order.what = StopOrder::What::everything;  // words go out once
+    if (order.what == StopOrder::What::words)
+      order.what = StopOrder::What::everything;  // a typed text is sent once
   }
 }
 

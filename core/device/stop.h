@@ -1,6 +1,6 @@
 #pragma once
-// The stops of one controller: what each one stops, whether it ramps, and which have not taken effect yet.
-// The pump asks the desk what to send; nothing else counts stops. Io thread only.
+// The stops of one controller: the scope of each, whether it ramps, and which have not taken effect yet. The
+// pump asks the desk which stop to send; only the desk counts stops. Io thread only.
 #include <cstdint>
 #include <functional>
 #include <list>
@@ -49,13 +49,13 @@ struct StopOrder {
   [[nodiscard]] bool same_scope(const StopOrder& other) const {
     return what == other.what && axis == other.axis && thread == other.thread;
   }
-  /// If sent first, it does all that `other` would do, no less abruptly.
+  /// Sent first, this stop does all that `other` would do, no less abruptly.
   [[nodiscard]] bool covers(const StopOrder& other) const {
     if (what == What::tool || other.what == What::tool) return false;
     return what == What::broadcast || (what == What::everything && axis < 0 && other.what != What::words &&
                                        other.what != What::broadcast && (at_once || !other.at_once));
   }
-  /// `other` must wait until this one is sent completely, as it does not stop all that this one stops.
+  /// `other` must wait until this stop is sent completely, as it does not cover all of it.
   [[nodiscard]] bool outlasts(const StopOrder& other) const {
     if (other.what == What::tool) return what != What::tool;
     if (what == What::tool) return false;
@@ -70,11 +70,11 @@ struct StopOrder {
 /// The progress of a stop, as a status round shows it.
 struct StopProgress {
   enum class Now : std::uint8_t {
-    stands,   ///< everything that it was to stop is at rest
+    stands,   ///< everything in the scope of the stop is at rest
     wait,     ///< it is taking effect
     again,    ///< no effect seen: send it again, in the same form
     at_once,  ///< its ramp does not end: stop at once
-    failed    ///< sent as often as is useful; `why` says what still runs
+    failed    ///< sent as often as is useful; `why` names what still runs
   };
   Now now = Now::stands;
   std::optional<Fault> why;
@@ -116,7 +116,7 @@ class StopDesk {
   [[nodiscard]] bool uses_the_wire() const;
   /// Sends all again, as nothing shows that any has arrived.
   void send_all_again();
-  /// The stop of that number; null: it is closed.
+  /// The stop with that number; null: it is closed.
   [[nodiscard]] StopOrder* find(std::uint64_t number);
   void close(const StopOrder& order);
   void clear() { orders_.clear(); }
@@ -130,7 +130,8 @@ class StopDesk {
   [[nodiscard]] const std::list<StopOrder>& orders() const { return orders_; }
 
  private:
-  std::list<StopOrder> orders_;  ///< oldest first; they keep their place while others come and go
+  std::list<StopOrder>
+      orders_;  ///< oldest first; a stop keeps its address while others are added and removed
   std::uint64_t epoch_ = 0, asked_ = 0, sending_ = 0;
 };
 

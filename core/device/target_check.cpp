@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/axis_check.h"
 #include "core/device/refusals.h"
 #include "core/device/snapshot.h"
 
@@ -12,8 +13,7 @@ namespace hw {
 Result<WholePace> check_pace(const Catalog& catalog, const AccelerationUnit& unit, const intent::Pace& pace) {
   const double speed = std::round(pace.speed.value);
   const double slowest = catalog.jog_speed_min.value, fastest = catalog.jog_speed_max.value;
-  if (pace.speed.value != 0 &&
-      !(speed >= slowest && speed <= fastest))  // this way round for what is no number
+  if (pace.speed.value != 0 && !(speed >= slowest && speed <= fastest))  // negated, so that NaN is refused
     return fail(FaultKind::refused,
                 fmt::format("A speed of {} is not possible. The range is {:.0f} to {:.0f} {}/s.",
                             pace.speed.value, slowest, fastest, catalog.step_word),
@@ -45,9 +45,7 @@ Result<std::vector<Steps>> check_move(const Catalog& catalog, const Snapshot& no
                                       const std::vector<AxisTarget>& all, MoveBase base) {
   std::vector<Steps> targets;
   for (const AxisTarget& to : all) {
-    if (to.axis.index >= catalog.axes.size())
-      return fail(FaultKind::refused, fmt::format("There is no axis {}.", to.axis.index + 1),
-                  "Nothing was sent.");
+    if (auto may = check_axis(catalog, to.axis.index); !may) return fail(may.error());
     const Steps from = base == MoveBase::position ? now.axes[to.axis.index].commanded() : Steps(0);
     const auto target = check_target(catalog, to.axis, from, to.value);
     if (!target) return fail(target.error());

@@ -15,8 +15,8 @@ struct WholePace {
   std::int64_t speed = 0, acceleration = 0;
 };
 
-/// Rounds the pace to whole numbers, or reports why it is refused. A unit without a range: the controller has
-/// one ramp for all motions.
+/// Rounds the pace to whole numbers; the fault says why it is refused. A unit without a range: the controller
+/// has one ramp for all motions.
 Result<WholePace> check_pace(const Catalog& catalog, const AccelerationUnit& unit, const intent::Pace& pace);
 
 /// `from` + `value`, if the axis can go there.

@@ -1,6 +1,6 @@
 #pragma once
-// What the pump must know about a raw text before it is sent. Each family interprets its own texts, once, by
-// a pure function.
+// The effects of a raw text that the pump must know before it sends the text. Each family interprets its own
+// texts, once, by a pure function.
 #include <cstdint>
 
 namespace hw {
@@ -16,7 +16,7 @@ struct TextMeaning {
   enum class For : std::uint8_t {
     this_one,
     another,  ///< the device at `address`
-    everybody
+    all
   };
 
   Stops stops = Stops::nothing;
@@ -28,11 +28,11 @@ struct TextMeaning {
   bool runs_program = false;  ///< starts a stored program, or continues one
   bool restarts = false;      ///< the controller restarts
   bool only_asks = false;     ///< it changes nothing in the controller and moves nothing
-  For whom = For::this_one;
+  For addressee = For::this_one;
   int address = -1;
 
   [[nodiscard]] bool is_stop() const { return stops != Stops::nothing; }
-  [[nodiscard]] bool stops_here() const { return is_stop() && whom != For::another; }
+  [[nodiscard]] bool stops_here() const { return is_stop() && addressee != For::another; }
 };
 
 }  // namespace hw

@@ -15,8 +15,7 @@ bool program_goes_on(const ProgramState& program) {
   return program.owned && (program.run == RunState::running || program.run == RunState::waiting);
 }
 
-/// A bit for each way in which a limit shows: a switch that is active now, a motion that has ended by one, a
-/// program that tells of one.
+/// A bit for each sign of a limit: an active switch, a motion ended by a limit, a program that reports one.
 std::uint32_t limits_shown(const Snapshot& now) {
   std::uint32_t bits = now.program.ended_by == EndedBy::limit ? 1u << 3 * max_axes : 0;
   for (int i = 0; i < now.axis_count; ++i) {
@@ -30,7 +29,7 @@ std::uint32_t limits_shown(const Snapshot& now) {
 
 }  // namespace
 
-/// Limits that were met before are none of what begins now; but those of what is at work already are its own.
+/// Limits met earlier do not concern a run that begins now; those of a run under way do.
 void ToolGuard::goes_to_work(const Snapshot& now) {
   if (!std::exchange(at_work_, true)) limits_ = limits_shown(now);
 }
@@ -93,7 +92,7 @@ void ToolGuard::refused(const IntentBody& intent) {
   gather();
 }
 
-/// A text that has come half way may have left some of the one before.
+/// A text that was loaded in part may have left parts of the one before.
 void ToolGuard::gather() {
   all_.clear();
   const auto add = [this](const ToolOff& tool) {
@@ -122,7 +121,7 @@ void ToolGuard::pieces_begin(const ToolOff& tool, const Snapshot& now) {
   gather();
 }
 
-/// In a hold the motion that has begun goes on to its end, with the tool.
+/// During a hold the motion under way continues to its end, with the tool on.
 ToolGuard::Cause ToolGuard::cause(const Snapshot& now) {
   const std::uint32_t limits = limits_shown(now), met = limits & ~std::exchange(limits_, limits);
   const bool acts_are_held = now.pieces.held && (now.feed.running || now.pieces.rests);
@@ -143,13 +142,13 @@ ToolGuard::Request ToolGuard::watch(const Snapshot& now, std::uint64_t rounds) {
     return seen == Cause::none ? Request::nothing : Request::look;
   }
   if (rounds < look_) return Request::nothing;
-  if (now.io_seen_at < asked_at_) return Request::look;  // its outputs were not reported since
+  if (now.io_seen_at < asked_at_) return Request::look;  // the outputs were not reported since
   look_ = 0;
   const Cause judged = std::exchange(cause_, Cause::none);
   if (judged == Cause::limit) return is_off(now) ? Request::nothing : Request::stop;
-  if (seen != Cause::rests) return Request::nothing;  // it goes on
+  if (seen != Cause::rests) return Request::nothing;  // the run continues
   if (!is_off(now)) return Request::switch_off;
-  if (now.any_axis_moving()) return Request::nothing;  // what a part of it has begun may switch it on again
+  if (now.any_axis_moving()) return Request::nothing;  // a motion of the program may switch the tool on again
   at_work_ = false;
   if (!now.pieces.draws && by_place_.erase(place_of_pieces) > 0) gather();
   return Request::nothing;

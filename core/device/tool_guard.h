@@ -40,11 +40,11 @@ class ToolGuard {
 
   enum class Request : std::uint8_t {
     nothing,
-    look,        ///< a whole status round must show its state: see looks_by()
+    look,        ///< a whole status round must show the state of the tool: see looks_by()
     switch_off,  ///< no program runs that could switch it off
     stop         ///< a limit ended a motion with the tool on, and the program continues
   };
-  /// What to do after a status round; `rounds`: ended so far.
+  /// What to do after a status round; `rounds`: status rounds ended so far.
   [[nodiscard]] Request watch(const Snapshot& now, std::uint64_t rounds);
   void looks_by(std::uint64_t round, Instant asked_at) { look_ = round, asked_at_ = asked_at; }
   /// The guard waits for that round.
@@ -52,15 +52,15 @@ class ToolGuard {
 
   /// Progress of the stop that switches the tool off, judged by a whole round after all other stops.
   [[nodiscard]] StopProgress progress(const StopOrder& order, const Snapshot& now) const;
-  /// The tool could not be switched off, and the user was notified: nothing more is tried until a program
-  /// runs again.
+  /// The tool could not be switched off, and the user was notified: no further attempt until a program runs
+  /// again.
   void give_up();
 
   /// Pieces that switch the tool act by act begin (Snapshot::pieces).
   void pieces_begin(const ToolOff& tool, const Snapshot& now);
 
   // ---- a hold: the cut continues where it was held
-  /// A hold switches the tool off; what is on now is switched on again when the program continues.
+  /// A hold switches the tool off; outputs that are on now are switched on again when the program continues.
   void note_hold(const Snapshot& now);
   void forget_hold() { held_.clear(); }
   /// To be switched on before the program continues.

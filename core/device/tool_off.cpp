@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view mark = "Tool off:";
 constexpr int most_outputs_of_a_controller = 32;
 
-/// How the steps leave each output that they switch.
+/// The final state of each output that the steps switch.
 void leave_outputs(const sequence::StepList& steps, int outputs, std::map<int, bool>& left) {
   for (const sequence::Step& step : steps) {
     if (step.skipped) continue;
@@ -27,7 +27,7 @@ void leave_outputs(const sequence::StepList& steps, int outputs, std::map<int, b
   }
 }
 
-/// Where the list of outputs begins in a line that says so; npos: it is another line.
+/// Start of the list of outputs in the line; npos: the line has none.
 std::size_t list_in(std::string_view line) {
   const std::size_t at = line.find(mark);
   if (at == std::string_view::npos || at == 0) return std::string_view::npos;

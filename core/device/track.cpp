@@ -27,8 +27,8 @@ void Track::add(const RehearsedPlace& place) {
   if (places_.size() > most_places) thin_out();
 }
 
-/// Every other one, and half as often from here on. Where it has rested or an output was switched stays, as
-/// far as there is room.
+/// Drops every other place, and halves the rate from here on. Places at rest and at switched outputs are
+/// kept, as far as there is room.
 void Track::thin_out() {
   const auto stays = [this](std::size_t i) {
     if (i == 0 || i + 1 == places_.size()) return true;
@@ -41,7 +41,7 @@ void Track::thin_out() {
   for (std::size_t i = 0; i < places_.size(); ++i)
     if (i % 2 == 0 || stays(i)) kept.push_back(places_[i]);
   every_ *= 2;
-  if (kept.size() * 4 > most_places * 3) {  // it hardly does anything else
+  if (kept.size() * 4 > most_places * 3) {  // thinning would hardly help
     std::size_t n = 0;
     for (std::size_t i = 0; i < kept.size(); i += 2) kept[n++] = kept[i];
     kept.resize(n);

@@ -17,9 +17,9 @@ class Track {
  public:
   static constexpr std::size_t most_places = 300'000;  // 24 MB
   void add(const RehearsedPlace& place);
-  /// As at the last place.
+  /// Nothing has changed since the last place.
   [[nodiscard]] bool rests(const RehearsedPlace& place) const;
-  /// Keep one in so many: 1, 2, 4 ...
+  /// Keeps one place in so many: 1, 2, 4 ...
   [[nodiscard]] int every() const { return every_; }
   [[nodiscard]] std::vector<RehearsedPlace> take() { return std::move(places_); }
 

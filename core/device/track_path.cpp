@@ -9,12 +9,12 @@
 namespace hw {
 namespace {
 
-/// Which line of the text the program is at, while time goes on, and how often that line was begun before.
+/// The line of the text under way as time advances, and how often it was begun before.
 class LineAtTime {
  public:
   LineAtTime(const Rehearsal& rehearsal, int slot, std::span<const int> lines)
       : events_(rehearsal.events), turns_(rehearsal.turns), slot_(slot), lines_(lines) {}
-  /// Of what moves up to `t`: its command was begun before.
+  /// Includes commands begun before `t`.
   void go_on(double t) {
     for (; next_event_ < events_.size() && events_[next_event_].t < t; ++next_event_) {
       const RehearsedEvent& e = events_[next_event_];
@@ -51,7 +51,7 @@ class LineAtTime {
   std::vector<int> begun_;  ///< by line
 };
 
-/// The place where one controller stands, while time goes on.
+/// The position of one controller as time advances.
 class TrackCursor {
  public:
   explicit TrackCursor(const std::vector<RehearsedPlace>& track) : track_(&track) {}
@@ -60,7 +60,7 @@ class TrackCursor {
     return at_ + 1 < track_->size() ? &(*track_)[at_ + 1] : nullptr;
   }
   void go_on() { ++at_; }
-  /// Not before now() and not behind next().
+  /// `t` lies between now() and next().
   [[nodiscard]] double position(int axis, double t) const {
     if (!now()) return 0;
     const auto a = static_cast<double>(now()->position[ix(axis)]);
@@ -82,13 +82,13 @@ bool tool_on(const RehearsedPlace& place, const TrackAxes& axes) {
   return axes.lowers->down_is_plus ? beyond > 0 : beyond < 0;
 }
 
-/// All tracks at once, place by place in the order of time.
+/// Walks all tracks at once, place by place in the order of time.
 class Walk {
  public:
   Walk(std::span<const Rehearsal> all, const TrackAxes& axes) : axes_(axes) {
     for (const Rehearsal& one : all) standing_.emplace_back(one.track);
   }
-  /// To the next place of any of them; false: there is none.
+  /// Advances to the next place of any track; false: there is none.
   bool go_on() {
     TrackCursor* soonest = nullptr;
     for (TrackCursor& s : standing_)
@@ -119,7 +119,7 @@ class Walk {
   drawing::Point3 from_;
 };
 
-/// The number of the output, or the axis with its place, that a routine of the tool sets at last.
+/// The output, or the axis with its place, that a tool routine sets last.
 struct Routine {
   std::optional<sequence::Output> output;
   std::array<std::optional<double>, max_axes> places{};

@@ -23,7 +23,7 @@ void TransferProgress::enter(Phase phase, int lines) {
   shown_.left = Duration{};
 }
 
-// The first few may be slow or quick by chance.
+// The first few units of work may be slow or fast by chance.
 void TransferProgress::worked(Instant now) {
   constexpr int enough_work = 8;
   constexpr Duration enough_time = Millis(500), between_log_lines = std::chrono::seconds(5);
@@ -43,7 +43,7 @@ void TransferProgress::write_log() const {
   const std::string left =
       shown_.left > Duration{} ? fmt::format(", {:.0f} s left", seconds(shown_.left)) : std::string();
   driver_log(catalog_).add(log::Level::info,
-                           fmt::format("{}: {}{} lines {}{}", Whose{catalog_}, shown_.done, of,
+                           fmt::format("{}: {}{} lines {}{}", LogName{catalog_}, shown_.done, of,
                                        verbs[static_cast<std::size_t>(shown_.phase)], left));
 }
 

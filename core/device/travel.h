@@ -1,5 +1,5 @@
 #pragma once
-// How far the user lets an axis go: soft limits of the console's own, with or without limits of the
+// The user's limits of an axis: soft limits that the console enforces, with or without limits of the
 // controller.
 #include <cstdint>
 
@@ -7,11 +7,11 @@
 
 namespace hw {
 
-/// Absolute, in the unit that the axis counts. An end that is not set limits nothing.
+/// Absolute, in the unit that the axis counts. A side without a limit is not checked.
 struct Travel {
   bool has_minus = false, has_plus = false;
   Steps minus{}, plus{};
-  bool in_counts = false;  ///< set while its loop was closed: in encoder counts, not in pulses
+  bool in_counts = false;  ///< set while the loop was closed: in encoder counts, not in pulses
 
   [[nodiscard]] bool any() const { return has_minus || has_plus; }
   [[nodiscard]] bool has(Sign side) const { return side == Sign::minus ? has_minus : has_plus; }
@@ -27,13 +27,13 @@ struct Travel {
 /// A place outside the limits of its axis.
 struct PastTravel {
   AxisId axis;
-  Sign side = Sign::plus;  ///< which limit it is past
+  Sign side = Sign::plus;  ///< the limit that `place` is past
   Steps place{};
   Steps nearest{};  ///< the limit
   int row = -1;     ///< row of a list, from 0; -1: not in a list
   enum class Of : std::uint8_t {
     target,
-    backlash,  ///< where a move to a target inside would come from, to take up backlash
+    backlash,  ///< a move to a target inside would go there first, to take up backlash
     jog,       ///< `place` is where the axis stands
     text       ///< a raw text, which is sent anyway
   };

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/device/axis_check.h"
 #include "core/device/pieces.h"
 #include "core/device/sequence_travel.h"
 
@@ -24,7 +25,7 @@ void add(Goals& goals, const std::vector<AxisTarget>& places, int row = -1) {
     if (place.axis.index < max_axes) goals.push_back({place, row});
 }
 
-/// A relative move begins where the axis is sent now.
+/// A relative move begins at the present target of the axis.
 void add_distances(Goals& goals, const Snapshot& now, const intent::MoveBy& by) {
   for (const AxisTarget& distance : by.distances)
     if (distance.axis.index < max_axes)
@@ -49,7 +50,7 @@ void add_pieces(Goals& goals, const Catalog& catalog, const Snapshot& now, const
     add(goals, piece.ends_at);
     add(goals, piece.reaches);
     for (const PieceAct& act : piece.does)
-      if (act.what && !std::holds_alternative<intent::MoveBy>(*act.what))  // from wherever it is then
+      if (act.what && !std::holds_alternative<intent::MoveBy>(*act.what))  // its start is not known yet
         for (Goal& goal : goals_of(catalog, now, *act.what)) goals.push_back({goal.at, -1});
   }
 }
@@ -81,6 +82,13 @@ std::optional<PastTravel> past(const AxisState& axis, const Goal& goal) {
   return {};
 }
 
+/// A unit may count against the steps.
+std::string distance_in_words(const PlaceWords& place, AxisId axis, Steps distance) {
+  std::string words = place(axis, distance);
+  if (words.starts_with('-') || words.starts_with("\u2212")) words = place(axis, Steps(0) - distance);
+  return words;
+}
+
 std::string capital(std::string words) {
   if (!words.empty())
     words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
@@ -89,10 +97,13 @@ std::string capital(std::string words) {
 
 }  // namespace
 
-std::optional<PastTravel> past_travel(const Catalog& catalog, const Snapshot& now, const IntentBody& body) {
+bool some_travel_holds(const Snapshot& now) {
   const auto end = now.axes.begin() + std::min<std::ptrdiff_t>(now.axis_count, max_axes);
-  if (std::none_of(now.axes.begin(), end, [](const AxisState& axis) { return axis.travel_holds(); }))
-    return {};
+  return std::any_of(now.axes.begin(), end, [](const AxisState& axis) { return axis.travel_holds(); });
+}
+
+std::optional<PastTravel> past_travel(const Catalog& catalog, const Snapshot& now, const IntentBody& body) {
+  if (!some_travel_holds(now)) return {};
   for (const Goal& goal : goals_of(catalog, now, body))
     if (auto found = past(now.axes[goal.at.axis.index], goal)) return found;
   return {};
@@ -108,7 +119,13 @@ std::string describe_past(const Catalog& catalog, const PastTravel& past, const 
         "{} stands at the {} limit that is set for it, {}, or beyond. {} Jog it the other way, or change the "
         "limit.",
         capital(name), sign, limit, done);
-  if (past.place == without_end || past.place == Steps(0) - without_end)
+  const bool endless = past.place == without_end || past.place == Steps(0) - without_end;
+  if (endless && past.of == PastTravel::Of::text)
+    return fmt::format(
+        "This text leads past a limit: nothing in it ends the motion of {} before its {} limit, "
+        "{}. {}",
+        name, sign, limit, done);
+  if (endless)
     return fmt::format("An endless loop moves {} further in each pass, and so past its {} limit, {}. {}",
                        name, sign, limit, done);
   const Steps beyond = past.side == Sign::plus ? past.place - past.nearest : past.nearest - past.place;
@@ -117,7 +134,7 @@ std::string describe_past(const Catalog& catalog, const PastTravel& past, const 
     where += "To take up backlash, the move would go further than its target: ";
   if (past.of == PastTravel::Of::text) where += "This text leads past a limit: ";
   return fmt::format("{}{} lies {} past the {} limit of {}, {}. {}", where, place(past.axis, past.place),
-                     place(past.axis, beyond), sign, name, limit, done);
+                     distance_in_words(place, past.axis, beyond), sign, name, limit, done);
 }
 
 Steps nearest_allowed(const Snapshot& now, const PastTravel& past) {
@@ -139,13 +156,13 @@ std::optional<PastTravel> bound_by_travel(const Snapshot& now, intent::JogStart&
 
 std::string describe_no_travel(const Catalog& catalog, const intent::SetTravel& request,
                                const PlaceWords& place) {
-  if (request.axis.index >= catalog.axes.size())
-    return fmt::format("There is no axis {}.", request.axis.index + 1);
+  if (request.axis.index >= catalog.axes.size()) return describe_no_axis(request.axis.index);
   const Travel& t = request.travel;
   if (t.has_minus && t.has_plus && t.minus >= t.plus)
-    return fmt::format("The \u2212 limit of {}, {}, must lie below its + limit, {}. Nothing was changed.",
-                       spoken_name(catalog, request.axis.index), place(request.axis, t.minus),
-                       place(request.axis, t.plus));
+    return fmt::format(
+        "The \u2212 limit of {}, {}, must lie on the \u2212 side of its + limit, {}. Nothing was "
+        "changed.",
+        spoken_name(catalog, request.axis.index), place(request.axis, t.minus), place(request.axis, t.plus));
   return {};
 }
 
@@ -168,7 +185,7 @@ std::optional<PastTravel> TravelWatch::look(const Snapshot& now) {
     const bool before = (outside_ >> i & 1u) != 0;
     outside_ = outside ? outside_ | 1u << i : outside_ & ~(1u << i);
     if (!outside || before || !now.axis_moves(i) || axis.activity == Activity::homing)
-      continue;  // where it was merely set, the user has set it
+      continue;  // set by the user
     return PastTravel{AxisId{static_cast<std::uint8_t>(i)}, side, axis.position, axis.travel.end(side)};
   }
   return {};

@@ -8,7 +8,7 @@ namespace hw {
 
 class WrittenSpeeds {
  public:
-  /// The speeds that must be written so that a motion has the wanted ones; 0: nothing to write. None: one
+  /// The speeds to be written so that a motion has the wanted speeds; 0: nothing to write. None: one of them
   /// must be the controller's own, and the text has changed it.
   std::optional<StepSpeeds> towards(const StepSpeeds& wanted) {
     StepSpeeds needed;

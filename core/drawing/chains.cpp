@@ -206,7 +206,7 @@ class Turning {
     return all;
   }
   [[nodiscard]] int size() const { return static_cast<int>(order_.size()); }
-  /// Where the tool leaves the chain at `place`; -1: the begin of the whole way.
+  /// The point where the tool leaves the chain at `place`; -1: the start of all chains.
   [[nodiscard]] Point leaves(int place) const {
     if (place < 0) return begin_;
     const int i = order_[ix(place)];

@@ -44,8 +44,8 @@ std::optional<double> coordinate(std::string_view text) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-/// Its own direction upwards, and its first point as the file has it.
-struct Lying {
+/// The extrusion direction and the first point of an entity, as in the file.
+struct EntityPlace {
   std::optional<double> x, y, height;
   Point3 up{0, 0, 1};
 };
@@ -65,7 +65,7 @@ Point3 cross(Point3 a, Point3 b) {
 Point3 of_length_1(Point3 v) { return v * (1 / length(v)); }
 
 /// Seen from above. A plane's own X follows from where it points to: the format's arbitrary axis algorithm.
-std::optional<Point> seen_from_above(const Lying& lying) {
+std::optional<Point> seen_from_above(const EntityPlace& lying) {
   constexpr double nearly_up = 1.0 / 64;
   if (!lying.x || !lying.y || !(length(lying.up) > 0)) return std::nullopt;
   const Point3 up = of_length_1(lying.up);
@@ -75,13 +75,13 @@ std::optional<Point> seen_from_above(const Lying& lying) {
   return Point{at.x, at.y};
 }
 
-/// Behind the line of its name: its first point. That of a hatch is how high it lies, and so is that of a
-/// polyline, whose own ones are of its vertices.
+/// The first point, after the line of the name. For a hatch and a polyline it gives only the height; the
+/// points of a polyline are its vertices.
 std::optional<Point> first_point(Lines& lines, std::string_view entity) {
   constexpr int x_code = 10, y_code = 20, z_code = 30, height_code = 38, flags_code = 70, up_code = 210;
   int points_before = entity == "HATCH" ? 1 : 0, flags = 0;
   bool in_header = entity == "POLYLINE", found = false;
-  Lying lying;
+  EntityPlace lying;
   while (!lines.empty()) {
     const int code = whole_number<int>(lines.take()).value_or(-1);
     const std::string_view value = lines.take();

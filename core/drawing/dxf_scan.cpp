@@ -197,7 +197,7 @@ Result<> may_be_read(std::uintmax_t bytes, const std::string& name) {
   return fail(FaultKind::text,
               fmt::format("{} has {} MB; more than {} are not read.", name, bytes / 1'000'000,
                           largest_dxf / 1'000'000),
-              std::string(nothing_taken), "Save the part that is to be drawn as a file of its own.");
+              std::string(nothing_taken), "Save the part to be drawn as a separate file.");
 }
 
 Result<ScannedDxf> scan_dxf(std::string_view text, const std::string& name) {

@@ -90,8 +90,8 @@ std::optional<Shape> through(FitPoints fit) {
   if (fit.closed && !points.empty()) points.push_back(points.front());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 2) return std::nullopt;
-  const bool says_ends = long_as(fit.start) > 0 && long_as(fit.end) > 0;
-  if (points.size() == 2 && (!says_ends || fit.closed)) return Line{points[0], points[1]};
+  const bool has_end_directions = long_as(fit.start) > 0 && long_as(fit.end) > 0;
+  if (points.size() == 2 && (!has_end_directions || fit.closed)) return Line{points[0], points[1]};
   return Interpolating(fit).run();
 }
 

@@ -10,7 +10,7 @@ namespace hw::drawing {
 struct FitPoints {
   std::vector<Point> points;
   bool closed = false;
-  Point start, end;  ///< directions at its ends; zero: not in the file
+  Point start{}, end{};  ///< directions at its ends; zero: not in the file
 };
 
 /// The cubic spline through all points, continuous in curvature, parametrised by chord length, as CAD

@@ -84,7 +84,7 @@ double round_length(double most) {
   return most >= 5 * ten ? 5 * ten : most >= 2 * ten ? 2 * ten : ten;
 }
 
-/// What stands below the paths: a bar of a round length, and what the axes are.
+/// The text below the paths: a bar of a round length, and the axes.
 struct Foot {
   Foot(double left, double top, double wide, double longest, const SvgWords& given)
       : x(left), y(top), width(wide), words(given) {

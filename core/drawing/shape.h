@@ -53,7 +53,7 @@ Ellipse arc_of(Point centre, double radius, double begin_degrees, double end_deg
 /// is 0 or negligible.
 Shape bulged(Point from, Point to, double bulge);
 Shape moved(const Shape& shape, const Affine& affine);
-/// What is wrong with its numbers; empty: nothing.
+/// The error in its numbers; empty: none.
 std::string_view flaw_of(const Spline& spline);
 Point point_at(const Spline& spline, double t);
 /// Appends the shape to `curves` as lines and arcs.

@@ -45,7 +45,7 @@ struct BenchFile {
 Result<BenchFile> parse_bench_file(std::string_view text, const Catalog& catalog,
                                    std::string_view name = "bench file");
 
-/// What is wrong with a place ("minus must be below plus"); empty: nothing.
+/// The error in a place ("minus must be below plus"); empty: none.
 std::string_view problem_of(const AxisPlace& place);
 
 }  // namespace hw

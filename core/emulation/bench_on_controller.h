@@ -9,14 +9,15 @@ namespace hw {
 /// Passes commands to the controller on to `act`. Refuses faults of the wire, which the transport makes.
 template <class Act>
 Result<> on_controller(const BenchCommand& command, const Act& act) {
-  const auto do_it = [&]<class Hand>(const Hand& hand) -> Result<> {
-    constexpr bool of_the_wire = std::is_same_v<Hand, bench::Unplug> || std::is_same_v<Hand, bench::Garble> ||
-                                 std::is_same_v<Hand, bench::Drop>;
+  const auto do_it = [&]<class Operation>(const Operation& operation) -> Result<> {
+    constexpr bool of_the_wire = std::is_same_v<Operation, bench::Unplug> ||
+                                 std::is_same_v<Operation, bench::Garble> ||
+                                 std::is_same_v<Operation, bench::Drop>;
     if constexpr (of_the_wire)
       return fail(FaultKind::refused,
                   "Faults of the wire are made where the wire is, not in the controller.");
     else
-      return act(hand);
+      return act(operation);
   };
   return std::visit(do_it, command);
 }

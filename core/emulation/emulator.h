@@ -29,16 +29,16 @@ class Emulator {
   virtual void take_output(std::string& sink) = 0;
   /// For a board in a memory window: its side of the bus; receive() and take_output() do nothing then.
   virtual BusTarget* bus() { return nullptr; }
-  /// When something next happens by itself (a step, the end of a pause, a lamp). None: nothing will.
+  /// Time of the next event without input (a step, the end of a pause, a lamp). None: there is none.
   [[nodiscard]] virtual std::optional<Instant> next_event() const = 0;
   /// Advances time; everything due up to and including `now` happens in order. Never backwards.
   virtual void advance_to(Instant now) = 0;
 
-  /// Performs a bench command. Refuses with a sentence what this device does not have.
+  /// Performs a bench command. The fault says what this device lacks.
   virtual Result<> operate(const BenchCommand& command) = 0;
   virtual void look(BenchView& view) const = 0;
   /// The true state of its axes at the last advance_to(). axis_count 0: not available.
-  virtual void tell_truth(MachineTruth&) const {}
+  virtual void report_truth(MachineTruth&) const {}
   /// Trigger pulses so far, oldest first (kept to the last 100,000).
   [[nodiscard]] virtual const std::vector<TriggerPulse>& pulses() const = 0;
 
@@ -47,12 +47,13 @@ class Emulator {
   /// Its non-volatile memory as text for a file, and back. `store_count` in it increases with each store.
   [[nodiscard]] virtual std::string save_memory() const = 0;
   virtual Result<> load_memory(std::string_view text) = 0;
-  /// Puts a freshly started emulator into the known state of a controller; what `state` does not tell is
-  /// left. Only for devices that share a wire: others are rehearsed by their language.
+  /// Puts a freshly started emulator into the known state of a controller; values unknown to `state` stay.
+  /// Only for devices that share a wire: others are rehearsed by their language.
   virtual void begin_like(const ControllerState&, const Catalog&) {}
   /// Changes at each write to non-volatile memory.
   [[nodiscard]] virtual std::uint64_t memory_version() const = 0;
 
+  /// An independent copy: tests and fuzzers continue from the same moment twice.
   [[nodiscard]] virtual std::unique_ptr<Emulator> clone() const = 0;
 };
 

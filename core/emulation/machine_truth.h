@@ -1,6 +1,6 @@
 #pragma once
-// What an emulated machine really does at one instant, so that tests/simulation can judge what the console
-// shows. The console itself must not use it: a real controller has no such window.
+// The true state of an emulated machine at one instant, against which tests/simulation judges the console's
+// display. The console itself must not use it: a real controller does not offer it.
 #include <array>
 #include <cstdint>
 
@@ -10,7 +10,7 @@
 namespace hw {
 
 struct AxisTruth {
-  Steps position{};     ///< its counter: what the controller would answer now
+  Steps position{};     ///< the counter: the controller's answer if asked now
   bool moving = false;  ///< steps are being made, a ramp down included
   Duration ramp{};      ///< time to come to rest from the present speed
   bool operator==(const AxisTruth&) const = default;

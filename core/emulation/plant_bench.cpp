@@ -13,9 +13,9 @@ Result<> check_place(const AxisPlace& place, bool servo) {
   return {};
 }
 
-Result<> act_on(motion::Plant& plant, const bench::Place& hand) {
-  if (auto bad = check_place(hand.place, false); !bad) return bad;
-  plant.set_place(hand.place);
+Result<> act_on(motion::Plant& plant, const bench::Place& operation) {
+  if (auto bad = check_place(operation.place, false); !bad) return bad;
+  plant.set_place(operation.place);
   return {};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Hands on the mechanics of an axis, and what is seen of them: the same for every emulated controller whose
+// Bench commands on the mechanics of an axis, and their view: the same for every emulated controller whose
 // loads are plants.
 #include <cstdint>
 #include <string>
@@ -13,24 +13,24 @@ namespace hw {
 /// Refuses a place that an axis cannot have. `servo`: a motor can be described for it.
 Result<> check_place(const AxisPlace& place, bool servo);
 
-inline Result<> act_on(motion::Plant& plant, const bench::Limit& hand) {
-  return plant.operate_limit(hand.sign, hand.operated), Result<>();
+inline Result<> act_on(motion::Plant& plant, const bench::Limit& operation) {
+  return plant.operate_limit(operation.sign, operation.operated), Result<>();
 }
-inline Result<> act_on(motion::Plant& plant, const bench::HomeSwitch& hand) {
-  return plant.operate_home(hand.operated), Result<>();
+inline Result<> act_on(motion::Plant& plant, const bench::HomeSwitch& operation) {
+  return plant.operate_home(operation.operated), Result<>();
 }
-inline Result<> act_on(motion::Plant& plant, const bench::Jam& hand) {
-  return plant.jam(hand.on), Result<>();
+inline Result<> act_on(motion::Plant& plant, const bench::Jam& operation) {
+  return plant.jam(operation.on), Result<>();
 }
-inline Result<> act_on(motion::Plant& plant, const bench::Slip& hand) {
-  return plant.slip(hand.by), Result<>();
+inline Result<> act_on(motion::Plant& plant, const bench::Slip& operation) {
+  return plant.slip(operation.by), Result<>();
 }
 /// Of a stepping motor.
-Result<> act_on(motion::Plant& plant, const bench::Place& hand);
+Result<> act_on(motion::Plant& plant, const bench::Place& operation);
 
-template <class Hand>
-concept ActsOnPlant = requires(motion::Plant& plant, const Hand& hand) {
-  act_on(plant, hand);
+template <class Operation>
+concept ActsOnPlant = requires(motion::Plant& plant, const Operation& operation) {
+  act_on(plant, operation);
 };
 
 /// For a controller that has axes and a power switch, and nothing else on its bench. `plant_of` gives the
@@ -39,18 +39,18 @@ concept ActsOnPlant = requires(motion::Plant& plant, const Hand& hand) {
 template <class PlantOf, class Changed, class SwitchPower>
 Result<> act_on_plants(const BenchCommand& command, const PlantOf& plant_of, const Changed& changed,
                        const SwitchPower& power) {
-  const auto act = [&]<class Hand>(const Hand& hand) -> Result<> {
-    if constexpr (ActsOnPlant<Hand>) {
-      motion::Plant* plant = plant_of(hand.axis);
+  const auto act = [&]<class Operation>(const Operation& operation) -> Result<> {
+    if constexpr (ActsOnPlant<Operation>) {
+      motion::Plant* plant = plant_of(operation.axis);
       if (!plant)
         return fail(FaultKind::refused,
-                    "This controller has no axis number " + std::to_string(hand.axis.index + 1) + ".",
+                    "This controller has no axis number " + std::to_string(operation.axis.index + 1) + ".",
                     "Nothing was changed.");
-      if (auto done = act_on(*plant, hand); !done) return done;
-      changed(hand.axis);
-    } else if constexpr (std::is_same_v<Hand, bench::Power>) {
-      power(hand.on);
-    } else if constexpr (std::is_same_v<Hand, bench::PowerCycle>) {
+      if (auto done = act_on(*plant, operation); !done) return done;
+      changed(operation.axis);
+    } else if constexpr (std::is_same_v<Operation, bench::Power>) {
+      power(operation.on);
+    } else if constexpr (std::is_same_v<Operation, bench::PowerCycle>) {
       power(false);
       power(true);
     } else {

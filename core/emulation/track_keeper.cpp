@@ -7,7 +7,7 @@ namespace hw {
 void TrackKeeper::look(Instant now) {
   if (every_ == Duration{}) return;
   MachineTruth truth;
-  emulator_.tell_truth(truth);
+  emulator_.report_truth(truth);
   BenchView view;
   emulator_.look(view);
   RehearsedPlace place;

@@ -17,7 +17,7 @@ class TrackKeeper {
 
   /// When the next sample is due. None: at the next event.
   [[nodiscard]] std::optional<Instant> next() const { return due_; }
-  /// The emulator has come to this time.
+  /// To be called when the emulator has advanced to `now`.
   void look(Instant now);
   [[nodiscard]] std::vector<RehearsedPlace> take() { return track_.take(); }
 

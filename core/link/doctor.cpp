@@ -71,10 +71,11 @@ std::vector<Finding> strange_bytes(const LinkFacts& f) {
                                  "look for RX and TX that touch.",
                                  t.echoes)});
   if (t.second_answers > 0)
-    found.push_back({Kind::bytes, State::wrong, "One question got two answers",
-                     fmt::format("{} times. Give each controller its own address. If they have one, another "
-                                 "program uses the same wire.",
-                                 t.second_answers)});
+    found.push_back(
+        {Kind::bytes, State::wrong, "One question got two answers",
+         fmt::format("It happened {}. Give each controller its own address. If they have one, "
+                     "another program uses the same wire.",
+                     t.second_answers == 1 ? "once" : fmt::format("{} times", t.second_answers))});
   if (t.wrong > 0 && f.answers)
     found.push_back({Kind::bytes, State::wrong,
                      fmt::format("{} of {} bytes make no sense", t.wrong, t.received),
@@ -131,9 +132,9 @@ std::vector<Finding> answers_in_time(const LinkFacts& f) {
          fmt::format("{} of {} questions got no answer", t.unanswered, t.questions + t.unanswered),
          "Check the plug and the cable. Where several controllers share a wire, check which one is switched "
          "off."});
-  constexpr Duration worth_saying = Millis(20);
+  constexpr Duration worth_reporting = Millis(20);
   if (t.questions >= enough_questions && t.slowest_of_hundred > 3 * t.median &&
-      t.slowest_of_hundred > t.median + worth_saying)
+      t.slowest_of_hundred > t.median + worth_reporting)
     found.push_back(
         {Kind::scatter, State::could_be_better,
          fmt::format("One answer in a hundred takes {} or longer", in_millis(t.slowest_of_hundred)),

@@ -12,12 +12,12 @@
 
 namespace hw {
 
-struct LastWords {
+struct WillStep {
   Millis after{};                  ///< sent this long after a missed sign of life
   std::string bytes{};             ///< bytes for a stream
   std::vector<BusCycle> cycles{};  ///< cycles for a window
 };
-using LastWill = std::vector<LastWords>;
+using LastWill = std::vector<WillStep>;
 
 class WillKeeper {
  public:

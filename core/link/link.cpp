@@ -133,13 +133,13 @@ void Link::start_next() {
   const Transaction& t = in_flight_->transaction;
   sent_at_ = now;
   latest_end_ = Instant::max();
-  spoke_last_ = &in_flight_->station;
+  last_sender_ = &in_flight_->station;
   if (window_) {
     in_flight_->its_turn = true;
     in_flight_->suspended.resume(scheduler_.executor());
     return;
   }
-  spoke_last_->record(sent_at_, Way::sent, traffic_kind(t), t.bytes);
+  last_sender_->record(sent_at_, Way::sent, traffic_kind(t), t.bytes);
   if (!in_flight_->is_question()) {
     stream_->send(t.bytes);
     // It stays in flight while its bytes are on the wire: the next text, perhaps a stop, must not wait in the
@@ -151,7 +151,7 @@ void Link::start_next() {
   }
   constexpr std::size_t usual_answer = 16;
   deadline_.arm(deadline_at_ =
-                    sent_at_ + patience_for(*spoke_last_, t) + wire_time(t.bytes.size() + usual_answer));
+                    sent_at_ + patience_for(*last_sender_, t) + wire_time(t.bytes.size() + usual_answer));
   if (!waiting_[static_cast<std::size_t>(Priority::stop)].empty()) hurry_for_a_stop();
   stream_->send(t.bytes);
 }
@@ -251,7 +251,7 @@ void Link::drop_waiting(const Station& station, const Fault& why) {
 
 void Link::bytes_arrived(std::string_view bytes) {
   const auto keep = shared_from_this();
-  if (Station* station = in_flight_ ? &in_flight_->station : spoke_last_)
+  if (Station* station = in_flight_ ? &in_flight_->station : last_sender_)
     station->received_at_ = scheduler_.now();
   while (!bytes.empty()) {
     const std::string_view part = bytes.substr(0, longest_unfinished);
@@ -367,7 +367,7 @@ void Link::give_up_waiting() {
 // Counted at the station that sent last: most likely they answer that.
 void Link::give_up_on(std::string_view bytes) {
   if (stations_.empty()) return;
-  Station& station = spoke_last_ ? *spoke_last_ : *stations_.front();
+  Station& station = last_sender_ ? *last_sender_ : *stations_.front();
   station.statistics_.unparsed_bytes += bytes.size();
   link_log().debug("{}bytes that mean nothing: \"{}\"", OfDevice{station.address}, log::Bytes{bytes});
   station.record(scheduler_.now(), Way::received, TrafficKind::unparsed, bytes);

@@ -35,13 +35,13 @@ struct Transaction {
   /// slowest recent answer of this kind, so that a device that is switched off does not delay the others;
   /// never below 50 ms, never above `patience`.
   bool prompt = false;
-  /// The look of its reply: a late reply is never taken for one with a different look.
+  /// The form of its reply: a late reply is never taken for one of a different form.
   ReplyKind reply_kind = ReplyKind::any;
   /// Sent even while the line is dirty: the sender handles late replies, or cleans the line with this one.
   bool on_dirty_line = false;
   /// Silence does not count as a miss: the controller may be in a state in which it does not answer.
   bool may_be_silent = false;
-  /// The next text is more urgent than this reply: no longer wait where replies are late.
+  /// The next text is more urgent than this reply: no longer patience where replies are late.
   bool impatient = false;
   /// A status question of the console's own: recorded as a poll, whatever its priority.
   bool own_question = false;
@@ -139,7 +139,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   std::unique_ptr<Stream> stream_;  ///< this or `window_`; both null: the wire is gone
   std::shared_ptr<Window> window_;  ///< shared with the burst under way
   std::vector<Station*> stations_;
-  Station* spoke_last_ =
+  Station* last_sender_ =
       nullptr;  ///< station of the latest transaction; unintelligible bytes are counted there
   std::array<std::vector<Pending*>, 4> waiting_;  ///< by priority; short, and their memory is reused
   Pending* in_flight_ = nullptr;

@@ -1,4 +1,4 @@
-// How a link ends for one of its stations and for all, and what others do when this program ends.
+// The end of a link for one of its stations and for all, and last wills for the end of this program.
 #include <algorithm>
 
 #include "core/link/link.h"
@@ -11,7 +11,7 @@ namespace hw {
 void Link::leave(Station& station, const Fault& why, Leaving leaving) {
   std::erase(stations_, &station);
   if (leaving == Leaving::given_up && stations_.empty() && stream_) stream_->discard_unsent();
-  if (spoke_last_ == &station) spoke_last_ = nullptr;
+  if (last_sender_ == &station) last_sender_ = nullptr;
   const Fault lost(FaultKind::lost, why.what, why.done, why.advice);
   drop_waiting(station, lost);
   left_outstanding_.add(station.outstanding_);
@@ -63,7 +63,7 @@ std::shared_ptr<WillKeeper::Will> Link::leave_will(const LastWill& will) {
   }
   auto left = keeper_->leave(scheduler_, wire, will);
   link_log().debug(
-      "{}", left ? "the watchdog guards a held jog" : "the watchdog does not take the last will of a jog");
+      "{}", left ? "the watchdog guards a held jog" : "the watchdog did not accept the last will of a jog");
   if (left) wills_.push_back(left);
   return left;
 }
@@ -71,7 +71,7 @@ std::shared_ptr<WillKeeper::Will> Link::leave_will(const LastWill& will) {
 JogEnds Link::jog_ends() const {
   if (emulated_here_) return JogEnds::with_program;
   const bool reached = keeper_ && shared_ && keeper_->is_there();
-  return reached ? JogEnds::by_watchdog : JogEnds::by_nobody;
+  return reached ? JogEnds::by_watchdog : JogEnds::never;
 }
 
 bool Link::a_will_may_be_carried_out() {

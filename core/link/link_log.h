@@ -1,5 +1,6 @@
 #pragma once
-// Log of what a wire and its stations decide: dropped, cut short, outstanding, given up. --log link=debug.
+// Log of the decisions of a wire and its stations: dropped, cut short, outstanding, given up. --log
+// link=debug.
 #include <fmt/core.h>
 
 #include "core/base/log.h"

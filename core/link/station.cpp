@@ -45,7 +45,7 @@ Task<Result<>> Station::bus(std::span<BusCycle> cycles, Priority priority) {
 void Station::preempt() {
   if (uncut_ > 0) {
     preempt_due_ = true;
-    link_log().debug("{}a stop waits until what must not be cut has been sent", OfDevice{address});
+    link_log().debug("{}a stop waits for commands that must not be cut", OfDevice{address});
     return;
   }
   preempted_ = true;
@@ -81,7 +81,7 @@ bool Station::others_outstanding(ReplyKind reply_kind) const {
 
 void Station::doubt(ReplyKind reply_kind) {
   if (!link_) return;
-  link_log().debug("{}an answer may still come that nobody asks for any more", OfDevice{address});
+  link_log().debug("{}a reply that is no longer awaited may still come", OfDevice{address});
   outstanding_.add(reply_kind, link_->scheduler_.now());
 }
 
@@ -145,15 +145,14 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   }
   if (!answer) co_return fail(answer.error());
   if (!asked.is_answer(*answer)) {  // not a miss: a device answered
-    link_log().debug("{}not the answer that was asked for: \"{}\"", OfDevice{address}, log::Bytes{*answer});
+    link_log().debug("{}not the reply to the question: \"{}\"", OfDevice{address}, log::Bytes{*answer});
     doubt(reply_kind);
     co_return fail(FaultKind::garbled, "The controller's answer makes no sense.", "It was not used.",
                    "Check the cable and the line rate. Check whether two devices have the same address, or "
                    "another program uses this line.");
   }
   outstanding_.clear();
-  link_log().debug("{}answers have their questions again: cleaned {} times", OfDevice{address},
-                   times_cleaned_ + 1);
+  link_log().debug("{}the line is clean: cleaned {} times", OfDevice{address}, times_cleaned_ + 1);
   ++times_cleaned_;
   learn_lateness(statistics_.last_round_trip);
   co_return Result<>();
@@ -187,8 +186,7 @@ void Station::learn_lateness(Duration round_trip) {
   else if (lateness_ = (lateness_ + round_trip) / 2; lateness_ < usual)
     lateness_ = Duration::zero();
   if ((before == Duration::zero()) != (lateness_ == Duration::zero()))
-    link_log().debug("{}answers are waited for {} ms longer than usual", OfDevice{address},
-                     lateness_ / Millis(1));
+    link_log().debug("{}waits {} ms longer than usual for answers", OfDevice{address}, lateness_ / Millis(1));
 }
 
 Result<> Station::set_rate(int baud) {
@@ -215,8 +213,8 @@ void Station::leave(const Fault& why, Link::Leaving how) {
 void Station::record(Instant at, Way way, TrafficKind kind, std::string_view bytes) {
   if (!traffic_) return;
   // However much a controller babbles, stops and intents keep their places in the record.
-  const bool of_somebody = way == Way::sent && (kind == TrafficKind::stop || kind == TrafficKind::intent);
-  const std::size_t left_for_others = of_somebody ? 0 : traffic_->capacity() / 4;
+  const bool of_user = way == Way::sent && (kind == TrafficKind::stop || kind == TrafficKind::intent);
+  const std::size_t left_for_others = of_user ? 0 : traffic_->capacity() / 4;
   do {  // a slot of the ring keeps its memory: no piece is longer than this
     const std::string_view piece = bytes.substr(0, longest_traffic_entry);
     bytes.remove_prefix(piece.size());

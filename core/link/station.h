@@ -31,12 +31,12 @@ class Station {
   Task<Result<std::string>> transact(Transaction transaction);
   /// On a window: runs the cycles in order, as one transaction. The caller's span must outlive the call.
   Task<Result<>> bus(std::span<BusCycle> cycles, Priority priority);
-  /// On a window the driver itself records the texts that its cycles carry, ...
+  /// On a window the driver itself records the texts that it sends and receives, ...
   void record(Instant at, Way way, TrafficKind kind, std::string_view bytes);
   /// ... and whether the awaited reply came in time.
   void count_answer(Duration round_trip, bool poll, Instant now);
   void count_miss();
-  /// Goes on with a series of misses that the reply to another question has ended.
+  /// Continues a series of misses that the reply to another question has interrupted.
   void resume_misses(int in_a_row) { statistics_.misses_in_a_row = in_a_row; }
   // ---- one procedure at a time: see Pump
   /// Ends the procedure under way for a stop: its waiting transactions, its pauses and all later requests end
@@ -92,7 +92,7 @@ class Station {
   [[nodiscard]] const StationStatistics& statistics() const { return statistics_; }
   [[nodiscard]] bool is_open() const { return link_ != nullptr; }
   // ---- the dirty line: see OutstandingReplies
-  /// A question, and a test whether a reply is its own.
+  /// A question, and a test whether a reply belongs to it.
   struct Unmistakable {
     Transaction question;
     std::function<bool(std::string_view answer)> is_answer;
@@ -100,31 +100,32 @@ class Station {
   /// Set by the driver: returns a question whose reply cannot be mistaken for an outstanding one (another
   /// follows if it may stay silent); none: only time helps. Null: the driver handles late replies itself.
   std::function<std::optional<Unmistakable>(const OutstandingReplies& outstanding, Instant now)> unmistakable;
-  /// This device owes a late reply, so that its next reply cannot be trusted.
+  /// A reply of this device is outstanding, so that its next reply cannot be trusted.
   [[nodiscard]] bool is_dirty() const;
   /// The reply made no sense. The reply to this question may still come, or come in place of the next one.
   void doubt(ReplyKind reply_kind);
   /// A greeting has shown that all outstanding replies have come.
   void has_caught_up() { outstanding_.clear(); }
-  /// Cleans the line now, if it is dirty, by the unmistakable question: before a text whose sending must be
-  /// certain.
+  /// Cleans the line now, if it is dirty, by the unmistakable question: to be called before a text that must
+  /// not be sent twice or lost.
   Task<Result<>> come_clean(Priority priority);
   [[nodiscard]] const OutstandingReplies& outstanding() const { return outstanding_; }
   /// How this device answers, for the station that replaces this one on the same wire.
-  struct Manner {
+  struct ReplyState {
     OutstandingReplies outstanding;
     Duration lateness{};
   };
-  [[nodiscard]] Manner manner() const { return {outstanding_, lateness_}; }
-  void take_over(const Manner& manner) {
-    outstanding_.add(manner.outstanding);
-    lateness_ = manner.lateness;
+  [[nodiscard]] ReplyState reply_state() const { return {outstanding_, lateness_}; }
+  void take_over(const ReplyState& reply_state) {
+    outstanding_.add(reply_state.outstanding);
+    lateness_ = reply_state.lateness;
   }
   /// How often the line was cleaned: a reading from before may have been mistaken.
   [[nodiscard]] std::uint32_t times_cleaned() const { return times_cleaned_; }
   /// The extra patience that this device needs because it answers late; 0: it does not.
   [[nodiscard]] Duration lateness() const { return lateness_; }
-  /// Another device on this wire owes a reply that may look like this, so that a received one may be its.
+  /// A reply of another device on this wire is outstanding and may be of this kind: a received reply may be
+  /// that one.
   [[nodiscard]] bool others_outstanding(ReplyKind reply_kind = ReplyKind::any) const;
   /// Line rate in baud; 0: the wire has none, or is gone.
   [[nodiscard]] int rate() const { return link_ ? link_->rate() : 0; }
@@ -136,7 +137,7 @@ class Station {
   [[nodiscard]] std::shared_ptr<WillKeeper::Will> leave_will(const LastWill& will) {
     return link_ ? link_->leave_will(will) : nullptr;
   }
-  [[nodiscard]] JogEnds jog_ends() const { return link_ ? link_->jog_ends() : JogEnds::by_nobody; }
+  [[nodiscard]] JogEnds jog_ends() const { return link_ ? link_->jog_ends() : JogEnds::never; }
   /// Sets the rate for all stations of the wire.
   Result<> set_rate(int baud);
   /// Time that `bytes` characters take on this wire (0 when it has no rate).

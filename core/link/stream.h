@@ -1,5 +1,5 @@
 #pragma once
-// What a transport implements: an ordered stream of bytes both ways. Io thread only.
+// The interface of a transport: an ordered stream of bytes in both directions. Io thread only.
 #include <string>
 #include <string_view>
 

@@ -38,7 +38,7 @@ void TalkRecorder::record(Instant at, Way way, TrafficKind kind, std::string_vie
   const std::size_t shortest = kind == TrafficKind::unparsed ? 1 : shortest_echo;
   const bool echo = !echoed_ && answer_.empty() && begins_with_question(bytes, asked_, shortest);
   if (echo) echoed_ = true, ++counts_.echoes;
-  // What the driver made of an echo, and of the answer behind it, is no news about the wire.
+  // The driver's interpretation of an echo, and of the answer behind it, says nothing new about the wire.
   if (kind == TrafficKind::unparsed && echoed_ && is_plain(bytes)) return;
   if (kind != TrafficKind::unparsed) return answered(at, kind, bytes);
   // The same end and no wrong bytes: a second device has answered.

@@ -1,6 +1,6 @@
 #pragma once
-// Measures a wire from its traffic record: how long a question takes, how many bytes it costs, and which
-// bytes were unsolicited. Takes the entries of the record in order; any thread.
+// Measures a wire from its traffic record: time and bytes of a question, and unsolicited bytes. Takes the
+// entries of the record in order; any thread.
 #include <cstdint>
 #include <string>
 #include <string_view>

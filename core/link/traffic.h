@@ -9,7 +9,7 @@
 namespace hw {
 
 enum class Way : std::uint8_t { sent, received };
-/// Why bytes were sent, or how received ones were understood.
+/// Why bytes were sent, or how received bytes were understood.
 enum class TrafficKind : std::uint8_t { stop, intent, transfer, poll, unsolicited, unparsed };
 
 struct TrafficEntry {

@@ -1,5 +1,5 @@
 #pragma once
-// What a transport implements for a controller that is memory on a bus instead of a stream of bytes: each
+// The interface of a transport for a controller that is memory on a bus instead of a stream of bytes: each
 // access is a cycle of its own and may have an effect. Io thread only.
 //
 // Offsets are within the window; big-endian. A cycle of 4 bytes is two of 2 bytes, high half first.

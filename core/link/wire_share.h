@@ -21,7 +21,7 @@ struct WireShare {
 
 /// Who ends a held jog when this program dies.
 enum class JogEnds : std::uint8_t {
-  by_nobody,
+  never,
   by_watchdog,
   with_program  ///< the controller is emulated in this program
 };

@@ -26,7 +26,7 @@ struct AxisPlace {
   std::optional<Motor> motor;        ///< of a servo axis
   std::optional<Steps> scatter;      ///< each switch and index acts up to so far before or behind its place,
                                      ///< elsewhere at each approach
-  std::optional<std::int64_t> seed;  ///< of that: the same seed, the same series
+  std::optional<std::int64_t> seed;  ///< seed of `scatter`: the same seed gives the same series
 
   [[nodiscard]] SwitchPlaces switches() const {
     return {minus, plus, home_from, home_to, scatter.value_or(Steps(0))};

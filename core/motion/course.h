@@ -41,7 +41,7 @@ struct Course {
   /// Where it ends if nothing more happens.
   [[nodiscard]] std::int64_t last_step() const { return std::min(profile.length(), track.steps()); }
 
-  /// Makes the steps up to `step`: turn(axis, direction, count) for each axis that they move.
+  /// Makes the steps up to `step`: calls turn(axis, direction, count) for each axis that they move.
   template <class Turn>
   void make_steps(std::int64_t step, const Turn& turn) {
     if (step <= applied) return;
@@ -58,7 +58,7 @@ struct Course {
     const std::int64_t turn = track.next_turn(applied);
     next_mark = turn < track.steps() ? turn : std::numeric_limits<std::int64_t>::max();
   }
-  /// Marks the step at which the axis has turned so often more in direction `way`, if it lies ahead.
+  /// Marks the step at which the axis has made `turns` more steps in direction `way`, if it lies ahead.
   void mark(int axis, int way, std::optional<std::int64_t> turns) {
     if (!turns || *turns <= 0) return;
     const std::int64_t here = track.offset(ix(axis), applied);

@@ -1,6 +1,6 @@
 #pragma once
-// The mechanics of an axis: a load with play, travel limit switches, a home zone, and hands that operate a
-// switch, jam the load or let it slip. The controller counts steps; the plant knows the real position of the
+// The mechanics of an axis: a load with play, travel limit switches and a home zone. By hand, a switch can be
+// operated, the load jammed or slipped. The controller counts steps; the plant knows the real position of the
 // load.
 #include <cstdint>
 #include <optional>

@@ -194,7 +194,7 @@ Refusal of_wait(Refusal refusal) {
   return refusal.kind == FaultKind::no_answer ? too_late(std::move(refusal)) : refusal;
 }
 
-/// What helps after a motion that ended before its target; `axis` -1: not one axis.
+/// Advice after a motion that ended before its target; `axis` -1: several axes.
 std::string_view what_to_do_about(const Session& session, FaultKind kind, int axis) {
   if (kind == FaultKind::lost) return "Repair the cable or the power: the console reconnects by itself.";
   if (axis < 0) return {};

@@ -73,7 +73,7 @@ int limits(Call& call) {
 
 // ---- backlash
 
-Task<Answer> tell_backlash(SessionPtr session, int axis) {
+Task<Answer> read_backlash(SessionPtr session, int axis) {
   const Backlash backlash = session->known().axes[axis].backlash;
   co_return [backlash](lua_State* L) {
     lua_createtable(L, 0, 2);
@@ -89,7 +89,7 @@ Task<Answer> tell_backlash(SessionPtr session, int axis) {
 int backlash(Call& call) {
   const OneAxis one = one_axis(call, 1, "backlash");
   if (one.index < 0) return call.refuse(one.refusal);
-  if (!call.has(2)) return call.wait(tell_backlash(one.session, one.index));
+  if (!call.has(2)) return call.wait(read_backlash(one.session, one.index));
   const Options options(call, 2, "backlash", {"by", "ends"});
   const std::string ends = options.text("ends").value_or("+");
   if (ends != "+" && ends != "-")

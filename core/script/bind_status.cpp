@@ -164,9 +164,7 @@ int push_axis_status(lua_State* L, const Snapshot& known, const Catalog&, int ax
   const AxisState& s = known.axes[axis];
   lua_createtable(L, 0, 20);
   set_servo(L, s);
-  set_flag(L, "moving",
-           s.activity == Activity::moving || s.activity == Activity::jogging ||
-               s.activity == Activity::homing || s.activity == Activity::stopping);
+  set_flag(L, "moving", s.moves());
   set_flag(L, "idle", s.activity == Activity::idle);
   set_flag(L, "jogging", s.activity == Activity::jogging);
   set_flag(L, "homing", s.activity == Activity::homing);

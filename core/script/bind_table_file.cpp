@@ -55,7 +55,8 @@ std::string line_of(lua_State* L, std::size_t row) {
 }
 
 int write_csv(Call& call) {
-  const auto path = file_of_script(folder_of(call.runner().options().path), call.text(1, "file"), ".csv");
+  const std::string folder = folder_of(call.runner().options().path);
+  const auto path = file_of_script(folder, call.text(1, "file"), ".csv");
   const int rows = call.place(2);
   if (!lua_istable(call.L, rows))
     throw Misuse("hw.write_csv: argument 2 must be a list of rows like {{1, 2}}");
@@ -68,7 +69,7 @@ int write_csv(Call& call) {
   }
   if (!path) return push_refusal(call.L, refusal_of(path.error()));
   if (const auto written = write_file(*path, text); !written)
-    return push_refusal(call.L, refusal_of(written.error()));
+    return push_refusal(call.L, refusal_of(not_written_beside(folder, written.error())));
   call.runner().notes().written.note(*path, fmt::format("{} row{}", count, count == 1 ? "" : "s"));
   return call.yes();
 }

@@ -65,24 +65,24 @@ int wait_any(Call& call) {
                       "function() return ... end",
                       i, lua_isnoneornil(L, -1) ? "nil" : luaL_typename(L, -1)));
   }
-  std::vector<Racer> racers;
+  std::vector<Awaited> awaited;
   for (int place = first; place < first + static_cast<int>(count); ++place) {
     const bool ours = lua_isfunction(L, place);
     if (ours) {
       lua_pushvalue(L, place);
       auto spawned = call.runner().spawn(L, 0);
       lua_replace(L, place);  // keeps the coroutine referenced during the wait
-      racers.push_back({std::move(spawned), true});
+      awaited.push_back({std::move(spawned), true});
     } else {
-      racers.push_back({task_at(L, place), false});
+      awaited.push_back({task_at(L, place), false});
     }
   }
   return call.wait(
-      wait_for_first(call.runner(), std::move(racers), true, patience, "Timeout: none of them has ended."));
+      wait_for_first(call.runner(), std::move(awaited), true, patience, "Timeout: none of them has ended."));
 }
 
 int task_wait(Call& call) {
-  std::vector<Racer> one{{task_of(call), false}};
+  std::vector<Awaited> one{{task_of(call), false}};
   return call.wait(wait_for_first(call.runner(), std::move(one), false, call.patience(1, 1e6),
                                   "Timeout: the task has not ended."));
 }
@@ -116,20 +116,20 @@ void push_task(lua_State* L, std::shared_ptr<Spawned> spawned) {
   lua_setiuservalue(L, -2, 1);  // keeps the coroutine and its results
 }
 
-Task<Answer> wait_for_first(Runner& runner, std::vector<Racer> racers, bool with_place, Duration patience,
+Task<Answer> wait_for_first(Runner& runner, std::vector<Awaited> awaited, bool with_place, Duration patience,
                             std::string too_late) {
   const Instant deadline = runner.scheduler().now() + patience;
-  const auto over = [](const Racer& one) { return one.spawned->over; };
-  auto first = std::find_if(racers.begin(), racers.end(), over);
-  for (bool in_time = true; first == racers.end() && in_time && !runner.over();) {
+  const auto over = [](const Awaited& one) { return one.spawned->over; };
+  auto first = std::find_if(awaited.begin(), awaited.end(), over);
+  for (bool in_time = true; first == awaited.end() && in_time && !runner.over();) {
     in_time = co_await runner.happened().wait_until(deadline);
-    first = std::find_if(racers.begin(), racers.end(), over);
+    first = std::find_if(awaited.begin(), awaited.end(), over);
   }
-  const auto won = first == racers.end() ? nullptr : first->spawned;
-  for (const Racer& one : racers)
+  const auto won = first == awaited.end() ? nullptr : first->spawned;
+  for (const Awaited& one : awaited)
     if (one.ours && !runner.over()) runner.cancel(*one.spawned);
   if (!won) co_return answer_refused(script::too_late(Refusal{std::move(too_late)}));
-  const auto place = static_cast<lua_Integer>(first - racers.begin()) + 1;
+  const auto place = static_cast<lua_Integer>(first - awaited.begin()) + 1;
   co_return [won, place, with_place](lua_State* L) {
     if (with_place) lua_pushinteger(L, place);
     return push_results(L, *won) + (with_place ? 1 : 0);

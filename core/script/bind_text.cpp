@@ -12,7 +12,7 @@ bool is_lost(const SessionPtr& session) {
 }
 
 // Any connected member can send to all.
-const SessionPtr& speaker_of(const SessionGroup& bus) {
+const SessionPtr& connected_member(const SessionGroup& bus) {
   for (const SessionPtr& member : bus.members()) {
     const LinkState state = member->known().link.state;
     if (state == LinkState::good || state == LinkState::late) return member;
@@ -23,7 +23,7 @@ const SessionPtr& speaker_of(const SessionGroup& bus) {
 // On a bus: sends to all devices at once, where the maker has a broadcast.
 int send(Call& call) {
   const auto bus = bus_of(call);
-  const SessionPtr& session = bus ? speaker_of(*bus) : session_of(call);
+  const SessionPtr& session = bus ? connected_member(*bus) : session_of(call);
   if (bus && !session->catalog().can.broadcast)
     return call.refuse(fmt::format("Send it to each device: {} has no message to all devices of a wire.",
                                    session->catalog().short_name));

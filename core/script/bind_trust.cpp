@@ -12,7 +12,7 @@ struct Reported {
   std::string why;
 };
 
-Reported tell_trust(const AxisState& axis) {
+Reported describe_trust(const AxisState& axis) {
   if (!axis.position_known) return {"untrusted", "its position is not known"};
   if (axis.trust.restored && !axis.trust.doubtful())
     return {"restored", axis.trust.kind == Trust::homed
@@ -30,7 +30,7 @@ Reported tell_trust(const AxisState& axis) {
 /// From a status round that begins after the call, like all readings.
 Task<Answer> ask_trust(SessionPtr session, int axis) {
   co_await session->pump().refresh();
-  const Reported reported = tell_trust(session->known().axes[axis]);
+  const Reported reported = describe_trust(session->known().axes[axis]);
   co_return [reported](lua_State* L) {
     lua_pushstring(L, reported.word);
     lua_pushlstring(L, reported.why.data(), reported.why.size());

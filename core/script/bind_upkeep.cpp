@@ -53,7 +53,7 @@ Task<Answer> back_up(Runner& runner, SessionPtr session, std::string path) {
   const auto taken = co_await take_backup(session);
   if (!taken) co_return answer_refused(taken.error());
   const auto saved = save_backup(path, *taken, session->catalog());
-  if (!saved) co_return answer_refused(saved.error());
+  if (!saved) co_return answer_refused(not_written_beside(folder_of(runner.options().path), saved.error()));
   runner.notes().written.note(path, fmt::format("{} parameters", taken->parameters.size()));
   co_return answer_yes();
 }

@@ -63,7 +63,7 @@ void push_axis_name(lua_State* L, const std::string& name) {
 }
 
 /// The device that news concern, in script terms: on a bus its id comes first, in place of its only axis.
-struct Whom {
+struct Source {
   SessionPtr session;
   bool on_bus;
 
@@ -86,11 +86,11 @@ class Watch {
  public:
   Watch(const std::vector<SessionPtr>& sessions, bool on_bus, About about) : about_(about) {
     for (const SessionPtr& session : sessions)
-      watched_.push_back({Whom{session, on_bus}, look_at(session->known())});
+      watched_.push_back({Source{session, on_bus}, look_at(session->known())});
   }
 
   [[nodiscard]] std::size_t size() const { return watched_.size(); }
-  [[nodiscard]] const SessionPtr& session(std::size_t which) const { return watched_[which].whom.session; }
+  [[nodiscard]] const SessionPtr& session(std::size_t which) const { return watched_[which].source.session; }
   [[nodiscard]] About about() const { return about_; }
   /// Looks at one of the sessions. True: there is news.
   bool look(std::size_t which);
@@ -98,13 +98,13 @@ class Watch {
   Instant returned_at{};  ///< when its loop last got news, or none
 
  private:
-  void tell_limits(const Whom& whom, std::uint32_t hit, const char* sign);
-  void tell_inputs(const Whom& whom, const Seen& before, const Seen& now);
-  void tell_stopped(const Whom& whom, std::uint32_t axes);
-  void tell_lost(const Whom& whom);
+  void report_limits(const Source& source, std::uint32_t hit, const char* sign);
+  void report_inputs(const Source& source, const Seen& before, const Seen& now);
+  void report_stopped(const Source& source, std::uint32_t axes);
+  void report_lost(const Source& source);
 
   struct Watched {
-    Whom whom;
+    Source source;
     Seen seen;
   };
   const About about_;
@@ -112,34 +112,34 @@ class Watch {
 };
 
 bool Watch::look(std::size_t which) {
-  auto& [whom, seen] = watched_[which];
-  const Seen now = look_at(whom.session->known()), before = std::exchange(seen, now);
-  if (about_ == About::limit) tell_limits(whom, now.minus & ~before.minus, "-");
-  if (about_ == About::limit) tell_limits(whom, now.plus & ~before.plus, "+");
-  if (about_ == About::input) tell_inputs(whom, before, now);
-  if (about_ == About::stopped) tell_stopped(whom, before.moving & ~now.moving);
-  if (about_ == About::lost && now.lost && !before.lost) tell_lost(whom);
+  auto& [source, seen] = watched_[which];
+  const Seen now = look_at(source.session->known()), before = std::exchange(seen, now);
+  if (about_ == About::limit) report_limits(source, now.minus & ~before.minus, "-");
+  if (about_ == About::limit) report_limits(source, now.plus & ~before.plus, "+");
+  if (about_ == About::input) report_inputs(source, before, now);
+  if (about_ == About::stopped) report_stopped(source, before.moving & ~now.moving);
+  if (about_ == About::lost && now.lost && !before.lost) report_lost(source);
   return !news.empty();
 }
 
-void Watch::tell_limits(const Whom& whom, std::uint32_t hit, const char* sign) {
-  for (std::size_t i = 0; i < whom.session->catalog().axes.size(); ++i)
+void Watch::report_limits(const Source& source, std::uint32_t hit, const char* sign) {
+  for (std::size_t i = 0; i < source.session->catalog().axes.size(); ++i)
     if ((hit >> i & 1) != 0)
-      news.emplace_back([whom, i, sign](lua_State* L) {
-        const int words = whom.push_axis(L, i);
+      news.emplace_back([source, i, sign](lua_State* L) {
+        const int words = source.push_axis(L, i);
         lua_pushstring(L, sign);
         return words + 1;
       });
 }
 
-void Watch::tell_inputs(const Whom& whom, const Seen& before, const Seen& now) {
-  const Catalog& catalog = whom.session->catalog();
+void Watch::report_inputs(const Source& source, const Seen& before, const Seen& now) {
+  const Catalog& catalog = source.session->catalog();
   const std::uint32_t changed = (now.inputs ^ before.inputs) & now.inputs_known & before.inputs_known;
   for (std::size_t i = 0; i < catalog.inputs.size(); ++i)
     if ((changed >> i & 1) != 0) {
       const bool operated = ((now.inputs >> i & 1) != 0) != catalog.inputs[i].active_low;
-      news.emplace_back([whom, number = catalog.input_number(i), operated](lua_State* L) {
-        const int words = whom.push_id(L);
+      news.emplace_back([source, number = catalog.input_number(i), operated](lua_State* L) {
+        const int words = source.push_id(L);
         lua_pushinteger(L, number);
         lua_pushboolean(L, operated);
         return words + 2;
@@ -147,14 +147,15 @@ void Watch::tell_inputs(const Whom& whom, const Seen& before, const Seen& now) {
     }
 }
 
-void Watch::tell_stopped(const Whom& whom, std::uint32_t stopped) {
-  for (std::size_t i = 0; i < whom.session->catalog().axes.size(); ++i)
-    if ((stopped >> i & 1) != 0) news.emplace_back([whom, i](lua_State* L) { return whom.push_axis(L, i); });
+void Watch::report_stopped(const Source& source, std::uint32_t stopped) {
+  for (std::size_t i = 0; i < source.session->catalog().axes.size(); ++i)
+    if ((stopped >> i & 1) != 0)
+      news.emplace_back([source, i](lua_State* L) { return source.push_axis(L, i); });
 }
 
-void Watch::tell_lost(const Whom& whom) {
-  news.emplace_back([whom, why = std::string(whom.session->known().link.sentence.view())](lua_State* L) {
-    const int words = whom.push_id(L);
+void Watch::report_lost(const Source& source) {
+  news.emplace_back([source, why = std::string(source.session->known().link.sentence.view())](lua_State* L) {
+    const int words = source.push_id(L);
     lua_pushlstring(L, why.data(), why.size());
     return words + 1;
   });
@@ -250,7 +251,7 @@ About about_of(const std::string& word) {
                            did_you_mean(word, words)));
 }
 
-/// What a method was called on, or all devices of the bus.
+/// The object of a method call, or all devices of the bus.
 WatchPtr watch_on(const Call& call, About about) {
   if (const auto bus = bus_of(call)) return std::make_shared<Watch>(bus->members(), true, about);
   return std::make_shared<Watch>(std::vector<SessionPtr>{session_of(call)}, false, about);
@@ -278,9 +279,9 @@ int wait_until(Call& call) {
   watch->returned_at = call.runner().scheduler().now();
   for (std::size_t i = 0; i < watch->size(); ++i) watch_inputs_closely(*watch->session(i));
   if (watch->size() > 1) begin_to_watch(call, watch);  // for the news of all in one queue
-  std::vector<Racer> racers{{begin_loop(call, hold_key, watch, call.place(1)), true}};
+  std::vector<Awaited> awaited{{begin_loop(call, hold_key, watch, call.place(1)), true}};
   return call.wait(
-      wait_for_first(call.runner(), std::move(racers), false, patience,
+      wait_for_first(call.runner(), std::move(awaited), false, patience,
                      fmt::format("Timeout: the condition was not met within {:g} s.", seconds(patience))));
 }
 

@@ -158,7 +158,7 @@ static std::string axis_of_request(const IntentBody& body, const Catalog& catalo
   return axis < 0 ? std::string() : catalog.axes[static_cast<std::size_t>(axis)].name;
 }
 
-// On a bus the sentence names the device too, to tell it from the others.
+// On a bus the sentence names the device too, to distinguish it from the others.
 Refusal refusal_of(const Fault& fault, const Session& session, std::string axis, bool on_bus) {
   Refusal refusal = refusal_of(fault);
   if (on_bus) refusal.reason = fmt::format("{}: {}", session.catalog().id(), refusal.reason);

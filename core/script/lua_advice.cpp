@@ -43,7 +43,7 @@ std::string_view named(std::string_view message, std::string_view kind) {
   return rest.substr(0, rest.find("')"));
 }
 
-/// Slips seldom change the first letter; and who writes "move" has one of several in mind.
+/// Typing errors seldom change the first letter; and "move" may mean one of several names.
 std::string likely(std::string_view wanted, const std::vector<std::string>& names) {
   std::vector<std::string> alike;
   std::string begun;

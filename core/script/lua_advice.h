@@ -15,9 +15,9 @@ class LuaAdvice {
   /// Remembers the newest refusal. `where`: "scan.lua:4: ".
   void refused(std::string where, std::string reason);
   [[nodiscard]] bool knows_refusal() const { return !refused_.empty(); }
-  /// A call of this place has succeeded: what was refused there is over.
+  /// A call from this place has succeeded: an earlier refusal there is forgotten.
   void went_well(std::string_view where);
-  /// What to add to an error's message; empty: nothing is known that helps.
+  /// An addition to an error's message; empty: no advice is known.
   [[nodiscard]] std::string on(std::string_view message) const;
 
  private:

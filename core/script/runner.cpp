@@ -23,8 +23,8 @@ std::string chunk_name(const std::string& path) { return "@" + shown_path(path.s
 
 std::string too_long(Duration limit) {
   return fmt::format(
-      "The script computed for {:g} s without letting time go on, so it was ended. "
-      "A loop that waits for something needs a hw.sleep().",
+      "The script computed for {:g} s without letting time pass, so it was ended. "
+      "Put a hw.sleep() into a loop that waits.",
       seconds(limit));
 }
 
@@ -103,10 +103,9 @@ void Runner::ending_hook(lua_State* L, lua_Debug*) {
 void Runner::count(lua_State* L, std::uint64_t instructions) {
   instructions_ += instructions;
   if (instructions_ < options_.limits.instructions || ending_) return;
-  end_run(L,
-          fmt::format("The script ran {} million instructions without letting time go on, so it was ended. "
-                      "A loop that waits for something needs a hw.sleep().",
-                      options_.limits.instructions / 1'000'000));
+  end_run(L, fmt::format("The script ran {} million instructions without letting time pass, so it was ended. "
+                         "Put a hw.sleep() into a loop that waits.",
+                         options_.limits.instructions / 1'000'000));
 }
 
 // Also catches long calls of Lua's library, which are few instructions.
@@ -328,7 +327,7 @@ void Runner::take_turns() {
   if (options_.stage) next_frame_ = scheduler_.now() + frame_period;
   while (!main_over_) {
     const auto turn = scheduler_.run_until(next_frame_, turn_over);
-    tell_notices();
+    log_notices();
     if (turn == HybridScheduler::Turn::stuck) {
       failure_ = "The script waits for an event that can no longer come.";
       return;
@@ -379,7 +378,7 @@ void Runner::go_real() {
 }
 
 // Without a stage only: a stage's panels read the notices.
-void Runner::tell_notices() {
+void Runner::log_notices() {
   if (options_.stage) return;
   for (const auto& group : groups_)
     for (const auto& session : group->members())

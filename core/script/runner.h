@@ -1,6 +1,6 @@
 #pragma once
 // Runs one Lua script on the io thread. The script is a coroutine (a fiber): a call that waits suspends it,
-// and everything else goes on meanwhile.
+// and everything else continues.
 #include <atomic>
 #include <deque>
 #include <functional>
@@ -65,7 +65,7 @@ class Runner {
   std::function<void()> on_real_time;
 
   // ---- any thread, while run() is under way
-  /// Ends the run now, whatever the script does; all controllers are told to stop.
+  /// Ends the run now, whatever the script does; all controllers are sent a stop.
   void interrupt();
   /// The same with another reason, a sentence.
   void give_up(std::string why);
@@ -149,8 +149,8 @@ class Runner {
   void leave_all(const std::shared_ptr<Leaving>& leaving);
   static Task<> leave(std::shared_ptr<Leaving> leaving, std::size_t which);
   static Task<> see_stopped(Left& one);
-  void tell_of_stops(const Leaving& leaving);
-  void tell_notices();
+  void report_stops(const Leaving& leaving);
+  void log_notices();
 
   HybridScheduler& scheduler_;
   RunOptions options_;
@@ -174,7 +174,7 @@ class Runner {
   std::chrono::steady_clock::time_point resumed_at_;
   std::uint64_t instructions_ = 0;
   bool main_over_ = false, ending_ = false;
-  bool from_outside_ = false;  ///< ended from outside of the script: the message then tells of the stops
+  bool from_outside_ = false;  ///< ended from outside of the script: the message then reports the stops
   bool broken_ = false;        ///< the Lua state was left by the way out
   std::shared_ptr<Leaving> leaving_;
   std::string failure_;  ///< why the run ended early; empty: it did not

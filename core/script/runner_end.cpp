@@ -33,7 +33,7 @@ struct Runner::Leaving {
   void stop() {
     for (Left& one : all)
       if (one.closed)
-        one.trouble = "It was already closed: motions and programs that the script left running go on.";
+        one.trouble = "It was already closed: motions and programs that the script left running continue.";
       else if (!one.session->pump().stops_all())
         one.stop = one.session->post(intent::Stop(-1, StoppedBy::script));
   }
@@ -71,8 +71,8 @@ void Runner::finish() {
   });
   if (options_.stage) options_.stage->script_over();
   scheduler_.run_until(scheduler_.now() + for_the_end, [&leaving] { return leaving->over(); });
-  tell_notices();
-  if (!failure_.empty()) tell_of_stops(*leaving);
+  log_notices();
+  if (!failure_.empty()) report_stops(*leaving);
 }
 
 // After a failure stop every controller, moving or not: a snapshot may be older than the script's last
@@ -107,7 +107,7 @@ Task<> Runner::see_stopped(Left& one) {
   one.stop = 0;
 }
 
-void Runner::tell_of_stops(const Leaving& leaving) {
+void Runner::report_stops(const Leaving& leaving) {
   std::string troubles;
   for (const Left& one : leaving.all) {
     std::string_view trouble = one.trouble;

@@ -85,21 +85,22 @@ bool harmless_name(std::string_view name) {
 
 // Pushes the module's chunk and returns true, or a message and false.
 bool load_module(lua_State* L, const std::string& folder, std::string_view name) {
-  const auto say = [&](const std::string& sentence) {
+  const auto refuse = [&](const std::string& sentence) {
     lua_pushlstring(L, sentence.data(), sentence.size());
     return false;
   };
   const std::string quoted = "require \"" + std::string(name) + "\": ";
   if (!harmless_name(name))
-    return say(quoted + "a module is a file beside the script, named by letters, digits, _ and dots");
+    return refuse(quoted + "a module is a file beside the script, named by letters, digits, _ and dots");
   std::string file(name);
   std::replace(file.begin(), file.end(), '.', '/');
   file += ".lua";
   const std::string path = real_path(folder + "/" + file);
-  if (path.empty()) return say(quoted + "there is no " + file + " in the script's folder");
-  if (!is_below(real_path(folder), path)) return say(quoted + "that file is outside of the script's folder");
+  if (path.empty()) return refuse(quoted + "there is no " + file + " in the script's folder");
+  if (!is_below(real_path(folder), path))
+    return refuse(quoted + "that file is outside of the script's folder");
   const auto text = read_file(path, largest_program_text);
-  if (!text) return say(quoted + text.error().sentence());
+  if (!text) return refuse(quoted + text.error().sentence());
   return luaL_loadbufferx(L, text->data(), text->size(), ("@" + file).c_str(), "t") == LUA_OK;
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace hw::script {
 namespace {
@@ -59,6 +60,12 @@ Result<std::string> file_of_script(const std::string& folder, const std::string&
     return fail(FaultKind::port, fmt::format("\"{}\" leads out of the script's folder.", name),
                 "Nothing was read or written.");
   return path;
+}
+
+Fault not_written_beside(const std::string& folder, Fault why) {
+  if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
+    why.advice = "Copy the script into a folder of your own and run it there.";
+  return why;
 }
 
 }  // namespace hw::script

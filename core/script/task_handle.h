@@ -11,14 +11,14 @@ namespace hw::script {
 void push_task(lua_State* L, std::shared_ptr<Spawned> spawned);
 
 /// One of the functions waited for.
-struct Racer {
+struct Awaited {
   std::shared_ptr<Spawned> spawned;
   bool ours;  ///< begun for this wait only: it is cancelled with it
 };
 
 /// Waits for the first to end and returns its results, after its index in the list if `with_place`. Keep the
 /// coroutines referenced meanwhile, on the waiting stack or elsewhere.
-Task<Answer> wait_for_first(Runner& runner, std::vector<Racer> racers, bool with_place, Duration patience,
+Task<Answer> wait_for_first(Runner& runner, std::vector<Awaited> awaited, bool with_place, Duration patience,
                             std::string too_late);
 
 }  // namespace hw::script

@@ -329,7 +329,7 @@ Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places&
         fmt::format(
             "The position of {} before step {} is unknown: the machine decides where step {} ({} {}) ends.",
             sequence.axes[a].name, step + 1, axis.lost_by + 1, title_of(lost), summary_of(lost, sequence)),
-        fmt::format("Begin at step {}, or behind a step that sends {} to a place.", axis.lost_by + 1,
+        fmt::format("Begin at step {}, or after a step that sends {} to a place.", axis.lost_by + 1,
                     sequence.axes[a].name));
   }
   rest.sequence = frame_of(sequence);

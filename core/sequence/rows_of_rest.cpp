@@ -28,9 +28,9 @@ bool is_left_of(const Step& step, const Repeat& loop) {
 }
 
 /// Matches backwards: the rest ends like the whole, or within an entered loop like that loop.
-class FromBehind {
+class BackwardMatch {
  public:
-  explicit FromBehind(const StepList& rest)
+  explicit BackwardMatch(const StepList& rest)
       : rest_(rest), rows_(ix(count_steps(rest)), -1), leading_(leading_of(rest)) {}
 
   /// Matches the first `count` of some steps of the whole, which end before row `behind` there. False: the
@@ -75,7 +75,7 @@ class FromBehind {
 }  // namespace
 
 std::vector<int> rows_of_rest(const Sequence& rest, const Sequence& whole) {
-  FromBehind search(rest.steps);
+  BackwardMatch search(rest.steps);
   if (!search.match(whole.steps, whole.steps.size(), count_steps(whole.steps))) return {};
   return std::move(search).rows();
 }

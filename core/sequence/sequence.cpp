@@ -8,14 +8,22 @@ Step::Body& Step::Body::operator=(const Body& other) = default;
 Step::Body& Step::Body::operator=(Body&& other) noexcept = default;
 Step::Body::~Body() = default;
 
-// Not defaulted: clang 14 fails on an operator that is defaulted after its class.
-bool Step::operator==(const Step& other) const { return body == other.body && skipped == other.skipped; }
+// Not defaulted: clang 14 fails on an operator that is defaulted after its class. All fields are named, so
+// that a new one does not compile until it is compared.
+bool Step::operator==(const Step& other) const {
+  const auto& [its_body, is_skipped] = other;
+  return body == its_body && skipped == is_skipped;
+}
 
-bool Repeat::operator==(const Repeat& other) const { return times == other.times && steps == other.steps; }
+bool Repeat::operator==(const Repeat& other) const {
+  const auto& [its_times, its_steps] = other;
+  return times == its_times && steps == its_steps;
+}
 
 bool Contour::operator==(const Contour& other) const {
-  return x == other.x && y == other.y && lead_in == other.lead_in && ends_ramped == other.ends_ramped &&
-         own == other.own && plane == other.plane && steps == other.steps;
+  const auto& [its_x, its_y, its_lead_in, its_end, its_own, its_steps, its_plane] = other;
+  return x == its_x && y == its_y && lead_in == its_lead_in && ends_ramped == its_end && own == its_own &&
+         plane == its_plane && steps == its_steps;
 }
 
 }  // namespace hw::sequence

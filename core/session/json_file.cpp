@@ -53,7 +53,7 @@ json parse_small(const std::string& bytes) {
   return fits ? object : json(json::value_t::discarded);
 }
 
-/// What would act on a line of the screen is written out in names that are to be shown.
+/// Writes out characters that would act on a line of the screen, for names to be shown.
 void write_out(json& part) {
   if (part.is_string()) part = shown_text(part.get_ref<const std::string&>(), longest_json_word);
   if (part.is_array())
@@ -75,9 +75,9 @@ Fault newer(const std::filesystem::path& path, std::string_view what_it_is) {
   return Fault(FaultKind::text,
                fmt::format("The file with {} was written by a newer version of Handwheel ({}).", what_it_is,
                            path.string()),
-               aside.empty()
-                   ? "It was left as it is and is not used."
-                   : fmt::format("It was renamed to {}, and a new one begins.", aside.filename().string()));
+               aside.empty() ? "It was left as it is and is not used."
+                             : fmt::format("It was renamed to {}, and a new file is begun.",
+                                           aside.filename().string()));
 }
 
 }  // namespace
@@ -85,9 +85,9 @@ Fault newer(const std::filesystem::path& path, std::string_view what_it_is) {
 Fault damaged(const std::filesystem::path& path, std::string_view what_it_is) {
   const auto aside = set_aside(path);
   return Fault(FaultKind::text, fmt::format("The file with {} is damaged ({}).", what_it_is, path.string()),
-               aside.empty()
-                   ? "It was left as it is and is not used."
-                   : fmt::format("It was renamed to {}, and a new one begins.", aside.filename().string()));
+               aside.empty() ? "It was left as it is and is not used."
+                             : fmt::format("It was renamed to {}, and a new file is begun.",
+                                           aside.filename().string()));
 }
 
 Result<json> read_json(const std::filesystem::path& path, std::string_view what_it_is) {

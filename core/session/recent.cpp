@@ -20,6 +20,7 @@ bool RecentConnections::is_of_last_time(std::string_view address) const {
 Result<> RecentConnections::load() {
   list_.clear();
   last_time_.clear();
+  last_end_ = {};
   if (!folders_.enabled) return {};
   const auto path = folders_.state / "recent.json";
   constexpr const char* what = "the last connections";
@@ -31,9 +32,12 @@ Result<> RecentConnections::load() {
       if (entry.value("last_time", false) && list_.size() <= capacity)
         last_time_.push_back(list_.back().address);
     }
+    if (const auto closed = object->find("closed"); closed != object->end())
+      last_end_ = {closed->at("date").get<std::string>(), closed->at("time").get<std::string>()};
   } catch (const json::exception&) {
     list_.clear();
     last_time_.clear();
+    last_end_ = {};
     return fail(damaged(path, what));
   }
   if (list_.size() > capacity) list_.resize(capacity);
@@ -58,6 +62,12 @@ Result<> RecentConnections::closed(std::string_view address) {
   return gone > 0 ? save() : Result<>();
 }
 
+Result<> RecentConnections::ended(ClosingTime now) {
+  if (this_time_.empty()) return {};
+  this_end_ = std::move(now);
+  return save();
+}
+
 Result<> RecentConnections::renamed(std::string_view address, std::string name) {
   for (RecentConnection& c : list_)
     if (c.address == address) c.name = name;
@@ -80,7 +90,10 @@ Result<> RecentConnections::save() const {
     if (contains(together, c.address)) entry["last_time"] = true;
     list.push_back(std::move(entry));
   }
-  return write_json(folders_.state / "recent.json", {{"connections", list}});
+  json object = {{"connections", std::move(list)}};
+  const ClosingTime& end = this_time_.empty() ? last_end_ : this_end_;
+  if (!end.date.empty()) object["closed"] = {{"date", end.date}, {"time", end.time}};
+  return write_json(folders_.state / "recent.json", object);
 }
 
 }  // namespace hw

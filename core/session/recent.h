@@ -13,6 +13,12 @@ struct RecentConnection {
   bool operator==(const RecentConnection&) const = default;
 };
 
+/// Local time, "2026-11-28" and "09:48"; empty: not known.
+struct ClosingTime {
+  std::string date, time;
+  bool operator==(const ClosingTime&) const = default;
+};
+
 class RecentConnections {
  public:
   explicit RecentConnections(UserFolders folders) : folders_(std::move(folders)) {}
@@ -22,6 +28,8 @@ class RecentConnections {
   Result<> opened(std::string address, std::string name);
   /// Closed by the user while the console runs on: removes the address from last_time().
   Result<> closed(std::string_view address);
+  /// The console ends with the connections of this run; without any, the earlier closing time stays.
+  Result<> ended(ClosingTime now);
   Result<> renamed(std::string_view address, std::string name);
   Result<> remove(std::string_view address);
   [[nodiscard]] const std::vector<RecentConnection>& list() const { return list_; }
@@ -30,6 +38,9 @@ class RecentConnections {
   [[nodiscard]] const std::vector<std::string>& last_time() const { return last_time_; }
   [[nodiscard]] bool is_of_last_time(std::string_view address) const;
 
+  /// When that run ended. Not known if it was broken off.
+  [[nodiscard]] const ClosingTime& last_end() const { return last_end_; }
+
   static constexpr std::size_t capacity = 12;
 
  private:
@@ -37,6 +48,7 @@ class RecentConnections {
   UserFolders folders_;
   std::vector<RecentConnection> list_;
   std::vector<std::string> last_time_, this_time_;  ///< addresses
+  ClosingTime last_end_, this_end_;
 };
 
 }  // namespace hw

@@ -162,12 +162,12 @@ static std::string why_all_ended(const Snapshot& s) {
     return fmt::format("The link is lost. {}", s.link.sentence.view());
   if (s.program.run == RunState::error)
     return s.notice.empty() ? "A program stopped with an error." : std::string(s.notice.view());
-  const bool axis_tells = std::any_of(s.axes.begin(), s.axes.begin() + s.axis_count,
-                                      [](const AxisState& a) { return a.ended_by == EndedBy::limit; });
-  if (s.program.ended_by == EndedBy::limit && !axis_tells)
+  const bool axis_reports = std::any_of(s.axes.begin(), s.axes.begin() + s.axis_count,
+                                        [](const AxisState& a) { return a.ended_by == EndedBy::limit; });
+  if (s.program.ended_by == EndedBy::limit && !axis_reports)
     return "A limit switch was hit while the program ran.";
   if (s.program.ended_by == EndedBy::elsewhere)
-    return "The program was ended by somebody else: the controller's Stop button or input.";
+    return "The program was ended from elsewhere: by the controller's Stop button or input.";
   return {};
 }
 
@@ -179,10 +179,11 @@ static std::string why_axis_ended(const AxisState& axis, const std::string& name
     case EndedBy::elsewhere:
       if (axis.slipped)
         return because(
-            "has slipped, and was stopped by that: its encoder and its position differ by more than is "
+            "has slipped, and was stopped because of that: its encoder and its position differ by more than "
+            "is "
             "allowed");
       return because(
-          "was stopped by somebody else: the controller's Stop button or input, or another program");
+          "was stopped from elsewhere: by the controller's Stop button or input, or by another program");
     case EndedBy::error: return because("was ended by an error of the controller");
     case EndedBy::lost: return because("was lost sight of while it moved");
     case EndedBy::not_in_place:
@@ -283,7 +284,7 @@ void Session::report(Notice notice) {
   if (notice.kind == Notice::Kind::program)
     listings_[notice.slot] = notice.text;
   else
-    driver_log(catalog_).debug("{}: told: {}", Whose{catalog_}, notice.text);
+    driver_log(catalog_).debug("{}: told: {}", LogName{catalog_}, notice.text);
   reader_.notices.push(std::move(notice));
   if (reader_.wake) reader_.wake();
 }

@@ -11,9 +11,13 @@ static bool same_rate(const LinkHealth& a, const LinkHealth& b) {
   return std::abs(x - y) <= 0.15f * std::max(x, y);
 }
 
+// All fields are named here and below, so that a new field does not compile until it is decided on. What was
+// under way when the link was lost, and when that was, comes with its state; counts come with the rate.
 static bool same_link(const LinkHealth& a, const LinkHealth& b) {
-  return a.state == b.state && a.sentence == b.sentence && a.next_attempt == b.next_attempt &&
-         a.jog_ends == b.jog_ends && same_rate(a, b);
+  const auto& [state, round_trip, polls_per_second, misses_in_a_row, timeouts, unparsed_bytes, lost_at,
+               next_attempt, attempts, sentence, when_lost, jog_ends] = a;
+  return state == b.state && sentence == b.sentence && next_attempt == b.next_attempt &&
+         jog_ends == b.jog_ends && same_rate(a, b);
 }
 
 static bool same_axes(const Snapshot& a, const Snapshot& b) {
@@ -25,7 +29,6 @@ static bool same_axes(const Snapshot& a, const Snapshot& b) {
   return a.axis_count == b.axis_count;
 }
 
-// All fields are named here, so that a new field does not compile until it is decided on.
 bool looks_same(const Snapshot& a, const Snapshot& b) {
   const auto& [sequence, at, link, identity, axis_count, axes, inputs, inputs_known, outputs, outputs_known,
                io_seen_at, inputs_asked_at, analog, analog_known, analog_seen_at, program, threads,

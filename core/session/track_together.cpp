@@ -23,7 +23,7 @@ void TrackTogether::look() {
   for (std::size_t a = 0; a < std::min(benches_.size(), ix(max_axes)); ++a) {
     if (!benches_[a]) continue;
     MachineTruth truth;
-    benches_[a]->emulator().tell_truth(truth);
+    benches_[a]->emulator().report_truth(truth);
     place.position[a] = truth.axes[0].position.value;
     moving |= (truth.moving() & 1u) << a;
   }

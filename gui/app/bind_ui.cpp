@@ -14,7 +14,7 @@ using script::Call;
 using script::Misuse;
 
 ScriptStage& stage(const Call& call) { return *static_cast<ScriptStage*>(call.runner().options().stage); }
-gui::Automation& hands(const Call& call) { return stage(call).automation(); }
+gui::Automation& automation(const Call& call) { return stage(call).automation(); }
 
 Answer done_or_error(const Result<>& result) {
   if (!result) return script::answer_error(result.error().sentence());
@@ -24,17 +24,17 @@ Answer done_or_error(const Result<>& result) {
 template <Result<> (gui::Automation::*verb)(std::string_view)>
 int on_one(Call& call) {
   return call.wait_for_act(
-      [&ui = hands(call), id = call.text(1, "id")] { return done_or_error((ui.*verb)(id)); });
+      [&ui = automation(call), id = call.text(1, "id")] { return done_or_error((ui.*verb)(id)); });
 }
 
 int type(Call& call) {
-  return call.wait_for_act([&ui = hands(call), id = call.text(1, "id"), text = call.text(2, "text")] {
+  return call.wait_for_act([&ui = automation(call), id = call.text(1, "id"), text = call.text(2, "text")] {
     return done_or_error(ui.type(id, text));
   });
 }
 
 int value(Call& call) {
-  return call.wait_for_act([&ui = hands(call), id = call.text(1, "id")] {
+  return call.wait_for_act([&ui = automation(call), id = call.text(1, "id")] {
     auto shown = ui.value(id);
     return shown ? script::answer_text(std::move(*shown)) : script::answer_refused(shown.error().sentence());
   });
@@ -43,13 +43,12 @@ int value(Call& call) {
 int drag(Call& call) {
   const double share = call.has(3) ? call.number(3, "share") : 0.5;
   if (share < 0 || share > 1) throw Misuse("ui.drag: a share of the height from 0 to 1");
-  return call.wait_for_act([&ui = hands(call), id = call.text(1, "id"), onto = call.text(2, "id"), share] {
-    return done_or_error(ui.drag(id, onto, static_cast<float>(share)));
-  });
+  return call.wait_for_act([&ui = automation(call), id = call.text(1, "id"), onto = call.text(2, "id"),
+                            share] { return done_or_error(ui.drag(id, onto, static_cast<float>(share))); });
 }
 
 int exists(Call& call) {
-  return call.wait_for_act([&ui = hands(call), id = call.text(1, "id")]() -> Answer {
+  return call.wait_for_act([&ui = automation(call), id = call.text(1, "id")]() -> Answer {
     return [there = ui.exists(id)](lua_State* L) {
       lua_pushboolean(L, there);
       return 1;
@@ -91,7 +90,7 @@ int push_list(lua_State* L, const std::vector<gui::Automation::Listed>& all) {
 }
 
 int list(Call& call) {
-  return call.wait_for_act([&ui = hands(call)]() -> Answer {
+  return call.wait_for_act([&ui = automation(call)]() -> Answer {
     return [all = ui.list()](lua_State* L) { return push_list(L, all); };
   });
 }
@@ -99,7 +98,7 @@ int list(Call& call) {
 int frame(Call& call) {
   const std::int64_t n = call.has(1) ? call.whole(1, "frames") : 1;
   if (n < 0 || n > 1'000'000) throw Misuse("ui.frame: from 0 to 1000000 frames");
-  return call.wait_for_act([&ui = hands(call), n] {
+  return call.wait_for_act([&ui = automation(call), n] {
     ui.frame(static_cast<int>(n));
     return script::answer_yes();
   });
@@ -108,7 +107,7 @@ int frame(Call& call) {
 int screenshot(Call& call) {
   std::string path = call.text(1, "path");
   if (!path.ends_with(".png")) throw Misuse("ui.screenshot: the name of a picture ends in .png");
-  return call.wait_for_act([&ui = hands(call), &notes = call.runner().notes(), path] {
+  return call.wait_for_act([&ui = automation(call), &notes = call.runner().notes(), path] {
     const Result<> taken = ui.screenshot(path);
     if (taken) notes.written.note(path, {});
     return done_or_error(taken);
@@ -119,7 +118,7 @@ int window(Call& call) {
   const std::int64_t w = call.whole(1, "width"), h = call.whole(2, "height");
   const double scale = call.has(3) ? call.number(3, "scale") : 1;
   if (w < 1 || w > 16384 || h < 1 || h > 16384) throw Misuse("ui.window: 1 to 16384 pixels");
-  return call.wait_for_act([&ui = hands(call), w, h, scale] {
+  return call.wait_for_act([&ui = automation(call), w, h, scale] {
     return done_or_error(ui.window(static_cast<int>(w), static_cast<int>(h), static_cast<float>(scale)));
   });
 }
@@ -130,7 +129,7 @@ int theme(Call& call) {
 }
 
 int lose_focus(Call& call) {
-  return call.wait_for_act([&ui = hands(call)] {
+  return call.wait_for_act([&ui = automation(call)] {
     ui.lose_focus();
     return script::answer_yes();
   });

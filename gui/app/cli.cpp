@@ -9,6 +9,7 @@
 
 #include "core/base/log.h"
 #include "core/base/near_name.h"
+#include "core/device/registry.h"
 #include "core/session/address.h"
 #include "core/session/assets.h"
 #include "gui/app/output.h"
@@ -152,10 +153,27 @@ std::string where_to_read_on() {
   return manual.empty() ? "" : fmt::format("\nManual and examples: {}.", manual.parent_path().string());
 }
 
+/// `driver.vmx=debug` would wait for a controller that never comes.
+Result<> check_models(std::string_view choices) {
+  constexpr std::string_view of_a_driver = "driver.";
+  for (std::size_t from = 0; from <= choices.size();) {
+    const std::size_t comma = std::min(choices.find(',', from), choices.size());
+    const std::string_view path = choices.substr(from, std::min(choices.find('=', from), comma) - from);
+    if (path.starts_with(of_a_driver))
+      if (const auto model = path.substr(of_a_driver.size()); !find_device_type(model))
+        return fail(FaultKind::text, fmt::format("--log: There is no controller model \"{}\".", model), {},
+                    known_models_near(model));
+    from = comma + 1;
+  }
+  return {};
+}
+
 Result<> choose_logs(const Given& given) {
   if (given.has("verbose")) log::set_level("", log::Level::debug);
-  for (const std::string& choice : given.all("log"))
+  for (const std::string& choice : given.all("log")) {
     if (auto understood = log::choose(choice); !understood) return understood;
+    if (auto known = check_models(choice); !known) return known;
+  }
   return {};
 }
 

@@ -12,7 +12,7 @@
 #include "gui/app/kept_units.h"
 #include "gui/app/output.h"
 #include "gui/app/port_watch.h"
-#include "gui/app/sleep_manners.h"
+#include "gui/app/sleep_handling.h"
 #include "gui/app/wiring.h"
 #include "gui/model/worker.h"
 #include "gui/shell/console.h"
@@ -88,7 +88,7 @@ class ConsoleHouse {
   std::atomic<gui::Window*> window_{nullptr};
   std::shared_ptr<WillKeeper> watchdog_;
   IoThread io_;
-  SleepManners sleep_{io_.scheduler(), [this] { wake(); }};
+  SleepHandling sleep_{io_.scheduler(), [this] { wake(); }};
   gui::Worker worker_;
   PortWatch ports_;
   DeviceSearcher devices_;

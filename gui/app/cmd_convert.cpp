@@ -25,7 +25,7 @@ namespace {
 
 /// --id 01-02: controllers of one axis each that share a wire and draw together. They have no program
 /// language.
-Result<MeantFor> read_who_draws(const Given& given) {
+Result<MeantFor> read_target(const Given& given) {
   auto meant = read_for(given);
   if (!meant || !given.has("id")) return meant;
   const auto address = Address::parse(fmt::format("{}@emulator,id={}", given.one("for"), given.one("id")));
@@ -228,8 +228,8 @@ static void try_together(Made& made, const Given& given) {
 }
 
 /// Reports parts left out without the user's request.
-static void tell_left_out(const std::string& path, const drawing::Drawing& drawing,
-                          const std::vector<drawing::HiddenLayer>& hidden) {
+static void report_left_out(const std::string& path, const drawing::Drawing& drawing,
+                            const std::vector<drawing::HiddenLayer>& hidden) {
   for (const drawing::LeftOut& l : drawing.left_out)
     write_aside(fmt::format("{}:{}: {} {}{} was left out: {}", path, l.line, l.what, l.entity,
                             l.at ? fmt::format(" at {:.6g}, {:.6g}", l.at->x, l.at->y) : std::string(),
@@ -244,7 +244,7 @@ static void tell_left_out(const std::string& path, const drawing::Drawing& drawi
 }
 
 /// Each chain may have its own remark: prints some, the report has the rest.
-static void tell_remarks(const std::vector<std::string>& remarks) {
+static void print_remarks(const std::vector<std::string>& remarks) {
   constexpr std::size_t most = 6;
   for (std::size_t i = 0; i < std::min(most, remarks.size()); ++i) write_aside(remarks[i]);
   if (const std::size_t more = remarks.size() - std::min(most, remarks.size()); more > 0)
@@ -252,7 +252,7 @@ static void tell_remarks(const std::vector<std::string>& remarks) {
 }
 
 /// Reports assumed values, and those that differ from the file.
-static void tell_taken(const Given& given, const drawing::Drawing& drawing, const Catalog& catalog) {
+static void report_assumed(const Given& given, const drawing::Drawing& drawing, const Catalog& catalog) {
   if (!given.has("per-unit") && !given.has("step-length") && !given.has("profile"))
     write_aside(fmt::format("--per-unit was not given: 1 is assumed ({} per {}).", catalog.step_word,
                             given.has("inch") ? "in" : "mm"));
@@ -273,7 +273,7 @@ static int keep(const Made& made, const std::string& out) {
 }
 
 static int convert_drawing(const Given& given) {
-  const auto meant = read_who_draws(given);
+  const auto meant = read_target(given);
   if (!meant) return complain(meant.error(), status_of(meant.error()));
   auto options = read_conversion(given, meant->catalog);
   if (!options) return complain(options.error(), usage);
@@ -282,15 +282,15 @@ static int convert_drawing(const Given& given) {
   const auto drawing = read_drawing(path, meant->catalog, *options);
   if (!drawing) return complain(drawing.error());
   const auto hidden = layers_left_out(*drawing, *options);
-  tell_left_out(path, *drawing, hidden);
-  tell_taken(given, *drawing, meant->catalog);
+  report_left_out(path, *drawing, hidden);
+  report_assumed(given, *drawing, meant->catalog);
   if (auto found = leave_out(*drawing, given, *options); !found) return complain(found.error());
   auto converted = convert(*drawing, meant->catalog, *options);
   if (!converted) return complain(converted.error());
   if (given.has("frame")) converted->sequence = converted->frame;
   auto written = write(converted->sequence, *meant);
   if (!written) return complain(written.error());
-  tell_remarks(written->remarks);
+  print_remarks(written->remarks);
   if (!written->tool.empty()) write_aside(written->tool);
   if (!converted->off_the_table.empty())
     write_aside(fmt::format("{} of {} chains leave the table.", converted->off_the_table.size(),

@@ -90,7 +90,7 @@ Result<Order> understand(const Given& given) {
   return order;
 }
 
-void say_ready(const DeviceType& type, const char* kind, std::string_view where) {
+void print_ready(const DeviceType& type, const char* kind, std::string_view where) {
   print_result("ready {} {} {}\n", type.model, kind, where);
 }
 
@@ -104,7 +104,7 @@ Result<std::unique_ptr<TcpEndpoint>> serve_tcp(Scheduler& scheduler, const Order
                                       else
                                         host->attach(std::move(client));
                                     });
-  if (endpoint) say_ready(*order.type, kind.c_str(), (*endpoint)->address());
+  if (endpoint) print_ready(*order.type, kind.c_str(), (*endpoint)->address());
   return endpoint;
 }
 
@@ -112,7 +112,7 @@ Result<> serve_pty(Scheduler& scheduler, const Order& order, EmulatorHost& host,
   auto stream = open_pty_endpoint(scheduler, path, host.bench()->emulator().rate());
   if (!stream) return fail(stream.error());
   host.attach(std::move(*stream));
-  say_ready(*order.type, "pty", path);
+  print_ready(*order.type, "pty", path);
   return {};
 }
 
@@ -144,7 +144,7 @@ Task<int> serve(Scheduler& scheduler, const Order& order) {
     if (!endpoint) co_return complain(endpoint.error(), status_of(endpoint.error()));
     listening.push_back(std::move(*endpoint));
   }
-  if (!output_is_lost()) co_await ended.wait();  // else nobody knows where to connect
+  if (!output_is_lost()) co_await ended.wait();  // else the user does not know where to connect
   co_return done;
 }
 

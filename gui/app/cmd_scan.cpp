@@ -35,21 +35,21 @@ bool not_opened(const PortReport& report) {
 /// A named port that cannot be asked fails the job; among all ports it is a finding.
 Task<int> scan_all(Scheduler& scheduler, std::vector<SerialPort> ports, bool named) {
   int status = done;
-  std::function<void(const PortReport&)> tell = [&status, named](const PortReport& report) {
+  std::function<void(const PortReport&)> on_report = [&status, named](const PortReport& report) {
     if (named && not_opened(report))
       status = complain(report.sentence());
     else
       print_report(report);
   };
-  co_await scan_ports(scheduler, std::move(ports), tell);
+  co_await scan_ports(scheduler, std::move(ports), on_report);
   co_return status;
 }
 
 Task<int> search_ids(Scheduler& scheduler, DeviceSearch search) {
   std::function<bool(const SearchProgress&)> go_on = [](const SearchProgress&) { return !output_is_lost(); };
-  std::function<void(const PortReport&)> tell = print_report;
+  std::function<void(const PortReport&)> on_report = print_report;
   const int first = search.first_id, last = search.last_id;
-  const auto found = co_await search_devices(scheduler, std::move(search), go_on, tell);
+  const auto found = co_await search_devices(scheduler, std::move(search), go_on, on_report);
   print_result("{} found among the ids {:02} to {:02}.\n", found.size(), first, last);
   co_return done;
 }

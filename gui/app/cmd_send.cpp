@@ -6,6 +6,7 @@
 
 #include "core/session/address.h"
 #include "gui/app/cli.h"
+#include "gui/app/kept_limits.h"
 #include "gui/app/output.h"
 #include "gui/app/wiring.h"
 
@@ -27,10 +28,11 @@ void print_reply(std::string_view reply) {
   print_result("{}\n", shown);
 }
 
-// The driver's remarks on the reply: an unknown command, an error report in words.
-void print_warnings(Session& session) {
-  session.notices().drain([](Notice& notice) {
-    if (notice.kind != Notice::Kind::info && notice.kind != Notice::Kind::program) write_aside(notice.text);
+// Remarks on text and reply: an unknown command, a limit that the text leads past, an error report in words.
+void print_warnings(Session& session, const KeptLimits& limits) {
+  session.notices().drain([&limits](Notice& notice) {
+    if (notice.kind != Notice::Kind::info && notice.kind != Notice::Kind::program)
+      write_aside(limits.words_of(notice));
   });
 }
 
@@ -118,7 +120,7 @@ Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, 
 
 /// Sends texts one after another. A failed text ends the series; one whose end did not come in time does not.
 /// Nothing is sent after a stop by the user, or when the replies are no longer read.
-Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
+Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session, const KeptLimits& limits,
                      std::span<const std::string> texts, double wait_s, Stopped& stopped) {
   const Pump& pump = session->pump();
   Replies replies(*session);
@@ -134,7 +136,7 @@ Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session,
       const int rested = co_await wait_for_rest(scheduler, session, replies, texts[i], wait_s);
       status = std::max(status, rested);
     }
-    print_warnings(*session);
+    print_warnings(*session, limits);
   }
   co_await session->pump().refresh();  // the effects of the last text
   stopped.unseen = false;
@@ -169,7 +171,7 @@ void when_interrupted(Session& session, Stopped& stopped) {
   stop(session, stopped);
 }
 
-Task<int> tell_of_stop(std::shared_ptr<Session> session) {
+Task<int> report_stop(std::shared_ptr<Session> session) {
   const IntentOutcome* outcome = session->known().outcome_of(Stopped::id);
   for (; outcome && outcome->state == IntentState::pending;
        outcome = session->known().outcome_of(Stopped::id))
@@ -184,6 +186,7 @@ Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& gi
   auto opened = Session::open(scheduler, address, wire_opener(), nullptr);
   if (!opened) co_return complain(opened.error(), status_of(opened.error()));
   const std::shared_ptr<Session> session = *opened;
+  const KeptLimits limits(*session);
   std::span<const std::string> texts = std::span(given.words).subspan(1);
   Stopped stopped;
   const OutputWatch unread([&] {
@@ -197,12 +200,12 @@ Task<int> send_all(Scheduler& scheduler, const Address& address, const Given& gi
   if (status == done && !output_is_lost()) {
     const auto connected = co_await session->wait_until_connected();
     const Interruption interruption(scheduler, [&](int) { when_interrupted(*session, stopped); });
-    status = connected ? co_await send_texts(scheduler, session, texts, wait_s, stopped)
+    status = connected ? co_await send_texts(scheduler, session, limits, texts, wait_s, stopped)
                        : complain(connected.error(), status_of(connected.error()));
   }
-  if (stopped.asked) status = co_await tell_of_stop(session);
+  if (stopped.asked) status = co_await report_stop(session);
   co_await session->close();
-  print_warnings(*session);
+  print_warnings(*session, limits);
   co_return status;
 }
 

@@ -4,8 +4,8 @@
 
 namespace hw::app {
 
-static Task<> search_and_tell(Scheduler& scheduler, DeviceSearch what,
-                              std::shared_ptr<DeviceSearcher::Wire> wire, std::function<void()> wake) {
+static Task<> search_and_report(Scheduler& scheduler, DeviceSearch what,
+                                std::shared_ptr<DeviceSearcher::Wire> wire, std::function<void()> wake) {
   std::function<bool(const SearchProgress&)> go_on = [wire, wake](const SearchProgress& at) {
     wire->progress.push(at);
     if (wake) wake();
@@ -35,7 +35,7 @@ void DeviceSearcher::start(const std::string& path, int baud, int first_id, int 
   state_ = {};
   state_.running = true;
   wire_ = std::make_shared<Wire>();
-  asio::co_spawn(scheduler_.executor(), search_and_tell(scheduler_, std::move(what), wire_, wake_),
+  asio::co_spawn(scheduler_.executor(), search_and_report(scheduler_, std::move(what), wire_, wake_),
                  asio::detached);
 }
 

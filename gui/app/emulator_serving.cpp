@@ -17,7 +17,7 @@ struct EmulatorServing::Wire {
   std::unique_ptr<EmulatorService> service;  // io thread
   std::function<void()> wake;
 
-  void tell(gui::ServedEmulator now) {
+  void publish(gui::ServedEmulator now) {
     news.push(std::move(now));
     if (wake) wake();
   }
@@ -38,7 +38,7 @@ static void start_serving(Scheduler& scheduler, const Address& address,
   const auto host = host_to_serve(scheduler, address, session);
   if (!host) {
     now.trouble = host.error().sentence();
-    return wire->tell(std::move(now));
+    return wire->publish(std::move(now));
   }
   auto service = EmulatorService::start(scheduler, *host, place,
                                         [weak = std::weak_ptr<EmulatorServing::Wire>(wire)](int clients) {
@@ -49,12 +49,12 @@ static void start_serving(Scheduler& scheduler, const Address& address,
                                         });
   if (!service) {
     now.trouble = service.error().sentence();
-    return wire->tell(std::move(now));
+    return wire->publish(std::move(now));
   }
   now.tcp = (*service)->address();
   now.terminal = (*service)->terminal();
   wire->service = std::move(*service);
-  wire->tell(std::move(now));
+  wire->publish(std::move(now));
 }
 
 void EmulatorServing::serve(const std::string& key, const Address& address,

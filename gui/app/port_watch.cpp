@@ -52,8 +52,8 @@ std::vector<FoundPort::Check> checks_of(const PortReport& r) {
                                                  : "")};
 }
 
-Task<> probe_and_tell(Scheduler& scheduler, SerialPort port, std::shared_ptr<Ring<PortReport>> reports,
-                      std::function<void()> wake) {
+Task<> probe_and_report(Scheduler& scheduler, SerialPort port, std::shared_ptr<Ring<PortReport>> reports,
+                        std::function<void()> wake) {
   PortReport report = co_await probe_port(scheduler, std::move(port));
   reports->push(std::move(report));
   if (wake) wake();
@@ -168,7 +168,7 @@ void PortWatch::ask(const std::string& path) {
   at->state = FoundPort::State::asking;
   at->sentence.clear();
   ++asking_;
-  asio::co_spawn(scheduler_.executor(), probe_and_tell(scheduler_, known->second, reports_, wake_),
+  asio::co_spawn(scheduler_.executor(), probe_and_report(scheduler_, known->second, reports_, wake_),
                  asio::detached);
 }
 

@@ -45,7 +45,7 @@ class PortWatch final : public gui::PortFinder {
   bool watching_ = false;
   std::shared_ptr<std::atomic<bool>> usb_moved_ =
       std::make_shared<std::atomic<bool>>(false);  // set on the io thread
-  std::shared_ptr<int> page_;                      // destroyed: nobody watches
+  std::shared_ptr<int> page_;                      // destroyed: the watch has ended
   Instant listed_at_{};
   PortExamination examination_;
   EmulatorServing serving_;

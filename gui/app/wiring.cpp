@@ -24,7 +24,7 @@ std::shared_ptr<WillKeeper> start_jog_watchdog() {
   const std::string here = folder_of_program();
   auto watchdog =
       JogWatchdog::start({here + "/handwheel-watchdog", here + "/../libexec/handwheel/handwheel-watchdog"});
-  if (watchdog) watchdog->tell_fatal_signals();
+  if (watchdog) watchdog->report_fatal_signals();
   return watchdog;
 }
 

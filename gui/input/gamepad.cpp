@@ -114,7 +114,7 @@ bool Gamepad::let_go() const {
          std::none_of(sticks_.begin(), sticks_.end(), [](float way) { return std::fabs(way) >= ends_at; });
 }
 
-/// It stays armed: a hand that is there lets go, and pushes again.
+/// The gamepad stays armed: a present user releases the stick, and pushes again.
 void Gamepad::stop_if_left_alone(double at_s) {
   if (!held_ || at_s - changed_at_s_ <= same_for_s) return;
   words_ = fmt::format(

@@ -38,14 +38,14 @@ class Gamepad {
   bool in_turn(const InputEvent& event);
   /// Checks for silence.
   void begin_frame(double now_s);
-  /// Why it was disarmed, told once; empty: not disarmed.
+  /// Why it was disarmed, reported once; empty: not disarmed.
   [[nodiscard]] std::string take_words();
 
   static constexpr float begins_at = 0.6f, ends_at = 0.35f;  ///< of a stick's full deflection
   static constexpr float stronger_by = 0.2f;                 ///< lead needed to switch to the other axis
   static constexpr double silent_after_s = 0.2;              ///< no reply while it holds a jog
-  /// Longest time without any change while it holds a jog: one that is out of reach keeps its last state. A
-  /// stick in a hand is never this still, as its other direction trembles even where one is at its end.
+  /// Longest time without any change while it holds a jog: a gamepad out of reach keeps its last state. A
+  /// stick that is held is never this still: even at the end of one direction, the other trembles.
   static constexpr double same_for_s = 2;
 
  private:

@@ -38,7 +38,7 @@ std::optional<PadState> pad_state(int number) {
 
 }  // namespace
 
-void PadChanges::tell(const std::optional<PadState>& now, double now_s, const Push& push) {
+void PadChanges::report(const std::optional<PadState>& now, double now_s, const Push& push) {
   if (!now) return push(InputEvent::pad_gone(now_s));
   for (std::size_t i = 0; i < now->axes.size(); ++i)
     if (now->axes[i] != before_.axes[i])
@@ -70,7 +70,7 @@ std::string GamepadSource::name() const {
 void GamepadSource::look_if_due(double now_s, const PadChanges::Push& push) {
   if (due_in_s(now_s) > 0) return;
   looked_at_s_ = now_s;
-  changes_.tell(pad_state(number_), now_s, push);
+  changes_.report(pad_state(number_), now_s, push);
 }
 
 }  // namespace hw::gui

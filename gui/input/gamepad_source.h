@@ -23,7 +23,7 @@ class PadChanges {
   /// Makes the next poll report everything.
   void forget() { before_ = PadState(); }
   /// None: no reply.
-  void tell(const std::optional<PadState>& now, double now_s, const Push& push);
+  void report(const std::optional<PadState>& now, double now_s, const Push& push);
 
  private:
   PadState before_;

@@ -67,6 +67,7 @@ std::string_view name_of(Kind kind) { return kind_names[static_cast<std::size_t>
 void Registry::begin_frame() {
   drawn_.texts.clear();
   drawn_.widgets.clear();
+  drawn_.clear.clear();
   drawn_.top_layer = 0;
 }
 

@@ -73,6 +73,11 @@ class Registry {
   [[nodiscard]] const Widget* find(std::string_view id) const;
   [[nodiscard]] int top_layer() const { return shown_.top_layer; }
 
+  /// Areas that no tooltip may cover: a refusal, limit lamps. To be called in each frame.
+  void keep_clear(const Rect& rect) { drawn_.clear.push_back(rect); }
+  /// Of the last complete frame.
+  [[nodiscard]] std::span<const Rect> kept_clear() const { return shown_.clear; }
+
   /// Asks the widget to scroll itself into view in the next frame that draws it.
   void scroll_to(std::string_view id) { scroll_to_ = id; }
   /// For widgets: whether it was asked; true once.
@@ -82,6 +87,7 @@ class Registry {
   struct Page {
     std::string texts;
     std::vector<Widget> widgets;  // while drawing, views hold offsets into `texts`
+    std::vector<Rect> clear;
     int top_layer = 0;
   };
   std::string_view keep(std::string_view text, bool ascii_only);

@@ -59,7 +59,7 @@ std::optional<Address> address_to_follow(const Tab& tab) {
   return moved(tab);
 }
 
-Belongings::Belongings(Tab& tab) {
+TabProfiles::TabProfiles(Tab& tab) {
   const auto take = [this](const Tab& of) {
     all_.push_back({of.bus ? option_of(goes_by(of), "id") : std::string(), of.profile});
   };
@@ -69,7 +69,7 @@ Belongings::Belongings(Tab& tab) {
     take(tab);
 }
 
-void Belongings::give_to(Tab& tab) const {
+void TabProfiles::apply_to(Tab& tab) const {
   const auto give = [this](Tab& to) {
     const auto of = std::find_if(all_.begin(), all_.end(),
                                  [&](const Of& one) { return one.id.empty() || one.id == to.id(); });

@@ -17,11 +17,11 @@ class Tab;
 std::optional<Address> address_to_follow(const Tab& tab);
 
 /// The user's names, units and limits for the controllers of one tab, or of a whole bus.
-class Belongings {
+class TabProfiles {
  public:
-  explicit Belongings(Tab& tab);
+  explicit TabProfiles(Tab& tab);
   /// Applies them to the same controllers at their new address.
-  void give_to(Tab& tab) const;
+  void apply_to(Tab& tab) const;
 
  private:
   struct Of {

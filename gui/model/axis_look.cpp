@@ -34,8 +34,8 @@ bool is_old(const Snapshot& now, int axis, Instant clock) {
   return is_stale(now.axes[static_cast<std::size_t>(axis)].seen_at, clock, now.poll_period);
 }
 
-// No speed alone does not say it: that of a slow move is rounded to 0, and the first answers of a move that
-// has just begun may hold none yet.
+// A zero speed alone is no proof: the speed of a slow move is rounded to 0, and the first answers of a new
+// move may hold none yet.
 bool only_goes_along(const AxisState& a) {
   if (a.activity != Activity::moving || a.speed.value != 0 || a.phase == Phase::unknown) return false;
   return a.has_target && a.target == a.position;

@@ -36,7 +36,7 @@ bool only_goes_along(const AxisState& axis);
 /// The worst state of all axes and the link; `moving` when several move.
 State worst_state(const Snapshot& now, Instant clock);
 bool is_motion(State state);
-/// Something is wrong that motion hides from worst_state(): a position that cannot be trusted, a slip, a
+/// A fault or warning that motion hides from worst_state(): a position that cannot be trusted, a slip, a
 /// servo axis off its place, a limit, a notice.
 bool needs_attention(const Snapshot& now);
 /// From harmless to bad.

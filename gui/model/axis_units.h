@@ -19,7 +19,7 @@ class AxisUnits {
   [[nodiscard]] const DisplayUnit& shown(AxisId axis) const { return units_[axis.index].shown; }
   /// For lengths and speeds: the same without the sign of an axis that counts against its steps.
   [[nodiscard]] const DisplayUnit& length(AxisId axis) const { return units_[axis.index].length; }
-  /// What the controller counts, whatever is shown.
+  /// The unit that the controller counts in, whatever is shown.
   [[nodiscard]] const DisplayUnit& counted(AxisId axis) const { return units_[axis.index].counted; }
 
  private:

@@ -18,7 +18,7 @@ std::string in_words(std::span<const std::string_view> names) {
   return words;
 }
 
-bool speaks_of(std::string_view sentence, std::string_view id) {
+bool mentions(std::string_view sentence, std::string_view id) {
   return sentence.starts_with(fmt::format("{} ", id)) || sentence.starts_with(fmt::format("{}:", id)) ||
          sentence.find(fmt::format(" {} ", id)) != sentence.npos;
 }

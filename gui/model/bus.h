@@ -62,7 +62,7 @@ struct Bus {
 std::string in_words(std::span<const std::string_view> names);
 
 /// Returns whether the sentence names the device of the bus that it is about: "02 moves to ...".
-bool speaks_of(std::string_view sentence, std::string_view id);
+bool mentions(std::string_view sentence, std::string_view id);
 
 /// The state of a controller, or the worst on its bus; `moving` when several move.
 State worst_state(const Tab& tab);

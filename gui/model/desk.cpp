@@ -138,7 +138,7 @@ void Desk::refresh(const Snapshot& now, const BenchView& bench, Instant clock, c
   autosave(clock);
 }
 
-// Without a link, others may change the programs. Those under way stay what they were, until they end.
+// Without a link, others may change the programs. Programs under way stay as they are until they end.
 void Desk::doubt_texts(const Snapshot& now) {
   switch (now.link.state) {
     case LinkState::closed: return texts.forget();

@@ -1,6 +1,6 @@
 #pragma once
-// The user's work with one controller: the record of its wire, program texts and jobs on them, edited set-up,
-// typed commands. One per tab, whichever panels are in front. GUI thread.
+// The user's work with one controller: recorded traffic, program texts and jobs on them, edited set-up, typed
+// commands. One per tab, whichever panels are in front. GUI thread.
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -84,9 +84,9 @@ class Desk {
   /// pressed: the dry run then begins with the run. Does nothing when there is no text or a dry run is under
   /// way.
   void rehearse(const Snapshot& now, const BenchView& bench);
-  /// Some of its set-up was never read.
+  /// Some values of the set-up were never read.
   [[nodiscard]] bool can_read_more(const Snapshot& now) const;
-  /// The known state of the controller, with the programs that it is known to hold.
+  /// The known state of the controller, including its programs as far as known.
   [[nodiscard]] ControllerState state_of(const Snapshot& now) const;
   /// A listing was uploaded from the controller.
   void listed(const Notice& notice) { texts.listed(notice.slot, notice.text, notice.at, notice.whole); }

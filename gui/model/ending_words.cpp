@@ -18,7 +18,7 @@ std::string_view by_whom(StoppedBy who) {
     case StoppedBy::text: return "by the command that was sent";
     case StoppedBy::console: return "by the console, because it was no longer held or the link was lost";
     case StoppedBy::let_go: return "when its button was let go";
-    case StoppedBy::nobody: break;
+    case StoppedBy::unknown: break;
   }
   return "by the console";
 }
@@ -104,8 +104,9 @@ std::string axis_words(const Ending& e, const std::string& at, const ShowPositio
       return fmt::format("{} stopped at once, without a ramp, {}{}{}", what, by_whom(e.who),
                          course_of(e, position), at);
     case EndedBy::elsewhere:
-      return fmt::format("{} was cut short by {}another host or at the controller{}", what,
-                         e.beside_program ? "the program that runs, " : "", at);
+      return fmt::format("{} was cut short by {}{}another host or at the controller{}", what,
+                         e.perhaps_limit ? "a limit switch, by " : "",
+                         e.beside_program ? "the program that runs, by " : "", at);
     case EndedBy::error: return fmt::format("{} ended with an error{}{}", what, words_of(e.error), at);
     case EndedBy::lost:
       return fmt::format("{} ended unseen: {}{}", what,
@@ -184,6 +185,8 @@ std::string words_beside_run(const Ending& motion, const Ending& run, const Cata
     const std::string course = course_of(motion, position);
     return fmt::format("; {} {}{}", name, course.empty() ? "stopped" : course.substr(2), place);
   }
+  if (motion.by == EndedBy::elsewhere && run.by == EndedBy::elsewhere)
+    return fmt::format("; {} stopped{}", name, place);
   if (run.failed_axis == motion.axis && (motion.by == EndedBy::limit || motion.by == EndedBy::error))
     return place;
   return fmt::format("; {} {}", name, axis_words(motion, place, position));

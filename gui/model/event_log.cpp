@@ -87,7 +87,7 @@ void EventLog::follow(const Snapshot& now, const Catalog& catalog) {
   follow_link(now);
   if (!now.link.connected()) return;
   follow_trust(now, catalog);
-  looked_ = true;
+  if (!std::exchange(looked_, true)) first_answer_at_ = now.at;
 }
 
 void EventLog::follow_link(const Snapshot& now) {
@@ -131,7 +131,7 @@ void EventLog::follow_trust(const Snapshot& now, const Catalog& catalog) {
 bool is_shown(const Happening& event, EventFilter filter) {
   switch (filter) {
     case EventFilter::ends:
-      if (event.mark == Happening::Mark::message) return event.took_s >= 0;  // an end that is not known
+      if (event.mark == Happening::Mark::message) return event.took_s >= 0;  // an unknown end
       return event.mark != Happening::Mark::link;
     case EventFilter::trouble: return event.bad;
     case EventFilter::all: break;

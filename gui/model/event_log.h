@@ -43,6 +43,8 @@ class EventLog {
   [[nodiscard]] const std::deque<Happening>& list() const { return list_; }
   /// Changes whenever the list does.
   [[nodiscard]] std::uint64_t version() const { return version_; }
+  /// Of this controller; zero: it has not answered yet.
+  [[nodiscard]] Instant first_answer_at() const { return first_answer_at_; }
   /// Newest first, one line each: for the clipboard, scripts and screen readers.
   [[nodiscard]] std::string text(EventFilter filter, const DayClock& day) const;
 
@@ -67,7 +69,7 @@ class EventLog {
   std::vector<Recent> recent_;
   std::uint64_t version_ = 0, last_number_ = 0;
   bool looked_ = false, was_there_ = false;
-  Instant lost_at_{};
+  Instant lost_at_{}, first_answer_at_{};
   std::array<PositionTrust, max_axes> trust_{};
 };
 

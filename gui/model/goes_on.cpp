@@ -47,7 +47,7 @@ std::string what_goes_on(const Tab& tab, Tense tense) {
 }
 
 std::string whose(const Tab& tab, std::string_view what) {
-  if (!tab.bus || speaks_of(what, tab.id())) return std::string(tab.name());
+  if (!tab.bus || mentions(what, tab.id())) return std::string(tab.name());
   return fmt::format("{}, {}", tab.name(), tab.id());
 }
 
@@ -64,13 +64,13 @@ std::string no_stop_reaches(const Names& lost, bool named) {
                      one ? "its power switch" : "their power switches");
 }
 
-std::string nobody_watches(std::size_t many) {
+std::string unwatched_sentence(std::size_t many) {
   return many > 1 ? "Nobody would watch them." : "Nobody would watch it.";
 }
 
 /// "01 moves. 02 was moving when the link was lost. Nobody would watch 01 ...": the last part.
 std::string what_it_means(std::size_t watched, const Names& lost) {
-  std::string sentence = watched > 0 ? nobody_watches(watched) : std::string();
+  std::string sentence = watched > 0 ? unwatched_sentence(watched) : std::string();
   if (lost.empty()) return sentence;
   if (watched > 0) sentence += ' ';
   return sentence + no_stop_reaches(lost, watched > 0);

@@ -1,5 +1,5 @@
 #pragma once
-// What a controller keeps doing when its tab or the window is closed. GUI thread.
+// Work that a controller continues when its tab or the window is closed. GUI thread.
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,8 +11,8 @@ class Tab;
 /// Returns whether a stop would reach the controller now.
 [[nodiscard]] bool reached(const Tab& tab);
 /// Returns whether a stored program of the user runs, waits or is held, an axis moves, or commands wait in
-/// the controller's queues. After a lost link, the last known activity counts as going on: nobody has seen it
-/// stop.
+/// the controller's queues. After a lost link, the last known activity counts as under way: its end was not
+/// seen.
 [[nodiscard]] bool goes_on(const Tab& tab);
 /// Returns whether the activity was begun through this console, since the controller last rested. Without a
 /// session (tests): always true.

@@ -1,6 +1,5 @@
 #pragma once
-// Log of what the console decides by itself: presses that it does not take, holds that it ends. --log
-// gui=debug.
+// Log of the console's own decisions: ignored presses, ended holds. --log gui=debug.
 #include "core/base/log.h"
 
 namespace hw::gui {

@@ -50,7 +50,7 @@ void JogHold::tick(double now_s) {
   const bool unseen = !held.confirmed;
   if (frozen || unseen) {
     gui_log().debug("the hold of axis {} ends: {}", held.control.axis.index + 1,
-                    frozen ? "no frame for too long" : "its control is not seen to be held any more");
+                    frozen ? "no frame for too long" : "its control is no longer seen as held");
     return let_go();
   }
   held.seen_at_s = now_s;

@@ -19,9 +19,9 @@ class JogHold {
  public:
   using Send = std::function<IntentId(IntentBody)>;
   /// The input device: several may press the same control; each releases only its own press.
-  enum class Hand : std::uint8_t { mouse, keyboard, gamepad };
+  enum class Source : std::uint8_t { mouse, keyboard, gamepad };
   struct Control {
-    Hand hand = Hand::mouse;
+    Source source = Source::mouse;
     AxisId axis;
     Sign sign = Sign::plus;
     bool operator==(const Control&) const = default;
@@ -39,8 +39,8 @@ class JogHold {
   /// Ends the hold: a jog is stopped, an unfinished tap is discarded.
   void let_go();
   /// The same for a hold of this input device.
-  void take_away(Hand hand) {
-    if (held_ && held_->control.hand == hand) let_go();
+  void take_away(Source source) {
+    if (held_ && held_->control.source == source) let_go();
   }
   /// As let_go(), when a Stop has already been sent (a second one would mean "at once, without ramp").
   void forget() { held_.reset(); }

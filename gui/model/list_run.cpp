@@ -16,12 +16,12 @@ const IntentOutcome* ListRun::ended(IntentId& id, const Snapshot& now) const {
   return id == 0 ? outcome : nullptr;
 }
 
-void ListRun::follow(const Snapshot& now, const Send& send) {
+void ListRun::follow(const Snapshot& now, const Send& send, const Words& words) {
   const bool was_away = !std::exchange(seen_, false);
   if (was_away) may_start_ = false;
   if (const IntentOutcome* loaded = ended(loading_, now)) {
     if (loaded->state != IntentState::done) {
-      reports_.push_back({Severity::fault, std::string(loaded->sentence.view())});
+      reports_.push_back({Severity::fault, words(*loaded)});
     } else if (may_start_) {
       start_.emplace(0, places_);
       starting_ = send(*start_);
@@ -34,7 +34,7 @@ void ListRun::follow(const Snapshot& now, const Send& send) {
   const IntentOutcome* started = ended(starting_, now);
   if (!started || started->state == IntentState::done) return;
   if (was_away)
-    reports_.push_back({Severity::fault, std::string(started->sentence.view())});
+    reports_.push_back({Severity::fault, words(*started)});
   else
     refusal_ = *started;
 }

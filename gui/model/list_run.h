@@ -17,14 +17,15 @@ namespace hw::gui {
 class ListRun {
  public:
   using Send = std::function<IntentId(IntentBody)>;
+  using Words = std::function<std::string(const IntentOutcome&)>;
 
   /// `places`: the targets of the text.
   void begin(std::string text, std::vector<AxisTarget> places, const Send& send);
   /// The refused start was sent once more, as this intent.
   void started_as(IntentId id) { starting_ = id; }
-  /// Once a frame.
-  void follow(const Snapshot& now, const Send& send);
-  /// Its panel is drawn in this frame.
+  /// Once a frame. `words`: the sentence of an outcome, in the units of the axes.
+  void follow(const Snapshot& now, const Send& send, const Words& words);
+  /// The panel is drawn in this frame.
   void looked_at() { seen_ = true; }
   /// A stop was sent.
   void stopped() { loading_ = starting_ = 0; }

@@ -25,7 +25,7 @@ class MotionBar {
   const Catalog& catalog_;
   std::array<std::string, max_axes> power_is_off_;  ///< the sentence if the power is off
   std::string why_;
-  bool known_ = false;  ///< `why_` is of these two:
+  bool known_ = false;  ///< `why_` was made from these two:
   LinkState link_ = LinkState::closed;
   ProgramState program_;
 };

@@ -11,7 +11,7 @@ class Panel {
  public:
   virtual ~Panel() = default;
   virtual void draw(Frame& frame) = 0;
-  /// What would be lost with this object, as it is stored nowhere else, as a sentence; empty: nothing.
+  /// The data that only this object holds and closing it would lose, as a sentence; empty: none.
   [[nodiscard]] virtual std::string_view unkept() const { return {}; }
 };
 

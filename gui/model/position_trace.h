@@ -18,8 +18,8 @@ class PositionTrace {
     Instant until{};       ///< still there then
     bool goes_on = false;  ///< continues the place before: nothing was unknown in between
   };
-  /// Where an axis met its switches, in its present count: the first position on each when entering it.
-  /// Cleared when the count is set anew, as the switches then have other positions.
+  /// The places where an axis met its switches, in its present count: the first position on each when
+  /// entering it. Cleared when the count is set anew, as the switches then have other positions.
   struct Met {
     std::optional<Steps> minus, plus;  ///< travel limits
     std::optional<Steps> home;         ///< its switch, or where the axis came to rest after homing

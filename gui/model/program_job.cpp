@@ -12,7 +12,7 @@
 namespace hw::gui {
 namespace {
 
-std::string say_progress(const TransferState& t) {
+std::string progress_words(const TransferState& t) {
   if (!t.running || (t.done == 0 && t.total == 0)) return {};
   const bool compares = t.phase == TransferState::Phase::comparing;
   std::string progress = fmt::format(": {}{}", compares ? "comparing, " : "", t.done);
@@ -229,7 +229,7 @@ void ProgramJob::answer(Answer answer, ProgramTexts& texts, const Send& send) {
 
 std::string ProgramJob::words(const ProgramFacts& facts, const TransferState& transfer) const {
   const auto about = [&](const char* verb) {
-    return fmt::format("{} {} {}{}", verb, facts.slot_word, slot_, say_progress(transfer));
+    return fmt::format("{} {} {}{}", verb, facts.slot_word, slot_, progress_words(transfer));
   };
   switch (stage_) {
     case Stage::comparing: return about("Comparing");

@@ -37,7 +37,7 @@ class ProgramJob {
     std::string sentence;
   };
 
-  /// Begins a job. False, with a sentence in take_told(): not possible (errors in the text, another job, no
+  /// Begins a job. False, with a sentence in take_report(): not possible (errors in the text, another job, no
   /// text).
   bool begin(Goal goal, int slot, ProgramTexts& texts, const Snapshot& now, const Catalog& catalog,
              const Send& send, RunTerms run = {});

@@ -19,7 +19,7 @@ struct WrittenSequence {
 
 class ProgramSource {
  public:
-  /// Records what was put into the program; the latest few are kept.
+  /// Records a text that was put into the program; the latest few are kept.
   void put(WrittenSequence sequence);
   /// Null: the text comes from no known sequence. The blocks are written anew when they have changed.
   const WrittenSequence* of(const std::string& text, const BlockList& blocks, const Language* language,

@@ -124,7 +124,7 @@ void ProgramTexts::restore(const std::vector<UnsavedText>& texts) {
   }
 }
 
-// ---- what the controller holds
+// ---- contents of the controller
 
 void ProgramTexts::hold(int slot, const std::string& text, bool from_here, Instant when) {
   Slot& s = at(slot);
@@ -232,7 +232,7 @@ ProgramNote note_of_sent(ProgramTexts& texts, int slot, bool runs, const std::st
   return {Severity::plain, "The controller keeps no programs: Run sends this text. Save keeps it in a file."};
 }
 
-/// Of a transfer that was broken off: none of them is a program, and whose it is, is known.
+/// Torn by a transfer that was broken off: the slots hold no complete program.
 bool is_torn(const Snapshot& now, int slot, const ProgramFacts& facts) {
   return (now.slots_torn >> (facts.threads > 0 ? 0 : slot) & 1) != 0;
 }

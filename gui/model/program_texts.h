@@ -70,7 +70,7 @@ class ProgramTexts {
   /// Changes with every text or file: for the autosave.
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
 
-  // ---- what the controller holds
+  // ---- contents of the controller
   [[nodiscard]] const HeldProgram& held(int slot) const { return at(slot).held; }
   /// LoadProgram has succeeded.
   void loaded(int slot, const std::string& text, Instant when);
@@ -99,7 +99,7 @@ class ProgramTexts {
     std::uint64_t version = 1, analysed = 0, diffed = 0;
     ProgramReport report;
     std::filesystem::path path;
-    std::string in_file;  ///< what the file holds
+    std::string in_file;  ///< the contents of the file
     bool dos_lines = false, has_file = false;
     HeldProgram held;
     TextDiff held_to_now{"", ""};

@@ -1,5 +1,5 @@
 #pragma once
-// What is read from the controller for a rehearsal: its set-up before it, and the programs and variables that
+// Reads values from the controller for a rehearsal: the set-up before it, and the programs and variables that
 // it has reached after it. For the program editor and the blocks. GUI thread.
 #include "core/device/catalog.h"
 #include "gui/model/rehearsals.h"

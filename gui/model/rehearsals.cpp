@@ -91,9 +91,9 @@ Stand compare_axes(const Comparison& c) {
     if (i < 0 || i >= c.now.axis_count) continue;
     const AxisState &then = began.axes[ix(i)], &axis = c.left ? then : c.now.axes[ix(i)];
     const Footing footing = footing_of(rehearsed, then, axis, (c.left ? began : c.now).axis_moves(i));
-    const bool tells_place = footing == Footing::elsewhere;
+    const bool names_place = footing == Footing::elsewhere;
     if (footing != Footing::here)
-      return {footing, i, Steps(rehearsed.begin), tells_place ? axis.commanded() : Steps()};
+      return {footing, i, Steps(rehearsed.begin), names_place ? axis.commanded() : Steps()};
     if (const Stand other = other_state(i, then, begins_as(axis)); other != Stand()) return other;
   }
   return {};
@@ -204,7 +204,7 @@ Stand compare_variables(const Comparison& c) {
   return {};
 }
 
-/// Where one text holds all programs, it is the one that is rehearsed.
+/// If one text holds all programs, it is the rehearsed text.
 void take_programs(const ControllerState& of, const Catalog& catalog, ControllerState& into) {
   if (catalog.program.threads == 0) into.programs = of.programs;
 }

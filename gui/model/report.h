@@ -1,5 +1,5 @@
 #pragma once
-// What a job has to say to the user: shown as a toast, once.
+// A job's message to the user: shown once, as a toast.
 #include <string>
 #include <utility>
 #include <vector>

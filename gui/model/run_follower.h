@@ -46,7 +46,7 @@ class RunFollower {
   RunState seen_run_ = RunState::idle;
   ProgramState program_;
   double run_s_ = 0;
-  int run_number_ = 0;  ///< tells the rehearsal of an earlier run from this run's
+  int run_number_ = 0;  ///< distinguishes the rehearsal of an earlier run from this run's
   std::optional<Rehearsal> of_run_;
   std::optional<Snapshot> at_rest_;  ///< the latest before the run
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);

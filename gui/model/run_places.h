@@ -38,7 +38,8 @@ std::string why_not_begin_any_more(const Tab& tab, const sequence::Sequence& seq
 /// The same by doubts only: travel limits do not bind the user's own texts.
 std::string why_doubted_meanwhile(const Tab& tab, const sequence::Sequence& sequence,
                                   const AgreedDoubts& agreed);
-/// What a text of the user's own does, as far as the controller's language can be read; none: it cannot.
+/// The effects of a user's own text, as far as the controller's language can be read; none: it cannot be
+/// read.
 std::optional<sequence::Sequence> read_sequence(Tab& tab, const std::string& text);
 
 /// Why nothing can be begun in pieces now; empty: it can.

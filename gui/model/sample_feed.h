@@ -6,7 +6,7 @@ namespace hw::gui {
 
 class Tab;
 
-/// What the recorder sees of the controller in this frame, and its way to it.
+/// The recorder's view of the controller in this frame, and its means to command it.
 StepRecorder::View steps_view(Tab& tab);
 /// Before a new recording: drops the samples of an earlier one that have not been taken yet.
 void drop_samples(Tab& tab);

@@ -63,7 +63,7 @@ Sentence describe_motion(const StatusFacts& f);
 Sentence describe_program(const StatusFacts& f);
 Sentence describe_pieces(const StatusFacts& f);
 
-/// Adds what goes on beside something worse.
+/// Adds the motion beside a fault.
 StatusSentence with_what_goes_on(const StatusFacts& f, StatusSentence sentence) {
   for (const auto part : {describe_motion, describe_program, describe_pieces})
     if (const Sentence goes_on = part(f)) {
@@ -115,11 +115,7 @@ Sentence describe_late(const StatusFacts& f) {
   return compose(Severity::fault, fmt::format("{} {}", text, f.failed));
 }
 
-bool moves(const AxisState& a) {
-  if (only_goes_along(a)) return false;
-  return a.activity == Activity::moving || a.activity == Activity::jogging ||
-         a.activity == Activity::homing || a.activity == Activity::stopping;
-}
+bool moves(const AxisState& a) { return a.moves() && !only_goes_along(a); }
 
 /// " in line 6"; empty when not known.
 std::string describe_line(const RunPlace& run, std::string_view before) {
@@ -233,18 +229,18 @@ Sentence describe_pieces(const StatusFacts& f) {
                  fmt::format("Piece {} of {} is under way. Esc stops everything.", p.done + 1, p.total));
 }
 
-/// One of several programs is in error, whatever the others do.
+/// One of several programs is in error, even if others run.
 Sentence describe_failed(const StatusFacts& f) {
   if (f.failed.empty()) return {};
-  const StatusSentence said = with_what_goes_on(f, compose(Severity::fault, f.failed));
-  if (said.goes_on > 0) return said;
+  const StatusSentence in_error = with_what_goes_on(f, compose(Severity::fault, f.failed));
+  if (in_error.goes_on > 0) return in_error;
   return compose(Severity::fault, f.failed + " Run starts it again, Stop clears the error.");
 }
 
 Sentence describe_position(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i) {
     const AxisState& a = f.now.axes[i];
-    if (a.activity == Activity::homing) continue;  // that is what the sentence asks for
+    if (a.activity == Activity::homing) continue;  // the sentence asks for homing
     if (!a.position_known)
       return compose(Severity::warn,
                      fmt::format("The position of {} is not known. Home it, or set its position.",

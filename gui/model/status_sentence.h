@@ -15,13 +15,14 @@ namespace hw::gui {
 struct StatusSentence {
   Severity severity = Severity::plain;
   FixedText<800> text;
-  std::size_t goes_on = 0;  ///< bytes at the end of `text` that tell what goes on beside something worse
+  std::size_t goes_on = 0;  ///< bytes at the end of `text` that describe motion beside a fault
+  /// The same sentence: `goes_on` only divides it.
   bool operator==(const StatusSentence& other) const {
     return severity == other.severity && text == other.text;
   }
 };
 
-/// Where a running program is, as the editor shows it.
+/// The place of a running program, as the editor shows it.
 struct RunPlace {
   std::string who;           ///< "Programs 0 and 2 are"; empty: the program that the snapshot names
   int line = -1;             ///< of the text, from 0; -1: not known

@@ -12,11 +12,11 @@ namespace {
 constexpr std::size_t most_runs = 8;
 constexpr Millis arming_time{300};  // longest time from the first sample to the step
 constexpr Millis pause_time{300}, patience{2000};
-constexpr Millis longest_frame{1000};  // after a longer one nobody has looked
+constexpr Millis longest_frame{1000};  // after a longer frame the panel was not looked at
 
 }  // namespace
 
-// ---- what the user asks for
+// ---- the user's commands
 
 std::string_view StepRecorder::why_not(AxisId axis, const View& view) const {
   if (!view.now.link.connected()) return "There is no link.";
@@ -38,32 +38,32 @@ void StepRecorder::repeat(const Plan& plan, const View& view) {
 }
 
 void StepRecorder::learn_scatter(const Plan& plan, const View& view) {
-  scatter_ = {};
+  results_.scatter = {};
   series_ = {.on = true, .learns_scatter = true};
   begin(plan, 2 * StepScatter::enough, view);
 }
 
 void StepRecorder::begin(const Plan& plan, int steps, const View& view) {
   if (plan.length_ms != plan_.length_ms || std::abs(plan.step.value) != std::abs(plan_.step.value))
-    scatter_ = {};
+    results_.scatter = {};
   plan_ = plan;
-  sign_ = 1;
+  step_.sign = 1;
   series_.steps_left = steps;
-  stopped_ = false;
+  frame_.stopped = false;
   request(view);
 }
 
 void StepRecorder::end_where_it_began() {
-  const bool stands = stage_ == Stage::pausing, leads_away = sign_ > 0;
+  const bool stands = stage_ == Stage::pausing, leads_away = step_.sign > 0;
   series_.learns_scatter = false;
   series_.steps_left = (stands ? 0 : 1) + (leads_away == stands ? 0 : 1);
   if (series_.steps_left == 0) end_series({});
 }
 
 void StepRecorder::forget_runs() {
-  runs_.clear();
-  scatter_ = {};
-  measured_number_ = 0;
+  results_.runs.clear();
+  results_.scatter = {};
+  results_.measured_number = 0;
 }
 
 // ---- one step
@@ -75,63 +75,64 @@ void StepRecorder::request(const View& view) {
     series_ = {};
     return report(Severity::fault, std::string(why));
   }
-  runs_.emplace_back(++number_, plan_.axis, Steps(sign_ * plan_.step.value));
-  span_ = {};
-  before_ = {view.now.link.timeouts, view.now.restarts};
-  move_ = newest_ =
+  results_.runs.emplace_back(++step_.number, plan_.axis, Steps(step_.sign * plan_.step.value));
+  step_.span = {};
+  step_.before = {view.now.link.timeouts, view.now.restarts};
+  step_.move = newest_ =
       view.send(intent::Sample(plan_.axis, Millis(std::llround(plan_.length_ms)) + arming_time));
   stage_ = Stage::arming;
-  since_ = view.clock;
+  step_.since = view.clock;
 }
 
 void StepRecorder::make_step(const View& view) {
-  move_ = newest_ = view.send(intent::MoveBy({AxisTarget{plan_.axis, Steps(sign_ * plan_.step.value)}}));
+  step_.move = newest_ =
+      view.send(intent::MoveBy({AxisTarget{plan_.axis, Steps(step_.sign * plan_.step.value)}}));
   stage_ = Stage::recording;
 }
 
 void StepRecorder::take(const AxisSample& sample) {
-  if (!records() || sample.axis != plan_.axis.index || runs_.empty()) return;
-  if (!std::exchange(span_.any, true)) span_.first = sample.at;
-  span_.last = sample.at;
-  runs_.back().take(sample);
+  if (!records() || sample.axis != plan_.axis.index || results_.runs.empty()) return;
+  if (!std::exchange(step_.span.any, true)) step_.span.first = sample.at;
+  step_.span.last = sample.at;
+  results_.runs.back().take(sample);
 }
 
 void StepRecorder::drop_run() {
-  runs_.pop_back();
+  results_.runs.pop_back();
   stage_ = Stage::idle;
 }
 
 void StepRecorder::finish(const View& view) {
   stage_ = Stage::idle;
-  if (!runs_.back().moved()) {
-    const bool none = runs_.back().empty();
+  if (!results_.runs.back().moved()) {
+    const bool none = results_.runs.back().empty();
     drop_run();
     series_ = {};
     return report(Severity::fault, none ? "No sample arrived: nothing was recorded."
                                         : "The axis was not moved: nothing was recorded.");
   }
-  runs_.back().end(plan_.length_ms);
-  measured_ = measure(runs_.back());
-  measured_number_ = runs_.back().number();
-  while (runs_.size() > most_runs) runs_.pop_front();
+  results_.runs.back().end(plan_.length_ms);
+  results_.measured = measure(results_.runs.back());
+  results_.measured_number = results_.runs.back().number();
+  while (results_.runs.size() > most_runs) results_.runs.pop_front();
   if (!series_.on || ended_early(view)) return;
   if (series_.steps_left > 0) --series_.steps_left;
   count_into_scatter();
   if (series_.steps_left == 0) return end_series({});
-  sign_ = -sign_;
+  step_.sign = -step_.sign;
   stage_ = Stage::pausing;
-  since_ = view.clock;
+  step_.since = view.clock;
 }
 
-/// From steps away only; those back begin elsewhere. One with a gap is made again.
+/// Counts only steps away from the start; steps back begin elsewhere. A step with a gap is repeated.
 void StepRecorder::count_into_scatter() {
   if (!series_.learns_scatter) return;
-  if (sign_ > 0 && measured_.gaps == 0)
-    scatter_.take(measured_);
-  else if (sign_ > 0 && series_.spare > 0)
+  if (step_.sign > 0 && results_.measured.gaps == 0)
+    results_.scatter.take(results_.measured);
+  else if (step_.sign > 0 && series_.spare > 0)
     --series_.spare, series_.steps_left += 2;
   if (series_.steps_left > 0) return;
-  if (scatter_.known())
+  if (results_.scatter.known())
     report(Severity::ok,
            "Three repetitions are measured: a difference within their scatter counts as the same.");
   else
@@ -142,22 +143,22 @@ void StepRecorder::count_into_scatter() {
 // ---- frame by frame
 
 bool StepRecorder::was_away(const View& view) {
-  const bool frames_missed = !std::exchange(seen_, false);
-  return view.clock - std::exchange(followed_at_, view.clock) > longest_frame || frames_missed;
+  const bool frames_missed = !std::exchange(frame_.seen, false);
+  return view.clock - std::exchange(frame_.at, view.clock) > longest_frame || frames_missed;
 }
 
 /// The event since a step was requested that forbids the next one.
 std::string_view StepRecorder::interruption(const View& view, bool away) const {
   if (away) return "another panel was in front";
   const auto& link = view.now.link;
-  if (link.state != LinkState::good || link.timeouts != before_.timeouts)
+  if (link.state != LinkState::good || link.timeouts != step_.before.timeouts)
     return "the controller did not answer for a while";
-  if (view.now.restarts != before_.restarts) return "the controller was reset";
+  if (view.now.restarts != step_.before.restarts) return "the controller was reset";
   return {};
 }
 
 void StepRecorder::follow(const View& view) {
-  const bool away = was_away(view), stopped = std::exchange(stopped_, false);
+  const bool away = was_away(view), stopped = std::exchange(frame_.stopped, false);
   if (stage_ == Stage::idle) return;
   const std::string_view between = interruption(view, away);
   // After a stop between the request for samples and the step, the step is not made.
@@ -170,16 +171,16 @@ void StepRecorder::follow(const View& view) {
   follow_series(view, between, stopped);
   if (stage_ == Stage::idle) return;  // the series has ended between two steps
   if (stage_ == Stage::pausing) return pause(view);
-  if (stage_ == Stage::arming && span_.any) make_step(view);
-  const IntentOutcome* outcome = view.now.outcome_of(move_);
+  if (stage_ == Stage::arming && step_.span.any) make_step(view);
+  const IntentOutcome* outcome = view.now.outcome_of(step_.move);
   if (outcome && (outcome->state == IntentState::refused || outcome->state == IntentState::failed)) {
     report(Severity::fault, std::string(outcome->sentence.view()));
     series_ = {};
     return drop_run();
   }
   const Duration length = from_seconds(plan_.length_ms / 1000);
-  const bool whole = span_.any && span_.last - span_.first >= length;
-  if (whole || view.clock - since_ > length + patience) finish(view);
+  const bool whole = step_.span.any && step_.span.last - step_.span.first >= length;
+  if (whole || view.clock - step_.since > length + patience) finish(view);
 }
 
 /// Any other event ends a series for good: a stop, another sender's command, a refusal, a lost link, a reset,
@@ -198,7 +199,7 @@ void StepRecorder::pause(const View& view) {
   const bool settles = view.now.axis_moves(plan_.axis.index);
   if (!series_.on)
     stage_ = Stage::idle;
-  else if (view.clock - since_ > pause_time && !settles && !ended_early(view))
+  else if (view.clock - step_.since > pause_time && !settles && !ended_early(view))
     request(view);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Makes steps of a servo axis and records them: one step, or to and fro until it is switched off. A recording
-// goes on while other panels are in front; the next step of a series is made only while its panel is looked
+// continues while other panels are in front; the next step of a series is made only while its panel is looked
 // at. GUI thread.
 #include <cstdint>
 #include <deque>
@@ -32,7 +32,7 @@ class StepRecorder {
     Send send;
   };
 
-  /// One step, away from where it stands.
+  /// Makes one step away from the present place.
   void record(const Plan& plan, const View& view);
   /// To and fro until end_where_it_began().
   void repeat(const Plan& plan, const View& view);
@@ -48,9 +48,9 @@ class StepRecorder {
   /// Takes a sample of the recording under way; drops others.
   void take(const AxisSample& sample);
   /// Its panel is drawn in this frame.
-  void looked_at() { seen_ = true; }
+  void looked_at() { frame_.seen = true; }
   /// A stop was sent.
-  void stopped() { stopped_ = true; }
+  void stopped() { frame_.stopped = true; }
   /// Another command of its own panel ends no series.
   void sent_beside(IntentId id) { newest_ = id; }
   /// Another axis was chosen. Not while it is busy.
@@ -60,12 +60,12 @@ class StepRecorder {
   [[nodiscard]] bool records() const { return stage_ == Stage::arming || stage_ == Stage::recording; }
   [[nodiscard]] bool repeats() const { return series_.on; }
   /// Oldest first. The last one is under way while it records().
-  [[nodiscard]] const std::deque<StepRun>& runs() const { return runs_; }
+  [[nodiscard]] const std::deque<StepRun>& runs() const { return results_.runs; }
   /// Number and measures of the latest complete run; 0: none.
-  [[nodiscard]] int measured_number() const { return measured_number_; }
-  [[nodiscard]] const StepMeasures& measured() const { return measured_; }
+  [[nodiscard]] int measured_number() const { return results_.measured_number; }
+  [[nodiscard]] const StepMeasures& measured() const { return results_.measured; }
   /// Of the axis, step and length recorded last.
-  [[nodiscard]] const StepScatter& scatter() const { return scatter_; }
+  [[nodiscard]] const StepScatter& scatter() const { return results_.scatter; }
   [[nodiscard]] std::vector<Report> take_report() { return std::exchange(reports_, {}); }
 
  private:
@@ -92,6 +92,26 @@ class StepRecorder {
     Instant first{}, last{};
   };
 
+  /// The step under way, or the latest one.
+  struct Step {
+    int sign = 1, number = 0;
+    Before before;
+    Span span;
+    Instant since{};  ///< its stage began
+    IntentId move = 0;
+  };
+  struct Frame {
+    Instant at{};
+    bool seen = true;      ///< its panel was drawn since the last frame
+    bool stopped = false;  ///< since the last frame
+  };
+  struct Results {
+    std::deque<StepRun> runs;
+    StepMeasures measured;
+    int measured_number = 0;
+    StepScatter scatter;
+  };
+
   void begin(const Plan& plan, int steps, const View& view);
   void request(const View& view);
   void make_step(const View& view);
@@ -112,17 +132,10 @@ class StepRecorder {
   Stage stage_ = Stage::idle;
   Series series_;
   Plan plan_;
-  int sign_ = 1, number_ = 0;
-  Before before_;
-  Span span_;
-  Instant since_{}, followed_at_{};
-  bool seen_ = true;                ///< its panel was drawn since the last frame
-  bool stopped_ = false;            ///< since the last frame
-  IntentId move_ = 0, newest_ = 0;  ///< newest_: the latest command of its panel
-  std::deque<StepRun> runs_;
-  StepMeasures measured_;
-  int measured_number_ = 0;
-  StepScatter scatter_;
+  Step step_;
+  Frame frame_;
+  IntentId newest_ = 0;  ///< the latest command of its panel
+  Results results_;
   std::vector<Report> reports_;
 };
 

@@ -19,8 +19,8 @@ class StepRun {
   StepRun(int number, AxisId axis, Steps step);
 
   void take(const AxisSample& sample);
-  /// All samples have been taken: an unusually long interval counts as a gap from now on, and so does what is
-  /// missing of a recording of `length_ms`; 0: nothing is.
+  /// All samples have been taken: an unusually long interval counts as a gap from now on, and so does the
+  /// missing end of a recording of `length_ms`; 0: none.
   void end(double length_ms = 0);
 
   [[nodiscard]] int number() const { return number_; }
@@ -62,7 +62,7 @@ class StepRun {
   std::vector<float> t_ms_, command_, encoder_, error_, output_;
 };
 
-/// A value between two bounds: nobody has seen what happened in a gap of the samples.
+/// A value between two bounds: the course within a gap of the samples is unknown.
 struct Measure {
   double low = 0, high = 0;
   Measure() = default;

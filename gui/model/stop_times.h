@@ -1,6 +1,6 @@
 #pragma once
 // Times and distances of the console's stops with this controller and its mechanics, as seen by the core:
-// from the press or release of the hand (see Tab::hand_acted) to the first byte on the wire, and to rest. GUI
+// from the user's press or release (see Tab::user_acted) to the first byte on the wire, and to rest. GUI
 // thread.
 #include <cstddef>
 #include <deque>
@@ -21,7 +21,7 @@ class StopTimes {
   /// 120 ms and 2.000 mm."
   /// Empty: no stop was timed yet.
   [[nodiscard]] const std::string& words() const { return words_; }
-  /// What the Stop button does, and the words.
+  /// The effect of the Stop button, and its words.
   [[nodiscard]] std::string_view tip() const { return tip_; }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// What a stop of everything has stopped, in words: for users who pressed Esc to close a list and stopped the
-// machine too.
+// Names the motions that a stop of everything has stopped: for users who pressed Esc to close a list and
+// stopped the machine too.
 #include <memory>
 #include <span>
 #include <string>

@@ -17,7 +17,7 @@ namespace hw::gui {
 const Snapshot Tab::nothing_known;
 const BenchView Tab::no_bench;
 
-static Tab::Door door_of(Session& session) {
+static Tab::Backend door_of(Session& session) {
   return {[&session](IntentBody body, std::optional<double> ago_s) {
             const auto asked_at = ago_s ? std::optional(session.now() - from_seconds(*ago_s)) : std::nullopt;
             return session.send(std::move(body), asked_at);
@@ -38,7 +38,7 @@ Tab::Tab(std::shared_ptr<Session> session, std::string key, bool on_bus)
       address_(session_->address()),
       catalog_(catalog_on(session_->catalog(), on_bus)),
       id_(catalog_.id()),
-      door_(door_of(*session_)),
+      backend_(door_of(*session_)),
       desk_(catalog_, session_->type().language ? &session_->type().language() : nullptr,
             session_->type().explain),
       bar_(catalog_) {
@@ -46,12 +46,13 @@ Tab::Tab(std::shared_ptr<Session> session, std::string key, bool on_bus)
   refresh();
 }
 
-Tab::Tab(Address address, Catalog catalog, Door door, const Language* language, TrafficLog::Explain explain)
+Tab::Tab(Address address, Catalog catalog, Backend backend, const Language* language,
+         TrafficLog::Explain explain)
     : jog([this](IntentBody body) { return send_followed(std::move(body)); }),
       address_(std::move(address)),
       catalog_(std::move(catalog)),
       id_(catalog_.id()),
-      door_(std::move(door)),
+      backend_(std::move(backend)),
       desk_(catalog_, language, explain),
       bar_(catalog_) {
   units_.work_out(catalog_, profile);
@@ -88,7 +89,7 @@ void Tab::look_at_snapshot() {
   banner_folded = banner_folded && now_->link.state == LinkState::lost;
   const Desk::Send send_it = [this](IntentBody body) { return send(std::move(body)); };
   desk_.refresh(*now_, *bench_, clock_, send_it);
-  desk_.list_run->follow(*now_, send_it);
+  desk_.list_run->follow(*now_, send_it, [this](const IntentOutcome& ended) { return words_of(ended); });
   desk_.step_recorder->follow(steps_view(*this));
 }
 
@@ -112,7 +113,7 @@ IntentId Tab::send(IntentBody body) {
       std::holds_alternative<intent::Stop>(body) || std::holds_alternative<intent::Abort>(body);
   std::optional<IntentBody> again;
   if (closing_of(body)) again = body;
-  const IntentId id = door_.send(std::move(body), hand_acted_s_ago_);
+  const IntentId id = backend_.send(std::move(body), user_acted_s_ago_);
   if (stops) followed_.stop_was_sent(id);
   if (again) followed_.may_ask(Intent(id, std::move(*again)));
   return id;

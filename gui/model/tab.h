@@ -30,19 +30,19 @@ namespace hw::gui {
 class Tab {
  public:
   /// The two ways to the controller. Tests of panels pass their own and check the calls.
-  struct Door {
-    std::function<IntentId(IntentBody, std::optional<double> hand_acted_s_ago)> send;
+  struct Backend {
+    std::function<IntentId(IntentBody, std::optional<double> user_acted_s_ago)> send;
     std::function<void(BenchCommand)> operate_bench;
   };
 
   /// `on_bus`: a controller of one axis, and its widgets, are named by its id.
   Tab(std::shared_ptr<Session> session, std::string profile_key, bool on_bus = false);
-  Tab(Address address, Catalog catalog, Door door, const Language* language = nullptr,
+  Tab(Address address, Catalog catalog, Backend backend, const Language* language = nullptr,
       TrafficLog::Explain explain = nullptr);
   Tab(const Tab&) = delete;
   Tab& operator=(const Tab&) = delete;
 
-  /// Once a frame: takes what is new from the session.
+  /// Once a frame: takes over the session's news.
   void refresh();
   /// For tests: shows a snapshot without a session.
   void show(const Snapshot& snapshot, const BenchView& bench, Instant clock);
@@ -56,13 +56,13 @@ class Tab {
   [[nodiscard]] const DeviceType* type() const;
   [[nodiscard]] const std::shared_ptr<Session>& session() const { return session_; }
 
-  /// How long ago the user did what is drawn now; none: no input that ImGui receives in this frame. Timed
-  /// stops count from there.
-  void hand_acted(std::optional<double> ago_s) { hand_acted_s_ago_ = ago_s; }
+  /// How long ago the user made the input that ImGui receives in this frame; none: no input. Stop times are
+  /// measured from there.
+  void user_acted(std::optional<double> ago_s) { user_acted_s_ago_ = ago_s; }
   IntentId send(IntentBody body);
   /// As send(), and a refusal or failure is reported in complaints().
   IntentId send_followed(IntentBody body);
-  void operate_bench(BenchCommand command) { door_.operate_bench(std::move(command)); }
+  void operate_bench(BenchCommand command) { backend_.operate_bench(std::move(command)); }
   /// Why nothing may be moved now (no link, a program runs), as a sentence that says when this ends; empty:
   /// motion is allowed. Valid until the next refresh().
   [[nodiscard]] std::string_view why_not_move() const { return bar_.why(); }
@@ -72,11 +72,11 @@ class Tab {
   void stop_all(StoppedBy by = StoppedBy::button);
   /// The same after a stop that was sent with those of others, as this intent.
   void stopped_with(IntentId stop);
-  /// A stop that was asked for here may still have to go out: it would go with the tab.
+  /// A stop requested here may still wait to be sent: closing the tab would lose it.
   [[nodiscard]] bool stop_waits() const { return followed_.stop_waits(); }
 
-  /// A panel that shows these values is drawn in this frame: they are read in each status round while it is,
-  /// see intent::Watch. Bit n = group n of Catalog::readout_groups.
+  /// A panel that shows these values is drawn in this frame. They are read in each status round as long as it
+  /// is, see intent::Watch. Bit n = group n of Catalog::readout_groups.
   void look_at(std::uint32_t groups) { looked_at_ |= groups; }
   void look_at_group(int group) {
     if (group >= 0) look_at(1u << group);
@@ -96,23 +96,24 @@ class Tab {
   /// After a change of the profile's units.
   void profile_edited();
   [[nodiscard]] Steps jog_step() const { return profile.jog_step; }
-  /// Held jog of all axes without a choice of their own: the user's choice, else 0 (the controller's own).
+  /// Speed of held jogs of all axes without a choice of their own: the user's choice, else 0 (the
+  /// controller's own).
   [[nodiscard]] Pps jog_speed() const { return profile.jog_speed; }
   [[nodiscard]] Pps jog_speed(AxisId axis) const;
   /// Chooses both; on a bus, whose rows share one control, for all its controllers.
   void choose_jog(Steps step, Pps speed);
-  /// For all axes: choices of their own end. 0: the controller's own.
+  /// For all axes, replacing the choices for single axes. 0: the controller's own.
   void choose_jog_speed(Pps of_all);
   /// For this axis; 0: as for all.
   void choose_jog_speed(AxisId axis, Pps speed);
 
-  /// Traffic, program texts, edited set-up: all that outlives the panel that shows it.
+  /// Traffic, program texts, edited set-up: data that outlive the panel that shows them.
   [[nodiscard]] Desk& desk() { return desk_; }
 
   // ---- to be shown once
   /// Why the intent was refused or has failed, in the displayed units.
   [[nodiscard]] std::string words_of(const IntentOutcome& outcome) const;
-  /// A place of an axis as it is shown.
+  /// Formats a place of an axis in the displayed unit.
   [[nodiscard]] PlaceWords place_words() const;
   /// Messages since the last call; listings go to the desk.
   [[nodiscard]] std::vector<Notice> take_notices();
@@ -134,12 +135,12 @@ class Tab {
   bool unset_read = false;       ///< the choices to make before the first move have been read, or made
   bool banner_folded = false;    ///< the banner of a lost link is one line high
   std::string follow_to;         ///< address to reopen the tab at before the next frame; see shell/follow.h
-  std::string follow_left;       ///< where it was offered to follow it to, and was left as it is
+  std::string follow_left;       ///< address that was offered for follow_to, and declined
   std::string centre_panel;      ///< id of the panel in front
   std::uint64_t text_turns = 0;  ///< last Desk::text_turns() seen by the console
   /// This controller's panels, parallel to the console's list; created when first drawn.
   std::vector<std::unique_ptr<Panel>> panels;
-  /// What would be lost with the panels, see Panel::unkept(); empty: nothing.
+  /// The data that closing the panels would lose, see Panel::unkept(); empty: none.
   [[nodiscard]] std::string unkept() const;
 
  private:
@@ -155,8 +156,8 @@ class Tab {
   const Address address_;
   const Catalog catalog_;
   const std::string id_;
-  Door door_;
-  std::optional<double> hand_acted_s_ago_;
+  Backend backend_;
+  std::optional<double> user_acted_s_ago_;
   Desk desk_;
   static const Snapshot nothing_known;
   static const BenchView no_bench;

@@ -41,7 +41,7 @@ NumberText format_with_unit(Steps position, const DisplayUnit& unit);
 /// "5.000 mm/s", "2000 steps/s".
 NumberText format_speed(Pps speed, const DisplayUnit& unit);
 /// A unit given in Catalog::step_word ("pulses/s"), in what is counted now: Catalog::loop_word when the loop
-/// of that axis, or of all axes if none is given, is closed. With mixed loops no word would be true: "/s".
+/// of that axis, or of all axes if none is given, is closed. With mixed loops no word fits: "/s".
 std::string counted_unit(const Catalog& catalog, const Snapshot& now, std::string_view unit, int axis = -1);
 /// "1 line", "24 lines": the catalog's units of programs are plurals.
 std::string count_of(int n, std::string_view unit);

@@ -17,9 +17,9 @@ class UnreadPrograms {
 
   /// A rehearsal was requested: each program may be read once for it.
   void begin();
-  /// Returns whether the rehearsal came to something that can still be read. `rehearsed`: the number of its
-  /// outcome; each is examined once. `variable`: what the name of a variable begins with; empty: there are
-  /// none.
+  /// Returns whether the rehearsal came to a program or variable that can still be read. `rehearsed`: the
+  /// number of its outcome; each is examined once. `variable`: what the name of a variable begins with;
+  /// empty: there are none.
   [[nodiscard]] bool found(const Rehearsal& rehearsal, int rehearsed, std::string_view variable);
   /// Once a frame: reads the next program. True: nothing more to wait for. Programs that cannot be read stay
   /// unread, and the rehearsal names them.

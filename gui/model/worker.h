@@ -28,8 +28,7 @@ class Worker {
   void run(Job job, Done done, std::weak_ptr<void> alive) {
     add(long_, task_of(std::move(job), std::move(done), std::move(alive)));
   }
-  /// The same for a short job that somebody is waiting for, such as a picture: it does not wait for long
-  /// ones.
+  /// The same for a short job that the user waits for, such as a picture: it does not wait for long ones.
   template <class Job, class Done>
   void run_short(Job job, Done done, std::weak_ptr<void> alive) {
     add(threaded_ ? short_ : long_, task_of(std::move(job), std::move(done), std::move(alive)));

@@ -1,5 +1,6 @@
 // The banner over the centre.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <span>
@@ -8,6 +9,7 @@
 #include <imgui_internal.h>
 
 #include "core/device/refusals.h"
+#include "gui/model/axis_look.h"
 #include "gui/model/bus.h"
 #include "gui/model/goes_on.h"
 #include "gui/shell/banner_subject.h"
@@ -27,12 +29,47 @@ int unset_in(const Tab& tab) {
   return -1;
 }
 
-BannerSubject banner_subject(Tab& tab, const Layout& layout) {
+namespace {
+
+constexpr float folded_height = 36;
+
+/// A bar that would leave less than three rows of traffic covers the status line instead.
+bool covers_status(const Box& below, bool folded) {
+  constexpr float three_rows_and_command = 3 * 20 + 48;
+  return below.height - (folded ? folded_height : banner_bar_height) < three_rows_and_command;
+}
+
+/// What the status line says before it gives advice, or beside it.
+bool is_urgent(const Snapshot& now) {
+  const auto axes = std::span(now.axes).first(static_cast<std::size_t>(now.axis_count));
+  const bool axis_fails = std::any_of(axes.begin(), axes.end(), [](const AxisState& axis) {
+    return axis.activity == Activity::error || axis.alarm;
+  });
+  const bool thread_fails =
+      std::any_of(now.threads.begin(), now.threads.end(),
+                  [](const ThreadState& thread) { return thread.known && thread.run == RunState::error; });
+  return axis_fails || thread_fails || now.link.state == LinkState::late || !now.notice.empty() ||
+         now.any_axis_moving() || now.program.owned;
+}
+
+/// Advice does not cover a status line with a more urgent message, of whichever device on the bus.
+bool would_hide_what_is_urgent(const Tab& tab, const Box& below) {
+  if (!covers_status(below, false)) return false;
+  if (!tab.bus) return is_urgent(tab.now());
+  const auto& members = tab.bus->members;
+  return std::any_of(members.begin(), members.end(),
+                     [](const Tab* member) { return is_urgent(member->now()); });
+}
+
+}  // namespace
+
+BannerSubject banner_subject(Tab& tab, const Layout& layout, const Box& below) {
   using What = BannerSubject::What;
   const bool narrow = layout.tier == Tier::narrow;
   Tab& worst = tab.bus && !narrow ? tab.bus->worst() : tab;
   if (worst.now().link.state == LinkState::lost) return {What::lost, &worst};
   if (narrow || tab.centre_panel == "setup") return {};  // the status line reports it too
+  if (would_hide_what_is_urgent(tab, below)) return {};
   if (tab.now().link.connected())
     if (FollowOffer offer = offer_to_follow(tab);
         !offer.address.empty() && offer.why_not.empty() && offer.address != tab.follow_left)
@@ -91,18 +128,19 @@ struct BannerPlace {
 /// Full height if possible; a bar if that would leave too few rows of traffic; folded, one line.
 BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const Banner& what, bool actions,
                      bool folded) {
-  constexpr float one_line = 36, traffic_at_least = 150;
-  if (below.empty()) return {layout.status, true, true};
-  const float bar = folded ? one_line : banner_bar_height;
+  constexpr float traffic_at_least = 150;
+  if (covers_status(below, folded)) return {layout.status, true, true};
   const float whole = banner_height(ui, what, below.width, actions);
   if (!folded && below.height - whole >= traffic_at_least)
     return {{below.x, below.y, below.width, whole}, false, false};
-  return {{below.x, below.y, below.width, std::min(bar, below.height)}, true, false};
+  return {{below.x, below.y, below.width, folded ? folded_height : banner_bar_height}, true, false};
 }
 
-/// Of a status line that a banner covers: messages keep a place there too.
+/// Of a status line that a banner covers: messages keep a place there too, unless they stand at the terminal,
+/// as the last frame tells.
 float draw_messages_beside(Ui& ui, Toasts& toasts, const Box& line) {
-  if (toasts.list().empty()) return 0;
+  const Widget* strip = ui.registry.find("message/strip");
+  if (toasts.list().empty() || (strip && strip->rect.max.y <= ui.px(line.y))) return 0;
   constexpr float width = 52, height = 28;
   draw_messages(
       ui, toasts,
@@ -151,16 +189,17 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
   FollowOffer offer = offer_to_follow(tab);
   const bool moved = !offer.address.empty();
   const bool may_follow = moved && offer.why_not.empty();
-  const Action all[] = {{.id = "fault/follow", .label = offer.label, .main = may_follow},
-                        {.id = "fault/try_now", .label = "Try now", .main = !may_follow},
-                        {.id = "fault/fold", .label = tab.banner_folded ? "Unfold" : "Fold"},
-                        {.id = "fault/report", .label = "Copy this report", .brief = "Report"}};
+  const bool folds = !covers_status(below, true), folded = tab.banner_folded && folds;
+  std::array<Action, 4> all;
+  std::size_t count = 0;
+  if (moved) all[count++] = {.id = "fault/follow", .label = offer.label, .main = may_follow};
+  all[count++] = {.id = "fault/try_now", .label = "Try now", .main = !may_follow};
+  if (folds) all[count++] = {.id = "fault/fold", .label = folded ? "Unfold" : "Fold"};
   // When folded, its text fits only if the report is left out.
-  const std::span<const Action> actions =
-      std::span(all).subspan(moved ? 0 : 1, (moved ? 3u : 2u) + (tab.banner_folded ? 0 : 1));
+  if (!folded) all[count++] = {.id = "fault/report", .label = "Copy this report", .brief = "Report"};
+  const std::span<const Action> actions(all.data(), count);
   float taken = 0;
-  const int picked =
-      show_banner(ui, console, layout, below, "fault/lost", what, actions, taken, tab.banner_folded);
+  const int picked = show_banner(ui, console, layout, below, "fault/lost", what, actions, taken, folded);
   if (picked < 0) return taken;
   const std::string_view chosen = actions[static_cast<std::size_t>(picked)].id;
   if (chosen == "fault/follow") tab.follow_to = std::move(offer.address);

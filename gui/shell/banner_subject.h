@@ -1,5 +1,5 @@
 #pragma once
-// What the banner over the centre is about, which the status line then need not say.
+// The subject of the banner over the centre, which the status line then need not repeat.
 #include "gui/shell/follow.h"
 #include "gui/surface/layout.h"
 
@@ -20,7 +20,9 @@ struct BannerSubject {
 /// Of a banner that is one bar: in a low part it is never higher.
 inline constexpr float banner_bar_height = 48;
 
-BannerSubject banner_subject(Tab& tab, const Layout& layout);
+/// `below`: the part under the panel tabs, of which it takes its rows. Advice that would cover a more urgent
+/// status line is no subject: that line gives it.
+BannerSubject banner_subject(Tab& tab, const Layout& layout, const Box& below);
 /// The parameter to choose before this controller's first move; -1: none.
 int unset_in(const Tab& tab);
 

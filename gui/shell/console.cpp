@@ -14,6 +14,7 @@
 #include "gui/model/list_run.h"
 #include "gui/model/lower_case.h"
 #include "gui/model/step_recorder.h"
+#include "gui/shell/banner_subject.h"
 #include "gui/shell/follow.h"
 #include "gui/shell/messages.h"
 #include "gui/shell/outside.h"
@@ -32,9 +33,9 @@ Console::Console(PanelList list, Outside outside)
       outside_(std::make_unique<Outside>(std::move(outside))),
       recent_(outside_->folders),
       pages_(list.pages.size()) {
-  tell(recent_.load());
+  report_failure(recent_.load());
   load_choices();
-  tell_last_ends();
+  report_last_ends();
   if (!list_.pages.empty()) show_page(list_.pages[0].id);
 }
 
@@ -45,7 +46,7 @@ PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : nothi
 DeviceFinder& Console::devices() { return outside_->devices ? *outside_->devices : nothing_.devices; }
 const UserFolders& Console::folders() const { return outside_->folders; }
 
-// ---- what is shown
+// ---- messages and views
 
 void Console::show_page(std::string_view id) {
   if (active_) active_->jog.let_go();
@@ -158,7 +159,7 @@ void Console::stop_all(StoppedBy by) {
 }
 
 void Console::let_go() {
-  gui_log().debug("all holds are let go: the window has lost the focus, or ends");
+  gui_log().debug("all held jogs are released: the window has lost the focus, or closes");
   for (const auto& tab : tabs_) tab->jog.let_go();
 }
 
@@ -187,7 +188,7 @@ void Console::drop(const std::vector<std::string>& paths) {
 // ---- frame
 
 /// How long ago the press or release of this frame happened.
-static std::optional<double> hand_acted_s_ago(const Ui& ui) {
+static std::optional<double> user_acted_s_ago(const Ui& ui) {
   if (ImGui::IsMouseReleased(0)) return std::max(0.0, ui.now_s - ui.input.released_at_s());
   if (ImGui::IsMouseClicked(0)) return std::max(0.0, ui.now_s - ui.input.pressed_at_s());
   if (const double at_s = ui.focus.key_acted_at_s(); at_s >= 0) return std::max(0.0, ui.now_s - at_s);
@@ -196,13 +197,13 @@ static std::optional<double> hand_acted_s_ago(const Ui& ui) {
 
 void Console::refresh(Ui& ui) {
   log.follow();
-  const auto ago_s = hand_acted_s_ago(ui);
+  const auto ago_s = user_acted_s_ago(ui);
   for (const auto& tab : tabs_) {
     tab->refresh();
-    tab->hand_acted(ago_s);
+    tab->user_acted(ago_s);
     if (const auto turns = tab->desk().text_turns(); std::exchange(tab->text_turns, turns) != turns)
       toasts_.withdraw(&tab->desk().texts);
-    tell_news(*tab);
+    report_news(*tab);
     if (tab->desk().step_recorder->busy()) ui.wake_in(0.02);  // its times are in no snapshot
     if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
   }
@@ -213,11 +214,11 @@ void Console::refresh(Ui& ui) {
 // A device of a bus is always named, as its neighbours are beside it.
 void Console::toast(const Tab& of, Severity severity, std::string sentence, const void* about) {
   const bool adjacent = of.bus && of.bus->members.size() > 1;
-  if (adjacent && !speaks_of(sentence, of.id())) sentence = fmt::format("{}: {}", of.id(), sentence);
+  if (adjacent && !mentions(sentence, of.id())) sentence = fmt::format("{}: {}", of.id(), sentence);
   toasts_.add(severity, std::move(sentence), about, std::string(of.name()));
 }
 
-void Console::tell_news(Tab& tab) {
+void Console::report_news(Tab& tab) {
   for (Notice& notice : tab.take_notices()) {
     const bool asked = notice.kind == Notice::Kind::question && &tab == active() &&
                        dialogs.make_room(tab, std::move(notice.slots));
@@ -248,7 +249,7 @@ void Console::tell_news(Tab& tab) {
   }
 }
 
-void Console::tell(const Result<>& outcome) {
+void Console::report_failure(const Result<>& outcome) {
   if (!outcome) toast(Severity::fault, outcome.error().sentence());
 }
 
@@ -272,9 +273,9 @@ void Console::draw(Ui& ui) {
   const Layout layout = lay_out(layout_input);
   right_covers_ = layout.unfolded_covers;
   draw_top_bar(ui, *this, layout);  // STOP ALL is the first widget of the frame
-  draw_workspace(ui, *this, layout);
+  const BannerSubject in_banner = draw_workspace(ui, *this, layout);
   if (help_.open) draw_sheet(ui, *this, layout);
-  draw_status_line(ui, *this, layout);
+  draw_status_line(ui, *this, layout, in_banner);
   dialogs.draw(ui, *this);
   const std::string_view front = active() ? active()->name() : std::string_view();
   toasts_.look_at(faces() > 1 ? std::optional(front) : std::nullopt);
@@ -283,7 +284,7 @@ void Console::draw(Ui& ui) {
   confirm_held_key(ui);
   list_open_ = ui.takes_arrows();
   for (const auto& tab : tabs_) {
-    tab->hand_acted({});
+    tab->user_acted({});
     tab->jog.tick(ui.now_s);
     ui.wake_in(tab->jog.due_in_s(ui.now_s));
   }
@@ -321,7 +322,7 @@ void Console::save_choices() {
                                  {"dark", dark_ ? 1 : 0},
                                  {"size", size_},
                                  {"lower_right", static_cast<int>(lower_right)}};
-  tell(write_json(outside_->folders.state / "window.json", object));
+  report_failure(write_json(outside_->folders.state / "window.json", object));
 }
 
 void Console::save() {
@@ -329,7 +330,7 @@ void Console::save() {
   for (const auto& tab : tabs_)
     if (tab->profile_changed) {
       tab->profile_changed = false;
-      tell(ProfileStore(outside_->folders).save(tab->profile_key, tab->profile));
+      report_failure(ProfileStore(outside_->folders).save(tab->profile_key, tab->profile));
     }
 }
 

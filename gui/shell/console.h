@@ -46,7 +46,7 @@ class Console {
 
   // ---- controllers
   /// Opens the controller as the newest tab, in front. The fault says why the address is invalid; the
-  /// snapshot tells later whether the controller answers.
+  /// snapshot shows later whether the controller answers.
   Result<Tab*> open(std::string_view address);
   /// The same for a session opened elsewhere (by a script). It is closed with the tab.
   Tab& adopt(std::shared_ptr<Session> session);
@@ -59,9 +59,9 @@ class Console {
   void join(std::vector<Tab*> members, std::string name, std::shared_ptr<SessionGroup> group = nullptr);
   void close(Tab& tab);  ///< and the others of its bus
   void close_all();      ///< when the console ends: keeps the open controllers as those of the last session
-  /// Messages from controllers while they were being closed, one sentence each; told once.
+  /// Messages from controllers while they were being closed, one sentence each; returned once.
   std::vector<std::string> take_last_words();
-  /// Sessions told to close but not closed yet. The scheduler must run until this is 0.
+  /// Sessions that are closing. The scheduler must run until this is 0.
   [[nodiscard]] int closing() const { return *closing_.left; }
   void rename(Tab& tab, std::string name);  ///< on a bus: names the bus
   void reconnect(Tab& tab);
@@ -74,11 +74,11 @@ class Console {
   void activate(Tab& tab);  ///< on a bus: chooses this one
   void activate_next(int direction);
 
-  // ---- what is shown
+  // ---- messages and views
   void show_page(std::string_view id);
   /// Shows the first page, with an examination of this controller's link.
   void examine_link(const Tab& tab);
-  /// The controller whose link is to be examined; told once. Null: none, or it was closed.
+  /// The controller whose link is to be examined; returned once. Null: none, or it was closed.
   [[nodiscard]] Tab* take_link_to_examine();
   void toggle_help() { help_.open = !help_.open && list_.make_help; }
   [[nodiscard]] bool help_open() const { return help_.open; }
@@ -166,9 +166,9 @@ class Console {
   void close_with_bus(Tab& tab);
   void close_one(Tab& tab);
   void close_as_asked();
-  void tell_last_ends();
-  void tell_news(Tab& tab);
-  void tell(const Result<>& outcome);
+  void report_last_ends();
+  void report_news(Tab& tab);
+  void report_failure(const Result<>& outcome);
   void jog_key(Tab& tab, const CommandEdge& edge);
   void confirm_held_key(Ui& ui);
   void load_choices();
@@ -180,7 +180,7 @@ class Console {
     NoPorts ports;
     NoDevices devices;
   };
-  Nothing nothing_;  ///< found, where nobody searches
+  Nothing nothing_;  ///< found without a search
   RecentConnections recent_;
   std::vector<std::unique_ptr<Tab>> tabs_;
   Tab* active_ = nullptr;

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/session/last_end.h"
 #include "core/session/rehearse_together.h"
 #include "core/session/session_group.h"
 #include "gui/shell/console.h"
@@ -26,7 +27,7 @@ Result<Tab*> Console::open(std::string_view text) {
   auto group = SessionGroup::open(outside_->scheduler, *address, outside_->open_wire, outside_->wake);
   if (!group) return fail(group.error());
   Tab& tab = adopt(std::move(*group));
-  tell(recent_.opened(address->text(), users_name(tab)));
+  report_failure(recent_.opened(address->text(), users_name(tab)));
   return &tab;
 }
 
@@ -97,9 +98,11 @@ Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
     toast(Severity::warn, profile.error().sentence());
   }
   tab->default_name = free_name(tab->catalog().short_name);
-  if (outside_->folders.enabled) tell(tab->desk().keep_texts(Autosave(outside_->folders), tab->profile_key));
+  if (outside_->folders.enabled)
+    report_failure(tab->desk().keep_texts(Autosave(outside_->folders), tab->profile_key));
   if (outside_->folders.enabled && !tab->emulated())  // each emulator is another controller
-    tell(tab->desk().places.keep_under(KeptPositions(outside_->folders), tab->profile_key, clock()));
+    report_failure(
+        tab->desk().places.keep_under(KeptPositions(outside_->folders), tab->profile_key, clock()));
   tab->desk().use(outside_->worker);
   return add(std::move(tab));
 }
@@ -138,7 +141,7 @@ static std::string opened_as(const Tab& tab) {
 
 /// Closed by the user: not reopened with the others.
 void Console::close(Tab& tab) {
-  tell(recent_.closed(opened_as(tab)));
+  report_failure(recent_.closed(opened_as(tab)));
   close_with_bus(tab);
 }
 
@@ -182,7 +185,7 @@ void Console::close_one(Tab& tab) {
   // Its switch goes with its row of the connection page.
   if (EmulatorServer* server = ports().server(); server && server->find(tab.profile_key))
     server->end(tab.profile_key);
-  toasts_.withdraw(&tab);  // what was refused there is past
+  toasts_.withdraw(&tab);  // an earlier refusal there is over
   toasts_.withdraw(&tab.desk().texts);
   tabs_.erase(at);
   if (!was_active) return;
@@ -203,6 +206,7 @@ std::vector<std::string> Console::take_last_words() {
 }
 
 void Console::close_all() {
+  report_failure(recent_.ended({date_of_today(), time_of_day(clock()).substr(0, 5)}));
   while (!tabs_.empty()) close_with_bus(*tabs_.back());
 }
 
@@ -213,7 +217,7 @@ void Console::rename(Tab& tab, std::string name) {
     tab.profile.name = std::move(name);
     tab.profile_edited();
   }
-  tell(recent_.renamed(opened_as(tab), users_name(tab)));
+  report_failure(recent_.renamed(opened_as(tab), users_name(tab)));
 }
 
 void Console::reconnect(Tab& tab) { tab.send_followed(intent::Reconnect()); }

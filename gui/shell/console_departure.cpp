@@ -17,7 +17,7 @@ namespace {
 
 constexpr Duration for_rest = std::chrono::seconds(5);
 
-/// A controller that was told to stop; shared with the io thread.
+/// A controller that was sent a stop; shared with the io thread.
 struct Watched {
   std::size_t place;  ///< in LastEnd::controllers
   std::atomic<bool> over{false}, rests{false};
@@ -60,14 +60,14 @@ void Console::depart(std::string_view how) {
   }
   if (end.controllers.empty()) return;
   const LastEnds ends(outside_->folders);
-  tell(ends.keep(end));  // the program may be killed while waiting
+  report_failure(ends.keep(end));  // the program may be killed while waiting
   const auto give_up = std::chrono::steady_clock::now() + for_rest;
   const auto over = [](const auto& one) { return one->over.load(); };
   while (!std::all_of(watched.begin(), watched.end(), over) && std::chrono::steady_clock::now() < give_up)
     std::this_thread::sleep_for(Millis(2));
   for (const auto& one : watched)
     if (one->rests) end.controllers[one->place].outcome = LastEnd::Outcome::at_rest;
-  if (!watched.empty()) tell(ends.keep(end));
+  if (!watched.empty()) report_failure(ends.keep(end));
 }
 
 void Console::note_unreached(std::span<Tab* const> closed, std::string_view how) {
@@ -77,10 +77,10 @@ void Console::note_unreached(std::span<Tab* const> closed, std::string_view how)
     const std::string what = what_goes_on(*tab, Tense::past);
     end.controllers.push_back({whose(*tab, what), what, LastEnd::Outcome::no_stop_sent});
   }
-  if (!end.controllers.empty()) tell(LastEnds(outside_->folders).keep(end));
+  if (!end.controllers.empty()) report_failure(LastEnds(outside_->folders).keep(end));
 }
 
-void Console::tell_last_ends() {
+void Console::report_last_ends() {
   const auto ends = LastEnds(outside_->folders).take();
   if (!ends) return toast(Severity::warn, ends.error().sentence());
   for (const LastEnd& end : *ends)

@@ -61,13 +61,14 @@ void Console::jog_key(Tab& tab, const CommandEdge& edge) {
   for (const JogKey& key : jog_keys) {
     if (key.command != edge.command) continue;
     const auto held = tab.jog.control();
-    const bool lets_go = !edge.down && held && held->hand == JogHold::Hand::gamepad && held->sign == key.sign;
+    const bool lets_go =
+        !edge.down && held && held->source == JogHold::Source::gamepad && held->sign == key.sign;
     const AxisId chosen = lets_go ? held->axis : tab.chosen_axis;  // the chosen axis may have changed since
     const AxisId axis = key.axis == the_chosen ? chosen : AxisId{key.axis};
     if (axis.index >= tab.catalog().axes.size()) continue;
-    const JogHold::Control control{edge.by_pad ? JogHold::Hand::gamepad : JogHold::Hand::keyboard, axis,
+    const JogHold::Control control{edge.by_pad ? JogHold::Source::gamepad : JogHold::Source::keyboard, axis,
                                    key.sign};
-    if (!edge.down && edge.cut_off) return tab.jog.take_away(control.hand);
+    if (!edge.down && edge.cut_off) return tab.jog.take_away(control.source);
     if (!edge.down) return tab.jog.release(control, edge.at_s);
     if (const std::string_view why = tab.why_not_move(axis); !why.empty())
       return toast(Severity::warn, std::string(why));
@@ -82,11 +83,11 @@ void Console::confirm_held_key(Ui& ui) {
   Tab* tab = active();
   auto held = tab ? tab->jog.control() : std::nullopt;
   // A dialog or a list has opened: nothing may begin or continue behind it.
-  if (held && held->hand != JogHold::Hand::mouse && ui.registry.top_layer() > 0) held.reset();
-  const bool by_pad = held && held->hand == JogHold::Hand::gamepad;
+  if (held && held->source != JogHold::Source::mouse && ui.registry.top_layer() > 0) held.reset();
+  const bool by_pad = held && held->source == JogHold::Source::gamepad;
   if (by_pad && ui.gamepad.holds()) tab->jog.confirm(*held);
   if (!by_pad && ui.gamepad.holds()) ui.gamepad.rest_first();  // something else has ended its hold
-  if (!held || held->hand != JogHold::Hand::keyboard) return;
+  if (!held || held->source != JogHold::Source::keyboard) return;
   for (const JogKey& key : jog_keys)
     if (key.axis == held->axis.index && key.sign == held->sign && ui.keyboard.held(key.command))
       tab->jog.confirm(*held);

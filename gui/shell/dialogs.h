@@ -16,9 +16,9 @@ class Dialogs {
   /// Names of the controller and its axes.
   void names(Tab& tab);
   /// Closes the controller. Asks first when something moves, a program runs or a panel holds unsaved data; a
-  /// second call meanwhile stops what goes on and closes.
+  /// second call meanwhile stops the controller and closes.
   void close_controller(Console& console, Tab& tab);
-  /// The same for the window. False: a question is shown first, and Console::ended() tells the answer.
+  /// The same for the window. False: a question is shown first, and Console::ended() gives the answer.
   bool may_end(Console& console);
   /// The controller whose closing is being asked about; null: none.
   [[nodiscard]] Tab* closing() const;

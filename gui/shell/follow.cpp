@@ -32,7 +32,8 @@ std::string unkept_on_wire(const Tab& tab) {
   return all;
 }
 
-/// Who moves, or may, goes on with its tab closed, and a stop that waits for it is gone.
+/// A controller that moves, or may move, continues when its tab is closed, and a stop that waits for it would
+/// be lost.
 std::string why_not_closed(const Tab& tab, const Address& to) {
   std::vector<std::string_view> moving, lost;
   for_all_on_wire(tab, [&](const Tab& one) {
@@ -57,7 +58,7 @@ void follow(Console& console, Tab& tab, const std::string& address) {
     return console.toast(tab, Severity::warn, "Save it first, then follow: " + unkept, &tab);
   const std::string before = address_of_wire(tab).text();
   const std::string panel = tab.centre_panel;
-  const Belongings belongings(tab);
+  const TabProfiles belongings(tab);
   console.close(tab);
   auto opened = console.open(address);
   if (!opened) {
@@ -65,7 +66,7 @@ void follow(Console& console, Tab& tab, const std::string& address) {
     opened = console.open(before);
   }
   if (!opened) return;
-  belongings.give_to(**opened);
+  belongings.apply_to(**opened);
   (*opened)->centre_panel = panel;
 }
 

@@ -28,8 +28,8 @@ struct PageFrame {
   bool rail;      ///< a column 56 wide with lamps only
   Instant clock;  ///< present time; an age is `clock` minus seen_at
 
-  /// A sentence low in the centre. Faults stay until they are read, the rest goes after 6 s. `about`: what it
-  /// speaks of, see Toasts::withdraw().
+  /// A sentence low in the centre. Faults stay until they are read, the rest goes after 6 s. `about`: its
+  /// subject, see Toasts::withdraw().
   void toast(Severity severity, std::string sentence, const void* about = nullptr) const;
   /// Removes the messages about a subject that has changed.
   void withdraw(const void* about) const;

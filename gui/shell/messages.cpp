@@ -104,7 +104,7 @@ std::string_view goes_on_part(const StatusSentence& sentence) {
   const std::string_view all = sentence.text;
   return all.substr(all.size() - std::min(all.size(), sentence.goes_on));
 }
-/// What stands before it, with the space between them.
+/// The width of the items before it, with the space between them.
 std::string_view worse_part(const StatusSentence& sentence) {
   const std::string_view all = sentence.text;
   return all.substr(0, all.size() - goes_on_part(sentence).size());
@@ -125,9 +125,8 @@ void name_device(StatusSentence& sentence, const Tab& tab) {
   sentence.text = worse + goes_on;
 }
 
-StatusSentence sentence_alone(Console& console, Tab& tab, const Layout& layout) {
-  const bool in_banner =
-      !tab.unset_read && unset_in(tab) >= 0 && banner_subject(tab, layout).what == BannerSubject::What::unset;
+StatusSentence sentence_alone(Console& console, Tab& tab, const BannerSubject& banner) {
+  const bool in_banner = banner.what == BannerSubject::What::unset && banner.tab == &tab;
   const auto held = tab.jog.control();
   StatusSentence sentence = status_sentence(
       {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),
@@ -149,7 +148,7 @@ std::string who_moves(const Bus& bus, const Tab* but) {
 }
 
 /// "02 and 04" of a bus, or their number if there are more; empty: all motors have power.
-std::string who_is_powerless(const Bus& bus) {
+std::string motors_without_power(const Bus& bus) {
   constexpr std::size_t most_named = 4;
   std::vector<std::string_view> ids;
   for (const Tab* member : bus.members)
@@ -160,19 +159,19 @@ std::string who_is_powerless(const Bus& bus) {
 }
 
 /// For a bus: its worst state, and the other devices that move.
-StatusSentence sentence_of(Console& console, Tab& tab, const Layout& layout) {
-  if (!tab.bus) return sentence_alone(console, tab, layout);
+StatusSentence sentence_of(Console& console, Tab& tab, const BannerSubject& banner) {
+  if (!tab.bus) return sentence_alone(console, tab, banner);
   Tab& worst = tab.bus->most_urgent();
   const std::string others = who_moves(*tab.bus, &worst);
   const bool all_is_well =
       is_motion(worst_state(worst.now(), worst.clock())) && !needs_attention(worst.now());
   if (all_is_well && !others.empty() && !tab.jog.control())
     return {Severity::motion, fmt::format("{} Esc stops everything.", who_moves(*tab.bus, nullptr))};
-  StatusSentence sentence = sentence_alone(console, worst, layout);
+  StatusSentence sentence = sentence_alone(console, worst, banner);
   if (sentence.severity == Severity::plain && worst_state(worst.now(), worst.clock()) == State::off)
     return {Severity::plain,
-            fmt::format("Motor power of {} is off. Switch it on to move.", who_is_powerless(*tab.bus))};
-  if (&worst != &tab && !speaks_of(sentence.text.view(), worst.id()))
+            fmt::format("Motor power of {} is off. Switch it on to move.", motors_without_power(*tab.bus))};
+  if (&worst != &tab && !mentions(sentence.text.view(), worst.id()))
     sentence.text = fmt::format("{}: {}", worst.id(), sentence.text.view());
   if (!all_is_well && !others.empty()) add_what_goes_on(sentence, others);
   return sentence;
@@ -199,8 +198,8 @@ float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
   return width + 16;
 }
 
-/// The error that the line tells of is cleared there, of the device and axis that it names; a stop is of all
-/// of them. Returns its width.
+/// Draws the button that clears the error in the line, for the device and axis that it names; a stop concerns
+/// all of them. Returns its width.
 float draw_clear(Ui& ui, Tab& tab, const Box& line, float taken) {
   Tab& of = tab.bus ? tab.bus->most_urgent() : tab;
   const std::optional<Clearing> way = first_clearing(of.catalog(), of.now());
@@ -255,7 +254,7 @@ bool fits_in_two_lines(const Ui& ui, std::string_view words, float room) {
   return text_width(ui, Face::small, words) <= room;
 }
 
-/// Where there is no room for all, something worse loses its last words, and what goes on stays whole.
+/// Without room for all, the fault loses its last words, and the motion stays complete.
 FixedText<800> words_for(const Ui& ui, const StatusSentence& sentence, float room) {
   FixedText<800> words = sentence.text;
   std::string_view worse = worse_part(sentence);
@@ -271,7 +270,7 @@ FixedText<800> words_for(const Ui& ui, const StatusSentence& sentence, float roo
 
 }  // namespace
 
-void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
+void draw_status_line(Ui& ui, Console& console, const Layout& layout, const BannerSubject& in_banner) {
   begin_region(ui, "status", in_pixels(ui, layout.status), Tone::ground);
   const Rect r = in_pixels(ui, layout.status);
   ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.max.x, r.min.y + ui.hair()), ui[Tone::line]);
@@ -279,7 +278,7 @@ void draw_status_line(Ui& ui, Console& console, const Layout& layout) {
   StatusSentence sentence;
   float taken = 0;
   if (tab) {
-    sentence = sentence_of(console, *tab, layout);
+    sentence = sentence_of(console, *tab, in_banner);
     taken = draw_unsaved(ui, console, *tab, layout.status);
     taken += draw_clear(ui, *tab, layout.status, taken);
   } else if (!console.page().empty()) {

@@ -161,17 +161,12 @@ void draw_controllers(Ui& ui, Console& console, const Layout& layout) {
   float x = layout.tabs.x;
   Tab* chosen = nullptr;
   int number = 0;
-  bool brief = false;  // all alike: in words only if each of them has room
-  for (const auto& tab : console.tabs())
-    brief |= Console::is_face(*tab) && !fits_in_words(ui, tab_face(console, *tab), layout.tab_width);
   for (const auto& each : console.tabs()) {
     Tab& tab = *each;
     if (!Console::is_face(tab)) continue;
     const std::string id = fmt::format("controller/{}", ++number);
     stand_at(ui, x, 0);
-    ControllerTab face = tab_face(console, tab);
-    face.brief = brief;
-    if (controller_tab(ui, id, face, layout.tab_width).clicked) chosen = &tab;
+    if (controller_tab(ui, id, tab_face(console, tab), layout.tab_width).clicked) chosen = &tab;
     x += layout.tab_width;
   }
   if (!console.page().empty()) draw_page_tab(ui, console, x, layout.tab_width, layout.tabs.height);

@@ -164,18 +164,20 @@ void draw_chosen(const Work& w, const TabItem& chosen, const Box& area) {
   ImGui::PopID();
 }
 
-void draw_centre(const Work& w) {
+BannerSubject draw_centre(const Work& w) {
   const Box& box = w.layout.centre;
   Ui& ui = w.ui;
   begin_region(ui, "centre", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
   const float centre_height = box.height - 40;
   const bool below_is_tab = below_height(centre_height, w.console.splitters, w.layout.tier) == 0;
   const TabItems items = tab_items(w, below_is_tab);
-  if (items.count == 0) return end_region();
+  if (items.count == 0) {
+    end_region();
+    return {};
+  }
   const TabItem& chosen = items.chosen(w.tab.centre_panel);
   const float wanted_below =
       chosen.panel >= 0 ? w.console.list().panels[static_cast<std::size_t>(chosen.panel)].good_height : 0;
-  const BannerSubject subject = banner_subject(w.tab, w.layout);
   float below = below_height(centre_height, w.console.splitters, w.layout.tier, wanted_below);
   draw_panel_tabs(w, items, chosen);
   const float top = ImGui::GetCursorScreenPos().y / ui.scale;
@@ -183,6 +185,7 @@ void draw_centre(const Work& w) {
   const Box work{box.x, top, box.width, box.bottom() - top - below};
   draw_chosen(w, chosen, work);
   const Box area{box.x, work.bottom(), box.width, below};
+  BannerSubject subject = banner_subject(w.tab, w.layout, area);
   const float banner_height = draw_banner(ui, w.console, w.tab, subject, w.layout, area);
   if (below > 0) {
     const Box rest{area.x, area.y + banner_height, area.width, area.height - banner_height};
@@ -203,6 +206,7 @@ void draw_centre(const Work& w) {
     if (shown != below) set = shown;
   }
   end_region();
+  return subject;
 }
 
 // ---- side columns
@@ -349,22 +353,23 @@ float strip_height(const Tab& tab) {
   return strip_row_height(axes) * static_cast<float>((axes + 1) / 2);
 }
 
-void draw_workspace(Ui& ui, Console& console, const Layout& layout) {
+BannerSubject draw_workspace(Ui& ui, Console& console, const Layout& layout) {
   Tab* tab = console.active();
   if (!tab) {
     if (!console.page().empty()) draw_page(ui, console, layout);
-    return;
+    return {};
   }
   const Work work{ui, console, *tab, layout};
   if (layout.tier == Tier::narrow)
     draw_strip(work);
   else
     draw_left(work);
-  draw_centre(work);
+  BannerSubject subject = draw_centre(work);
   if (layout.right_is_rail)
     draw_rail(work);
   else if (!layout.right.empty())
     draw_right(work, layout.right, false);
+  return subject;
 }
 
 }  // namespace hw::gui

@@ -85,7 +85,7 @@ Result<const Widget*> Automation::reach(std::string_view id) {
                     "Make the window larger.");
   }
   if (Result<> ok = wait_until_it_stands(id); !ok) return fail(ok.error());
-  // Again if what was done before moves it away from the pointer.
+  // Moves the pointer again if an earlier action has moved the widget away.
   constexpr int moves_at_most = 8;
   for (int n = 0; n < moves_at_most; ++n) {
     const ImVec2 at = registry.find(id)->rect.centre();

@@ -7,7 +7,7 @@
 //     The first text is the widget's path: our words in lower case, the maker's own as the maker writes them.
 //     It is its id for scripts, tests and the focus order, so it must be the same in every frame and unique.
 //   - Lengths in calls are logical pixels of the 4 px grid (4, 8, 12, 16, 24). The widgets scale and round;
-//     whoever draws himself uses ui.px(12) and ui.hair() and lands on whole pixels.
+//     code that draws directly uses ui.px(12) and ui.hair(), and so lands on whole pixels.
 //   - Colours by token only: ui[Tone::warn]. Type by face only: ui.font(Face::body).
 //   - Widgets stand at ImGui's cursor and advance it like ImGui items: ImGui::SameLine(), BeginChild and
 //     SetCursorScreenPos work. A width of 0 is the natural one, `fill` takes the rest of the line.
@@ -17,16 +17,16 @@
 //     read, the wheel changes nothing, a wrong value turns red with the range in words and is not reported.
 //   - Enabled and why not: every options struct has `disabled`: a sentence; empty means enabled. Say when it
 //     ends. It is shown as a tooltip; draw it beside the control where there is room.
-//   - Motion: set `.moving = true` on whatever can start motion (cyan edge, second press by keyboard, and a
-//     press counts only where it has stood still for a while: standing.h). So nothing that moves metal may
-//     have its place by what a text says: keep room for the longest.
-//     hold_button gives started / held / ended, with the times of the hand, not of the frame.
-//   - draw_text_line cuts what is too long; the whole of it is told under the mouse, by itself.
-//   - What changes with time only (a toast that goes, "Attempt 5 in 3 s") calls ui.wake_in(seconds), else no
-//     frame is drawn: a console at rest draws nothing. Nothing may call it in every frame at rest.
-//   - A list or panel that wants arrow keys for itself says ui.take_arrows() in the frame, else they jog. Esc
-//     closes it, and the console then says what the stop that it also was has reached.
-//   - Esc always stops all controllers before a panel hears of it; ui.cancelled() is true in that frame, to
+//   - Motion: set `.moving = true` on each control that can start motion: it gets the cyan edge, needs a
+//     second press by keyboard, and ignores a press until it has stood still for a while (standing.h). Its
+//     place must not depend on the length of a text: keep room for the longest.
+//     hold_button gives started / held / ended, with the times of the input, not of the frame.
+//   - draw_text_line cuts what is too long; the whole text is shown under the mouse, automatically.
+//   - A widget that changes with time alone (an expiring toast, "Attempt 5 in 3 s") calls ui.wake_in(), else
+//     no frame is drawn: a console at rest draws nothing. No widget may call it in every frame at rest.
+//   - A list or panel that needs the arrow keys calls ui.take_arrows() in the frame, else they jog. Esc
+//     closes it and also stops all controllers; the console then names the motions that were stopped.
+//   - Esc always stops all controllers before a panel receives it; ui.cancelled() is true in that frame, to
 //     close a popup or dialog as well.
 //   - Headless: Offscreen gives the same Ui without a display; tests draw a panel, push input through
 //     Automation (click, press, type ...) and look at the registry or at pixels.
@@ -101,7 +101,7 @@ class Ui {
   Pretend pretend = Pretend::nothing;
 
   /// In this frame the user types into something other than ImGui's InputText.
-  void say_typing() { typing_ = true; }
+  void note_typing() { typing_ = true; }
   /// The field being typed into keeps Tab for itself, or Shift Tab too.
   void take_tab(TabTaken taken = TabTaken::forward) { tab_taken_ = taken; }
   void take_arrows() { takes_arrows_ = true; }
@@ -111,7 +111,7 @@ class Ui {
   // A text that was cut is shown whole under the mouse, unless its widget has a tip of its own.
   void note_cut(std::string_view whole) const { cut_ = whole; }
   [[nodiscard]] std::string_view cut() const { return tip_shown_ ? std::string_view() : cut_.view(); }
-  void say_tip() { tip_shown_ = true; }
+  void note_tip() { tip_shown_ = true; }
   [[nodiscard]] bool cancelled() const { return keyboard.pressed(Command::stop_all); }
 
  private:

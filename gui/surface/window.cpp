@@ -18,7 +18,7 @@ constexpr int frames_after_input = FramePacer::frames_after_input;
 constexpr double look_at_keys_every_s = 0.05;  // while one is down
 enum { cursor_arrow, cursor_text, cursor_ew, cursor_ns };
 
-std::string glfw_says() {
+std::string glfw_error() {
   const char* words = nullptr;
   glfwGetError(&words);
   return words ? std::string(" (") + words + ")" : std::string();
@@ -108,7 +108,7 @@ Result<std::unique_ptr<Window>> Window::open(WindowOptions options) {
   // known later; usually it is 1.
   std::future<Fonts> fonts = build_fonts(options.scale);
   if (!glfwInit())
-    return fail(FaultKind::port, "No window can be opened: there is no display" + glfw_says() + ".",
+    return fail(FaultKind::port, "No window can be opened: there is no display" + glfw_error() + ".",
                 "Nothing was started.",
                 "Start it in a desktop session, or use `handwheel run SCRIPT --gui`.");
   std::unique_ptr<Window> window(new Window(std::move(options)));
@@ -132,7 +132,7 @@ Result<> Window::create(std::future<Fonts> unscaled) {
   window_ = glfwCreateWindow(pixels(options_.width), pixels(options_.height), options_.title.c_str(), nullptr,
                              nullptr);
   if (!window_)
-    return fail(FaultKind::port, "The window could not be opened: no OpenGL 3.2" + glfw_says() + ".",
+    return fail(FaultKind::port, "The window could not be opened: no OpenGL 3.2" + glfw_error() + ".",
                 "Nothing was started.", "Install a graphics driver or Mesa (libgl1-mesa-dri).");
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(0);  // a waiting swap would delay Esc; the loop itself keeps 60 frames a second
@@ -219,12 +219,12 @@ void Window::let_go_of_lost_keys() {
 
 void Window::follow_gamepad() {
   const auto push = [this](const InputEvent& event) { screen_->input().push(event); };
-  Gamepad& hand = screen_->gamepad();
+  Gamepad& gamepad = screen_->gamepad();
   if (gamepads_.has_news(now_s(), push)) {
-    hand.came(gamepads_.name());
+    gamepad.came(gamepads_.name());
     touched(frames_after_input);
   }
-  hand.armed() ? gamepads_.look_if_due(now_s(), push) : gamepads_.rest();
+  gamepad.armed() ? gamepads_.look_if_due(now_s(), push) : gamepads_.rest();
   if (screen_->more_input()) touched(frames_after_input);
 }
 

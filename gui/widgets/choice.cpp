@@ -76,6 +76,10 @@ int list_under(Ui& ui, std::string_view id, const Touch& t, std::span<const std:
                int chosen) {
   ImGui::PushID(id.data(), id.data() + id.size());
   if (t.clicked) ImGui::OpenPopup("list");
+  if (!ImGui::IsPopupOpen("list")) {  // its names need not be measured
+    ImGui::PopID();
+    return -1;
+  }
   const float width = std::max(t.rect.width(), widest(ui, names) + ui.px(28));
   const float height = ui.px(32) * static_cast<float>(names.size()) + 2 * ui.hair();
   const Rect place = place_list(ui, t.rect, width, height);
@@ -156,8 +160,8 @@ int dropdown(Ui& ui, std::string_view id, std::string_view label, std::span<cons
   if (!t.enabled || o.error) draw_outline(ui, t.rect, ui[o.error ? Tone::fault : Tone::line]);
   const float middle = std::floor(t.rect.centre().y);
   const ImU32 ink = ui[t.enabled && !none ? Tone::ink : Tone::ink3];
-  draw_text_line(ui, t.rect.min.x + ui.px(10), t.rect.max.x - ui.px(26), middle,
-                 none ? Face::body : Face::body_medium, ink, now);
+  draw_text_in_two_lines(ui, t.rect.min.x + ui.px(10), t.rect.max.x - ui.px(26), middle,
+                         none ? Face::body : Face::body_medium, ink, now);
   draw_icon(ImGui::GetWindowDrawList(), Icon::chevron_down, ImVec2(t.rect.max.x - ui.px(16), middle),
             ui.px(12), ui[t.enabled ? Tone::ink2 : Tone::ink3]);
   draw_ring(ui, t);
@@ -168,8 +172,9 @@ int dropdown(Ui& ui, std::string_view id, std::string_view label, std::span<cons
 }
 
 int menu(Ui& ui, std::string_view id, std::string_view label, std::span<const std::string_view> names,
-         std::string_view disabled, float height) {
+         std::string_view disabled, float height, bool titled) {
   ButtonOptions options;
+  if (titled) options.icon_after = Icon::chevron_down;
   options.style = ButtonStyle::quiet;
   options.disabled = disabled;
   options.height = height;

@@ -1,5 +1,5 @@
 #pragma once
-// A choice of one: a segment when the names fit on a line, else a drop-down.
+// A single choice: a segment if the names fit on a line, else a drop-down.
 #include <span>
 #include <string_view>
 
@@ -33,8 +33,9 @@ struct DropdownOptions {
 int dropdown(Ui& ui, std::string_view id, std::string_view label, std::span<const std::string_view> names,
              int chosen, const DropdownOptions& options = {});
 
-/// A button that opens a list of actions. Returns the index just chosen, or -1.
+/// A button that opens a list of actions. Returns the index just chosen, or -1. `titled`: its label is a
+/// title, so an arrow shows that it opens.
 int menu(Ui& ui, std::string_view id, std::string_view label, std::span<const std::string_view> names,
-         std::string_view disabled = {}, float height = 32);
+         std::string_view disabled = {}, float height = 32, bool titled = false);
 
 }  // namespace hw::gui

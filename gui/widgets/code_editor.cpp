@@ -162,7 +162,7 @@ void CodeEditor::use_mouse(Ui& ui, const Metrics& m, const Touch& t) {
   }
   if (!t.held) dragging_ = false;
   if (typing_) {
-    ui.say_typing();
+    ui.note_typing();
   }
 }
 

@@ -15,7 +15,7 @@ struct HoldOptions {
   float width = 56, height = 56;  ///< 48 in medium windows
   bool moving = true;             ///< false: front panel buttons of a bench
   bool stops = false;             ///< a Stop: fault outline and words
-  bool lit = false;               ///< held by other means (its key): drawn as held
+  bool lit = false;               ///< held by other means (a key): drawn as held
 };
 
 struct Hold {

@@ -1,5 +1,5 @@
 #pragma once
-// All shapes of the console, drawn, not glyphs: each state has a shape in addition to its word and colour.
+// The shapes of the console, drawn, not glyphs: each state has a shape in addition to its word and colour.
 #include <cstdint>
 
 #include <imgui.h>

@@ -40,7 +40,7 @@ struct ToggleOptions {
   bool narrow = false;  ///< only lamp and name
 };
 Touch toggle_lamp(Ui& ui, std::string_view id, std::string_view name, const ToggleOptions& options);
-/// The same as a cell of a table, 28 high in a row of 32: the lamp only, since row and column name it.
+/// The same as a cell of a table, 28 high in a row of 32: only the lamp, as row and column name it.
 Touch toggle_cell(Ui& ui, std::string_view id, std::string_view name, bool on, float width,
                   std::string_view tip);
 

@@ -158,8 +158,8 @@ void draw_words_in_one_line(Ui& ui, const Rect& in, const Banner& what) {
   draw_text_line(ui, behind, in.max.x, middle, Face::small, ui[Tone::ink], words.substr(0, end));
 }
 
-/// The title, and the words behind or below it: as many whole sentences as two lines hold. What was left out
-/// is told under the mouse.
+/// The title, and the words behind or below it: as many whole sentences as two lines hold. The rest is shown
+/// under the mouse.
 void draw_bar_words(Ui& ui, const Rect& in, const Banner& what) {
   const std::string kept = words_of_bar(what);
   const std::string_view words = kept;

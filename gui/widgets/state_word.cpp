@@ -36,7 +36,7 @@ Rect draw_state(Ui& ui, ImVec2 at, const StateLook& look, Face face) {
   return {at, ImVec2(at.x + ui.px(20) + std::ceil(text_width(ui, face, look.word)), at.y + h)};
 }
 
-void tell(Ui& ui, std::string_view id, std::string_view words, const Rect& rect) {
+void register_words(Ui& ui, std::string_view id, std::string_view words, const Rect& rect) {
   if (!id.empty()) show(ui, {id, Kind::text, words, words, {}, false, {}}, rect);
 }
 
@@ -55,11 +55,12 @@ void draw_state_right(Ui& ui, std::string_view id, ImVec2 right, State state, Fa
     const float width = state_word_width(ui, state, fits);
     if (width > room_px) continue;
     const float top = middle - std::floor(ui.line(fits) * 0.5f);
-    return tell(ui, id, look.word, draw_state(ui, ImVec2(right.x - width, top), look, fits));
+    return register_words(ui, id, look.word, draw_state(ui, ImVec2(right.x - width, top), look, fits));
   }
   draw_icon(ImGui::GetWindowDrawList(), look.icon, ImVec2(right.x - ui.px(6), middle), ui.px(12),
             ui[look.tone]);
-  tell(ui, id, look.word, {ImVec2(right.x - ui.px(12), right.y), ImVec2(right.x, right.y + ui.line(face))});
+  register_words(ui, id, look.word,
+                 {ImVec2(right.x - ui.px(12), right.y), ImVec2(right.x, right.y + ui.line(face))});
 }
 
 }  // namespace hw::gui

@@ -15,14 +15,13 @@ constexpr std::string_view tab_badge_word = "EMULATED";
 
 float margin_of(float width) { return width < 170 ? 12.0f : 16.0f; }
 
-}  // namespace
-
 bool fits_in_words(const Ui& ui, const ControllerTab& tab, float width) {
-  if (!tab.emulated) return true;
   const float words = std::ceil(text_width(ui, Face::small, tab.state)) +
                       std::ceil(text_width(ui, Face::small_bold, tab_badge_word));
   return words + ui.px(margin_of(width) + 16 + 6 + 12) <= ui.px(width);
 }
+
+}  // namespace
 
 Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, float width) {
   const Touch t = touch(ui, {id, Kind::tab, tab.name, tab.state, {}, false, {}}, ui.px(width, 56));
@@ -41,7 +40,7 @@ Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, floa
   draw_icon(list, tab.icon, ImVec2(left + ui.px(6), second), ui.px(11), ui[tab.tone]);
   float end = right;
   if (tab.emulated) {
-    if (!tab.brief && fits_in_words(ui, tab, width)) {
+    if (fits_in_words(ui, tab, width)) {
       end -= std::ceil(text_width(ui, Face::small_bold, tab_badge_word));
       draw_text_line(ui, end, t.rect.max.x, second, Face::small_bold, ui[Tone::emu], tab_badge_word);
     } else {  // its shape, so that the state is not cut

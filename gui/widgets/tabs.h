@@ -15,11 +15,9 @@ struct ControllerTab {
   std::string_view state = {};  ///< "moving", "late, 0.4 s"
   bool emulated = false;
   bool active = false;
-  bool brief = false;  ///< EMULATED as its shape only
 };
-/// The state and the word EMULATED fit beside each other.
-bool fits_in_words(const Ui& ui, const ControllerTab& tab, float width);
-/// Fills the height of the top bar (56) at the cursor and ends with a hairline at its right.
+/// Fills the height of the top bar (56) at the cursor and ends with a hairline at its right. EMULATED stands
+/// there in words where it has room beside the state, else as its shape.
 Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, float width = 176);
 
 struct PanelTab {

@@ -16,6 +16,15 @@ float box_top(const Ui& ui, Face face, float line_px) {
   return std::floor((line_px - ui.font(face)->FontSize) * 0.5f + 0.5f);
 }
 
+/// A refusal is never covered by the tip of the field that it is about.
+void keep_clear(const Ui& ui, ImVec2 at, ImVec2 end) {
+  const ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 first = list->GetClipRectMin(), last = list->GetClipRectMax();
+  const Rect seen{ImVec2(std::max(at.x, first.x), std::max(at.y, first.y)),
+                  ImVec2(std::min(end.x, last.x), std::min(end.y, last.y))};
+  if (seen.width() > 0 && seen.height() > 0) ui.registry.keep_clear(seen);
+}
+
 }  // namespace
 
 float text_width(const Ui& ui, Face face, std::string_view s) {
@@ -52,7 +61,10 @@ void draw_text_centred(const Ui& ui, const Rect& in, Face face, ImU32 colour, st
 void draw_text_line(const Ui& ui, float left, float right, float centre_y, Face face, ImU32 colour,
                     std::string_view s) {
   const ImVec2 at(left, std::floor(centre_y - ui.line(face) * 0.5f + 0.5f));
-  if (left + text_width(ui, face, s) <= right) return draw_text(ui, at, face, colour, s);
+  // No character but a tab is wider than its font is high: a short text need not be measured.
+  const bool is_short = left + static_cast<float>(s.size()) * ui.font(face)->FontSize <= right &&
+                        s.find('\t') == std::string_view::npos;
+  if (is_short || left + text_width(ui, face, s) <= right) return draw_text(ui, at, face, colour, s);
   const float half = ui.line(face) * 0.5f;
   if (ImGui::IsWindowHovered() &&
       ImGui::IsMouseHoveringRect(ImVec2(left, centre_y - half), ImVec2(right, centre_y + half)))
@@ -99,6 +111,7 @@ void text(Ui& ui, Face face, Tone tone, std::string_view s) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size(std::ceil(text_width(ui, face, s)), ui.line(face));
   draw_text(ui, at, face, ui[tone], s);
+  if (tone == Tone::fault) keep_clear(ui, at, ImVec2(at.x + size.x, at.y + size.y));
   ImGui::Dummy(size);
 }
 
@@ -133,6 +146,7 @@ void wrapped(Ui& ui, Face face, Tone tone, std::string_view s, float width) {
     at = newline ? newline + 1 : next;
     while (!newline && at < end && *at == ' ') ++at;
   }
+  if (tone == Tone::fault) keep_clear(ui, start, ImVec2(start.x + limit, y));
   ImGui::Dummy(ImVec2(limit, y - start.y));
 }
 
@@ -215,20 +229,60 @@ void key_value(Ui& ui, std::string_view id, std::string_view key, std::string_vi
   ui.registry.add(w);
 }
 
+namespace {
+
+/// How much of what must stay legible a rectangle covers. A Stop counts most.
+float covered(const Ui& ui, ImVec2 at, ImVec2 size) {
+  constexpr float of_a_stop = 100;
+  float area = 0;
+  const auto add = [&](const Rect& r, float weight) {
+    const float width = std::min(r.max.x, at.x + size.x) - std::max(r.min.x, at.x);
+    const float height = std::min(r.max.y, at.y + size.y) - std::max(r.min.y, at.y);
+    if (width > 0 && height > 0) area += weight * width * height;
+  };
+  for (const Rect& r : ui.registry.kept_clear()) add(r, 1);
+  for (const Widget& w : ui.registry.widgets()) {
+    if ((!w.stops && !w.card) || w.layer < ui.registry.top_layer()) continue;  // under a dialog
+    const Rect seen{ImVec2(std::max(w.rect.min.x, w.clip.min.x), std::max(w.rect.min.y, w.clip.min.y)),
+                    ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
+    add(seen, w.stops ? of_a_stop : 1);
+  }
+  return area;
+}
+
+/// Under `of`; else over it, or left of it, wherever it covers least of what is kept clear.
+ImVec2 tooltip_place(const Ui& ui, const Rect& of, ImVec2 size) {
+  const float apart = ui.px(6), over = of.min.y - apart - size.y, under = of.max.y + apart;
+  const float left = of.min.x - ui.px(24) - size.x, middle = std::floor(of.centre().y - size.y / 2);
+  const ImVec2 places[] = {{of.min.x, under}, {of.min.x, over}, {left, under}, {left, over}, {left, middle}};
+  const auto within = [&](ImVec2 at) {
+    return ImVec2(std::clamp(at.x, 0.0f, std::max(0.0f, ui.size_px.x - size.x)), at.y);
+  };
+  ImVec2 best = within(places[under + size.y > ui.size_px.y ? 1 : 0]);
+  float least = covered(ui, best, size);
+  for (const ImVec2 place : places) {
+    const ImVec2 at = within(place);
+    if (least == 0) break;
+    if (at.y < 0 || at.y + size.y > ui.size_px.y || at.x > place.x) continue;
+    if (const float covers = covered(ui, at, size); covers < least) best = at, least = covers;
+  }
+  return best;
+}
+
+}  // namespace
+
 void tooltip(Ui& ui, std::string_view sentence, const Rect* beside) {
   if (sentence.empty()) return;
-  ui.say_tip();
+  ui.note_tip();
   const float limit = ui.px(320);
   const float width = std::min(limit, std::ceil(text_width(ui, Face::small, sentence)) + 1);
   const float height = wrapped_height(ui, Face::small, sentence, width);
   const ImVec2 pad = ui.px(8, 6);
   const ImVec2 size(width + 2 * pad.x, height + 2 * pad.y);
-  ImVec2 at = beside ? ImVec2(beside->min.x, beside->max.y + ui.px(6))
-                     : ImVec2(ImGui::GetIO().MousePos.x + ui.px(12), ImGui::GetIO().MousePos.y + ui.px(18));
-  at.x = std::clamp(at.x, 0.0f, std::max(0.0f, ui.size_px.x - size.x));
-  if (at.y + size.y > ui.size_px.y)
-    at.y = (beside ? beside->min.y : ImGui::GetIO().MousePos.y) - size.y - ui.px(6);
-  ImGui::SetNextWindowPos(snapped(at));
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const Rect of =
+      beside ? *beside : Rect{ImVec2(mouse.x + ui.px(12), mouse.y), ImVec2(mouse.x, mouse.y + ui.px(12))};
+  ImGui::SetNextWindowPos(snapped(tooltip_place(ui, of, size)));
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
   ImGui::PushStyleColor(ImGuiCol_PopupBg, ui[Tone::raised]);

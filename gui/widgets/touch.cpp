@@ -10,7 +10,7 @@
 namespace hw::gui {
 namespace {
 
-constexpr double says_not_taken_s = 2;
+constexpr double not_taken_shown_s = 2;
 
 void add_to_registry(Ui& ui, const About& about, const Rect& rect, bool hovered,
                      const Standing::Place* place = nullptr) {
@@ -62,9 +62,9 @@ void press_by_keyboard(Ui& ui, std::string_view id, Touch& t) {
 void refuse_early_press(Ui& ui, std::string_view id, Standing::Place& place, Touch& t) {
   if (t.started) place.not_taken_until_s = 0;
   if (t.started && place.too_early(t.pressed_at_s)) {
-    gui_log().debug("a press on {} is not taken: it was {} only a moment ago", id,
+    gui_log().debug("a press on {} is ignored: it was {} only a moment ago", id,
                     place.came_alive ? "enabled" : "placed here");
-    place.not_taken_until_s = ui.now_s + says_not_taken_s;
+    place.not_taken_until_s = ui.now_s + not_taken_shown_s;
     ImGui::ClearActiveID();
     t.started = t.held = t.clicked = t.double_clicked = false;
   }
@@ -78,7 +78,7 @@ std::string_view why_not_taken(const Standing::Place& place) {
 }
 
 /// Shows why it cannot be pressed, what it does, or why a press had no effect.
-void tell(Ui& ui, const About& about, const Touch& t, bool over, const Standing::Place* place) {
+void show_tip(Ui& ui, const About& about, const Touch& t, bool over, const Standing::Place* place) {
   const std::string_view shown = !t.enabled ? about.disabled : about.tip;
   const bool shown_for_ring = t.ring && !t.armed && !t.enabled;
   if (t.armed)
@@ -122,7 +122,7 @@ Touch touch(Ui& ui, const About& about, ImVec2 size) {
   t.ring |= ui.pretend == Ui::Pretend::ring;
   if (ui.registry.wants_scroll(about.id)) ImGui::ScrollToItem(ImGuiScrollFlags_KeepVisibleEdgeY);
   add_to_registry(ui, about, t.rect, over, place);
-  tell(ui, about, t, over, place);
+  show_tip(ui, about, t, over, place);
   return t;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Adds new blocks, by a click or by typing the beginning of a name. What the controller can never do is grey,
-// and says why. Ids: `blocks/add_by_name`, `blocks/add/move`.
+// Adds new blocks, by a click or by typing the beginning of a name. Blocks that the controller can never run
+// are grey, and say why. Ids: `blocks/add_by_name`, `blocks/add/move`.
 #include <optional>
 #include <string>
 #include <vector>

@@ -39,10 +39,10 @@ void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not
   if (button(f.ui, "blocks/to_program", label, to_program).clicked) ask_or_put(f, text, Wanted::to_program);
 }
 
-/// A refused run stands beside Run; the rest is told in passing.
+/// A refused run is shown beside Run; other messages are toasts.
 void BlockRun::take_what_came(Frame& f, const SequenceText& text) {
   if (std::string why = run_from_.take_refusal(); !why.empty())
-    refusal_.tell(std::move(why), text.text, from_);
+    refusal_.set(std::move(why), text.text, from_);
   Desk& desk = f.tab.desk();
   auto report = desk.job.take_report();
   if (report.sentence.empty()) return;
@@ -50,8 +50,8 @@ void BlockRun::take_what_came(Frame& f, const SequenceText& text) {
   const bool of_run = goal == ProgramJob::Goal::run || goal == ProgramJob::Goal::run_stepping;
   const std::string& run = desk.texts.text(desk.texts.chosen());
   if (of_run && report.severity == Severity::fault) {
-    if (run == text.text) return refusal_.tell(std::move(report.sentence), text.text);
-    if (run == run_from_.text()) return refusal_.tell(std::move(report.sentence), text.text, from_);
+    if (run == text.text) return refusal_.set(std::move(report.sentence), text.text);
+    if (run == run_from_.text()) return refusal_.set(std::move(report.sentence), text.text, from_);
   }
   f.toast(report.severity, std::move(report.sentence), &desk.texts);
 }
@@ -79,7 +79,7 @@ void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted,
   const ProgramTexts& texts = f.tab.desk().texts;
   if (wanted != Wanted::to_program && !agreed)  // then the program is not replaced either
     if (std::string why = why_not_run_there(f.tab, text.text); !why.empty())
-      return refusal_.tell(std::move(why), text.text);
+      return refusal_.set(std::move(why), text.text);
   wanted_ = wanted, agreed_ = std::move(agreed);
   go_ahead_ = f.tab.desk().until_stopped();
   asking_ = texts.edited(texts.chosen()) && texts.text(texts.chosen()) != text.text;
@@ -101,11 +101,11 @@ void BlockRun::put(Frame& f, const SequenceText& text) {
 /// there.
 void BlockRun::run(Frame& f, const SequenceText& text, RunRequest request) {
   if (go_ahead_.expired())
-    return refusal_.tell("A stop came first. The text was put into the program and not run.", text.text);
+    return refusal_.set("A stop came first. The text was put into the program and not run.", text.text);
   std::string_view why = why_none_runs(f);
   if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
   if (why.empty()) return begin_run(f, request, std::exchange(agreed_, std::nullopt));
-  refusal_.tell(std::string(why), text.text);
+  refusal_.set(std::string(why), text.text);
 }
 
 void BlockRun::draw_dialog(Frame& f, const SequenceText& text) {

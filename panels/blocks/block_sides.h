@@ -1,6 +1,6 @@
 #pragma once
-// What stands at the sides of the blocks, as far as there is room: the palette at the left, text and path at
-// the right; what has no room is one press away. Ids: `blocks/aside`, `blocks/side/Text`, `blocks/side/Path`.
+// The parts beside the blocks, as far as there is room: the palette at the left, text and path at the right;
+// a part without room is one press away. Ids: `blocks/aside`, `blocks/side/Text`, `blocks/side/Path`.
 #include <functional>
 
 #include "gui/shell/frame.h"
@@ -25,7 +25,7 @@ class BlockSides {
   void draw(gui::Frame& frame, float width, float height, const DrawPart& text, const DrawPart& path);
 
  private:
-  /// What the button brings up.
+  /// The part that the button opens.
   [[nodiscard]] const char* other(const gui::Frame& frame) const;
 
   bool side_first_ = false, path_first_ = false;

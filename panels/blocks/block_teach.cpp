@@ -15,7 +15,8 @@ namespace seq = sequence;
 namespace {
 
 constexpr std::string_view not_seen = "The positions of the axes are not known now.";
-constexpr std::string_view begins_nowhere = "Put a move to a place before this block: its start is unknown.";
+constexpr std::string_view start_is_unknown =
+    "Put a move to a place before this block: its start is unknown.";
 
 /// In the unit of the sequence. Nothing if the position is stale or unknown.
 std::optional<double> stands_at(const Frame& f, const seq::Sequence& s, int axis) {
@@ -84,14 +85,14 @@ std::string_view BlockTeach::why_not(const Frame& f, const seq::Editor& editor, 
     for (std::size_t a = 0; a < now.size(); ++a)
       any = any || now[a], any_known = any_known || (now[a] && from[a]);
     if (!any) return not_seen;
-    return what == Lesson::What::distance && !any_known ? begins_nowhere : std::string_view();
+    return what == Lesson::What::distance && !any_known ? start_is_unknown : std::string_view();
   }
   if (const auto* some = std::get_if<seq::MoveOnInput>(&step->body))
     return stands_at(f, s, some->axis) ? std::string_view() : not_seen;
   const seq::Plane* plane = seq::plane_of(step->body);
   if (!plane || !stands_at(f, s, plane->right) || !stands_at(f, s, plane->up)) return not_seen;
   const bool begins = from[ix(plane->right)] && from[ix(plane->up)];
-  return what == Lesson::What::end && !begins ? begins_nowhere : std::string_view();
+  return what == Lesson::What::end && !begins ? start_is_unknown : std::string_view();
 }
 
 std::optional<seq::Step::Body> BlockTeach::teach(const Frame& f, const seq::Editor& editor,

@@ -13,7 +13,7 @@ struct BlockTextMarks {
   int live_step = -1;
 };
 /// Draws from ImGui's cursor to the right edge, logical height. True: the user asks for the first refused
-/// block. The title tells how much memory the blocks take.
+/// block. The title shows how much memory the blocks take.
 bool draw_block_text(gui::Frame& frame, const WrittenBlocks& written, const BlockTextMarks& marks,
                      float height);
 /// Tells how many blocks are refused, or why none can be written. True as above.

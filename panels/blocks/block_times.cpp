@@ -47,7 +47,7 @@ class Times {
     made_.of_step.resize(ix(count));
   }
   BlockTimes take(const seq::StepList& steps) && {
-    for (const seq::Step& step : steps) made_.at_least_s += tell(step, true);
+    for (const seq::Step& step : steps) made_.at_least_s += add_duration(step, true);
     made_.at_least_s = std::max(made_.at_least_s, r_.duration_s);
     made_.goes_on = !r_.finished && !r_.endless && goes_on_;
     return std::move(made_);
@@ -55,7 +55,7 @@ class Times {
 
  private:
   /// The known duration of a step and of all steps inside it.
-  double tell(const seq::Step& step, bool outermost) {
+  double add_duration(const seq::Step& step, bool outermost) {
     const int row = next_++;
     if (row == last_ && std::holds_alternative<seq::Delay>(step.body)) goes_on_ = true;
     const seq::StepList* inner = steps_in(step);
@@ -65,15 +65,15 @@ class Times {
       return all;
     }
     if (inner)
-      for (const seq::Step& below : *inner) all += tell(below, false);
+      for (const seq::Step& below : *inner) all += add_duration(below, false);
     const auto* loop = std::get_if<seq::Repeat>(&step.body);
     if (row == last_ && !r_.finished && !r_.endless && !inner && seconds_[ix(row)] >= long_s) {
       made_.of_step[ix(row)] = fmt::format("over {}", gui::format_duration(all).view());
       return all;
     }
-    if (!loop || loop->times == 1) return say(row, all);
+    if (!loop || loop->times == 1) return note_duration(row, all);
     const double pass = pass_of(row, *loop, all, outermost);
-    if (pass <= 0) return say(row, all);
+    if (pass <= 0) return note_duration(row, all);
     made_.of_step[ix(row)] = loop->times == 0 ? fmt::format("{:.1f} s a pass", pass)
                                               : fmt::format("{} \u00d7 {:.1f} s", loop->times, pass);
     const bool cut_off = outermost && !r_.finished && begun_in(row).last + pass >= r_.duration_s;
@@ -81,7 +81,7 @@ class Times {
     goes_on_ = true;
     return std::max(all, pass * loop->times);
   }
-  double say(int row, double seconds) {
+  double note_duration(int row, double seconds) {
     if (seconds > 0) made_.of_step[ix(row)] = fmt::format("{:.1f} s", seconds);
     return seconds;
   }

@@ -20,10 +20,10 @@ class BlockTrial {
  public:
   /// Call once a frame. Blocks that cannot be written have no times; the others are rehearsed without them.
   void follow(gui::Frame& frame, const std::shared_ptr<const WrittenBlocks>& written);
-  /// Rehearses the same text again, from where the axes stand now, with all that the controller can tell: its
-  /// set-up, and the programs and variables that the run reaches.
+  /// Rehearses the same text again, from where the axes stand now, with all values that can be read from the
+  /// controller: its set-up, and the programs and variables that the run reaches.
   void again();
-  /// What Run says about it; no words: there is nothing to run.
+  /// The words beside Run; empty: there is nothing to run.
   [[nodiscard]] Rehearsed rehearsed(const gui::Frame& frame) const;
   /// The controller has changed since, so that rehearsing it again makes sense.
   [[nodiscard]] bool is_old() const;
@@ -36,9 +36,9 @@ class BlockTrial {
   [[nodiscard]] bool goes_on() const { return goes_on_; }
   /// "without 8": blocks left out because they cannot be written; empty: none.
   [[nodiscard]] std::string_view without() const { return without_; }
-  /// What stops it too early, and why; by line of the text.
+  /// Early stops and their reasons, by line of the text.
   [[nodiscard]] const std::vector<std::string>& stops() const { return stops_; }
-  /// What the controller cannot tell and was taken for granted; empty: nothing.
+  /// Values that could not be read and were assumed; empty: none.
   [[nodiscard]] const std::string& assumed() const { return assumed_; }
   /// Draws at ImGui's cursor, logical size, with the lines of the step lit. Id: `blocks/path`.
   void draw_path(gui::Frame& frame, int lit_step, float width, float height);

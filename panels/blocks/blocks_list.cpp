@@ -179,7 +179,7 @@ void Blocks::draw_total(Frame& f, float width) {
   draw_again(f, width);
 }
 
-/// What has changed since the rehearsal, or could be known better.
+/// Changes since the rehearsal, and values that could be read now.
 void Blocks::draw_again(Frame& f, float width) {
   const bool old = trial_.is_old(), assumes = !trial_.assumed().empty() && f.tab.desk().can_read_more(f.now);
   if ((!old && !assumes) || is_under_way(f.now.program)) return;
@@ -192,7 +192,7 @@ void Blocks::draw_again(Frame& f, float width) {
     trial_.again();
 }
 
-/// Where the next block goes if none is chosen.
+/// The place of the next block if none is chosen.
 void Blocks::draw_end(Frame& f, float width, bool palette_aside) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -9,6 +9,7 @@
 #include "panels/blocks/block_icons.h"
 #include "panels/blocks/block_measures.h"
 #include "panels/blocks/blocks.h"
+#include "panels/kept_legible.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -47,6 +48,7 @@ void Blocks::draw_row(Frame& f, std::size_t row, float width) {
     const Rect in{ImVec2(t.rect.min.x + ui.px(64), t.rect.max.y - ui.px(4)),
                   ImVec2(t.rect.max.x - ui.px(12), t.rect.max.y + ui.px(refusal_height - 4))};
     draw_text_in_lines(ui, in, Face::small, ui[Tone::fault], complaint, 2);
+    keep_legible(ui, in);
     show(ui, {Path("blocks/{}/refusal", row + 1), Kind::text, "Refused", complaint}, in);
     bottom += ui.px(refusal_height);
   }

@@ -13,6 +13,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/text.h"
 #include "panels/blocks/block_measures.h"
+#include "panels/kept_legible.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
@@ -39,7 +40,7 @@ bool FieldLines::field(std::string_view id, std::string_view key, Value& value, 
   o.refused = refused.empty() && is_refused(key) ? std::string_view(step_.refused->why) : refused;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const NumberEvent event = number_field(f_.ui, id, label(key), std::nullopt, state, o);
-  tell_refusal(at, width, label(key), refused);
+  show_refusal(at, width, label(key), refused);
   if (!event.field.edited) return false;
   const auto typed = state.value();
   if (!typed || !range_sentence(state.text, range).empty()) return false;
@@ -68,7 +69,7 @@ void FieldLines::line_or_all(std::string_view key, int& value) {
     field(Path("{}/{}", path_, key), key, value, {0, 64, 0, {}}, 64);
   }
   end(at);
-  tell_refused(key);
+  show_refused(key);
   all_lines_ = value < 0;
 }
 
@@ -147,7 +148,7 @@ void FieldLines::stairs(std::string_view key, std::vector<sequence::SpeedStairs:
   fewer.disabled = value.size() < 2 ? "The last stair cannot be removed." : "";
   const bool less = button(f_.ui, Path("{}/{}/remove", path_, key), "", fewer).clicked;
   end(at);
-  tell_refused(key);
+  show_refused(key);
   if (!more && !less) return;
   changed_ = true;
   if (more) return value.push_back(value.empty() ? sequence::SpeedStairs::Stair{} : value.back());
@@ -215,18 +216,19 @@ void FieldLines::end(ImVec2 field) {
       ImVec2(field.x - f_.ui.px(field_label_width), field.y + f_.ui.px(field_line_height)));
 }
 
-void FieldLines::tell_refusal(ImVec2 field, float width, const FixedText<64>& name, std::string_view why) {
+void FieldLines::show_refusal(ImVec2 field, float width, const FixedText<64>& name, std::string_view why) {
   if (why.empty()) return;
   problem_ = fmt::format("{}: {}{}", name.view(), why, why.back() == '.' ? "" : ".");
   const float left = field.x + f_.ui.px(width + 8), right = field.x + f_.ui.px(width_ - field_label_width);
   draw_text_in_two_lines(f_.ui, left, right, field.y + f_.ui.px(16), Face::small, f_.ui[Tone::fault], why);
+  keep_legible(f_.ui, {ImVec2(left, field.y), ImVec2(right, field.y + f_.ui.px(32))});
 }
 
 bool FieldLines::is_refused(std::string_view key) const {
   return step_.refused && step_.refused->field == key;
 }
 
-void FieldLines::tell_refused(std::string_view key) {
+void FieldLines::show_refused(std::string_view key) {
   if (!is_refused(key)) return;
   refusal_shown_ = true;
   draw_step_refusal(f_, step_, width_);
@@ -293,7 +295,7 @@ void FieldLines::put_number(std::string_view key, double& value, double low) {
   kept(id, value, scale);
   if (field(id, key, shown, {low, 1e9, 6, {}}, 120)) value = scale.kept(shown);
   end(at);
-  tell_refused(key);
+  show_refused(key);
   if (double nearest = 0; offers_nearest(key, scale, nearest)) value = nearest;
 }
 
@@ -327,7 +329,7 @@ void FieldLines::whole(std::string_view key, int& value, double low, double high
   const ImVec2 at = begin(key);
   field(Path("{}/{}", path_, key), key, value, {low, high, 0, {}}, 80);
   end(at);
-  tell_refused(key);
+  show_refused(key);
 }
 
 }  // namespace hw::panels

@@ -76,16 +76,16 @@ class FieldLines {
   ImVec2 begin_without_label();
   void end(ImVec2 field);
   /// Beside the field, in the rest of the line.
-  void tell_refusal(ImVec2 field, float width, const FixedText<64>& name, std::string_view why);
+  void show_refusal(ImVec2 field, float width, const FixedText<64>& name, std::string_view why);
   [[nodiscard]] std::size_t places_in_line() const;
   void place(std::string_view key, std::size_t a, std::optional<double>& value, float width, bool alone);
   [[nodiscard]] static gui::NumberRange place_range(const sequence::Scale& scale);
   [[nodiscard]] static std::string why_no_place(const gui::NumberField& state, const sequence::Scale& scale);
-  /// Below its line: what was typed wrong where several share the line, and what the controller refuses.
-  void tell_place_refused(std::string_view key, std::size_t a, std::optional<double>& value);
+  /// Below its line: a typing error, if several fields share the line, and the controller's refusal.
+  void show_place_refused(std::string_view key, std::size_t a, std::optional<double>& value);
   [[nodiscard]] bool is_refused(std::string_view key) const;
   /// A refusal by the controller stands below the field: the number itself is valid.
-  void tell_refused(std::string_view key);
+  void show_refused(std::string_view key);
   /// Draws a button below the field; true: accepted.
   bool offers_nearest(std::string_view key, const sequence::Scale& scale, double& nearest);
   /// One field per line; Enter adds a field, an empty field goes when the focus leaves it.

@@ -30,7 +30,7 @@ void FieldLines::places(std::string_view key, sequence::Places& value) {
       place(key, a, value[a], alone ? 120 : place_cell - letter - 8, alone);
     }
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + f_.ui.px(field_line_height)));
-    for (std::size_t a = first; a < behind; ++a) tell_place_refused(key, a, value[a]);
+    for (std::size_t a = first; a < behind; ++a) show_place_refused(key, a, value[a]);
   }
 }
 
@@ -65,7 +65,7 @@ void FieldLines::place(std::string_view key, std::size_t a, std::optional<double
   const std::string refused = why_no_place(state, scale);
   o.refused = is_refused(below) ? std::string_view(step_.refused->why) : refused;
   const NumberEvent event = number_field(f_.ui, id, of_.axes[a].name, std::nullopt, state, o);
-  if (alone) tell_refusal(at, width, FixedText<64>(of_.axes[a].name), refused);
+  if (alone) show_refusal(at, width, FixedText<64>(of_.axes[a].name), refused);
   if (!event.field.edited) return;
   const auto typed = state.value();
   if (!state.text.empty() && !(typed && range_sentence(state.text, o.range).empty())) return;
@@ -82,7 +82,7 @@ std::string FieldLines::why_no_place(const NumberField& state, const sequence::S
   return state.text.empty() ? std::string() : range_sentence(state.text, place_range(scale));
 }
 
-void FieldLines::tell_place_refused(std::string_view key, std::size_t a, std::optional<double>& value) {
+void FieldLines::show_place_refused(std::string_view key, std::size_t a, std::optional<double>& value) {
   const Path below("{}/{}", key, of_.axes[a].name);
   const sequence::Scale& scale = step_.look.axes[a];
   if (places_in_line() > 1)
@@ -92,7 +92,7 @@ void FieldLines::tell_place_refused(std::string_view key, std::size_t a, std::op
       wrapped(f_.ui, Face::small, Tone::fault, problem_, width_);
       gap(f_.ui, 4);
     }
-  tell_refused(below);
+  show_refused(below);
   if (double nearest = 0; offers_nearest(below, scale, nearest)) value = nearest;
 }
 

@@ -15,7 +15,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// What follows the first "Line " or "line ": "12"; of "step 3.1 (move)": "3.1".
+/// The text after the first "Line " or "line ": "12"; of "step 3.1 (move)": "3.1".
 std::string_view number_behind(std::string_view words, std::string_view noun) {
   for (std::size_t at = words.find(noun); at != words.npos; at = words.find(noun, at + 1)) {
     std::string_view number = words.substr(at + noun.size());
@@ -46,7 +46,7 @@ int row_named(std::string_view words, const SequenceText& text, const BlockRows&
 
 }  // namespace
 
-void RunRefusal::tell(std::string words, std::string text, std::optional<int> from) {
+void RunRefusal::set(std::string words, std::string text, std::optional<int> from) {
   words_ = std::move(words), text_ = std::move(text), from_ = from;
   found_in_ = ~std::uint64_t{0};
 }

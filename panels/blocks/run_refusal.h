@@ -14,7 +14,7 @@ namespace hw::panels {
 class RunRefusal {
  public:
   /// `text`: of the blocks. `from`: the row from which on they were to be run; none: all of them.
-  void tell(std::string words, std::string text, std::optional<int> from = {});
+  void set(std::string words, std::string text, std::optional<int> from = {});
   void forget() { words_.clear(); }
   /// Draws beside `bar`. Returns the row to be shown, if the user asks for the block that the words name, or
   /// from which on the blocks were to be run; -1: none.

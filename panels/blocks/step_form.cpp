@@ -35,7 +35,7 @@ bool StepForm::Draft::is_of(const sequence::Step::Body& other) const {
 StepForm::Draft StepForm::leave() {
   Draft draft = std::move(waiting_);
   if (draft.problem.empty() && !problem_.empty()) {
-    draft.problem = problem_, draft.body = std::move(at_hand_);
+    draft.problem = problem_, draft.body = std::move(edited_);
     for (const auto& [id, field] : numbers_) draft.texts.emplace_back(id.substr(path_.size()), field.text);
   }
   forget();
@@ -43,17 +43,17 @@ StepForm::Draft StepForm::leave() {
 }
 
 std::optional<sequence::Step::Body> StepForm::draw(Frame& f, const StepAtHand& step, float width) {
-  if (!at_hand_) at_hand_ = without_steps(step.body);
+  if (!edited_) edited_ = without_steps(step.body);
   if (path_ != step.path) path_ = step.path;
   for (const auto& [below, text] : waiting_.texts) numbers_[path_ + below].text = text;
   waiting_.texts.clear(), waiting_.problem.clear();
-  FieldLines lines(f, step, *at_hand_, numbers_, width);
-  if (std::holds_alternative<sequence::Custom>(*at_hand_)) lines.with_several_lines();
-  std::visit([&lines](auto& b) { fields(lines, b); }, *at_hand_);
+  FieldLines lines(f, step, *edited_, numbers_, width);
+  if (std::holds_alternative<sequence::Custom>(*edited_)) lines.with_several_lines();
+  std::visit([&lines](auto& b) { fields(lines, b); }, *edited_);
   problem_ = std::move(lines.problem());
   if (lines.refusal_left()) draw_step_refusal(f, step, width);
   if (!lines.changed()) return std::nullopt;
-  return with_steps_of(step.body, *at_hand_);
+  return with_steps_of(step.body, *edited_);
 }
 
 }  // namespace hw::panels

@@ -39,7 +39,7 @@ class StepForm {
   /// Draws at ImGui's cursor. Returns the edited body; none: unchanged. At rest it allocates nothing.
   std::optional<sequence::Step::Body> draw(gui::Frame& frame, const StepAtHand& step, float width);
   /// Call when another step is shown, or the same one with other values.
-  void forget() { numbers_.clear(), at_hand_.reset(), problem_.clear(), waiting_ = {}; }
+  void forget() { numbers_.clear(), edited_.reset(), problem_.clear(), waiting_ = {}; }
   /// forget(), returning the input not accepted so far.
   [[nodiscard]] Draft leave();
   /// Puts a draft back into the fields of its block.
@@ -49,9 +49,9 @@ class StepForm {
 
  private:
   std::map<std::string, gui::NumberField, std::less<>> numbers_;
-  std::optional<sequence::Step::Body> at_hand_;  ///< without the steps inside it
-  std::string problem_, path_;                   ///< path_: of the block drawn last
-  Draft waiting_;                                ///< given to take_up(), until its fields are drawn
+  std::optional<sequence::Step::Body> edited_;  ///< without the steps inside it
+  std::string problem_, path_;                  ///< path_: of the block drawn last
+  Draft waiting_;                               ///< given to take_up(), until its fields are drawn
 };
 
 }  // namespace hw::panels

@@ -11,7 +11,7 @@ class TextToBlocks {
  public:
   /// Empty: it can be tried.
   [[nodiscard]] static std::string_view why_not(const gui::Frame& frame);
-  /// Asks first if blocks have unsaved changes. A toast tells the result.
+  /// Asks first if blocks have unsaved changes. A toast shows the result.
   void start(gui::Frame& frame);
   void draw_dialog(gui::Frame& frame);
   /// For other panels: shows the blocks, which ask first if they have unsaved changes.

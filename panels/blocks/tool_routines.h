@@ -1,6 +1,6 @@
 #pragma once
-// What lowers and lifts the tool, below an open Tool block: the routines are those of all its Tool blocks.
-// Ids: `PATH/pen_down`, `PATH/pen_up`, `PATH/routine` (why they are not taken).
+// The routines that lower and lift the tool, below an open Tool block: the routines are those of all its Tool
+// blocks. Ids: `PATH/pen_down`, `PATH/pen_up`, `PATH/routine` (why they are not taken).
 #include <array>
 #include <memory>
 #include <optional>
@@ -31,7 +31,7 @@ class ToolRoutines {
   const Catalog* catalog_ = nullptr;
   sequence::Look look_;
   std::array<std::string, 2> texts_, kept_;  ///< down, up: as typed, and as the sequence has them
-  std::string why_not_;                      ///< routines that these words cannot tell
+  std::string why_not_;                      ///< routines that these words cannot describe
   std::uint64_t loads_ = 0;                  ///< Editor::loads() at the last follow()
   std::string problem_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/device/registry.h"
+#include "core/session/last_end.h"
 #include "gui/shell/console.h"
 #include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
@@ -16,6 +17,12 @@
 namespace hw::panels {
 
 using namespace gui;
+
+/// Empty: not known, as after a crash.
+static std::string when_closed(const ClosingTime& when, const std::string& today) {
+  if (when.date.empty()) return {};
+  return fmt::format("closed {} {}", when.date == today ? "today" : when.date, when.time);
+}
 
 void draw_point(Ui& ui, int number, std::string_view words, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -121,14 +128,14 @@ void Connect::look_at_recent(Console& console) {
     r.name = !entry.name.empty() ? entry.name : r.understood ? r.address.model : entry.address;
     for (const Catalog& catalog : catalogs_.all())
       if (entry.name.empty() && r.understood && catalog.model == r.address.model) r.name = catalog.short_name;
-    tell_place(r);
+    describe_place(r);
     recent_.push_back(std::move(r));
   }
 }
 
 /// "ttyUSB1, 9600 baud". The ids of a bus stand in its name, as in its tab, unless the user has given
 /// another.
-void Connect::tell_place(Recent& r) {
+void Connect::describe_place(Recent& r) {
   const Address& address = r.address;
   const bool somewhere = r.understood && !address.where.empty();
   const std::string_view place = somewhere ? short_place(address.where) : std::string_view(r.entry.address);
@@ -157,7 +164,7 @@ void Connect::draw_left(PageFrame& f, float width) {
   for (const bool last_time : {true, false}) {
     const auto belongs = [&](const Recent& r) { return r.last_time == last_time; };
     if (std::none_of(recent_.begin(), recent_.end(), belongs)) continue;
-    section_title(ui, last_time ? "As last time" : "Used before", {}, title_height);
+    last_time ? draw_last_time_title(f, width) : section_title(ui, "Used before", {}, title_height);
     title_height = 48;
     for (std::size_t i = 0; i < recent_.size(); ++i)
       if (belongs(recent_[i])) draw_recent(f, i, width);
@@ -174,6 +181,21 @@ void Connect::draw_left(PageFrame& f, float width) {
   draw_log_button(f);
 }
 
+/// With the end of that run: "closed today 09:48".
+void Connect::draw_last_time_title(PageFrame& f, float width) {
+  constexpr float height = 56;
+  constexpr Duration read_again_after = std::chrono::minutes(1);  // "today" ends at midnight
+  const Instant now = f.console.clock();
+  if (closed_read_at_ == Instant() || now - closed_read_at_ >= read_again_after) {
+    closed_words_ = when_closed(f.console.recent().last_end(), date_of_today());
+    closed_read_at_ = now;
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  section_title(f.ui, "As last time", closed_words_, height);
+  show(f.ui, {"connect/last_time", Kind::text, "As last time", closed_words_},
+       {at, ImVec2(at.x + f.ui.px(width), at.y + f.ui.px(height))});
+}
+
 void Connect::draw_recent(PageFrame& f, std::size_t i, float width) {
   if (i >= recent_.size()) return;
   Ui& ui = f.ui;
@@ -186,7 +208,7 @@ void Connect::draw_recent(PageFrame& f, std::size_t i, float width) {
   const bool serial = r.understood && r.address.transport == "serial";
   const bool here = serial && std::any_of(ports.begin(), ports.end(),
                                           [&](const FoundPort& p) { return p.path == r.address.where; });
-  // The list names ports as the system does: of a link to one, or a pseudo-terminal, it tells nothing.
+  // The list names ports as the system does: links to ports and pseudo-terminals are not listed.
   const bool listed = serial && r.address.where.starts_with("/dev/tty");
   const bool gone = listed && !f.console.ports().busy() && !here && !ports.empty();
   const bool answers = tab && tab->now().link.connected();

@@ -28,6 +28,7 @@ class Connect final : public gui::Page {
   void open(gui::PageFrame& frame, const std::string& address);
   void open_last_time(gui::PageFrame& frame);
   void look_at_recent(gui::Console& console);
+  void draw_last_time_title(gui::PageFrame& frame, float width);
   // connect_found.cpp
   void draw_found(gui::PageFrame& frame, const gui::Box& area);
   void draw_found_title(gui::PageFrame& frame, float width);
@@ -53,7 +54,7 @@ class Connect final : public gui::Page {
     Address address;
     bool understood = false, last_time = false;
   };
-  static void tell_place(Recent& recent);
+  static void describe_place(Recent& recent);
   struct Choice {
     std::string model, key;
     int chosen = 0;
@@ -63,6 +64,8 @@ class Connect final : public gui::Page {
   ConnectForm form_{catalogs_};
   LinkCard card_;
   std::vector<Recent> recent_;
+  std::string closed_words_;  ///< when the last run ended, for today ...
+  Instant closed_read_at_{};  ///< ... at this time
   std::string address_, refused_;
   std::string opened_path_;  ///< the port whose test is unfolded
   bool form_shown_ = false;  ///< even while a card needs the room

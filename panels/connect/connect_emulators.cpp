@@ -52,8 +52,8 @@ void Connect::draw_emulators(PageFrame& f, float width) {
   wrapped(ui, Face::small, Tone::ink2,
           f.console.ports().server()
               ? "A served emulator answers EPICS, Python or LabVIEW as the real one would. It ends with "
-                "Handwheel; for one that goes on, use \"handwheel emulate\"."
-              : nobody_serves,
+                "Handwheel; for one that continues, use \"handwheel emulate\"."
+              : not_served_here,
           width);
   gap(ui, 12);
 }
@@ -79,7 +79,7 @@ void Connect::draw_emulator(PageFrame& f, const Catalog& catalog, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, below));
   if (serve_switch(ui, Path("connect/emulator/{}/serve", catalog.model),
                    width > 220 ? "Serve to other programs" : "Serve to others", served,
-                   server ? std::string_view() : nobody_serves, width)) {
+                   server ? std::string_view() : not_served_here, width)) {
     turn_serving(ui, *server, catalog.model, Address::parse(address).value_or(Address()), nullptr);
     served = server->find(catalog.model);
   }

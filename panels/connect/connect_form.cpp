@@ -47,6 +47,7 @@ void ConnectForm::make() {
   rates_.assign(rates.begin(), rates.end());
   for (const int rate : rates_) rate_words_.push_back(fmt::format("{}", rate));
   for (const Catalog& c : catalogs_.all()) {
+    ways_.push_back(ways_to(c));
     std::vector<std::string>& words = baud_words_.emplace_back();
     for (const int baud : c.can.bauds) words.push_back(fmt::format("{}", baud));
   }
@@ -55,7 +56,8 @@ void ConnectForm::make() {
 // A controller addressed by an id has ids in its catalog.
 bool ConnectForm::has_ids() const { return catalog().addressed(); }
 
-const TransportInfo& ConnectForm::way() const { return *ways_to(catalog())[static_cast<std::size_t>(way_)]; }
+const ConnectForm::Ways& ConnectForm::ways() const { return ways_[static_cast<std::size_t>(model_)]; }
+const TransportInfo& ConnectForm::way() const { return *ways()[static_cast<std::size_t>(way_)]; }
 
 const std::string& ConnectForm::address() {
   const Catalog& c = catalog();
@@ -113,14 +115,14 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
     model_ = model;
     baud_ = 0;
     id_ = catalog().id();
-    const auto has = ways_to(catalog());
+    const Ways& has = ways();
     const auto same = std::find(has.begin(), has.end(), before);
     same == has.end() ? choose(0) : void(way_ = static_cast<int>(same - has.begin()));
   }
   ImGui::SameLine(0, ui.px(between));
-  Names ways;
-  for (const TransportInfo* w : ways_to(catalog())) ways.add(w->title);
-  const int picked = dropdown(ui, "connect/form/way", "Way", ways, way_);
+  Names titles;
+  for (const TransportInfo* w : ways()) titles.add(w->title);
+  const int picked = dropdown(ui, "connect/form/way", "Way", titles, way_);
   if (picked >= 0) choose(picked);
   ImGui::SameLine(0, ui.px(between));
   const bool by_usb = way().is_usb, has_id = has_ids() && !by_usb,
@@ -158,7 +160,7 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   return opened;
 }
 
-/// Facts that a board does not tell before it is opened.
+/// Facts that a board does not report before it is opened.
 void ConnectForm::draw_options(Ui& ui) {
   for (const OptionInfo& option : catalog().options) {
     Names names;

@@ -28,6 +28,8 @@ class ConnectForm {
  private:
   void make();
   void choose(int picked);
+  using Ways = std::vector<const TransportInfo*>;
+  [[nodiscard]] const Ways& ways() const;
   [[nodiscard]] const TransportInfo& way() const;
   [[nodiscard]] const Catalog& catalog() const { return catalogs_.all()[static_cast<std::size_t>(model_)]; }
   [[nodiscard]] bool has_ids() const;
@@ -48,6 +50,7 @@ class ConnectForm {
   std::map<std::string, int> chosen_;  ///< of Catalog::options, by key
   int way_ = 0;                        ///< among the ways that the controller has
   std::string port_ = "/dev/ttyUSB0", id_ = "01", base_ = "0xF000", first_ = "00", last_ = "99";
+  std::vector<Ways> ways_;  ///< of each catalog
   std::vector<int> rates_;  ///< of the controllers that can share a line
   std::vector<std::string> rate_words_;
   std::vector<std::vector<std::string>> baud_words_;  ///< of each catalog

@@ -213,7 +213,7 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
     const auto wire = options.find("wire");
     const bool takes_time = wire != options.end() && wire->second == "real";
     // A board has a bus of its own for each program.
-    const std::string_view why_not = !server ? nobody_serves
+    const std::string_view why_not = !server ? not_served_here
                                      : takes_time && !tab.catalog().can.window
                                          ? "Serve another emulator at the right: on a wire with byte times, "
                                            "this console would take replies to the other program for its own."
@@ -238,7 +238,7 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
   if (shows) f.console.activate(tab);
 }
 
-/// A network connection, or a board: only opening it tells whether it is there.
+/// A network connection, or a board: only opening it shows whether it is there.
 void Connect::draw_place(PageFrame& f, std::size_t index, float width) {
   Ui& ui = f.ui;
   const Recent& r = recent_[index];

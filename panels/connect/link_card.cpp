@@ -25,11 +25,14 @@ namespace {
 constexpr float fix_width = 172;
 constexpr double look_every_s = 1, examine_every_s = 3;
 
-void listen_to(const TrafficLog& log, TalkRecorder& recorder) {
+/// What came before the first answer, perhaps at another rate or from a controller that was just switched on,
+/// is no news about a wire that works.
+void listen_to(const TrafficLog& log, Instant first_answer, TalkRecorder& recorder) {
   constexpr std::uint64_t enough = 4096;  // entries: some minutes of a link at rest
   const std::uint64_t end = log.first_record() + log.records();
   for (std::uint64_t n = end - std::min(enough, log.records()); n < end; ++n) {
     const TrafficLog::Entry entry = log.entry(n);
+    if (entry.at < first_answer) continue;
     recorder.record(entry.at, entry.way, entry.kind, entry.bytes);
   }
 }
@@ -97,7 +100,7 @@ void LinkCard::look(PageFrame& f, Tab& tab) {
   const std::vector<Tab*> all = tab.bus ? tab.bus->members : std::vector<Tab*>{&tab};
   for (Tab* member : all) {
     facts_.answers = facts_.answers && member->now().link.connected();
-    listen_to(member->desk().traffic, recorder);
+    listen_to(member->desk().traffic, member->desk().events.first_answer_at(), recorder);
   }
   facts_.talk = recorder.measure();
   facts_.is_line = !tab.catalog().can.window;
@@ -107,7 +110,7 @@ void LinkCard::look(PageFrame& f, Tab& tab) {
     facts_.rate_is_set_by = tab.catalog().params[static_cast<std::size_t>(param)].mnemonic;
   PortExaminer* examiner = f.console.ports().examiner();
   if (examiner && is_port(tab) && f.ui.now_s - examined_at_s_ >= examine_every_s) {
-    examiner->examine(tab.address().where);  // a program that was closed meanwhile is told no more
+    examiner->examine(tab.address().where);  // a program that was closed meanwhile is not named any more
     examined_at_s_ = f.ui.now_s;
   }
   const ExaminedPort* port = examiner && is_port(tab) ? examiner->find(tab.address().where) : nullptr;
@@ -277,7 +280,7 @@ void LinkCard::draw_steps(PageFrame& f, float width) {
   y += ui.px(16);
   const bool waits = raise_.waits_for_power(f.console);
   const std::string_view words =
-      waits ? std::string_view("Switch the controller off and on. It is asked until it answers.")
+      waits ? std::string_view("Switch the controller off and on. The console asks until it answers.")
             : std::string_view(raise_.words());
   ImGui::SetCursorScreenPos(ImVec2(at.x, y));
   if (!words.empty()) {

@@ -1,7 +1,7 @@
 #pragma once
-// The link doctor's card under a controller of the connection page: how the time of a question is spent, what
-// was found on the link, what mends it, and, if the controller does not answer, an editor for its address.
-// Ids: `connect/doctor/...`.
+// The link doctor's card under a controller of the connection page: the time spent on a question, the
+// findings on the link with their remedies, and, if the controller does not answer, an editor for its
+// address. Ids: `connect/doctor/...`.
 #include <string>
 #include <vector>
 

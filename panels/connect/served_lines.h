@@ -19,7 +19,7 @@ bool serve_switch(gui::Ui& ui, std::string_view id, std::string_view label, cons
 void turn_serving(gui::Ui& ui, gui::EmulatorServer& server, const std::string& key, const Address& address,
                   std::shared_ptr<Session> session);
 /// Shown where the console cannot serve.
-inline constexpr std::string_view nobody_serves =
+inline constexpr std::string_view not_served_here =
     "Use \"handwheel emulate\": this console runs in the time of a script, so it serves no emulator.";
 /// Draws each address with a copy button, the number of connected programs, or why nothing is served. Ids
 /// begin with `id`. `shared`: the console uses the same wire.

@@ -122,8 +122,13 @@ std::string_view Contour::unkept() const {
 void Contour::follow(Frame& f) {
   run_->looked_at();
   for (Report& report : run_->take_report()) f.toast(report.severity, std::move(report.sentence));
-  if (const auto refused = run_->take_refusal(); refused && !doubt_.take_refusal(f, *run_->start(), *refused))
-    f.toast(Severity::fault, std::string(refused->sentence.view()));
+  const auto refused = run_->take_refusal();
+  if (!refused || doubt_.take_refusal(f, *run_->start(), *refused)) return;
+  refused_ = f.tab.words_of(*refused);
+  past_ = refused->past;
+  refused_places_ = run_->start()->places;
+  if (worked_.places != refused_places_) past_.reset();  // it has been edited since
+  if (!past_) f.toast(Severity::fault, refused_);
 }
 
 // ---- drawing
@@ -142,6 +147,7 @@ void Contour::draw_toolbar(Frame& f) {
   if (begun.clicked) run(f);
   if (doubt_.open())
     if (const IntentId sent = doubt_.draw(f, "contour", "Run", begun.rect)) run_->started_as(sent);
+  draw_refused(f, begun.rect);
   ImGui::SetCursorScreenPos(ImVec2(begun.rect.max.x + ui.px(8), begun.rect.min.y));
   ButtonOptions put;
   put.height = 40;
@@ -246,7 +252,7 @@ void Contour::draw_text(Frame& f, float width) {
 void Contour::draw_dialogs(Frame& f) {
   if (const auto sequence = file_.draw_open(f)) opened(f, *sequence);
   if (const auto path = file_.draw_save(f)) {
-    const auto list = shown_list();
+    const auto list = list_for_file();
     if (list)
       file_.save(f, *path, *list);
     else

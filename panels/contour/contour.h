@@ -2,7 +2,8 @@
 // Paths at constant speed and staircases of speeds: edited as a list, drawn, checked, and run in the
 // controller's own language. Ids: `contour/kind`, `contour/first`, `contour/speed`, `contour/ROW/x` (rows
 // from 1), `contour/add/line`, `contour/run`, `contour/to_program`, `contour/open`, `contour/save`,
-// `contour/text`, `contour/problem`, `contour/view`; `stairs/...` alike.
+// `contour/text`, `contour/problem`, `contour/view`, `contour/refused`, `contour/nearest`; `stairs/...`
+// alike.
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@
 #include "panels/contour/contour_unit.h"
 #include "panels/doubt_ways.h"
 #include "panels/path/path_canvas.h"
+#include "panels/refusal_card.h"
 
 namespace hw::panels {
 
@@ -50,8 +52,9 @@ class Contour final : public gui::Panel {
   Result<> draw_step(const sequence::Step& step);
   Result<SequenceText> write(const sequence::Sequence& plan, const Catalog& catalog) const;
   void add_places(const sequence::Sequence& plan, const Catalog& catalog);
-  /// The list shown, in its unit, for a file.
+  /// The list shown, in the unit in which it is typed.
   Result<sequence::Sequence> shown_list() const;
+  Result<sequence::Sequence> list_for_file() const;
   void opened(gui::Frame& frame, const sequence::Sequence& sequence);
   bool take_contour(const sequence::Sequence& sequence);
   bool take_staircase(const sequence::Sequence& sequence);
@@ -59,6 +62,11 @@ class Contour final : public gui::Panel {
   void run(gui::Frame& frame);
   void put_into_program(gui::Frame& frame);
   [[nodiscard]] std::string_view why_not_run(const gui::Frame& frame) const;
+
+  // ---- contour_refused.cpp
+  [[nodiscard]] std::optional<Steps> shift_inside(const gui::Frame& frame) const;
+  void shift(const gui::Frame& frame, Steps by);
+  void draw_refused(gui::Frame& frame, const gui::Rect& beside);
 
   void draw_toolbar(gui::Frame& frame);
   void draw_work(gui::Frame& frame, float width, float height);
@@ -120,6 +128,10 @@ class Contour final : public gui::Panel {
   gui::PlotCursor cursor_;
   ContourFile file_;
   DoubtWays doubt_;
+  std::optional<PastTravel> past_;  ///< why the list was refused
+  std::string refused_;
+  std::vector<AxisTarget> refused_places_;
+  RefusalCard card_;
   bool asking_ = false;
 };
 

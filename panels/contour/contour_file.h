@@ -21,7 +21,7 @@ class ContourFile {
  public:
   /// Draws Open and Save at the right end of the toolbar, or below if there is no room.
   void draw_buttons(gui::Frame& frame, std::string_view why_not_save, std::string_view name);
-  /// The opened sequence, in steps, returned once. A toast tells a fault.
+  /// The opened sequence, in steps, returned once. A toast shows a fault.
   std::optional<sequence::Sequence> draw_open(gui::Frame& frame);
   /// The file to save to, returned once.
   std::optional<std::filesystem::path> draw_save(gui::Frame& frame) { return save_.draw(frame.ui); }

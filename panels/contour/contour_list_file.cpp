@@ -1,5 +1,6 @@
 // Reads the lists of the contour panel from a file and writes them to one.
 #include <algorithm>
+#include <cmath>
 
 #include "gui/model/tab.h"
 #include "panels/contour/contour.h"
@@ -12,6 +13,14 @@ Result<sequence::Sequence> Contour::shown_list() const {
   const ContourUnit& unit = stairs_shown_ ? stairs_.unit : contour_.unit;
   return (stairs_shown_ ? staircase() : contour()).map([&](sequence::Sequence&& s) {
     return in_unit(std::move(s), unit.per_step, unit.name);
+  });
+}
+
+/// In a file a unit counts like the steps.
+Result<sequence::Sequence> Contour::list_for_file() const {
+  const ContourUnit& unit = stairs_shown_ ? stairs_.unit : contour_.unit;
+  return (stairs_shown_ ? staircase() : contour()).map([&](sequence::Sequence&& s) {
+    return in_unit(std::move(s), std::abs(unit.per_step), unit.name);
   });
 }
 

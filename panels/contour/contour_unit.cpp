@@ -15,7 +15,7 @@ double ContourUnit::typed(double steps) const {
 
 std::optional<double> ContourUnit::steps(const NumberField& field) const {
   const auto typed = field.value();
-  return typed ? std::optional(std::round(*typed / per_step)) : std::nullopt;
+  return typed ? std::optional(std::round(*typed / per_step) + 0.0) : std::nullopt;  // no minus zero
 }
 
 std::optional<double> ContourUnit::steps_long(const NumberField& field) const {

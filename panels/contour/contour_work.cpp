@@ -1,4 +1,4 @@
-// What the fields of the contour panel say, as a sequence, as a text of the controller, and as a drawing.
+// The fields of the contour panel as a sequence, as a text of the controller, and as a drawing.
 #include <algorithm>
 #include <cmath>
 
@@ -118,7 +118,7 @@ void Contour::work_out(Frame& f) {
 Result<SequenceText> Contour::write(const sequence::Sequence& plan, const Catalog& catalog) const {
   auto written = language_->write(plan, catalog);
   const double per_step = (stairs_shown_ ? stairs_.unit : contour_.unit).per_step;
-  if (written || per_step <= 0 || per_step == 1) return written;
+  if (written || per_step == 0 || per_step == 1) return written;
   const auto shown = shown_list();
   auto refused = shown ? language_->write(*shown, catalog) : std::move(written);
   return refused ? std::move(written) : std::move(refused);

@@ -16,7 +16,7 @@ namespace hw::panels {
 /// Draws that run under the name of its readout, at ImGui's cursor; leaves the cursor below. `width` logical.
 void draw_action_choice(gui::Frame& frame, std::vector<ActionForm>& actions, std::size_t first, float width);
 
-/// An action of one number whose effect a readout tells: name, field, button and readout in one line.
+/// An action of one number whose effect a readout shows: name, field, button and readout in one line.
 [[nodiscard]] bool is_setter(const Catalog& catalog, const ActionForm& action);
 inline constexpr float setter_height = 40;
 void draw_setter(gui::Frame& frame, ActionForm& action, float width);

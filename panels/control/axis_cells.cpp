@@ -17,7 +17,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-struct Does {
+struct ActivityLook {
   Icon icon;
   std::string_view word;
   Tone tone;
@@ -37,7 +37,7 @@ std::string_view error_word(AxisError error) {
   return "error";
 }
 
-Does what_it_does(const Frame& f, int axis) {
+ActivityLook what_it_does(const Frame& f, int axis) {
   const AxisState& a = f.now.axes[static_cast<std::size_t>(axis)];
   const State state = state_of(f.now, axis, f.clock);
   if (a.activity == Activity::error && f.connected())
@@ -73,7 +73,7 @@ void AxisTables::draw_cell(Frame& f, Column& column, std::size_t axis, const Rec
 void AxisTables::draw_motion(Frame& f, Cell& cell, std::size_t i, const Rect& in) {
   Ui& ui = f.ui;
   const AxisId axis{static_cast<std::uint8_t>(i)};
-  const Does does = what_it_does(f, static_cast<int>(i));
+  const ActivityLook does = what_it_does(f, static_cast<int>(i));
   const bool held = cell.form && f.now.axes[i].activity == Activity::error && f.connected();
   const float middle = std::floor(in.centre().y);
   const float clear_left = in.max.x - ui.px(60);

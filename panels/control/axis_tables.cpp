@@ -223,7 +223,8 @@ void AxisTables::draw_shared(Frame& f, float width) {
       if (!column.shared || !column.shared->has_shared()) continue;
       const ImVec2 at = ImGui::GetCursorScreenPos();
       draw_text_line(ui, at.x, at.x + ui.px(width), at.y + ui.px(title_height / 2), Face::body_bold,
-                     ui[Tone::ink], table.info->title);
+                     ui[Tone::ink],
+                     Path("{}{}", table.info->title, f.catalog.axes.size() > 1 ? ", every axis" : ""));
       ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(title_height)));
       column.shared->draw_shared(f, shared_name_width);
       const float end = ImGui::GetCursorScreenPos().y + ui.px(close_between);
@@ -295,8 +296,9 @@ Path AxisTables::head_of(const Frame& f, const Column& column) {
       units.add(shown_unit(f, f.catalog.readouts[i]).name);
   }
   const std::string_view title = column.info->title;
-  const bool says = units.view().empty() || title.ends_with(units.view());
-  return Path("{}{}{}", title, says || title.empty() ? "" : ", ", says ? std::string_view() : units.view());
+  const bool has_unit = units.view().empty() || title.ends_with(units.view());
+  return Path("{}{}{}", title, has_unit || title.empty() ? "" : ", ",
+              has_unit ? std::string_view() : units.view());
 }
 
 bool AxisTables::has_numbers(const Catalog& c, const Column& column) {

@@ -35,7 +35,7 @@ class AxisTables {
   /// One axis in one column.
   struct Cell {
     int index = -1;  ///< of its readout, param or action; -1: empty cell
-    int state = -1;  ///< of the readout or param that tells whether it is on
+    int state = -1;  ///< of the readout or param that shows whether it is on
     bool state_is_param = false;
     std::int64_t state_bits = -1;      ///< of that param
     std::unique_ptr<ActionForm> form;  ///< of an action

@@ -75,7 +75,7 @@ void Control::make_sections(const Catalog& c) {
   for (std::size_t i = 0; i < c.actions.size(); ++i)
     if (!tables_->has_action(c, static_cast<int>(i)))
       section(c.actions[i].group).actions.emplace_back(c, static_cast<int>(i));
-  // What draws a path begins the first column.
+  // Actions that draw a path begin the first column.
   std::stable_partition(sections_.begin(), sections_.end(), [&](const Section& s) {
     return std::any_of(s.actions.begin(), s.actions.end(), [&](const ActionForm& a) {
       return c.actions[static_cast<std::size_t>(a.action())].is_arc;
@@ -245,10 +245,10 @@ void Control::draw_about(Frame& f, float width) {
     show(ui, {id, Kind::text, name, value, {}, false, {}}, row);
     y = row.max.y;
   };
-  const Identity& who = f.now.identity;
-  fact("about/model", "Reports", reported(who.model));
-  fact("about/firmware", "Firmware", reported(who.firmware));
-  if (!who.serial.empty()) fact("about/serial", "Device name", who.serial.view());
+  const Identity& identity = f.now.identity;
+  fact("about/model", "Reports", reported(identity.model));
+  fact("about/firmware", "Firmware", reported(identity.firmware));
+  if (!identity.serial.empty()) fact("about/serial", "Device name", identity.serial.view());
   fact("about/console", "This program", "Handwheel " HW_VERSION);
   fact("about/older", "Missing in this firmware", unanswered(f));
   ImGui::SetCursorScreenPos(ImVec2(at.x, y));

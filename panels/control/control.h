@@ -1,6 +1,6 @@
 #pragma once
-// Everything a controller can do and tell apart from moving: tables with a row per axis, and under them the
-// rest, by the catalog's headings.
+// Actions, settings and values of a controller apart from motion: tables with a row per axis, and under them
+// the rest, by the catalog's headings.
 #include <optional>
 #include <string>
 #include <vector>

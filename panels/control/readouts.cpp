@@ -18,7 +18,7 @@ using namespace gui;
 namespace {
 
 constexpr float readout_row_height = 28, head_height = 24, axis_width = 32, most_columns = 8;
-constexpr float cells_height = 20;  ///< a row of cells under "36 of 36 places free"
+constexpr float cells_height = 20;  ///< cells under "36 of 36 places free": a row of them, or two close ones
 
 // Many groups are polled in turn: younger values are fresh enough.
 constexpr Duration patience = Millis(3000);
@@ -97,20 +97,24 @@ bool counts_places(const Catalog& c, std::size_t i) {
 void draw_places(Frame& f, std::size_t i, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  const int depth = f.catalog.move_list.depth;
   const Rect all{at, ImVec2(at.x + ui.px(width), at.y + ui.px(readout_row_height + cells_height))};
   const ReadoutText words(f, i);
-  const int depth = f.catalog.move_list.depth;
   const Path rest(" of {} places free", depth);
   const float middle = std::floor(at.y + ui.px(readout_row_height / 2));
   const Tone tone = words.known() && !words.old() ? Tone::ink : Tone::ink3;
   const float number = std::ceil(text_width(ui, Face::body_bold, words.view()));
   draw_text_line(ui, at.x, all.max.x, middle, Face::body_bold, ui[tone], words.view());
   draw_text_line(ui, at.x + number, all.max.x, middle, Face::body, ui[Tone::ink2], rest);
-  const auto count = static_cast<float>(depth);
-  const float pitch = std::min(ui.px(12), std::floor((all.max.x - at.x) / count)), side = pitch - ui.px(3);
+  constexpr float least_pitch = 8, row_pitch = 10;
+  const bool one_row = width >= least_pitch * static_cast<float>(depth);
+  const int in_row = one_row ? depth : (depth + 1) / 2;
+  const float pitch = std::min(ui.px(12), std::floor((all.max.x - at.x) / static_cast<float>(in_row))),
+              side = pitch - ui.px(3);
   const std::int64_t taken = words.known() ? depth - f.now.readouts[i] : 0;
   for (int n = 0; n < depth; ++n) {
-    const ImVec2 from(at.x + pitch * static_cast<float>(n), at.y + ui.px(readout_row_height + 2));
+    const float x = pitch * static_cast<float>(n % in_row), row = static_cast<float>(n / in_row);
+    const ImVec2 from(at.x + x, at.y + ui.px(readout_row_height + 2 + row_pitch * row));
     const Rect cell{from, ImVec2(from.x + side, from.y + ui.px(8))};
     if (n < taken)
       draw_fill(ui, cell, ui[words.old() ? tone : Tone::ink2], 2);
@@ -200,6 +204,12 @@ ReadoutText::ReadoutText(const Frame& f, std::size_t i) {
   size_ = std::min<std::size_t>(end.size, sizeof bytes_);
 }
 
+int find_free_places(const Catalog& c) {
+  for (std::size_t i = 0; i < c.readouts.size(); ++i)
+    if (counts_places(c, i)) return static_cast<int>(i);
+  return -1;
+}
+
 float readouts_height(const Catalog& c, int group, const ReadoutSet& elsewhere) {
   Run columns[static_cast<std::size_t>(most_columns)];
   float height = static_cast<float>(count_single(c, group, elsewhere)) * readout_row_height;
@@ -225,7 +235,7 @@ void draw_readouts(Frame& f, int group, float width, const ReadoutSet& elsewhere
   if (n > 0) draw_columns(f, {columns, n}, width);
 }
 
-// Off, waiting and done also have lamps: a word alone never tells a state.
+// Off, waiting and done also have lamps: a word alone never shows a state.
 void draw_readout(Frame& f, std::size_t i, const Rect& in) {
   Ui& ui = f.ui;
   const ReadoutInfo& info = f.catalog.readouts[i];

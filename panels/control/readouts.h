@@ -32,6 +32,8 @@ using ReadoutSet = std::bitset<max_readouts>;
 void draw_readouts(gui::Frame& frame, int group, float width, const ReadoutSet& elsewhere = {});
 /// Height of draw_readouts(), logical.
 float readouts_height(const Catalog& catalog, int group, const ReadoutSet& elsewhere = {});
+/// The readout of free places in the buffer of moves; -1: none.
+int find_free_places(const Catalog& catalog);
 /// Draws one value within `in` and polls it. Numbers are right-aligned, words left-aligned.
 void draw_readout(gui::Frame& frame, std::size_t readout, const gui::Rect& in);
 

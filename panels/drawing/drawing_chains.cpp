@@ -56,7 +56,7 @@ DrawingChains::Request DrawingChains::draw_bar(Frame& f, const Shown& s, float w
   const int out = may_be_left_out(s.made);
   const Path sentence = out < 0          ? Path("Choose a chain with a click.")
                         : out == chosen_ ? Path("Chain {} is chosen.", out + 1)
-                                         : Path("Chain {} is around all: a margin?", out + 1);
+                                         : Path("Chain {} surrounds all: a margin?", out + 1);
   Request request = Request::nothing;
   ButtonOptions leave{.height = 28};
   if (s.busy) leave.disabled = "Calculating.";

@@ -63,7 +63,7 @@ void StepClock::follow(const PiecesState& now, Instant clock, bool at_work) {
 }
 
 void DrawingJob::open(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted) {
-  const bool opening = reading_ && anew_;        // else the previous file is read again, with nobody waiting
+  const bool opening = reading_ && anew_;        // else the previous file is read again in the background
   if (opening && file == reading_file_) return;  // dropped twice
   if (opening) return f.toast(Severity::plain, "Open this drawing again when the other one has been read.");
   read(f, file, wanted, true);

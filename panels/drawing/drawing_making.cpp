@@ -105,7 +105,7 @@ Result<> write(DrawingJob::Made& made, const Catalog& catalog, const Language& l
   return {};
 }
 
-Result<> say_tool(DrawingJob::Made& made, const Catalog& catalog) {
+Result<> note_tool(DrawingJob::Made& made, const Catalog& catalog) {
   auto tool = tool_remark(made.conversion.sequence, catalog);
   if (!tool) return fail(tool.error());
   made.written.tool = std::move(*tool);
@@ -176,7 +176,7 @@ void take_rehearsal(DrawingJob::Made& made, const Catalog& catalog, const Consol
       if (rehearsed[c] > 0) made.chain_seconds[c] = rehearsed[c];
     made.written.remarks.insert(
         made.written.remarks.begin(),
-        fmt::format("The first {} of it were rehearsed. Behind that lines are drawn straight.",
+        fmt::format("The first {} of it were rehearsed. After that, lines are drawn straight.",
                     format_duration(done->duration_s).view()));
   }
   made.together = std::make_shared<const Rehearsal>(std::move(*done));
@@ -257,7 +257,7 @@ Result<DrawingJob::Made> make_all(const drawing::Drawing& drawing, const Catalog
   else
     made.no_pieces = parts.error().sentence();
   if (!language && !made.parts.empty()) {
-    if (auto done = say_tool(made, catalog); !done) return fail(done.error());
+    if (auto done = note_tool(made, catalog); !done) return fail(done.error());
     take_rehearsal(made, catalog, rehearsing.together);
   } else if (made.chain_seconds.empty() && !made.parts.empty()) {
     made.chain_seconds = std::move(least);

@@ -1,5 +1,5 @@
 #pragma once
-// What a worker makes of a drawing: its conversion, program text, pieces, path and times.
+// A worker's results for a drawing: its conversion, program text, pieces, path and times.
 #include "gui/shell/console.h"
 #include "panels/drawing/drawing_job.h"
 

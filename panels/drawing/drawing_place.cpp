@@ -158,7 +158,7 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
   const bool stairs = going_of(f.catalog) == drawing::Going::stairs;
   wrapped(ui, Face::small, stairs && !(tolerance_.value() > 0) ? Tone::warn : Tone::ink3,
           stairs ? "Give the largest distance of the stairs from the line: only one axis moves at a time."
-                 : "Of chords from their curves; empty: half a step.");
+                 : "Largest distance of chords from their curves. Empty: half a step.");
   changed |= join_.draw(f, "drawing/join", "Join ends within", 0, "mm");
   changed |= draw_table(f);
   group_line(ui);
@@ -168,15 +168,15 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
 /// The file's unit stands above the others, and applies until the user overrides it.
 bool DrawingPlace::draw_unit(Frame& f, const drawing::Drawing* drawing) {
   Ui& ui = f.ui;
-  const bool says = drawing && !drawing->unit.empty();
-  const Path sentence("{}, by the file", says ? drawing->unit : "");
-  if (units_.empty() || (says ? unit_of_file_ != sentence.view() : !unit_of_file_.empty())) {
-    unit_of_file_ = says ? sentence.view() : std::string_view();
+  const bool file_has_unit = drawing && !drawing->unit.empty();
+  const Path sentence("{}, by the file", file_has_unit ? drawing->unit : "");
+  if (units_.empty() || (file_has_unit ? unit_of_file_ != sentence.view() : !unit_of_file_.empty())) {
+    unit_of_file_ = file_has_unit ? sentence.view() : std::string_view();
     units_.assign(file_units.begin(), file_units.end());
-    if (says) units_.insert(units_.begin(), unit_of_file_);
+    if (file_has_unit) units_.insert(units_.begin(), unit_of_file_);
   }
-  const int before = says ? 1 : 0;
-  const int chosen = unit_ >= 0 ? unit_ + before : says ? 0 : -1;
+  const int before = file_has_unit ? 1 : 0;
+  const int chosen = unit_ >= 0 ? unit_ + before : file_has_unit ? 0 : -1;
   const ImVec2 at = begin_option(ui, "File is in");
   const int picked = dropdown(ui, "drawing/unit", "Unit", units_, chosen,
                               {.width = fill, .error = drawing && chosen < 0, .none = "choose it"});
@@ -210,7 +210,7 @@ bool DrawingPlace::draw_axes(Frame& f) {
 }
 
 void DrawingPlace::draw_mirrored(Frame& f, std::string_view axis) {
-  const Path why("{} counts opposite to its {}: flip the drawing, which is mirrored on it.", axis,
+  const Path why("Flip the drawing: {} counts opposite to its {}, so it would be mirrored.", axis,
                  f.catalog.step_word);
   const Path id("drawing/mirrored/{}", axis);
   const ImVec2 from = ImGui::GetCursorScreenPos();

@@ -15,7 +15,7 @@
 
 namespace hw::panels {
 
-/// What the unit that the console keeps for an axis tells of it, whether it is shown now or not.
+/// The scale that follows from the unit kept for an axis, whether it is shown now or not.
 struct KeptScale {
   double steps_in_mm = 0;  ///< takes precedence over a scale typed earlier; 0: the unit is no length
   bool opposite = false;   ///< counts opposite to the steps
@@ -30,7 +30,7 @@ class DrawingPlace {
   void begin(const gui::Frame& frame);
   /// `drawing` null: none is open. True: something has changed.
   bool draw(gui::Frame& frame, const drawing::Drawing* drawing);
-  /// Call once a frame: a unit chosen at the numbers since then tells the scale. True: it does.
+  /// Call once a frame: a unit chosen since then at the numbers gives the scale. True: it does.
   bool follow_units(const gui::Frame& frame);
   void put(const gui::Frame& frame, ConversionOptions& options) const;
   /// Keeps the options of the machine, not those of the drawing. The tolerance of stairs is given anew for

@@ -1,4 +1,4 @@
-// What is shown of a drawing that runs: how far it has come, and its speed.
+// The display of a running drawing: its progress and speed.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// One that waits has been sent.
+/// A waiting piece has been sent.
 bool runs_none(const ProgramState& p) { return p.run == RunState::idle || p.run == RunState::error; }
 
 bool was_stopped(const PiecesState& p) { return !p.running && p.step >= 0 && p.done < p.total; }
@@ -42,11 +42,11 @@ void DrawingRun::draw_override(Frame& f) {
       .tip = now.draws ? "Applies to what is sent from now on." : "Applies from the next piece on.",
       .value_text = speed_};
   if (slider(f.ui, "drawing/override", "Speed", percent, o))
-    tell(f, intent::OverrideSpeed(static_cast<int>(std::lround(percent))));
+    send_to_all(f, intent::OverrideSpeed(static_cast<int>(std::lround(percent))));
 }
 
 /// A controller's only piece has no number worth showing.
-void DrawingRun::say_progress(const PiecesState& now, bool is_sent, RunState program) {
+void DrawingRun::describe_progress(const PiecesState& now, bool is_sent, RunState program) {
   progress_.clear();
   const auto to = std::back_inserter(progress_);
   const Path piece("piece {} of {}", now.done + 1, now.total);
@@ -81,7 +81,7 @@ void DrawingRun::draw_progress(Frame& f) {
   clock_.follow(now, f.clock, counts);
   // On a bus, another panel may have begun something since.
   traces_ = traces_ && (!draws_together(f) || f.tab.bus->begun.get() == traced_);
-  say_progress(now, is_sent, by_itself && f.now.program.owned ? f.now.program.run : RunState::idle);
+  describe_progress(now, is_sent, by_itself && f.now.program.owned ? f.now.program.run : RunState::idle);
   const auto left =
       made ? DrawingJob::seconds_left(*made, now.step, now.percent, clock_.at_it_s()) : std::nullopt;
   if (left && now.running)

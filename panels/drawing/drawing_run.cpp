@@ -177,9 +177,9 @@ void DrawingRun::draw_while_running(Frame& f) {
                            .moving = held};
   if (button(f.ui, "drawing/hold", held ? "Go on" : "Hold", hold).clicked) {
     if (held)
-      tell(f, intent::Resume());
+      send_to_all(f, intent::Resume());
     else
-      tell(f, intent::Pause());
+      send_to_all(f, intent::Pause());
   }
   ImGui::SameLine(0, f.ui.px(8));
   if (button(f.ui, "drawing/stop", "Stop", {.icon = Icon::stop, .height = 40, .stops = true}).clicked) {
@@ -192,7 +192,7 @@ void DrawingRun::draw_while_running(Frame& f) {
 }
 
 /// To each controller involved.
-void DrawingRun::tell(Frame& f, const IntentBody& request) {
+void DrawingRun::send_to_all(Frame& f, const IntentBody& request) {
   if (draws_together(f))
     f.tab.bus->send_to_pieces(request);
   else
@@ -284,7 +284,7 @@ void DrawingRun::cut(Frame& f) {
       frame ? why_not_at_all(f, asked_.made.get()) : why_not_now(f, asked_.made.get());
   if (!why.empty()) return f.toast(Severity::warn, std::string(why));
   traces_ = frame;
-  if (!frame) {  // a frame is never resumed, nor does it take away what is left of a cut
+  if (!frame) {  // a frame is never resumed, and does not replace the rest of a cut
     if (const Made* rest = left(f); rest && *rest != asked_.made) stopped_ = *rest;
     cut_ = asked_.made;
   }

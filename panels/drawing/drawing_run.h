@@ -37,22 +37,22 @@ class DrawingRun {
   enum class What : std::uint8_t { all, rest, frame };
   void ask(gui::Frame& frame, What what, Made made, Parts parts, std::string question);
   void ask_to_go_on(gui::Frame& frame);
-  /// What can be gone on with; null: nothing.
+  /// The drawing that can be resumed; null: none.
   [[nodiscard]] const Made* left(const gui::Frame& frame) const;
   /// Runs on the worker; the question follows.
   void work_out(gui::Frame& frame, What what, Made made, int from_step);
   void draw_while_running(gui::Frame& frame);
   void draw_override(gui::Frame& frame);
-  void tell(gui::Frame& frame, const IntentBody& request);
+  void send_to_all(gui::Frame& frame, const IntentBody& request);
   void draw_start(gui::Frame& frame, const Wanted& wanted);
   void draw_loops(gui::Frame& frame, const Pieces& pieces);
   [[nodiscard]] std::string_view why_not_now(const gui::Frame& frame, const DrawingJob::Made* made);
   void draw_progress(gui::Frame& frame);
   /// `program`: of a single controller that draws by a program of its own.
-  void say_progress(const PiecesState& now, bool is_sent, RunState program);
+  void describe_progress(const PiecesState& now, bool is_sent, RunState program);
   [[nodiscard]] static double share_done(const PiecesState& now, const DrawingJob::Made* made,
                                          std::optional<double> left);
-  /// What is being cut, or was last; null: none, or something that was begun elsewhere.
+  /// The drawing being cut, or cut last; null: none, or one begun elsewhere.
   [[nodiscard]] const DrawingJob::Made* at_work(const gui::Frame& frame) const;
   void cut(gui::Frame& frame);
   void describe_what_came(gui::Frame& frame);

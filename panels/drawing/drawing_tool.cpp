@@ -66,15 +66,15 @@ void DrawingTool::put(const Frame& f, ConversionOptions& o) {
     put_routines(f, o);
   else
     put_choices(f, o);
-  say_turned(f, o);
+  describe_turned(f, o);
 }
 
-/// Its numbers here go the way of those that are shown for the axis.
+/// The sign of the numbers here is that shown for the axis.
 static double turned(double steps_in_mm, const KeptScale& kept) {
   return kept.opposite ? -steps_in_mm : steps_in_mm;
 }
 
-void DrawingTool::say_turned(const Frame& f, const ConversionOptions& o) {
+void DrawingTool::describe_turned(const Frame& f, const ConversionOptions& o) {
   turned_.clear();
   for (std::size_t a = 2; a < o.axes.size(); ++a) {
     const int axis = f.catalog.find_axis(o.axes[a].name);

@@ -23,8 +23,8 @@ class DrawingTool {
   void begin(const gui::Frame& frame);
   /// `drawing_axes` draw, so they cannot lower the tool. True: something has changed.
   bool draw(gui::Frame& frame, const std::array<int, 2>& drawing_axes, ScaleForm form);
-  /// Call once a frame: a unit chosen at the numbers since then tells the scale of the tool's axis, and which
-  /// way it counts. True: something has changed.
+  /// Call once a frame: a unit chosen since then at the numbers gives the scale and direction of the tool's
+  /// axis. True: something has changed.
   bool follow_units(const gui::Frame& frame);
   /// Adds the tool; its axis comes after those that draw.
   void put(const gui::Frame& frame, ConversionOptions& options);
@@ -51,7 +51,7 @@ class DrawingTool {
   void list_axes(const gui::Frame& frame, const std::array<int, 2>& drawing_axes);
   bool draw_axis(gui::Frame& frame);
   void draw_turned(gui::Frame& frame) const;
-  void say_turned(const gui::Frame& frame, const ConversionOptions& options);
+  void describe_turned(const gui::Frame& frame, const ConversionOptions& options);
 
   int output_ = 0;  ///< index into its names
   std::vector<std::string_view> output_names_;

@@ -24,7 +24,7 @@ using namespace gui;
 
 namespace {
 
-constexpr float steps_height = 32, stop_height = 40, around_words = 6;
+constexpr float steps_height = 32, around_words = 6;
 /// Of the buttons in a row: "1 step" is longer than those between, "10 000" the longest.
 constexpr float first_share = 1.13f, last_share = 1.4f;
 
@@ -80,10 +80,11 @@ void Jog::draw(Frame& f) {
 
 /// Each device or axis has its jog buttons in its own row: the rest applies to all of them.
 float Jog::draw_stop_and_steps(Frame& f, const LeftColumn& column) {
-  const float for_pad = f.ui.gamepad.present() ? stop_height + close_between : 0;
-  draw_stop(f, 0, 0, ImVec2(f.area.width - for_pad, stop_height));
-  draw_gamepad_switch(f, ImVec2(origin_.x + f.ui.px(f.area.width - stop_height), origin_.y), stop_height);
-  const float steps = stop_height + column.between_steps;
+  const float stop = column.wide_stop;
+  const float for_pad = f.ui.gamepad.present() ? stop + close_between : 0;
+  draw_stop(f, 0, 0, ImVec2(f.area.width - for_pad, stop));
+  draw_gamepad_switch(f, ImVec2(origin_.x + f.ui.px(f.area.width - stop), origin_.y), stop);
+  const float steps = stop + column.between_steps;
   draw_steps_row(f, 0, steps, f.area.width);
   return steps + steps_height + column.below_steps;
 }
@@ -118,6 +119,7 @@ void Jog::draw_reason(Frame& f, const Rect& place) {
   const std::string_view why = !flaw.empty() ? flaw
                                : off != 0    ? powerless_words(f, off)
                                              : f.tab.why_not_move();
+  if (!why.empty()) ui.registry.keep_clear(place);
   if (why.empty() && f.tier == Tier::narrow) return draw_guarantee_here(f, place);
   if (why.empty() && column_of(f).speed_in_title) return draw_hint_over_guarantee(f, place);
   const bool unit_shown = steps_unit_.name.empty();
@@ -264,11 +266,22 @@ void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
     draw_text_line(ui, std::floor(left), t.rect.max.x, middle, Face::body_bold, ui[Tone::fault], word);
   } else {
     const float apart = ui.px(size.y < 44 ? 8 : 10);
-    draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
-              ImVec2(std::floor(t.rect.centre().x), std::floor(middle - apart)), ui.px(12), ui[Tone::fault]);
-    const float words = middle + apart;
-    draw_text_centred(ui, {ImVec2(t.rect.min.x, words - ui.px(10)), ImVec2(t.rect.max.x, words + ui.px(10))},
-                      again && size.x < 60 ? Face::small_bold : Face::body_bold, ui[Tone::fault], word);
+    const auto line = [&](float at, Face face, std::string_view words) {
+      draw_text_centred(ui, {ImVec2(t.rect.min.x, at - ui.px(10)), ImVec2(t.rect.max.x, at + ui.px(10))},
+                        face, ui[Tone::fault], words);
+    };
+    const Face face = again && size.x < 60 ? Face::small_bold : Face::body_bold;
+    if (word.find(' ') != std::string_view::npos &&
+        text_width(ui, face, word) >
+            t.rect.max.x - t.rect.min.x - ui.px(4)) {  // without the icon, in two lines
+      line(middle - apart, face, word.substr(0, word.find(' ')));
+      line(middle + apart, face, word.substr(word.find(' ') + 1));
+    } else {
+      draw_icon(ImGui::GetWindowDrawList(), Icon::stop,
+                ImVec2(std::floor(t.rect.centre().x), std::floor(middle - apart)), ui.px(12),
+                ui[Tone::fault]);
+      line(middle + apart, face, word);
+    }
   }
   draw_ring(ui, t);
   if (t.started) f.tab.stop_all();  // on the press, not on the release

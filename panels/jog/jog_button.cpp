@@ -36,7 +36,7 @@ void draw_jog_button(Ui& ui, Tab& tab, AxisId axis, Sign sign, std::string_view 
   const auto held = tab.jog.control();
   o.lit = held && held->axis == axis && held->sign == sign;
   const Hold hold = hold_button(ui, Path("jog/{}/{}", name, letter(sign)), label, o);
-  const JogHold::Control control{JogHold::Hand::mouse, axis, sign};
+  const JogHold::Control control{JogHold::Source::mouse, axis, sign};
   if (hold.started) tab.jog.press(control, {tap_of(tab, axis), tab.jog_speed(axis)}, hold.pressed_at_s);
   if (hold.held) tab.jog.confirm(control);
   if (!hold.ended) return;

@@ -10,7 +10,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-/// Something else was done since, or it no longer holds.
+/// Another action was taken since, or the refusal no longer holds.
 static bool is_over(const Tab& tab) {
   const PastTravel& past = tab.tap_past_limit->past;
   const AxisState& axis = tab.now().axes[past.axis.index];

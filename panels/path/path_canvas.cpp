@@ -271,7 +271,7 @@ float PathCanvas::draw_standard_views(Frame& f, std::string_view id, float width
   draw_text_line(ui, x, corner.x + ui.px(width - 8), corner.y + ui.px(height / 2), Face::small,
                  ui[Tone::ink3],
                  width < 560 ? "Drag turns, Shift moves, wheel zooms."
-                             : "Drag turns it, with Shift moves it; the wheel comes nearer.");
+                             : "Drag turns it, Shift and drag moves it, the wheel zooms.");
   ImGui::SetCursorScreenPos(corner);
   return height;
 }

@@ -9,7 +9,7 @@
 
 namespace hw::panels {
 
-/// What a path uses as its tool signal.
+/// The tool signal of a path.
 struct PathTool {
   bool own = true;  ///< as switched by the blocks or drawing that the program was written from
   int output = -1;  ///< else this output of the catalog; -1: none, always on

@@ -119,13 +119,13 @@ Result<> write_picture(const Shown& shown, const PathSheet* sheet, const std::fi
 
 }  // namespace
 
-void PathExport::draw_button(Frame& f, std::string_view label, bool can) {
-  if (button(f.ui, "path/save", label,
-             {.style = ButtonStyle::quiet,
-              .disabled = can ? "" : "There is no path yet.",
-              .tip = "Saves the picture as SVG in the units of the axes, or as PNG.",
-              .height = 40})
-          .clicked)
+void PathExport::draw_button(Frame& f, std::string_view label, bool wordless, bool can) {
+  ButtonOptions look{.style = ButtonStyle::quiet,
+                     .disabled = can ? "" : "There is no path yet.",
+                     .tip = "Saves the picture as SVG in the units of the axes, or as PNG.",
+                     .height = 40};
+  if (wordless) look.icon = Icon::save, look.wordless = true, look.width = 36;
+  if (button(f.ui, "path/save", label, look).clicked)
     dialog_.ask_save("Save the path", dialog_.folder() / "path.svg", {".svg", ".png"});
 }
 

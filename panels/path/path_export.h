@@ -14,8 +14,8 @@ namespace hw::panels {
 
 class PathExport {
  public:
-  /// Draws at ImGui's cursor.
-  void draw_button(gui::Frame& frame, std::string_view label, bool can);
+  /// Draws at ImGui's cursor. `wordless`: as an icon.
+  void draw_button(gui::Frame& frame, std::string_view label, bool wordless, bool can);
   /// The file then gets everything shown.
   void draw_dialog(gui::Frame& frame, const PathSubject& subject, const PathCanvas& canvas);
 

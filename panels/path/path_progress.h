@@ -24,7 +24,7 @@ class PathProgress {
   /// Call once a frame. Searches only when the highlighted runs change.
   void follow(const PathSubject& subject);
   [[nodiscard]] const std::vector<Stretch>& lit() const { return lit_; }
-  /// Number of runs done; none: nothing is being executed, or the path does not tell.
+  /// Number of runs done; none: nothing is being executed, or the path does not show it.
   [[nodiscard]] std::optional<std::size_t> done() const {
     return of_.at_work && lit_.size() == 1 ? std::optional(lit_.front().first) : std::nullopt;
   }

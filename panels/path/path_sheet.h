@@ -1,6 +1,6 @@
 #pragma once
 // The sheet of a saved picture: white, with rulers in the units of the axes; in perspective with the three
-// edges of its box, and what they measure.
+// edges of its box, and their lengths.
 #include "gui/surface/pictures.h"
 #include "gui/surface/ui.h"
 #include "panels/path/path_subject.h"

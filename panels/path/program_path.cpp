@@ -310,7 +310,7 @@ bool ProgramPath::older() const {
          });
 }
 
-/// Passes that the controller makes without a break are one run, so they cannot be told apart.
+/// Passes that the controller makes without a break are one run, so they cannot be distinguished.
 std::optional<int> ProgramPath::pass_of(std::size_t run) const {
   const std::vector<drawing::ToolPath::Run>& runs = path_->runs;
   const bool reported = std::any_of(runs.begin(), runs.end(), [&](const drawing::ToolPath::Run& r) {

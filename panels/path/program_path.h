@@ -53,11 +53,11 @@ class ProgramPath {
   /// The text has changed since the rehearsal.
   [[nodiscard]] bool older() const;
   [[nodiscard]] const SourcePlaces& places() const { return places_; }
-  /// How often the source of a run of path() was done before; none: the path does not tell.
+  /// How often the source of a run of path() was done before; none: the path does not show it.
   [[nodiscard]] std::optional<int> pass_of(std::size_t run) const;
   /// The source of path() being executed, or the last one before it in its line that has a run; -1: none.
   [[nodiscard]] int source_at_work() const;
-  /// How often it was done before; none: not reported, or no run of path() tells.
+  /// How often it was done before; none: not reported, or no run of path() shows it.
   [[nodiscard]] std::optional<int> pass_at_work() const;
   /// As reported by the controllers that switch or lower the tool; none: always on, or not reported.
   [[nodiscard]] std::optional<bool> tool_on(const gui::Frame& frame) const;

@@ -68,11 +68,11 @@ void RunDrawnFrom::ask(Frame& f, const DrawnTogether& drawn, int step) {
 void RunDrawnFrom::take(Frame& f, Result<Parts> parts) {
   if (!parts) return f.toast(Severity::warn, parts.error().sentence());
   parts_ = std::move(*parts);
-  say(f);
+  compose_question(f);
   asking_ = true;
 }
 
-void RunDrawnFrom::say(const Frame& f) {
+void RunDrawnFrom::compose_question(const Frame& f) {
   const sequence::Sequence& of = *drawn_.sequence;
   const int first = first_step_of(parts_);
   question_ = fmt::format("The axes stand here: {}.\n", places_in_words(f, of, drawn_from(f, of)));

@@ -29,7 +29,7 @@ class RunDrawnFrom {
     IntentId id = 0;
   };
   void take(gui::Frame& frame, Result<Parts> parts);
-  void say(const gui::Frame& frame);
+  void compose_question(const gui::Frame& frame);
   void begin(gui::Frame& frame);
   void describe_what_came(gui::Frame& frame);
 

@@ -98,8 +98,8 @@ void ToolPath::draw_all(Frame& f) {
   const float width = f.area.width - (side ? legend_width : 0);
   const PathSubject subject = subject_of(f);
   canvas_.draw(f, "path/view", subject, width, height - hit_height);
-  if (canvas_.clicked() || canvas_.passed()) say_hit(f);
-  if (canvas_.measured().on) say_measure(f);
+  if (canvas_.clicked() || canvas_.passed()) describe_hit(f);
+  if (canvas_.measured().on) describe_measure(f);
   draw_hit(f, width);
   if (side) {
     ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x + width), top.y));
@@ -124,7 +124,7 @@ std::string ToolPath::place_text(const Frame& f, drawing::Point3 p) const {
 }
 
 /// The line that draws it, the place, and when the axes were really there.
-void ToolPath::say_hit(Frame& f) {
+void ToolPath::describe_hit(Frame& f) {
   const auto& hit = canvas_.clicked();
   const auto& passed = canvas_.passed();
   hit_ = {hit ? program_.path()->runs[hit->run].source : -1, 1, place_text(f, hit ? hit->at : passed->at)};
@@ -142,7 +142,7 @@ void ToolPath::say_hit(Frame& f) {
 }
 
 /// The way between two clicks: its components and the straight length.
-void ToolPath::say_measure(const Frame& f) {
+void ToolPath::describe_measure(const Frame& f) {
   const PathMeasure& measure = canvas_.measured();
   const auto way = measure.way();
   if (!way)
@@ -213,27 +213,29 @@ void ToolPath::draw_toolbar(Frame& f) {
 void ToolPath::draw_view_tools(Frame& f) {
   Ui& ui = f.ui;
   const auto tool = [&](const char* id, const char* label, std::string_view tip,
-                        std::string_view disabled = {}) {
-    const ButtonOptions look{.style = ButtonStyle::quiet, .disabled = disabled, .tip = tip, .height = 40};
-    next_in_toolbar(f, 0, button_width(ui, label, look));
+                        std::string_view disabled = {}, Icon icon = Icon::none) {
+    ButtonOptions look{.style = ButtonStyle::quiet, .disabled = disabled, .tip = tip, .height = 40};
+    if (icon != Icon::none) look.icon = icon, look.wordless = true, look.width = 36;
+    next_in_toolbar(f, 0, look.width > 0 ? look.width : button_width(ui, label, look));
     return button(ui, id, label, look).clicked;
   };
   if (tool("path/fit", "Fit", "Shows all of it and the origin. On the picture: 0, or a double click."))
     canvas_.fit();
   PathSubject seen;
   seen.axes = choice_.axes();
-  if (tool("path/fit_table", "Fit table", "Shows the limits too. On the picture: 1.",
+  const bool brief = f.area.width < 900, tight = f.area.width < 760;
+  if (tool("path/fit_table", tight ? "Table" : "Fit table", "Shows the limits too. On the picture: 1.",
            limits_of(f, seen).any() ? "" : "No limit of these axes is known yet."))
     canvas_.fit_limits();
   if (tool("path/nearer", "+", "Nearer. On the picture: +, or the wheel.")) canvas_.zoom(1.5);
   if (tool("path/further", "\u2212", "Further away. On the picture: -, or the wheel.")) canvas_.zoom(1 / 1.5);
-  const bool brief = f.area.width < 900;
-  if (tool("path/forget", brief ? "Forget" : "Forget trace", "Clears the trace of the axes."))
+  if (tool("path/forget", brief ? "Forget" : "Forget trace", "Clears the trace of the axes.", {},
+           tight ? Icon::empty : Icon::none))
     for (const Direction& d : directions_of(f, seen.axes))
       if (d.tab) d.tab->desk().trace.clear();
   const std::string_view save = brief ? "Save" : "Save picture";
-  next_in_toolbar(f, 0, button_width(ui, save, {.style = ButtonStyle::quiet}));
-  export_.draw_button(f, save, program_.path() || !canvas_.trace().runs.empty());
+  next_in_toolbar(f, 0, tight ? 36 : button_width(ui, save, {.style = ButtonStyle::quiet}));
+  export_.draw_button(f, save, tight, program_.path() || !canvas_.trace().runs.empty());
 }
 
 void ToolPath::draw_hit(Frame& f, float width) {

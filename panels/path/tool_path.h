@@ -30,8 +30,8 @@ class ToolPath final : public gui::Panel {
   void draw_all(gui::Frame& frame);
   [[nodiscard]] PathSubject subject_of(const gui::Frame& frame) const;
   [[nodiscard]] std::string place_text(const gui::Frame& frame, drawing::Point3 place) const;
-  void say_hit(gui::Frame& frame);
-  void say_measure(const gui::Frame& frame);
+  void describe_hit(gui::Frame& frame);
+  void describe_measure(const gui::Frame& frame);
   void follow_caret(const gui::Frame& frame);
   void follow_block(const gui::Frame& frame);
   [[nodiscard]] const gui::WrittenSequence* blocks_of_text(const gui::Frame& frame) const;

@@ -150,7 +150,7 @@ void draw_axis_extras(Frame& f, AxisId axis, ImVec2 at, float width) {
   const float right = at.x + width, end = std::min(x + phase_width + ui.px(8), right - ui.px(60));
   draw_encoder(f, axis, ImVec2(end, line), right - end, true);
   const bool moving = is_motion(state_of(f.now, axis.index, f.clock));
-  if (x + phase_width <= end)  // half a word says nothing
+  if (x + phase_width <= end)  // half a word is useless
     draw_text_line(ui, x, end, middle, Face::small, ui[moving ? Tone::motion : Tone::fault], phase);
   show_phase(f, axis, {ImVec2(x, at.y), ImVec2(std::max(x, end), at.y + ui.px(extra_line_height))});
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(extra_line_height)));

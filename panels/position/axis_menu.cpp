@@ -109,7 +109,14 @@ void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
     o.range.unit = unit.name;
     o.width = 108;
     o.sentence_below = false;
-    o.tip = "Jogs, moves and lists of the console stay within it. Typed commands do not.";
+    o.tip =
+        unit.per_step < 0
+            ? sign == Sign::minus
+                  ? "On the controller's \u2212 side, where these numbers grow. Jogs, moves and lists of the "
+                    "console stay within it. Typed commands do not."
+                  : "On the controller's + side, where these numbers fall. Jogs, moves and lists of the "
+                    "console stay within it. Typed commands do not."
+            : "Jogs, moves and lists of the console stay within it. Typed commands do not.";
     const std::optional<double> shown = has ? std::optional(from_steps(end, unit)) : std::nullopt;
     const NumberEvent typed = number_field(ui, Path("dro/{}/limit/{}", name, letter(sign)), "Limit", shown,
                                            limits_[sign == Sign::minus ? 0 : 1], o);

@@ -1,6 +1,7 @@
 #include "panels/position/own_unit_form.h"
 
 #include <cmath>
+#include <utility>
 
 #include <imgui.h>
 
@@ -52,20 +53,33 @@ class FormLine {
   const ImVec2 at_;
 };
 
+/// With a closed loop the controller counts the encoder, which has no micro steps.
+bool counts_encoder(const Frame& f, AxisId axis) {
+  return f.catalog.axes[axis.index].servo || f.now.axes[axis.index].in_counts;
+}
+
 }  // namespace
 
-bool OwnUnitForm::draw(Frame& f, AxisId axis, OwnUnit& own) {
-  const bool reported = draw_step(f, axis, own);
-  const bool by_drive = draw_drive(f, axis, own);
-  const bool measured = draw_points(f, axis, own);
+bool OwnUnitForm::draw(Frame& f, AxisId axis, AxisProfile& profile) {
+  forget_other_counts(counts_encoder(f, axis));
+  const bool reported = draw_step(f, axis, profile.own_unit);
+  const bool by_drive = draw_drive(f, axis, profile.own_unit);
+  const bool measured = draw_points(f, axis, profile);
   if (by_drive || measured) step_.reset();
   return reported || by_drive || measured;
 }
 
-/// "1 step = [0.0025] [mm]"
+/// Steps a turn are not counts a turn.
+void OwnUnitForm::forget_other_counts(bool counts) {
+  if (std::exchange(counts_, counts) == counts) return;
+  full_.reset(), micro_.reset();
+  for (Point& point : points_) point.steps.reset();
+}
+
+/// "One step is [0.0025] [mm]"
 bool OwnUnitForm::draw_step(Frame& f, AxisId axis, OwnUnit& own) {
   const FormLine line(f, axis);
-  line.words(0, "One step is");
+  line.words(0, counts_encoder(f, axis) ? "One count is" : "One step is");
   const auto shown = own.per_step != 0 ? std::optional(own.per_step) : std::nullopt;
   const NumberEvent typed = line.number(76, 132, "step", "One step is", step_, shown, 9);
   line.go_to(216);
@@ -82,26 +96,32 @@ bool OwnUnitForm::draw_step(Frame& f, AxisId axis, OwnUnit& own) {
 
 bool OwnUnitForm::draw_drive(Frame& f, AxisId axis, OwnUnit& own) {
   const FormLine line(f, axis);
-  line.words(0, "steps a turn");
-  line.number(76, 60, "full", "Full steps a turn", full_, std::nullopt, 0);
-  line.words(142, "micro");
-  line.number(178, 52, "micro", "Micro steps a full step", micro_, std::nullopt, 0);
+  const bool counts = counts_encoder(f, axis);
+  line.words(0, counts ? "counts/turn" : "steps a turn");
+  line.number(76, 60, "full", counts ? "Encoder counts a turn" : "Full steps a turn", full_, std::nullopt, 0);
+  if (!counts) {
+    line.words(142, "micro");
+    line.number(178, 52, "micro", "Micro steps a full step", micro_, std::nullopt, 0);
+  }
   line.words(236, "gear");
   line.number(264, 52, "gear", "Turns of the motor for one of the screw", gear_, std::nullopt, 6);
   line.words(322, "goes");
   line.number(354, 54, "travel", "Distance of one turn", travel_, std::nullopt, 6);
-  const double steps = full_.value().value_or(200) * micro_.value().value_or(1) * gear_.value().value_or(1);
+  const double of_motor =
+      counts ? full_.value().value_or(0) : full_.value().value_or(200) * micro_.value().value_or(1);
+  const double steps = of_motor * gear_.value().value_or(1);
   const auto travel = travel_.value();
   const bool known = travel && *travel != 0 && steps > 0;
-  if (!line.use(412, "drive",
-                known ? "" : "Type the distance of one turn. Steps per turn: 200 if left empty."))
-    return false;
+  const std::string_view why_not = counts
+                                       ? "Type the encoder counts of one turn, and its distance."
+                                       : "Type the distance of one turn. Steps per turn: 200 if left empty.";
+  if (!line.use(412, "drive", known ? "" : why_not)) return false;
   own.per_step = std::abs(*travel) / steps;
   return true;
 }
 
 /// Two positions read at the machine, each with the count at that moment.
-bool OwnUnitForm::draw_points(Frame& f, AxisId axis, OwnUnit& own) {
+bool OwnUnitForm::draw_points(Frame& f, AxisId axis, AxisProfile& profile) {
   const FormLine line(f, axis);
   line.words(0, "measured at");
   draw_point(f, axis, points_[0], "first", 76);
@@ -114,7 +134,9 @@ bool OwnUnitForm::draw_points(Frame& f, AxisId axis, OwnUnit& own) {
   if (!line.use(412, "measured",
                 known ? "" : "Type the measured position and press Here; move the axis and repeat."))
     return false;
-  own.per_step = (*to - *from) / static_cast<double>(steps.value);
+  const double per_step = (*to - *from) / static_cast<double>(steps.value);
+  profile.own_unit.per_step = std::abs(per_step);
+  profile.reversed = per_step < 0;
   return true;
 }
 

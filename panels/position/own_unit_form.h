@@ -16,8 +16,8 @@ class OwnUnitForm {
  public:
   static constexpr float rows = 3.6f;  ///< its height in rows of 32
 
-  /// True: `own` has changed.
-  bool draw(gui::Frame& frame, AxisId axis, OwnUnit& own);
+  /// True: the unit, or its direction, has changed.
+  bool draw(gui::Frame& frame, AxisId axis, AxisProfile& profile);
 
  private:
   struct Point {
@@ -26,9 +26,12 @@ class OwnUnitForm {
   };
   bool draw_step(gui::Frame& frame, AxisId axis, OwnUnit& own);
   bool draw_drive(gui::Frame& frame, AxisId axis, OwnUnit& own);
-  bool draw_points(gui::Frame& frame, AxisId axis, OwnUnit& own);
+  bool draw_points(gui::Frame& frame, AxisId axis, AxisProfile& profile);
   void draw_point(gui::Frame& frame, AxisId axis, Point& point, std::string_view id, float x);
 
+  void forget_other_counts(bool counts);
+
+  std::optional<bool> counts_;  ///< of the encoder: what the numbers below are about
   gui::NumberField step_, full_, micro_, gear_, travel_;
   std::array<Point, 2> points_;
 };

@@ -236,7 +236,7 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w, float height
   const float middle = at.y + ui.px(height / 2), line = middle - std::floor(ui.line(Face::title_bold) / 2);
   draw_text_line(ui, at.x, at.x + w, middle, Face::title_bold, ui[Tone::ink], info.name);
   float left = at.x + std::ceil(text_width(ui, Face::title_bold, info.name)) + ui.px(8);
-  // Narrower than the smallest window of the look, the state alone tells a limit.
+  // In a window below the smallest supported one, the state alone shows a limit.
   const bool has_room = left + ui.px(strip_limits_width + 16) <= at.x + w;
   const float limits = in_strip(f) && has_room ? ui.px(strip_limits_width) : 0;
   draw_state_right(ui, Path("dro/{}/state", info.name), ImVec2(at.x + w, line), state, Face::title_bold,
@@ -267,7 +267,7 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w, float height
   const std::string_view label = users.empty() ? std::string_view(info.description) : std::string_view(users);
   const float whole = std::ceil(text_width(ui, Face::body, label));
   const float words = std::min(whole, right - left - limits);
-  if (words == whole || (!users.empty() && words > ui.px(32))) {  // part of the maker's word says nothing
+  if (words == whole || (!users.empty() && words > ui.px(32))) {  // part of the maker's word is useless
     draw_text_line(ui, left, left + words + 1, middle, Face::body, ui[Tone::ink2], label);
     left += words + ui.px(12);
   }
@@ -309,18 +309,18 @@ void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool ori
   const std::string_view phase = phase_of(f, axis);
   const State state = state_of(f.now, axis.index, f.clock);
   const float line = ui.line(Face::small);
-  const auto say = [&](Tone tone, std::string_view words) {
+  const auto draw_words = [&](Tone tone, std::string_view words) {
     draw_text_line(ui, at.x, at.x + room, at.y + line / 2, Face::small, ui[tone], words);
   };
   show_steps(f, axis, {at, ImVec2(at.x + room, at.y + line)});
   if (axis_extras_height(f.catalog, axis) > 0) show_phase(f, axis, {at, ImVec2(at.x + room, at.y + line)});
   if (about.tone == Tone::warn) return (void)draw_about_number(f, axis, at, room);
-  const bool does_nothing = phase.empty() && !says_something(f, axis);
+  const bool does_nothing = phase.empty() && !shows_work(f, axis);
   if (origin_too) draw_about_number(f, axis, at, does_nothing ? room : ui.px(12));
   if (does_nothing) return (void)draw_at_work(f, axis, at, room, false);  // registered for scripts
   const float mark = origin_too ? ui.px(16) : 0;
   at.x += mark, room -= mark;
-  if (!is_motion(state) && !phase.empty()) return say(Tone::fault, phase);
+  if (!is_motion(state) && !phase.empty()) return draw_words(Tone::fault, phase);
   if (is_motion(state) && !phase.empty()) {
     draw_what_fits(ui, at, room, false, [&](int brevity) {
       NumberText words;

@@ -45,7 +45,7 @@ void draw_strip_state(Frame& f, AxisId axis, ImVec2 at, float end) {
   const std::string_view label =
       users.empty() ? std::string_view(f.catalog.axes[axis.index].description) : std::string_view(users);
   const bool whole = left + std::ceil(text_width(ui, Face::small, label)) <= end;
-  if (whole || (!users.empty() && end - left > ui.px(40)))  // part of the maker's word says nothing
+  if (whole || (!users.empty() && end - left > ui.px(40)))  // part of the maker's word is useless
     draw_text_line(ui, left, end, middle, Face::small, ui[Tone::ink2], label);
 }
 

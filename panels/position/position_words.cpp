@@ -154,16 +154,16 @@ void show_servo(Frame& f, AxisId axis, const Rect& where) {
   const bool known = f.connected() && a.position_known;
   const NumberText command = format_position(a.command, f.tab.unit(axis));
   const NumberText error = format_position(a.following_error(), f.tab.unit(axis));
-  const auto tell = [&](const Path& id, std::string_view label, std::string_view value) {
+  const auto register_value = [&](const Path& id, std::string_view label, std::string_view value) {
     show(f.ui, {id, Kind::text, label, known ? value : "?", {}, false, {}}, where);
   };
-  tell(Path("dro/{}/command", name), "Command", command);
-  tell(Path("dro/{}/error", name), "Following error", error);
+  register_value(Path("dro/{}/command", name), "Command", command);
+  register_value(Path("dro/{}/error", name), "Following error", error);
 }
 
 }  // namespace
 
-bool says_something(const Frame& f, AxisId axis) { return !at_work(f, axis, 0).view().empty(); }
+bool shows_work(const Frame& f, AxisId axis) { return !at_work(f, axis, 0).view().empty(); }
 
 float draw_at_work(Frame& f, AxisId axis, ImVec2 at, float room, bool right_aligned) {
   const Rect where{at, ImVec2(at.x + std::max(0.0f, room), at.y + f.ui.line(Face::small))};

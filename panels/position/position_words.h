@@ -29,7 +29,7 @@ gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
 /// pixels; 0: nothing, or no room for any.
 float draw_at_work(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px, bool right_aligned);
 /// draw_at_work() has something to show.
-bool says_something(const gui::Frame& frame, AxisId axis);
+bool shows_work(const gui::Frame& frame, AxisId axis);
 /// "5.000/s", beside a position that shows the unit.
 gui::NumberText format_brief_speed(Pps speed, const gui::DisplayUnit& unit);
 /// The trustworthiness of the number.

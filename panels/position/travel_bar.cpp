@@ -122,14 +122,15 @@ NumberText travel_words(const Tab& tab, AxisId axis) {
   const Travel& t = tab.now().axes[axis.index].travel;
   NumberText words;
   if (!t.any()) return words.append("none"), words;
-  if (t.has_minus && t.has_plus) {
-    words.append(format_position(t.minus, unit));
+  const Sign below = unit.per_step < 0 ? Sign::plus : Sign::minus, above = -below;
+  if (t.has(below) && t.has(above)) {
+    words.append(format_position(t.end(below), unit));
     words.append(" to ");
   } else {
-    words.append(t.has_plus ? "up to " : "from ");
+    words.append(t.has(above) ? "up to " : "from ");
   }
-  words.append(format_with_unit(t.has_plus ? t.plus : t.minus, unit));
-  if (!t.has_plus) words.append(" up");
+  words.append(format_with_unit(t.end(t.has(above) ? above : below), unit));
+  if (!t.has(above)) words.append(" up");
   return words;
 }
 

@@ -115,7 +115,7 @@ void UnitChooser::draw_axis(Frame& f, std::size_t i) {
   }
   if (request.unit_choice != own_unit_choice) return;
   gap(f.ui, 4);
-  if (own_[i].draw(f, AxisId{static_cast<std::uint8_t>(i)}, request.own_unit)) use(f, "real");
+  if (own_[i].draw(f, AxisId{static_cast<std::uint8_t>(i)}, request)) use(f, "real");
 }
 
 void UnitChooser::draw(Frame& f) {

@@ -53,7 +53,8 @@ void take(Open& open, const RehearsedEvent& event, double gap) {
   }
 }
 
-void say(std::string& words, std::string_view verb, const std::vector<IoLane::Span>& spans, double end) {
+void append_spans(std::string& words, std::string_view verb, const std::vector<IoLane::Span>& spans,
+                  double end) {
   for (std::size_t i = 0; i < std::min(spans.size(), most_in_words); ++i) {
     words += words.empty() ? "" : ", ";
     words += i == 0 ? fmt::format("{} ", verb) : "";
@@ -66,8 +67,8 @@ void say(std::string& words, std::string_view verb, const std::vector<IoLane::Sp
 
 std::string lane_words(const IoLane& lane, double end) {
   std::string words;
-  say(words, "on", lane.on, end);
-  say(words, "waited for", lane.waits, end);
+  append_spans(words, "on", lane.on, end);
+  append_spans(words, "waited for", lane.waits, end);
   for (std::size_t i = 0; i < std::min(lane.looks.size(), most_in_words); ++i)
     words += fmt::format("{}{}{:.1f} s", words.empty() ? "" : ", ", i == 0 ? "looked at after " : "",
                          lane.looks[i]);

@@ -167,7 +167,7 @@ void Program::draw_memory(Frame& f, float left) {
   for (const std::string_view fewer : {brief.view(), std::string_view()})
     if (left_of(rest) < left) rest = fewer;
   const float words_left = left_of(rest);
-  if (words_left >= left) {  // else Check tells it
+  if (words_left >= left) {  // else Check reports it
     draw_text_line(ui, words_left, right, middle, Face::body_bold, ui[over ? Tone::fault : Tone::ink],
                    number);
     draw_text_line(ui, words_left + number_width, right + 1, middle, Face::body,
@@ -203,18 +203,19 @@ void Program::check(Frame& f) {
   int errors = 0;
   for (const Problem& p : report.problems) errors += p.error;
   f.console.toasts().withdraw(&desk.texts);
-  const auto say = [&](Severity severity, std::string words) {
+  const auto report_check = [&](Severity severity, std::string words) {
     f.toast(severity, std::move(words), &desk.texts);
   };
-  if (errors == 0 && f.catalog.program.capacity <= 0) return say(Severity::ok, "No error.");
+  if (errors == 0 && f.catalog.program.capacity <= 0) return report_check(Severity::ok, "No error.");
   if (errors == 0)
-    return say(Severity::ok, fmt::format("No error. {} of {} {}.", desk.texts.cost(slot),
-                                         f.catalog.program.capacity, f.catalog.program.capacity_unit));
+    return report_check(
+        Severity::ok, fmt::format("No error. {} of {} {}.", desk.texts.cost(slot), f.catalog.program.capacity,
+                                  f.catalog.program.capacity_unit));
   for (const Problem& p : report.problems) {
     if (!p.error) continue;
     editor_.go_to(slot, p.line, p.column);
-    return say(Severity::fault, fmt::format("{} error{}. Line {}: {}", errors, errors == 1 ? "" : "s",
-                                            p.line + 1, p.sentence));
+    return report_check(Severity::fault, fmt::format("{} error{}. Line {}: {}", errors,
+                                                     errors == 1 ? "" : "s", p.line + 1, p.sentence));
   }
 }
 

@@ -54,7 +54,7 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
   if (place.slot == slot) {
     look.live_line = texts.live_line(slot, place.command);
     look.live_reported = p.command_reported;
-    say_where(p, place);
+    describe_where(p, place);
     look.live_words = {live_words_, live_size_};
     if (place.next_in_s > 0 && p.run == RunState::running) ui.wake_in(place.next_in_s + 0.01);
   }
@@ -81,7 +81,7 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
 }
 
 /// "pass 7 of 20, worked out"
-void ProgramEditor::say_where(const ProgramState& p, const RunFollower::Place& place) {
+void ProgramEditor::describe_where(const ProgramState& p, const RunFollower::Place& place) {
   const std::string_view how = p.run == RunState::held      ? "held here"
                                : p.run == RunState::waiting ? "waits here"
                                : p.command_reported         ? ""

@@ -22,7 +22,7 @@ class ProgramEditor {
 
  private:
   void take_changes(gui::Frame& frame, int slot);
-  void say_where(const ProgramState& program, const gui::RunFollower::Place& place);
+  void describe_where(const ProgramState& program, const gui::RunFollower::Place& place);
 
   struct Slot {
     gui::CodeEditor editor;

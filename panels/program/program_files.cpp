@@ -75,7 +75,7 @@ float Program::draw_start(Frame& f, float x, float top) {
   return ImGui::GetCursorScreenPos().x;
 }
 
-// Without room, "edited" goes first, then the name, which the tooltip of the slots still tells.
+// Without room, "edited" goes first, then the name, which the tooltip of the slots still shows.
 void Program::draw_file_name(Frame& f, Rect in, float slots_left) {
   Ui& ui = f.ui;
   const ProgramTexts& texts = f.tab.desk().texts;

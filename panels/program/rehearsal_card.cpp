@@ -31,7 +31,7 @@ static void add_shown(std::string& all, const Frame& f, std::size_t axis) {
                  travel.has_plus, travel.plus.value);
 }
 
-// Puts the outcome into words, in the user's units; the caption tells which text they are about.
+// Puts the outcome into words, in the user's units; the caption names the text.
 void RehearsalCard::refresh(Frame& f, int slot) {
   Desk& desk = f.tab.desk();
   const int started = desk.texts.start_of(slot);
@@ -89,7 +89,7 @@ void RehearsalCard::refresh_words(const Frame& f) {
   if (fault_.empty() && !r.finished)
     fault_ =
         fmt::format("It has not ended after {}; it may never end.", format_duration(r.duration_s).view());
-  for (const RehearsedAxis& axis : r.axes) say_span(f, axis);
+  for (const RehearsedAxis& axis : r.axes) add_span(f, axis);
   stand_ = stand_words(f, *outcome_);
   if (begins_here()) stops_ = past_travel_words(f, r);
   for (std::string& stop : stop_words(r)) stops_.push_back(std::move(stop));
@@ -103,7 +103,7 @@ void RehearsalCard::refresh_words(const Frame& f) {
     event_times_.push_back(fmt::format("{:.1f} s", r.events[i].t));
 }
 
-void RehearsalCard::say_span(const Frame& f, const RehearsedAxis& axis) {
+void RehearsalCard::add_span(const Frame& f, const RehearsedAxis& axis) {
   const int i = f.catalog.find_axis(axis.name);
   if (i < 0) return;
   if (axis.minimum == axis.maximum) return axes_.push_back({axis.name, "does not move"});

@@ -19,7 +19,7 @@ class RehearsalCard {
   void refresh(gui::Frame& frame, int slot);
   void refresh_caption(const gui::Frame& frame, int slot);
   void refresh_words(const gui::Frame& frame);
-  void say_span(const gui::Frame& frame, const RehearsedAxis& axis);
+  void add_span(const gui::Frame& frame, const RehearsedAxis& axis);
   [[nodiscard]] bool begins_here() const { return outcome_->stand.footing == gui::Footing::here; }
   /// The verdict on limits holds for the present axis positions.
   [[nodiscard]] bool judges_limits() const { return begins_here() && outcome_->scene.switches; }

@@ -34,7 +34,7 @@ std::string position_difference(const Frame& f, const Stand& stand) {
       if (stand.unread)
         return fmt::format("Rehearsed with known limit switches of {}; they are not known now", axis);
       return fmt::format("Rehearsed before a limit or home switch of {} changed", axis);
-    case Footing::doubtful: return fmt::format("The position of {} may not be true", axis);
+    case Footing::doubtful: return fmt::format("The position of {} may be wrong", axis);
     default:
       if (stand.unread) return fmt::format("Rehearsed with a known loop of {}; it is not known now", axis);
       return fmt::format("Rehearsed before {} was switched, or its error came or went", axis);

@@ -12,7 +12,7 @@ namespace hw::panels {
 [[nodiscard]] std::string exact_time(double seconds);
 /// Why limits were not judged; empty: they were.
 [[nodiscard]] std::string stand_words(const gui::Frame& frame, const gui::Rehearsals::Outcome& outcome);
-/// "Line 3, 2.4 s: Axis X runs into its plus limit switch.", without the stop that Rehearsal::error tells.
+/// "Line 3, 2.4 s: Axis X runs into its plus limit switch.", without the stop that Rehearsal::error names.
 [[nodiscard]] std::vector<std::string> stop_words(const Rehearsal& rehearsal);
 /// The memory that the text takes: "14 of 1,275 lines"; empty: the controller keeps none of it.
 [[nodiscard]] std::string memory_words(const Rehearsal& rehearsal, const ProgramFacts& facts);

@@ -19,11 +19,11 @@ std::string_view found(const Rehearsals::Outcome& o) {
   const bool out_of_time = !r.finished && r.duration_s >= RehearseOptions().for_seconds;
   if (!r.error.empty() && !out_of_time) return "Rehearsed: it ends with an error.";
   if (r.limit_touched) return "Rehearsed: a limit switch is hit.";
-  if (!r.finished) return "Rehearsed: no end was found. It loops, or waits for a hand.";
+  if (!r.finished) return "Rehearsed: no end was found. It loops, or waits for a person.";
   return {};
 }
 
-/// What was known then, and is not known now.
+/// Values that were known then, and are not known now.
 std::string_view unread(Footing footing) {
   switch (footing) {
     case Footing::other_power: return "Rehearsed, but the loop of an axis has not been read again.";
@@ -40,7 +40,7 @@ std::string_view unread(Footing footing) {
   }
 }
 
-/// What has changed since; empty: nothing.
+/// The change since then, in words; empty: none.
 std::string_view changed(const Stand& stand) {
   if (stand.unread) return unread(stand.footing);
   switch (stand.footing) {
@@ -50,7 +50,7 @@ std::string_view changed(const Stand& stand) {
     case Footing::other_count:
       return "Rehearsed in other units: an axis counts its encoder now, or did then.";
     case Footing::unknown: return "Rehearsed from 0: the positions of the axes are not known.";
-    case Footing::doubtful: return "Rehearsed, but the position of an axis may not be true.";
+    case Footing::doubtful: return "Rehearsed, but the position of an axis may be wrong.";
     case Footing::other_bench: return "Rehearsed before the switches on the bench were moved.";
     case Footing::other_encoder: return "Rehearsed before the encoder of an axis changed.";
     case Footing::other_switch: return "Rehearsed before a limit or home switch changed.";

@@ -10,11 +10,11 @@ namespace hw::panels {
 
 struct Rehearsed {
   bool holds = false;      ///< this text, from here, without findings
-  std::string_view words;  ///< else what has changed since, or what was found
+  std::string_view words;  ///< else the change since then, or the outcome
 };
 /// The chosen text, as Run would start it.
 [[nodiscard]] Rehearsed rehearsed(const gui::Frame& frame);
-/// What the controller holds, for a run that starts one program of it and loads nothing.
+/// The contents of the controller, for a run that starts a stored program and loads nothing.
 [[nodiscard]] Rehearsed rehearsed_thread(const gui::Frame& frame, int program);
 /// `text`: what would be run; `outcome`: null if there is none.
 [[nodiscard]] Rehearsed rehearsed(const gui::Frame& frame, const gui::Rehearsals::Outcome* outcome,

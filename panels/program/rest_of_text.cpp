@@ -121,9 +121,9 @@ const seq::Step* last_such(const seq::StepList& steps, std::size_t count, Is is)
 }
 
 seq::OnlySets only_sets_of(const Language& language) {
-  const auto* tells = dynamic_cast<const SettingsInText*>(&language);
-  if (!tells) return {};
-  return [tells](const seq::Custom& own) { return tells->only_sets(own.text); };
+  const auto* settings = dynamic_cast<const SettingsInText*>(&language);
+  if (!settings) return {};
+  return [settings](const seq::Custom& own) { return settings->only_sets(own.text); };
 }
 bool goes_where_the_machine_decides(const seq::Step::Body& body) {
   return std::holds_alternative<seq::Home>(body) || std::holds_alternative<seq::Jog>(body) ||
@@ -169,7 +169,7 @@ tl::unexpected<Fault> why_not_known(const StepOfPlace& step, const PlaceToBegin&
         fmt::format(
             "The position before line {} is unknown: the machine decides where \"{} {}\" above it ends.",
             place.line + 1, title_of(lost->body), summary_of(lost->body, step.sequence)),
-        "Begin at that command, or behind one that sends the axis to a place.");
+        "Begin at that command, or after one that sends the axis to a place.");
   return not_from(fault.what, fault.advice);
 }
 

@@ -18,7 +18,7 @@ struct PlaceToBegin {
   int line = 0, byte = 0;        ///< from 0, where a command begins
   std::optional<int> pass = {};  ///< how often it was done before; none: unknown
   std::vector<RehearsedAxis> axes = {};
-  /// It was begun between these; none: the rehearsal does not tell.
+  /// It was begun between these; none: the rehearsal does not show it.
   std::optional<std::array<RehearsedPlace, 2>> begun = {};
 };
 /// When that pass of a source was begun. `source_of_command`: by RehearsedTurn::command.

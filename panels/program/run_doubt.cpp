@@ -61,11 +61,11 @@ bool RunDoubt::holds_back(const Frame& f, RunRequest request, const std::string&
   if (doubtful == 0 || is_beyond_travel(f)) return false;  // no remedy helps beyond a limit
   request_ = request;
   text_ = text;
-  tell(f, doubtful);
+  describe(f, doubtful);
   return true;
 }
 
-void RunDoubt::tell(const Frame& f, std::uint32_t doubtful) {
+void RunDoubt::describe(const Frame& f, std::uint32_t doubtful) {
   doubtful_ = doubtful;
   axis_ = AxisId{static_cast<std::uint8_t>(std::countr_zero(doubtful))};
   words_ = describe_doubtful(f.catalog, f.now, run_, doubtful, words_here(f));
@@ -104,7 +104,7 @@ RunDoubt::Once RunDoubt::draw(Frame& f, std::string_view where, const Rect& row,
   const std::uint32_t now = doubtful_axes(f.catalog, f.now, run_);
   if (now == 0 || is_beyond_travel(f)) return request_ = RunRequest::none, Once();
   const bool shown_anew = other_doubts || now != doubtful_;
-  if (shown_anew) tell(f, now);
+  if (shown_anew) describe(f, now);
   if (offered_ == 0 || counted_ != f.now.axes[axis_.index].position) offered_ = 0, name_ways(f, where);
   std::array<Action, 4> actions;
   for (std::size_t i = 0; i < offered_; ++i)
@@ -117,7 +117,7 @@ RunDoubt::Once RunDoubt::draw(Frame& f, std::string_view where, const Rect& row,
               row);
   const RefusalTouch touched = card_.end();
   if (touched.closed) request_ = RunRequest::none;
-  if (touched.action < 0 || shown_anew) return {};  // that click was on what was told before
+  if (touched.action < 0 || shown_anew) return {};  // the click was meant for the earlier question
   const Way way = offers_[static_cast<std::size_t>(touched.action)].way;
   if (way == once) return {std::exchange(request_, RunRequest::none), doubted_};
   go(f, way);

@@ -20,7 +20,7 @@ class RunDoubt {
   bool holds_back(const gui::Frame& frame, RunRequest request, const std::string& text);
   struct Once {
     RunRequest request = RunRequest::none;
-    gui::AgreedDoubts agreed{};  ///< the doubts that were told, and no others
+    gui::AgreedDoubts agreed{};  ///< the doubts that were shown, and no others
   };
   /// Draws beside `row` while the run of `text` is held back. Returns the run to begin once all the same.
   Once draw(gui::Frame& frame, std::string_view where, const gui::Rect& row, const std::string& text);
@@ -31,11 +31,11 @@ class RunDoubt {
     Way way;
     std::string id, label, brief;
   };
-  /// Where the text sends which axes, by what is doubtful now; false: nowhere, as far as is known.
+  /// Finds the places to which the text sends doubtful axes; false: none are known.
   bool find_places(const gui::Frame& frame, const std::string& text);
   /// Travel limits do not bind the user's own texts.
   [[nodiscard]] bool is_beyond_travel(const gui::Frame& frame) const;
-  void tell(const gui::Frame& frame, std::uint32_t doubtful);
+  void describe(const gui::Frame& frame, std::uint32_t doubtful);
   void name_ways(const gui::Frame& frame, std::string_view where);
   void go(gui::Frame& frame, Way way) const;
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame, Way way) const;

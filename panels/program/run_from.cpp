@@ -68,7 +68,7 @@ std::string why_not_sent_there(const Frame& f, const sequence::Rest& rest,
   return why_not_run_there(f.tab, rest.sequence);
 }
 
-bool speaks_of_a_tool(const sequence::Rest& rest) {
+bool mentions_a_tool(const sequence::Rest& rest) {
   for (std::size_t i = 0; i < rest.leading; ++i)
     if (std::holds_alternative<sequence::Pen>(rest.sequence.steps[i].body)) return true;
   return false;
@@ -158,17 +158,17 @@ void RunFrom::ask(Frame& f, Result<Wanted> wanted) {
   rest_ = std::move(wanted->rest), written_ = std::move(*written);
   replaces_ = texts.edited(texts.chosen());
   asking_ = true;
-  say(f, *wanted);
+  compose_question(f, *wanted);
 }
 
-void RunFrom::say(const Frame& f, const Wanted& wanted) {
+void RunFrom::compose_question(const Frame& f, const Wanted& wanted) {
   const std::string at = standing_at(f, rest_);
   question_ = at.empty() ? std::string() : fmt::format("Now: {}.\n", at);
   question_ += fmt::format("First: {}\n", words_of_leading(rest_));
   question_ += fmt::format("Then {}, and everything after it.", wanted.begins);
   if (wanted.counts_from_now) question_ += "\nDistances above it are counted from where the axes stand now.";
   if (rest_.leaves_homing_out) question_ += "\nHoming is skipped: the counts are trusted.";
-  if (!speaks_of_a_tool(rest_))
+  if (!mentions_a_tool(rest_))
     question_ += "\nMake sure that nothing is in the way: no step mentions a tool.";
   question_ += replaces_ ? "\nThe text of the program has unsaved changes and is replaced."
                          : "\nThe text of the program is replaced.";

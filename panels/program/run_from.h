@@ -23,7 +23,7 @@ class RunFrom {
     std::optional<int> pass = {};
     /// Of its rehearsal. No axes: not rehearsed, and the steps are counted from the present position.
     std::span<const RehearsedAxis> axes = {};
-    std::optional<std::array<RehearsedPlace, 2>> begun = {};  ///< none: it does not tell
+    std::optional<std::array<RehearsedPlace, 2>> begun = {};  ///< none: not known
   };
   /// If the rest cannot be run, take_refusal() has the reason.
   void ask(gui::Frame& frame, const sequence::Sequence& of, const Place& place);
@@ -49,7 +49,7 @@ class RunFrom {
   static Result<Wanted> wanted_of(const sequence::Sequence& of, const Place& place,
                                   const sequence::Places& begin);
   void refuse(std::string why) { refusal_ = std::move(why); }
-  void say(const gui::Frame& frame, const Wanted& wanted);
+  void compose_question(const gui::Frame& frame, const Wanted& wanted);
   void run(gui::Frame& frame);
 
   bool asking_ = false, reading_ = false;

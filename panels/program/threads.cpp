@@ -122,7 +122,7 @@ void Threads::draw_first_button(Frame& f, int n, std::string_view no_link, bool 
     o.moving = true;
     o.icon = Icon::play;
     const Rehearsed tried = f.tab.desk().language() ? rehearsed_thread(f, n) : Rehearsed();
-    const Path tip("Runs what the controller holds. {}", tried.words);
+    const Path tip("Runs the program in the controller. {}", tried.words);
     o.tip = tip;
     if (tried.holds) o.icon_after = Icon::check;
     const ImVec2 at = ImGui::GetCursorScreenPos();

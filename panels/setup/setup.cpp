@@ -282,7 +282,7 @@ void Setup::draw_facts(Frame& f, float left) {
   const ParamInfo& p = f.catalog.params[chosen_];
   const ParamState& has = f.now.params[chosen_];
   ImGui::SetCursorScreenPos(ImVec2(left + ui.hair(), ImGui::GetCursorScreenPos().y));
-  begin_part(ui, "setup/facts", 0, 0, Tone::panel, 16);
+  begin_part(ui, "setup/facts", 0, ui.px(f.area.bottom()) - ImGui::GetCursorScreenPos().y, Tone::panel, 16);
   section_title(ui, p.mnemonic, p.manual);
   wrapped(ui, Face::body_medium, Tone::ink, p.label);
   gap(ui, 8);

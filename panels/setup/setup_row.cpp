@@ -9,6 +9,7 @@
 #include "gui/widgets/choice.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/text.h"
+#include "panels/kept_legible.h"
 
 namespace hw::panels {
 
@@ -167,6 +168,8 @@ void SetupRow::draw_name(float y) {
   if (state_.number.sentence.empty()) return;
   draw_text_right(ui_, ImVec2(right_, y + ui_.px(setup_row_height - 2)), Face::small, ui_[Tone::fault],
                   state_.number.sentence);
+  keep_legible(ui_, {ImVec2(left_, y + ui_.px(setup_row_height - 2)),
+                     ImVec2(right_, y + ui_.px(setup_row_height + 16))});
   ImGui::SetCursorScreenPos(ImVec2(left_, y + ui_.px(setup_row_height + 16)));
 }
 

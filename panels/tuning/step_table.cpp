@@ -117,17 +117,19 @@ void draw_step_table(Frame& f, const TwoSteps& s, float width) {
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + ui.px(width), y + ui.hair()),
                                               ui[Tone::line]);
     places.text(ui, 0, row, Face::body, ui[Tone::ink2], m.label);
-    const auto say = [&](std::size_t column, std::string_view id, Face face, Tone tone,
-                         std::string_view words) {
+    const auto show_measure = [&](std::size_t column, std::string_view id, Face face, Tone tone,
+                                  std::string_view words) {
       places.text(ui, column, row, face, ui[tone], words);
       show(ui, {id, Kind::text, m.label, words}, places.cell(column, row));
     };
     if (s.number)
-      say(1, Path("tuning/measure/{}", m.id), Face::body_bold, Tone::ink, measure_words(f, m, s.now));
+      show_measure(1, Path("tuning/measure/{}", m.id), Face::body_bold, Tone::ink,
+                   measure_words(f, m, s.now));
     if (s.number && s.before) {
-      say(2, Path("tuning/measure/{}/before", m.id), Face::body, Tone::ink2, measure_words(f, m, s.was));
+      show_measure(2, Path("tuning/measure/{}/before", m.id), Face::body, Tone::ink2,
+                   measure_words(f, m, s.was));
       const Change change = change_of(f, m, s, width >= 520);
-      say(3, Path("tuning/measure/{}/change", m.id), Face::body, change.tone, change.words);
+      show_measure(3, Path("tuning/measure/{}/change", m.id), Face::body, change.tone, change.words);
     }
     y = row.max.y;
   }
@@ -164,7 +166,7 @@ void draw_flat_step_table(Frame& f, const TwoSteps& s, float width) {
       const bool fits = text_width(ui, face, words) <= end - x;
       draw_text_line(ui, x, end, y, fits ? face : Face::small, ui[tone], words);
     };
-    const auto tell = [&](float y, float height, std::string_view id, std::string_view words) {
+    const auto register_measure = [&](float y, float height, std::string_view id, std::string_view words) {
       show(ui, {id, Kind::text, m.label, words}, {ImVec2(x, y), ImVec2(end, y + ui.px(height))});
     };
     line_of(at.y + ui.px(11), Face::small, Tone::ink, m.brief);
@@ -172,15 +174,15 @@ void draw_flat_step_table(Frame& f, const TwoSteps& s, float width) {
     if (m.unit != bare) line_of(at.y + ui.px(26), Face::small, Tone::ink2, unit);
     if (s.number) {
       line_of(now_y + ui.px(12), Face::body_bold, Tone::ink, measure_number(m, s.now));
-      tell(now_y, 24, Path("tuning/measure/{}", m.id), measure_words(f, m, s.now));
+      register_measure(now_y, 24, Path("tuning/measure/{}", m.id), measure_words(f, m, s.now));
     }
     if (compared) {
       line_of(was_y + ui.px(12), Face::body, Tone::ink2, measure_number(m, s.was));
-      tell(was_y, 24, Path("tuning/measure/{}/before", m.id), measure_words(f, m, s.was));
+      register_measure(was_y, 24, Path("tuning/measure/{}/before", m.id), measure_words(f, m, s.was));
       const Change change = change_of(f, m, s, false);
       line_of(change_y + ui.px(12), Face::body, change.tone, change.by);
       line_of(change_y + ui.px(28), Face::small, change.tone, change.verdict);
-      tell(change_y, 40, Path("tuning/measure/{}/change", m.id), change.words);
+      register_measure(change_y, 40, Path("tuning/measure/{}/change", m.id), change.words);
     }
     x += pitch;
   }

@@ -167,7 +167,7 @@ void Tuning::draw_error(Frame& f, float width, float height, bool lowest) {
   plot(f.ui, "tuning/error", "Following error", {traces.data(), n}, o, cursor_);
 }
 
-/// No controller reports its output: the title tells how it is computed, the side what it leaves out.
+/// No controller reports its output: the title says how it is computed, and the side lists the omissions.
 void Tuning::draw_output(Frame& f, float height) {
   const StepRun* run = latest();
   const StepRun* old = before();

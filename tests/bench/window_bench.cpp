@@ -13,7 +13,7 @@ namespace hw::vme58 {
 namespace {
 
 /// Characters into the ring, then the index, as drivers do it.
-void say(BusTarget& board, std::string_view text) {
+void send(BusTarget& board, std::string_view text) {
   auto put = static_cast<std::uint16_t>(bus_cycle(board, false, 2, at::output_put_index));
   for (const char c : text) {
     const auto cell = static_cast<std::uint16_t>(at::output_buffer + 2 * put);
@@ -30,7 +30,7 @@ std::unique_ptr<Emulator> board_in_a_slot() {
 
 void command_through_the_window(benchmark::State& state) {
   const auto emulator = board_in_a_slot();
-  for (auto _ : state) say(*emulator->bus(), "AX LP12345 ");
+  for (auto _ : state) send(*emulator->bus(), "AX LP12345 ");
   state.counters["commands_per_s"] =
       benchmark::Counter(2.0 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
@@ -40,7 +40,7 @@ void move_from_text_to_done_flag(benchmark::State& state) {
   const auto emulator = board_in_a_slot();
   Instant now{};
   for (auto _ : state) {
-    say(*emulator->bus(), "AX VL10000 AC1000000 MR1000 GO ID MR-1000 GO ID ");
+    send(*emulator->bus(), "AX VL10000 AC1000000 MR1000 GO ID MR-1000 GO ID ");
     now += std::chrono::seconds(1);
     emulator->advance_to(now);
     benchmark::DoNotOptimize(bus_cycle(*emulator->bus(), false, 1, reg::done));
@@ -52,7 +52,7 @@ BENCHMARK(move_from_text_to_done_flag);
 void all_axes_read(benchmark::State& state) {
   const auto emulator = board_in_a_slot();
   BusTarget& board = *emulator->bus();
-  say(board, "AA JG100,200,300,400,500,600,700,800; ");
+  send(board, "AA JG100,200,300,400,500,600,700,800; ");
   Instant now{};
   for (auto _ : state) {
     bus_cycle(board, true, 1, reg::control, control::update_data);

@@ -35,8 +35,8 @@ void write_into_ring(IoContext& io, Window& window, const std::function<void(Dur
 
 }  // namespace
 
-void say_as_another(IoContext& io, Session& session, const std::function<void(Duration)>& run,
-                    const std::string& words) {
+void send_as_another(IoContext& io, Session& session, const std::function<void(Duration)>& run,
+                     const std::string& words) {
   const auto host = EmulatorHost::of(session.bench());
   ASSERT_NE(host, nullptr);
   if (host->is_board()) {

@@ -10,7 +10,7 @@ namespace hw {
 
 /// It says these words to the emulated controller of `session`, by another end of its wire. `run` lets time
 /// pass.
-void say_as_another(IoContext& io, Session& session, const std::function<void(Duration)>& run,
-                    const std::string& words);
+void send_as_another(IoContext& io, Session& session, const std::function<void(Duration)>& run,
+                     const std::string& words);
 
 }  // namespace hw

@@ -28,7 +28,7 @@ class EndingContract : public ContractTest {
                                                         {"dmx-k-sa", "@00STOP\r"},
                                                         {"vme58", "AX;ST;"},
                                                         {"twin", "0 S A\n"}};
-    say_as_another(
+    send_as_another(
         io, *session, [this](Duration d) { run(d); }, stops.at(GetParam()->model));
   }
   Ending ends_by_another() {
@@ -104,12 +104,45 @@ TEST_P(EndingContract, AMotionThatALimitEnds) {
   EXPECT_FALSE(all[0].limit_minus);
 }
 
+TEST_P(EndingContract, AJogThatIsLetGoOnItsLimitHasEndedThere) {
+  switch_motor_on();
+  ASSERT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000), false)).state, IntentState::done);
+  run(Millis(500));
+  operate(bench::Limit(AxisId{0}, Sign::plus, true));
+  ASSERT_TRUE(run_until([this] { return axis().limit_plus; }, seconds(5)));
+  session->send(intent::JogStop{0});
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  run(seconds(1));
+  const auto all = endings();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].what, Ending::What::jog);
+  EXPECT_EQ(all[0].by, EndedBy::limit);
+  EXPECT_TRUE(all[0].limit_plus);
+}
+
 TEST_P(EndingContract, AMoveThatAnotherHostStops) {
   switch_motor_on();
   ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(1'000'000)}})).state, IntentState::done);
   const Ending ending = ends_by_another();
   EXPECT_EQ(ending.by, EndedBy::elsewhere);
   EXPECT_EQ(ending.what, Ending::What::motion);
+}
+
+TEST_P(EndingContract, AMoveThatATypedTextStops) {
+  const std::map<std::string_view, std::string> stops{
+      {"vxm", "D"}, {"pmx-4ex-sa", "STOPX"}, {"dmx-k-sa", "STOP"}, {"vme58", "AX ST"}};
+  const auto text = stops.find(GetParam()->model);
+  if (text == stops.end()) GTEST_SKIP() << "write its stop, if it has one that may be typed";
+  switch_motor_on();
+  ASSERT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(1'000'000)}})).state, IntentState::done);
+  run(seconds(1));
+  EXPECT_EQ(perform(intent::SendText(text->second)).state, IntentState::done);
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  run(seconds(1));
+  const auto all = endings();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].by, EndedBy::stop);
+  EXPECT_EQ(all[0].who, StoppedBy::text);
 }
 
 TEST_P(EndingContract, AJogThatAnotherHostStops) {
@@ -141,6 +174,69 @@ TEST_P(EndingContract, AHomeSearchThatAnotherHostStopsHasFoundNothing) {
   }
 }
 
+/// A motion, a wait and another motion, at 2000 steps/s.
+struct LongProgram {
+  int slot;
+  std::string text;
+};
+const std::map<std::string_view, LongProgram> long_programs{
+    {"vxm", {1, "S1M2000\nI1M20000\nP40\nI1M20000\n"}},
+    {"pmx-4ex-sa", {0, "HSPD=2000\nABS\nX20000\nWAITX\nDELAY=4000\nX0\nWAITX\nEND\n"}},
+    {"dmx-k-sa", {0, "HSPD=2000\nABS\nX20000\nWAITX\nDELAY=4000\nX0\nWAITX\nEND\n"}},
+    {"vme58", {0, "AX VL2000 MR20000 GO ID\nAX MR-4000 GO ID\n"}}};
+
+TEST_P(EndingContract, AMotionOfAProgramThatAnotherHostStopsIsReportedWhereItsPlaceShowsIt) {
+  const auto program = long_programs.find(GetParam()->model);
+  if (program == long_programs.end()) GTEST_SKIP() << "write one in its language, if it has programs";
+  switch_motor_on();
+  const auto& [slot, text] = program->second;
+  ASSERT_EQ(perform(intent::LoadProgram(slot, text)).state, IntentState::done);
+  endings();
+  ASSERT_EQ(perform(intent::RunProgram(slot)).state, IntentState::done);
+  run(seconds(3));
+  another_stops_it();
+  ASSERT_TRUE(run_until([this] { return !now().program.owned; }, seconds(60)));
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  run(seconds(3));
+  int motions = 0, programs = 0;
+  for (const Ending& ending : endings()) {
+    EXPECT_EQ(ending.who, StoppedBy::unknown);
+    if (ending.what == Ending::What::program) {
+      ++programs;
+      EXPECT_EQ(ending.by, EndedBy::target) << "what comes behind it";
+    } else {
+      ++motions;
+      EXPECT_EQ(ending.by, EndedBy::elsewhere);
+      EXPECT_TRUE(ending.of_run);
+      EXPECT_GT(ending.place, Steps(2000));
+      EXPECT_LT(ending.place, Steps(12000));
+    }
+  }
+  const bool scaled = session->catalog().can.window;  // user units may scale its distances
+  const bool corrected = axis().in_counts;            // it rests where its encoder says
+  const bool judged = !scaled && !corrected;
+  EXPECT_EQ(motions, judged ? 1 : 0);
+  EXPECT_EQ(programs, 1);
+}
+
+TEST_P(EndingContract, AProgramOfWholeMotionsIsReportedAlone) {
+  const auto program = long_programs.find(GetParam()->model);
+  if (program == long_programs.end()) GTEST_SKIP() << "write one in its language, if it has programs";
+  switch_motor_on();
+  const auto& [slot, text] = program->second;
+  ASSERT_EQ(perform(intent::LoadProgram(slot, text)).state, IntentState::done);
+  endings();
+  ASSERT_EQ(perform(intent::RunProgram(slot)).state, IntentState::done);
+  run(seconds(3));
+  ASSERT_TRUE(run_until([this] { return !now().program.owned; }, seconds(60)));
+  ASSERT_TRUE(becomes_idle(seconds(60)));
+  run(seconds(3));
+  const auto all = endings();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].what, Ending::What::program);
+  EXPECT_EQ(all[0].by, EndedBy::target);
+}
+
 TEST_P(EndingContract, AStopAtOnceBehindAnotherIsReportedAsOne) {
   switch_motor_on();
   EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000), false)).state, IntentState::done);
@@ -154,7 +250,7 @@ TEST_P(EndingContract, AStopAtOnceBehindAnotherIsReportedAsOne) {
   EXPECT_EQ(all[0].by, EndedBy::abort);
 }
 
-TEST_P(EndingContract, AStopTellsWhenItIsSeenToSlowDown) {
+TEST_P(EndingContract, AStopReportsWhenItIsSeenToSlowDown) {
   switch_motor_on();
   const Pps speed(session->catalog().can.window ? 200'000 : 2'000);  // so that the ramp is seen
   EXPECT_EQ(perform(intent::JogStart(AxisId{0}, Sign::plus, speed, false)).state, IntentState::done);
@@ -181,7 +277,7 @@ TEST_P(EndingContract, APowerCutThatEndsAMotionIsNamed) {
   EXPECT_NE(all[0].lost_with, Doubt::none);
 }
 
-TEST_P(EndingContract, AProgramThatIsOverAtOnceTellsItsEndToo) {
+TEST_P(EndingContract, AProgramThatIsOverAtOnceReportsItsEndToo) {
   if (session->catalog().program.threads == 0) GTEST_SKIP() << "it is told by its prompt";
   switch_motor_on();
   ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nEND\n")).state, IntentState::done);
@@ -196,7 +292,7 @@ TEST_P(EndingContract, AProgramThatIsOverAtOnceTellsItsEndToo) {
   }
 }
 
-TEST_P(EndingContract, AProgramThatALimitEndsTellsWhereItStoodAndWhichAxisItWas) {
+TEST_P(EndingContract, AProgramEndedByALimitReportsTheLineAndTheAxis) {
   if (session->catalog().program.threads == 0) GTEST_SKIP() << "its programs do not tell a line";
   switch_motor_on();
   ASSERT_EQ(perform(intent::LoadProgram(0, "V1=1\nX1000000\nWAITX\nEND\n")).state, IntentState::done);

@@ -109,7 +109,7 @@ class LastWillContract : public ContractTest {
     else
       stream = std::move(*host->plug_in());
     Millis sentence{};
-    for (LastWords words : will) {
+    for (WillStep words : will) {
       hold(words.after - sentence);
       sentence = words.after;
       if (stream) stream->send(words.bytes);

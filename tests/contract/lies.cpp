@@ -175,7 +175,7 @@ void outputs_as_set(LieMemory& memory, Snapshot& shown) {
   for (const auto& [place, on] : memory.outputs)
     shown.outputs = (shown.outputs & ~(1u << place)) | static_cast<std::uint32_t>(on) << place;
 }
-bool tells_of_power(const Notice& notice) {
+bool is_about_power(const Notice& notice) {
   return notice.text.find("switched off and on") != notice.text.npos;
 }
 void never_restarted(LieMemory&, Snapshot& shown) {
@@ -275,7 +275,7 @@ constexpr Lie lies[] = {
     {.name = "reply-of-the-question-before",
      .replies = [](LieMemory& memory, std::string& reply) { std::swap(reply, memory.reply_before); }},
     {.name = "stop-text-not-known", .knows_no_stop_text = true},
-    {.name = "power-cycle-not-told", .paints = never_restarted, .withholds = tells_of_power},
+    {.name = "power-cycle-not-told", .paints = never_restarted, .withholds = is_about_power},
     {.name = "failures-said-done", .hides_failures = true},
     {.name = "any-device-believed", .believes_anything = true},
 };

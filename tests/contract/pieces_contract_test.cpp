@@ -358,7 +358,7 @@ TEST_P(PiecesContractTest, ABufferIsDrawnWithTheRampsThatAreSet) {
   EXPECT_EQ(axis().position, Steps(at_)) << reported();
 }
 
-TEST_P(PiecesContractTest, ASequenceSaysHowCloseChordsLieToItsArcs) {
+TEST_P(PiecesContractTest, ASequenceSetsHowCloseChordsLieToItsArcs) {
   if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
   s_.axes = {{"X", 10}, {"Y", 10}};
   add_chains(1, 1500);  // more than a program holds
@@ -430,7 +430,7 @@ TEST_P(PiecesContractTest, ABufferThatTakesNoMoreMovesIsStoppedWithItsToolOff) {
   EXPECT_THAT(reported(), HasSubstr("was not taken whole"));
 }
 
-TEST_P(PiecesContractTest, ABufferNeedsLoopsOpenAndSaysSoBeforeAnythingMoves) {
+TEST_P(PiecesContractTest, ABufferNeedsLoopsOpenAndReportsThisBeforeAnythingMoves) {
   if (session->catalog().move_list.columns.empty()) GTEST_SKIP() << "it has no buffer for moves";
   add_chains(1, 1500);  // more than a program holds
   const auto pieces = cut();

@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Every, SequenceContractTest, testing::ValuesIn(types_wi
                            return name;
                          });
 
-TEST_P(SequenceContractTest, MovesWaitsAndLoopsDoWhatTheySay) {
+TEST_P(SequenceContractTest, MovesWaitsAndLoopsDoWhatTheyState) {
   const int out = free_output();
   add(seq::Comment{"to and fro\nand on"});
   add(to(5, -2.5));

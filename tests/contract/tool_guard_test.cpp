@@ -183,7 +183,7 @@ TEST_P(ToolGuardTest, ALostLinkSwitchesItOffWhenItIsBack) {
   expect_off_at_rest();
 }
 
-TEST_P(ToolGuardTest, ATextThatSaysItInNoKnownWayIsNotTaken) {
+TEST_P(ToolGuardTest, ATextThatGivesItInNoKnownFormIsNotTaken) {
   add_cut(6'000);
   std::string bad = text();
   const std::size_t at = bad.find("output ");

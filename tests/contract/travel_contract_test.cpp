@@ -127,6 +127,99 @@ TEST_P(TravelContract, BacklashIsNotTakenUpFromBeyondALimit) {
   EXPECT_EQ(stands(), Steps(750));
 }
 
+/// Texts by model; {} is a distance or a place, which is the same from 0.
+struct MovingText {
+  std::string_view model, moves, jogs;
+  std::string_view filler;  ///< commands that change nothing, for one long text; empty: one command a text
+};
+constexpr MovingText moving_texts[] = {
+    {"vxm", "I1M900,R", "I1M100,L0,R", "P1,"},
+    {"pmx-4ex-sa", "X900", "JX+", ""},
+    {"dmx-k-sa", "X900", "J+", ""},
+    {"vme58", "AX MR900 GO", "AX JG500", "WT1 "},
+};
+
+class TextTravelContract : public TravelContract {
+ protected:
+  void SetUp() override {
+    const auto text = std::find_if(std::begin(moving_texts), std::end(moving_texts),
+                                   [](const MovingText& t) { return t.model == GetParam()->model; });
+    if (text == std::end(moving_texts)) GTEST_SKIP() << "its texts are not known here";
+    text_ = *text;
+    TravelContract::SetUp();
+    if (GetParam()->model == "vxm") perform(intent::SetParam("M1M", 4, true));
+    ASSERT_NO_FATAL_FAILURE(begin());
+  }
+  std::string warning() {
+    std::string all;
+    session->notices().drain([&](const Notice& notice) {
+      if (notice.past && notice.past->of == PastTravel::Of::text) all += notice.text;
+    });
+    return all;
+  }
+  MovingText text_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Every, TextTravelContract, testing::ValuesIn(types_under_test()), name_of_type);
+
+TEST_P(TextTravelContract, ATypedTextThatLeadsPastALimitIsSentAndWarnedOf) {
+  EXPECT_EQ(perform(intent::SendText(std::string(text_.moves))).state, IntentState::done);
+  EXPECT_THAT(warning(), AllOf(HasSubstr("This text leads past a limit: 900 "), HasSubstr(" lies 100 "),
+                               HasSubstr(" past the + limit of "), HasSubstr("It was sent as it is.")));
+  EXPECT_LT(stands(), plus) << "before it goes there";
+  ASSERT_TRUE(run_until([this] { return stands() == Steps(900); }, seconds(60))) << "it goes anyway";
+}
+
+TEST_P(TextTravelContract, SoIsTheTextOfAScript) {
+  bool asked = false;
+  asio::co_spawn(
+      time.executor(),
+      [](Session& of, std::string text, bool& done) -> Task<> {
+        (void)co_await of.pump().query(std::move(text), Millis(200));
+        done = true;
+      }(*session, std::string(text_.moves), asked),
+      asio::detached);
+  ASSERT_TRUE(run_until([&] { return asked; }, seconds(10)));
+  EXPECT_THAT(warning(), HasSubstr("This text leads past a limit: 900 "));
+}
+
+TEST_P(TextTravelContract, WhatOneTextHasPreparedAndAnotherStartsIsKnown) {
+  const std::size_t start = text_.moves.rfind(GetParam()->model == "vme58" ? 'G' : 'R');
+  if (text_.filler.empty() || start == std::string_view::npos) GTEST_SKIP() << "a text of it is one command";
+  perform(intent::SendText(std::string(text_.moves.substr(0, start))));
+  EXPECT_EQ(warning(), "");
+  run(seconds(2));
+  perform(intent::SendText(std::string(text_.moves.substr(start))));
+  EXPECT_THAT(warning(), HasSubstr("This text leads past a limit: 900 "));
+  perform(intent::Stop());
+  EXPECT_TRUE(becomes_idle(seconds(60)));
+}
+
+TEST_P(TextTravelContract, OneThatStaysInsideOrLeadsBackIsNot) {
+  perform(intent::SetTravel(AxisId{0}, Travel()));
+  EXPECT_EQ(perform(intent::SendText(std::string(text_.moves))).state, IntentState::done);
+  ASSERT_TRUE(run_until([this] { return stands() == Steps(900); }, seconds(60)));
+  EXPECT_EQ(warning(), "") << "there is no limit";
+}
+
+TEST_P(TextTravelContract, AJogThatNothingEndsIsWarnedOf) {
+  EXPECT_EQ(perform(intent::SendText(std::string(text_.jogs))).state, IntentState::done);
+  EXPECT_THAT(warning(), HasSubstr("This text leads past a limit: "));
+  perform(intent::Stop());
+  EXPECT_TRUE(becomes_idle(seconds(60)));
+}
+
+TEST_P(TextTravelContract, HoweverLongItIs) {
+  if (text_.filler.empty()) GTEST_SKIP() << "a text of it is one command";
+  std::string text;
+  while (text.size() < 600) text += text_.filler;
+  if (GetParam()->model == "vxm") text = "I1M1,I1M-1,I1M1,I1M-1," + std::string(600, ' ');
+  perform(intent::SendText((GetParam()->model == "vme58" ? "AX " : "") + text + std::string(text_.moves)));
+  EXPECT_THAT(warning(), HasSubstr("This text leads past a limit: 900 "));
+  perform(intent::Stop());
+  EXPECT_TRUE(becomes_idle(seconds(60)));
+}
+
 TEST_P(TravelContract, EndsThatCrossAreRefused) {
   Travel crossed = travel();
   std::swap(crossed.minus, crossed.plus);

@@ -40,8 +40,8 @@ class TrustContract : public ContractTest {
     run(time_to_run);
     ASSERT_GT(axis().position, Steps(100));
   }
-  void another_says(const std::string& words) {
-    say_as_another(
+  void another_sends(const std::string& words) {
+    send_as_another(
         io, *session, [this](Duration d) { run(d); }, words);
   }
   /// Where no motion of a fifth of a second reaches; its encoder counts nothing there.
@@ -250,7 +250,7 @@ TEST_P(TrustContract, ACountThatAnotherProgramHasSetIsNotTrusted) {
                                                      {"vme58", "AX;LP0;"},
                                                      {"twin", "0 P A 0\n"}};
   ASSERT_NO_FATAL_FAILURE(stand_far_out());
-  another_says(zero.at(GetParam()->model));
+  another_sends(zero.at(GetParam()->model));
   run(seconds(4));
   ASSERT_EQ(axis().position, Steps(0));
   EXPECT_EQ(axis().trust.kind, Trust::untrusted);
@@ -274,7 +274,7 @@ TEST_P(TrustContract, TheCountOfAClosedLoopIsWatchedToo) {
   ASSERT_EQ(perform(intent::SetParam(loop->second.first, 1)).state, IntentState::done);
   run(seconds(3));
   ASSERT_TRUE(axis().in_counts);
-  another_says(loop->second.second);
+  another_sends(loop->second.second);
   run(seconds(4));
   EXPECT_TRUE(axis().trust.doubtful()) << axis().position.value;
 }
@@ -287,7 +287,7 @@ TEST_P(TrustContract, AMoveOfAnotherProgramLeavesItsCountTrue) {
                                                            {"twin", "0 D A 100\n"}};
   ASSERT_NO_FATAL_FAILURE(stand_far_out());
   const Steps before = axis().position;
-  another_says(short_move.at(GetParam()->model));
+  another_sends(short_move.at(GetParam()->model));
   run(seconds(4));
   EXPECT_EQ(axis().position, before + Steps(100));
   EXPECT_FALSE(axis().trust.doubtful());

@@ -67,7 +67,7 @@ TEST_P(TruthTest, AHomeSwitchIsShownWhileItIsOperated) {
   }
 }
 
-TEST_P(TruthTest, AnEncoderTellsOfTheLoadAndNotOfTheCount) {
+TEST_P(TruthTest, AnEncoderFollowsTheLoadAndNotTheCount) {
   const Catalog& c = session->catalog();
   if (c.find_param("SL") >= 0) must(intent::SetParam("SL", 0, true));  // else the encoder is what counts
   for (int i = 0; i < axes(); ++i) {

@@ -87,7 +87,7 @@ TEST_P(TruthTest, AJogRunsItsWayAtItsSpeed) {
     }
 }
 
-TEST_P(TruthTest, AbortStopsShorterThanStopAndEachSaysWhichItWas) {
+TEST_P(TruthTest, AbortStopsShorterThanStopAndEachReportsWhichItWas) {
   std::int64_t ran_on[2] = {0, 0};
   for (const bool at_once : {false, true}) {
     must(intent::MoveBy({{id(0), Steps(40000)}}, Pps{5000}));

@@ -130,7 +130,7 @@ TEST(CodeEditor, ReadOnlyStaysAsItIs) {
   EXPECT_EQ(b.editor.text(), "I1M400");
 }
 
-TEST(CodeEditor, AProblemSaysItsSentenceAndMendsItself) {
+TEST(CodeEditor, AProblemShowsItsSentenceAndItsMend) {
   ProgramReport report;
   report.lines.resize(2);
   Problem p;
@@ -199,7 +199,7 @@ TEST(FileDialog, OpensByClickAndShowsItsSuffixOnly) {
   EXPECT_FALSE(a.dialog.is_open());
 }
 
-TEST(FileDialog, OpensByPathAndSaysWhatIsNotThere) {
+TEST(FileDialog, OpensByPathAndReportsAMissingFile) {
   Asked a;
   a.dialog.ask_open("Open a program", a.folder.path);
   a.stage.frames(4);

@@ -33,7 +33,7 @@ class GamepadTest : public testing::Test {
   }
   /// As the window does, 60 times a second.
   void look() {
-    changes.tell(state, stage.now_s, [this](const InputEvent& e) { stage.push(e); });
+    changes.report(state, stage.now_s, [this](const InputEvent& e) { stage.push(e); });
   }
   void run(double seconds) {
     for (int n = static_cast<int>(seconds * 60 + 0.5); n > 0; --n) {
@@ -231,7 +231,7 @@ TEST_F(GamepadTest, OneThatIsPulledOutStopsAndIsDisarmed) {
   hold(lb, true);
   push_stick(left_x, 1);
   reported();
-  changes.tell(std::nullopt, stage.now_s, [this](const InputEvent& e) { stage.push(e); });
+  changes.report(std::nullopt, stage.now_s, [this](const InputEvent& e) { stage.push(e); });
   EXPECT_EQ(reported(), "xright");
   EXPECT_FALSE(pad.armed());
   EXPECT_FALSE(pad.present());
@@ -239,7 +239,7 @@ TEST_F(GamepadTest, OneThatIsPulledOutStopsAndIsDisarmed) {
 }
 
 TEST_F(GamepadTest, OneThatIsPulledOutAtRestHasStoppedNothing) {
-  changes.tell(std::nullopt, stage.now_s, [this](const InputEvent& e) { stage.push(e); });
+  changes.report(std::nullopt, stage.now_s, [this](const InputEvent& e) { stage.push(e); });
   EXPECT_EQ(reported(), "");
   EXPECT_FALSE(pad.armed());
   const std::string words = pad.take_words();

@@ -104,7 +104,7 @@ TEST(InputQueue, AnEarlierPlaceOfTheMouseDoesNotSlipUnderALaterPress) {
   EXPECT_EQ(io.MousePos.x, 90);
 }
 
-TEST(InputQueue, APressCountsWhereItIsThoughNoMoveToldOfThat) {
+TEST(InputQueue, APressCountsWhereItIsWithoutAMoveBeforeIt) {
   int clicks = 0;
   Stage stage(in_window([&](Ui& ui) { clicks += button(ui, "go", "Go").clicked; }));
   ASSERT_TRUE(stage.hand.click("go"));

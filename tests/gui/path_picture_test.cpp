@@ -32,7 +32,7 @@ struct Drawn {
   [[nodiscard]] unsigned alpha(drawing::Point p) const { return at(p) >> IM_COL32_A_SHIFT & 255; }
 };
 
-TEST(PathPicture, LinesStandWhereTheViewSays) {
+TEST(PathPicture, LinesStandWhereTheViewPutsThem) {
   drawing::ToolPath path;
   path.go({10, 10}, {90, 10}, true, 0);
   path.go({90, 10}, {90, 70}, false, 0);
@@ -54,7 +54,7 @@ TEST(PathPicture, DashesHaveGaps) {
   EXPECT_NEAR(static_cast<double>(on) / (on + off), 5.0 / 9, 0.08);
 }
 
-TEST(PathPicture, ArrowsTellTheDirection) {
+TEST(PathPicture, ArrowsShowTheDirection) {
   drawing::ToolPath path;
   path.go({10, 50}, {90, 50}, true, 0);
   PathLook look{crimson, grey, 2, 1, 0, 0};
@@ -84,7 +84,7 @@ TEST(PathPicture, ArrowsOfTheWayWithTheToolOffAreWholeToo) {
   EXPECT_EQ(arms(2, 8), arms(0, 0));
 }
 
-TEST(PathPicture, InPerspectiveLinesStandWhereTheViewSays) {
+TEST(PathPicture, InPerspectiveLinesStandWhereTheViewPutsThem) {
   drawing::ToolPath path;
   path.go({0, 0, 0}, {100, 0, 0}, true, 0);
   path.go({100, 0, 0}, {100, 80, 60}, false, 0);

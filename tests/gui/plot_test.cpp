@@ -43,7 +43,7 @@ struct PlotStage {
               440, 240};
 };
 
-TEST(Plot, TheCursorTellsTheValueUnderTheMouse) {
+TEST(Plot, TheCursorShowsTheValueUnderTheMouse) {
   PlotStage p;
   for (int i = 0; i <= 100; ++i) p.x.push_back(static_cast<float>(i)), p.y.push_back(static_cast<float>(i));
   p.stage.frames(2);

@@ -65,13 +65,13 @@ class StandingTest : public testing::Test {
   void go_is_not_taken_before_it_has_stood() {
     click("go");
     EXPECT_EQ(gone, 0);
-    EXPECT_TRUE(says_not_taken("go"));
+    EXPECT_TRUE(shows_not_taken("go"));
     wait(0.3);
     click("go");
     EXPECT_EQ(gone, 1);
-    EXPECT_FALSE(says_not_taken("go"));
+    EXPECT_FALSE(shows_not_taken("go"));
   }
-  [[nodiscard]] bool says_not_taken(const char* id) { return stage.find(id)->not_taken; }
+  [[nodiscard]] bool shows_not_taken(const char* id) { return stage.find(id)->not_taken; }
 };
 
 TEST_F(StandingTest, WhatHasOnlyJustAppearedTakesNoPress) {
@@ -85,16 +85,16 @@ TEST_F(StandingTest, WhatHasMovedUnderTheHandTakesNoPress) {
   stage.frame();
   click("go");
   EXPECT_EQ(gone, 0);
-  EXPECT_TRUE(says_not_taken("go"));
+  EXPECT_TRUE(shows_not_taken("go"));
 }
 
-TEST_F(StandingTest, ItSaysSoForAWhileOnly) {
+TEST_F(StandingTest, ItIsShownForAWhileOnly) {
   wait(0.1);
   click("go");
   wait(1.5);
-  EXPECT_TRUE(says_not_taken("go"));
+  EXPECT_TRUE(shows_not_taken("go"));
   wait(1);
-  EXPECT_FALSE(says_not_taken("go"));
+  EXPECT_FALSE(shows_not_taken("go"));
 }
 
 TEST_F(StandingTest, ThreeTenthsOfASecondAreEnough) {
@@ -170,7 +170,7 @@ TEST_F(StandingTest, ADialogThatStartsMotionWaitsAndWhatItCoveredToo) {
   stage.frames(3);
   click("ask/yes");
   EXPECT_EQ(gone, 0);
-  EXPECT_TRUE(says_not_taken("ask/yes"));
+  EXPECT_TRUE(shows_not_taken("ask/yes"));
   click("ask/no");
   ASSERT_FALSE(ask);
   click("go");

@@ -184,7 +184,7 @@ TEST(NumberField, CommaAndPointBothRead) {
     EXPECT_FALSE(read_number(bad)) << bad;
 }
 
-TEST(NumberField, SaysTheRangeInWords) {
+TEST(NumberField, ShowsTheRangeInWords) {
   const NumberRange range{1, 6000, 0, ""};
   EXPECT_EQ(range_sentence("8000", range), "1 to 6000 only");
   EXPECT_EQ(range_sentence("6000", range), "");
@@ -361,6 +361,20 @@ TEST(Choice, SegmentAndDropdown) {
   ASSERT_TRUE(stage.hand.key("Down"));
   ASSERT_TRUE(stage.hand.key("Enter"));
   EXPECT_EQ(unit, 2);
+}
+
+TEST(Choice, AnEntryTooLongForItsFieldIsSmallerAndNotCut) {
+  static const std::string_view names[] = {"4: Slo-Syn M063 (4.6 A), Vexta PK266 (3 A)", "0"};
+  std::string reported;
+  Stage stage(in_window([&](Ui& ui) {
+    (void)dropdown(ui, "setup/M1M", "type", names, 0, {.width = 302});
+    reported = ui.cut();
+  }));
+  stage.frames(2);
+  const ImVec2 at = stage.find("setup/M1M")->rect.centre();
+  stage.push(InputEvent::mouse_move(at.x, at.y, 0));
+  stage.frames(3);
+  EXPECT_EQ(reported, "");
 }
 
 TEST(ToggleLamp, WhatIsNotKnownIsNotDrawnAsOff) {

@@ -124,7 +124,7 @@ TEST_F(LiveBlocks, BehindAContourThatRampsOutNoRehearsalHasShownWhereTheAxesStan
 
 struct RestOfBlocks : test_blocks::BlocksStage {
   RestOfBlocks() : BlocksStage("vxm") { s.now.slot_bytes_used[0] = 0; }
-  void runs(int command) {
+  void runs(std::int16_t command) {
     s.now.program = {
         .run = RunState::running, .owned = true, .slot = 0, .command = command, .command_reported = true};
     s.stage.frames(3);

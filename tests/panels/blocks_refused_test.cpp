@@ -117,7 +117,7 @@ TEST_F(VxmRefusedBlocks, TheReasonStandsAtItsBlockAndTheTopLeadsThere) {
   EXPECT_TRUE(s.stage.find("blocks/31")->in_view());
 }
 
-TEST_F(RefusedBlocks, EachTellsHowManyLinesItTakes) {
+TEST_F(RefusedBlocks, EachShowsHowManyLinesItTakes) {
   sequence::Repeat loop;
   loop.times = 3;
   loop.steps = {{sequence::Delay{10}}};

@@ -29,7 +29,7 @@ struct RunPmxBlocks : RunBlocks {
   RunPmxBlocks() : RunBlocks("pmx-4ex-sa") {}
 };
 
-TEST_F(RunBlocks, RunTellsWhetherTheyHaveBeenRehearsedFromHere) {
+TEST_F(RunBlocks, RunShowsWhetherTheyHaveBeenRehearsedFromHere) {
   EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("Rehearsed: this text"));
   EXPECT_FALSE(s.stage.find("blocks/again"));
   s.now.axes[0].position = s.now.axes[0].command = Steps(70);
@@ -155,7 +155,7 @@ TEST_F(RunBlocks, TheTimeLeftStandsOverThemWhileTheyRun) {
   EXPECT_THAT(value("blocks/left"), HasSubstr(" s left"));
 }
 
-TEST_F(RunBlocks, WhatTheControllerNeverDoesIsGreyAndSaysWhy) {
+TEST_F(RunBlocks, WhatTheControllerNeverDoesIsGreyAndShowsWhy) {
   EXPECT_THAT(s.reason("blocks/add/arc"), HasSubstr("draws no arcs"));
   EXPECT_THAT(s.reason("blocks/add/enable"), HasSubstr("motor power of a VXM"));
   EXPECT_EQ(s.reason("blocks/add/move"), "");

@@ -369,7 +369,7 @@ TEST_F(BlocksTest, WhatIsTypedInAFieldIsNoKeyOfTheList) {
   EXPECT_EQ(text(), "; x\nEND\n");
 }
 
-TEST_F(VxmBlocksTest, BlocksTellHowLongTheyTakeAndWhereTheyGo) {
+TEST_F(VxmBlocksTest, BlocksShowHowLongTheyTakeAndWhereTheyGo) {
   s.click("blocks/add/move_by");
   s.type("blocks/1/to/1", "400");
   s.click("blocks/add/delay");
@@ -475,7 +475,7 @@ TEST_F(BlocksTest, BlocksWithChangesAreNotReplacedByATextWithoutBeingAsked) {
   EXPECT_EQ(text(), "DELAY=500\nEND\n");
 }
 
-TEST_F(BlocksTest, ATextThatIsNoBlocksSaysWhereAndLeavesThemAlone) {
+TEST_F(BlocksTest, ATextThatIsNoBlocksReportsWhereAndLeavesThemAlone) {
   s.click("blocks/add/delay");
   s.tab.desk().texts.set_text(0, "X100\nGOSUB 5\nEND\nSUB 5\nX0\nENDSUB\n");
   s.stage.frames(2);

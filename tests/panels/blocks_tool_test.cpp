@@ -52,7 +52,7 @@ TEST_F(ToolBlocks, WhatIsNotUnderstoodStaysInItsFieldAndHoldsTheRunBack) {
   EXPECT_EQ(s.reason("blocks/to_program"), "");
 }
 
-TEST_F(ToolBlocks, RoutinesOfAFileThatWordsCannotTellStayAsTheyAre) {
+TEST_F(ToolBlocks, RoutinesThatWordsCannotDescribeStayAsTheyAre) {
   sequence::Sequence all = sequence::frame_of(editor().sequence());
   all.pen_down = {{sequence::Custom{"", "V1=1"}}};
   all.steps = {{sequence::Pen{true}}};

@@ -63,7 +63,7 @@ TEST_F(BusTest, TheStatusLineNamesAllThatMove) {
   EXPECT_EQ(sentence(), "02: Axis X hit its + limit. 01 and 03 move.");
 }
 
-TEST_F(BusTest, TheStatusLineTellsTheWorstOfAllDevices) {
+TEST_F(BusTest, TheStatusLineShowsTheWorstOfAllDevices) {
   c.now.axes[0].trust.doubt(Doubt::power_cut, {});
   s.run(0.1);
   EXPECT_NE(s.value("status/text").find("03 cannot be trusted"), std::string::npos) << s.value("status/text");

@@ -96,7 +96,7 @@ TEST(Clearing, AFlagThatIsNoErrorIsClearedByItsOwnAction) {
   EXPECT_FALSE(way->of_all);
 }
 
-TEST(Clearing, ACommandThatClearsTheFlagsOfAllAxesSaysSo) {
+TEST(Clearing, ACommandThatClearsTheFlagsOfAllAxesReportsIt) {
   Catalog c = with_clearing();
   c.actions[0].id = "clear_flags";
   c.actions[0].fields.clear();

@@ -281,7 +281,7 @@ TEST_F(ClosingWhatMoves, WhatStoodWhenItsLinkWasLostIsNotAskedAbout) {
   EXPECT_TRUE(window_may_close());
 }
 
-TEST_F(ClosingWhatMoves, OfWhatWasLostASignalTellsAtTheNextStart) {
+TEST_F(ClosingWhatMoves, WhatASignalLostIsReportedAtTheNextStart) {
   lose(moving);
   s.console.depart("SIGTERM");
   EXPECT_EQ(shown_at_next_start(),

@@ -8,6 +8,7 @@
 
 #include "core/base/log.h"
 #include "gui/shell/device_finder.h"
+#include "tests/core/session/folder.h"
 #include "tests/panels/console_stage.h"
 
 namespace hw::panels {
@@ -133,7 +134,7 @@ TEST(ConnectPage, ShowsTheLogWhileNoControllerIsOpen) {
   }
 }
 
-TEST(ConnectPage, APortIsTestedAndSaysHowFarItCame) {
+TEST(ConnectPage, APortIsTestedAndTheProgressIsShown) {
   Page p;
   ASSERT_TRUE(p.stage.hand.click("connect/port/4/test"));
   EXPECT_EQ(p.ports.asked, std::vector<std::string>{"/dev/ttyS0"});
@@ -144,7 +145,7 @@ TEST(ConnectPage, APortIsTestedAndSaysHowFarItCame) {
   EXPECT_EQ(p.stage.hand.value("connect/port/4/check/4").value_or("(none)"), "not reached: not reached");
 }
 
-TEST(ConnectPage, ASearchGoesOverEveryPortAndTellsWhatItFinds) {
+TEST(ConnectPage, ASearchGoesOverEveryPortAndReportsWhatItFinds) {
   Page p;
   const auto value = [&](const char* id) { return p.stage.hand.value(id).value_or("(none)"); };
   ASSERT_TRUE(p.stage.hand.click("connect/search"));
@@ -193,7 +194,32 @@ TEST(ConnectPage, Pictures) {
   }
 }
 
-TEST(ConnectEmulators, WhereNobodyServesTheSwitchSaysWhoDoes) {
+TEST(ConnectPage, ShowsWhenTheLastRunWasClosed) {
+  test::Folder folder;
+  const UserFolders folders = UserFolders::below(folder.path());
+  const auto closed_words = [&] {
+    ConsoleStage s(1440, 900, 1, true, folders);
+    s.console.show_page("connect");
+    s.run(0.2);
+    return s.value("connect/last_time");
+  };
+  {
+    ConsoleStage s(1440, 900, 1, true, folders);
+    ASSERT_TRUE(s.console.open("vxm@emulator"));
+    s.run(0.2);
+    s.console.close_all();
+  }
+  EXPECT_EQ(closed_words().substr(0, 13), "closed today ") << closed_words();
+  EXPECT_EQ(closed_words().size(), std::string("closed today 09:48").size()) << closed_words();
+  RecentConnections recent(folders);
+  ASSERT_TRUE(recent.load());
+  ASSERT_TRUE(recent.opened("vxm@emulator", ""));
+  EXPECT_EQ(closed_words(), "") << "it broke off";
+  ASSERT_TRUE(recent.ended({"2026-11-20", "18:02"}));
+  EXPECT_EQ(closed_words(), "closed 2026-11-20 18:02");
+}
+
+TEST(ConnectEmulators, WhereNothingServesItTheSwitchNamesTheServer) {
   ConsoleStage s;
   s.run(0.2);
   const Widget* serve = s.stage.find("connect/emulator/vxm/serve");

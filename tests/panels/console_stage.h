@@ -119,11 +119,11 @@ class ConsoleStage {
     address.transport = "emulator";
     auto tab = std::make_unique<gui::Tab>(
         std::move(address), std::move(catalog),
-        gui::Tab::Door{[&e](IntentBody body, std::optional<double>) {
-                         e.sent.push_back(std::move(body));
-                         return static_cast<IntentId>(e.sent.size());
-                       },
-                       [&e](BenchCommand command) { e.operated.push_back(command); }},
+        gui::Tab::Backend{[&e](IntentBody body, std::optional<double>) {
+                            e.sent.push_back(std::move(body));
+                            return static_cast<IntentId>(e.sent.size());
+                          },
+                          [&e](BenchCommand command) { e.operated.push_back(command); }},
         language);
     e.tab = &console.add(std::move(tab));
     e.now.link.state = LinkState::good;

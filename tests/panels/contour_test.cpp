@@ -204,6 +204,69 @@ TEST_F(ContourUnitsTest, AFileIsASequenceInTheSameUnitAndComesBackAsItWas) {
   EXPECT_EQ(other.value("contour/text"), text) << "also where counts are shown";
 }
 
+TEST_F(ContourUnitsTest, OneThatLeadsPastALimitCanBeShiftedInside) {
+  Travel& travel = s.now.axes[0].travel;
+  travel.has_minus = travel.has_plus = true, travel.minus = Steps(-4000), travel.plus = Steps(4000);
+  s.click("contour/add/line");
+  s.type("contour/1/x", "12.5");
+  s.click("contour/run");
+  s.settle(IntentState::done);
+  ASSERT_TRUE(s.last<intent::RunProgram>());
+  s.settle(IntentState::refused, "5000 counts lies past it.",
+           PastTravel{AxisId{0}, Sign::plus, Steps(5000), Steps(4000)});
+  EXPECT_THAT(s.value("contour/refused"), HasSubstr("12.5000 mm lies 2.5000 mm past the + limit of axis"));
+  s.click("contour/nearest");
+  EXPECT_EQ(s.value("contour/text"), "contour X Y at 1000\nline 4000 0\n") << "and it begins at -1000";
+  EXPECT_EQ(s.value("contour/x"), "-2.5000");
+  EXPECT_FALSE(s.stage.find("contour/refused"));
+}
+
+TEST_F(ContourUnitsTest, TheRefusalOfAListThatWasEditedMeanwhileOffersNothing) {
+  Travel& travel = s.now.axes[0].travel;
+  travel.has_minus = travel.has_plus = true, travel.minus = Steps(-4000), travel.plus = Steps(4000);
+  s.click("contour/add/line");
+  s.type("contour/1/x", "12.5");
+  s.click("contour/run");
+  s.settle(IntentState::done);
+  ASSERT_TRUE(s.last<intent::RunProgram>());
+  s.type("contour/1/x", "11.5");
+  s.settle(IntentState::refused, "5000 counts lies past it.",
+           PastTravel{AxisId{0}, Sign::plus, Steps(5000), Steps(4000)});
+  EXPECT_FALSE(s.stage.find("contour/refused"));
+  EXPECT_THAT(s.toast(), HasSubstr("past the + limit of axis")) << "it is not lost";
+}
+
+TEST_F(ContourUnitsTest, TheShiftIsOfferedInTheUnitInWhichTheListIsTyped) {
+  show("screw", "other screw");
+  Travel& travel = s.now.axes[0].travel;
+  travel.has_minus = travel.has_plus = true, travel.minus = Steps(-4000), travel.plus = Steps(4000);
+  s.click("contour/add/line");
+  s.type("contour/1/x", "5000");
+  s.click("contour/run");
+  s.settle(IntentState::done);
+  s.settle(IntentState::refused, "5000 counts lies past it.",
+           PastTravel{AxisId{0}, Sign::plus, Steps(5000), Steps(4000)});
+  ASSERT_TRUE(s.stage.find("contour/nearest"));
+  EXPECT_THAT(std::string(s.stage.find("contour/nearest")->label), HasSubstr("1000 "));
+}
+
+TEST_F(ContourUnitsTest, AFileOfAxesThatCountAgainstTheirStepsComesBackToo) {
+  for (AxisProfile& axis : s.tab.profile.axes) axis.reversed = true;
+  s.tab.profile_edited();
+  s.stage.frames(2);
+  s.click("contour/add/line");
+  s.type("contour/1/x", "2.5");
+  const std::string text(s.value("contour/text"));
+  EXPECT_THAT(text, HasSubstr("line -1000 0"));
+  s.click("contour/save");
+  s.type("file/path", (folder.path() / "part.toml").c_str());
+  s.click("file/save");
+  s.stage.frames(3);
+  s.type("contour/1/x", "5");
+  open(folder.path() / "part.toml");
+  EXPECT_EQ(s.value("contour/text"), text);
+}
+
 TEST_F(ContourUnitsTest, AFileThatDoesMoreIsRefusedAndNothingIsLost) {
   s.click("contour/add/line");
   s.type("contour/1/x", "2.5");

@@ -16,7 +16,7 @@ struct ControlTest : ::testing::Test {
     s.now.axis_count = 4;
     s.stage.frames(2);
   }
-  void tell(const char* id, std::int64_t value) {
+  void set_readout(const char* id, std::int64_t value) {
     const auto i = static_cast<std::size_t>(s.catalog.find_readout(id));
     s.now.readouts[i] = value;
     s.now.readouts_known[i] = true;
@@ -37,11 +37,11 @@ struct ControlTest : ::testing::Test {
 
 TEST_F(ControlTest, ValuesAreShownInWordsAndTheirAgeIsNotHidden) {
   EXPECT_EQ(s.value("readout/MM"), "?");
-  tell("MM", 1);
+  set_readout("MM", 1);
   EXPECT_EQ(s.value("readout/MM"), "incremental");
-  tell("TR", 1284);
+  set_readout("TR", 1284);
   EXPECT_EQ(s.value("readout/TR"), "1284 ms");
-  tell("SLSY", 10);
+  set_readout("SLSY", 10);
   EXPECT_EQ(s.value("readout/SLSY"), "stalled");
   s.stage.frames(60 * 4);
   EXPECT_EQ(s.value("readout/MM"), "incremental?");
@@ -80,7 +80,7 @@ TEST_F(ControlTest, AButtonWithoutFieldsIsSentAtOnce) {
   EXPECT_TRUE(act("incremental").values.empty());
 }
 
-TEST_F(ControlTest, AWrongNumberSendsNothingAndSaysWhy) {
+TEST_F(ControlTest, AWrongNumberSendsNothingAndReportsWhy) {
   const std::size_t sent = s.sent.size();
   s.type("action/arc/end_angle", "99999");
   s.click("action/arc/go");
@@ -221,7 +221,7 @@ struct ControlUnitsTest : ::testing::Test {
     s.tab.profile_edited();
     s.stage.frames(60);
   }
-  void tell(const char* id, std::int64_t value) {
+  void set_readout(const char* id, std::int64_t value) {
     const auto i = static_cast<std::size_t>(s.catalog.find_readout(id));
     s.now.readouts[i] = value;
     s.now.readouts_known[i] = true;
@@ -257,15 +257,15 @@ TEST_F(ControlUnitsTest, ANumberStaysWhatItIsWhenAnotherUnitIsChosen) {
 }
 
 TEST_F(ControlUnitsTest, PlacesAreReportedInTheUnitOfTheirAxis) {
-  tell("LTPX", 46'914);
+  set_readout("LTPX", 46'914);
   EXPECT_EQ(s.value("readout/LTPX"), "117.2850");
-  tell("LTPU", 46'914);
+  set_readout("LTPU", 46'914);
   EXPECT_EQ(s.value("readout/LTPU"), "4691.4");
 }
 
 TEST_F(ControlUnitsTest, WhatDoesAwayWithAStateIsOfferedOnlyWhileItIsThere) {
   EXPECT_FALSE(s.stage.find("action/clear/Y/go"));
-  tell("SLSY", 10);
+  set_readout("SLSY", 10);
   EXPECT_FALSE(s.stage.find("action/clear/X/go"));
   s.click("action/clear/Y/go");
   ASSERT_TRUE(s.last<intent::Act>());
@@ -360,7 +360,7 @@ TEST(ControlOfPmx, ARefusedReadingIsAskedForAgain) {
   EXPECT_EQ(s.toast(), "") << "nobody has asked for it";
 }
 
-TEST(ControlOfPmx, TheBufferSaysHowManyPlacesAreFreeOfHowMany) {
+TEST(ControlOfPmx, TheBufferShowsHowManyPlacesAreFreeOfHowMany) {
   Control panel;
   test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, pmx_4ex_sa::make_catalog({}).value()};
   s.now.axis_count = 4;
@@ -375,7 +375,7 @@ TEST(ControlOfPmx, TheBufferSaysHowManyPlacesAreFreeOfHowMany) {
   EXPECT_GE(cells->rect.height(), 48) << "a row of cells under the words";
 }
 
-TEST(ControlOfPmx, AnArcWithoutARadiusIsNotDrawnAndSaysWhy) {
+TEST(ControlOfPmx, AnArcWithoutARadiusIsNotDrawnAndReportsWhy) {
   Control panel;
   test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, pmx_4ex_sa::make_catalog({}).value()};
   s.now.axis_count = 4;
@@ -388,7 +388,7 @@ TEST(ControlOfPmx, AnArcWithoutARadiusIsNotDrawnAndSaysWhy) {
       << "it begins the first column";
 }
 
-TEST_F(ControlTest, WhatTheControllerSaysOfItself) {
+TEST_F(ControlTest, WhatTheControllerReportsOfItself) {
   EXPECT_EQ(s.value("about/firmware"), "not told");
   s.now.identity.firmware = "V319";
   s.stage.frames(2);

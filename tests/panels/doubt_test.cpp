@@ -117,7 +117,7 @@ TEST_F(DoubtTest, HomeTakesAWayThatSetsTheCount) {
   EXPECT_EQ(a.last<intent::Home>()->mode, 1) << "the first leaves the count as it is";
 }
 
-TEST_F(DoubtTest, ReturnToZeroAndGoTogetherSayWhichOfThemIsDoubted) {
+TEST_F(DoubtTest, ReturnToZeroAndGoTogetherNameTheDoubtfulAxis) {
   doubt(1);
   MUST(s.hand.click("goto/1/with"));
   MUST(s.hand.click("goto/2/with"));

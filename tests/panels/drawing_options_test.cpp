@@ -67,7 +67,7 @@ TEST_F(DrawingTabTest, NothingIsCutWhileAFieldHoldsNoNumber) {
   EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("Tolerance: 0 to"));
 }
 
-TEST_F(DrawingTabTest, ATableThatIsNotFullyDescribedIsNotCheckedAndSaysSo) {
+TEST_F(DrawingTabTest, ATableThatIsNotFullyDescribedIsNotCheckedAndThisIsShown) {
   drop();
   EXPECT_FALSE(s.stage.find("drawing/table/unchecked"));
   s.type("drawing/table/left", "25\n");
@@ -213,7 +213,7 @@ TEST_F(DrawingTabTest, TheScaleIsTypedInTheFormThatTheMakerGives) {
   EXPECT_EQ(s.value("drawing/per_unit/Y"), "5080.000");
 }
 
-TEST_F(DrawingTabTest, AUnitThatIsChosenAtTheNumbersLaterTellsTheScale) {
+TEST_F(DrawingTabTest, AUnitThatIsChosenAtTheNumbersLaterGivesTheScale) {
   drop();
   s.tab.profile.axes[0].unit_choice = own_unit_choice;
   s.tab.profile.axes[0].own_unit = {"in", 0.0001};  // shown in steps now
@@ -244,7 +244,7 @@ struct ToolAxisTest : DrawingTabTest {
   }
 };
 
-TEST_F(ToolAxisTest, AUnitThatIsChosenLaterTellsItsScale) {
+TEST_F(ToolAxisTest, AUnitThatIsChosenLaterGivesItsScale) {
   choose_z();
   EXPECT_THAT(program(), testing::AllOf(HasSubstr("Z-400"), HasSubstr("Z600")));
   count_z_in_mm(false);

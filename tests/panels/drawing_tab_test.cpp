@@ -124,7 +124,7 @@ TEST_F(DrawingTabTest, TheChainsAreListedInTheirOrder) {
   EXPECT_FALSE(s.stage.find("drawing/chain/3"));
 }
 
-TEST_F(DrawingTabTest, ABarTellsHowFarItIs) {
+TEST_F(DrawingTabTest, ABarShowsTheProgress) {
   s.tab.desk().dropped["drawing"].push_back(file);
   s.stage.frames(1);
   EXPECT_NE(s.value("drawing/progress"), "");
@@ -173,7 +173,7 @@ TEST_F(DrawingTabTest, AnyTwoAxesDraw) {
   EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("Y4000Z2000"));
 }
 
-TEST_F(DrawingTabTest, AClickSaysWhatLiesAtTheOrigin) {
+TEST_F(DrawingTabTest, AClickSetsTheOrigin) {
   drop();
   two_hundred_pulses_in_a_mm();
   s.click("drawing/origin/By click");
@@ -289,7 +289,7 @@ TEST_F(DrawingTabTest, WhatWasStoppedIsNotForgottenForACutThatIsRefused) {
   EXPECT_EQ(s.reason("drawing/cut_on"), "The drawing has changed since.");
 }
 
-TEST_F(DrawingTabTest, WhereTheSpeedWithTheToolOffIsMissingTheSavingSaysSo) {
+TEST_F(DrawingTabTest, WithoutTheSpeedWithTheToolOffTheSavingIsMarkedSo) {
   std::string text = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
   for (const char* x : {"0", "50", "10", "40"})
     text += std::string("0\nLINE\n8\n0\n10\n") + x + "\n20\n0\n11\n" + x + "\n21\n5\n";
@@ -363,7 +363,7 @@ TEST_F(DrawingTabTest, TheSpeedChangesWhereThatIsTaken) {
   EXPECT_EQ(s.reason("drawing/override"), "") << "each move has its speed when it is sent";
 }
 
-TEST_F(DrawingTabTest, AFileThatSaysNoUnitIsNotCutBeforeOneWasChosen) {
+TEST_F(DrawingTabTest, AFileWithoutAUnitIsNotCutBeforeOneWasChosen) {
   std::string text(square_and_text);
   text.replace(text.find("70\n4\n"), 5, "70\n0\n");
   ASSERT_TRUE(write_file(file, text));
@@ -381,7 +381,7 @@ TEST_F(DrawingTabTest, AFileThatSaysNoUnitIsNotCutBeforeOneWasChosen) {
   EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("does not name its unit")) << "it may be another file";
 }
 
-TEST_F(VxmDrawingTabTest, NobodyButTheUserSaysHowFarStairsMayLieBesideTheLine) {
+TEST_F(VxmDrawingTabTest, OnlyTheUserSetsHowFarStairsMayLieBesideTheLine) {
   drop();
   for (const char* id : {"drawing/cut", "drawing/frame", "drawing/to_program"})
     EXPECT_THAT(s.reason(id), HasSubstr("how far its corners may lie from the line")) << id;
@@ -393,7 +393,7 @@ TEST_F(VxmDrawingTabTest, NobodyButTheUserSaysHowFarStairsMayLieBesideTheLine) {
   EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("how far its corners may lie from the line"));
 }
 
-TEST_F(DrawingTabTest, WhoeverKnowsTheUnitBetterThanTheFileSaysIt) {
+TEST_F(DrawingTabTest, TheUserMayCorrectTheUnitOfTheFile) {
   drop();
   s.click("drawing/unit");
   s.click("drawing/unit/in");

@@ -164,7 +164,7 @@ TEST(ShortOfRoom, EachPanelTabCanBeReachedAtThreeHundredPerCent) {
   }
 }
 
-TEST(ShortOfRoom, AMovingAxisOfEightSaysHowFastOrNothingButNeverHalf) {
+TEST(ShortOfRoom, AMovingAxisOfEightShowsItsSpeedWholeOrNotAtAll) {
   for (const int width : {1440, 1024}) {
     Catalog c = example_catalog(8);
     c.step_word = "counts";

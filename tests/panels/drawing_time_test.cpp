@@ -7,7 +7,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST_F(DrawingTabTest, ADrawingThatGoesThroughTheBufferTellsWhatIsLeft) {
+TEST_F(DrawingTabTest, ADrawingThatGoesThroughTheBufferShowsWhatIsLeft) {
   std::string many("0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n");
   for (int n = 0; n < 700; ++n)
     many += "0\nLINE\n8\ncut\n10\n" + std::to_string(2 * n) + "\n20\n0\n11\n" + std::to_string(2 * n + 1) +
@@ -76,7 +76,7 @@ TEST(TimeLeft, IsNotCountedFromBeforeItWasSeenNorWhileItIsOnlySent) {
   EXPECT_DOUBLE_EQ(at(150, true), 0) << "it begins anew";
 }
 
-TEST_F(DrawingTabTest, TheBarGoesOnWhereTheControllerTellsNoSteps) {
+TEST_F(DrawingTabTest, TheBarGoesOnWhereTheControllerReportsNoSteps) {
   drop();
   two_hundred_pulses_in_a_mm();
   s.stage.frames(6);

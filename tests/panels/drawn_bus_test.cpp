@@ -94,7 +94,7 @@ TEST_F(DrawnBusTest, ThePathOfTheBusIsTheOneOfTheDrawing) {
   EXPECT_FALSE(stage.find("path/left")) << "it is not at work";
 }
 
-TEST_F(DrawnBusTest, WhileItIsDrawnBothTellWhatIsLeft) {
+TEST_F(DrawnBusTest, WhileItIsDrawnBothShowWhatIsLeft) {
   ASSERT_NO_FATAL_FAILURE(cut());
   EXPECT_THAT(value("drawing/cut_progress"), HasSubstr(" left"));
   MUST(stage.hand.click("tab/path"));
@@ -107,7 +107,7 @@ TEST_F(DrawnBusTest, WhileItIsDrawnBothTellWhatIsLeft) {
   EXPECT_FALSE(stage.find("path/left"));
 }
 
-TEST_F(DrawnBusTest, OfWhatWasBegunElsewhereItDoesNotTellWhatIsLeft) {
+TEST_F(DrawnBusTest, OfARunBegunElsewhereItDoesNotShowWhatIsLeft) {
   ASSERT_NO_FATAL_FAILURE(cut());
   ASSERT_THAT(value("drawing/cut_progress"), HasSubstr(" left"));
   console.active()->bus->begun = std::make_shared<const sequence::Sequence>();
@@ -146,7 +146,7 @@ TEST_F(DrawnBusTest, FromAPlaceOnItsPathTheRestIsDrawnBehindTheWayThere) {
   EXPECT_GT(members[0]->now().axes[0].position.value, 1500) << "it has been there";
 }
 
-TEST_F(DrawnBusTest, OnItsPathTheMarkOfTheToolTellsWhetherItIsOn) {
+TEST_F(DrawnBusTest, OnItsPathTheMarkOfTheToolShowsWhetherItIsOn) {
   ASSERT_NO_FATAL_FAILURE(cut());
   MUST(stage.hand.click("tab/path"));
   bool on = false, off = false;

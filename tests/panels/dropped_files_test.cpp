@@ -95,7 +95,7 @@ TEST_F(DroppedFiles, AFolderIsNamedAsOne) {
   }
 }
 
-TEST_F(DroppedFiles, WhatIsNoDrawingSaysWhy) {
+TEST_F(DroppedFiles, AFileThatIsNoDrawingReportsWhy) {
   open("pmx-4ex-sa@emulator");
   drop({folder.put("photo.dxf", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16))});
   EXPECT_THAT(reported(), ElementsAre(HasSubstr("photo.dxf")));

@@ -150,7 +150,7 @@ class FixedStage {
 
 struct Change {
   const char* name;
-  std::function<void(FixedStage&)> say;
+  std::function<void(FixedStage&)> make;
   bool in_go = false;  ///< by typing there, for which a hand scrolls: what it has scrolled to is compared
 };
 
@@ -329,7 +329,7 @@ class FixedLayout : public testing::TestWithParam<FixedWindow> {
           f.go_to("");
         }
         const auto before = change.in_go ? f.places() : was;
-        change.say(f);
+        change.make(f);
         f.s.stage.frames(3);
         expect_same(before, f.places(), fmt::format("{}, {}, {}", what, panel, change.name));
         if (change.in_go) f.go_to("");
@@ -361,6 +361,18 @@ TEST_P(FixedLayout, FourAxes) {
 TEST_P(FixedLayout, FourAxesWithEverything) { expect_fixed("4, full", 1, test::full_catalog); }
 TEST_P(FixedLayout, ServoAxes) { expect_fixed("board", 1, test::window_catalog); }
 TEST_P(FixedLayout, EightAxes) { expect_fixed("8", 1, with_many_axes); }
+TEST(LowestWindow, ShowsJogGoAndHomeOfEightAxesWithoutScrolling) {
+  ConsoleStage s(1024, 700);
+  s.add(with_many_axes());
+  s.run(0.2);
+  for (const char* id : {"jog/stop", "jog/speed", "goto/1", "goto/1/go", "home/1/-", "home/1/+"}) {
+    const Widget* w = s.stage.find(id);
+    ASSERT_TRUE(w) << id;
+    EXPECT_TRUE(w->wholly_in_view()) << id;
+    EXPECT_GE(w->rect.height(), 28) << id;
+  }
+}
+
 TEST_P(FixedLayout, ALineOfOne) {
   expect_fixed("line of 1", 1, [] { return one_on_a_line(1); });
 }

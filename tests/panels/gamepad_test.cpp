@@ -35,8 +35,8 @@ struct PadHand {
   void run(double seconds) {
     for (int n = static_cast<int>(seconds * 60 + 0.5); n > 0; --n) {
       if (pad.armed() && answers)
-        changes.tell(there ? std::optional(state) : std::nullopt, stage.now_s,
-                     [this](const InputEvent& e) { stage.push(e); });
+        changes.report(there ? std::optional(state) : std::nullopt, stage.now_s,
+                       [this](const InputEvent& e) { stage.push(e); });
       stage.frame();
     }
   }

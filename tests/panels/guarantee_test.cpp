@@ -39,7 +39,7 @@ class GuaranteeTest : public testing::Test {
   }
 };
 
-TEST_F(GuaranteeTest, SaysHowFarItGoesUntilTheWatchdogHasSpoken) {
+TEST_F(GuaranteeTest, ShowsHowFarItGoesUntilTheWatchdogActs) {
   EXPECT_EQ(label(), "watchdog");
   EXPECT_EQ(s.value("jog/guarantee"), "stops it: 1300 steps");
   a.tab->choose_jog(a.tab->jog_step(), Pps(200));
@@ -56,7 +56,7 @@ TEST_F(GuaranteeTest, TheControllerDoesWhereEveryAxisHasItsLimits) {
 }
 
 TEST_F(GuaranteeTest, NobodyIsReportedAsSuch) {
-  ends(JogEnds::by_nobody);
+  ends(JogEnds::never);
   EXPECT_EQ(label(), "nobody");
   EXPECT_EQ(s.value("jog/guarantee"), "1000 steps a second");
   ends(JogEnds::with_program);
@@ -69,7 +69,7 @@ TEST_F(GuaranteeTest, NobodyIsReportedAsSuch) {
 /// Each controller that there is, by its own catalog, in the unit that its user has chosen.
 class EveryBadge : public testing::TestWithParam<const DeviceType*> {};
 
-TEST_P(EveryBadge, SaysWhoAndHowFarInMillimetresAtTheChosenSpeed) {
+TEST_P(EveryBadge, ShowsWhoEndsItAndHowFarAtTheChosenSpeed) {
   ConsoleStage s;
   Example& a = s.add(*GetParam()->make_catalog({}));
   a.now.link.jog_ends = JogEnds::by_watchdog;
@@ -126,7 +126,7 @@ class GuardOfferTest : public testing::Test {
   }
 };
 
-TEST_F(GuardOfferTest, IsInstalledOnlyWhenItsUserSaysSo) {
+TEST_F(GuardOfferTest, IsInstalledOnlyWhenItsUserAgrees) {
   MUST(s.hand.click("jog/guarantee"));
   s.run(0.1);
   EXPECT_EQ(s.value("jog/guard/state"), "It is not installed. The program memory is empty.");

@@ -263,7 +263,7 @@ TEST_F(HandsTest, Home) {
   EXPECT_EQ(a.last<intent::Home>()->axis.index, 1);
 }
 
-TEST_F(HandsTest, WhileAProgramRunsNothingElseMovesAndItSaysSo) {
+TEST_F(HandsTest, WhileAProgramRunsNothingElseMovesAndThisIsShown) {
   a.now.program.owned = true;
   a.now.program.slot = 0;
   a.now.program.run = RunState::running;

@@ -36,7 +36,7 @@ TEST(IoLanes, AnInputIsLookedAtOrWaitedFor) {
   EXPECT_EQ(lanes[1].words, "waited for from 3.0 s to 7.0 s");
 }
 
-TEST(IoLanes, WhatNobodyCouldTellApartIsOne) {
+TEST(IoLanes, IndistinguishableOnesAreOne) {
   std::vector<RehearsedEvent> many;
   for (int i = 0; i < 100'000; ++i)
     many.push_back({i * 1e-4, "", 0, 0, Line::switched, "output 1", i % 2 == 0 ? 1 : 0});

@@ -91,7 +91,7 @@ TEST_F(JogUnitsTest, AnAxisWithoutAUnitCountsSteps) {
   EXPECT_EQ(s.value("jog/own_units"), "A tap: 1 0.100 mm, 2 1 step. Held: 1 5.000 mm/s, 2 2000 steps/s.");
 }
 
-TEST_F(JogUnitsTest, WhatMostAxesShareIsSaidOnce) {
+TEST_F(JogUnitsTest, WhatMostAxesShareIsShownOnce) {
   Example& b = s.add(example_catalog(4));
   b.tab->profile.unit = "real";
   b.tab->profile.axes[0].unit_choice = "screw of 1 mm";
@@ -141,7 +141,7 @@ TEST_F(JogUnitsTest, TheSliderChoosesForAllAxesAgain) {
   EXPECT_NE(s.value("jog/speed"), "each its own");
 }
 
-TEST_F(JogUnitsTest, EachButtonSaysInTheUnitOfItsAxisWhatItDoes) {
+TEST_F(JogUnitsTest, EachButtonNamesItsStepInTheUnitOfItsAxis) {
   show_in("screw of 1 mm", "screw of 2 mm");
   a.tab->profile.axes[1].reversed = true;
   a.tab->profile.jog_speed = Pps(1000);

@@ -40,7 +40,7 @@ struct Lists : testing::Test {
   }
 };
 
-TEST_F(Lists, EscClosesItAndStopsAndSaysWhatItStopped) {
+TEST_F(Lists, EscClosesItAndStopsAndReportsWhatItStopped) {
   s.run(0.1);
   for (const List& list : all) {
     open(list);

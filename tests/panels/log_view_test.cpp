@@ -30,7 +30,7 @@ class LogViewTest : public ::testing::Test {
   test::PanelStage s{panel, 704, 300};
 };
 
-TEST_F(LogViewTest, SaysWhatToDoWhileThereIsNothing) {
+TEST_F(LogViewTest, ShowsWhatToDoWhileItIsEmpty) {
   EXPECT_EQ(s.value("decisions/log"), "");
   EXPECT_FALSE(s.stage.find("terminal/log"));
   EXPECT_TRUE(s.stage.find("terminal/command")) << "the line is there in all lists";

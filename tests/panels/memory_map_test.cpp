@@ -1,6 +1,9 @@
 // The memory window on the screen: what is decoded, what is marked, what is dimmed.
 #include "panels/memory_map.h"
 
+#include <imgui_internal.h>
+
+#include "tests/panels/console_stage.h"
 #include "tests/panels/panel_stage.h"
 #include "tests/panels/window_catalog.h"
 
@@ -52,7 +55,7 @@ TEST_F(MemoryMapTest, WhatHasJustChangedIsMarkedForAWhile) {
   EXPECT_FALSE(s.stage.find("register/0x480/changed"));
 }
 
-TEST_F(MemoryMapTest, WhatIsOldOrNeverReadSaysSo) {
+TEST_F(MemoryMapTest, OldAndUnreadValuesAreMarked) {
   poke(0x400, 4, 5);
   s.stage.frames(60);
   EXPECT_EQ(s.value("register/0x400"), "5?");
@@ -73,7 +76,7 @@ TEST(MemoryMapUnread, NothingIsInvented) {
   EXPECT_EQ(s.value("ring/Commands"), "?");
 }
 
-TEST_F(MemoryMapTest, ARingTellsWhatWaitsInItAndItsNewestText) {
+TEST_F(MemoryMapTest, ARingShowsWhatWaitsInItAndItsNewestText) {
   s.now.window.rings_known = true;
   const std::string_view text = "AX MA100 GO";
   for (std::size_t i = 0; i < text.size(); ++i)
@@ -87,6 +90,18 @@ TEST_F(MemoryMapTest, ARingTellsWhatWaitsInItAndItsNewestText) {
 TEST_F(MemoryMapTest, ItsRingsAreReadOnlyWhileItIsLookedAt) {
   ASSERT_TRUE(s.last<intent::Watch>());
   EXPECT_EQ(s.last<intent::Watch>()->groups, 1u << 1);
+}
+
+TEST(MemoryMapScrolled, HasOneScrollBar) {
+  ConsoleStage s(720, 450, 2);
+  s.add(test::window_catalog());
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.click("tab/memory"));
+  s.run(0.1);
+  int bars = 0;
+  for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
+    bars += w->Active && w->ScrollbarY && std::string_view(w->Name).starts_with("centre/");
+  EXPECT_EQ(bars, 1);
 }
 
 }  // namespace

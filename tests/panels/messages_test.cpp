@@ -116,17 +116,59 @@ TEST(MessagePlace, IsBesideTheTitleOnALaptopAlsoWithTheRightColumnUnfolded) {
   }
 }
 
-// At 1024x700 the terminal has three rows and no title.
-TEST(MessagePlace, IsInTheStatusLineWhereThereIsNoTitle) {
+// At 1024x700 the terminal has three rows, and its menu for a title.
+TEST(MessagePlace, IsBesideTheMenuThatIsTheTitle) {
   ConsoleStage s(1024, 700);
   s.add();
   s.run(0.1);
   ASSERT_FALSE(s.stage.find("terminal/view/log"));
+  const gui::Rect menu = s.stage.find("terminal/log_menu")->rect, send = s.stage.find("terminal/send")->rect;
+  EXPECT_EQ(s.stage.find("terminal/log_menu")->label, "Terminal");
   s.console.toast(gui::Severity::fault, "The home switch is not there.");
   s.run(0.2);
   ASSERT_TRUE(strip_of(s));
-  EXPECT_GE(strip_of(s)->min.y, 700 - 36);
+  EXPECT_EQ(strip_of(s)->centre().y, menu.centre().y);
+  EXPECT_LE(strip_of(s)->max.x, menu.min.x);
+  EXPECT_GE(strip_of(s)->min.x, s.stage.find("terminal/command")->rect.max.x);
+  EXPECT_GE(s.stage.find("terminal/command")->rect.width(), 220);
+  EXPECT_EQ(s.stage.find("terminal/log_menu")->rect.min.x, menu.min.x) << "nothing but the field gives way";
+  EXPECT_EQ(s.stage.find("terminal/send")->rect.min.x, send.min.x);
+  ASSERT_TRUE(s.hand.click("toast/1"));
+  s.run(0.1);
+  EXPECT_TRUE(s.stage.find("message/list/1")) << "a press shows it whole";
+}
+
+void expect_in_status_line(ConsoleStage& s) {
+  ASSERT_TRUE(strip_of(s));
+  EXPECT_GE(strip_of(s)->centre().y, s.stage.find("status/text")->rect.min.y);
   EXPECT_GE(strip_of(s)->min.x, s.stage.find("status/text")->rect.max.x) << "not over its sentence";
+}
+
+TEST(MessagePlace, IsInTheStatusLineWhereTheTerminalIsCoveredOrInATab) {
+  for (const bool narrow : {false, true}) {
+    ConsoleStage s(narrow ? 720 : 1024, narrow ? 450 : 700);
+    s.add();
+    s.console.right_open = !narrow;
+    s.run(0.1);
+    s.console.toast(gui::Severity::fault, "The home switch is not there.");
+    s.run(0.2);
+    expect_in_status_line(s);
+  }
+}
+
+// A banner that covers the status line shows the number of messages only where the terminal shows none.
+TEST(MessagePlace, IsInOnePlaceBesideABannerToo) {
+  ConsoleStage s(1024, 700);
+  Example& a = s.add();
+  a.now.link.state = LinkState::lost;
+  s.run(0.1);
+  ASSERT_TRUE(s.stage.find("fault/lost"));
+  s.console.toast(gui::Severity::fault, "The home switch is not there.");
+  s.run(0.2);
+  int strips = 0;
+  for (const gui::Widget& w : s.stage.surface.screen().registry().widgets())
+    strips += w.id == "message/strip";
+  EXPECT_EQ(strips, 1);
 }
 
 TEST(MessagePlace, CoversNothingInAnySize) {
@@ -195,7 +237,7 @@ TEST(MessagePlace, WhatAClosedControllerRefusedGoesWithIt) {
   EXPECT_EQ(s.console.toasts().list()[0].text, "The disk is full.") << "that is still so";
 }
 
-TEST(MessagePlace, ABannerLeavesARowOfTraffic) {
+TEST(MessagePlace, ABannerLeavesThreeRowsOfTraffic) {
   for (const int width : {1024, 1366}) {
     ConsoleStage s(width, width == 1024 ? 700 : 768);
     Example& a = s.add();
@@ -203,12 +245,62 @@ TEST(MessagePlace, ABannerLeavesARowOfTraffic) {
     a.now.link.state = LinkState::lost;
     s.run(0.2);
     EXPECT_TRUE(s.stage.find("fault/lost"));
-    EXPECT_GE(s.stage.find("terminal/log")->rect.height(), 20) << width;
+    EXPECT_GE(s.stage.find("terminal/log")->rect.height(), 60) << width;
+    EXPECT_TRUE(s.hand.click("fault/try_now").has_value()) << width;
   }
 }
 
-TEST(MessagePlace, AFoldedBannerKeepsWhatMattersAndCanBeUnfolded) {
+TEST(MessagePlace, AnAdviceDoesNotCoverAStatusLineAboutAnError) {
   ConsoleStage s(1024, 700);
+  Example& a = s.add();
+  a.now.params[0].value = 0;
+  s.run(0.2);
+  EXPECT_TRUE(s.stage.find("fault/unset"));
+  EXPECT_GE(s.stage.find("terminal/log")->rect.height(), 60);
+  a.now.axes[0].activity = Activity::error;
+  a.now.axes[0].error = AxisError::alarm;
+  s.run(0.2);
+  EXPECT_FALSE(s.stage.find("fault/unset"));
+  a.now.axes[0].activity = Activity::idle;
+  a.now.axes[0].error = AxisError::none;
+  s.run(0.2);
+  EXPECT_TRUE(s.stage.find("fault/unset"));
+}
+
+TEST(MessagePlace, AnAdviceThatIsInNoBannerIsInTheStatusLine) {
+  ConsoleStage s(1024, 700);
+  Example& a = s.add();
+  a.now.params[0].value = 0;
+  a.now.axes[0].position_known = false;
+  s.run(0.2);
+  EXPECT_TRUE(s.stage.find("fault/unset")) << "it comes before the position";
+  a.now.program.owned = true;  // and the status line names it
+  s.run(0.2);
+  EXPECT_FALSE(s.stage.find("fault/unset"));
+  EXPECT_TRUE(s.value("status/text").starts_with("No type is chosen for motor 1.")) << s.value("status/text");
+}
+
+TEST(MessagePlace, ABannerThatWasUnfoldedCanBeFoldedInAnyWindow) {
+  int folded = 0;
+  for (int height = 640; height <= 780; height += 10) {
+    ConsoleStage s(1024, height);
+    Example& a = s.add();
+    s.run(0.1);
+    a.now.link.state = LinkState::lost;
+    s.run(0.1);
+    if (!s.stage.find("fault/fold")) continue;
+    ++folded;
+    ASSERT_TRUE(s.hand.click("fault/fold").has_value()) << height;
+    s.run(0.1);
+    ASSERT_TRUE(s.hand.click("fault/fold").has_value()) << height;
+    s.run(0.1);
+    EXPECT_TRUE(s.stage.find("fault/fold")) << height;
+  }
+  EXPECT_GT(folded, 0);
+}
+
+TEST(MessagePlace, AFoldedBannerKeepsWhatMattersAndCanBeUnfolded) {
+  ConsoleStage s(1440, 900);
   Example& a = s.add();
   a.now.axes[0].activity = Activity::moving;
   s.run(0.2);

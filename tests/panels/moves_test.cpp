@@ -1,6 +1,9 @@
 #include "panels/moves.h"
 
+#include <imgui_internal.h>
+
 #include "tests/core/session/folder.h"
+#include "tests/panels/console_stage.h"
 #include "tests/panels/full_catalog.h"
 #include "tests/panels/panel_stage.h"
 
@@ -87,6 +90,55 @@ TEST_F(MovesTest, AbortWorksUntilTheBufferIsEmpty) {
   EXPECT_EQ(s.reason("list/abort"), "No list is being sent.");
 }
 
+// A short list is sent within one round of questions: nobody sees it on its way.
+TEST_F(MovesTest, AbortWorksForAListThatWasSentAtOnce) {
+  const auto i = static_cast<std::size_t>(s.catalog.find_readout("BUFFREE"));
+  const auto read = [&](int free) {
+    s.now.readouts[i] = free;
+    s.now.readouts_known[i] = true;
+    s.now.readouts_seen_at[i] = Instant(from_seconds(s.stage.now_s));
+  };
+  add("1", "1", "1000");
+  read(36);
+  s.stage.frames(2);
+  EXPECT_EQ(s.reason("list/abort"), "No list is being sent.");
+  s.click("list/start");
+  s.now.feed = {false, 5, 5};
+  s.settle(IntentState::done);
+  s.stage.frames(2);
+  EXPECT_EQ(s.reason("list/abort"), "") << "nobody knows yet what waits";
+  read(31);
+  s.stage.frames(2);
+  EXPECT_EQ(s.reason("list/abort"), "");
+  read(36);
+  s.stage.frames(2);
+  EXPECT_EQ(s.reason("list/abort"), "No list is being sent.") << "it is empty, and nothing moves";
+}
+
+TEST_F(MovesTest, ARefusedStartHasSentNothing) {
+  const auto i = static_cast<std::size_t>(s.catalog.find_readout("BUFFREE"));
+  s.now.readouts[i] = 36, s.now.readouts_known[i] = true;
+  s.now.readouts_seen_at[i] = Instant(from_seconds(s.stage.now_s));
+  add("1", "1", "1000");
+  s.stage.frames(2);
+  s.click("list/start");
+  s.stage.frames(2);
+  EXPECT_EQ(s.reason("list/abort"), "") << "it may be on its way";
+  s.settle(IntentState::refused, "An axis is in error.");
+  s.stage.frames(2);
+  EXPECT_EQ(s.reason("list/abort"), "No list is being sent.");
+}
+
+TEST_F(MovesTest, AbortStaysWhileTheLinkIsLost) {
+  add("1", "1", "1000");
+  s.now.feed = {true, 12, 100};
+  s.stage.frames(2);
+  s.now.feed = {false, 12, 100};
+  s.now.link.state = LinkState::lost;
+  s.stage.frames(2);
+  EXPECT_EQ(s.reason("list/abort"), "") << "the controller may still work on it";
+}
+
 TEST_F(MovesTest, TheBufferStandsBesideTheList) {
   const auto i = static_cast<std::size_t>(s.catalog.find_readout("BUFFREE"));
   s.now.readouts[i] = 33;
@@ -117,6 +169,22 @@ TEST_F(MovesTest, SavedOpenedAndNew) {
   s.type("file/path", path.c_str());
   s.click("file/open");
   EXPECT_EQ(s.value("list/1/y"), "20");
+}
+
+// What scrolls with the whole panel does not scroll within it too.
+TEST(MovesScrolled, HasOneScrollBar) {
+  ConsoleStage s(720, 450, 2);
+  s.add(test::full_catalog());
+  s.run(0.1);
+  ASSERT_TRUE(s.hand.click("tab/list"));
+  s.run(0.1);
+  int side = 0;
+  for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
+    if (!w->Active || std::string_view(w->Name).find("/list/side_") == std::string_view::npos) continue;
+    ++side;
+    EXPECT_EQ(w->ScrollMax.y, 0);
+  }
+  EXPECT_EQ(side, 1);
 }
 
 TEST(MoveFile, FaultsNameTheLine) {

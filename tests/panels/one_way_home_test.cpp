@@ -29,7 +29,7 @@ class OneWayHomeTest : public testing::Test {
   }
 };
 
-TEST_F(OneWayHomeTest, TheOtherButtonIsOffAndSaysWhy) {
+TEST_F(OneWayHomeTest, TheOtherButtonIsOffAndShowsWhy) {
   const Widget* plus = s.stage.find("home/1/+");
   ASSERT_TRUE(plus);
   EXPECT_FALSE(plus->enabled);

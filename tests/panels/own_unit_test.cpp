@@ -58,6 +58,36 @@ TEST_F(OwnUnitTest, FollowsFromTwoMeasuredPointsAndTheirDirection) {
   MUST(s.hand.click("dro/unit/own/1/measured"));
   EXPECT_DOUBLE_EQ(unit().per_step, -0.0005);
   EXPECT_EQ(a.tab->profile.axes[0].unit_choice, own_unit_choice);
+  EXPECT_EQ(s.value("dro/unit/reversed/1"), "on");
+}
+
+TEST_F(OwnUnitTest, TwoMeasuredPointsGiveTheDirectionWhateverItWas) {
+  MUST(s.hand.click("dro/unit/reversed/1"));
+  MUST(s.hand.type("dro/unit/own/1/first", "10\n"));
+  MUST(s.hand.click("dro/unit/own/1/first/here"));
+  a.now.axes[0].position = Steps(5000);
+  s.run(0.1);
+  MUST(s.hand.type("dro/unit/own/1/second", "12\n"));
+  MUST(s.hand.click("dro/unit/own/1/second/here"));
+  MUST(s.hand.click("dro/unit/own/1/measured"));
+  EXPECT_DOUBLE_EQ(unit().per_step, 0.0005);
+  EXPECT_EQ(s.value("dro/unit/reversed/1"), "off");
+}
+
+TEST_F(OwnUnitTest, AnEncoderHasCountsATurnAndNoMicroSteps) {
+  a.now.axes[0].in_counts = true;
+  s.run(0.1);
+  EXPECT_FALSE(s.hand.exists("dro/unit/own/1/micro"));
+  MUST(s.hand.type("dro/unit/own/1/travel", "5\n"));
+  EXPECT_FALSE(s.stage.find("dro/unit/own/1/drive")->enabled) << "there is no usual encoder";
+  MUST(s.hand.type("dro/unit/own/1/full", "4000\n"));
+  MUST(s.hand.click("dro/unit/own/1/drive"));
+  EXPECT_DOUBLE_EQ(unit().per_step, 5 / 4000.0);
+  a.now.axes[0].in_counts = false;
+  s.run(0.1);
+  EXPECT_EQ(s.value("dro/unit/own/1/full"), "") << "4000 counts are not 4000 full steps";
+  MUST(s.hand.click("dro/unit/own/1/drive"));
+  EXPECT_DOUBLE_EQ(unit().per_step, 5 / 200.0);
 }
 
 }  // namespace

@@ -33,11 +33,11 @@ struct PanelStage {
         tier(t),
         catalog(std::move(of)),
         tab(toy_address(), catalog,
-            gui::Tab::Door{[this](IntentBody body, std::optional<double>) {
-                             sent.push_back(std::move(body));
-                             return static_cast<IntentId>(sent.size());
-                           },
-                           [](BenchCommand) {}},
+            gui::Tab::Backend{[this](IntentBody body, std::optional<double>) {
+                                sent.push_back(std::move(body));
+                                return static_cast<IntentId>(sent.size());
+                              },
+                              [](BenchCommand) {}},
             understood ? understood : &language, explain),
         stage([this](gui::Ui& ui) { draw(ui); }, width, height, scale, dark) {
     now.link.state = LinkState::good;
@@ -64,9 +64,9 @@ struct PanelStage {
     ImGui::End();
   }
   /// What became of the newest intent.
-  void settle(IntentState outcome, const char* sentence = "") {
+  void settle(IntentState outcome, const char* sentence = "", std::optional<PastTravel> past = {}) {
     IntentOutcome f;
-    f.id = sent.size(), f.state = outcome, f.sentence = sentence;
+    f.id = sent.size(), f.state = outcome, f.sentence = sentence, f.past = past;
     for (std::size_t i = now.outcomes.size() - 1; i > 0; --i) now.outcomes[i] = now.outcomes[i - 1];
     now.outcomes[0] = f;
     stage.frames(2);

@@ -132,7 +132,7 @@ TEST_F(PathInSpaceTest, WithShiftOrAnotherButtonADragMovesIt) {
   EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 7: Y300"));
 }
 
-TEST_F(PathInSpaceTest, AClickTellsTheLine) {
+TEST_F(PathInSpaceTest, AClickShowsTheLine) {
   click_on(at({400, 300, 120}));
   EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 9: Z200"));
   EXPECT_THAT(s.value("path/hit"), HasSubstr("X 400 pulses, Y 300 pulses, Z 1"));

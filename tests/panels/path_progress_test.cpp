@@ -159,7 +159,7 @@ struct PmxPathAtWorkTest : PathAtWorkTest {
   PmxPathAtWorkTest() : PathAtWorkTest("pmx-4ex-sa") {}
 };
 
-TEST_F(PmxPathAtWorkTest, TheMarkOfTheToolTellsThatItIsOn) {
+TEST_F(PmxPathAtWorkTest, TheMarkOfTheToolShowsThatItIsOn) {
   rehearse("ABS\nHSPD=5000\nLSPD=100\nACC=100\nDO5=1\nX400\nWAITX\nDO5=0\nY300\nWAITY\nEND\n");
   stands_at(200, 150);
   EXPECT_EQ(s.value("path/view/here"), "200 pulses, 150 pulses") << "no output was chosen";

@@ -51,7 +51,7 @@ TEST_F(PathSheetTest, HasRulersAtItsLeftAndBelow) {
   EXPECT_EQ(written(sheet, 0.1, 0.1, 0.9, 0.9), 0) << "nothing but faint lines where the path will be";
 }
 
-TEST_F(PathSheetTest, ThePathLiesWhereItsRulersSay) {
+TEST_F(PathSheetTest, ThePathLiesWhereItsRulersShow) {
   s.stage.frames(2);
   const drawing::PathView& view = panel.sheet->view();
   drawing::ToolPath path;
@@ -71,7 +71,7 @@ TEST_F(PathSheetTest, ThePathLiesWhereItsRulersSay) {
   EXPECT_NEAR(at - zero, 20 / view.per_px().x, 1.5);
 }
 
-TEST_F(PathSheetTest, InPerspectiveItsEdgesTellTheirRange) {
+TEST_F(PathSheetTest, InPerspectiveItsEdgesShowTheirRange) {
   panel.in_space = true;
   s.stage.frames(2);
   const gui::Picture sheet = drawn({});

@@ -56,7 +56,7 @@ TEST_F(PathTest, F5SaysWhyNothingIsRehearsed) {
   EXPECT_THAT(s.toast(), HasSubstr("The program is empty."));
 }
 
-TEST_F(PathTest, AClickTellsTheLineAndTheEditorGoesThere) {
+TEST_F(PathTest, AClickShowsTheLineAndTheEditorGoesThere) {
   rehearse("; first a remark\nI1M400,\nI2M400,\n");
   const auto half = static_cast<float>(200 / per_px());
   s.click_at(in_view(half, 0));  // the second leg goes up at the right
@@ -157,7 +157,7 @@ TEST_F(PathTest, TwoClicksMeasure) {
   EXPECT_EQ(s.value("path/hit"), "");
 }
 
-TEST_F(PathTest, AClickOnTheTraceTellsWhenItWasThere) {
+TEST_F(PathTest, AClickOnTheTraceShowsWhenTheAxesWereThere) {
   s.now.poll_period = std::chrono::hours(1);
   s.now.at = s.tab.clock();
   for (int x = 0; x <= 300; x += 10) {

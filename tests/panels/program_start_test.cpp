@@ -70,7 +70,7 @@ TEST_F(ProgramStart, NothingIsAskedWhereThereIsOnlyTheFirst) {
   EXPECT_TRUE(s.stage.find("program/start/0"));
 }
 
-TEST_F(ProgramStart, RunOfAThreadTellsWhetherWhatIsHeldHasBeenRehearsed) {
+TEST_F(ProgramStart, RunOfAThreadShowsWhetherTheHeldTextHasBeenRehearsed) {
   put(both);
   EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("Upload to read"));
   s.tab.desk().texts.loaded(0, both, s.tab.clock());
@@ -105,7 +105,7 @@ TEST_F(ProgramStart, LoadingTheTextDoesNotMakeItsRehearsalOld) {
   EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("Rehearsed: this text"));
 }
 
-TEST_F(ProgramStart, TheCardTellsTheMemory) {
+TEST_F(ProgramStart, TheCardShowsTheMemory) {
   put(both);
   rehearse();
   EXPECT_THAT(s.value("rehearsal/memory"), HasSubstr(" of 1275 lines"));

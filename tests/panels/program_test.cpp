@@ -78,7 +78,7 @@ TEST_F(ProgramTest, KeysDoTheSame) {
   EXPECT_THAT(s.value("rehearsal/result"), HasSubstr("1 min"));
 }
 
-TEST_F(ProgramTest, RunSaysWhetherItHasBeenRehearsed) {
+TEST_F(ProgramTest, RunShowsWhetherItHasBeenRehearsed) {
   s.now.poll_period = std::chrono::hours(1);
   for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
   write("I1M400");
@@ -93,7 +93,7 @@ TEST_F(ProgramTest, RunSaysWhetherItHasBeenRehearsed) {
   EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("before the text was changed"));
 }
 
-TEST_F(ProgramTest, WhatTheControllerCanTellIsReadBeforeARehearsal) {
+TEST_F(ProgramTest, ReadableValuesAreReadBeforeARehearsal) {
   write("I1M400");
   s.now.params[1].known = false;
   s.click("program/simulate");
@@ -242,7 +242,7 @@ TEST_F(ProgramTest, ButtonsFollowTheRun) {
   EXPECT_TRUE(s.last<intent::HaltProgram>());
 }
 
-TEST_F(ProgramTest, RehearsalSaysWhenItIsOlderThanTheText) {
+TEST_F(ProgramTest, RehearsalShowsThatItIsOlderThanTheText) {
   write("I1\nI2\nL0");
   s.click("program/simulate");
   EXPECT_THAT(s.value("rehearsal/result"), HasSubstr("1 min 08.6 s"));
@@ -251,7 +251,7 @@ TEST_F(ProgramTest, RehearsalSaysWhenItIsOlderThanTheText) {
   EXPECT_EQ(s.tab.desk().rehearsals.older_than_line(0, texts().text(0)), 1);
 }
 
-TEST_F(ProgramTest, SavesOpensAndSaysWhatWentWrong) {
+TEST_F(ProgramTest, SavesOpensAndReportsErrors) {
   test::Folder folder;
   write("I1M400");
   s.click("program/save");

@@ -63,7 +63,7 @@ TEST_F(RehearsalReads, NothingWhereNoOtherProgramIsMet) {
   EXPECT_EQ(rehearsal().axes[0].position, 400);
 }
 
-TEST_F(RehearsalReads, RunTellsWhatHasNoEndFromWhatIsRefused) {
+TEST_F(RehearsalReads, RunDistinguishesNoEndFromARefusal) {
   rehearse("U0,I1M400");
   EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("no end was found")) << "nobody operates the input";
   rehearse("I1M400,I1M-400,L0");

@@ -136,7 +136,7 @@ TEST(RestOfText, WhereAnAxisIsStillMovingNothingIsBegun) {
   EXPECT_TRUE(stands) << stands.error().sentence();
 }
 
-TEST(RestOfText, WhereTheRehearsalDoesNotTellNothingIsBegun) {
+TEST(RestOfText, WithoutARehearsalThatCoversItNothingIsBegun) {
   const DeviceType& type = *find_device_type("pmx-4ex-sa");
   const auto rest = rest_of_text(type.language(), {"ABS\nX1000\nWAITX\nX0\nWAITX\nEND\n", 3, 0}, {},
                                  *type.make_catalog({}));

@@ -75,7 +75,7 @@ TEST_F(RunDoubtTest, RunIsHeldBackAndGoesOnForThisOnce) {
   EXPECT_EQ(count<intent::RunProgram>(), 1);
 }
 
-TEST_F(RunDoubtTest, ItIsHomedOrSaidToStandWhereItCounts) {
+TEST_F(RunDoubtTest, ItIsHomedOrDeclaredToStandWhereItCounts) {
   s.now.axes[0].position = s.now.axes[0].command = Steps(70);
   s.click("program/run");
   s.click("program/doubt/home/-");

@@ -59,7 +59,7 @@ struct RunFromTest : ::testing::Test {
   test::PanelStage s{panel, 864, 620, 1, gui::Tier::wide, true, *type.make_catalog({}), &type.language()};
 };
 
-TEST_F(RunFromTest, TellsTheWayThereAndDoesNothingBeforeItIsAgreedTo) {
+TEST_F(RunFromTest, ShowsTheWayThereAndDoesNothingBeforeItIsAgreedTo) {
   rehearse(of_blocks());
   s.now.axes[0].position = Steps(250);
   s.stage.frames(2);

@@ -122,7 +122,7 @@ TEST_F(SetupTest, SearchAndShowNarrowTheList) {
   EXPECT_TRUE(s.stage.find("setup/j1M"));
 }
 
-TEST_F(SetupTest, StoreSaysHowManyWritesWereUsed) {
+TEST_F(SetupTest, StoreShowsHowManyWritesWereUsed) {
   s.click("setup/store");
   ASSERT_TRUE(s.last<intent::Store>());
   s.now.store_count = 13;
@@ -140,7 +140,7 @@ TEST_F(SetupTest, WhyItWasNotStoredGoesWithTheNextAttempt) {
   EXPECT_EQ(s.console.toasts().list().size(), 1u);
 }
 
-TEST_F(SetupTest, ARefusedWriteSaysWhyAndKeepsTheValue) {
+TEST_F(SetupTest, ARefusedWriteReportsWhyAndKeepsTheValue) {
   s.type("setup/j1M", "100\n");
   s.click("setup/write");
   s.settle(IntentState::refused, "A program runs. Nothing was sent.");

@@ -83,7 +83,7 @@ TEST_F(TerminalTest, TheListClosesByAClickOutsideOfIt) {
   EXPECT_EQ(s.value("terminal/command"), "set");
 }
 
-TEST_F(TerminalTest, LogSaysTheTrafficAndFilters) {
+TEST_F(TerminalTest, LogShowsTheTrafficAndFilters) {
   wire(Way::sent, TrafficKind::intent, "M\r");
   wire(Way::received, TrafficKind::intent, "229\r");
   s.stage.frames(2);
@@ -152,6 +152,9 @@ TEST_F(TerminalTest, WhatHappenedStandsInItsPlaceAndCanBeNarrowedAndCopied) {
   EXPECT_THAT(s.value("happened/log"), Not(HasSubstr("was sent")));
   s.click("happened/copy");
   EXPECT_THAT(s.toast(), HasSubstr("copied"));
+  EXPECT_EQ(ImGui::GetClipboardText(), s.value("happened/log")) << "those that are shown, with their times";
+  EXPECT_THAT(ImGui::GetClipboardText(), HasSubstr("ended on its + limit, at 400 steps (0.4 s)"));
+  EXPECT_THAT(ImGui::GetClipboardText(), Not(HasSubstr("was sent")));
   s.type("terminal/command", "V\n");
   ASSERT_TRUE(s.last<intent::SendText>()) << "the line is there in both";
   s.click("terminal/view/log");

@@ -347,7 +347,7 @@ TEST_F(TuningTest, NothingRecordedIsNoResponse) {
   EXPECT_FALSE(s.stage.find("tuning/measure/overshoot"));
 }
 
-TEST_F(TuningTest, GainsOfTheChosenAxisAreSentWhenSaid) {
+TEST_F(TuningTest, GainsOfTheChosenAxisAreSentOnSend) {
   const std::size_t sent = s.sent.size();
   s.type("tuning/KPX", "12.5\n");
   EXPECT_EQ(s.sent.size(), sent) << "typed, not sent";

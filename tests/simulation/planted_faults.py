@@ -67,7 +67,7 @@ FAULTS = [
     fault("a round of before answers a wait", ALL,
           ("device", "std::uint64_t want(", "return begun_ + 1;", "return ended_;")),
     fault("a silent link is never lost", ("pmx-4ex-sa", "vxm"),
-          ("device", "Pump::nobody_answers(", "{", "if (true) return false;")),
+          ("device", "Pump::is_silent(", "{", "if (true) return false;")),
     fault("a lost wire is not tried again", ALL,
           ("device", "Pump::wait_for_retry(", "scheduler_.now() < snapshot_.link.next_attempt", "true")),
     # ---- the link

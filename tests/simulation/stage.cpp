@@ -127,7 +127,7 @@ bool Stage::may_judge_what_is_left(Instant closed_at) const {
 void Stage::judge_what_is_left(std::size_t machine) {
   const Machine& m = machines_[machine];
   MachineTruth truth;
-  m.emulator->tell_truth(truth);
+  m.emulator->report_truth(truth);
   if (m.reported || !truth.powered || truth.program || truth.moving() != 0) return;
   const std::vector<std::string> answers = settings(machine);
   for (std::size_t i = 0; i < answers.size(); ++i)

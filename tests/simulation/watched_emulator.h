@@ -44,7 +44,7 @@ class WatchedEmulator final : public test::EmulatorAround, public BusTarget {
     look_at_machine();
     return done;
   }
-  void tell_truth(MachineTruth& truth) const override { inner_->tell_truth(truth); }
+  void report_truth(MachineTruth& truth) const override { inner_->report_truth(truth); }
 
   std::uint8_t read8(std::uint16_t offset) override { return inner_->bus()->read8(offset); }
   std::uint16_t read16(std::uint16_t offset) override { return inner_->bus()->read16(offset); }
@@ -75,7 +75,7 @@ class WatchedEmulator final : public test::EmulatorAround, public BusTarget {
     witness_.bench_is(device_, view_);
   }
   void look_at_machine() {
-    inner_->tell_truth(truth_);
+    inner_->report_truth(truth_);
     witness_.machine_is(device_, truth_);
   }
 

@@ -57,10 +57,10 @@ class SearchOnALine : public ::testing::Test {
       last = at;
       return !end_it || !end_it(at);
     };
-    std::function<void(const PortReport&)> tell = [this](const PortReport& r) {
+    std::function<void(const PortReport&)> on_report = [this](const PortReport& r) {
       reported.push_back(r.sentence());
     };
-    return run_task(io, search_devices(clock, std::move(search), go_on, tell), Millis(30'000));
+    return run_task(io, search_devices(clock, std::move(search), go_on, on_report), Millis(30'000));
   }
 
   std::filesystem::path folder =

@@ -48,7 +48,7 @@ class DmxBus : public ::testing::Test, protected test::BusStage {
   }
   void TearDown() override { close_all(); }
 
-  void say(Member& member, std::string text, bool to_all = false) {
+  void send(Member& member, std::string text, bool to_all = false) {
     member.pump->post(Intent(++last_id, intent::SendText(std::move(text), to_all)));
   }
   /// For seconds, and everything that it is asked after that waits.
@@ -64,10 +64,10 @@ class DmxBus : public ::testing::Test, protected test::BusStage {
   }
   /// A move that stands in the device's own queue.
   void let_move_wait(Member& member) {
-    say(member, "EO=1");
+    send(member, "EO=1");
     run(0.5);
     ask_nobody(member);
-    say(member, "X100000");
+    send(member, "X100000");
   }
   bool goes_out(const char* text) {
     return time.run_until(time.now() + from_seconds(1), [&] {
@@ -138,42 +138,42 @@ TEST_F(DmxBus, AStopTypedToAllDropsWhatWaitedForAnotherDevice) {
   build_and_connect(2);
   Member& other = *members[1];
   let_move_wait(other);
-  say(*members[0], "STOP", true);
+  send(*members[0], "STOP", true);
   run(2);
   EXPECT_FALSE(moves(other));
   ASSERT_TRUE(other.latest.outcome_of(last_id - 1));
   EXPECT_EQ(other.latest.outcome_of(last_id - 1)->state, IntentState::refused);
-  say(other, "X100000");
+  send(other, "X100000");
   run(1);
   EXPECT_TRUE(moves(other)) << "what is asked after the stop is done";
 }
 
 TEST_F(DmxBus, AStopTypedForAnotherDeviceWaitsForNothing) {
   build_and_connect(2);
-  say(*members[1], "EO=1");
-  say(*members[1], "X100000");
+  send(*members[1], "EO=1");
+  send(*members[1], "X100000");
   run(1);
   ASSERT_TRUE(moves(*members[1]));
   ask_nobody(*members[0]);
-  say(*members[0], "@02STOP");
+  send(*members[0], "@02STOP");
   run(1);
   EXPECT_FALSE(moves(*members[1]));
 }
 
 // It waits there behind a round of status, which is long where another device is silent.
 TEST_F(DmxBus, AStopDropsWhatWaitsForItInAnotherDevicesQueue) {
-  using Say = std::function<void()>;
+  using Send = std::function<void()>;
   build_and_connect(3);
   Member &speaker = *members[0], &other = *members[1];
-  say(other, "EO=1");
+  send(other, "EO=1");
   run(0.5);
   ASSERT_TRUE(host->bench(2)->operate(bench::Power(false)));
-  const Say motions[] = {[&] { say(speaker, "@02J+"); }, [&] { say(speaker, "J+", true); },
-                         [&] { say(speaker, "@00J+"); }};
-  const Say stops[] = {[&] { other.pump->post(Intent(++last_id, intent::Stop())); },
-                       [&] { say(other, "STOP"); }, [&] { say(speaker, "@02STOP"); }};
-  for (const Say& move : motions)
-    for (const Say& stop : stops) {
+  const Send motions[] = {[&] { send(speaker, "@02J+"); }, [&] { send(speaker, "J+", true); },
+                          [&] { send(speaker, "@00J+"); }};
+  const Send stops[] = {[&] { other.pump->post(Intent(++last_id, intent::Stop())); },
+                        [&] { send(other, "STOP"); }, [&] { send(speaker, "@02STOP"); }};
+  for (const Send& move : motions)
+    for (const Send& stop : stops) {
       for (int after_ms = 0; after_ms < 60; after_ms += 6) {
         move();
         run(after_ms * 0.001);
@@ -193,20 +193,20 @@ TEST_F(DmxBus, AStopDropsWhatWaitsForItInAnotherDevicesQueue) {
 TEST_F(DmxBus, AStopDropsWhatAnotherDeviceIsAboutToSend) {
   build_and_connect(3);
   Member &speaker = *members[0], &other = *members[1];
-  say(speaker, "EO=1");
-  say(other, "EO=1");
+  send(speaker, "EO=1");
+  send(other, "EO=1");
   run(0.5);
   for (const char* text : {"@02J+", "@00J+"}) {
     sent();
     speaker.pump->post(Intent(++last_id, intent::JogStart(AxisId{0}, Sign::plus, Pps(300))));
     ASSERT_TRUE(goes_out("@01J+"));
     speaker.pump->post(Intent(++last_id, intent::Stop()));
-    say(speaker, text);
+    send(speaker, text);
     ASSERT_TRUE(goes_out("@01HSPD=1000"));
-    say(*members[2], "@02STOP");
+    send(*members[2], "@02STOP");
     run(2);
     EXPECT_FALSE(moves(other)) << text;
-    say(speaker, "STOP", true);
+    send(speaker, "STOP", true);
     run(1);
   }
   for (const auto& member : members) EXPECT_THAT(member->notices, IsEmpty());
@@ -215,10 +215,10 @@ TEST_F(DmxBus, AStopDropsWhatAnotherDeviceIsAboutToSend) {
 TEST_F(DmxBus, AStopOfOneThatIsNotConnectedTakesBackWhatWaitsForItElsewhere) {
   build_and_connect(3);
   Member &speaker = *members[0], &other = *members[1];
-  say(other, "EO=1");
+  send(other, "EO=1");
   run(0.5);
   const std::function<void()> stops[] = {[&] { other.pump->post(Intent(++last_id, intent::Stop())); },
-                                         [&] { say(other, "STOP"); }, [&] { say(*members[2], "@02STOP"); }};
+                                         [&] { send(other, "STOP"); }, [&] { send(*members[2], "@02STOP"); }};
   for (const auto& stop : stops)
     for (const LinkState state : {LinkState::lost, LinkState::connecting}) {
       emulators[1]->be_deaf(true);
@@ -231,7 +231,7 @@ TEST_F(DmxBus, AStopOfOneThatIsNotConnectedTakesBackWhatWaitsForItElsewhere) {
                                    [&] { return speaker.latest.link.state == LinkState::good; }));
       }
       ask_nobody(speaker);
-      say(speaker, "@02J+");
+      send(speaker, "@02J+");
       ASSERT_TRUE(
           time.run_until(time.now() + from_seconds(10), [&] { return other.latest.link.state == state; }));
       emulators[1]->be_deaf(false);
@@ -245,14 +245,14 @@ TEST_F(DmxBus, AStopOfOneThatIsNotConnectedTakesBackWhatWaitsForItElsewhere) {
 TEST_F(DmxBus, WhatIsTypedForADeviceThatIsBeingStoppedWaitsThere) {
   build_and_connect(2);
   Member &speaker = *members[0], &other = *members[1];
-  for (const char* text : {"EO=1", "HSPD=20000", "ACC=2000", "J+"}) say(other, text);
+  for (const char* text : {"EO=1", "HSPD=20000", "ACC=2000", "J+"}) send(other, text);
   run(3);
   ASSERT_TRUE(moves(other));
   other.pump->post(Intent(++last_id, intent::Stop()));
   const IntentId stop = last_id;
   run(0.3);
   sent();
-  say(speaker, "@02J+");
+  send(speaker, "@02J+");
   const IntentId jog = last_id;
   ASSERT_TRUE(time.run_until(time.now() + from_seconds(5), [&] {
     return other.pump->known().outcome_of(stop)->state == IntentState::done;
@@ -269,7 +269,7 @@ TEST_F(DmxBus, WhatIsTypedForADeviceThatIsBeingStoppedWaitsThere) {
 TEST_F(DmxBus, AnotherDeviceSetsItInMotionAsSoonAsTheStopHasEnded) {
   build_and_connect(4);
   Member &speaker = *members[0], &other = *members[1];
-  say(other, "EO=1");
+  send(other, "EO=1");
   run(0.5);
   for (int i = 0; i < 10; ++i) {
     other.pump->post(Intent(++last_id, intent::Stop()));
@@ -277,7 +277,7 @@ TEST_F(DmxBus, AnotherDeviceSetsItInMotionAsSoonAsTheStopHasEnded) {
     ASSERT_TRUE(time.run_until(time.now() + from_seconds(5), [&] {
       return other.pump->known().outcome_of(stop)->state == IntentState::done;
     }));
-    say(speaker, i % 2 == 0 ? "@02J+" : "@00J+");
+    send(speaker, i % 2 == 0 ? "@02J+" : "@00J+");
     run(1);
     EXPECT_EQ(speaker.latest.outcome_of(last_id)->state, IntentState::done) << i;
     EXPECT_TRUE(moves(other)) << i;
@@ -287,13 +287,13 @@ TEST_F(DmxBus, AnotherDeviceSetsItInMotionAsSoonAsTheStopHasEnded) {
 TEST_F(DmxBus, AStopOfOneTakesNothingFromTheOthers) {
   build_and_connect(3);
   Member &speaker = *members[0], &other = *members[1];
-  say(other, "EO=1");
+  send(other, "EO=1");
   run(0.5);
   ask_nobody(speaker);
-  say(speaker, "@02V1=7");
+  send(speaker, "@02V1=7");
   const IntentId setting = last_id;
-  say(speaker, "@02J+");
-  say(other, "@03STOP");
+  send(speaker, "@02J+");
+  send(other, "@03STOP");
   run(6);
   EXPECT_EQ(speaker.latest.outcome_of(setting)->state, IntentState::done);
   EXPECT_TRUE(moves(other));
@@ -303,13 +303,13 @@ TEST_F(DmxBus, AStopOfOneTakesNothingFromTheOthers) {
 TEST_F(DmxBus, ATextIsOneCommand) {
   build_and_connect(2);
   sent();
-  say(*members[0], "V1=1\r@02V1=2");
+  send(*members[0], "V1=1\r@02V1=2");
   run(1);
   EXPECT_EQ(members[0]->latest.outcome_of(last_id)->state, IntentState::refused);
-  say(*members[0], "V1=1\r@02J+", true);
+  send(*members[0], "V1=1\r@02J+", true);
   run(1);
   EXPECT_EQ(members[0]->latest.outcome_of(last_id)->state, IntentState::refused);
-  say(*members[0], "STOP\r@02V1=2");
+  send(*members[0], "STOP\r@02V1=2");
   run(1);
   EXPECT_EQ(members[0]->latest.outcome_of(last_id)->state, IntentState::failed);
   bool stopped = false;
@@ -324,7 +324,7 @@ TEST_F(DmxBus, AStopTypedToAllWithItsAddressIsReceivedByAll) {
   build_and_connect(2);
   Member& other = *members[1];
   let_move_wait(other);
-  say(*members[0], "@00STOP", true);
+  send(*members[0], "@00STOP", true);
   run(2);
   EXPECT_FALSE(moves(other));
 }
@@ -343,9 +343,9 @@ TEST_F(DmxBus, ATextToAllThatBringsAnAddressShiftsNoAnswers) {
         wrong.push_back(member.catalog.id() + " at " + std::to_string(s.axes[0].position.value));
     };
   }
-  say(*members[0], "@02PX", true);
+  send(*members[0], "@02PX", true);
   run(5);
-  say(*members[0], "@02STOP", true);
+  send(*members[0], "@02STOP", true);
   run(5);
   EXPECT_THAT(wrong, IsEmpty());
   for (const auto& member : members) EXPECT_THAT(member->notices, IsEmpty());
@@ -355,19 +355,19 @@ TEST_F(DmxBus, AStopThatALostWireSwallowsIsOwedByAllWhoReceivedIt) {
   for (const bool at_once : {true, false}) {
     build_and_connect(3);
     for (const auto& member : members) {
-      say(*member, "EO=1");
-      say(*member, "HSPD=1000");
-      say(*member, "X100000");
+      send(*member, "EO=1");
+      send(*member, "HSPD=1000");
+      send(*member, "X100000");
     }
     run(1);
     for (const auto& member : members) ASSERT_TRUE(moves(*member));
     for (test::LateEmulator* emulator : emulators) emulator->be_deaf(true);
     if (at_once) {
-      say(*members[0], "STOP", true);
+      send(*members[0], "STOP", true);
     } else {
-      say(*members[0], "@02STOP");
-      say(*members[0], "@03STOP");
-      say(*members[0], "STOP");
+      send(*members[0], "@02STOP");
+      send(*members[0], "@03STOP");
+      send(*members[0], "STOP");
     }
     run(6);
     for (const auto& member : members) EXPECT_FALSE(member->latest.link.connected());
@@ -380,14 +380,14 @@ TEST_F(DmxBus, AStopThatALostWireSwallowsIsOwedByAllWhoReceivedIt) {
   }
 }
 
-TEST_F(DmxBus, WhatAnotherDeviceTellsItToStoreIsStoredWhenItSaysSo) {
+TEST_F(DmxBus, WhatAnotherDeviceHasItStoreIsStoredWhenItReportsIt) {
   build_and_connect(2);
   Member& other = *members[1];
   other.pump->post(Intent(1, intent::SetParam("SLR", 900)));
   run(1);
   ASSERT_TRUE(other.latest.unsaved_setup);
   ASSERT_TRUE(host->bench(1)->operate(bench::Garble(2)));
-  say(*members[0], "@02STORE");
+  send(*members[0], "@02STORE");
   ASSERT_TRUE(host->bench(1)->operate(bench::Power(false)));
   run(0.2);
   EXPECT_TRUE(other.latest.unsaved_setup);
@@ -398,7 +398,7 @@ TEST_F(DmxBus, WhatAnotherDeviceTellsItToStoreIsStoredWhenItSaysSo) {
   other.pump->post(Intent(2, intent::SetParam("SLR", 700)));
   run(1);
   ASSERT_TRUE(other.latest.unsaved_setup);
-  say(*members[0], "@02STORE");
+  send(*members[0], "@02STORE");
   run(1);
   EXPECT_FALSE(other.latest.unsaved_setup);
 }
@@ -406,7 +406,7 @@ TEST_F(DmxBus, WhatAnotherDeviceTellsItToStoreIsStoredWhenItSaysSo) {
 TEST_F(DmxBus, ASubroutineThatItRefusesAnotherDeviceWasNotCalled) {
   build_and_connect(2);
   Member& other = *members[1];
-  say(*members[0], "@02GS3");
+  send(*members[0], "@02GS3");
   run(1);
   const Instant asked = time.now();
   other.pump->post(Intent(1, intent::Stop()));
@@ -420,8 +420,8 @@ TEST_F(DmxBus, ASubroutineThatItRefusesAnotherDeviceWasNotCalled) {
 TEST_F(DmxBus, OneThatIsStoppedWhileOthersAreBusyIsNeverReportedAsArrived) {
   build_and_connect(6);
   for (const auto& member : members) {
-    say(*member, "EO=1");
-    say(*member, "HSPD=20000");
+    send(*member, "EO=1");
+    send(*member, "HSPD=20000");
     member->pump->post(Intent(1, intent::JogStart(AxisId{0}, Sign::plus, Pps{500}, false)));
   }
   run(1);

@@ -49,7 +49,7 @@ class Unreliable final : public test::EmulatorAround {
     if (now_ >= silent_until_) sink += answer;
   }
   void advance_to(Instant now) override { inner_->advance_to(now_ = now); }
-  void tell_truth(MachineTruth& truth) const override { inner_->tell_truth(truth); }
+  void report_truth(MachineTruth& truth) const override { inner_->report_truth(truth); }
 
  private:
   std::optional<Mishap> armed_;
@@ -88,7 +88,7 @@ class DrawingUnanswered : public testing::TestWithParam<Mishap> {
   }
   [[nodiscard]] MachineTruth truth() const {
     MachineTruth truth;
-    emulator->tell_truth(truth);
+    emulator->report_truth(truth);
     return truth;
   }
   std::shared_ptr<const Pieces> drawing() const {
@@ -150,8 +150,8 @@ TEST_P(DrawingUnanswered, EndsItThere) {
   EXPECT_FALSE(tool_is_on());
   EXPECT_FALSE(known().pieces.running);
   const Steps there = truth().axes[0].position;
-  const std::string told = reported();
-  SCOPED_TRACE(told);
+  const std::string reports = reported();
+  SCOPED_TRACE(reports);
   const PiecesState& now = known().pieces;
   if (GetParam().command == "C") {  // it is written once more: nothing has moved by it
     EXPECT_EQ(there, pieces->all[static_cast<std::size_t>(now.done - 1)].ends_at.front().value);
@@ -167,7 +167,8 @@ TEST_P(DrawingUnanswered, EndsItThere) {
   EXPECT_GE(now.rest_step, pieces->all[1].first_step);
   EXPECT_LT(now.rest_step, pieces->all[2].first_step);
   const bool noticed_at_once = GetParam().silence == 0s;
-  EXPECT_THAT(told, testing::HasSubstr(noticed_at_once ? "Nothing follows it." : "The connection was gone"));
+  EXPECT_THAT(reports,
+              testing::HasSubstr(noticed_at_once ? "Nothing follows it." : "The connection was gone"));
 }
 
 }  // namespace

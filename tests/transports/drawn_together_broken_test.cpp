@@ -63,7 +63,7 @@ class DrawingOfTwo : public testing::Test {
   }
   [[nodiscard]] MachineTruth truth(std::size_t n) const {
     MachineTruth truth;
-    member(n).bench()->emulator().tell_truth(truth);
+    member(n).bench()->emulator().report_truth(truth);
     return truth;
   }
   [[nodiscard]] bool moves(std::size_t n) const { return truth(n).moving() != 0; }

@@ -19,7 +19,7 @@ class ManualExamples : public testing::TestWithParam<const char*> {
   test::Manual manual;
 };
 
-TEST_P(ManualExamples, AreRunOrSayWhyNot) {
+TEST_P(ManualExamples, AreRunOrReportWhyNot) {
   std::set<std::string> run, all;
   for (const test::ManualExample& example : manual.examples) {
     SCOPED_TRACE(example.name);
@@ -45,8 +45,8 @@ TEST_P(ManualExamples, LeaveOutNoNumber) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Manual, ManualExamples, testing::Values("vxm", "pmx-4ex-sa", "dmx-k-sa", "vme58"),
-                         [](const testing::TestParamInfo<const char*>& info) {
-                           std::string name = info.param;
+                         [](const testing::TestParamInfo<const char*>& tested) {
+                           std::string name = tested.param;
                            for (char& c : name)
                              if (c == '-') c = '_';
                            return name;

@@ -72,7 +72,7 @@ struct PmxBuffer : testing::Test {
         drawn.rows = now.feed.sent;
         if (!began && now.feed.sent > 0) began = time.now();
         MachineTruth truth;
-        session->bench()->emulator().tell_truth(truth);
+        session->bench()->emulator().report_truth(truth);
         const bool stood = std::exchange(stands, began && truth.moving() == 0);
         drawn.stood += stands && !stood;
         if (began) drawn.took_s = seconds(time.now() - *began);

@@ -58,7 +58,7 @@ TEST_F(PortFacts, APortWithoutATimerHasNone) {
   EXPECT_FALSE(may_set_adapter_timer(""));
 }
 
-TEST_F(PortFacts, SaysWhatToTypeWhereTheTimerCannotBeSet) {
+TEST_F(PortFacts, ShowsWhatToTypeWhereTheTimerCannotBeSet) {
   const std::string file = root / "no such folder/latency_timer";
   const auto set = set_adapter_timer(file, 1);
   ASSERT_FALSE(set);

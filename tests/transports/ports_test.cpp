@@ -40,7 +40,7 @@ class Ports : public ::testing::Test {
   fs::path sys = root / "sys", dev = root / "dev";
 };
 
-TEST_F(Ports, AUsbAdapterTellsItsNames) {
+TEST_F(Ports, AUsbAdapterReportsItsNames) {
   add_usb("ttyUSB0", "1-2", "A50285BI");
   fs::create_directories(dev / "serial" / "by-id");
   fs::create_symlink("../../ttyUSB0", dev / "serial" / "by-id" / "usb-FTDI_FT232R_A50285BI-if00-port0");

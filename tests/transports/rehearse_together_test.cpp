@@ -44,8 +44,8 @@ class BusAtWork : public testing::Test {
   BusAtWork() {
     group = *SessionGroup::open(time, address, opener, [] {});
     done([](std::shared_ptr<SessionGroup> g) { return g->wait_until_connected(); });
-    say("SL=0");  // else DO1 shows whether they are in position
-    say("EO=1");
+    send_text("SL=0");  // else DO1 shows whether they are in position
+    send_text("EO=1");
   }
   ~BusAtWork() override {
     asio::co_spawn(time.executor(), group->close(), asio::detached);
@@ -60,7 +60,7 @@ class BusAtWork : public testing::Test {
     ASSERT_TRUE(result.has_value());
     ASSERT_TRUE(*result) << result->error().sentence();
   }
-  void say(const std::string& text) {
+  void send_text(const std::string& text) {
     for (const auto& member : group->members()) member->send_text(text, false);
     time.run_for(std::chrono::seconds(5));
   }
@@ -162,7 +162,7 @@ TEST_F(BusAtWork, ALineIsNotStraightWhereTheyHaveTheSameStartAndOtherSpeeds) {
   EXPECT_EQ(rehearsed->track.back().position[1], 1000);
 }
 
-TEST_F(BusAtWork, SaysWhyItDoesNotComeToItsEnd) {
+TEST_F(BusAtWork, ReportsWhyItDoesNotComeToItsEnd) {
   const auto from_the_factory = rehearse_together(two_chains(), address, {}, opener, an_hour);
   ASSERT_FALSE(from_the_factory);
   EXPECT_NE(from_the_factory.error().sentence().find("DO1 stays on"), std::string::npos)

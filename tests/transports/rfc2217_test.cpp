@@ -182,7 +182,7 @@ TEST_F(OddServer, OneThatHangsUp) {
   EXPECT_EQ(stream.error().kind, FaultKind::lost);
 }
 
-TEST_F(OddServer, OneThatAgreesAndThenSaysNothing) {
+TEST_F(OddServer, OneThatAgreesAndThenIsSilent) {
   const auto stream = open_against([](Stream& s, Ear&) { s.send("\xFF\xFD\x2C"); });
   ASSERT_FALSE(stream);
   EXPECT_NE(stream.error().what.find("did not confirm"), std::string::npos);

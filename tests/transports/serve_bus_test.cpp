@@ -23,14 +23,14 @@ class ServeBus : public testing::Test {
     host = *EmulatorHost::make(clock, std::move(toy), std::move(options));
     window = *host->plug_in_window();
   }
-  static Task<> run_and_tell(Window& window, std::vector<BusCycle>& cycles, Result<>& result, bool& ended) {
+  static Task<> run_and_report(Window& window, std::vector<BusCycle>& cycles, Result<>& result, bool& ended) {
     result = co_await window.run(cycles);
     ended = true;
   }
   Result<> run(std::vector<BusCycle>& cycles) {
     Result<> result;
     bool ended = false;
-    asio::co_spawn(io, run_and_tell(*window, cycles, result, ended), asio::detached);
+    asio::co_spawn(io, run_and_report(*window, cycles, result, ended), asio::detached);
     clock.run_for(Duration::zero());
     EXPECT_TRUE(ended);
     return result;
@@ -96,7 +96,7 @@ TEST_F(ServeBus, APulledCableClosesTheWindowAndOpensAgainAsTheSameBoard) {
   ASSERT_TRUE(again);
   Result<> result;
   bool ended = false;
-  asio::co_spawn(io, run_and_tell(**again, burst, result, ended), asio::detached);
+  asio::co_spawn(io, run_and_report(**again, burst, result, ended), asio::detached);
   clock.run_for(Duration::zero());
   EXPECT_EQ(burst[0].value, 5u);
 }

@@ -250,7 +250,7 @@ TEST_F(Serve, ServedClientsStayConnectedWhileTheCableIsOff) {
   EXPECT_EQ(ear.received, "R");
 }
 
-TEST_F(Serve, TellsWhenTheBenchLooksDifferentAndOnlyThen) {
+TEST_F(Serve, NotifiesOnlyWhenTheBenchLooksDifferent) {
   auto host = make();
   auto stream = *host->plug_in();
   int reported = 0;

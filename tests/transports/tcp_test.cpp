@@ -82,7 +82,7 @@ TEST_F(TcpTransport, ThePeerLeaving) {
   near->send("into the void");
 }
 
-TEST_F(TcpTransport, AStreamMayBeDestroyedWhileItTells) {
+TEST_F(TcpTransport, AStreamMayBeDestroyedInItsOwnCallback) {
   auto near = connect();
   Ear ear(*near), far(*accepted[0]);
   ear.on_bytes = [&] { near.reset(); };

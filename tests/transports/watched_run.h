@@ -55,7 +55,7 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
     for (auto next = next_event(); next && *next<now&& * next> reached_; next = next_event()) step(*next);
     step(now);
   }
-  void tell_truth(MachineTruth& truth) const override { inner_->tell_truth(truth); }
+  void report_truth(MachineTruth& truth) const override { inner_->report_truth(truth); }
 
   BusTarget* bus() override { return inner_->bus() != nullptr ? this : nullptr; }
   std::uint8_t read8(std::uint16_t offset) override { return inner_->bus()->read8(offset); }
@@ -87,7 +87,7 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
     return *began_ + look_after_[looks_.size()];
   }
   void look_at_it() {
-    inner_->tell_truth(truth_);
+    inner_->report_truth(truth_);
     const bool at_work = truth_.program || truth_.moving() != 0;
     if (armed_ && at_work) begin();
     if (!began_) return;

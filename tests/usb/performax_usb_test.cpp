@@ -90,7 +90,7 @@ class PerformaxUsb : public ::testing::Test {
   std::unique_ptr<Stream> stream;
 };
 
-TEST_F(PerformaxUsb, OpensFlushesTalksAndSaysGoodBye) {
+TEST_F(PerformaxUsb, OpensFlushesTalksAndCloses) {
   EmulatedUsb& device = plug_in("4ex00");
   open_good();
   EXPECT_THAT(device.controls(), ElementsAre(2, 1));
@@ -135,7 +135,7 @@ TEST_F(PerformaxUsb, AnEmptyReplyIsOne) {
   EXPECT_TRUE(received("|"));
 }
 
-TEST_F(PerformaxUsb, SaysWhenItIsPulledOut) {
+TEST_F(PerformaxUsb, ReportsWhenItIsPulledOut) {
   EmulatedUsb& device = plug_in("4ex00");
   open_good();
   device.unplug();

@@ -12,7 +12,7 @@ namespace {
 
 using namespace hw;
 
-void say(const char* word) {
+void print_word(const char* word) {
   std::puts(word);
   std::fflush(stdout);
 }
@@ -21,19 +21,19 @@ Task<> hold(Scheduler& scheduler, Address address, std::shared_ptr<WillKeeper> w
   OpenOptions options;
   options.keeper = watchdog;
   auto opened = Session::open(scheduler, address, make_wire_opener(options), nullptr);
-  if (!opened) co_return say(opened.error().sentence().c_str());
+  if (!opened) co_return print_word(opened.error().sentence().c_str());
   const auto connected = co_await (*opened)->wait_until_connected();
-  if (!connected) co_return say(connected.error().sentence().c_str());
+  if (!connected) co_return print_word(connected.error().sentence().c_str());
   (*opened)->post(intent::JogStart(AxisId{0}, Sign::plus));
   Event never(scheduler);
   for (Instant lost_before = (*opened)->known().link.lost_at, jogged{};;) {
     co_await never.wait_until(scheduler.now() + Millis(50));
     const Snapshot& now = (*opened)->known();
     if (now.axes[0].activity == Activity::jogging && jogged == Instant{}) {
-      say(now.link.jog_ends == JogEnds::by_watchdog ? "jogging, watched" : "jogging");
+      print_word(now.link.jog_ends == JogEnds::by_watchdog ? "jogging, watched" : "jogging");
       jogged = scheduler.now();
     }
-    if (now.link.lost_at != std::exchange(lost_before, now.link.lost_at)) say("lost");
+    if (now.link.lost_at != std::exchange(lost_before, now.link.lost_at)) print_word("lost");
     (*opened)->post(intent::JogKeepAlive());
   }
 }
@@ -42,7 +42,7 @@ Task<> hold(Scheduler& scheduler, Address address, std::shared_ptr<WillKeeper> w
 
 int main(int, char** words) {
   auto watchdog = JogWatchdog::start({words[2]});
-  if (watchdog) watchdog->tell_fatal_signals();
+  if (watchdog) watchdog->report_fatal_signals();
   const auto address = Address::parse(words[1]);
   if (!address) return 1;
   IoContext io{1};

@@ -70,7 +70,7 @@ class Logind {
   void serve() {
     while (sd_bus_process(bus_, nullptr) > 0) continue;
   }
-  void tell(bool sleeps) {
+  void signal_sleep(bool sleeps) {
     sd_bus_emit_signal(bus_, "/org/freedesktop/login1", "org.freedesktop.login1.Manager", "PrepareForSleep",
                        "b", static_cast<int>(sleeps));
     sd_bus_flush(bus_);
@@ -122,12 +122,12 @@ class Sleep : public testing::Test {
 
 TEST_F(Sleep, WaitsForUs) {
   ASSERT_TRUE(run_until([this] { return logind.holds("delay"); }));
-  logind.tell(true);
+  logind.signal_sleep(true);
   ASSERT_TRUE(run_until([this] { return sleeps == 1; }));
   EXPECT_TRUE(logind.holds("delay")) << "the stop is still on its way";
   watch.may_sleep();
   EXPECT_TRUE(run_until([this] { return !logind.holds("delay"); }));
-  logind.tell(false);
+  logind.signal_sleep(false);
   ASSERT_TRUE(run_until([this] { return wakes == 1; }));
   EXPECT_TRUE(run_until([this] { return logind.holds("delay"); })) << "for the next time";
 }

@@ -38,13 +38,13 @@ class Holder {
     ::fcntl(sent_, F_SETFL, O_NONBLOCK);
   }
   ~Holder() {
-    tell(SIGKILL);
+    send_signal(SIGKILL);
     ::waitpid(child_, nullptr, 0);
     ::close(sent_);
   }
   Holder(const Holder&) = delete;
   Holder& operator=(const Holder&) = delete;
-  void tell(int signal) const { ::kill(child_, signal); }
+  void send_signal(int signal) const { ::kill(child_, signal); }
   [[nodiscard]] const std::string& words() {
     char buffer[256];
     for (ssize_t n = 0; (n = ::read(sent_, buffer, sizeof buffer)) > 0;)
@@ -130,7 +130,7 @@ class Watchdog : public testing::TestWithParam<const char*> {
 TEST_P(Watchdog, StopsTheJogOfAConsoleThatIsKilled) {
   Holder holder(address);
   ASSERT_NO_FATAL_FAILURE(jog(holder));
-  holder.tell(SIGKILL);
+  holder.send_signal(SIGKILL);
   const int after = stands_after(Millis(6000));
   EXPECT_GE(after, 0) << "it runs on";
   EXPECT_LE(after, 300 + ramp_ms);
@@ -140,7 +140,7 @@ TEST_P(Watchdog, StopsTheJogOfAConsoleThatIsKilled) {
 TEST_P(Watchdog, StopsTheJogOfAConsoleThatCrashes) {
   Holder holder(address);
   ASSERT_NO_FATAL_FAILURE(jog(holder));
-  holder.tell(SIGSEGV);
+  holder.send_signal(SIGSEGV);
   const int after = stands_after(Millis(6000));
   EXPECT_GE(after, 0) << "it runs on";
   EXPECT_LE(after, 300 + ramp_ms);
@@ -149,11 +149,11 @@ TEST_P(Watchdog, StopsTheJogOfAConsoleThatCrashes) {
 TEST_P(Watchdog, StopsTheJogOfAConsoleThatStandsStill) {
   Holder holder(address);
   ASSERT_NO_FATAL_FAILURE(jog(holder));
-  holder.tell(SIGSTOP);
+  holder.send_signal(SIGSTOP);
   const int after = stands_after(Millis(6000));
   EXPECT_GE(after, 500) << "a console that lives was taken for dead";
   EXPECT_LE(after, 1300 + ramp_ms);
-  holder.tell(SIGCONT);  // it opens the wire afresh, and the jog does not come back
+  holder.send_signal(SIGCONT);  // it opens the wire afresh, and the jog does not come back
   EXPECT_TRUE(run_until([&] { return holder.words().find("lost") != std::string::npos; }, Millis(3000)))
       << holder.words();
   run_for(Millis(700));

@@ -33,7 +33,7 @@ std::atomic<int> dying_to{-1};
 std::array<struct sigaction, fatal_signals.size()> handled_before;
 
 // Async-signal-safe. Restores the previous handler and raises the signal again.
-void tell_watchdog(int number) {
+void notify_watchdog(int number) {
   const char word = static_cast<char>(Kind::dying);
   (void)::send(dying_to, &word, 1, MSG_NOSIGNAL | MSG_DONTWAIT);
   for (std::size_t i = 0; i < fatal_signals.size(); ++i)
@@ -65,7 +65,7 @@ struct JogWatchdog::Talk {
   int socket = -1;
   bool dead = false;
   int wills = 0;
-  std::int64_t spoke_at_ms = 0;
+  std::int64_t sent_at_ms = 0;
   bool was_silent = false;  ///< since the first of the present wills
 
   explicit Talk(int s) : socket(s) {}
@@ -76,11 +76,11 @@ struct JogWatchdog::Talk {
   }
 
   [[nodiscard]] bool is_silent() const {
-    return was_silent || boot_time_ms() - spoke_at_ms > watchdog::believed_for_ms;
+    return was_silent || boot_time_ms() - sent_at_ms > watchdog::believed_for_ms;
   }
-  void say(const Message& message, int fd = -1) {
+  void send(const Message& message, int fd = -1) {
     if (wills > 0) was_silent = is_silent();
-    spoke_at_ms = boot_time_ms();
+    sent_at_ms = boot_time_ms();
     std::string bytes = watchdog::encode(message);
     iovec part{bytes.data(), bytes.size()};
     alignas(cmsghdr) char control[CMSG_SPACE(sizeof fd)] = {};
@@ -104,17 +104,20 @@ struct JogWatchdog::Talk {
 class JogWatchdog::Left final : public Will {
  public:
   Left(std::shared_ptr<Talk> talk, Scheduler& scheduler, const Message& will, int fd)
-      : talk_(std::move(talk)), scheduler_(scheduler), id_(will.id), alive_(scheduler, [this] { tell(); }) {
+      : talk_(std::move(talk)),
+        scheduler_(scheduler),
+        id_(will.id),
+        alive_(scheduler, [this] { send_alive(); }) {
     if (talk_->wills == 0) talk_->was_silent = false;
-    talk_->say(will, fd);
+    talk_->send(will, fd);
     ++talk_->wills;
-    tell_later();
+    send_later();
   }
   ~Left() override {
     Message back;
     back.kind = Kind::taken_back;
     back.id = id_;
-    talk_->say(back);
+    talk_->send(back);
     --talk_->wills;
   }
   Left(const Left&) = delete;
@@ -122,10 +125,10 @@ class JogWatchdog::Left final : public Will {
   [[nodiscard]] bool may_be_carried_out() const override { return talk_->is_silent(); }
 
  private:
-  void tell_later() { alive_.arm(scheduler_.now() + Millis(watchdog::alive_every_ms)); }
-  void tell() {
-    talk_->say(Message());
-    tell_later();
+  void send_later() { alive_.arm(scheduler_.now() + Millis(watchdog::alive_every_ms)); }
+  void send_alive() {
+    talk_->send(Message());
+    send_later();
   }
 
   std::shared_ptr<Talk> talk_;
@@ -155,10 +158,10 @@ bool JogWatchdog::is_there() const {
   return !talk_->dead && n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
 }
 
-void JogWatchdog::tell_fatal_signals() const {
+void JogWatchdog::report_fatal_signals() const {
   dying_to = talk_->socket;
   struct sigaction action {};
-  action.sa_handler = tell_watchdog;
+  action.sa_handler = notify_watchdog;
   for (std::size_t i = 0; i < fatal_signals.size(); ++i)
     ::sigaction(fatal_signals[i], &action, &handled_before[i]);
 }
@@ -172,7 +175,7 @@ std::shared_ptr<WillKeeper::Will> JogWatchdog::leave(Scheduler& scheduler, const
   message.how = wire.how;
   message.base = wire.base;
   message.place = wire.place;
-  for (const LastWords& words : will) {
+  for (const WillStep& words : will) {
     std::string bytes = words.bytes;
     for (const BusCycle& cycle : words.cycles) append_bus_message(bytes, cycle);
     message.words.push_back({static_cast<std::uint32_t>(words.after.count()), std::move(bytes)});

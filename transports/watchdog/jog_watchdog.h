@@ -20,7 +20,7 @@ class JogWatchdog final : public WillKeeper {
   std::shared_ptr<Will> leave(Scheduler& scheduler, const WireShare& wire, const LastWill& will) override;
   [[nodiscard]] bool is_there() const override;
   /// From now on reports a fatal signal of this process to the watchdog at once, as a core dump takes time.
-  void tell_fatal_signals() const;
+  void report_fatal_signals() const;
 
  private:
   struct Talk;

@@ -28,7 +28,7 @@ class BorrowedSetting {
   }
   /// The controller has restarted and lost the setting.
   void forget() { borrowed_.clear(); }
-  /// What the user must do if the console exits now; empty: nothing.
+  /// The user's task if the console exits now, as a sentence; empty: none.
   [[nodiscard]] std::string leaves_behind() const;
 
  private:

@@ -91,7 +91,7 @@ Catalog common_catalog(const Model& model, const Wording& wording) {
   c.program.compiled = true;
   c.program.file_suffix = ".prg";
   c.can.store = true;
-  c.can.interpolates = model.axes() > 1;
+  c.can.interpolates = c.can.speed_along_path = model.axes() > 1;
   c.can.broadcast = model.broadcast >= 0;
   c.can.usual_baud = bauds.front().rate;
   for (const Baud& b : bauds) c.can.bauds.push_back(b.rate);
@@ -272,7 +272,7 @@ struct CommonActions {
     actions.back().sets_to = 1;
   }
 
-  /// One field for the changes of all axes: the ramp seldom differs from the one set.
+  /// One field for the changes of all axes: the ramp seldom differs from the set value.
   [[nodiscard]] ActionField accel_field() const {
     ActionField f = number_field("accel", "Ramp, 0: as set", "ms", 0, longest_ramp_ms(model));
     f.for_all_rows = true;

@@ -30,11 +30,11 @@ void CodeAtWork::goes_out(std::string_view command) {
 }
 
 Duration CodeAtWork::longest_run(std::string_view call) const {
-  constexpr Duration where_nobody_can_tell = std::chrono::seconds(10);
+  constexpr Duration unknown_duration = std::chrono::seconds(10);
   const auto number = decode_number(call.substr(2));
-  if (!code_ || !number || *number < 0 || *number >= subroutines) return where_nobody_can_tell;
+  if (!code_ || !number || *number < 0 || *number >= subroutines) return unknown_duration;
   const auto& sub = code_->subs[static_cast<std::size_t>(*number)];
-  return sub ? sub->rests.value_or(where_nobody_can_tell) : Duration::zero();
+  return sub ? sub->rests.value_or(unknown_duration) : Duration::zero();
 }
 
 bool CodeAtWork::subroutine_may_run() {

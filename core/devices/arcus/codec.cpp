@@ -49,8 +49,8 @@ Reply decode_reply(std::string_view bytes) {
 
 namespace {
 
-// How many bytes at the front match: the whole pattern, npos if more bytes are needed to tell, or 0. In the
-// pattern d is a digit, | the end of a text.
+// Number of bytes at the front that match: the whole pattern; npos if more bytes are needed to decide; or 0.
+// In the pattern d is a digit, | the end of a text.
 std::size_t fit_at_front(std::string_view bytes, std::string_view pattern) {
   const std::size_t length = std::min(bytes.size(), pattern.size());
   for (std::size_t i = 0; i < length; ++i) {
@@ -261,7 +261,7 @@ bool runs_program(std::string_view text) {
 bool has_bit(std::int64_t word, int bit) { return bit != no_bit && (word >> bit & 1) != 0; }
 
 // Decision AMB-133: accelerating, constant and decelerating are the lowest three bits of both tables.
-bool says_moving(std::int64_t word) { return (word & 7) != 0; }
+bool reports_motion(std::int64_t word) { return (word & 7) != 0; }
 
 // ---- refusals
 

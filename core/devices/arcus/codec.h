@@ -39,8 +39,8 @@ Reply decode_reply(std::string_view bytes);
 /// of X3822.
 inline constexpr std::string_view cut_off = "~\r";
 
-/// Length of the unsolicited message ($NNP CR) at the front. npos: more bytes are needed to tell. 0: there is
-/// none.
+/// Length of the unsolicited message ($NNP CR) at the front. npos: more bytes are needed to decide. 0: there
+/// is none.
 std::size_t unsolicited_at_front(std::string_view bytes);
 /// The same for the refusal of a command that `cut_off` ended.
 std::size_t refusal_of_cut_at_front(std::string_view bytes);
@@ -98,7 +98,7 @@ bool runs_program(std::string_view text);
 /// Bits of a status word.
 bool has_bit(std::int64_t word, int bit);
 /// In motion, by the lowest three bits, which both tables use for it.
-bool says_moving(std::int64_t word);
+bool reports_motion(std::int64_t word);
 
 /// The meaning of a reply that begins with ?, as a sentence with a remedy.
 std::string explain_refusal(const Model& model, std::string_view reply);

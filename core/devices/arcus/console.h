@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/axis_check.h"
 #include "core/device/driver.h"
 #include "core/devices/arcus/forms.h"
 
@@ -22,10 +23,7 @@ struct Console : DriverContext {
   [[nodiscard]] const std::string& axis_name(int axis) const {
     return catalog.axes[static_cast<std::size_t>(axis)].name;
   }
-  [[nodiscard]] Result<> has_axis(int axis) const {
-    if (axis >= 0 && axis < axes()) return {};
-    return fail(FaultKind::refused, fmt::format("There is no axis {}.", axis + 1), "Nothing was sent.");
-  }
+  [[nodiscard]] Result<> has_axis(int axis) const { return check_axis(catalog, axis); }
 
   const Forms& forms;
 };

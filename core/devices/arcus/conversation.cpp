@@ -75,7 +75,7 @@ Task<Result<Reply>> Conversation::exchange(std::string text, Priority priority, 
   const int received_before = texts_received_;
   auto reply = co_await transmit(text, priority, patience, own_question, false);
   if (not_done && (reply ? reply->refused() : was_kept_back(reply.error()))) not_done(command);
-  if (!reply || !must_be_sure || !others_may_say(reply_kind)) co_return reply;
+  if (!reply || !must_be_sure || !others_may_reply(reply_kind)) co_return reply;
   auto named = co_await receive_its_name(priority);
   if (!named) co_return fail(named.error());
   if (texts_received_ == received_before) co_return reply;
@@ -149,7 +149,7 @@ Task<Result<Reply>> Conversation::greet(Duration patience) {
 
 // ---- whose reply it is
 
-bool Conversation::others_may_say(ReplyKind reply_kind) const {
+bool Conversation::others_may_reply(ReplyKind reply_kind) const {
   if (!station_) return false;
   return reply_kind == reply_kinds::text
              ? station_->others_outstanding()
@@ -159,7 +159,8 @@ bool Conversation::others_may_say(ReplyKind reply_kind) const {
 // Any text before its name is a late reply, whoever sent it, and is left to receive_unsolicited().
 Task<Result<>> Conversation::receive_its_name(Priority priority) {
   if (!station_) co_return no_connection();
-  Transaction t = asks_who("DN", [this](std::string_view text) { return is_its_name(text); }).question;
+  Transaction t =
+      identity_question("DN", [this](std::string_view text) { return is_its_name(text); }).question;
   t.priority = priority;
   t.patience = usual_patience;
   t.own_question = priority != Priority::transfer;
@@ -174,16 +175,17 @@ std::optional<Station::Unmistakable> Conversation::unmistakable(const Outstandin
                                                                 Instant now) const {
   const auto may_ask = [&](ReplyKind reply_kind) { return !outstanding.may_be_outstanding(reply_kind, now); };
   if (named_ && may_ask(reply_kinds::name))
-    return asks_who("DN", [this](std::string_view text) { return is_its_name(text); });
+    return identity_question("DN", [this](std::string_view text) { return is_its_name(text); });
   if (product_known_ && may_ask(reply_kinds::product) && !station_->others_outstanding(reply_kinds::product))
-    return asks_who("ID", [this](std::string_view text) { return text == console_.model().product; });
+    return identity_question("ID",
+                             [this](std::string_view text) { return text == console_.model().product; });
   if (may_ask(reply_kinds::version) && !station_->others_outstanding(reply_kinds::version))
-    return asks_who("VER", reply_kinds::is_version);
+    return identity_question("VER", reply_kinds::is_version);
   return std::nullopt;
 }
 
-Station::Unmistakable Conversation::asks_who(std::string_view question,
-                                             std::function<bool(std::string_view)> is_it) const {
+Station::Unmistakable Conversation::identity_question(std::string_view question,
+                                                      std::function<bool(std::string_view)> is_it) const {
   Transaction t(framed(question, Priority::poll, console_.catalog.address),
                 framing() == Framing::message ? ReplyShape::message() : ReplyShape::text(), Priority::poll);
   t.reply_kind = reply_kinds::of_question(console_.forms, question);

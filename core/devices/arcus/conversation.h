@@ -1,9 +1,9 @@
 #pragma once
 // The traffic with one device: questions, commands, broadcasts, unsolicited messages. Bytes become texts only
-// here. Late replies: the station records those outstanding by their looks, and asks for the device's name,
-// product or version before anything else is sent. Replies carry no address (except with RT=1), so while
-// another device on the line owes one of the same look, a reply is accepted only if this device's own name
-// follows it.
+// here. Late replies: the station records outstanding replies by their kinds, and asks for the device's name,
+// product or version before anything else is sent. Replies carry no address (except with RT=1), so while a
+// reply of the same kind from another device on the line is outstanding, a reply is accepted only if this
+// device's own name follows it.
 #include <functional>
 #include <optional>
 #include <string>
@@ -70,8 +70,8 @@ class Conversation {
   Task<Result<std::int64_t>> ask_number(std::string question, Priority priority);
   Task<Result<std::vector<std::int64_t>>> ask_numbers(std::string question, std::size_t count,
                                                       Priority priority);
-  /// A digit lost or doubled on the line leaves another plausible number: a value other than `expected` is
-  /// asked for until two replies agree.
+  /// A digit lost or doubled on the line leaves another plausible number: the question for a value other than
+  /// `expected` is repeated until two replies agree.
   using Decode = std::function<std::optional<std::int64_t>(std::string_view)>;
   Task<Result<std::int64_t>> ask_surely(std::string question, Decode decode,
                                         std::optional<std::int64_t> expected, Priority priority);
@@ -80,12 +80,13 @@ class Conversation {
   /// One command or question and its reply, refusals included.
   Task<Result<Reply>> exchange(std::string text, Priority priority, Duration patience,
                                bool own_question = false);
-  /// If a reply is outstanding, asks the device who it is, so that the next reply belongs to the next text.
+  /// If a reply is outstanding, asks the device for its name, so that the next reply belongs to the next
+  /// text.
   Task<bool> come_clean(Priority priority);
   /// Sent to every device of the line; none replies.
   Task<Result<>> broadcast(std::string text, Priority priority);
 
-  // ---- finding out who is there
+  // ---- finding devices
   /// Sent on a dirty line too; the name in the reply is not checked.
   Task<Result<Reply>> greet(Duration patience);
   Task<> wait_for_quiet();
@@ -109,10 +110,10 @@ class Conversation {
   Task<Result<>> receive_its_name(Priority priority);
   [[nodiscard]] std::optional<Station::Unmistakable> unmistakable(const OutstandingReplies& outstanding,
                                                                   Instant now) const;
-  [[nodiscard]] Station::Unmistakable asks_who(std::string_view question,
-                                               std::function<bool(std::string_view)> is_it) const;
+  [[nodiscard]] Station::Unmistakable identity_question(std::string_view question,
+                                                        std::function<bool(std::string_view)> is_it) const;
   [[nodiscard]] std::string framed(std::string_view text, Priority priority, int address) const;
-  [[nodiscard]] bool others_may_say(ReplyKind reply_kind) const;
+  [[nodiscard]] bool others_may_reply(ReplyKind reply_kind) const;
   [[nodiscard]] bool is_its_name(std::string_view text) const;
   [[nodiscard]] bool is_anothers_name(std::string_view bytes) const;
   std::size_t receive_unsolicited(std::string_view bytes);
@@ -125,7 +126,7 @@ class Conversation {
   int line_feeds_ = 0;
   std::optional<int> also_called_;  ///< another number for its name, until a power cycle
   bool named_ = true;               ///< its name has a number
-  bool product_known_ = true;       ///< it answers ID as it should
+  bool product_known_ = true;       ///< it answers ID with the expected product
 };
 
 }  // namespace hw::arcus

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "core/devices/arcus/text_goals.h"
 #include "core/devices/arcus/text_meaning.h"
 
 namespace hw::arcus {
@@ -17,7 +18,7 @@ ArcusDriver::ArcusDriver(DriverContext context, const Forms& forms, const langua
       stops_(console_, conversation_, known_.code, known_.setup, known_.list, known_.motions, known_.status,
              known_.threads),
       texts_(console_, conversation_, known_.code, known_.borrowed, known_.setup, known_.list, known_.watch,
-             known_.motions, known_.threads, known_.lines, silence_),
+             known_.motions, known_.readouts, known_.threads, known_.lines, silence_),
       finding_(console_, conversation_) {
   console_.snapshot.axis_count = console_.axes();
   console_.snapshot.identity.model = console_.catalog.name;
@@ -97,6 +98,11 @@ void ArcusDriver::note_broadcast(const std::string& text) {
 TextMeaning ArcusDriver::meaning_of(const intent::SendText& text) const {
   return arcus::meaning_of(console_.forms, text,
                            Addressing{console_.catalog.address, known_.setup.param("AR") == 1});
+}
+
+TextGoals ArcusDriver::goals_of(std::string_view text) const {
+  return arcus::goals_of(console_.forms, text, console_.catalog.address, known_.readouts.known_incremental(),
+                         console_.snapshot);
 }
 
 std::string ArcusDriver::leaves_behind() const {

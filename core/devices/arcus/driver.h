@@ -53,6 +53,7 @@ class ArcusDriver final : public Driver {
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] TextMeaning meaning_of(const intent::SendText& text) const override;
+  [[nodiscard]] TextGoals goals_of(std::string_view text) const override;
   void note_broadcast(const std::string& text) override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override { return period_at_rest; }

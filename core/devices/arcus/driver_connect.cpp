@@ -40,6 +40,8 @@ Task<Result<>> ArcusDriver::read_state() {
   if (!motion) co_return motion;
   auto io = co_await known_.lines.read(Priority::intent);
   if (!io) co_return io;
+  auto mode = co_await known_.readouts.read_mode(Priority::intent);
+  if (!mode && mode.error().kind != FaultKind::refused) co_return mode;
   co_return co_await known_.threads.read(true, Priority::intent);
 }
 

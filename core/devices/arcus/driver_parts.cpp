@@ -17,8 +17,8 @@ Known::Known(const Console& console, Conversation& conversation,
       status(console, conversation, code, list, readouts, watch, motions, limits),
       threads(console, conversation, code, setup, watch),
       lines(console, conversation, setup) {
-  // Before the command is sent: a change that it explains is no power cycle, and what it starts or ends is
-  // unknown from then on, confirmed or not.
+  // To be called before a command is sent. A change that the command explains is no power cycle, and the
+  // state of what it starts or ends is unknown from then on, confirmed or not.
   conversation.goes_out = [this](std::string_view command) {
     watch.goes_out(command);
     threads.may_start(command);

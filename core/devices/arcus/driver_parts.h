@@ -12,7 +12,7 @@
 
 namespace hw::arcus {
 
-/// What is known of the controller, and the status rounds that read it.
+/// The known state of the controller, and the status rounds that read it.
 struct Known {
   /// `restarted`: how it shows, and a bit for each axis that was moving.
   Known(const Console& console, Conversation& conversation,
@@ -31,7 +31,7 @@ struct Known {
   Lines lines;
 };
 
-/// What the console's controls ask for.
+/// Carries out the console's commands.
 struct Work {
   Work(const Console& console, Conversation& conversation, Known& known, const language::Dialect& dialect);
 

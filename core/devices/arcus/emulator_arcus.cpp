@@ -104,7 +104,7 @@ void ArcusEmulator::advance_to(Instant now) {
   gather();
 }
 
-/// Events that a command or a hand has caused at this instant.
+/// Events that a command or the bench has caused at this instant.
 void ArcusEmulator::after() { advance_to(controller_.now()); }
 
 void ArcusEmulator::gather() {
@@ -202,8 +202,7 @@ Result<EmulatorOptions> read_options(const Model& model, const std::map<std::str
         return std::to_string(b.rate) == rate;
       });
       if (!known)
-        return bad_option("baud=" + value + ": a " + title +
-                          " works at 9600, 19200, 38400, 57600 or 115200 baud.");
+        return bad_option("baud=" + value + ": a " + title + " works at " + rates_in_words + " baud.");
     } else {
       return bad_option("The " + title + " emulator has no option \"" + key + "\".");
     }

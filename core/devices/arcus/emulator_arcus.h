@@ -30,7 +30,7 @@ class ArcusEmulator final : public Emulator {
   void advance_to(Instant now) override;
   Result<> operate(const BenchCommand& command) override;
   void look(BenchView& view) const override;
-  void tell_truth(MachineTruth& truth) const override;
+  void report_truth(MachineTruth& truth) const override;
   [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override {
     return controller_.trigger_pulses;
   }
@@ -57,9 +57,9 @@ class ArcusEmulator final : public Emulator {
   [[nodiscard]] std::string address_text() const;
   Result<> check_axis(AxisId axis) const;
 
-  /// One for each kind of hand: emulator_bench.cpp.
-  template <class Hand>
-  Result<> act(const Hand& hand);
+  /// One for each kind of bench command: emulator_bench.cpp.
+  template <class Operation>
+  Result<> act(const Operation& operation);
 
   EmulatorOptions options_;
   std::span<const Command> commands_;

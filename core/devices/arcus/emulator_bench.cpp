@@ -1,4 +1,4 @@
-// Hands on the bench of an Arcus controller, and what can be seen there.
+// Bench commands of an Arcus controller, and their view.
 #include <algorithm>
 #include <cmath>
 
@@ -129,23 +129,24 @@ Result<> ArcusEmulator::act(const bench::PowerCycle&) {
 }
 
 Result<> ArcusEmulator::operate(const BenchCommand& command) {
-  const auto act_somewhere = [this]<class Hand>(const Hand& hand) -> Result<> {
-    constexpr bool is_switch = std::is_same_v<Hand, bench::Limit> || std::is_same_v<Hand, bench::HomeSwitch>;
+  const auto act_on_any = [this]<class Operation>(const Operation& operation) -> Result<> {
+    constexpr bool is_switch =
+        std::is_same_v<Operation, bench::Limit> || std::is_same_v<Operation, bench::HomeSwitch>;
     if constexpr (is_switch) {
-      if (auto bad = check_axis(hand.axis); !bad) return bad;
-      (void)act_on(controller_.axis(hand.axis.index).plant, hand);
-      controller_.bench_changed(hand.axis.index);
+      if (auto bad = check_axis(operation.axis); !bad) return bad;
+      (void)act_on(controller_.axis(operation.axis.index).plant, operation);
+      controller_.bench_changed(operation.axis.index);
       return {};
     } else {
-      return act(hand);
+      return act(operation);
     }
   };
-  auto result = on_controller(command, act_somewhere);
+  auto result = on_controller(command, act_on_any);
   after();
   return result;
 }
 
-void ArcusEmulator::tell_truth(MachineTruth& truth) const {
+void ArcusEmulator::report_truth(MachineTruth& truth) const {
   truth = MachineTruth();
   truth.powered = controller_.powered();
   truth.axis_count = controller_.axes();

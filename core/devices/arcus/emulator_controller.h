@@ -1,6 +1,6 @@
 #pragma once
 // The firmware of an Arcus controller in miniature: axes, motions, StepNLoop, inputs and outputs, settings
-// and flash. It knows no wire: commands, programs and the bench call it. Time comes from outside; pulses are
+// and flash. It has no wire: commands, programs and the bench call it. Time comes from outside; pulses are
 // counted from closed forms, so nothing ticks.
 #include <array>
 #include <cstdint>
@@ -72,7 +72,7 @@ class Controller {
   [[nodiscard]] bool powered() const { return powered_; }
   void store();
   [[nodiscard]] std::string saved_text() const;
-  /// What is wrong with the line; empty: nothing.
+  /// The error in the line, as a sentence; empty: none.
   std::string load_line(std::string_view line);
   Flash& flash() { return flash_; }
   [[nodiscard]] const Flash& flash() const { return flash_; }
@@ -207,7 +207,7 @@ class Controller {
   void note_read(const std::string& input, int value);
 
  private:
-  void tell(std::string what, unsigned axes = 0, int limit = 0);
+  void note_event(std::string what, unsigned axes = 0, int limit = 0);
   void counter_is_written(int axis) {
     if (trace != nullptr) overwritten.emplace_back(axis, position(axis));
   }
@@ -326,7 +326,7 @@ class Controller {
   bool incremental_ = false;
   Terminals terminals_;
   bool load_needs_power_ = false;
-  HostManners manners_;
+  HostSettings manners_;
   Instant timer_end_{};
   HostTimeout timeout_;
   JoystickTurns joystick_;

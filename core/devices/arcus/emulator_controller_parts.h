@@ -12,7 +12,7 @@
 namespace hw::arcus {
 
 /// How it talks to its host, from power-up on: changed settings take effect at the next.
-struct HostManners {
+struct HostSettings {
   int address = 0, rate = 9600;
   bool prefixes_replies = false, announces_arrivals = false;
   void take(const Settings& settings) {
@@ -53,7 +53,7 @@ struct JoystickTurns {
   std::optional<Instant> due;             ///< the next change of a speed
 };
 
-/// What stands at the terminals, before polarity.
+/// The levels at the terminals, before polarity.
 struct Terminals {
   std::int64_t outputs = 0, enables = 0;
   std::uint32_t inputs = 0;  ///< operated

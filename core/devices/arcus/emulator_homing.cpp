@@ -12,7 +12,7 @@ using motion::Profile;
 Refusal Controller::home(int a, HomeMode mode, Sign way) {
   bring_up_to_date();
   if (const Refusal r = refuses_motion(1u << a); r != Refusal::none) return r;
-  tell("homes " + letter(a) + " " + hw::letter(way), 1u << a);
+  note_event("homes " + letter(a) + " " + hw::letter(way), 1u << a);
   Axis& axis = axes_[ix(a)];
   axis.announces = false, axis.attempts = 0, axis.extra_done = false;
   axis.homing.mode = mode, axis.homing.way = way, axis.homing.seen = false;
@@ -22,7 +22,7 @@ Refusal Controller::home(int a, HomeMode mode, Sign way) {
   return Refusal::none;
 }
 
-/// Zeroes both counters and the target; the motion goes on counting from here.
+/// Zeroes both counters and the target; the motion continues and counts from here.
 void Controller::zero(int a) {
   Axis& axis = axes_[ix(a)];
   counter_is_written(a);
@@ -144,7 +144,7 @@ void Controller::home_done(int a) {
     const std::int64_t here = closed(a) ? axis.encoder() : axis.pulses;
     return begin_index(MotionKind::homing, a, -std::llround(static_cast<double>(here) * ratio(a)));
   }
-  tell("axis " + letter(a) + " is homed");
+  note_event("axis " + letter(a) + " is homed");
   axis.homing = Homing();
   settle_loop(a);
 }

@@ -76,7 +76,7 @@ void Controller::joystick_tick() {
     if (joystick_on(a) || joystick_.speed[ix(a)] != 0) joystick_turn(a);
 }
 
-/// One reading of the stick: the speed approaches its target by at most the largest change.
+/// Per reading of the stick, the speed approaches its target by at most the largest change.
 void Controller::joystick_turn(int a) {
   const double target = joystick_target(a), now = joystick_.speed[ix(a)];
   const auto change = static_cast<double>(settings_.get(Setting::joystick_values, 4 + a));

@@ -48,7 +48,7 @@ void Controller::watch_loop(Motion& m, int a, int way, Sign load) {
 /// Too far behind while moving: state 10.
 bool Controller::stalled(Motion& m, int a) {
   if (!closed(a) || std::abs(loop_delta(a)) <= settings_.get(Setting::loop_range, a)) return false;
-  tell("StepNLoop of axis " + letter(a) + " found a stall");
+  note_event("StepNLoop of axis " + letter(a) + " found a stall");
   loop_fails(a, LoopState::stall_error);
   cut(m);
   return true;

@@ -83,7 +83,7 @@ void Controller::advance(Instant now) {
     if (s.open && s.pulse_until > Instant{} && s.pulse_until <= now_) end_sync_pulse(a);
   }
   if (joystick_.due && *joystick_.due <= now_) joystick_tick();
-  if (timeout_.comes(now_)) tell("the host has been silent for longer than TOC");
+  if (timeout_.comes(now_)) note_event("the host has been silent for longer than TOC");
   run_programs();
 }
 
@@ -152,8 +152,8 @@ bool Controller::hit_switch(Motion& m, int a) {
     if (way == 0 || !limit_active(a, sign_of(way))) continue;
     if (!m.stopping && axis.homing.step == HomeStep::seek_switch && axis.homing.mode == HomeMode::limit)
       return false;
-    tell("axis " + letter(a) + " ran into its " + (way > 0 ? "plus" : "minus") + " limit switch", 1u << a,
-         way);
+    note_event("axis " + letter(a) + " ran into its " + (way > 0 ? "plus" : "minus") + " limit switch",
+               1u << a, way);
     if (!forgives) {
       (way > 0 ? axis.plus_error : axis.minus_error) = true;
       loop_fails(a, LoopState::limit_error);
@@ -162,7 +162,7 @@ bool Controller::hit_switch(Motion& m, int a) {
     return true;
   }
   if (!alarm_active(a)) return false;
-  tell("axis " + letter(a) + " was stopped by its alarm input");
+  note_event("axis " + letter(a) + " was stopped by its alarm input");
   if (!forgives) {
     axis.alarm_error = true;
     loop_fails(a, LoopState::limit_error);

@@ -145,14 +145,14 @@ Refusal Controller::move(const Targets& targets) {
     axis.announces = true;
     sentence += " " + letter(a) + " to " + std::to_string(goal[ix(a)]);
     if (count == 1) {
-      tell(sentence, wanted);
+      note_event(sentence, wanted);
       begin_index(MotionKind::target, a, way[ix(a)]);
       return Refusal::none;
     }
     axis.follows = closed(a);
     axis.anchor_target = goal[ix(a)], axis.anchor_offset = way[ix(a)];
   }
-  tell(sentence, wanted);
+  note_event(sentence, wanted);
   const Path path = Path::line(way);
   const double length = static_cast<double>(path.steps()) * path.pulses_per_step();
   const SpeedOrder by = path_order(wanted);
@@ -164,7 +164,7 @@ Refusal Controller::move(const Targets& targets) {
 Refusal Controller::jog(int axis, Sign way) {
   bring_up_to_date();
   if (const Refusal r = refuses_motion(1u << axis); r != Refusal::none) return r;
-  tell("jogs " + letter(axis) + " " + hw::letter(way), 1u << axis);
+  note_event("jogs " + letter(axis) + " " + hw::letter(way), 1u << axis);
   axes_[ix(axis)].announces = false, axes_[ix(axis)].attempts = 0, axes_[ix(axis)].extra_done = false;
   begin_endless(MotionKind::jog, axis, way, false);
   return Refusal::none;
@@ -195,7 +195,7 @@ Refusal Controller::arc(std::int64_t centre_x, std::int64_t centre_y, bool clock
     const double one_pulse = 1 / (radius * k);  // a smaller angle is the present place
     if (turn < one_pulse || full - turn < one_pulse) turn = end_and_sweep->second >= 360'000 ? full : 0;
   }
-  tell("draws an arc about " + std::to_string(centre_x) + ", " + std::to_string(centre_y), 0b11);
+  note_event("draws an arc about " + std::to_string(centre_x) + ", " + std::to_string(centre_y), 0b11);
   const Path path = Path::arc(0, 1, from_x * k, from_y * k, clockwise ? -turn : turn);
   for (int a = 0; a < 2; ++a) {
     Axis& axis = axes_[ix(a)];
@@ -219,7 +219,7 @@ Refusal Controller::change_target(int a, std::int64_t wanted) {
   if (!in_range(wanted)) return Refusal::unknown;
   if (m == nullptr || m->kind != MotionKind::target || (m->stopping && !axis.then_target))
     return Refusal::not_targeted;
-  tell("goes on to " + letter(a) + " " + std::to_string(wanted), 1u << a);
+  note_event("goes on to " + letter(a) + " " + std::to_string(wanted), 1u << a);
   if (axis.then_target) {  // slowing down to turn round
     axis.then_target = wanted;
     return Refusal::none;
@@ -267,7 +267,7 @@ Refusal Controller::change_speed(int a, std::int64_t wanted) {
   const motion::Ramp after = ramps_of(*m).ramp;
   const motion::Ramp ramp(rate, after.decel, after.start_speed);
   const double from = m->profile.distance(now_);
-  tell("goes on with " + letter(a) + " at " + std::to_string(wanted));
+  note_event("goes on with " + letter(a) + " at " + std::to_string(wanted));
   if (turns) return Refusal::none;  // the way back uses it
   if (m->kind == MotionKind::jog)
     continue_by(*m,

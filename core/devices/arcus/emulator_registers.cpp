@@ -172,12 +172,12 @@ void Controller::command_answered(bool timeout_was_shown) {
   if (!host_talks) timeout_.command_came(settings_.get(Setting::comm_timeout), now_);
 }
 
-void Controller::tell(std::string what, unsigned axes, int limit) {
+void Controller::note_event(std::string what, unsigned axes, int limit) {
   if (trace != nullptr) trace->push_back({now_, std::move(what), vm_.line_at_work(), axes, limit});
 }
 
 void Controller::note_read(const std::string& input, int value) {
-  tell("reads " + input + ": " + std::to_string(value));
+  note_event("reads " + input + ": " + std::to_string(value));
   if (trace == nullptr) return;
   trace->back().reads = true;
   const bool one_line = input.starts_with("DI") && input.size() > 2;  // a number is neither on nor off

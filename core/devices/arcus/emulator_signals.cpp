@@ -94,7 +94,7 @@ void Controller::set_outputs(std::int64_t value) {
     if ((changed >> (n - 1) & 1) == 0) continue;
     const std::string name = "output " + std::to_string(n);
     const bool on = (value >> (n - 1) & 1) != 0;
-    tell(name + (on ? " on" : " off"));
+    note_event(name + (on ? " on" : " off"));
     trace->back().io = name, trace->back().level = on ? 1 : 0;
   }
 }
@@ -157,7 +157,7 @@ void Controller::operate_input(int number, bool active) {
     Axis& axis = axes_[ix(a)];
     if (before[ix(a)] || !latch_input_active(a) || axis.latch.state != 1) continue;
     axis.latch = {2, position(a), encoder(a)};
-    tell("the latch of axis " + letter(a) + " caught " + std::to_string(axis.latch.pulses));
+    note_event("the latch of axis " + letter(a) + " caught " + std::to_string(axis.latch.pulses));
   }
 }
 

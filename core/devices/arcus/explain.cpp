@@ -64,7 +64,7 @@ std::string status_words(const Model& model, std::int64_t word) {
                       {b.latch, "latch input on"},
                       {b.index, "on the index mark"},
                       {b.timed_out, "communication timed out"}};
-  std::string all = says_moving(word) ? "" : "at rest";
+  std::string all = reports_motion(word) ? "" : "at rest";
   for (const Row& row : rows)
     if (has_bit(word, row.bit)) all += fmt::format("{}{}", all.empty() ? "" : ", ", row.words);
   return all;
@@ -78,7 +78,7 @@ std::string explain(const Model& model, std::span<const CommandInfo> known, std:
                     TrafficKind kind, std::string_view asked) {
   if (way == Way::sent) return explain_sent(model, known, bytes);
   if (const auto id = in_position(bytes)) return fmt::format("device {:02} is in position", *id);
-  if (kind == TrafficKind::unparsed) return "nothing that was asked for";
+  if (kind == TrafficKind::unparsed) return "no reply to a question";
   const Reply reply = decode_reply(bytes);
   if (reply.refused()) return "refused: " + explain_refusal(model, reply.text);
   if (reply.text == "OK") return "done";

@@ -25,6 +25,7 @@ struct Baud {
   int code, rate;
 };
 inline constexpr std::array<Baud, 5> bauds{{{1, 9600}, {2, 19200}, {3, 38400}, {4, 57600}, {5, 115200}}};
+inline constexpr const char* rates_in_words = "9600, 19200, 38400, 57600 or 115200";
 
 // --- StepNLoop (tables 6.12 and 7.6) --------------------------------------------------------------------
 enum class LoopState : std::uint8_t {

@@ -27,13 +27,13 @@ constexpr Duration slow_from = Millis(150);
 Task<Result<>> Finding::identify() {
   if (was_lost_) {
     const Instant began = console_.scheduler.now();
-    const auto anybody = co_await conversation_.greet(first_patience);
-    if (!anybody && anybody.error().kind == FaultKind::lost) co_return fail(anybody.error());
+    const auto greeted = co_await conversation_.greet(first_patience);
+    if (!greeted && greeted.error().kind == FaultKind::lost) co_return fail(greeted.error());
     const bool received = conversation_.is_open() && conversation_.station()->received_at() > began;
-    if (!anybody && received) co_return conversation_.two_answer();
-    if (!anybody && anybody.error().kind == FaultKind::no_answer) co_return silent();
+    if (!greeted && received) co_return conversation_.two_answer();
+    if (!greeted && greeted.error().kind == FaultKind::no_answer) co_return silent();
   }
-  auto reply = co_await ask_who_it_is("ID", [this](std::string_view text) {
+  auto reply = co_await ask_identity("ID", [this](std::string_view text) {
     return text == console_.model().product || text == console_.forms.other_product;
   });
   if (!reply && reply.error().kind == FaultKind::no_answer) co_return silent();
@@ -45,7 +45,7 @@ Task<Result<>> Finding::identify() {
                                console_.model().title),
                    "Nothing more was sent.", "Open it as the other model.");
   const bool known = reply->text == console_.model().product;
-  auto version = co_await ask_who_it_is("VER", reply_kinds::is_version);
+  auto version = co_await ask_identity("VER", reply_kinds::is_version);
   if (!version) co_return fail(version.error());
   if (conversation_.line_feeds() > 0) co_return line_feeds_come();
   if (!reply_kinds::is_version(version->text)) co_return garbled(known ? version->text : reply->text);
@@ -62,10 +62,9 @@ Task<Result<>> Finding::identify() {
   co_return Result<>();
 }
 
-// The first reply may belong to the line's previous user or be incomplete; a late one is of a slow
-// controller. A reply or a silence that repeats is taken as it is.
-Task<Result<Reply>> Finding::ask_who_it_is(std::string question,
-                                           std::function<bool(std::string_view)> is_it) {
+// The first reply may belong to the line's previous user or be incomplete; a late one comes from a slow
+// controller. A reply or a silence that repeats is accepted.
+Task<Result<Reply>> Finding::ask_identity(std::string question, std::function<bool(std::string_view)> is_it) {
   Result<Reply> reply = fail(FaultKind::no_answer, "");
   const Instant began = console_.scheduler.now();
   int silences = 0;
@@ -110,21 +109,22 @@ Task<Result<>> Finding::read_name() {
     console_.report(
         Notice::Kind::warning,
         fmt::format(
-            "It answers at {:02} and calls itself {}, where a {} calls itself {}{:02}. On a line with "
-            "others its late answers cannot be told from theirs: set its device name (DN), Store, and "
-            "switch it off and on.",
+            "Set its device name (DN), Store, and switch it off and on: it answers at {:02} and calls itself "
+            "{}, where a {} calls itself {}{:02}. On a shared line its late answers cannot be distinguished "
+            "from those of other devices.",
             console_.catalog.address, hex_of(*name), console_.model().title, console_.model().name_prefix,
             console_.catalog.address));
   if (number && *number != console_.catalog.address && !usb && !std::exchange(name_reported_, true))
     console_.report(
         Notice::Kind::info,
-        fmt::format("It answers at {:02} and is to be called {}: it will answer at {:02} after Store and "
-                    "switching its power off and on.",
-                    console_.catalog.address, *name, *number));
+        fmt::format(
+            "It answers at {:02}, and its name has been set to {}: it will answer at {:02} after Store and "
+            "switching its power off and on.",
+            console_.catalog.address, *name, *number));
   co_return Result<>();
 }
 
-// ---- why none was found
+// ---- reasons why no device was found
 
 tl::unexpected<Fault> Finding::silent() const {
   if (conversation_.framing() == Framing::message)
@@ -142,13 +142,13 @@ tl::unexpected<Fault> Finding::silent() const {
       !elsewhere.empty()
           ? elsewhere
           : fmt::format(
-                "Check its supply ({}), {}, the line rate (9600 from the factory), and its device name: the "
+                "Check its supply ({}), {}, the line rate ({} from the factory), and its device name: the "
                 "last two digits are its address ({}{:02} from the factory).",
-                console_.forms.supply, console_.forms.wires, console_.model().name_prefix, factory_id()));
+                console_.forms.supply, console_.forms.wires, bauds.front().rate, console_.model().name_prefix,
+                factory_id()));
 }
 
-// An address or rate set here and stored takes effect at a power cycle. Empty: it is where it was opened, as
-// far as is known.
+// An address or rate set here and stored takes effect at a power cycle. Empty: no change is known.
 std::string Finding::where_it_went(int rate) const {
   const auto stored = [this](std::string_view mnemonic) -> std::optional<std::int64_t> {
     const int index = console_.catalog.find_param(mnemonic);

@@ -22,7 +22,7 @@ class Finding {
   static constexpr Duration long_asked = std::chrono::seconds(3);
 
  private:
-  Task<Result<Reply>> ask_who_it_is(std::string question, std::function<bool(std::string_view)> is_it);
+  Task<Result<Reply>> ask_identity(std::string question, std::function<bool(std::string_view)> is_it);
   void note_how_slow();
   tl::unexpected<Fault> silent() const;
   tl::unexpected<Fault> garbled(std::string_view bytes) const;

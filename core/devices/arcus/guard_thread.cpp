@@ -18,7 +18,7 @@ std::string variable(int number) { return fmt::format("V{}", number); }
 
 }  // namespace
 
-// ---- what is kept in the controller
+// ---- the stored guard
 
 void GuardThread::is(JogGuard::State state) { console_.snapshot.jog_guard.state = state; }
 
@@ -156,7 +156,7 @@ Task<Result<>> GuardThread::remove() {
   co_return Result<>();
 }
 
-// ---- what it does
+// ---- the work of the guard
 
 // After a stop in between the guard stays at work until the next round.
 Task<Result<>> GuardThread::watch(int axis) {

@@ -16,11 +16,11 @@ bool Lines::glance_is_due() const {
 Task<> Lines::glance() {
   glanced_at_ = console_.scheduler.now();
   auto inputs = co_await conversation_.ask_number("DI", Priority::poll);
-  if (inputs) tell_who_watches(*inputs);
+  if (inputs) show_to_watchers(*inputs);
 }
 
 // Inputs are shown without waiting for the outputs that are read next.
-void Lines::tell_who_watches(std::int64_t inputs) {
+void Lines::show_to_watchers(std::int64_t inputs) {
   const bool watched = console_.scheduler.now() < watched_until_;
   if (!watched || !glance_look_.agrees(static_cast<std::uint64_t>(inputs), conversation_.times_cleaned()))
     return;
@@ -40,7 +40,7 @@ Task<Result<>> Lines::read(Priority priority) {
     auto inputs = co_await conversation_.ask_number("DI", priority);
     if (!inputs) co_return fail(inputs.error());
     const Instant inputs_asked_at = conversation_.asked_at();
-    tell_who_watches(*inputs);
+    show_to_watchers(*inputs);
     auto outputs = co_await conversation_.ask_number("DO", priority);
     if (!outputs) co_return fail(outputs.error());
     auto enables = co_await conversation_.ask_number("EO", priority);

@@ -30,7 +30,7 @@ class Lines {
 
  private:
   [[nodiscard]] std::string who_has(int output) const;
-  void tell_who_watches(std::int64_t inputs);
+  void show_to_watchers(std::int64_t inputs);
   void show_inputs(std::int64_t inputs, Instant asked_at);
 
   const Console& console_;

@@ -113,9 +113,9 @@ Task<Fault> MotionStatus::after_doubt(Fault why, std::string_view sent) {
   auto seen = co_await read(Priority::intent);
   std::string where;
   for (int i = 0; seen && i < console_.axes(); ++i)
-    where +=
-        fmt::format("{}{} {} at {}", i ? ", " : "", console_.axis_name(i),
-                    motions_.says_moving(i) ? "moves" : "stands", console_.snapshot.axes[i].position.value);
+    where += fmt::format("{}{} {} at {}", i ? ", " : "", console_.axis_name(i),
+                         motions_.reports_motion(i) ? "moves" : "stands",
+                         console_.snapshot.axes[i].position.value);
   fault.what = fmt::format("{} had no clear reply.", sent);
   fault.done = "It was sent once and is not repeated.";
   fault.advice = seen ? fmt::format("The state was read again: {}.", where)

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/axis_motion.h"
 
 namespace hw::arcus {
 namespace {
@@ -47,7 +48,7 @@ Activity activity_of(int loop_state) {
 
 }  // namespace
 
-// ---- what the console does
+// ---- commands of the console
 
 void Motions::begun(int index, Activity activity, Instant when) {
   AxisTracking& tracking = tracked_[ix(index)];
@@ -63,8 +64,7 @@ void Motions::begun(int index, Activity activity, Instant when) {
   const bool rests = axis.position_known && !console_.snapshot.axis_moves(index);
   tracking.at_rest_at = rests ? axis.seen_at : Instant{};
   tracking.at_rest = axis.position;
-  axis.activity = activity;
-  axis.ended_by = EndedBy::nothing;
+  begin_motion(axis, activity);
   axis.error = AxisError::none;  // the same one again is a new one, also if no round sees it move
   console_.snapshot.program.ended_by = EndedBy::nothing;
 }
@@ -114,7 +114,7 @@ void Motions::stopping(int axis, bool at_once) {
   for (int i = 0; i < console_.axes(); ++i) {
     if ((axis >= 0 && i != axis) || !console_.snapshot.axis_moves(i)) continue;
     ended_by_us(i, at_once ? EndedBy::abort : EndedBy::stop);
-    console_.snapshot.axes[i].activity = Activity::stopping;
+    stop_motion(console_.snapshot.axes[i]);
     tracked_[ix(i)].stopping = true;
   }
 }
@@ -122,7 +122,7 @@ void Motions::stopping(int axis, bool at_once) {
 void Motions::ended_by_us(int axis, EndedBy why) {
   for (int i = 0; i < console_.axes(); ++i) {
     if (!console_.snapshot.axis_moves(i) || (i != axis && (tracked_[ix(axis)].with >> i & 1u) == 0)) continue;
-    if (tracked_[ix(i)].ended_by != EndedBy::abort) tracked_[ix(i)].ended_by = why;
+    tracked_[ix(i)].ended_by = ended_by_stop(tracked_[ix(i)].ended_by, why == EndedBy::abort);
     tracked_[ix(i)].was_stopped = true;
     if (why == EndedBy::abort) doubt_killed_position(i);
   }
@@ -132,14 +132,15 @@ void Motions::ended_by_us(int axis, EndedBy why) {
 // it also starts without a ramp. With StepNLoop the encoder counts the real motion.
 void Motions::doubt_killed_position(int index) {
   AxisState& axis = console_.snapshot.axes[index];
+  if (axis.in_counts || axis.trust.doubtful()) return;
   const std::int64_t safe = setup_.start_speed(index);
-  if (axis.in_counts || axis.trust.doubtful() || axis.speed.value <= static_cast<double>(safe)) return;
-  axis.trust.doubt(Doubt::killed, console_.scheduler.now());
-  console_.report(
-      Notice::Kind::warning,
-      fmt::format("Axis {} may have lost steps, as it was stopped without a ramp at {:.0f} pulses/s, above "
-                  "its low speed, {}: its position is doubtful until it is homed or set.",
-                  console_.axis_name(index), axis.speed.value, safe));
+  const Kill kill{.axis = fmt::format("Axis {}", console_.axis_name(index)),
+                  .speed = axis.speed.value,
+                  .safe = static_cast<double>(safe),
+                  .unit = "pulses/s",
+                  .safe_word = fmt::format("its low speed, {}", safe)};
+  std::string doubt = doubt_killed(axis, kill, console_.scheduler.now());
+  if (!doubt.empty()) console_.report(Notice::Kind::warning, std::move(doubt));
 }
 
 void Motions::stands(int axis) {
@@ -150,7 +151,7 @@ void Motions::stands(int axis) {
   }
 }
 
-// ---- what the controller says
+// ---- readings
 
 void Motions::turned(int axis, Steps way) {
   AxisTracking& tracking = tracked_[ix(axis)];
@@ -220,9 +221,8 @@ void Motions::show(int index, Instant asked_at) {
   const AxisError before = std::exchange(axis.error, error_of(index));
   if (axis.error != before && loses_its_place(axis.error) && !axis.trust.doubtful())
     axis.trust.doubt(Doubt::slipped, console_.scheduler.now());
-  axis.activity = axis.error == AxisError::none ? Activity::idle : Activity::error;
-  axis.phase = Phase::unknown;
-  axis.direction = 0;
+  end_motion(axis, axis.ended_by);
+  if (axis.error != AxisError::none) axis.activity = Activity::error;
 }
 
 void Motions::show_ended(int index) {
@@ -250,14 +250,14 @@ void Motions::wire_lost() {
   for (AxisTracking& tracking : tracked_) tracking.stopping = false;
 }
 
-// ---- what it means
+// ---- conclusions
 
 bool Motions::runs(int axis) const {
   const AxisTracking& tracking = tracked_[ix(axis)];
-  return arcus::says_moving(tracking.status) || loop_works(tracking.loop_state);
+  return arcus::reports_motion(tracking.status) || loop_works(tracking.loop_state);
 }
 
-bool Motions::says_moving(int axis) const { return arcus::says_moving(tracked_[ix(axis)].status); }
+bool Motions::reports_motion(int axis) const { return arcus::reports_motion(tracked_[ix(axis)].status); }
 
 bool Motions::loop_is_off(int axis) const {
   return tracked_[ix(axis)].loop_state == static_cast<int>(LoopState::off);

@@ -1,6 +1,6 @@
 #pragma once
-// The motion of each axis: what the console has begun and stopped, what the status words and StepNLoop say,
-// and what that means.
+// The motion of each axis: motions that the console has begun and stopped, the status words and StepNLoop
+// states, and the conclusions from both.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -14,7 +14,7 @@ class Motions {
  public:
   Motions(const Console& console, const SetUp& setup) : console_(console), setup_(setup) {}
 
-  // ---- what the console does
+  // ---- commands of the console
   void begun(int axis, Activity activity, Instant at);
   /// One command moves all of these.
   void begun_together(const std::vector<int>& axes, Activity activity);
@@ -33,7 +33,7 @@ class Motions {
   /// The stop is over: the axis is shown as it is; -1: all axes.
   void stands(int axis);
 
-  // ---- what the controller says
+  // ---- readings
   void status_is(int axis, std::int64_t word) { tracked_[static_cast<std::size_t>(axis)].status = word; }
   /// Its position has changed by `way`.
   void turned(int axis, Steps way);
@@ -51,15 +51,15 @@ class Motions {
   void restarted(unsigned moved);
   void wire_lost();
 
-  // ---- what it means
+  // ---- conclusions
   [[nodiscard]] bool runs(int axis) const;  ///< as last read, whatever is shown
-  [[nodiscard]] bool says_moving(int axis) const;
+  [[nodiscard]] bool reports_motion(int axis) const;
   [[nodiscard]] bool loop_is_off(int axis) const;
   [[nodiscard]] AxisError error_of(int axis) const;
   [[nodiscard]] RestartWatch::AxisNow now(int axis) const;
 
  private:
-  /// What the console knows of an axis beyond the snapshot.
+  /// Facts about an axis beyond the snapshot.
   struct AxisTracking {
     Activity wanted = Activity::idle;     ///< what our last command began
     EndedBy ended_by = EndedBy::nothing;  ///< why we ended it, if we did

@@ -63,8 +63,8 @@ void MoveList::begin(std::vector<std::vector<std::int64_t>> rows) {
   console_.snapshot.feed.total = static_cast<std::int32_t>(to_feed_.size());
 }
 
-// A move is taken from the list before it is sent, so it is never sent twice, whatever the reply. Only a full
-// buffer has certainly not taken it.
+// A move is taken from the list before it is sent, so it is never sent twice, whatever the reply. Only the
+// reply that the buffer is full proves that it was not taken.
 Task<Result<>> MoveList::feed(std::function<void()> moves) {
   if (console_.snapshot.pieces.held) co_return Result<>();
   // A status round takes as long as a few moves: more are sent before the buffer runs dry.

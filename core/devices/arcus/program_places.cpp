@@ -28,7 +28,7 @@ void add_homed(language::AxisSet& to, const Instruction& next) {
   }
 }
 
-/// Where a program is, as far as it says where it stands.
+/// The place of a program, as far as its text gives it.
 struct Standing {
   bool absolute = true;       ///< as after power-up
   language::AxisSet counted;  ///< these have been homed, or their count has been set

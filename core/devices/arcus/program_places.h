@@ -8,9 +8,9 @@
 
 namespace hw::arcus {
 
-/// Of program `start` and those that it starts with SR, each in the order of the text, whatever jumps it
-/// makes; a variable counts as what the text has set it to last, else as 0. A program that another starts
-/// begins with what that one has homed. Targets of arcs are not among them.
+/// The places of program `start` and of those that it starts with SR, each in the order of the text, jumps
+/// ignored. A variable has the value that the text has set last, else 0. A started program begins with the
+/// axes that its starter has homed. Targets of arcs are not included.
 [[nodiscard]] std::vector<AxisTarget> places_of_program(std::string_view text, int start,
                                                         const language::Dialect& dialect);
 

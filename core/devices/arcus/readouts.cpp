@@ -45,6 +45,23 @@ Task<Result<>> Readouts::read(int index, Priority priority) {
   co_return Result<>();
 }
 
+/// A program may change it at any time.
+std::optional<bool> Readouts::known_incremental() const {
+  const auto& threads = console_.snapshot.threads;
+  if (std::any_of(threads.begin(), threads.end(),
+                  [](const ThreadState& thread) { return thread.run == RunState::running; }))
+    return std::nullopt;
+  const int index = console_.catalog.find_readout("MM");
+  if (index < 0 || !console_.snapshot.readouts_known.test(ix(index))) return std::nullopt;
+  return incremental_;
+}
+
+Task<Result<>> Readouts::read_mode(Priority priority) {
+  const int index = console_.catalog.find_readout(console_.forms.mode);
+  if (index < 0) co_return Result<>();
+  co_return co_await read(index, priority);
+}
+
 Task<Result<>> Readouts::read_analog(int number, Priority priority) {
   auto value = co_await conversation_.ask_number(fmt::format("AI{}", number), priority);
   if (!value) co_return fail(value.error());
@@ -66,7 +83,7 @@ Task<Result<>> Readouts::read_watched() {
   const auto& threads = console_.snapshot.threads;
   const bool runs = std::any_of(threads.begin(), threads.end(),
                                 [](const ThreadState& thread) { return thread.run == RunState::running; });
-  // The program may change them, and without a reader nobody would notice.
+  // The program may change them, and without a reader the change would go unnoticed.
   if (runs && !(watched_ >> variable_values & 1)) console_.snapshot.variables_known.reset();
   for (int i = 0; i < static_cast<int>(console_.catalog.readouts.size()); ++i) {
     if (by_status_[ix(i)] || !(watched_ >> console_.catalog.readouts[ix(i)].group & 1)) continue;

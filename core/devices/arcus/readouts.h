@@ -2,6 +2,7 @@
 // Readouts, variables and analog inputs: those being watched are read each round, the rest in turn.
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -21,7 +22,11 @@ class Readouts {
   void put(std::string_view id, std::int64_t value);
   /// The move mode as last read.
   [[nodiscard]] bool incremental() const { return incremental_; }
+  /// None: not read since the controller was connected or switched on.
+  [[nodiscard]] std::optional<bool> known_incremental() const;
 
+  /// The move mode, where the status does not contain it.
+  Task<Result<>> read_mode(Priority priority);
   Task<Result<>> read_watched();
   /// One readout that is not watched, one analog input.
   Task<Result<>> read_in_turn();

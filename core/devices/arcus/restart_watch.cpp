@@ -9,14 +9,14 @@
 
 namespace hw::arcus {
 
-unsigned RestartWatch::Stood::moved() const {
+unsigned RestartWatch::Reference::moved() const {
   unsigned bits = 0;
   for (std::size_t i = 0; i < axes.size(); ++i) bits |= axes[i].then.moving ? 1u << i : 0u;
   return bits;
 }
 
-RestartWatch::Stood RestartWatch::where_all_stand() const {
-  Stood stood;
+RestartWatch::Reference RestartWatch::where_all_stand() const {
+  Reference stood;
   stood.seen_at = console_.scheduler.now();
   stood.misses = conversation_.misses();
   stood.program_ran = console_.snapshot.program.run == RunState::running;
@@ -32,32 +32,32 @@ void RestartWatch::goes_out(std::string_view command) {
   if (may_set_counter(command)) counters_.may_be_set();
   if (may_set_target(command)) targets_.may_be_set();
   if (may_switch_motor(command)) motors_.may_be_set();
-  if (!stood_) return;
+  if (!reference_) return;
   const bool stops = ends_motion(command), moves = may_move(console_.forms, command);
-  for (Stood::Axis& axis : stood_->axes)
+  for (Reference::Axis& axis : reference_->axes)
     if (moves || (stops && std::exchange(axis.sent_away, false))) axis.may_have_left = true;
 }
 
 // No reading shows the motion yet, and the power may fail before the next; or the axis has arrived by then.
 void RestartWatch::was_sent_to(int axis, Steps target) {
-  if (!stood_) return;
-  Stood::Axis& stood = stood_->axes[ix(axis)];
+  if (!reference_) return;
+  Reference::Axis& stood = reference_->axes[ix(axis)];
   stood.sent_away = target != Steps(0);
   stood.then.towards_zero = std::max(stood.then.towards_zero, callbacks_.axis_now(axis).towards_zero);
 }
 void RestartWatch::jogs(int axis, Sign way) {
-  if (stood_ && stood_->axes[ix(axis)].position.value * factor(way) >= 0)
-    stood_->axes[ix(axis)].sent_away = true;
+  if (reference_ && reference_->axes[ix(axis)].position.value * factor(way) >= 0)
+    reference_->axes[ix(axis)].sent_away = true;
 }
 void RestartWatch::position_was_set(int axis, Steps position) {
-  if (stood_) stood_->axes[ix(axis)].position = position;
+  if (reference_) reference_->axes[ix(axis)].position = position;
 }
 void RestartWatch::encoder_was_set(int axis, Steps position) {
-  if (stood_) stood_->axes[ix(axis)].encoder = position;
+  if (reference_) reference_->axes[ix(axis)].encoder = position;
 }
 
 void RestartWatch::forget() {
-  stood_.reset();
+  reference_.reset();
   motors_on_.reset();
   be_in_doubt(std::nullopt);
 }
@@ -70,10 +70,10 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   if (!motion_is_whole() && !was_silent) return;  // readings may be from before and after a restart
   const bool unexplained = counters_.answered(look.counters);
   const bool targets_stay = targets_.answered(look.targets);
-  const auto before = std::exchange(stood_, where_all_stand());
+  const auto before = std::exchange(reference_, where_all_stand());
   if (!before) return;
-  const bool silent = was_silent || stood_->misses != before->misses;
-  const bool a_program_may = before->program_ran || stood_->program_ran;
+  const bool silent = was_silent || reference_->misses != before->misses;
+  const bool a_program_may = before->program_ran || reference_->program_ran;
   constexpr double between_two_looks = 1;  // s, and more where the wire was slow
   const double elapsed = between_two_looks + seconds(console_.scheduler.now() - before->seen_at);
   Change all;
@@ -81,7 +81,7 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   for (int i = 0; i < console_.snapshot.axis_count; ++i) {
     const AxisState& axis = console_.snapshot.axes[i];
     const bool at_zero =
-        !stood_->axes[ix(i)].then.runs && axis.position == Steps(0) && axis.encoder == Steps(0);
+        !reference_->axes[ix(i)].then.runs && axis.position == Steps(0) && axis.encoder == Steps(0);
     const Change change = change_of(axis, before->axes[ix(i)], elapsed, targets_stay);
     const bool sent_away = before->axes[ix(i)].sent_away;
     stands_at_zero = stands_at_zero && at_zero;
@@ -102,7 +102,7 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
                                 before->moved());
 }
 
-RestartWatch::Change RestartWatch::change_of(const AxisState& now, const Stood::Axis& before,
+RestartWatch::Change RestartWatch::change_of(const AxisState& now, const Reference::Axis& before,
                                              double elapsed_s, bool targets_stay) {
   const std::int64_t stood = std::abs(before.position.value), left = stood - before.then.room.value;
   const std::int64_t encoder = std::abs(before.encoder.value), here = std::abs(now.position.value);
@@ -177,7 +177,7 @@ Task<Result<>> RestartWatch::decide(InDoubt in_doubt) {
   if (!kept) co_return fail(kept.error());
   if (*kept) co_return Result<>();
   if (in_doubt.may_be_so)
-    tell_of_doubt(in_doubt.before);
+    warn_of_doubt(in_doubt.before);
   else
     callbacks_.restarted("It did not answer for a while, and then it counted from zero",
                          in_doubt.before.moved());
@@ -185,7 +185,7 @@ Task<Result<>> RestartWatch::decide(InDoubt in_doubt) {
 }
 
 // Either a power cycle or a sent command has set the counters; which, and how motions ended, cannot be known.
-void RestartWatch::tell_of_doubt(const Stood& before) {
+void RestartWatch::warn_of_doubt(const Reference& before) {
   for (int i = 0; i < console_.axes(); ++i) {
     AxisState& axis = console_.snapshot.axes[i];
     if (before.axes[ix(i)].then.moving) axis.ended_by = EndedBy::lost;

@@ -15,7 +15,7 @@ namespace hw::arcus {
 
 class RestartWatch {
  public:
-  /// What is known of an axis beyond the snapshot.
+  /// Facts about an axis beyond the snapshot.
   struct AxisNow {
     bool runs = false, moving = false;
     bool to_encoder = false;   ///< its stop under StepNLoop sets its position to the encoder's
@@ -28,7 +28,7 @@ class RestartWatch {
     /// `moved`: a bit for each axis that was on its way.
     std::function<void(std::string_view how_it_shows, unsigned moved)> restarted;
   };
-  /// What had been sent when a status round began.
+  /// The commands that had been sent when a status round began.
   struct Look {
     Unexplained::Mark counters, targets, motors;
   };
@@ -62,14 +62,14 @@ class RestartWatch {
   /// All counters have come to zero unseen: check the motors.
   [[nodiscard]] bool in_doubt() const { return zero_in_doubt_.has_value(); }
   /// A reply was missed since the last look.
-  [[nodiscard]] bool was_silent() const { return stood_ && stood_->misses != conversation_.misses(); }
-  [[nodiscard]] bool has_looked() const { return stood_.has_value(); }
-  [[nodiscard]] bool program_ran() const { return stood_ && stood_->program_ran; }
+  [[nodiscard]] bool was_silent() const { return reference_ && reference_->misses != conversation_.misses(); }
+  [[nodiscard]] bool has_looked() const { return reference_.has_value(); }
+  [[nodiscard]] bool program_ran() const { return reference_ && reference_->program_ran; }
   void forget();
 
  private:
   /// The earlier state that positions are compared with.
-  struct Stood {
+  struct Reference {
     struct Axis {
       Steps position, encoder;
       AxisNow then;
@@ -93,30 +93,30 @@ class RestartWatch {
       jumped = jumped || other.jumped;
     }
   };
-  static Change change_of(const AxisState& now, const Stood::Axis& before, double elapsed_s,
+  static Change change_of(const AxisState& now, const Reference::Axis& before, double elapsed_s,
                           bool targets_stay);
   /// All counters have come to zero unseen.
   struct InDoubt {
-    Stood before;
+    Reference before;
     bool at_zero;    ///< all of them, at rest; else a program from power-up may have moved since
-    bool may_be_so;  ///< what was sent may explain it
+    bool may_be_so;  ///< a sent command may explain it
   };
-  [[nodiscard]] Stood where_all_stand() const;
+  [[nodiscard]] Reference where_all_stand() const;
   Task<Result<bool>> a_program_runs();
   Task<Result<bool>> power_up_starts_a_program();
   void be_in_doubt(std::optional<InDoubt> doubt);
   Task<Result<>> decide(InDoubt in_doubt);
-  void tell_of_doubt(const Stood& before);
+  void warn_of_doubt(const Reference& before);
 
   const Console& console_;
   Conversation& conversation_;
   const CodeAtWork& code_;
   SetUp& setup_;
   Callbacks callbacks_;
-  Unexplained counters_, motors_;    ///< of positions and encoders; of motor power
-  Unexplained targets_;              ///< of positions set to the encoder's
-  std::uint64_t motion_misses_ = 0;  ///< when the first of the latest motion replies came
-  std::optional<Stood> stood_;       ///< when last looked at
+  Unexplained counters_, motors_;       ///< of positions and encoders; of motor power
+  Unexplained targets_;                 ///< of positions set to the encoder's
+  std::uint64_t motion_misses_ = 0;     ///< when the first of the latest motion replies came
+  std::optional<Reference> reference_;  ///< when last looked at
   std::optional<std::int64_t> motors_on_;
   std::optional<InDoubt> zero_in_doubt_;
 };

@@ -34,8 +34,8 @@ struct CountedLoop {
 /// A text without mistakes.
 struct StatementText {
   Statements statements;
-  /// By statement: for the head of a block (WHILE, IF, ELSEIF, ELSE) the one that ends the block, else
-  /// itself.
+  /// For each statement: for the head of a block (WHILE, IF, ELSEIF, ELSE) the statement that ends the block,
+  /// else itself.
   std::vector<std::size_t> end_of;
   std::vector<std::optional<CountedLoop>> counted;  ///< by statement, where one of it is
   std::vector<Stretch> lines;                       ///< of the text, without their ends
@@ -51,7 +51,7 @@ void add_remarks(const StatementText& text, const language::Compilation& compile
 
 [[nodiscard]] Operations operations_of(std::string_view text, const language::Dialect& dialect);
 
-/// What lines within a program may leave changed.
+/// The settings that lines within a program may leave changed.
 struct TextEffects {
   bool moves = false, speeds = false, mode = false;
 };

@@ -8,6 +8,7 @@
 
 #include "core/device/sequence_draft.h"
 #include "core/device/written_speeds.h"
+#include "core/devices/arcus/facts.h"
 #include "core/devices/arcus/sequence_statements.h"
 
 namespace hw::arcus {
@@ -97,7 +98,8 @@ class Writer {
     return {};
   }
   Result<> write(const seq::Delay& d) {
-    if (!(d.ms <= 2'147'483'647)) return draft_.refuse("a delay is at most 2147483647 ms.");
+    if (!(d.ms <= static_cast<double>(max_number)))
+      return draft_.refuse(fmt::format("a delay is at most {} ms.", max_number));
     draft_.line(fmt::format("DELAY={}", std::max<std::int64_t>(std::llround(d.ms), 1)));
     return {};
   }

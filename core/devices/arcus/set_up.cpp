@@ -95,14 +95,14 @@ Task<Result<>> SetUp::read(int index, Priority priority) {
   auto reply = co_await conversation_.ask_surely(info.mnemonic, std::move(decode), expected, priority);
   if (!reply) co_return fail(reply.error());
   const std::int64_t value = *reply;
-  const bool taken_back = before.known && before.value != value && nobody_sets_.test(ix(index)) &&
+  const bool taken_back = before.known && before.value != value && settled_.test(ix(index)) &&
                           in_ram_only(index) && value == after_power_up_[ix(index)];
   if (taken_back)
     callbacks_.restarted(fmt::format("{} read {} and now reads {}, and no command that was sent does this",
                                      info.mnemonic, encode_value(info, before.value),
                                      encode_value(info, value)));
   const bool read_twice = before.known && before.value == value;  // not just garbled twice in the same way
-  nobody_sets_.set(ix(index), read_twice && (code_.leaves_param(ix(index)) || !code_.program_may_run()));
+  settled_.set(ix(index), read_twice && (code_.leaves_param(ix(index)) || !code_.program_may_run()));
   console_.snapshot.params[ix(index)].value = value;
   console_.snapshot.params[ix(index)].known = true;
   if (info.stored) compare_with_stored(index);
@@ -127,9 +127,9 @@ void SetUp::compare_with_stored(int index) {
 // Unknown code may set anything.
 void SetUp::code_may_set() {
   if (code_.known())
-    nobody_sets_ &= ~code_.known()->sets;
+    settled_ &= ~code_.known()->sets;
   else
-    nobody_sets_.reset();
+    settled_.reset();
 }
 
 // Not in non-volatile memory.
@@ -159,7 +159,7 @@ int SetUp::next_that_would_show() {
 // True: a value that a power cut would have reset is kept; or it is not, and read() has reported the restart.
 Task<Result<bool>> SetUp::something_is_kept() {
   const int index = next_that_would_show();
-  if (index < 0 || !nobody_sets_.test(ix(index))) co_return co_await code_has_left_something();
+  if (index < 0 || !settled_.test(ix(index))) co_return co_await code_has_left_something();
   auto read_again = co_await read(index, Priority::poll);
   if (!read_again) co_return fail(read_again.error());
   co_return true;
@@ -224,8 +224,8 @@ void SetUp::changed(int index) {
 }
 
 Task<Result<bool>> SetUp::set(intent::SetParam request) {
-  const std::string who = fmt::format("A {}", console_.model().title);
-  const auto place = check_param(console_.catalog, request, {who, encode_value});
+  const std::string title = fmt::format("A {}", console_.model().title);
+  const auto place = check_param(console_.catalog, request, {title, encode_value});
   if (!place) co_return fail(place.error());
   const int index = static_cast<int>(*place);
   const ParamInfo& info = console_.catalog.params[*place];
@@ -281,12 +281,12 @@ void SetUp::forget_all() {
 }
 
 void SetUp::was_borrowed(std::string_view name) {
-  if (const int index = console_.catalog.find_param(name); index >= 0) nobody_sets_.reset(ix(index));
+  if (const int index = console_.catalog.find_param(name); index >= 0) settled_.reset(ix(index));
 }
 
 void SetUp::restarted() {
   set_up_is_unknown(console_.snapshot);
-  nobody_sets_.reset();
+  settled_.reset();
   unsaved_variables_ = false;
 }
 

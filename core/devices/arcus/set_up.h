@@ -22,7 +22,7 @@ class SetUp {
   SetUp(const Console& console, Conversation& conversation, const CodeAtWork& code,
         const BorrowedSetting& borrowed, Callbacks callbacks);
 
-  // ---- what is known
+  // ---- the known values
   [[nodiscard]] std::optional<std::int64_t> param(std::string_view mnemonic) const;
   [[nodiscard]] std::optional<std::int64_t> setting(Setting id, int axis = 0) const;
   /// None: not read yet.
@@ -70,8 +70,8 @@ class SetUp {
   Callbacks callbacks_;
   std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: the stored value
   std::bitset<max_params> stored_known_;                   ///< of what is stored: after_power_up_ was read
-  std::bitset<max_params> nobody_sets_;  ///< read twice, and nothing has run since that may have set them
-  bool unsaved_variables_ = false;       ///< some were set and not stored
+  std::bitset<max_params> settled_;  ///< read twice, and nothing has run since that may have set them
+  bool unsaved_variables_ = false;   ///< some were set and not stored
   InTurn params_, kept_;
 };
 

@@ -6,11 +6,11 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/axis_motion.h"
 
 namespace hw::arcus {
 namespace {
 
-constexpr Duration longest_stop = std::chrono::seconds(30);  // for a long ramp set by the user
 constexpr Duration next_move_of_a_program = std::chrono::seconds(1);
 constexpr int stop_attempts = 3;
 constexpr Duration until_confirmed = Millis(200);
@@ -44,8 +44,8 @@ Task<Result<>> Stops::send(const StopOrder& order, Duration patience) {
   co_return co_await stop_axes(order, patience);
 }
 
-// A stop for all devices of the line, in the same words as the stop of each, which follows: on a line where
-// nobody answers those wait for one another.
+// A stop for all devices of the line, in the same words as the stops of the single devices, which follow: on
+// a silent line those wait for one another.
 Task<Result<>> Stops::stop_line(bool at_once) {
   if (console_.model().broadcast < 0) co_return Result<>();
   const std::string word = at_once ? "ABORT" : "STOP";
@@ -56,8 +56,9 @@ Task<Result<>> Stops::stop_line(bool at_once) {
   co_return all;
 }
 
-// The stop of a jog stops only what the jog moves: programs, and axes that they move, go on. The joystick is
-// checked after all stops were sent; if they were not understood or another stop waits, next time.
+// The stop of a jog stops only the axes that the jog moves: programs, and axes that they move, continue. The
+// joystick is checked after all stops were sent; if they were not understood, or another stop waits, it is
+// checked next time.
 Task<Result<>> Stops::stop_axes(const StopOrder& order, Duration patience) {
   list_.end();
   const std::string_view form = order.at_once ? console_.forms.abort : console_.forms.stop;
@@ -113,7 +114,7 @@ Task<Result<>> Stops::halt_thread(int thread, Duration patience) {
   co_return co_await conversation_.command(std::move(text), Priority::stop, patience);
 }
 
-// The program ends; the motion that it has begun goes on.
+// The program ends; its motion continues.
 Task<Result<>> Stops::halt_program(int thread, Duration patience) {
   if (thread >= console_.model().programs)
     co_return fail(FaultKind::refused, fmt::format("There is no program {}.", thread), "Nothing was sent.");
@@ -127,7 +128,8 @@ Task<Result<>> Stops::halt_program(int thread, Duration patience) {
   co_return all;
 }
 
-// Its axes would go on by the stick. JE is read each time: programs, other hosts and a power-up switch it on.
+// The axes would continue to follow the stick. JE is read each time: programs, other hosts and a power-up
+// switch it on.
 Task<Result<>> Stops::release_joystick(int axis, std::string stop) {
   if (!console_.forms.joystick) co_return Result<>();
   const int index = console_.catalog.find_param("JE");
@@ -197,12 +199,9 @@ StopProgress Stops::progress(const StopOrder& order) {
     motions_.stands(order.axis);
     return StopProgress::stands();
   }
-  const bool given_up = turns && console_.scheduler.now() - order.sent_at > longest_stop;
-  if (turns && !given_up) return StopProgress::wait();
-  motions_.stands(all ? -1 : order.axis);
-  if (!turns) return StopProgress::stands();
-  return StopProgress::failed(Fault(FaultKind::controller, "Stop was sent, but the controller still moves.",
-                                    "", "Stop again: it then stops at once, without a ramp."));
+  StopProgress progress = progress_of_stop(turns, console_.scheduler.now() - order.sent_at);
+  if (progress.now != StopProgress::Now::wait) motions_.stands(all ? -1 : order.axis);
+  return progress;
 }
 
 // A halted program may be restarted by one that is not halted yet.

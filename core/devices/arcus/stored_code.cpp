@@ -71,8 +71,8 @@ void SetParams::add_written(Quantity quantity, int axis) {
   }
 }
 
-/// What a subroutine does from its head to its end, with those that it calls. Without a loop it has ended
-/// after the time for each of its statements.
+/// The effects of a subroutine from its head to its end, with the subroutines that it calls. Without a loop
+/// it has ended after the time for each of its statements.
 class SubroutineWalk {
  public:
   explicit SubroutineWalk(const language::Program& code) : code_(code) {}

@@ -1,5 +1,5 @@
 #pragma once
-// What the driver remembers of the controller's stored code.
+// Facts that the driver remembers about the controller's stored code.
 #include <array>
 #include <bitset>
 #include <optional>

@@ -45,7 +45,7 @@ Task<Result<>> StoredLines::write_line(int line) {
   progress_.worked(console_.scheduler.now());
   // After an earlier stop or a refusal this line is not stored.
   if (!written && was_kept_back(written.error())) console_.snapshot.slots_torn = before;
-  // Reading the line tells whether the reply was lost or the line itself garbled.
+  // Reading the line back shows whether the reply was lost or the line itself garbled.
   if (!written && worth_another_try(written.error())) co_return Result<>();
   co_return written;
 }
@@ -194,7 +194,7 @@ Task<Result<std::optional<StoredLines::OtherLine>>> StoredLines::compare_what_wa
   co_return other;
 }
 
-// ---- what a broken transfer leaves
+// ---- remains of a broken transfer
 
 std::string StoredLines::what_stands() const {
   const TransferState& t = console_.snapshot.transfer;

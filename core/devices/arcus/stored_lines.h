@@ -25,7 +25,7 @@ class StoredLines {
   Task<Result<int>> write(std::vector<std::string> lines);
   /// The fault after a stop, a lost link or a refused line: the stored lines may run, but are no program.
   tl::unexpected<Fault> broken_off(Fault why);
-  /// What the user must know if the console exits now; the next console does not.
+  /// The warning for the user if the console exits now; the next console does not know it.
   [[nodiscard]] std::string leaves_behind() const;
 
  private:

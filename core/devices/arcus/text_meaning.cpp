@@ -16,7 +16,7 @@ bool is_setting(const Model& model, std::string_view command) {
   });
 }
 
-/// It asks for a state: of all, or of an axis or a number.
+/// The text asks for a state: of all, or of an axis or a number.
 bool is_reading(const Model& model, std::string_view command) {
   constexpr std::string_view heads[] = {"MST", "PP", "PE", "PS", "P",   "E",  "DX",  "AI",  "DI",
                                         "DO",  "EO", "V",  "ID", "VER", "TR", "SPC", "SLS", "SASTAT"};
@@ -51,9 +51,9 @@ TextMeaning meaning_of(const Forms& forms, const intent::SendText& request, Addr
   const int to = address_of(request.text);
   const bool to_all = (to < 0 && request.broadcast) || (to >= 0 && to == model.broadcast);
   if (to_all) {
-    meaning.whom = TextMeaning::For::everybody;
+    meaning.addressee = TextMeaning::For::all;
   } else if (to >= 0 && to != addressing.own) {
-    meaning.whom = TextMeaning::For::another;
+    meaning.addressee = TextMeaning::For::another;
     meaning.address = to;
   }
   if (ends_motion(text) || ends_program(text)) {
@@ -63,7 +63,7 @@ TextMeaning meaning_of(const Forms& forms, const intent::SendText& request, Addr
   }
   meaning.answered =
       to_all && model.broadcast >= 0 ? TextMeaning::Answered::never : TextMeaning::Answered::at_once;
-  meaning.end_is_reported = addressing.tells_end;
+  meaning.end_is_reported = addressing.reports_end;
   // A line of the program memory: SA[line]=[code].
   meaning.changes_programs = word.starts_with("SA") && word.find('=') != word.npos;
   meaning.runs_program = runs_program(text);

@@ -50,7 +50,7 @@ Task<Result<std::string>> Texts::stop(const StopOrder& order) {
   std::string text = order.words;
   const bool more = cut_to_one_command(text);
   list_.end();
-  if (order.meaning.whom == TextMeaning::For::everybody && address_of(text) < 0) {
+  if (order.meaning.addressee == TextMeaning::For::all && address_of(text) < 0) {
     auto sent = co_await conversation_.broadcast(text, Priority::stop);
     if (!sent) co_return fail(sent.error());
     note_sent(text);
@@ -125,7 +125,8 @@ void Texts::note_broadcast(const std::string& text) {
 // Effects that hold only if the controller has accepted the text.
 void Texts::note_done(std::string_view command) {
   if (command == "STORE") setup_.is_stored();
-  // It accepts a move only of an axis that stands: the console's own motion there is over.
+  if (command == "ABS" || command == "INC") readouts_.put("MM", command == "INC");
+  // The controller accepts a move only of an axis at rest: the console's own motion there is over.
   if (!arcus::may_move(console_.forms, command) || takes_target_away(command)) return;
   const int named = console_.axes() == 1 ? 0 : axis_named_in(console_.forms, command);
   if (named >= 0) motions_.another_begins(named);

@@ -12,8 +12,8 @@ namespace hw::arcus {
 class Texts {
  public:
   Texts(const Console& console, Conversation& conversation, CodeAtWork& code, BorrowedSetting& borrowed,
-        SetUp& setup, MoveList& list, RestartWatch& watch, Motions& motions, Threads& threads, Lines& lines,
-        AfterSilence& silence)
+        SetUp& setup, MoveList& list, RestartWatch& watch, Motions& motions, Readouts& readouts,
+        Threads& threads, Lines& lines, AfterSilence& silence)
       : console_(console),
         conversation_(conversation),
         code_(code),
@@ -22,6 +22,7 @@ class Texts {
         list_(list),
         watch_(watch),
         motions_(motions),
+        readouts_(readouts),
         threads_(threads),
         lines_(lines),
         silence_(silence) {}
@@ -46,6 +47,7 @@ class Texts {
   MoveList& list_;
   RestartWatch& watch_;
   Motions& motions_;
+  Readouts& readouts_;
   Threads& threads_;
   Lines& lines_;
   AfterSilence& silence_;

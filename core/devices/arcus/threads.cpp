@@ -61,8 +61,8 @@ Task<Result<>> Threads::read_one(int thread, Priority priority) {
   auto state = co_await conversation_.ask_number(fmt::format("SASTAT{}", thread), priority);
   if (!state) co_return fail(state.error());
   const RunState run = run_state(*state);
-  const bool nobody_started_it = !code_.program_may_run() && !code_.was_called();
-  if (run == RunState::running && nobody_started_it && watch_.has_looked() && !watch_.program_ran()) {
+  const bool unexplained_start = !code_.program_may_run() && !code_.was_called();
+  if (run == RunState::running && unexplained_start && watch_.has_looked() && !watch_.program_ran()) {
     auto looked = co_await watch_.look_at_start(thread, priority);
     if (!looked) co_return looked;
   }

@@ -57,17 +57,18 @@ std::optional<std::vector<std::int64_t>> numbers(std::string_view text, std::siz
 
 /// "X1000Y1000", blanks between the words allowed, each axis once.
 Answer move(Controller& c, const Args& first) {
+  const std::string_view letters = c.model().axis_letters;
   arcus::Targets targets;
   std::string_view text = first.value;
   std::size_t axis = static_cast<std::size_t>(first.axis);
   for (;;) {
-    const auto end = std::min(text.find_first_of("XYZU "), text.size());
+    const auto end = std::min({text.find_first_of(letters), text.find(' '), text.size()});
     const auto value = parse_integer(text.substr(0, end));
     if (!value || targets[axis]) return Refusal::unknown;
     targets[axis] = *value;
     text.remove_prefix(std::min(text.find_first_not_of(' ', end), text.size()));
     if (text.empty()) return c.move(targets);
-    const auto next = std::string_view("XYZU").find(text.front());
+    const auto next = letters.find(text.front());
     if (next == std::string_view::npos) return Refusal::unknown;
     axis = next;
     text.remove_prefix(1);

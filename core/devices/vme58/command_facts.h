@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "core/devices/vme58/facts.h"
@@ -57,6 +58,19 @@ enum class Op : std::uint8_t {
   KK,
   // clang-format on
 };
+
+/// Opens a block that is repeated: LS .. LE, WS .. WD, WH .. WG.
+constexpr bool begins_block(Op op) { return op == Op::LS || op == Op::WS || op == Op::WH; }
+
+/// The command that opens the block closed by `end`.
+constexpr std::optional<Op> block_begin_of(Op end) {
+  switch (end) {
+    case Op::LE: return Op::LS;
+    case Op::WD: return Op::WS;
+    case Op::WG: return Op::WH;
+    default: return std::nullopt;
+  }
+}
 
 struct CommandFact {
   std::string_view letters;

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "core/base/index.h"
 #include "core/devices/vme58/catalog.h"
+#include "core/devices/vme58/text_goals.h"
 #include "core/devices/vme58/text_meaning.h"
 
 namespace hw::vme58 {
@@ -14,13 +16,35 @@ namespace {
 
 constexpr Duration sample_pause = std::chrono::microseconds(50);  // between two rounds of a recording
 
+/// The axes that a request moves, bit per axis; none: it moves nothing, or nobody knows what.
+unsigned axes_of(const IntentBody& body) {
+  unsigned axes = 0;
+  const auto take = [&axes](const std::vector<AxisTarget>& places) {
+    for (const AxisTarget& place : places) axes |= 1u << place.axis.index;
+  };
+  if (const auto* i = std::get_if<intent::MoveTo>(&body)) take(i->targets);
+  if (const auto* i = std::get_if<intent::MoveBy>(&body)) take(i->distances);
+  if (const auto* i = std::get_if<intent::JogStart>(&body)) axes = 1u << i->axis.index;
+  if (const auto* i = std::get_if<intent::Home>(&body)) axes = 1u << i->axis.index;
+  return axes;
+}
+
 }  // namespace
 
 // ---- intents
 
 Task<Result<>> Vme58Driver::perform(const IntentBody& body) {
-  using namespace intent;
   if (!talk_.wire.is_open()) co_return no_connection();
+  auto done = co_await carry_out(body);
+  if (!done && done.error().kind == FaultKind::refused) co_return done;  // nothing was sent
+  const unsigned axes = axes_of(body);
+  strings_.texts.prepared().forget(axes, (axes & (axes - 1)) != 0);
+  if (std::holds_alternative<intent::RunProgram>(body)) strings_.texts.forget_prepared();
+  co_return done;
+}
+
+Task<Result<>> Vme58Driver::carry_out(const IntentBody& body) {
+  using namespace intent;
   if (const auto* i = std::get_if<MoveTo>(&body))
     co_return co_await work_.moves.move(i->targets, pace_of(*i), false);
   if (const auto* i = std::get_if<MoveBy>(&body))
@@ -78,6 +102,11 @@ TextMeaning Vme58Driver::meaning_of(const intent::SendText& text) const {
   return vme58::meaning_of(text.text, talk_.selection.context(), axes());
 }
 
+TextGoals Vme58Driver::goals_of(std::string_view text) const {
+  return vme58::goals_of(text, talk_.selection.context(), talk_.selection.user_units(),
+                         strings_.texts.prepared(), snapshot_);
+}
+
 // ---- stops
 
 Task<Result<std::string>> Vme58Driver::stop(const StopOrder& order) {
@@ -92,6 +121,12 @@ Task<Result<std::string>> Vme58Driver::stop(const StopOrder& order) {
   else
     sent = co_await strings_.stops.send(order);
   if (!sent) co_return fail(sent.error());
+  if (order.what == StopOrder::What::words)
+    strings_.texts.note_stop(order.words);
+  else if (!tool && order.axis >= 0)
+    strings_.texts.prepared().forget(1u << order.axis, true);
+  else if (!tool)
+    strings_.texts.forget_prepared();
   co_return std::string();
 }
 

@@ -3,26 +3,26 @@
 // name; its constructor receives exactly the other parts that it needs.
 //
 //   wire, readings        bursts of bus cycles; registers and data area
-//   selection             whom a text speaks to
-//   conversation          the rings: commands in, replies out, and whose a reply is
+//   selection             the axis that a text addresses
+//   conversation          the rings: commands in, replies out, and the question of each reply
 //   mailbox               urgent commands past everything that waits (decision M29)
-//   commands              what the console says, and what the board rejects
-//   next_round, queues    what is to be asked; the board's command queues
-//   parameter_values      what is known of the set-up
+//   commands              commands of the console, and rejections by the board
+//   next_round, queues    the questions that are due; the board's command queues
+//   parameter_values      the known set-up
 //   limit_ends            switches
 //   servo_loops           servo axes: places and loops
-//   motions               what is under way on each axis
+//   motions               the motion of each axis
 //   speeds                VL, which a move with a speed of its own borrows
-//   status_questions      what a round of status asks by command
+//   status_questions      the questions of a status round that are commands
 //   lines                 inputs and outputs
 //   servo_drive, moves, actions, setup
-//                         what the console is asked to do
+//                         commands of the user
 //   stop_effect, all_stop, stops
-//                         stops, and what shows of them
+//                         stops, and their progress
 //   effects, feed, programs, texts
 //                         command strings of users, scripts and programs
 //   samples               recordings of one axis
-//   finding               which board it is
+//   finding               identifying the board
 #include <functional>
 #include <memory>
 #include <string>
@@ -50,6 +50,7 @@ class Vme58Driver final : public Driver, private Readings::Listener {
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] TextMeaning meaning_of(const intent::SendText& text) const override;
+  [[nodiscard]] TextGoals goals_of(std::string_view text) const override;
   [[nodiscard]] Duration moving_period() const override;
   [[nodiscard]] Duration idle_period() const override;
 
@@ -70,6 +71,7 @@ class Vme58Driver final : public Driver, private Readings::Listener {
   Task<Result<>> read_more(Registers registers);
   void record_round();
   void show_worst();
+  Task<Result<>> carry_out(const IntentBody& body);
   Task<Result<>> send_text(std::string text);
   [[nodiscard]] int axes() const { return static_cast<int>(catalog_.axes.size()); }
 

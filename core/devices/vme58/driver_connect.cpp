@@ -57,7 +57,7 @@ void Vme58Driver::forget() {
   strings_.forget();
 }
 
-/// Marks motions and program as lost: nobody sees how they end.
+/// Marks motions and program as lost: their ends are not seen.
 void Vme58Driver::lose_motions() {
   known_.motions.lose(strings_.programs.is_running());
   strings_.programs.lose();

@@ -68,6 +68,7 @@ void Strings::forget() {
   programs.forget();
   all_stop.forget();
   stops.forget();
+  texts.forget_prepared();
 }
 
 }  // namespace hw::vme58

@@ -102,7 +102,7 @@ Result<> Vme58Emulator::act(const bench::Breaker&) {
 }
 
 Result<> Vme58Emulator::operate(const BenchCommand& command) {
-  auto result = on_controller(command, [this](const auto& hand) { return act(hand); });
+  auto result = on_controller(command, [this](const auto& operation) { return act(operation); });
   board_.settle();
   advance_to(board_.now());
   return result;
@@ -110,7 +110,7 @@ Result<> Vme58Emulator::operate(const BenchCommand& command) {
 
 /// Outputs: the output lines in order, then the auxiliary outputs. A line is on while low, an auxiliary
 /// output while high.
-void Vme58Emulator::tell_truth(MachineTruth& truth) const {
+void Vme58Emulator::report_truth(MachineTruth& truth) const {
   const Motion& motion = board_.motion();
   truth = MachineTruth();
   truth.powered = board_.powered() && !board_.booting();

@@ -81,7 +81,7 @@ class Board {
   /// For tests and rehearsals.
   [[nodiscard]] const BoardTask& task(int context) const { return tasks_[ix(context)]; }
   /// Records events in `notes` from now on; null: stops recording.
-  void tell(Notes* notes) { notes_ = notes; }
+  void record_to(Notes* notes) { notes_ = notes; }
   [[nodiscard]] bool booting() const { return boots_until_.has_value(); }
   /// No text or command waits, no command is under way, no axis moves.
   [[nodiscard]] bool idle() const;
@@ -153,7 +153,7 @@ class Board {
   Step open_block(BoardTask& t, const Command& c);
   Step end_block(BoardTask& t, bool again);
 
-  // What a queued command does (emulator_queued.cpp).
+  // The effect of a queued command (emulator_queued.cpp).
   Step execute(int context, const Command& c);
   Step motion_began(int context, unsigned axes);
   /// Drops the command: the motion refused it.

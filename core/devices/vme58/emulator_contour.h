@@ -35,7 +35,7 @@ struct Contour {
   [[nodiscard]] int axis_count() const { return __builtin_popcount(axes); }
 };
 
-/// What stands between CD and its end, and what is left of it for CX.
+/// The commands between CD and its end, and the rest of them for CX.
 class ContourRecorder {
  public:
   /// CD: drops the contour before it.

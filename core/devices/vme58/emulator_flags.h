@@ -9,7 +9,7 @@ namespace hw::vme58 {
 
 class Flags {
  public:
-  // What happens on the board. Axes as bits.
+  // Events on the board. Axes as bits.
   void command_error() { command_error_ = true; }
   /// Interrupts the host each time, even if it has not read the previous flag.
   void set_done(unsigned axes);

@@ -19,7 +19,7 @@ void Motion::watch_error(int a) {
   MotionAxis& x = axes_[ix(a)];
   if (!x.fitting.encoder) return;
   const bool in_place = in_position(a);
-  if (in_place && !std::exchange(x.was_in_position, in_place)) tell(What::ready, a);
+  if (in_place && !std::exchange(x.was_in_position, in_place)) note_event(What::ready, a);
   x.was_in_position = in_place;
   const bool beyond = x.watches_slip() && std::abs(x.error()) > x.settings.slip_tolerance;
   if (beyond && !std::exchange(x.slipped, true)) slipped(a);
@@ -29,7 +29,7 @@ void Motion::watch_error(int a) {
 
 void Motion::slipped(int a) {
   MotionAxis& x = axes_[ix(a)];
-  tell(What::slipped, a);
+  note_event(What::slipped, a);
   if (!x.settings.slip_kills) return;
   x.settings.holding = false;
   if (Run* r = run_of(a)) finish(*r, End::cut);
@@ -82,7 +82,7 @@ void Motion::track(int a, std::int64_t counts) {
   if (x.settings.limits_on)
     if (const auto until = x.plant.turns_until_limit(way); until && *until <= count) {
       count = *until;
-      tell(What::limit_hit, a);
+      note_event(What::limit_hit, a);
     }
   if (count > 0) x.turn(static_cast<int>(factor(way)), count);
 }

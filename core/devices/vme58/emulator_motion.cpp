@@ -106,7 +106,7 @@ void Motion::begin(RunKind kind, unsigned axes, Track track, const Profile& prof
   }
   look(r);
   for (int a = 0; r.active && a < most_axes; ++a)
-    if (r.has(a) && !std::exchange(axes_[ix(a)].under_way, true)) tell(What::began, a);
+    if (r.has(a) && !std::exchange(axes_[ix(a)].under_way, true)) note_event(What::began, a);
   if (r.active) plan(r);
   if (r.active && r.profile.end() <= now_) finish(r, End::reached);
   schedule_updates();
@@ -131,7 +131,7 @@ void Motion::look(Run& r) {
     MotionAxis& x = axes_[ix(a)];
     if (x.passes && factor(x.direction) * (x.position - *x.passes) >= 0) {
       x.passes.reset();
-      tell(What::ready, a);
+      note_event(What::ready, a);
     }
   }
 }
@@ -143,7 +143,7 @@ bool Motion::met_limit(Run& r, int a) {
   for (const int way : {x.arrived_by, r.track.direction(ix(a), r.applied)}) {
     if (way == 0 || !x.plant.limit_operated(side_of(way))) continue;
     r.over_limit |= 1u << a;
-    tell(What::limit_hit, a, way > 0);
+    note_event(What::limit_hit, a, way > 0);
     const bool moves = r.applied > 0;  // a run that begins at the switch does not start
     if (x.settings.soft_limits && moves) {
       for (MotionAxis& each : axes_)
@@ -173,7 +173,7 @@ void Motion::report_nearly_done(Run& r, int a) {
   const auto left = counts_left(r, a);
   if (!x.notify || !left || *left > *x.notify) return;
   x.notify.reset();
-  tell(What::nearly_done, a);
+  note_event(What::nearly_done, a);
 }
 
 void Motion::plan(Run& r) {
@@ -246,8 +246,8 @@ void Motion::rest(int a) {
     return go_to(a, *back);
   if (const auto speed = std::exchange(x.then_jog, std::nullopt); speed && *speed != 0)
     return begin_endless(RunKind::jog, a, *speed < 0 ? Sign::minus : Sign::plus, std::abs(*speed));
-  if (std::exchange(x.under_way, false)) tell(What::rested, a);
-  tell(What::ready, a);
+  if (std::exchange(x.under_way, false)) note_event(What::rested, a);
+  note_event(What::ready, a);
   watch_error(a);
 }
 

@@ -114,9 +114,9 @@ class Motion {
   void notify_at(int axis, std::int64_t counts_left);
 
   // At once.
-  void stop(int axis);                                   ///< ST SA SD: ramps to rest
-  void kill(int axis);                                   ///< KL: no ramp
-  void keep_velocity(int axis);                          ///< FL: goes on at the present speed (decision M60)
+  void stop(int axis);           ///< ST SA SD: ramps to rest
+  void kill(int axis);           ///< KL: no ramp
+  void keep_velocity(int axis);  ///< FL: continues at the present speed (decision M60)
   bool force_position(int axis, std::int64_t position);  ///< FP: as near as the ramp allows, no way back
   void load_position(int axis, std::int64_t position);   ///< LP: both counters, also while moving
 
@@ -157,7 +157,7 @@ class Motion {
   [[nodiscard]] double sampled_velocity(int axis) const;
 
  private:
-  void tell(MotionEvent::What what, int axis, bool on = false) { events_.push_back({what, axis, on}); }
+  void note_event(MotionEvent::What what, int axis, bool on = false) { events_.push_back({what, axis, on}); }
 
   // Runs (emulator_motion.cpp).
   void begin(RunKind kind, unsigned axes, Track track, const motion::Profile& profile, double wanted,

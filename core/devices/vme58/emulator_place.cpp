@@ -1,4 +1,4 @@
-// Actions on the bench: the loads of the axes, and what is done to them.
+// Actions on the bench that concern the loads of the axes.
 #include <cmath>
 
 #include "core/devices/vme58/emulator_motion.h"

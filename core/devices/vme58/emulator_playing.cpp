@@ -90,7 +90,7 @@ bool Motion::follow_cues(Run& r) {
       }
       case Cue::What::output:
         for (int a = 0; a < most_axes; ++a)
-          if ((cue.outputs >> a & 1u) != 0) tell(MotionEvent::What::output, a, cue.high);
+          if ((cue.outputs >> a & 1u) != 0) note_event(MotionEvent::What::output, a, cue.high);
         break;
       case Cue::What::end:
         if (score->kill)

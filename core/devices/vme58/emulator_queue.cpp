@@ -5,31 +5,16 @@
 #include "core/base/index.h"
 
 namespace hw::vme58 {
-namespace {
-
-constexpr bool begins_block(Op op) { return op == Op::LS || op == Op::WS || op == Op::WH; }
-
-/// The command that opens the block closed by `end`.
-constexpr std::optional<Op> begin_of(Op end) {
-  switch (end) {
-    case Op::LE: return Op::LS;
-    case Op::WD: return Op::WS;
-    case Op::WG: return Op::WH;
-    default: return std::nullopt;
-  }
-}
-
-}  // namespace
 
 bool CommandQueue::nests(const Command& command) const {
   if (begins_block(command.op())) return open_.size() < ix(loop_levels);
-  if (const auto begin = begin_of(command.op())) return !open_.empty() && open_.back() == *begin;
+  if (const auto begin = block_begin_of(command.op())) return !open_.empty() && open_.back() == *begin;
   return true;
 }
 
 void CommandQueue::push(const Command& command) {
   if (begins_block(command.op())) open_.push_back(command.op());
-  if (begin_of(command.op())) open_.pop_back();
+  if (block_begin_of(command.op())) open_.pop_back();
   used_ += command.entries();
   commands_.push_back(command);
 }

@@ -39,7 +39,7 @@ Board::Step Board::execute(int context, const Command& c) {
   }
 }
 
-/// The queue waits until the axes have arrived; AM's goes on at once.
+/// The queue waits until the axes have arrived; AM's queue continues at once.
 Board::Step Board::motion_began(int context, unsigned axes) {
   BoardTask& t = tasks_[ix(context)];
   t.last_axes = axes;

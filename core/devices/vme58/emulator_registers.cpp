@@ -11,7 +11,7 @@ namespace {
 constexpr Duration update_time = std::chrono::microseconds(900);  // hosts poll for its end
 constexpr Duration mail_time = std::chrono::microseconds(50);     // until the cells are free again
 
-constexpr std::uint8_t nobody_drives_the_bus = 0xFF;
+constexpr std::uint8_t undriven_bus = 0xFF;
 
 template <class N>
 std::int32_t dpram_value(N v) {
@@ -25,7 +25,7 @@ std::int32_t dpram_value(N v) {
 }  // namespace
 
 std::uint8_t Board::read(std::uint16_t offset) {
-  if (!powered_) return nobody_drives_the_bus;
+  if (!powered_) return undriven_bus;
   if (offset < at::registers) return window_.read(offset);
   look_at_switches();
   switch (offset) {

@@ -28,7 +28,7 @@ struct HomeOrder {
   std::int64_t position = 0;  ///< assigned to the home edge; unused with `kill`
 };
 
-/// Where a run goes: a line of pulses, or a contour in fine steps.
+/// The track of a run: a line of pulses, or a contour in fine steps.
 class Track {
  public:
   Track() = default;

@@ -29,7 +29,7 @@ class Vme58Emulator final : public Emulator, public BusTarget {
   void advance_to(Instant now) override;
   Result<> operate(const BenchCommand& command) override;
   void look(BenchView& view) const override;
-  void tell_truth(MachineTruth& truth) const override;
+  void report_truth(MachineTruth& truth) const override;
   [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override { return pulses_; }
 
   [[nodiscard]] int rate() const override { return 0; }
@@ -48,8 +48,8 @@ class Vme58Emulator final : public Emulator, public BusTarget {
   Result<> check_axis(AxisId axis) const;
 
   /// One for each kind of bench action: emulator_bench.cpp.
-  template <class Hand>
-  Result<> act(const Hand& hand);
+  template <class Operation>
+  Result<> act(const Operation& operation);
 
   Board board_;
   std::vector<TriggerPulse> pulses_;  ///< none: no output of this board is tied to a position

@@ -27,9 +27,9 @@ inline constexpr std::uint16_t window_bytes = 4096;
 
 namespace at {
 inline constexpr std::uint16_t input_put_index = 0x000, output_get_index = 0x002, input_buffer = 0x004;
-inline constexpr std::uint16_t reserved0 = 0x204, axis_data = 0x400;
+inline constexpr std::uint16_t axis_data = 0x400;
 inline constexpr std::uint16_t output_put_index = 0x800, input_get_index = 0x802, output_buffer = 0x804;
-inline constexpr std::uint16_t reserved1 = 0xA04, mailbox = 0xF88, reserved2 = 0xF8C, registers = 0xFE0;
+inline constexpr std::uint16_t reserved1 = 0xA04, mailbox = 0xF88, registers = 0xFE0;
 }  // namespace at
 
 inline constexpr std::uint16_t axis_stride = 0x80;
@@ -77,8 +77,7 @@ inline constexpr std::uint8_t initialized = 1 << 1;
 inline constexpr std::uint8_t slip = 1 << 2, overtravel = 1 << 3,
                               done = 1 << 4;               ///< some bit of that register is set
 inline constexpr std::uint8_t board_interrupted = 1 << 5;  ///< mail is not yet taken
-inline constexpr std::uint8_t direct_interrupt = 1 << 6;   ///< unused (decision M30)
-inline constexpr std::uint8_t interrupt = 1 << 7;          ///< cleared by reading
+inline constexpr std::uint8_t interrupt = 1 << 7;  ///< cleared by reading; bit 6 is unused (decision M30)
 }  // namespace status
 
 /// Commands that the mailbox accepts (decision M29): a letter in each of its two cells.

@@ -80,8 +80,8 @@ Task<Result<std::optional<std::string>>> Feed::finish() {
   if (!bad) co_return fail(bad.error());
   const std::string sent = std::exchange(fed_.text, {});
   ++snapshot_.feed.sent;
-  // Commands taken by the board wait in its queues, and the one under way is not reported; only pieces need
-  // this count.
+  // Commands taken by the board wait in its queues, and the command under way is not reported; only pieces
+  // need this count.
   snapshot_.program.command =
       snapshot_.pieces.running ? static_cast<std::int16_t>(snapshot_.feed.sent) : std::int16_t{-1};
   if (*bad) {

@@ -27,10 +27,9 @@ class Finding {
   Task<Result<>> identify();
 
   /// Whether a program has left its mark since the last reset, in a cell that only a reset clears. The mark,
-  /// or its absence, also tells whether all gains are whole numbers.
+  /// or its absence, also shows whether all gains are whole numbers.
   Task<Result<bool>> is_marked();
-  /// Leaves the mark. It tells a later session whether the gains are whole numbers, as the data area shows
-  /// them.
+  /// Leaves the mark, which shows a later session whether the gains are whole numbers, as in the data area.
   Task<Result<>> leave_mark();
   /// Switches user units off: those left on by another program would scale all numbers sent by this one.
   Task<Result<>> forget_others_units();

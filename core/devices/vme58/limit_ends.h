@@ -1,6 +1,6 @@
 #pragma once
 // Limit switches. The board has one bit for both ends of an axis; the direction letter at the moment the
-// switch is met tells which end it is (decision M33).
+// switch is met shows which end it is (decision M33).
 #include <array>
 #include <cstdint>
 
@@ -28,7 +28,7 @@ class LimitEnds {
   [[nodiscard]] bool has_turned(int axis) const { return at(axis).turned; }
   /// The axis rests, and no motion has been begun.
   void rests(int axis) { at(axis).from_limit = on(axis); }
-  /// A switch ended the motion: the direction letter now belongs to this motion and tells which end.
+  /// A switch ended the motion: the direction letter now belongs to this motion and shows which end.
   void ended_there(int axis) { at(axis).end = 0; }
   /// Whether a switch ended the motion. A switch on which the axis stood at its start counts only if the axis
   /// has not moved away.

@@ -68,7 +68,7 @@ Task<Result<>> Lines::set_line(int line, bool on, std::uint32_t mask) {
   co_return fail(FaultKind::controller,
                  fmt::format("Output {} was switched {}, but its line still reads {}.", line,
                              on ? "on (low)" : "off (high)", on ? "high" : "low"),
-                 "It was asked for once.",
+                 "It was requested once.",
                  "Check whether a command queue is busy (the command then waits there), and whether the line "
                  "is jumpered as an input.");
 }

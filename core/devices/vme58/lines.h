@@ -30,10 +30,10 @@ class Lines {
   Task<Result<>> switch_tool_off(ToolOff tool);
   /// Notes the state of an auxiliary output, which the window does not show.
   void know_auxiliary(int axis, bool on);
-  /// It may be switched at any time: nobody knows what it is.
+  /// It may be switched at any time: its state is unknown.
   void doubt_auxiliary(int axis);
-  /// A program switches it when its turn in a queue, or its place on a contour, comes: until the program has
-  /// ended nobody knows what it is.
+  /// A program switches it when its turn in a queue, or its place on a contour, comes: its state is unknown
+  /// until the program has ended.
   void queue_auxiliary(int axis, bool on);
   /// `whole`: all of the program was carried out, so they are as it switched them last.
   void program_ended(bool whole);

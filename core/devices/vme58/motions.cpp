@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/axis_motion.h"
 #include "core/devices/vme58/text_meaning.h"
 
 namespace hw::vme58 {
@@ -154,14 +155,13 @@ Motions::Before Motions::begin(const Way& way) {
     own.group = (way.axes & (way.axes - 1)) != 0 ? way.axes : 0;
     own.done = own.stopping = own.by_text = own.asks_queue = false;
     AxisState& axis = snapshot_.axes[i];
+    begin_motion(axis, way.activity);
     axis.has_target = way.has_targets;
+    axis.target = way.targets[ix(i)];
     if (!jogs(i)) creeps(i, {});
     limits_.begins(i, !moving(i));
     own.still_since = wire_.now();
     loops_.begins(i, !jogs(i));
-    axis.activity = way.activity;
-    axis.ended_by = EndedBy::nothing;
-    axis.target = way.targets[ix(i)];
   }
   return before;
 }
@@ -170,7 +170,7 @@ void Motions::did_not_begin(const Way& way, const Before& before, bool may_begin
   for (int i = 0; i < count(); ++i) {
     if ((way.axes >> i & 1) == 0) continue;
     Axis& own = at(i);
-    const Earlier& earlier = before[ix(i)];  // an axis still moving does what it did before
+    const Earlier& earlier = before[ix(i)];  // an axis still moving continues its earlier motion
     own.wanted = earlier.wanted;
     own.group = earlier.group;
     own.ours = moving(i) && earlier.ours;
@@ -185,13 +185,12 @@ void Motions::did_not_begin(const Way& way, const Before& before, bool may_begin
 void Motions::end(int i, EndedBy ended_by) {
   AxisState& axis = snapshot_.axes[i];
   Axis& own = at(i);
+  // The stop came behind the switch. On a switch on which it stood at its start the axis must have turned.
+  if (ended_by == EndedBy::stop && limits_.has_turned(i) && limits_.met(i)) ended_by = EndedBy::limit;
   ended_by = loops_.judged(i, ended_by);
   if (ended_by == EndedBy::target) comes_home(i);
   own.at_home = AtHome::nothing;
-  axis.activity = Activity::idle;
-  axis.ended_by = ended_by;
-  axis.has_target = false;
-  axis.direction = 0;
+  end_motion(axis, ended_by);
   own.ours = own.stopping = own.done = own.by_text = own.asks_queue = false;
   own.group = 0;
   own.wanted = Activity::idle;
@@ -228,9 +227,8 @@ void Motions::stopping(int axis, bool at_once) {
     own.at_home = AtHome::nothing;  // a queued homing is dropped by the stop
     loops_.begins(i, false);
     if (at_rest(i)) continue;
-    const bool killed = own.stopping && own.ended_by == EndedBy::abort;
+    own.ended_by = ended_by_stop(own.stopping ? own.ended_by : EndedBy::nothing, at_once);
     own.stopping = true;
-    own.ended_by = at_once || killed ? EndedBy::abort : EndedBy::stop;
     snapshot_.axes[i].activity = Activity::stopping;
   }
 }
@@ -336,10 +334,10 @@ void Motions::queued_was_rejected() {
     if (!own.ours) own.at_home = AtHome::nothing;
 }
 
-// ---- for how long a motion may show nothing
+// ---- how long a motion may be invisible
 
 /// How long a turning axis may show neither velocity nor count, on a very gentle ramp. The axis' own queue
-/// tells of its motion only when it moves by itself.
+/// shows its motion only when it moves alone.
 Duration Motions::rest_patience(int i) const {
   const Axis& own = at(i);
   if (own.group == 0 && !jogs(i)) return rest_time;
@@ -368,14 +366,14 @@ void Motions::met_switches(unsigned axes) {
 
 void Motions::doubt_killed_position(int i, double speed) {
   const std::int64_t safe = readings_.value(i, AxisValue::base_velocity);
-  if (catalog_.axes[ix(i)].switchable || speed <= static_cast<double>(safe)) return;
-  snapshot_.axes[i].trust.doubt(Doubt::killed, wire_.now());
-  wire_.report(
-      Notice::Kind::warning,
-      fmt::format(
-          "Axis {} may have lost steps, as it was stopped without a ramp at {:.0f} counts/s, above {} "
-          "(VB): its position is doubtful until it is homed or set.",
-          catalog_.axes[ix(i)].name, speed, safe));
+  if (catalog_.axes[ix(i)].switchable) return;
+  const Kill kill{.axis = "Axis " + catalog_.axes[ix(i)].name,
+                  .speed = speed,
+                  .safe = static_cast<double>(safe),
+                  .unit = "counts/s",
+                  .safe_word = fmt::format("{} (VB)", safe)};
+  std::string doubt = doubt_killed(snapshot_.axes[i], kill, wire_.now());
+  if (!doubt.empty()) wire_.report(Notice::Kind::warning, std::move(doubt));
 }
 
 void Motions::lose(bool program_runs) {

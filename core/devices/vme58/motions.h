@@ -1,6 +1,6 @@
 #pragma once
-// Works out from sent texts and readings what is under way on each axis, who began it, and how it ended.
-// Sends nothing.
+// Works out from sent texts and readings the motion of each axis, its origin, and how it ended. Sends
+// nothing.
 #include <array>
 
 #include "core/device/catalog.h"
@@ -77,7 +77,7 @@ class Motions {
   /// -1: all.
   void stopping(int axis, bool at_once);
   void stands(int axis);
-  /// A text or program has begun to move the axis after its jog, and that motion goes on.
+  /// A text or program has begun to move the axis after its jog, and that motion continues.
   void is_anothers(int axis);
 
   // ---- motions of texts and programs
@@ -106,7 +106,7 @@ class Motions {
   /// KL stops the pulses, not the mass: a step motor stays in step only below the speed at which it can start
   /// without a ramp.
   void doubt_killed_position(int axis, double speed);
-  /// Marks motions under way as lost: nobody sees how they end.
+  /// Marks motions under way as lost: their ends are not seen.
   void lose(bool program_runs);
   void forget();
 

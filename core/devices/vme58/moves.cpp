@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/device/axis_check.h"
 
 namespace hw::vme58 {
 
@@ -19,8 +20,7 @@ void forget_rejection(Snapshot& snapshot) {
 
 Result<> Moves::may_move(int axis) const {
   if (auto may = commands_.may_talk(); !may) return may;
-  if (axis < 0 || axis >= axes())
-    return fail(FaultKind::refused, fmt::format("There is no axis {} here.", axis + 1), "Nothing was sent.");
+  if (auto has = check_axis(catalog_, axis); !has) return has;
   if (snapshot_.program.run == RunState::running)
     return fail(FaultKind::refused, "A program is running.", "Nothing was sent.",
                 "Wait until it ends, or stop it.");
@@ -80,7 +80,7 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> targets, intent::Pace request
 
 namespace {
 
-/// VL and AC wait in the queue like the motion, so they can be given back behind it, by the code that sees it
+/// VL and AC wait in the queue like the motion, so they can be restored behind it, by the code that sees it
 /// end.
 std::string pace_text(WholePace pace) {
   std::string text;
@@ -142,8 +142,9 @@ Task<Result<>> Moves::jog_slowly(int axis, std::int64_t thousandths) {
   co_return co_await begin_jog(std::move(text), axis);
 }
 
-// A user who is informed that the jog has not begun will not stop it. A command error may belong to another
-// command, seen while the jog waited in the ring: so this axis alone is stopped, without effect at rest.
+// A user who is informed that the jog has not begun will not stop it. But the command error may be that of
+// another command, seen while the jog waited in the ring: so this axis alone is stopped, which has no effect
+// at rest.
 Task<Result<>> Moves::begin_jog(std::string text, int axis) {
   Motions::Way way;
   way.axes = 1u << axis;

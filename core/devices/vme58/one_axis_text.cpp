@@ -8,8 +8,8 @@
 namespace hw::vme58 {
 namespace {
 
-/// Those that do the same from the queue of one axis and from that of all, while the other axes stand. ID is
-/// none of them: it would set the flags of all axes.
+/// Commands with the same effect from the queue of one axis and from that of all, while the other axes stand.
+/// Not ID: it would set the flags of all axes.
 bool is_alike(Op op) {
   switch (op) {
     case Op::VL:

@@ -62,8 +62,8 @@ class OwnSetting {
   /// A setting changed for one motion and given back after it.
   struct Borrowed {
     std::int64_t before, for_now;
-    bool left_alone = false;    ///< a lost window or an emptied queue came between: what is there is right,
-                                ///< unless it is `for_now`
+    bool left_alone = false;  ///< a lost window or an emptied queue came between: the present value is right,
+                              ///< unless it is `for_now`
     bool waits_behind = false;  ///< `before` is already queued behind the motion
   };
   /// A value that text or set-up has put into a queue, where it may still wait.

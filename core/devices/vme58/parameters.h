@@ -10,7 +10,7 @@
 
 namespace hw::vme58 {
 
-/// What an axis must have for a parameter to exist on it.
+/// The fitting of an axis that a parameter requires.
 enum class Fitting : std::uint8_t { any, servo, encoder, step_with_encoder };
 
 /// One row: a parameter of each axis with the fitting, or of the whole board.

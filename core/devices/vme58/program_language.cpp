@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/device/places_in_text.h"
+#include "core/device/scaled_numbers.h"
 #include "core/device/settings_in_text.h"
 #include "core/devices/vme58/program_check.h"
 #include "core/devices/vme58/program_rehearsal.h"
@@ -16,7 +17,8 @@ namespace {
 class CommandStrings final : public Language,
                              public PartialWriter,
                              public PlacesInText,
-                             public SettingsInText {
+                             public SettingsInText,
+                             public ScaledNumbers {
  public:
   [[nodiscard]] ProgramReport analyse(std::string_view text, int) const override {
     return check_program(text);

@@ -74,12 +74,12 @@ class Rehearsing {
       }
       if (!step()) {
         listen();
-        if (result_.error.empty()) tell_unfinished();
+        if (result_.error.empty()) report_unfinished();
         break;
       }
       listen();
     }
-    board_.tell(nullptr);
+    board_.record_to(nullptr);
     return finish();
   }
 
@@ -95,7 +95,7 @@ class Rehearsing {
   void begin() {
     hands_.count_from(now_);
     if (options_.from) begin_like(*options_.from);
-    board_.tell(&notes_);
+    board_.record_to(&notes_);
     notes_.source = from_nowhere;
     for (int i = 0; i < std::min(axes(), static_cast<int>(options_.start_at.size())); ++i)
       put(fmt::format("A{} LP{}\n", axis_letters[ix(i)], options_.start_at[ix(i)]));
@@ -107,7 +107,7 @@ class Rehearsing {
     result_.outputs_at_first = outputs();
     track_.look(now_);
   }
-  void tell_unfinished() {
+  void report_unfinished() {
     const ProgramWatch::Unfinished what = watch_.unfinished();
     result_.endless = what.endless;
     result_.error = "The text was still running when the rehearsal ended" +

@@ -12,10 +12,10 @@ namespace hw::vme58 {
 namespace {
 
 /// Parameters set by one of two commands.
-struct Either {
+struct SwitchPair {
   std::string_view letters, off, on;
 };
-constexpr std::array<Either, 8> switches{{
+constexpr std::array<SwitchPair, 8> switches{{
     {"HN", "HF", "HN"},
     {"TN", "TF", "TN"},
     {"LN", "LF", "LN"},
@@ -36,8 +36,8 @@ std::string number_of(const ParamInfo& info, std::int64_t value) {
 
 std::string setting_text(const ParamInfo& info, std::int64_t value) {
   const std::string letters = info.mnemonic.substr(0, 2);
-  for (const Either& either : switches)
-    if (letters == either.letters) return std::string(value != 0 ? either.on : either.off);
+  for (const SwitchPair& pair : switches)
+    if (letters == pair.letters) return std::string(value != 0 ? pair.on : pair.off);
   if (letters == "PN" && value == ramp_straight) return "PF";
   if (letters == "PN" && value == ramp_half_cosine) return "CN";
   return letters + number_of(info, value);

@@ -47,7 +47,7 @@ ProgramWatch::Unfinished ProgramWatch::of_queue(const CommandQueue& queue) const
   }
   if (now.op() == Op::SW)
     return {now.source,
-            fmt::format("{} waits until line {} is high, and nobody operates it", line_words(now.source),
+            fmt::format("{} waits until line {} is high, and nothing operates it", line_words(now.source),
                         static_cast<int>(now.first())),
             false};
   return {now.source, line_words(now.source) + " was not done", false};

@@ -20,7 +20,7 @@ class ProgramWatch {
   void stopped(Instant at, int source, std::string reason, int axis = -1, int direction = 0);
   [[nodiscard]] const std::vector<RehearsedStop>& stops() const { return stops_; }
 
-  /// Note::source of the earliest command at work in a queue; -1: none, or the motion it began goes on.
+  /// Note::source of the earliest command at work in a queue; -1: none, or its motion continues.
   [[nodiscard]] int at_work() const;
 
   struct Unfinished {

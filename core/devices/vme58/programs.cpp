@@ -122,7 +122,7 @@ void Programs::queued_was_rejected(std::string& words) {
   ends_by_ = EndedBy::error;
 }
 
-/// Marks a running program as lost: nobody sees how it ends.
+/// Marks a running program as lost: its end is not seen.
 void Programs::lose() {
   if (is_running()) snapshot_.program.ended_by = EndedBy::lost;
 }

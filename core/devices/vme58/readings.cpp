@@ -26,7 +26,7 @@ tl::unexpected<Fault> rejected_by_board(std::string_view text) {
 
 // ---- registers
 
-tl::unexpected<Fault> Readings::nobody_answers() {
+tl::unexpected<Fault> Readings::unanswered() {
   wire_.count_miss();
   return fail(FaultKind::garbled, "The board no longer answers: every byte of the window reads FF.",
               "Nothing was repeated.", "Check the crate's power and the board.");
@@ -50,7 +50,7 @@ Task<Result<Registers>> Readings::read_registers(Priority priority, bool ask_for
   const bool ones =
       std::all_of(cycles.begin() + static_cast<std::ptrdiff_t>(first), cycles.end(),
                   [](const BusCycle& c) { return c.value == (c.width == 1 ? 0xFFu : 0xFFFFu); });
-  if (ones) co_return nobody_answers();
+  if (ones) co_return unanswered();
   if (word(1) != word(2) || !is_index(word(1)) || word(3) != word(4) || !is_index(word(3)) ||
       !is_index(word(5)))
     co_return fail(FaultKind::garbled, "The indexes of the rings are not valid.", "They are read again.");
@@ -97,7 +97,7 @@ Task<Result<>> Readings::read_axes(Priority priority, Copy copy) {
     cycles.push_back(BusCycle::read(1, reg::control));
     auto asked = co_await wire_.run(cycles, priority);
     if (!asked) co_return asked;
-    if (cycles.back().value == 0xFF) co_return nobody_answers();  // so the request was not received
+    if (cycles.back().value == 0xFF) co_return unanswered();  // so the request was not received
   }
   const Instant give_up = wire_.now() + update_patience;
   const int whole = whole_.next(axes());

@@ -77,7 +77,7 @@ class Readings {
  private:
   [[nodiscard]] int axes() const { return static_cast<int>(catalog_.axes.size()); }
   void take_values(const std::vector<BusCycle>& cycles);
-  tl::unexpected<Fault> nobody_answers();
+  tl::unexpected<Fault> unanswered();
 
   Wire& wire_;
   const Catalog& catalog_;

@@ -1,6 +1,6 @@
 #pragma once
 // The axis that the next text addresses. The board has one selection for all hosts: each text of the console
-// starts by selecting its own axis and ends by restoring the one that the user's text has selected.
+// begins by selecting its own axis and ends by restoring the selection of the user's text.
 #include <array>
 #include <string>
 #include <string_view>
@@ -10,6 +10,9 @@
 #include "core/devices/vme58/facts.h"
 
 namespace hw::vme58 {
+
+/// UU by axis; 0: off.
+using UserUnits = std::array<double, most_axes>;
 
 class Selection {
  public:
@@ -42,6 +45,7 @@ class Selection {
   [[nodiscard]] std::string addressed(int axis, std::string_view text) const;
   /// UU of one axis; 0: off.
   [[nodiscard]] double user_unit(int axis) const { return user_unit_[static_cast<std::size_t>(axis)]; }
+  [[nodiscard]] const UserUnits& user_units() const { return user_unit_; }
   void note_units(const TextCommand& command);
 
  private:
@@ -52,7 +56,7 @@ class Selection {
   const Catalog& catalog_;
   Context context_;
   bool lost_ = false;
-  std::array<double, most_axes> user_unit_{};
+  UserUnits user_unit_{};
 };
 
 }  // namespace hw::vme58

@@ -71,7 +71,7 @@ Task<Result<>> ServoDrive::may_close(int axis, intent::Closing answer, std::stri
                  "First take its present position as its command, or let it be driven there.");
 }
 
-// Asks before closing a loop that is open or unknown: the data sheet does not say what a board does with the
+// Asks before closing a loop that is open or unknown: the data sheet does not say how a board treats the
 // error when HN closes the loop.
 Task<Result<>> ServoDrive::switch_loop(int axis, bool on, intent::Closing answer) {
   const bool was_far = snapshot_.axes[axis].far_off;

@@ -31,7 +31,7 @@ bool Stops::stops_alone(int axis) const {
   return !motions_.in_group(axis) && !programs_.is_running() && !snapshot_.feed.running;
 }
 
-// A jog stop concerns only the jogging axis: other axes, and commands waiting for this one, go on.
+// A jog stop concerns only the jogging axis: other axes, and commands waiting for this one, continue.
 Task<Result<>> Stops::stop_motion(int axis, bool at_once, bool jog) {
   const bool recorded = selection_.recording(), known = conversation_.is_known();
   const bool one = axis >= 0 && !at_once && !widened_ && !motions_.in_company(axis) && !recorded;

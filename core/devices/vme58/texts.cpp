@@ -11,7 +11,7 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr std::size_t longest_text = 240;  // what the ring takes at once, with room for separators
+constexpr std::size_t longest_text = 240;  // bytes that the ring takes at once, less room for separators
 
 bool is_queued(const TextCommand& command) { return command.fact && command.fact->when == When::queued; }
 
@@ -21,12 +21,13 @@ Task<Result<std::string>> Texts::send(std::string text, Duration patience) {
   forget_rejection(snapshot_);
   Context context = selection_.context();
   const auto commands = read_commands(text, context);
-  if (auto may = may_say_while_feeding(commands); !may) co_return fail(may.error());
+  if (auto may = may_send_while_feeding(commands); !may) co_return fail(may.error());
   auto prepared = co_await prepare(commands);
   if (!prepared) co_return fail(prepared.error());
   std::string answers;
   for (const TextCommand& command : commands) {
     auto sent = co_await transmit(command, patience);
+    if (!sent && sent.error().kind != FaultKind::controller) prepared_.doubt(command);
     if (!sent) co_return fail(sent.error());
     if (!sent->empty()) answers += (answers.empty() ? "" : "\n") + *sent;
     note_sent(command);
@@ -113,7 +114,7 @@ Task<Result<>> Texts::accepts(const TextCommand& command) {
 
 /// Between CD and CE all text becomes part of the contour: the user's text in a program's contour, and the
 /// program's in the user's.
-Result<> Texts::may_say_while_feeding(const std::vector<TextCommand>& commands) const {
+Result<> Texts::may_send_while_feeding(const std::vector<TextCommand>& commands) const {
   const auto stops = [](const TextCommand& command) {
     return command.fact && stops_motion(command.fact->op);
   };
@@ -130,8 +131,15 @@ Result<> Texts::may_say_while_feeding(const std::vector<TextCommand>& commands) 
   return {};
 }
 
+void Texts::note_stop(std::string_view words) {
+  Context context = selection_.context();
+  for (const TextCommand& command : read_commands(words, context))
+    prepared_.note(command, selection_.user_units());
+}
+
 void Texts::note_sent(const TextCommand& command) {
   if (!command.fact || !command.flaw.empty()) return;
+  prepared_.note(command, selection_.user_units());
   if (selects(command)) feed_.user_selects();
   const bool recorded = selection_.recording();
   selection_.observe(command);

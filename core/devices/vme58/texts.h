@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/devices/vme58/programs.h"
+#include "core/devices/vme58/text_goals.h"
 
 namespace hw::vme58 {
 
@@ -29,11 +30,17 @@ class Texts {
 
   /// Returns the replies to its queries, one per line.
   Task<Result<std::string>> send(std::string text, Duration patience);
+  /// Moves that texts have prepared, and their GO has yet to start.
+  [[nodiscard]] const PreparedMoves& prepared() const { return prepared_; }
+  PreparedMoves& prepared() { return prepared_; }
+  void forget_prepared() { prepared_.forget(); }
+  /// A stop in the user's words has been sent.
+  void note_stop(std::string_view words);
   /// Called for a text that contains RS, which concerns all parts of the driver.
   std::function<Task<Result<>>(std::string text)> reset;
 
  private:
-  Result<> may_say_while_feeding(const std::vector<TextCommand>& commands) const;
+  Result<> may_send_while_feeding(const std::vector<TextCommand>& commands) const;
   Task<Result<>> prepare(const std::vector<TextCommand>& commands);
   Task<Result<std::string>> transmit(const TextCommand& command, Duration patience);
   Task<Result<>> put(const TextCommand& command, std::string word);
@@ -53,6 +60,7 @@ class Texts {
   NextRound& next_;
   const Catalog& catalog_;
   Snapshot& snapshot_;
+  PreparedMoves prepared_;
 };
 
 }  // namespace hw::vme58

@@ -85,8 +85,8 @@ Capabilities capabilities() {
   can.store_life = store_life;
   can.one_axis_at_a_time = true;
   can.reset = true;
-  can.usual_baud = 9600;
-  can.bauds = {9600, 19200, 38400};
+  can.usual_baud = bauds.front().rate;
+  for (const Baud& b : bauds) can.bauds.push_back(b.rate);
   return can;
 }
 
@@ -141,7 +141,8 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
       "L5\n";
   c.bench = bench(*motors);
   c.can = capabilities();
-  // It reports neither its speed nor its S and A: they are those requested, seen, or in force after power-up.
+  // The controller reports neither its speed nor its S and A: the values are those requested, seen, or in
+  // force after power-up.
   c.stopping_way = stopping_way_by_ramp;
   c.jog_speed = Pps{default_speed};
   c.jog_speed_min = Pps{min_speed};

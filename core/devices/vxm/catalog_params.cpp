@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/devices/vxm/catalog.h"
+#include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 namespace {
@@ -16,6 +17,12 @@ std::vector<ParamChoice> motor_types() {
           {4, "4: Slo-Syn M063 (4.6 A), Vexta PK266 (3 A)"},
           {5, "5: Slo-Syn M091 (4.7 A), Vexta PK268 (3 A)"},
           {6, "6: Slo-Syn M092 (4.6 A), Vexta PK296 (4.5 A)"}};
+}
+
+std::vector<ParamChoice> joystick_ranges() {
+  std::vector<ParamChoice> all{{0, "0: joystick off"}};
+  for (int x = 1; x <= 24; ++x) all.push_back({x, fmt::format("{0}: {0} to {1} steps/s", x, 250 * x)});
+  return all;
 }
 
 std::string motor_warning(int m) {
@@ -40,12 +47,29 @@ void range(ParamInfo& p, std::int64_t low, std::int64_t high, std::int64_t fallb
   p.minimum = low, p.maximum = high, p.fallback = fallback, p.unit = std::move(unit);
 }
 
+/// Range, factory value and get form, as the wire has them.
+void as_in_facts(ParamInfo& p, std::string_view mnemonic, std::string unit = {}) {
+  for (const SetupFact& fact : setup_facts) {
+    if (fact.mnemonic != mnemonic) continue;
+    range(p, fact.min, fact.max, fact.factory, std::move(unit));
+    p.also_zero = fact.also_zero, p.readable = fact.readable;
+    return;
+  }
+}
+
+/// 0 is a choice of its own.
+void as_joystick_range(ParamInfo& p, std::string_view mnemonic) {
+  as_in_facts(p, mnemonic);
+  p.minimum = 0, p.also_zero = false;
+  p.choices = joystick_ranges();
+}
+
 ParamInfo motor_type(int m) {
   ParamInfo p = row(fmt::format("M{}M", m), "Motors", fmt::format("Type of motor {}", m),
                     "Choose the type of the connected motor. The controller sets the motor current by it. "
                     "Type 0 is the factory value, for very small motors: a larger motor only buzzes and does "
                     "not move. While you jog by the buttons, the motor gets 70 % of its power.");
-  range(p, 0, 6, 0);
+  as_in_facts(p, "MmM");
   p.choices = motor_types();
   p.warning = motor_warning(m);
   p.before_moving = fmt::format(
@@ -62,9 +86,8 @@ ParamInfo motor_type_full(int m) {
       fmt::format("MA{}M", m), "Motors", fmt::format("Type of motor {}, jogs at full power", m),
       "The same types, but the jog buttons and the joystick drive the motor at 100 % of its power instead of "
       "70 %. The controller does not report which of the two was set: only the type can be read back.");
-  range(p, 0, 6, 0);
+  as_in_facts(p, "MAmM");
   p.choices = motor_types();
-  p.readable = false;
   p.warning = motor_warning(m);
   p.manual = "Appendix M p.64";
   return p;
@@ -77,7 +100,7 @@ ParamInfo limit_mode(int m) {
       "closed switches: leave this on automatic, which uses the switches as soon as it has seen one closed. "
       "A rotary table with a home switch needs the "
       "home switch setting, so that the switch acts only while homing.");
-  range(p, -2, 2, 0);
+  as_in_facts(p, "LmM");
   p.choices = {{0, "0: automatic, normally closed"},
                {1, "1: on, normally closed"},
                {2, "2: home switch only, normally closed"},
@@ -93,8 +116,7 @@ ParamInfo pulse_every(int m) {
           "Output 2 gives a pulse each time the motor has turned by this many steps, also while jogging, for "
           "example to trigger a camera. The first pulse comes after half of the distance. "
           "0 switches it off.");
-  range(p, 1, 32767, 0, "steps");
-  p.also_zero = true;
+  as_in_facts(p, "PmM", "steps");
   p.manual = "Appendix D p.41";
   return p;
 }
@@ -103,8 +125,7 @@ ParamInfo jog_first(int m) {
   ParamInfo p = row(fmt::format("j{}M", m), "Jog buttons", fmt::format("First jog speed of motor {}", m),
                     "Top speed when a jog button on the controller's front panel is held longer than 0.3 s. "
                     "0 switches the buttons of this motor off. Jogging from the screen is not affected.");
-  range(p, 1, 6000, 2000, "steps/s");
-  p.also_zero = true;
+  as_in_facts(p, "jmM", "steps/s");
   p.manual = "Appendix H p.49";
   return p;
 }
@@ -114,15 +135,9 @@ ParamInfo jog_second(int m) {
       row(fmt::format("J{}M", m), "Jog buttons", fmt::format("Second jog speed of motor {}", m),
           "Top speed of the jog buttons while input 2 is low, for example by the button of a digital "
           "joystick. Set it slow to approach a point by hand.");
-  range(p, 40, 6000, 2000, "steps/s");
+  as_in_facts(p, "JmM", "steps/s");
   p.manual = "Appendix H p.49";
   return p;
-}
-
-std::vector<ParamChoice> joystick_ranges() {
-  std::vector<ParamChoice> all{{0, "0: joystick off"}};
-  for (int x = 1; x <= 24; ++x) all.push_back({x, fmt::format("{0}: {0} to {1} steps/s", x, 250 * x)});
-  return all;
 }
 
 ParamInfo joystick_first(int m) {
@@ -130,8 +145,7 @@ ParamInfo joystick_first(int m) {
                     "Range of speeds that an analog joystick gives from a small to a full deflection. Leave "
                     "the joystick at its centre when you switch the controller on: the controller takes its "
                     "position then as no motion.");
-  range(p, 0, 24, 0);
-  p.choices = joystick_ranges();
+  as_joystick_range(p, "jAmM");
   p.manual = "Appendix J p.54";
   return p;
 }
@@ -141,8 +155,7 @@ ParamInfo joystick_second(int m) {
       row(fmt::format("JA{}M", m), "Joystick", fmt::format("Second joystick range of motor {}", m),
           "Range of speeds of the analog joystick while input 2 is low, chosen by one of the buttons "
           "on the joystick.");
-  range(p, 0, 24, 0);
-  p.choices = joystick_ranges();
+  as_joystick_range(p, "JAmM");
   p.manual = "Appendix J p.54";
   return p;
 }
@@ -152,7 +165,7 @@ ParamInfo deadband() {
       row("DA", "Joystick", "Joystick dead band",
           "How far the analog joystick must leave its centre before a motor turns. Small values make "
           "it hard to move one axis alone, large ones delay a change of direction.");
-  range(p, 20, 100, 40, "counts");
+  as_in_facts(p, "DA", "counts");
   p.manual = "Appendix J p.54";
   return p;
 }
@@ -162,7 +175,7 @@ ParamInfo mode() {
       row("DM", "Mode", "Controller mode",
           "Reverses single motors, makes this controller the Master of a second one, lets it behave like the "
           "older NF90, or runs program 4 before the first run after power-up: put a homing routine there.");
-  range(p, 0, 255, 1);
+  as_in_facts(p, "DM");
   p.bits = {{0, "always on"},
             {1, "motor 1 turns the other way"},
             {2, "motor 2 turns the other way"},
@@ -184,7 +197,7 @@ ParamInfo input_mode() {
           "Which of the Run and Stop buttons and of the inputs 1 to 4 act, and how: stopping with or "
           "without a ramp, choosing a program, branching out of a wait, or capturing positions. The Stop "
           "input is no emergency stop: an emergency stop must cut the power.");
-  range(p, 0, 255, 7);
+  as_in_facts(p, "I");
   p.bits = {{0, "Run button and input start programs"},
             {1, "Stop button and input 4 stop programs"},
             {2, "input 3 ends a wait and jumps to program 3"},
@@ -202,7 +215,7 @@ ParamInfo pulse_width() {
       row("PA", "Position pulses", "Pulse width",
           "How long each position pulse on output 2 lasts, in units of ten microseconds: 1 is 10 µs, "
           "200 is 2 ms. It applies to the pulses at step distances and to those of U7.");
-  range(p, 1, 255, 1, "10 µs");
+  as_in_facts(p, "PA", "10 µs");
   p.manual = "Appendix D p.42";
   return p;
 }
@@ -213,7 +226,7 @@ ParamInfo backlash() {
                     "position is then reached from the same side, and play in the screw does not show. 0 is "
                     "off; 1 means 20 steps. It applies to all motors. It is sent as B and the number. The "
                     "manual does not say whether Store keeps it: check it after the next power-up.");
-  range(p, 0, 255, 0, "steps");
+  range(p, 0, max_backlash, 0, "steps");
   p.manual = "Appendix F p.45";
   return p;
 }
@@ -224,7 +237,7 @@ ParamInfo limit_report() {
                     "hit by the letter O, and whether a running program ends. A program that does not end "
                     "goes on with its next command from the wrong place. The manual does not say whether "
                     "Store keeps this setting: check it after the next power-up.");
-  range(p, 0, 3, 0);
+  range(p, 0, max_limit_report, 0);
   p.choices = {{0, "0: stop the motor only"},
                {1, "1: tell the computer"},
                {2, "2: end the program"},
@@ -239,9 +252,8 @@ ParamInfo baud() {
           "Speed of the serial line. The console changes its own side together with the controller and "
           "goes back if it gets no answer. The controller keeps the new rate over power-off only after "
           "Store. It does not report its rate, so none is shown until you set one here.");
-  range(p, 9, 38, 9);
-  p.choices = {{9, "9600 baud"}, {19, "19200 baud"}, {38, "38400 baud"}};
-  p.readable = false;
+  as_in_facts(p, "B");
+  for (const Baud& b : bauds) p.choices.push_back({b.number, fmt::format("{} baud", b.rate)});
   p.address_option = "baud", p.holds_at_once = true;
   p.manual = "Setup Commands p.25";
   return p;

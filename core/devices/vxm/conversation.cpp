@@ -73,7 +73,7 @@ Task<Result<std::string>> Conversation::exchange(Transaction t) {
 }
 
 // A question is repeated once when its reply was garbled or missing, more often while the controller is being
-// opened; nothing else is ever repeated. Owed replies are dealt with in between.
+// opened; nothing else is ever repeated. Outstanding replies are handled in between.
 template <class T>
 Task<Result<T>> Conversation::decoded(Transaction question,
                                       std::function<std::optional<T>(std::string_view)> decode) {
@@ -94,7 +94,7 @@ Task<Result<T>> Conversation::decoded(Transaction question,
     auto quiet = co_await wait_for_quiet();
     if (!quiet) co_return fail(quiet.error());
     if (question.bytes.size() == 1 && !patient_) continue;
-    auto ended = co_await say_anyway("\r");  // a fragment of it would precede the next
+    auto ended = co_await transmit_anyway("\r");  // a fragment of it would precede the next
     if (!ended) co_return fail(ended.error());
   }
   if (!reply) co_return fail(reply.error());
@@ -174,8 +174,8 @@ Task<Result<std::string>> Conversation::places(ReplyShape shape, Priority priori
   co_return co_await exchange(std::move(t));
 }
 
-// Owed replies may merely be late. Two that come at once, with silence after each, are none of those: they
-// were not asked one behind the other.
+// Outstanding replies may be late. Two that come at once, with silence after each, are no outstanding ones:
+// those were not requested one right after the other.
 Task<Result<std::string>> Conversation::greet(std::uint16_t quiet_ms) {
   auto t =
       own_question("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, reply_kind::letter);
@@ -220,7 +220,7 @@ Task<Result<>> Conversation::transmit(std::string text, Priority priority) {
   co_return Result<>();
 }
 
-Task<Result<>> Conversation::say_anyway(std::string text) {
+Task<Result<>> Conversation::transmit_anyway(std::string text) {
   Transaction t(std::move(text), ReplyShape::nothing(), Priority::intent);
   t.on_dirty_line = true;
   auto sent = co_await exchange(std::move(t));

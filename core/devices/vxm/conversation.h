@@ -50,14 +50,14 @@ class Conversation {
   Task<Result<std::string>> greet(std::uint16_t quiet_ms);
   /// V, to a controller that usually does not answer. Silence counts as no miss.
   Task<Result<std::string>> whether_it_answers();
-  /// Any other question. A reply whose look is not given may look like any.
+  /// Any other question. Without a given kind of reply, its reply may have any form.
   Task<Result<std::string>> ask(std::string question, AnswerShape answer, Priority priority);
   Task<Result<std::string>> kill(Priority priority, Duration patience);
 
   // ---- commands without a reply
   Task<Result<>> transmit(std::string text, Priority priority);
   /// Sent even while replies are outstanding: begins the conversation anew.
-  Task<Result<>> say_anyway(std::string text);
+  Task<Result<>> transmit_anyway(std::string text);
   /// Call after a reply that made no sense. Bytes still to come must not be taken for the next reply, and
   /// nothing may be sent while the controller sends (the overrun of the manual's p.30 locks it until
   /// power-off). Endless noise is not waited for: its sender is no VXM.

@@ -3,7 +3,9 @@
 
 #include <fmt/core.h>
 
+#include "core/base/index.h"
 #include "core/devices/vxm/facts.h"
+#include "core/devices/vxm/text_goals.h"
 #include "core/devices/vxm/text_meaning.h"
 
 namespace hw::vxm {
@@ -111,6 +113,14 @@ TextMeaning VxmDriver::meaning_of(const intent::SendText& text) const {
   return vxm::meaning_of(text.text, listening(), course_.under_way.job().active());
 }
 
+TextGoals VxmDriver::goals_of(std::string_view text) const {
+  HeldPrograms held;
+  for (int slot = 0; slot < program_count; ++slot) held.contents[ix(slot)] = known_.slots.contents(slot);
+  held.selected = known_.slots.selected();
+  held.program_4_first = (known_.parameters.value("DM").value_or(0) & mode_program_4_first) != 0;
+  return vxm::goals_of(text, listening(), std::move(held), console_.snapshot);
+}
+
 // ---- requests
 
 // Ensures that the next request meets a known controller that listens.
@@ -134,9 +144,9 @@ Task<Result<>> VxmDriver::perform(const IntentBody& body) {
   if (!is_ready) co_return is_ready;
   if (text) co_return co_await work_.texts.send(text->text);
   if (const auto* i = std::get_if<MoveTo>(&body))
-    co_return co_await work_.moves.move(i->targets, pace_of(*i), false);
+    co_return co_await work_.moves.move(i->targets, pace_of(*i), i->own_speeds, false);
   if (const auto* i = std::get_if<MoveBy>(&body))
-    co_return co_await work_.moves.move(i->distances, pace_of(*i), true);
+    co_return co_await work_.moves.move(i->distances, pace_of(*i), i->own_speeds, true);
   if (const auto* i = std::get_if<JogStart>(&body)) co_return co_await work_.moves.jog(*i);
   if (const auto* i = std::get_if<Home>(&body)) co_return co_await work_.moves.home(*i);
   if (const auto* i = std::get_if<SetPosition>(&body)) co_return co_await work_.moves.set_position(*i);

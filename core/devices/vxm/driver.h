@@ -3,30 +3,30 @@
 // On construction it is given the other parts that it needs, and nothing more.
 //
 //   conversation      questions and answers
-//   greeting          what answers at first
-//   identification    what it is
+//   greeting          the first answer
+//   identification    model, version, Slave
 //   signals           limits, inputs, outputs
 //   parameters        values of set and get, storing
-//   slots, scratch    what its five programs hold; the one of the console's own moves
-//   motor_readings    which motors turn
-//   speeds, hold      S, and whose it is; whether H is on
-//   knowledge         what is read once and holds until it changes
-//   presence          whether and how it listens
-//   job, under_way    what goes on in it, and how that ends
+//   slots, scratch    the contents of the five programs; the program of the console's own moves
+//   motor_readings    the motors that turn
+//   speeds, hold      S and its origin; whether H is on
+//   knowledge         values that are read once and hold until they change
+//   presence          on-line, in Local mode, halted, restarted
+//   job, under_way    runs under way, and how they end
 //   ramp              motions that D slows down
-//   positions         where the motors are
-//   headline          what needs attention most
+//   positions         positions of the motors
+//   headline          the most urgent message
 //   kills             K
 //   hold_switch       H
-//   admission         whether something may be begun now
+//   admission         whether a command may begin now
 //   restarts, status  the state after a restart; the replies to V
-//   legs, moves       moves, jogs, homing, zero, outputs: runs of a program that nobody uses
+//   legs, moves       moves, jogs, homing, zero, outputs: runs of an unused program
 //   runs              run, hold, step
-//   stops             stops (decision V102), and what shows of them
+//   stops             stops (decision V102), and their progress
 //   texts             raw text of users and scripts
-//   echo, opening     getting it to listen
+//   echo, opening     making the controller listen
 //   status_rounds     the round of status
-//   unsolicited_messages   what it sends unasked
+//   unsolicited_messages   messages that no question asked for
 #include <memory>
 #include <string>
 
@@ -53,6 +53,7 @@ class VxmDriver final : public Driver {
   void wire_lost() override;
   Task<Result<std::string>> query(std::string text, Duration patience) override;
   [[nodiscard]] TextMeaning meaning_of(const intent::SendText& text) const override;
+  [[nodiscard]] TextGoals goals_of(std::string_view text) const override;
   [[nodiscard]] bool clears_up() const override;
   [[nodiscard]] std::string leaves_behind() const override;
   [[nodiscard]] Duration moving_period() const override;

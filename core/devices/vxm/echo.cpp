@@ -20,7 +20,7 @@ Task<Result<>> Echo::end(char state) {
     co_return Result<>();
   }
   for (int n = 0; n < attempts_to_end_echo && conversation_.echoes(); ++n) {
-    auto sent = co_await conversation_.say_anyway("F");
+    auto sent = co_await conversation_.transmit_anyway("F");
     if (!sent) co_return sent;
     auto quiet = co_await conversation_.wait_for_quiet();
     if (!quiet) co_return quiet;

@@ -197,7 +197,7 @@ Result<EmulatorOptions> read_options(const std::map<std::string, std::string>& g
         return std::to_string(b.rate) == rate;
       });
       if (!known)
-        return fail(FaultKind::text, "baud=" + value + ": a VXM works at 9600, 19200 or 38400 baud.");
+        return fail(FaultKind::text, "baud=" + value + ": a VXM works at " + rates_in_words + " baud.");
     } else {
       return fail(FaultKind::text, "The VXM emulator has no option \"" + key + "\".", "",
                   "Its options are motors, quirk and baud.");

@@ -1,4 +1,4 @@
-// The effect of hands on one controller, and its lamps (Front p.5, Setup p.7, Troubleshooting p.30).
+// The effect of the bench on one controller, and its lamps (Front p.5, Setup p.7, Troubleshooting p.30).
 #include <algorithm>
 
 #include "core/base/index.h"
@@ -16,7 +16,7 @@ Duration next_flash(Duration since, Duration period) { return (since / (period /
 }  // namespace
 
 void Box::set_line(int line, bool low) {
-  Line& l = lines_[ix(line)];
+  Line& l = terminals_.lines[ix(line)];
   if (l.low == low) return;
   l.low = low, l.since = now_, l.used = false;
   if (!supply_.on) return;
@@ -30,7 +30,7 @@ void Box::set_line(int line, bool low) {
   }
 }
 
-void Box::set_analog(int value) { analog_.set(value); }
+void Box::set_analog(int value) { terminals_.analog.set(value); }
 
 /// Switches, jam or load of an axis have changed: the motion under way meets its limit elsewhere.
 void Box::plant_changed(int axis) {
@@ -41,17 +41,17 @@ void Box::plant_changed(int axis) {
   if (left) motion_.limit_at = motion_.applied + *left;
 }
 
-int Box::outputs() const { return outputs_.at(now_); }
+int Box::outputs() const { return terminals_.outputs.at(now_); }
 
 Box::Lamps Box::lamps() const {
   Lamps l;
   if (!supply_.on) return l;
   const Duration since = now_ - supply_.since;
   l.power = true;
-  l.online = mode_.online;
+  l.online = host_.mode.online;
   if (supply_.deaf) {
     l.online = flashes(since, power_flash), l.online_blinks = true;
-  } else if (error_ != 0) {
+  } else if (state_.error != 0) {
     l.power = l.online = flashes(since, fast_flash);
     l.power_blinks = l.online_blinks = true;
   } else if (supply_.buttons_held) {
@@ -69,7 +69,7 @@ std::optional<Instant> Box::lamp_event() const {
   if (!supply_.on) return std::nullopt;
   const Duration since = now_ - supply_.since;
   if (supply_.deaf) return supply_.since + next_flash(since, power_flash);
-  if (error_ != 0 || supply_.buttons_held) return supply_.since + next_flash(since, fast_flash);
+  if (state_.error != 0 || supply_.buttons_held) return supply_.since + next_flash(since, fast_flash);
   if (since < power_lamps) return supply_.since + power_lamps;
   if (!is_slave_ && since < power_lamps + power_flashes * power_flash)
     return supply_.since + power_lamps + next_flash(since - power_lamps, power_flash);

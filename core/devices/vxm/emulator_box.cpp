@@ -24,10 +24,10 @@ void Box::power(bool on, Instant now) {
   if (on) {
     power_up();
   } else {
-    run_ = Run(), jog_ = Jog(), motion_ended_ = false, error_ = 0, outputs_.set_all(0);
-    mode_.leave(), entry_.to_slave = false;
+    run_ = Run(), jog_ = Jog(), motion_.ended = false, state_.error = 0, terminals_.outputs.set_all(0);
+    host_.mode.leave(), host_.entry.to_slave = false;
     out.clear(), replied = 0;
-    if (Box* s = slave()) s->jog_by_master_ = true;  // no Master forbids it
+    if (Box* s = slave()) s->rules_.jogs = true;  // no Master forbids it
   }
 }
 
@@ -39,7 +39,7 @@ void Box::power_slave(bool on, Instant now) {
   const bool waits_there = run_.doing == Doing::waiting && run_.wait.on_slave;
   const bool at_work = run_.on && (s->motion_.active || s->run_.on || waits_there);
   s->power(on, now);
-  if (!on) entry_.to_slave = false;
+  if (!on) host_.entry.to_slave = false;
   if (!on && at_work && supply_.on) (void)need_slave();
 }
 
@@ -54,18 +54,12 @@ void Box::reset() {
 void Box::power_up() {
   memory_ = saved_;
   supply_.since = now_;
-  mode_.leave();
-  first_run_ = true;
-  reset_word_.forget();
-  entry_ = HostEntry(), bus_reader_.reset();
-  error_ = 0;
-  hold_ = false, jog_in_waits_ = false, nf90_pause_out_ = true;
-  outputs_.clear();
-  motion_ = Motion(), motion_ended_ = false;
-  jog_ = Jog(), run_ = Run();
-  note_slowing(never_changed, 0);
-  captures_.clear();
-  analog_.take_as_centre();
+  state_ = State();
+  host_.mode.leave(), host_.reset_word.forget();
+  host_.entry = HostEntry(), host_.bus_reader.reset();
+  terminals_.outputs.clear();
+  motion_ = Motion(), jog_ = Jog(), run_ = Run();
+  terminals_.analog.take_as_centre();
   supply_.buttons_held = any_button_low();
   for (int i = 0; i < motors_per_controller; ++i) {
     Axis& a = axes_[ix(i)];
@@ -100,17 +94,17 @@ bool Box::settle() {
 bool Box::settle_own() {
   if (!supply_.on) return false;
   bool changed = end_motion_if_due();
-  if (Box* s = slave(); s != nullptr && s->error_ != 0 && error_ == 0 && slave_found()) {
-    raise(std::exchange(s->error_, '\0'));
+  if (Box* s = slave(); s != nullptr && s->state_.error != 0 && state_.error == 0 && slave_found()) {
+    raise(std::exchange(s->state_.error, '\0'));
     changed = true;
   }
   changed = run_if_due() || changed;
   changed = run_button_if_due() || changed;
   if (Box* s = slave()) {
     const bool waits = run_.doing == Doing::waiting && run_.wait.on_slave;
-    const bool may_jog = !slave_found() || (run_.on ? waits && s->jog_in_waits_ : !mode_.online);
-    changed = changed || may_jog != s->jog_by_master_;
-    s->jog_by_master_ = may_jog;
+    const bool may_jog = !slave_found() || (run_.on ? waits && s->state_.jog_in_waits : !host_.mode.online);
+    changed = changed || may_jog != s->rules_.jogs;
+    s->rules_.jogs = may_jog;
   }
   return update_jog() || changed;
 }

@@ -39,10 +39,10 @@ class Box {
   void plant_changed(int axis);
   [[nodiscard]] motion::Plant& plant(int axis) { return axes_[static_cast<std::size_t>(axis)].plant; }
   [[nodiscard]] const Axis& axis(int axis) const { return axes_[static_cast<std::size_t>(axis)]; }
-  [[nodiscard]] const Line& line(int line) const { return lines_[static_cast<std::size_t>(line)]; }
+  [[nodiscard]] const Line& line(int line) const { return terminals_.lines[static_cast<std::size_t>(line)]; }
   [[nodiscard]] bool switch_operated(int axis, Sign side) const;
   void set_fitted(int axis, bool fitted) { axes_[static_cast<std::size_t>(axis)].fitted = fitted; }
-  [[nodiscard]] int analog() const { return analog_.value(); }
+  [[nodiscard]] int analog() const { return terminals_.analog.value(); }
   [[nodiscard]] int outputs() const;
   struct Lamps {
     bool power = false, online = false, power_blinks = false, online_blinks = false;
@@ -69,7 +69,7 @@ class Box {
   std::vector<Trace>* trace = nullptr;
   [[nodiscard]] bool running() const { return run_.on; }
   [[nodiscard]] const Run& run() const { return run_; }
-  [[nodiscard]] char error() const { return error_; }
+  [[nodiscard]] char error() const { return state_.error; }
   [[nodiscard]] bool limit_was_hit() const { return tally_.limit_was_hit; }
   [[nodiscard]] int moves_begun() const { return tally_.moves_begun; }
   [[nodiscard]] const Program& program(int i) const { return memory_.programs[static_cast<std::size_t>(i)]; }
@@ -80,8 +80,8 @@ class Box {
     a.counter = value;
     a.unwrapped = a.lowest = a.highest = value;
   }
-  void set_outputs(int bits) { outputs_.set_all(bits); }
-  void has_run_before() { first_run_ = false; }
+  void set_outputs(int bits) { terminals_.outputs.set_all(bits); }
+  void has_run_before() { state_.first_run = false; }
 
  private:
   // emulator_box.cpp
@@ -146,7 +146,7 @@ class Box {
   [[nodiscard]] bool limit_active(int axis, Sign side) const;
   [[nodiscard]] std::optional<std::int64_t> turns_until_stop(int axis, Sign sign, bool homing) const;
   void note_closed(int axis);
-  void note_slowing(Instant when, std::int32_t counter) { slowing_ = {when, counter}; }
+  void note_slowing(Instant when, std::int32_t counter) { state_.slowing = {when, counter}; }
 
   // emulator_run.cpp
   void start_run(int program);
@@ -159,7 +159,7 @@ class Box {
   void begin_next_moves();
   void moves_done();
   void take_motion_end(Box& box);
-  bool tell_first_of_pair();
+  bool report_first_of_pair();
   void end_frame();
   void finish_run();
   void end_stopped_run();
@@ -225,34 +225,17 @@ class Box {
 
   Instant now_{};
   std::vector<Box> linked_;
-  bool is_slave_ = false, first_run_ = true;
+  bool is_slave_ = false;
   Supply supply_;
-  HostMode mode_;
-  ResetWord reset_word_;
-
+  HostSide host_;
   Memory memory_, saved_;
-  struct Rules {  ///< for this controller's motors; a Slave's partly come from its Master
-    bool nf90 = false;
-    int backlash = 0;
-    std::array<bool, 2> inverted{};
-  } rules_;
-
-  HostEntry entry_;
-  Reader bus_reader_;
-  char error_ = 0;
-  bool hold_ = false, jog_in_waits_ = false, nf90_pause_out_ = true;
-  bool jog_by_master_ = true;  ///< the Master allows the Slave's buttons to jog
-  Outputs outputs_;
-
+  Rules rules_;
+  State state_;
+  Terminals terminals_;
   std::array<Axis, 2> axes_;
-  std::array<Line, line_count> lines_;
-  AnalogInput analog_;
   Motion motion_;
-  bool motion_ended_ = false;  ///< not yet handled
   Jog jog_;
   Run run_;
-  Slowing slowing_;
-  Captures captures_;
   RunTally tally_;
 };
 

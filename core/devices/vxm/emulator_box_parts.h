@@ -50,13 +50,21 @@ class ResetWord {
   int letters_ = 0;  ///< received so far
 };
 
-/// What the host is entering: a word, a group, and what both are for.
+/// The host's unfinished input: a word, a group, and their purpose.
 struct HostEntry {
   Reader reader;
   std::optional<Command> group;  ///< open: ( without its )
   bool to_slave = false;         ///< between [ and ]
   int program = 0, motor = 1;    ///< the chosen ones
   void drop_unfinished() { to_slave = false, group.reset(); }
+};
+
+/// All that it has received and not yet obeyed, and how it answers.
+struct HostSide {
+  HostMode mode;
+  ResetWord reset_word;
+  HostEntry entry;
+  Reader bus_reader;  ///< of a Slave: letters of its Master
 };
 
 /// Outputs of the user, and pulses on the second.
@@ -105,13 +113,39 @@ class Captures {
   std::size_t count_ = 0;
 };
 
-/// Where a motor last began to slow down: the reply to `*`.
+/// The place where a motor last began to slow down: the reply to `*`.
 struct Slowing {
   Instant when = never_changed;
   std::int32_t counter = 0;
 };
 
-/// What a rehearsal asks about the present run.
+/// Volatile: as new after power-up.
+struct State {
+  char error = 0;
+  bool first_run = true;       ///< no program has run yet
+  bool hold = false;           ///< H: no command begins
+  bool jog_in_waits = false;   ///< the buttons jog while a program waits
+  bool nf90_pause_out = true;  ///< as NF90: output 1 is on during pauses
+  Captures captures;
+  Slowing slowing;
+};
+
+/// For this controller's motors; a Slave's partly come from its Master.
+struct Rules {
+  bool nf90 = false;
+  int backlash = 0;
+  std::array<bool, 2> inverted{};
+  bool jogs = true;  ///< of a Slave: its Master allows its buttons to jog
+};
+
+/// The loads and inputs wired to it.
+struct Terminals {
+  std::array<Line, line_count> lines;
+  AnalogInput analog;
+  Outputs outputs;
+};
+
+/// Facts about the present run, for a rehearsal.
 struct RunTally {
   bool limit_was_hit = false;
   int moves_begun = 0;

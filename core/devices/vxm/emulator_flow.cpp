@@ -175,7 +175,7 @@ void Box::do_speed(const Command& command) {
   Box* box = command.motor > motors_per_controller ? need_slave() : this;
   if (box == nullptr) return;
   if (box != this) box->memory_.programs[0].clear();
-  entry_.motor = command.motor;
+  host_.entry.motor = command.motor;
   Axis& axis = box->axes_[ix((command.motor - 1) % motors_per_controller)];
   switch (command.op) {
     case Op::speed:
@@ -183,7 +183,7 @@ void Box::do_speed(const Command& command) {
     case Op::accel: axis.accel = command.value; return;
     default:
       if (const AnalogRange* range = find_analog_range(command.value))
-        axis.speed = analog_speed(*range, analog_.value());
+        axis.speed = analog_speed(*range, terminals_.analog.value());
   }
 }
 
@@ -194,9 +194,9 @@ void Box::do_pause(const Command& command) {
                          : Duration(Millis(100LL * command.value));
   if (out_1 && length == Duration{}) length = std::chrono::microseconds(10);
   if (length == Duration{}) return;
-  if (out_1 || (rules_.nf90 && nf90_pause_out_)) {
+  if (out_1 || (rules_.nf90 && state_.nf90_pause_out)) {
     run_.out_raised = true;
-    run_.out_before = outputs_.first_is_on();
+    run_.out_before = terminals_.outputs.first_is_on();
     set_output(1, true);
     if (out_1) {
       Pulse pulse;
@@ -208,7 +208,7 @@ void Box::do_pause(const Command& command) {
   run_.until = now_ + length;
 }
 
-void Box::set_output(int number, bool on) { outputs_.set(number, on); }
+void Box::set_output(int number, bool on) { terminals_.outputs.set(number, on); }
 
 void Box::do_user(const Command& command, int at) {
   const bool on_slave = command.value >= slave_u_offset;
@@ -219,9 +219,9 @@ void Box::do_user(const Command& command, int at) {
     case 2:
     case 3:
       if (rules_.nf90 && !on_slave)
-        nf90_pause_out_ = u == 3;  // App. P: the output of pauses, not jogging
+        state_.nf90_pause_out = u == 3;  // App. P: the output of pauses, not jogging
       else
-        box->jog_in_waits_ = u == 2;
+        box->state_.jog_in_waits = u == 2;
       return;
     case 4:
     case 5: return box->set_output(1, u == 5);

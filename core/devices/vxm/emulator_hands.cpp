@@ -129,24 +129,24 @@ Result<> VxmEmulator::act(const bench::Alarm&) {
 }
 
 Result<> VxmEmulator::operate(const BenchCommand& command) {
-  const auto act_somewhere = [this]<class Hand>(const Hand& hand) -> Result<> {
-    if constexpr (ActsOnPlant<Hand>) {
-      if (auto bad = check_axis(hand.axis); !bad) return bad;
-      const int axis = hand.axis.index, local = axis % motors_per_controller;
-      if (auto done = act_on(box_of(axis).plant(local), hand); !done) return done;
+  const auto act_on_any = [this]<class Operation>(const Operation& operation) -> Result<> {
+    if constexpr (ActsOnPlant<Operation>) {
+      if (auto bad = check_axis(operation.axis); !bad) return bad;
+      const int axis = operation.axis.index, local = axis % motors_per_controller;
+      if (auto done = act_on(box_of(axis).plant(local), operation); !done) return done;
       box_of(axis).plant_changed(local);
       return {};
     } else {
-      return act(hand);
+      return act(operation);
     }
   };
-  auto result = on_controller(command, act_somewhere);
+  auto result = on_controller(command, act_on_any);
   box_.settle();
   after();
   return result;
 }
 
-void VxmEmulator::tell_truth(MachineTruth& truth) const {
+void VxmEmulator::report_truth(MachineTruth& truth) const {
   truth = MachineTruth();
   truth.powered = box_.powered();
   truth.program = box_.running();

@@ -15,10 +15,10 @@ bool jogging_waits(int u) { return u == 0 || u == 1 || u == 30 || u == 31 || u =
 }  // namespace
 
 bool Box::jog_allowed() const {
-  if (!supply_.works() || error_ != 0) return false;
-  if (is_slave_) return !run_.on && jog_by_master_;
-  if (!run_.on) return !mode_.online;
-  return jog_in_waits_ && run_.doing == Doing::waiting && jogging_waits(run_.wait.u);
+  if (!supply_.works() || state_.error != 0) return false;
+  if (is_slave_) return !run_.on && rules_.jogs;
+  if (!run_.on) return !host_.mode.online;
+  return state_.jog_in_waits && run_.doing == Doing::waiting && jogging_waits(run_.wait.u);
 }
 
 int Box::jog_speed(int axis) const {
@@ -39,7 +39,7 @@ int Box::joystick_axis() const { return line(line_in_3).low ? 1 : 0; }
 int Box::joystick_speed(int axis) const {
   const Setup& s = memory_.setup;
   const int range = line(line_in_2).low ? s.joy_2[ix(axis)] : s.joy_1[ix(axis)];
-  const int deflection = analog_.deflection();
+  const int deflection = terminals_.analog.deflection();
   const int beyond = std::abs(deflection) - s.dead_zone;
   if (range == 0 || beyond <= 0) return 0;
   const int full = std::max(analog_max / 2 - s.dead_zone, 1);
@@ -52,7 +52,7 @@ bool Box::update_jog() {
   const bool mine = motion_.kind == MotionKind::jog || motion_.kind == MotionKind::joystick;
   if ((jog_.phase == Phase::turning || jog_.phase == Phase::ending) && !(mine && motion_.active)) {
     jog_.phase = mine && motion_.end == MotionEnd::limit ? Phase::blocked : Phase::none;
-    if (mine) motion_ended_ = false;
+    if (mine) motion_.ended = false;
     return true;
   }
   const bool allowed = jog_allowed();
@@ -93,7 +93,7 @@ void Box::jog_start() {
       jog_ = Jog();
       jog_.phase = Jog::Phase::stepped;
       jog_.axis = axis, jog_.sign = sign, jog_.since = now_;
-      entry_.motor = axis + 1;
+      host_.entry.motor = axis + 1;
       const auto free = turns_until_stop(axis, sign, false);
       if (free && *free == 0) {
         jog_.phase = Jog::Phase::blocked;
@@ -111,11 +111,11 @@ void Box::jog_start() {
 void Box::jog_turn(int axis, Sign sign, int speed, bool joystick) {
   jog_.phase = Jog::Phase::turning;
   jog_.axis = axis, jog_.sign = sign, jog_.speed = speed, jog_.joystick = joystick;
-  entry_.motor = axis + 1;
+  host_.entry.motor = axis + 1;
   const auto profile =
       motion::Profile::change(now_, 0, Pps(0), Pps(speed), ramp(axis), motion::Profile::endless);
   if (!start_motion(joystick ? MotionKind::joystick : MotionKind::jog, axis, sign, profile)) {
-    motion_ended_ = false;
+    motion_.ended = false;
     jog_.phase = Jog::Phase::blocked;
   }
 }
@@ -140,9 +140,9 @@ std::optional<Instant> Box::run_button_event() const {
 bool Box::run_button_if_due() {
   const auto due = run_button_event();
   if (!due || *due > now_) return false;
-  lines_[ix(line_run)].used = true;
-  if (run_.on || error_ != 0 || (memory_.setup.inputs & inputs_run) == 0) return true;
-  int program = entry_.program;
+  terminals_.lines[ix(line_run)].used = true;
+  if (run_.on || state_.error != 0 || (memory_.setup.inputs & inputs_run) == 0) return true;
+  int program = host_.entry.program;
   if (memory_.setup.inputs & inputs_select)
     program = (line(line_in_2).low ? 1 : 0) + (line(line_in_3).low ? 2 : 0);
   start_run(program);

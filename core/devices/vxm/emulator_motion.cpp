@@ -73,17 +73,17 @@ bool Box::start_motion(MotionKind kind, int axis, Sign sign, const Profile& prof
   motion_.limit_at = limit;
   if (limit && *limit == 0) {
     motion_.end = MotionEnd::limit;
-    motion_ended_ = true;
+    motion_.ended = true;
     tally_.limit_was_hit = true;
     return false;
   }
   motion_.active = true;
-  motion_ended_ = false;
+  motion_.ended = false;
   return true;
 }
 
 void Box::begin_index(int axis, std::int64_t distance, int home) {
-  motion_ended_ = false;
+  motion_.ended = false;
   if (distance == 0 && home == 0) return;
   const Sign sign = (home != 0 ? home < 0 : distance < 0) ? Sign::minus : Sign::plus;
   std::int64_t steps = home != 0 ? home_give_up_steps : std::abs(distance);
@@ -147,7 +147,7 @@ void Box::note_pulses(int axis, Sign sign, std::int64_t steps) {
     pulse.output = 2, pulse.axis = axis, pulse.width = width;
     pulse.position = wrap_position(axes_[ix(axis)].counter + way * k);
     pulses.push_back(pulse);
-    outputs_.pulse_until(pulse.at + width);
+    terminals_.outputs.pulse_until(pulse.at + width);
   }
 }
 
@@ -185,7 +185,7 @@ void Box::cut_motion(MotionEnd end) {
   sync();
   motion_.active = false;
   motion_.end = end;
-  motion_ended_ = true;
+  motion_.ended = true;
   if (end == MotionEnd::limit) tally_.limit_was_hit = true;
 }
 

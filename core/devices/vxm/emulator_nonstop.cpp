@@ -59,7 +59,7 @@ void Box::nonstop_index(const Command& command) {
   const bool goes_on = n.moving && n.sign == sign;
   const Pps now(goes_on ? n.speed : 0), wanted(axes_[ix(axis)].speed);
   n.sign = sign;
-  entry_.motor = command.motor;
+  host_.entry.motor = command.motor;
   ++tally_.moves_begun;
   run_.moves.clear();
   run_.next_move = 0;
@@ -86,7 +86,7 @@ void Box::nonstop_signal() {
   pulse.width = std::chrono::microseconds(10 * memory_.setup.pulse_width);
   pulse.position = axes_[ix(motion_.axis)].counter;
   pulses.push_back(pulse);
-  outputs_.pulse_until(pulse.at + pulse.width);
+  terminals_.outputs.pulse_until(pulse.at + pulse.width);
 }
 
 void Box::end_nonstop(int u, int at) {

@@ -78,6 +78,7 @@ enum class MotionEnd : std::uint8_t { done, limit, stopped };
 /// The motion of the one motor that turns.
 struct Motion {
   bool active = false, stopping = false, slowing_noted = false;
+  bool ended = false;  ///< not yet handled
   MotionKind kind = MotionKind::index;
   MotionEnd end = MotionEnd::done;
   int axis = 0;

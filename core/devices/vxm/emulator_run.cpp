@@ -20,9 +20,9 @@ void Box::note(std::string what) {
 }
 
 void Box::start_run(int program) {
-  entry_.reader.reset();
-  entry_.drop_unfinished();  // Run may be pressed in the middle of a text
-  captures_.clear();
+  host_.entry.reader.reset();
+  host_.entry.drop_unfinished();  // Run may be pressed in the middle of a text
+  state_.captures.clear();
   tally_ = RunTally();
   const bool stop_held = (memory_.setup.inputs & inputs_stop) != 0 && line(line_in_4).low && !is_slave_;
   if (stop_held) {  // no program runs while Stop is held (App. C); the host gets the report of a stopped one
@@ -31,8 +31,8 @@ void Box::start_run(int program) {
   }
   run_ = Run();
   run_.on = true;
-  const bool program_4_first = first_run_ && (memory_.setup.mode & mode_program_4_first) != 0;
-  first_run_ = false;
+  const bool program_4_first = state_.first_run && (memory_.setup.mode & mode_program_4_first) != 0;
+  state_.first_run = false;
   if (program_4_first) run_.then_program = program;
   Frame frame;
   frame.program = program_4_first ? 4 : program;
@@ -47,7 +47,7 @@ bool Box::run_if_due() {
   bool changed = false;
   switch (run_.doing) {
     case Doing::moving:
-      if (motion_.active || (slave() != nullptr && slave()->motion_.active)) return tell_first_of_pair();
+      if (motion_.active || (slave() != nullptr && slave()->motion_.active)) return report_first_of_pair();
       moves_done();
       changed = true;
       break;
@@ -104,8 +104,9 @@ bool Box::execute_next() {
     return true;
   }
   const Command command = program[frame.next];
-  if (hold_ && !run_.step_allowed && !run_.nonstop.moving && !is_slave_) {
-    out += held + (quirks.firmware < firmware_of_listing ? "" : shown(command, analog_.value())) + '\r';
+  if (state_.hold && !run_.step_allowed && !run_.nonstop.moving && !is_slave_) {
+    out += held + (quirks.firmware < firmware_of_listing ? "" : shown(command, terminals_.analog.value())) +
+           '\r';
     run_.doing = Doing::held;
     return true;
   }
@@ -113,7 +114,8 @@ bool Box::execute_next() {
   // A coupled program uses the Slave's motors, or they ramp down after a jog.
   if (for_slave && slave() != nullptr && (slave()->run_.on || slave()->motion_.active)) return false;
   run_.step_allowed = false;
-  if (trace != nullptr) trace->push_back({now_, frame.program, frame.next, shown(command, analog_.value())});
+  if (trace != nullptr)
+    trace->push_back({now_, frame.program, frame.next, shown(command, terminals_.analog.value())});
   const int at = frame.next++;
   perform(command, at);
   return true;
@@ -146,7 +148,7 @@ void Box::perform(const Command& command, int at) {
       Box* box = command.motor > motors_per_controller ? need_slave() : this;
       if (box == nullptr) return;
       box->axes_[ix((command.motor - 1) % motors_per_controller)].counter = 0;
-      entry_.motor = command.motor;
+      host_.entry.motor = command.motor;
       return;
     }
     case Op::jump: return do_jump(command.value);
@@ -182,7 +184,7 @@ void Box::begin_next_moves() {
       Box* box = move.motor > motors_per_controller ? need_slave() : this;
       if (box == nullptr) return;                         // everything is reset
       if (box != this) box->memory_.programs[0].clear();  // the Master works through it (App. G)
-      entry_.motor = move.motor;
+      host_.entry.motor = move.motor;
       ++tally_.moves_begun;
       box->begin_index((move.motor - 1) % motors_per_controller, move.distance, move.home);
     }
@@ -209,7 +211,7 @@ void Box::begin_moves() {
 
 /// All motors started by this command stand.
 void Box::moves_done() {
-  if (motion_ended_ && motion_.kind == MotionKind::nonstop) nonstop_motion_ended();
+  if (motion_.ended && motion_.kind == MotionKind::nonstop) nonstop_motion_ended();
   take_motion_end(*this);
   if (slave() != nullptr && !slave()->run_.on) take_motion_end(*slave());
   if (!run_.on) return;
@@ -220,13 +222,13 @@ void Box::moves_done() {
 
 /// For the first motor of a pair ( ) to stand: a limit switch hit is reported at once, not at the end of the
 /// other motor (App. F).
-bool Box::tell_first_of_pair() {
+bool Box::report_first_of_pair() {
   bool any_moved = false;
   for (Box* box : {this, slave()}) {
     if (box == nullptr || box->motion_.active || (box != this && box->run_.on)) continue;
-    if (!box->motion_ended_ || box->motion_.kind == MotionKind::nonstop) continue;
+    if (!box->motion_.ended || box->motion_.kind == MotionKind::nonstop) continue;
     take_motion_end(*box);
-    any_moved = any_moved || !box->motion_ended_;
+    any_moved = any_moved || !box->motion_.ended;
   }
   return any_moved;
 }
@@ -235,8 +237,8 @@ bool Box::tell_first_of_pair() {
 void Box::take_motion_end(Box& box) {
   const MotionKind kind = box.motion_.kind;
   const bool homing = kind == MotionKind::home;
-  if (!box.motion_ended_ || kind == MotionKind::jog || kind == MotionKind::joystick) return;
-  box.motion_ended_ = false;
+  if (!box.motion_.ended || kind == MotionKind::jog || kind == MotionKind::joystick) return;
+  box.motion_.ended = false;
   if (box.motion_.end != MotionEnd::limit) return;
   tally_.limit_was_hit = true;
   if (trace != nullptr) {
@@ -261,11 +263,11 @@ void Box::restore_out() {
 void Box::kill() {
   restore_out();
   cut_motion(MotionEnd::stopped);
-  motion_ended_ = false;
+  motion_.ended = false;
   jog_ = Jog();
   run_ = Run();
-  hold_ = false, error_ = 0, outputs_.clear();
-  entry_.reader.reset(), entry_.group.reset();
+  state_.hold = false, state_.error = 0, terminals_.outputs.clear();
+  host_.entry.reader.reset(), host_.entry.group.reset();
   if (Box* s = slave()) s->kill();
   prompt(vxm::prompt);
 }
@@ -273,10 +275,10 @@ void Box::kill() {
 /// Error reports that halt the controller until K (Troubleshooting p.30).
 void Box::raise(char letter) {
   cut_motion(MotionEnd::stopped);
-  motion_ended_ = false;
+  motion_.ended = false;
   run_ = Run();
-  error_ = letter;
-  reset_word_.forget();
+  state_.error = letter;
+  host_.reset_word.forget();
   send_error(letter);
   if (Box* s = slave(); s != nullptr && s->run_.on) {
     s->cut_motion(MotionEnd::stopped);
@@ -285,8 +287,8 @@ void Box::raise(char letter) {
 }
 
 void Box::hold_toggle() {
-  hold_ = !hold_;
-  if (!hold_ && run_.doing == Doing::held) run_.doing = Doing::next;
+  state_.hold = !state_.hold;
+  if (!state_.hold && run_.doing == Doing::held) run_.doing = Doing::next;
 }
 
 void Box::go_signal() {

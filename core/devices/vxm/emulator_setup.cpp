@@ -26,33 +26,33 @@ Box* Box::need_slave() {
 }
 
 void Box::store(const Reading& word) {
-  const auto what = meaning(word, entry_.motor, rules_.nf90);
+  const auto what = meaning(word, host_.entry.motor, rules_.nf90);
   const Command* command = std::get_if<Command>(&what);
   if (command == nullptr) return;  // out of range: dropped without a word (V09)
-  if (command->motor != 0) entry_.motor = command->motor;
-  if (entry_.group && is_index(command->op)) {
-    entry_.group->parts.push_back(*command);
-    if (bytes_of(*entry_.group) <= memory_.programs[ix(entry_.program)].free()) return;
-    entry_.group.reset();
+  if (command->motor != 0) host_.entry.motor = command->motor;
+  if (host_.entry.group && is_index(command->op)) {
+    host_.entry.group->parts.push_back(*command);
+    if (bytes_of(*host_.entry.group) <= memory_.programs[ix(host_.entry.program)].free()) return;
+    host_.entry.group.reset();
     return raise(error_memory);
   }
-  entry_.group.reset();
-  if (!memory_.programs[ix(entry_.program)].add(*command)) raise(error_memory);
+  host_.entry.group.reset();
+  if (!memory_.programs[ix(host_.entry.program)].add(*command)) raise(error_memory);
 }
 
 void Box::store_group() {
-  if (!entry_.group) return;
-  const Command group = *entry_.group;
-  entry_.group.reset();
+  if (!host_.entry.group) return;
+  const Command group = *host_.entry.group;
+  host_.entry.group.reset();
   if (group.parts.empty()) return;
-  if (!memory_.programs[ix(entry_.program)].add(group)) raise(error_memory);
+  if (!memory_.programs[ix(host_.entry.program)].add(group)) raise(error_memory);
 }
 
 void Box::select_program(const Reading& w) {
-  if (!w.has_value) return reply(number_reply(entry_.program));
+  if (!w.has_value) return reply(number_reply(host_.entry.program));
   if (w.value >= program_count) return;
-  entry_.program = static_cast<int>(w.value);
-  if (w.minus) memory_.programs[ix(entry_.program)].clear();
+  host_.entry.program = static_cast<int>(w.value);
+  if (w.minus) memory_.programs[ix(host_.entry.program)].clear();
 }
 
 void Box::associate(const Reading& w) {

@@ -1,5 +1,5 @@
 #pragma once
-// The emulator as its owner sees it: a controller, its Slave, the hands on both, and the bytes sent.
+// The emulator as its owner sees it: a controller, its Slave, the bench around both, and the bytes sent.
 #include <array>
 #include <deque>
 #include <memory>
@@ -29,7 +29,7 @@ class VxmEmulator final : public Emulator {
   void advance_to(Instant now) override;
   Result<> operate(const BenchCommand& command) override;
   void look(BenchView& view) const override;
-  void tell_truth(MachineTruth& truth) const override;
+  void report_truth(MachineTruth& truth) const override;
   [[nodiscard]] const std::vector<TriggerPulse>& pulses() const override;
   [[nodiscard]] int rate() const override { return box_.rate(); }
   [[nodiscard]] std::string save_memory() const override;
@@ -53,9 +53,9 @@ class VxmEmulator final : public Emulator {
   [[nodiscard]] int boxes() const { return options_.motors > motors_per_controller ? 2 : 1; }
   Result<> check_axis(AxisId axis) const;
 
-  /// One for each kind of hand: emulator_hands.cpp.
-  template <class Hand>
-  Result<> act(const Hand& hand);
+  /// One for each kind of bench command: emulator_hands.cpp.
+  template <class Operation>
+  Result<> act(const Operation& operation);
   void press(int button, bool on);
   void drive_line(int box, int line);
   Result<> check_supply(int supply) const;

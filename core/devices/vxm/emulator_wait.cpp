@@ -36,7 +36,7 @@ void Box::begin_wait(int u, bool on_slave) {
   if (!raises_output(u)) return;
   Box& box = on_slave ? *slave() : *this;
   run_.wait.raised = true;
-  run_.wait.out_before = box.outputs_.first_is_on();
+  run_.wait.out_before = box.terminals_.outputs.first_is_on();
   box.set_output(1, true);
 }
 

@@ -22,24 +22,24 @@ int Box::rate() const {
 void Box::receive(char c) {
   if (!supply_.on || supply_.deaf) return;
   const std::size_t mark = out.size();
-  const bool echo_before = mode_.echo;
-  if (error_ != 0)
+  const bool echo_before = host_.mode.echo;
+  if (state_.error != 0)
     error_letter(c);
   else if (run_.on)
     running_letter(c);
-  else if (!mode_.online)
+  else if (!host_.mode.online)
     local_letter(c);
   else
     online_char(c);
   // All received bytes are echoed, even the E that turns echo on; F and G turn it off at once (V06).
-  const bool turned_off = echo_before && !mode_.echo && (c == 'F' || c == 'G');
-  if (mode_.echo || (echo_before && !turned_off)) out.insert(mark, 1, c);
+  const bool turned_off = echo_before && !host_.mode.echo && (c == 'F' || c == 'G');
+  if (host_.mode.echo || (echo_before && !turned_off)) out.insert(mark, 1, c);
   settle();
 }
 
 void Box::error_letter(char c) {  // only K and res are accepted (V34)
   if (c == 'K') return kill();
-  if (reset_word_.is_complete_with(c)) reset();
+  if (host_.reset_word.is_complete_with(c)) reset();
 }
 
 void Box::local_letter(char c) {
@@ -55,14 +55,14 @@ void Box::local_letter(char c) {
 }
 
 void Box::set_mode_letter(char c) {
-  mode_.enter(c);
-  entry_.reader.reset();
-  entry_.drop_unfinished();
-  if (Box* s = slave()) s->mode_.online = true;
+  host_.mode.enter(c);
+  host_.entry.reader.reset();
+  host_.entry.drop_unfinished();
+  if (Box* s = slave()) s->host_.mode.online = true;
 }
 
 void Box::running_letter(char c) {
-  if (reset_word_.is_complete_with(c)) return reset();
+  if (host_.reset_word.is_complete_with(c)) return reset();
   if (is_one_of(accepted_while_running, c)) {
     switch (c) {
       case 'K': return kill();
@@ -94,22 +94,22 @@ bool Box::status_letter(char c) {
       if (quirks.firmware < firmware_of_outputs) return false;
       reply(std::string(1, static_cast<char>(outputs() & 0x0F)));
       return true;
-    case '@': reply(number_reply(analog_.value())); return true;
+    case '@': reply(number_reply(terminals_.analog.value())); return true;
     default: return false;
   }
 }
 
 void Box::online_char(char c) {
-  if (entry_.to_slave) {
+  if (host_.entry.to_slave) {
     if (c == ']')
-      entry_.to_slave = false;
+      host_.entry.to_slave = false;
     else if (Box* s = slave(); s != nullptr && s->supply_.on)
       s->bus_char(c);
     return;
   }
-  for (const Reading& reading : entry_.reader.feed(c)) {
+  for (const Reading& reading : host_.entry.reader.feed(c)) {
     obey(reading);
-    if (!mode_.online || run_.on || error_ != 0) entry_.reader.reset();
+    if (!host_.mode.online || run_.on || state_.error != 0) host_.entry.reader.reset();
   }
 }
 
@@ -120,38 +120,38 @@ void Box::obey(const Reading& reading) {
 
 void Box::obey_letter(char c) {
   if (c == ')') return store_group();
-  entry_.group.reset();  // only indexes stand between ( and )
+  host_.entry.group.reset();  // only indexes stand between ( and )
   if (status_letter(c)) return;
   switch (c) {
     case 'E':
     case 'F':
     case 'G': return set_mode_letter(c);
     case 'Q':
-      mode_.leave();
-      if (Box* s = slave()) s->mode_.online = false;
+      host_.mode.leave();
+      if (Box* s = slave()) s->host_.mode.online = false;
       return;
-    case 'R': return start_run(entry_.program);
+    case 'R': return start_run(host_.entry.program);
     case 'N': return zero_all();
     case 'K': return kill();
-    case 'C': return memory_.programs[ix(entry_.program)].clear();
-    case 'H': hold_ = !hold_; return;
+    case 'C': return memory_.programs[ix(host_.entry.program)].clear();
+    case 'H': state_.hold = !state_.hold; return;
     case 'Z': return send_slave_position(0);
     case 'T': return send_slave_position(1);
     case 'x':
     case 'y':
-      for (const std::int32_t p : captures_.of(c == 'y' ? 1 : 0)) reply(position_reply(p));
+      for (const std::int32_t p : state_.captures.of(c == 'y' ? 1 : 0)) reply(position_reply(p));
       return;
-    case 'M': return reply(number_reply(memory_.programs[ix(entry_.program)].free()));
-    case '#': return reply(number_reply(entry_.motor));
-    case '(': entry_.group = Command(Op::group, 0, 0); return;
-    case '[': entry_.to_slave = need_slave() != nullptr; return;
+    case 'M': return reply(number_reply(memory_.programs[ix(host_.entry.program)].free()));
+    case '#': return reply(number_reply(host_.entry.motor));
+    case '(': host_.entry.group = Command(Op::group, 0, 0); return;
+    case '[': host_.entry.to_slave = need_slave() != nullptr; return;
     default: return;  // D without a motion
   }
 }
 
 void Box::obey_word(const Reading& w) {
   if (is_stored(w.head)) return store(w);
-  entry_.group.reset();
+  host_.entry.group.reset();
   switch (w.head) {
     case Head::PM: return select_program(w);
     case Head::PMA: return associate(w);
@@ -160,8 +160,9 @@ void Box::obey_word(const Reading& w) {
       if (w.has_value) return set_value(w);
       return reply(number_reply(w.head == Head::B ? memory_.setup.backlash : memory_.setup.limit_report));
     case Head::lst:
-      return reply(program_listing(entry_.program, memory_.programs[ix(entry_.program)], analog_.value()));
-    case Head::del: return memory_.programs[ix(entry_.program)].remove_last();
+      return reply(program_listing(host_.entry.program, memory_.programs[ix(host_.entry.program)],
+                                   terminals_.analog.value()));
+    case Head::del: return memory_.programs[ix(host_.entry.program)].remove_last();
     case Head::res: return reset();
     case Head::rsm: return save();
     case Head::set_D0: return erase();
@@ -173,8 +174,8 @@ void Box::obey_word(const Reading& w) {
 
 /// Between [ and ]: the Slave takes commands, but no questions, R or Q (App. G, V99).
 void Box::bus_char(char c) {
-  if (run_.on || error_ != 0) return;
-  for (const Reading& r : bus_reader_.feed(c)) {
+  if (run_.on || state_.error != 0) return;
+  for (const Reading& r : host_.bus_reader.feed(c)) {
     if (r.kind == Reading::Kind::letter && is_one_of("CHN!()", r.letter)) obey_letter(r.letter);
     if (r.kind != Reading::Kind::word) continue;
     const bool asks = r.head >= Head::get_M && r.head <= Head::lst;
@@ -189,9 +190,9 @@ void Box::verify() {
   if (run_.on) return reply(std::string(1, busy));
   const Box* s = slave();
   const bool moving = motion_.active || (slave_found() && s->motion_.active);
-  if (!mode_.online) return reply(std::string(1, moving ? jog_moving : jog_idle));
+  if (!host_.mode.online) return reply(std::string(1, moving ? jog_moving : jog_idle));
   if (moving) return reply(std::string(1, busy));
-  reply(mode_.group_cr ? "R\r" : "R");
+  reply(host_.mode.group_cr ? "R\r" : "R");
 }
 
 void Box::send_slave_position(int axis) {
@@ -207,7 +208,7 @@ void Box::digitize() {
   reply(text);
 }
 
-void Box::capture() { captures_.take(axes_[0].counter, axes_[1].counter); }
+void Box::capture() { state_.captures.take(axes_[0].counter, axes_[1].counter); }
 
 void Box::zero_all() {
   for (Axis& a : axes_) {
@@ -220,7 +221,8 @@ void Box::zero_all() {
 /// Of all motors, including the Slave's (V28).
 std::int32_t Box::last_slowed_at() const {
   const Box* s = slave_found() ? slave() : nullptr;
-  return (s != nullptr && s->slowing_.when > slowing_.when ? s->slowing_ : slowing_).counter;
+  return (s != nullptr && s->state_.slowing.when > state_.slowing.when ? s->state_.slowing : state_.slowing)
+      .counter;
 }
 
 int Box::limits_byte() const {
@@ -254,7 +256,7 @@ void Box::reply(std::string_view text) {
 void Box::prompt(char c) {
   if (is_slave_) return;
   out += c;
-  if (mode_.group_cr) out += '\r';
+  if (host_.mode.group_cr) out += '\r';
 }
 
 void Box::send_error(char letter) {

@@ -129,6 +129,7 @@ struct Baud {
   int number, rate;
 };
 inline constexpr std::array<Baud, 3> bauds{{{9, 9600}, {19, 19200}, {38, 38400}}};
+inline constexpr const char* rates_in_words = "9600, 19200 or 38400";
 
 // --- status bytes (App. A p.32-33) ----------------------------------------------------------------------
 /// `?`: bit 2(m-1) = minus limit of motor m, bit 2(m-1)+1 = plus limit; 1 = not active.

@@ -31,14 +31,15 @@ Greeting read_greeting(std::string_view bytes) {
   return g;
 }
 
-tl::unexpected<Fault> nobody_greets(int rate) {
+tl::unexpected<Fault> no_greeting(int rate) {
   std::string what = "Nothing answers to V, the VXM's question for its state";
   what += rate > 0 ? fmt::format(", at {} baud.", rate) : ".";
-  return fail(FaultKind::no_answer, std::move(what), "Nothing else was sent but a carriage return.",
-              "Check that the controller is switched on (green lamp), the cable, and the baud rate: 9600, "
-              "19200 or 38400. If both lamps flash fast, the controller is in an error state and takes only "
-              "K: send K. "
-              "If On-Line flashes alone, switch it off and on.");
+  return fail(
+      FaultKind::no_answer, std::move(what), "Nothing else was sent but a carriage return.",
+      fmt::format("Check that the controller is switched on (green lamp), the cable, and the baud rate: {}. "
+                  "If both lamps flash fast, the controller is in an error state and takes only K: send K. "
+                  "If On-Line flashes alone, switch it off and on.",
+                  rates_in_words));
 }
 
 tl::unexpected<Fault> no_vxm_greets(std::string_view bytes, int rate) {

@@ -20,7 +20,7 @@ struct Greeting {
 Greeting read_greeting(std::string_view bytes);
 
 /// No reply at `rate` baud; 0: the wire has no rate.
-tl::unexpected<Fault> nobody_greets(int rate);
+tl::unexpected<Fault> no_greeting(int rate);
 /// The reply is not a VXM's.
 tl::unexpected<Fault> no_vxm_greets(std::string_view bytes, int rate);
 

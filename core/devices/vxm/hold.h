@@ -30,7 +30,7 @@ class Hold {
     on_ = shown_ = true;
     doubtful_ = found_running_ = false;
   }
-  /// A program started by somebody else runs. They may have sent H: no motion has begun since.
+  /// A program started by another host runs, which may have sent H: no motion has begun since.
   void found_running() { found_running_ = true; }
   void nothing_runs_from_before() { found_running_ = false; }
   /// A motion has begun, so nothing is held.

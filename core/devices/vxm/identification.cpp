@@ -29,8 +29,8 @@ Task<Result<>> Identification::read() {
   if (!motors) co_return fail(motors.error());
   console_.snapshot.identity.firmware = fmt::format("{} ({})", *version, *date);
   has_slave_ = *motors == 4;
-  tells_outputs_ = hundredths(*version) >= firmware_of_outputs;
-  tells_pulses_ = hundredths(*version) >= firmware_of_pulses;
+  reports_outputs_ = hundredths(*version) >= firmware_of_outputs;
+  reports_pulses_ = hundredths(*version) >= firmware_of_pulses;
   const int axes = static_cast<int>(console_.catalog.axes.size());
   for (int i = 0; i < axes; ++i) {
     console_.snapshot.axes[i].enabled = i < motors_per_controller || has_slave_;

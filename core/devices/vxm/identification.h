@@ -22,11 +22,11 @@ class Identification {
   void forget() { read_ = false; }
   [[nodiscard]] bool has_slave() const { return has_slave_; }
   /// $ came with version 1.22: older versions do not report their outputs.
-  [[nodiscard]] bool tells_outputs() const { return tells_outputs_; }
+  [[nodiscard]] bool reports_outputs() const { return reports_outputs_; }
   /// getPA came with version 1.24.
-  [[nodiscard]] bool tells_pulses() const { return tells_pulses_; }
+  [[nodiscard]] bool reports_pulses() const { return reports_pulses_; }
   /// $ was not answered. The version, if read, may have been misread; else it may be an old one.
-  void doubt_outputs() { tells_outputs_ = std::exchange(read_, false); }
+  void doubt_outputs() { reports_outputs_ = std::exchange(read_, false); }
   /// Ends questions about the Slave's motors, each of which would restart the controller. The identity, read
   /// again after the restart, tells whether a Slave answers.
   void lose_slave();
@@ -34,7 +34,7 @@ class Identification {
  private:
   const Console& console_;
   Conversation& conversation_;
-  bool read_ = false, has_slave_ = false, tells_outputs_ = true, tells_pulses_ = true;
+  bool read_ = false, has_slave_ = false, reports_outputs_ = true, reports_pulses_ = true;
 };
 
 }  // namespace hw::vxm

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/axis_motion.h"
 #include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
@@ -34,23 +35,23 @@ void Kills::doubt_positions() const {
   const bool program_runs = under_way_.program_runs();
   for (int i = 0; i < console_.snapshot.axis_count; ++i) {
     AxisState& axis = console_.snapshot.axes[i];
-    const bool turns = axis.activity == Activity::moving || axis.activity == Activity::jogging ||
-                       axis.activity == Activity::homing || axis.activity == Activity::stopping;
     const bool hidden = program_runs && i >= motors_per_controller && identification_.has_slave();
     const bool unseen = axis.activity == Activity::unknown && under_way_.was_lost_while_busy() &&
                         (program_runs || under_way_.job().moves(i));
-    if ((!turns && !hidden && !unseen) || axis.trust.doubtful()) continue;
+    if ((!axis.moves() && !hidden && !unseen) || axis.trust.doubtful()) continue;
     const double set_speed = axis.speed.value;
     const double speed = set_speed > 0             ? set_speed
                          : program_runs && !hidden ? readings_.speed(i)
                                                    : default_speed;
-    if (speed <= hard_stop_safe_speed) continue;
-    axis.trust.doubt(Doubt::killed, console_.scheduler.now());
-    console_.report(Notice::Kind::warning,
-                    fmt::format("Motor {} may have lost steps, as it was stopped without a ramp at about "
-                                "{:.0f} steps/s, above {}: its position is doubtful until it is homed or set "
-                                "to zero.",
-                                i + 1, speed, hard_stop_safe_speed));
+    const Kill kill{.axis = fmt::format("Motor {}", i + 1),
+                    .speed = speed,
+                    .safe = hard_stop_safe_speed,
+                    .unit = "steps/s",
+                    .approx = "about ",
+                    .safe_word = fmt::format("{}", hard_stop_safe_speed),
+                    .cure = "homed or set to zero"};
+    std::string doubt = doubt_killed(axis, kill, console_.scheduler.now());
+    if (!doubt.empty()) console_.report(Notice::Kind::warning, std::move(doubt));
   }
 }
 

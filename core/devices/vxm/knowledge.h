@@ -14,7 +14,7 @@ class Knowledge {
   [[nodiscard]] bool suffices_for_a_move() const {
     return slots_.knows_sizes() && parameters_.knows_essentials();
   }
-  /// Reads what was unreadable while a program ran, or has become uncertain since.
+  /// Reads values that were unreadable while a program ran, or have become uncertain since.
   Task<Result<>> catch_up();
   /// Has everything read again.
   void doubt();

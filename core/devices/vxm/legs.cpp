@@ -8,13 +8,14 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/axis_motion.h"
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 namespace {
 
-constexpr double longest_jog_s = 30;  // a jog that nobody ends (a pulled cable) stops after this
+constexpr double longest_jog_s = 30;  // seconds after which a jog ends by itself (a pulled cable)
 constexpr Duration quick_patience = std::chrono::seconds(1);
 
 /// Value to set before a leg; 0: none.
@@ -65,7 +66,7 @@ Task<Result<>> Legs::start_leg() {
     if (axis >= 0 && leg.pace.speed > 0) speeds_.speed.borrow(axis);
     if (axis >= 0 && leg.pace.acceleration > 0) speeds_.acceleration.borrow(axis);
   }
-  const bool held = hold_.is_on();  // it would hold before the first command
+  const bool held = hold_.is_on();  // else the leg would be held before its first command
   hold_.was_switched(false);
   show_leg(leg);
   auto sent = co_await conversation_.transmit(held ? "HR" : "R", Priority::intent);
@@ -91,14 +92,10 @@ void Legs::show_leg(const Leg& leg) {
   for (const int index : {leg.axis, leg.second_axis}) {
     if (index < 0) continue;
     AxisState& axis = console_.snapshot.axes[index];
-    axis.activity = leg.activity;
+    begin_motion(axis, leg.activity, index == leg.axis ? leg.target : std::nullopt);
     axis.direction = static_cast<std::int8_t>(factor(leg.sign));
-    axis.has_target = leg.target.has_value() && index == leg.axis;
-    if (axis.has_target) {
-      axis.target = *leg.target;
-      if (axis.position_known)
-        axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
-    }
+    if (axis.has_target && axis.position_known)
+      axis.direction = static_cast<std::int8_t>(axis.target < axis.position ? -1 : 1);
     axis.speed = Pps{static_cast<double>(leg.pace.speed > 0 ? leg.pace.speed : speeds_.speed.known(index))};
     axis.began_at = axis.position;
     axis.ramp = axis.position_known ? ramp_of(leg, index) : 0;
@@ -172,12 +169,8 @@ void Legs::show_leg_ended(const Leg& leg, EndedBy ended_by) {
     if (index < 0) continue;
     AxisState& axis = console_.snapshot.axes[index];
     if (leg.activity != Activity::idle) {
-      axis.ended_by = ended_by;
-      axis.activity = Activity::idle;
-      axis.direction = 0;
-      axis.has_target = false;
+      end_motion(axis, ended_by);
       axis.speed = Pps{};
-      axis.ramp = 0;
     }
     if (leg.zeroes && ended_by == EndedBy::target) axis.trust.settle(*leg.zeroes, console_.scheduler.now());
   }

@@ -38,7 +38,7 @@ class MotorReadings {
     change.since = std::exchange(seen.read_at, at);
     change.moved = before.position_known && before.position != position;
     const Sign sign = way > 0 ? Sign::plus : Sign::minus;
-    // The last step of a slow ramp may come as late as the first of another motion: the next step tells.
+    // The last step of a slow ramp may come as late as the first of another motion: the next step decides.
     const bool stood = at - seen.moved_at >= to_see_standstill;
     const bool one_more = std::abs(way) <= 1 && seen.went == sign;
     change.begun = change.moved && (stood ? !one_more : seen.crept);

@@ -1,6 +1,7 @@
 #include "core/devices/vxm/moves.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/core.h>
 
@@ -23,11 +24,22 @@ Result<LegPace> checked(const Catalog& catalog, const intent::Pace& requested) {
   return LegPace{static_cast<int>(pace->speed), static_cast<int>(pace->acceleration)};
 }
 
+intent::Pace with_speed(intent::Pace pace, Pps own) {
+  if (own.value > 0) pace.speed = own;
+  return pace;
+}
+
 }  // namespace
 
-Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, intent::Pace request, bool relative) {
-  auto pace = checked(console_.catalog, request);
-  if (!pace) co_return fail(pace.error());
+Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, intent::Pace request,
+                           const intent::AxisSpeeds& own, bool relative) {
+  std::array<LegPace, max_axes> paces{};
+  for (const AxisTarget& target : targets) {
+    if (target.axis.index >= max_axes) continue;  // refused below
+    const auto pace = checked(console_.catalog, with_speed(request, own[target.axis.index]));
+    if (!pace) co_return fail(pace.error());
+    paces[target.axis.index] = *pace;
+  }
   // Reads the positions first: the last round may have asked before a program ended.
   if (auto may = may_move_all(targets, relative); !may) co_return may;
   auto read = co_await positions_.read(Priority::intent, true);
@@ -36,7 +48,7 @@ Task<Result<>> Moves::move(const std::vector<AxisTarget>& targets, intent::Pace 
   if (!goals) co_return fail(goals.error());
   if (goals->empty()) co_return Result<>();
   Job job;
-  for (const AxisTarget& goal : *goals) add_leg(job, goal, *pace, relative);
+  for (const AxisTarget& goal : *goals) add_leg(job, goal, paces[goal.axis.index], relative);
   co_return co_await legs_.begin(std::move(job));
 }
 
@@ -75,7 +87,8 @@ void Moves::add_leg(Job& job, const AxisTarget& goal, LegPace pace, bool relativ
   const int axis = goal.axis.index;
   const Steps distance = goal.value - console_.snapshot.axes[axis].position;
   Leg* partner = job.last();
-  const bool pairs = partner && partner->second_axis < 0 && on_slave(partner->axis) != on_slave(axis);
+  const bool pairs = partner && partner->second_axis < 0 && on_slave(partner->axis) != on_slave(axis) &&
+                     partner->pace == pace;
   const Steps other = partner ? *partner->target - console_.snapshot.axes[partner->axis].position : Steps{};
   if (pairs && distance.value != 0 && other.value != 0) {
     partner->second_axis = axis;
@@ -208,13 +221,13 @@ Task<Result<>> Moves::set_output(const intent::SetOutput& request) {
   if (!done) co_return done;
   auto read = co_await signals_.read("$", Priority::intent);
   if (!read) co_return read;
-  if (!identification_.tells_outputs()) co_return Result<>();  // the outputs are not reported
+  if (!identification_.reports_outputs()) co_return Result<>();  // the outputs are not reported
   const bool is_on = console_.snapshot.outputs >> (request.number - 1) & 1;
   if (is_on == request.on) co_return Result<>();
   co_return fail(FaultKind::controller,
                  fmt::format("Output {} was switched {}, but the controller reports {}.", request.number,
                              request.on ? "on" : "off", is_on ? "on" : "off"),
-                 "It was asked for once.", "Check whether the Stop button is held, then try again.");
+                 "It was requested once.", "Check whether the Stop button is held, then try again.");
 }
 
 }  // namespace hw::vxm

@@ -30,7 +30,9 @@ class Moves {
         positions_(positions),
         legs_(legs) {}
 
-  Task<Result<>> move(const std::vector<AxisTarget>& targets, intent::Pace pace, bool relative);
+  /// `own`: speeds of single motors, which move one after another.
+  Task<Result<>> move(const std::vector<AxisTarget>& targets, intent::Pace pace,
+                      const intent::AxisSpeeds& own, bool relative);
   Task<Result<>> jog(const intent::JogStart& request);
   Task<Result<>> home(const intent::Home& request);
   Task<Result<>> set_position(const intent::SetPosition& request);

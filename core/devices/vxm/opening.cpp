@@ -7,18 +7,18 @@
 namespace hw::vxm {
 namespace {
 
-constexpr int greetings = 4, silences_until_nobody = 2;
+constexpr int greetings = 4, silences_until_absent = 2;
 
 }  // namespace
 
 // Sends V alone first: it moves nothing in any mode. A carriage return then ends an unfinished command.
 // Replies to that command, or garbage on a freshly opened line, are let pass.
-Task<Result<std::string>> Opening::ask_who_listens() {
+Task<Result<std::string>> Opening::ask_for_greeting() {
   std::string bytes;
   int silences = 0;
-  for (int n = 0; n < greetings && silences < silences_until_nobody; ++n) {
+  for (int n = 0; n < greetings && silences < silences_until_absent; ++n) {
     if (n > 0) {
-      auto ended = co_await conversation_.say_anyway("\r");
+      auto ended = co_await conversation_.transmit_anyway("\r");
       if (!ended) co_return fail(ended.error());
       auto quiet = co_await conversation_.wait_for_quiet();
       if (!quiet) co_return fail(quiet.error());
@@ -34,11 +34,11 @@ Task<Result<std::string>> Opening::ask_who_listens() {
 }
 
 Task<Result<>> Opening::greet() {
-  auto bytes = co_await ask_who_listens();
+  auto bytes = co_await ask_for_greeting();
   if (!bytes) co_return fail(bytes.error());
   Greeting greeting = read_greeting(*bytes);
   const int rate = conversation_.station() ? conversation_.station()->rate() : 0;
-  if (bytes->empty()) co_return nobody_greets(rate);
+  if (bytes->empty()) co_return no_greeting(rate);
   if (!greeting.is_a_vxm()) co_return no_vxm_greets(*bytes, rate);
   // It may be the reply to a V before a restart, and F removes the only sign of that.
   for (int n = 0; n < greetings && conversation_.station() && conversation_.station()->is_dirty(); ++n) {
@@ -54,7 +54,7 @@ Task<Result<>> Opening::greet() {
   if (presence_.is_halted()) under_way_.killed(EndedBy::error);  // it accepts commands again
   presence_.seen_on_line();
   // F ends echo and carriage returns after prompts, whoever asked for them.
-  auto sent = co_await conversation_.say_anyway("F");
+  auto sent = co_await conversation_.transmit_anyway("F");
   if (!sent) co_return sent;
   auto state = co_await conversation_.state(Priority::intent);
   if (!state) co_return fail(state.error());

@@ -31,7 +31,7 @@ class Opening {
   Task<Result<>> greet();
 
  private:
-  Task<Result<std::string>> ask_who_listens();
+  Task<Result<std::string>> ask_for_greeting();
   Task<Result<>> found_local(char state);
   Task<Result<>> resume_after_loss(char state);
 

@@ -49,7 +49,7 @@ bool Parameters::reachable(const ParamInfo& info) const {
 Task<Result<>> Parameters::read_one(int index, Priority priority) {
   const ParamInfo& info = console_.catalog.params[ix(index)];
   if (!info.readable || !reachable(info)) co_return Result<>();
-  if (info.mnemonic == "PA" && !identification_.tells_pulses()) co_return Result<>();
+  if (info.mnemonic == "PA" && !identification_.reports_pulses()) co_return Result<>();
   auto value = co_await conversation_.number(get_param(info.mnemonic), priority);
   if (!value) co_return fail(value.error());
   console_.snapshot.params[ix(index)].value = *value;
@@ -116,7 +116,7 @@ Result<> Parameters::may_set(const ParamInfo& info) const {
 
 Task<Result<>> Parameters::set(const intent::SetParam& request) {
   ParamRules rules;
-  rules.who = "A VXM";
+  rules.title = "A VXM";
   rules.may_now = [this](const ParamInfo& info) { return may_set(info); };
   const auto place = check_param(console_.catalog, request, rules);
   if (!place) co_return fail(place.error());

@@ -7,7 +7,7 @@ namespace hw::vxm {
 
 Task<Result<>> Presence::go_on_line() {
   for (const bool again : {false, true}) {
-    auto sent = co_await conversation_.say_anyway("F");
+    auto sent = co_await conversation_.transmit_anyway("F");
     if (!sent) co_return sent;
     auto state = co_await conversation_.state(Priority::intent);
     if (!state) co_return fail(state.error());

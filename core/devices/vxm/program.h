@@ -80,7 +80,7 @@ class Program {
   void clear();
   /// U91 at `i` becomes U92 and `index`.
   void rewrite_u91(int i, const Command& index);
-  /// Where a loop command at `i` goes back to: after the nearest LM0 above it, else the beginning.
+  /// The target of a loop command at `i`: after the nearest LM0 above it, else the beginning.
   [[nodiscard]] int loop_target(int i) const;
 
  private:

@@ -27,7 +27,7 @@ class Checks {
   }
 
  private:
-  void tell(bool error, const StoredCommand& s, std::string sentence) {
+  void report(bool error, const StoredCommand& s, std::string sentence) {
     analysis_.report.problems.push_back(
         {error, s.place.line, s.place.column, s.place.length, std::move(sentence), {}, {}});
   }
@@ -40,9 +40,9 @@ class Checks {
       if (bytes > program_bytes && first_over == nullptr) first_over = &s;
     }
     if (first_over == nullptr) return;
-    tell(true, *first_over,
-         "Program " + std::to_string(slot_) + " needs " + std::to_string(bytes) +
-             " bytes and has 256: " + std::to_string(bytes - program_bytes) + " too many.");
+    report(true, *first_over,
+           "Program " + std::to_string(slot_) + " needs " + std::to_string(bytes) +
+               " bytes and has 256: " + std::to_string(bytes - program_bytes) + " too many.");
   }
 
   void unreachable() {
@@ -56,8 +56,8 @@ class Checks {
       const bool may_be_left_out =
           commands_[i + 1].command.op == Op::loop || commands_[i + 1].command.op == Op::loop_alternate;
       if (may_be_skipped || may_be_left_out) continue;
-      tell(false, commands_[i + 1],
-           "Nothing after " + listing_of(commands_[i].command) + " is ever reached.");
+      report(false, commands_[i + 1],
+             "Nothing after " + listing_of(commands_[i].command) + " is ever reached.");
       return;
     }
   }
@@ -69,7 +69,7 @@ class Checks {
       if (op != Op::jump && op != Op::call && op != Op::call_pick) continue;
       const auto found = analysis_.programs.find(s.command.value);
       if (found == analysis_.programs.end() || found->second.empty())
-        tell(false, s, "Program " + std::to_string(s.command.value) + " is empty in this text.");
+        report(false, s, "Program " + std::to_string(s.command.value) + " is empty in this text.");
     }
   }
 
@@ -82,7 +82,7 @@ class Checks {
       if (ends_nonstop(c)) {
         const bool index_next = i + 1 < commands_.size() && commands_[i + 1].command.op == Op::index;
         if (c.value == 92 && !index_next)
-          tell(true, s, "U92 needs the index over which to stop right after it.");
+          report(true, s, "U92 needs the index over which to stop right after it.");
         open = nullptr, motor = 0;
       } else if (starts_nonstop(c)) {
         if (open == nullptr) open = &s;
@@ -94,8 +94,8 @@ class Checks {
       return s.command.op == Op::jump || s.command.op == Op::call;
     });
     if (open != nullptr && !leaves)
-      tell(true, *open,
-           listing_of(open->command) + " begins nonstop indexing, and no U9, U91, U92 or U99 ends it.");
+      report(true, *open,
+             listing_of(open->command) + " begins nonstop indexing, and no U9, U91, U92 or U99 ends it.");
   }
 
   void inside_nonstop(const StoredCommand& s, const StoredCommand& open, int& motor) {
@@ -103,9 +103,9 @@ class Checks {
     const std::string start = listing_of(open.command);
     if (c.op == Op::index) {
       if (c.motor > motors_per_controller)
-        return tell(true, s, "Only motors 1 and 2 can index without stopping.");
+        return report(true, s, "Only motors 1 and 2 can index without stopping.");
       if (motor != 0 && motor != c.motor)
-        return tell(true, s, "After " + start + " all indexes must be of one motor.");
+        return report(true, s, "After " + start + " all indexes must be of one motor.");
       motor = c.motor;
       return;
     }
@@ -114,10 +114,10 @@ class Checks {
     const int u = c.value % slave_u_offset;
     const bool output = c.op == Op::user && (u == 4 || u == 5 || (u >= 14 && u <= 19));
     if (!speed && !flow && !output)
-      tell(true, s,
-           listing_of(c) + " cannot stand between " + start +
-               " and U9: only indexes, speeds, loops, jumps "
-               "and outputs can.");
+      report(true, s,
+             listing_of(c) + " cannot stand between " + start +
+                 " and U9: only indexes, speeds, loops, jumps "
+                 "and outputs can.");
   }
 
   void homing() {
@@ -127,9 +127,9 @@ class Checks {
       const Command& c = s.command;
       if (c.op == Op::speed || c.op == Op::speed_full) speed[c.motor] = c.value;
       if (c.op == Op::home && speed[c.motor] > hard_stop_safe_speed)
-        tell(false, s,
-             "Above 1000 steps/s homing is unreliable and may damage the switch; motor " +
-                 std::to_string(c.motor) + " is set to " + std::to_string(speed[c.motor]) + ".");
+        report(false, s,
+               "Above 1000 steps/s homing is unreliable and may damage the switch; motor " +
+                   std::to_string(c.motor) + " is set to " + std::to_string(speed[c.motor]) + ".");
     }
   }
 

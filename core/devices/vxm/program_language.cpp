@@ -45,7 +45,7 @@ class VxmLanguage final : public Language, public PartialWriter, public Settings
   }
 
  private:
-  /// A command without a motor means the one of the command before it.
+  /// A command without a motor addresses the motor of the command before it.
   [[nodiscard]] static Operations behind(std::string_view command, std::string_view text) {
     Operations all = operations_of(std::string(command) += text);
     if (!all.empty()) all.erase(all.begin());

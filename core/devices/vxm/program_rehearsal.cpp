@@ -155,7 +155,7 @@ class Rehearsing {
     const std::string program = "Program " + std::to_string(run.stack.empty() ? 0 : run.stack.back().program);
     if (run.doing == Doing::waiting)
       result_.error = program + " waits in U" + std::to_string(run.wait.u + (run.wait.on_slave ? 100 : 0)) +
-                      " for " + waited_for(run.wait) + ", and nobody operates it.";
+                      " for " + waited_for(run.wait) + ", and nothing operates it.";
     else
       result_.error = still_running(program);
     now_ = std::max(now_, last);
@@ -252,7 +252,7 @@ class Rehearsing {
     std::uint32_t moved = 0;
     for (int i = 0; i < motors_; ++i) moved |= std::uint32_t{axis(i).travelled > 0} << i;
     result_.assumptions = watch_.assumptions();
-    const Ran ran{emulator_.box(), started_, [this](int slot) { return text_fills(slot); }};
+    const FinishedRun ran{emulator_.box(), started_, [this](int slot) { return text_fills(slot); }};
     for (RehearsedAssumption& a : assumptions(from, catalog_, moved, ran))
       result_.assumptions.push_back(std::move(a));
   }

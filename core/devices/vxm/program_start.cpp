@@ -64,7 +64,7 @@ std::uint32_t leads_to(const Command& c, bool input_3_branches) {
 }
 
 /// Programs that a run may reach, including its first: bit per program.
-std::uint32_t programs_of_run(const ControllerState& state, const Catalog& catalog, const Ran& ran) {
+std::uint32_t programs_of_run(const ControllerState& state, const Catalog& catalog, const FinishedRun& ran) {
   const int inputs = catalog.find_param("I");
   const std::int64_t mode =
       inputs < 0 ? 0 : state.param(ix(inputs)).value_or(catalog.params[ix(inputs)].fallback);
@@ -87,7 +87,7 @@ bool uses_analog(const Program& program) {
 
 /// Adds unread programs, and the analog input, where the run may meet them.
 void add_met(std::vector<RehearsedAssumption>& all, const ControllerState& state, const Catalog& catalog,
-             const Ran& ran) {
+             const FinishedRun& ran) {
   const std::uint32_t met = programs_of_run(state, catalog, ran);
   bool by_analog = false;
   for (int slot = 0; slot < program_count; ++slot) {
@@ -115,7 +115,7 @@ void begin_like(VxmEmulator& emulator, const ControllerState& state, const Catal
 }
 
 std::vector<RehearsedAssumption> assumptions(const ControllerState& state, const Catalog& catalog,
-                                             std::uint32_t moved, const Ran& ran) {
+                                             std::uint32_t moved, const FinishedRun& ran) {
   std::vector<RehearsedAssumption> all = unknown_params(state, catalog, moved, acts_on_programs);
   for (RehearsedAssumption& a : unknown_surroundings(state, catalog, moved)) all.push_back(std::move(a));
   const int mode = catalog.find_param("DM");

@@ -14,7 +14,7 @@ namespace hw::vxm {
 void begin_like(VxmEmulator& emulator, const ControllerState& state, const Catalog& catalog,
                 const std::function<bool(int)>& text_fills);
 /// A finished run.
-struct Ran {
+struct FinishedRun {
   const Box& box;  ///< with its programs
   int slot = 0;    ///< of the first program
   std::function<bool(int)> text_fills;
@@ -22,6 +22,6 @@ struct Ran {
 /// The values assumed where the state has none. `moved`: bit per motor.
 [[nodiscard]] std::vector<RehearsedAssumption> assumptions(const ControllerState& state,
                                                            const Catalog& catalog, std::uint32_t moved,
-                                                           const Ran& ran);
+                                                           const FinishedRun& ran);
 
 }  // namespace hw::vxm

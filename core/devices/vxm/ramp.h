@@ -29,8 +29,8 @@ class Ramp {
   /// No motion should begin in it, as far as known.
   [[nodiscard]] bool holds() const { return state_ && state_->holds; }
   void was_held();
-  /// Somebody else may already hold it, and another H would release it. No motor is seen to turn; the next
-  /// readings show whether that is so.
+  /// Another host may already hold it, and another H would release it. No motor is seen to turn; the next
+  /// readings confirm that or not.
   [[nodiscard]] bool must_be_seen_first() const;
   /// The program is held, or its motors stand.
   [[nodiscard]] bool is_over() const { return state_ && state_->over; }

@@ -19,7 +19,7 @@ bool is_version(std::string_view answer) {
   return answer.find('.') != std::string_view::npos && decode_text_line(answer);
 }
 
-// Owed replies come before the answer: whole lines of another look, and bytes that are no line.
+// Outstanding replies come before the answer: whole lines of another form, and bytes that are no line.
 template <bool (*fits)(std::string_view)>
 std::size_t before_line(std::string_view received) {
   const std::size_t no_number = before_number(received);
@@ -30,21 +30,21 @@ std::size_t before_line(std::string_view received) {
 }
 
 // A second V, sent while the replies to a first V and to others are outstanding. In Local mode only V is
-// answered, and the letter tells the mode. Otherwise replies come in order: the letter after a line asked for
+// answered, and the letter shows the mode. Otherwise replies come in order: the letter after a line asked for
 // after the first V, or after another letter, answers the second V.
 class SecondLetter {
  public:
   SecondLetter(const OutstandingReplies& outstanding, Instant now)
-      : position_tells_(outstanding.comes_behind(reply_kind::position, reply_kind::letter, now)),
-        number_tells_(outstanding.comes_behind(reply_kind::number, reply_kind::letter, now) &&
-                      !outstanding.torn(now)) {}
+      : position_decides_(outstanding.comes_behind(reply_kind::position, reply_kind::letter, now)),
+        number_decides_(outstanding.comes_behind(reply_kind::number, reply_kind::letter, now) &&
+                        !outstanding.torn(now)) {}
   std::size_t operator()(std::string_view received) {
     if (before_number(received) == 0) {
       const auto end = received.find('\r');
       if (end == std::string_view::npos) return end;
       const std::string_view line = received.substr(0, end + 1);
-      first_has_come_ =
-          first_has_come_ || (position_tells_ && is_position(line)) || (number_tells_ && is_unsigned(line));
+      first_has_come_ = first_has_come_ || (position_decides_ && is_position(line)) ||
+                        (number_decides_ && is_unsigned(line));
       return line.size();
     }
     if (const std::size_t others = before_state(received); others > 0) return others;
@@ -53,7 +53,7 @@ class SecondLetter {
   }
 
  private:
-  bool position_tells_, number_tells_;
+  bool position_decides_, number_decides_;
   bool first_has_come_ = false;
 };
 
@@ -107,7 +107,7 @@ std::optional<Station::Unmistakable> unmistakable(const OutstandingReplies& outs
   if (free(reply_kind::number) && free(reply_kind::lines) && whole &&
       !echoes) {  // the echo of @ is a message
     auto asked = question("@", ReplyShape::line(), reply_kind::number, is_unsigned, before_line<is_unsigned>);
-    asked.question.may_be_silent = true;  // not answered in Local mode; the next question tells
+    asked.question.may_be_silent = true;  // not answered in Local mode; the next question decides
     return asked;
   }
   if (free(reply_kind::lines))

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/axis_motion.h"
 #include "core/devices/vxm/facts.h"
 #include "core/devices/vxm/greeting.h"
 
@@ -116,11 +117,8 @@ Task<Result<>> Restarts::reset() {
 void Restarts::stands_since(Doubt why) {
   for (int i = 0; i < console_.snapshot.axis_count; ++i) {
     AxisState& axis = console_.snapshot.axes[i];
-    if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
-    axis.activity = Activity::idle;
-    axis.direction = 0;
-    axis.ramp = 0;
-    axis.has_target = false;
+    const bool was_busy = axis.activity != Activity::idle && axis.activity != Activity::unknown;
+    end_motion(axis, was_busy ? EndedBy::lost : axis.ended_by);
     if (why != Doubt::none) axis.trust.doubt(why, console_.scheduler.now());
   }
 }

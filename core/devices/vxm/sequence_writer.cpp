@@ -163,7 +163,7 @@ class Writer {
   int programs_ = 0;  ///< written beside the main one
   bool looked_at_axes_ = false;
   bool in_loop_ = false;                 ///< the current program has an open loop
-  std::map<std::string, int> callable_;  ///< program numbers by what they do
+  std::map<std::string, int> callable_;  ///< program numbers by purpose
 };
 
 Result<> Writer::write_speeds(int axis, const seq::OwnSpeeds& own) {

@@ -51,7 +51,9 @@ class Signals {
  private:
   static constexpr std::string_view all = "?~$";
   Task<Result<>> read_analog(Priority priority);
-  [[nodiscard]] bool is_reported(char which) const { return which != '$' || identification_.tells_outputs(); }
+  [[nodiscard]] bool is_reported(char which) const {
+    return which != '$' || identification_.reports_outputs();
+  }
   bool believe(std::size_t which, unsigned char byte);
   void show(std::size_t which, unsigned char byte);
 

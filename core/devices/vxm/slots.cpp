@@ -152,7 +152,7 @@ Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
     const auto commands = commands_of(listing->commands);
     if (used < 0) {  // after a restart: former contents unknown
       if (!commands.empty() && may_be_select_without_m(commands.back()))
-        tell_pause_at_end(slot, commands.back());
+        warn_of_pause_at_end(slot, commands.back());
       co_return Result<>();
     }
     if (listing->free_bytes >= program_bytes - used) co_return Result<>();
@@ -168,7 +168,7 @@ Task<Result<>> Slots::take_back_pauses_of(int slot, Priority priority) {
   co_return Result<>();
 }
 
-void Slots::tell_pause_at_end(int slot, const TextCommand& pause) const {
+void Slots::warn_of_pause_at_end(int slot, const TextCommand& pause) const {
   console_.report(Notice::Kind::warning,
                   fmt::format("Check program {} of the controller before you run it: it ends with P{}. This "
                               "may be a selection by the console that lost a byte.",
@@ -198,13 +198,24 @@ void Slots::holds(int slot, const Listing& listing) {
 void Slots::doubt(int slot) {
   console_.snapshot.slot_bytes_used[ix(slot)] = -1;
   listings_[ix(slot)].reset();
+  typed_[ix(slot)].reset();
   if (confirmed_empty_ == slot) confirmed_empty_ = -1;
   sizes_read_ = false;
 }
 
-void Slots::selected_was_changed() {
+ProgramContents Slots::contents(int slot) const {
+  if (const auto& read = listing(slot)) return commands_of(*read);
+  if (slot < 0 || slot >= program_count) return {};
+  if (console_.snapshot.slot_bytes_used[ix(slot)] == 0) return ProgramContents(std::in_place);
+  return typed_[ix(slot)];
+}
+
+void Slots::selected_was_changed(const TextCommand& by) {
   if (selected_ < 0) return;
+  ProgramContents now = contents(selected_);
+  change(now, by);
   doubt(selected_);
+  typed_[ix(selected_)] = std::move(now);
   console_.snapshot.unsaved_programs = true;
 }
 

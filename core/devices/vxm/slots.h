@@ -12,6 +12,7 @@
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/facts.h"
 #include "core/devices/vxm/parameters.h"
+#include "core/devices/vxm/text_goals.h"
 
 namespace hw::vxm {
 
@@ -45,8 +46,10 @@ class Slots {
   Task<Result<>> read_sizes();
   /// A program that M has shown empty, for a move of the console.
   Task<Result<int>> find_empty();
-  /// A text of the user has changed the selected program.
-  void selected_was_changed();
+  /// The same with what texts have changed since it was read.
+  [[nodiscard]] ProgramContents contents(int slot) const;
+  /// A command of the user's text has changed the selected program.
+  void selected_was_changed(const TextCommand& by);
   /// Has all programs read again.
   void doubt_all();
   /// The controller has restarted: it holds the stored programs, and 0 is selected.
@@ -66,7 +69,7 @@ class Slots {
   Task<Result<>> take_back_pauses(Priority priority);
   Task<Result<>> take_back_pauses_of(int slot, Priority priority);
   [[nodiscard]] bool may_be_scratch(int slot) const;
-  void tell_pause_at_end(int slot, const TextCommand& pause) const;
+  void warn_of_pause_at_end(int slot, const TextCommand& pause) const;
   void ask_for_room(std::string sentence) const;
   Task<Result<>> load_slot(int slot, const Lines& lines, const Lines& expected);
   Task<Result<>> write_slot(int slot, const Lines& lines, const Lines& expected);
@@ -86,6 +89,7 @@ class Slots {
   Set may_be_selected_ = 0, may_have_grown_ = 0;
   int confirmed_empty_ = -1;  ///< as shown by M; -1: none
   std::array<std::optional<Lines>, program_count> listings_;
+  std::array<ProgramContents, program_count> typed_;  ///< of those that texts have changed since
   bool sizes_read_ = false;
 };
 

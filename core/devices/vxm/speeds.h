@@ -51,6 +51,7 @@ struct Speeds {
 /// Of one leg; 0: as set in the controller.
 struct LegPace {
   int speed = 0, acceleration = 0;
+  bool operator==(const LegPace&) const = default;
 };
 
 }  // namespace hw::vxm

@@ -25,7 +25,7 @@ class Status {
   /// are not handled.
   Task<Result<>> see_to_dirt();
   /// After its error report the controller answers nothing but K. If it answers V, it was switched off and
-  /// on, or received somebody else's K.
+  /// on, or received a K from elsewhere.
   Task<Result<>> ask_whether_it_answers_again();
 
  private:

@@ -108,7 +108,7 @@ void Stops::show_stopping() {
 LastWill Stops::last_will() { return {{Millis(0), "\rD"}}; }
 
 StopProgress Stops::progress(const StopOrder& order) {
-  if (presence_.is_halted()) return StopProgress::stands();  // nothing goes on until K
+  if (presence_.is_halted()) return StopProgress::stands();  // nothing continues until K
   const bool ramps_by_words =
       under_way_.job().active() && ramp_.is_expected();  // other stops show in the reply
   if (order.what == StopOrder::What::words && !ramps_by_words) return StopProgress::stands();

@@ -53,23 +53,23 @@ void Texts::note_taken(const Piece& piece) {
 }
 
 void Texts::note_taken(const TextCommand& c) {
-  if (c.stored()) slots_.selected_was_changed();
+  if (c.stored()) slots_.selected_was_changed(c);
   speeds_.note(c);
   if (c.verb == Verb::select || c.verb == Verb::empty) {
     slots_.was_selected(static_cast<int>(c.value));
-    if (c.verb == Verb::empty) slots_.selected_was_changed();
+    if (c.verb == Verb::empty) slots_.selected_was_changed(c);
   }
   if (c.verb == Verb::set) parameters_.was_set(c.name);
-  if (c.verb == Verb::word && c.name == "del") slots_.selected_was_changed();
+  if (c.verb == Verb::word && c.name == "del") slots_.selected_was_changed(c);
   if (c.verb == Verb::word && c.name == "rsm") parameters_.was_stored();
   if (c.verb == Verb::word && c.name == "res")
     presence_.note_answers_again();  // the next V finds it restarted
+  if (c.verb == Verb::letter && c.letter == 'C') slots_.selected_was_changed(c);
   if (c.verb == Verb::letter) note_letter(c.letter);
 }
 
 void Texts::note_letter(char letter) {
   switch (letter) {
-    case 'C': slots_.selected_was_changed(); break;
     case 'K':
       kills_.doubt_positions();
       under_way_.kill_was_sent();

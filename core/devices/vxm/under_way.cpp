@@ -1,5 +1,7 @@
 #include "core/devices/vxm/under_way.h"
 
+#include "core/device/axis_motion.h"
+
 namespace hw::vxm {
 
 void UnderWay::begin(Job job) {
@@ -114,11 +116,10 @@ void UnderWay::wire_lost() {
   job_.drop_rest();  // no leg begins by itself after this
   for (int i = 0; i < snapshot.axis_count; ++i) {
     AxisState& axis = snapshot.axes[i];
-    if (axis.activity != Activity::idle && axis.activity != Activity::unknown) axis.ended_by = EndedBy::lost;
-    axis.activity = Activity::unknown;
+    if (axis.activity == Activity::error) axis.ended_by = EndedBy::lost;
+    lose_motion(axis);
     axis.position_known = false;
     axis.limits_known = false;
-    axis.direction = 0;
   }
   snapshot.inputs_known = snapshot.outputs_known = snapshot.analog_known = 0;
   news_.notify();

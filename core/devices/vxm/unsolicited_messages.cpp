@@ -69,7 +69,8 @@ void UnsolicitedMessages::received_held(std::string_view command) {
 
 void UnsolicitedMessages::received_limit() {
   const ParamState& report = console_.snapshot.params[ix(console_.catalog.find_param("O"))];
-  const bool ends_program = report.known && (report.value & limit_ends_program) != 0;  // its end tells then
+  const bool ends_program =
+      report.known && (report.value & limit_ends_program) != 0;  // the end of the program explains it then
   if (under_way_.job().active())
     under_way_.job().report_limit();
   else if (!under_way_.program_runs())
@@ -77,7 +78,7 @@ void UnsolicitedMessages::received_limit() {
   else if (!ends_program)
     console_.report(
         Notice::Kind::warning,
-        "A limit switch was hit. The controller has stopped that motor, and its program goes on.");
+        "A limit switch was hit. The controller has stopped that motor, and its program continues.");
   if (under_way_.program_runs()) console_.snapshot.program.ended_by = EndedBy::limit;
   console_.texts.add("O");
 }

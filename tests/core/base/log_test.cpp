@@ -25,7 +25,7 @@ class Log : public ::testing::Test {
   }
 };
 
-TEST_F(Log, SaysNothingBelowAWarningUnlessAsked) {
+TEST_F(Log, LogsNothingBelowAWarningUnlessAsked) {
   log::Subject& link = log::subject("link");
   EXPECT_EQ(written([&] { link.debug("dropped {}", 7); }), "");
   EXPECT_THAT(written([&] { link.warning("dropped {}", 7); }), HasSubstr("warning link: dropped 7\n"));
@@ -58,8 +58,9 @@ TEST_F(Log, OfEverythingIsOneWord) {
   EXPECT_TRUE(log::subject("gui").wants(log::Level::debug));
 }
 
-TEST_F(Log, TellsWhatThereIs) {
-  for (const char* wrong : {"", "lnik=debug", "link=loud", "link=", "=debug", "link=debug,", "link"}) {
+TEST_F(Log, AWrongChoiceShowsTheForm) {
+  for (const char* wrong : {"", "lnik=debug", "link=loud", "link=", "=debug", "link=debug,", "link",
+                            "link.vxm=debug", "driver.=debug"}) {
     const auto chosen = log::choose(wrong);
     ASSERT_FALSE(chosen) << wrong;
     EXPECT_THAT(chosen.error().sentence(), HasSubstr("Give SUBJECT=LEVEL"));
@@ -181,7 +182,7 @@ TEST_F(Log, IsKeptInAFileThatIsTurnedOver) {
   ASSERT_TRUE(log::keep_in("/dev/null"));
 }
 
-TEST_F(Log, ThatCannotBeKeptSaysWhy) {
+TEST_F(Log, ThatCannotBeKeptReportsWhy) {
   const test::Folder folder;
   const auto kept = log::keep_in(folder.put("a file", "") / "handwheel.log");
   ASSERT_FALSE(kept);

@@ -166,8 +166,7 @@ TEST_F(AxisTrackingTest, AStopWithoutARampMakesTheCountOfAFastAxisDoubtful) {
   stop(0, true);
   EXPECT_EQ(a().trust.cause, Doubt::killed);
   ASSERT_EQ(reported.size(), 1u);
-  EXPECT_THAT(reported[0],
-              HasSubstr("Axis A may have lost steps, as it was stopped at speed without a ramp"));
+  EXPECT_THAT(reported[0], HasSubstr("Axis A may have lost steps, as it was stopped without a ramp at 401 "));
   stop(0, true);
   EXPECT_EQ(reported.size(), 1u) << "it is told once";
 }
@@ -181,7 +180,7 @@ TEST_F(AxisTrackingTest, AMotionThatNobodyHereBeganIsShownAsAMove) {
   EXPECT_EQ(a().ended_by, EndedBy::target) << "nobody knows where it was to go";
 }
 
-TEST_F(AxisTrackingTest, ARestartMakesAllCountsDoubtfulAndSaysSo) {
+TEST_F(AxisTrackingTest, ARestartMakesAllCountsDoubtfulAndReportsIt) {
   snapshot.params[3].known = true;
   tracking.begun(1, {Activity::moving, Steps(300)});
   tracking.restarted();

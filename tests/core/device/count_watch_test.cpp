@@ -33,7 +33,7 @@ class CountWatchTest : public testing::Test {
   CountWatch watch{catalog};
 };
 
-TEST_F(CountWatchTest, TellsOnceThatItWasSet) {
+TEST_F(CountWatchTest, ReportsOnceThatItWasSet) {
   EXPECT_EQ(reads(0, 3), 0u) << "what explains it may show yet";
   EXPECT_EQ(reads(0, 10), 1u);
   EXPECT_EQ(reads(0, 10), 0u);

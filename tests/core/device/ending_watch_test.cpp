@@ -32,15 +32,15 @@ struct EndingOfADrawing : testing::Test {
 };
 
 TEST_F(EndingOfADrawing, IsNobodysBehindAPieceThatWasRefused) {
-  stopped_by(StoppedBy::nobody);
+  stopped_by(StoppedBy::unknown);
   EXPECT_EQ(ended().by, EndedBy::elsewhere) << "it was cut short";
   EXPECT_EQ(reported.what, Ending::What::pieces);
-  EXPECT_EQ(reported.who, StoppedBy::nobody);
+  EXPECT_EQ(reported.who, StoppedBy::unknown);
 }
 
 TEST_F(EndingOfADrawing, RemainsTheUsersWhoStoppedItFirst) {
   stopped_by(StoppedBy::key);
-  stopped_by(StoppedBy::nobody);
+  stopped_by(StoppedBy::unknown);
   EXPECT_EQ(ended().by, EndedBy::stop);
   EXPECT_EQ(reported.who, StoppedBy::key);
 }
@@ -83,7 +83,7 @@ TEST_F(EndingOfAMotion, OfAProgramDoesNotLastIntoTheNextOne) {
   EXPECT_TRUE(all[1].of_run);
 }
 
-TEST_F(EndingOfAMotion, IsReportedAlsoWhereTheControllerNeverTellsHow) {
+TEST_F(EndingOfAMotion, IsReportedAlsoWhereTheControllerNeverReportsHow) {
   look(1, Activity::moving);
   look(2, Activity::idle);
   look(3, Activity::idle);

@@ -34,7 +34,7 @@ TEST(ParamCheck, AsksOnceWhereTheCatalogWarns) {
   EXPECT_TRUE(check_param(catalog, request("LNX", 9), {"A VXM"}));
 }
 
-TEST(ParamCheck, TellsWhatElseForbidsItBeforeItAsks) {
+TEST(ParamCheck, ReportsWhatElseForbidsItBeforeItAsks) {
   ParamRules rules{"A VXM"};
   rules.may_now = [](const ParamInfo&) { return Result<>(fail(FaultKind::refused, "It moves.")); };
   const Catalog catalog = catalog_of_one();

@@ -54,7 +54,7 @@ class ToyDriver : public Driver {
 
   void attach(Station& station) override { station_ = &station; }
   Task<Result<>> connect() override {
-    auto greeted = co_await say("hello", Priority::intent);
+    auto greeted = co_await transmit("hello", Priority::intent);
     if (!greeted) co_return greeted;
     co_return co_await poll(Round::usual);
   }
@@ -69,7 +69,7 @@ class ToyDriver : public Driver {
   Task<Result<>> perform(const IntentBody& body) override {
     if (std::holds_alternative<intent::LoadProgram>(body)) {
       for (int i = 0; i < 5; ++i) {
-        auto sent = co_await say("line " + std::to_string(i), Priority::transfer);
+        auto sent = co_await transmit("line " + std::to_string(i), Priority::transfer);
         if (!sent) co_return sent;
         auto waited = co_await station_->pause(Millis(10));
         if (!waited) co_return waited;
@@ -80,14 +80,14 @@ class ToyDriver : public Driver {
       co_return fail(FaultKind::refused, "No memory.", "Nothing was sent.");
     if (std::holds_alternative<intent::Reset>(body)) throw std::runtime_error("a library gave up");
     if (const auto* text = std::get_if<intent::SendText>(&body))
-      co_return co_await say(text->text, Priority::intent);
+      co_return co_await transmit(text->text, Priority::intent);
     const bool jog = std::holds_alternative<intent::JogStart>(body);
-    co_return co_await say(jog ? "jog" : "go", Priority::intent);
+    co_return co_await transmit(jog ? "jog" : "go", Priority::intent);
   }
   Task<Result<std::string>> stop(const StopOrder& order) override {
     std::string text = order.at_once ? "kill" : "stop";
     if (order.what == StopOrder::What::words) text = order.words;
-    auto stopped = co_await say(std::move(text), Priority::stop);
+    auto stopped = co_await transmit(std::move(text), Priority::stop);
     if (!stopped) co_return fail(stopped.error());
     co_return std::string();
   }
@@ -101,7 +101,7 @@ class ToyDriver : public Driver {
   }
   Task<Result<std::string>> query(std::string text, Duration) override {
     if (text == "defect") throw std::runtime_error("a library gave up");
-    auto sent = co_await say(text, Priority::intent);
+    auto sent = co_await transmit(text, Priority::intent);
     if (!sent) co_return fail(sent.error());
     co_return "answer to " + text;
   }
@@ -114,7 +114,7 @@ class ToyDriver : public Driver {
   [[nodiscard]] Duration idle_period() const override { return Millis(200); }
 
  private:
-  Task<Result<>> say(std::string text, Priority priority) {
+  Task<Result<>> transmit(std::string text, Priority priority) {
     Transaction t(std::move(text), ReplyShape::nothing(), priority);
     auto sent = co_await station_->transact(std::move(t));
     if (!sent) co_return fail(sent.error());
@@ -493,7 +493,7 @@ TEST_F(PumpTest, ThreeMissesAreALossThatIsReportedAndHeals) {
   EXPECT_EQ(latest.outcome_of(move)->state, IntentState::refused);
 }
 
-TEST_F(PumpTest, AStopWithoutAConnectionSaysThatItDoesNotReach) {
+TEST_F(PumpTest, AStopWithoutAConnectionReportsThatItDoesNotReach) {
   silent = port_missing = true;
   time.run_for(std::chrono::seconds(10));
   const IntentId stop = post(intent::Stop());

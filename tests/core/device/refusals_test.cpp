@@ -22,7 +22,7 @@ AxisTarget to(int axis, std::int64_t place) {
 intent::Act act(const Catalog& c, std::string_view id, std::vector<std::int64_t> values) {
   return intent::Act(c.find_action(id), std::move(values));
 }
-std::string say(const Catalog& c, const Snapshot& now, const IntentBody& body) {
+std::string refusal(const Catalog& c, const Snapshot& now, const IntentBody& body) {
   return describe_doubtful(c, now, body, doubtful_axes(c, now, body), words_in_steps(c, now));
 }
 
@@ -72,16 +72,16 @@ TEST(Refusals, TheSentenceNamesAxisCauseAndPlace) {
   const Catalog vxm = catalog_of("vxm");
   Snapshot now = doubtful({0});
   const IntentBody one = intent::MoveTo({to(0, -240)});
-  EXPECT_EQ(say(vxm, now, one),
+  EXPECT_EQ(refusal(vxm, now, one),
             "The position of motor 1 cannot be trusted: its power was cut. -240 steps may differ from "
             "before. Nothing was sent. Home it, set its position, or go on just this once.");
   now.axes[1].trust.doubt(Doubt::killed, {});
-  EXPECT_EQ(say(vxm, now, intent::MoveTo({to(0, 0), to(1, 400)})),
+  EXPECT_EQ(refusal(vxm, now, intent::MoveTo({to(0, 0), to(1, 400)})),
             "The positions of motor 1 (power was cut) and motor 2 (killed at speed) cannot be trusted. Where "
             "they are sent may differ from before. Nothing was sent. Home them, set their positions, or go "
             "on just this once.");
   EXPECT_EQ(
-      say(vxm, doubtful({0, 1}), intent::MoveTo({to(0, 0), to(1, 400)})),
+      refusal(vxm, doubtful({0, 1}), intent::MoveTo({to(0, 0), to(1, 400)})),
       "The positions of motor 1 and motor 2 cannot be trusted: their power was cut. Where they are sent may "
       "differ from before. Nothing was sent. Home them, set their positions, or go on just this once.");
   const DoubtWords clock{[](AxisId, Steps) { return "240.000 mm"; }, [](Instant) { return "12:31:07"; }};
@@ -89,14 +89,14 @@ TEST(Refusals, TheSentenceNamesAxisCauseAndPlace) {
             "The position of motor 1 cannot be trusted: its power was cut (12:31:07). 240.000 mm may differ "
             "from before. Nothing was sent. Home it, set its position, or go on just this once.");
   const Catalog dmx = catalog_of("dmx-k-sa", {{"id", "03"}});
-  EXPECT_TRUE(say(dmx, doubtful({0}), one).starts_with("The position of axis X of device 03 cannot"));
+  EXPECT_TRUE(refusal(dmx, doubtful({0}), one).starts_with("The position of axis X of device 03 cannot"));
 }
 
 TEST(Refusals, AllOfABoardsAxesFitIntoWhatAnOutcomeCanHold) {
   const Catalog board = catalog_of("vme58");
   std::vector<AxisTarget> everywhere;
   for (int i = 0; i < 8; ++i) everywhere.push_back(to(i, -2'147'483'647));
-  const std::string all = say(board, doubtful({0, 1, 2, 3, 4, 5, 6, 7}), intent::MoveTo(everywhere));
+  const std::string all = refusal(board, doubtful({0, 1, 2, 3, 4, 5, 6, 7}), intent::MoveTo(everywhere));
   EXPECT_LE(all.size(), 320u) << all;
 }
 

@@ -49,8 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Reported{"dmx-k-sa", "SL=0\nDO2=0\nDO2=1\nWHILE DI1=1\nENDWHILE\nEND\n", "output 2",
                              "DI1", EventLine::looked_at},
                     Reported{"vme58", "AX BL8 SW0 MR10 GO ID\n", "Out 8", "line 0", EventLine::looked_at}),
-    [](const testing::TestParamInfo<Reported>& info) {
-      std::string name = info.param.model;
+    [](const testing::TestParamInfo<Reported>& tested) {
+      std::string name = tested.param.model;
       std::replace(name.begin(), name.end(), '-', '_');
       return name;
     });

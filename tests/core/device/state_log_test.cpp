@@ -22,7 +22,7 @@ class StateLogTest : public testing::Test {
   Snapshot now;
 };
 
-TEST_F(StateLogTest, TellsEachTurnOnce) {
+TEST_F(StateLogTest, ReportsEachTurnOnce) {
   test::LogReader log;
   StateLog states(catalog);
   states.look(now);
@@ -39,9 +39,9 @@ TEST_F(StateLogTest, TellsEachTurnOnce) {
   states.look(now);
   for (const char* line :
        {"driver.toy: toy: link good, was connecting\n", "toy: it has restarted, time 1\n",
-        "toy: program 2 running, was idle\n", "toy: programs that are not what was sent: bits 00000100\n",
+        "toy: program 2 running, was idle\n", "toy: programs that differ from the text sent: bits 00000100\n",
         "toy: its set-up differs from what is stored\n", "toy: guard of held jogs installed\n",
-        "toy: it names itself Toy, firmware 1.2, serial number \n", "is doubtful: its power was cut\n",
+        "toy: it names itself Toy, firmware 1.2\n", "is doubtful: its power was cut\n",
         "jogging, was unknown\n"})
     EXPECT_THAT(log.text(), HasSubstr(line));
   const std::string once = log.text();
@@ -49,7 +49,20 @@ TEST_F(StateLogTest, TellsEachTurnOnce) {
   EXPECT_EQ(log.text(), once);
 }
 
-TEST_F(StateLogTest, TellsNothingThatHappenedWhileNobodyListened) {
+TEST_F(StateLogTest, LogsWhyAMotionAndAProgramEnded) {
+  test::LogReader log;
+  StateLog states(catalog);
+  now.axes[0].activity = Activity::jogging;
+  now.program.run = RunState::running, now.program.slot = 2;
+  states.look(now);
+  now.axes[0].activity = Activity::idle, now.axes[0].ended_by = EndedBy::limit;
+  now.program.run = RunState::idle, now.program.ended_by = EndedBy::elsewhere;
+  states.look(now);
+  EXPECT_THAT(log.text(), HasSubstr("idle, was jogging, by a limit\n"));
+  EXPECT_THAT(log.text(), HasSubstr("program 2 idle, was running, by another host or at the controller\n"));
+}
+
+TEST_F(StateLogTest, ReportsNothingFromBeforeItsListener) {
   StateLog states(catalog);
   states.look(now);
   now.restarts = 1;

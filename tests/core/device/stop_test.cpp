@@ -66,7 +66,7 @@ TEST_F(StopDeskTest, EachIsFoundByItsNumberUntilItIsClosed) {
   EXPECT_FALSE(desk.stops_all());
 }
 
-TEST_F(StopDeskTest, TellsWhichHasNotGoneOutAtAll) {
+TEST_F(StopDeskTest, ReportsWhichHasNotGoneOutAtAll) {
   StopOrder& first = ask(intent::Stop(1));
   EXPECT_FALSE(desk.another_waits(first)) << "it is alone";
   StopOrder& second = ask(intent::Stop(2));

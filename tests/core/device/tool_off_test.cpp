@@ -47,7 +47,7 @@ TEST(ToolOff, NoneIsMovedByAnAxisOrMissing) {
   EXPECT_THAT(tool_off_of(s, 8), IsEmpty());
 }
 
-TEST(ToolOff, ATextSaysItInAComment) {
+TEST(ToolOff, ATextCarriesItInAComment) {
   const ToolOff tool{{1, false}, {13, true}};
   const std::string line = tool_off_line(tool);
   EXPECT_EQ(line, "Tool off: output 1 off, output 13 on");
@@ -61,7 +61,7 @@ TEST(ToolOff, GivenTwiceItIsAllOfThem) {
               ElementsAre(ToolOutput{1, false}, ToolOutput{2, false}));
 }
 
-TEST(ToolOff, OtherTextSaysNothingOfIt) {
+TEST(ToolOff, OtherTextDoesNotMentionIt) {
   for (const char* text : {"", "X100", "; tool off at noon", "Tool off: output 1 off", "PM-0 ; Tool off: x"})
     EXPECT_THAT(tool_off_in(text).value(), IsEmpty()) << text;
 }

@@ -83,7 +83,7 @@ TEST(FitSpline, PointsOnALineAreDrawnStraightAndTwoAreALine) {
   EXPECT_FALSE(through({}));
 }
 
-TEST(FitSpline, AFileThatSaysNoMoreIsDrawnAndReported) {
+TEST(FitSpline, AFileOfFitPointsAloneIsDrawnAndReported) {
   const std::string head = "0\nSECTION\n2\nENTITIES\n0\nSPLINE\n8\n0\n70\n8\n71\n3\n72\n0\n73\n0\n74\n3\n";
   const auto points = [](const char* last_height) {
     return std::string("11\n0\n21\n0\n31\n0\n11\n1\n21\n3\n31\n0\n11\n5\n21\n2\n31\n") + last_height + "\n";

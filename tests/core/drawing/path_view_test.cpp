@@ -143,7 +143,7 @@ TEST(Projection, AxesInSeveralUnitsAreAlike) {
   EXPECT_NEAR(px.x, 50, 1e-9);
 }
 
-TEST(Projection, TellsWhatLiesBeyondItsEye) {
+TEST(Projection, ReportsWhatLiesBehindTheViewer) {
   const Projection p(cuboid(), looking::iso, true);
   EXPECT_TRUE(p.reaches(cuboid()));
   Box3 larger = cuboid();

@@ -127,7 +127,7 @@ TEST(PathSvg, IsAsLargeAsThePathAndTheRightWayUp) {
   EXPECT_THAT(path_svg(layers, {}), testing::Not(testing::HasSubstr("scale")));
 }
 
-TEST(PathSvg, ABarTellsItsScale) {
+TEST(PathSvg, ABarShowsItsScale) {
   ToolPath path;
   path.go({0, 0}, {130, 0}, true, 0);
   path.go({130, 0}, {130, 60}, true, 0);

@@ -40,7 +40,7 @@ TEST(BenchFile, DescribesWhatHangsOnAnAxis) {
   EXPECT_FALSE(x.place.minus);
 }
 
-TEST(BenchFile, SaysHowWellTheSwitchesRepeat) {
+TEST(BenchFile, SetsHowWellTheSwitchesRepeat) {
   const auto file = parse_bench_file("[axis.1]\nplus = 500\nscatter = 3\nseed = 7\n", two_axes());
   ASSERT_TRUE(file) << file.error().sentence();
   const AxisPlace& place = std::get<bench::Place>(file->at_start[0]).place;
@@ -105,7 +105,7 @@ TEST(BenchFile, AlarmsComeToo) {
   EXPECT_TRUE(std::get<bench::Alarm>(file->later[0].command).on);
 }
 
-TEST(BenchFile, SaysWhereAndWhatIsWrong) {
+TEST(BenchFile, ReportsThePlaceAndTheError) {
   EXPECT_EQ(complaint("[axis.3]\nplus = 1\n"),
             "b.toml:1:1: there is no axis \"3\". Nothing of the file was used. This controller has: 1, X.");
   EXPECT_EQ(complaint("[axis.1]\n\nplus = 1.5\n").substr(0, 62),

@@ -17,7 +17,7 @@ class ToAndFro final : public Emulator {
   void advance_to(Instant now) override { now_ = now; }
   Result<> operate(const BenchCommand&) override { return {}; }
   void look(BenchView&) const override {}
-  void tell_truth(MachineTruth& truth) const override {
+  void report_truth(MachineTruth& truth) const override {
     truth.axis_count = 1;
     truth.axes[0].position = Steps(position());
     truth.axes[0].moving = true;
@@ -58,7 +58,7 @@ TEST(TrackKeeper, KeepsAllOfAnHour) {
   EXPECT_GT(track.size(), 140'000u);
 }
 
-TEST(TrackKeeper, TellsThatALongOneWasThinned) {
+TEST(TrackKeeper, ReportsThatALongOneWasThinned) {
   const auto track = kept_of(4 * 3600);
   EXPECT_LE(track.size(), Track::most_places);
   EXPECT_EQ(thinned_to(track, track_seen_every_s), 4);

@@ -68,7 +68,7 @@ TEST(TalkMeasure, CountsOnlyTheLatestQuestions) {
   EXPECT_EQ(talk.recorder.measure().slowest_of_hundred, Millis(2)) << "what was slow an hour ago is past";
 }
 
-TEST(TalkMeasure, TellsEchoSecondAnswerAndNonsenseApart) {
+TEST(TalkMeasure, DistinguishesEchoSecondAnswerAndNonsense) {
   Talk talk;
   talk.question("@01PX\r", "@01PX\r", Millis(5));
   talk.question("@01PX\r", "1200\r", Millis(5));
@@ -122,7 +122,7 @@ TEST(TalkMeasure, WhatIsAskedAgainWithoutAnAnswerWasMissed) {
   EXPECT_EQ(talk.recorder.measure().unanswered, 2);
 }
 
-TEST(LinkDoctor, SaysWhereTheTimeOfAQuestionGoes) {
+TEST(LinkDoctor, ReportsWhereTheTimeOfAQuestionGoes) {
   const LinkBudget now = link_budget(slow_line()), then = best_link_budget(slow_line());
   EXPECT_EQ(in_millis(now.question), "6.2 ms");
   EXPECT_EQ(in_millis(now.answer), "7.3 ms");
@@ -148,7 +148,7 @@ TEST(LinkDoctor, OffersTheFixesThatCanBeTakenBack) {
   EXPECT_EQ(found.back().state, State::good) << "what is good comes last";
 }
 
-TEST(LinkDoctor, SaysHowToSetATimerThatThisUserMayNotSet) {
+TEST(LinkDoctor, ShowsHowToSetATimerThatThisUserMayNotSet) {
   LinkFacts f = slow_line();
   f.adapter_timer_can_be_set = false;
   f.adapter_timer = "/sys/bus/usb-serial/devices/ttyUSB0/latency_timer";
@@ -165,7 +165,7 @@ TEST(LinkDoctor, FindsNothingToMendOnAGoodLink) {
   for (const LinkFinding& finding : examine_link(f)) EXPECT_EQ(finding.state, State::good) << finding.what;
 }
 
-TEST(LinkDoctor, TellsSilenceFromAWrongRate) {
+TEST(LinkDoctor, DistinguishesSilenceFromAWrongRate) {
   LinkFacts f;
   f.answers = false;
   f.rate = 9600;

@@ -44,9 +44,9 @@ TEST_F(LinkLog, AQuestionThatIsCutShortForAStop) {
   time.run_for(std::chrono::seconds(1));
 }
 
-TEST_F(LinkLog, AnAnswerThatNobodyAsksForAnyMore) {
+TEST_F(LinkLog, AnAnswerThatIsNoLongerAwaited) {
   station.doubt({});
-  EXPECT_THAT(log.text(), HasSubstr("link: an answer may still come"));
+  EXPECT_THAT(log.text(), HasSubstr("link: a reply that is no longer awaited may still come"));
 }
 
 TEST_F(LinkLog, ARateThatIsSet) {

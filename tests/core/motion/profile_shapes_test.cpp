@@ -163,7 +163,7 @@ TEST(ProfileShapes, EveryShapeChangesSpeedOnTheMove) {
   }
 }
 
-TEST(ProfileShapes, PhasesTellTheRamps) {
+TEST(ProfileShapes, PhasesFollowTheRamps) {
   const Profile p = Profile::index(start, 10'000, Pps(1000), Ramp(1000, 2000, Pps(100)));
   EXPECT_EQ(p.phase(start), Phase::accelerating);
   EXPECT_EQ(p.phase(start + std::chrono::seconds(2)), Phase::constant);

@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-struct Ran {
+struct FinishedRun {
   Result<> result;
   std::string printed, logged;
   Instant ended;
@@ -26,7 +26,7 @@ struct Ran {
   }
 };
 
-void run_into(Ran& ran, std::string_view text, Limits limits = {}, Stage* stage = nullptr,
+void run_into(FinishedRun& ran, std::string_view text, Limits limits = {}, Stage* stage = nullptr,
               std::vector<std::string> args = {}) {
   IoContext io{1};
   HybridScheduler time(io, false);
@@ -42,16 +42,16 @@ void run_into(Ran& ran, std::string_view text, Limits limits = {}, Stage* stage 
   ran.ended = time.now();
 }
 
-Ran run(std::string_view text, Limits limits = {}, Stage* stage = nullptr,
-        std::vector<std::string> args = {}) {
-  Ran ran;
+FinishedRun run(std::string_view text, Limits limits = {}, Stage* stage = nullptr,
+                std::vector<std::string> args = {}) {
+  FinishedRun ran;
   run_into(ran, text, limits, stage, std::move(args));
   return ran;
 }
 
 // The script has lost what it is run for: no pcall keeps it going.
 TEST(Runner, ResultsThatNobodyGetsEndTheRun) {
-  Ran ran;
+  FinishedRun ran;
   ran.room = 4;
   run_into(ran, "print('a')\nfor i = 1, 9 do pcall(print, 'b') end\nhw.log('c')");
   EXPECT_EQ(ran.fault(), "test.lua:2: The output cannot be written.");
@@ -60,13 +60,13 @@ TEST(Runner, ResultsThatNobodyGetsEndTheRun) {
 }
 
 TEST(Runner, RunsToTheEndOfTheScript) {
-  const Ran ran = run("print(1, 'two', hw.args[1], hw.args[0])", {}, nullptr, {"arg"});
+  const FinishedRun ran = run("print(1, 'two', hw.args[1], hw.args[0])", {}, nullptr, {"arg"});
   EXPECT_TRUE(ran.result) << ran.fault();
   EXPECT_EQ(ran.printed, "1\ttwo\targ\tsome/folder/test.lua\n");
 }
 
 TEST(Runner, SleepsInVirtualTime) {
-  const Ran ran = run("hw.sleep(1.5) print(hw.now()) hw.sleep(0.25)");
+  const FinishedRun ran = run("hw.sleep(1.5) print(hw.now()) hw.sleep(0.25)");
   EXPECT_EQ(ran.printed, "1.5\n");
   EXPECT_EQ(ran.ended, Instant(Millis(1750)));
 }
@@ -117,7 +117,7 @@ TEST(Runner, LuasOwnMessageAboutNilIsCompleted) {
 }
 
 TEST(Runner, AFailedCheckSurvivesNoPcall) {
-  const Ran ran = run("pcall(function() hw.check(false, 'no') end) print('never')");
+  const FinishedRun ran = run("pcall(function() hw.check(false, 'no') end) print('never')");
   EXPECT_EQ(ran.fault(), "test.lua:1: hw.check failed: no");
   EXPECT_EQ(ran.printed, "");
 }
@@ -128,7 +128,7 @@ TEST(Runner, EndsALoopWithoutEnd) {
   Limits limits;
   limits.instructions = 1'000'000;
   EXPECT_THAT(run("\nwhile true do end", limits).fault(), StartsWith("test.lua:2: The script ran 1 million"));
-  EXPECT_THAT(run("while true do hw.sleep(0) end", limits).fault(), HasSubstr("without letting time go on"));
+  EXPECT_THAT(run("while true do hw.sleep(0) end", limits).fault(), HasSubstr("without letting time pass"));
   EXPECT_EQ(run("for i = 1, 300 do for j = 1, 10000 do end hw.sleep(0.01) end", limits).fault(), "none");
 }
 
@@ -151,10 +151,10 @@ TEST(Runner, EndsNestedCoroutinesThatCatchEverything) {
 }
 
 // Runs a script that computes for ever, and does something to it from another thread once it does.
-Ran run_beside(std::string_view text, const std::function<void(Runner&)>& act) {
+FinishedRun run_beside(std::string_view text, const std::function<void(Runner&)>& act) {
   IoContext io{1};
   HybridScheduler time(io, true);
-  Ran ran;
+  FinishedRun ran;
   RunOptions options;
   options.path = "test.lua";
   options.print = [&](std::string_view line) { return ran.print(line); };
@@ -171,8 +171,8 @@ Ran run_beside(std::string_view text, const std::function<void(Runner&)>& act) {
 }
 
 TEST(Runner, AnInterruptEndsAScriptThatComputes) {
-  const Ran ran = run_beside("pcall(function() while true do end end) print('never')",
-                             [](Runner& runner) { runner.interrupt(); });
+  const FinishedRun ran = run_beside("pcall(function() while true do end end) print('never')",
+                                     [](Runner& runner) { runner.interrupt(); });
   EXPECT_EQ(ran.fault(), "Interrupted.");
   EXPECT_EQ(ran.printed, "");
 }
@@ -187,7 +187,7 @@ void expect_left(const std::string& text) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
     };
-    const Ran ran = run_beside(
+    const FinishedRun ran = run_beside(
         "local function hang() return string.find(('a'):rep(60), ('a-'):rep(30) .. 'b') end\n" + text,
         get_out);
     EXPECT_THAT(ran.fault(), StartsWith(interrupted ? "Interrupted." : "The script computed for 20 s"));
@@ -213,7 +213,7 @@ TEST(Runner, LimitsMemory) {
               HasSubstr("needed more than 4 MB"));
 }
 
-TEST(Runner, AModuleTellsItsOwnLine) {
+TEST(Runner, AModuleReportsItsOwnLine) {
   EXPECT_EQ(run("require('none')").fault(),
             "test.lua:1: require \"none\": there is no none.lua in the script's folder");
 }

@@ -190,7 +190,7 @@ TEST(Rest, RefusesWhatNobodyCanKnow) {
   EXPECT_THAT(why(of({{to(1, 1)}, {Custom{"", "X5"}}, {to(1, {})}}), 2), HasSubstr("step 2 (Own text X5)"));
 }
 
-TEST(Rest, TellsThatHomingIsLeftOut) {
+TEST(Rest, ReportsThatHomingIsLeftOut) {
   const Sequence s = of({{Home{0}}, {to(1, 1)}, {to(2, 2)}});
   EXPECT_TRUE(rest_from(s, 2)->leaves_homing_out);
   EXPECT_FALSE(rest_from(s, 0)->leaves_homing_out);

@@ -52,7 +52,7 @@ Sequence one_of_each() {
   return s;
 }
 
-TEST(SequenceFile, AnArcSaysItsAxesOnlyWhereTheyAreNotTheFirstTwo) {
+TEST(SequenceFile, AnArcNamesItsAxesOnlyIfTheyAreNotTheFirstTwo) {
   Sequence s;
   s.axes = {{"X"}, {"Y"}, {"Z"}};
   s.steps = {{Arc{1, 2, 90}}, {Arc{1, 2, 90, {}, {0, 2}}}, {Contour{0, 0, 0, true, {}, {}, {2, 1}}}};

@@ -76,7 +76,7 @@ TEST_P(ConversionTest, TheToolGoesThroughEveryVertexAndNowhereElse) {
   EXPECT_EQ(rehearsal.outputs.at(std::to_string(output_number())), 0) << "the tool is up";
 }
 
-TEST_P(ConversionTest, ADrawingThatLeavesTheTableSaysWhere) {
+TEST_P(ConversionTest, ADrawingThatLeavesTheTableReportsWhere) {
   drawing::Box table;
   table.add({0, 0}), table.add({7, 8});
   o.table = table;
@@ -154,8 +154,10 @@ TEST_P(ConversionTest, OneSpeedAloneIsNotTakenForTheOther) {
     EXPECT_THAT(refusal(), HasSubstr("Give --travel-speed too."));
 }
 
-TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
-  const auto refusal = [&](drawing::Curve curve) {
+/// What is said of a drawing that is this curve.
+class FarConversionTest : public ConversionTest {
+ protected:
+  std::string refusal(const drawing::Curve& curve) {
     drawing::Drawing far;
     far.unit = "mm", far.layers = {{"0", true}};
     far.paths = {{{curve}, 1, 2, 0}};
@@ -164,7 +166,12 @@ TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
     if (!converted) return converted.error().sentence();
     const auto written = type.language().write(converted->sequence, catalog);
     return written ? written->text : written.error().sentence();
-  };
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Every, FarConversionTest, testing::Values("vxm", "pmx-4ex-sa", "vme58"),
+                         [](const auto& info) { return std::string(info.param).substr(0, 3); });
+
+TEST_P(FarConversionTest, IsRefusedByItsStep) {
   const double reach = static_cast<double>(catalog.position_max.value) / per_unit;
   const auto line = drawing::Curve::Kind::line;
   EXPECT_THAT(refusal({line, {0, 0}, {reach + 1, 0}, {}, 0}),
@@ -177,8 +184,11 @@ TEST_P(ConversionTest, WhatIsOutOfTheReachOfItsCountersIsRefusedByItsStep) {
                                             : "reaches to -1e+300 mm"));
     EXPECT_LT(sentence.size(), 150u) << sentence;
   }
-  if (going_of(catalog) != drawing::Going::arcs) return;
-  const double radius = reach - 2;
+}
+
+TEST_P(FarConversionTest, AnArcIsRefusedByTheLargestThatIsPossible) {
+  if (going_of(catalog) != drawing::Going::arcs) GTEST_SKIP() << "it draws no arcs";
+  const double radius = static_cast<double>(catalog.position_max.value) / per_unit - 2;
   EXPECT_THAT(refusal({drawing::Curve::Kind::arc, {radius, 0}, {0, radius}, {0, 0}, 90}),
               HasSubstr("134216773 is the largest"));
 }
@@ -322,7 +332,7 @@ TEST(Conversion, AnOutlineIsShownWhereTheUnitIsNotGiven) {
   EXPECT_NEAR(outline->path.points.back().y, 40 * 25.4 / 2, 1e-9);
 }
 
-TEST_P(ConversionTest, WhoSaysTheUnitIsBelievedBeforeTheFile) {
+TEST_P(ConversionTest, AGivenUnitOverridesTheFile) {
   auto sentence = drawing::read_dxf(drawing_text(), "a.dxf", drawing::Tolerance{0.01});
   ASSERT_TRUE(sentence) << sentence.error().sentence();
   sentence->unit = "mm";

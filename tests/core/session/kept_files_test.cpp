@@ -59,7 +59,7 @@ TEST(Profile, DamagedFileIsPutAsideWithASentence) {
     const auto loaded = store.load("k");
     ASSERT_FALSE(loaded) << damage;
     EXPECT_THAT(loaded.error().sentence(), HasSubstr("is damaged"));
-    EXPECT_THAT(loaded.error().sentence(), HasSubstr(".damaged, and a new one begins"));
+    EXPECT_THAT(loaded.error().sentence(), HasSubstr(".damaged, and a new file is begun"));
     EXPECT_EQ(folder.get(file + ".damaged"), damage);
     EXPECT_TRUE(store.load("k")) << "the next start goes on";
     EXPECT_TRUE(store.save("k", stage()));
@@ -92,7 +92,7 @@ TEST(Profile, OfANewerHandwheelIsKeptWhole) {
   const auto loaded = store.load("k");
   ASSERT_FALSE(loaded);
   EXPECT_THAT(loaded.error().sentence(), HasSubstr("The file with the name and units"));
-  EXPECT_THAT(loaded.error().sentence(), HasSubstr(".newer, and a new one begins"));
+  EXPECT_THAT(loaded.error().sentence(), HasSubstr(".newer, and a new file is begun"));
   ASSERT_TRUE(store.save("k", stage()));
   EXPECT_EQ(folder.get(file + ".newer"), bytes);
 }
@@ -197,6 +197,33 @@ TEST(Recent, KnowsWhatTheLastRunHasOpened) {
   EXPECT_EQ(now.last_time(), both);
   ASSERT_TRUE(now.remove("vxm@emulator"));
   EXPECT_EQ(now.last_time(), std::vector<std::string>{"vxm@serial:/dev/ttyUSB0"});
+}
+
+TEST(Recent, KnowsWhenTheLastRunEnded) {
+  test::Folder folder;
+  const UserFolders folders = UserFolders::below(folder.path());
+  const ClosingTime evening{"2026-11-27", "18:02"};
+  {
+    RecentConnections first(folders);
+    ASSERT_TRUE(first.opened("vxm@tcp:h:1", ""));
+    ASSERT_TRUE(first.ended(evening));
+  }
+  {
+    RecentConnections idle(folders);  // it opens nothing: "last time" is still the run before
+    ASSERT_TRUE(idle.load());
+    EXPECT_EQ(idle.last_end(), evening);
+    ASSERT_TRUE(idle.renamed("vxm@tcp:h:1", "Stage"));
+    ASSERT_TRUE(idle.ended({"2026-11-28", "09:48"}));
+  }
+  RecentConnections broken_off(folders);
+  ASSERT_TRUE(broken_off.load());
+  EXPECT_EQ(broken_off.last_end(), evening);
+  ASSERT_TRUE(broken_off.opened("vxm@tcp:h:2", ""));
+  RecentConnections now(folders);
+  ASSERT_TRUE(now.load());
+  EXPECT_EQ(now.last_end(), ClosingTime()) << "nobody knows when it broke off";
+  folder.put("state/recent.json", R"({"connections": [], "closed": 7})");
+  EXPECT_FALSE(now.load());
 }
 
 TEST(Recent, DamagedFileIsPutAside) {

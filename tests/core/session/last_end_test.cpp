@@ -54,7 +54,7 @@ TEST(LastEnds, HeadlessRunsWriteNone) {
   EXPECT_TRUE(ends.take()->empty());
 }
 
-TEST(LastEnd, SaysWhatIsKnown) {
+TEST(LastEnd, ReportsWhatIsKnown) {
   LastEnd end = some_end();
   EXPECT_EQ(end.sentence("2026-11-23"),
             "At 14:02:11 the session was ended (SIGTERM). PMX table: axis X was moving; it was stopped, and "

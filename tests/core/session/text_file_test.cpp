@@ -52,7 +52,7 @@ TEST(TextFile, RefusesWhatIsTooBigOrNotThere) {
   EXPECT_THAT(directory.error().sentence(), HasSubstr("is a folder"));
 }
 
-TEST(TextFile, DiskFullKeepsTheOldFileAndSaysSo) {
+TEST(TextFile, DiskFullKeepsTheOldFileAndReportsIt) {
   test::Folder folder;
   const auto path = folder.put("scan.vxm", "old text\n");
   // The kernel refuses to let any file grow past this, as a full disk does.

@@ -31,7 +31,7 @@ TEST(HybridScheduler, StopsWhereItIsDone) {
   EXPECT_EQ(time.now(), Instant(Millis(100)));
 }
 
-TEST(HybridScheduler, SaysWhenNothingCanComeAnyMore) {
+TEST(HybridScheduler, ReportsWhenNothingCanComeAnyMore) {
   IoContext io{1};
   HybridScheduler time(io, false);
   EXPECT_EQ(time.run_until(Instant::max(), never), Turn::stuck);

@@ -54,7 +54,7 @@ TEST_F(SchedulerTest, ASleepTakesExactlyItsTime) {
   EXPECT_EQ(woke, Instant(Millis(1234)));
 }
 
-TEST_F(SchedulerTest, AnEventWakesAllWhoWaitAndTellsWhoWasTooLate) {
+TEST_F(SchedulerTest, AnEventWakesAllWhoWaitAndReportsWhoWasTooLate) {
   Event event(time);
   std::vector<bool> came;
   const auto waiter = [](Event& e, Instant until, std::vector<bool>& out) -> Task<> {

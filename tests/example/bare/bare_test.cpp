@@ -123,7 +123,7 @@ TEST(Bare, AScriptMovesIt) {
   EXPECT_EQ(printed("c:move_to{A = 250} c:wait() print(c:position('A'))"), "250\n");
 }
 
-TEST(Bare, AScriptIsToldWhatTheDeviceLacks) {
+TEST(Bare, AScriptIsRefusedWhatTheDeviceLacks) {
   EXPECT_THAT(printed("print(c:run(0))"), HasSubstr("Twin has no programs."));
   EXPECT_THAT(printed("print(c:load('x', 0))"), HasSubstr("Twin has no programs."));
   EXPECT_THAT(printed("print(c:program(0))"), HasSubstr("Twin has no programs."));

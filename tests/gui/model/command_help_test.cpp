@@ -19,7 +19,7 @@ struct CommandHelpTest : ::testing::Test {
   CommandHelp help{catalog};
 };
 
-TEST_F(CommandHelpTest, SaysWhatEnterWouldDo) {
+TEST_F(CommandHelpTest, ShowsWhatEnterWouldDo) {
   EXPECT_EQ(hint("S1M500"), "speed of motor m. Stored in the program, moves nothing now");
   EXPECT_EQ(hint("S1M"), "speed of motor m. Stored in the program, moves nothing now") << "half typed";
   EXPECT_EQ(hint("R"), "run the program. Enter moves something now");

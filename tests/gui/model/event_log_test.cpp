@@ -25,7 +25,7 @@ std::string words(const Ending& e) {
   return event.who + " " + event.words;
 }
 
-Ending motion(EndedBy by, StoppedBy who = StoppedBy::nobody) {
+Ending motion(EndedBy by, StoppedBy who = StoppedBy::unknown) {
   Ending e;
   e.axis = 1;
   e.began = Instant{seconds(2)}, e.at = Instant{seconds(9)};
@@ -34,7 +34,7 @@ Ending motion(EndedBy by, StoppedBy who = StoppedBy::nobody) {
   return e;
 }
 
-TEST(EndingWords, SayHowAMotionEndedAndWhere) {
+TEST(EndingWords, ShowHowAMotionEndedAndWhere) {
   EXPECT_EQ(words(motion(EndedBy::target)), "Y reached its target, at 85 mm");
   EXPECT_EQ(words(motion(EndedBy::stop, StoppedBy::key)), "Y motion stopped by Esc, at 85 mm");
   EXPECT_EQ(words(motion(EndedBy::abort, StoppedBy::script)),
@@ -49,7 +49,7 @@ Ending of_run(Ending e, double at) {
   e.at = Instant(from_seconds(at));
   return e;
 }
-Ending program(EndedBy by, double at, StoppedBy who = StoppedBy::nobody) {
+Ending program(EndedBy by, double at, StoppedBy who = StoppedBy::unknown) {
   Ending e;
   e.what = Ending::What::program;
   e.slot = 2;
@@ -58,7 +58,7 @@ Ending program(EndedBy by, double at, StoppedBy who = StoppedBy::nobody) {
   return e;
 }
 /// All lines, oldest first.
-std::string told(std::initializer_list<Ending> endings) {
+std::string reported(std::initializer_list<Ending> endings) {
   EventLog log;
   for (const Ending& ending : endings) log.add(ending, catalog, in_mm);
   std::string all;
@@ -71,11 +71,11 @@ TEST(OneThingIsOneLine, AProgramAndTheMotionThatAStopEndsWithIt) {
   y.timed = true;
   y.to_rest = Millis(84), y.ran_on = Steps(100);
   constexpr const char* line = "Program 2 stopped by Esc; Y at rest 84 ms later, 1 mm on, at 85 mm";
-  EXPECT_EQ(told({y, program(EndedBy::stop, 9.2, StoppedBy::key)}), line);
-  EXPECT_EQ(told({program(EndedBy::stop, 8.5, StoppedBy::key), y}), line) << "it still slowed down";
+  EXPECT_EQ(reported({y, program(EndedBy::stop, 9.2, StoppedBy::key)}), line);
+  EXPECT_EQ(reported({program(EndedBy::stop, 8.5, StoppedBy::key), y}), line) << "it still slowed down";
   Ending x = y;
   x.axis = 0;
-  EXPECT_EQ(told({y, x, program(EndedBy::stop, 9.2, StoppedBy::key)}),
+  EXPECT_EQ(reported({y, x, program(EndedBy::stop, 9.2, StoppedBy::key)}),
             std::string(line) + "; X at rest 84 ms later, 1 mm on, at 85 mm");
 }
 
@@ -84,17 +84,17 @@ TEST(OneThingIsOneLine, AProgramThatALimitEnds) {
   y.limit_plus = true;
   Ending run = program(EndedBy::limit, 9.1);
   run.failed_axis = 1, run.error = AxisError::limit_plus;
-  EXPECT_EQ(told({y, run}), "Program 2 ended on a limit: Y hit its + limit, at 85 mm");
+  EXPECT_EQ(reported({y, run}), "Program 2 ended on a limit: Y hit its + limit, at 85 mm");
 }
 
 TEST(OneThingIsOneLine, NotAMotionThatEndedLongBeforeOrAsItWasMeant) {
   Ending y = of_run(motion(EndedBy::limit), 4);
   y.limit_plus = true;
-  EXPECT_EQ(told({y, program(EndedBy::target, 9)}),
+  EXPECT_EQ(reported({y, program(EndedBy::target, 9)}),
             "Y motion ended on its + limit, at 85 mm | Program 2 ran to its end");
-  EXPECT_EQ(told({of_run(motion(EndedBy::target), 9), program(EndedBy::stop, 9, StoppedBy::key)}),
+  EXPECT_EQ(reported({of_run(motion(EndedBy::target), 9), program(EndedBy::stop, 9, StoppedBy::key)}),
             "Y reached its target, at 85 mm | Program 2 stopped by Esc");
-  EXPECT_EQ(told({motion(EndedBy::stop, StoppedBy::key), program(EndedBy::stop, 9, StoppedBy::key)}),
+  EXPECT_EQ(reported({motion(EndedBy::stop, StoppedBy::key), program(EndedBy::stop, 9, StoppedBy::key)}),
             "Y motion stopped by Esc, at 85 mm | Program 2 stopped by Esc")
       << "it was no motion of the program";
 }
@@ -102,13 +102,13 @@ TEST(OneThingIsOneLine, NotAMotionThatEndedLongBeforeOrAsItWasMeant) {
 TEST(OneThingIsOneLine, NotAMotionBesideAProgramThatRanToItsEnd) {
   Ending y = of_run(motion(EndedBy::limit), 6.5);
   y.limit_plus = true;
-  EXPECT_EQ(told({y, program(EndedBy::target, 9)}),
+  EXPECT_EQ(reported({y, program(EndedBy::target, 9)}),
             "Y motion ended on its + limit, at 85 mm | Program 2 ran to its end");
 }
 
 TEST(OneThingIsOneLine, NotAMotionThatEndsLongAfterTheProgram) {
   const Ending y = of_run(motion(EndedBy::stop, StoppedBy::key), 9);
-  EXPECT_EQ(told({program(EndedBy::stop, 5, StoppedBy::key), y}),
+  EXPECT_EQ(reported({program(EndedBy::stop, 5, StoppedBy::key), y}),
             "Program 2 stopped by Esc | Y motion stopped by Esc, at 85 mm");
 }
 
@@ -135,8 +135,12 @@ TEST(EndingWords, NameTheLimitAndTheError) {
 TEST(EndingWords, NameWhatMayHaveCutItShortOrLostIt) {
   Ending e = motion(EndedBy::elsewhere);
   e.beside_program = true;
+  EXPECT_EQ(
+      words(e),
+      "Y motion was cut short by the program that runs, by another host or at the controller, at 85 mm");
+  e.beside_program = false, e.perhaps_limit = true;
   EXPECT_EQ(words(e),
-            "Y motion was cut short by the program that runs, another host or at the controller, at 85 mm");
+            "Y motion was cut short by a limit switch, by another host or at the controller, at 85 mm");
   e = motion(EndedBy::lost);
   EXPECT_EQ(words(e), "Y motion ended unseen: it is not known how, at 85 mm");
   e.lost_with = Doubt::power_cut;
@@ -147,7 +151,17 @@ TEST(EndingWords, NameWhatMayHaveCutItShortOrLostIt) {
   EXPECT_EQ(words(e), "Program 0 ended on a limit: X hit its + limit");
 }
 
-TEST(EndingWords, TellAStopsCourse) {
+TEST(OneThingIsOneLine, AProgramThatAnotherHostCutsShort) {
+  Ending y = of_run(motion(EndedBy::elsewhere), 9);
+  y.beside_program = false;
+  EXPECT_EQ(reported({y, program(EndedBy::elsewhere, 9.3)}),
+            "Program 2 was cut short by another host or at the controller; Y stopped, at 85 mm");
+  EXPECT_EQ(reported({y, program(EndedBy::target, 9.3)}),
+            "Y motion was cut short by another host or at the controller, at 85 mm | "
+            "Program 2 ran to its end");
+}
+
+TEST(EndingWords, ShowAStopsCourse) {
   Ending e = motion(EndedBy::stop, StoppedBy::key);
   e.timed = true, e.to_rest = Millis(84), e.ran_on = Steps(200);
   EXPECT_EQ(words(e), "Y motion stopped by Esc: at rest 84 ms later, 2 mm on, at 85 mm");
@@ -156,7 +170,7 @@ TEST(EndingWords, TellAStopsCourse) {
             "Y motion stopped by Esc: slowing down 31 ms later, at rest 84 ms later, 2 mm on, at 85 mm");
 }
 
-TEST(EndingWords, TellAJogAHomingAndARunApart) {
+TEST(EndingWords, DistinguishAJogAHomingAndARun) {
   Ending e = motion(EndedBy::stop, StoppedBy::let_go);
   e.what = Ending::What::jog;
   EXPECT_EQ(words(e), "Y jog ended when its button was let go, at 85 mm");
@@ -172,7 +186,7 @@ TEST(EndingWords, TellAJogAHomingAndARunApart) {
   EXPECT_EQ(words(run), "List stopped by the Stop button after 4 of 12");
 }
 
-TEST(EndingWords, OfAProgramInErrorTellTheLineAndTheAxisAsFarAsTheyAreKnown) {
+TEST(EndingWords, OfAProgramInErrorShowTheLineAndTheAxisAsFarAsTheyAreKnown) {
   Ending run;
   run.what = Ending::What::program, run.slot = 1, run.by = EndedBy::error;
   EXPECT_EQ(words(run), "Program 1 stopped with an error");

@@ -17,11 +17,11 @@ class JogHoldTest : public testing::Test {
   int keep_alives = 0;
   IntentId last = 0;
 
-  using Hand = JogHold::Hand;
-  const JogHold::Control plus{Hand::mouse, AxisId{0}, Sign::plus};
-  const JogHold::Control minus{Hand::mouse, AxisId{0}, Sign::minus};
-  const JogHold::Control key{Hand::keyboard, AxisId{0}, Sign::plus};
-  const JogHold::Control other_key{Hand::keyboard, AxisId{1}, Sign::plus};
+  using Source = JogHold::Source;
+  const JogHold::Control plus{Source::mouse, AxisId{0}, Sign::plus};
+  const JogHold::Control minus{Source::mouse, AxisId{0}, Sign::minus};
+  const JogHold::Control key{Source::keyboard, AxisId{0}, Sign::plus};
+  const JogHold::Control other_key{Source::keyboard, AxisId{1}, Sign::plus};
   const JogHold::Want ten{Steps(10), Pps(500)};
 
   IntentId note(const IntentBody& body) {

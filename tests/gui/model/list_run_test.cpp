@@ -11,7 +11,7 @@ using ::testing::HasSubstr;
 struct ListRunTest : ::testing::Test {
   void begin() { run.begin("line 1 0\n", {AxisTarget{AxisId{0}, Steps(1)}}, send); }
   void frame(bool looked_at = true) {
-    run.follow(now, send);
+    run.follow(now, send, words);
     if (looked_at) run.looked_at();
   }
   void settle(IntentState state, const char* sentence = "") {
@@ -22,6 +22,9 @@ struct ListRunTest : ::testing::Test {
   [[nodiscard]] bool started() const { return std::holds_alternative<intent::RunProgram>(sent.back()); }
 
   ListRun run;
+  ListRun::Words words = [](const IntentOutcome& ended) {
+    return "In its unit: " + std::string(ended.sentence.view());
+  };
   Snapshot now;
   std::vector<IntentBody> sent;
   ListRun::Send send = [this](IntentBody body) {
@@ -52,7 +55,7 @@ TEST_F(ListRunTest, ItIsNotStartedAfterAStop) {
   EXPECT_FALSE(started());
 }
 
-TEST_F(ListRunTest, ItIsNotStartedOnceAnotherPanelIsInFrontAndSaysSo) {
+TEST_F(ListRunTest, ItIsNotStartedOnceAnotherPanelIsInFrontAndReportsIt) {
   begin();
   frame();
   frame(false);
@@ -77,7 +80,7 @@ TEST_F(ListRunTest, ItIsBusyUntilItIsLoadedAndAFailureIsReportedWhateverPanelIsI
   EXPECT_FALSE(run.busy());
   const auto reported = run.take_report();
   ASSERT_EQ(reported.size(), 1u);
-  EXPECT_EQ(reported[0].sentence, "The link was lost.");
+  EXPECT_EQ(reported[0].sentence, "In its unit: The link was lost.");
 }
 
 TEST_F(ListRunTest, ARefusedStartIsReportedEvenIfNoPanelTakesIt) {
@@ -92,7 +95,7 @@ TEST_F(ListRunTest, ARefusedStartIsReportedEvenIfNoPanelTakesIt) {
   EXPECT_FALSE(run.take_refusal());
   const auto reported = run.take_report();
   ASSERT_EQ(reported.size(), 1u);
-  EXPECT_EQ(reported[0].sentence, "X is off.");
+  EXPECT_EQ(reported[0].sentence, "In its unit: X is off.");
 }
 
 }  // namespace

@@ -217,7 +217,7 @@ TEST_F(ProgramJobTest, LostLinkEndsTheJob) {
   EXPECT_THAT(job.take_report().sentence, HasSubstr("The link was lost"));
 }
 
-TEST_F(ProgramJobTest, StoreSaysHowManyWritesWereUsed) {
+TEST_F(ProgramJobTest, StoreShowsHowManyWritesWereUsed) {
   texts.set_text(0, "I1");
   begin(ProgramJob::Goal::store);
   settle(IntentState::done);
@@ -260,7 +260,7 @@ TEST_F(ProgramJobTest, FetchBringsTheListingAndClearLeavesTheText) {
   EXPECT_TRUE(texts.held(0).listing.empty());
 }
 
-TEST_F(ProgramJobTest, FetchSaysHowToGetBackWhatItReplaces) {
+TEST_F(ProgramJobTest, FetchReportsHowToGetBackWhatItReplaces) {
   begin(ProgramJob::Goal::fetch);
   texts.listed(0, "L9\n", Instant());
   settle(IntentState::done);

@@ -135,7 +135,7 @@ TEST_F(ProgramTextsTest, HeadingsFillOtherSlotsToo) {
   EXPECT_FALSE(texts.controller_has(0)) << "slot 1 belongs to this text";
 }
 
-TEST_F(ProgramTextsTest, NoteSaysWhoHoldsWhat) {
+TEST_F(ProgramTextsTest, NoteShowsWhichProgramIsHeldWhere) {
   EXPECT_EQ(note(), "");
   now.slot_bytes_used[0] = 12;
   EXPECT_THAT(

@@ -37,7 +37,7 @@ TEST_F(ProvenanceTest, NamesWhoHasSetWhereItStandsAndWhen) {
   EXPECT_EQ(words(), "set by hand 13:59");
 }
 
-TEST_F(ProvenanceTest, SaysTheDayOfWhatIsOlderThanToday) {
+TEST_F(ProvenanceTest, ShowsTheDayIfOlderThanToday) {
   axis().trust.settle(Trust::homed, clock - hours(14));
   EXPECT_EQ(words(), "homed 00:00");
   axis().trust.settle(Trust::homed, clock - hours(15));

@@ -29,7 +29,7 @@ TEST(Rehearsals, ResultComesInALaterFrameWithTheTextItIsOf) {
   EXPECT_EQ(rehearsals.older_than_line(1, "I1\nI2\nI4"), 2);
 }
 
-TEST(Rehearsals, SayWhenTheyDoNotBeginWhereTheAxesStand) {
+TEST(Rehearsals, ReportThatTheyDoNotBeginWhereTheAxesStand) {
   test::ToyLanguage language;  // whose rehearsals begin at 0
   Worker worker;
   Rehearsals rehearsals;
@@ -66,7 +66,7 @@ TEST(Rehearsals, SayWhenTheyDoNotBeginWhereTheAxesStand) {
 }
 
 // What has changed is told by its kind and its place, whatever it is of all that the rehearsal began from.
-TEST(Rehearsals, SayWhatHasChangedOfTheWholeController) {
+TEST(Rehearsals, ReportWhatHasChangedOfTheWholeController) {
   test::ToyLanguage language;
   Worker worker;
   Rehearsals rehearsals;

@@ -133,7 +133,7 @@ TEST_F(RunFollowerTest, TimeStandsStillWhileItIsHeld) {
   EXPECT_NEAR(follower.run_s(), 1.4, 1e-6);
 }
 
-TEST_F(RunFollowerTest, WhatTheControllerTellsPutsItRight) {
+TEST_F(RunFollowerTest, AReportOfTheControllerCorrectsIt) {
   when(11.2);  // it is later in truth
   now.program.run = RunState::held;
   now.program.command = 2;
@@ -151,7 +151,7 @@ TEST_F(RunFollowerTest, AProgramThatSomebodyChangesIsNotFollowed) {
   EXPECT_FALSE(follower.left_s());
 }
 
-TEST_F(RunFollowerTest, SaysNothingItCannotKnow) {
+TEST_F(RunFollowerTest, ReportsNothingItCannotKnow) {
   EXPECT_EQ(when(30).command, -1) << "longer than the rehearsal: something waits that was not rehearsed";
   EXPECT_FALSE(follower.left_s());
   now.program.run = RunState::idle;

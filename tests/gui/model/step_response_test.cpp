@@ -48,7 +48,7 @@ TEST(StepResponse, AStepDownIsTurnedRound) {
   EXPECT_TRUE(m.settled);
 }
 
-TEST(StepResponse, WhatDidNotSettleOrMoveSaysSo) {
+TEST(StepResponse, AStepThatDidNotSettleOrMoveReportsIt) {
   const StepMeasures m = measure(recorded(100, {0, 10, 20, 30}));
   EXPECT_FALSE(m.settled);
   EXPECT_FALSE(m.rose);

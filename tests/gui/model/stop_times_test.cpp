@@ -18,7 +18,7 @@ Ending stop(int axis, Duration to_rest, std::int64_t on) {
   return e;
 }
 
-TEST(StopTimes, TellTheLastOneAndWhatAlmostAllKeep) {
+TEST(StopTimes, ShowTheLastOneAndWhatAlmostAllKeep) {
   StopTimes times;
   EXPECT_EQ(times.words(), "");
   times.add(stop(0, Millis(84), 680), in_steps);
@@ -32,7 +32,7 @@ TEST(StopTimes, TellTheLastOneAndWhatAlmostAllKeep) {
             "within 100 ms and 680 steps.");
 }
 
-TEST(StopTimes, SayWhatTheStopButtonDoesToo) {
+TEST(StopTimes, DescribeTheStopButtonToo) {
   StopTimes times;
   EXPECT_EQ(times.tip(),
             "Stops this controller with its ramp. Again, or Shift Esc: at once, without a ramp.");
@@ -55,7 +55,7 @@ TEST(StopTimes, EachFigureHasItsPercentile) {
       << times.words();
 }
 
-TEST(StopTimes, WhereTheControllerTellsItSlowingDownIsAFigureOfItsOwn) {
+TEST(StopTimes, IfTheControllerReportsItSlowingDownIsAFigureOfItsOwn) {
   StopTimes times;
   Ending seen = stop(0, Millis(84), 680);
   seen.to_slowing = Millis(31);

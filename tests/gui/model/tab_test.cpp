@@ -88,9 +88,9 @@ TEST_F(TabTest, ARefusalThatNobodyWatchesBecomesAComplaint) {
   EXPECT_EQ(tab.complaints()[0], "Not now. Nothing was sent.");
 }
 
-TEST_F(TabTest, ATapRefusedAtALimitIsToldByThePadElseByAComplaint) {
+TEST_F(TabTest, ATapRefusedAtALimitIsReportedByThePadElseByAComplaint) {
   const auto refuse_a_tap = [this] {
-    const JogHold::Control plus{JogHold::Hand::keyboard, AxisId{0}, Sign::plus};
+    const JogHold::Control plus{JogHold::Source::keyboard, AxisId{0}, Sign::plus};
     tab.jog.press(plus, {Steps(1), Pps()}, 0);
     tab.jog.release(plus, 0.1);
     now.outcomes[0].id = tab.jog.tap_intent();
@@ -110,9 +110,9 @@ TEST_F(TabTest, ATapRefusedAtALimitIsToldByThePadElseByAComplaint) {
 }
 
 TEST_F(TabTest, ARefusedJogIsNotHeldOn) {
-  tab.jog.press({JogHold::Hand::mouse, AxisId{0}, Sign::plus}, {Steps(1), Pps()}, 0);
+  tab.jog.press({JogHold::Source::mouse, AxisId{0}, Sign::plus}, {Steps(1), Pps()}, 0);
   for (double t = 0; t < 0.3; t += 0.016) {
-    tab.jog.confirm({JogHold::Hand::mouse, AxisId{0}, Sign::plus});
+    tab.jog.confirm({JogHold::Source::mouse, AxisId{0}, Sign::plus});
     tab.jog.tick(t);
   }
   ASSERT_TRUE(tab.jog.jogging());
@@ -123,14 +123,14 @@ TEST_F(TabTest, ARefusedJogIsNotHeldOn) {
 }
 
 TEST_F(TabTest, StopEndsTheHoldWithoutASecondStop) {
-  tab.jog.press({JogHold::Hand::mouse, AxisId{0}, Sign::plus}, {Steps(1), Pps()}, 0);
+  tab.jog.press({JogHold::Source::mouse, AxisId{0}, Sign::plus}, {Steps(1), Pps()}, 0);
   tab.stop_all();
-  tab.jog.release({JogHold::Hand::mouse, AxisId{0}, Sign::plus}, 0.1);
+  tab.jog.release({JogHold::Source::mouse, AxisId{0}, Sign::plus}, 0.1);
   ASSERT_EQ(sent.size(), 1u);
   EXPECT_TRUE(std::holds_alternative<intent::Stop>(sent[0]));
 }
 
-TEST_F(TabTest, SaysWhyNothingMayMove) {
+TEST_F(TabTest, ReportsWhyNothingMayMove) {
   show();
   EXPECT_EQ(tab.why_not_move(), "");
   now.program.owned = true;

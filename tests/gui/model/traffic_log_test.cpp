@@ -51,7 +51,7 @@ struct TrafficLogTest : ::testing::Test {
   TrafficLog log{explain, DayClock{std::chrono::hours(14) + std::chrono::minutes(2)}};
 };
 
-TEST_F(TrafficLogTest, SaysWhenWhatAndWhatItMeans) {
+TEST_F(TrafficLogTest, ShowsTimeBytesAndMeaning) {
   log.append(entry(4.951, Way::sent, TrafficKind::intent, "M\r"));
   log.append(entry(4.963, Way::received, TrafficKind::intent, "229\r"));
   log.append(entry(5.0, Way::received, TrafficKind::unparsed, "\x01\xFE"));
@@ -169,7 +169,7 @@ TEST_F(TrafficLogTest, MemoryIsBoundedAndTheOldestGoes) {
   for (std::size_t i = 0; i < after.size(); ++i) EXPECT_FALSE(after[i].empty());
 }
 
-TEST_F(TrafficLogTest, SaysHowManyWereLost) {
+TEST_F(TrafficLogTest, ReportsHowManyWereLost) {
   TrafficRing ring(4);
   for (int i = 0; i < 10; ++i) ring.push(sent(TrafficKind::intent, "A"));
   log.drain(ring);

@@ -99,7 +99,7 @@ TEST(UnitsFormat, JogStepsFollowTheUnit) {
   EXPECT_EQ(jog_steps(mm, 4).size(), 4u);
 }
 
-TEST(UnitsFormat, AStepThatDoesNotFitSaysWhatItRoundsTo) {
+TEST(UnitsFormat, AStepThatDoesNotFitShowsWhatItRoundsTo) {
   const DisplayUnit e04{"mm", 0.0254, 2, true};
   const auto list = jog_steps(e04);
   EXPECT_EQ(list[1].label, "0.1 mm");

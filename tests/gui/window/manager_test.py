@@ -249,9 +249,8 @@ class Managed(Window):
         time.sleep(1)
         self.assertNotIn(b"I1M400", self.tap.sent[mark:])
         self.assertEqual(self.wire.first_motor()[-1], begin)
-        self.xdo(*run)
-        self.wait_until(lambda: self.wire.first_motor()[-1] == begin + 400, "the next press runs it", 10)
-        self.at_rest()
+        self.until_done(lambda: self.xdo(*run), lambda: b"I1M400" in self.tap.sent[mark:], "the next press runs it")
+        self.assertEqual(self.at_rest(), begin + 400)
         self.leave_the_field()
 
 

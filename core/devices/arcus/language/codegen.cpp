@@ -24,7 +24,7 @@ Generated generate(const std::vector<Statement>& statements) {
     else if (!out.first_beyond)
       out.first_beyond = &s;
   }
-  // What is left over was reported by check_structure and check_calls.
+  // Other errors were reported by check_structure and check_calls.
   (void)link_blocks(out.program.code);
   (void)find_heads(out.program);
   return out;

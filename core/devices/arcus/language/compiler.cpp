@@ -62,7 +62,7 @@ std::vector<Statement> read_statements(std::string_view text, const Dialect& dia
   return statements;
 }
 
-void say_too_long(const Generated& generated, std::vector<Problem>& problems) {
+void report_too_long(const Generated& generated, std::vector<Problem>& problems) {
   const Statement* beyond = generated.first_beyond;
   if (!beyond) return;
   Problem& problem = problems.emplace_back();
@@ -88,7 +88,7 @@ Compilation compile_source(std::string_view text, const Dialect& dialect) {
   check_structure(statements, out.problems);
   check_calls(statements, out.problems);
   Generated generated = generate(statements);
-  say_too_long(generated, out.problems);
+  report_too_long(generated, out.problems);
   out.needed = generated.needed;
   out.program = std::move(generated.program);
   out.source_line = std::move(generated.source_line);

@@ -10,7 +10,7 @@
 
 namespace hw::arcus::language {
 
-/// What became of one line of the text.
+/// The result of one line of the text.
 struct SourceLine {
   std::vector<Token> tokens;
   int first = -1;  ///< its first low-level line; -1: none

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/devices/arcus/facts.h"
+
 namespace hw::arcus::language {
 namespace {
 
 constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
 
-constexpr std::int32_t min_position = -134'217'728, max_position = 134'217'727;  // 28 bits
-constexpr std::int32_t max_speed = 6'000'000;
+constexpr auto min_position = static_cast<std::int32_t>(position_min),
+               max_position = static_cast<std::int32_t>(position_max),
+               max_speed = static_cast<std::int32_t>(arcus::max_speed);
 
 constexpr NameRow read_only(std::string_view spelling, Quantity q, Indexing indexing = Indexing::none,
                             int first = 0, int last = 0) {

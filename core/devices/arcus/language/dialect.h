@@ -1,5 +1,5 @@
 #pragma once
-// What differs between the standalone languages of the two models, as data. The manuals' chapters 10.
+// The differences between the standalone languages of the two models, as data (chapter 10 of each manual).
 #include <cstdint>
 #include <optional>
 #include <span>

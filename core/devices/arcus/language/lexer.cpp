@@ -11,7 +11,8 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' |
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// Signs of two characters, the language's own and those of other languages that a hand may slip into.
+/// Operators of two characters: the language's own, and those of other languages that are easily typed by
+/// mistake.
 constexpr std::string_view double_signs[] = {
     ">=", "<=", "!=", ">>", "<<", "==", "<>", "=>", "=<", "&&", "||"};
 constexpr std::string_view single_signs = "=<>+-*/%&|~:()[]{},.";

@@ -46,13 +46,13 @@ class ListingReader {
   ReadListing finish(int last_line) {
     const int lines = static_cast<int>(out_.lines.size());
     if (promised_ >= 0 && lines != promised_)
-      say(last_line, "The listing promises " + std::to_string(promised_) + " lines and has " +
-                         std::to_string(lines) + ". It is not complete.");
+      report(last_line, "The listing promises " + std::to_string(promised_) + " lines and has " +
+                            std::to_string(lines) + ". It is not complete.");
     return std::move(out_);
   }
 
  private:
-  void say(int line, std::string sentence) {
+  void report(int line, std::string sentence) {
     Problem& problem = out_.problems.emplace_back();
     problem.line = line;
     problem.sentence = std::move(sentence);
@@ -62,18 +62,18 @@ class ListingReader {
     take_word(text);
     const std::string_view model = take_word(text);
     if (model != dialect_.model)
-      say(number, "This listing is for another controller: " + std::string(model) + ", not " +
-                      std::string(dialect_.model) + ".");
+      report(number, "This listing is for another controller: " + std::string(model) + ", not " +
+                         std::string(dialect_.model) + ".");
     promised_ = whole_number<int>(text).value_or(-1);
     if (promised_ < 0 || promised_ > max_lines)
-      say(number, "Put the number of lines, 0 to 1,275, after the model.");
+      report(number, "Put the number of lines, 0 to 1,275, after the model.");
   }
   void read_line(std::string_view text, int number) {
     const int expected = static_cast<int>(out_.lines.size());
     const std::string_view its_number = take_word(text);
     if (whole_number<int>(its_number) != expected)
-      say(number,
-          "Line " + std::to_string(expected) + " should stand here, not " + std::string(its_number) + ".");
+      report(number,
+             "Line " + std::to_string(expected) + " should stand here, not " + std::string(its_number) + ".");
     out_.lines.emplace_back(text);
     out_.source_line.push_back(number);
   }

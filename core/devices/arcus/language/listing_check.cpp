@@ -27,7 +27,7 @@ std::string wrong_position(const Instruction& i, const Dialect& dialect) {
   return {};
 }
 
-/// What is wrong with the statement's values; empty: nothing.
+/// The error in the statement's values; empty: none.
 std::string wrong_value(const Instruction& i, const Dialect& dialect) {
   switch (shape_of(i.op)) {
     case Shape::target_and_value: return wrong_setting(i, dialect);

@@ -5,8 +5,8 @@
 namespace hw::arcus::language {
 namespace {
 
-/// Values that change only by a command, by a hand on the bench or by a program: after each of these the host
-/// asks for the next turn anyway. Values that change with motion or time are not steady.
+/// Values that change only by a command, on the bench or by a program: after each of these the host asks for
+/// the next turn anyway. Values that change with motion or time are not steady.
 bool is_steady(const Operand& what) {
   if (what.kind != Operand::Kind::quantity) return true;
   switch (what.quantity) {

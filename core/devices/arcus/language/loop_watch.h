@@ -34,7 +34,7 @@ class LoopWatch {
     std::uint16_t line;
     Turn turn;
   };
-  /// Where an idle thread stands at `turn`: its next statement from then on.
+  /// The next statement of an idle thread from `turn` on.
   [[nodiscard]] Place place_at(Turn turn) const;
   /// The statement that an idle thread has run last, at `turn` or before; nothing: it is at the loop's head.
   [[nodiscard]] std::optional<std::uint16_t> ran_last(Turn turn) const;

@@ -35,7 +35,7 @@ enum class Opcode : std::uint8_t {
 #undef OPCODE
 };
 
-/// What follows a mnemonic in a low-level line.
+/// The operand after a mnemonic in a low-level line.
 enum class Shape : std::uint8_t {
   nothing,
   number,

@@ -36,7 +36,7 @@ class StructureCheck {
     bool loop, has_else;
   };
 
-  void say(const Statement& s, std::string sentence) {
+  void report(const Statement& s, std::string sentence) {
     problems_.push_back(problem_at(s, std::move(sentence)));
   }
 
@@ -73,7 +73,7 @@ class StructureCheck {
     if (!s.sound) return;
     const Statement*& known = heads[static_cast<std::size_t>(s.instruction.values[0].number)];
     if (known)
-      say(s, word + number_of(s) + " stands twice; the first is" + in_line(*known) + ".");
+      report(s, word + number_of(s) + " stands twice; the first is" + in_line(*known) + ".");
     else
       known = &s;
   }
@@ -86,22 +86,22 @@ class StructureCheck {
       return;
     }
     if (!unexpected_)
-      say(s, "Put this before END or ENDSUB, or under a PRG or SUB: here it is outside any program.");
+      report(s, "Put this before END or ENDSUB, or under a PRG or SUB: here it is outside any program.");
     unexpected_ = true;  // once for a run of such lines
   }
 
   void end_program(const Statement& s) {
     close_blocks();
-    if (place_ == Place::sub) say(s, "A subroutine ends with ENDSUB, not with END.");
-    if (place_ == Place::outside && opened_by_) say(s, "There is no program here that could end.");
+    if (place_ == Place::sub) report(s, "A subroutine ends with ENDSUB, not with END.");
+    if (place_ == Place::outside && opened_by_) report(s, "There is no program here that could end.");
     if (!opened_by_) opened_by_ = programs_[0] = &s;  // an empty program
     place_ = Place::outside;
   }
 
   void end_sub(const Statement& s) {
     close_blocks();
-    if (place_ == Place::program) say(s, "A program ends with END; ENDSUB ends a subroutine.");
-    if (place_ == Place::outside) say(s, "There is no SUB above this ENDSUB.");
+    if (place_ == Place::program) report(s, "A program ends with END; ENDSUB ends a subroutine.");
+    if (place_ == Place::outside) report(s, "There is no SUB above this ENDSUB.");
     if (!opened_by_) opened_by_ = &s;
     place_ = Place::outside;
   }
@@ -111,9 +111,9 @@ class StructureCheck {
     close_blocks();
     if (place_ == Place::outside) return;
     const bool program = place_ == Place::program;
-    say(next, std::string(program ? "END" : "ENDSUB") + " is missing above: the " +
-                  (program ? "program" : "subroutine") + " that begins" + in_line(*opened_by_) +
-                  " is not ended.");
+    report(next, std::string(program ? "END" : "ENDSUB") + " is missing above: the " +
+                     (program ? "program" : "subroutine") + " that begins" + in_line(*opened_by_) +
+                     " is not ended.");
     Problem& problem = problems_.back();
     problem.fix_text = program ? "END\n" : "ENDSUB\n";
     problem.fix_label = program ? "Add END" : "Add ENDSUB";
@@ -146,22 +146,23 @@ class StructureCheck {
 
   void branch(const Statement& s) {
     const bool is_else = s.instruction.op == Opcode::else_;
-    if (!unwind_to(false)) return say(s, std::string(is_else ? "ELSE" : "ELSEIF") + " has no IF above it.");
+    if (!unwind_to(false))
+      return report(s, std::string(is_else ? "ELSE" : "ELSEIF") + " has no IF above it.");
     Block& block = blocks_.back();
     if (block.has_else)
-      say(s, std::string(is_else ? "The IF" : "ELSEIF comes after ELSE: the IF") + in_line(*block.head) +
-                 (is_else ? " has an ELSE already." : " has had its last branch."));
+      report(s, std::string(is_else ? "The IF" : "ELSEIF comes after ELSE: the IF") + in_line(*block.head) +
+                    (is_else ? " has an ELSE already." : " has had its last branch."));
     block.has_else |= is_else;
   }
 
   void close(const Statement& s, bool loop) {
     if (!unwind_to(loop))
-      return say(s, loop ? "ENDWHILE has no WHILE above it." : "ENDIF has no IF above it.");
+      return report(s, loop ? "ENDWHILE has no WHILE above it." : "ENDIF has no IF above it.");
     blocks_.pop_back();
   }
 
   void complain_open(const Block& block) {
-    say(*block.head, block.loop ? "This WHILE has no ENDWHILE." : "This IF has no ENDIF.");
+    report(*block.head, block.loop ? "This WHILE has no ENDWHILE." : "This IF has no ENDIF.");
   }
 
   void close_blocks() {
@@ -174,9 +175,9 @@ class StructureCheck {
     if (place_ == Place::outside) return;
     const bool program = place_ == Place::program;
     const Statement& last = statements_.back();
-    say(last, std::string(program ? "END" : "ENDSUB") + " is missing below: the " +
-                  (program ? "program" : "subroutine") + " that begins" + in_line(*opened_by_) +
-                  " is not ended.");
+    report(last, std::string(program ? "END" : "ENDSUB") + " is missing below: the " +
+                     (program ? "program" : "subroutine") + " that begins" + in_line(*opened_by_) +
+                     " is not ended.");
     Problem& problem = problems_.back();
     problem.column = last.column + last.length;
     problem.length = 0;
@@ -194,7 +195,7 @@ class StructureCheck {
   std::array<const Statement*, subroutines> subs_{};
 };
 
-/// Who calls whom, as far as the text says it.
+/// The calls between subroutines, as far as the text shows them.
 class CallGraph {
  public:
   explicit CallGraph(const std::vector<Statement>& statements) {

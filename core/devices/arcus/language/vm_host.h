@@ -1,5 +1,5 @@
 #pragma once
-// What the interpreter needs of a controller. The emulator implements it; tests bring a controller of their
+// The interpreter's interface to a controller. The emulator implements it, and tests a controller of their
 // own. All calls come from within Vm::run_turn and Vm::next_turn, on the caller's thread.
 #include <array>
 #include <cstdint>

@@ -137,7 +137,7 @@ TEST(ArcusCodec, EveryRefusalOfTheManualsIsExplained) {
     }
 }
 
-TEST(ArcusExplain, SaysWhatTrafficMeans) {
+TEST(ArcusExplain, ExplainsTraffic) {
   const auto known = pmx_4ex_sa::command_help();
   const auto sent = [&](std::string_view bytes) {
     return explain(pmx_4ex_sa::model, known, bytes, Way::sent, TrafficKind::intent, {});

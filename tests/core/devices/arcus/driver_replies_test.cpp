@@ -135,11 +135,11 @@ TEST_F(OneReply, LineFeedsBehindTheAnswersAreReported) {
 TEST_F(OneReply, ANameThatIsNotItsAddressIsReported) {
   meet("dmx-k-sa", [](Liar& device) { device.instead["DN"] = ended("DMK07"); });
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(reported("It answers at 01 and is to be called DMK07: it will answer at 07"));
+  EXPECT_TRUE(reported("It answers at 01, and its name has been set to DMK07: it will answer at 07"));
   TearDown();
   meet("dmx-k-sa", [](Liar& device) { device.instead["DN"] = ended("STAGE"); });
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(reported("It answers at 01 and calls itself "));
+  EXPECT_TRUE(reported("it answers at 01 and calls itself "));
   EXPECT_TRUE(reported("where a DMX-K-SA calls itself DMK01"));
 }
 
@@ -210,7 +210,7 @@ TEST_F(OneReply, AProgramForTheOtherModelIsRefusedWithItsLine) {
 
 // ---- a stop that cannot read the joystick
 
-TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfOneAxisLeavesItAndSaysSo) {
+TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfOneAxisLeavesItAndReportsIt) {
   start("pmx-4ex-sa");
   ASSERT_EQ(query("JE=3"), "OK");
   liar->instead["JE"] = "x\r";
@@ -219,7 +219,7 @@ TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfOneAxisLeavesItAndSaysSo) {
   EXPECT_EQ(query("JE"), "3");
 }
 
-TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfAllSwitchesItOffAndSaysSo) {
+TEST_F(OneReply, WithoutTheStateOfTheJoystickAStopOfAllSwitchesItOffAndReportsIt) {
   start("pmx-4ex-sa");
   ASSERT_EQ(query("JE=3"), "OK");
   liar->instead["JE"] = "x\r";

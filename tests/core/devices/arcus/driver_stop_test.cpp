@@ -142,7 +142,7 @@ TEST_F(Stopping, ReachesTheProgramsAlsoWhereItsAnswersAreLost) {
   }
 }
 
-TEST_F(Stopping, SaysEverythingOnceBeforeASilentLineIsGivenUp) {
+TEST_F(Stopping, SendsEverythingOnceBeforeASilentLineIsGivenUp) {
   for (const bool byte_times : {false, true}) {
     start(pmx, {}, byte_times);
     ASSERT_EQ(load(to_and_fro), "");

@@ -41,7 +41,7 @@ TEST_F(DriverTest, AWrongAddressNamesTheLikelyCauses) {
   EXPECT_THAT(why, HasSubstr("device name"));
 }
 
-std::string says_it_is_a_pmx(std::string_view byte) {
+std::string named_as_a_pmx(std::string_view byte) {
   return byte == "\r" ? std::string("Performax-4EX-SA\r") : std::string();
 }
 
@@ -49,7 +49,7 @@ TEST_F(DriverTest, TheOtherModelIsNamed) {
   type = find_device_type(dmx);
   loop = std::make_unique<test::Loopback>(time, type->make_emulator({}).value(), false);
   catalog = type->make_catalog({}).value();
-  loop->replace_by(says_it_is_a_pmx);
+  loop->replace_by(named_as_a_pmx);
   open();
   EXPECT_THAT(std::string(latest.link.sentence.view()), HasSubstr("is a Performax-4EX-SA, not a DMX-K-SA"));
 }

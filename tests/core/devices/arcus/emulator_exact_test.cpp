@@ -148,7 +148,7 @@ TEST(ArcusExact, ALimitOnAnArc) {
       << "counter-clockwise: downwards first";
 }
 
-TEST(ArcusExact, NothingHappensBetweenTheEventsThatItTells) {
+TEST(ArcusExact, NothingHappensBetweenTheEventsThatItReports) {
   // The same session, once from event to event and once in steps of a millisecond: the same in the end.
   const auto session = [](bool by_events) {
     Rig rig(Which::pmx);

@@ -4,7 +4,7 @@
 namespace hw::arcus::proof {
 namespace {
 
-TEST(ArcusMotion, PmxAnswersAtRestAsItsManualSays) {
+TEST(ArcusMotion, PmxAnswersAtRestAsInItsManual) {
   Rig rig(Which::pmx);
   EXPECT_EQ(rig.ask("MST"), "0:0:0:0:0:0:0:36:0");
   EXPECT_EQ(rig.ask("POX"), "7");
@@ -12,7 +12,7 @@ TEST(ArcusMotion, PmxAnswersAtRestAsItsManualSays) {
   EXPECT_EQ(rig.ask("VER"), "V161BL");
 }
 
-TEST(ArcusMotion, DmxAnswersAtRestAsItsManualSays) {
+TEST(ArcusMotion, DmxAnswersAtRestAsInItsManual) {
   Rig rig(Which::dmx);
   EXPECT_EQ(rig.ask("MST"), "0");
   EXPECT_EQ(rig.ask("SLR"), "0.800");

@@ -51,7 +51,7 @@ TEST(ArcusWire, TheBeginningOfACommandIsNotObeyed) {
         const std::string answer = rig.raw("@" + rig.address() + begun + std::string(cut_off));
         EXPECT_TRUE(answer.starts_with("?")) << begun << ": " << answer;
         MachineTruth truth;
-        rig.emulator().tell_truth(truth);
+        rig.emulator().report_truth(truth);
         EXPECT_EQ(truth.moving(), 0u) << begun;
         EXPECT_EQ(rig.emulator().save_memory(), memory) << begun;
       }
@@ -143,7 +143,7 @@ TEST(ArcusWire, MemorySurvivesAsText) {
   EXPECT_EQ(other.ask("SLRX"), "0.700") << "but what can be read is taken";
 }
 
-TEST(ArcusWire, MemoryVersionTellsAStore) {
+TEST(ArcusWire, MemoryVersionChangesWithAStore) {
   Rig rig(Which::dmx);
   const auto before = rig.emulator().memory_version();
   rig.ok("SLT=5");

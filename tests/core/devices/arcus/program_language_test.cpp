@@ -5,7 +5,7 @@
 namespace hw::arcus {
 namespace {
 
-TEST(ArcusProgramReport, TellsCostsLinesAndColours) {
+TEST(ArcusProgramReport, ReportsCostsLinesAndColours) {
   const ProgramReport report =
       analyse_program("; go\nX10Y20 ; there\n\nIF DI1=1\nV1=2\nENDIF\nEND\n", language::pmx_4ex_sa());
   EXPECT_FALSE(report.has_errors());

@@ -19,7 +19,7 @@ class ArcusRehearsal : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Both, ArcusRehearsal, testing::Values("pmx-4ex-sa", "dmx-k-sa"),
                          [](const auto& info) { return std::string(info.param).substr(0, 3); });
 
-TEST_P(ArcusRehearsal, TellsWhereTheAxisGoes) {
+TEST_P(ArcusRehearsal, ReportsWhereTheAxisGoes) {
   const auto r = rehearse("X1000\nWAITX\nX200\nWAITX\nDO2=1\nEND\n");
   ASSERT_TRUE(r) << r.error().sentence();
   EXPECT_TRUE(r->finished);
@@ -107,7 +107,7 @@ TEST(PmxRehearsal, HomingMakesTheWayToTheSwitchAndBehindIt) {
   EXPECT_EQ(r->axes[0].travel, 2165);
 }
 
-TEST_P(ArcusRehearsal, SaysInWhichUnitItCounts) {
+TEST_P(ArcusRehearsal, ReportsTheUnitOfItsCounts) {
   const auto r = rehearse("X1000\nWAITX\nEND\n");
   ASSERT_TRUE(r) << r.error().sentence();
   EXPECT_EQ(r->axes[0].in_counts, std::string_view(GetParam()) == "dmx-k-sa");
@@ -148,7 +148,7 @@ TEST_P(ArcusRehearsal, OneThatWaitsForEverEndsWhileItsTrackIsKept) {
   EXPECT_EQ(r->duration_s, 2);
 }
 
-TEST_P(ArcusRehearsal, SaysWhyAProgramStoppedInError) {
+TEST_P(ArcusRehearsal, ReportsWhyAProgramStoppedInError) {
   const auto why = [&](const char* text, const char* bench = "") {
     RehearseOptions options;
     options.bench_toml = bench;
@@ -218,7 +218,7 @@ TEST_P(ArcusRehearsal, BeginsFromTheControllerAsItIs) {
   EXPECT_TRUE(r->assumptions.empty()) << r->assumptions[0].name;
 }
 
-TEST_P(ArcusRehearsal, NamesWhatNobodyCouldTell) {
+TEST_P(ArcusRehearsal, NamesWhatCannotBeKnown) {
   const DeviceType& type = *find_device_type(GetParam());
   const Catalog catalog = type.make_catalog({}).value();
   auto state = known_at_rest(catalog);
@@ -294,7 +294,7 @@ TEST_P(ArcusRehearsal, ALimitIsReportedWithAxisDirectionLineAndTime) {
   EXPECT_NEAR(r->stops[0].t, 0.5, 0.2);
 }
 
-TEST(PmxRehearsal, SaysWhyEachProgramStopped) {
+TEST(PmxRehearsal, ReportsWhyEachProgramStopped) {
   RehearseOptions options;
   const auto r = find_device_type("pmx-4ex-sa")
                      ->language()

@@ -66,7 +66,7 @@ TEST_F(ArcusReading, ACounterThatIsUsedOtherwiseIsNoCounter) {
             "Move to X 0.05\nown: V1=0\nWHILE V1<3\n  XV1\n  V1=V1+1\nENDWHILE\n");
 }
 
-TEST_F(ArcusReading, SpeedsThatBlocksWouldSayElsewhereAreOwnText) {
+TEST_F(ArcusReading, SpeedsThatBlocksWouldWriteElsewhereAreOwnText) {
   EXPECT_EQ(blocks("ABS\nHSPD=1000\nWHILE 1=1\n  X0\n  HSPD=2000\n  X100\nENDWHILE\nEND\n"),
             "own: HSPD=1000\nLoop for ever\n  Move to X 0\n  own: HSPD=2000\n  Move to X 1\n")
       << "the first time X0 is slow, then fast";

@@ -56,7 +56,7 @@ TEST_F(ArcusSequence, ADrawingIsWhatTheMakersConverterMakesOfIt) {
 }
 
 // PMX manual ch. 10, ARC: from (0,1000) by (1000,0) is clockwise from 90 to 180 degrees.
-TEST_F(ArcusSequence, ArcsTellTheAngleOfTheirEnd) {
+TEST_F(ArcusSequence, ArcsNameTheAngleOfTheirEnd) {
   EXPECT_EQ(write({{to(0, 1000)}, {seq::Arc{0, 0, -90}}}), "ABS\nX0Y1000\nARCP0:0:180000:90000\nEND\n");
   EXPECT_EQ(write({{to(-1000, 0)}, {seq::Arc{0, 0, 270}}}), "ABS\nX-1000Y0\nARCN0:0:90000:270000\nEND\n");
   EXPECT_EQ(write({{to(0, 0)}, {seq::Arc{0, 2000, 360}}, {seq::Arc{0, 2000, -360}}}),
@@ -141,7 +141,7 @@ TEST_F(ArcusSequence, TheDmxHasOneAxisAndNoArcs) {
   EXPECT_THAT(of_dmx({{seq::Arc{0, 0, 90}}}), HasSubstr("a DMX draws no arcs"));
 }
 
-TEST_F(ArcusSequence, AContourStopsAtItsCornersAndSaysSo) {
+TEST_F(ArcusSequence, AContourStopsAtItsCornersAndReportsIt) {
   seq::Contour c;
   c.x = 1, c.y = 2;
   c.steps = {{to(5, 2)}, {seq::Output{1, true}}, {seq::Arc{5, 4, 90}}};

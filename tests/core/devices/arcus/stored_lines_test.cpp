@@ -194,7 +194,7 @@ TEST_F(ProgramDownload, ItIsQuickerThanThreeTransactionsALine) {
 }
 
 // And what is there already is not written a second time.
-TEST_F(ProgramDownload, AbortedInTheMiddleItSaysWhatIsWrittenAndGoesOnFromThere) {
+TEST_F(ProgramDownload, AbortedInTheMiddleItReportsWhatIsWrittenAndGoesOnFromThere) {
   for (const std::string_view model : both_models) {
     start(model, {}, true);
     download("V9=1\nEND\n");

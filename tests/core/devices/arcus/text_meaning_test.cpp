@@ -55,13 +55,13 @@ TEST(ArcusTextMeaning, NothingElseIsAStop) {
 }
 
 TEST(ArcusTextMeaning, ATextIsForTheDeviceThatItNames) {
-  EXPECT_EQ(typed_to_dmx("PX").whom, For::this_one);
-  EXPECT_EQ(typed_to_dmx("@01PX").whom, For::this_one);
-  EXPECT_EQ(typed_to_dmx("@02STOP").whom, For::another);
+  EXPECT_EQ(typed_to_dmx("PX").addressee, For::this_one);
+  EXPECT_EQ(typed_to_dmx("@01PX").addressee, For::this_one);
+  EXPECT_EQ(typed_to_dmx("@02STOP").addressee, For::another);
   EXPECT_EQ(typed_to_dmx("@02STOP").address, 2);
   EXPECT_FALSE(typed_to_dmx("@02STOP").stops_here());
-  EXPECT_EQ(typed_to_dmx("@00STOP").whom, For::everybody);
-  EXPECT_EQ(typed_to_dmx("STOP", true).whom, For::everybody);
+  EXPECT_EQ(typed_to_dmx("@00STOP").addressee, For::all);
+  EXPECT_EQ(typed_to_dmx("STOP", true).addressee, For::all);
   EXPECT_TRUE(typed_to_dmx("@00STOP").stops_here());
 }
 

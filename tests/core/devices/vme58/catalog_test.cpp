@@ -42,7 +42,7 @@ TEST(Vme58Catalog, FirstChoicesAreTheUsualOnes) {
     EXPECT_EQ(chosen->outputs[i].name, usual->outputs[i].name);
 }
 
-TEST(Vme58Catalog, JumpersSayWhichLinesAreOutputs) {
+TEST(Vme58Catalog, JumpersDecideWhichLinesAreOutputs) {
   const auto catalog = make_catalog({{"jumpers", "OII"}});
   ASSERT_TRUE(catalog);
   EXPECT_GE(catalog->find_output(0), 0);
@@ -51,7 +51,7 @@ TEST(Vme58Catalog, JumpersSayWhichLinesAreOutputs) {
   EXPECT_GE(catalog->find_output(13), 0) << "the last two are outputs for good";
 }
 
-TEST(Vme58Catalog, EachLineTellsItsDirection) {
+TEST(Vme58Catalog, EachLineHasItsDirection) {
   const auto catalog = make_catalog({{"jumpers", "IOI"}});
   ASSERT_TRUE(catalog);
   ASSERT_EQ(catalog->inputs.size(), 14u);

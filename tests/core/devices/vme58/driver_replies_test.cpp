@@ -38,7 +38,7 @@ class Vme58DriverTalk : public test::Vme58Rig, public testing::WithParamInterfac
   Vme58DriverTalk() : Vme58Rig(options_of(GetParam())) {}
 
   /// Word by word: the console ends a text at the command that the board rejects, a transcript goes on.
-  void say(const std::string& text) {
+  void send_words(const std::string& text) {
     for (const std::string& word : words_of(text)) {
       const auto reply = query(word);
       if (!reply) {
@@ -58,7 +58,7 @@ class Vme58DriverTalk : public test::Vme58Rig, public testing::WithParamInterfac
       return;
     }
     if (received.empty() && !again.empty())
-      say(std::exchange(again, {}));  // it was held back and not answered
+      send_words(std::exchange(again, {}));  // it was held back and not answered
     ASSERT_FALSE(received.empty()) << "line " << step.line << ": no " << wanted;
     EXPECT_PRED2([this](const std::string& a, const std::string& b) { return same(a, b); }, received.front(),
                  wanted)
@@ -81,14 +81,14 @@ class Vme58DriverTalk : public test::Vme58Rig, public testing::WithParamInterfac
   std::string again;
 };
 
-TEST_P(Vme58DriverTalk, MakesOfTheRepliesWhatTheySay) {
+TEST_P(Vme58DriverTalk, InterpretsTheReplies) {
   const auto transcript = transcript_called(GetParam());
   bool echoes = false;
   for (const talk::Step& step : transcript.steps) {
     if (step.kind == talk::Step::Kind::send) {
       if (echoes) received.clear();  // the console keeps the echo off: of it the transcript alone tells
       echoes = step.bytes.starts_with("EN") || (echoes && !step.bytes.starts_with("UU"));
-      if (!echoes) say(step.bytes);
+      if (!echoes) send_words(step.bytes);
     } else if (step.kind == talk::Step::Kind::expect && !echoes) {
       ASSERT_NO_FATAL_FAILURE(expect(step));
     } else if (step.kind == talk::Step::Kind::pass) {
@@ -207,9 +207,10 @@ TEST_F(Vme58Liar, ACopyThatNeverComesLeavesPositionsAsTheyWere) {
   heals();
 }
 
-TEST_F(Vme58Liar, AReplyThatIsNoStatusTellsNoEndOfTheTravel) {
+TEST_F(Vme58Liar, AReplyThatIsNoStatusReportsNoEndOfTheTravel) {
   lie = [](BusCycle& c) {
-    const bool reply = c.offset >= vme58::at::input_buffer && c.offset < vme58::at::reserved0;
+    const bool reply =
+        c.offset >= vme58::at::input_buffer && c.offset < vme58::at::input_buffer + 2 * vme58::ring_cells;
     if (reply && (c.value == 'P' || c.value == 'M')) c.value = '#';
   };
   operate(bench::Limit(AxisId{0}, Sign::plus, true));
@@ -249,7 +250,8 @@ TEST_F(Vme58Liar, ACommandErrorOfWhatAStopHasTakenBackIsNotReported) {
 
 TEST_F(Vme58Liar, WhatIsNoVme58IsNotTakenForOne) {
   lie = [](BusCycle& c) {
-    const bool reply = c.offset >= vme58::at::input_buffer && c.offset < vme58::at::reserved0;
+    const bool reply =
+        c.offset >= vme58::at::input_buffer && c.offset < vme58::at::input_buffer + 2 * vme58::ring_cells;
     if (reply && c.value == 'v') c.value = 'x';  // "VME58 xer 2.24"
   };
   operate(bench::Unplug(true));

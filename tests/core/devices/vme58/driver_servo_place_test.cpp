@@ -70,7 +70,7 @@ TEST_F(Vme58ServoPlace, AServoThatDoesNotComeIsNotInPlaceTwoSecondsAfterItsComma
                                     "is at 0, 5000 counts from there. Nothing drives it"));
 }
 
-TEST_F(Vme58ServoPlace, WaitLastsUntilThenAndSaysWhy) {
+TEST_F(Vme58ServoPlace, WaitLastsUntilThenAndReportsWhy) {
   give_motor();
   session->send(intent::MoveTo({{AxisId{Y}, Steps(5000)}}, Pps{20000}));
   const Instant began = time.now();
@@ -287,7 +287,7 @@ TEST_F(Vme58ServoPlace, HereIsZeroMakesTheEncoderReadZero) {
   EXPECT_EQ(axis(Y).command, Steps(0));
 }
 
-TEST_F(Vme58ServoPlace, WhetherALoopIsClosedIsWhatTheBoardTells) {
+TEST_F(Vme58ServoPlace, WhetherALoopIsClosedIsReadFromTheBoard) {
   EXPECT_EQ(axis(Y).loop, Loop::in_place) << "the ideal plant of the bench, and EA";
   // Slips beyond ES with TN: the board opens the loop by itself.
   give_motor();

@@ -235,7 +235,7 @@ class Vme58SlowBusStops : public Vme58Stops {
   }
 };
 
-TEST_F(Vme58SlowBusStops, ATypedOneSelectsWhatItSaysWhateverItOvertakes) {
+TEST_F(Vme58SlowBusStops, ATypedOneSelectsWhatItNamesWhateverItOvertakes) {
   ASSERT_TRUE(query("AX VL20000 AC1000000 AY VL20000 AC1000000 AZ VL20000 AC1000000"));
   run(Seconds(1));
   for (const char* stop : {"AX ST", "AX SA", "KL AX", "AY ST AX ST"})

@@ -472,7 +472,7 @@ TEST_F(Vme58Driver, AContourOfTheUsersIsNotBegunWhileAProgramIsFed) {
   EXPECT_EQ(axis(0).position, Steps(500));
 }
 
-TEST_F(Vme58Driver, AMoveOfAnOpenServoLoopSaysHowItIsClosed) {
+TEST_F(Vme58Driver, AMoveOfAnOpenServoLoopReportsHowToCloseIt) {
   ASSERT_TRUE(query("AX HF"));
   const IntentOutcome outcome = perform(intent::MoveBy({{AxisId{0}, Steps(100)}}));
   EXPECT_THAT(std::string(outcome.sentence.view()), HasSubstr("servo loop of axis X is open"));
@@ -506,7 +506,7 @@ TEST_F(Vme58Driver, AContourIsCutByAProgram) {
       << "the recording has ended";
 }
 
-TEST_F(Vme58Driver, WhileAContourIsRecordedTheConsoleSaysNothingOfItsOwn) {
+TEST_F(Vme58Driver, WhileAContourIsRecordedTheConsoleSendsNothingOfItsOwn) {
   ASSERT_TRUE(query("AA CV1000 CD0,0;"));
   const IntentOutcome outcome = perform(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   EXPECT_EQ(outcome.state, IntentState::refused);

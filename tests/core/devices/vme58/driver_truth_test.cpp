@@ -180,7 +180,7 @@ TEST_F(Vme58Truth, AMoveThatAnotherProgramStopsIsReportedAsStopped) {
   ASSERT_EQ(move_by(100000).state, IntentState::done);
   run(Seconds(1));
   ASSERT_TRUE(query("SA"));
-  EXPECT_THAT(wait().reason, HasSubstr("somebody else"));
+  EXPECT_THAT(wait().reason, HasSubstr("stopped from elsewhere"));
 }
 
 TEST_F(Vme58Truth, AMoveThatIsRejectedLeavesATypedJogAsItIs) {
@@ -225,6 +225,16 @@ TEST_F(Vme58Truth, AJogIntoASwitchThatIsOnAlreadyIsEndedByIt) {
   run(Seconds(2));
   EXPECT_EQ(axis().activity, Activity::idle);
   EXPECT_EQ(axis().ended_by, EndedBy::limit);
+}
+
+TEST_F(Vme58Truth, AJogAwayFromASwitchThatIsStoppedBeforeItTurnsIsEndedByTheStop) {
+  operate_limit(Sign::minus, true);
+  session->send(intent::JogStart(AxisId{0}, Sign::plus, Pps{0.5}, false));
+  run(Millis(100));
+  session->send(intent::Stop());
+  ASSERT_TRUE(becomes_idle());
+  ASSERT_EQ(axis().position, Steps(0));
+  EXPECT_NE(axis().ended_by, EndedBy::limit);
 }
 
 TEST_F(Vme58Truth, HomingIntoASwitchThatIsOnAlreadyIsNoHome) {
@@ -363,7 +373,7 @@ TEST_F(Vme58TruthOfSteps, AnAxisThatASlipHasStoppedIsReportedAsSlipped) {
   ASSERT_TRUE(query("AX ES20 TN VL2000"));
   operate(bench::Jam(AxisId{0}, true));
   ASSERT_EQ(move_by(2000).state, IntentState::done);
-  EXPECT_THAT(wait().reason, HasSubstr("Axis X has slipped, and was stopped by that"));
+  EXPECT_THAT(wait().reason, HasSubstr("Axis X has slipped, and was stopped because of that"));
 }
 
 // ---- echo

@@ -48,7 +48,7 @@ class BendingWindow final : public Window {
     for (BusCycle& c : cycles) {
       if (c.write) continue;
       if (c.offset == vme58::at::input_put_index) c.value = static_cast<std::uint32_t>(put_);
-      if (c.offset >= vme58::at::input_buffer && c.offset < vme58::at::reserved0)
+      if (c.offset >= vme58::at::input_buffer && c.offset < vme58::at::input_buffer + 2 * vme58::ring_cells)
         c.value = static_cast<unsigned char>(
             cells_[static_cast<std::size_t>(c.offset - vme58::at::input_buffer) / 2]);
     }

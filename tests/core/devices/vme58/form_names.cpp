@@ -32,7 +32,7 @@ constexpr std::pair<std::string_view, std::uint8_t> status_names[] = {
     {"overtravel", status::overtravel},
     {"done", status::done},
     {"board_interrupted", status::board_interrupted},
-    {"direct_interrupt", status::direct_interrupt},
+    {"direct_interrupt", 1 << 6},  // unused (decision M30)
     {"interrupt", status::interrupt},
 };
 constexpr std::string_view value_names[] = {"encoder_position",      "command_position",

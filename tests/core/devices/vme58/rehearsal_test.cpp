@@ -306,7 +306,7 @@ TEST(Vme58Rehearsal, AnEventNamesTheCommandThatIsAtWork) {
   EXPECT_THAT(begun, testing::ElementsAre(4, 6)) << "both GO";
 }
 
-TEST(Vme58Rehearsal, NamesWhatNobodyCouldTell) {
+TEST(Vme58Rehearsal, NamesWhatCannotBeKnown) {
   const Catalog catalog = make_catalog({}).value();
   auto state = known_board(catalog);
   for (const char* name : {"HDX", "KPX", "HDY"})

@@ -13,7 +13,7 @@ namespace {
 using Kind = Message::Kind;
 constexpr auto npos = std::string_view::npos;
 
-TEST(VxmCodec, SaysWhatTheManualPrints) {
+TEST(VxmCodec, EncodesWhatTheManualPrints) {
   EXPECT_EQ(index_by(1, Steps{400}), "I1M400\r");
   EXPECT_EQ(index_by(2, Steps{-600}), "I2M-600\r");
   EXPECT_EQ(index_to(4, Steps{-90200}), "IA4M-90200\r");

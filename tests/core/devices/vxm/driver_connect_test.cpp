@@ -34,7 +34,7 @@ TEST_F(VxmDriverConnect, EchoIsSwitchedOff) {
   EXPECT_EQ(query("X"), "+0000000");
 }
 
-TEST_F(VxmDriverConnect, ACommandLeftHalfSaidDoesNotHideTheController) {
+TEST_F(VxmDriverConnect, ACommandLeftHalfSentDoesNotHideTheController) {
   loop = std::make_unique<test::Loopback>(time, make_emulator({}).value(), false);
   loop->emulator().advance_to(time.now());
   loop->emulator().receive("FI1M40");

@@ -20,8 +20,8 @@ TEST_F(DriverLog, AStopFromItsAskingToItsEnd) {
   hold(5);
   post(intent::Stop());
   ASSERT_TRUE(wait_idle());
-  for (const char* line :
-       {"is asked for; what waits is dropped and what is under way ends", "goes out, time 1", "is over"})
+  for (const char* line : {"requested; waiting commands are dropped, and the command under way ends",
+                           "is sent, time 1", "is over"})
     EXPECT_THAT(log.text(), HasSubstr(line));
 }
 
@@ -29,7 +29,7 @@ TEST_F(DriverLog, AJogThatNobodyKeepsAlive) {
   post(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000)));
   hold(3);
   run(1);
-  EXPECT_THAT(log.text(), HasSubstr("pump: vxm: nobody has kept the jog alive for 250 ms"));
+  EXPECT_THAT(log.text(), HasSubstr("pump: vxm: the jog was not kept alive for 250 ms"));
 }
 
 TEST_F(DriverLog, ARefusalAndWhatWasDropped) {
@@ -39,7 +39,7 @@ TEST_F(DriverLog, ARefusalAndWhatWasDropped) {
   post(intent::Store());
   post(intent::Stop());
   run(2);
-  EXPECT_THAT(log.text(), HasSubstr("all that waits is dropped: "));
+  EXPECT_THAT(log.text(), HasSubstr("the waiting commands are dropped: "));
 }
 
 TEST_F(DriverLog, ALossAndTheNextAttempt) {

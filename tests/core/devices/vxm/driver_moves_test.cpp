@@ -8,7 +8,7 @@ using testing::HasSubstr;
 
 class VxmDriverMoves : public DriverTest {};
 
-TEST_F(VxmDriverMoves, MovesToAPositionAndSaysSo) {
+TEST_F(VxmDriverMoves, MovesToAPositionAndReportsIt) {
   start();
   sent();
   EXPECT_EQ(move_to(0, 400), "");
@@ -71,6 +71,26 @@ TEST_F(VxmDriverMoves, AxesOfTwoControllersRunTogether) {
   EXPECT_EQ(position(0), 400);
   EXPECT_EQ(position(2), 800);
   EXPECT_THAT(sent(), HasSubstr("(I3M800,I1M400,)lstR"));
+}
+
+TEST_F(VxmDriverMoves, EachOfSeveralAxesMayHaveASpeedOfItsOwn) {
+  start({{"motors", "4"}});
+  const auto move = [this](int first, int second) {
+    std::vector<AxisTarget> both = target(first, 400);
+    both.push_back(target(second, 800)[0]);
+    intent::MoveTo to(both, Pps{300});
+    to.own_speeds[static_cast<std::size_t>(first)] = Pps{500};
+    sent();
+    EXPECT_EQ(perform(std::move(to)), "");
+    EXPECT_TRUE(wait_idle());
+    return sent();
+  };
+  const std::string in_turn = move(0, 1);
+  EXPECT_THAT(in_turn, HasSubstr("S1M500\rIA1M400"));
+  EXPECT_THAT(in_turn, HasSubstr("S2M300\rIA2M800"));
+  const std::string of_two = move(2, 0);
+  EXPECT_THAT(of_two, testing::Not(HasSubstr("("))) << "a pair has one speed";
+  EXPECT_THAT(of_two, HasSubstr("S3M500\rIA3M400"));
 }
 
 TEST_F(VxmDriverMoves, ASpeedOfItsOwnIsPutBack) {
@@ -151,7 +171,7 @@ TEST_F(VxmDriverMoves, ClosingDuringAJogLeavesNothingForTheRunButton) {
   EXPECT_LT(sentence.find('D'), sentence.find("PM4"));
 }
 
-TEST_F(VxmDriverMoves, ClosingDuringAMoveSaysThatItsProgramStays) {
+TEST_F(VxmDriverMoves, ClosingDuringAMoveReportsThatItsProgramStays) {
   start();
   EXPECT_EQ(move_by(0, 60000, 1000), "");
   run(1);
@@ -274,7 +294,7 @@ TEST_F(VxmDriverMoves, NeverUsesAProgramThatStartsByItself) {
   EXPECT_THAT(sent(), HasSubstr("PM3\rPM\rCI1M10\rlstR"));
 }
 
-TEST_F(VxmDriverMoves, SaysBeforeTheFirstMoveThatTheMotorTypeIsTheFactorys) {
+TEST_F(VxmDriverMoves, WarnsBeforeTheFirstMoveThatTheMotorTypeIsTheFactorys) {
   start();
   EXPECT_EQ(latest.notice.view(), "") << "the screen says it by the parameter, see ParamInfo::before_moving";
   move_by(0, 10);

@@ -52,7 +52,7 @@ TEST_F(VxmDriverParams, AMotorTypeNeedsAConfirmationThatNamesTheMotor) {
   EXPECT_EQ(state("M1M").value, 2) << "the type is all that can be read";
 }
 
-TEST_F(VxmDriverParams, StoreSaysHowManyWritesAreKnown) {
+TEST_F(VxmDriverParams, StoreShowsHowManyWritesAreKnown) {
   start();
   perform(intent::SetParam("j1M", 500));
   EXPECT_EQ(perform(intent::Store()), "");

@@ -29,7 +29,7 @@ TEST_F(VxmDriverProgram, ALimitBehindWhichItGoesOnIsReportedAtOnce) {
   run(1.0);
   ASSERT_TRUE(loop->operate(bench::Limit(AxisId{0}, Sign::plus, true)));
   run(0.5);
-  EXPECT_TRUE(reported("its program goes on")) << all_notices();
+  EXPECT_TRUE(reported("its program continues")) << all_notices();
 }
 
 TEST_F(VxmDriverProgram, OneThatALimitCutsEndsOnIt) {
@@ -113,7 +113,7 @@ TEST_F(VxmDriverProgram, APairForTwoControllersIsWrittenAsOne) {
   EXPECT_EQ(latest.slot_bytes_used[0], 13);
 }
 
-TEST_F(VxmDriverProgram, RunsAndTellsTheEnd) {
+TEST_F(VxmDriverProgram, RunsAndReportsTheEnd) {
   start();
   ASSERT_EQ(perform(intent::LoadProgram(2, "I1M400\nI2M200\n")), "");
   EXPECT_EQ(perform(intent::RunProgram(2)), "");

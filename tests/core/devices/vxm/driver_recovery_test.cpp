@@ -40,7 +40,7 @@ TEST_F(VxmDriverRecovery, TheUsersKEndsItAndIsSentOnce) {
   EXPECT_EQ(times_sent('K'), 2);
 }
 
-TEST_F(VxmDriverRecovery, TheTerminalMaySayItToo) {
+TEST_F(VxmDriverRecovery, TheTerminalMaySendItToo) {
   open_one_in_error();
   EXPECT_EQ(send("K"), "");
   EXPECT_TRUE(connects());

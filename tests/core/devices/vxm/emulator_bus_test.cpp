@@ -174,7 +174,7 @@ TEST(VxmQuirks, BarredErrors) {
 
 // What is not in the list of V13 is dropped; other firmware takes a mode at once (V103).
 TEST(VxmQuirks, AModeIsTakenWhileAProgramRuns) {
-  const auto run_and_say_e = [](Rig& rig) {
+  const auto run_and_send_e = [](Rig& rig) {
     rig.send("F");
     rig.send("PM-0,I1M4000,R");
     rig.run_for(100ms);
@@ -182,9 +182,9 @@ TEST(VxmQuirks, AModeIsTakenWhileAProgramRuns) {
     return rig.ask("EV");
   };
   Rig plain;
-  EXPECT_EQ(run_and_say_e(plain), "B") << "E is dropped by default";
+  EXPECT_EQ(run_and_send_e(plain), "B") << "E is dropped by default";
   Rig rig(DeviceOptions{{"quirk", "mode-while-running"}});
-  EXPECT_EQ(run_and_say_e(rig), "EVB") << "both are echoed";
+  EXPECT_EQ(run_and_send_e(rig), "EVB") << "both are echoed";
   rig.send("F");
   EXPECT_EQ(rig.ask("V"), "B") << "the program runs on, without echo";
   EXPECT_TRUE(rig.run_until_output("^"));
@@ -318,7 +318,7 @@ TEST(VxmSupply, WhatIsNotThereIsRefused) {
   EXPECT_TRUE(rig.power_lamp());
 }
 
-TEST(VxmBus, APairTellsASwitchWhenItIsMet) {
+TEST(VxmBus, APairReportsASwitchWhenItIsMet) {
   Rig rig = Rig::online_with_slave();
   AxisPlace travel;
   travel.plus = Steps(500);

@@ -52,7 +52,7 @@ TEST(VxmAnalysis, CostsAndPlacesFollowTheLines) {
   EXPECT_THAT(report.listing.at(0), ElementsAre("P10", "I1M400", "L10", "I1M-3600", "U5"));
 }
 
-TEST(VxmAnalysis, ColoursTellMovesFlowAndRemarks) {
+TEST(VxmAnalysis, ColoursDistinguishMovesFlowAndRemarks) {
   const auto report = analyse("I1M400,L2 ;twice");
   ASSERT_EQ(report.lines[0].tokens.size(), 3u);
   const auto& t = report.lines[0].tokens;
@@ -80,7 +80,7 @@ TEST(VxmAnalysis, HeadingsSortCommandsToPrograms) {
   EXPECT_THAT(sentences(report), IsEmpty());
 }
 
-TEST(VxmAnalysis, TooLongSaysByHowMuch) {
+TEST(VxmAnalysis, TooLongReportsByHowMuch) {
   std::string text;
   for (int i = 0; i < 66; ++i) text += "I1M400\n";
   const auto report = analyse(text, 2);

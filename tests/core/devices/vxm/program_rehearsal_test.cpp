@@ -61,7 +61,7 @@ TEST(VxmRehearsal, AWaitWithoutEndIsDescribed) {
   const Rehearsal r = rehearse("I1M400,U50,I1M-400", options);
   EXPECT_FALSE(r.finished);
   EXPECT_EQ(r.duration_s, 120);
-  EXPECT_EQ(r.error, "Program 0 waits in U50 for input 1, and nobody operates it.");
+  EXPECT_EQ(r.error, "Program 0 waits in U50 for input 1, and nothing operates it.");
   EXPECT_EQ(r.axes[0].position, 400);
 }
 
@@ -171,13 +171,13 @@ TEST(VxmRehearsal, InNf90EmulationLMinusZeroIsAMarker) {
   EXPECT_FALSE(vxm::program_language().rehearse("L-0,I1M5,L3,\n", {}).has_value());
 }
 
-TEST(VxmRehearsal, ProgramFourComesFirstWhenSetDMSaysSo) {
+TEST(VxmRehearsal, ProgramFourComesFirstWithItsBitOfSetDM) {
   const Rehearsal r = rehearse("setDM129\nPM4,I2M7,PM0,I1M5,\n");
   EXPECT_EQ(r.axes[0].position, 5);
   EXPECT_EQ(r.axes[1].position, 7);
 }
 
-TEST(VxmRehearsal, TheSlaveThatTheMotorsNeedIsThereWhateverSetDMSays) {
+TEST(VxmRehearsal, TheSlaveThatTheMotorsNeedIsThereWhateverSetDMIs) {
   const Rehearsal r = rehearse("setDM9\nI3M400,\n");
   EXPECT_EQ(r.error, "");
   ASSERT_EQ(r.axes.size(), 4u);
@@ -248,7 +248,7 @@ TEST(VxmRehearsal, BeginsFromTheControllerAsItIs) {
   EXPECT_THAT(assumed_in(r), testing::IsEmpty());
 }
 
-TEST(VxmRehearsal, NamesWhatNobodyCouldTell) {
+TEST(VxmRehearsal, NamesWhatCannotBeKnown) {
   const Catalog catalog = vxm::make_catalog({}).value();
   auto state = vxm_at_rest();
   state->now.axes[1].position_known = false;

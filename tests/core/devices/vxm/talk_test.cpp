@@ -18,7 +18,7 @@ TEST_P(VxmTalk, GoesAsWritten) {
 INSTANTIATE_TEST_SUITE_P(Transcripts, VxmTalk, ::testing::ValuesIn(talk::transcripts("vxm")),
                          talk::test_name);
 
-TEST(VxmTalkFormat, SaysWhichLineIsWrong) {
+TEST(VxmTalkFormat, ReportsWhichLineIsWrong) {
   for (const char* text :
        {"# fine\n? X", ">X", "< \\q", "~ 3 hours", "! input", "> X\n@ motors=4", "! place 1 a"}) {
     const auto transcript = talk::parse(text);

@@ -47,7 +47,7 @@ TEST(VxmTextMeaning, WhatFollowsAStopCountsOnlyIfItStartsSomething) {
     EXPECT_FALSE(meaning(text, own_move).is_stop()) << text;
 }
 
-TEST(VxmTextMeaning, TellsWhenTheAnswerComes) {
+TEST(VxmTextMeaning, PredictsWhenTheAnswerComes) {
   for (const char* text : {"V", "X", "lst", "getM1M", "rsm", "K", "PM1,M", "K,V"}) {
     EXPECT_EQ(meaning(text).answered, Answered::at_once) << text;
     EXPECT_FALSE(meaning(text).end_is_reported) << text;
@@ -93,7 +93,7 @@ TEST(VxmTextMeaning, KnowsWhatChangesPrograms) {
 
 TEST(VxmTextMeaning, IsForThisControllerAlone) {
   for (const proof::Form& form : proof::form_table())
-    EXPECT_EQ(meaning(form.example).whom, TextMeaning::For::this_one) << form.id;
+    EXPECT_EQ(meaning(form.example).addressee, TextMeaning::For::this_one) << form.id;
 }
 
 }  // namespace

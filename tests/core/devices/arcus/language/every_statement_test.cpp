@@ -275,7 +275,7 @@ TEST(EveryStatement, HasACaseOfItsOwn) {
   }
 }
 
-TEST(EveryStatement, CompilesAndActsAsItsTableSays) {
+TEST(EveryStatement, CompilesAndActsAsInItsTable) {
   for (const Language& language : languages) {
     for (const auto* list : {&common_cases, &language.own}) {
       for (const Case& c : *list) {

@@ -184,7 +184,7 @@ void expect_round_trips(const Compilation& compiled, const Dialect& dialect) {
   EXPECT_EQ(decompile(again.lines, dialect).text, shown.text);
 }
 
-TEST(ProgramFiles, GoodOnesDoWhatTheySay) {
+TEST(ProgramFiles, GoodOnesDoWhatTheyState) {
   const auto files = programs_in("good");
   ASSERT_GE(files.size(), 16U);
   for (const ProgramFile& file : files)

@@ -164,7 +164,7 @@ TEST(VmIdleLoop, PauseAndContinueWithinIt) {
 }
 
 /// Where a loop that idles is told to be, against one of the same length that cannot idle.
-TEST(VmIdleLoop, TellsTheLineWhereItWouldBe) {
+TEST(VmIdleLoop, ReportsTheLineWhereItWouldBe) {
   const std::string steady = "WHILE 1=1\nV5=DI2\nIF DI1=1\nV1=1\nENDIF\nDELAY=7\nENDWHILE\nEND";
   const std::string unsteady = "WHILE 1=1\nV5=PSX\nIF DI1=1\nV1=1\nENDIF\nDELAY=7\nENDWHILE\nEND";
   Workbench idles = running(steady), works = running(unsteady);

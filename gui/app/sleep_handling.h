@@ -8,10 +8,10 @@
 
 namespace hw::app {
 
-class SleepManners {
+class SleepHandling {
  public:
   /// `wake`: requests a frame; any thread.
-  SleepManners(Scheduler& scheduler, std::function<void()> wake);
+  SleepHandling(Scheduler& scheduler, std::function<void()> wake);
   /// Once a frame.
   void follow(gui::Console& console);
 

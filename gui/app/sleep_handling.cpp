@@ -1,4 +1,4 @@
-#include "gui/app/sleep_manners.h"
+#include "gui/app/sleep_handling.h"
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ bool something_moves(const gui::Console& console) {
 
 }  // namespace
 
-SleepManners::SleepManners(Scheduler& scheduler, std::function<void()> wake)
+SleepHandling::SleepHandling(Scheduler& scheduler, std::function<void()> wake)
     : watch_(scheduler, {[this, wake] {
                            wants_to_sleep_ = true;
                            wake();
@@ -44,7 +44,7 @@ SleepManners::SleepManners(Scheduler& scheduler, std::function<void()> wake)
                            wake();
                          }}) {}
 
-void SleepManners::follow(gui::Console& console) {
+void SleepHandling::follow(gui::Console& console) {
   if (wants_to_sleep_.exchange(false)) {
     console.let_go();
     makes_ready_ = true;
