@@ -15,18 +15,23 @@ rm -rf "$folder/times"
 export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1:strict_string_checks=1}
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
 [ "$preset" != tsan ] || export LP_NUM_THREADS=0  # the threads of Mesa's rasteriser are not built for it
-# What runs in real time, programs that are not ours and a real window, comes first, each with up to three tries: on a
-# busy machine an answer or a hand may come late. Windows take turns (RUN_SERIAL).
+# What runs in real time has the machine: what talks to served emulators (it waits nine tenths of the time), then programs
+# that are not ours and a real window, which take turns (RUN_SERIAL) and have up to three tries, since an answer or a
+# hand may come late. All other tests run behind them, in time that is idle.
 real_time='outside|wall_clock'
 [ "$preset" = release ] || [ "$preset" = debug ] || real_time=outside  # sanitizers make hands late
+trap 'trap - INT TERM; kill 0' INT TERM
+(
+  chrt --idle --pid 0 "$BASHPID" 2>/dev/null || true
+  ctest --preset "$preset" -j 2 -LE 'waits|wall_clock|outside' >"$folder/other_tests.log" 2>&1
+) &
+others=$!
 failed=0
-ctest --preset "$preset" -j 2 -L "$real_time" --repeat until-pass:3 || failed=1
-[ $failed = 0 ] || say "a test with a real window or a program that is not ours has failed: see above"
+ctest --preset "$preset" -j 3 -L waits | tee "$folder/waiting_tests.log" || failed=1
+ctest --preset "$preset" -j 4 -L "$real_time" --repeat until-pass:3 | tee "$folder/real_time_tests.log" || failed=1
+[ $failed = 0 ] || say "a test that runs in real time has failed: see above"
 say "all other tests"
-{
-  others=0  # what talks to served emulators waits nine tenths of the time
-  ctest --preset "$preset" -j 6 -L waits || others=1
-  ctest --preset "$preset" -j 2 -LE 'waits|wall_clock|outside' || others=1
-  exit $others
-} | tests/slowest.py "$folder/times" || failed=1
+wait $others || failed=1
+cat "$folder/other_tests.log"
+tests/slowest.py "$folder/times" "$folder"/*_tests.log || failed=1
 exit $failed

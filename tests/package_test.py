@@ -45,7 +45,8 @@ class Package(unittest.TestCase):
         cls.addClassCleanup(cls.folder.cleanup)
         work = pathlib.Path(cls.folder.name)
         if not MADE:
-            said("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", work)
+            # Packed in a tenth of the time that xz takes; what is in it is the same.
+            said("cpack", "--config", BUILD / "CPackConfig.cmake", "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip", "-B", work)
         cls.deb = MADE or next(work.glob("*.deb"))
         cls.root = work / "root"
         said("dpkg-deb", "-x", cls.deb, cls.root)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Passes on what ctest prints, and tells the ten slowest tests at its end.   ctest ... | slowest.py FOLDER
-FOLDER holds what the test binaries have written: gtest's JSON, one file for each process."""
+"""Prints the ten slowest tests.   slowest.py FOLDER LOG...
+FOLDER holds what the test binaries have written: gtest's JSON, one file for each process. Each LOG is ctest's output."""
 import json
 import pathlib
 import re
@@ -23,11 +23,10 @@ def of_binaries(folder):
 
 def main():
     seen = []
-    for line in sys.stdin:
-        if whole := WHOLE.match(line):
-            if not SHARD.search(whole[1]):
+    for log in sys.argv[2:]:
+        for line in pathlib.Path(log).read_text(encoding="utf-8", errors="replace").splitlines():
+            if (whole := WHOLE.match(line)) and not SHARD.search(whole[1]):
                 seen.append((float(whole[2]), whole[1]))
-        print(line, end="", flush=True)
     print("\nThe ten slowest:")
     for seconds, name in sorted(seen + list(of_binaries(sys.argv[1])), reverse=True)[:10]:
         print(f"{seconds:8.2f} s  {name}")

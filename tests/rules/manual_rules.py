@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Pages for readers: their links lead somewhere, their contents are complete, and with the program as a second argument
-their examples do what they say.   manual_rules.py [ROOT [HANDWHEEL]]"""
+"""Pages for readers: their links lead somewhere, their contents are complete, each call of a script is explained and shown,
+and with the program as a second argument each of its commands and options is listed, and the examples do what they say.
+manual_rules.py [ROOT [HANDWHEEL]]"""
 import concurrent.futures
 import pathlib
 import re
@@ -48,6 +49,50 @@ def check_contents(page, text):
     listed = ENTRY.findall(text.split("\n## ")[0])
     if parts and listed != [(part, anchor(part)) for part in parts]:
         problems.append(f"{page}: its contents are not its headings")
+
+
+def code_of(text):
+    """What stands between backticks, outside of blocks."""
+    return re.findall(r"`([^`]+)`", without_blocks(text))
+
+
+def calls_of_scripts():
+    """The names that Lua sees, from the tables that bind them."""
+    for file in [*sorted((ROOT / "core/script").glob("bind_*.cpp")), ROOT / "gui/app/bind_ui.cpp"]:
+        source = file.read_text(encoding="utf-8")
+        for table, functions in re.findall(r"Function (\w+)\[\] = \{(.*?)\};", source, re.DOTALL):
+            if table != "news_table":  # of hw.on, in Lua
+                yield from re.findall(r'\{"(\w+)",', functions)
+
+
+def check_calls():
+    text = (MANUAL / "scripts.md").read_text(encoding="utf-8")
+    explained, shown = "\n".join(code_of(text)), "\n".join(block for language, block in BLOCK.findall(text) if language == "lua")
+    calls = list(calls_of_scripts())
+    if len(calls) < 80:
+        problems.append("the tables of the calls of scripts were not found")
+    for call in calls:
+        if not re.search(rf"\b{call}[({{]", explained):
+            problems.append(f"assets/manual/scripts.md: {call} is not explained")
+        if not re.search(rf"\b{call}[({{]", shown):
+            problems.append(f"assets/manual/scripts.md: no example calls {call}")
+
+
+def check_options():
+    """Each command stands in the page, and each of its options, as code."""
+    page = MANUAL / "command-line.md"
+    text = page.read_text(encoding="utf-8")
+    code = " ".join(code_of(text))
+    listed = subprocess.run([HANDWHEEL, "--help"], capture_output=True, text=True, timeout=60, check=True).stdout
+    names = re.findall(r"^  (\w+)  ", listed.partition("Subcommands:")[2].partition("\n\n")[0], re.MULTILINE)
+    if len(names) < 14:
+        problems.append("the commands of --help were not found")
+    for name in names:
+        if not re.search(rf"(`|\bhandwheel ){name}\b", text):
+            problems.append(f"{page}: the command {name} is not listed")
+    for option in sorted(set().union(*map(options_of, [None, *names]))):
+        if not re.search(rf"{option}(?![\w-])", code):
+            problems.append(f"{page}: the option {option} is not listed")
 
 
 def commands(text):
@@ -102,6 +147,9 @@ def try_example(page, number, block, file, words):
 def main():
     linked = set()
     known = {}
+    check_calls()
+    if HANDWHEEL:
+        check_options()
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         for page in PAGES:
             text = page.read_text(encoding="utf-8")

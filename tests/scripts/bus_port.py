@@ -3,6 +3,7 @@
 the transcripts of tests/talk/vme58, and the probe with which a control system looks for a board.
 
 Usage: bus_port.py HANDWHEEL TALK_FOLDER"""
+import concurrent.futures
 import pathlib
 import re
 import socket
@@ -189,7 +190,7 @@ def play(handwheel, path, folder):
     slow = path.name in SLOWLY
     speed = SLOWLY.get(path.name, SPEED)
     hands = Hands(lines, speed)
-    bench = folder / "bench.toml"
+    bench = folder / (path.stem + ".toml")
     bench.write_text("\n".join(hands.text) + "\n")
     with Emulator(handwheel, options, speed, str(bench)) as emulator:
         host = Host(Bus(emulator.place))
@@ -244,9 +245,9 @@ def main():
     probe(handwheel)
     transcripts = sorted(folder.glob("*.talk"))
     assert transcripts, "there are no transcripts"
-    with tempfile.TemporaryDirectory() as bench_folder:
-        for path in transcripts:
-            play(handwheel, path, pathlib.Path(bench_folder))
+    with tempfile.TemporaryDirectory() as bench_folder, concurrent.futures.ThreadPoolExecutor(4) as pool:
+        for _ in pool.map(lambda path: play(handwheel, path, pathlib.Path(bench_folder)), transcripts):
+            pass  # what it raised is raised here
     print("played over the bus port:", ", ".join(path.name for path in transcripts))
 
 

@@ -34,7 +34,7 @@ for _, kind in ipairs{
   assert(c:wait(30))
   same(c:limits(axis).plus, nil, address)
   ok, why = c:limits(axis, {minus = 5, plus = 5})
-  refused(ok, why, "must lie below its + limit")
+  refused(ok, why, "must lie on the − side of its + limit")
   hw.check(not pcall(c.limits, c, axis, {low = 5}), "an unknown key")
   assert(c:limits(axis, {}))
 

@@ -1,7 +1,13 @@
 -- The lines of tests/checklist/makers.md about connections, against emulators that other processes serve on ports:
--- command_line.py starts them and gives the paths. A PMX that is called 07 at 38400 baud, and a DMX 05 at 9600.
+-- command_line.py starts them and gives the path. A PMX that is called 07 at 38400 baud, or a DMX 05 at 9600; each has a
+-- run of its own.
 require("lib.checklist")
-local pmx, dmx = hw.args[1], hw.args[2]
+local lines, port_there = hw.args[1], hw.args[2]  -- "PMX" or "DMX"
+local pmx, dmx = port_there, port_there
+local any_block = block
+local function block(id, work)
+  if id:find("^" .. lines) then any_block(id, work) end
+end
 ui.window(1440, 900)
 
 -- Puts the form together and opens it.

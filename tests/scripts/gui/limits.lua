@@ -26,8 +26,8 @@ end
 local kinds = {
   {address = "vxm@emulator", axis = "1", text = "I1M%d,R"},
   {address = "pmx-4ex-sa@emulator", axis = "X", power = "EO=15", text = "X%d", absolute = true},
-  {address = "dmx-k-sa@emulator", axis = "X", power = "EO=1", text = "X%d", absolute = true},
-  {address = "vme58@emulator", axis = "X", text = "AX MR%d GO", text_warns = true},
+  {address = "dmx-k-sa@emulator", axis = "X", power = "EO=1", text = "X%d", absolute = true, counts = true},
+  {address = "vme58@emulator", axis = "X", text = "AX MR%d GO", counts = true},
 }
 for _, k in ipairs(kinds) do
   local axis, what = k.axis, k.address
@@ -36,13 +36,15 @@ for _, k in ipairs(kinds) do
   if k.power then hw.check(c:query(k.power)) end
   hw.sleep(1)
 
-  -- 200 full steps, 2 micro steps each, one turn goes 1 mm
+  -- 200 full steps, 2 micro steps each, or 400 counts: one turn goes 1 mm
   ui.click("dro/unit")
   choose("dro/unit/axis/" .. axis, "another conversion")
   ui.frame(2)
-  for field, number in pairs{full = "200\n", micro = "2\n", travel = "1\n"} do
-    ui.type(say("dro/unit/own/%s/%s", axis, field), number)
-  end
+  local micro = ui.exists(say("dro/unit/own/%s/micro", axis))  -- an encoder has counts a turn
+  same(not micro, k.counts or false, what .. ": micro steps")
+  ui.type(say("dro/unit/own/%s/full", axis), micro and "200\n" or "400\n")
+  if micro then ui.type(say("dro/unit/own/%s/micro", axis), "2\n") end
+  ui.type(say("dro/unit/own/%s/travel", axis), "1\n")
   ui.frame(2)
   ui.click(say("dro/unit/own/%s/drive", axis))
   ui.key("Escape")
@@ -95,9 +97,7 @@ for _, k in ipairs(kinds) do
   -- a text goes anyway, and is warned about in the unit of the axis
   ui.type("terminal/command", say(k.text, k.absolute and 4600 or 600) .. "\n")
   hw.sleep(0.2)
-  if k.text_warns then
-    hw.check(told("This text leads past a limit: 11.500 mm lies 1.500 mm past the + limit of"), what)
-  end
+  hw.check(told("This text leads past a limit: 11.500 mm lies 1.500 mm past the + limit of"), what)
   hw.sleep(3)
   hw.check(c:wait(30))
   hw.check(told("has passed its + limit, 10.000 mm: nothing ends this motion there."), what)
