@@ -60,7 +60,8 @@ class Way {
   }
   [[nodiscard]] bool lengths_known() const {
     return by_ || std::all_of(targets_.begin(), targets_.end(), [this](const AxisTarget& target) {
-             return f_.now.axes[target.axis.index].position_known;
+             const AxisState& axis = f_.now.axes[target.axis.index];
+             return axis.position_known && !axis.moves();
            });
   }
   /// Whatever the way, no axis is faster than what was typed.
@@ -70,9 +71,8 @@ class Way {
       slowest = i == 0 ? own_speed(targets_[i]) : std::min(slowest, own_speed(targets_[i]));
     return at_least_one(slowest);
   }
-  /// From where the present motion ends.
   [[nodiscard]] double distance(const AxisTarget& target) const {
-    const Steps from = by_ ? Steps(0) : f_.now.axes[target.axis.index].goal();
+    const Steps from = by_ ? Steps(0) : f_.now.axes[target.axis.index].commanded();
     return std::abs(static_cast<double>((target.value - from).value));
   }
 

@@ -70,8 +70,9 @@ void EndingWatch::stop_asked(const StopOrder& order, const Snapshot& now, Instan
   if (one_axis) return;  // the program continues
   ways_.disturbed();
   for (int i = 0; i < max_threads; ++i)
-    if (order.thread < 0 || order.thread == i) threads_[ix(i)].who = order.by;
-  program_.who = list_.who = order.by;
+    if ((order.thread < 0 || order.thread == i) && !threads_[ix(i)].over) threads_[ix(i)].who = order.by;
+  if (!program_.over) program_.who = order.by;
+  list_.who = order.by;
   if (order.by != StoppedBy::unknown) pieces_.who = order.by;  // else the stop only ends pieces that are over
   if (order.what == What::program)
     for (Run& axis : axes_) axis.who = order.by;
@@ -171,7 +172,7 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
   run.ending.at_travel_end = run.ending.at_travel_end && state.ended_by == EndedBy::target;
   run.ending.by = state.activity == Activity::error && state.ended_by == EndedBy::nothing ? EndedBy::error
                                                                                           : state.ended_by;
-  const bool by_text = run.who == StoppedBy::text && run.asked_at != Instant{};
+  const bool by_text = run.who == StoppedBy::text && run.sent_at != Instant{};
   if (by_text && run.ending.by == EndedBy::elsewhere) run.ending.by = EndedBy::stop;
   run.ending.beside_program = something_reports(now);
   run.ending.of_run = run.ending.of_run || run.ending.beside_program;

@@ -38,7 +38,7 @@ enum class StoppedBy : std::uint8_t {
   script,
   text,     ///< a command that the user typed
   let_go,   ///< the user let go of a held jog
-  console,  ///< the console itself: the jog was no longer held, the link was lost, the program ends
+  console,  ///< the console itself: the hold of a jog was interrupted, the link was lost, the program ends
   unknown
 };
 
@@ -98,9 +98,10 @@ struct JogStart {
       : axis(a), sign(s), speed(v), dead_man(guarded) {}
 };
 struct JogKeepAlive {};
-/// The user releases a jog; a script's jog continues.
+/// Ends a held jog; a script's jog continues.
 struct JogStop {
   int axis = -1;  ///< filled in by the pump: the axis whose jog ends; -1: not known, so all
+  StoppedBy by = StoppedBy::let_go;  ///< console: the hold was interrupted
 };
 struct Home {
   AxisId axis;

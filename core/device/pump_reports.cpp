@@ -96,7 +96,8 @@ std::optional<PastTravel> Pump::past_travel_of_words(const Job& job) {
 }
 
 std::optional<PastTravel> Pump::past_travel_of_text(const std::string& text) {
-  if (!some_travel_holds(snapshot_)) return {};
+  constexpr std::size_t longest = 65'536;  // a stop must not wait for the reading of a longer one
+  if (!some_travel_holds(snapshot_) || text.size() > longest) return {};
   TextGoals goals = driver_->goals_of(text);
   if (goals.runs >= 0) {
     const std::vector<AxisTarget> more = loaded_.places_of(goals.runs, snapshot_);

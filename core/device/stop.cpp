@@ -97,7 +97,7 @@ std::optional<StopOrder> stop_order_of(const Intent& intent) {
   } else if (const auto* j = std::get_if<intent::JogStop>(&intent.body)) {
     order.what = StopOrder::What::jog;
     order.axis = j->axis;
-    order.by = StoppedBy::let_go;
+    order.by = j->by;
   } else if (const auto* h = std::get_if<intent::HaltProgram>(&intent.body)) {
     order.what = StopOrder::What::program;
     order.thread = h->thread;

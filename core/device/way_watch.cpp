@@ -96,6 +96,7 @@ std::vector<Ending> WayWatch::look(const Snapshot& now) {
   follow_program(now);
   for (int i = 0; i < now.axis_count; ++i) look_at_axis(now, i, cut);
   if (!is_judging() || !is_settled(now)) return cut;
+  if (now.any_axis_moving()) last_cut_.reset();  // the last motion of the program goes on
   over_since_ = {};
   ways_.reset();
   return cut;

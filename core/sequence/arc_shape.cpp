@@ -29,9 +29,12 @@ ArcReach reach_of(const Arc& arc, double x, double y) {
   const auto [end_x, end_y] = end_of(arc, x, y);
   take(end_x, end_y);
   const double radius = std::hypot(x - arc.x, y - arc.y), begin = std::atan2(y - arc.y, x - arc.x);
-  const double low = std::min(begin, begin + radians(arc)), high = std::max(begin, begin + radians(arc));
-  for (double k = std::ceil(low / quarter), last = std::min(k + 4, high / quarter); k <= last; ++k)
-    take(arc.x + radius * std::cos(k * quarter), arc.y + radius * std::sin(k * quarter));
+  constexpr double whole = 4 * quarter;  // more turns reach no further
+  const double turn = std::clamp(radians(arc), -whole, whole);
+  const double low = std::min(begin, begin + turn), high = std::max(begin, begin + turn);
+  const double first = std::ceil(low / quarter);
+  for (int i = 0; i <= 4 && first + i <= high / quarter; ++i)
+    take(arc.x + radius * std::cos((first + i) * quarter), arc.y + radius * std::sin((first + i) * quarter));
   return reach;
 }
 

@@ -16,7 +16,7 @@ std::string_view by_whom(StoppedBy who) {
     case StoppedBy::key: return "by Esc";
     case StoppedBy::script: return "by the script";
     case StoppedBy::text: return "by the command that was sent";
-    case StoppedBy::console: return "by the console, because it was no longer held or the link was lost";
+    case StoppedBy::console: return "by the console, because its hold was interrupted or the link was lost";
     case StoppedBy::let_go: return "when its button was let go";
     case StoppedBy::unknown: break;
   }

@@ -9,7 +9,7 @@ namespace hw::gui {
 void JogHold::press(const Control& control, const Want& want, double at_s) {
   if (held_) {
     if (held_->control == control) return;  // auto-repeat, or a doubled edge
-    end(true);
+    end(End::released);
   }
   Held held;
   held.control = control;
@@ -19,31 +19,31 @@ void JogHold::press(const Control& control, const Want& want, double at_s) {
 }
 
 void JogHold::release(const Control& control, double) {
-  if (held_ && held_->control == control) end(true);
+  if (held_ && held_->control == control) end(End::released);
 }
 
 void JogHold::let_go() {
-  if (held_) end(false);
+  if (held_) end(End::interrupted);
 }
 
 void JogHold::confirm(const Control& control) {
   if (held_ && held_->control == control) held_->confirmed = true;
 }
 
-void JogHold::end(bool with_step) {
+void JogHold::end(End how) {
   const Held held = *held_;
   held_.reset();
   if (held.jogging) {
-    send_(intent::JogStop());
-  } else if (with_step && held.want.step.value > 0) {
+    send_(intent::JogStop{-1, how == End::released ? StoppedBy::let_go : StoppedBy::console});
+  } else if (how == End::released && held.want.step.value > 0) {
     std::vector<AxisTarget> one(1, AxisTarget{held.control.axis, held.want.step});
     if (held.control.sign == Sign::minus) one[0].value = -one[0].value;
     tap_ = send_(intent::MoveBy(std::move(one), held.want.speed));
   }
 }
 
-void JogHold::tick(double now_s) {
-  if (!held_) return;
+bool JogHold::tick(double now_s) {
+  if (!held_) return false;
   Held& held = *held_;
   // A late frame may be followed by the release that it delayed: never start a jog on it.
   const bool frozen = now_s - held.seen_at_s > frozen_after_s;
@@ -51,7 +51,8 @@ void JogHold::tick(double now_s) {
   if (frozen || unseen) {
     gui_log().debug("the hold of axis {} ends: {}", held.control.axis.index + 1,
                     frozen ? "no frame for too long" : "its control is no longer seen as held");
-    return let_go();
+    let_go();
+    return frozen;
   }
   held.seen_at_s = now_s;
   held.confirmed = false;
@@ -63,6 +64,7 @@ void JogHold::tick(double now_s) {
     held.kept_alive_at_s = now_s;
     send_(intent::JogKeepAlive());
   }
+  return false;
 }
 
 std::optional<JogHold::Control> JogHold::control() const {

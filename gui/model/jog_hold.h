@@ -36,7 +36,7 @@ class JogHold {
   /// Times are seconds on the clock of the frames, and those of the input, not of the frame that noticed it.
   void press(const Control& control, const Want& want, double at_s);
   void release(const Control& control, double at_s);
-  /// Ends the hold: a jog is stopped, an unfinished tap is discarded.
+  /// Interrupts the hold: a jog is stopped, an unfinished tap is discarded.
   void let_go();
   /// The same for a hold of this input device.
   void take_away(Source source) {
@@ -47,8 +47,9 @@ class JogHold {
   /// Once a frame while the control is drawn (its key is known) and pressed. A hold not confirmed in a frame
   /// is ended.
   void confirm(const Control& control);
-  /// Once a frame, after the panels: starts the jog when due, and keeps it alive.
-  void tick(double now_s);
+  /// Once a frame, after the panels: starts the jog when due, and keeps it alive. Returns whether it has
+  /// ended the hold because this frame came late.
+  bool tick(double now_s);
 
   [[nodiscard]] bool holding() const { return held_.has_value(); }
   [[nodiscard]] bool jogging() const { return held_ && held_->jogging; }
@@ -72,7 +73,8 @@ class JogHold {
     bool jogging = false, confirmed = true;
     IntentId intent = 0;
   };
-  void end(bool with_step);
+  enum class End : std::uint8_t { released, interrupted };
+  void end(End how);
 
   Send send_;
   std::optional<Held> held_;

@@ -113,7 +113,8 @@ void StepRun::take(const AxisSample& s) {
 
 void StepRun::end(double length_ms) {
   constexpr std::size_t enough = 8;
-  constexpr float usual_jitter = 4;  // times the median spacing; of a few samples, times the least
+  constexpr float usual_jitter = 4;         // times the median spacing; of a few samples, times the least
+  constexpr float share_joined = 1.0f / 3;  // of the step
   if (t_ms_.empty()) return;
   planned_end_ms_ = t_ms_.front() + static_cast<float>(length_ms);
   cut_short_ = length_ms > 0;
@@ -123,8 +124,12 @@ void StepRun::end(double length_ms) {
   const std::size_t usual = t_ms_.size() < enough ? 0 : spacing.size() / 2;
   const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(usual);
   std::nth_element(spacing.begin(), middle, spacing.end());
-  longest_joined_ms_ = usual_jitter * *middle;
-  cut_short_ = t_ms_.back() + longest_joined_ms_ < planned_end_ms_;
+  const float joined_ms = usual_jitter * *middle,
+              joined = std::max(1.0f, share_joined * static_cast<float>(step()));
+  cut_short_ = t_ms_.back() + joined_ms < planned_end_ms_;
+  for (std::size_t i = 1; i < t_ms_.size(); ++i)
+    if (t_ms_[i] - t_ms_[i - 1] > joined_ms || std::fabs(encoder_[i] - encoder_[i - 1]) > joined)
+      gaps_.push_back(i);
 }
 
 float StepRun::largest_output() const {

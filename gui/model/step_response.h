@@ -1,5 +1,6 @@
 #pragma once
 // One recorded step of an axis: its command, its path, and measures for tuning its gains. Pure.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -38,11 +39,11 @@ class StepRun {
   [[nodiscard]] std::span<const float> output() const {
     return output_.size() == t_ms_.size() ? std::span<const float>(output_) : std::span<const float>();
   }
-  /// Samples further apart have a gap between them; 0: not known yet.
-  [[nodiscard]] float longest_joined_ms() const { return longest_joined_ms_; }
-  /// Returns whether there is a gap between this sample and the one before.
+  /// The samples with a gap before them, in order: the course in between is unknown, since they are unusually
+  /// far apart, or the axis moved by more than a third of the step. None before end().
+  [[nodiscard]] std::span<const std::size_t> gaps() const { return gaps_; }
   [[nodiscard]] bool gap_before(std::size_t sample) const {
-    return sample > 0 && longest_joined_ms_ > 0 && t_ms_[sample] - t_ms_[sample - 1] > longest_joined_ms_;
+    return std::binary_search(gaps_.begin(), gaps_.end(), sample);
   }
   /// Its last samples are missing.
   [[nodiscard]] bool cut_short() const { return cut_short_; }
@@ -58,8 +59,9 @@ class StepRun {
   bool began_ = false, cut_short_ = false;
   Instant first_at_{};
   Steps from_command_{}, from_encoder_{};
-  float origin_ms_ = 0, longest_joined_ms_ = 0, planned_end_ms_ = 0;
+  float origin_ms_ = 0, planned_end_ms_ = 0;
   std::vector<float> t_ms_, command_, encoder_, error_, output_;
+  std::vector<std::size_t> gaps_;
 };
 
 /// A value between two bounds: the course within a gap of the samples is unknown.

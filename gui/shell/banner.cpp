@@ -9,7 +9,6 @@
 #include <imgui_internal.h>
 
 #include "core/device/refusals.h"
-#include "gui/model/axis_look.h"
 #include "gui/model/bus.h"
 #include "gui/model/goes_on.h"
 #include "gui/shell/banner_subject.h"
@@ -29,47 +28,12 @@ int unset_in(const Tab& tab) {
   return -1;
 }
 
-namespace {
-
-constexpr float folded_height = 36;
-
-/// A bar that would leave less than three rows of traffic covers the status line instead.
-bool covers_status(const Box& below, bool folded) {
-  constexpr float three_rows_and_command = 3 * 20 + 48;
-  return below.height - (folded ? folded_height : banner_bar_height) < three_rows_and_command;
-}
-
-/// What the status line says before it gives advice, or beside it.
-bool is_urgent(const Snapshot& now) {
-  const auto axes = std::span(now.axes).first(static_cast<std::size_t>(now.axis_count));
-  const bool axis_fails = std::any_of(axes.begin(), axes.end(), [](const AxisState& axis) {
-    return axis.activity == Activity::error || axis.alarm;
-  });
-  const bool thread_fails =
-      std::any_of(now.threads.begin(), now.threads.end(),
-                  [](const ThreadState& thread) { return thread.known && thread.run == RunState::error; });
-  return axis_fails || thread_fails || now.link.state == LinkState::late || !now.notice.empty() ||
-         now.any_axis_moving() || now.program.owned;
-}
-
-/// Advice does not cover a status line with a more urgent message, of whichever device on the bus.
-bool would_hide_what_is_urgent(const Tab& tab, const Box& below) {
-  if (!covers_status(below, false)) return false;
-  if (!tab.bus) return is_urgent(tab.now());
-  const auto& members = tab.bus->members;
-  return std::any_of(members.begin(), members.end(),
-                     [](const Tab* member) { return is_urgent(member->now()); });
-}
-
-}  // namespace
-
 BannerSubject banner_subject(Tab& tab, const Layout& layout, const Box& below) {
   using What = BannerSubject::What;
   const bool narrow = layout.tier == Tier::narrow;
   Tab& worst = tab.bus && !narrow ? tab.bus->worst() : tab;
   if (worst.now().link.state == LinkState::lost) return {What::lost, &worst};
-  if (narrow || tab.centre_panel == "setup") return {};  // the status line reports it too
-  if (would_hide_what_is_urgent(tab, below)) return {};
+  if (narrow || below.empty() || tab.centre_panel == "setup") return {};  // the status line reports it too
   if (tab.now().link.connected())
     if (FollowOffer offer = offer_to_follow(tab);
         !offer.address.empty() && offer.why_not.empty() && offer.address != tab.follow_left)
@@ -128,12 +92,13 @@ struct BannerPlace {
 /// Full height if possible; a bar if that would leave too few rows of traffic; folded, one line.
 BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const Banner& what, bool actions,
                      bool folded) {
-  constexpr float traffic_at_least = 150;
-  if (covers_status(below, folded)) return {layout.status, true, true};
+  constexpr float one_line = 36, traffic_at_least = 150;
+  if (below.empty()) return {layout.status, true, true};
+  const float bar = folded ? one_line : banner_bar_height;
   const float whole = banner_height(ui, what, below.width, actions);
   if (!folded && below.height - whole >= traffic_at_least)
     return {{below.x, below.y, below.width, whole}, false, false};
-  return {{below.x, below.y, below.width, folded ? folded_height : banner_bar_height}, true, false};
+  return {{below.x, below.y, below.width, std::min(bar, below.height)}, true, false};
 }
 
 /// Of a status line that a banner covers: messages keep a place there too, unless they stand at the terminal,
@@ -189,7 +154,7 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
   FollowOffer offer = offer_to_follow(tab);
   const bool moved = !offer.address.empty();
   const bool may_follow = moved && offer.why_not.empty();
-  const bool folds = !covers_status(below, true), folded = tab.banner_folded && folds;
+  const bool folds = !below.empty(), folded = tab.banner_folded && folds;
   std::array<Action, 4> all;
   std::size_t count = 0;
   if (moved) all[count++] = {.id = "fault/follow", .label = offer.label, .main = may_follow};

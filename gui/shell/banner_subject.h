@@ -20,8 +20,8 @@ struct BannerSubject {
 /// Of a banner that is one bar: in a low part it is never higher.
 inline constexpr float banner_bar_height = 48;
 
-/// `below`: the part under the panel tabs, of which it takes its rows. Advice that would cover a more urgent
-/// status line is no subject: that line gives it.
+/// `below`: the part under the panel tabs, of which it takes its rows. Without that part only a lost link is
+/// a subject: advice would cover the status line.
 BannerSubject banner_subject(Tab& tab, const Layout& layout, const Box& below);
 /// The parameter to choose before this controller's first move; -1: none.
 int unset_in(const Tab& tab);

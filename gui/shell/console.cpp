@@ -285,7 +285,8 @@ void Console::draw(Ui& ui) {
   list_open_ = ui.takes_arrows();
   for (const auto& tab : tabs_) {
     tab->user_acted({});
-    tab->jog.tick(ui.now_s);
+    if (tab->jog.tick(ui.now_s))
+      toast(Severity::warn, "This computer was busy, so the held jog was ended. Let go, and hold again.");
     ui.wake_in(tab->jog.due_in_s(ui.now_s));
   }
 }

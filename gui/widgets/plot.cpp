@@ -103,7 +103,7 @@ void stroke_dashed(Ui& ui, ImU32 colour, float width) {
 }
 
 bool gap_before(const PlotTrace& t, std::size_t point) {
-  return t.longest_joined > 0 && point > 0 && t.x[point] - t.x[point - 1] > t.longest_joined;
+  return std::binary_search(t.gaps.begin(), t.gaps.end(), point);
 }
 
 /// One stroke from gap to gap.

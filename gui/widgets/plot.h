@@ -17,7 +17,7 @@ struct PlotTrace {
   bool dashed = false;
   std::string_view name = {};  ///< at its end; empty: only drawn
   bool name_above = false;
-  float longest_joined = 0;  ///< points further apart have a gap between them; 0: all are joined
+  std::span<const std::size_t> gaps = {};  ///< the points with a gap before them, in order
 };
 /// A dotted vertical line with words beside it.
 struct PlotMark {

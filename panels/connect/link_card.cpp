@@ -66,8 +66,8 @@ bool LinkCard::is_open(PageFrame& f) {
 }
 
 void LinkCard::toggle(PageFrame& f, const Tab& tab, bool address) {
-  const bool folds = is_of(tab) && !(address && !changes_address_);
   if (raise_.under_way()) return;
+  const bool folds = is_of(tab) && !address;
   fold();
   if (folds) return;
   of_ = address_of_all(tab).text();

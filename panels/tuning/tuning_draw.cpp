@@ -116,12 +116,10 @@ void Tuning::draw_plots(Frame& f, float width, float height) {
   const Path encoder("encoder {:.0f}", run ? last(run->encoder()) : 0.0f);
   std::array<PlotTrace, 3> traces;
   std::size_t n = 0;
-  if (old)
-    traces[n++] = {old->t_ms(), old->encoder(), Tone::ink3, 1, false, {}, false, old->longest_joined_ms()};
+  if (old) traces[n++] = {old->t_ms(), old->encoder(), Tone::ink3, 1, false, {}, false, old->gaps()};
   if (run) {
-    traces[n++] = {run->t_ms(), run->command(), Tone::ink, 1, true, command, true, run->longest_joined_ms()};
-    traces[n++] = {run->t_ms(), run->encoder(), Tone::motion, 2,
-                   false,       encoder,        false,        run->longest_joined_ms()};
+    traces[n++] = {run->t_ms(), run->command(), Tone::ink, 1, true, command, true, run->gaps()};
+    traces[n++] = {run->t_ms(), run->encoder(), Tone::motion, 2, false, encoder, false, run->gaps()};
     o.y = {0, static_cast<float>(run->step())};
   }
   for (std::size_t i = 0; i < n; ++i) o.y.take(traces[i].y);
@@ -157,10 +155,8 @@ void Tuning::draw_error(Frame& f, float width, float height, bool lowest) {
   const Path error("error {}", last_error.view());
   std::array<PlotTrace, 2> traces;
   std::size_t n = 0;
-  if (old)
-    traces[n++] = {old->t_ms(), old->error(), Tone::ink3, 1, false, {}, false, old->longest_joined_ms()};
-  if (run)
-    traces[n++] = {run->t_ms(), run->error(), Tone::trace, 2, false, error, true, run->longest_joined_ms()};
+  if (old) traces[n++] = {old->t_ms(), old->error(), Tone::ink3, 1, false, {}, false, old->gaps()};
+  if (run) traces[n++] = {run->t_ms(), run->error(), Tone::trace, 2, false, error, true, run->gaps()};
   for (std::size_t i = 0; i < n; ++i) o.y.take(traces[i].y);
   o.y.widen(0.15f);
   if (run) o.words = error;
@@ -181,8 +177,8 @@ void Tuning::draw_output(Frame& f, float height) {
   std::array<PlotTrace, 2> traces;
   std::size_t n = 0;
   if (old && !old->output().empty())
-    traces[n++] = {old->t_ms(), old->output(), Tone::ink3, 1, false, {}, false, old->longest_joined_ms()};
-  traces[n++] = {run->t_ms(), run->output(), Tone::ink, 2, false, largest, true, run->longest_joined_ms()};
+    traces[n++] = {old->t_ms(), old->output(), Tone::ink3, 1, false, {}, false, old->gaps()};
+  traces[n++] = {run->t_ms(), run->output(), Tone::ink, 2, false, largest, true, run->gaps()};
   for (std::size_t i = 0; i < n; ++i) o.y.take(traces[i].y);
   o.y.widen(0.15f);
   const Path words("calculated, not read: {}", largest.view());

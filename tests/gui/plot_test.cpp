@@ -29,7 +29,7 @@ TEST(Plot, ValuesBetweenPoints) {
 struct PlotStage {
   std::vector<float> x, y;
   bool dashed = false;
-  float longest_joined = 0;
+  std::vector<std::size_t> gaps;
   PlotCursor cursor;
   Stage stage{in_window([this](Ui& ui) {
                 PlotOptions o;
@@ -37,7 +37,7 @@ struct PlotStage {
                 o.x = {0, 100}, o.y = {0, 100};
                 o.width = 400, o.height = 200;
                 o.empty = "Nothing yet.";
-                const PlotTrace trace{x, y, Tone::motion, 2, dashed, "encoder 100", false, longest_joined};
+                const PlotTrace trace{x, y, Tone::motion, 2, dashed, "encoder 100", false, gaps};
                 plot(ui, "plot", "Plot", {&trace, 1}, o, cursor);
               }),
               440, 240};
@@ -87,7 +87,8 @@ TEST(Plot, AGapIsDrawnAsAGapAndHasNoValue) {
     return drawn;
   };
   EXPECT_TRUE(is_drawn_in_the_gap());
-  p.longest_joined = 4;
+  for (std::size_t i = 1; i < p.x.size(); ++i)
+    if (p.x[i] - p.x[i - 1] > 4) p.gaps.push_back(i);
   EXPECT_FALSE(is_drawn_in_the_gap());
   p.stage.push(InputEvent::mouse_move(16 + 52 + (400 - 68) / 2, 100, p.stage.now_s));
   p.stage.frames(2);

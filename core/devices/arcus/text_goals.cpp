@@ -90,6 +90,7 @@ class CommandReader {
     if (command.size() < 4 || (command[3] != 'P' && command[3] != 'N')) return {};
     const auto numbers = decode_numbers(command.substr(4), whole ? 2 : 4);
     if (!numbers || !now_.axes[0].position_known || !now_.axes[1].position_known) return {};
+    if (!is_place((*numbers)[0]) || !is_place((*numbers)[1])) return {};
     const double sweep = whole ? 360 : static_cast<double>((*numbers)[3]) / 1000;
     std::vector<AxisTarget> places = reach((*numbers)[0], (*numbers)[1], command[3] == 'P' ? -sweep : sweep);
     if (whole) return places;

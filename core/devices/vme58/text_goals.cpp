@@ -150,7 +150,7 @@ class Walk {
     places_.push_back({AxisId{static_cast<std::uint8_t>(axis)}, place});
   }
   void go_to(std::size_t axis, double place) {
-    if (axis >= axes_) return;
+    if (axis >= axes_ || !std::isfinite(place)) return;
     at_[axis] = place;
     put(axis, whole(place));
   }
@@ -260,6 +260,7 @@ class Walk {
     each_number(command, [this](std::size_t axis, double n) { reach(axis, in_counts(units_, axis, n)); });
   }
   void reach(std::size_t axis, double place) {
+    if (!std::isfinite(place)) return;
     contour_->end[axis] = place;
     if (axis < axes_) contour_->reaches.push_back({AxisId{static_cast<std::uint8_t>(axis)}, whole(place)});
   }
@@ -291,6 +292,7 @@ class Walk {
       at_ = {};
       return;
     }
+    left_ -= static_cast<int>(contour_->reaches.size());  // a place costs as much as a command
     places_.insert(places_.end(), contour_->reaches.begin(), contour_->reaches.end());
     for (std::size_t axis = 0; axis < most_axes; ++axis)
       if (contour_->end[axis]) at_[axis] = contour_->end[axis];
@@ -306,7 +308,7 @@ class Walk {
   std::vector<Loop> loops_;
   std::optional<Contour> contour_;
   std::array<double, most_axes> way_{};  ///< of MV; 0: not known
-  int left_ = 20'000;                    ///< commands
+  int left_ = 20'000;                    ///< commands of the whole text
 };
 
 }  // namespace

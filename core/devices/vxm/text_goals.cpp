@@ -16,15 +16,17 @@ using Programs = std::array<ProgramContents, program_count>;
 /// whose successor depends on an unknown value.
 class ProgramWalk {
  public:
-  /// `zeroed`: the counts are 0 by then.
-  ProgramWalk(const HeldPrograms& held, const Snapshot& now, bool zeroed) : programs_(held.contents) {
+  /// `zeroed`: the counts are 0 by then. `left`: the commands that may still be walked for the whole text.
+  ProgramWalk(const HeldPrograms& held, const Snapshot& now, bool zeroed, int& left)
+      : programs_(held.contents), left_(left) {
     for (int i = 0; i < now.axis_count && i < max_motors && !held.program_4_first; ++i)
       if (now.axes[ix(i)].position_known || zeroed) at_[ix(i)] = zeroed ? 0 : now.axes[ix(i)].goal().value;
   }
 
   void run(int program) {
     stack_.push_back({program, 0, {}});
-    while (!stack_.empty() && left_-- > 0) {
+    while (!stack_.empty() && left_ > 0) {
+      --left_;
       Frame& frame = stack_.back();
       const auto& commands = programs_[ix(frame.program)];
       if (!commands) return;
@@ -145,7 +147,7 @@ class ProgramWalk {
   std::array<std::int64_t, max_motors> grew_by_{};  ///< over the last pass of what repeats without end
   std::vector<Frame> stack_;
   std::vector<AxisTarget> places_;
-  int left_ = 20'000;  ///< commands
+  int& left_;
 };
 
 bool acts(const TextCommand& c, char letter) { return c.verb == Verb::letter && c.letter == letter; }
@@ -170,6 +172,7 @@ TextGoals goals_of(std::string_view text, Listening now, HeldPrograms held, cons
   std::string whole(text);
   if (ends_open(whole)) whole += '\r';
   bool zeroed = false;
+  int left = 20'000;
   for (const TextCommand& c : read_text(whole)) {
     const bool taken = now.takes(c), runs = taken && acts(c, 'R') && !now.local;
     zeroed = zeroed || (taken && acts(c, 'N'));
@@ -180,7 +183,7 @@ TextGoals goals_of(std::string_view text, Listening now, HeldPrograms held, cons
     if (held.selected < 0 || held.selected >= program_count) continue;
     if (taken) change(held.contents[ix(held.selected)], c);
     if (!runs) continue;
-    ProgramWalk walk(held, snapshot, zeroed);
+    ProgramWalk walk(held, snapshot, zeroed, left);
     walk.run(held.selected);
     const std::vector<AxisTarget> places = std::move(walk).places();
     goals.places.insert(goals.places.end(), places.begin(), places.end());

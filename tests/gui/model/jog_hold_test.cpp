@@ -15,6 +15,7 @@ class JogHoldTest : public testing::Test {
   JogHold jog{[this](IntentBody body) { return note(body); }};
   std::vector<std::string> sent;  // keep-alives are counted only
   int keep_alives = 0;
+  StoppedBy stopped_by = StoppedBy::unknown;
   IntentId last = 0;
 
   using Source = JogHold::Source;
@@ -32,8 +33,8 @@ class JogHoldTest : public testing::Test {
                      std::to_string(by->distances[0].value.value));
     else if (const auto* start = std::get_if<intent::JogStart>(&body))
       sent.push_back("jog " + std::to_string(start->axis.index) + letter(start->sign));
-    else if (std::holds_alternative<intent::JogStop>(body))
-      sent.push_back("stop");
+    else if (const auto* stop = std::get_if<intent::JogStop>(&body))
+      sent.push_back("stop"), stopped_by = stop->by;
     return ++last;
   }
   /// Frames at 60 Hz in which the control is drawn and pressed.
@@ -109,6 +110,24 @@ TEST_F(JogHoldTest, FocusLossEndsAJogAndForgetsATap) {
   EXPECT_EQ(sent, (Sent{"jog 0+", "stop"}));
   jog.release(plus, 2.6);  // the release that comes after all
   EXPECT_EQ(sent.size(), 2u);
+}
+
+TEST_F(JogHoldTest, AnInterruptedHoldIsNoRelease) {
+  jog.press(plus, ten, 1.0);
+  double t = hold(plus, 1.0, 1.5);
+  jog.release(plus, t);
+  EXPECT_EQ(stopped_by, StoppedBy::let_go);
+  jog.press(plus, ten, 2.0);
+  hold(plus, 2.0, 2.5);
+  jog.let_go();
+  EXPECT_EQ(stopped_by, StoppedBy::console);
+  stopped_by = StoppedBy::unknown;
+  jog.press(plus, ten, 3.0);
+  t = hold(plus, 3.0, 3.5);
+  jog.confirm(plus);
+  EXPECT_TRUE(jog.tick(t + 0.3)) << "this frame came late";
+  EXPECT_EQ(stopped_by, StoppedBy::console);
+  EXPECT_FALSE(jog.tick(t + 0.4));
 }
 
 TEST_F(JogHoldTest, ControlThatIsNoLongerDrawnEndsIt) {  // tab switch, layout change, dialog over it

@@ -1,6 +1,8 @@
 // Steps are recorded whichever panel is in front; nothing moves by itself while nobody looks.
 #include "gui/model/step_recorder.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 namespace hw::gui {
@@ -27,12 +29,13 @@ struct StepRecorderTest : ::testing::Test {
       if (looked_at) recorder.looked_at();
     }
   }
-  /// The command jumps after 10 ms; the encoder follows at once.
+  /// The command jumps after 10 ms; the encoder follows within 5 ms.
   void samples(int from, int to, int step = 400) {
     for (int i = from; i < to; ++i) {
       AxisSample one;
       one.at = Instant(Millis(i));
-      one.command = one.encoder = Steps(i >= 10 ? step : 0);
+      one.command = Steps(i >= 10 ? step : 0);
+      one.encoder = Steps(step * std::clamp(i - 9, 0, 5) / 5);
       recorder.take(one);
     }
   }

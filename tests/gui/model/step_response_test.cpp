@@ -95,6 +95,25 @@ TEST(StepResponse, WithoutAGapAllMeasuresAreExact) {
   EXPECT_DOUBLE_EQ(m.rise_ms.low, 8);
 }
 
+// On an evenly slow wire no interval is unusual, and the whole rise lies between two samples.
+TEST(StepResponse, ARiseThatFewSamplesShowIsAGap) {
+  StepRun run(1, AxisId{2}, Steps(100));
+  for (int ms = -50; ms <= 400; ms += 25) {
+    AxisSample s;
+    s.at = Instant(Millis(5000 + ms));
+    s.axis = 2;
+    s.command = Steps(ms > 0 ? 100 : 0);
+    s.encoder = Steps(std::clamp(10 * ms - 200, 0, 100));
+    run.take(s);
+  }
+  run.end();
+  const StepMeasures m = measure(run);
+  EXPECT_GE(m.gaps, 1);
+  EXPECT_FALSE(m.rise_ms.exact());
+  EXPECT_TRUE(m.overshoot_percent.open());
+  EXPECT_FALSE(m.settling_ms.exact());
+}
+
 TEST(StepResponse, WhatAGapTouchesIsARangeOrIsWithheld) {
   StepMeasures m = measure(recorded_but(7, 20));
   EXPECT_EQ(m.gaps, 1);

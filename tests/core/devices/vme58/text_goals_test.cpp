@@ -50,7 +50,7 @@ TEST_F(Vme58TextGoals, LoopsAreCarriedOut) {
   EXPECT_EQ(goals("AX LS2000000000 MR1 GO LE").back(), at(0, 2'000'001'000)) << "as far as a long one goes";
   EXPECT_LT(goals("AX LS2000000000 MR1 GO MR-1 GO LE").back().value, Steps(2000)) << "to and fro";
   EXPECT_EQ(goals("AX WH MR-1 GO WG AY MA7 GO"),
-            (Places{at(0, 999), at(0, 998), at(0, -without_end.value), at(1, 7)}));
+            (Places{at(0, 999), at(0, 998), at(0, -hw::without_end.value), at(1, 7)}));
   EXPECT_EQ(goals("AX WS0 MA5 GO WD MR1 GO"), (Places{at(0, 5), at(0, 5), at(0, 6)}));
 }
 
@@ -59,21 +59,21 @@ TEST_F(Vme58TextGoals, UserUnitsMultiply) {
   EXPECT_EQ(goals("AX MA46 GO"), Places{at(0, 460)});
   EXPECT_EQ(goals("AX UU2 MA46 GO"), Places{at(0, 92)});
   EXPECT_EQ(goals("AX UF MA46 GO"), Places{at(0, 46)});
-  EXPECT_EQ(goals("AX JG-5"), Places{at(0, -without_end.value)});
+  EXPECT_EQ(goals("AX JG-5"), Places{at(0, -hw::without_end.value)});
 }
 
 TEST_F(Vme58TextGoals, AJogHasNoEndUnlessTheTextEndsIt) {
-  EXPECT_EQ(goals("AX JG500"), Places{at(0, without_end.value)});
+  EXPECT_EQ(goals("AX JG500"), Places{at(0, hw::without_end.value)});
   EXPECT_EQ(goals("AX JG500 WT100 JG0"), Places{});
-  EXPECT_EQ(goals("AX JF-0.5"), Places{at(0, -without_end.value)});
+  EXPECT_EQ(goals("AX JF-0.5"), Places{at(0, -hw::without_end.value)});
   EXPECT_EQ(goals("AX JG500 SP4000"), Places{at(0, 4000)});
   EXPECT_EQ(goals("AX JG500 FP4000"), Places{at(0, 4000)});
 }
 
 TEST_F(Vme58TextGoals, AStaircaseRunsOnUntilItIsEnded) {
-  EXPECT_EQ(goals("AX MP MV2000,500"), (Places{at(0, 2000), at(0, without_end.value)}));
+  EXPECT_EQ(goals("AX MP MV2000,500"), (Places{at(0, 2000), at(0, hw::without_end.value)}));
   EXPECT_EQ(goals("AX MM MV-100,500 MV-200,50"),
-            (Places{at(0, -100), at(0, -200), at(0, -without_end.value)}));
+            (Places{at(0, -100), at(0, -200), at(0, -hw::without_end.value)}));
   EXPECT_EQ(goals("AX MP MV2000,500 SP3000"), (Places{at(0, 2000), at(0, 3000)}));
   EXPECT_EQ(goals("AX MP MV2000,500 JG0"), Places{at(0, 2000)});
 }
@@ -125,6 +125,14 @@ TEST_F(Vme58TextGoals, AContourOfTheTextIsPlayedByCx) {
   EXPECT_NE(std::find(played.begin(), played.end(), at(1, 520)), played.end())
       << "the top of its half circle";
   EXPECT_EQ(goals("AA CX"), Places{}) << "recorded before";
+}
+
+TEST_F(Vme58TextGoals, NoTextTakesLongToRead) {
+  const Places turns = goals("AA CV1000 CD0,0; CR10,10,-100000000000000000000 CE CX");
+  EXPECT_LT(turns.size(), 20u) << "more turns than can be counted";
+  std::string contour = "AA CD0,0;";
+  for (int i = 0; i < 200; ++i) contour += "MT" + std::to_string(i) + ",0;";
+  EXPECT_LT(goals(contour + "CE LS9999 CX LE").size(), 50'000u);
 }
 
 }  // namespace
