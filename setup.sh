@@ -8,6 +8,7 @@ build_packages=(g++ cmake ninja-build pkg-config python3 mold
   libgl1-mesa-dri)
 test_packages=(dbus libgtest-dev libgmock-dev libbenchmark-dev xvfb xdotool x11-utils openbox i3lock ser2net
   python3-gi gir1.2-gtk-3.0 universal-ctags libumockdev-dev umockdev dpkg-dev man-db desktop-file-utils appstream)
+clang_packages=(clang libclang-rt-dev)
 
 say() { printf '\n== %s\n' "$*"; }
 

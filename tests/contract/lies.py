@@ -32,9 +32,9 @@ def remembered():
     return {(lie, model): test for lie, model, test in map(str.split, lines)}
 
 
-def failed_test(binary, lie, model, known=()):
-    """The first contract test that fails under this lie; None: all are content."""
-    for suite in [*known, *SUITES]:
+def failed_test(binary, lie, model, suites):
+    """The first test of these suites that fails under this lie; None: all are content."""
+    for suite in suites:
         run = subprocess.run(
             [binary, f"--lie={lie}", "--gtest_fail_fast", "--gtest_brief=1",
              "--gtest_filter=" + suite.format(model.replace("-", "_"))],
@@ -58,8 +58,10 @@ def main(binary, only_lie=None, only_model=None):
             if only_lie in (None, lie) and only_model in (None, model)]
     models = sorted({model for _, model in lies})
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        by = list(pool.map(lambda told: failed_test(binary, *told, [known[told]] if told in known else []), lies))
-        content = list(pool.map(lambda model: failed_test(binary, "honest", model), models))
+        by = list(pool.map(lambda told: failed_test(binary, *told, [*known.get(told, "").split(), *SUITES]), lies))
+        # What has noticed a lie is content without one. The rest of the suite is run by itself, with all models.
+        witnesses = {model: sorted({test for (_, m), test in zip(lies, by) if test and m == model}) for model in models}
+        content = list(pool.map(lambda model: failed_test(binary, "honest", model, [":".join(witnesses[model])]), models))
     if remember:
         REMEMBERED.write_text("".join(f"{lie} {model} {test}\n" for (lie, model), test in zip(lies, by) if test),
                               encoding="utf-8")

@@ -34,7 +34,8 @@ void check_report(const Compilation& compiled) {
 }
 
 void check_program(const Compilation& compiled, const Dialect& dialect) {
-  require(compiled.lines.size() <= max_lines && compiled.lines.size() == compiled.source_line.size());
+  require(compiled.lines.size() <= hw::arcus::program_lines &&
+          compiled.lines.size() == compiled.source_line.size());
   const Program loaded = decode(compiled.lines, dialect);
   require(loaded.bad_lines.empty() && encode(loaded, dialect) == compiled.lines);
   const Compilation again = compile(decompile(compiled.lines, dialect).text, dialect);

@@ -103,7 +103,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     vm.run_turn(now, host);
     if (host.next() % 32 == 0) vm.control(host.next() % 4, host.next() % 4, now);
     for (int program = 0; program < max_programs; ++program)
-      require(vm.line(program, now) >= 0 && vm.line(program, now) <= max_lines);
+      require(vm.line(program, now) >= 0 && vm.line(program, now) <= hw::arcus::program_lines);
   }
   return 0;
 }
